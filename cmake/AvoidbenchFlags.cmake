@@ -1,0 +1,35 @@
+# Compiler flags of everything built here. Results must be the same bits on every x86-64 machine: no -march=native,
+# no fast-math, no contraction to fused multiply-add.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_C_STANDARD 99)
+set(CMAKE_C_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_CXX_VISIBILITY_PRESET hidden)
+set(CMAKE_C_VISIBILITY_PRESET hidden)
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+endif()
+set(CMAKE_CXX_FLAGS_RELEASE "-O2 -g1")
+set(CMAKE_C_FLAGS_RELEASE "-O2 -g1")
+
+find_program(AVOIDBENCH_CCACHE ccache)
+if(AVOIDBENCH_CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${AVOIDBENCH_CCACHE})
+  set(CMAKE_C_COMPILER_LAUNCHER ${AVOIDBENCH_CCACHE})
+endif()
+
+add_library(avoidbench_flags INTERFACE)
+target_compile_options(avoidbench_flags INTERFACE
+  -ffp-contract=off -fno-fast-math -fno-math-errno
+  -Wall -Wextra -Wpedantic
+  $<$<COMPILE_LANGUAGE:CXX>:-Wconversion -Wsign-conversion -Wshadow -Wold-style-cast -Wdouble-promotion>)
+if(AVOIDBENCH_WERROR)
+  target_compile_options(avoidbench_flags INTERFACE -Werror)
+endif()
+if(AVOIDBENCH_SANITIZE)
+  add_compile_options(-fsanitize=${AVOIDBENCH_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  add_link_options(-fsanitize=${AVOIDBENCH_SANITIZE})
+endif()

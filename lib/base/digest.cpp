@@ -1,0 +1,68 @@
+#include "base/digest.hpp"
+
+#include <nettle/sha2.h>
+
+#include <bit>
+#include <cstring>
+#include <fstream>
+#include <new>
+#include <vector>
+
+#include "base/check.hpp"
+#include "base/input_error.hpp"
+
+namespace avoidbench {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "x86-64 only");
+
+sha256_ctx* context(std::array<std::byte, 128>& state) {
+  static_assert(sizeof(sha256_ctx) <= 128 && std::is_trivially_copyable_v<sha256_ctx>);
+  return std::launder(reinterpret_cast<sha256_ctx*>(state.data()));
+}
+
+}  // namespace
+
+Digest::Digest() { sha256_init(new (state_.data()) sha256_ctx); }
+
+Digest& Digest::add_bytes(std::span<const std::byte> bytes) {
+  sha256_update(context(state_), bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data()));
+  return *this;
+}
+
+Digest& Digest::add(std::string_view text) {
+  add(static_cast<std::uint64_t>(text.size()));
+  return add_bytes(std::as_bytes(std::span(text)));
+}
+
+Digest& Digest::add(std::uint64_t value) { return add_bytes(std::as_bytes(std::span(&value, 1))); }
+
+Digest& Digest::add(double value) { return add(std::bit_cast<std::uint64_t>(value)); }
+
+std::string Digest::hex() {
+  std::array<std::uint8_t, SHA256_DIGEST_SIZE> bytes{};
+  sha256_digest(context(state_), bytes.size(), bytes.data());
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string text;
+  text.reserve(2 * bytes.size());
+  for (const std::uint8_t byte : bytes) {
+    text += kDigits[byte >> 4U];
+    text += kDigits[byte & 15U];
+  }
+  return text;
+}
+
+std::string file_digest(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) {
+    throw InputError({.file = path.string(), .message = std::string("can't be read: ") + std::strerror(errno)});
+  }
+  Digest digest;
+  std::vector<char> buffer(1 << 16);
+  while (file.read(buffer.data(), static_cast<std::streamsize>(buffer.size())) || file.gcount() > 0) {
+    digest.add_bytes(std::as_bytes(std::span(buffer.data(), static_cast<std::size_t>(file.gcount()))));
+  }
+  return digest.hex();
+}
+
+}  // namespace avoidbench

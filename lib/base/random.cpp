@@ -1,0 +1,84 @@
+#include "base/random.hpp"
+
+#include <bit>
+#include <cmath>
+
+#include "base/check.hpp"
+#include "base/math.hpp"
+
+namespace avoidbench {
+namespace {
+
+/// SplitMix64 (Steele, Lea and Flood 2014): advances `state` and returns a well mixed value.
+std::uint64_t split_mix(std::uint64_t& state) {
+  state += 0x9e3779b97f4a7c15ULL;
+  std::uint64_t z = state;
+  z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9ULL;
+  z = (z ^ (z >> 27U)) * 0x94d049bb133111ebULL;
+  return z ^ (z >> 31U);
+}
+
+}  // namespace
+
+RandomStream::RandomStream(std::uint64_t seed) : state_{} {
+  for (std::uint64_t& word : state_) word = split_mix(seed);
+}
+
+// xoshiro256** 1.0 (Blackman and Vigna 2018).
+std::uint64_t RandomStream::bits() {
+  const std::uint64_t result = std::rotl(state_[1] * 5U, 7) * 9U;
+  const std::uint64_t shifted = state_[1] << 17U;
+  state_[2] ^= state_[0];
+  state_[3] ^= state_[1];
+  state_[1] ^= state_[2];
+  state_[0] ^= state_[3];
+  state_[2] ^= shifted;
+  state_[3] = std::rotl(state_[3], 45);
+  return result;
+}
+
+double RandomStream::uniform() { return static_cast<double>(bits() >> 11U) * 0x1.0p-53; }
+
+double RandomStream::uniform(double lowest, double highest) {
+  return lowest + (highest - lowest) * uniform();
+}
+
+std::uint64_t RandomStream::below(std::uint64_t count) {
+  AB_CHECK(count > 0);
+  const std::uint64_t limit = (0 - count) % count;  // 2^64 mod count: the values that would bias are redrawn
+  std::uint64_t value = bits();
+  while (value < limit) value = bits();
+  return value % count;
+}
+
+double RandomStream::normal() {
+  if (has_spare_) {
+    has_spare_ = false;
+    return spare_normal_;
+  }
+  double x = 0.0, y = 0.0, square = 0.0;
+  do {
+    x = uniform(-1.0, 1.0);
+    y = uniform(-1.0, 1.0);
+    square = x * x + y * y;
+  } while (square >= 1.0 || square == 0.0);
+  const double factor = std::sqrt(-2.0 * math::log(square) / square);
+  spare_normal_ = y * factor;
+  has_spare_ = true;
+  return x * factor;
+}
+
+std::uint64_t stream_seed(std::uint64_t seed, std::string_view name) {
+  std::uint64_t hash = 0xcbf29ce484222325ULL;  // FNV-1a
+  for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
+  return stream_seed(seed, hash);
+}
+
+std::uint64_t stream_seed(std::uint64_t seed, std::uint64_t index) {
+  std::uint64_t state = seed;
+  const std::uint64_t mixed = split_mix(state) ^ index;
+  state = mixed;
+  return split_mix(state);
+}
+
+}  // namespace avoidbench

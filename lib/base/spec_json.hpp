@@ -1,0 +1,141 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "base/check.hpp"
+#include "base/enum_text.hpp"
+#include "base/fields.hpp"
+
+/// Specs as JSON and back, through their visit(). Used between the processes of a run and for the trial's key: keys are
+/// sorted, numbers are printed with the fewest digits that read back to the same bits. For input from people
+/// see config/: what comes here was checked before.
+namespace avoidbench {
+
+template <class Spec>
+nlohmann::json spec_to_json(const Spec& spec);
+template <class Spec>
+Spec spec_from_json(const nlohmann::json& json);
+
+namespace detail {
+
+template <class T>
+nlohmann::json value_to_json(const T& value);
+template <class T>
+void value_from_json(const nlohmann::json& json, T& value);
+
+struct JsonWriter {
+  nlohmann::json& json;
+
+  template <class T>
+  void field(std::string_view name, T& value, Range, std::string_view) {
+    json[std::string(name)] = value_to_json(value);
+  }
+  template <class T>
+  void field(std::string_view name, T& value, std::string_view doc) {
+    field(name, value, Range{}, doc);
+  }
+  template <class Variant>
+  void variant(std::string_view name, Variant& value, std::string_view) {
+    json[std::string(name)] = std::string(kind(value));
+    std::visit([this](auto& held) { visit(*this, held); }, value);
+  }
+};
+
+struct JsonReader {
+  const nlohmann::json& json;
+
+  template <class T>
+  void field(std::string_view name, T& value, Range, std::string_view) {
+    value_from_json(json.at(std::string(name)), value);
+  }
+  template <class T>
+  void field(std::string_view name, T& value, std::string_view doc) {
+    field(name, value, Range{}, doc);
+  }
+  template <class Variant>
+  void variant(std::string_view name, Variant& value, std::string_view) {
+    const std::string wanted = json.at(std::string(name));
+    read_kind<Variant, 0>(wanted, value);
+  }
+
+ private:
+  template <class Variant, std::size_t index>
+  void read_kind(const std::string& wanted, Variant& value) {
+    if constexpr (index < std::variant_size_v<Variant>) {
+      using Kind = std::variant_alternative_t<index, Variant>;
+      if (wanted == Kind::kind) {
+        Kind held{};
+        visit(*this, held);
+        value = std::move(held);
+      } else {
+        read_kind<Variant, index + 1>(wanted, value);
+      }
+    } else {
+      AB_CHECK(false, wanted, "is no kind");
+    }
+  }
+};
+
+template <class T>
+struct IsSequence : std::false_type {};
+template <class T>
+struct IsSequence<std::vector<T>> : std::true_type {};
+template <class T, std::size_t count>
+struct IsSequence<std::array<T, count>> : std::true_type {};
+
+template <class T>
+nlohmann::json value_to_json(const T& value) {
+  if constexpr (TextEnum<T>) {
+    return std::string(text(value));
+  } else if constexpr (IsSequence<T>::value) {
+    nlohmann::json array = nlohmann::json::array();
+    for (const auto& element : value) array.push_back(value_to_json(element));
+    return array;
+  } else if constexpr (Visitable<T, JsonWriter>) {
+    return spec_to_json(value);
+  } else {
+    return value;
+  }
+}
+
+template <class T>
+void value_from_json(const nlohmann::json& json, T& value) {
+  if constexpr (TextEnum<T>) {
+    const auto found = enum_from_text<T>(json.get<std::string>());
+    AB_CHECK(found.has_value(), json);
+    value = *found;
+  } else if constexpr (IsSequence<T>::value) {
+    if constexpr (requires { value.resize(json.size()); }) value.resize(json.size());
+    AB_CHECK(json.size() == value.size(), json);
+    for (std::size_t i = 0; i < value.size(); ++i) value_from_json(json[i], value[i]);
+  } else if constexpr (Visitable<T, JsonReader>) {
+    value = spec_from_json<T>(json);
+  } else {
+    value = json.get<T>();
+  }
+}
+
+}  // namespace detail
+
+template <class Spec>
+nlohmann::json spec_to_json(const Spec& spec) {
+  nlohmann::json json = nlohmann::json::object();
+  detail::JsonWriter writer{json};
+  Spec copy = spec;  // visit() takes a mutable spec, so that one function serves readers and writers
+  visit(writer, copy);
+  return json;
+}
+
+template <class Spec>
+Spec spec_from_json(const nlohmann::json& json) {
+  Spec spec{};
+  detail::JsonReader reader{json};
+  visit(reader, spec);
+  return spec;
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "trial/mission.hpp"
+
+namespace avoidbench {
+
+/// A mission with its reference path.
+struct MissionRecord {
+  std::int64_t index = 0;
+  Mission mission;
+  double reference_length_m = 0.0;  ///< d_min; NaN where invalid
+  bool is_valid = true;             ///< false: no free start or goal, or the goal can't be reached; never flown
+  std::string invalid_reason;
+};
+
+/// A map as this body flies it: its environment metrics and missions.
+struct MapRecord {
+  std::string key;           ///< digest of spec, map seed, sweep seed, mission rules, body and result version
+  std::string world_digest;
+  std::int64_t obstacle_count = 0, triangle_count = 0;
+  double traversability = 0.0;
+  double traversability_normalized_ratio = 0.0;
+  double relative_gap_size = 0.0;  ///< NaN where obstacles are not a Poisson-disc field
+  double obstacle_density_1pm2 = 0.0;
+  double free_volume_ratio = 0.0;
+  std::vector<MissionRecord> missions;
+};
+
+}  // namespace avoidbench

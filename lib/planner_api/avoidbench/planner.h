@@ -1,0 +1,218 @@
+/* The interface between avoidbench and a planner in a shared library, version 1. C99, needs only <stdint.h>.
+ *
+ * SPDX-License-Identifier: MIT
+ * This header may be used in and linked with planners under any licence, closed ones too.
+ *
+ * A planner's library exports one symbol, avoidbench_planner_v1, and nothing else of avoidbench. In C++ write a plain class
+ * and let planner.hpp make the table; in C fill an ab_planner yourself.
+ *
+ * Rules
+ *   Units are SI; angles are radians. World frame: ENU, z up. Body frame: FLU, x forward. Camera frame: RDF, z forward.
+ *   A quaternion q_a_b is (w, x, y, z) and takes coordinates in b to coordinates in a. T_a_b likewise.
+ *   Every struct begins with struct_size, set by whoever fills it; a reader reads no further than that.
+ *   Whoever allocates frees. A pointer passed into a call is valid until that call returns; what plan() returns by pointer
+ *   is copied by the host at once and must stay valid until the next call on that instance.
+ *   No exception may leave a call. A call that fails returns AB_ERROR after host->set_error(...).
+ *   Instances may be called at the same time from several threads; one instance only by one thread at a time.
+ *   Randomness only from ab_mission.seed, time only from the observation: after reset() equal inputs give equal outputs.
+ */
+#ifndef AVOIDBENCH_PLANNER_H
+#define AVOIDBENCH_PLANNER_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define AVOIDBENCH_ABI_VERSION 1u
+
+#if defined(_WIN32)
+#define AB_EXPORT __declspec(dllexport)
+#else
+#define AB_EXPORT __attribute__((visibility("default")))
+#endif
+
+typedef int32_t ab_status;
+#define AB_OK 0        /* a command was given */
+#define AB_NO_PLAN 1   /* no command now: the host brakes and hovers, counts it, and asks again */
+#define AB_ERROR (-1)  /* the trial ends with planner_error and the text given to set_error */
+#define AB_GIVE_UP 2   /* the planner knows it cannot reach the goal: the trial ends with planner_gave_up */
+
+/* ab_planner.needs: what the planner wants to see. */
+#define AB_SEES_STATE 1u
+#define AB_SEES_DEPTH 2u
+#define AB_SEES_STEREO 4u
+#define AB_SEES_COLOR 8u
+#define AB_SEES_IMU 16u
+#define AB_SEES_WORLD 32u /* privileged: reported apart in every table */
+
+/* ab_planner.commands: what the planner may return, and ab_command.kind: what it did return. */
+#define AB_COMMAND_POSITION 1u     /* position_world_m, yaw */
+#define AB_COMMAND_VELOCITY 2u     /* velocity_world_mps, yaw or yaw rate */
+#define AB_COMMAND_ACCELERATION 4u /* acceleration_world_mps2, yaw or yaw rate */
+#define AB_COMMAND_TRAJECTORY 8u   /* points[0 .. point_count): at least 2, times rising from 0 */
+#define AB_COMMAND_RATES 16u       /* rates_body_radps, thrust_mps2 */
+
+/* ab_command.flags */
+#define AB_YAW_IS_RATE 1u /* use yaw_rate_radps, not yaw_rad */
+
+/* ab_host.log */
+#define AB_LOG_INFO 0
+#define AB_LOG_WARNING 1
+
+/* ab_parameter.kind */
+#define AB_NUMBER 0  /* a double in [lowest, highest] */
+#define AB_INTEGER 1 /* a whole number in [lowest, highest] */
+#define AB_CHOICE 2  /* one word of `choices`, which are separated by '|' */
+#define AB_TEXT 3    /* any text, e.g. a path */
+
+/* What the host offers to one instance. Valid from create() until destroy(). */
+typedef struct ab_host {
+  uint32_t struct_size;
+  uint32_t abi_version;
+  void* context; /* first argument of the functions below */
+  void (*set_error)(void* context, const char* text);
+  void (*log)(void* context, int32_t level, const char* text);
+  /* A further table by its name and version, e.g. "avoidbench.world/1"; null where this host has none. */
+  const void* (*get_extension)(void* context, const char* id);
+} ab_host;
+
+/* One parameter, declared up front so that a typo in a sweep file is found before the first trial. */
+typedef struct ab_parameter {
+  uint32_t struct_size;
+  int32_t kind;
+  const char* name; /* with its unit, as in YAML: "cruise_speed_mps" */
+  const char* unit; /* "m/s"; "" where there is none */
+  const char* doc;
+  double lowest, highest, preset; /* numbers and integers */
+  const char* choices;            /* AB_CHOICE: "safe|fast" */
+  const char* preset_text;        /* AB_CHOICE and AB_TEXT */
+} ab_parameter;
+
+typedef struct ab_value {
+  uint32_t struct_size;
+  uint32_t reserved;
+  double number;    /* AB_NUMBER, AB_INTEGER */
+  const char* text; /* AB_CHOICE, AB_TEXT; else null */
+} ab_value;
+
+/* A camera: pinhole without distortion, pixel centres at whole coordinates. */
+typedef struct ab_camera {
+  uint32_t struct_size;
+  int32_t width_px, height_px;
+  uint32_t reserved;
+  double fx_px, fy_px, cx_px, cy_px;
+  double position_body_m[3]; /* of the camera's centre */
+  double q_body_camera[4];
+  double rate_hz;
+  double min_range_m, max_range_m; /* depth beyond is +inf, nearer is NaN */
+} ab_camera;
+
+/* What one instance is made for. */
+typedef struct ab_setup {
+  uint32_t struct_size;
+  uint32_t value_count;          /* as many as the planner declared, in the same order */
+  const ab_value* const* values; /* value_count pointers */
+  double max_speed_mps, max_acceleration_mps2, max_yaw_rate_radps;
+  double body_size_m[3];  /* box, body FLU, centred */
+  double body_radius_m;   /* of the ball around the box */
+  double plan_period_s;
+  double gravity_mps2;
+  const ab_camera* depth_camera; /* null where no depth is sensed */
+} ab_setup;
+
+typedef struct ab_mission {
+  uint32_t struct_size;
+  uint32_t reserved;
+  uint64_t seed;
+  double start_world_m[3];
+  double start_yaw_rad;
+  double goal_world_m[3];
+  double goal_radius_m; /* the goal is reached within this horizontal distance */
+  double time_limit_s;
+} ab_mission;
+
+typedef struct ab_state {
+  uint32_t struct_size;
+  uint32_t reserved;
+  double time_s; /* since the start of the trial */
+  double position_world_m[3];
+  double velocity_world_mps[3];
+  double q_world_body[4];
+  double rates_body_radps[3];
+} ab_state;
+
+typedef struct ab_depth_image {
+  uint32_t struct_size;
+  int32_t width_px, height_px;
+  uint32_t reserved;
+  double time_s; /* of exposure */
+  double fx_px, fy_px, cx_px, cy_px;
+  double position_world_m[3]; /* of the camera, at exposure */
+  double q_world_camera[4];
+  const float* depth_m; /* height x width, row-major, along camera z; +inf: no return; NaN: invalid */
+} ab_depth_image;
+
+typedef struct ab_observation {
+  uint32_t struct_size;
+  uint32_t depth_count; /* images since the last call, newest first; 0 where none is new */
+  const ab_state* state;
+  const ab_depth_image* const* depth; /* depth_count pointers */
+} ab_observation;
+
+typedef struct ab_point {
+  double time_s; /* after the moment at which the command takes effect; the first is 0 */
+  double position_world_m[3];
+  double velocity_world_mps[3];
+  double acceleration_world_mps2[3];
+  double jerk_world_mps3[3];
+  double yaw_rad;
+  double yaw_rate_radps;
+} ab_point;
+
+typedef struct ab_command {
+  uint32_t struct_size;
+  uint32_t kind;
+  uint32_t flags;
+  uint32_t point_count;
+  double position_world_m[3];
+  double velocity_world_mps[3];
+  double acceleration_world_mps2[3];
+  double yaw_rad;
+  double yaw_rate_radps;
+  double rates_body_radps[3];
+  double thrust_mps2;     /* collective, mass-normalised: 9.81 hovers */
+  const ab_point* points;
+  double horizon_s;       /* how long the planner believes this command is safe; after it the host brakes; 0: for ever */
+} ab_command;
+
+/* The planner's table. Instances are opaque. */
+typedef struct ab_planner {
+  uint32_t struct_size;
+  uint32_t abi_version;
+  const char* name;    /* [a-z0-9_]+ */
+  const char* version;
+  const char* summary; /* one line */
+  uint32_t needs, commands;
+  uint32_t parameter_count, reserved;
+  const ab_parameter* const* parameters; /* parameter_count pointers */
+  /* A new instance, or null after set_error. The host table outlives the instance. */
+  void* (*create)(const ab_host* host, const ab_setup* setup);
+  void (*destroy)(void* instance);
+  /* Begin a trial: forget all earlier ones. */
+  ab_status (*reset)(void* instance, const ab_mission* mission);
+  /* One command for what is seen now. command->struct_size is set and the rest zero on entry. */
+  ab_status (*plan)(void* instance, const ab_observation* observation, ab_command* command);
+  /* A further table of the planner by its name and version, or null. May be null itself. */
+  const void* (*get_extension)(void* instance, const char* id);
+} ab_planner;
+
+/* The one exported symbol. `host_api` is the host's AVOIDBENCH_ABI_VERSION; null where the planner can't serve it. */
+AB_EXPORT const ab_planner* avoidbench_planner_v1(uint32_t host_api);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "plugin/planner_library.hpp"
+
+namespace avoidbench {
+
+/// What an instance is made for, in the host's types; see ab_setup.
+struct CameraSetup {
+  std::int32_t width_px = 0, height_px = 0;
+  double fx_px = 0, fy_px = 0, cx_px = 0, cy_px = 0;
+  Eigen::Isometry3d T_body_camera = Eigen::Isometry3d::Identity();
+  double rate_hz = 0, min_range_m = 0, max_range_m = 0;
+};
+struct PlannerSetup {
+  double max_speed_mps = 0, max_acceleration_mps2 = 0, max_yaw_rate_radps = 0;
+  Eigen::Vector3d body_size_m = Eigen::Vector3d::Zero();
+  double plan_period_s = 0, gravity_mps2 = 0;
+  CameraSetup depth_camera;  ///< width 0: no depth
+};
+struct PlannerMission {
+  std::uint64_t seed = 0;
+  Eigen::Vector3d start_world = Eigen::Vector3d::Zero(), goal_world = Eigen::Vector3d::Zero();
+  double start_yaw_rad = 0, goal_radius_m = 0, time_limit_s = 0;
+};
+
+/// What a planner sees in one call. Images newest first; their pixels must live until plan() returns.
+struct DepthView {
+  double time_s = 0;
+  Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
+  std::span<const float> depth_m;
+};
+struct PlannerView {
+  double time_s = 0;
+  Eigen::Vector3d position_world, velocity_world, rates_body;
+  Eigen::Quaterniond q_world_body;
+  std::vector<DepthView> depth;
+};
+
+enum class PlanStatus { command, no_plan, gave_up, error };
+
+/// What came back from one plan() call, copied out of the planner's memory and checked: a command of an undeclared kind, with NaN or inf, with
+/// too few or unordered points is an error with a reason.
+struct PlanResult {
+  PlanStatus status = PlanStatus::error;
+  std::string reason;              ///< of an error
+  ab_command command{};            ///< valid for PlanStatus::command; its `points` member is null, see below
+  std::vector<ab_point> points;
+  double cpu_time_s = 0;           ///< thread CPU time of the call, measured by the host
+  double wall_time_s = 0;
+};
+
+/// One planner instance. Move-only; destroys itself. Not for two threads at once.
+class PlannerInstance {
+ public:
+  /// Throws InputError with the planner's own text when create fails.
+  PlannerInstance(const PlannerLibrary& library, const PlannerSetup& setup,
+                  const std::vector<ParameterValue>& values);
+  ~PlannerInstance();
+  PlannerInstance(PlannerInstance&&) noexcept;
+  PlannerInstance& operator=(PlannerInstance&&) noexcept;
+
+  /// Empty text on success, else why it failed.
+  std::string reset(const PlannerMission& mission);
+  PlanResult plan(const PlannerView& view);
+
+  /// Lines the planner logged since the last call.
+  std::vector<std::string> take_log();
+
+ private:
+  struct Internals;
+  std::unique_ptr<Internals> internals_;
+};
+
+}  // namespace avoidbench

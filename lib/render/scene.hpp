@@ -1,0 +1,71 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+
+#include "geometry/pose.hpp"
+#include "world/world.hpp"
+
+namespace avoidbench {
+
+/// Where a ray first meets a surface.
+struct RayHit {
+  double distance_m = std::numeric_limits<double>::infinity();  ///< +inf: nothing within the limit
+  std::uint32_t instance = 0;                                   ///< index into World::instances
+  std::uint32_t triangle = 0;                                   ///< index into the prototype's triangles
+  Eigen::Vector3d normal_world = Eigen::Vector3d::Zero();       ///< unit, by the triangle's corner order
+};
+
+/// The surface point nearest to a query.
+struct NearestPoint {
+  double distance_m = std::numeric_limits<double>::infinity();  ///< +inf: nothing within the limit
+  Eigen::Vector3d point_world = Eigen::Vector3d::Zero();
+  std::uint32_t instance = 0;
+};
+
+/// A touch of the body with a surface.
+struct BodyContact {
+  std::uint32_t instance = 0;
+  std::uint32_t triangle = 0;
+};
+
+/// The bounding volume hierarchy of a World, by Embree. Const and shareable between threads once made; keeps a reference
+/// to the world, which must outlive it.
+class Scene {
+ public:
+  explicit Scene(const World& world);
+  ~Scene();
+  Scene(Scene&&) noexcept;
+  Scene& operator=(Scene&&) noexcept;
+
+  const World& world() const;
+
+  /// First surface along `direction` (need not be unit; distance_m is in metres all the same) within `limit_m`.
+  RayHit first_hit(const Eigen::Vector3d& origin_world, const Eigen::Vector3d& direction_world,
+                   double limit_m = std::numeric_limits<double>::infinity()) const;
+
+  /// Whether anything lies between two points.
+  bool occluded(const Eigen::Vector3d& from_world, const Eigen::Vector3d& to_world) const;
+
+  /// The nearest surface point within `limit_m`, exact to double rounding of float vertices.
+  NearestPoint nearest(const Eigen::Vector3d& point_world,
+                       double limit_m = std::numeric_limits<double>::infinity()) const;
+
+  /// A triangle that touches the box of `size_m` (body FLU, centred) posed at T_world_body, or nothing; of several,
+  /// that of the lowest instance and triangle.
+  std::optional<BodyContact> touch(const Eigen::Vector3d& size_m, const Pose& T_world_body) const;
+
+  /// Least distance from the box to any surface within `limit_m`; 0 where they touch; +inf where nothing is that near.
+  double body_clearance(const Eigen::Vector3d& size_m, const Pose& T_world_body, double limit_m) const;
+
+  struct Internals;
+  const Internals& internals() const { return *internals_; }  ///< for this room's other files
+
+ private:
+  std::unique_ptr<Internals> internals_;
+};
+
+}  // namespace avoidbench

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "trial/trial_spec.hpp"
+
+namespace avoidbench {
+
+/// One swept field: every value is tried with every value of the other axes.
+struct Axis {
+  std::string path;                    ///< dotted, of TrialSpec: "map.poisson_radius_m", "map_seed", "wind.mean_world_mps"
+  std::vector<nlohmann::json> values;  ///< at least one, checked against the field's type and range
+};
+
+/// A sweep: base × axes × missions × planners.
+struct SweepSpec {
+  std::string name;
+  TrialSpec base;  ///< base.planner is not used
+  std::vector<Axis> axes;
+  std::int64_t trials = 10;             ///< missions a map; the same ones for every planner
+  std::vector<PlannerChoice> planners;  ///< resolved and checked; labels are unique
+};
+
+/// Version of everything that results follow from: part of every key. Raised with each change announced as "Results change" in
+/// CHANGELOG.md.
+inline constexpr int kResultVersion = 1;
+
+/// The sweep's trials, in order of axes (first slowest), mission index, planner.
+std::vector<TrialSpec> expand(const SweepSpec& sweep);
+
+/// A trial's key, 64 hexadecimal digits: digest of its canonical spec (with the planner's digest, without the library's path) and
+/// kResultVersion.
+std::string trial_key(const TrialSpec& spec);
+
+/// The key of the map as this trial flies it (map, its seed, the sweep's seed, mission rules, body, kResultVersion).
+std::string map_key(const TrialSpec& spec);
+
+}  // namespace avoidbench

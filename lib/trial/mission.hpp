@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "render/scene.hpp"
+#include "trial/trial_spec.hpp"
+
+namespace avoidbench {
+
+/// One flight's task.
+struct Mission {
+  Eigen::Vector3d start_world = Eigen::Vector3d::Zero();
+  Eigen::Vector3d goal_world = Eigen::Vector3d::Zero();
+  double start_yaw_rad = 0.0;  ///< toward the goal
+};
+
+/// Mission `index` of this map: start and goal drawn from the map's bands, each with no surface within
+/// `spec.free_radius_m`. It depends on the map, `seed` and `index` alone, so that every planner flies the same missions. Throws
+/// InputError when a band has no such place.
+Mission make_mission(const Scene& scene, const MissionSpec& spec, std::uint64_t seed,
+                     std::int64_t index);
+
+}  // namespace avoidbench

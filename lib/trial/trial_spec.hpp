@@ -1,0 +1,133 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/enum_text.hpp"
+#include "base/fields.hpp"
+#include "sensing/sensor_spec.hpp"
+#include "vehicle/vehicle_spec.hpp"
+#include "vehicle/wind.hpp"
+#include "world/map_spec.hpp"
+
+namespace avoidbench {
+
+/// The rules of a flight.
+struct MissionSpec {
+  double goal_radius_m = 0.8;
+  double time_limit_s = 60.0;
+  double free_radius_m = 1.3;
+  std::int64_t max_collisions = 0;
+};
+
+template <class Visitor>
+void visit(Visitor& v, MissionSpec& s) {
+  v.field("goal_radius_m", s.goal_radius_m, Range{0.05, 20},
+          "The goal is reached within this horizontal distance.");
+  v.field("time_limit_s", s.time_limit_s, Range{1, 3600}, "A longer flight ends with timed_out.");
+  v.field("free_radius_m", s.free_radius_m, Range{0.4, 10},
+          "No surface is nearer than this to a start or goal.");
+  v.field("max_collisions", s.max_collisions, Range{0, 100},
+          "Contacts that a flight may survive; the next one ends it with collided.");
+}
+
+/// How often things happen. Each period is a whole number of 1/36000 s ticks; see base/ticks.hpp.
+struct RatesSpec {
+  double physics_hz = 1000.0;
+  double plan_hz = 30.0;
+  double sample_hz = 100.0;
+};
+
+template <class Visitor>
+void visit(Visitor& v, RatesSpec& s) {
+  v.field("physics_hz", s.physics_hz, Range{250, 4000}, "Steps of the vehicle's dynamics and collision tests a second.");
+  v.field("plan_hz", s.plan_hz, Range{0.5, 1000}, "Calls of the planner a second.");
+  v.field("sample_hz", s.sample_hz, Range{10, 1000}, "Samples of the recorded trajectory a second.");
+}
+
+enum class LatencyMode { zero, fixed };
+
+template <>
+struct EnumText<LatencyMode> {
+  static constexpr std::pair<LatencyMode, std::string_view> entries[] = {
+      {LatencyMode::zero, "zero"}, {LatencyMode::fixed, "fixed"}};
+};
+
+/// When a command takes effect: what the planner sees at time t acts at t + latency.
+struct LatencySpec {
+  LatencyMode mode = LatencyMode::fixed;
+  double ms = 33.0;
+};
+
+template <class Visitor>
+void visit(Visitor& v, LatencySpec& s) {
+  v.field("mode", s.mode, "zero: at once; fixed: after `ms`, the same on every machine.");
+  v.field("ms", s.ms, Range{0, 10000}, "Time from what is seen to the command that answers it.");
+}
+
+/// One configured parameter of a planner: a number, or a text.
+struct ParameterChoice {
+  std::string name;
+  double number = 0.0;
+  std::string text;
+  bool is_text = false;
+};
+
+template <class Visitor>
+void visit(Visitor& v, ParameterChoice& s) {
+  v.field("name", s.name, "Name, as the planner declares it.");
+  v.field("number", s.number, "Value of a numeric parameter.");
+  v.field("text", s.text, "Value of a choice or text parameter.");
+  v.field("is_text", s.is_text, "Whether the value is the text.");
+}
+
+/// A planner as chosen in a sweep.
+struct PlannerChoice {
+  std::string plugin;       ///< as named by the user
+  std::string label;        ///< what reports call it
+  std::string file;         ///< the library found for it; not part of a trial's key
+  std::string file_digest;  ///< SHA-256 of the library; part of a trial's key
+  std::vector<ParameterChoice> parameters;  ///< every declared parameter, in the planner's order
+};
+
+template <class Visitor>
+void visit(Visitor& v, PlannerChoice& s) {
+  v.field("plugin", s.plugin, "Bare name, or path of a library.");
+  v.field("label", s.label, "Name in reports; unique in a sweep.");
+  v.field("file", s.file, "The library found.");
+  v.field("file_digest", s.file_digest, "SHA-256 of the library.");
+  v.field("parameters", s.parameters, "Values of all its parameters.");
+}
+
+/// Everything that determines one trial. A trial is a pure function of this and the planner's file.
+struct TrialSpec {
+  MapSpec map;
+  std::uint64_t map_seed = 1;
+  std::uint64_t seed = 1;           ///< of the sweep: missions and noise follow from it
+  std::int64_t mission_index = 0;
+  MissionSpec mission;
+  VehicleSpec vehicle = hummingbird_spec();
+  SensorSpec sensor;
+  PlannerChoice planner;
+  RatesSpec rates;
+  LatencySpec latency;
+  WindSpec wind;
+};
+
+template <class Visitor>
+void visit(Visitor& v, TrialSpec& s) {
+  v.field("map", s.map, "The map.");
+  v.field("map_seed", s.map_seed, "Seed of the map.");
+  v.field("seed", s.seed, "Seed of missions and noise.");
+  v.field("mission_index", s.mission_index, Range{0, 1e9}, "Which mission of the map.");
+  v.field("mission", s.mission, "Rules of a flight.");
+  v.field("vehicle", s.vehicle, "The vehicle.");
+  v.field("sensor", s.sensor, "The camera.");
+  v.field("planner", s.planner, "The planner.");
+  v.field("rates", s.rates, "How often things happen.");
+  v.field("latency", s.latency, "When commands take effect.");
+  v.field("wind", s.wind, "Wind and outer force.");
+}
+
+}  // namespace avoidbench
