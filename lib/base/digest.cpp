@@ -55,12 +55,15 @@ std::string Digest::hex() {
 std::string file_digest(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) {
-    throw InputError({.file = path.string(), .message = std::string("can't be read: ") + std::strerror(errno)});
+    throw InputError(
+        {.file = path.string(), .message = std::string("can't be read: ") + std::strerror(errno)});
   }
   Digest digest;
   std::vector<char> buffer(1 << 16);
-  while (file.read(buffer.data(), static_cast<std::streamsize>(buffer.size())) || file.gcount() > 0) {
-    digest.add_bytes(std::as_bytes(std::span(buffer.data(), static_cast<std::size_t>(file.gcount()))));
+  while (file.read(buffer.data(), static_cast<std::streamsize>(buffer.size())) ||
+         file.gcount() > 0) {
+    digest.add_bytes(
+        std::as_bytes(std::span(buffer.data(), static_cast<std::size_t>(file.gcount()))));
   }
   return digest.hex();
 }

@@ -10,12 +10,14 @@
 
 namespace avoidbench {
 
-/// SHA-256 fed piece by piece. Numbers enter as little-endian bytes, so that a digest is the same on every machine.
+/// SHA-256 fed piece by piece. Numbers enter as little-endian bytes, so that a digest is the same
+/// on every machine.
 class Digest {
  public:
   Digest();
   Digest& add_bytes(std::span<const std::byte> bytes);
-  Digest& add(std::string_view text);  ///< with its length, so that ("ab", "c") and ("a", "bc") differ
+  Digest& add(
+      std::string_view text);  ///< with its length, so that ("ab", "c") and ("a", "bc") differ
   Digest& add(std::uint64_t value);
   Digest& add(double value);
 

@@ -7,13 +7,15 @@
 
 namespace avoidbench {
 
-/// Specialise for each enum that is written to disk: `static constexpr std::pair<E, std::string_view> entries[]`,
-/// each enumerator beside its text, which is its name.
+/// Specialise for each enum that is written to disk: `static constexpr std::pair<E,
+/// std::string_view> entries[]`, each enumerator beside its text, which is its name.
 template <class E>
 struct EnumText;
 
 template <class E>
-concept TextEnum = requires { EnumText<E>::entries; };
+concept TextEnum = requires {
+  EnumText<E>::entries;
+};
 
 /// The enumerator's text on disk.
 template <TextEnum E>

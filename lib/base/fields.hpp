@@ -16,21 +16,25 @@ struct Range {
 /// Each spec struct has one free function beside it,
 ///
 ///     template <class Visitor> void visit(Visitor& v, ForestSpec& s) {
-///       v.field("poisson_radius_m", s.poisson_radius_m, Range{0.5, 50}, "Least distance between two plants.");
-///       …
+///       v.field("poisson_radius_m", s.poisson_radius_m, Range{0.5, 50}, "Least distance between
+///       two plants."); …
 ///     }
 ///
-/// which names every field once, with its range and doc. The YAML reader, the printer of defaults, the canonical JSON and
-/// with it the trial's key are visitors. A name is the YAML key, the C++ member and the column, with its unit.
+/// which names every field once, with its range and doc. The YAML reader, the printer of defaults,
+/// the canonical JSON and with it the trial's key are visitors. A name is the YAML key, the C++
+/// member and the column, with its unit.
 ///
-/// A field is a double, an integer, a bool, a std::string, an enum with EnumText, a std::array or std::vector of these,
-/// another spec struct, or a std::variant of spec structs, of which each has `static constexpr std::string_view kind`:
+/// A field is a double, an integer, a bool, a std::string, an enum with EnumText, a std::array or
+/// std::vector of these, another spec struct, or a std::variant of spec structs, of which each has
+/// `static constexpr std::string_view kind`:
 ///
 ///     v.variant("generator", s.map, "What makes the map.");
 ///
 /// which reads the key `generator` first and then the fields of that kind, on the same level.
 template <class T, class Visitor>
-concept Visitable = requires(Visitor& visitor, T& value) { visit(visitor, value); };
+concept Visitable = requires(Visitor& visitor, T& value) {
+  visit(visitor, value);
+};
 
 template <class T>
 struct IsVariant : std::false_type {};
@@ -40,7 +44,8 @@ struct IsVariant<std::variant<Kinds...>> : std::true_type {};
 /// The text of the kind that `variant` holds.
 template <class... Kinds>
 std::string_view kind(const std::variant<Kinds...>& variant) {
-  return std::visit([](const auto& held) { return std::remove_cvref_t<decltype(held)>::kind; }, variant);
+  return std::visit([](const auto& held) { return std::remove_cvref_t<decltype(held)>::kind; },
+                    variant);
 }
 
 }  // namespace avoidbench

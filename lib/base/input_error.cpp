@@ -33,6 +33,21 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return last[b.size()];
 }
 
+/// Whether the words of `name` between underscores are all among those of `longer`, in the same order.
+bool lacks_words_only(std::string_view name, std::string_view longer) {
+  const auto next_word = [](std::string_view& rest) {
+    const std::string_view word = rest.substr(0, rest.find('_'));
+    rest.remove_prefix(std::min(rest.size(), word.size() + 1));
+    return word;
+  };
+  while (!name.empty()) {
+    const std::string_view word = next_word(name);
+    while (!longer.empty() && !longer.starts_with(word)) next_word(longer);
+    if (next_word(longer) != word) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::string text(const InputProblem& problem) {
@@ -55,9 +70,11 @@ std::string_view nearest_word(std::string_view word, std::span<const std::string
   std::string_view best;
   std::size_t best_distance = std::max<std::size_t>(2, word.size() / 3) + 1;
   for (const std::string& candidate : candidates) {
-    // A word that lacks or adds a unit suffix is a likely slip: fov_deg for fov_x_deg, speed for speed_mps.
+    // A word that lacks or adds a unit suffix is a likely slip: fov_deg for fov_x_deg, speed for
+    // speed_mps.
     std::size_t distance = edit_distance(word, candidate);
-    if (candidate.starts_with(word) && word.size() >= 3) distance = std::min<std::size_t>(distance, 2);
+    const bool is_shortened = candidate.starts_with(word) || lacks_words_only(word, candidate);
+    if (is_shortened && word.size() >= 3) distance = std::min<std::size_t>(distance, 2);
     if (distance < best_distance) {
       best_distance = distance;
       best = candidate;

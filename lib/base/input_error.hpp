@@ -8,7 +8,8 @@
 
 namespace avoidbench {
 
-/// One thing wrong with what the user gave. `line` and `column` count from 1; 0 where the place is not known.
+/// One thing wrong with what the user gave. `line` and `column` count from 1; 0 where the place is
+/// not known.
 struct InputProblem {
   std::string file;
   int line = 0;
@@ -19,7 +20,8 @@ struct InputProblem {
 /// `file:line:column: message`, without the parts that are not known.
 std::string text(const InputProblem& problem);
 
-/// Bad input, with all the problems found at once. Caught once, in main, which prints each and exits 2.
+/// Bad input, with all the problems found at once. Caught once, in main, which prints each and
+/// exits 2.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(InputProblem problem);
@@ -31,7 +33,8 @@ class InputError : public std::runtime_error {
   std::vector<InputProblem> problems_;
 };
 
-/// The candidate that `word` is most likely a misspelling of (edit distance, at most a third of its length), or "".
+/// The candidate that `word` is most likely a misspelling of (edit distance, at most a third of its
+/// length), or "".
 std::string_view nearest_word(std::string_view word, std::span<const std::string> candidates);
 
 /// ` (did you mean X?)` for the nearest candidate, or "" where none is near.

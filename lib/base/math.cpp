@@ -6,9 +6,9 @@
 #include <limits>
 
 // Minimax polynomials and argument reductions of FDLIBM 5.3:
-// Copyright (C) 1993 by Sun Microsystems, Inc. All rights reserved. Developed at SunSoft, a Sun Microsystems, Inc.
-// business. Permission to use, copy, modify, and distribute this software is freely granted, provided that this notice
-// is preserved.
+// Copyright (C) 1993 by Sun Microsystems, Inc. All rights reserved. Developed at SunSoft, a Sun
+// Microsystems, Inc. business. Permission to use, copy, modify, and distribute this software is
+// freely granted, provided that this notice is preserved.
 
 namespace avoidbench::math {
 namespace {
@@ -166,15 +166,17 @@ double exp(double x) {
   if (x > 7.09782712893383973096e+02) return kInfinity;
   if (x < -7.45133219101941108420e+02) return 0.0;
   constexpr double kLn2High = 6.93147180369123816490e-01, kLn2Low = 1.90821492927058770002e-10;
-  const double k = std::abs(x) > 0.34657359027997264 ? std::nearbyint(x * 1.44269504088896338700) : 0.0;
+  const double k =
+      std::abs(x) > 0.34657359027997264 ? std::nearbyint(x * 1.44269504088896338700) : 0.0;
   const double high = x - k * kLn2High;
   const double low = k * kLn2Low;
   const double r = high - low;
   const double t = r * r;
-  const double c = r - t * (1.66666666666666019037e-01 +
-                            t * (-2.77777777770155933842e-03 +
-                                 t * (6.61375632143793436117e-05 +
-                                      t * (-1.65339022054652515390e-06 + t * 4.13813679705723846039e-08))));
+  const double c =
+      r - t * (1.66666666666666019037e-01 +
+               t * (-2.77777777770155933842e-03 +
+                    t * (6.61375632143793436117e-05 +
+                         t * (-1.65339022054652515390e-06 + t * 4.13813679705723846039e-08))));
   const double y = 1.0 - ((low - (r * c) / (2.0 - c)) - high);
   return std::ldexp(y, static_cast<int>(k));
 }

@@ -1,10 +1,10 @@
 #pragma once
 
-/// Elementary functions that give the same bits on every x86-64 machine. The C library chooses between variants with
-/// and without fused multiply-add by the processor at hand, so that its sin and exp differ in the last bit from
-/// machine to machine and from version to version; lib/ uses these instead (scripts/check_layers.py sees to it).
-/// Errors stay below 1.5 ulp where not said otherwise. sqrt, fabs, floor, round, fmod are exact in IEEE and taken from
-/// <cmath>.
+/// Elementary functions that give the same bits on every x86-64 machine. The C library chooses
+/// between variants with and without fused multiply-add by the processor at hand, so that its sin
+/// and exp differ in the last bit from machine to machine and from version to version; lib/ uses
+/// these instead (scripts/check_layers.py sees to it). Errors stay below 1.5 ulp where not said
+/// otherwise. sqrt, fabs, floor, round, fmod are exact in IEEE and taken from <cmath>.
 namespace avoidbench::math {
 
 inline constexpr double kPi = 3.14159265358979323846;
@@ -20,7 +20,8 @@ double asin(double x);  ///< by atan2: 3 ulp; NaN outside [-1, 1]
 double acos(double x);  ///< by atan2: 3 ulp; NaN outside [-1, 1]
 double exp(double x);
 double log(double x);
-double pow(double base, double exponent);  ///< base > 0; exp(exponent log(base)): relative error 1e-13 for |result| near 1
+double pow(double base, double exponent);  ///< base > 0; exp(exponent log(base)): relative error
+                                           ///< 1e-13 for |result| near 1
 double hypot(double x, double y);          ///< sqrt(x² + y²) without care for overflow
 
 /// The angle in (-π, π] that differs from `angle_rad` by whole turns.

@@ -45,7 +45,8 @@ double RandomStream::uniform(double lowest, double highest) {
 
 std::uint64_t RandomStream::below(std::uint64_t count) {
   AB_CHECK(count > 0);
-  const std::uint64_t limit = (0 - count) % count;  // 2^64 mod count: the values that would bias are redrawn
+  const std::uint64_t limit =
+      (0 - count) % count;  // 2^64 mod count: the values that would bias are redrawn
   std::uint64_t value = bits();
   while (value < limit) value = bits();
   return value % count;

@@ -6,19 +6,19 @@
 
 namespace avoidbench {
 
-/// A stream of random numbers (xoshiro256**), the same on every machine and compiler: our own draws, since the standard
-/// library's distributions differ between implementations. Never draw twice in one expression: compilers order
-/// the operands differently.
+/// A stream of random numbers (xoshiro256**), the same on every machine and compiler: our own
+/// draws, since the standard library's distributions differ between implementations. Never draw
+/// twice in one expression: compilers order the operands differently.
 class RandomStream {
  public:
   /// `seed` is spread over the state by SplitMix64; every seed is good, 0 too.
   explicit RandomStream(std::uint64_t seed);
 
-  std::uint64_t bits();                            ///< 64 random bits
-  double uniform();                                ///< [0, 1), 53 bits
-  double uniform(double lowest, double highest);   ///< [lowest, highest)
-  std::uint64_t below(std::uint64_t count);        ///< [0, count), unbiased; count > 0
-  double normal();                                 ///< mean 0, variance 1 (polar method; both values used)
+  std::uint64_t bits();                           ///< 64 random bits
+  double uniform();                               ///< [0, 1), 53 bits
+  double uniform(double lowest, double highest);  ///< [lowest, highest)
+  std::uint64_t below(std::uint64_t count);       ///< [0, count), unbiased; count > 0
+  double normal();  ///< mean 0, variance 1 (polar method; both values used)
 
  private:
   std::array<std::uint64_t, 4> state_;
@@ -26,8 +26,9 @@ class RandomStream {
   bool has_spare_ = false;
 };
 
-/// The seed of the stream `name` of `seed`: streams of other names or seeds are independent, so that adding a draw to
-/// one never moves another. Chain it for nested streams: stream_seed(stream_seed(seed, "mission"), index).
+/// The seed of the stream `name` of `seed`: streams of other names or seeds are independent, so
+/// that adding a draw to one never moves another. Chain it for nested streams:
+/// stream_seed(stream_seed(seed, "mission"), index).
 std::uint64_t stream_seed(std::uint64_t seed, std::string_view name);
 std::uint64_t stream_seed(std::uint64_t seed, std::uint64_t index);
 

@@ -10,9 +10,9 @@
 #include "base/enum_text.hpp"
 #include "base/fields.hpp"
 
-/// Specs as JSON and back, through their visit(). Used between the processes of a run and for the trial's key: keys are
-/// sorted, numbers are printed with the fewest digits that read back to the same bits. For input from people
-/// see config/: what comes here was checked before.
+/// Specs as JSON and back, through their visit(). Used between the processes of a run and for the
+/// trial's key: keys are sorted, numbers are printed with the fewest digits that read back to the
+/// same bits. For input from people see config/: what comes here was checked before.
 namespace avoidbench {
 
 template <class Spec>
@@ -125,7 +125,8 @@ template <class Spec>
 nlohmann::json spec_to_json(const Spec& spec) {
   nlohmann::json json = nlohmann::json::object();
   detail::JsonWriter writer{json};
-  Spec copy = spec;  // visit() takes a mutable spec, so that one function serves readers and writers
+  Spec copy =
+      spec;  // visit() takes a mutable spec, so that one function serves readers and writers
   visit(writer, copy);
   return json;
 }

@@ -6,8 +6,8 @@
 
 namespace avoidbench {
 
-/// Simulated time in whole ticks of 1/36,000 s, so that 1 kHz physics, 30, 50, 60, 90 and 200 Hz sensors and whole
-/// milliseconds of latency are all exact and times never drift.
+/// Simulated time in whole ticks of 1/36,000 s, so that 1 kHz physics, 30, 50, 60, 90 and 200 Hz
+/// sensors and whole milliseconds of latency are all exact and times never drift.
 using Tick = std::int64_t;
 inline constexpr Tick kTicksPerSecond = 36000;
 inline constexpr Tick kTicksPerMillisecond = kTicksPerSecond / 1000;

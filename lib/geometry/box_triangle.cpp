@@ -1,5 +1,6 @@
 #include "geometry/box_triangle.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -9,7 +9,8 @@ Eigen::Quaterniond yaw_rotation(double yaw_rad) {
 }
 
 double yaw_of(const Eigen::Quaterniond& q) {
-  return math::atan2(2.0 * (q.x() * q.y() + q.w() * q.z()), 1.0 - 2.0 * (q.y() * q.y() + q.z() * q.z()));
+  return math::atan2(2.0 * (q.x() * q.y() + q.w() * q.z()),
+                     1.0 - 2.0 * (q.y() * q.y() + q.z() * q.z()));
 }
 
 }  // namespace avoidbench

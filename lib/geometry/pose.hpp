@@ -5,7 +5,8 @@
 
 namespace avoidbench {
 
-/// `T_a_b` takes b's coordinates to a's. World ENU with z up, body FLU (x forward), camera RDF (z forward).
+/// `T_a_b` takes b's coordinates to a's. World ENU with z up, body FLU (x forward), camera RDF (z
+/// forward).
 using Pose = Eigen::Isometry3d;
 using Aabb = Eigen::AlignedBox3d;
 
@@ -22,7 +23,8 @@ inline Pose make_pose(const Eigen::Vector3d& position, const Eigen::Quaterniond&
 /// The body-to-world rotation with this yaw about world z and no roll or pitch.
 Eigen::Quaterniond yaw_rotation(double yaw_rad);
 
-/// Yaw of a body-to-world rotation: the heading of body x in the world's horizontal plane, rad in (-π, π].
+/// Yaw of a body-to-world rotation: the heading of body x in the world's horizontal plane, rad in
+/// (-π, π].
 double yaw_of(const Eigen::Quaterniond& q_world_body);
 
 }  // namespace avoidbench

@@ -13,13 +13,15 @@ struct MissionRecord {
   std::int64_t index = 0;
   Mission mission;
   double reference_length_m = 0.0;  ///< d_min; NaN where invalid
-  bool is_valid = true;             ///< false: no free start or goal, or the goal can't be reached; never flown
+  bool is_valid =
+      true;  ///< false: no free start or goal, or the goal can't be reached; never flown
   std::string invalid_reason;
 };
 
 /// A map as this body flies it: its environment metrics and missions.
 struct MapRecord {
-  std::string key;           ///< digest of spec, map seed, sweep seed, mission rules, body and result version
+  std::string
+      key;  ///< digest of spec, map seed, sweep seed, mission rules, body and result version
   std::string world_digest;
   std::int64_t obstacle_count = 0, triangle_count = 0;
   double traversability = 0.0;
@@ -29,5 +31,9 @@ struct MapRecord {
   double free_volume_ratio = 0.0;
   std::vector<MissionRecord> missions;
 };
+
+/// Measures the scene's map for the body and mission rules of `spec`, and lays out missions 0 …
+/// mission_count − 1 with their reference paths. The key stays empty: sweep/ makes it.
+MapRecord make_map_record(const TrialSpec& spec, const Scene& scene, std::int64_t mission_count);
 
 }  // namespace avoidbench

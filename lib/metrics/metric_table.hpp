@@ -35,22 +35,24 @@ struct MetricInput {
 
 /// One metric a trial: one row of the table, one column of the database, one header of a CSV file.
 struct MetricDef {
-  std::string_view name;     ///< with its unit: path_optimality_pct
-  int version;               ///< of the definition; values of different versions are never compared
+  std::string_view name;  ///< with its unit: path_optimality_pct
+  int version;            ///< of the definition; values of different versions are never compared
   std::string_view unit;
-  std::string_view doc;      ///< one line
+  std::string_view doc;  ///< one line
   std::string_view formula;
   std::string_view source;
   Better better;
   Population population;
-  bool is_measured;          ///< taken from the host's clock: differs from run to run, left out of exact comparisons
+  bool is_measured;  ///< taken from the host's clock: differs from run to run, left out of exact
+                     ///< comparisons
   double (*compute)(const MetricInput&);
 };
 
 /// Every metric, in the order of the database's columns and of reports.
 std::span<const MetricDef> metric_table();
 
-/// One value a row of metric_table(), NaN where the trial is not in the metric's population or it isn't defined.
+/// One value a row of metric_table(), NaN where the trial is not in the metric's population or it
+/// isn't defined.
 std::vector<double> compute_metrics(const MetricInput& input);
 
 /// A metric of a map, for `avoidbench metrics`: the values are columns of the table `maps`.

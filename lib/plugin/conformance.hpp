@@ -7,16 +7,23 @@
 
 namespace avoidbench {
 
-/// One line of `avoidbench planners check`: what was tried, whether it held, and what was seen when not.
+/// One line of `avoidbench planners check`: what was tried, whether it held, and what was seen when
+/// not.
 struct ConformanceResult {
-  std::string name;      ///< "reset_twice_gives_equal_commands"
-  std::string doc;       ///< what the rule is and why
+  std::string name;  ///< "reset_forgets"
+  std::string doc;   ///< what the rule is and why
   bool passed = false;
-  std::string finding;   ///< empty when passed
+  std::string finding;  ///< empty when passed
 };
 
-/// Runs every rule of the planner interface on the library at `file`, in this process (a planner that crashes ends it: the command
-/// runs this in a child process). Loading is the first rule.
+/// Runs every rule of the planner interface on the library at `file`, in this process: a planner
+/// that crashes ends it, see below. Loading is the first rule; where it fails, no other is tried.
 std::vector<ConformanceResult> check_conformance(const std::filesystem::path& file);
+
+/// As check_conformance, in a child process that has `time_limit_s` of wall time: a crash or a hang
+/// fails the rule that was being tried and ends the check there. Forks, so call it before this
+/// process starts threads.
+std::vector<ConformanceResult> check_conformance_isolated(const std::filesystem::path& file,
+                                                          double time_limit_s = 120.0);
 
 }  // namespace avoidbench

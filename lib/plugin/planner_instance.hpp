@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -30,7 +31,8 @@ struct PlannerMission {
   double start_yaw_rad = 0, goal_radius_m = 0, time_limit_s = 0;
 };
 
-/// What a planner sees in one call. Images newest first; their pixels must live until plan() returns.
+/// What a planner sees in one call. Images newest first; their pixels must live until plan()
+/// returns.
 struct DepthView {
   double time_s = 0;
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
@@ -45,26 +47,41 @@ struct PlannerView {
 
 enum class PlanStatus { command, no_plan, gave_up, error };
 
-/// What came back from one plan() call, copied out of the planner's memory and checked: a command of an undeclared kind, with NaN or inf, with
-/// too few or unordered points is an error with a reason.
+/// What came back from one plan() call, copied out of the planner's memory and checked: a command
+/// of an undeclared kind, with NaN or inf, with too few or unordered points is an error with a
+/// reason.
 struct PlanResult {
   PlanStatus status = PlanStatus::error;
-  std::string reason;              ///< of an error
-  ab_command command{};            ///< valid for PlanStatus::command; its `points` member is null, see below
+  std::string reason;    ///< of an error, or why it gave up
+  ab_command command{};  ///< valid for PlanStatus::command; its `points` member is null, see below
   std::vector<ab_point> points;
-  double cpu_time_s = 0;           ///< thread CPU time of the call, measured by the host
+  double cpu_time_s = 0;  ///< thread CPU time of the call, measured by the host
   double wall_time_s = 0;
+};
+
+/// When the planner's call that runs now began, for a watchdog in another thread.
+class CallClock {
+ public:
+  void begin();
+  void end();
+  double running_s() const;  ///< wall time of the call under way; 0 between calls
+
+ private:
+  std::atomic<std::int64_t> began_ns_{0};
 };
 
 /// One planner instance. Move-only; destroys itself. Not for two threads at once.
 class PlannerInstance {
  public:
   /// Throws InputError with the planner's own text when create fails.
+  /// `clock`, where given, must outlive the instance.
   PlannerInstance(const PlannerLibrary& library, const PlannerSetup& setup,
-                  const std::vector<ParameterValue>& values);
+                  const std::vector<ParameterValue>& values, CallClock* clock = nullptr);
   ~PlannerInstance();
   PlannerInstance(PlannerInstance&&) noexcept;
   PlannerInstance& operator=(PlannerInstance&&) noexcept;
+
+  bool sees_depth() const;
 
   /// Empty text on success, else why it failed.
   std::string reset(const PlannerMission& mission);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -15,8 +16,8 @@ namespace avoidbench {
 struct RayHit {
   double distance_m = std::numeric_limits<double>::infinity();  ///< +inf: nothing within the limit
   std::uint32_t instance = 0;                                   ///< index into World::instances
-  std::uint32_t triangle = 0;                                   ///< index into the prototype's triangles
-  Eigen::Vector3d normal_world = Eigen::Vector3d::Zero();       ///< unit, by the triangle's corner order
+  std::uint32_t triangle = 0;                              ///< index into the prototype's triangles
+  Eigen::Vector3d normal_world = Eigen::Vector3d::Zero();  ///< unit, by the triangle's corner order
 };
 
 /// The surface point nearest to a query.
@@ -32,18 +33,23 @@ struct BodyContact {
   std::uint32_t triangle = 0;
 };
 
-/// The bounding volume hierarchy of a World, by Embree. Const and shareable between threads once made; keeps a reference
-/// to the world, which must outlive it.
+/// The bounding volume hierarchy of a World, by Embree. Const and shareable between threads once
+/// made; keeps a reference to the world, which must outlive it.
 class Scene {
  public:
   explicit Scene(const World& world);
+  /// The same, but with the hierarchy flattened where the world has at most `flatten_triangles`
+  /// triangles over all instances (0: never). Changes speed and memory; depths agree to 1e-5 m,
+  /// point queries to the bit.
+  Scene(const World& world, std::size_t flatten_triangles);
   ~Scene();
   Scene(Scene&&) noexcept;
   Scene& operator=(Scene&&) noexcept;
 
   const World& world() const;
 
-  /// First surface along `direction` (need not be unit; distance_m is in metres all the same) within `limit_m`.
+  /// First surface along `direction` (need not be unit; distance_m is in metres all the same)
+  /// within `limit_m`.
   RayHit first_hit(const Eigen::Vector3d& origin_world, const Eigen::Vector3d& direction_world,
                    double limit_m = std::numeric_limits<double>::infinity()) const;
 
@@ -54,12 +60,14 @@ class Scene {
   NearestPoint nearest(const Eigen::Vector3d& point_world,
                        double limit_m = std::numeric_limits<double>::infinity()) const;
 
-  /// A triangle that touches the box of `size_m` (body FLU, centred) posed at T_world_body, or nothing; of several,
-  /// that of the lowest instance and triangle.
+  /// A triangle that touches the box of `size_m` (body FLU, centred) posed at T_world_body, or
+  /// nothing; of several, that of the lowest instance and triangle.
   std::optional<BodyContact> touch(const Eigen::Vector3d& size_m, const Pose& T_world_body) const;
 
-  /// Least distance from the box to any surface within `limit_m`; 0 where they touch; +inf where nothing is that near.
-  double body_clearance(const Eigen::Vector3d& size_m, const Pose& T_world_body, double limit_m) const;
+  /// Least distance from the box to any surface within `limit_m`; 0 where they touch; +inf where
+  /// nothing is that near.
+  double body_clearance(const Eigen::Vector3d& size_m, const Pose& T_world_body,
+                        double limit_m) const;
 
   struct Internals;
   const Internals& internals() const { return *internals_; }  ///< for this room's other files

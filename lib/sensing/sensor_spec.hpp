@@ -32,14 +32,17 @@ struct SensorSpec {
 
 template <class Visitor>
 void visit(Visitor& v, SensorSpec& s) {
-  v.field("kind", s.kind, "What the camera measures: depth_ideal is the true depth along camera z.");
+  v.field("kind", s.kind,
+          "What the camera measures: depth_ideal is the true depth along camera z.");
   v.field("width_px", s.width_px, Range{8, 4096}, "Image width.");
   v.field("height_px", s.height_px, Range{8, 4096}, "Image height.");
   v.field("fov_x_deg", s.fov_x_deg, Range{10, 170}, "Horizontal field of view; pixels are square.");
-  v.field("rate_hz", s.rate_hz, Range{1, 1000}, "Images a second; a whole number of 1/36000 s ticks each.");
+  v.field("rate_hz", s.rate_hz, Range{1, 1000},
+          "Images a second; a whole number of 1/36000 s ticks each.");
   v.field("min_range_m", s.min_range_m, Range{0, 10}, "Nearer depth is invalid (NaN).");
   v.field("max_range_m", s.max_range_m, Range{0.5, 1000}, "Farther depth is no return (+inf).");
-  v.field("position_body_m", s.position_body_m, Range{-5, 5}, "Camera centre in the body frame (FLU).");
+  v.field("position_body_m", s.position_body_m, Range{-5, 5},
+          "Camera centre in the body frame (FLU).");
   v.field("pitch_deg", s.pitch_deg, Range{-90, 90}, "Camera tilt, positive looks down.");
 }
 

@@ -26,6 +26,10 @@ struct PlannerRow {
   bool is_privileged = false;  ///< sees the world itself
 };
 
+/// The planner's key in the database: digest of all fields, so that one label never covers two
+/// planners.
+std::string planner_key(const PlannerRow& row);
+
 struct MapRow {
   MapRecord record;
   std::string generator;
@@ -41,6 +45,50 @@ struct TrialRow {
   std::string spec_json;  ///< canonical TrialSpec: enough to fly it again
   TrialRecord record;
   std::vector<double> metrics;  ///< one a row of metric_table()
+};
+
+/// A metric's definition as stored beside the values.
+struct MetricRow {
+  std::string name;
+  int version = 0;
+  std::string unit, doc, formula, source;
+  Better better = Better::neither;
+  Population population = Population::all;
+  bool is_measured = false;
+
+  bool operator==(const MetricRow&) const = default;
+};
+
+/// A sweep in the database. A changed sweep of the same name is a new revision, so that its trials
+/// never mix with those of the former one; a trial that both have is stored once and belongs to
+/// both.
+struct SweepInfo {
+  std::string name;
+  std::int64_t revision = 1;  ///< from 1
+  std::string spec_json;
+  std::int64_t trial_count = 0;
+};
+
+/// What reports need of one trial.
+struct TrialSummary {
+  std::string key, planner_key, map_key;
+  std::int64_t mission_index = 0;
+  Outcome outcome = Outcome::timed_out;
+  double reference_length_m = 0.0;
+  std::vector<double> metrics;  ///< one an element of SweepResult::metrics, NaN where there is none
+};
+
+/// All that reports need of one sweep. Everything is ordered by key, whatever the order of
+/// insertion.
+struct SweepResult {
+  std::string name;
+  std::int64_t revision = 1;
+  std::vector<MetricRow> metrics;
+  std::vector<PlannerRow> planners;  ///< that flew, by label
+  std::vector<MapRow> maps;          ///< with the missions that the sweep asked for
+  std::vector<TrialSummary> trials;
+  std::vector<std::string>
+      program_versions;  ///< `version git_hash` of the runs that made the trials
 };
 
 }  // namespace avoidbench

@@ -10,7 +10,8 @@ namespace avoidbench {
 
 /// One swept field: every value is tried with every value of the other axes.
 struct Axis {
-  std::string path;                    ///< dotted, of TrialSpec: "map.poisson_radius_m", "map_seed", "wind.mean_world_mps"
+  std::string
+      path;  ///< dotted, of TrialSpec: "map.poisson_radius_m", "map_seed", "wind.mean_world_mps"
   std::vector<nlohmann::json> values;  ///< at least one, checked against the field's type and range
 };
 
@@ -23,18 +24,19 @@ struct SweepSpec {
   std::vector<PlannerChoice> planners;  ///< resolved and checked; labels are unique
 };
 
-/// Version of everything that results follow from: part of every key. Raised with each change announced as "Results change" in
-/// CHANGELOG.md.
+/// Version of everything that results follow from: part of every key. Raised with each change
+/// announced as "Results change" in CHANGELOG.md.
 inline constexpr int kResultVersion = 1;
 
 /// The sweep's trials, in order of axes (first slowest), mission index, planner.
 std::vector<TrialSpec> expand(const SweepSpec& sweep);
 
-/// A trial's key, 64 hexadecimal digits: digest of its canonical spec (with the planner's digest, without the library's path) and
-/// kResultVersion.
+/// A trial's key, 64 hexadecimal digits: digest of its canonical spec (with the planner's digest,
+/// without the library's path) and kResultVersion.
 std::string trial_key(const TrialSpec& spec);
 
-/// The key of the map as this trial flies it (map, its seed, the sweep's seed, mission rules, body, kResultVersion).
+/// The key of the map as this trial flies it (map, its seed, the sweep's seed, mission rules, body,
+/// kResultVersion).
 std::string map_key(const TrialSpec& spec);
 
 }  // namespace avoidbench

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
+#include <optional>
 
 #include "render/scene.hpp"
 #include "trial/trial_spec.hpp"
@@ -15,10 +15,13 @@ struct Mission {
   double start_yaw_rad = 0.0;  ///< toward the goal
 };
 
-/// Mission `index` of this map: start and goal drawn from the map's bands, each with no surface within
-/// `spec.free_radius_m`. It depends on the map, `seed` and `index` alone, so that every planner flies the same missions. Throws
-/// InputError when a band has no such place.
-Mission make_mission(const Scene& scene, const MissionSpec& spec, std::uint64_t seed,
-                     std::int64_t index);
+/// Mission `index` of this map: start and goal drawn from the map's bands, each with no surface
+/// within `spec.free_radius_m`. It depends on the map, `seed` and `index` alone, so that every
+/// planner flies the same missions. Nothing when a band has no such place.
+std::optional<Mission> make_mission(const Scene& scene, const MissionSpec& spec, std::uint64_t seed,
+                                    std::int64_t index);
+
+/// Height of the ground at (x, y), world z; -inf where there is none.
+double ground_height_m(const Scene& scene, double x, double y);
 
 }  // namespace avoidbench

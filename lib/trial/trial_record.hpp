@@ -30,7 +30,8 @@ struct EnumText<Outcome> {
       {Outcome::planner_crashed, "planner_crashed"}, {Outcome::planner_hung, "planner_hung"}};
 };
 
-/// The vehicle at one moment of the recorded trajectory. Plain doubles in this order are the stored format.
+/// The vehicle at one moment of the recorded trajectory. Plain doubles in this order are the stored
+/// format.
 struct Sample {
   double time_s = 0.0;
   Eigen::Vector3d position_world, velocity_world, acceleration_world;

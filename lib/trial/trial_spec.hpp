@@ -41,9 +41,11 @@ struct RatesSpec {
 
 template <class Visitor>
 void visit(Visitor& v, RatesSpec& s) {
-  v.field("physics_hz", s.physics_hz, Range{250, 4000}, "Steps of the vehicle's dynamics and collision tests a second.");
+  v.field("physics_hz", s.physics_hz, Range{250, 4000},
+          "Steps of the vehicle's dynamics and collision tests a second.");
   v.field("plan_hz", s.plan_hz, Range{0.5, 1000}, "Calls of the planner a second.");
-  v.field("sample_hz", s.sample_hz, Range{10, 1000}, "Samples of the recorded trajectory a second.");
+  v.field("sample_hz", s.sample_hz, Range{10, 1000},
+          "Samples of the recorded trajectory a second.");
 }
 
 enum class LatencyMode { zero, fixed };
@@ -84,10 +86,10 @@ void visit(Visitor& v, ParameterChoice& s) {
 
 /// A planner as chosen in a sweep.
 struct PlannerChoice {
-  std::string plugin;       ///< as named by the user
-  std::string label;        ///< what reports call it
-  std::string file;         ///< the library found for it; not part of a trial's key
-  std::string file_digest;  ///< SHA-256 of the library; part of a trial's key
+  std::string plugin;                       ///< as named by the user
+  std::string label;                        ///< what reports call it
+  std::string file;                         ///< the library found for it; not part of a trial's key
+  std::string file_digest;                  ///< SHA-256 of the library; part of a trial's key
   std::vector<ParameterChoice> parameters;  ///< every declared parameter, in the planner's order
 };
 
@@ -104,7 +106,7 @@ void visit(Visitor& v, PlannerChoice& s) {
 struct TrialSpec {
   MapSpec map;
   std::uint64_t map_seed = 1;
-  std::uint64_t seed = 1;           ///< of the sweep: missions and noise follow from it
+  std::uint64_t seed = 1;  ///< of the sweep: missions and noise follow from it
   std::int64_t mission_index = 0;
   MissionSpec mission;
   VehicleSpec vehicle = hummingbird_spec();

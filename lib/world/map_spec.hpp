@@ -65,6 +65,9 @@ void visit(Visitor& v, MapSpec& s) {
   v.variant("generator", s, "What makes the map.");
 }
 
+/// Throws InputError, with all the reasons at once, where the spec contradicts itself (a flight height above the ceiling).
+void check_map(const MapSpec& spec);
+
 /// The map of this spec and seed. Throws InputError where the spec contradicts itself (a flight height above the ceiling).
 World make_world(const MapSpec& spec, std::uint64_t map_seed);
 

@@ -32,7 +32,8 @@ struct Instance {
 struct Obstacle {
   std::string kind;
   Eigen::Vector3d position_world = Eigen::Vector3d::Zero();  ///< of its foot
-  double width_m = 0.0;                                      ///< at flight height; 0 for ground and walls
+  double width_m = 0.0;          ///< at flight height; 0 for ground and walls
+  double texture_opacity = 1.0;  ///< strength of the surface's pattern in [0, 1]: low is bland
 };
 
 /// A box of positions, for starts, goals and flight.
@@ -41,12 +42,22 @@ struct Region {
   Eigen::Vector3d highest = Eigen::Vector3d::Zero();
 };
 
+/// Heights of the ground over a grid of square cells. Each cell is two triangles that share its diagonal from the low
+/// corner to the high one, so that heights between the grid's points are exactly those of the ground's mesh.
+struct HeightField {
+  double low_x_m = 0.0, low_y_m = 0.0;   ///< the first point of the grid
+  double cell_m = 1.0;
+  std::uint32_t columns = 0, rows = 0;   ///< points along x and along y; none: flat ground at z = 0
+  std::vector<float> heights_m;          ///< rows × columns, x fastest
+};
+
 /// A map: instanced triangle meshes in a bounded piece of space. Immutable once made; the same bytes from the same spec and
 /// seed on every machine. World frame: ENU, z up, metres.
 struct World {
   std::vector<Prototype> prototypes;
   std::vector<Instance> instances;
   std::vector<Obstacle> obstacles;
+  HeightField ground;
   Aabb bounds;         ///< a vehicle's centre that leaves it ends the trial with left_bounds
   Aabb flight_bounds;  ///< within bounds: what reference paths and map metrics use
   Region start_region, goal_region;       ///< z is above the ground where `heights_above_ground`
@@ -60,5 +71,11 @@ struct World {
 std::string world_digest(const World& world);
 
 std::size_t triangle_count(const World& world);  ///< of all instances
+
+std::size_t memory_bytes(const World& world);  ///< estimate: the arrays' contents, without any renderer's hierarchy
+
+/// Height of the ground at (x, y), that of its mesh; beyond the mesh, that of its nearest edge.
+double ground_height_m(const HeightField& ground, double x_m, double y_m);
+double ground_height_m(const World& world, double x_m, double y_m);
 
 }  // namespace avoidbench

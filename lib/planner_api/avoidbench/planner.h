@@ -157,10 +157,11 @@ typedef struct ab_depth_image {
 typedef struct ab_observation {
   uint32_t struct_size;
   uint32_t depth_count; /* images since the last call, newest first; 0 where none is new */
-  const ab_state* state;
-  const ab_depth_image* const* depth; /* depth_count pointers */
+  const ab_state* state; /* always there */
+  const ab_depth_image* const* depth; /* depth_count pointers; none unless AB_SEES_DEPTH is declared */
 } ab_observation;
 
+/* Points lie in an array, so this struct never grows within ABI 1. */
 typedef struct ab_point {
   double time_s; /* after the moment at which the command takes effect; the first is 0 */
   double position_world_m[3];

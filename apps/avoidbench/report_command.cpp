@@ -1,0 +1,147 @@
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <memory>
+
+#include "base/input_error.hpp"
+#include "commands.hpp"
+#include "report/summary.hpp"
+#include "report/sweep_tables.hpp"
+#include "store/database.hpp"
+
+namespace avoidbench {
+namespace {
+
+struct ReportOptions {
+  std::vector<std::string> files;
+  std::string format = "table";
+  std::string output = "-";
+  std::string sweep;
+  std::vector<std::string> metrics;
+};
+
+/// The results/*.db that was written to last.
+std::filesystem::path newest_database() {
+  std::filesystem::path newest;
+  std::filesystem::file_time_type newest_time{};
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator("results", error)) {
+    if (entry.path().extension() != ".db") continue;
+    std::filesystem::file_time_type time = std::filesystem::last_write_time(entry.path(), error);
+    // What a run has just committed may be in the file beside it.
+    const std::filesystem::path log = entry.path().string() + "-wal";
+    if (std::filesystem::exists(log, error))
+      time = std::max(time, std::filesystem::last_write_time(log, error));
+    const bool is_newer =
+        newest.empty() || std::pair(time, entry.path()) > std::pair(newest_time, newest);
+    if (!is_newer) continue;
+    newest = entry.path();
+    newest_time = time;
+  }
+  if (newest.empty()) {
+    throw InputError("no database given and none in results/: run a sweep first, or name the file");
+  }
+  std::cerr << "report of " << newest.string() << "\n";
+  return newest;
+}
+
+/// Whether `wanted` means this sweep: "" all, NAME the latest revision of that name, NAME@2
+/// revision 2.
+bool is_wanted(const SweepInfo& sweep, const std::string& wanted, bool is_latest) {
+  if (wanted == sweep.name + "@" + std::to_string(sweep.revision)) return true;
+  return is_latest && (wanted.empty() || wanted == sweep.name);
+}
+
+struct Candidates {
+  std::map<std::pair<std::string, std::string>, std::vector<SweepResult>>
+      by_sweep;  // (name, spec) → parts
+  std::vector<std::string> names;
+};
+
+void add_sweeps_of(const Database& database, const std::string& wanted, Candidates& found) {
+  const std::vector<SweepInfo> sweeps = database.read_sweeps();
+  for (std::size_t i = 0; i < sweeps.size(); ++i) {
+    const bool is_latest = i + 1 == sweeps.size() || sweeps[i + 1].name != sweeps[i].name;
+    found.names.push_back(sweeps[i].name);
+    if (!is_latest)
+      found.names.push_back(sweeps[i].name + "@" + std::to_string(sweeps[i].revision));
+    if (!is_wanted(sweeps[i], wanted, is_latest)) continue;
+    if (sweeps[i].trial_count == 0) {
+      std::cerr << database.path().string() << ": sweep " << sweeps[i].name
+                << " has no finished trial yet\n";
+      continue;
+    }
+    found.by_sweep[{sweeps[i].name, sweeps[i].spec_json}].push_back(
+        database.read_sweep(sweeps[i].name, sweeps[i].revision));
+  }
+}
+
+void write_output(const std::string& path, const std::string& text) {
+  if (path == "-") {
+    std::cout << text << std::flush;
+    if (!std::cout) throw InputError("standard output can't be written");
+    return;
+  }
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  file.close();
+  if (!file) throw InputError(InputProblem{.file = path, .message = "can't be written"});
+}
+
+void report(ReportOptions options) {
+  const auto format = enum_from_text<TableFormat>(options.format);
+  if (!format) {
+    throw InputError("--format " + options.format + ": unknown" +
+                     did_you_mean(options.format, enum_texts<TableFormat>()) +
+                     "; it is one of table, csv, json, markdown");
+  }
+  if (options.files.empty()) options.files.push_back(newest_database().string());
+  Candidates found;
+  for (const std::string& file : options.files) {
+    add_sweeps_of(Database::open_for_reading(file), options.sweep, found);
+  }
+  const bool is_known =
+      std::find(found.names.begin(), found.names.end(), options.sweep) != found.names.end();
+  if (found.by_sweep.empty() && !options.sweep.empty() && !is_known) {
+    throw InputError("no sweep " + options.sweep + did_you_mean(options.sweep, found.names));
+  }
+  if (found.by_sweep.empty()) throw InputError("nothing to report: no finished trial");
+
+  std::vector<Section> sections;
+  for (const auto& [sweep, parts] : found.by_sweep) {
+    const SweepResult result = combined(parts);
+    sections.push_back(sweep_section(
+        summarize(result, options.metrics.empty() ? default_metrics(result) : options.metrics)));
+  }
+  write_output(options.output, format_sections(sections, *format));
+}
+
+}  // namespace
+
+void add_report_command(CLI::App& app) {
+  CLI::App* command = app.add_subcommand(
+      "report",
+      "Tables of results: success rates with intervals, means, outcomes, contrast factors");
+  const auto options = std::make_shared<ReportOptions>();
+  command->add_option(
+      "DB", options->files,
+      "Databases; parts of one sweep are taken together (default: the newest results/*.db)");
+  command->add_option("--format", options->format, "table, csv, json or markdown")
+      ->capture_default_str();
+  command->add_option("--output", options->output, "File to write, - for standard output")
+      ->capture_default_str();
+  command->add_option(
+      "--sweep", options->sweep,
+      "Only this sweep; NAME@2 for its revision 2 (default: the latest revision of every sweep)");
+  command
+      ->add_option("--metrics", options->metrics,
+                   "Metrics to show, separated by commas; `avoidbench metrics` lists them "
+                   "(default: path and energy "
+                   "optimality, average goal velocity, mission progress, processing time)")
+      ->delimiter(',');
+  command->callback([options] { report(*options); });
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+
+#include "config/yaml_reader.hpp"
+#include "sensing/sensor_spec.hpp"
+#include "vehicle/vehicle_spec.hpp"
+
+namespace avoidbench {
+
+/// Reads the vehicle that `node` gives: a name or a mapping. A name is looked up as NAME.yaml in
+/// `base_folder`/vehicles and `base_folder`/../vehicles, then among the built-in ones; with a slash
+/// or .yaml it is a file, relative to `base_folder`. A mapping changes fields of the vehicle that
+/// its key `preset` names, of the hummingbird where there is none.
+void read_vehicle(const YamlNode& node, const std::filesystem::path& base_folder,
+                  VehicleSpec& vehicle, Reading& reading);
+
+/// As read_vehicle, for sensors: folders sensors/, built-in depth_ideal.
+void read_sensor(const YamlNode& node, const std::filesystem::path& base_folder, SensorSpec& sensor,
+                 Reading& reading);
+
+}  // namespace avoidbench

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "config/yaml_reader.hpp"
+#include "sweep/sweep_spec.hpp"
+
+namespace avoidbench {
+
+/// The generators' names, as in `maps: {generator: forest}`.
+std::vector<std::string> generator_names();
+
+/// Reads the block `maps`: the generator, its fields and `seeds`, which is a count (1 to that) or a
+/// list.
+void read_maps(const YamlNode& node, TrialSpec& trial, Reading& reading);
+
+/// The axes found in the blocks, by their paths in a TrialSpec.
+std::vector<Axis> axes_of_blocks(const Reading& reading);
+
+/// Reads the block `axes`, {path: values}, into sweep.axes. Values are checked as the field itself
+/// would be.
+void read_axes(const YamlNode& node, SweepSpec& sweep, Reading& reading);
+
+/// The key in the document's block `axes` that names this field of a TrialSpec, or null.
+const YamlNode* axis_key(const YamlNode& root, const std::string& path);
+
+/// Calls `check` with the sweep's TrialSpecs, planners and missions aside: with every combination
+/// of the axes where there are up to 4096, else with each axis moved alone.
+void for_each_combination(const SweepSpec& sweep,
+                          const std::function<void(const TrialSpec&)>& check);
+
+}  // namespace avoidbench

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "sweep/sweep_spec.hpp"
+
+namespace avoidbench {
+
+/// The sweep in the YAML file, with the command line's `--set path=value` options applied. Every
+/// planner is found, loaded and its parameters resolved. Throws InputError with all that is wrong
+/// at once, each with its place: see config/README.md for the format.
+SweepSpec read_sweep(const std::filesystem::path& file,
+                     const std::vector<std::string>& overrides = {});
+
+/// A map alone, as `avoidbench maps` takes it.
+struct MapChoice {
+  TrialSpec trial;  ///< with the map, its seed and the mission rules
+};
+
+/// The map of a sweep file or of a file with a map's fields alone; or, for the bare name of a
+/// generator, that generator's default. Of several values the first. Overrides may leave out
+/// `maps.`. Throws InputError as read_sweep does.
+MapChoice read_map(const std::string& file_or_generator,
+                   const std::vector<std::string>& overrides = {});
+
+}  // namespace avoidbench

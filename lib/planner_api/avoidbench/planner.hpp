@@ -1,0 +1,379 @@
+/* Turns a plain C++17 class into the planner table of planner.h. Header-only, needs the standard
+ * library alone.
+ *
+ * SPDX-License-Identifier: MIT
+ * This header may be used in and linked with planners under any licence, closed ones too.
+ *
+ *   class Drift {
+ *    public:
+ *     static constexpr const char* name = "drift";
+ *     static constexpr std::uint32_t needs = AB_SEES_STATE | AB_SEES_DEPTH;
+ *     static constexpr std::uint32_t commands = AB_COMMAND_VELOCITY;
+ *     static constexpr std::array parameters{
+ *         avoidbench::parameter("cruise_speed_mps", "m/s", 3.0, 0.1, 20.0, "Speed held until the
+ * goal.")}; explicit Drift(const ab_setup& setup) :
+ * speed_mps_(avoidbench::Parameters<Drift>(setup).number("cruise_speed_mps")) {} void reset(const
+ * ab_mission& mission); std::optional<ab_command> plan(const ab_observation& seen);   // nullopt:
+ * no plan now
+ *   };
+ *   AVOIDBENCH_PLANNER(Drift)
+ *
+ * Also understood: `static constexpr const char* version` and `summary`; a constructor (const
+ * ab_setup&, const ab_host&); a class without `parameters`. An exception that leaves the class
+ * becomes AB_ERROR with its text; GiveUp, thrown by give_up("reason"), ends the trial with
+ * planner_gave_up. What ab_command.points refers to must live until the next call.
+ */
+#ifndef AVOIDBENCH_PLANNER_HPP
+#define AVOIDBENCH_PLANNER_HPP
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <exception>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "avoidbench/planner.h"
+
+namespace avoidbench {
+
+/// A vector of three: metres, metres a second …; the name of the variable says of what and in which
+/// frame.
+using Vec3 = std::array<double, 3>;
+
+/// `sizeof` as the struct_size of planner.h.
+template <class Struct>
+constexpr std::uint32_t struct_size_of() {
+  return static_cast<std::uint32_t>(sizeof(Struct));
+}
+
+// -------------------------------------------------------------------------------------------------
+// declaring parameters
+
+/// A number in [lowest, highest]. `name` carries the unit: "cruise_speed_mps".
+constexpr ab_parameter parameter(const char* name, const char* unit, double preset, double lowest,
+                                 double highest, const char* doc) {
+  return {struct_size_of<ab_parameter>(),
+          AB_NUMBER,
+          name,
+          unit,
+          doc,
+          lowest,
+          highest,
+          preset,
+          nullptr,
+          nullptr};
+}
+
+/// A whole number in [lowest, highest].
+constexpr ab_parameter integer_parameter(const char* name, const char* unit, std::int32_t preset,
+                                         std::int32_t lowest, std::int32_t highest,
+                                         const char* doc) {
+  return {struct_size_of<ab_parameter>(),
+          AB_INTEGER,
+          name,
+          unit,
+          doc,
+          static_cast<double>(lowest),
+          static_cast<double>(highest),
+          static_cast<double>(preset),
+          nullptr,
+          nullptr};
+}
+
+/// One word of `choices`, which are separated by '|': "safe|fast".
+constexpr ab_parameter choice_parameter(const char* name, const char* preset, const char* choices,
+                                        const char* doc) {
+  return {struct_size_of<ab_parameter>(), AB_CHOICE, name, "", doc, 0.0, 0.0, 0.0, choices, preset};
+}
+
+/// Any text, e.g. the path of a file.
+constexpr ab_parameter text_parameter(const char* name, const char* preset, const char* doc) {
+  return {struct_size_of<ab_parameter>(), AB_TEXT, name, "", doc, 0.0, 0.0, 0.0, nullptr, preset};
+}
+
+// ---------------------------------------------------------------------------------------------------------
+// while flying
+
+/// Thrown by a planner that knows it cannot reach the goal; the trial ends with planner_gave_up and
+/// this reason.
+class GiveUp : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+[[noreturn]] inline void give_up(const std::string& reason) { throw GiveUp(reason); }
+
+/// The newest depth image since the last call, or null where none is new.
+inline const ab_depth_image* newest_depth(const ab_observation& seen) {
+  return seen.depth_count > 0 ? seen.depth[0] : nullptr;
+}
+
+/// A command of this kind with all else zero.
+inline ab_command make_command(std::uint32_t kind) {
+  ab_command command{};
+  command.struct_size = struct_size_of<ab_command>();
+  command.kind = kind;
+  return command;
+}
+
+inline ab_command make_position_command(const Vec3& position_world_m, double yaw_rad) {
+  ab_command command = make_command(AB_COMMAND_POSITION);
+  std::copy(position_world_m.begin(), position_world_m.end(), command.position_world_m);
+  command.yaw_rad = yaw_rad;
+  return command;
+}
+
+inline ab_command make_velocity_command(const Vec3& velocity_world_mps, double yaw_rad) {
+  ab_command command = make_command(AB_COMMAND_VELOCITY);
+  std::copy(velocity_world_mps.begin(), velocity_world_mps.end(), command.velocity_world_mps);
+  command.yaw_rad = yaw_rad;
+  return command;
+}
+
+/// As make_velocity_command, turning at `yaw_rate_radps`.
+inline ab_command make_velocity_yaw_rate_command(const Vec3& velocity_world_mps,
+                                                 double yaw_rate_radps) {
+  ab_command command = make_velocity_command(velocity_world_mps, 0.0);
+  command.flags = AB_YAW_IS_RATE;
+  command.yaw_rate_radps = yaw_rate_radps;
+  return command;
+}
+
+inline ab_command make_acceleration_command(const Vec3& acceleration_world_mps2, double yaw_rad) {
+  ab_command command = make_command(AB_COMMAND_ACCELERATION);
+  std::copy(acceleration_world_mps2.begin(), acceleration_world_mps2.end(),
+            command.acceleration_world_mps2);
+  command.yaw_rad = yaw_rad;
+  return command;
+}
+
+/// `points`: at least 2, times rising from 0. Not copied: keep them as a member of the planner.
+inline ab_command make_trajectory_command(const std::vector<ab_point>& points) {
+  ab_command command = make_command(AB_COMMAND_TRAJECTORY);
+  command.points = points.data();
+  command.point_count = static_cast<std::uint32_t>(points.size());
+  return command;
+}
+
+/// `thrust_mps2` is collective and mass-normalised: 9.81 hovers.
+inline ab_command make_rates_command(const Vec3& rates_body_radps, double thrust_mps2) {
+  ab_command command = make_command(AB_COMMAND_RATES);
+  std::copy(rates_body_radps.begin(), rates_body_radps.end(), command.rates_body_radps);
+  command.thrust_mps2 = thrust_mps2;
+  return command;
+}
+
+/// `v` rotated by the unit quaternion `q_a_b` (w, x, y, z): coordinates in b to coordinates in a.
+inline Vec3 rotated(const double (&q_a_b)[4], const Vec3& v) {
+  const double w = q_a_b[0], x = q_a_b[1], y = q_a_b[2], z = q_a_b[3];
+  const Vec3 t{2.0 * (y * v[2] - z * v[1]), 2.0 * (z * v[0] - x * v[2]),
+               2.0 * (x * v[1] - y * v[0])};
+  return {v[0] + w * t[0] + (y * t[2] - z * t[1]), v[1] + w * t[1] + (z * t[0] - x * t[2]),
+          v[2] + w * t[2] + (x * t[1] - y * t[0])};
+}
+
+/// The world point that pixel (column, row) shows at `depth_m` along camera z.
+inline Vec3 pixel_in_world(const ab_depth_image& image, double column_px, double row_px,
+                           double depth_m) {
+  const Vec3 in_camera{(column_px - image.cx_px) / image.fx_px * depth_m,
+                       (row_px - image.cy_px) / image.fy_px * depth_m, depth_m};
+  const Vec3 turned = rotated(image.q_world_camera, in_camera);
+  return {turned[0] + image.position_world_m[0], turned[1] + image.position_world_m[1],
+          turned[2] + image.position_world_m[2]};
+}
+
+#if defined(__GNUC__)
+#define AB_HIDDEN __attribute__((visibility("hidden")))
+#else
+#define AB_HIDDEN
+#endif
+
+// ------------------------------------------------------------------------------------------------------
+// class to table
+
+/// Hidden, so that equally named planners in two libraries never share a variable.
+namespace detail AB_HIDDEN {
+
+template <class Planner, class = void>
+struct Version {
+  static constexpr const char* text = "0";
+};
+template <class Planner>
+struct Version<Planner, std::void_t<decltype(Planner::version)>> {
+  static constexpr const char* text = Planner::version;
+};
+
+template <class Planner, class = void>
+struct Summary {
+  static constexpr const char* text = "";
+};
+template <class Planner>
+struct Summary<Planner, std::void_t<decltype(Planner::summary)>> {
+  static constexpr const char* text = Planner::summary;
+};
+
+template <class Planner, class = void>
+struct Declared {
+  static constexpr std::size_t count = 0;
+  static constexpr const ab_parameter* const* pointers = nullptr;
+};
+template <class Planner>
+struct Declared<Planner, std::void_t<decltype(Planner::parameters)>> {
+  static constexpr std::size_t count = Planner::parameters.size();
+  template <std::size_t... index>
+  static constexpr std::array<const ab_parameter*, count> pointers_to(
+      std::index_sequence<index...>) {
+    return {&Planner::parameters[index]...};
+  }
+  static constexpr std::array<const ab_parameter*, count> array =
+      pointers_to(std::make_index_sequence<count>());
+  static constexpr const ab_parameter* const* pointers = array.data();
+};
+
+template <class Planner>
+struct Instance {
+  Instance(const ab_host& given_host, const ab_setup& setup)
+      : host(&given_host), planner(made(setup, given_host)) {}
+
+  static Planner made(const ab_setup& setup, const ab_host& given_host) {
+    if constexpr (std::is_constructible_v<Planner, const ab_setup&, const ab_host&>) {
+      return Planner(setup, given_host);
+    } else {
+      static_cast<void>(given_host);
+      return Planner(setup);
+    }
+  }
+
+  const ab_host* host;
+  Planner planner;
+};
+
+/// Runs `call` and turns what it throws into a status, with the text told to the host.
+template <class Call>
+ab_status guarded(const ab_host* host, Call&& call) noexcept {
+  try {
+    return call();
+  } catch (const GiveUp& reason) {
+    host->set_error(host->context, reason.what());
+    return AB_GIVE_UP;
+  } catch (const std::exception& error) {
+    host->set_error(host->context,
+                    *error.what() != '\0' ? error.what() : "an exception without text");
+  } catch (...) {
+    host->set_error(host->context, "an exception that is no std::exception");
+  }
+  return AB_ERROR;
+}
+
+template <class Planner>
+void* create(const ab_host* host, const ab_setup* setup) {
+  void* made = nullptr;
+  guarded(host, [&]() -> ab_status {
+    made = new Instance<Planner>(*host, *setup);
+    return AB_OK;
+  });
+  return made;
+}
+
+template <class Planner>
+void destroy(void* instance) {
+  delete static_cast<Instance<Planner>*>(instance);
+}
+
+template <class Planner>
+ab_status reset(void* instance, const ab_mission* mission) {
+  Instance<Planner>& self = *static_cast<Instance<Planner>*>(instance);
+  return guarded(self.host, [&]() -> ab_status {
+    self.planner.reset(*mission);
+    return AB_OK;
+  });
+}
+
+template <class Planner>
+ab_status plan(void* instance, const ab_observation* observation, ab_command* command) {
+  Instance<Planner>& self = *static_cast<Instance<Planner>*>(instance);
+  return guarded(self.host, [&]() -> ab_status {
+    const std::optional<ab_command> planned = self.planner.plan(*observation);
+    if (!planned) return AB_NO_PLAN;
+    const std::uint32_t room =
+        command->struct_size;  // an older host's struct may be shorter than ours
+    std::memcpy(command, &*planned, std::min<std::size_t>(room, sizeof(ab_command)));
+    command->struct_size = room;
+    return AB_OK;
+  });
+}
+
+template <class Planner>
+struct Table {
+  static constexpr ab_planner value{struct_size_of<ab_planner>(),
+                                    AVOIDBENCH_ABI_VERSION,
+                                    Planner::name,
+                                    Version<Planner>::text,
+                                    Summary<Planner>::text,
+                                    Planner::needs,
+                                    Planner::commands,
+                                    static_cast<std::uint32_t>(Declared<Planner>::count),
+                                    0,
+                                    Declared<Planner>::pointers,
+                                    &create<Planner>,
+                                    &destroy<Planner>,
+                                    &reset<Planner>,
+                                    &plan<Planner>,
+                                    nullptr};
+};
+
+}  // namespace detail
+
+/// The values of `Planner::parameters` in a setup, by name. A name that is not declared, or of
+/// another kind, throws, so that create fails with that text.
+template <class Planner>
+class AB_HIDDEN Parameters {
+ public:
+  explicit Parameters(const ab_setup& setup) : setup_(&setup) {}
+
+  double number(std::string_view name) const { return value(name, AB_NUMBER, AB_INTEGER).number; }
+  std::int64_t integer(std::string_view name) const {
+    return static_cast<std::int64_t>(value(name, AB_INTEGER, AB_INTEGER).number);
+  }
+  std::string text(std::string_view name) const {
+    const char* found = value(name, AB_CHOICE, AB_TEXT).text;
+    return found != nullptr ? found : "";
+  }
+
+ private:
+  const ab_value& value(std::string_view name, std::int32_t kind, std::int32_t other_kind) const {
+    constexpr std::size_t count = detail::Declared<Planner>::count;
+    for (std::size_t i = 0; i < count; ++i) {
+      const ab_parameter& declared = *detail::Declared<Planner>::pointers[i];
+      if (name != declared.name) continue;
+      if (declared.kind != kind && declared.kind != other_kind) {
+        throw std::logic_error("parameter " + std::string(name) + " is of another kind");
+      }
+      if (i >= setup_->value_count)
+        throw std::logic_error("the host gave no value for " + std::string(name));
+      return *setup_->values[i];
+    }
+    throw std::logic_error("no parameter " + std::string(name) + " is declared");
+  }
+
+  const ab_setup* setup_;
+};
+
+}  // namespace avoidbench
+
+/// Exports `Class` as the planner of this library. Once a library, outside of any namespace.
+#define AVOIDBENCH_PLANNER(Class)                                                          \
+  extern "C" AB_EXPORT const ab_planner* avoidbench_planner_v1(std::uint32_t host_api) {   \
+    return host_api == AVOIDBENCH_ABI_VERSION ? &::avoidbench::detail::Table<Class>::value \
+                                              : nullptr;                                   \
+  }
+
+#endif

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "avoidbench/planner.h"
+
+namespace avoidbench {
+
+inline constexpr std::uint32_t kMostTrajectoryPoints = 10000;
+
+/// The name of one AB_COMMAND_… bit, "velocity", or its number.
+std::string command_kind_text(std::uint32_t kind);
+
+/// Why the host can't fly this command of a planner that declares the kinds `declared`; empty when
+/// it can. Reads `points`.
+std::string command_problem(const ab_command& command, std::uint32_t declared);
+
+}  // namespace avoidbench

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "plugin/host_buffers.hpp"
+#include "plugin/planner_instance.hpp"
+
+namespace avoidbench {
+
+/// One made-up moment of a flight. `images` are newest first, of the setup's size.
+struct Frame {
+  double time_s = 0.0;
+  Eigen::Vector3d position_world = Eigen::Vector3d::Zero();
+  Eigen::Vector3d velocity_world = Eigen::Vector3d::Zero();
+  std::vector<std::vector<float>> images;
+};
+
+struct Flight {
+  PlannerMission mission;
+  std::vector<Frame> frames;
+};
+
+/// A vehicle of half a metre with a camera of 160 × 120 pixels and 90° looking forward.
+PlannerSetup conformance_setup();
+
+/// Twenty frames along +x at 2 m height and 3 m/s over level ground toward a wall at x = 6 m with a
+/// gap of 2 m.
+Flight wall_flight();
+
+/// wall_flight() in which every pixel of every image is `depth_m`.
+Flight uniform_flight(float depth_m);
+
+/// What one call gave.
+struct Reply {
+  ab_status status = AB_ERROR;
+  bool is_plan = false;  ///< of plan(), not of reset()
+  ab_command command{};  ///< its points are null
+  std::vector<ab_point> points;
+  std::string error;    ///< given to set_error
+  std::string escaped;  ///< an exception that crossed the interface
+  std::string changed;  ///< an input that the planner wrote to
+};
+
+/// Whether both gave the same bits.
+bool equal(const Reply& a, const Reply& b);
+
+/// Why this reply breaks the interface, whatever was asked; empty when it does not.
+std::string reply_problem(const Reply& reply, const ab_planner& table);
+
+/// An instance called through its bare table, with inputs in buffers that are compared and, when
+/// `poisoned`, overwritten with rubbish after each call.
+class Probe {
+ public:
+  Probe(const ab_planner& table, const std::vector<ParameterValue>& values, bool poisoned = false);
+  ~Probe();
+  Probe(const Probe&) = delete;
+  Probe& operator=(const Probe&) = delete;
+
+  bool is_created() const { return instance_ != nullptr; }
+  /// Why create failed.
+  const std::string& problem() const { return problem_; }
+
+  Reply reset(const PlannerMission& mission);
+  Reply plan(const Frame& frame);
+  /// reset and then every frame.
+  std::vector<Reply> fly(const Flight& flight);
+
+ private:
+  const ab_planner* table_;
+  bool poisoned_;
+  PlannerSetup setup_;
+  HostSide host_;
+  ObservationBuffers observation_;
+  std::vector<std::vector<float>> pixels_;
+  std::vector<std::vector<float>> old_pixels_;  ///< kept, so that a late read is no crash
+  void* instance_ = nullptr;
+  std::string problem_;
+};
+
+}  // namespace avoidbench

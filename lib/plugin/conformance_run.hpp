@@ -1,0 +1,15 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "plugin/conformance.hpp"
+
+namespace avoidbench {
+
+/// Runs the rules on `file`; `begin` hears each rule before it is tried, `end` after.
+void run_conformance(const std::filesystem::path& file,
+                     const std::function<void(const ConformanceResult&)>& begin,
+                     const std::function<void(const ConformanceResult&)>& end);
+
+}  // namespace avoidbench

@@ -1,0 +1,87 @@
+#include "plugin/elf_symbols.hpp"
+
+#include <elf.h>
+
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <optional>
+
+namespace avoidbench {
+namespace {
+
+std::vector<char> bytes_of(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+/// The struct at `offset`, or nothing where the file ends before.
+template <class Struct>
+std::optional<Struct> struct_at(const std::vector<char>& bytes, std::uint64_t offset) {
+  if (offset > bytes.size() || bytes.size() - offset < sizeof(Struct)) return std::nullopt;
+  Struct value;
+  std::memcpy(&value, bytes.data() + offset, sizeof(Struct));
+  return value;
+}
+
+/// The text that begins `index` bytes into the string table, or "" outside of it.
+std::string text_at(const std::vector<char>& bytes, const Elf64_Shdr& table, std::uint64_t index) {
+  if (table.sh_offset > bytes.size() || table.sh_size > bytes.size() - table.sh_offset) return "";
+  if (index >= table.sh_size) return "";
+  const char* begin = bytes.data() + table.sh_offset + index;
+  return {begin, strnlen(begin, table.sh_size - index)};
+}
+
+bool is_exported(const Elf64_Sym& symbol) {
+  const unsigned binding = ELF64_ST_BIND(symbol.st_info);
+  const unsigned visibility = ELF64_ST_VISIBILITY(symbol.st_other);
+  const bool seen = visibility == STV_DEFAULT || visibility == STV_PROTECTED;
+  return symbol.st_shndx != SHN_UNDEF && binding != STB_LOCAL && seen;
+}
+
+}  // namespace
+
+std::string shared_library_problem(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) return "can't be read";
+  std::vector<char> bytes(sizeof(Elf64_Ehdr));
+  in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(in.gcount()));
+  if (bytes.size() < SELFMAG || std::memcmp(bytes.data(), ELFMAG, SELFMAG) != 0) {
+    return "is not a shared library (no ELF header)";
+  }
+  const auto header = struct_at<Elf64_Ehdr>(bytes, 0);
+  if (!header) return "is not a shared library (the file is cut off)";
+  if (header->e_ident[EI_CLASS] != ELFCLASS64 || header->e_machine != EM_X86_64) {
+    return "is built for another processor than this x86-64";
+  }
+  if (header->e_type != ET_DYN) return "is not a shared library (another kind of ELF file)";
+  return "";
+}
+
+std::vector<std::string> exported_symbols(const std::filesystem::path& file) {
+  if (!shared_library_problem(file).empty()) return {};
+  const std::vector<char> bytes = bytes_of(file);
+  const auto header = struct_at<Elf64_Ehdr>(bytes, 0);
+  std::vector<std::string> names;
+  if (!header) return names;
+  const auto section = [&](std::uint64_t index) {
+    return struct_at<Elf64_Shdr>(bytes, header->e_shoff + index * sizeof(Elf64_Shdr));
+  };
+  for (std::uint64_t i = 0; i < header->e_shnum; ++i) {
+    const auto symbols = section(i);
+    if (!symbols) break;
+    if (symbols->sh_type != SHT_DYNSYM) continue;
+    const auto strings = section(symbols->sh_link);
+    if (!strings) break;
+    for (std::uint64_t at = 0; at + sizeof(Elf64_Sym) <= symbols->sh_size;
+         at += sizeof(Elf64_Sym)) {
+      const auto symbol = struct_at<Elf64_Sym>(bytes, symbols->sh_offset + at);
+      if (!symbol) break;
+      if (is_exported(*symbol)) names.push_back(text_at(bytes, *strings, symbol->st_name));
+    }
+  }
+  return names;
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace avoidbench {
+
+/// Why `file` is no shared library of this machine, e.g. "is not a shared library (no ELF header)";
+/// empty when it is one.
+std::string shared_library_problem(const std::filesystem::path& file);
+
+/// Names of the symbols that the shared library at `file` defines for others, in the order of its
+/// dynamic symbol table. Empty when the file has no such table or is damaged: read as data, never
+/// loaded.
+std::vector<std::string> exported_symbols(const std::filesystem::path& file);
+
+}  // namespace avoidbench

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "avoidbench/planner.h"
+#include "plugin/planner_instance.hpp"
+
+namespace avoidbench {
+
+/// The table that one instance gets, and what the instance said through it. Stays at its address.
+class HostSide {
+ public:
+  HostSide();
+  HostSide(const HostSide&) = delete;
+  HostSide& operator=(const HostSide&) = delete;
+
+  const ab_host& table() const { return table_; }
+  /// The text of the last set_error, which is forgotten then.
+  std::string take_error();
+  std::vector<std::string> take_log();
+
+ private:
+  ab_host table_{};
+  std::string error_;
+  std::vector<std::string> log_;
+};
+
+/// An ab_setup with all that it points to. Stays at its address.
+class SetupBuffers {
+ public:
+  /// `with_camera` false: the planner sees no depth.
+  SetupBuffers(const PlannerSetup& setup, const std::vector<ParameterValue>& values,
+               bool with_camera);
+  SetupBuffers(const SetupBuffers&) = delete;
+  SetupBuffers& operator=(const SetupBuffers&) = delete;
+
+  const ab_setup& setup() const { return setup_; }
+  /// Overwrites everything with rubbish: whoever still reads it will be found out.
+  void poison();
+
+ private:
+  ab_setup setup_{};
+  ab_camera camera_{};
+  std::vector<std::string> texts_;
+  std::vector<ab_value> values_;
+  std::vector<const ab_value*> pointers_;
+};
+
+ab_mission to_mission(const PlannerMission& mission);
+
+/// An ab_observation with all that it points to but the pixels, which stay the view's.
+class ObservationBuffers {
+ public:
+  ObservationBuffers() = default;
+  ObservationBuffers(const ObservationBuffers&) = delete;
+  ObservationBuffers& operator=(const ObservationBuffers&) = delete;
+
+  /// The view as the planner sees it, valid until the next call. Every image of `view` has camera's
+  /// size.
+  const ab_observation& fill(const PlannerView& view, const CameraSetup& camera, bool with_depth);
+  void poison();
+
+ private:
+  ab_observation observation_{};
+  ab_state state_{};
+  std::vector<ab_depth_image> images_;
+  std::vector<const ab_depth_image*> pointers_;
+};
+
+}  // namespace avoidbench

@@ -1,0 +1,160 @@
+#include "plugin/planner_instance.hpp"
+
+#include <ctime>
+#include <exception>
+
+#include "base/check.hpp"
+#include "base/input_error.hpp"
+#include "plugin/command_check.hpp"
+#include "plugin/host_buffers.hpp"
+
+namespace avoidbench {
+namespace {
+
+double clock_s(clockid_t clock) {
+  timespec now{};
+  clock_gettime(clock, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// Starts the clock, where there is one, and stops it when the call is over.
+class TimedCall {
+ public:
+  explicit TimedCall(CallClock* clock) : clock_(clock) {
+    if (clock_ != nullptr) clock_->begin();
+  }
+  ~TimedCall() {
+    if (clock_ != nullptr) clock_->end();
+  }
+  TimedCall(const TimedCall&) = delete;
+  TimedCall& operator=(const TimedCall&) = delete;
+
+ private:
+  CallClock* clock_;
+};
+
+/// Runs `call`; "" or what escaped from it. No exception may cross the interface: one that does is
+/// the planner's error.
+template <class Call>
+std::string escaped_exception(CallClock* clock, Call&& call) {
+  const TimedCall timed(clock);
+  try {
+    call();
+  } catch (const std::exception& error) {
+    return std::string("an exception crossed the interface: ") + error.what();
+  } catch (...) {
+    return "an exception crossed the interface";
+  }
+  return "";
+}
+
+std::string error_text(const char* function, HostSide& host) {
+  const std::string given = host.take_error();
+  return given.empty() ? std::string(function) + " failed without saying why" : given;
+}
+
+}  // namespace
+
+void CallClock::begin() { began_ns_ = static_cast<std::int64_t>(1e9 * clock_s(CLOCK_MONOTONIC)); }
+
+void CallClock::end() { began_ns_ = 0; }
+
+double CallClock::running_s() const {
+  const std::int64_t began_ns = began_ns_;
+  return began_ns == 0 ? 0.0 : clock_s(CLOCK_MONOTONIC) - 1e-9 * static_cast<double>(began_ns);
+}
+
+struct PlannerInstance::Internals {
+  const ab_planner* table = nullptr;
+  CameraSetup camera;
+  HostSide host;
+  ObservationBuffers observation;
+  void* instance = nullptr;
+  CallClock* clock = nullptr;
+
+  bool sees_depth() const { return (table->needs & AB_SEES_DEPTH) != 0; }
+
+  ~Internals() {
+    if (instance != nullptr) escaped_exception(clock, [this] { table->destroy(instance); });
+  }
+};
+
+PlannerInstance::PlannerInstance(const PlannerLibrary& library, const PlannerSetup& setup,
+                                 const std::vector<ParameterValue>& values, CallClock* clock)
+    : internals_(std::make_unique<Internals>()) {
+  AB_CHECK(values.size() == library.description().parameters.size(), values.size());
+  internals_->table = &library.table();
+  internals_->camera = setup.depth_camera;
+  internals_->clock = clock;
+  const SetupBuffers buffers(setup, values, internals_->sees_depth());
+  std::string problem = escaped_exception(clock, [&] {
+    internals_->instance = internals_->table->create(&internals_->host.table(), &buffers.setup());
+  });
+  if (problem.empty() && internals_->instance == nullptr) {
+    problem = error_text("create", internals_->host);
+  }
+  if (!problem.empty()) {
+    throw InputError("planner " + library.description().name + ": " + problem);
+  }
+}
+
+PlannerInstance::~PlannerInstance() = default;
+PlannerInstance::PlannerInstance(PlannerInstance&&) noexcept = default;
+PlannerInstance& PlannerInstance::operator=(PlannerInstance&&) noexcept = default;
+
+bool PlannerInstance::sees_depth() const { return internals_->sees_depth(); }
+
+std::string PlannerInstance::reset(const PlannerMission& mission) {
+  Internals& self = *internals_;
+  const ab_mission given = to_mission(mission);
+  ab_status status = AB_ERROR;
+  self.host.take_error();
+  const std::string escaped =
+      escaped_exception(self.clock, [&] { status = self.table->reset(self.instance, &given); });
+  if (!escaped.empty()) return escaped;
+  return status == AB_OK ? "" : error_text("reset", self.host);
+}
+
+PlanResult PlannerInstance::plan(const PlannerView& view) {
+  Internals& self = *internals_;
+  const ab_observation& observation = self.observation.fill(view, self.camera, self.sees_depth());
+  PlanResult result;
+  result.command.struct_size = static_cast<std::uint32_t>(sizeof(ab_command));
+  ab_status status = AB_ERROR;
+  self.host.take_error();
+
+  const double wall_before_s = clock_s(CLOCK_MONOTONIC);
+  const double cpu_before_s = clock_s(CLOCK_THREAD_CPUTIME_ID);
+  std::string problem = escaped_exception(
+      self.clock, [&] { status = self.table->plan(self.instance, &observation, &result.command); });
+  result.cpu_time_s = clock_s(CLOCK_THREAD_CPUTIME_ID) - cpu_before_s;
+  result.wall_time_s = clock_s(CLOCK_MONOTONIC) - wall_before_s;
+
+  if (problem.empty() && status == AB_OK) {
+    problem = command_problem(result.command, self.table->commands);
+  }
+  if (problem.empty() && status == AB_ERROR) problem = error_text("plan", self.host);
+  if (problem.empty() && (status < AB_ERROR || status > AB_GIVE_UP)) {
+    problem = "plan returned " + std::to_string(status) + ", which is no status";
+  }
+  if (!problem.empty()) {
+    result.reason = problem;
+    result.command = ab_command{};
+    return result;
+  }
+  if (status == AB_GIVE_UP) {
+    result.status = PlanStatus::gave_up;
+    result.reason = self.host.take_error();
+    return result;
+  }
+  result.status = status == AB_NO_PLAN ? PlanStatus::no_plan : PlanStatus::command;
+  if (status == AB_OK && result.command.kind == AB_COMMAND_TRAJECTORY) {
+    result.points.assign(result.command.points, result.command.points + result.command.point_count);
+  }
+  result.command.points = nullptr;
+  return result;
+}
+
+std::vector<std::string> PlannerInstance::take_log() { return internals_->host.take_log(); }
+
+}  // namespace avoidbench

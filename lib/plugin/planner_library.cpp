@@ -1,0 +1,106 @@
+#include "plugin/planner_library.hpp"
+
+#include <dlfcn.h>
+
+#include <algorithm>
+#include <exception>
+
+#include "base/digest.hpp"
+#include "base/input_error.hpp"
+#include "plugin/elf_symbols.hpp"
+#include "plugin/planner_table.hpp"
+
+namespace avoidbench {
+namespace {
+
+using TableFunction = const ab_planner* (*)(std::uint32_t);
+
+const std::string kSymbolPrefix = "avoidbench_planner_v";
+
+std::string wanted_symbol() { return kSymbolPrefix + std::to_string(AVOIDBENCH_ABI_VERSION); }
+
+[[noreturn]] void fail(const std::filesystem::path& file, const std::string& message) {
+  throw InputError(InputProblem{file.string(), 0, 0, message});
+}
+
+/// The planner symbols of other ABI versions that the library exports.
+std::vector<std::string> other_versions(const std::filesystem::path& file) {
+  std::vector<std::string> found;
+  for (const std::string& symbol : exported_symbols(file)) {
+    if (symbol.starts_with(kSymbolPrefix) && symbol != wanted_symbol()) {
+      found.push_back(symbol.substr(kSymbolPrefix.size()));
+    }
+  }
+  return found;
+}
+
+void check_file(const std::filesystem::path& file) {
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) fail(file, "no such file");
+  if (!std::filesystem::is_regular_file(file, error)) fail(file, "is not a file");
+  const std::string problem = shared_library_problem(file);
+  if (!problem.empty()) fail(file, problem);
+}
+
+/// Looked at before loading, since to load a library is to run its constructors.
+void check_symbol(const std::filesystem::path& file) {
+  const std::vector<std::string> symbols = exported_symbols(file);
+  if (std::find(symbols.begin(), symbols.end(), wanted_symbol()) != symbols.end()) return;
+  const std::vector<std::string> others = other_versions(file);
+  if (others.empty()) {
+    fail(file, "is a shared library but no planner: it does not export " + wanted_symbol() +
+                   " (AVOIDBENCH_PLANNER(Class) in planner.hpp does)");
+  }
+  std::string versions;
+  for (const std::string& version : others) versions += (versions.empty() ? "" : ", ") + version;
+  fail(file, "is a planner of ABI " + versions + ", this program needs ABI " +
+                 std::to_string(AVOIDBENCH_ABI_VERSION) +
+                 ": build it against this version's planner.h");
+}
+
+const ab_planner* table_from(const std::filesystem::path& file, TableFunction function) {
+  const ab_planner* table = nullptr;
+  try {
+    table = function(AVOIDBENCH_ABI_VERSION);
+  } catch (const std::exception& error) {
+    fail(file, wanted_symbol() + " threw an exception: " + error.what());
+  } catch (...) {
+    fail(file, wanted_symbol() + " threw an exception");
+  }
+  if (table == nullptr) {
+    fail(file, "the planner refuses ABI " + std::to_string(AVOIDBENCH_ABI_VERSION) +
+                   ": it was built for another version");
+  }
+  return table;
+}
+
+}  // namespace
+
+PlannerLibrary PlannerLibrary::load(const std::filesystem::path& file) {
+  check_file(file);
+  check_symbol(file);
+  // An absolute path: dlopen would look a bare name up in the system's folders.
+  const std::string path = std::filesystem::absolute(file).string();
+  void* handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (handle == nullptr) {
+    const char* reason = dlerror();
+    fail(file, "can't be loaded: " + std::string(reason != nullptr ? reason : "unknown reason"));
+  }
+  const auto function = reinterpret_cast<TableFunction>(dlsym(handle, wanted_symbol().c_str()));
+  if (function == nullptr) fail(file, "does not export " + wanted_symbol());
+
+  PlannerLibrary library;
+  library.table_ = table_from(file, function);
+  const std::vector<std::string> problems = table_problems(*library.table_);
+  if (!problems.empty()) {
+    std::vector<InputProblem> all;
+    for (const std::string& problem : problems) all.push_back({file.string(), 0, 0, problem});
+    throw InputError(std::move(all));
+  }
+  library.description_ = describe_table(*library.table_);
+  library.description_.file = file;
+  library.description_.file_digest = file_digest(file);
+  return library;
+}
+
+}  // namespace avoidbench

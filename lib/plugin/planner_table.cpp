@@ -1,0 +1,179 @@
+#include "plugin/planner_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <set>
+#include <string_view>
+
+namespace avoidbench {
+namespace {
+
+// The structs as ABI 1 first had them: what is shorter can't be read, what is longer has fields
+// that this host doesn't know.
+constexpr std::size_t kLeastTableSize = offsetof(ab_planner, get_extension) + sizeof(void*);
+constexpr std::size_t kLeastParameterSize = offsetof(ab_parameter, preset_text) + sizeof(char*);
+constexpr std::uint32_t kMostParameters = 1000;
+constexpr std::uint32_t kKnownNeeds =
+    AB_SEES_STATE | AB_SEES_DEPTH | AB_SEES_STEREO | AB_SEES_COLOR | AB_SEES_IMU | AB_SEES_WORLD;
+constexpr std::uint32_t kKnownCommands = AB_COMMAND_POSITION | AB_COMMAND_VELOCITY |
+                                         AB_COMMAND_ACCELERATION | AB_COMMAND_TRAJECTORY |
+                                         AB_COMMAND_RATES;
+
+bool is_plain_name(std::string_view name) {
+  return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
+  });
+}
+
+std::string quoted(const char* text) {
+  return text != nullptr ? "'" + std::string(text) + "'" : std::string("null");
+}
+
+std::string number_problem(const ab_parameter& p) {
+  if (!std::isfinite(p.lowest) || !std::isfinite(p.highest) || !std::isfinite(p.preset)) {
+    return "lowest, highest and preset must be finite";
+  }
+  if (p.lowest > p.highest) return "lowest is above highest";
+  if (p.preset < p.lowest || p.preset > p.highest) return "the preset is outside [lowest, highest]";
+  const bool whole = std::floor(p.lowest) == p.lowest && std::floor(p.highest) == p.highest &&
+                     std::floor(p.preset) == p.preset;
+  if (p.kind == AB_INTEGER && !whole)
+    return "an integer's lowest, highest and preset must be whole";
+  return "";
+}
+
+std::string choice_problem(const ab_parameter& p) {
+  if (p.choices == nullptr || p.preset_text == nullptr) return "choices or preset_text is null";
+  const std::vector<std::string> words = choice_words(p.choices);
+  for (const std::string& word : words) {
+    if (word.empty()) return "an empty word in choices '" + std::string(p.choices) + "'";
+  }
+  const bool known = std::find(words.begin(), words.end(), p.preset_text) != words.end();
+  return known ? "" : "the preset '" + std::string(p.preset_text) + "' is none of the choices";
+}
+
+std::string parameter_problem(const ab_parameter* p) {
+  if (p == nullptr) return "is null";
+  if (p->struct_size < kLeastParameterSize) {
+    return "has struct_size " + std::to_string(p->struct_size) + ", less than " +
+           std::to_string(kLeastParameterSize);
+  }
+  if (p->name == nullptr || !is_plain_name(p->name)) {
+    return "has the name " + quoted(p->name) + "; a name is of a-z, 0-9 and _";
+  }
+  if (p->unit == nullptr || p->doc == nullptr) return quoted(p->name) + ": unit or doc is null";
+  std::string problem;
+  switch (p->kind) {
+    case AB_NUMBER:
+    case AB_INTEGER:
+      problem = number_problem(*p);
+      break;
+    case AB_CHOICE:
+      problem = choice_problem(*p);
+      break;
+    case AB_TEXT:
+      problem = p->preset_text == nullptr ? "preset_text is null" : "";
+      break;
+    default:
+      problem = "kind " + std::to_string(p->kind) + " is unknown";
+  }
+  return problem.empty() ? "" : quoted(p->name) + ": " + problem;
+}
+
+void add_parameter_problems(const ab_planner& table, std::vector<std::string>& problems) {
+  if (table.parameter_count > kMostParameters) {
+    problems.push_back(std::to_string(table.parameter_count) + " parameters: more than " +
+                       std::to_string(kMostParameters));
+    return;
+  }
+  if (table.parameter_count > 0 && table.parameters == nullptr) {
+    problems.emplace_back("parameters is null");
+    return;
+  }
+  std::set<std::string> names;
+  for (std::uint32_t i = 0; i < table.parameter_count; ++i) {
+    const std::string problem = parameter_problem(table.parameters[i]);
+    if (!problem.empty()) {
+      problems.push_back("parameter " + std::to_string(i) + " " + problem);
+    } else if (!names.insert(table.parameters[i]->name).second) {
+      problems.push_back("two parameters are named " + quoted(table.parameters[i]->name));
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> choice_words(const std::string& choices) {
+  std::vector<std::string> words(1);
+  for (const char c : choices) {
+    if (c == '|') {
+      words.emplace_back();
+    } else {
+      words.back() += c;
+    }
+  }
+  return words;
+}
+
+std::vector<std::string> table_problems(const ab_planner& table) {
+  if (table.struct_size < kLeastTableSize) {
+    return {"its table has struct_size " + std::to_string(table.struct_size) + ", less than the " +
+            std::to_string(kLeastTableSize) + " bytes of ABI " +
+            std::to_string(AVOIDBENCH_ABI_VERSION)};
+  }
+  if (table.abi_version != AVOIDBENCH_ABI_VERSION) {
+    return {"its table is of ABI " + std::to_string(table.abi_version) +
+            ", this program needs ABI " + std::to_string(AVOIDBENCH_ABI_VERSION)};
+  }
+  std::vector<std::string> problems;
+  if (table.name == nullptr || !is_plain_name(table.name)) {
+    problems.push_back("its name is " + quoted(table.name) + "; a name is of a-z, 0-9 and _");
+  }
+  if (table.version == nullptr) problems.emplace_back("its version is null");
+  if (table.summary == nullptr) problems.emplace_back("its summary is null");
+  const auto check_bits = [&](const char* what, std::uint32_t bits, std::uint32_t known) {
+    if (bits == 0) problems.push_back(std::string("it declares no ") + what);
+    if ((bits & ~known) != 0) {
+      problems.push_back(std::string("its ") + what + " have bits that ABI " +
+                         std::to_string(AVOIDBENCH_ABI_VERSION) + " doesn't know");
+    }
+  };
+  check_bits("needs", table.needs, kKnownNeeds);
+  check_bits("commands", table.commands, kKnownCommands);
+  const auto check_function = [&](const char* what, bool there) {
+    if (!there) problems.push_back(std::string("its function ") + what + " is null");
+  };
+  check_function("create", table.create != nullptr);
+  check_function("destroy", table.destroy != nullptr);
+  check_function("reset", table.reset != nullptr);
+  check_function("plan", table.plan != nullptr);
+  add_parameter_problems(table, problems);
+  return problems;
+}
+
+PlannerDescription describe_table(const ab_planner& table) {
+  PlannerDescription planner;
+  planner.name = table.name;
+  planner.version = table.version;
+  planner.summary = table.summary;
+  planner.needs = table.needs;
+  planner.commands = table.commands;
+  for (std::uint32_t i = 0; i < table.parameter_count; ++i) {
+    const ab_parameter& p = *table.parameters[i];
+    ParameterDef def;
+    def.name = p.name;
+    def.unit = p.unit;
+    def.doc = p.doc;
+    def.kind = p.kind;
+    def.lowest = p.lowest;
+    def.highest = p.highest;
+    def.preset = p.preset;
+    if (p.kind == AB_CHOICE) def.choices = choice_words(p.choices);
+    if (p.preset_text != nullptr) def.preset_text = p.preset_text;
+    planner.parameters.push_back(std::move(def));
+  }
+  return planner;
+}
+
+}  // namespace avoidbench

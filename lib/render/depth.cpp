@@ -1,0 +1,125 @@
+#include "render/depth.hpp"
+
+#include <emmintrin.h>
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+#include "base/check.hpp"
+#include "render/flush_to_zero.hpp"
+#include "render/primary_rays.hpp"
+
+namespace avoidbench {
+namespace {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+/// Four of a packet's lanes: one row of its pixels.
+struct Row {
+  __m128i triangles, instances;
+  __m128 hit;                              ///< all bits set in the lanes that hit something
+  __m128 numerators = _mm_setzero_ps();    ///< h of the lane's plane
+  __m128 denominators = _mm_setzero_ps();  ///< a·u + b·v + c of the lane's plane
+
+  Row(const unsigned* geometry, const unsigned* instance, const unsigned* triangle)
+      : triangles(_mm_load_si128(reinterpret_cast<const __m128i*>(triangle))),
+        instances(_mm_load_si128(reinterpret_cast<const __m128i*>(instance))) {
+    const __m128i missed = _mm_cmpeq_epi32(
+        _mm_load_si128(reinterpret_cast<const __m128i*>(geometry)), _mm_set1_epi32(-1));
+    hit = _mm_castsi128_ps(_mm_xor_si128(missed, _mm_set1_epi32(-1)));
+  }
+
+  unsigned hits() const { return static_cast<unsigned>(_mm_movemask_ps(hit)); }
+
+  /// Gives the lanes on this triangle their plane; returns which they are.
+  unsigned take(unsigned instance, unsigned triangle, const PlaneInCamera& plane, __m128d au_low,
+                __m128d au_high, double v) {
+    const __m128i same_triangle =
+        _mm_cmpeq_epi32(triangles, _mm_set1_epi32(static_cast<int>(triangle)));
+    const __m128i same_instance =
+        _mm_cmpeq_epi32(instances, _mm_set1_epi32(static_cast<int>(instance)));
+    const __m128 taken =
+        _mm_and_ps(hit, _mm_castsi128_ps(_mm_and_si128(same_triangle, same_instance)));
+    const __m128d row = _mm_set1_pd(plane.b * v + plane.c);
+    const __m128 denominator = _mm_movelh_ps(_mm_cvtpd_ps(_mm_add_pd(au_low, row)),
+                                             _mm_cvtpd_ps(_mm_add_pd(au_high, row)));
+    const __m128 numerator = _mm_set1_ps(static_cast<float>(plane.h));
+    // Each lane is taken once and was zero before.
+    denominators = _mm_or_ps(denominators, _mm_and_ps(taken, denominator));
+    numerators = _mm_or_ps(numerators, _mm_and_ps(taken, numerator));
+    return static_cast<unsigned>(_mm_movemask_ps(taken));
+  }
+
+  /// plane_depth() of the four lanes, to the bit, at most `range_m`; +inf where nothing was hit.
+  __m128 depths(const float* embree_depths, float range_m) const {
+    const __m128 depth = _mm_div_ps(numerators, denominators);
+    const __m128 embree = _mm_load_ps(embree_depths);
+    const __m128 no_sign = _mm_castsi128_ps(_mm_set1_epi32(0x7fffffff));
+    const __m128 difference = _mm_and_ps(_mm_sub_ps(depth, embree), no_sign);
+    const __m128 agrees = _mm_cmple_ps(difference, _mm_mul_ps(_mm_set1_ps(1e-3F), embree));
+    const __m128 settled = _mm_or_ps(_mm_and_ps(agrees, depth), _mm_andnot_ps(agrees, embree));
+    const __m128 in_range = _mm_min_ps(settled, _mm_set1_ps(range_m));
+    return _mm_or_ps(_mm_and_ps(hit, in_range), _mm_andnot_ps(hit, _mm_set1_ps(kInfinity)));
+  }
+};
+
+/// The 4 × 2 depths of a packet whose first pixel has these slopes.
+void packet_depths(const PrimaryRays& rays, const RTCRayHit8& packet, const double* u,
+                   const double* v, float range_m, float* depths) {
+  const unsigned* instances = rays.instances(packet);
+  const unsigned* triangles = packet.hit.primID;
+  Row first(packet.hit.geomID, instances, triangles);
+  Row second(packet.hit.geomID + 4, instances + 4, triangles + 4);
+  const __m128d u_low = _mm_loadu_pd(u);
+  const __m128d u_high = _mm_loadu_pd(u + 2);
+  // Once for each triangle in the packet: one on smooth ground, up to eight in foliage.
+  for (unsigned left = first.hits() | second.hits() << 4U; left != 0;) {
+    const int lane = std::countr_zero(left);
+    const PlaneInCamera plane = rays.plane(instances[lane], triangles[lane]);
+    const __m128d a = _mm_set1_pd(plane.a);
+    const __m128d au_low = _mm_mul_pd(a, u_low);
+    const __m128d au_high = _mm_mul_pd(a, u_high);
+    left &= ~first.take(instances[lane], triangles[lane], plane, au_low, au_high, v[0]);
+    left &= ~(second.take(instances[lane], triangles[lane], plane, au_low, au_high, v[1]) << 4U);
+  }
+  _mm_store_ps(depths, first.depths(packet.ray.tfar, range_m));
+  _mm_store_ps(depths + 4, second.depths(packet.ray.tfar + 4, range_m));
+}
+
+}  // namespace
+
+void render_depth(const Scene& scene, const Pinhole& camera, const Pose& T_world_camera,
+                  std::span<float> depth_m) {
+  const auto width = static_cast<std::size_t>(camera.width_px);
+  const auto height = static_cast<std::size_t>(camera.height_px);
+  AB_CHECK(depth_m.size() == width * height, depth_m.size(), width, height);
+  const ScopedFlushToZero flush;
+  PrimaryRays rays(scene.internals(), camera, T_world_camera);
+  const auto range_m = static_cast<float>(camera.max_range_m);
+  alignas(16) float depths[kBlockWidth * kBlockHeight];
+  for (int block_y = 0; block_y < rays.blocks_down(); ++block_y) {
+    const auto y = static_cast<std::size_t>(block_y * kBlockHeight);
+    const std::size_t rows = std::min<std::size_t>(kBlockHeight, height - y);
+    for (int block_x = 0; block_x < rays.blocks_across(); ++block_x) {
+      const auto x = static_cast<std::size_t>(block_x * kBlockWidth);
+      const std::size_t columns = std::min<std::size_t>(kBlockWidth, width - x);
+      rays.trace(block_x, block_y);
+      for (std::size_t i = 0; i < embree::kStreamPackets; ++i) {
+        packet_depths(rays, rays.packet(i), rays.u() + x, rays.v() + y + kPacketHeight * i, range_m,
+                      depths + 8 * i);
+      }
+      float* out = depth_m.data() + y * width + x;
+      for (std::size_t row = 0; row < rows; ++row, out += width) {
+        const float* from = depths + row * kBlockWidth;
+        if (columns == kBlockWidth) {
+          _mm_storeu_ps(out, _mm_load_ps(from));
+        } else {
+          std::copy_n(from, columns, out);
+        }
+      }
+    }
+  }
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,33 @@
+#include "render/device.hpp"
+
+#include "base/check.hpp"
+#include "base/input_error.hpp"
+
+namespace avoidbench::embree {
+namespace {
+
+DeviceHandle new_device() {
+  __builtin_cpu_init();
+  const bool has_avx2 = __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
+  DeviceHandle handle(rtcNewDevice(has_avx2 ? "threads=1,isa=avx2" : "threads=1,isa=sse4.2"));
+  AB_CHECK(handle != nullptr, "Embree error", static_cast<int>(rtcGetDeviceError(nullptr)));
+  return handle;
+}
+
+}  // namespace
+
+RTCDevice device() {
+  static const DeviceHandle handle = new_device();
+  return handle.get();
+}
+
+void check_errors(const char* doing) {
+  const RTCError error = rtcGetDeviceError(device());
+  if (error == RTC_ERROR_OUT_OF_MEMORY) {
+    throw InputError(std::string("out of memory while ") + doing +
+                     ": take a smaller map, a larger poisson_radius_m, or fewer workers");
+  }
+  AB_CHECK(error == RTC_ERROR_NONE, doing, static_cast<int>(error));
+}
+
+}  // namespace avoidbench::embree

@@ -1,0 +1,104 @@
+#include "render/primary_rays.hpp"
+
+#include <emmintrin.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "base/check.hpp"
+
+namespace avoidbench {
+namespace {
+
+std::size_t padded(std::size_t count, int step) {
+  const auto whole = static_cast<std::size_t>(step);
+  return (count + whole - 1) / whole * whole;
+}
+
+/// (pixel − principal point) / focal length for each sample of a row or a column.
+std::vector<double> ray_slopes(std::int32_t size_px, int samples, int step, double c, double f) {
+  std::vector<double> slopes(
+      padded(static_cast<std::size_t>(size_px) * static_cast<std::size_t>(samples), step));
+  for (std::size_t i = 0; i < slopes.size(); ++i) {
+    const double pixel = (static_cast<double>(i) + 0.5) / samples - 0.5;
+    slopes[i] = (pixel - c) / f;
+  }
+  return slopes;
+}
+
+}  // namespace
+
+PrimaryRays::PrimaryRays(const Scene::Internals& scene, const Pinhole& camera,
+                         const Pose& T_world_camera, int samples)
+    : scene_(scene), range_m_(static_cast<float>(camera.max_range_m)) {
+  AB_CHECK(camera.width_px > 0 && camera.height_px > 0, camera.width_px, camera.height_px);
+  AB_CHECK(samples >= 1, samples);
+  AB_CHECK(T_world_camera.matrix().allFinite());
+  u_ = ray_slopes(camera.width_px, samples, kBlockWidth, camera.cx_px, camera.fx_px);
+  v_ = ray_slopes(camera.height_px, samples, kBlockHeight, camera.cy_px, camera.fy_px);
+  const Eigen::Matrix3d axes = T_world_camera.linear();
+  const Eigen::Vector3d position = T_world_camera.translation();
+  for (int k = 0; k < 3; ++k) {
+    columns_[k].resize(u_.size());
+    rows_[k].resize(v_.size());
+    for (std::size_t i = 0; i < u_.size(); ++i) {
+      columns_[k][i] = static_cast<float>(axes(k, 0) * u_[i]);
+    }
+    for (std::size_t i = 0; i < v_.size(); ++i) {
+      rows_[k][i] = static_cast<float>(axes(k, 1) * v_[i] + axes(k, 2));
+    }
+  }
+
+  const auto camera_axes = [&](const Eigen::Matrix3d& linear, const Eigen::Vector3d& origin) {
+    const Eigen::Matrix3d turned = linear * axes;
+    const Eigen::Vector3d moved = linear * (position - origin);
+    CameraAxes result{};
+    for (int k = 0; k < 3; ++k) {
+      result.right[k] = turned(k, 0);
+      result.down[k] = turned(k, 1);
+      result.forward[k] = turned(k, 2);
+      result.position[k] = moved[k];
+    }
+    return result;
+  };
+  if (scene.flattened) {
+    cameras_.push_back(camera_axes(Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero()));
+  } else {
+    cameras_.reserve(scene.placements.size());
+    for (const Placement& placement : scene.placements) {
+      cameras_.push_back(camera_axes(placement.linear_prototype_world, placement.position_world));
+    }
+  }
+
+  std::memset(static_cast<void*>(packets_), 0, sizeof(packets_));
+  for (RTCRayHit8& packet : packets_) {
+    std::fill_n(packet.ray.org_x, 8, static_cast<float>(position.x()));
+    std::fill_n(packet.ray.org_y, 8, static_cast<float>(position.y()));
+    std::fill_n(packet.ray.org_z, 8, static_cast<float>(position.z()));
+    std::fill_n(packet.ray.mask, 8, ~0U);
+  }
+}
+
+void PrimaryRays::trace(int block_x, int block_y) {
+  const auto x = static_cast<std::size_t>(block_x * kBlockWidth);
+  auto y = static_cast<std::size_t>(block_y * kBlockHeight);
+  const __m128 column_x = _mm_loadu_ps(&columns_[0][x]);
+  const __m128 column_y = _mm_loadu_ps(&columns_[1][x]);
+  const __m128 column_z = _mm_loadu_ps(&columns_[2][x]);
+  const __m128 range = _mm_set1_ps(range_m_);
+  const __m128i nothing = _mm_set1_epi32(-1);
+  static_assert(RTC_INVALID_GEOMETRY_ID == ~0U);
+  for (RTCRayHit8& packet : packets_) {
+    for (int row = 0; row < kPacketHeight; ++row, ++y) {
+      const int lane = row * kBlockWidth;
+      _mm_store_ps(packet.ray.dir_x + lane, _mm_add_ps(column_x, _mm_set1_ps(rows_[0][y])));
+      _mm_store_ps(packet.ray.dir_y + lane, _mm_add_ps(column_y, _mm_set1_ps(rows_[1][y])));
+      _mm_store_ps(packet.ray.dir_z + lane, _mm_add_ps(column_z, _mm_set1_ps(rows_[2][y])));
+      _mm_store_ps(packet.ray.tfar + lane, range);
+      _mm_store_si128(reinterpret_cast<__m128i*>(packet.hit.geomID + lane), nothing);
+    }
+  }
+  embree::intersect_stream(scene_.top.get(), packets_);
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,170 @@
+#include <cstring>
+
+#include "base/check.hpp"
+#include "render/device.hpp"
+#include "render/scene_internals.hpp"
+
+namespace avoidbench {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::Vector3f;
+
+TrianglePlane make_plane(const Vector3f& a, const Vector3f& b, const Vector3f& c) {
+  const Vector3d origin = a.cast<double>();
+  const Vector3d cross = (b.cast<double>() - origin).cross(c.cast<double>() - origin);
+  const double length = cross.norm();
+  const Vector3d normal = length > 0.0 ? Vector3d(cross / length) : Vector3d::Zero();
+  return {normal.x(), normal.y(), normal.z(), normal.dot(origin)};
+}
+
+std::vector<TrianglePlane> make_planes(const std::vector<Vector3f>& vertices,
+                                       const TriangleMesh& mesh) {
+  std::vector<TrianglePlane> planes;
+  planes.reserve(mesh.triangles.size());
+  for (const auto& [a, b, c] : mesh.triangles) {
+    planes.push_back(make_plane(vertices[a], vertices[b], vertices[c]));
+  }
+  return planes;
+}
+
+/// Inverse by cofactors.
+Eigen::Matrix3d inverse(const Eigen::Matrix3d& m) {
+  const Vector3d a = m.col(0), b = m.col(1), c = m.col(2);
+  Eigen::Matrix3d result;
+  result.row(0) = b.cross(c);
+  result.row(1) = c.cross(a);
+  result.row(2) = a.cross(b);
+  const double determinant = a.dot(b.cross(c));
+  AB_CHECK(std::abs(determinant) > 1e-12, determinant);
+  return result / determinant;
+}
+
+Placement make_placement(const Instance& instance) {
+  Placement placement;
+  const Eigen::Matrix4f& matrix = instance.T_world_prototype.matrix();
+  AB_CHECK(matrix.allFinite());
+  placement.linear_world_prototype = matrix.topLeftCorner<3, 3>().cast<double>();
+  placement.position_world = matrix.topRightCorner<3, 1>().cast<double>();
+  placement.linear_prototype_world = inverse(placement.linear_world_prototype);
+  placement.scale = placement.linear_world_prototype.col(0).norm();
+  return placement;
+}
+
+std::vector<Vector3f> flattened_vertices(const TriangleMesh& mesh, const Placement& placement) {
+  std::vector<Vector3f> vertices;
+  vertices.reserve(mesh.vertices.size());
+  for (const Vector3f& vertex : mesh.vertices) {
+    const Vector3d in_world =
+        placement.linear_world_prototype * vertex.cast<double>() + placement.position_world;
+    vertices.push_back(in_world.cast<float>());
+  }
+  return vertices;
+}
+
+template <class T>
+void set_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format,
+                const std::vector<T>& values) {
+  void* const buffer = rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(T), values.size());
+  embree::check_errors("copying a map's triangles");
+  std::memcpy(buffer, values.data(), values.size() * sizeof(T));
+}
+
+embree::GeometryHandle make_geometry(const std::vector<Vector3f>& vertices,
+                                     const TriangleMesh& mesh) {
+  static_assert(sizeof(Vector3f) == 12);
+  embree::GeometryHandle geometry(rtcNewGeometry(embree::device(), RTC_GEOMETRY_TYPE_TRIANGLE));
+  embree::check_errors("making a mesh");
+  set_buffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, vertices);
+  set_buffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, mesh.triangles);
+  rtcCommitGeometry(geometry.get());
+  return geometry;
+}
+
+embree::SceneHandle make_scene() {
+  embree::SceneHandle scene(rtcNewScene(embree::device()));
+  embree::check_errors("making a scene");
+  return scene;
+}
+
+void commit(RTCScene scene) {
+  rtcCommitScene(scene);
+  embree::check_errors("building the map's bounding volume hierarchy");
+}
+
+void build_flattened(Scene::Internals& scene) {
+  const World& world = *scene.world;
+  for (std::uint32_t i = 0; i < world.instances.size(); ++i) {
+    const TriangleMesh& mesh = world.prototypes[world.instances[i].prototype].mesh;
+    const std::vector<Vector3f> vertices = flattened_vertices(mesh, scene.placements[i]);
+    scene.planes.push_back(make_planes(vertices, mesh));
+    scene.placements[i].planes = scene.planes.back().data();
+    if (mesh.triangles.empty()) continue;
+    const embree::GeometryHandle geometry = make_geometry(vertices, mesh);
+    rtcAttachGeometryByID(scene.top.get(), geometry.get(), i);
+  }
+}
+
+void build_instanced(Scene::Internals& scene) {
+  const World& world = *scene.world;
+  for (const Prototype& prototype : world.prototypes) {
+    scene.planes.push_back(make_planes(prototype.mesh.vertices, prototype.mesh));
+    scene.prototypes.push_back(make_scene());
+    if (!prototype.mesh.triangles.empty()) {
+      const embree::GeometryHandle geometry =
+          make_geometry(prototype.mesh.vertices, prototype.mesh);
+      rtcAttachGeometryByID(scene.prototypes.back().get(), geometry.get(), 0);
+    }
+    commit(scene.prototypes.back().get());
+  }
+  for (std::uint32_t i = 0; i < world.instances.size(); ++i) {
+    const std::uint32_t prototype = world.instances[i].prototype;
+    scene.placements[i].planes = scene.planes[prototype].data();
+    if (world.prototypes[prototype].mesh.triangles.empty()) continue;
+    const embree::GeometryHandle geometry(
+        rtcNewGeometry(embree::device(), RTC_GEOMETRY_TYPE_INSTANCE));
+    rtcSetGeometryInstancedScene(geometry.get(), scene.prototypes[prototype].get());
+    rtcSetGeometryTransform(geometry.get(), 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR,
+                            world.instances[i].T_world_prototype.matrix().data());
+    rtcCommitGeometry(geometry.get());
+    rtcAttachGeometryByID(scene.top.get(), geometry.get(), i);
+  }
+}
+
+void check_world(const World& world) {
+  for (const Prototype& prototype : world.prototypes) {
+    AB_CHECK(prototype.triangle_materials.size() == prototype.mesh.triangles.size(),
+             prototype.name);
+    for (const auto& triangle : prototype.mesh.triangles) {
+      for (const std::uint32_t corner : triangle) {
+        AB_CHECK(corner < prototype.mesh.vertices.size(), prototype.name);
+      }
+    }
+  }
+  for (const Instance& instance : world.instances) {
+    AB_CHECK(instance.prototype < world.prototypes.size(), instance.prototype);
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<Scene::Internals> build_internals(const World& world,
+                                                  std::size_t flatten_triangles) {
+  check_world(world);
+  auto scene = std::make_unique<Scene::Internals>();
+  scene->world = &world;
+  scene->flattened = triangle_count(world) <= flatten_triangles;
+  scene->top = make_scene();
+  for (const Instance& instance : world.instances) {
+    scene->placements.push_back(make_placement(instance));
+  }
+  if (scene->flattened) {
+    build_flattened(*scene);
+  } else {
+    build_instanced(*scene);
+  }
+  commit(scene->top.get());
+  return scene;
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,111 @@
+#include "sensing/picture.hpp"
+
+#include <png.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <opencv2/imgproc.hpp>
+
+#include "base/check.hpp"
+#include "base/input_error.hpp"
+
+namespace avoidbench {
+namespace {
+
+std::size_t byte_count(int width_px, int height_px) {
+  return static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px) * 3;
+}
+
+/// The picture's own pixels as OpenCV sees them.
+cv::Mat pixels(Picture& picture) {
+  return {picture.height_px, picture.width_px, CV_8UC3, picture.rgb.data()};
+}
+
+/// The colours of the scale, from near to far.
+cv::Mat scale_colors() {
+  cv::Mat levels(1, 256, CV_8UC1), colors;
+  for (int i = 0; i < 256; ++i) levels.at<std::uint8_t>(0, i) = static_cast<std::uint8_t>(255 - i);
+  cv::applyColorMap(levels, colors, cv::COLORMAP_TURBO);
+  cv::cvtColor(colors, colors, cv::COLOR_BGR2RGB);
+  return colors;
+}
+
+void darken(cv::Mat image) { image.convertTo(image, -1, 0.35); }
+
+void write_text(cv::Mat image, const std::string& text, cv::Point corner) {
+  cv::putText(image, text, corner, cv::FONT_HERSHEY_SIMPLEX, 0.45, cv::Scalar(255, 255, 255), 1,
+              cv::LINE_AA);
+}
+
+std::string metres(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g m", value);
+  return text;
+}
+
+}  // namespace
+
+Picture make_picture(int width_px, int height_px) {
+  AB_CHECK(width_px > 0 && height_px > 0, width_px, height_px);
+  return {width_px, height_px, std::vector<std::uint8_t>(byte_count(width_px, height_px))};
+}
+
+Picture depth_picture(std::span<const float> depth_m, int width_px, int height_px, double nearest_m,
+                      double farthest_m) {
+  Picture picture = make_picture(width_px, height_px);
+  AB_CHECK(depth_m.size() * 3 == picture.rgb.size(), depth_m.size(), width_px, height_px);
+  AB_CHECK(nearest_m < farthest_m, nearest_m, farthest_m);
+  constexpr std::uint8_t kInvalid = 96;
+  const cv::Mat colors = scale_colors();
+  for (std::size_t i = 0; i < depth_m.size(); ++i) {
+    const double depth = static_cast<double>(depth_m[i]);
+    std::uint8_t* rgb = &picture.rgb[3 * i];
+    if (std::isnan(depth)) {
+      std::fill_n(rgb, 3, kInvalid);
+    } else if (std::isfinite(depth)) {
+      const double ratio = std::clamp((depth - nearest_m) / (farthest_m - nearest_m), 0.0, 1.0);
+      const auto& color = colors.at<cv::Vec3b>(0, static_cast<int>(std::lround(255.0 * ratio)));
+      std::copy_n(&color[0], 3, rgb);
+    }
+  }
+  return picture;
+}
+
+void add_depth_scale(Picture& picture, double nearest_m, double farthest_m) {
+  constexpr int kBand = 22, kMargin = 64;
+  const int width = picture.width_px - 2 * kMargin;
+  if (picture.height_px < 2 * kBand || width < kMargin) return;
+  cv::Mat image = pixels(picture);
+  const int top = picture.height_px - kBand;
+  darken(image.rowRange(top, picture.height_px));
+  cv::Mat bar;
+  cv::resize(scale_colors(), bar, cv::Size(width, kBand - 12), 0, 0, cv::INTER_LINEAR);
+  bar.copyTo(image(cv::Rect(kMargin, top + 6, bar.cols, bar.rows)));
+  write_text(image, metres(nearest_m), {6, top + 16});
+  write_text(image, metres(farthest_m), {picture.width_px - kMargin + 6, top + 16});
+}
+
+void add_caption(Picture& picture, const std::string& text) {
+  constexpr int kBand = 22;
+  if (picture.height_px < 2 * kBand) return;
+  cv::Mat image = pixels(picture);
+  darken(image.rowRange(0, kBand));
+  write_text(image, text, {6, 16});
+}
+
+void write_png(const Picture& picture, const std::filesystem::path& file) {
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  image.width = static_cast<png_uint_32>(picture.width_px);
+  image.height = static_cast<png_uint_32>(picture.height_px);
+  image.format = PNG_FORMAT_RGB;
+  AB_CHECK(picture.rgb.size() == byte_count(picture.width_px, picture.height_px));
+  if (png_image_write_to_file(&image, file.c_str(), 0, picture.rgb.data(), 0, nullptr) == 0) {
+    const std::string reason = image.message;
+    png_image_free(&image);
+    throw InputError(InputProblem{file.string(), 0, 0, "can't be written: " + reason});
+  }
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,105 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "store/rows.hpp"
+
+struct sqlite3;
+
+namespace avoidbench {
+
+inline constexpr int kApplicationId = 0x6176426e;  ///< "avBn", in the SQLite header of our files
+inline constexpr int kSchemaVersion = 1;
+
+/// One database file of results. The schema, and with it the meaning of every column, is in
+/// schema.sql. A handle serves one thread. All functions throw InputError, naming the file, when
+/// the disk or another program stands in the way; what was committed before stays.
+class Database {
+ public:
+  /// Opens `path` for writing; makes it when it doesn't exist or is empty (its folder has to
+  /// exist). `metrics` are the program's: a metric that the file lacks becomes a new column, NULL
+  /// in trials that are already there. Throws InputError when the file is no database of ours, is
+  /// damaged, is locked, can't be written, was made by a newer program, or defines a metric in
+  /// another version than `metrics` do.
+  static Database open_for_run(const std::filesystem::path& path,
+                               std::span<const MetricDef> metrics);
+
+  /// Opens an existing file, also one that can't be written. Throws InputError as open_for_run().
+  static Database open_for_reading(const std::filesystem::path& path);
+
+  const std::filesystem::path& path() const { return *path_; }
+
+  /// The metrics, in the order of TrialRow::metrics.
+  const std::vector<MetricRow>& metrics() const { return metrics_; }
+
+  // Writing. Each call is one transaction; adding what is already there changes nothing, if not
+  // said otherwise.
+
+  /// Adds the run that trials added from now on belong to.
+  std::int64_t add_run(const RunRow& row);
+  /// Adds the sweep, or finds it. Another spec_json than that of the revisions there are makes a
+  /// new revision. Later calls that name the sweep mean this revision.
+  std::int64_t add_sweep(const SweepRow& row);
+  /// Later trials of this label and file digest belong to this planner.
+  void add_planner(const PlannerRow& row);
+  /// Adds the map and those of its missions that are new, and notes that `sweep` asks for these
+  /// missions. Throws InputError when the map or a mission is there with other values: then the
+  /// program's results have changed.
+  void add_map(const MapRow& row, std::string_view sweep);
+  /// Commits the trial with its trajectory, plan calls and events, and adds it to `row.sweep`. Run,
+  /// sweep, map and planner must have been added before. A trial that is there is replaced and its
+  /// `attempt` rises by one.
+  void add_trial(const TrialRow& row);
+  /// Notes that these finished trials belong to `sweep` too; keys of unfinished ones are passed
+  /// over.
+  void add_to_sweep(std::string_view sweep, std::span<const std::string> keys);
+
+  // Reading.
+
+  std::map<std::string, Outcome> finished_trials() const;
+  std::set<std::string> finished_keys() const;
+  std::optional<MapRow> read_map(std::string_view key) const;
+  std::optional<TrialRow> read_trial(
+      std::string_view key) const;                ///< `sweep` is one that it belongs to
+  std::vector<PlannerRow> read_planners() const;  ///< by label, then key
+  std::vector<SweepInfo> read_sweeps() const;     ///< by name, then revision
+  SweepResult read_sweep(std::string_view name, std::int64_t revision) const;
+
+  /// SQLite's handle, for this room only.
+  sqlite3* handle() const { return handle_.get(); }
+
+ private:
+  struct Close {
+    void operator()(sqlite3* handle) const;
+  };
+
+  Database(std::filesystem::path path, std::unique_ptr<sqlite3, Close> handle);
+  static Database connect(const std::filesystem::path& path, int flags, bool is_immutable);
+  void check_identity() const;
+  void check_integrity(bool whole) const;
+  void create_schema();
+  void bring_metrics(std::span<const MetricDef> metrics);
+  void read_metrics();
+  std::int64_t revision_of(std::string_view sweep) const;
+
+  std::unique_ptr<const std::filesystem::path>
+      path_;  // behind a pointer: statements keep a reference while we may move
+  std::unique_ptr<sqlite3, Close> handle_;
+  std::vector<MetricRow> metrics_;
+  std::int64_t run_id_ = 0;
+  std::map<std::string, std::int64_t, std::less<>> revisions_;  // of the sweeps added here
+  std::map<std::pair<std::string, std::string>, std::string>
+      planners_;  // (label, file digest) → key
+};
+
+}  // namespace avoidbench

@@ -1,0 +1,121 @@
+#include "store/record_format.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cstring>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "base/check.hpp"
+#include "base/digest.hpp"
+
+namespace avoidbench {
+namespace {
+
+static_assert(std::endian::native == std::endian::little,
+              "doubles are stored as they lie in memory");
+
+using SampleNumbers = std::array<double, kSampleDoubles>;
+
+SampleNumbers numbers(const Sample& s) {
+  const auto& p = s.position_world;
+  const auto& v = s.velocity_world;
+  const auto& a = s.acceleration_world;
+  const auto& q = s.q_world_body;
+  const auto& w = s.rates_body_radps;
+  const auto& r = s.reference_world;
+  return {s.time_s, p.x(), p.y(), p.z(), v.x(),         v.y(),          v.z(), a.x(),
+          a.y(),    a.z(), q.w(), q.x(), q.y(),         q.z(),          w.x(), w.y(),
+          w.z(),    r.x(), r.y(), r.z(), s.clearance_m, s.rotor_power_w};
+}
+
+Sample sample(const SampleNumbers& n) {
+  Sample s;
+  s.time_s = n[0];
+  s.position_world = {n[1], n[2], n[3]};
+  s.velocity_world = {n[4], n[5], n[6]};
+  s.acceleration_world = {n[7], n[8], n[9]};
+  s.q_world_body = Eigen::Quaterniond(n[10], n[11], n[12], n[13]);
+  s.rates_body_radps = {n[14], n[15], n[16]};
+  s.reference_world = {n[17], n[18], n[19]};
+  s.clearance_m = n[20];
+  s.rotor_power_w = n[21];
+  return s;
+}
+
+nlohmann::json json_number(double value) {
+  return value == value ? nlohmann::json(value) : nlohmann::json(nullptr);
+}
+
+double number_of(const nlohmann::json& json) {
+  return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
+}
+
+}  // namespace
+
+std::vector<std::byte> sample_bytes(std::span<const Sample> samples) {
+  std::vector<std::byte> bytes(samples.size() * sizeof(SampleNumbers));
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const SampleNumbers row = numbers(samples[i]);
+    std::memcpy(bytes.data() + i * sizeof row, row.data(), sizeof row);
+  }
+  return bytes;
+}
+
+std::vector<Sample> samples_from_bytes(std::span<const std::byte> bytes) {
+  std::vector<Sample> samples(bytes.size() / sizeof(SampleNumbers));
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    SampleNumbers row{};
+    std::memcpy(row.data(), bytes.data() + i * sizeof row, sizeof row);
+    samples[i] = sample(row);
+  }
+  return samples;
+}
+
+std::string plan_calls_json(std::span<const PlanCall> calls) {
+  nlohmann::json rows = nlohmann::json::array();
+  for (const PlanCall& call : calls) {
+    nlohmann::json row = nlohmann::json::array();
+    row.push_back(json_number(call.time_s));
+    row.push_back(json_number(call.cpu_time_s));
+    row.push_back(json_number(call.wall_time_s));
+    row.push_back(call.status);
+    row.push_back(call.command_kind);
+    rows.push_back(std::move(row));
+  }
+  return rows.dump();
+}
+
+std::vector<PlanCall> plan_calls_from_json(std::string_view json) {
+  std::vector<PlanCall> calls;
+  for (const nlohmann::json& row : nlohmann::json::parse(json)) {
+    calls.push_back({.time_s = number_of(row.at(0)),
+                     .cpu_time_s = number_of(row.at(1)),
+                     .wall_time_s = number_of(row.at(2)),
+                     .status = row.at(3).get<std::int32_t>(),
+                     .command_kind = row.at(4).get<std::uint32_t>()});
+  }
+  return calls;
+}
+
+std::string plan_calls_digest(std::span<const PlanCall> calls) {
+  Digest digest;
+  for (const PlanCall& call : calls) {
+    digest.add(call.time_s);
+    digest.add(static_cast<std::uint64_t>(static_cast<std::uint32_t>(call.status)));
+    digest.add(std::uint64_t{call.command_kind});
+  }
+  return digest.hex();
+}
+
+std::string shortest(double value) {
+  if (value != value) return "nan";  // of either sign
+  std::array<char, 32> buffer{};
+  const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  AB_CHECK(error == std::errc{});
+  return {buffer.data(), end};
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "trial/trial_record.hpp"
+
+namespace avoidbench {
+
+inline constexpr std::size_t kSampleDoubles =
+    22;  ///< numbers a stored sample, in the order that schema.sql names
+
+/// Samples as stored: kSampleDoubles little-endian doubles each.
+std::vector<std::byte> sample_bytes(std::span<const Sample> samples);
+/// Reverse of sample_bytes(); bytes after the last whole sample are passed over.
+std::vector<Sample> samples_from_bytes(std::span<const std::byte> bytes);
+
+/// Calls as stored: a JSON array of [time_s, cpu_time_s, wall_time_s, status, command_kind],
+/// numbers with the fewest digits that read back to the same bits.
+std::string plan_calls_json(std::span<const PlanCall> calls);
+std::vector<PlanCall> plan_calls_from_json(std::string_view json);
+
+/// SHA-256 of what does not differ from run to run: time, status and command kind of each call.
+std::string plan_calls_digest(std::span<const PlanCall> calls);
+
+/// The number with the fewest digits that read back to the same bits; `nan`, `inf`, `-inf`.
+std::string shortest(double value);
+
+}  // namespace avoidbench

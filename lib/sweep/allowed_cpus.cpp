@@ -1,0 +1,34 @@
+#include "sweep/allowed_cpus.hpp"
+
+#include <sched.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <string>
+
+namespace avoidbench {
+namespace {
+
+/// CPUs of the cgroup's quota (version 2, as a container sees its own), or 0 where there is none.
+double cgroup_quota() {
+  std::ifstream file("/sys/fs/cgroup/cpu.max");
+  std::string quota;
+  double period = 0.0;
+  if (!(file >> quota >> period) || quota == "max" || period <= 0.0) return 0.0;
+  return std::strtod(quota.c_str(), nullptr) / period;
+}
+
+}  // namespace
+
+int allowed_cpus() {
+  cpu_set_t set;
+  CPU_ZERO(&set);
+  int count = ::sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : 1;
+  if (const double quota = cgroup_quota(); quota > 0.0) {
+    count = std::min(count, static_cast<int>(std::ceil(quota)));
+  }
+  return std::max(1, count);
+}
+
+}  // namespace avoidbench

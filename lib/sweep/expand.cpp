@@ -1,0 +1,63 @@
+#include <algorithm>
+
+#include "base/check.hpp"
+#include "base/digest.hpp"
+#include "base/spec_json.hpp"
+#include "sweep/sweep_spec.hpp"
+
+namespace avoidbench {
+namespace {
+
+using nlohmann::json;
+
+json::json_pointer pointer(std::string path) {
+  std::replace(path.begin(), path.end(), '.', '/');
+  return json::json_pointer("/" + path);
+}
+
+void expand_axes(const SweepSpec& sweep, std::size_t axis, const json& spec,
+                 std::vector<TrialSpec>& trials) {
+  if (axis < sweep.axes.size()) {
+    const json::json_pointer place = pointer(sweep.axes[axis].path);
+    AB_CHECK(spec.contains(place), sweep.axes[axis].path);
+    for (const json& value : sweep.axes[axis].values) {
+      json changed = spec;
+      changed[place] = value;
+      expand_axes(sweep, axis + 1, changed, trials);
+    }
+    return;
+  }
+  TrialSpec trial = spec_from_json<TrialSpec>(spec);
+  for (trial.mission_index = 0; trial.mission_index < sweep.trials; ++trial.mission_index) {
+    for (const PlannerChoice& planner : sweep.planners) {
+      trial.planner = planner;
+      trials.push_back(trial);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<TrialSpec> expand(const SweepSpec& sweep) {
+  std::vector<TrialSpec> trials;
+  expand_axes(sweep, 0, spec_to_json(sweep.base), trials);
+  return trials;
+}
+
+std::string trial_key(const TrialSpec& spec) {
+  json canonical = spec_to_json(spec);
+  canonical["planner"].erase("file");
+  canonical["planner"].erase("plugin");
+  return Digest().add(canonical.dump()).add(std::uint64_t{kResultVersion}).hex();
+}
+
+std::string map_key(const TrialSpec& spec) {
+  const json canonical = {{"map", spec_to_json(spec.map)},
+                          {"map_seed", spec.map_seed},
+                          {"seed", spec.seed},
+                          {"mission", spec_to_json(spec.mission)},
+                          {"body_size_m", spec.vehicle.body_size_m}};
+  return Digest().add(canonical.dump()).add(std::uint64_t{kResultVersion}).hex();
+}
+
+}  // namespace avoidbench

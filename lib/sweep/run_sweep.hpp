@@ -1,0 +1,52 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "store/database.hpp"
+#include "sweep/sweep_spec.hpp"
+
+namespace avoidbench {
+
+/// Success so far of one planner, for the progress line.
+struct PlannerProgress {
+  std::int64_t flown = 0, reached_goal = 0;
+};
+
+struct Progress {
+  std::int64_t total = 0, done = 0, done_before = 0;
+  std::int64_t invalid_missions =
+      0;  ///< trials that can't be flown: no free start or goal, or no way between them
+  std::map<std::string, PlannerProgress> planners;  ///< by label, trials of this run
+};
+
+struct RunOptions {
+  int jobs = 1;
+  /// Trials fly in this process, one after the other, for debuggers. Crashes and hangs are not
+  /// caught then, and the C library's processor-dependent functions are in use by planners.
+  bool in_process = false;
+  std::vector<std::string> worker_command;  ///< starts a worker; two file descriptors are appended
+  double plan_timeout_s = 10.0;             ///< a longer plan call ends the trial with planner_hung
+  std::function<void(const Progress&)> on_progress;
+  const std::atomic<bool>* stop =
+      nullptr;  ///< set: hand out nothing more, commit what is in flight, return
+};
+
+struct RunSummary {
+  Progress progress;
+  bool is_stopped = false;
+};
+
+/// Flies every trial of the sweep that the database lacks, in worker processes, and commits each as
+/// it ends, one transaction a trial. The rows do not depend on the number of workers nor on the
+/// order in which trials end. A worker that dies costs the trial it flew (planner_crashed,
+/// planner_hung) and is replaced. Throws InputError for what stops the sweep as a whole: a map that
+/// can't be made, a database that can't be written.
+RunSummary run_sweep(const SweepSpec& sweep, const RunRow& provenance, Database& database,
+                     const RunOptions& options);
+
+}  // namespace avoidbench

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+
+#include "render/scene.hpp"
+
+namespace avoidbench {
+
+/// Tests the body against the scene at each step and costs next to nothing in free space: the ball
+/// around the body is known to be free within some distance of the last exact query, and until the
+/// body's centre has moved that far there is nothing to ask.
+struct CollisionCheck {
+  Eigen::Vector3d body_size_m = Eigen::Vector3d::Zero();
+  Eigen::Vector3d asked_at_world = Eigen::Vector3d::Zero();
+  double free_radius_m =
+      -1.0;  ///< the centre may move this far from asked_at_world without a contact; < 0: unknown
+};
+
+/// The triangle that the body at `T_world_body` touches, exactly, or nothing.
+std::optional<BodyContact> contact(CollisionCheck& check, const Scene& scene,
+                                   const Pose& T_world_body);
+
+}  // namespace avoidbench

@@ -1,0 +1,58 @@
+#include "trial/mission.hpp"
+
+#include "base/math.hpp"
+#include "base/random.hpp"
+
+namespace avoidbench {
+namespace {
+
+constexpr int kTries = 10000;
+
+/// A place of the region with free space around it.
+std::optional<Eigen::Vector3d> free_place(const Scene& scene, const Region& region,
+                                          double free_radius_m, RandomStream& draws) {
+  const World& world = scene.world();
+  for (int i = 0; i < kTries; ++i) {
+    Eigen::Vector3d place;
+    for (int axis = 0; axis < 3; ++axis) {
+      place[axis] = draws.uniform(region.lowest[axis], region.highest[axis]);
+    }
+    if (world.heights_above_ground) place.z() += ground_height_m(scene, place.x(), place.y());
+    const bool is_free = scene.nearest(place, free_radius_m).distance_m >= free_radius_m;
+    if (is_free && world.flight_bounds.contains(place)) return place;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+double ground_height_m(const Scene& scene, double x, double y) {
+  const World& world = scene.world();
+  Eigen::Vector3d from(x, y, world.bounds.max().z() + 100.0);
+  for (int layer = 0; layer < 1000; ++layer) {  // through crowns and roofs down to the ground
+    const RayHit hit = scene.first_hit(from, -Eigen::Vector3d::UnitZ());
+    if (!std::isfinite(hit.distance_m)) break;
+    from.z() -= hit.distance_m;
+    if (world.obstacles[world.instances[hit.instance].obstacle].kind == "ground") return from.z();
+    from.z() -= 1e-4;
+  }
+  return -std::numeric_limits<double>::infinity();
+}
+
+std::optional<Mission> make_mission(const Scene& scene, const MissionSpec& spec, std::uint64_t seed,
+                                    std::int64_t index) {
+  const std::uint64_t mission_seed =
+      stream_seed(stream_seed(seed, "mission"), static_cast<std::uint64_t>(index));
+  RandomStream start_draws = stream(mission_seed, "start");
+  RandomStream goal_draws = stream(mission_seed, "goal");
+  const World& world = scene.world();
+  const auto start = free_place(scene, world.start_region, spec.free_radius_m, start_draws);
+  const auto goal = free_place(scene, world.goal_region, spec.free_radius_m, goal_draws);
+  if (!start || !goal) return std::nullopt;
+  const Eigen::Vector3d course = *goal - *start;
+  return Mission{.start_world = *start,
+                 .goal_world = *goal,
+                 .start_yaw_rad = math::atan2(course.y(), course.x())};
+}
+
+}  // namespace avoidbench

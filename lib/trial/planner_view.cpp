@@ -1,0 +1,103 @@
+#include "trial/planner_view.hpp"
+
+#include "base/check.hpp"
+#include "base/random.hpp"
+
+namespace avoidbench {
+namespace {
+
+Eigen::Vector3d vector(const double (&v)[3]) { return {v[0], v[1], v[2]}; }
+
+CommandKind command_kind(std::uint32_t kind) {
+  switch (kind) {
+    case AB_COMMAND_POSITION:
+      return CommandKind::position;
+    case AB_COMMAND_VELOCITY:
+      return CommandKind::velocity;
+    case AB_COMMAND_ACCELERATION:
+      return CommandKind::acceleration;
+    case AB_COMMAND_TRAJECTORY:
+      return CommandKind::trajectory;
+    default:
+      AB_CHECK(kind == AB_COMMAND_RATES, kind);
+      return CommandKind::rates;
+  }
+}
+
+}  // namespace
+
+PlannerSetup planner_setup(const TrialSpec& spec) {
+  PlannerSetup setup;
+  setup.max_speed_mps = spec.vehicle.max_speed_mps;
+  setup.max_acceleration_mps2 = spec.vehicle.max_acceleration_mps2;
+  setup.max_yaw_rate_radps = spec.vehicle.max_yaw_rate_radps;
+  setup.body_size_m = to_eigen(spec.vehicle.body_size_m);
+  setup.plan_period_s = 1.0 / spec.rates.plan_hz;
+  setup.gravity_mps2 = spec.vehicle.gravity_mps2;
+  const Pinhole camera = sensor_camera(spec.sensor);
+  setup.depth_camera = {.width_px = camera.width_px,
+                        .height_px = camera.height_px,
+                        .fx_px = camera.fx_px,
+                        .fy_px = camera.fy_px,
+                        .cx_px = camera.cx_px,
+                        .cy_px = camera.cy_px,
+                        .T_body_camera = T_body_camera(spec.sensor),
+                        .rate_hz = spec.sensor.rate_hz,
+                        .min_range_m = spec.sensor.min_range_m,
+                        .max_range_m = spec.sensor.max_range_m};
+  return setup;
+}
+
+std::vector<ParameterValue> parameter_values(const PlannerChoice& planner) {
+  std::vector<ParameterValue> values;
+  for (const ParameterChoice& choice : planner.parameters) {
+    values.push_back({.number = choice.number, .text = choice.text});
+  }
+  return values;
+}
+
+PlannerMission planner_mission(const TrialSpec& spec, const Mission& mission) {
+  const std::uint64_t map_stream = stream_seed(stream_seed(spec.seed, "planner"), spec.map_seed);
+  return {.seed = stream_seed(map_stream, static_cast<std::uint64_t>(spec.mission_index)),
+          .start_world = mission.start_world,
+          .goal_world = mission.goal_world,
+          .start_yaw_rad = mission.start_yaw_rad,
+          .goal_radius_m = spec.mission.goal_radius_m,
+          .time_limit_s = spec.mission.time_limit_s};
+}
+
+PlannerView planner_view(const VehicleState& state) {
+  return {.time_s = seconds(state.tick),
+          .position_world = state.position_world,
+          .velocity_world = state.velocity_world,
+          .rates_body = state.rates_body,
+          .q_world_body = state.q_world_body,
+          .depth = {}};
+}
+
+Command vehicle_command(const PlanResult& result, Tick start_tick) {
+  Command command;
+  command.kind = command_kind(result.command.kind);
+  command.position_world = vector(result.command.position_world_m);
+  command.velocity_world = vector(result.command.velocity_world_mps);
+  command.acceleration_world = vector(result.command.acceleration_world_mps2);
+  command.yaw_rad = result.command.yaw_rad;
+  command.yaw_rate_radps = result.command.yaw_rate_radps;
+  command.yaw_is_rate = (result.command.flags & AB_YAW_IS_RATE) != 0;
+  command.rates_body_radps = vector(result.command.rates_body_radps);
+  command.thrust_mps2 = result.command.thrust_mps2;
+  command.horizon_s = result.command.horizon_s;
+  command.start_tick = start_tick;
+  for (const ab_point& point : result.points) {
+    command.trajectory.push_back({.time_s = point.time_s,
+                                  .position_world = vector(point.position_world_m),
+                                  .velocity_world = vector(point.velocity_world_mps),
+                                  .acceleration_world = vector(point.acceleration_world_mps2),
+                                  .jerk_world = vector(point.jerk_world_mps3),
+                                  .yaw_rad = point.yaw_rad,
+                                  .yaw_rate_radps = point.yaw_rate_radps});
+  }
+  return command;
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,283 @@
+#include "trial/run_trial.hpp"
+
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+#include <deque>
+#include <limits>
+#include <optional>
+
+#include "base/check.hpp"
+#include "render/depth.hpp"
+#include "trial/collision_check.hpp"
+#include "trial/planner_view.hpp"
+#include "vehicle/dynamics.hpp"
+#include "vehicle/tracking.hpp"
+
+namespace avoidbench {
+namespace {
+
+/// A command, or the lack of one, on its way from the planner to the vehicle.
+struct Pending {
+  Tick due = 0;
+  std::optional<Command> command;  ///< nothing: brake and hover
+};
+
+/// One exposed depth image, kept until the planner has seen it.
+struct Exposure {
+  Tick tick = 0;
+  Pose T_world_camera;
+  std::vector<float> depth_m;
+};
+
+/// Everything that changes during a trial.
+struct Flight {
+  const TrialSpec& spec;
+  const Scene& scene;
+  const Mission& mission;
+  PlannerInstance& planner;
+
+  VehicleModel model;
+  Environment environment;
+  VehicleState state;
+  Tracker tracker;
+  CollisionCheck collision_check;
+  Pinhole camera;
+  bool sees_depth = false;
+  Tick physics_period = 0, camera_period = 0, plan_period = 0, sample_period = 0, latency = 0;
+
+  std::vector<Exposure>
+      exposures;  ///< oldest first; buffers are kept for reuse beyond exposure_count
+  std::size_t exposure_count = 0;
+  std::deque<Pending> pending;  ///< by due tick
+  bool was_touching = false;
+  std::optional<Outcome> planner_end;  ///< set when the planner ends the trial
+  TrialRecord record;
+};
+
+__attribute__((format(printf, 1, 2))) std::string formatted(const char* format, ...) {
+  char line[256];
+  va_list arguments;
+  va_start(arguments, format);
+  std::vsnprintf(line, sizeof line, format, arguments);
+  va_end(arguments);
+  return line;
+}
+
+Tick required_period(double rate_hz) {
+  const auto period = period_ticks(rate_hz);
+  AB_CHECK(period.has_value(), rate_hz, "Hz is not a whole number of ticks");
+  return *period;
+}
+
+Flight make_flight(const TrialSpec& spec, const Scene& scene, const Mission& mission,
+                   PlannerInstance& planner) {
+  VehicleModel model = make_model(spec.vehicle);
+  const VehicleState start = hovering_at(spec.vehicle, mission.start_world, mission.start_yaw_rad);
+  Tracker tracker = make_tracker(model, start);
+  return Flight{
+      .spec = spec,
+      .scene = scene,
+      .mission = mission,
+      .planner = planner,
+      .model = std::move(model),
+      .environment = environment(spec.wind),
+      .state = start,
+      .tracker = std::move(tracker),
+      .collision_check = {.body_size_m = to_eigen(spec.vehicle.body_size_m)},
+      .camera = sensor_camera(spec.sensor),
+      .sees_depth = planner.sees_depth(),
+      .physics_period = required_period(spec.rates.physics_hz),
+      .camera_period = required_period(spec.sensor.rate_hz),
+      .plan_period = required_period(spec.rates.plan_hz),
+      .sample_period = required_period(spec.rates.sample_hz),
+      .latency = spec.latency.mode == LatencyMode::fixed ? ticks(spec.latency.ms / 1000.0) : 0,
+      .exposures = {},
+      .pending = {},
+      .planner_end = {},
+      .record = {}};
+}
+
+Pose pose_of(const VehicleState& state) {
+  return make_pose(state.position_world, state.q_world_body);
+}
+
+/// Exposes a depth image, where the planner asks for depth.
+void expose(Flight& flight) {
+  if (!flight.sees_depth) return;
+  if (flight.exposure_count == flight.exposures.size()) flight.exposures.emplace_back();
+  Exposure& exposure = flight.exposures[flight.exposure_count++];
+  const SensorSpec& sensor = flight.spec.sensor;
+  exposure.tick = flight.state.tick;
+  exposure.T_world_camera = pose_of(flight.state) * T_body_camera(sensor);
+  exposure.depth_m.resize(static_cast<std::size_t>(sensor.width_px * sensor.height_px));
+  render_depth(flight.scene, flight.camera, exposure.T_world_camera, exposure.depth_m);
+  const float nearest = static_cast<float>(sensor.min_range_m);
+  for (float& depth_m : exposure.depth_m) {
+    if (depth_m < nearest) depth_m = std::numeric_limits<float>::quiet_NaN();
+  }
+}
+
+/// Shows the planner what was seen since the last call and queues its answer.
+void plan(Flight& flight) {
+  PlannerView view = planner_view(flight.state);
+  for (std::size_t i = flight.exposure_count; i-- > 0;) {  // newest first
+    const Exposure& exposure = flight.exposures[i];
+    view.depth.push_back({seconds(exposure.tick), exposure.T_world_camera, exposure.depth_m});
+  }
+  const PlanResult result = flight.planner.plan(view);
+  flight.exposure_count = 0;
+  const Tick due = flight.state.tick + flight.latency;
+  PlanCall call{
+      .time_s = view.time_s, .cpu_time_s = result.cpu_time_s, .wall_time_s = result.wall_time_s};
+  switch (result.status) {
+    case PlanStatus::command:
+      call.status = AB_OK;
+      call.command_kind = result.command.kind;
+      flight.pending.push_back({due, vehicle_command(result, due)});
+      break;
+    case PlanStatus::no_plan:
+      call.status = AB_NO_PLAN;
+      flight.pending.push_back({due, std::nullopt});
+      break;
+    case PlanStatus::gave_up:
+      call.status = AB_GIVE_UP;
+      flight.planner_end = Outcome::planner_gave_up;
+      flight.record.reason = result.reason.empty() ? "the planner gave up" : result.reason;
+      break;
+    case PlanStatus::error:
+      call.status = AB_ERROR;
+      flight.planner_end = Outcome::planner_error;
+      flight.record.reason = result.reason;
+      break;
+  }
+  flight.record.plan_calls.push_back(call);
+}
+
+/// Lets commands that are due take effect.
+void apply_due_commands(Flight& flight) {
+  while (!flight.pending.empty() && flight.pending.front().due <= flight.state.tick) {
+    const std::optional<Command>& command = flight.pending.front().command;
+    if (command) {
+      accept(flight.tracker, flight.model, *command, flight.state);
+    } else {
+      hold(flight.tracker, flight.model, flight.state);
+    }
+    flight.pending.pop_front();
+  }
+}
+
+/// Where the vehicle is told to be now; NaN where the command does not say.
+Eigen::Vector3d commanded_position(const Flight& flight) {
+  if (flight.tracker.following_rates) {
+    return Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+  }
+  return reference(flight.tracker).position_world;
+}
+
+void sample(Flight& flight) {
+  const VehicleState& state = flight.state;
+  if (!flight.record.samples.empty() && flight.record.samples.back().time_s == seconds(state.tick))
+    return;
+  const Pose T_world_body = pose_of(state);
+  const double nearest_m = flight.scene.nearest(state.position_world, kClearanceLimit_m).distance_m;
+  const double limit_m = std::min(nearest_m, kClearanceLimit_m);  // the body holds its own centre
+  const double clearance_m =
+      flight.scene.body_clearance(flight.collision_check.body_size_m, T_world_body, limit_m);
+  flight.record.samples.push_back(
+      {.time_s = seconds(state.tick),
+       .position_world = state.position_world,
+       .velocity_world = state.velocity_world,
+       .acceleration_world = acceleration_world(flight.model, state, flight.environment),
+       .q_world_body = state.q_world_body,
+       .rates_body_radps = state.rates_body,
+       .reference_world = commanded_position(flight),
+       .clearance_m = std::min(clearance_m, limit_m),
+       .rotor_power_w = rotor_power_w(flight.model, state)});
+}
+
+/// Records a contact that begins now. True when it is one more than a flight may survive.
+bool collided(Flight& flight) {
+  const auto touched = contact(flight.collision_check, flight.scene, pose_of(flight.state));
+  const bool begins = touched.has_value() && !flight.was_touching;
+  flight.was_touching = touched.has_value();
+  if (!begins) return false;
+  const World& world = flight.scene.world();
+  const std::uint32_t obstacle = world.instances[touched->instance].obstacle;
+  const Eigen::Vector3d& place = flight.state.position_world;
+  const double speed_mps = flight.state.velocity_world.norm();
+  const std::string& obstacle_kind = world.obstacles[obstacle].kind;
+  flight.record.collisions.push_back({.time_s = seconds(flight.state.tick),
+                                      .speed_mps = speed_mps,
+                                      .obstacle = obstacle,
+                                      .kind = obstacle_kind});
+  const auto survivable = static_cast<std::size_t>(flight.spec.mission.max_collisions);
+  if (flight.record.collisions.size() <= survivable) return false;
+  flight.record.reason =
+      formatted("touched %s %u at (%.2f, %.2f, %.2f) m, %.2f m/s", obstacle_kind.c_str(), obstacle,
+                place.x(), place.y(), place.z(), speed_mps);
+  return true;
+}
+
+/// The outcome, once there is one.
+std::optional<Outcome> ended(Flight& flight) {
+  if (flight.planner_end) return flight.planner_end;
+  const Eigen::Vector3d& place = flight.state.position_world;
+  if (collided(flight)) return Outcome::collided;
+  if (!flight.scene.world().bounds.contains(place)) {
+    flight.record.reason =
+        formatted("left the map at (%.2f, %.2f, %.2f) m", place.x(), place.y(), place.z());
+    return Outcome::left_bounds;
+  }
+  const double to_goal_m = (flight.mission.goal_world - place).head<2>().norm();
+  if (to_goal_m <= flight.spec.mission.goal_radius_m) {
+    flight.record.reason = formatted("reached the goal after %.2f s", seconds(flight.state.tick));
+    return Outcome::reached_goal;
+  }
+  if (seconds(flight.state.tick) >= flight.spec.mission.time_limit_s) {
+    flight.record.reason = formatted("%.2f m from the goal at the time limit", to_goal_m);
+    return Outcome::timed_out;
+  }
+  return std::nullopt;
+}
+
+/// The next tick at which anything but physics happens, or the next of the physics' own grid.
+Tick next_tick(const Flight& flight) {
+  const Tick now = flight.state.tick;
+  const auto after = [now](Tick period) { return (now / period + 1) * period; };
+  Tick next = std::min({after(flight.physics_period), after(flight.camera_period),
+                        after(flight.plan_period), after(flight.sample_period)});
+  if (!flight.pending.empty()) next = std::min(next, flight.pending.front().due);
+  return next;
+}
+
+}  // namespace
+
+TrialRecord run_trial(const TrialSpec& spec, const Scene& scene, const Mission& mission,
+                      PlannerInstance& planner) {
+  Flight flight = make_flight(spec, scene, mission, planner);
+  if (std::string error = planner.reset(planner_mission(spec, mission)); !error.empty()) {
+    flight.planner_end = Outcome::planner_error;
+    flight.record.reason = "reset: " + error;
+  }
+  std::optional<Outcome> outcome = ended(flight);
+  while (!outcome) {
+    const Tick now = flight.state.tick;
+    if (now % flight.camera_period == 0) expose(flight);
+    if (now % flight.plan_period == 0) plan(flight);
+    apply_due_commands(flight);
+    if (now % flight.sample_period == 0) sample(flight);
+    if (!flight.planner_end) {
+      const RotorVector rotors = track(flight.tracker, flight.model, flight.state);
+      const Tick dt = next_tick(flight) - now;
+      flight.state = step(flight.model, flight.state, rotors, flight.environment, dt);
+    }
+    outcome = ended(flight);
+  }
+  sample(flight);
+  flight.record.outcome = *outcome;
+  flight.record.end_time_s = seconds(flight.state.tick);
+  return std::move(flight.record);
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "plugin/planner_instance.hpp"
+#include "trial/mission.hpp"
+#include "trial/trial_record.hpp"
+
+namespace avoidbench {
+
+/// Flies one trial: `planner`, reset first, takes the vehicle of `spec` from start to goal through
+/// `scene`. A pure function of its arguments but for the measured times in `plan_calls`. Everything
+/// that can go wrong in flight is an Outcome, never an exception. One thread; the scene may be
+/// shared with other trials.
+TrialRecord run_trial(const TrialSpec& spec, const Scene& scene, const Mission& mission,
+                      PlannerInstance& planner);
+
+}  // namespace avoidbench

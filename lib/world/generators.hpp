@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstdint>
+
+#include "world/map_spec.hpp"
+
+/// One function a kind of map. Specs are checked by make_world().
+namespace avoidbench {
+
+World make_forest(const ForestSpec& spec, std::uint64_t map_seed);
+World make_hall(const HallSpec& spec, std::uint64_t map_seed);
+
+/// Depth along y of the start and of the goal band: 6 m of 40 m, as in the original suites.
+inline double band_depth_m(double area_y_m) { return area_y_m * (6.0 / 40.0); }
+
+}  // namespace avoidbench

@@ -1,0 +1,105 @@
+#include <array>
+
+#include "world/generators.hpp"
+#include "world/poisson_disc.hpp"
+#include "world/solids.hpp"
+
+namespace avoidbench {
+namespace {
+
+constexpr double kWallThickness_m = 0.2;
+constexpr double kCylinderSink_m = 0.05;  // into floor and ceiling, so that no faces coincide
+constexpr int kCylinderSides = 32;
+constexpr double kBandSideMargin_m = 2.0;
+constexpr double kBandWallMargin_m = 1.0;
+constexpr double kLeastOpacityRatio = 0.8;
+
+void add_obstacle(World& world, Prototype prototype, Obstacle obstacle) {
+  Instance instance;
+  instance.prototype = static_cast<std::uint32_t>(world.prototypes.size());
+  instance.obstacle = static_cast<std::uint32_t>(world.obstacles.size());
+  instance.T_world_prototype.translation() = obstacle.position_world.cast<float>();
+  world.prototypes.push_back(std::move(prototype));
+  world.instances.push_back(instance);
+  world.obstacles.push_back(std::move(obstacle));
+}
+
+/// A slab of the shell, given in world coordinates.
+void add_slab(World& world, std::string_view name, std::string_view kind, Material material,
+              const Eigen::Vector3d& lowest, const Eigen::Vector3d& highest) {
+  Obstacle obstacle;
+  obstacle.kind = kind;
+  obstacle.position_world = {0.5 * (lowest.x() + highest.x()), 0.5 * (lowest.y() + highest.y()),
+                             lowest.z()};
+  Prototype slab;
+  slab.name = name;
+  add_box(slab, lowest - obstacle.position_world, highest - obstacle.position_world, material);
+  add_obstacle(world, std::move(slab), std::move(obstacle));
+}
+
+void add_shell(const HallSpec& spec, World& world) {
+  const double x = spec.area_m[0];
+  const double y = spec.area_m[1];
+  const double z = spec.height_m;
+  const double t = kWallThickness_m;
+  add_slab(world, "floor", "ground", Material::concrete, {-t, -t, -t}, {x + t, y + t, 0.0});
+  add_slab(world, "wall_low_x", "wall", Material::brick, {-t, -t, 0.0}, {0.0, y + t, z});
+  add_slab(world, "wall_high_x", "wall", Material::brick, {x, -t, 0.0}, {x + t, y + t, z});
+  add_slab(world, "wall_low_y", "wall", Material::brick, {0.0, -t, 0.0}, {x, 0.0, z});
+  add_slab(world, "wall_high_y", "wall", Material::brick, {0.0, y, 0.0}, {x, y + t, z});
+  add_slab(world, "ceiling", "ceiling", Material::concrete, {-t, -t, z}, {x + t, y + t, z + t});
+}
+
+void place_cylinders(const HallSpec& spec, std::uint64_t map_seed, World& world) {
+  const double inset_m = 0.5 * spec.cylinder_diameter_m[1];
+  RandomStream positions = stream(map_seed, "positions");
+  RandomStream diameters = stream(map_seed, "diameters");
+  RandomStream textures = stream(map_seed, "textures");
+  const std::vector<Eigen::Vector2d> feet =
+      poisson_disc({spec.area_m[0] - 2.0 * inset_m, spec.area_m[1] - 2.0 * inset_m},
+                   spec.poisson_radius_m, positions);
+  double width_sum_m = 0.0;
+  for (const Eigen::Vector2d& foot : feet) {
+    Obstacle obstacle;
+    obstacle.kind = "cylinder";
+    obstacle.position_world = {foot.x() + inset_m, foot.y() + inset_m, 0.0};
+    obstacle.width_m = diameters.uniform(spec.cylinder_diameter_m[0], spec.cylinder_diameter_m[1]);
+    obstacle.texture_opacity = spec.texture_opacity * textures.uniform(kLeastOpacityRatio, 1.0);
+    width_sum_m += obstacle.width_m;
+
+    Prototype cylinder;
+    cylinder.name = "cylinder";
+    const double radius_m = 0.5 * obstacle.width_m;
+    const std::array<TubeRing, 2> rings{
+        TubeRing{.centre = {0.0, 0.0, -kCylinderSink_m}, .radius_m = radius_m},
+        TubeRing{.centre = {0.0, 0.0, spec.height_m + kCylinderSink_m}, .radius_m = radius_m}};
+    add_tube(cylinder, rings, kCylinderSides, Material::painted_metal);
+    add_obstacle(world, std::move(cylinder), std::move(obstacle));
+  }
+  world.mean_obstacle_width_m = width_sum_m / static_cast<double>(feet.size());
+}
+
+}  // namespace
+
+World make_hall(const HallSpec& spec, std::uint64_t map_seed) {
+  const double width_m = spec.area_m[0];
+  const double depth_m = spec.area_m[1];
+  World world;
+  add_shell(spec, world);
+  place_cylinders(spec, map_seed, world);
+  world.flight_bounds =
+      Aabb(Eigen::Vector3d::Zero(), Eigen::Vector3d(width_m, depth_m, spec.height_m));
+  world.bounds = world.flight_bounds;
+  const double band_m = band_depth_m(depth_m);
+  const double last_x_m = width_m - kBandSideMargin_m;
+  const double height_m = spec.flight_height_m;
+  world.start_region = {{kBandSideMargin_m, kBandWallMargin_m, height_m},
+                        {last_x_m, band_m, height_m}};
+  world.goal_region = {{kBandSideMargin_m, depth_m - band_m, height_m},
+                       {last_x_m, depth_m - kBandWallMargin_m, height_m}};
+  world.poisson_radius_m = spec.poisson_radius_m;
+  world.digest = world_digest(world);
+  return world;
+}
+
+}  // namespace avoidbench

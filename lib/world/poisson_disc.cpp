@@ -1,0 +1,176 @@
+#include "world/poisson_disc.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "base/check.hpp"
+
+namespace avoidbench {
+namespace {
+
+constexpr int kCandidatesPerPoint = 30;
+constexpr double kSmallestGapRatio = 1e-9;
+
+/// The samples, in a grid whose cells hold at most one each: a cell's diagonal is just under the
+/// radius.
+class SampleGrid {
+ public:
+  SampleGrid(const Eigen::Vector2d& size_m, double radius_m)
+      : size_m_(size_m),
+        squared_radius_(radius_m * radius_m),
+        cell_m_(radius_m * std::sqrt(0.5) * (1.0 - 1e-9)),
+        columns_(static_cast<std::int64_t>(std::ceil(size_m.x() / cell_m_))),
+        rows_(static_cast<std::int64_t>(std::ceil(size_m.y() / cell_m_))),
+        sample_of_cell_(static_cast<std::size_t>(columns_ * rows_), -1) {}
+
+  const std::vector<Eigen::Vector2d>& samples() const { return samples_; }
+  double cell_m() const { return cell_m_; }
+  std::int64_t columns() const { return columns_; }
+  std::int64_t rows() const { return rows_; }
+
+  bool inside(const Eigen::Vector2d& point) const {
+    return point.x() >= 0.0 && point.y() >= 0.0 && point.x() < size_m_.x() &&
+           point.y() < size_m_.y();
+  }
+  bool occupied(std::int64_t column, std::int64_t row) const {
+    return sample_of_cell_[index(column, row)] >= 0;
+  }
+  void add(const Eigen::Vector2d& point) {
+    const std::size_t cell = index(column_of(point), row_of(point));
+    AB_CHECK(sample_of_cell_[cell] < 0);
+    sample_of_cell_[cell] = static_cast<std::int32_t>(samples_.size());
+    samples_.push_back(point);
+  }
+  /// Whether no sample is nearer than the radius.
+  bool is_free(const Eigen::Vector2d& point) const {
+    return !any_sample_near(point, [&](const Eigen::Vector2d& sample) {
+      return (sample - point).squaredNorm() < squared_radius_;
+    });
+  }
+  /// Whether one sample's disc holds the whole square, whose diagonal is under the radius.
+  bool covered(const Eigen::Vector2d& low, double side_m) const {
+    const Eigen::Vector2d middle = low.array() + 0.5 * side_m;
+    return any_sample_near(middle, [&](const Eigen::Vector2d& sample) {
+      const Eigen::Vector2d farthest = (sample - middle).cwiseAbs().array() + 0.5 * side_m;
+      return farthest.squaredNorm() < squared_radius_;
+    });
+  }
+
+ private:
+  std::int64_t column_of(const Eigen::Vector2d& p) const {
+    return std::clamp<std::int64_t>(static_cast<std::int64_t>(p.x() / cell_m_), 0, columns_ - 1);
+  }
+  std::int64_t row_of(const Eigen::Vector2d& p) const {
+    return std::clamp<std::int64_t>(static_cast<std::int64_t>(p.y() / cell_m_), 0, rows_ - 1);
+  }
+  std::size_t index(std::int64_t column, std::int64_t row) const {
+    return static_cast<std::size_t>(row * columns_ + column);
+  }
+
+  template <class Predicate>
+  bool any_sample_near(const Eigen::Vector2d& point, const Predicate& predicate) const {
+    const std::int64_t column = column_of(point);
+    const std::int64_t row = row_of(point);
+    for (std::int64_t y = std::max<std::int64_t>(0, row - 2); y <= std::min(rows_ - 1, row + 2);
+         ++y) {
+      for (std::int64_t x = std::max<std::int64_t>(0, column - 2);
+           x <= std::min(columns_ - 1, column + 2); ++x) {
+        const std::int32_t sample = sample_of_cell_[index(x, y)];
+        if (sample >= 0 && predicate(samples_[static_cast<std::size_t>(sample)])) return true;
+      }
+    }
+    return false;
+  }
+
+  Eigen::Vector2d size_m_;
+  double squared_radius_;
+  double cell_m_;
+  std::int64_t columns_, rows_;
+  std::vector<std::int32_t> sample_of_cell_;
+  std::vector<Eigen::Vector2d> samples_;
+};
+
+/// A point of the ring between one and two radii around `centre`, uniform by area.
+Eigen::Vector2d ring_point(const Eigen::Vector2d& centre, double radius_m, RandomStream& random) {
+  Eigen::Vector2d offset;
+  double squared = 0.0;
+  do {
+    offset.x() = random.uniform(-2.0, 2.0);
+    offset.y() = random.uniform(-2.0, 2.0);
+    squared = offset.squaredNorm();
+  } while (squared < 1.0 || squared >= 4.0);
+  return centre + radius_m * offset;
+}
+
+/// Bridson 2007.
+void sample_outwards(double radius_m, const Eigen::Vector2d& first, SampleGrid& grid,
+                     RandomStream& random) {
+  grid.add(first);
+  std::vector<std::size_t> active{0};
+  while (!active.empty()) {
+    const std::size_t chosen = static_cast<std::size_t>(random.below(active.size()));
+    const Eigen::Vector2d centre = grid.samples()[active[chosen]];
+    bool found = false;
+    for (int candidate = 0; candidate < kCandidatesPerPoint && !found; ++candidate) {
+      const Eigen::Vector2d point = ring_point(centre, radius_m, random);
+      found = grid.inside(point) && grid.is_free(point);
+      if (!found) continue;
+      active.push_back(grid.samples().size());
+      grid.add(point);
+    }
+    if (!found) {
+      active[chosen] = active.back();
+      active.pop_back();
+    }
+  }
+}
+
+/// Ebeida et al. 2012: a dart into each square that no disc covers; where it misses, the four
+/// quarters are next.
+void fill_gaps(const Eigen::Vector2d& size_m, double radius_m, SampleGrid& grid,
+               RandomStream& random) {
+  std::vector<Eigen::Vector2d> squares, quarters;
+  for (std::int64_t row = 0; row < grid.rows(); ++row) {
+    for (std::int64_t column = 0; column < grid.columns(); ++column) {
+      if (grid.occupied(column, row)) continue;
+      squares.emplace_back(static_cast<double>(column) * grid.cell_m(),
+                           static_cast<double>(row) * grid.cell_m());
+    }
+  }
+  for (double side_m = grid.cell_m(); !squares.empty() && side_m > kSmallestGapRatio * radius_m;
+       side_m *= 0.5) {
+    quarters.clear();
+    for (const Eigen::Vector2d& low : squares) {
+      if (low.x() >= size_m.x() || low.y() >= size_m.y() || grid.covered(low, side_m)) continue;
+      const double x = random.uniform(low.x(), std::min(low.x() + side_m, size_m.x()));
+      const double y = random.uniform(low.y(), std::min(low.y() + side_m, size_m.y()));
+      const Eigen::Vector2d dart(x, y);
+      if (grid.inside(dart) && grid.is_free(dart)) {
+        grid.add(dart);  // its disc covers the square
+        continue;
+      }
+      const double half_m = 0.5 * side_m;
+      quarters.push_back(low);
+      quarters.emplace_back(low.x() + half_m, low.y());
+      quarters.emplace_back(low.x(), low.y() + half_m);
+      quarters.emplace_back(low.x() + half_m, low.y() + half_m);
+    }
+    squares.swap(quarters);
+  }
+}
+
+}  // namespace
+
+std::vector<Eigen::Vector2d> poisson_disc(const Eigen::Vector2d& size_m, double radius_m,
+                                          RandomStream& random) {
+  AB_CHECK(size_m.x() > 0.0 && size_m.y() > 0.0 && radius_m > 0.0, size_m.transpose(), radius_m);
+  SampleGrid grid(size_m, radius_m);
+  const double x = random.uniform(0.0, size_m.x());
+  const double y = random.uniform(0.0, size_m.y());
+  sample_outwards(radius_m, Eigen::Vector2d(x, y), grid, random);
+  fill_gaps(size_m, radius_m, grid, random);
+  return grid.samples();
+}
+
+}  // namespace avoidbench

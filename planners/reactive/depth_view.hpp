@@ -1,0 +1,51 @@
+#pragma once
+
+#include <vector>
+
+#include "avoidbench/planner.h"
+#include "vector3.hpp"
+
+namespace reactive {
+
+/// A depth image brought down to cells of a few pixels, each with the nearest surface in it: thin
+/// branches stay.
+class DepthView {
+ public:
+  /// Copies what is needed. About 64 cells across, whatever the image's size.
+  void take(const ab_depth_image& image);
+  void forget() { column_count_ = row_count_ = 0; }
+  bool is_empty() const { return column_count_ == 0; }
+
+  /// World points of the nearest surface in each cell, up to `range_m` along camera z.
+  void append_points(double range_m, std::vector<Vector3>& points_world) const;
+
+  /// Whether the camera looked along this world direction and measured something there: NaN is not
+  /// seen. Directions within a tenth of the image's edge count as unseen, for a body is wider than
+  /// a ray.
+  bool has_seen(const Vector3& direction_world) const;
+
+  /// Whether the camera saw past this world point: a remembered obstacle there is gone.
+  bool sees_through(const Vector3& point_world) const;
+
+  /// The camera's forward axis in the world.
+  Vector3 forward_world() const { return forward_; }
+
+ private:
+  struct Cell {
+    double depth_m;  ///< nearest; +inf: nothing in range; NaN: most of the cell is invalid
+    double column_px, row_px;
+  };
+  struct Pixel {
+    double column_px, row_px, depth_m;
+  };
+  Pixel project(const Vector3& offset_world) const;
+  const Cell* cell_at(const Pixel& pixel) const;
+
+  int width_px_ = 0, height_px_ = 0, cell_px_ = 1;
+  int column_count_ = 0, row_count_ = 0;
+  double fx_px_ = 1.0, fy_px_ = 1.0, cx_px_ = 0.0, cy_px_ = 0.0;
+  Vector3 position_, right_, down_, forward_;  // the camera's axes in the world
+  std::vector<Cell> cells_;
+};
+
+}  // namespace reactive

@@ -1,0 +1,142 @@
+#include <algorithm>
+
+#include "avoidbench/planner.hpp"
+#include "avoidbench/portable_math.hpp"
+#include "depth_view.hpp"
+#include "obstacle_memory.hpp"
+#include "steering.hpp"
+
+namespace {
+
+using reactive::Vector3;
+
+/// Local and map-free: a polar histogram of what the depth camera sees and saw a moment ago; see
+/// README.md.
+class Reactive {
+ public:
+  static constexpr const char* name = "reactive";
+  static constexpr const char* version = "1.0";
+  static constexpr const char* summary =
+      "Polar histogram of nearest depth with a short memory; no map.";
+  static constexpr std::uint32_t needs = AB_SEES_STATE | AB_SEES_DEPTH;
+  static constexpr std::uint32_t commands = AB_COMMAND_VELOCITY;
+  static constexpr std::array parameters{
+      avoidbench::parameter("cruise_speed_mps", "m/s", 2.5, 0.2, 15.0,
+                            "Speed where the way is free."),
+      avoidbench::parameter("braking_mps2", "m/s^2", 3.0, 0.5, 20.0,
+                            "Deceleration it counts on: it never flies faster than it could stop "
+                            "in what it sees free."),
+      avoidbench::parameter("margin_m", "m", 0.3, 0.0, 2.0,
+                            "Distance kept between body and surfaces where there is room."),
+      avoidbench::parameter("lookahead_m", "m", 6.0, 1.0, 30.0,
+                            "Obstacles farther than this don't count."),
+      avoidbench::parameter("memory_s", "s", 10.0, 0.0, 60.0,
+                            "How long an obstacle counts after it left the view."),
+      avoidbench::parameter("max_departure_m", "m", 1.0, 0.0, 20.0,
+                            "How far it climbs or sinks from the line between start and goal.")};
+
+  explicit Reactive(const ab_setup& setup) : settings_(settings_from(setup)), steerer_(settings_) {
+    memory_s_ = avoidbench::Parameters<Reactive>(setup).number("memory_s");
+  }
+
+  void reset(const ab_mission& mission) {
+    start_ = reactive::vector3(mission.start_world_m);
+    goal_ = reactive::vector3(mission.goal_world_m);
+    yaw_rad_ = mission.start_yaw_rad;
+    view_.forget();
+    memory_.forget();
+    steerer_.forget();
+  }
+
+  std::optional<ab_command> plan(const ab_observation& seen) {
+    reactive::Situation now;
+    now.position = reactive::vector3(seen.state->position_world_m);
+    now.velocity = reactive::vector3(seen.state->velocity_world_mps);
+    now.goal = goal_;
+    if (!reactive::is_finite(now.position) || !reactive::is_finite(now.velocity) ||
+        !reactive::is_finite(goal_)) {
+      return std::nullopt;
+    }
+    look(seen, now.position);
+    if (view_.is_empty()) return hold();
+    now.line_height_m = line_height_m(now.position);
+    now.points = &points_;
+    now.view = &view_;
+    const reactive::Steering steering = steerer_.steer(now);
+    if (reactive::horizontal_norm(steering.look) > 0.05) {
+      yaw_rad_ = avoidbench::portable::atan2(steering.look.y, steering.look.x);
+    }
+    const Vector3& v = steering.velocity;
+    return with_horizon(avoidbench::make_velocity_command({v.x, v.y, v.z}, yaw_rad_));
+  }
+
+ private:
+  static reactive::SteeringSettings settings_from(const ab_setup& setup) {
+    const avoidbench::Parameters<Reactive> values(setup);
+    reactive::SteeringSettings settings;
+    settings.cruise_speed_mps = values.number("cruise_speed_mps");
+    settings.braking_mps2 = values.number("braking_mps2");
+    settings.margin_m = values.number("margin_m");
+    settings.lookahead_m = values.number("lookahead_m");
+    settings.max_departure_m = values.number("max_departure_m");
+    settings.body_radius_m = setup.body_radius_m;
+    settings.response.acceleration_mps2 = settings.braking_mps2;
+    settings.response.latency_s = 0.05 + setup.plan_period_s;
+    if (setup.max_speed_mps > 0.0) {
+      settings.cruise_speed_mps = std::min(settings.cruise_speed_mps, setup.max_speed_mps);
+    }
+    return settings;
+  }
+
+  /// Takes the newest image in and gathers what counts as obstacle now, relative to the vehicle.
+  void look(const ab_observation& seen, const Vector3& position) {
+    const double time_s = seen.state->time_s;
+    points_.clear();
+    const ab_depth_image* image = avoidbench::newest_depth(seen);
+    if (image != nullptr) view_.take(*image);
+    memory_.prune(position, kMemoryRange_m, time_s, memory_s_, view_);
+    view_.append_points(settings_.lookahead_m + 1.0, points_);
+    if (image != nullptr) {
+      for (const Vector3& point : points_) {
+        const Vector3 offset = point - position;
+        const bool matters = std::abs(offset.z) < kMemoryHeight_m && norm(offset) < kMemoryRange_m;
+        if (matters) memory_.add(point, time_s);
+      }
+    }
+    memory_.append_points(points_);
+    for (Vector3& point : points_) point = point - position;
+  }
+
+  double line_height_m(const Vector3& position) const {
+    const Vector3 course = goal_ - start_;
+    const double square_length = course.x * course.x + course.y * course.y;
+    if (square_length < 1e-6) return goal_.z;
+    const Vector3 flown = position - start_;
+    const double share = (flown.x * course.x + flown.y * course.y) / square_length;
+    return start_.z + std::clamp(share, 0.0, 1.0) * course.z;
+  }
+
+  ab_command hold() const {
+    return with_horizon(avoidbench::make_velocity_command({0.0, 0.0, 0.0}, yaw_rad_));
+  }
+
+  static ab_command with_horizon(ab_command command) {
+    command.horizon_s = 0.5;
+    return command;
+  }
+
+  static constexpr double kMemoryRange_m = 8.0, kMemoryHeight_m = 1.5;
+
+  reactive::SteeringSettings settings_;
+  reactive::Steerer steerer_;
+  reactive::DepthView view_;
+  reactive::ObstacleMemory memory_;
+  std::vector<Vector3> points_;
+  Vector3 start_, goal_;
+  double memory_s_ = 0.0;
+  double yaw_rad_ = 0.0;
+};
+
+}  // namespace
+
+AVOIDBENCH_PLANNER(Reactive)

@@ -1,0 +1,78 @@
+#!/usr/bin/env python3
+"""Checks that each room of lib/ includes only itself, rooms before it in lib/ORDER and the third parties named there,
+that planners include only the SDK, and that no code uses what would make results differ between machines."""
+import pathlib
+import re
+import sys
+
+root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".").resolve()
+order, allowed = [], {}
+for line in (root / "lib/ORDER").read_text().splitlines():
+    if line and not line.startswith("#"):
+        room, _, third_parties = line.partition(":")
+        order.append(room)
+        allowed[room] = set(third_parties.split())
+
+# The first part of an angle-bracket include -> the third party it belongs to. Others are the language's or the system's.
+THIRD_PARTIES = {"Eigen": "Eigen", "embree3": "embree3", "embree4": "embree4", "opencv2": "opencv2", "png.h": "png",
+                 "sqlite3.h": "sqlite3", "yaml-cpp": "yaml-cpp", "nlohmann": "nlohmann", "nettle": "nettle",
+                 "dlfcn.h": "dlfcn", "CLI": "CLI", "gtest": "gtest", "benchmark": "benchmark"}
+UNREPEATABLE = [
+    (r"std::(uniform_\w+|normal|bernoulli|poisson|exponential)_distribution|std::shuffle|random_device|\b(s?rand)\(",
+     "draw from base/random.hpp"),
+    (r"std::(sin|cos|tan|asin|acos|atan2?|exp2?|log(2|10|1p)?|pow|cbrt|hypot|sinh|cosh|tanh)\(",
+     "use base/math.hpp: the C library's last bit depends on the processor"),
+    (r"std::unordered_(map|set)", "its order differs between libraries"),
+]
+INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)[>"]')
+problems = []
+
+
+def problem(file, number, text):
+    problems.append(f"{file.relative_to(root)}:{number}: {text}")
+
+
+def check_include(file, number, kind, path, room):
+    first = path.split("/")[0]
+    if first == "avoidbench":
+        first = "planner_api"
+    elif kind == "<":
+        party = THIRD_PARTIES.get(first)
+        if party and party not in allowed[room]:
+            problem(file, number, f"room {room} may not include {path}: lib/ORDER does not name {party}")
+        return
+    if first not in order:
+        problem(file, number, f'"{path}" is no room of lib/ORDER')
+    elif order.index(first) > order.index(room):
+        problem(file, number, f"room {room} includes {path}, but {first} comes after it in lib/ORDER")
+
+
+def check_planner_include(file, number, kind, path):
+    if path.split("/")[0] in order and not path.startswith("planner_api"):
+        problem(file, number, f"planners include only avoidbench/… and their own files, not {path}")
+
+
+def sources(folder):
+    return sorted(p for p in folder.rglob("*") if p.suffix in {".cpp", ".hpp", ".h", ".c"})
+
+
+for folder in [root / "lib", root / "planners"]:
+    for file in sources(folder):
+        in_lib = folder.name == "lib"
+        room = file.relative_to(folder).parts[0]
+        if in_lib and room not in allowed:
+            problem(file, 1, f"folder {room} is not in lib/ORDER")
+            continue
+        for number, line in enumerate(file.read_text().splitlines(), 1):
+            if match := INCLUDE.match(line):
+                if in_lib:
+                    check_include(file, number, *match.groups(), room)
+                else:
+                    check_planner_include(file, number, *match.groups())
+            code = line.split("//")[0]
+            for pattern, advice in UNREPEATABLE:
+                if re.search(pattern, code):
+                    problem(file, number, f"not repeatable: {advice}")
+
+print("\n".join(problems) if problems else f"{len(order)} rooms in order")
+sys.exit(1 if problems else 0)

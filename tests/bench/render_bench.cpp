@@ -1,0 +1,271 @@
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <ctime>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "base/math.hpp"
+#include "base/random.hpp"
+#include "render/depth.hpp"
+#include "render/flush_to_zero.hpp"
+#include "render/primary_rays.hpp"
+#include "render/scene.hpp"
+#include "render/scene_internals.hpp"
+#include "render/shading.hpp"
+#include "world/map_spec.hpp"
+
+// Each figure stands beside the same work by a bare Embree loop, measured in turns with it.
+namespace avoidbench {
+namespace {
+
+constexpr double kDepthRange_m = 15.0;
+constexpr int kPoseCount = 6;
+
+enum MapKind { hall, forest };
+
+struct Place {
+  World world;
+  std::unique_ptr<Scene> scene;
+};
+
+World bench_world(MapKind kind) {
+  if (kind == hall) return make_world(HallSpec{.area_m = {40.0, 40.0}}, 1);
+  return make_world(ForestSpec{.area_m = {40.0, 40.0}, .poisson_radius_m = 3.5}, 1);
+}
+
+const Place& place(MapKind kind) {
+  static std::map<MapKind, Place> places;
+  Place& found = places[kind];
+  if (!found.scene) {
+    found.world = bench_world(kind);
+    found.scene = std::make_unique<Scene>(found.world);
+  }
+  return found;
+}
+
+/// Along a crossing of the map, looking ahead, moved aside where something is nearer than 0.5 m.
+std::vector<Pose> crossing(const Place& place) {
+  std::vector<Pose> poses;
+  for (int i = 0; i < kPoseCount; ++i) {
+    Pose pose = Pose::Identity();
+    pose.linear().col(0) = Eigen::Vector3d::UnitX();
+    pose.linear().col(1) = -Eigen::Vector3d::UnitZ();
+    pose.linear().col(2) = Eigen::Vector3d::UnitY();
+    Eigen::Vector3d position(20.0, 2.0 + 30.0 * i / (kPoseCount - 1), 0.0);
+    do {
+      position.x() += 0.3;
+      position.z() = ground_height_m(place.world, position.x(), position.y()) + 2.0;
+    } while (place.scene->nearest(position, 0.5).distance_m < 0.5);
+    pose.translation() = position;
+    poses.push_back(pose);
+  }
+  return poses;
+}
+
+/// This thread's processor time, which other programs on the machine disturb less than the clock on
+/// the wall.
+double processor_s() {
+  std::timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+double median(std::vector<double> values) {
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
+                   values.end());
+  return values[values.size() / 2];
+}
+
+/// The directions of every ray of a frame, in the order they are traced.
+struct Block {
+  float directions[embree::kStreamPackets][3][8];
+};
+
+std::vector<Block> prepared_rays(const Pinhole& camera, const Pose& pose) {
+  std::vector<Block> blocks;
+  for (int y = 0; y < camera.height_px; y += kBlockHeight) {
+    for (int x = 0; x < camera.width_px; x += kBlockWidth) {
+      Block& block = blocks.emplace_back();
+      for (int i = 0; i < 8 * static_cast<int>(embree::kStreamPackets); ++i) {
+        const Eigen::Vector3d in_camera((x + i % kBlockWidth - camera.cx_px) / camera.fx_px,
+                                        (y + i / kBlockWidth - camera.cy_px) / camera.fy_px, 1.0);
+        const Eigen::Vector3d direction = pose.linear() * in_camera;
+        for (int k = 0; k < 3; ++k) {
+          block.directions[i / 8][k][i % 8] = static_cast<float>(direction[k]);
+        }
+      }
+    }
+  }
+  return blocks;
+}
+
+/// Directions copied in, traced, nothing out.
+void trace_bare(RTCScene scene, const std::vector<Block>& blocks, const Pose& pose) {
+  const ScopedFlushToZero flush;
+  RTCRayHit8 packets[embree::kStreamPackets] = {};
+  for (RTCRayHit8& packet : packets) {
+    std::fill_n(packet.ray.org_x, 8, static_cast<float>(pose.translation().x()));
+    std::fill_n(packet.ray.org_y, 8, static_cast<float>(pose.translation().y()));
+    std::fill_n(packet.ray.org_z, 8, static_cast<float>(pose.translation().z()));
+    std::fill_n(packet.ray.mask, 8, ~0U);
+  }
+  for (const Block& block : blocks) {
+    for (std::size_t i = 0; i < embree::kStreamPackets; ++i) {
+      std::memcpy(packets[i].ray.dir_x, block.directions[i][0], sizeof(packets[i].ray.dir_x));
+      std::memcpy(packets[i].ray.dir_y, block.directions[i][1], sizeof(packets[i].ray.dir_y));
+      std::memcpy(packets[i].ray.dir_z, block.directions[i][2], sizeof(packets[i].ray.dir_z));
+      std::fill_n(packets[i].ray.tfar, 8, static_cast<float>(kDepthRange_m));
+      std::fill_n(packets[i].hit.geomID, 8, RTC_INVALID_GEOMETRY_ID);
+    }
+    embree::intersect_stream(scene, packets);
+  }
+}
+
+void depth(benchmark::State& state, MapKind kind) {
+  const Place& in = place(kind);
+  const auto width = static_cast<std::int32_t>(state.range(0));
+  const std::int32_t height = width * 3 / 4;
+  const Pinhole camera = make_pinhole(width, height, 90.0 * math::kDegree, kDepthRange_m);
+  const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  std::vector<float> image(pixels);
+  const std::vector<Pose> poses = crossing(in);
+  std::vector<std::vector<Block>> prepared;
+  for (const Pose& pose : poses) prepared.push_back(prepared_rays(camera, pose));
+  std::vector<double> ours_s;
+  std::vector<double> bare_s;
+  for (auto _ : state) {
+    std::vector<double> frame_s;
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      const double first = processor_s();
+      render_depth(*in.scene, camera, poses[i], image);
+      frame_s.push_back(processor_s() - first);
+      const double second = processor_s();
+      trace_bare(in.scene->internals().top.get(), prepared[i], poses[i]);
+      bare_s.push_back(processor_s() - second);
+      benchmark::DoNotOptimize(image.data());
+    }
+    ours_s.insert(ours_s.end(), frame_s.begin(), frame_s.end());
+    state.SetIterationTime(median(frame_s));
+  }
+  const double rays = static_cast<double>(pixels) * 1e-6;
+  state.counters["Mray_per_s"] = rays / median(ours_s);
+  state.counters["bare_Mray_per_s"] = rays / median(bare_s);
+  state.counters["ratio"] = median(bare_s) / median(ours_s);
+}
+
+/// Positions along crossings, a centimetre or so apart.
+std::vector<Eigen::Vector3d> flown_positions(const Place& in) {
+  RandomStream random(5);
+  std::vector<Eigen::Vector3d> positions;
+  for (int line = 0; line < 4; ++line) {
+    const double x = random.uniform(5.0, 35.0);
+    for (int i = 0; i < 1024; ++i) {
+      const double y = 2.0 + 36.0 * i / 1024.0;
+      positions.emplace_back(x, y, ground_height_m(in.world, x, y) + 2.0);
+    }
+  }
+  return positions;
+}
+
+template <class Query>
+void point_query(benchmark::State& state, MapKind kind, Query query) {
+  const Place& in = place(kind);
+  const std::vector<Eigen::Vector3d> positions = flown_positions(in);
+  std::size_t i = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(query(*in.scene, positions[i]));
+    i = (i + 1) % positions.size();
+  }
+}
+
+const Eigen::Vector3d kBody_m(0.5, 0.5, 0.12);
+
+Pose level_at(const Eigen::Vector3d& position) {
+  return make_pose(position, Eigen::Quaterniond::Identity());
+}
+
+void nearest(benchmark::State& state, MapKind kind) {
+  point_query(state, kind, [](const Scene& scene, const Eigen::Vector3d& position) {
+    return scene.nearest(position).distance_m;
+  });
+}
+
+void nearest_within_1m(benchmark::State& state, MapKind kind) {
+  point_query(state, kind, [](const Scene& scene, const Eigen::Vector3d& position) {
+    return scene.nearest(position, 1.0).distance_m;
+  });
+}
+
+void touch(benchmark::State& state, MapKind kind) {
+  point_query(state, kind, [](const Scene& scene, const Eigen::Vector3d& position) {
+    return scene.touch(kBody_m, level_at(position)).has_value();
+  });
+}
+
+void body_clearance(benchmark::State& state, MapKind kind) {
+  point_query(state, kind, [](const Scene& scene, const Eigen::Vector3d& position) {
+    return scene.body_clearance(kBody_m, level_at(position), 5.0);
+  });
+}
+
+void occluded_5m(benchmark::State& state, MapKind kind) {
+  point_query(state, kind, [](const Scene& scene, const Eigen::Vector3d& position) {
+    return scene.occluded(position, position + Eigen::Vector3d(0.6, 4.9, 0.1));
+  });
+}
+
+void shaded(benchmark::State& state, MapKind kind) {
+  const Place& in = place(kind);
+  const Pinhole camera = make_pinhole(320, 240, 90.0 * math::kDegree, 1000.0);
+  std::vector<std::uint8_t> image(3 * 320 * 240);
+  const std::vector<Pose> poses = crossing(in);
+  std::size_t i = 0;
+  for (auto _ : state) {
+    render_shaded(*in.scene, camera, poses[i++ % poses.size()], Light{}, 1, image);
+    benchmark::DoNotOptimize(image.data());
+  }
+}
+
+void build(benchmark::State& state, MapKind kind, bool flattened) {
+  const World& world = place(kind).world;
+  for (auto _ : state) {
+    const Scene scene(world, flattened ? kFlattenTriangles : 0);
+    benchmark::DoNotOptimize(&scene.internals());
+  }
+  state.counters["triangles"] = static_cast<double>(triangle_count(world));
+}
+
+BENCHMARK_CAPTURE(depth, hall, hall)
+    ->Arg(640)
+    ->Arg(320)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(depth, forest, forest)
+    ->Arg(640)
+    ->Arg(320)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(nearest, hall, hall);
+BENCHMARK_CAPTURE(nearest, forest, forest);
+BENCHMARK_CAPTURE(nearest_within_1m, hall, hall);
+BENCHMARK_CAPTURE(nearest_within_1m, forest, forest);
+BENCHMARK_CAPTURE(touch, hall, hall);
+BENCHMARK_CAPTURE(touch, forest, forest);
+BENCHMARK_CAPTURE(body_clearance, hall, hall);
+BENCHMARK_CAPTURE(body_clearance, forest, forest);
+BENCHMARK_CAPTURE(occluded_5m, hall, hall);
+BENCHMARK_CAPTURE(occluded_5m, forest, forest);
+BENCHMARK_CAPTURE(shaded, hall, hall)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(shaded, forest, forest)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(build, hall_flattened, hall, true)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(build, forest_flattened, forest, true)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(build, forest_instanced, forest, false)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace avoidbench
+
+BENCHMARK_MAIN();

@@ -1,0 +1,105 @@
+#include "config/defaults.hpp"
+
+#include <sstream>
+
+#include "base/random.hpp"
+#include "config/named_specs.hpp"
+#include "config/sweep_fixture.hpp"
+
+namespace avoidbench {
+namespace {
+
+/// The printed sweep with the planner that is there in this test.
+std::string printed_sweep() {
+  std::string text = sweep_defaults_yaml();
+  const std::size_t at = text.find("  - straight_line\n  - reactive\n");
+  EXPECT_NE(at, std::string::npos);
+  return text.replace(at, std::string("  - straight_line\n  - reactive\n").size(), "  - tunable\n");
+}
+
+TEST_F(SweepFiles, PrintedDefaultsReadBack) {
+  const SweepSpec sweep = read(printed_sweep());
+  EXPECT_EQ(spec_to_json(sweep.base), spec_to_json(TrialSpec{}));
+  EXPECT_EQ(sweep.trials, SweepSpec{}.trials);
+  EXPECT_TRUE(sweep.axes.empty());
+}
+
+TEST_F(SweepFiles, TheOtherGeneratorsPrintedFieldsReadBackToo) {
+  // Comment the forest out and the hall in: swap the blocks' lines by their marks.
+  std::istringstream lines(printed_sweep());
+  std::string text;
+  bool in_maps = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (line == "maps:") {
+      in_maps = true;
+    } else if (in_maps && line.starts_with("  # ")) {
+      line = "  " + line.substr(4);
+    } else if (in_maps && line.starts_with("  ") && line.find("seeds:") == std::string::npos) {
+      line = "  # " + line.substr(2);
+    } else {
+      in_maps = in_maps && line.starts_with("  ");
+    }
+    text += line + "\n";
+  }
+  const SweepSpec sweep = read(text);
+  TrialSpec expected;
+  expected.map = HallSpec{};
+  EXPECT_EQ(spec_to_json(sweep.base), spec_to_json(expected));
+}
+
+TEST_F(SweepFiles, EveryFieldIsPrintedWithADoc) {
+  std::istringstream lines(sweep_defaults_yaml());
+  for (std::string line; std::getline(lines, line);) {
+    const bool is_field = line.starts_with("  ") && line.find(": ") != std::string::npos &&
+                          line.find("- {") == std::string::npos &&
+                          !line.starts_with("  # generator");
+    if (is_field) {
+      EXPECT_NE(line.find("# ", 4), std::string::npos) << line;
+    }
+  }
+}
+
+template <class Spec>
+Spec read_file(const std::string& name,
+               void (*reader)(const YamlNode&, const std::filesystem::path&, Spec&, Reading&)) {
+  const std::filesystem::path file =
+      std::filesystem::path(AVOIDBENCH_SOURCE_DIR) / "configs" / name;
+  Spec spec{};
+  Reading reading;
+  reader(read_yaml(file), file.parent_path(), spec, reading);
+  EXPECT_EQ(joined(reading.problems), "");
+  return spec;
+}
+
+TEST(Configs, FilesEqualTheBuiltInSpecs) {
+  EXPECT_EQ(spec_to_json(read_file<VehicleSpec>("vehicles/hummingbird.yaml", read_vehicle)),
+            spec_to_json(hummingbird_spec()));
+  EXPECT_EQ(spec_to_json(read_file<VehicleSpec>("vehicles/firefly.yaml", read_vehicle)),
+            spec_to_json(firefly_spec()));
+  EXPECT_EQ(spec_to_json(read_file<SensorSpec>("sensors/depth_ideal.yaml", read_sensor)),
+            spec_to_json(SensorSpec{}));
+}
+
+TEST(Configs, PrintedSpecsReadBackToTheSameBits) {
+  for (const VehicleSpec& vehicle :
+       {hummingbird_spec(), hummingbird_rotors_spec(), firefly_spec()}) {
+    VehicleSpec read;
+    Reading reading;
+    read_vehicle(parse_yaml(vehicle_yaml(vehicle), "v"), ".", read, reading);
+    EXPECT_EQ(joined(reading.problems), "");
+    EXPECT_EQ(spec_to_json(read), spec_to_json(vehicle));
+  }
+}
+
+TEST_F(SweepFiles, TheSweepsThatComeAlongAreGood) {
+  for (const char* name : {"quick", "forest_small", "hall_small"}) {
+    const std::filesystem::path file = std::filesystem::path(AVOIDBENCH_SOURCE_DIR) /
+                                       "configs/sweeps" / (std::string(name) + ".yaml");
+    const SweepSpec sweep = read_sweep(file, {"planners=[tunable]"});
+    EXPECT_EQ(sweep.name, name);
+    EXPECT_FALSE(sweep.axes.empty());
+  }
+}
+
+}  // namespace
+}  // namespace avoidbench

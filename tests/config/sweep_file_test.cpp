@@ -1,0 +1,305 @@
+#include "config/sweep_file.hpp"
+
+#include "base/random.hpp"
+#include "config/sweep_fixture.hpp"
+
+namespace avoidbench {
+namespace {
+
+const std::string kHead = "sweep: a\nplanners: [tunable]\n";
+
+TEST_F(SweepFiles, TheLeastSweepHasDefaults) {
+  const SweepSpec sweep = read(kHead);
+  EXPECT_EQ(sweep.name, "a");
+  EXPECT_EQ(sweep.trials, 10);
+  EXPECT_TRUE(sweep.axes.empty());
+  ASSERT_EQ(sweep.planners.size(), 1U);
+  EXPECT_EQ(spec_to_json(sweep.base), spec_to_json(TrialSpec{}));
+}
+
+TEST_F(SweepFiles, ReadsEveryBlock) {
+  const SweepSpec sweep = read(
+      "sweep: all\nseed: 24\ntrials: 3\nplanners: [tunable]\n"
+      "maps:\n  generator: hall\n  area_m: [20, 25]\n  poisson_radius_m: {from: 2.3, to: 5.8, "
+      "count: 8}\n"
+      "  seeds: [3, 9]\n"
+      "vehicle: {preset: firefly, mass_kg: 1.6}\nsensor: {fov_x_deg: 80}\nlatency: {mode: zero}\n"
+      "wind: {mean_world_mps: [1, 0, 0]}\nmission: {time_limit_s: 30}\nrates: {plan_hz: 20}\n"
+      "axes: {\"wind.mean_world_mps\": [[0, 0, 0], [4, 0, 0]], vehicle.max_speed_mps: [2, 4]}\n");
+  EXPECT_EQ(sweep.base.seed, 24U);
+  EXPECT_EQ(sweep.trials, 3);
+  const HallSpec& hall = std::get<HallSpec>(sweep.base.map);
+  EXPECT_EQ(hall.area_m, (std::array<double, 2>{20.0, 25.0}));
+  EXPECT_EQ(hall.poisson_radius_m, 2.3);
+  EXPECT_EQ(sweep.base.map_seed, 3U);
+  EXPECT_EQ(sweep.base.vehicle.mass_kg, 1.6);
+  EXPECT_EQ(sweep.base.vehicle.rotors.size(), 6U);
+  EXPECT_EQ(sweep.base.sensor.fov_x_deg, 80.0);
+  EXPECT_EQ(sweep.base.latency.mode, LatencyMode::zero);
+  EXPECT_EQ(sweep.base.wind.mean_world_mps[0], 1.0);
+  EXPECT_EQ(sweep.base.mission.time_limit_s, 30.0);
+  EXPECT_EQ(sweep.base.rates.plan_hz, 20.0);
+  ASSERT_EQ(sweep.axes.size(), 4U);
+  EXPECT_EQ(sweep.axes[0].path, "map.poisson_radius_m");
+  EXPECT_EQ(sweep.axes[0].values.front(), 2.3);
+  EXPECT_EQ(sweep.axes[0].values[1], 2.8);
+  EXPECT_EQ(sweep.axes[0].values.back(), 5.8);
+  EXPECT_EQ(sweep.axes[0].values.size(), 8U);
+  EXPECT_EQ(sweep.axes[1].path, "map_seed");
+  EXPECT_EQ(nlohmann::json(sweep.axes[1].values).dump(), "[3,9]");
+  EXPECT_EQ(sweep.axes[2].path, "wind.mean_world_mps");
+  EXPECT_EQ(nlohmann::json(sweep.axes[2].values).dump(), "[[0.0,0.0,0.0],[4.0,0.0,0.0]]");
+  EXPECT_EQ(sweep.axes[3].path, "vehicle.max_speed_mps");
+}
+
+TEST_F(SweepFiles, SeedsMayBeACount) {
+  const SweepSpec sweep = read(kHead + "maps: {seeds: 3}\n");
+  ASSERT_EQ(sweep.axes.size(), 1U);
+  EXPECT_EQ(nlohmann::json(sweep.axes[0].values).dump(), "[1,2,3]");
+  EXPECT_EQ(read(kHead + "maps: {seeds: [7]}\n").base.map_seed, 7U);
+  EXPECT_TRUE(read(kHead + "maps: {seeds: [7]}\n").axes.empty());
+}
+
+TEST_F(SweepFiles, PlannersAreLoadedAndTheirParametersFilledIn) {
+  const SweepSpec sweep = read(
+      "sweep: a\nplanners:\n  - tunable\n"
+      "  - {plugin: tunable, label: mine, parameters: {horizon_m: [5, 7.5], mode: fast}}\n"
+      "  - {plugin: tunable, label: quick, max_speed_mps: 6}\n");
+  ASSERT_EQ(sweep.planners.size(), 4U);
+  EXPECT_EQ(sweep.planners[0].label, "tunable");
+  EXPECT_EQ(sweep.planners[1].label, "mine[horizon_m=5]");
+  EXPECT_EQ(sweep.planners[2].label, "mine[horizon_m=7.5]");
+  EXPECT_EQ(sweep.planners[3].label, "quick");
+  const PlannerChoice& second = sweep.planners[2];
+  ASSERT_EQ(second.parameters.size(), 5U);
+  EXPECT_EQ(second.parameters[0].name, "horizon_m");
+  EXPECT_EQ(second.parameters[0].number, 7.5);
+  EXPECT_FALSE(second.parameters[0].is_text);
+  EXPECT_EQ(second.parameters[1].number, 10.0);  // the preset
+  EXPECT_EQ(second.parameters[2].text, "fast");
+  EXPECT_TRUE(second.parameters[2].is_text);
+  EXPECT_EQ(sweep.planners[3].parameters[4].number, 6.0);
+  EXPECT_EQ(second.file_digest.size(), 64U);
+  EXPECT_EQ(second.file, std::string(CONFIG_TEST_PLANNERS) + "/tunable.so");
+}
+
+TEST_F(SweepFiles, PlannerPathsAreRelativeToTheSweep) {
+  std::filesystem::create_directories(folder_ / "built");
+  std::filesystem::copy(std::string(CONFIG_TEST_PLANNERS) + "/tunable.so",
+                        folder_ / "built/mine.so");
+  const SweepSpec sweep = read("sweep: a\nplanners: [./built/mine.so]\n");
+  EXPECT_EQ(sweep.planners[0].label, "tunable");
+  EXPECT_EQ(sweep.planners[0].plugin, "./built/mine.so");
+}
+
+TEST_F(SweepFiles, VehiclesAndSensorsComeFromFilesBesideTheSweep) {
+  write("vehicles/heavy.yaml", "preset: hummingbird\nname: heavy\nmass_kg: 0.9\n");
+  write("sensors/narrow.yaml", "fov_x_deg: 60\n");
+  const SweepSpec sweep = read(kHead + "vehicle: heavy\nsensor: narrow\n");
+  EXPECT_EQ(sweep.base.vehicle.name, "heavy");
+  EXPECT_EQ(sweep.base.vehicle.mass_kg, 0.9);
+  EXPECT_EQ(sweep.base.sensor.fov_x_deg, 60.0);
+  EXPECT_EQ(read(kHead + "vehicle: {preset: heavy, mass_kg: 0.8}\n").base.vehicle.mass_kg, 0.8);
+  EXPECT_EQ(read(kHead + "vehicle: ./vehicles/heavy.yaml\n").base.vehicle.name, "heavy");
+  EXPECT_EQ(
+      problems(kHead + "vehicle: hevy\n"),
+      "s.yaml:3:10: vehicle: \"hevy\" is no vehicle (did you mean heavy?); known: firefly, heavy, "
+      "hummingbird, hummingbird_rotors");
+  write("vehicles/heavy.yaml", "mas_kg: 0.9\n");
+  EXPECT_EQ(problems(kHead + "vehicle: heavy\n"),
+            "vehicles/heavy.yaml:1:1: vehicle.mas_kg: unknown key (did you mean mass_kg?)");
+  write("vehicles/a.yaml", "preset: b\n");
+  write("vehicles/b.yaml", "preset: a\n");
+  EXPECT_NE(problems(kHead + "vehicle: a\n").find("presets lead in a circle"), std::string::npos);
+}
+
+TEST_F(SweepFiles, OverridesChangeAddAndAreChecked) {
+  const std::string text = kHead + "vehicle: firefly\nmaps: {poisson_radius_m: [3, 4]}\n";
+  EXPECT_TRUE(read(text, {"maps.poisson_radius_m=5"}).axes.empty());
+  EXPECT_EQ(std::get<ForestSpec>(read(text, {"maps.poisson_radius_m=5"}).base.map).poisson_radius_m,
+            5.0);
+  EXPECT_EQ(read(text, {"rates.plan_hz=20"}).base.rates.plan_hz, 20.0);
+  EXPECT_EQ(read(text, {"trials=2", "trials=4"}).trials, 4);
+  const VehicleSpec vehicle = read(text, {"vehicle.mass_kg=1.4"}).base.vehicle;
+  EXPECT_EQ(vehicle.mass_kg, 1.4);
+  EXPECT_EQ(vehicle.name, "firefly");
+  EXPECT_EQ(read(text, {"planners=[{plugin: tunable, label: x}]", "planners[0].label=y"})
+                .planners[0]
+                .label,
+            "y");
+  EXPECT_EQ(problems(text, {"rates.plan_hz=fast"}),
+            "--set rates.plan_hz=fast: rates.plan_hz: expected a number, found \"fast\"");
+  EXPECT_EQ(problems(text, {"trials", "=3", "a..b=1", "planners[7].label=x", "seed=[1"}),
+            "--set trials: expected path=value\n--set =3: expected path=value\n"
+            "--set a..b=1: 'a..b' is no dotted path such as maps.poisson_radius_m\n"
+            "--set planners[7].label=x: planners[7].label: planners has no element 7\n"
+            "--set seed=[1: not valid YAML: end of sequence flow not found");
+}
+
+TEST_F(SweepFiles, EachProblemHasItsPlaceAndReason) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"sweeps: 3", "s.yaml:3:1: sweeps: unknown key (did you mean sweep?)"},
+      {"trials: 0", "s.yaml:3:9: trials: 0 is outside [1, 1000000]"},
+      {"maps: {generator: forrest}",
+       "s.yaml:3:19: maps.generator: \"forrest\" is none of forest, hall (did you mean forest?)"},
+      {"maps: forest", "s.yaml:3:7: maps: expected a mapping (name: value), found \"forest\""},
+      {"maps: {seeds: [1, 1]}", "s.yaml:3:19: maps.seeds: 1 is given twice"},
+      {"maps: {seeds: 0}", "s.yaml:3:15: maps.seeds: 0 is outside [1, 10000]"},
+      {"maps: {poisson_radius_m: [3, 90]}",
+       "s.yaml:3:30: maps.poisson_radius_m: 90 is outside [1, 20]"},
+      {"maps: {generator: hall, bush_ratio: 1}",
+       "s.yaml:3:25: maps.bush_ratio: unknown key for generator hall (known: seeds, generator, "
+       "area_m, "
+       "poisson_radius_m, cylinder_diameter_m, height_m, texture_opacity, flight_height_m)"},
+      {"maps: {flight_height_m: 8}",
+       "s.yaml:3:25: maps.flight_height_m: 8 is not below height_m, 6"},
+      {"rates: {plan_hz: 31}",
+       "s.yaml:3:18: rates.plan_hz: 31 Hz is not a whole number of ticks of 1/36000 s; the nearest "
+       "is "
+       "31.007751937984494"},
+      {"sensor: {rate_hz: 7.7}",
+       "s.yaml:3:19: sensor.rate_hz: 7.7 Hz is not a whole number of ticks of 1/36000 s; the "
+       "nearest is "
+       "7.7005347593582885"},
+      {"rates: {physics_hz: 250, plan_hz: 500}",
+       "s.yaml:3:35: rates.plan_hz: 500 Hz is faster than rates.physics_hz, 250"},
+      {"sensor: {min_range_m: 5, max_range_m: 5}",
+       "s.yaml:3:23: sensor.min_range_m: 5 is not below max_range_m, 5"},
+      {"axes: {wind.mean_mps: [1]}",
+       "s.yaml:3:8: wind.mean_mps: unknown key (did you mean mean_world_mps?)"},
+      {"axes: {wind.mean_world_mps: [0, 4]}",
+       "s.yaml:3:30: wind.mean_world_mps: expected a list of 3 values, found \"0\"\n"
+       "s.yaml:3:33: wind.mean_world_mps: expected a list of 3 values, found \"4\""},
+      {"axes: {maps.poisson_radius_m: [3, 0]}",
+       "s.yaml:3:35: map.poisson_radius_m: 0 is outside [1, 20]"},
+      {"axes: {map.generator: [forest, hall]}",
+       "s.yaml:3:8: axes.map.generator: a generator can't be an axis; write one sweep for each"},
+      {"axes: {vehicle: [firefly]}", "s.yaml:3:8: axes.vehicle: is a group of fields, not one"},
+      {"axes: {planner.label: [a]}",
+       "s.yaml:3:8: axes.planner.label: write a planner's parameters as lists in its entry of "
+       "'planners'"},
+      {"axes: {rates.plan_hz: [20, 31]}",
+       "s.yaml:3:8: rates.plan_hz: 31 Hz is not a whole number of ticks of 1/36000 s; the nearest "
+       "is "
+       "31.007751937984494"},
+      {"maps: {poisson_radius_m: [3, 4]}\naxes: {maps.poisson_radius_m: [5, 6]}",
+       "s.yaml:4:8: axes.maps.poisson_radius_m: has several values above already"},
+  };
+  for (const auto& [text, expected] : cases)
+    EXPECT_EQ(problems(kHead + text + "\n"), expected) << text;
+}
+
+TEST_F(SweepFiles, ProblemsOfTheHead) {
+  EXPECT_EQ(problems("trials: 3\n"),
+            "s.yaml:1:1: lacks 'sweep', the name of the result set\n"
+            "s.yaml:1:1: lacks 'planners', the list of planners to compare");
+  EXPECT_EQ(problems("sweep: a/b\nplanners: tunable\n"),
+            "s.yaml:1:8: sweep: \"a/b\" is no name of A-Z a-z 0-9 _ . -");
+  EXPECT_EQ(problems("- 1\n"), "s.yaml:1:1: expected a mapping (name: value), found a list");
+  EXPECT_EQ(problems("sweep: a\nplanners: []\n"),
+            "s.yaml:2:11: planners: expected at least one planner");
+}
+
+TEST_F(SweepFiles, ProblemsOfPlanners) {
+  const auto of = [&](const std::string& entry) {
+    return problems("sweep: a\nplanners:\n  - " + entry + "\n");
+  };
+  EXPECT_TRUE(of("tunabel").starts_with(
+      "s.yaml:3:5: planners[0]: no planner 'tunabel' (did you mean tunable?)"));
+  EXPECT_EQ(of("{label: x}"),
+            "s.yaml:3:5: planners[0]: lacks 'plugin', the planner's name or file");
+  EXPECT_EQ(of("{plugin: tunable, labell: x}"),
+            "s.yaml:3:23: planners[0].labell: unknown key (did you mean label?)");
+  EXPECT_EQ(of("{plugin: tunable, label: \"\"}"),
+            "s.yaml:3:30: planners[0].label: expected 1 to 100 printable characters without outer "
+            "spaces");
+  EXPECT_EQ(of("{plugin: tunable, parameters: {horizn_m: 3}}"),
+            "s.yaml:3:36: planners[0].parameters.horizn_m: planner tunable has no such parameter "
+            "(did you "
+            "mean horizon_m?)");
+  EXPECT_EQ(of("{plugin: tunable, parameters: {horizon_m: 30}}"),
+            "s.yaml:3:47: planners[0].parameters.horizon_m: 30 is outside [1, 20] m");
+  EXPECT_EQ(of("{plugin: tunable, parameters: {horizon_m: far}}"),
+            "s.yaml:3:47: planners[0].parameters.horizon_m: expected a number, found \"far\"");
+  EXPECT_EQ(of("{plugin: tunable, parameters: {steps_count: 2.5}}"),
+            "s.yaml:3:49: planners[0].parameters.steps_count: 2.5 is not a whole number");
+  EXPECT_EQ(
+      of("{plugin: tunable, parameters: {mode: fst}}"),
+      "s.yaml:3:42: planners[0].parameters.mode: 'fst' is none of safe, fast (did you mean fast?)");
+  EXPECT_EQ(of("tunable\n  - tunable"),
+            "s.yaml:4:5: planners[1]: the label 'tunable' is that of planners[0]; give one of them "
+            "another 'label'");
+  EXPECT_EQ(of("[tunable]"),
+            "s.yaml:3:5: planners[0]: expected a planner's name or {plugin, label, parameters}, "
+            "found a list");
+  EXPECT_TRUE(of("./s.yaml").starts_with("s.yaml:3:5: planners[0]: s.yaml: "));
+}
+
+TEST_F(SweepFiles, ProblemsOfAllPartsComeTogetherInOrder) {
+  EXPECT_EQ(
+      problems("sweep: a\ntrials: x\nmaps: {poisson_radius_m: 0}\nplanners:\n  - {plugin: tunable, "
+               "a: 1}\n"
+               "rate: 3\n"),
+      "s.yaml:2:9: trials: expected a whole number, found \"x\"\n"
+      "s.yaml:3:26: maps.poisson_radius_m: 0 is outside [1, 20]\n"
+      "s.yaml:5:23: planners[0].a: unknown key (known: plugin, label, parameters, max_speed_mps)\n"
+      "s.yaml:6:1: rate: unknown key (did you mean rates?)");
+}
+
+TEST_F(SweepFiles, TooManyTrialsAreRefused) {
+  EXPECT_EQ(problems(kHead + "trials: 1000000\nmaps: {seeds: 11}\n"),
+            "s.yaml:1:1: the sweep has 11000000 trials, more than 10000000");
+}
+
+TEST_F(SweepFiles, MapsAloneAreRead) {
+  EXPECT_EQ(read_map("hall").trial.map.index(), 1U);
+  const MapChoice choice = read_map("forest", {"poisson_radius_m=3", "maps.seeds=[5, 6]"});
+  EXPECT_EQ(std::get<ForestSpec>(choice.trial.map).poisson_radius_m, 3.0);
+  EXPECT_EQ(choice.trial.map_seed, 5U);
+  const auto file = write("m.yaml", "generator: hall\nheight_m: 4\n");
+  EXPECT_EQ(std::get<HallSpec>(read_map(file.string()).trial.map).height_m, 4.0);
+  const auto sweep =
+      write("w.yaml", "sweep: a\nplanners: [no_such]\nmaps: {poisson_radius_m: [4, 5]}\n");
+  EXPECT_EQ(std::get<ForestSpec>(read_map(sweep.string()).trial.map).poisson_radius_m, 4.0);
+  EXPECT_EQ(problems_of([] { read_map("forrest"); }),
+            "'forrest' is neither a file nor a generator (did you mean forest?); generators: "
+            "forest, hall");
+}
+
+/// Bytes of a good sweep changed at random: a sweep or an InputError, nothing else.
+TEST_F(SweepFiles, MutatedSweepsNeverCrash) {
+  const std::string good =
+      "sweep: all\nseed: 24\ntrials: 3\nplanners:\n- {plugin: tunable, label: m, parameters: "
+      "{horizon_m: [5, 7]}}\n"
+      "maps:\n  generator: hall\n  area_m: [20, 25]\n  poisson_radius_m: {from: 2.3, to: 5.8, "
+      "count: 8}\n"
+      "  seeds: [3, 9]\nvehicle: {preset: firefly, mass_kg: 1.6}\nsensor: {fov_x_deg: 80}\n"
+      "rates: {plan_hz: 20}\naxes: {\"wind.mean_world_mps\": [[0, 0, 0], [4, 0, 0]]}\n";
+  const std::string special = "{}[],:&*!|>'\"#?- \n.059eax";
+  RandomStream random = stream(2, "sweep mutations");
+  int accepted = 0, refused = 0;
+  for (int round = 0; round < 1500; ++round) {
+    std::string text = good;
+    const std::uint64_t changes = 1 + random.below(4);
+    for (std::uint64_t i = 0; i < changes; ++i) {
+      const std::size_t place = random.below(text.size());
+      const std::size_t length = 1 + random.below(6);
+      const std::uint64_t what = random.below(3);
+      if (what == 0) text[place] = special[random.below(special.size())];
+      if (what == 1) text.erase(place, length);
+      if (what == 2) text.insert(place, text.substr(place, length));
+    }
+    try {
+      read(text);
+      ++accepted;
+    } catch (const InputError& error) {
+      ++refused;
+      EXPECT_FALSE(error.problems().empty());
+    }
+  }
+  EXPECT_GT(accepted, 5);
+  EXPECT_GT(refused, 20);
+}
+
+}  // namespace
+}  // namespace avoidbench

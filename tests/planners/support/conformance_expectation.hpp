@@ -1,0 +1,18 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "plugin/conformance.hpp"
+
+namespace avoidbench {
+
+/// Expects that the planner at `file` keeps every rule of the interface.
+inline void expect_conformance(const std::filesystem::path& file) {
+  const std::vector<ConformanceResult> results = check_conformance(file);
+  EXPECT_GT(results.size(), 10U);
+  for (const ConformanceResult& result : results) {
+    EXPECT_TRUE(result.passed) << result.name << ": " << result.finding;
+  }
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,3 @@
+#include "honest.hpp"
+
+BAD_PLANNER(table.name = "Bad Name"; table.commands = 1024)

@@ -1,0 +1,3 @@
+#include "honest.hpp"
+
+BAD_PLANNER(static_cast<void>(table))

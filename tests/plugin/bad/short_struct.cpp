@@ -1,0 +1,3 @@
+#include "honest.hpp"
+
+BAD_PLANNER(table.struct_size = 40)

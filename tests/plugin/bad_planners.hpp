@@ -1,0 +1,44 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "base/input_error.hpp"
+#include "plugin/conformance.hpp"
+#include "plugin/planner_library.hpp"
+
+namespace avoidbench {
+
+/// The library of one of the planners in bad/.
+inline std::filesystem::path bad_planner(const std::string& name) {
+  return std::filesystem::path(BAD_PLANNERS) / (name + ".so");
+}
+
+/// What load says of the file; empty when it loads.
+inline std::string load_error(const std::filesystem::path& file) {
+  try {
+    PlannerLibrary::load(file);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// What the rule `name` found; "not tried" where it wasn't.
+inline std::string finding(const std::vector<ConformanceResult>& results, const std::string& name) {
+  for (const ConformanceResult& result : results) {
+    if (result.name == name) return result.finding;
+  }
+  return "not tried";
+}
+
+/// Names of the rules that failed.
+inline std::vector<std::string> failed_rules(const std::vector<ConformanceResult>& results) {
+  std::vector<std::string> failed;
+  for (const ConformanceResult& result : results) {
+    if (!result.passed) failed.push_back(result.name);
+  }
+  return failed;
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,102 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "plugin/bad_planners.hpp"
+
+namespace avoidbench {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(Conformance, HonestPlannersPassEveryRule) {
+  for (const std::filesystem::path& file :
+       {bad_planner("honest"), std::filesystem::path(C_PLANNER)}) {
+    const auto results = check_conformance(file);
+    EXPECT_GE(results.size(), 15U);
+    for (const ConformanceResult& result : results) {
+      EXPECT_TRUE(result.passed) << file << " " << result.name << ": " << result.finding;
+      EXPECT_FALSE(result.doc.empty());
+    }
+  }
+}
+
+struct BadCase {
+  std::string planner, rule, finding;
+};
+
+class BadPlanner : public testing::TestWithParam<BadCase> {};
+
+TEST_P(BadPlanner, IsFoundOutByItsRule) {
+  const auto results = check_conformance(bad_planner(GetParam().planner));
+  EXPECT_THAT(finding(results, GetParam().rule), HasSubstr(GetParam().finding));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Each, BadPlanner,
+    testing::Values(
+        BadCase{"wrong_abi", "loads", "is of ABI 7"},
+        BadCase{"throws_across", "flies_toward_a_wall",
+                "an exception crossed the interface: thrown in plan"},
+        BadCase{"throws_across", "creates_over_its_ranges",
+                "an exception crossed create: thrown in create"},
+        BadCase{"nan_command", "flies_toward_a_wall", "call 1: velocity_world_mps is not finite"},
+        BadCase{"undeclared_kind", "flies_toward_a_wall",
+                "kind position, which the planner does not declare"},
+        BadCase{"no_kind", "flies_toward_a_wall", "unknown kind 0"},
+        BadCase{"strange_status", "flies_toward_a_wall", "returned 5, which is no status"},
+        BadCase{"error_without_text", "flies_toward_a_wall", "without a text"},
+        BadCase{"error_without_text", "errors_have_a_text", "without a text"},
+        BadCase{"writes_image", "flies_toward_a_wall", "it wrote into a depth image"},
+        BadCase{"writes_past_image", "flies_toward_a_wall", "it wrote past the ends"},
+        BadCase{"stateful", "reset_forgets", "it remembers"},
+        BadCase{"shared_state", "a_new_instance_is_like_a_reset_one", "instances share something"},
+        BadCase{"shared_state", "instances_are_apart", "instances share something"},
+        BadCase{"keeps_pointer", "keeps_no_input", "keeps a pointer"},
+        BadCase{"extra_symbol", "exports_one_avoidbench_symbol", "avoidbench_secret"},
+        BadCase{"serves_all", "refuses_unknown_hosts", "ABI 0"},
+        BadCase{"fails_inside", "describes_itself", "summary is empty"},
+        BadCase{"fails_inside", "creates_over_its_ranges",
+                "how = create: create failed: no engine"},
+        BadCase{"fails_inside", "flies_toward_a_wall", "not one command"}),
+    [](const auto& bad) { return bad.param.planner + "_" + bad.param.rule; });
+
+TEST(Conformance, OneBrokenRuleDoesNotTripTheOthers) {
+  EXPECT_THAT(failed_rules(check_conformance(bad_planner("extra_symbol"))),
+              testing::ElementsAre("exports_one_avoidbench_symbol"));
+  EXPECT_THAT(failed_rules(check_conformance(bad_planner("stateful"))),
+              testing::ElementsAre("reset_forgets"));
+  EXPECT_THAT(failed_rules(check_conformance(bad_planner("keeps_pointer"))),
+              testing::ElementsAre("keeps_no_input"));
+}
+
+TEST(IsolatedConformance, GivesTheSameAsInProcess) {
+  const auto here = check_conformance(bad_planner("stateful"));
+  const auto there = check_conformance_isolated(bad_planner("stateful"));
+  ASSERT_EQ(here.size(), there.size());
+  for (std::size_t i = 0; i < here.size(); ++i) {
+    EXPECT_EQ(here[i].name, there[i].name);
+    EXPECT_EQ(here[i].doc, there[i].doc);
+    EXPECT_EQ(here[i].passed, there[i].passed);
+    EXPECT_EQ(here[i].finding, there[i].finding);
+  }
+}
+
+TEST(IsolatedConformance, ACrashFailsTheRuleThatWasTried) {
+  const auto results = check_conformance_isolated(bad_planner("segfault"));
+  ASSERT_FALSE(results.empty());
+  EXPECT_EQ(results.back().name, "flies_toward_a_wall");
+  EXPECT_FALSE(results.back().passed);
+  // A sanitizer catches the signal and ends the process by itself.
+  EXPECT_THAT(results.back().finding,
+              testing::AnyOf(HasSubstr("crashed by signal 11"), HasSubstr("ended the process")));
+}
+
+TEST(IsolatedConformance, AHangEndsWithTheTime) {
+  const auto results = check_conformance_isolated(bad_planner("infinite_loop"), 1.0);
+  ASSERT_FALSE(results.empty());
+  EXPECT_EQ(results.back().name, "flies_toward_a_wall");
+  EXPECT_THAT(results.back().finding, HasSubstr("did not return within 1 s"));
+}
+
+}  // namespace
+}  // namespace avoidbench

@@ -1,0 +1,146 @@
+#include "plugin/planner_instance.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "plugin/bad_planners.hpp"
+#include "plugin/command_check.hpp"
+#include "plugin/conformance_flight.hpp"
+
+namespace avoidbench {
+namespace {
+
+using testing::HasSubstr;
+
+PlannerInstance instance_of(const std::string& name, const ParameterValues& given = {}) {
+  const PlannerLibrary library = PlannerLibrary::load(bad_planner(name));
+  return {library, conformance_setup(), resolve_parameters(library.description(), given)};
+}
+
+PlannerView view() {
+  PlannerView view;
+  view.position_world = {1.0, 2.0, 3.0};
+  view.velocity_world.setZero();
+  view.rates_body.setZero();
+  view.q_world_body.setIdentity();
+  return view;
+}
+
+PlannerMission mission() {
+  PlannerMission mission;
+  mission.goal_world = {10.0, 0.0, 2.0};
+  return mission;
+}
+
+PlanResult planned(const std::string& name, const ParameterValues& given = {}) {
+  PlannerInstance instance = instance_of(name, given);
+  EXPECT_EQ(instance.reset(mission()), "");
+  return instance.plan(view());
+}
+
+ParameterValues how(const std::string& value) { return {{"how", {0.0, value}}}; }
+
+TEST(Instance, GivesACommandAndItsTimes) {
+  const PlanResult result = planned("honest");
+  ASSERT_EQ(result.status, PlanStatus::command) << result.reason;
+  EXPECT_EQ(result.command.kind, AB_COMMAND_VELOCITY);
+  EXPECT_EQ(result.command.velocity_world_mps[0], 1.0);
+  EXPECT_GT(result.wall_time_s, 0.0);
+  EXPECT_GT(result.cpu_time_s, 0.0);
+  EXPECT_LT(result.cpu_time_s, 0.1);
+}
+
+TEST(Instance, CopiesATrajectoryOut) {
+  PlannerInstance instance = instance_of("fails_inside", how("trajectory"));
+  instance.reset(mission());
+  const PlanResult first = instance.plan(view());
+  instance.plan(view());
+  ASSERT_EQ(first.status, PlanStatus::command) << first.reason;
+  EXPECT_EQ(first.command.points, nullptr);
+  ASSERT_EQ(first.points.size(), 3U);
+  EXPECT_EQ(first.points[2].time_s, 1.0);
+  EXPECT_EQ(first.points[2].position_world_m[0], 2.0);
+}
+
+TEST(Instance, NoPlanAndGivingUpAreNoErrors) {
+  EXPECT_EQ(planned("fails_inside", how("no_plan")).status, PlanStatus::no_plan);
+  const PlanResult gave_up = planned("fails_inside", how("give_up"));
+  EXPECT_EQ(gave_up.status, PlanStatus::gave_up);
+  EXPECT_EQ(gave_up.reason, "walled in");
+}
+
+TEST(Instance, SaysWhyCreateAndResetFail) {
+  const auto create_error = [](const std::string& way) -> std::string {
+    try {
+      instance_of("fails_inside", how(way));
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(create_error("create"), "planner fails_inside: no engine");
+  EXPECT_THAT(create_error("unknown_name"), HasSubstr("no parameter speed_mps is declared"));
+  EXPECT_THAT(create_error("wrong_kind"), HasSubstr("parameter how is of another kind"));
+  EXPECT_EQ(instance_of("fails_inside", how("reset")).reset(mission()), "no way");
+}
+
+TEST(Instance, TurnsWhatAPlannerThrowsIntoAnError) {
+  EXPECT_EQ(planned("fails_inside", how("plan")).reason, "no idea");
+  EXPECT_THAT(planned("fails_inside", how("odd")).reason, HasSubstr("no std::exception"));
+  EXPECT_THAT(planned("throws_across").reason, HasSubstr("crossed the interface: thrown in plan"));
+  PlannerInstance in_reset = instance_of("throws_across", {{"where", {0.0, "reset"}}});
+  EXPECT_THAT(in_reset.reset(mission()), HasSubstr("crossed the interface: thrown in reset"));
+  EXPECT_THROW(instance_of("throws_across", {{"where", {0.0, "create"}}}), InputError);
+}
+
+TEST(Instance, RefusesCommandsThatCannotBeFlown) {
+  const auto reason = [](const PlanResult& result) {
+    EXPECT_EQ(result.status, PlanStatus::error);
+    return result.reason;
+  };
+  EXPECT_THAT(reason(planned("nan_command")), HasSubstr("velocity_world_mps is not finite"));
+  EXPECT_THAT(reason(planned("undeclared_kind")), HasSubstr("does not declare"));
+  EXPECT_THAT(reason(planned("strange_status")), HasSubstr("is no status"));
+  EXPECT_THAT(reason(planned("error_without_text")), HasSubstr("without saying why"));
+  EXPECT_THAT(reason(planned("fails_inside", how("one_point"))), HasSubstr("at least 2"));
+  EXPECT_THAT(reason(planned("fails_inside", how("too_many"))), HasSubstr("at most 10000"));
+  EXPECT_THAT(reason(planned("fails_inside", how("late_start"))), HasSubstr("first time is not 0"));
+  EXPECT_THAT(reason(planned("fails_inside", how("falling_times"))), HasSubstr("do not rise"));
+  EXPECT_THAT(reason(planned("fails_inside", how("nan_point"))),
+              HasSubstr("point 2: jerk_world_mps3 is not finite"));
+}
+
+TEST(Instance, KeepsTheLog) {
+  PlannerInstance instance = instance_of("fails_inside");
+  EXPECT_THAT(instance.take_log(), testing::ElementsAre("warning: how no_plan"));
+  EXPECT_TRUE(instance.take_log().empty());
+}
+
+TEST(CommandCheck, EveryKindMustBeFinite) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto problem = [&](std::uint32_t kind, double ab_command::*field) {
+    ab_command command{};
+    command.kind = kind;
+    EXPECT_EQ(command_problem(command, kind), "");
+    command.*field = nan;
+    return command_problem(command, kind);
+  };
+  EXPECT_EQ(problem(AB_COMMAND_POSITION, &ab_command::yaw_rad), "yaw_rad is not finite");
+  EXPECT_EQ(problem(AB_COMMAND_ACCELERATION, &ab_command::horizon_s),
+            "horizon_s is negative or not finite");
+  EXPECT_EQ(problem(AB_COMMAND_RATES, &ab_command::thrust_mps2), "thrust_mps2 is not finite");
+  ab_command turning{};
+  turning.kind = AB_COMMAND_VELOCITY;
+  turning.flags = AB_YAW_IS_RATE;
+  turning.yaw_rad = nan;  // not used
+  EXPECT_EQ(command_problem(turning, AB_COMMAND_VELOCITY), "");
+  turning.yaw_rate_radps = nan;
+  EXPECT_EQ(command_problem(turning, AB_COMMAND_VELOCITY), "yaw_rate_radps is not finite");
+  turning.flags = 4;
+  EXPECT_THAT(command_problem(turning, AB_COMMAND_VELOCITY), HasSubstr("unknown flags"));
+}
+
+}  // namespace
+}  // namespace avoidbench

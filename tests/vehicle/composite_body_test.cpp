@@ -1,0 +1,72 @@
+#include "vehicle/composite_body.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "vehicle/vehicle_spec.hpp"
+
+namespace avoidbench {
+namespace {
+
+using Eigen::Vector3d;
+
+/// RotorS' parts: base, rotors, the IMU and three virtual sensors at the base's origin.
+BodyPart lumped(double base_kg, const Vector3d& base_inertia, const VehicleSpec& layout,
+                double height_m, double rotor_kg) {
+  // A rotor's moments are a 0.1 × 0.015 × 0.003 m box's, of ten times the mass (RotorS' slowdown).
+  const double box_kg = 10 * rotor_kg / 12;
+  const Vector3d rotor_inertia(box_kg * (0.015 * 0.015 + 0.003 * 0.003),
+                               box_kg * (0.1 * 0.1 + 0.003 * 0.003),
+                               box_kg * (0.1 * 0.1 + 0.015 * 0.015));
+  std::vector<BodyPart> parts{{base_kg, Vector3d::Zero(), base_inertia},
+                              {0.015, Vector3d::Zero(), Vector3d::Constant(1e-5)}};
+  for (int i = 0; i < 3; ++i) parts.push_back({1e-5, Vector3d::Zero(), Vector3d::Constant(1e-5)});
+  for (const RotorSpec& rotor : layout.rotors) {
+    parts.push_back(spinning_rotor(
+        rotor_kg, {rotor.position_body_m[0], rotor.position_body_m[1], height_m}, rotor_inertia));
+  }
+  return composite_body(parts);
+}
+
+void expect_body(const BodyPart& body, double mass_kg, double height_m, const Vector3d& inertia) {
+  EXPECT_NEAR(body.mass_kg, mass_kg, 1e-12);
+  EXPECT_NEAR((body.position_m - Vector3d(0, 0, height_m)).norm(), 0.0, 1e-8);
+  EXPECT_NEAR((body.inertia_kgm2 - inertia).lpNorm<Eigen::Infinity>(), 0.0, 1e-8);
+}
+
+void expect_spec(const VehicleSpec& spec, const BodyPart& body, double height_m) {
+  EXPECT_NEAR(spec.mass_kg, body.mass_kg, 1e-12);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NEAR(spec.inertia_kgm2[static_cast<std::size_t>(i)], body.inertia_kgm2[i], 1e-8);
+  }
+  for (const RotorSpec& rotor : spec.rotors) {
+    EXPECT_NEAR(rotor.position_body_m[2], height_m - body.position_m.z(), 1e-8);
+  }
+}
+
+TEST(CompositeBody, Hummingbird) {
+  const BodyPart body = lumped(0.68, {0.007, 0.007, 0.012}, hummingbird_spec(), 0.01, 0.009);
+  expect_body(body, 0.73103, 0.492456e-3, {0.00771727, 0.00771727, 0.01308040});
+  expect_spec(hummingbird_spec(), body, 0.01);
+}
+
+TEST(CompositeBody, Firefly) {
+  const BodyPart body = lumped(1.5, {0.0347563, 0.0458929, 0.0977}, firefly_spec(), 0.037, 0.005);
+  expect_body(body, 1.54503, 0.718433e-3, {0.03565798, 0.04679459, 0.09912675});
+  expect_spec(firefly_spec(), body, 0.037);
+}
+
+TEST(CompositeBody, TwoHalvesOfARodMakeTheRod) {
+  const auto rod = [](double mass, double length, double centre) {
+    const double across = mass * length * length / 12;
+    return BodyPart{mass, {centre, 0, 0}, {0, across, across}};
+  };
+  const std::vector<BodyPart> halves{rod(1, 0.5, 2.25), rod(1, 0.5, 2.75)};
+  const BodyPart whole = composite_body(halves);
+  EXPECT_NEAR((whole.position_m - Vector3d(2.5, 0, 0)).norm(), 0, 1e-15);
+  EXPECT_NEAR((whole.inertia_kgm2 - rod(2, 1, 0).inertia_kgm2).norm(), 0, 1e-15);
+}
+
+}  // namespace
+}  // namespace avoidbench

@@ -1,0 +1,95 @@
+#include "vehicle/vehicle_spec.hpp"
+
+#include <gtest/gtest.h>
+
+#include "base/input_error.hpp"
+#include "base/spec_json.hpp"
+#include "vehicle/wind.hpp"
+
+namespace avoidbench {
+namespace {
+
+std::string complaint(const VehicleSpec& spec) {
+  try {
+    check_vehicle(spec);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(VehicleSpec, PresetsFly) {
+  for (const VehicleSpec& spec : {hummingbird_spec(), hummingbird_rotors_spec(), firefly_spec()}) {
+    EXPECT_EQ(complaint(spec), "") << spec.name;
+  }
+}
+
+TEST(VehicleSpec, ImpossibleVehiclesAreRefused) {
+  VehicleSpec spec;
+  spec.rotors.clear();
+  EXPECT_NE(complaint(spec).find("not one to eight"), std::string::npos);
+  spec = {};
+  spec.rotors.resize(9);
+  EXPECT_NE(complaint(spec).find("not one to eight"), std::string::npos);
+  spec = {};
+  spec.rotors.resize(3);
+  EXPECT_NE(complaint(spec).find("independently"), std::string::npos);
+  spec = {};
+  for (RotorSpec& rotor : spec.rotors) rotor.spin = 1;
+  EXPECT_NE(complaint(spec).find("independently"), std::string::npos);
+  spec = {};
+  spec.rotors[2].spin = 0;
+  EXPECT_NE(complaint(spec).find("rotors[2].spin"), std::string::npos);
+  spec = {};
+  spec.mass_kg = 5.0;
+  EXPECT_NE(complaint(spec).find("can't hover"), std::string::npos);
+  spec = {};
+  for (RotorSpec& rotor : spec.rotors) rotor.position_body_m[0] += 0.5;
+  EXPECT_NE(complaint(spec).find("can't hover"), std::string::npos);
+  spec = {};
+  spec.max_acceleration_mps2 = 40.0;
+  EXPECT_NE(complaint(spec).find("too weak"), std::string::npos);
+  spec = {};
+  spec.rate_controller.rate_hz = 700.0;
+  EXPECT_NE(complaint(spec).find("whole number of ticks"), std::string::npos);
+}
+
+struct RangeCheck {
+  void field(std::string_view name, double value, Range range, std::string_view doc) {
+    EXPECT_GE(value, range.lowest) << name;
+    EXPECT_LE(value, range.highest) << name;
+    EXPECT_FALSE(doc.empty()) << name;
+  }
+  template <std::size_t count>
+  void field(std::string_view name, std::array<double, count>& values, Range range,
+             std::string_view doc) {
+    for (const double value : values) field(name, value, range, doc);
+  }
+  template <class T>
+  void field(std::string_view name, T& value, std::string_view doc) {
+    EXPECT_FALSE(doc.empty()) << name;
+    if constexpr (Visitable<T, RangeCheck>) visit(*this, value);
+  }
+};
+
+TEST(VehicleSpec, PresetsAreWithinTheirRanges) {
+  for (VehicleSpec spec : {hummingbird_spec(), hummingbird_rotors_spec(), firefly_spec()}) {
+    RangeCheck check;
+    visit(check, spec);
+  }
+}
+
+TEST(VehicleSpec, SurvivesJson) {
+  VehicleSpec spec = firefly_spec();
+  spec.position_controller.kp_xy = 7.25;
+  const auto json = spec_to_json(spec);
+  EXPECT_EQ(spec_to_json(spec_from_json<VehicleSpec>(json)), json);
+  EXPECT_EQ(json["rotors"].size(), 6U);
+  WindSpec wind;
+  wind.mean_world_mps = {1, 2, 3};
+  EXPECT_EQ(environment(spec_from_json<WindSpec>(spec_to_json(wind))).wind_world_mps,
+            Eigen::Vector3d(1, 2, 3));
+}
+
+}  // namespace
+}  // namespace avoidbench
