@@ -1,6 +1,7 @@
 # avoidbench_planner(name SOURCES a.cpp …  [PRIVATE target …])
 # One planner plugin: planners/<name>.so under the build tree. The same function is installed for planners that live in
-# a repository of their own.
+# a repository of their own; there set AVOIDBENCH_PLANNER_PATH to <build folder>/planners to use them by name.
+include(GNUInstallDirs)
 function(avoidbench_planner name)
   cmake_parse_arguments(PLANNER "" "" "SOURCES;PRIVATE" ${ARGN})
   add_library(${name} MODULE ${PLANNER_SOURCES})
@@ -11,8 +12,8 @@ function(avoidbench_planner name)
     target_compile_options(${name} PRIVATE -ffp-contract=off)
   endif()
   target_link_libraries(${name} PRIVATE avoidbench::planner_api ${PLANNER_PRIVATE})
-  set_target_properties(${name} PROPERTIES PREFIX "" CXX_VISIBILITY_PRESET hidden C_VISIBILITY_PRESET hidden
-                        VISIBILITY_INLINES_HIDDEN ON
+  set_target_properties(${name} PROPERTIES PREFIX "" SUFFIX ".so"
+                        CXX_VISIBILITY_PRESET hidden C_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
                         LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/planners)
-  install(TARGETS ${name} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/avoidbench/planners)
+  install(TARGETS ${name} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/avoidbench/planners COMPONENT planners)
 endfunction()

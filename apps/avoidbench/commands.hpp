@@ -5,7 +5,14 @@
 namespace avoidbench {
 
 /// Each adds one subcommand to `app`. Its work is done in the subcommand's callback, which throws
-/// InputError for bad input; main turns what is thrown into an exit code.
+/// InputError for bad input and CLI::RuntimeError for an exit code of its own; main turns what is
+/// thrown into an exit code.
+void add_run_command(CLI::App& app);
 void add_report_command(CLI::App& app);
+void add_planners_command(CLI::App& app);
+void add_maps_command(CLI::App& app);
+void add_metrics_command(CLI::App& app);
+void add_config_command(CLI::App& app);
+void add_worker_command(CLI::App& app);  ///< hidden
 
 }  // namespace avoidbench

@@ -32,8 +32,9 @@ std::filesystem::path newest_database() {
     std::filesystem::file_time_type time = std::filesystem::last_write_time(entry.path(), error);
     // What a run has just committed may be in the file beside it.
     const std::filesystem::path log = entry.path().string() + "-wal";
-    if (std::filesystem::exists(log, error))
-      time = std::max(time, std::filesystem::last_write_time(log, error));
+    const bool has_log =
+        std::filesystem::exists(log, error) && std::filesystem::file_size(log, error) > 0;
+    if (has_log) time = std::max(time, std::filesystem::last_write_time(log, error));
     const bool is_newer =
         newest.empty() || std::pair(time, entry.path()) > std::pair(newest_time, newest);
     if (!is_newer) continue;

@@ -16,8 +16,7 @@
 #include "commands.hpp"
 #include "config/sweep_file.hpp"
 #include "metrics/metric_table.hpp"
-#include "render/scene.hpp"
-#include "report/statistics.hpp"
+#include "render/device.hpp"
 #include "store/database.hpp"
 #include "sweep/allowed_cpus.hpp"
 #include "sweep/run_sweep.hpp"
@@ -35,7 +34,6 @@ struct RunCommand {
   int jobs = 0;
   double plan_timeout_s = 10.0;
   bool dry_run = false, in_process = false, quiet = false;
-  std::string command_line;
 };
 
 std::atomic<bool> stop_requested{false};
@@ -54,7 +52,15 @@ std::string cpu_model() {
   return "unknown";
 }
 
-RunRow provenance(const std::string& command_line) {
+/// The words this process was started with.
+std::string command_line() {
+  std::ifstream file("/proc/self/cmdline");
+  std::string line;
+  for (std::string word; std::getline(file, word, '\0');) line += (line.empty() ? "" : " ") + word;
+  return line;
+}
+
+RunRow provenance() {
   utsname system{};
   ::uname(&system);
   const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
@@ -69,8 +75,8 @@ RunRow provenance(const std::string& command_line) {
           .flags = kCompilerFlags,
           .host = system.nodename,
           .cpu = cpu_model(),
-          .isa = render_isa(),
-          .command_line = command_line};
+          .isa = embree::ray_tracing_isa(),
+          .command_line = command_line()};
 }
 
 std::string duration_text(double duration_s) {
@@ -89,7 +95,8 @@ std::string duration_text(double duration_s) {
 /// Draws progress on stderr: one live line on a terminal, else a line each tenth of the way.
 class ProgressLine {
  public:
-  explicit ProgressLine(bool is_quiet) : is_quiet_(is_quiet), is_live_(::isatty(STDERR_FILENO) == 1) {}
+  explicit ProgressLine(bool is_quiet)
+      : is_quiet_(is_quiet), is_live_(::isatty(STDERR_FILENO) == 1) {}
 
   void draw(const Progress& progress) {
     if (is_quiet_) return;
@@ -97,7 +104,8 @@ class ProgressLine {
     const auto now = std::chrono::steady_clock::now();
     const bool is_last = progress.done >= due;
     const std::int64_t tenth = due > 0 ? 10 * progress.done / due : 10;
-    const bool is_due = is_live_ ? is_last || now - drawn_ > std::chrono::milliseconds(200) : tenth > tenth_;
+    const bool is_due =
+        is_live_ ? is_last || now - drawn_ > std::chrono::milliseconds(200) : tenth > tenth_;
     if (!is_due) return;
     drawn_ = now;
     tenth_ = tenth;
@@ -105,14 +113,17 @@ class ProgressLine {
     const auto flown = static_cast<double>(progress.done - progress.done_before);
     std::string line = std::to_string(progress.done) + "/" + std::to_string(due) + " trials";
     if (flown > 0 && !is_last) {
-      line += ", " + duration_text(elapsed_s / flown * static_cast<double>(due - progress.done)) + " left";
+      line += ", " + duration_text(elapsed_s / flown * static_cast<double>(due - progress.done)) +
+              " left";
     } else if (is_last) {
       line += " in " + duration_text(elapsed_s);
     }
     for (const auto& [label, planner] : progress.planners) {
-      line += " | " + label + " " + std::to_string(planner.reached_goal) + "/" + std::to_string(planner.flown);
+      line += " | " + label + " " + std::to_string(planner.reached_goal) + "/" +
+              std::to_string(planner.flown);
     }
-    std::fprintf(stderr, is_live_ ? "\r\033[K%s%s" : "%s%s", line.c_str(), is_live_ && !is_last ? "" : "\n");
+    std::fprintf(stderr, is_live_ ? "\r\033[K%s%s" : "%s%s", line.c_str(),
+                 is_live_ && !is_last ? "" : "\n");
     std::fflush(stderr);
   }
 
@@ -127,8 +138,9 @@ std::string program_file() { return std::filesystem::read_symlink("/proc/self/ex
 void print_trials(const SweepSpec& sweep) {
   const std::vector<TrialSpec> trials = expand(sweep);
   for (const TrialSpec& trial : trials) {
-    std::cout << trial_key(trial).substr(0, 12) << "  map " << map_key(trial).substr(0, 12) << " seed "
-              << trial.map_seed << "  mission " << trial.mission_index << "  " << trial.planner.label << '\n';
+    std::cout << trial_key(trial).substr(0, 12) << "  map " << map_key(trial).substr(0, 12)
+              << " seed " << trial.map_seed << "  mission " << trial.mission_index << "  "
+              << trial.planner.label << '\n';
   }
   std::cerr << trials.size() << " trials\n";
 }
@@ -164,59 +176,69 @@ void run(const RunCommand& command) {
   ProgressLine line(command.quiet);
   char timeout[32];
   std::snprintf(timeout, sizeof timeout, "%.17g", command.plan_timeout_s);
-  const RunSummary summary = run_sweep(
-      sweep, provenance(command.command_line), database,
-      {.jobs = jobs,
-       .in_process = command.in_process,
-       .worker_command = {program_file(), "worker", "--plan-timeout", timeout},
-       .plan_timeout_s = command.plan_timeout_s,
-       .on_progress = [&line](const Progress& progress) { line.draw(progress); },
-       .stop = &stop_requested});
+  const RunSummary summary =
+      run_sweep(sweep, provenance(), database,
+                {.jobs = jobs,
+                 .in_process = command.in_process,
+                 .worker_command = {program_file(), "worker", "--plan-timeout", timeout},
+                 .plan_timeout_s = command.plan_timeout_s,
+                 .on_progress = [&line](const Progress& progress) { line.draw(progress); },
+                 .stop = &stop_requested});
   const Progress& progress = summary.progress;
   if (progress.done_before > 0) {
     std::cerr << progress.done_before << " trials were there already\n";
   }
   if (progress.invalid_missions > 0) {
     std::cerr << progress.invalid_missions
-              << " trials have an invalid mission (no free start or goal, or no way between them) and are not flown\n";
+              << " trials have an invalid mission (no free start or goal, or no way between them) "
+                 "and are not flown\n";
   }
   if (summary.is_stopped) {
     std::cerr << "stopped; run the same command again to go on\n";
     throw CLI::RuntimeError(stop_signal == SIGINT ? kExitInterrupted : kExitStopped);
   }
-  std::cerr << "results are in " << file.string() << "; to see them: avoidbench report " << file.string() << '\n';
+  std::cerr << "results are in " << file.string() << "; to see them: avoidbench report "
+            << file.string() << '\n';
 }
 
 }  // namespace
 
 void add_run_command(CLI::App& app) {
   const auto options = std::make_shared<RunCommand>();
-  CLI::App* command = app.add_subcommand("run", "Fly a sweep's trials and store them in a database");
-  command->add_option("sweep", options->sweep_file, "Sweep file (YAML)")->required()->type_name("FILE");
-  command->add_option("--set", options->overrides, "Override one value of the sweep file, as in maps.poisson_radius_m=3.0; repeatable")
+  CLI::App* command =
+      app.add_subcommand("run", "Fly a sweep's trials and store them in a database");
+  command->add_option("sweep", options->sweep_file, "Sweep file (YAML)")
+      ->required()
+      ->type_name("FILE");
+  command
+      ->add_option(
+          "--set", options->overrides,
+          "Override one value of the sweep file, as in maps.poisson_radius_m=3.0; repeatable")
       ->type_name("PATH=VALUE")
       ->allow_extra_args(false);
-  command->add_option("-o,--db", options->database_file, "Database file [results/<sweep name>.db]")->type_name("FILE");
+  command->add_option("-o,--db", options->database_file, "Database file [results/<sweep name>.db]")
+      ->type_name("FILE");
   command->add_option("-j,--jobs", options->jobs, "Worker processes; 0: one per allowed CPU")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
-  command->add_option("--plan-timeout", options->plan_timeout_s, "Wall time after which a plan call counts as hung, s")
+  command
+      ->add_option("--plan-timeout", options->plan_timeout_s,
+                   "Wall time after which a plan call counts as hung, s")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   command->add_flag("--dry-run", options->dry_run, "Print the trials and fly none");
   command->add_flag("--in-process", options->in_process, "Fly in this process, for debuggers");
   command->add_flag("-q,--quiet", options->quiet, "No progress on stderr");
   command->footer(
-      "The same sweep gives the same rows for any number of workers. Trials that the database has are skipped, so the\n"
+      "The same sweep gives the same rows for any number of workers. Trials that the database has "
+      "are skipped, so the\n"
       "same command goes on where it was stopped.\n\n"
       "Examples:\n"
       "  avoidbench run configs/sweeps/quick.yaml\n"
-      "  avoidbench run configs/sweeps/forest_small.yaml --set trials=20 --db forest.db --jobs 2\n\n"
+      "  avoidbench run configs/sweeps/forest_small.yaml --set trials=20 --db forest.db --jobs "
+      "2\n\n"
       "Exit codes: 0 done, 2 usage or input, 75 stopped by SIGTERM or SIGUSR1, 130 interrupted");
-  command->callback([options, &app] {
-    options->command_line = app.get_footer();
-    run(*options);
-  });
+  command->callback([options] { run(*options); });
 }
 
 }  // namespace avoidbench

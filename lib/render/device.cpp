@@ -7,14 +7,19 @@ namespace avoidbench::embree {
 namespace {
 
 DeviceHandle new_device() {
-  __builtin_cpu_init();
-  const bool has_avx2 = __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
-  DeviceHandle handle(rtcNewDevice(has_avx2 ? "threads=1,isa=avx2" : "threads=1,isa=sse4.2"));
+  const std::string settings = "threads=1,isa=" + ray_tracing_isa();
+  DeviceHandle handle(rtcNewDevice(settings.c_str()));
   AB_CHECK(handle != nullptr, "Embree error", static_cast<int>(rtcGetDeviceError(nullptr)));
   return handle;
 }
 
 }  // namespace
+
+std::string ray_tracing_isa() {
+  __builtin_cpu_init();
+  const bool has_avx2 = __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
+  return has_avx2 ? "avx2" : "sse4.2";
+}
 
 RTCDevice device() {
   static const DeviceHandle handle = new_device();

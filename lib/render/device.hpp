@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "render/embree.hpp"
 
 namespace avoidbench::embree {
@@ -8,6 +10,9 @@ namespace avoidbench::embree {
 /// set pinned to AVX2 where the processor has it and to SSE4.2 elsewhere, since other sets change
 /// which triangle an edge pixel hits.
 RTCDevice device();
+
+/// The instruction set that device() is pinned to: "avx2" or "sse4.2".
+std::string ray_tracing_isa();
 
 /// Throws InputError where Embree ran out of memory since the last call on this thread; aborts on
 /// any other error.

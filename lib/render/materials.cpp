@@ -54,12 +54,12 @@ SurfaceLook soil(const SurfacePoint& p) {
 SurfaceLook bark(const SurfacePoint& p) {
   // Streaks run up the stem: they are long in z and narrow around it.
   const Vector3f streaked(p.position_object.x(), p.position_object.y(),
-                          p.position_object.z() * 0.14F);
+                          p.position_object.z() * 0.22F);
   const float plates =
-      fractal_value_noise(streaked / 0.055F, 3, p.footprint_m / 0.055F, p.object_seed);
+      fractal_value_noise(streaked / 0.06F, 4, p.footprint_m / 0.06F, p.object_seed);
   const float blotches =
       fractal_value_noise(p.position_object / 0.7F, 3, p.footprint_m / 0.7F, p.object_seed + 7U);
-  const float crack = smooth_step(0.30F, 0.50F, plates);
+  const float crack = smooth_step(0.34F, 0.52F, plates);
   SurfaceLook look;
   look.albedo = mix({0.030F, 0.020F, 0.014F}, {0.24F, 0.165F, 0.11F}, crack);
   look.albedo *= 0.65F + 0.7F * blotches;
@@ -75,16 +75,28 @@ SurfaceLook leaf(const SurfacePoint& p) {
   const Vector3f& at = p.position_object;
   const float plant = lattice_value(0, 0, 0, p.object_seed);
   const float cluster = value_noise(at / 0.45F, p.object_seed + 3U);
-  const float leaves = fractal_value_noise(at / 0.085F, 2, p.footprint_m / 0.085F, p.object_seed);
-  const float gap = smooth_step(0.25F, 0.55F, leaves);
-  const Vector3f dark = mix({0.020F, 0.055F, 0.012F}, {0.040F, 0.060F, 0.012F}, plant);
-  const Vector3f light = mix({0.11F, 0.23F, 0.038F}, {0.25F, 0.27F, 0.045F}, plant);
+  const Vector3f dark = mix({0.020F, 0.050F, 0.010F}, {0.045F, 0.060F, 0.010F}, plant);
+  const Vector3f light = mix({0.10F, 0.22F, 0.034F}, {0.25F, 0.28F, 0.045F}, plant);
   SurfaceLook look;
-  look.albedo = mix(dark, light, 0.25F + 0.75F * cluster) * (0.35F + 0.9F * gap);
-  look.normal_tilt = 0.9F * seen(0.11F, p.footprint_m) * tilt_noise(at / 0.11F, 131U) +
-                     0.5F * tilt_noise(at / 0.4F, 171U);
   look.translucency = 0.55F;
-  look.crevice = 0.35F + 0.65F * gap;
+  look.normal_tilt = 0.45F * tilt_noise(at / 0.4F, 171U);
+  // Single leaves, each of its own tone and tilt, with the dark of the crown between them.
+  constexpr float kLeaf = 0.085F;
+  const float visible = seen(kLeaf, p.footprint_m);
+  float tone = 0.25F + 0.5F * cluster;
+  float between = 0.35F;
+  if (visible > 0.0F) {
+    const Cell cell = nearest_cell(at / kLeaf, p.object_seed);
+    const auto part = [&](unsigned shift) {
+      return static_cast<float>((cell.hash >> shift) & 0xffU) / 255.0F;
+    };
+    tone += visible * 0.6F * (part(3U) - 0.5F);
+    between += visible * (smooth_step(0.12F, 0.42F, cell.square_distance) - 0.35F);
+    look.normal_tilt +=
+        visible * 1.3F * Vector3f(part(7U) - 0.5F, part(13U) - 0.5F, part(21U) - 0.5F);
+  }
+  look.albedo = mix(dark, light, std::clamp(tone, 0.0F, 1.0F)) * (1.25F - 0.95F * between);
+  look.crevice = 1.0F - 0.65F * between;
   return look;
 }
 
@@ -131,7 +143,7 @@ SurfaceLook concrete(const SurfacePoint& p) {
   const float width_m = 0.012F + 0.5F * p.footprint_m;
   const float groove = 1.0F - smooth_step(0.4F * width_m, width_m, 3.0F * joint.minCoeff());
   SurfaceLook look;
-  look.albedo = mix({0.22F, 0.215F, 0.205F}, {0.52F, 0.51F, 0.48F}, stain);
+  look.albedo = mix({0.15F, 0.147F, 0.14F}, {0.36F, 0.35F, 0.33F}, stain);
   look.albedo *= (0.72F + 0.56F * grit) * (1.0F - 0.55F * groove * 0.012F / width_m);
   return look;
 }
@@ -140,7 +152,7 @@ SurfaceLook painted_metal(const SurfacePoint& p) {
   static const std::array<Vector3f, 6> kPaints{
       Vector3f(0.78F, 0.50F, 0.045F), Vector3f(0.55F, 0.075F, 0.050F),
       Vector3f(0.055F, 0.19F, 0.46F), Vector3f(0.075F, 0.34F, 0.16F),
-      Vector3f(0.70F, 0.26F, 0.040F), Vector3f(0.42F, 0.42F, 0.40F)};
+      Vector3f(0.70F, 0.26F, 0.040F), Vector3f(0.050F, 0.055F, 0.060F)};
   const Vector3f& at = p.position_object;
   const Vector3f paint = kPaints[lattice_hash(1, 2, 3, p.object_seed) % kPaints.size()];
   // Stripes wind around the object's z axis, one turn a period, so that they close on themselves.
@@ -163,8 +175,9 @@ SurfaceLook painted_metal(const SurfacePoint& p) {
 /// About the mean of each material, in the order of the enum: what a bland surface looks like.
 Vector3f bland_albedo(Material material) {
   static const std::array<Vector3f, 6> kMeans{
-      Vector3f(0.13F, 0.12F, 0.055F), Vector3f(0.14F, 0.10F, 0.07F), Vector3f(0.10F, 0.15F, 0.03F),
-      Vector3f(0.33F, 0.14F, 0.09F),  Vector3f(0.37F, 0.36F, 0.34F), Vector3f(0.45F, 0.44F, 0.42F)};
+      Vector3f(0.13F, 0.12F, 0.055F), Vector3f(0.14F, 0.10F, 0.07F),
+      Vector3f(0.10F, 0.15F, 0.03F),  Vector3f(0.33F, 0.14F, 0.09F),
+      Vector3f(0.25F, 0.245F, 0.23F), Vector3f(0.45F, 0.44F, 0.42F)};
   return kMeans[static_cast<std::size_t>(material)];
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <tuple>
+#include <vector>
 
 #include "base/check.hpp"
 #include "render/scene_internals.hpp"
@@ -15,70 +16,92 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// are widened by this.
 double float_slack(const Vector3d& point) { return 1e-4 + 1e-6 * point.cwiseAbs().maxCoeff(); }
 
-/// A sphere around a point that shrinks as nearer surfaces are found, and the way from Embree's
-/// callback to a triangle.
+/// A sphere around a point that shrinks as nearer surfaces are found.
 struct Search {
   const Scene::Internals& scene;
   Vector3d center_world;
+  double radius_m;
   double slack_m;
-  std::uint32_t instance = ~0U;  ///< of the last triangle offered
-  Vector3d center_in_planes =
-      Vector3d::Zero();       ///< the centre in the frame of that instance's planes
-  double planes_scale = 1.0;  ///< metres a unit of that frame
+  std::uint32_t instance = 0;  ///< whose triangles are offered; where flattened, Embree says
+  Vector3d center_in_planes;   ///< the centre in the frame of the instance's planes
+  double planes_scale = 1.0;   ///< metres a unit of that frame
 
-  Search(const Scene::Internals& s, const Vector3d& center)
-      : scene(s), center_world(center), slack_m(float_slack(center)), center_in_planes(center) {}
+  Search(const Scene::Internals& s, const Vector3d& center, double radius)
+      : scene(s),
+        center_world(center),
+        radius_m(radius),
+        slack_m(float_slack(center)),
+        center_in_planes(center) {}
 
-  std::uint32_t enter_instance(const RTCPointQueryFunctionArguments& offered) {
-    if (scene.flattened) return offered.geomID;
-    const std::uint32_t entered = offered.context->instID[0];
-    if (entered != instance) {
-      const Placement& placement = scene.placements[entered];
-      instance = entered;
-      center_in_planes =
-          placement.linear_prototype_world * (center_world - placement.position_world);
-      planes_scale = placement.scale;
-    }
-    return entered;
-  }
-
-  /// Distance from the centre to the triangle's plane, a lower bound of that to the triangle, less
-  /// what it may be off by.
-  double lower_bound_m(std::uint32_t entered, std::uint32_t triangle) const {
+  /// Whether the triangle's plane is farther off than the radius.
+  bool is_beyond(std::uint32_t entered, std::uint32_t triangle) const {
     const TrianglePlane& p = scene.placements[entered].planes[triangle];
-    const double signed_distance = p.nx * center_in_planes.x() + p.ny * center_in_planes.y() +
-                                   p.nz * center_in_planes.z() - p.offset;
-    return std::abs(signed_distance) * planes_scale * (1.0 - 1e-6) - slack_m;
+    const double height = p.nx * center_in_planes.x() + p.ny * center_in_planes.y() +
+                          p.nz * center_in_planes.z() - p.offset;
+    return std::abs(height) * planes_scale * (1.0 - 1e-6) - slack_m > radius_m;
   }
 };
 
-/// Offers `visit` every triangle within `radius_m` of the search's centre, and perhaps some beyond.
-/// It returns the radius from there on, in metres, at most the one before.
+/// Passes the search's sphere, in the frame where a unit is `scale` metres, to Embree. Returns
+/// whether it shrank.
+bool shrink(RTCPointQuery* query, const Search& search, double scale) {
+  const auto radius = static_cast<float>((search.radius_m + search.slack_m) / scale * (1.0 + 1e-6));
+  if (radius >= query->radius) return false;
+  query->radius = radius;
+  return true;
+}
+
+void run_query(RTCScene scene, const Vector3d& center, const Search& search, double scale,
+               RTCPointQueryFunction function, void* data) {
+  RTCPointQuery query{};
+  query.x = static_cast<float>(center.x());
+  query.y = static_cast<float>(center.y());
+  query.z = static_cast<float>(center.z());
+  query.radius = std::numeric_limits<float>::infinity();
+  shrink(&query, search, scale);
+  RTCPointQueryContext context;
+  rtcInitPointQueryContext(&context);
+  rtcPointQuery(scene, &query, &context, function, data);
+}
+
+/// Offers `visit` every triangle within the search's radius, and perhaps some beyond; it may lessen
+/// the radius. Embree 3.13's own way into instances misses triangles of scaled ones, so that here
+/// each instance is a query of its own, in its prototype's frame.
 template <class Visit>
-void for_triangles_within(Search& search, double radius_m, Visit visit) {
+void for_triangles_within(Search& search, Visit visit) {
   struct Callback {
     Search& search;
     Visit& visit;
   } callback{search, visit};
-  RTCPointQuery query{};
-  query.x = static_cast<float>(search.center_world.x());
-  query.y = static_cast<float>(search.center_world.y());
-  query.z = static_cast<float>(search.center_world.z());
-  query.radius = static_cast<float>(radius_m + search.slack_m);
-  RTCPointQueryContext context;
-  rtcInitPointQueryContext(&context);
-  rtcPointQuery(
-      search.scene.top.get(), &query, &context,
-      [](RTCPointQueryFunctionArguments* offered) {
-        auto& [held_search, held_visit] = *static_cast<Callback*>(offered->userPtr);
-        const std::uint32_t instance = held_search.enter_instance(*offered);
-        const double radius = held_visit(instance, offered->primID);
-        const auto widened = static_cast<float>(radius + held_search.slack_m);
-        if (widened >= offered->query->radius) return false;
-        offered->query->radius = widened;
-        return true;
-      },
-      &callback);
+  if (search.scene.flattened) {
+    const auto offer = [](RTCPointQueryFunctionArguments* offered) {
+      auto& [held, held_visit] = *static_cast<Callback*>(offered->userPtr);
+      if (held.is_beyond(offered->geomID, offered->primID)) return false;
+      held_visit(offered->geomID, offered->primID);
+      return shrink(offered->query, held, 1.0);
+    };
+    run_query(search.scene.top.get(), search.center_world, search, 1.0, offer, &callback);
+    return;
+  }
+  const auto enter = [](RTCPointQueryFunctionArguments* entered) {
+    auto& [held, held_visit] = *static_cast<Callback*>(entered->userPtr);
+    held.instance = entered->primID;
+    const Placement& placement = held.scene.placements[held.instance];
+    held.planes_scale = placement.scale;
+    held.center_in_planes =
+        placement.linear_prototype_world * (held.center_world - placement.position_world);
+    const auto offer = [](RTCPointQueryFunctionArguments* offered) {
+      auto& [inner, inner_visit] = *static_cast<Callback*>(offered->userPtr);
+      if (inner.is_beyond(inner.instance, offered->primID)) return false;
+      inner_visit(inner.instance, offered->primID);
+      return shrink(offered->query, inner, inner.planes_scale);
+    };
+    const std::uint32_t prototype = held.scene.world->instances[held.instance].prototype;
+    run_query(held.scene.prototypes[prototype].get(), held.center_in_planes, held, placement.scale,
+              offer, entered->userPtr);
+    return shrink(entered->query, held, 1.0);
+  };
+  run_query(search.scene.instance_boxes.get(), search.center_world, search, 1.0, enter, &callback);
 }
 
 Triangle in_body(Triangle triangle, const Eigen::Matrix3d& R_body_world, const Vector3d& origin) {
@@ -116,21 +139,18 @@ NearestPoint Scene::nearest(const Vector3d& point_world, double limit_m) const {
   NearestPoint best;
   std::uint32_t best_triangle = ~0U;
   double best_square = kInfinity;
-  double radius_m = limit_m;
-  Search search(*internals_, point_world);
-  for_triangles_within(search, limit_m, [&](std::uint32_t instance, std::uint32_t triangle) {
-    if (search.lower_bound_m(instance, triangle) > radius_m) return radius_m;
+  Search search(*internals_, point_world, limit_m);
+  for_triangles_within(search, [&](std::uint32_t instance, std::uint32_t triangle) {
     const Vector3d point =
         closest_point(point_world, world_triangle(*internals_, instance, triangle));
     const double square = (point - point_world).squaredNorm();
     const bool nearer =
         std::tie(square, instance, triangle) < std::tie(best_square, best.instance, best_triangle);
-    if (!nearer || std::sqrt(square) > limit_m) return radius_m;
+    if (!nearer || std::sqrt(square) > limit_m) return;
     best_square = square;
     best_triangle = triangle;
     best = {std::sqrt(square), point, instance};
-    radius_m = best.distance_m;
-    return radius_m;
+    search.radius_m = best.distance_m;
   });
   return best;
 }
@@ -140,18 +160,15 @@ std::optional<BodyContact> Scene::touch(const Vector3d& size_m, const Pose& T_wo
   const Vector3d center = T_world_body.translation();
   AB_CHECK((half.array() >= 0.0).all() && center.allFinite(), size_m.transpose());
   const Eigen::Matrix3d R_body_world = T_world_body.linear().transpose();
-  const double radius_m = half.norm();
   std::optional<BodyContact> contact;
-  Search search(*internals_, center);
-  for_triangles_within(search, radius_m, [&](std::uint32_t instance, std::uint32_t triangle) {
+  Search search(*internals_, center, half.norm());
+  for_triangles_within(search, [&](std::uint32_t instance, std::uint32_t triangle) {
     if (contact && std::tie(contact->instance, contact->triangle) < std::tie(instance, triangle)) {
-      return radius_m;
+      return;
     }
-    if (search.lower_bound_m(instance, triangle) > radius_m) return radius_m;
     const Triangle corners =
         in_body(world_triangle(*internals_, instance, triangle), R_body_world, center);
     if (overlaps(half, corners)) contact = BodyContact{instance, triangle};
-    return radius_m;
   });
   return contact;
 }
@@ -163,23 +180,30 @@ double Scene::body_clearance(const Vector3d& size_m, const Pose& T_world_body,
   AB_CHECK((half.array() >= 0.0).all() && center.allFinite(), size_m.transpose());
   const Eigen::Matrix3d R_body_world = T_world_body.linear().transpose();
   const double half_diagonal = half.norm();
-  double best = kInfinity;
-  double bound =
-      limit_m;  // the clearance is at most this, but for rounding; or nothing is within the limit
-  Search search(*internals_, center);
-  const auto radius = [&] { return half_diagonal + bound; };
-  for_triangles_within(search, radius(), [&](std::uint32_t instance, std::uint32_t triangle) {
-    if (search.lower_bound_m(instance, triangle) > radius()) return radius();
+  double bound = limit_m;  // the clearance is at most this, or nothing is within the limit
+  struct Candidate {
+    double lower;
+    Triangle corners;
+  };
+  std::vector<Candidate> candidates;
+  Search search(*internals_, center, half_diagonal + bound);
+  for_triangles_within(search, [&](std::uint32_t instance, std::uint32_t triangle) {
     const Triangle corners =
         in_body(world_triangle(*internals_, instance, triangle), R_body_world, center);
     const DistanceBounds bounds = distance_bounds(half, corners);
+    if (bounds.lower > bound) return;
+    candidates.push_back({bounds.lower, corners});
     bound = std::min(bound, bounds.upper);
-    if (bounds.lower > bound) return radius();
-    const double exact = distance(half, corners);
+    search.radius_m = half_diagonal + bound;
+  });
+  // The exact distance is dear: only for those that may still be the nearest.
+  double best = kInfinity;
+  for (const Candidate& candidate : candidates) {
+    if (candidate.lower > bound) continue;
+    const double exact = distance(half, candidate.corners);
     if (exact <= limit_m) best = std::min(best, exact);
     bound = std::min(bound, exact + 1e-9);
-    return radius();
-  });
+  }
   return best;
 }
 

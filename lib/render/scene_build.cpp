@@ -1,4 +1,5 @@
 #include <cstring>
+#include <limits>
 
 #include "base/check.hpp"
 #include "render/device.hpp"
@@ -131,6 +132,44 @@ void build_instanced(Scene::Internals& scene) {
   }
 }
 
+/// The instance's box, widened by more than float rounding; inside out, as Embree wants it, where
+/// it is empty.
+RTCBounds instance_bounds(const TriangleMesh& mesh, const Placement& placement) {
+  Aabb box;
+  for (const Vector3f& vertex : mesh.vertices) {
+    box.extend(placement.linear_world_prototype * vertex.cast<double>() + placement.position_world);
+  }
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  if (mesh.triangles.empty()) {
+    return {kInfinity, kInfinity, kInfinity, 0.0F, -kInfinity, -kInfinity, -kInfinity, 0.0F};
+  }
+  const double slack = 1e-5 + 1e-6 * box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
+  const Vector3f low = (box.min().array() - slack).matrix().cast<float>();
+  const Vector3f high = (box.max().array() + slack).matrix().cast<float>();
+  return {low.x(), low.y(), low.z(), 0.0F, high.x(), high.y(), high.z(), 0.0F};
+}
+
+void build_instance_boxes(Scene::Internals& scene) {
+  const World& world = *scene.world;
+  for (std::size_t i = 0; i < world.instances.size(); ++i) {
+    const TriangleMesh& mesh = world.prototypes[world.instances[i].prototype].mesh;
+    scene.bounds.push_back(instance_bounds(mesh, scene.placements[i]));
+  }
+  scene.instance_boxes = make_scene();
+  const embree::GeometryHandle boxes(rtcNewGeometry(embree::device(), RTC_GEOMETRY_TYPE_USER));
+  rtcSetGeometryUserPrimitiveCount(boxes.get(), static_cast<unsigned>(scene.bounds.size()));
+  rtcSetGeometryUserData(boxes.get(), scene.bounds.data());
+  rtcSetGeometryBoundsFunction(
+      boxes.get(),
+      [](const RTCBoundsFunctionArguments* asked) {
+        *asked->bounds_o = static_cast<const RTCBounds*>(asked->geometryUserPtr)[asked->primID];
+      },
+      nullptr);
+  rtcCommitGeometry(boxes.get());
+  rtcAttachGeometryByID(scene.instance_boxes.get(), boxes.get(), 0);
+  commit(scene.instance_boxes.get());
+}
+
 void check_world(const World& world) {
   for (const Prototype& prototype : world.prototypes) {
     AB_CHECK(prototype.triangle_materials.size() == prototype.mesh.triangles.size(),
@@ -162,6 +201,7 @@ std::unique_ptr<Scene::Internals> build_internals(const World& world,
     build_flattened(*scene);
   } else {
     build_instanced(*scene);
+    build_instance_boxes(*scene);
   }
   commit(scene->top.get());
   return scene;

@@ -40,6 +40,9 @@ struct Scene::Internals {
   bool flattened = true;
   embree::SceneHandle top;
   std::vector<embree::SceneHandle> prototypes;  ///< empty where flattened
+  embree::SceneHandle
+      instance_boxes;  ///< an instance a primitive, for point queries; none where flattened
+  std::vector<RTCBounds> bounds;  ///< its boxes
   std::vector<std::vector<TrianglePlane>>
       planes;                         ///< one list an instance where flattened, else a prototype
   std::vector<Placement> placements;  ///< one an instance

@@ -14,7 +14,7 @@ struct Light {
   double sun = 0.75;  ///< strength of the direct light
   double sky = 0.45;  ///< strength of the light from above
   bool shadows = true;
-  double haze_range_m = 120.0;  ///< distance at which the haze takes 63 % of the colour; +inf: none
+  double haze_range_m = 200.0;  ///< distance at which the haze takes 63 % of the colour; +inf: none
 };
 
 /// The colour image seen from `T_world_camera`, sRGB 8-bit, `rgb` is height × width × 3, row-major.

@@ -108,6 +108,7 @@ std::vector<std::pair<std::string, std::string>> legend(const Section& section) 
       if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(line);
     }
   }
+  lines.insert(lines.end(), section.notes.begin(), section.notes.end());
   return lines;
 }
 
@@ -126,8 +127,6 @@ std::string text_of(const Section& section) {
     out +=
         wrapped(aligned(header, header_width, true) + "  " + doc, kWidth, header_width + 2) + "\n";
   }
-  for (const std::string& note : section.notes)
-    out += wrapped(note, kWidth, header_width + 2) + "\n";
   return out;
 }
 
@@ -165,7 +164,6 @@ std::string markdown_of(const Section& section) {
   for (const auto& [header, doc] : legend(section)) {
     out += "- **" + in_markdown(header) + "** " + in_markdown(doc) + "\n";
   }
-  for (const std::string& note : section.notes) out += "- " + in_markdown(note) + "\n";
   return out;
 }
 

@@ -182,7 +182,9 @@ Contrast contrast_of(const SweepSummary& summary, const std::vector<Trials>& by_
                      std::size_t one, std::size_t two) {
   const PlannerSummary& a = summary.overall[one];
   const PlannerSummary& b = summary.overall[two];
-  Contrast contrast{.planner_1 = one, .planner_2 = two};
+  Contrast contrast;
+  contrast.planner_1 = one;
+  contrast.planner_2 = two;
   contrast.factor = contrast_factor(a.success_rate, a.mean_reference_length_m, b.success_rate,
                                     b.mean_reference_length_m);
   contrast.fisher_p =

@@ -7,8 +7,12 @@
 namespace avoidbench {
 namespace {
 
-Cell optional(double value, bool is_best = false) {
-  return std::isnan(value) ? Cell{} : Cell{.value = value, .is_best = is_best};
+void append(std::vector<Cell>& row, std::int64_t count) { row.emplace_back().value = count; }
+void append(std::vector<Cell>& row, const std::string& words) { row.emplace_back().value = words; }
+void append(std::vector<Cell>& row, double number, bool is_best = false) {
+  Cell& cell = row.emplace_back();
+  if (!std::isnan(number)) cell.value = number;
+  cell.is_best = is_best;
 }
 
 /// Short headers of the usual metrics; others stand with their name without unit.
@@ -37,7 +41,7 @@ std::string metric_doc(const MetricRow& metric) {
                                                    : "; mean of all trials";
   if (metric.better != Better::neither)
     doc += ", " + std::string(text(metric.better)) + " is better";
-  if (metric.is_measured) doc += "; measured on the host, differs from run to run";
+  if (metric.is_measured) doc += "; differs from run to run";
   return doc;
 }
 
@@ -72,15 +76,15 @@ void append_summary_columns(std::vector<Column>& columns, const SweepSummary& su
 }
 
 void append_summary_cells(std::vector<Cell>& row, const PlannerSummary& planner) {
-  row.push_back({planner.trial_count});
-  row.push_back({planner.finished_count});
-  row.push_back(optional(planner.success_rate, planner.is_best_rate));
-  row.push_back(optional(planner.success_interval.lower));
-  row.push_back(optional(planner.success_interval.upper));
+  append(row, planner.trial_count);
+  append(row, planner.finished_count);
+  append(row, planner.success_rate, planner.is_best_rate);
+  append(row, planner.success_interval.lower);
+  append(row, planner.success_interval.upper);
   for (const MetricMean& mean : planner.means) {
-    row.push_back(optional(mean.mean, mean.is_best));
-    row.push_back(optional(mean.standard_deviation));
-    row.push_back({mean.count});
+    append(row, mean.mean, mean.is_best);
+    append(row, mean.standard_deviation);
+    append(row, mean.count);
   }
 }
 
@@ -92,7 +96,8 @@ Table planner_table(const SweepSummary& summary) {
   Table table{.name = "planners", .title = "Planners", .columns = {planner_column()}, .rows = {}};
   append_summary_columns(table.columns, summary);
   for (const PlannerSummary& planner : summary.overall) {
-    std::vector<Cell> row{{summary.planners[planner.planner]}};
+    std::vector<Cell> row;
+    append(row, summary.planners[planner.planner]);
     append_summary_cells(row, planner);
     table.rows.push_back(std::move(row));
   }
@@ -130,11 +135,12 @@ Table group_table(const SweepSummary& summary) {
   append_summary_columns(table.columns, summary);
   for (const MapGroup& group : summary.groups) {
     for (const PlannerSummary& planner : group.planners) {
-      std::vector<Cell> row{{range_text(group)},
-                            {group.map_count},
-                            {group.lowest_ratio},
-                            {group.highest_ratio},
-                            {summary.planners[planner.planner]}};
+      std::vector<Cell> row;
+      append(row, range_text(group));
+      append(row, group.map_count);
+      append(row, group.lowest_ratio);
+      append(row, group.highest_ratio);
+      append(row, summary.planners[planner.planner]);
       append_summary_cells(row, planner);
       table.rows.push_back(std::move(row));
     }
@@ -154,8 +160,9 @@ Table outcome_table(const SweepSummary& summary) {
                              .doc = ""});
   }
   for (const PlannerSummary& planner : summary.overall) {
-    std::vector<Cell> row{{summary.planners[planner.planner]}};
-    for (const std::int64_t count : planner.outcome_counts) row.push_back({count});
+    std::vector<Cell> row;
+    append(row, summary.planners[planner.planner]);
+    for (const std::int64_t count : planner.outcome_counts) append(row, count);
     table.rows.push_back(std::move(row));
   }
   return table;
@@ -191,15 +198,19 @@ Table pair_table(const SweepSummary& summary) {
       {.name = "fisher_p",
        .header = "p",
        .unit = "",
-       .doc = "that the two success rates are equal (Fisher's exact test, two-sided)"});
+       .doc = "that the two success rates are equal (Fisher's exact test, two-sided)",
+       .place = Place::value,
+       .decimals = 3});
   for (const Contrast& contrast : summary.contrasts) {
-    table.rows.push_back({{summary.planners[contrast.planner_1]},
-                          {summary.planners[contrast.planner_2]},
-                          optional(contrast.factor),
-                          optional(contrast.smoothed_factor),
-                          optional(contrast.smoothed_interval.lower),
-                          optional(contrast.smoothed_interval.upper),
-                          {contrast.fisher_p}});
+    std::vector<Cell> row;
+    append(row, summary.planners[contrast.planner_1]);
+    append(row, summary.planners[contrast.planner_2]);
+    append(row, contrast.factor);
+    append(row, contrast.smoothed_factor);
+    append(row, contrast.smoothed_interval.lower);
+    append(row, contrast.smoothed_interval.upper);
+    append(row, contrast.fisher_p);
+    table.rows.push_back(std::move(row));
   }
   return table;
 }
@@ -225,10 +236,10 @@ Section sweep_section(const SweepSummary& summary) {
   section.tables.push_back(outcome_table(summary));
   if (!summary.contrasts.empty()) section.tables.push_back(pair_table(summary));
   if (summary.planners.size() > 1) {
-    section.notes.push_back(
-        "* best, and significantly so against every other planner (p < 0.05, Bonferroni; rates by "
-        "Fisher's "
-        "exact test, means by Wilcoxon's signed-rank test on the missions that both have)");
+    section.notes.emplace_back(
+        "*",
+        "best, and significantly so against every other planner (p < 0.05, Bonferroni): rates by "
+        "Fisher's exact test, means by Wilcoxon's signed-rank test on the missions that both have");
   }
   return section;
 }

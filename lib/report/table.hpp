@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -30,6 +31,7 @@ struct Column {
   std::string unit;    ///< for people, under the header; "" for none
   std::string doc;     ///< line of the legend; "" where the header says all
   Place place = Place::value;
+  int decimals = -1;  ///< for people; -1: three significant digits of the column's greatest number
 };
 
 struct Table {
@@ -44,7 +46,8 @@ struct Section {
   std::string name;  ///< of the sweep
   std::string title;
   std::vector<Table> tables;
-  std::vector<std::string> notes;     ///< under the legend
+  std::vector<std::pair<std::string, std::string>>
+      notes;                          ///< further lines of the legend: sign, meaning
   std::vector<std::string> warnings;  ///< before the tables
 };
 

@@ -57,12 +57,16 @@ std::string with_decimals(double value, int decimals) {
   if (std::isnan(value)) return "–";
   if (std::isinf(value)) return value < 0.0 ? "-inf" : "inf";
   std::array<char, 400> buffer{};
+  double least = 1.0;  // that is not shown as zero
+  for (int i = 0; i < decimals; ++i) least *= 0.1;
+  if (value > 0.0 && value < 0.5 * least) return "<" + with_decimals(least, decimals);
   std::snprintf(buffer.data(), buffer.size(), "%.*f", decimals, value);
   return buffer.data();
 }
 
 /// Decimals that show three significant digits of the greatest of the column's numbers.
 int decimals_of(const Table& table, std::size_t column) {
+  if (table.columns[column].decimals >= 0) return table.columns[column].decimals;
   double greatest = 0.0;
   for (const std::vector<Cell>& row : table.rows) {
     const double* value = std::get_if<double>(&row[column].value);

@@ -81,7 +81,15 @@ std::string views_sql(std::span<const MetricRow> metrics) {
 
 }  // namespace
 
-void Database::Close::operator()(sqlite3* handle) const { sqlite3_close_v2(handle); }
+void Database::Close::operator()(sqlite3* handle) const {
+  // A finished database is one file: it can be copied, and read in a folder that can't be written.
+  // Where somebody still reads it, it stays in WAL mode, which does no harm.
+  if (sqlite3_db_readonly(handle, "main") == 0) {
+    sqlite3_busy_timeout(handle, 0);
+    sqlite3_exec(handle, "PRAGMA journal_mode = DELETE", nullptr, nullptr, nullptr);
+  }
+  sqlite3_close_v2(handle);
+}
 
 Database::Database(std::filesystem::path path, std::unique_ptr<sqlite3, Close> handle)
     : path_(std::make_unique<const std::filesystem::path>(std::move(path))),

@@ -131,9 +131,22 @@ void write_record(const Database& db, const TrialRow& row) {
   }
 }
 
-constexpr std::string_view kInsertSweepTrial =
-    "INSERT INTO sweep_trials (sweep, revision, trial_key) SELECT ?, ?, trial_key FROM trials "
-    "WHERE trial_key = ? ON CONFLICT DO NOTHING";
+/// Notes that the finished trials among `keys`, and with them their missions, belong to the sweep.
+void insert_sweep_trials(const Database& db, std::string_view sweep, std::int64_t revision,
+                         std::span<const std::string> keys) {
+  Statement trial(
+      db.handle(), db.path(),
+      "INSERT INTO sweep_trials (sweep, revision, trial_key) SELECT ?, ?, trial_key FROM "
+      "trials WHERE trial_key = ? ON CONFLICT DO NOTHING");
+  Statement mission(
+      db.handle(), db.path(),
+      "INSERT INTO sweep_missions (sweep, revision, map_key, mission_index) SELECT ?, ?, "
+      "map_key, mission_index FROM trials WHERE trial_key = ? ON CONFLICT DO NOTHING");
+  for (const std::string& key : keys) {
+    trial.bind_text(sweep).bind_integer(revision).bind_text(key).run();
+    mission.bind_text(sweep).bind_integer(revision).bind_text(key).run();
+  }
+}
 
 }  // namespace
 
@@ -235,18 +248,14 @@ void Database::add_trial(const TrialRow& row) {
   for (const double value : row.metrics) insert.bind_real(value);
   insert.run();
   write_record(*this, row);
-  Statement member(handle(), path(), kInsertSweepTrial);
-  member.bind_text(row.sweep).bind_integer(revision).bind_text(row.key).run();
+  insert_sweep_trials(*this, row.sweep, revision, std::span(&row.key, 1));
   transaction.commit();
 }
 
 void Database::add_to_sweep(std::string_view sweep, std::span<const std::string> keys) {
   const std::int64_t revision = revision_of(sweep);
   Transaction transaction(handle(), path());
-  Statement member(handle(), path(), kInsertSweepTrial);
-  for (const std::string& key : keys) {
-    member.bind_text(sweep).bind_integer(revision).bind_text(key).run();
-  }
+  insert_sweep_trials(*this, sweep, revision, keys);
   transaction.commit();
 }
 

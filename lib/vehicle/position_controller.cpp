@@ -15,6 +15,13 @@ constexpr double kAlmostZero = 1e-3;
 
 double limited(double value, double limit) { return std::min(std::max(value, -limit), limit); }
 
+/// The horizontal part, no longer than `limit`.
+Eigen::Vector2d limited_across(const Vector3d& value, double limit) {
+  const Eigen::Vector2d across = value.head<2>();
+  const double size = across.norm();
+  return size > limit ? Eigen::Vector2d(across * (limit / size)) : across;
+}
+
 /// Axes with z along `thrust` and y as near as may be to `y_heading`; at a roll of 90° any x across
 /// z serves.
 Matrix3d axes_along(const Vector3d& thrust, const Vector3d& y_heading) {
@@ -113,13 +120,9 @@ RateTarget position_control(const VehicleModel& model, const VehicleState& state
 
   const Vector3d position_error = reference.position_world - state.position_world;
   const Vector3d velocity_error = reference.velocity_world - state.velocity_world;
-  const double position_xy = gains.position_error_max_xy_m,
-               velocity_xy = gains.velocity_error_max_xy_mps;
   Vector3d demand = reference.acceleration_world;
-  demand.x() += gains.kp_xy * limited(position_error.x(), position_xy) +
-                gains.kd_xy * limited(velocity_error.x(), velocity_xy);
-  demand.y() += gains.kp_xy * limited(position_error.y(), position_xy) +
-                gains.kd_xy * limited(velocity_error.y(), velocity_xy);
+  demand.head<2>() += gains.kp_xy * limited_across(position_error, gains.position_error_max_xy_m) +
+                      gains.kd_xy * limited_across(velocity_error, gains.velocity_error_max_xy_mps);
   demand.z() += gains.kp_z * limited(position_error.z(), gains.position_error_max_z_m) +
                 gains.kd_z * limited(velocity_error.z(), gains.velocity_error_max_z_mps) + g;
   const Matrix3d& R_reference = flat.R_world_body;

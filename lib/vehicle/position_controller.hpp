@@ -27,8 +27,9 @@ FlatState flat_state(const Reference& reference, const Eigen::Vector3d& drag_per
 /// rpg_quadrotor_control. Proportional-derivative on limited errors plus the reference's
 /// acceleration and drag give the demanded acceleration; its direction and the yaw give an
 /// attitude, proportional to whose error (a quaternion's vector part) rates are added to the
-/// reference's. We also limit the demanded tilt, keeping the vertical part, and rates and thrust to
-/// the vehicle's.
+/// reference's. Unlike there, horizontal errors are limited by their length, not axis by axis, so
+/// that turning the world turns the flight; the demanded tilt is limited, keeping the vertical
+/// part; rates and thrust are the vehicle's.
 RateTarget position_control(const VehicleModel& model, const VehicleState& state,
                             const Reference& reference);
 

@@ -5,8 +5,8 @@
 
 namespace avoidbench {
 
-RotorVector rate_control(const VehicleModel& model, const VehicleState& state,
-                         const RateTarget& target) {
+Eigen::Vector3d rate_torque(const VehicleModel& model, const VehicleState& state,
+                            const RateTarget& target) {
   using Eigen::Vector3d;
   const RateControllerSpec& gains = model.spec.rate_controller;
   RotorVector thrust_n(model.rotor_count);
@@ -19,10 +19,14 @@ RotorVector rate_control(const VehicleModel& model, const VehicleState& state,
   const Vector3d& wanted = target.rates_body_radps;
   const Vector3d& rates = state.rates_body;
   const Vector3d steady = wanted.cross(inertia.cwiseProduct(wanted));
-  const Vector3d torque = to_eigen(gains.p_nms_per_rad).cwiseProduct(wanted - rates) +
-                          to_eigen(gains.d_ratio).cwiseProduct(steady - torque_now) +
-                          rates.cross(inertia.cwiseProduct(rates));
-  return mix(model, target.thrust_mps2 * model.spec.mass_kg, torque);
+  return to_eigen(gains.p_nms_per_rad).cwiseProduct(wanted - rates) +
+         to_eigen(gains.d_ratio).cwiseProduct(steady - torque_now) +
+         rates.cross(inertia.cwiseProduct(rates));
+}
+
+RotorVector rate_control(const VehicleModel& model, const VehicleState& state,
+                         const RateTarget& target) {
+  return mix(model, target.thrust_mps2 * model.spec.mass_kg, rate_torque(model, state, target));
 }
 
 }  // namespace avoidbench

@@ -1,6 +1,7 @@
 #include "world/poisson_disc.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -12,8 +13,11 @@ namespace {
 constexpr int kCandidatesPerPoint = 30;
 constexpr double kSmallestGapRatio = 1e-9;
 
+constexpr std::int64_t kBorder = 2;  // empty cells around the grid
+constexpr double kNowhere = 1e100;   // coordinates of the sample of an empty cell
+
 /// The samples, in a grid whose cells hold at most one each: a cell's diagonal is just under the
-/// radius.
+/// radius, so that samples nearer than the radius are in the 5 × 5 cells around.
 class SampleGrid {
  public:
   SampleGrid(const Eigen::Vector2d& size_m, double radius_m)
@@ -22,7 +26,16 @@ class SampleGrid {
         cell_m_(radius_m * std::sqrt(0.5) * (1.0 - 1e-9)),
         columns_(static_cast<std::int64_t>(std::ceil(size_m.x() / cell_m_))),
         rows_(static_cast<std::int64_t>(std::ceil(size_m.y() / cell_m_))),
-        sample_of_cell_(static_cast<std::size_t>(columns_ * rows_), -1) {}
+        stride_(columns_ + 2 * kBorder),
+        cells_(static_cast<std::size_t>(stride_ * (rows_ + 2 * kBorder)),
+               Eigen::Vector2d(kNowhere, kNowhere)) {
+    // Rows above and below, nearest first: most answers are near.
+    for (const std::int64_t row : {0, -1, 1, -2, 2}) {
+      for (const std::int64_t column : {0, -1, 1, -2, 2}) {
+        steps_[steps_used_++] = row * stride_ + column;
+      }
+    }
+  }
 
   const std::vector<Eigen::Vector2d>& samples() const { return samples_; }
   double cell_m() const { return cell_m_; }
@@ -34,12 +47,12 @@ class SampleGrid {
            point.y() < size_m_.y();
   }
   bool occupied(std::int64_t column, std::int64_t row) const {
-    return sample_of_cell_[index(column, row)] >= 0;
+    return cells_[static_cast<std::size_t>(index(column, row))].x() < kNowhere;
   }
   void add(const Eigen::Vector2d& point) {
-    const std::size_t cell = index(column_of(point), row_of(point));
-    AB_CHECK(sample_of_cell_[cell] < 0);
-    sample_of_cell_[cell] = static_cast<std::int32_t>(samples_.size());
+    Eigen::Vector2d& cell = cells_[static_cast<std::size_t>(index_of(point))];
+    AB_CHECK(cell.x() == kNowhere);
+    cell = point;
     samples_.push_back(point);
   }
   /// Whether no sample is nearer than the radius.
@@ -58,36 +71,31 @@ class SampleGrid {
   }
 
  private:
-  std::int64_t column_of(const Eigen::Vector2d& p) const {
-    return std::clamp<std::int64_t>(static_cast<std::int64_t>(p.x() / cell_m_), 0, columns_ - 1);
+  std::int64_t index(std::int64_t column, std::int64_t row) const {
+    return (row + kBorder) * stride_ + column + kBorder;
   }
-  std::int64_t row_of(const Eigen::Vector2d& p) const {
-    return std::clamp<std::int64_t>(static_cast<std::int64_t>(p.y() / cell_m_), 0, rows_ - 1);
-  }
-  std::size_t index(std::int64_t column, std::int64_t row) const {
-    return static_cast<std::size_t>(row * columns_ + column);
+  std::int64_t index_of(const Eigen::Vector2d& p) const {
+    const auto column = static_cast<std::int64_t>(p.x() / cell_m_);
+    const auto row = static_cast<std::int64_t>(p.y() / cell_m_);
+    return index(std::clamp<std::int64_t>(column, 0, columns_ - 1),
+                 std::clamp<std::int64_t>(row, 0, rows_ - 1));
   }
 
   template <class Predicate>
   bool any_sample_near(const Eigen::Vector2d& point, const Predicate& predicate) const {
-    const std::int64_t column = column_of(point);
-    const std::int64_t row = row_of(point);
-    for (std::int64_t y = std::max<std::int64_t>(0, row - 2); y <= std::min(rows_ - 1, row + 2);
-         ++y) {
-      for (std::int64_t x = std::max<std::int64_t>(0, column - 2);
-           x <= std::min(columns_ - 1, column + 2); ++x) {
-        const std::int32_t sample = sample_of_cell_[index(x, y)];
-        if (sample >= 0 && predicate(samples_[static_cast<std::size_t>(sample)])) return true;
-      }
-    }
-    return false;
+    const std::int64_t middle = index_of(point);
+    return std::any_of(steps_.begin(), steps_.end(), [&](std::int64_t step) {
+      return predicate(cells_[static_cast<std::size_t>(middle + step)]);
+    });
   }
 
   Eigen::Vector2d size_m_;
   double squared_radius_;
   double cell_m_;
-  std::int64_t columns_, rows_;
-  std::vector<std::int32_t> sample_of_cell_;
+  std::int64_t columns_, rows_, stride_;
+  std::vector<Eigen::Vector2d> cells_;
+  std::array<std::int64_t, 25> steps_{};
+  std::size_t steps_used_ = 0;
   std::vector<Eigen::Vector2d> samples_;
 };
 

@@ -21,7 +21,8 @@ struct TubeRing {
 /// where its radius is 0.
 void add_tube(Prototype& prototype, std::span<const TubeRing> rings, int sides, Material material);
 
-/// What a tuft of foliage looks like: an icosphere with lumps, each of its faces drawn out to a leaf's tip.
+/// What a tuft of foliage looks like: an icosphere with lumps, each of its faces drawn out to a
+/// leaf's tip.
 struct TuftShape {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< columns: half axes; right-handed

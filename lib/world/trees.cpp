@@ -12,6 +12,10 @@ namespace {
 
 constexpr double kGoldenAngle_rad = 2.39996322972865332;
 constexpr double kRootDepth_m = 0.35;
+constexpr double kFineFoliageBelow_m = 3.8;
+constexpr int kLowTuftCount = 3;
+constexpr double kHighTuftRatio = 1.15;  // a few large tufts fill the crown
+constexpr double kHighLeafyRatio = 0.72;
 
 /// The habit of a kind of tree. Angles are from the vertical.
 struct Species {
@@ -77,18 +81,18 @@ constexpr std::array<Species, 6> kSpecies{
             .trunk_radius_m = 0.17,
             .trunk_wander_m = 0.05,
             .first_bough_m = 2.1,
-            .bough_count = 30,
+            .bough_count = 26,
             .lowest_angle_deg = 98.0,
-            .highest_angle_deg = 50.0,
-            .rise = 0.12,
+            .highest_angle_deg = 72.0,
+            .rise = 0.06,
             .wander = 0.05,
             .crown_radius_m = 1.75,
             .widest_ratio = 0.0,
             .side_bough_count = 0,
-            .cluster_radius_m = 0.36,
+            .cluster_radius_m = 0.4,
             .cluster_stretch = 2.1,
             .cluster_flatness = 0.55,
-            .dead_twig_count = 9},
+            .dead_twig_count = 7},
     Species{.name = "tree_forked",
             .seed = 44,
             .height_m = 7.2,
@@ -96,7 +100,7 @@ constexpr std::array<Species, 6> kSpecies{
             .trunk_wander_m = 0.1,
             .leader_count = 3,
             .first_bough_m = 1.7,
-            .bough_count = 15,
+            .bough_count = 13,
             .lowest_angle_deg = 70.0,
             .highest_angle_deg = 35.0,
             .rise = 0.3,
@@ -121,7 +125,7 @@ constexpr std::array<Species, 6> kSpecies{
             .crown_radius_m = 2.1,
             .widest_ratio = 0.45,
             .side_bough_count = 2,
-            .leafy_ratio = 0.88,
+            .leafy_ratio = 0.66,
             .cluster_radius_m = 0.52,
             .dead_twig_count = 2},
     Species{.name = "tree_half_dead",
@@ -138,7 +142,7 @@ constexpr std::array<Species, 6> kSpecies{
             .crown_radius_m = 1.7,
             .widest_ratio = 0.3,
             .side_bough_count = 3,
-            .leafy_ratio = 0.16,
+            .leafy_ratio = 0.12,
             .cluster_radius_m = 0.42,
             .dead_twig_count = 5},
 };
@@ -197,12 +201,12 @@ double crown_profile(const Species& species, double ratio) {
   const double widest = species.widest_ratio;
   if (ratio < widest) return 0.62 + 0.38 * ratio / widest;
   const double above = (ratio - widest) / (1.0 - widest);
-  if (widest <= 0.0) return 1.0 - 0.86 * above;
+  if (widest <= 0.0) return 1.0 - 0.9 * above;
   return std::sqrt(1.0 - 0.85 * above * above);
 }
 
-void add_cluster(Prototype& tree, const Species& species, const Eigen::Vector3d& centre,
-                 const Eigen::Vector3d& along, double size, RandomStream& random) {
+void add_leaf_tuft(Prototype& tree, const Species& species, const Eigen::Vector3d& centre,
+                   const Eigen::Vector3d& along, double size, RandomStream& random) {
   const double radius_m = varied(species.cluster_radius_m * size, 0.22, random);
   const double flatness = varied(species.cluster_flatness, 0.15, random);
   const Eigen::Vector3d ahead =
@@ -220,16 +224,39 @@ void add_cluster(Prototype& tree, const Species& species, const Eigen::Vector3d&
   add_tuft(tree, shape, Material::leaf);
 }
 
+/// One tuft high up; where vehicles fly, three smaller ones, since they are seen from near.
+void add_cluster(Prototype& tree, const Species& species, const Eigen::Vector3d& centre,
+                 const Eigen::Vector3d& along, double size, RandomStream& random) {
+  if (centre.z() > kFineFoliageBelow_m) {
+    add_leaf_tuft(tree, species, centre, along, kHighTuftRatio * size, random);
+    return;
+  }
+  const double spread_m = 0.55 * species.cluster_radius_m * size;
+  const int count = species.cluster_stretch > 1.5 ? 2 : kLowTuftCount;
+  for (int i = 0; i < count; ++i) {
+    const double x = random.uniform(-1.0, 1.0);
+    const double y = random.uniform(-1.0, 1.0);
+    const double z = random.uniform(-0.5, 0.5);
+    const double ahead = species.cluster_stretch * (i - 0.5 * (count - 1));
+    const Eigen::Vector3d place =
+        centre + spread_m * (ahead * along + 0.75 * Eigen::Vector3d(x, y, z));
+    add_leaf_tuft(tree, species, place, along + Eigen::Vector3d(0.4 * x, 0.4 * y, 0.0), 0.62 * size,
+                  random);
+  }
+}
+
 /// Side boughs and foliage of one bough.
 void dress_bough(Prototype& tree, const Species& species, const Stem& bough, double length_m,
                  RandomStream& random) {
   const auto add_foliage = [&](const Stem& stem, double ratio, double size) {
     const double draw = random.uniform();
-    if (draw >= species.leafy_ratio) return;
-    add_cluster(tree, species, stem_point(stem, ratio), stem_direction(stem, ratio), size, random);
+    const Eigen::Vector3d place = stem_point(stem, ratio);
+    const bool high = place.z() > kFineFoliageBelow_m && species.cluster_stretch < 1.5;
+    if (draw >= species.leafy_ratio * (high ? kHighLeafyRatio : 1.0)) return;
+    add_cluster(tree, species, place, stem_direction(stem, ratio), size, random);
   };
   const double cluster_at = species.cluster_stretch > 1.5 ? 0.62 : 0.92;
-  add_foliage(bough, cluster_at, 0.75 + 0.25 * length_m / species.crown_radius_m);
+  add_foliage(bough, cluster_at, 0.5 + 0.5 * length_m / species.crown_radius_m);
   for (int i = 0; i < species.side_bough_count; ++i) {
     const double ratio =
         varied(0.45 + 0.35 * i / std::max(1, species.side_bough_count - 1), 0.12, random);

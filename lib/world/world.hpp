@@ -42,8 +42,9 @@ struct Region {
   Eigen::Vector3d highest = Eigen::Vector3d::Zero();
 };
 
-/// Heights of the ground over a grid of square cells. Each cell is two triangles that share its diagonal from the low
-/// corner to the high one, so that heights between the grid's points are exactly those of the ground's mesh.
+/// Heights of the ground over a grid of square cells. Each cell is two triangles that share its
+/// diagonal from the low corner to the high one, so that heights between the grid's points are
+/// exactly those of the ground's mesh.
 struct HeightField {
   double low_x_m = 0.0, low_y_m = 0.0;   ///< the first point of the grid
   double cell_m = 1.0;

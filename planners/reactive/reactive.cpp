@@ -30,7 +30,7 @@ class Reactive {
                             "Distance kept between body and surfaces where there is room."),
       avoidbench::parameter("lookahead_m", "m", 6.0, 1.0, 30.0,
                             "Obstacles farther than this don't count."),
-      avoidbench::parameter("memory_s", "s", 10.0, 0.0, 60.0,
+      avoidbench::parameter("memory_s", "s", 15.0, 0.0, 60.0,
                             "How long an obstacle counts after it left the view."),
       avoidbench::parameter("max_departure_m", "m", 1.0, 0.0, 20.0,
                             "How far it climbs or sinks from the line between start and goal.")};

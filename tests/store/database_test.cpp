@@ -142,6 +142,14 @@ TEST(Database, KeepsEverythingWhenOpenedAgain) {
   EXPECT_EQ(reader.read_trial(trial.key)->record.samples.size(), 20U);
 }
 
+TEST(Database, AFinishedDatabaseIsOneFile) {
+  const TemporaryFolder folder;
+  { begun(folder / "r.db").add_trial(trial_row("a", 0, 0, Outcome::reached_goal)); }
+  { EXPECT_EQ(Database::open_for_reading(folder / "r.db").finished_keys().size(), 1U); }
+  const std::filesystem::directory_iterator files(folder.path());
+  EXPECT_EQ(std::distance(begin(files), end(files)), 1);
+}
+
 TEST(Database, AddingTwiceChangesNothing) {
   const TemporaryFolder folder;
   Database db = begun(folder / "r.db");

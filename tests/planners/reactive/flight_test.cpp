@@ -76,7 +76,7 @@ TEST(Reactive, TurnsFirstWhenTheGoalIsBehind) {
   PlannerInstance planner = kinematic::instance_of(PLANNER_FILE);
   PlannerMission mission;
   mission.start_world = {0.0, 0.0, 2.0};
-  mission.goal_world = {0.0, -10.0, 2.0};
+  mission.goal_world = {-10.0, -1.0, 2.0};
   ASSERT_EQ(planner.reset(mission), "");
   PlannerView view;
   view.position_world = mission.start_world;
@@ -93,7 +93,7 @@ TEST(Reactive, TurnsFirstWhenTheGoalIsBehind) {
   ASSERT_EQ(plan.status, PlanStatus::command) << plan.reason;
   const Eigen::Map<const Eigen::Vector3d> velocity(plan.command.velocity_world_mps);
   EXPECT_LT(velocity.norm(), 0.3);
-  EXPECT_LT(plan.command.yaw_rad, -1.0);
+  EXPECT_GT(std::abs(plan.command.yaw_rad), 2.0);
 }
 
 TEST(Reactive, HoldsWhereItSeesNothing) {

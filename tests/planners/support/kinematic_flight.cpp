@@ -144,16 +144,16 @@ PlannerSetup vehicle_setup() {
   setup.plan_period_s = 1.0 / 30.0;
   setup.gravity_mps2 = 9.81;
   CameraSetup& camera = setup.depth_camera;
-  camera.width_px = 80;
-  camera.height_px = 60;
-  camera.fx_px = camera.fy_px = 40.0;
-  camera.cx_px = 39.5;
-  camera.cy_px = 29.5;
+  camera.width_px = 64;
+  camera.height_px = 48;
+  camera.fx_px = camera.fy_px = 32.0;
+  camera.cx_px = 31.5;
+  camera.cy_px = 23.5;
   camera.T_body_camera.linear() << 0, 0, 1, -1, 0, 0, 0, -1, 0;
   camera.T_body_camera.translation() << 0.2, 0.0, 0.05;
   camera.rate_hz = 30.0;
   camera.min_range_m = 0.1;
-  camera.max_range_m = 15.0;
+  camera.max_range_m = 10.0;
   return setup;
 }
 

@@ -44,7 +44,7 @@ struct Result {
   std::vector<Eigen::Vector3d> positions;  ///< at each plan call
 };
 
-/// What the vehicle is: body 0.5 × 0.5 × 0.12 m, camera of 80 × 60 pixels and 90°.
+/// What the vehicle is: body 0.5 × 0.5 × 0.12 m, camera of 64 × 48 pixels, 90° and 10 m.
 PlannerSetup vehicle_setup();
 
 /// Flies until the goal is within 0.8 m, a surface within 0.3 m of the body's centre, or

@@ -1,0 +1,134 @@
+#include <algorithm>
+#include <exception>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "base/input_error.hpp"
+#include "commands.hpp"
+#include "version.hpp"
+
+namespace avoidbench {
+namespace {
+
+constexpr int kUsageError = 2, kOurError = 3;
+
+std::string version_text() {
+  return std::string("avoidbench ") + kVersion + " (" + kGitHash + ")\nbuilt with " + kCompiler +
+         ", " + kCompilerFlags;
+}
+
+/// The subcommand that the words of the command line led to.
+const CLI::App& deepest(const CLI::App& app) {
+  const std::vector<CLI::App*> chosen = app.get_subcommands();
+  return chosen.empty() ? app : deepest(*chosen.front());
+}
+
+std::vector<std::string> command_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command :
+       app.get_subcommands([](const CLI::App* a) { return !a->get_group().empty(); })) {
+    names.push_back(command->get_name());
+  }
+  return names;
+}
+
+std::vector<std::string> option_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+std::string full_name(const CLI::App& app) {
+  const CLI::App* parent = app.get_parent();
+  return parent == nullptr ? app.get_name() : full_name(*parent) + " " + app.get_name();
+}
+
+/// What is wrong with a word that nothing on the command line takes.
+std::string unknown_word(const CLI::App& app, const std::string& word) {
+  if (word.starts_with("-")) {
+    const std::string name = word.substr(0, word.find('='));
+    return "unknown option " + name + did_you_mean(name, option_names(app));
+  }
+  const std::vector<std::string> commands = command_names(app);
+  if (commands.empty()) return "unexpected argument '" + word + "'";
+  std::string known;
+  for (const std::string& name : commands) known += (known.empty() ? "" : ", ") + name;
+  return "unknown command '" + word + "'" + did_you_mean(word, commands) + "; commands: " + known;
+}
+
+/// Prints what is wrong with the command line and returns the exit code.
+int explain(const CLI::App& app, const CLI::ParseError& error) {
+  const CLI::App& command = deepest(app);
+  const std::vector<std::string> words = app.remaining(true);
+  std::vector<std::string> messages;
+  for (const std::string& word : words) messages.push_back(unknown_word(command, word));
+  if (messages.empty()) messages.emplace_back(error.what());
+  for (const std::string& message : messages) std::cerr << message << '\n';
+  std::cerr << "see " << full_name(command) << " --help\n";
+  return kUsageError;
+}
+
+/// The command that was asked for, where it has subcommands and none was given.
+const CLI::App* lacks_command(const CLI::App& app) {
+  const CLI::App& last = deepest(app);
+  return command_names(last).empty() ? nullptr : &last;
+}
+
+void add_commands(CLI::App& app) {
+  add_run_command(app);
+  add_report_command(app);
+  add_planners_command(app);
+  add_maps_command(app);
+  add_metrics_command(app);
+  add_config_command(app);
+  add_worker_command(app);
+}
+
+int run_program(int argc, const char* const* argv) {
+  CLI::App app("Benchmark of obstacle-avoidance planners for multirotors.", "avoidbench");
+  app.set_version_flag("--version", version_text(), "Print version, git hash and compiler");
+  app.footer(
+      "First steps:\n"
+      "  avoidbench run configs/sweeps/quick.yaml   fly a small sweep\n"
+      "  avoidbench report                          see its results\n"
+      "  avoidbench config defaults                 all that a sweep file can say\n\n"
+      "Exit codes: 0 done, 1 done but a check failed, 2 usage or input, 3 an error of this "
+      "program");
+  add_commands(app);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::RuntimeError& stop) {
+    return stop.get_exit_code();
+  } catch (const CLI::Success& answer) {  // --help, --version
+    return app.exit(answer);
+  } catch (const CLI::ParseError& error) {
+    return explain(app, error);
+  }
+  if (const CLI::App* command = lacks_command(app)) {
+    std::cerr << command->help();
+    return kUsageError;
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace avoidbench
+
+int main(int argc, char** argv) {
+  try {
+    const int code = avoidbench::run_program(argc, argv);
+    std::cout.flush();
+    return code;
+  } catch (const avoidbench::InputError& error) {
+    for (const avoidbench::InputProblem& problem : error.problems()) {
+      std::cerr << text(problem) << '\n';
+    }
+    return avoidbench::kUsageError;
+  } catch (const std::exception& error) {
+    std::cerr << "avoidbench: an error of this program, not of its input: " << error.what() << '\n';
+    return avoidbench::kOurError;
+  }
+}

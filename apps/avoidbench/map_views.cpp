@@ -1,0 +1,108 @@
+#include "map_views.hpp"
+
+#include <limits>
+
+#include "base/input_error.hpp"
+#include "render/depth.hpp"
+#include "render/shading.hpp"
+#include "trial/mission.hpp"
+
+namespace avoidbench {
+namespace {
+
+/// The world without its roof, and without walls where asked for, so that one sees in from outside.
+World opened(const World& world, bool without_walls) {
+  World open = world;
+  std::erase_if(open.instances, [&](const Instance& instance) {
+    const std::string& kind = world.obstacles[instance.obstacle].kind;
+    return kind == "ceiling" || (without_walls && kind == "wall");
+  });
+  return open;
+}
+
+/// A camera at `eye` that looks at `target`; image up is as near to `up` as can be.
+Pose look_at(const Eigen::Vector3d& eye, const Eigen::Vector3d& target, const Eigen::Vector3d& up) {
+  const Eigen::Vector3d forward = (target - eye).normalized();
+  const Eigen::Vector3d right = forward.cross(up).normalized();
+  Pose pose = Pose::Identity();
+  pose.linear().col(0) = right;
+  pose.linear().col(1) = forward.cross(right);
+  pose.linear().col(2) = forward;
+  pose.translation() = eye;
+  return pose;
+}
+
+Picture shaded(const World& world, const Pose& T_world_camera, double fov_x_rad, bool has_haze,
+               const MapView& view) {
+  const Scene scene(world);
+  Light light;
+  if (!has_haze) light.haze_range_m = std::numeric_limits<double>::infinity();
+  const Pinhole camera = make_pinhole(view.width_px, view.height_px, fov_x_rad,
+                                      std::numeric_limits<double>::infinity());
+  Picture picture = make_picture(view.width_px, view.height_px);
+  render_shaded(scene, camera, T_world_camera, light, view.samples, picture.rgb);
+  return picture;
+}
+
+/// From far above with a narrow field of view, so that trunks hardly lean.
+Picture top_view(const World& world, const MapView& view) {
+  constexpr double kFov = 12.0 * math::kDegree;
+  const Eigen::Vector3d size = world.flight_bounds.sizes();
+  const double aspect = static_cast<double>(view.height_px) / static_cast<double>(view.width_px);
+  const double half_width_m = 0.52 * std::max(size.x(), size.y() / aspect);
+  const Eigen::Vector3d center = world.flight_bounds.center();
+  const double height_m = half_width_m / math::tan(0.5 * kFov);
+  const Eigen::Vector3d eye = center + Eigen::Vector3d(0.0, 0.0, height_m);
+  return shaded(opened(world, false), look_at(eye, center, Eigen::Vector3d::UnitY()), kFov, false,
+                view);
+}
+
+Picture bird_view(const World& world, const MapView& view) {
+  constexpr double kFov = 40.0 * math::kDegree;
+  const Eigen::Vector3d center = world.flight_bounds.center();
+  const double radius_m = 0.5 * world.flight_bounds.sizes().norm();
+  const Eigen::Vector3d away = Eigen::Vector3d(-0.55, -0.8, 0.75).normalized();
+  const Eigen::Vector3d eye = center + away * (0.95 * radius_m / math::tan(0.5 * kFov));
+  return shaded(opened(world, true), look_at(eye, center, Eigen::Vector3d::UnitZ()), kFov, false,
+                view);
+}
+
+/// The mission camera's pose at the start.
+Pose start_camera(const Scene& scene, const TrialSpec& trial, std::int64_t index) {
+  const auto mission = make_mission(scene, trial.mission, trial.seed, index);
+  if (!mission) {
+    throw InputError("mission " + std::to_string(index) +
+                     ": no start or goal with mission.free_radius_m of free space; make the map "
+                     "sparser or the radius smaller");
+  }
+  return make_pose(mission->start_world, yaw_rotation(mission->start_yaw_rad)) *
+         T_body_camera(trial.sensor);
+}
+
+Picture depth_view(const World& world, const TrialSpec& trial, const MapView& view) {
+  const Scene scene(world);
+  const Pinhole camera =
+      make_pinhole(view.width_px, view.height_px, trial.sensor.fov_x_deg * math::kDegree,
+                   trial.sensor.max_range_m);
+  std::vector<float> depth_m(static_cast<std::size_t>(view.width_px) *
+                             static_cast<std::size_t>(view.height_px));
+  render_depth(scene, camera, start_camera(scene, trial, view.mission_index), depth_m);
+  Picture picture =
+      depth_picture(depth_m, view.width_px, view.height_px, 0.0, trial.sensor.max_range_m);
+  add_depth_scale(picture, 0.0, trial.sensor.max_range_m);
+  return picture;
+}
+
+}  // namespace
+
+std::vector<std::string> map_view_names() { return {"top", "bird", "first_person", "depth"}; }
+
+Picture render_map(const World& world, const TrialSpec& trial, const MapView& view) {
+  if (view.name == "top") return top_view(world, view);
+  if (view.name == "bird") return bird_view(world, view);
+  if (view.name == "depth") return depth_view(world, trial, view);
+  const Pose T_world_camera = start_camera(Scene(world), trial, view.mission_index);
+  return shaded(world, T_world_camera, trial.sensor.fov_x_deg * math::kDegree, true, view);
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,150 @@
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "base/input_error.hpp"
+#include "commands.hpp"
+#include "config/yaml_values.hpp"
+#include "plugin/conformance.hpp"
+#include "plugin/planner_library.hpp"
+#include "reference_table.hpp"
+
+namespace avoidbench {
+namespace {
+
+using Names = std::vector<std::pair<std::uint32_t, const char*>>;
+
+std::string bit_names(std::uint32_t bits, const Names& names) {
+  std::string all;
+  for (const auto& [bit, name] : names) {
+    if ((bits & bit) != 0) all += (all.empty() ? "" : ", ") + std::string(name);
+  }
+  return all;
+}
+
+std::string sees(const PlannerDescription& planner) {
+  return bit_names(planner.needs, {{AB_SEES_STATE, "state"},
+                                   {AB_SEES_DEPTH, "depth"},
+                                   {AB_SEES_STEREO, "stereo"},
+                                   {AB_SEES_COLOR, "color"},
+                                   {AB_SEES_IMU, "imu"},
+                                   {AB_SEES_WORLD, "world (privileged)"}});
+}
+
+std::string commands(const PlannerDescription& planner) {
+  return bit_names(planner.commands, {{AB_COMMAND_POSITION, "position"},
+                                      {AB_COMMAND_VELOCITY, "velocity"},
+                                      {AB_COMMAND_ACCELERATION, "acceleration"},
+                                      {AB_COMMAND_TRAJECTORY, "trajectory"},
+                                      {AB_COMMAND_RATES, "rates"}});
+}
+
+void list(const TableOptions& options) {
+  std::vector<std::string> problems;
+  ReferenceTable table{{"name", "version", "sees", "commands", "parameters", "summary"}, {}};
+  for (const PlannerDescription& planner : list_planners(problems)) {
+    table.rows.push_back({planner.name, planner.version, sees(planner), commands(planner),
+                          std::to_string(planner.parameters.size()), planner.summary});
+  }
+  write_table(table, options);
+  for (const std::string& problem : problems) std::cerr << "warning: " << problem << '\n';
+  if (!table.rows.empty()) return;
+  std::cerr << "no planner on the search path:\n";
+  for (const auto& folder : planner_search_path()) std::cerr << "  " << folder.string() << '\n';
+}
+
+std::string values_of(const ParameterDef& def) {
+  if (def.kind == AB_TEXT) return "any text";
+  if (def.kind == AB_CHOICE) {
+    std::string all;
+    for (const std::string& choice : def.choices) all += (all.empty() ? "" : " | ") + choice;
+    return all;
+  }
+  return "[" + number_text(def.lowest) + ", " + number_text(def.highest) + "]" +
+         (def.kind == AB_INTEGER ? " whole" : "");
+}
+
+PlannerDescription load(const std::string& plugin) {
+  return PlannerLibrary::load(find_planner(plugin, ".")).description();
+}
+
+void describe(const std::string& plugin, const TableOptions& options) {
+  const PlannerDescription planner = load(plugin);
+  ReferenceTable table{{"parameter", "unit", "values", "default", "doc"}, {}};
+  for (const ParameterDef& def : planner.parameters) {
+    const bool is_text = def.kind == AB_TEXT || def.kind == AB_CHOICE;
+    table.rows.push_back({def.name, def.unit, values_of(def),
+                          is_text ? def.preset_text : number_text(def.preset), def.doc});
+  }
+  if (options.format != "table") return write_table(table, options);
+  std::string text = planner.name + " " + planner.version + ": " + planner.summary + "\n";
+  text += "  sees      " + sees(planner) + "\n";
+  text += "  commands  " + commands(planner) + "\n";
+  text += "  file      " + planner.file.string() + "\n";
+  text += "  sha256    " + planner.file_digest + "\n";
+  if (!table.rows.empty()) text += "\n" + table_text(table, "table");
+  write_text(text, options.output);
+}
+
+void check(const std::string& plugin, const TableOptions& options) {
+  // A file of this name goes before the search path: `check my_planner.so` is what one types.
+  std::error_code error;
+  const bool is_file = std::filesystem::is_regular_file(plugin, error);
+  const std::filesystem::path file =
+      is_file ? std::filesystem::path(plugin) : find_planner(plugin, ".");
+  const std::vector<ConformanceResult> results = check_conformance_isolated(file);
+  ReferenceTable table{{"", "rule", "what is checked, or what was found"}, {}};
+  if (options.format != "table") table.columns = {"passed", "rule", "doc", "finding"};
+  std::size_t failed = 0;
+  for (const ConformanceResult& result : results) {
+    failed += result.passed ? 0 : 1;
+    if (options.format == "table") {
+      table.rows.push_back(
+          {result.passed ? "✓" : "✗", result.name, result.passed ? result.doc : result.finding});
+    } else {
+      table.rows.push_back(
+          {result.passed ? "true" : "false", result.name, result.doc, result.finding});
+    }
+  }
+  write_table(table, options);
+  std::cerr << file.string() << ": " << results.size() - failed << " of " << results.size()
+            << " rules hold" << (failed > 0 ? "" : ": it can be benchmarked") << '\n';
+  if (failed > 0) throw CLI::RuntimeError(1);
+}
+
+}  // namespace
+
+void add_planners_command(CLI::App& app) {
+  struct Options {
+    std::string plugin;
+    TableOptions table;
+  };
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("planners", "List, describe and check planner libraries");
+  command->footer(
+      "Planners are looked up in AVOIDBENCH_PLANNER_PATH (folders separated by colons), the build "
+      "tree's planners/\n"
+      "and the install's plugin folder; a name with a slash is a file.\n\n"
+      "Examples:\n"
+      "  avoidbench planners list\n"
+      "  avoidbench planners describe reactive\n"
+      "  avoidbench planners check ./build/my_planner.so");
+  CLI::App* list_command = command->add_subcommand("list", "All planners on the search path");
+  CLI::App* describe_command =
+      command->add_subcommand("describe", "What a planner sees, commands, and can be tuned by");
+  CLI::App* check_command = command->add_subcommand(
+      "check",
+      "Try every rule of the planner interface on a library, in a process of its own; "
+      "exit code 1 where one fails");
+  for (CLI::App* each : {list_command, describe_command, check_command}) {
+    add_table_options(*each, options->table);
+  }
+  for (CLI::App* each : {describe_command, check_command}) {
+    each->add_option("planner", options->plugin, "Name or file of a planner")->required();
+  }
+  list_command->callback([options] { list(options->table); });
+  describe_command->callback([options] { describe(options->plugin, options->table); });
+  check_command->callback([options] { check(options->plugin, options->table); });
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# install_packages.sh build|test: installs the Debian/Ubuntu packages that a build or the tests need, and says which. Does nothing,
+# and needs no root, where they are all there.
+set -euo pipefail
+
+build_packages=(
+  g++ cmake ninja-build ccache pkg-config git ca-certificates
+  libeigen3-dev libembree-dev libopencv-core-dev libopencv-imgproc-dev libyaml-cpp-dev libcli11-dev
+  nlohmann-json3-dev libsqlite3-dev libpng-dev nettle-dev libbenchmark-dev sqlite3
+)
+test_packages=(clang clang-format clang-tidy libclang-rt-14-dev libgtest-dev python3 valgrind)
+
+case "${1:-build}" in
+  build) packages=("${build_packages[@]}") ;;
+  test) packages=("${build_packages[@]}" "${test_packages[@]}") ;;
+  *) echo "usage: $0 build|test" >&2; exit 2 ;;
+esac
+
+is_installed() { dpkg-query -W -f '${Status}' "$1" 2>/dev/null | grep -q '^install ok installed'; }
+
+missing=()
+for package in "${packages[@]}"; do
+  if [ "$package" = libclang-rt-14-dev ] && ! apt-cache show "$package" >/dev/null 2>&1; then
+    package=libclang-rt-dev  # newer systems name it without the version
+  fi
+  is_installed "$package" || missing+=("$package")
+done
+[ ${#missing[@]} -eq 0 ] && exit 0
+
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+  command -v sudo >/dev/null || { echo "these packages are missing, and there is no sudo to install them: ${missing[*]}" >&2; exit 2; }
+  as_root=(sudo)
+fi
+echo "installing packages: ${missing[*]}" >&2
+"${as_root[@]}" apt-get update -qq
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null

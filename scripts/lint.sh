@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# lint.sh [FILE…]: clang-format and clang-tidy over the given sources, or over those that differ from the main branch, or over all.
+# --all: all. --format-only: no clang-tidy. Uses the compile commands of build/clang.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+format_only=0 all=0 files=()
+for argument in "$@"; do
+  case "$argument" in
+    --all) all=1 ;;
+    --format-only) format_only=1 ;;
+    *) files+=("$argument") ;;
+  esac
+done
+sources=(apps lib planners tests)
+if [ ${#files[@]} -eq 0 ]; then
+  if [ $all = 1 ] || ! git rev-parse --verify -q origin/main >/dev/null; then
+    mapfile -t files < <(git ls-files -- "${sources[@]}" | grep -E '\.(cpp|hpp|h|c)$')
+  else
+    mapfile -t files < <(git diff --name-only --diff-filter=d origin/main -- "${sources[@]}" | grep -E '\.(cpp|hpp|h|c)$' || true)
+  fi
+fi
+[ ${#files[@]} -eq 0 ] && { echo "nothing to check"; exit 0; }
+
+clang-format --dry-run --Werror "${files[@]}"
+[ $format_only = 1 ] && { echo "${#files[@]} files formatted"; exit 0; }
+mapfile -t units < <(printf '%s\n' "${files[@]}" | grep -E '^(lib|apps|planners)/.*\.cpp$' || true)
+[ ${#units[@]} -eq 0 ] && exit 0
+[ -f build/clang/compile_commands.json ] || cmake --preset clang >/dev/null
+printf '%s\n' "${units[@]}" | xargs -P "$(nproc)" -n 4 clang-tidy --quiet -p build/clang
+echo "${#files[@]} files formatted, ${#units[@]} tidy"

@@ -1,0 +1,222 @@
+#include "render/scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "support/test_worlds.hpp"
+
+namespace avoidbench {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Every test runs on both kinds of hierarchy.
+class SceneOf : public testing::TestWithParam<std::size_t> {
+ protected:
+  World world_ = test::scattered_world(11);
+  Scene scene_{world_, GetParam()};
+  std::vector<test::PlacedTriangle> triangles_ = test::all_triangles(world_);
+  RandomStream random_{77};
+};
+
+INSTANTIATE_TEST_SUITE_P(Both, SceneOf, testing::Values(0, 1000000), [](const auto& suite) {
+  return suite.param == 0 ? "Instanced" : "Flattened";
+});
+
+TEST_P(SceneOf, FirstHitIsThatOfAllTriangles) {
+  int hits = 0;
+  int different = 0;
+  for (int i = 0; i < 1500; ++i) {
+    const Vector3d origin = test::random_point(random_, 8.0);
+    const Vector3d direction = 3.0 * test::random_point(random_, 1.0);
+    double expected = kInfinity;
+    for (const auto& placed : triangles_) {
+      expected = std::min(expected, test::ray_parameter(origin, direction, placed.corners));
+    }
+    expected *= direction.norm();
+    const RayHit hit = scene_.first_hit(origin, direction);
+    if (std::isinf(expected) && std::isinf(hit.distance_m)) continue;
+    if (!(std::abs(hit.distance_m - expected) <= 1e-9 * (1.0 + expected))) {
+      ++different;  // along an edge, where float rays may go either way
+      continue;
+    }
+    ++hits;
+    EXPECT_NEAR(hit.normal_world.norm(), 1.0, 1e-12);
+    const Triangle corners = std::find_if(triangles_.begin(), triangles_.end(), [&](const auto& t) {
+                               return t.instance == hit.instance && t.triangle == hit.triangle;
+                             })->corners;
+    const Vector3d point = origin + direction.normalized() * hit.distance_m;
+    EXPECT_LT((closest_point(point, corners) - point).norm(), 1e-5);
+    EXPECT_NEAR(hit.normal_world.dot(corners[1] - corners[0]), 0.0, 1e-9);
+  }
+  EXPECT_GT(hits, 500);
+  EXPECT_LE(different, 3);
+}
+
+TEST_P(SceneOf, FirstHitRespectsItsLimit) {
+  int limited = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Vector3d origin = test::random_point(random_, 8.0);
+    const Vector3d direction = test::random_point(random_, 1.0);
+    const double distance = scene_.first_hit(origin, direction).distance_m;
+    if (std::isinf(distance)) continue;
+    EXPECT_EQ(scene_.first_hit(origin, direction, 0.999 * distance).distance_m, kInfinity);
+    EXPECT_EQ(scene_.first_hit(origin, direction, 1.001 * distance).distance_m, distance);
+    ++limited;
+  }
+  EXPECT_GT(limited, 100);
+}
+
+TEST_P(SceneOf, OccludedIsAHitBetweenThePoints) {
+  int occluded = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Vector3d from = test::random_point(random_, 7.0);
+    const Vector3d to = test::random_point(random_, 7.0);
+    const double distance = scene_.first_hit(from, to - from).distance_m;
+    if (std::abs(distance - (to - from).norm()) < 1e-3) continue;
+    EXPECT_EQ(scene_.occluded(from, to), distance < (to - from).norm());
+    if (scene_.occluded(from, to)) ++occluded;
+  }
+  EXPECT_GT(occluded, 100);
+  EXPECT_LT(occluded, 900);
+}
+
+TEST_P(SceneOf, NearestIsThatOfAllTriangles) {
+  for (int i = 0; i < 500; ++i) {
+    const Vector3d point = test::random_point(random_, 9.0);
+    double square = kInfinity;
+    std::uint32_t instance = 0;
+    for (const auto& placed : triangles_) {
+      const double here = (closest_point(point, placed.corners) - point).squaredNorm();
+      if (here < square) {  // the triangles come in order, so ties go to the first
+        square = here;
+        instance = placed.instance;
+      }
+    }
+    const NearestPoint nearest = scene_.nearest(point);
+    EXPECT_EQ(nearest.distance_m, std::sqrt(square));
+    EXPECT_EQ(nearest.instance, instance);
+    EXPECT_NEAR((nearest.point_world - point).norm(), nearest.distance_m, 1e-12);
+    EXPECT_EQ(scene_.nearest(point, 0.5 * nearest.distance_m).distance_m, kInfinity);
+    EXPECT_EQ(scene_.nearest(point, 1.5 * nearest.distance_m).distance_m, nearest.distance_m);
+  }
+}
+
+TEST_P(SceneOf, TouchIsThatOfAllTriangles) {
+  const Vector3d size(0.9, 0.7, 0.3);
+  int touching = 0;
+  for (int i = 0; i < 800; ++i) {
+    const Pose pose = test::random_pose(random_, 6.5);
+    const test::PlacedTriangle* expected = nullptr;
+    for (const auto& placed : triangles_) {
+      Triangle corners = placed.corners;
+      for (Vector3d& corner : corners) {
+        corner = pose.linear().transpose() * (corner - pose.translation());
+      }
+      if (overlaps(0.5 * size, corners)) {
+        expected = &placed;
+        break;
+      }
+    }
+    const std::optional<BodyContact> contact = scene_.touch(size, pose);
+    ASSERT_EQ(contact.has_value(), expected != nullptr);
+    if (expected == nullptr) continue;
+    EXPECT_EQ(contact->instance, expected->instance);
+    EXPECT_EQ(contact->triangle, expected->triangle);
+    ++touching;
+  }
+  EXPECT_GT(touching, 100);
+  EXPECT_LT(touching, 700);
+}
+
+TEST_P(SceneOf, BodyClearanceIsThatOfAllTriangles) {
+  const Vector3d size(0.5, 0.4, 0.12);
+  int apart = 0;
+  for (int i = 0; i < 40; ++i) {
+    const Pose pose = test::random_pose(random_, 8.0);
+    double expected = kInfinity;
+    for (const auto& placed : triangles_) {
+      Triangle corners = placed.corners;
+      for (Vector3d& corner : corners) {
+        corner = pose.linear().transpose() * (corner - pose.translation());
+      }
+      expected = std::min(expected, distance(0.5 * size, corners));
+    }
+    EXPECT_NEAR(scene_.body_clearance(size, pose, 20.0), expected, 1e-12);
+    EXPECT_EQ(expected == 0.0, scene_.touch(size, pose).has_value());
+    if (expected == 0.0) continue;
+    EXPECT_EQ(scene_.body_clearance(size, pose, 0.99 * expected), kInfinity);
+    EXPECT_NEAR(scene_.body_clearance(size, pose, 1.01 * expected), expected, 1e-12);
+    ++apart;
+  }
+  EXPECT_GT(apart, 12);
+}
+
+TEST(Scene, BothKindsAnswerPointQueriesWithTheSameBits) {
+  const World world = test::scattered_world(12);
+  const Scene flattened(world);
+  const Scene instanced(world, 0);
+  RandomStream random(9);
+  const Vector3d size(0.8, 0.8, 0.2);
+  for (int i = 0; i < 500; ++i) {
+    const Pose pose = test::random_pose(random, 7.0);
+    const NearestPoint a = flattened.nearest(pose.translation());
+    const NearestPoint b = instanced.nearest(pose.translation());
+    EXPECT_EQ(a.distance_m, b.distance_m);
+    EXPECT_EQ(a.instance, b.instance);
+    EXPECT_EQ(a.point_world, b.point_world);
+    const auto touch_a = flattened.touch(size, pose);
+    const auto touch_b = instanced.touch(size, pose);
+    ASSERT_EQ(touch_a.has_value(), touch_b.has_value());
+    if (touch_a) {
+      EXPECT_EQ(touch_a->instance, touch_b->instance);
+      EXPECT_EQ(touch_a->triangle, touch_b->triangle);
+    }
+    EXPECT_EQ(flattened.body_clearance(size, pose, 30.0),
+              instanced.body_clearance(size, pose, 30.0));
+  }
+}
+
+TEST(Scene, ClearanceOverAFloorIsTheHeightOfTheLowestCorner) {
+  const World world = test::world_of(test::plane_mesh(50.0F));
+  const Scene scene(world);
+  const Vector3d size(0.5, 0.5, 0.12);
+  Pose pose = Pose::Identity();
+  pose.translation() = Vector3d(1.0, -2.0, 1.5);
+  EXPECT_NEAR(scene.body_clearance(size, pose, 9.0), 1.44, 1e-12);
+  const double roll = 0.3;
+  const double s = math::sin(roll);
+  const double c = math::cos(roll);
+  pose.linear() << 1.0, 0.0, 0.0, 0.0, c, -s, 0.0, s, c;
+  EXPECT_NEAR(scene.body_clearance(size, pose, 9.0), 1.5 - 0.25 * s - 0.06 * c, 1e-12);
+  EXPECT_FALSE(scene.touch(size, pose));
+  pose.translation().z() = 0.25 * s + 0.06 * c - 1e-9;
+  EXPECT_TRUE(scene.touch(size, pose));
+  EXPECT_EQ(scene.body_clearance(size, pose, 9.0), 0.0);
+}
+
+TEST(Scene, MovesWithItsWorld) {
+  // Moving everything by whole metres, which float takes exactly, moves the answers.
+  World world = test::scattered_world(13, 20);
+  const World before = world;
+  const Vector3d shift(16.0, -8.0, 4.0);
+  for (Instance& instance : world.instances) {
+    instance.T_world_prototype.translation() += shift.cast<float>();
+  }
+  const Scene here(before);
+  const Scene there(world);
+  RandomStream random(1);
+  for (int i = 0; i < 200; ++i) {
+    const Vector3d point = test::random_point(random, 7.0);
+    EXPECT_NEAR(here.nearest(point).distance_m, there.nearest(point + shift).distance_m, 4e-6);
+  }
+}
+
+}  // namespace
+}  // namespace avoidbench

@@ -1,0 +1,218 @@
+#include "report/summary.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/input_error.hpp"
+#include "store/sample_rows.hpp"
+
+namespace avoidbench {
+namespace {
+
+using namespace sample_rows;
+
+/// `map_count` maps of `mission_count` missions, flown by planners a and b, which succeed where
+/// `succeeds` says so.
+template <class Succeeds>
+SweepResult result_of(int map_count, int mission_count, Succeeds succeeds) {
+  SweepResult result;
+  result.name = "forest";
+  for (const MetricDef& def : kMetrics) {
+    result.metrics.push_back({.name = std::string(def.name),
+                              .version = def.version,
+                              .unit = std::string(def.unit),
+                              .doc = std::string(def.doc),
+                              .formula = "",
+                              .source = "",
+                              .better = def.better,
+                              .population = def.population,
+                              .is_measured = def.is_measured});
+  }
+  result.planners = {planner_row("a"), planner_row("b")};
+  for (int map = 0; map < map_count; ++map) {
+    result.maps.push_back(map_row(map, mission_count));
+    for (int mission = 0; mission < mission_count; ++mission) {
+      for (const char* label : {"a", "b"}) {
+        const bool is_finished = succeeds(label[0], map, mission);
+        const TrialRow row =
+            trial_row(label, map, mission, is_finished ? Outcome::reached_goal : Outcome::collided);
+        result.trials.push_back({.key = row.key,
+                                 .planner_key = planner_key(planner_row(label)),
+                                 .map_key = row.map_key,
+                                 .mission_index = mission,
+                                 .outcome = row.record.outcome,
+                                 .reference_length_m = 40.0 + mission,
+                                 .metrics = row.metrics});
+      }
+    }
+  }
+  result.program_versions = {"0.1.0 abcdef"};
+  return result;
+}
+
+SweepSummary summary_of(const SweepResult& result) {
+  return summarize(result, default_metrics(result));
+}
+
+bool has_warning(const SweepSummary& summary, const std::string& part) {
+  return std::any_of(summary.warnings.begin(), summary.warnings.end(),
+                     [&](const std::string& w) { return w.find(part) != std::string::npos; });
+}
+
+TEST(Summary, CountsRatesAndMeansOverTheirPopulations) {
+  // a fails mission 3 of each map, b finishes only mission 0.
+  const SweepResult result = result_of(3, 4, [](char planner, int, int mission) {
+    return planner == 'a' ? mission != 3 : mission == 0;
+  });
+  const SweepSummary summary = summary_of(result);
+  ASSERT_EQ(summary.overall.size(), 2U);
+  const PlannerSummary& a = summary.overall[0];
+  EXPECT_EQ(a.trial_count, 12);
+  EXPECT_EQ(a.finished_count, 9);
+  EXPECT_EQ(a.success_rate, 0.75);
+  EXPECT_EQ(a.success_interval.lower, wilson_interval(9, 12).lower);
+  EXPECT_EQ(a.outcome_counts[static_cast<std::size_t>(Outcome::collided)], 3);
+  EXPECT_EQ(a.mean_reference_length_m, 41.5);
+  ASSERT_EQ(summary.metrics.size(), 3U);
+  EXPECT_EQ(a.means[0].mean, 5.0);  // 4, 5, 6 of the finished
+  EXPECT_EQ(a.means[0].count, 9);
+  EXPECT_NEAR(a.means[0].standard_deviation, std::sqrt(6.0 / 8.0), 1e-12);
+  EXPECT_EQ(a.means[1].mean, (9 * 100.0 + 3 * 40.0) / 12.0);  // of all
+  EXPECT_EQ(a.means[1].count, 12);
+  EXPECT_EQ(summary.overall[1].success_rate, 0.25);
+  EXPECT_EQ(summary.trial_count, 24);
+  EXPECT_EQ(summary.mission_count, 12);
+}
+
+TEST(Summary, InvalidMissionsAreShownNotCounted) {
+  SweepResult result = result_of(2, 3, [](char, int, int) { return true; });
+  result.maps[1] = map_row(1, 4, true);
+  const SweepSummary summary = summary_of(result);
+  EXPECT_EQ(summary.mission_count, 7);
+  EXPECT_EQ(summary.invalid_mission_count, 1);
+  EXPECT_EQ(summary.overall[0].trial_count, 6);
+}
+
+TEST(Summary, GroupsAreOfEqualCountAndRiseInTraversability) {
+  const auto all = [](char, int, int) { return true; };
+  const SweepSummary ten = summary_of(result_of(10, 1, all));
+  ASSERT_EQ(ten.groups.size(), 5U);
+  std::int64_t trials = 0;
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_EQ(ten.groups[i].map_count, 2);
+    EXPECT_LE(ten.groups[i].lowest_ratio, ten.groups[i].highest_ratio);
+    if (i > 0) {
+      EXPECT_GT(ten.groups[i].lowest_ratio, ten.groups[i - 1].highest_ratio);
+    }
+    trials += ten.groups[i].planners[0].trial_count;
+  }
+  EXPECT_EQ(trials, 10);
+  EXPECT_EQ(summary_of(result_of(3, 1, all)).groups.size(), 3U);
+  EXPECT_TRUE(summary_of(result_of(1, 5, all)).groups.empty());
+  const SweepSummary seven = summary_of(result_of(7, 1, all));
+  for (const MapGroup& group : seven.groups)
+    EXPECT_TRUE(group.map_count == 1 || group.map_count == 2);
+}
+
+TEST(Summary, MarksTheBestOnlyWhereItIsSignificant) {
+  const SweepSummary clear = summary_of(result_of(
+      4, 10, [](char planner, int, int mission) { return planner == 'a' || mission < 2; }));
+  EXPECT_TRUE(clear.overall[0].is_best_rate);
+  EXPECT_FALSE(clear.overall[1].is_best_rate);
+  EXPECT_FALSE(has_warning(clear, "can't be told apart"));
+  const SweepSummary unclear = summary_of(result_of(2, 5, [](char planner, int, int mission) {
+    return planner == 'a' ? mission < 3 : mission < 2;
+  }));
+  EXPECT_FALSE(unclear.overall[0].is_best_rate);
+  EXPECT_TRUE(has_warning(unclear, "can't be told apart: a / b"));
+}
+
+TEST(Summary, MarksABetterMeanByPairedMissions) {
+  SweepResult result = result_of(4, 10, [](char, int, int) { return true; });
+  const std::string a = planner_key(planner_row("a"));
+  for (TrialSummary& trial : result.trials) {
+    if (trial.planner_key == a)
+      trial.metrics[0] -= 0.5 + 0.01 * static_cast<double>(trial.mission_index);
+  }
+  const SweepSummary summary = summary_of(result);
+  EXPECT_TRUE(summary.overall[0].means[0].is_best);  // less is better
+  EXPECT_FALSE(summary.overall[1].means[0].is_best);
+  EXPECT_FALSE(summary.overall[0].means[1].is_best);  // equal
+}
+
+TEST(Summary, ContrastFactorIsUndefinedAtSureRatesButSmoothed) {
+  const SweepSummary summary = summary_of(result_of(
+      4, 10, [](char planner, int, int mission) { return planner == 'a' || mission < 5; }));
+  ASSERT_EQ(summary.contrasts.size(), 1U);
+  const Contrast& contrast = summary.contrasts[0];
+  EXPECT_TRUE(std::isnan(contrast.factor));
+  EXPECT_NEAR(contrast.smoothed_factor, std::log(40.5 / 41.0) / std::log(20.5 / 41.0), 1e-12);
+  EXPECT_LE(contrast.smoothed_interval.lower, contrast.smoothed_factor);
+  EXPECT_GE(contrast.smoothed_interval.upper, contrast.smoothed_factor);
+  EXPECT_LT(contrast.fisher_p, 1e-4);
+}
+
+TEST(Summary, WarnsInsteadOfLying) {
+  SweepResult result = result_of(2, 2, [](char, int, int) { return true; });
+  EXPECT_TRUE(has_warning(summary_of(result), "fewer than 10 trials of a, b"));
+  EXPECT_FALSE(has_warning(summary_of(result), "different versions"));
+  result.program_versions.push_back("0.2.0 fedcba");
+  EXPECT_TRUE(has_warning(summary_of(result),
+                          "different versions of avoidbench: 0.1.0 abcdef, 0.2.0 fedcba"));
+  TrialSummary windy = result.trials[0];
+  windy.key = "another wind";
+  EXPECT_FALSE(has_warning(summary_of(result), "takes them together"));
+  result.trials.push_back(windy);
+  EXPECT_TRUE(has_warning(summary_of(result), "takes them together"));
+  result.planners[1].label = "a";
+  for (TrialSummary& trial : result.trials) {
+    if (trial.planner_key == planner_key(planner_row("b")))
+      trial.planner_key = planner_key(result.planners[1]);
+  }
+  const SweepSummary shared = summary_of(result);
+  EXPECT_TRUE(has_warning(shared, "share the label a"));
+  EXPECT_NE(shared.planners[0], shared.planners[1]);
+}
+
+TEST(Summary, AnUnknownMetricGetsASuggestion) {
+  const SweepResult result = result_of(1, 1, [](char, int, int) { return true; });
+  try {
+    summarize(result, std::vector<std::string>{"path_optimalty_pct"});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("did you mean path_optimality_pct?"),
+              std::string::npos);
+  }
+}
+
+TEST(Summary, ShardsTogetherAreTheWhole) {
+  const auto some = [](char planner, int map, int mission) {
+    return (planner + map + mission) % 3 != 0;
+  };
+  const SweepResult whole = result_of(4, 3, some);
+  std::vector<SweepResult> shards(2, whole);
+  for (std::size_t shard = 0; shard < 2; ++shard) {
+    shards[shard].trials.clear();
+    shards[shard].maps.clear();
+    for (std::size_t i = 0; i < whole.maps.size(); ++i) {
+      if (i % 2 == shard || i == 0) shards[shard].maps.push_back(whole.maps[i]);
+    }
+    for (std::size_t i = 0; i < whole.trials.size(); ++i) {
+      if (i % 2 == shard || i == 0) shards[shard].trials.push_back(whole.trials[i]);
+    }
+  }
+  const SweepSummary a = summary_of(whole);
+  const SweepSummary b = summary_of(combined(shards));
+  EXPECT_EQ(a.trial_count, b.trial_count);
+  EXPECT_EQ(a.map_count, b.map_count);
+  EXPECT_EQ(a.mission_count, b.mission_count);
+  EXPECT_EQ(a.overall[0].success_rate, b.overall[0].success_rate);
+  EXPECT_EQ(a.contrasts[0].smoothed_interval.lower, b.contrasts[0].smoothed_interval.lower);
+  shards[1].metrics[0].version = 9;
+  EXPECT_THROW(combined(shards), InputError);
+}
+
+}  // namespace
+}  // namespace avoidbench

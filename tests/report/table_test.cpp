@@ -1,0 +1,181 @@
+#include "report/table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "report/table_text.hpp"
+
+namespace avoidbench {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+/// Two planners: one with an odd name, one without a finished trial.
+Section section() {
+  Table table{.name = "planners", .title = "Planners", .columns = {}, .rows = {}};
+  table.columns = {
+      {.name = "planner", .header = "planner", .unit = "", .doc = "", .place = Place::key},
+      {.name = "trial_count", .header = "trials", .unit = "", .doc = ""},
+      {.name = "success_rate", .header = "SR", .unit = "", .doc = "success rate"},
+      {.name = "success_rate_lower", .header = "", .unit = "", .doc = "", .place = Place::bound},
+      {.name = "success_rate_upper", .header = "", .unit = "", .doc = "", .place = Place::bound},
+      {.name = "path_optimality_pct", .header = "PO", .unit = "%", .doc = "excess path"},
+      {.name = "path_optimality_pct_count",
+       .header = "",
+       .unit = "",
+       .doc = "",
+       .place = Place::machine}};
+  const auto row = [&](const std::string& name, std::int64_t trials, double rate, double lower,
+                       double upper, double path, std::int64_t count, bool is_best) {
+    std::vector<Cell> cells(7);
+    cells[0].value = name;
+    cells[1].value = trials;
+    cells[2].value = rate;
+    cells[2].is_best = is_best;
+    cells[3].value = lower;
+    cells[4].value = upper;
+    if (path == path) cells[5].value = path;
+    cells[6].value = count;
+    table.rows.push_back(cells);
+  };
+  row("émile, \"2\"|x", 120, 0.875, 0.8, 0.93125, 12.3456789012345678, 105, true);
+  row("b", 8, 0.0, 0.0, 0.325, kNaN, 0, false);
+  return {.name = "forest",
+          .title = "Sweep forest",
+          .tables = {table},
+          .notes = {{"*", "best"}},
+          .warnings = {"few trials"}};
+}
+
+std::vector<std::vector<std::string>> parsed_csv(const std::string& text) {
+  std::vector<std::vector<std::string>> rows{{""}};
+  bool is_quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    std::string& field = rows.back().back();
+    if (is_quoted && text[i] == '"' && i + 1 < text.size() && text[i + 1] == '"') {
+      field += '"';
+      ++i;
+    } else if (text[i] == '"') {
+      is_quoted = !is_quoted;
+    } else if (!is_quoted && text[i] == ',') {
+      rows.back().emplace_back();
+    } else if (!is_quoted && text[i] == '\n') {
+      rows.push_back({""});
+    } else {
+      field += text[i];
+    }
+  }
+  rows.pop_back();
+  return rows;
+}
+
+TEST(Table, IsAlignedForPeople) {
+  const Section sections[] = {section()};
+  EXPECT_EQ(format_sections(sections, TableFormat::table),
+            "Sweep forest\n"
+            "\n"
+            "Warning: few trials\n"
+            "\n"
+            "Planners\n"
+            "planner       trials                  SR    PO\n"
+            "                                             %\n"
+            "────────────  ──────  ──────────────────  ────\n"
+            "émile, \"2\"|x     120  0.88* [0.80, 0.93]  12.3\n"
+            "b                  8  0.00  [0.00, 0.33]     –\n"
+            "\n"
+            "SR  success rate\n"
+            "PO  excess path\n"
+            "*   best\n");
+}
+
+TEST(Table, MarkdownEscapesWhatItMust) {
+  const Section sections[] = {section()};
+  EXPECT_EQ(format_sections(sections, TableFormat::markdown),
+            "## Sweep forest\n"
+            "\n"
+            "> **Warning:** few trials\n"
+            "\n"
+            "### Planners\n"
+            "\n"
+            "| planner | trials | SR | PO, % |\n"
+            "|:--|--:|--:|--:|\n"
+            "| émile, \"2\"\\|x | 120 | 0.88\\* [0.80, 0.93] | 12.3 |\n"
+            "| b | 8 | 0.00  [0.00, 0.33] | – |\n"
+            "\n"
+            "- **SR** success rate\n"
+            "- **PO** excess path\n"
+            "- **\\*** best\n");
+}
+
+TEST(Table, CsvReadsBackWithAllDigits) {
+  const Section sections[] = {section()};
+  const auto rows = parsed_csv(format_sections(sections, TableFormat::csv));
+  ASSERT_EQ(rows.size(), 1U + 2U * 6U);
+  const std::vector<std::string> header{"sweep", "table", "planner", "name", "unit", "value"};
+  EXPECT_EQ(rows[0], header);
+  for (const auto& row : rows) EXPECT_EQ(row.size(), 6U);
+  const std::vector<std::string> path{"forest", "planners", "émile, \"2\"|x", "path_optimality_pct",
+                                      "%",      rows[5][5]};
+  EXPECT_EQ(rows[5], path);
+  EXPECT_EQ(std::stod(rows[5][5]), 12.3456789012345678);
+  EXPECT_EQ(rows[11][3], "path_optimality_pct");
+  EXPECT_EQ(rows[11][5], "");
+}
+
+TEST(Table, JsonReadsBack) {
+  const Section sections[] = {section(), section()};
+  const nlohmann::json all = nlohmann::json::parse(format_sections(sections, TableFormat::json));
+  ASSERT_EQ(all.size(), 2U);
+  const nlohmann::json& rows = all[0]["tables"]["planners"];
+  EXPECT_EQ(rows[0]["planner"], "émile, \"2\"|x");
+  EXPECT_EQ(rows[0]["path_optimality_pct"], 12.3456789012345678);
+  EXPECT_EQ(rows[0]["trial_count"], 120);
+  EXPECT_TRUE(rows[1]["path_optimality_pct"].is_null());
+  EXPECT_EQ(all[0]["columns"]["path_optimality_pct"]["unit"], "%");
+  EXPECT_EQ(all[0]["warnings"][0], "few trials");
+}
+
+TEST(Table, NeverExceedsAHundredColumns) {
+  Section wide = section();
+  Table& table = wide.tables[0];
+  for (int i = 0; i < 20; ++i) {
+    table.columns.push_back({.name = "metric",
+                             .header = "some_metric_" + std::to_string(i),
+                             .unit = "m",
+                             .doc = std::string(300, 'x') + " " + std::string(60, 'y')});
+    for (auto& row : table.rows) row.emplace_back().value = 1e5 + i;
+  }
+  table.rows[0][0].value = std::string(70, 'n');
+  wide.warnings.push_back("a " + std::string(90, 'w') +
+                          " warning of many words that goes on and on");
+  for (auto& column : table.columns)
+    column.doc = "word " + column.name + " and so on, and so on, and so on, and so on, and so on";
+  const Section sections[] = {wide};
+  std::istringstream lines(format_sections(sections, TableFormat::table));
+  std::string line, all;
+  while (std::getline(lines, line)) {
+    EXPECT_LE(display_width(line), 100U) << line;
+    all += line + "\n";
+  }
+  for (int i = 0; i < 20; ++i)
+    EXPECT_NE(all.find("some_metric_" + std::to_string(i)), std::string::npos);
+  EXPECT_NE(all.find("Planners (continued)"), std::string::npos);
+}
+
+TEST(Table, WidthsAreThoseOfATerminal) {
+  EXPECT_EQ(display_width("abc"), 3U);
+  EXPECT_EQ(display_width("é–τ"), 3U);
+  EXPECT_EQ(display_width("森林"), 4U);
+  EXPECT_EQ(display_width("e\u0301"), 1U);
+  EXPECT_EQ(display_width("\xff\xc3"), 2U);  // no UTF-8
+  EXPECT_EQ(cut_to_width("森林森林", 6), "森林…");
+  EXPECT_EQ(cut_to_width("short", 6), "short");
+  EXPECT_EQ(wrapped("one two three", 7, 2), "one two\n  three");
+  EXPECT_EQ(wrapped("PO   a b", 6, 5), "PO   a\n     b");
+}
+
+}  // namespace
+}  // namespace avoidbench

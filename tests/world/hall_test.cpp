@@ -1,0 +1,109 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "world/map_spec.hpp"
+
+namespace avoidbench {
+namespace {
+
+TEST(Hall, has_a_shell_and_cylinders) {
+  std::map<std::string, int> counts;
+  const World world = make_world(HallSpec{}, 1);
+  for (const Obstacle& obstacle : world.obstacles) ++counts[obstacle.kind];
+  EXPECT_EQ(counts["ground"], 1);
+  EXPECT_EQ(counts["wall"], 4);
+  EXPECT_EQ(counts["ceiling"], 1);
+  EXPECT_GT(counts["cylinder"], 20);
+  EXPECT_EQ(counts.size(), 4U);
+  EXPECT_EQ(world.obstacles[world.instances[0].obstacle].kind, "ground");
+  EXPECT_EQ(ground_height_m(world, 5.0, 5.0), 0.0);
+  EXPECT_FALSE(world.heights_above_ground);
+}
+
+TEST(Hall, shell_is_around_the_flight_space) {
+  const World world = make_world(HallSpec{}, 2);
+  const Aabb inside = world.flight_bounds;
+  EXPECT_EQ(inside.max(), Eigen::Vector3d(20.0, 30.0, 5.0));
+  const Aabb core(inside.min().array() + 1e-4, inside.max().array() - 1e-4);
+  Aabb whole;
+  for (std::size_t i = 0; i < 6; ++i) {
+    Aabb slab;
+    for (const Eigen::Vector3f& vertex :
+         world.prototypes[world.instances[i].prototype].mesh.vertices) {
+      slab.extend((world.instances[i].T_world_prototype * vertex).cast<double>());
+    }
+    EXPECT_FALSE(slab.intersects(core)) << i;
+    whole.extend(slab);
+  }
+  EXPECT_TRUE(whole.contains(inside));
+}
+
+TEST(Hall, cylinders_reach_from_floor_to_ceiling_inside_the_walls) {
+  const HallSpec spec;
+  const World world = make_world(spec, 3);
+  double sum_m = 0.0, count = 0.0;
+  for (const Instance& instance : world.instances) {
+    const Obstacle& obstacle = world.obstacles[instance.obstacle];
+    if (obstacle.kind != "cylinder") continue;
+    Aabb box;
+    for (const Eigen::Vector3f& vertex : world.prototypes[instance.prototype].mesh.vertices) {
+      const Eigen::Vector3d corner = (instance.T_world_prototype * vertex).cast<double>();
+      box.extend(corner);
+      const double away_m = (corner - obstacle.position_world).head<2>().norm();
+      EXPECT_NEAR(away_m, 0.5 * obstacle.width_m, 1e-5);
+    }
+    EXPECT_LE(box.min().z(), 0.0);
+    EXPECT_GE(box.max().z(), spec.height_m);
+    EXPECT_GE(box.min().x(), -1e-6);
+    EXPECT_GE(box.min().y(), -1e-6);
+    EXPECT_LE(box.max().x(), 20.0 + 1e-5);
+    EXPECT_LE(box.max().y(), 30.0 + 1e-5);
+    EXPECT_GE(obstacle.width_m, 0.5);
+    EXPECT_LE(obstacle.width_m, 1.0);
+    sum_m += obstacle.width_m;
+    count += 1.0;
+  }
+  EXPECT_NEAR(world.mean_obstacle_width_m, sum_m / count, 1e-12);
+}
+
+TEST(Hall, texture_opacity_moves_nothing_but_changes_the_digest) {
+  HallSpec bold, bland;
+  bland.texture_opacity = 0.25;
+  const World a = make_world(bold, 4);
+  const World b = make_world(bland, 4);
+  ASSERT_EQ(a.obstacles.size(), b.obstacles.size());
+  for (std::size_t i = 0; i < a.obstacles.size(); ++i) {
+    EXPECT_EQ(a.obstacles[i].position_world, b.obstacles[i].position_world);
+    EXPECT_EQ(a.obstacles[i].width_m, b.obstacles[i].width_m);
+    if (a.obstacles[i].kind != "cylinder") continue;
+    EXPECT_DOUBLE_EQ(b.obstacles[i].texture_opacity, 0.25 * a.obstacles[i].texture_opacity);
+    EXPECT_GE(a.obstacles[i].texture_opacity, 0.8);
+    EXPECT_LE(a.obstacles[i].texture_opacity, 1.0);
+  }
+  EXPECT_NE(a.digest, b.digest);
+}
+
+TEST(Hall, diameters_move_no_axis_but_by_the_wall_margin) {
+  HallSpec thin = {}, thick = {};
+  thin.cylinder_diameter_m = {0.5, 1.0};
+  thick.cylinder_diameter_m = {0.9, 1.0};
+  const World a = make_world(thin, 5);
+  const World b = make_world(thick, 5);
+  ASSERT_EQ(a.obstacles.size(), b.obstacles.size());
+  for (std::size_t i = 0; i < a.obstacles.size(); ++i) {
+    EXPECT_EQ(a.obstacles[i].position_world, b.obstacles[i].position_world);
+  }
+}
+
+TEST(Hall, bands_are_at_the_ends_of_y) {
+  const World world = make_world(HallSpec{}, 6);
+  EXPECT_EQ(world.start_region.lowest, Eigen::Vector3d(2.0, 1.0, 2.0));
+  EXPECT_EQ(world.start_region.highest, Eigen::Vector3d(18.0, 4.5, 2.0));
+  EXPECT_EQ(world.goal_region.lowest, Eigen::Vector3d(2.0, 25.5, 2.0));
+  EXPECT_EQ(world.goal_region.highest, Eigen::Vector3d(18.0, 29.0, 2.0));
+}
+
+}  // namespace
+}  // namespace avoidbench

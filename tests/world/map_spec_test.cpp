@@ -1,0 +1,103 @@
+#include "world/map_spec.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "base/input_error.hpp"
+
+namespace avoidbench {
+namespace {
+
+// The same bits from every compiler. A change of these is a change of results: announce it.
+constexpr const char* kForestDigest =
+    "dc863f9ff77b95979a4eacf9b7b6562fc2b41599eca12bc84a17580f91ec109b";
+constexpr const char* kHallDigest =
+    "440f3504aec8fd9aea9d5a33e0e6b9de88c261a7c8ce41fdab109c7aba9d74a1";
+
+std::string error_of(const MapSpec& spec) {
+  try {
+    make_world(spec, 1);
+  } catch (const InputError& error) {
+    std::string all;
+    for (const InputProblem& problem : error.problems()) all += problem.message + '\n';
+    return all;
+  }
+  return {};
+}
+
+TEST(MapSpec, digests_are_those_of_every_machine) {
+  EXPECT_EQ(make_world(ForestSpec{}, 42).digest, kForestDigest);
+  EXPECT_EQ(make_world(HallSpec{}, 42).digest, kHallDigest);
+}
+
+TEST(MapSpec, other_seeds_give_other_maps_and_the_same_seed_the_same) {
+  for (const MapSpec& spec : {MapSpec(ForestSpec{}), MapSpec(HallSpec{})}) {
+    EXPECT_EQ(make_world(spec, 1).digest, make_world(spec, 1).digest);
+    EXPECT_NE(make_world(spec, 1).digest, make_world(spec, 2).digest);
+  }
+}
+
+TEST(MapSpec, digest_sees_every_part) {
+  const World world = make_world(HallSpec{}, 1);
+  const auto changed = [&](auto change) {
+    World other = world;
+    change(other);
+    return world_digest(other) != world.digest;
+  };
+  EXPECT_EQ(world_digest(world), world.digest);
+  EXPECT_TRUE(changed([](World& w) { w.prototypes[0].mesh.vertices[0].x() += 1e-3F; }));
+  EXPECT_TRUE(changed([](World& w) {
+    std::swap(w.prototypes[0].mesh.triangles[0][0], w.prototypes[0].mesh.triangles[0][1]);
+  }));
+  EXPECT_TRUE(changed([](World& w) { w.prototypes[0].triangle_materials[0] = Material::leaf; }));
+  EXPECT_TRUE(
+      changed([](World& w) { w.instances[1].T_world_prototype.translation().y() += 1.0F; }));
+  EXPECT_TRUE(changed([](World& w) { w.obstacles[2].kind = "tree"; }));
+  EXPECT_TRUE(changed([](World& w) { w.obstacles[2].texture_opacity = 0.5; }));
+  EXPECT_TRUE(changed([](World& w) { w.bounds.extend(Eigen::Vector3d(100, 0, 0)); }));
+  EXPECT_TRUE(changed([](World& w) { w.goal_region.lowest.x() += 1.0; }));
+  EXPECT_TRUE(changed([](World& w) { w.heights_above_ground = true; }));
+  EXPECT_TRUE(changed([](World& w) { w.mean_obstacle_width_m += 1.0; }));
+  EXPECT_TRUE(changed([](World& w) { w.ground.heights_m.push_back(0.0F); }));
+}
+
+TEST(MapSpec, triangles_are_counted_per_instance) {
+  World world = make_world(HallSpec{}, 1);
+  const std::size_t before = triangle_count(world);
+  world.instances.push_back(world.instances[0]);
+  EXPECT_EQ(triangle_count(world), before + 12);
+  EXPECT_GT(memory_bytes(world), 1000U);
+}
+
+TEST(MapSpec, contradictions_are_the_users_errors) {
+  ForestSpec high;
+  high.flight_height_m = 6.0;
+  EXPECT_NE(error_of(high).find("flight_height_m"), std::string::npos);
+  ForestSpec small;
+  small.area_m = {15.0, 40.0};
+  small.poisson_radius_m = 10.0;
+  EXPECT_NE(error_of(small).find("area_m"), std::string::npos);
+  HallSpec hall;
+  hall.flight_height_m = 7.0;
+  hall.cylinder_diameter_m = {1.0, 0.5};
+  EXPECT_NE(error_of(hall).find("flight_height_m"), std::string::npos);
+  EXPECT_NE(error_of(hall).find("cylinder_diameter_m"), std::string::npos);
+  HallSpec crowded;
+  crowded.poisson_radius_m = 1.0;
+  EXPECT_NE(error_of(crowded).find("cylinder_diameter_m"), std::string::npos);
+}
+
+TEST(MapSpec, numbers_outside_their_ranges_are_the_users_errors) {
+  ForestSpec tiny;
+  tiny.area_m = {40.0, 1.0};
+  EXPECT_NE(error_of(tiny).find("area_m: 1 is outside [15, 200]"), std::string::npos);
+  HallSpec nan;
+  nan.height_m = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_NE(error_of(nan).find("height_m"), std::string::npos);
+  EXPECT_EQ(error_of(ForestSpec{}), "");
+  EXPECT_EQ(error_of(HallSpec{}), "");
+}
+
+}  // namespace
+}  // namespace avoidbench
