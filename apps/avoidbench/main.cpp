@@ -90,6 +90,8 @@ void add_commands(CLI::App& app) {
 int run_program(int argc, const char* const* argv) {
   CLI::App app("Benchmark of obstacle-avoidance planners for multirotors.", "avoidbench");
   app.set_version_flag("--version", version_text(), "Print version, git hash and compiler");
+  add_commands(app);
+  // After the commands, which would take it over.
   app.footer(
       "First steps:\n"
       "  avoidbench run configs/sweeps/quick.yaml   fly a small sweep\n"
@@ -97,7 +99,6 @@ int run_program(int argc, const char* const* argv) {
       "  avoidbench config defaults                 all that a sweep file can say\n\n"
       "Exit codes: 0 done, 1 done but a check failed, 2 usage or input, 3 an error of this "
       "program");
-  add_commands(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::RuntimeError& stop) {

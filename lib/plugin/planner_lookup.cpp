@@ -57,10 +57,11 @@ std::string joined(const std::vector<std::string>& words) {
 
 [[noreturn]] void fail_path(const fs::path& file) {
   std::string message = "no planner library '" + file.string() + "'";
-  const std::vector<std::string> names = names_in({file.parent_path()});
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  const std::vector<std::string> names = names_in({folder});
   std::error_code error;
-  if (!fs::is_directory(file.parent_path(), error)) {
-    message += ": there is no folder " + file.parent_path().string();
+  if (!fs::is_directory(folder, error)) {
+    message += ": there is no folder " + folder.string();
   } else {
     message += did_you_mean(file.stem().string(), names);
   }

@@ -105,6 +105,7 @@ void render_depth(const Scene& scene, const Pinhole& camera, const Pose& T_world
       const auto x = static_cast<std::size_t>(block_x * kBlockWidth);
       const std::size_t columns = std::min<std::size_t>(kBlockWidth, width - x);
       rays.trace(block_x, block_y);
+      for (std::size_t i = 1; i < embree::kStreamPackets; ++i) rays.prefetch_plane(rays.packet(i));
       for (std::size_t i = 0; i < embree::kStreamPackets; ++i) {
         packet_depths(rays, rays.packet(i), rays.u() + x, rays.v() + y + kPacketHeight * i, range_m,
                       depths + 8 * i);

@@ -52,6 +52,12 @@ class PrimaryRays {
     return scene_.flattened ? packet.hit.geomID : packet.hit.instID[0];
   }
 
+  /// Brings the plane of a packet's first hit nearer to the processor.
+  void prefetch_plane(const RTCRayHit8& packet) const {
+    if (packet.hit.geomID[0] == RTC_INVALID_GEOMETRY_ID) return;
+    __builtin_prefetch(scene_.placements[instances(packet)[0]].planes + packet.hit.primID[0]);
+  }
+
   PlaneInCamera plane(unsigned instance, unsigned triangle) const {
     const TrianglePlane& p = scene_.placements[instance].planes[triangle];
     const CameraAxes& camera = cameras_[scene_.flattened ? 0 : instance];

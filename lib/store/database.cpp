@@ -84,7 +84,7 @@ std::string views_sql(std::span<const MetricRow> metrics) {
 void Database::Close::operator()(sqlite3* handle) const {
   // A finished database is one file: it can be copied, and read in a folder that can't be written.
   // Where somebody still reads it, it stays in WAL mode, which does no harm.
-  if (sqlite3_db_readonly(handle, "main") == 0) {
+  if (is_writer) {
     sqlite3_busy_timeout(handle, 0);
     sqlite3_exec(handle, "PRAGMA journal_mode = DELETE", nullptr, nullptr, nullptr);
   }
@@ -99,7 +99,7 @@ Database Database::connect(const std::filesystem::path& path, int flags, bool is
   sqlite3* handle = nullptr;
   const int code = sqlite3_open_v2(file_uri(path, is_immutable).c_str(), &handle,
                                    flags | SQLITE_OPEN_URI, nullptr);
-  Database database(path, std::unique_ptr<sqlite3, Close>(handle));
+  Database database(path, std::unique_ptr<sqlite3, Close>(handle, Close{.is_writer = false}));
   if (code != SQLITE_OK) throw_sqlite_error(handle, code, path);
   sqlite3_busy_timeout(handle, kLockTimeout_ms);
   return database;
@@ -123,6 +123,7 @@ Database Database::open_for_run(const std::filesystem::path& path,
   database.create_schema();
   database.bring_metrics(metrics);
   transaction.commit();
+  database.handle_.get_deleter().is_writer = true;
   return database;
 }
 

@@ -80,6 +80,7 @@ class Database {
 
  private:
   struct Close {
+    bool is_writer;  // of a database that was found to be ours
     void operator()(sqlite3* handle) const;
   };
 

@@ -91,11 +91,11 @@ void settle_map(Run& run, MapPlan& map, MapRecord record) {
 
 /// Takes from the database the maps that an earlier run measured with at least as many missions.
 void recall_maps(Run& run) {
+  const auto mission_count = static_cast<std::size_t>(run.sweep.trials);
   for (MapPlan& map : run.schedule.maps) {
-    if (map.waiting.empty()) continue;
     auto known = run.database.read_map(map.key);
-    if (!known || static_cast<std::int64_t>(known->record.missions.size()) < run.sweep.trials)
-      continue;
+    if (!known || known->record.missions.size() < mission_count) continue;
+    known->record.missions.resize(mission_count);
     run.database.add_map(*known, run.sweep.name);
     settle_map(run, map, std::move(known->record));
   }

@@ -49,9 +49,11 @@ def parse(text):
         elif current is not None and line in ("stdout:", "stderr:"):
             stream = line[:-1]
             current[stream] = []
+        elif line.startswith("# "):
+            stream = None
         elif stream is not None:
             current[stream].append(line)
-        elif line.strip() and not line.startswith("#"):
+        elif line.strip():
             raise SystemExit(f"line {i}: what is this? {line}")
     return steps
 

@@ -52,7 +52,9 @@ void run_sql(const std::filesystem::path& path, const std::string& sql) {
 
 TEST(Damage, AForeignDatabaseIsRefusedAndLeftAsItIs) {
   const TemporaryFolder folder;
-  run_sql(folder / "f.db", "CREATE TABLE photos (name); INSERT INTO photos VALUES ('x');");
+  run_sql(
+      folder / "f.db",
+      "PRAGMA journal_mode = WAL; CREATE TABLE photos (name); INSERT INTO photos VALUES ('x');");
   const std::string before = file_digest(folder / "f.db");
   EXPECT_TRUE(has(message_of_opening(folder / "f.db"), "not a database of avoidbench"));
   EXPECT_EQ(file_digest(folder / "f.db"), before);

@@ -1,0 +1,187 @@
+#include "metrics/flight_measures.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+#include <string>
+
+#include "base/math.hpp"
+#include "metrics/metric_table.hpp"
+
+namespace avoidbench {
+namespace {
+
+using Eigen::Vector3d;
+
+Sample sample_at(double time_s, const Vector3d& position) {
+  Sample sample;
+  sample.time_s = time_s;
+  sample.position_world = position;
+  sample.velocity_world = sample.acceleration_world = sample.rates_body_radps = Vector3d::Zero();
+  sample.reference_world = Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+  sample.q_world_body = Eigen::Quaterniond::Identity();
+  return sample;
+}
+
+/// 2 m/s along x for 5 s.
+std::vector<Sample> straight_flight() {
+  std::vector<Sample> samples;
+  for (int i = 0; i <= 500; ++i) {
+    samples.push_back(sample_at(0.01 * i, Vector3d(0.02 * i, 0, 1)));
+    samples.back().velocity_world = Vector3d(2, 0, 0);
+    samples.back().clearance_m = 1.0 + 0.001 * i;
+    samples.back().rotor_power_w = 50.0;
+  }
+  return samples;
+}
+
+/// A circle of 3 m radius at 1.5 m/s, once around.
+std::vector<Sample> circular_flight() {
+  std::vector<Sample> samples;
+  const double period_s = math::kTau * 3.0 / 1.5;
+  for (int i = 0; i <= 1200; ++i) {
+    const double time_s = period_s * i / 1200.0, angle = math::kTau * i / 1200.0;
+    const Vector3d out(math::cos(angle), math::sin(angle), 0.0);
+    samples.push_back(sample_at(time_s, 3.0 * out));
+    samples.back().acceleration_world = -0.75 * out;  // v²/r
+  }
+  return samples;
+}
+
+TEST(FlightMeasures, OfAStraightFlight) {
+  const auto samples = straight_flight();
+  EXPECT_NEAR(flown_length_m(samples), 10.0, 1e-12);
+  EXPECT_NEAR(mean_speed_mps(samples), 2.0, 1e-12);
+  EXPECT_EQ(max_speed_mps(samples), 2.0);
+  EXPECT_EQ(jerk_integral_mps2(samples), 0.0);
+  EXPECT_NEAR(mean_curvature_1pm(samples), 0.0, 1e-12);
+  EXPECT_EQ(min_clearance_m(samples), 1.0);
+  EXPECT_NEAR(mean_clearance_m(samples), 1.25, 1e-9);
+  EXPECT_NEAR(rotor_energy_j(samples), 250.0, 1e-9);
+  EXPECT_TRUE(std::isnan(tracking_rmse_m(samples)));
+}
+
+TEST(FlightMeasures, OfACircle) {
+  const auto samples = circular_flight();
+  EXPECT_NEAR(flown_length_m(samples), math::kTau * 3.0, 1e-4);
+  EXPECT_NEAR(mean_curvature_1pm(samples), 1.0 / 3.0, 1e-4);
+  // |a| = v²/r all the way; |jerk| = v³/r² all the way.
+  EXPECT_NEAR(acceleration_effort(samples), 0.75 * 0.75 / 1.5, 1e-4);
+  EXPECT_NEAR(jerk_integral_mps2(samples), 0.75 * math::kTau, 1e-4);
+  EXPECT_NEAR(jerk_effort(samples), 0.375 * 0.375 / 1.5, 1e-4);
+}
+
+TEST(FlightMeasures, ResamplingInTimeKeepsThem) {
+  const auto fine = circular_flight();
+  std::vector<Sample> coarse;
+  for (std::size_t i = 0; i < fine.size(); i += 4) coarse.push_back(fine[i]);
+  EXPECT_NEAR(flown_length_m(coarse), flown_length_m(fine), 1e-3);
+  EXPECT_NEAR(jerk_integral_mps2(coarse), jerk_integral_mps2(fine), 1e-3);
+  EXPECT_NEAR(mean_curvature_1pm(coarse), mean_curvature_1pm(fine), 1e-3);
+}
+
+TEST(FlightMeasures, TrackingErrorOverSamplesWithAReference) {
+  auto samples = straight_flight();
+  samples[10].reference_world = samples[10].position_world + Vector3d(0.3, 0, 0);
+  samples[20].reference_world = samples[20].position_world + Vector3d(0, 0.4, 0);
+  EXPECT_NEAR(tracking_rmse_m(samples), std::sqrt((0.09 + 0.16) / 2.0), 1e-12);
+}
+
+TEST(FlightMeasures, OfNothingAreZero) {
+  EXPECT_EQ(flown_length_m({}), 0.0);
+  EXPECT_EQ(mean_speed_mps({}), 0.0);
+  EXPECT_EQ(mean_curvature_1pm({sample_at(0, Vector3d::Zero())}), 0.0);
+}
+
+TEST(Progress, IsTheProjectionOnTheCourse) {
+  const Vector3d start(0, 0, 2), goal(0, 30, 2);
+  EXPECT_NEAR(progress_pct(start, goal, goal), 100.0, 1e-12);
+  EXPECT_NEAR(progress_pct(start, goal, start), 0.0, 1e-12);
+  EXPECT_NEAR(progress_pct(start, goal, {5, 15, 2}), 50.0, 1e-12);
+  EXPECT_NEAR(progress_pct(start, goal, {0, 33, 2}), 90.0,
+              1e-12);  // past the goal counts as short of it
+  EXPECT_LT(progress_pct(start, goal, {0, -3, 2}), 0.0);
+}
+
+MissionRecord straight_mission() {
+  MissionRecord mission;
+  mission.mission.goal_world = {10, 0, 1};
+  mission.mission.start_world = {0, 0, 1};
+  mission.reference_length_m = 8.0;
+  return mission;
+}
+
+double value_of(const std::string& name, const std::vector<double>& values) {
+  const auto table = metric_table();
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    if (table[i].name == name) return values[i];
+  }
+  ADD_FAILURE() << name;
+  return 0.0;
+}
+
+TEST(MetricTable, OfAFinishedFlight) {
+  TrialRecord record;
+  record.outcome = Outcome::reached_goal;
+  record.samples = straight_flight();
+  record.end_time_s = 5.0;
+  for (int i = 1; i <= 100; ++i)
+    record.plan_calls.push_back({.time_s = 0.0, .cpu_time_s = 1e-3 * i, .wall_time_s = 1e-3 * i});
+  record.plan_calls[3].status = 1;
+  const auto values = compute_metrics({TrialSpec{}, straight_mission(), record});
+  EXPECT_EQ(value_of("finished", values), 1.0);
+  EXPECT_NEAR(value_of("path_optimality_pct", values), 25.0, 1e-9);
+  EXPECT_NEAR(value_of("average_goal_velocity_mps", values), 1.6, 1e-12);
+  EXPECT_EQ(value_of("mission_progress_pct", values), 100.0);
+  EXPECT_NEAR(value_of("processing_time_ms", values), 50.5, 1e-9);
+  EXPECT_NEAR(value_of("processing_time_p50_ms", values), 50.5, 1e-9);
+  EXPECT_NEAR(value_of("processing_time_p95_ms", values), 95.05, 1e-9);
+  EXPECT_NEAR(value_of("processing_time_max_ms", values), 100.0, 1e-9);
+  EXPECT_NEAR(value_of("processing_time_std_ms", values), std::sqrt(100.0 * 101.0 / 12.0), 1e-9);
+  EXPECT_EQ(value_of("no_plan_count", values), 1.0);
+  EXPECT_EQ(value_of("deadline_miss_count", values), 67.0);  // 34 ms and more at 30 Hz
+  EXPECT_EQ(value_of("relative_end_distance_ratio", values), 0.0);
+}
+
+TEST(MetricTable, FailuresAreLeftOutOfFinishedMetricsOnly) {
+  TrialRecord record;
+  record.outcome = Outcome::collided;
+  record.samples = straight_flight();
+  record.samples.resize(251);  // at x = 5 m
+  record.end_time_s = 2.5;
+  record.collisions.push_back({.time_s = 2.5, .speed_mps = 2.0, .obstacle = 1, .kind = "tree"});
+  const auto values = compute_metrics({TrialSpec{}, straight_mission(), record});
+  EXPECT_EQ(value_of("finished", values), 0.0);
+  EXPECT_TRUE(std::isnan(value_of("path_optimality_pct", values)));
+  EXPECT_TRUE(std::isnan(value_of("energy_optimality", values)));
+  EXPECT_NEAR(value_of("mission_progress_pct", values), 50.0, 1e-9);
+  EXPECT_NEAR(value_of("relative_end_distance_ratio", values), 0.5, 1e-9);
+  EXPECT_EQ(value_of("collision_count", values), 1.0);
+  EXPECT_NEAR(value_of("path_length_m", values), 5.0, 1e-12);
+}
+
+TEST(MetricTable, OfATrialThatNeverFlew) {
+  TrialRecord record;
+  record.outcome = Outcome::planner_crashed;
+  const auto values = compute_metrics({TrialSpec{}, straight_mission(), record});
+  EXPECT_EQ(value_of("finished", values), 0.0);
+  EXPECT_NEAR(value_of("mission_progress_pct", values), 0.0, 1e-12);
+  EXPECT_TRUE(std::isnan(value_of("processing_time_ms", values)));
+}
+
+TEST(MetricTable, NamesAreUniqueColumnsWithDocs) {
+  std::set<std::string> names;
+  for (const MetricDef& metric : metric_table()) {
+    EXPECT_TRUE(names.emplace(metric.name).second) << metric.name;
+    EXPECT_EQ(metric.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_"),
+              std::string_view::npos);
+    EXPECT_FALSE(metric.doc.empty());
+    EXPECT_FALSE(metric.formula.empty());
+    EXPECT_GE(metric.version, 1);
+  }
+}
+
+}  // namespace
+}  // namespace avoidbench

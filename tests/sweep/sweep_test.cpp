@@ -1,0 +1,216 @@
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+#include "metrics/metric_table.hpp"
+#include "store/canonical_rows.hpp"
+#include "support/planner_files.hpp"
+#include "sweep/job.hpp"
+#include "sweep/run_sweep.hpp"
+#include "sweep/schedule.hpp"
+#include "sweep/worker_process.hpp"
+
+namespace avoidbench {
+namespace {
+
+/// Two small halls, two missions each, one blind planner and one that sees.
+SweepSpec small_sweep() {
+  SweepSpec sweep;
+  sweep.name = "small";
+  sweep.base.map = HallSpec{.area_m = {10, 14}, .poisson_radius_m = 3.0};
+  sweep.base.mission.time_limit_s = 20.0;
+  sweep.base.sensor.width_px = 80;
+  sweep.base.sensor.height_px = 60;
+  sweep.axes = {{.path = "map_seed", .values = {1, 2}}};
+  sweep.trials = 2;
+  sweep.planners = {test::preset_choice("straight_line"), test::preset_choice("reactive")};
+  return sweep;
+}
+
+/// A database file in a folder of its own, removed afterwards.
+class SweepTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ =
+        std::filesystem::temp_directory_path() /
+        (std::string("sweep_") + testing::UnitTest::GetInstance()->current_test_info()->name() +
+         std::to_string(::getpid()));
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  RunSummary run(const SweepSpec& sweep, const std::string& file, int jobs,
+                 bool in_process = false) {
+    Database database = Database::open_for_run(folder_ / file, metric_table());
+    const RunSummary summary =
+        run_sweep(sweep, {}, database,
+                  {.jobs = jobs,
+                   .in_process = in_process,
+                   .worker_command = {std::string(AVOIDBENCH_BINARY_DIR) + "/avoidbench", "worker",
+                                      "--plan-timeout", "1"},
+                   .on_progress = {}});
+    rows_ = canonical_rows(database);
+    return summary;
+  }
+
+  std::filesystem::path folder_;
+  std::string rows_;
+};
+
+TEST_F(SweepTest, RowsAreTheSameForAnyNumberOfWorkersAndOnResume) {
+  SweepSpec sweep = small_sweep();
+  EXPECT_EQ(run(sweep, "one.db", 1).progress.done, 8);
+  const std::string one = rows_;
+  EXPECT_GT(one.size(), 1000U);
+  EXPECT_EQ(run(sweep, "two.db", 2).progress.done, 8);
+  EXPECT_EQ(rows_, one);
+  EXPECT_EQ(run(sweep, "twice.db", 2).progress.done_before, 0);
+  EXPECT_EQ(rows_, one);
+  run(sweep, "in_process.db", 1, true);
+  EXPECT_EQ(rows_, one);
+
+  const RunSummary again = run(sweep, "one.db", 2);  // nothing left to do
+  EXPECT_EQ(again.progress.done_before, 8);
+  EXPECT_TRUE(again.progress.planners.empty());
+  EXPECT_EQ(rows_, one);
+}
+
+TEST_F(SweepTest, GrowingASweepAddsAndKeepsWhatIsThere) {
+  SweepSpec sweep = small_sweep();
+  sweep.trials = 1;
+  run(sweep, "grown.db", 1);
+  sweep.trials = 2;
+  const RunSummary grown = run(sweep, "grown.db", 2);
+  EXPECT_EQ(grown.progress.done_before, 4);
+  EXPECT_EQ(grown.progress.done, 8);
+}
+
+TEST_F(SweepTest, APlannerThatCrashesOrHangsCostsItsOwnTrials) {
+  SweepSpec sweep = small_sweep();
+  sweep.axes[0].values = {1};
+  for (const std::string name : {"segfault", "infinite_loop"}) {
+    PlannerChoice bad;
+    bad.label = name;
+    bad.file = std::string(BAD_PLANNERS) + "/" + name + ".so";
+    bad.file_digest = PlannerLibrary::load(bad.file).description().file_digest;
+    sweep.planners.push_back(bad);
+  }
+  const RunSummary summary = run(sweep, "bad.db", 2);
+  EXPECT_EQ(summary.progress.done, 8);
+  const Database database = Database::open_for_reading(folder_ / "bad.db");
+  int crashed = 0, hung = 0;
+  for (const auto& [key, outcome] : database.finished_trials()) {
+    crashed += outcome == Outcome::planner_crashed ? 1 : 0;
+    hung += outcome == Outcome::planner_hung ? 1 : 0;
+  }
+  EXPECT_EQ(crashed, 2);
+  EXPECT_EQ(hung, 2);
+}
+
+TEST(Expand, AxesAreSlowestAndPlannersFastest) {
+  const auto trials = expand(small_sweep());
+  ASSERT_EQ(trials.size(), 8U);
+  EXPECT_EQ(trials[0].map_seed, 1U);
+  EXPECT_EQ(trials[0].planner.label, "straight_line");
+  EXPECT_EQ(trials[1].planner.label, "reactive");
+  EXPECT_EQ(trials[1].mission_index, 0);
+  EXPECT_EQ(trials[2].mission_index, 1);
+  EXPECT_EQ(trials[4].map_seed, 2U);
+  std::set<std::string> keys;
+  for (const TrialSpec& trial : trials) keys.insert(trial_key(trial));
+  EXPECT_EQ(keys.size(), 8U);
+}
+
+TEST(TrialKey, FollowsTheSpecAndNotThePath) {
+  const TrialSpec spec = expand(small_sweep())[0];
+  TrialSpec moved = spec;
+  moved.planner.file = "/elsewhere/straight_line.so";
+  EXPECT_EQ(trial_key(spec), trial_key(moved));
+  TrialSpec windy = spec;
+  windy.wind.mean_world_mps[0] = 1e-9;
+  EXPECT_NE(trial_key(spec), trial_key(windy));
+  EXPECT_EQ(map_key(spec), map_key(windy));
+  TrialSpec rebuilt = spec;
+  rebuilt.planner.file_digest[0] = 'x';
+  EXPECT_NE(trial_key(spec), trial_key(rebuilt));
+  TrialSpec wide = spec;
+  wide.vehicle.body_size_m[0] = 0.6;
+  EXPECT_NE(map_key(spec), map_key(wide));
+}
+
+TEST(Schedule, HandsOutEveryTrialOnceAfterItsMap) {
+  Schedule schedule = make_schedule(expand(small_sweep()), {});
+  ASSERT_EQ(schedule.maps.size(), 2U);
+  const auto first = next_assignment(schedule, std::nullopt);
+  ASSERT_TRUE(first && !first->trial);
+  const auto second = next_assignment(schedule, std::nullopt);
+  ASSERT_TRUE(second && !second->trial);
+  EXPECT_NE(first->map, second->map);
+  EXPECT_FALSE(
+      next_assignment(schedule, std::nullopt).has_value());  // both maps are being measured
+  for (MapPlan& map : schedule.maps) map.record = MapRecord{};
+  std::set<std::size_t> trials;
+  for (int i = 0; i < 4; ++i) {
+    const auto next = next_assignment(schedule, 1);
+    EXPECT_EQ(next->map, 1U);  // the worker's own map first
+    trials.insert(*next->trial);
+  }
+  while (const auto next = next_assignment(schedule, 1)) trials.insert(*next->trial);
+  EXPECT_EQ(trials.size(), 8U);
+}
+
+TEST(Schedule, LeavesOutWhatIsFinished) {
+  const auto trials = expand(small_sweep());
+  const Schedule schedule = make_schedule(trials, {trial_key(trials[0]), trial_key(trials[7])});
+  EXPECT_EQ(schedule.done_before, 2U);
+  EXPECT_EQ(schedule.maps[0].waiting.size(), 3U);
+  EXPECT_EQ(schedule.maps[1].waiting.size(), 3U);
+}
+
+TEST(Job, MessagesKeepEveryBit) {
+  JobResult result;
+  result.trial = TrialRecord{};
+  result.trial->outcome = Outcome::collided;
+  result.trial->reason = "touched tree 3";
+  result.trial->end_time_s = 0.1 + 0.2;
+  Sample sample;
+  sample.time_s = 1.0 / 3.0;
+  sample.position_world = {1e-300, -0.0, 1e300};
+  sample.velocity_world = sample.acceleration_world = sample.rates_body_radps =
+      sample.position_world;
+  sample.reference_world = Eigen::Vector3d::Constant(std::nan(""));
+  sample.q_world_body = Eigen::Quaterniond(0.1, 0.2, 0.3, 0.4);
+  result.trial->samples = {sample, sample};
+  result.trial->plan_calls = {
+      {.time_s = 0.1, .cpu_time_s = 1e-7, .wall_time_s = 0.3, .status = 1, .command_kind = 8}};
+  result.trial->collisions = {
+      {.time_s = 0.3, .speed_mps = 1.0 / 7.0, .obstacle = 3, .kind = "tree"}};
+  result.metrics = {std::nan(""), HUGE_VAL, -0.0, 1.0 / 3.0};
+  const JobResult back = result_from(result_message(result));
+  ASSERT_TRUE(back.trial.has_value());
+  EXPECT_EQ(back.trial->end_time_s, result.trial->end_time_s);
+  EXPECT_EQ(back.trial->samples[1].position_world, sample.position_world);
+  EXPECT_TRUE(std::isnan(back.trial->samples[1].reference_world.x()));
+  EXPECT_EQ(back.trial->samples[1].q_world_body.coeffs(), sample.q_world_body.coeffs());
+  EXPECT_EQ(back.trial->plan_calls[0].cpu_time_s, 1e-7);
+  EXPECT_EQ(back.trial->collisions[0].speed_mps, 1.0 / 7.0);
+  EXPECT_TRUE(std::isnan(back.metrics[0]));
+  EXPECT_EQ(back.metrics[1], HUGE_VAL);
+  EXPECT_TRUE(std::signbit(back.metrics[2]));
+}
+
+TEST(WorkerProcess, SaysHowItEnded) {
+  WorkerProcess gone({"/bin/sh", "-c", "exit 7"});
+  EXPECT_FALSE(gone.receive().has_value());
+  const ProcessEnd end = gone.wait();
+  EXPECT_EQ(end.exit_code, 7);
+  WorkerProcess killed({"/bin/sh", "-c", "kill -11 $$"});
+  EXPECT_FALSE(killed.receive().has_value());
+  EXPECT_NE(killed.wait().text.find("signal 11"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace avoidbench

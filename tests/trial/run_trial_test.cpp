@@ -1,0 +1,184 @@
+#include "trial/run_trial.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "support/flight_worlds.hpp"
+#include "support/planner_files.hpp"
+#include "trial/planner_view.hpp"
+
+namespace avoidbench {
+namespace {
+
+using Eigen::Vector3d;
+
+TrialSpec spec_of(const std::string& planner) {
+  TrialSpec spec;
+  spec.planner = test::preset_choice(planner);
+  return spec;
+}
+
+TrialRecord fly(const TrialSpec& spec, const World& world, const Mission& mission) {
+  const Scene scene(world);
+  const PlannerLibrary library = PlannerLibrary::load(spec.planner.file);
+  PlannerInstance planner(library, planner_setup(spec), parameter_values(spec.planner));
+  return run_trial(spec, scene, mission, planner);
+}
+
+/// A trial with one of the deliberately bad planners, which have no parameters.
+TrialRecord fly_bad(const std::string& name) {
+  TrialSpec spec;
+  spec.planner.file = std::string(BAD_PLANNERS) + "/" + name + ".so";
+  return fly(spec, test::flight_world(), test::straight_mission());
+}
+
+TEST(RunTrial, ReachesTheGoalInAnEmptyWorld) {
+  const TrialRecord record =
+      fly(spec_of("straight_line"), test::flight_world(), test::straight_mission());
+  EXPECT_EQ(record.outcome, Outcome::reached_goal) << record.reason;
+  const Vector3d& end = record.samples.back().position_world;
+  EXPECT_NEAR((Vector3d(0, 15, 2) - end).head<2>().norm(), 0.8,
+              0.01);  // stops at the radius, not beyond
+  EXPECT_NEAR(end.x(), 0.0, 0.02);
+  EXPECT_NEAR(record.samples.front().position_world.y(), -15.0, 1e-12);
+  EXPECT_TRUE(record.collisions.empty());
+}
+
+TEST(RunTrial, SamplesAtAHundredHertzAndPlansAtThirty) {
+  const TrialRecord record =
+      fly(spec_of("straight_line"), test::flight_world(), test::straight_mission());
+  for (std::size_t i = 0; i + 1 < record.samples.size(); ++i) {
+    ASSERT_DOUBLE_EQ(record.samples[i].time_s, 0.01 * static_cast<double>(i));
+  }
+  EXPECT_DOUBLE_EQ(record.samples.back().time_s, record.end_time_s);
+  for (std::size_t i = 0; i < record.plan_calls.size(); ++i) {
+    ASSERT_DOUBLE_EQ(record.plan_calls[i].time_s, static_cast<double>(i) / 30.0);
+    ASSERT_GE(record.plan_calls[i].wall_time_s, 0.0);
+  }
+  EXPECT_EQ(record.plan_calls.size(), static_cast<std::size_t>(record.end_time_s * 30.0) + 1);
+}
+
+TEST(RunTrial, CollidesWhereTheBoxFirstTouchesTheWall) {
+  World world = test::flight_world();
+  test::add_obstacle(world, test::box_mesh({10, 1, 8}), {0, 0, 2}, "wall");
+  const TrialRecord record = fly(spec_of("straight_line"), world, test::straight_mission());
+  ASSERT_EQ(record.outcome, Outcome::collided);
+  ASSERT_EQ(record.collisions.size(), 1U);
+  EXPECT_EQ(record.collisions[0].kind, "wall");
+  EXPECT_GT(record.collisions[0].speed_mps, 1.0);
+  // Nose 0.25 m ahead of the centre, less what the pitch takes; the wall's face is at y = -0.5 m.
+  EXPECT_NEAR(record.samples.back().position_world.y(), -0.75, 0.02);
+  EXPECT_EQ(record.samples.back().clearance_m, 0.0);
+}
+
+TEST(RunTrial, SurvivesAsManyCollisionsAsAllowed) {
+  World world = test::flight_world();
+  test::add_obstacle(world, test::box_mesh({10, 0.1F, 8}), {0, -5, 2}, "wall");
+  test::add_obstacle(world, test::box_mesh({10, 0.1F, 8}), {0, 5, 2}, "wall");
+  TrialSpec spec = spec_of("straight_line");
+  spec.mission.max_collisions = 1;
+  const TrialRecord record = fly(spec, world, test::straight_mission());
+  EXPECT_EQ(record.outcome, Outcome::collided);
+  ASSERT_EQ(record.collisions.size(), 2U);
+  EXPECT_EQ(record.collisions[0].obstacle, 1);
+  EXPECT_EQ(record.collisions[1].obstacle, 2);
+}
+
+TEST(RunTrial, EndsAtTheBoundsAndAtTheTimeLimit) {
+  World world = test::flight_world();
+  world.bounds.max().y() = 5.0;
+  EXPECT_EQ(fly(spec_of("straight_line"), world, test::straight_mission()).outcome,
+            Outcome::left_bounds);
+  TrialSpec spec = spec_of("straight_line");
+  spec.mission.time_limit_s = 2.0;
+  const TrialRecord late = fly(spec, test::flight_world(), test::straight_mission());
+  EXPECT_EQ(late.outcome, Outcome::timed_out);
+  EXPECT_DOUBLE_EQ(late.end_time_s, 2.0);
+}
+
+TEST(RunTrial, APlannersFailureIsAnOutcomeWithItsReason) {
+  const TrialRecord nan = fly_bad("nan_command");
+  EXPECT_EQ(nan.outcome, Outcome::planner_error);
+  EXPECT_NE(nan.reason.find("finite"), std::string::npos) << nan.reason;
+  const TrialRecord undeclared = fly_bad("undeclared_kind");
+  EXPECT_EQ(undeclared.outcome, Outcome::planner_error);
+  EXPECT_FALSE(undeclared.reason.empty());
+}
+
+TEST(RunTrial, LatencyDelaysWhatIsSeenFirst) {
+  TrialSpec spec = spec_of("straight_line");
+  spec.latency = {.mode = LatencyMode::fixed, .ms = 200.0};
+  const TrialRecord late = fly(spec, test::flight_world(), test::straight_mission());
+  spec.latency.mode = LatencyMode::zero;
+  const TrialRecord prompt = fly(spec, test::flight_world(), test::straight_mission());
+  EXPECT_LT(late.samples[20].velocity_world.norm(), 1e-6);  // 0.20 s: the first command acts now
+  EXPECT_GT(late.samples[40].velocity_world.norm(), 0.01);
+  EXPECT_GT(prompt.samples[20].velocity_world.norm(), 0.01);
+}
+
+TEST(RunTrial, ReactiveFliesAroundABoxThatStopsStraightLine) {
+  World world = test::flight_world();
+  test::add_obstacle(world, test::cylinder_mesh(0.5, 8.0, 24), {0, 0, 0}, "cylinder");
+  EXPECT_EQ(fly(spec_of("straight_line"), world, test::straight_mission()).outcome,
+            Outcome::collided);
+  const TrialRecord around = fly(spec_of("reactive"), world, test::straight_mission());
+  EXPECT_EQ(around.outcome, Outcome::reached_goal) << around.reason;
+}
+
+TEST(RunTrial, TwiceTheSameBits) {
+  World world = test::flight_world();
+  test::add_obstacle(world, test::cylinder_mesh(0.5, 8.0, 24), {0.2, 0, 0}, "cylinder");
+  const TrialRecord first = fly(spec_of("reactive"), world, test::straight_mission());
+  const TrialRecord second = fly(spec_of("reactive"), world, test::straight_mission());
+  ASSERT_EQ(first.samples.size(), second.samples.size());
+  for (std::size_t i = 0; i < first.samples.size(); ++i) {
+    ASSERT_EQ(first.samples[i].position_world, second.samples[i].position_world);
+    ASSERT_EQ(first.samples[i].acceleration_world, second.samples[i].acceleration_world);
+  }
+}
+
+TEST(RunTrial, FollowsATranslatedWorld) {
+  const Vector3d shift(2.0, 1.0, 0.5);
+  Mission moved = test::straight_mission();
+  moved.start_world += shift;
+  moved.goal_world += shift;
+  const TrialRecord here =
+      fly(spec_of("straight_line"), test::flight_world(), test::straight_mission());
+  const TrialRecord there = fly(spec_of("straight_line"), test::flight_world(), moved);
+  ASSERT_EQ(here.samples.size(), there.samples.size());
+  for (std::size_t i = 0; i < here.samples.size(); ++i) {
+    const Vector3d difference =
+        there.samples[i].position_world - here.samples[i].position_world - shift;
+    ASSERT_LT(difference.norm(), 1e-9);
+  }
+}
+
+TEST(MakeMission, IsFreeAroundAndTheSameForTheSameIndex) {
+  World world = test::flight_world();
+  for (int i = -2; i <= 2; ++i) {
+    test::add_obstacle(world, test::cylinder_mesh(0.4, 8.0, 12), {2.2 * i, -16, 0}, "cylinder");
+  }
+  const Scene scene(world);
+  const MissionSpec rules{.free_radius_m = 1.0};
+  for (std::int64_t index = 0; index < 20; ++index) {
+    const auto mission = make_mission(scene, rules, 3, index);
+    ASSERT_TRUE(mission.has_value());
+    EXPECT_GE(scene.nearest(mission->start_world).distance_m, 1.0);
+    EXPECT_EQ(mission->start_world, make_mission(scene, rules, 3, index)->start_world);
+    EXPECT_NE(mission->start_world, make_mission(scene, rules, 4, index)->start_world);
+  }
+  EXPECT_FALSE(
+      make_mission(scene, {.free_radius_m = 3.0}, 3, 0).has_value());  // the floor is 2 m below
+}
+
+TEST(GroundHeight, LooksThroughRoofs) {
+  World world = test::flight_world();
+  test::add_obstacle(world, test::box_mesh({4, 4, 1}), {0, 0, 5}, "roof");
+  const Scene scene(world);
+  EXPECT_NEAR(ground_height_m(scene, 0.3, 0.2), 0.0, 1e-6);
+  EXPECT_EQ(ground_height_m(scene, 35.0, 0.0), -std::numeric_limits<double>::infinity());
+}
+
+}  // namespace
+}  // namespace avoidbench
