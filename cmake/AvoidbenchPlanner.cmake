@@ -15,5 +15,6 @@ function(avoidbench_planner name)
   set_target_properties(${name} PROPERTIES PREFIX "" SUFFIX ".so"
                         CXX_VISIBILITY_PRESET hidden C_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
                         LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/planners)
+  set_property(GLOBAL APPEND PROPERTY AVOIDBENCH_PLANNERS ${name})
   install(TARGETS ${name} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/avoidbench/planners COMPONENT planners)
 endfunction()

@@ -49,7 +49,7 @@ Picture top_view(const World& world, const MapView& view) {
   constexpr double kFov = 12.0 * math::kDegree;
   const Eigen::Vector3d size = world.flight_bounds.sizes();
   const double aspect = static_cast<double>(view.height_px) / static_cast<double>(view.width_px);
-  const double half_width_m = 0.52 * std::max(size.x(), size.y() / aspect);
+  const double half_width_m = 0.55 * std::max(size.x(), size.y() / aspect);
   const Eigen::Vector3d center = world.flight_bounds.center();
   const double height_m = half_width_m / math::tan(0.5 * kFov);
   const Eigen::Vector3d eye = center + Eigen::Vector3d(0.0, 0.0, height_m);
@@ -62,7 +62,7 @@ Picture bird_view(const World& world, const MapView& view) {
   const Eigen::Vector3d center = world.flight_bounds.center();
   const double radius_m = 0.5 * world.flight_bounds.sizes().norm();
   const Eigen::Vector3d away = Eigen::Vector3d(-0.55, -0.8, 0.75).normalized();
-  const Eigen::Vector3d eye = center + away * (0.95 * radius_m / math::tan(0.5 * kFov));
+  const Eigen::Vector3d eye = center + away * (1.15 * radius_m / math::tan(0.5 * kFov));
   return shaded(opened(world, true), look_at(eye, center, Eigen::Vector3d::UnitZ()), kFov, false,
                 view);
 }

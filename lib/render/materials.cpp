@@ -154,7 +154,7 @@ SurfaceLook painted_metal(const SurfacePoint& p) {
       Vector3f(0.055F, 0.19F, 0.46F), Vector3f(0.075F, 0.34F, 0.16F),
       Vector3f(0.70F, 0.26F, 0.040F), Vector3f(0.050F, 0.055F, 0.060F)};
   const Vector3f& at = p.position_object;
-  const Vector3f paint = kPaints[lattice_hash(1, 2, 3, p.object_seed) % kPaints.size()];
+  const Vector3f& paint = kPaints[lattice_hash(1, 2, 3, p.object_seed) % kPaints.size()];
   // Stripes wind around the object's z axis, one turn a period, so that they close on themselves.
   constexpr float kPeriod = 0.9F;
   const auto turn = static_cast<float>(

@@ -54,10 +54,10 @@ PrimaryRays::PrimaryRays(const Scene::Internals& scene, const Pinhole& camera,
     const Eigen::Vector3d moved = linear * (position - origin);
     CameraAxes result{};
     for (int k = 0; k < 3; ++k) {
-      result.right[k] = turned(k, 0);
-      result.down[k] = turned(k, 1);
-      result.forward[k] = turned(k, 2);
-      result.position[k] = moved[k];
+      result.right_down[k][0] = turned(k, 0);
+      result.right_down[k][1] = turned(k, 1);
+      result.forward_position[k][0] = turned(k, 2);
+      result.forward_position[k][1] = moved[k];
     }
     return result;
   };
@@ -80,8 +80,8 @@ PrimaryRays::PrimaryRays(const Scene::Internals& scene, const Pinhole& camera,
 }
 
 void PrimaryRays::trace(int block_x, int block_y) {
-  const auto x = static_cast<std::size_t>(block_x * kBlockWidth);
-  auto y = static_cast<std::size_t>(block_y * kBlockHeight);
+  const std::size_t x = static_cast<std::size_t>(block_x) * kBlockWidth;
+  std::size_t y = static_cast<std::size_t>(block_y) * kBlockHeight;
   const __m128 column_x = _mm_loadu_ps(&columns_[0][x]);
   const __m128 column_y = _mm_loadu_ps(&columns_[1][x]);
   const __m128 column_z = _mm_loadu_ps(&columns_[2][x]);

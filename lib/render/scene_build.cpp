@@ -68,7 +68,7 @@ void set_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format,
                 const std::vector<T>& values) {
   void* const buffer = rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(T), values.size());
   embree::check_errors("copying a map's triangles");
-  std::memcpy(buffer, values.data(), values.size() * sizeof(T));
+  std::memcpy(buffer, static_cast<const void*>(values.data()), values.size() * sizeof(T));
 }
 
 embree::GeometryHandle make_geometry(const std::vector<Vector3f>& vertices,

@@ -13,9 +13,9 @@
 
 namespace avoidbench {
 
-/// Maps of at most this many triangles, counted over all instances, are flattened into one hierarchy: a forest's depth image
-/// then takes 0.6 of the time of the instanced one, for 0.9 µs of building and 105 bytes a triangle. Larger maps keep one
-/// hierarchy a prototype.
+/// Maps of at most this many triangles, counted over all instances, are flattened into one
+/// hierarchy: a forest's depth image then takes 0.6 of the time of the instanced one, for 0.9 µs of
+/// building and 105 bytes a triangle. Larger maps keep one hierarchy a prototype.
 inline constexpr std::size_t kFlattenTriangles = 1'000'000;
 
 /// normal · p = offset on the triangle; the normal is a unit vector, or zero where the triangle has

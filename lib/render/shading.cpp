@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -197,7 +198,7 @@ std::array<std::uint8_t, 4097> make_srgb_table() {
     const double linear = static_cast<double>(i) / 4096.0;
     const double encoded =
         linear <= 0.0031308 ? 12.92 * linear : 1.055 * math::pow(linear, 1.0 / 2.4) - 0.055;
-    table[i] = static_cast<std::uint8_t>(std::floor(255.0 * encoded + 0.5));
+    table[i] = static_cast<std::uint8_t>(std::round(255.0 * encoded));
   }
   return table;
 }
@@ -251,7 +252,8 @@ void render_shaded(const Scene& scene, const Pinhole& camera, const Pose& T_worl
   for (std::size_t i = 0; i < colors.size(); ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
       const float level = colors[i][static_cast<Eigen::Index>(k)] * share;
-      rgb[3 * i + k] = kSrgb[static_cast<std::size_t>(4096.0F * std::min(level, 1.0F) + 0.5F)];
+      rgb[3 * i + k] =
+          kSrgb[static_cast<std::size_t>(std::lround(4096.0F * std::min(level, 1.0F)))];
     }
   }
 }

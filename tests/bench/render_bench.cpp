@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "bare_loop.hpp"
 #include "base/math.hpp"
 #include "base/random.hpp"
 #include "render/depth.hpp"
@@ -66,65 +67,6 @@ std::vector<Pose> crossing(const Place& place) {
   return poses;
 }
 
-/// This thread's processor time, which other programs on the machine disturb less than the clock on
-/// the wall.
-double processor_s() {
-  std::timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
-                   values.end());
-  return values[values.size() / 2];
-}
-
-/// The directions of every ray of a frame, in the order they are traced.
-struct Block {
-  float directions[embree::kStreamPackets][3][8];
-};
-
-std::vector<Block> prepared_rays(const Pinhole& camera, const Pose& pose) {
-  std::vector<Block> blocks;
-  for (int y = 0; y < camera.height_px; y += kBlockHeight) {
-    for (int x = 0; x < camera.width_px; x += kBlockWidth) {
-      Block& block = blocks.emplace_back();
-      for (int i = 0; i < 8 * static_cast<int>(embree::kStreamPackets); ++i) {
-        const Eigen::Vector3d in_camera((x + i % kBlockWidth - camera.cx_px) / camera.fx_px,
-                                        (y + i / kBlockWidth - camera.cy_px) / camera.fy_px, 1.0);
-        const Eigen::Vector3d direction = pose.linear() * in_camera;
-        for (int k = 0; k < 3; ++k) {
-          block.directions[i / 8][k][i % 8] = static_cast<float>(direction[k]);
-        }
-      }
-    }
-  }
-  return blocks;
-}
-
-/// Directions copied in, traced, nothing out.
-void trace_bare(RTCScene scene, const std::vector<Block>& blocks, const Pose& pose) {
-  const ScopedFlushToZero flush;
-  RTCRayHit8 packets[embree::kStreamPackets] = {};
-  for (RTCRayHit8& packet : packets) {
-    std::fill_n(packet.ray.org_x, 8, static_cast<float>(pose.translation().x()));
-    std::fill_n(packet.ray.org_y, 8, static_cast<float>(pose.translation().y()));
-    std::fill_n(packet.ray.org_z, 8, static_cast<float>(pose.translation().z()));
-    std::fill_n(packet.ray.mask, 8, ~0U);
-  }
-  for (const Block& block : blocks) {
-    for (std::size_t i = 0; i < embree::kStreamPackets; ++i) {
-      std::memcpy(packets[i].ray.dir_x, block.directions[i][0], sizeof(packets[i].ray.dir_x));
-      std::memcpy(packets[i].ray.dir_y, block.directions[i][1], sizeof(packets[i].ray.dir_y));
-      std::memcpy(packets[i].ray.dir_z, block.directions[i][2], sizeof(packets[i].ray.dir_z));
-      std::fill_n(packets[i].ray.tfar, 8, static_cast<float>(kDepthRange_m));
-      std::fill_n(packets[i].hit.geomID, 8, RTC_INVALID_GEOMETRY_ID);
-    }
-    embree::intersect_stream(scene, packets);
-  }
-}
-
 void depth(benchmark::State& state, MapKind kind) {
   const Place& in = place(kind);
   const auto width = static_cast<std::int32_t>(state.range(0));
@@ -144,7 +86,7 @@ void depth(benchmark::State& state, MapKind kind) {
       render_depth(*in.scene, camera, poses[i], image);
       frame_s.push_back(processor_s() - first);
       const double second = processor_s();
-      trace_bare(in.scene->internals().top.get(), prepared[i], poses[i]);
+      trace_bare(in.scene->internals().top.get(), prepared[i], poses[i], kDepthRange_m);
       bare_s.push_back(processor_s() - second);
       benchmark::DoNotOptimize(image.data());
     }

@@ -60,3 +60,4 @@ BENCHMARK(closed_loop_step)->Args({0, 0})->Args({0, 1})->Args({1, 0});
 
 }  // namespace
 }  // namespace avoidbench
+BENCHMARK_MAIN();
