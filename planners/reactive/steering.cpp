@@ -15,11 +15,11 @@ constexpr double kOnwardWeight = 0.6;   // blocked on the way on to the goal
 constexpr double kHeightWeight = 0.25;  // a metre beside the height line
 constexpr double kUnseenCost = 0.5;     // has to turn first
 constexpr double kSideCost = 0.8;       // other side than committed to
-constexpr double kDeadEndCost = 1.2;     // ends no nearer to the goal than it has already been
+constexpr double kDeadEndCost = 1.2;    // ends no nearer to the goal than it has already been
 constexpr double kProgress_m = 0.5;
-constexpr double kLeastFree_m = 0.6;    // shorter ways are no ways
-constexpr std::size_t kTried = 24;      // candidates that are looked at closely
-constexpr double kPredicted_m = 3.5;    // points beyond don't matter to the prediction
+constexpr double kLeastFree_m = 0.6;  // shorter ways are no ways
+constexpr std::size_t kTried = 24;    // candidates that are looked at closely
+constexpr double kPredicted_m = 3.5;  // points beyond don't matter to the prediction
 constexpr double kContactMargin_m = 0.08;
 
 double cross_z(const Vector3& a, const Vector3& b) { return a.x * b.y - a.y * b.x; }

@@ -69,8 +69,8 @@ class Steerer {
   PolarHistogram histogram_;
   std::vector<Vector3> near_;  // points that matter within the prediction
   double nearest_m_ = 0.0;
-  Vector3 last_;               // the last choice; zero where there is none
-  int side_ = 0;               // 1: passes on the left of the course, -1: right, 0: not committed
+  Vector3 last_;                 // the last choice; zero where there is none
+  int side_ = 0;                 // 1: passes on the left of the course, -1: right, 0: not committed
   double nearest_goal_m_ = 0.0;  // least distance to the goal before it committed
   Vector3 velocity_;
 };

@@ -330,7 +330,7 @@ struct Table {
                                     nullptr};
 };
 
-}  // namespace detail
+}  // namespace AB_HIDDEN
 
 /// The values of `Planner::parameters` in a setup, by name. A name that is not declared, or of
 /// another kind, throws, so that create fails with that text.
