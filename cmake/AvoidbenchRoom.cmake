@@ -26,5 +26,5 @@ function(avoidbench_test name)
   target_link_libraries(${name}_tests PRIVATE avoidbench_flags ${TEST_USES} ${TEST_PRIVATE} GTest::gtest_main)
   target_compile_definitions(${name}_tests PRIVATE AVOIDBENCH_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
                              AVOIDBENCH_BINARY_DIR="${PROJECT_BINARY_DIR}")
-  gtest_discover_tests(${name}_tests TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60)
+  gtest_discover_tests(${name}_tests TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60 NO_PRETTY_VALUES)
 endfunction()

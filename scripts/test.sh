@@ -21,7 +21,8 @@ export CCACHE_NOHASHDIR=1 CTEST_PARALLEL_LEVEL=$jobs
 echo "== format"
 scripts/lint.sh --all --format-only
 echo "== build with g++ (build/release)"
-cmake --preset release -DAVOIDBENCH_TESTS=ON -DAVOIDBENCH_BENCH=ON -DAVOIDBENCH_WERROR=ON >/dev/null
+cmake --preset release -DAVOIDBENCH_TESTS=ON -DAVOIDBENCH_BENCH=ON -DAVOIDBENCH_WERROR=ON \
+  "-DAVOIDBENCH_COMPARE_WITH=$PWD/build/clang/avoidbench" >/dev/null
 cmake --build build/release --parallel "$jobs"
 echo "== build the program and planners with clang (build/clang), for its warnings and to compare bits"
 cmake --preset clang >/dev/null

@@ -54,10 +54,10 @@ PrimaryRays::PrimaryRays(const Scene::Internals& scene, const Pinhole& camera,
     const Eigen::Vector3d moved = linear * (position - origin);
     CameraAxes result{};
     for (int k = 0; k < 3; ++k) {
-      result.right_down[k][0] = turned(k, 0);
-      result.right_down[k][1] = turned(k, 1);
-      result.forward_position[k][0] = turned(k, 2);
-      result.forward_position[k][1] = moved[k];
+      result.right[k] = turned(k, 0);
+      result.down[k] = turned(k, 1);
+      result.forward[k] = turned(k, 2);
+      result.position[k] = moved[k];
     }
     return result;
   };

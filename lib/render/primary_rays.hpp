@@ -1,7 +1,5 @@
 #pragma once
 
-#include <emmintrin.h>
-
 #include <vector>
 
 #include "geometry/pose.hpp"
@@ -57,23 +55,16 @@ class PrimaryRays {
   PlaneInCamera plane(unsigned instance, unsigned triangle) const {
     const TrianglePlane& p = scene_.placements[instance].planes[triangle];
     const CameraAxes& camera = cameras_[scene_.flattened ? 0 : instance];
-    // Two sums at a time: (right, down) and (forward, position).
-    const __m128d nx = _mm_set1_pd(p.nx), ny = _mm_set1_pd(p.ny), nz = _mm_set1_pd(p.nz);
-    const auto sums = [&](const double(&pairs)[3][2]) {
-      return _mm_add_pd(
-          _mm_add_pd(_mm_mul_pd(nx, _mm_load_pd(pairs[0])), _mm_mul_pd(ny, _mm_load_pd(pairs[1]))),
-          _mm_mul_pd(nz, _mm_load_pd(pairs[2])));
-    };
-    const __m128d ab = sums(camera.right_down);
-    const __m128d cp = sums(camera.forward_position);
-    return {_mm_cvtsd_f64(ab), _mm_cvtsd_f64(_mm_unpackhi_pd(ab, ab)), _mm_cvtsd_f64(cp),
-            p.offset - _mm_cvtsd_f64(_mm_unpackhi_pd(cp, cp))};
+    return {p.nx * camera.right[0] + p.ny * camera.right[1] + p.nz * camera.right[2],
+            p.nx * camera.down[0] + p.ny * camera.down[1] + p.nz * camera.down[2],
+            p.nx * camera.forward[0] + p.ny * camera.forward[1] + p.nz * camera.forward[2],
+            p.offset - (p.nx * camera.position[0] + p.ny * camera.position[1] +
+                        p.nz * camera.position[2])};
   }
 
  private:
   struct CameraAxes {
-    alignas(16) double right_down[3][2];        ///< x, y and z of both
-    alignas(16) double forward_position[3][2];  ///< x, y and z of both
+    double right[3], down[3], forward[3], position[3];
   };
 
   const Scene::Internals& scene_;

@@ -74,8 +74,8 @@ void gather_lanes(const View& view, const PrimaryRays& rays, int block_x, int bl
                   std::array<Lane, kLanes>& lanes) {
   for (std::size_t i = 0; i < kLanes; ++i) {
     Lane& lane = lanes[i];
-    const std::size_t x = static_cast<std::size_t>(block_x * kBlockWidth) + i % kBlockWidth;
-    const std::size_t y = static_cast<std::size_t>(block_y * kBlockHeight) + i / kBlockWidth;
+    const std::size_t x = static_cast<std::size_t>(block_x) * kBlockWidth + i % kBlockWidth;
+    const std::size_t y = static_cast<std::size_t>(block_y) * kBlockHeight + i / kBlockWidth;
     lane.inside = x < view.width * view.samples && y < view.height * view.samples;
     if (!lane.inside) continue;
     lane.pixel = y / view.samples * view.width + x / view.samples;

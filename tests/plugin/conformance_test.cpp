@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <ostream>
+
 #include "plugin/bad_planners.hpp"
 
 namespace avoidbench {
@@ -23,6 +25,9 @@ TEST(Conformance, HonestPlannersPassEveryRule) {
 struct BadCase {
   std::string planner, rule, finding;
 };
+
+/// What test lists call it: without this the bytes of its pointers.
+void PrintTo(const BadCase& bad, std::ostream* out) { *out << bad.planner << ' ' << bad.rule; }
 
 class BadPlanner : public testing::TestWithParam<BadCase> {};
 

@@ -1,0 +1,56 @@
+#!/usr/bin/env python3
+"""Flies one sweep by several programs or with several numbers of workers, each into a database of its own, and compares every
+deterministic value of every row, trajectories bit for bit.
+
+    same_bits.py SWEEP PROGRAM:JOBS PROGRAM:JOBS …
+
+Left out are measured times, runs, and what follows from the bytes of the planners' files (another compiler makes other files)."""
+import pathlib
+import sqlite3
+import subprocess
+import sys
+import tempfile
+
+MAP_COLUMNS = "map_key, world_digest, obstacle_count, triangle_count, traversability, traversability_normalized_ratio, " \
+              "relative_gap_size, obstacle_density_1pm2, free_volume_ratio"
+
+
+def rows(database):
+    db = sqlite3.connect(database)
+    metrics = [name for (name,) in db.execute("SELECT name FROM metric_definitions WHERE NOT is_measured ORDER BY position")]
+    columns = ", ".join(f"trials.{name}" for name in metrics)
+    trials = db.execute(f"""SELECT label, trials.map_key, mission_index, outcome, reason, end_time_s, {columns},
+                                   sample_count, samples_digest, call_count, calls_digest
+                            FROM trials JOIN planners USING (planner_key) JOIN trajectories USING (trial_key)
+                                 JOIN plan_calls USING (trial_key) ORDER BY 1, 2, 3""").fetchall()
+    maps = db.execute(f"SELECT {MAP_COLUMNS} FROM maps ORDER BY 1").fetchall()
+    missions = db.execute("SELECT * FROM missions ORDER BY map_key, mission_index").fetchall()
+    return {"trial": trials, "map": maps, "mission": missions}
+
+
+def main():
+    sweep, runs = sys.argv[1], sys.argv[2:]
+    found = []
+    with tempfile.TemporaryDirectory() as folder:
+        for number, run in enumerate(runs):
+            program, _, jobs = run.rpartition(":")
+            database = pathlib.Path(folder) / f"{number}.db"
+            subprocess.run([program, "run", sweep, "--db", database, "--jobs", jobs, "--quiet"], check=True)
+            found.append(rows(database))
+    if not found[0]["trial"]:
+        sys.exit("no trials")
+    different = 0
+    for run, other in zip(runs[1:], found[1:]):
+        for kind in found[0]:
+            if len(found[0][kind]) != len(other[kind]):
+                sys.exit(f"{run}: {len(other[kind])} {kind} rows, {runs[0]} has {len(found[0][kind])}")
+            for one, two in zip(found[0][kind], other[kind]):
+                if one != two:
+                    different += 1
+                    print(f"{kind} rows differ between {runs[0]} and {run}:\n  {one}\n  {two}")
+    if different:
+        sys.exit(f"{different} rows differ")
+    print(f"{len(found[0]['trial'])} trials, the same bits in {len(runs)} runs")
+
+
+main()
