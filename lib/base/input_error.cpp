@@ -33,7 +33,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return last[b.size()];
 }
 
-/// Whether the words of `name` between underscores are all among those of `longer`, in the same order.
+/// Whether the words of `name` between underscores are all among those of `longer`, in the same
+/// order.
 bool lacks_words_only(std::string_view name, std::string_view longer) {
   const auto next_word = [](std::string_view& rest) {
     const std::string_view word = rest.substr(0, rest.find('_'));

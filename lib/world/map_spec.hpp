@@ -10,7 +10,8 @@
 
 namespace avoidbench {
 
-/// An outdoor forest: trees with trunk and branches and bushes by Poisson-disc sampling on undulating ground.
+/// An outdoor forest: trees with trunk and branches and bushes by Poisson-disc sampling on
+/// undulating ground.
 struct ForestSpec {
   static constexpr std::string_view kind = "forest";
   std::array<double, 2> area_m{40.0, 40.0};
@@ -34,7 +35,8 @@ struct HallSpec {
 
 using MapSpec = std::variant<ForestSpec, HallSpec>;
 
-/// The start and goal bands are at the ends of y, as in the original suites: a flight crosses the map along +y.
+/// The start and goal bands are at the ends of y, as in the original suites: a flight crosses the
+/// map along +y.
 template <class Visitor>
 void visit(Visitor& v, ForestSpec& s) {
   v.field("area_m", s.area_m, Range{15, 200}, "Size in x and y; flights cross it along y.");
@@ -44,7 +46,8 @@ void visit(Visitor& v, ForestSpec& s) {
   v.field("height_m", s.height_m, Range{3, 20}, "Height of the flight space above the ground.");
   v.field("ground_relief_m", s.ground_relief_m, Range{0, 3},
           "Height between the lowest and the highest ground.");
-  v.field("flight_height_m", s.flight_height_m, Range{0.5, 10}, "Height of starts and goals above the ground.");
+  v.field("flight_height_m", s.flight_height_m, Range{0.5, 10},
+          "Height of starts and goals above the ground.");
 }
 
 template <class Visitor>
@@ -65,10 +68,12 @@ void visit(Visitor& v, MapSpec& s) {
   v.variant("generator", s, "What makes the map.");
 }
 
-/// Throws InputError, with all the reasons at once, where the spec contradicts itself (a flight height above the ceiling).
+/// Throws InputError, with all the reasons at once, where the spec contradicts itself (a flight
+/// height above the ceiling).
 void check_map(const MapSpec& spec);
 
-/// The map of this spec and seed. Throws InputError where the spec contradicts itself (a flight height above the ceiling).
+/// The map of this spec and seed. Throws InputError where the spec contradicts itself (a flight
+/// height above the ceiling).
 World make_world(const MapSpec& spec, std::uint64_t map_seed);
 
 }  // namespace avoidbench

@@ -28,7 +28,8 @@ struct Instance {
   Eigen::Affine3f T_world_prototype = Eigen::Affine3f::Identity();
 };
 
-/// One thing a vehicle may hit, for reports: `kind` is "ground", "wall", "ceiling", "tree", "bush", "cylinder", …
+/// One thing a vehicle may hit, for reports: `kind` is "ground", "wall", "ceiling", "tree", "bush",
+/// "cylinder", …
 struct Obstacle {
   std::string kind;
   Eigen::Vector3d position_world = Eigen::Vector3d::Zero();  ///< of its foot
@@ -46,14 +47,14 @@ struct Region {
 /// diagonal from the low corner to the high one, so that heights between the grid's points are
 /// exactly those of the ground's mesh.
 struct HeightField {
-  double low_x_m = 0.0, low_y_m = 0.0;   ///< the first point of the grid
+  double low_x_m = 0.0, low_y_m = 0.0;  ///< the first point of the grid
   double cell_m = 1.0;
-  std::uint32_t columns = 0, rows = 0;   ///< points along x and along y; none: flat ground at z = 0
-  std::vector<float> heights_m;          ///< rows × columns, x fastest
+  std::uint32_t columns = 0, rows = 0;  ///< points along x and along y; none: flat ground at z = 0
+  std::vector<float> heights_m;         ///< rows × columns, x fastest
 };
 
-/// A map: instanced triangle meshes in a bounded piece of space. Immutable once made; the same bytes from the same spec and
-/// seed on every machine. World frame: ENU, z up, metres.
+/// A map: instanced triangle meshes in a bounded piece of space. Immutable once made; the same
+/// bytes from the same spec and seed on every machine. World frame: ENU, z up, metres.
 struct World {
   std::vector<Prototype> prototypes;
   std::vector<Instance> instances;
@@ -61,11 +62,11 @@ struct World {
   HeightField ground;
   Aabb bounds;         ///< a vehicle's centre that leaves it ends the trial with left_bounds
   Aabb flight_bounds;  ///< within bounds: what reference paths and map metrics use
-  Region start_region, goal_region;       ///< z is above the ground where `heights_above_ground`
+  Region start_region, goal_region;  ///< z is above the ground where `heights_above_ground`
   bool heights_above_ground = false;
-  double poisson_radius_m = 0.0;          ///< 0 where obstacles are not a Poisson-disc field
-  double mean_obstacle_width_m = 0.0;     ///< ŵ_obstacle of the relative gap size
-  std::string digest;                     ///< SHA-256 of all the above; world_digest() makes it
+  double poisson_radius_m = 0.0;       ///< 0 where obstacles are not a Poisson-disc field
+  double mean_obstacle_width_m = 0.0;  ///< ŵ_obstacle of the relative gap size
+  std::string digest;                  ///< SHA-256 of all the above; world_digest() makes it
 };
 
 /// SHA-256 over geometry, materials, obstacles, bounds and regions.
@@ -73,7 +74,8 @@ std::string world_digest(const World& world);
 
 std::size_t triangle_count(const World& world);  ///< of all instances
 
-std::size_t memory_bytes(const World& world);  ///< estimate: the arrays' contents, without any renderer's hierarchy
+std::size_t memory_bytes(
+    const World& world);  ///< estimate: the arrays' contents, without any renderer's hierarchy
 
 /// Height of the ground at (x, y), that of its mesh; beyond the mesh, that of its nearest edge.
 double ground_height_m(const HeightField& ground, double x_m, double y_m);

@@ -1,20 +1,22 @@
-/* The interface between avoidbench and a planner in a shared library, version 1. C99, needs only <stdint.h>.
+/* The interface between avoidbench and a planner in a shared library, version 1. C99, needs only
+ * <stdint.h>.
  *
  * SPDX-License-Identifier: MIT
  * This header may be used in and linked with planners under any licence, closed ones too.
  *
- * A planner's library exports one symbol, avoidbench_planner_v1, and nothing else of avoidbench. In C++ write a plain class
- * and let planner.hpp make the table; in C fill an ab_planner yourself.
+ * A planner's library exports one symbol, avoidbench_planner_v1, and nothing else of avoidbench. In
+ * C++ write a plain class and let planner.hpp make the table; in C fill an ab_planner yourself.
  *
  * Rules
- *   Units are SI; angles are radians. World frame: ENU, z up. Body frame: FLU, x forward. Camera frame: RDF, z forward.
- *   A quaternion q_a_b is (w, x, y, z) and takes coordinates in b to coordinates in a. T_a_b likewise.
- *   Every struct begins with struct_size, set by whoever fills it; a reader reads no further than that.
- *   Whoever allocates frees. A pointer passed into a call is valid until that call returns; what plan() returns by pointer
- *   is copied by the host at once and must stay valid until the next call on that instance.
- *   No exception may leave a call. A call that fails returns AB_ERROR after host->set_error(...).
- *   Instances may be called at the same time from several threads; one instance only by one thread at a time.
- *   Randomness only from ab_mission.seed, time only from the observation: after reset() equal inputs give equal outputs.
+ *   Units are SI; angles are radians. World frame: ENU, z up. Body frame: FLU, x forward. Camera
+ * frame: RDF, z forward. A quaternion q_a_b is (w, x, y, z) and takes coordinates in b to
+ * coordinates in a. T_a_b likewise. Every struct begins with struct_size, set by whoever fills it;
+ * a reader reads no further than that. Whoever allocates frees. A pointer passed into a call is
+ * valid until that call returns; what plan() returns by pointer is copied by the host at once and
+ * must stay valid until the next call on that instance. No exception may leave a call. A call that
+ * fails returns AB_ERROR after host->set_error(...). Instances may be called at the same time from
+ * several threads; one instance only by one thread at a time. Randomness only from ab_mission.seed,
+ * time only from the observation: after reset() equal inputs give equal outputs.
  */
 #ifndef AVOIDBENCH_PLANNER_H
 #define AVOIDBENCH_PLANNER_H
@@ -34,10 +36,11 @@ extern "C" {
 #endif
 
 typedef int32_t ab_status;
-#define AB_OK 0        /* a command was given */
-#define AB_NO_PLAN 1   /* no command now: the host brakes and hovers, counts it, and asks again */
-#define AB_ERROR (-1)  /* the trial ends with planner_error and the text given to set_error */
-#define AB_GIVE_UP 2   /* the planner knows it cannot reach the goal: the trial ends with planner_gave_up */
+#define AB_OK 0       /* a command was given */
+#define AB_NO_PLAN 1  /* no command now: the host brakes and hovers, counts it, and asks again */
+#define AB_ERROR (-1) /* the trial ends with planner_error and the text given to set_error */
+#define AB_GIVE_UP \
+  2 /* the planner knows it cannot reach the goal: the trial ends with planner_gave_up */
 
 /* ab_planner.needs: what the planner wants to see. */
 #define AB_SEES_STATE 1u
@@ -74,11 +77,13 @@ typedef struct ab_host {
   void* context; /* first argument of the functions below */
   void (*set_error)(void* context, const char* text);
   void (*log)(void* context, int32_t level, const char* text);
-  /* A further table by its name and version, e.g. "avoidbench.world/1"; null where this host has none. */
+  /* A further table by its name and version, e.g. "avoidbench.world/1"; null where this host has
+   * none. */
   const void* (*get_extension)(void* context, const char* id);
 } ab_host;
 
-/* One parameter, declared up front so that a typo in a sweep file is found before the first trial. */
+/* One parameter, declared up front so that a typo in a sweep file is found before the first trial.
+ */
 typedef struct ab_parameter {
   uint32_t struct_size;
   int32_t kind;
@@ -115,8 +120,8 @@ typedef struct ab_setup {
   uint32_t value_count;          /* as many as the planner declared, in the same order */
   const ab_value* const* values; /* value_count pointers */
   double max_speed_mps, max_acceleration_mps2, max_yaw_rate_radps;
-  double body_size_m[3];  /* box, body FLU, centred */
-  double body_radius_m;   /* of the ball around the box */
+  double body_size_m[3]; /* box, body FLU, centred */
+  double body_radius_m;  /* of the ball around the box */
   double plan_period_s;
   double gravity_mps2;
   const ab_camera* depth_camera; /* null where no depth is sensed */
@@ -151,14 +156,16 @@ typedef struct ab_depth_image {
   double fx_px, fy_px, cx_px, cy_px;
   double position_world_m[3]; /* of the camera, at exposure */
   double q_world_camera[4];
-  const float* depth_m; /* height x width, row-major, along camera z; +inf: no return; NaN: invalid */
+  const float*
+      depth_m; /* height x width, row-major, along camera z; +inf: no return; NaN: invalid */
 } ab_depth_image;
 
 typedef struct ab_observation {
   uint32_t struct_size;
-  uint32_t depth_count; /* images since the last call, newest first; 0 where none is new */
+  uint32_t depth_count;  /* images since the last call, newest first; 0 where none is new */
   const ab_state* state; /* always there */
-  const ab_depth_image* const* depth; /* depth_count pointers; none unless AB_SEES_DEPTH is declared */
+  const ab_depth_image* const*
+      depth; /* depth_count pointers; none unless AB_SEES_DEPTH is declared */
 } ab_observation;
 
 /* Points lie in an array, so this struct never grows within ABI 1. */
@@ -183,16 +190,17 @@ typedef struct ab_command {
   double yaw_rad;
   double yaw_rate_radps;
   double rates_body_radps[3];
-  double thrust_mps2;     /* collective, mass-normalised: 9.81 hovers */
+  double thrust_mps2; /* collective, mass-normalised: 9.81 hovers */
   const ab_point* points;
-  double horizon_s;       /* how long the planner believes this command is safe; after it the host brakes; 0: for ever */
+  double horizon_s; /* how long the planner believes this command is safe; after it the host brakes;
+                       0: for ever */
 } ab_command;
 
 /* The planner's table. Instances are opaque. */
 typedef struct ab_planner {
   uint32_t struct_size;
   uint32_t abi_version;
-  const char* name;    /* [a-z0-9_]+ */
+  const char* name; /* [a-z0-9_]+ */
   const char* version;
   const char* summary; /* one line */
   uint32_t needs, commands;
@@ -209,7 +217,8 @@ typedef struct ab_planner {
   const void* (*get_extension)(void* instance, const char* id);
 } ab_planner;
 
-/* The one exported symbol. `host_api` is the host's AVOIDBENCH_ABI_VERSION; null where the planner can't serve it. */
+/* The one exported symbol. `host_api` is the host's AVOIDBENCH_ABI_VERSION; null where the planner
+ * can't serve it. */
 AB_EXPORT const ab_planner* avoidbench_planner_v1(uint32_t host_api);
 
 #ifdef __cplusplus
