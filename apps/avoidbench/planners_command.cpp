@@ -107,6 +107,7 @@ void check(const std::string& plugin, const TableOptions& options) {
     }
   }
   write_table(table, options);
+  std::cout << std::flush;  // before what goes to stderr
   std::cerr << file.string() << ": " << results.size() - failed << " of " << results.size()
             << " rules hold" << (failed > 0 ? "" : ": it can be benchmarked") << '\n';
   if (failed > 0) throw CLI::RuntimeError(1);

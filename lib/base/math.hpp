@@ -4,7 +4,8 @@
 /// between variants with and without fused multiply-add by the processor at hand, so that its sin
 /// and exp differ in the last bit from machine to machine and from version to version; lib/ uses
 /// these instead (scripts/check_layers.py sees to it). Errors stay below 1.5 ulp where not said
-/// otherwise. sqrt, fabs, floor, round, fmod are exact in IEEE and taken from <cmath>.
+/// otherwise. sqrt, fabs, floor, round, fmod are exact in IEEE and taken from <cmath>. They are
+/// those that planners get from avoidbench/portable_math.hpp.
 namespace avoidbench::math {
 
 inline constexpr double kPi = 3.14159265358979323846;
