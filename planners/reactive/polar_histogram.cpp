@@ -54,8 +54,15 @@ void PolarHistogram::add(const Vector3& point, double radius_m) {
   const double radius = counted_radius(distance_m, radius_m);
   const double level_m = horizontal_norm(point);
 
-  // Only the azimuths that can touch it: within asin(radius / level distance), all where it is
-  // above or below.
+  // Only the elevations and azimuths that can touch it: within asin(radius / distance), and within
+  // asin(radius / level distance) or all where it is above or below.
+  constexpr double kSlack = 1e-9;
+  constexpr int kMiddle = kElevations / 2;
+  const double height = portable::atan2(point.z, level_m) / kStep_rad + kMiddle;
+  const double reach = portable::asin(radius / distance_m) / kStep_rad + kSlack;
+  const int lowest = std::max(0, static_cast<int>(std::ceil(height - reach)));
+  const int highest = std::min(kElevations - 1, static_cast<int>(std::floor(height + reach)));
+  if (lowest > highest) return;
   int first = 0, count = kAzimuths;
   if (level_m > radius) {
     const double centre = portable::atan2(point.y, point.x) / kStep_rad;
@@ -65,7 +72,7 @@ void PolarHistogram::add(const Vector3& point, double radius_m) {
   }
   for (int i = 0; i < count; ++i) {
     const int azimuth = (first + i + 2 * kAzimuths) % kAzimuths;
-    for (int elevation = 0; elevation < kElevations; ++elevation) {
+    for (int elevation = lowest; elevation <= highest; ++elevation) {
       const auto index = static_cast<std::size_t>(azimuth * kElevations + elevation);
       free_m_[index] =
           touched_at(point, square_distance, directions_[index], radius * radius, free_m_[index]);
