@@ -25,7 +25,7 @@ esac
 name=$1
 [[ $name =~ ^[a-z][a-z0-9_]*$ ]] || fail "'$name' is no name: use a-z, 0-9 and _, and begin with a letter"
 case "$name" in
-  avoidbench* | support | test | all | install | clean | help) fail "the name '$name' is taken by the build" ;;
+  avoidbench* | program | support | test | all | install | clean | help) fail "the name '$name' is taken by the build" ;;
 esac
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

@@ -16,7 +16,8 @@ done
 
 scripts/install_packages.sh test
 jobs=$(nproc)
-export CCACHE_NOHASHDIR=1 CTEST_PARALLEL_LEVEL=$jobs
+# Compiled files are found again from a checkout elsewhere.
+export CCACHE_NOHASHDIR=1 CCACHE_BASEDIR=$PWD CTEST_PARALLEL_LEVEL=$jobs
 
 echo "== format"
 scripts/lint.sh --all --format-only

@@ -59,7 +59,11 @@ void whole_trial(benchmark::State& state, const MapSpec& map) {
   state.counters["flown_s"] = flown_s;
 }
 
-BENCHMARK_CAPTURE(whole_trial, hall, HallSpec{.area_m = {40.0, 40.0}})
+BENCHMARK_CAPTURE(whole_trial, hall, HallSpec{})
+    ->UseManualTime()
+    ->Iterations(10)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(whole_trial, hall_40m, HallSpec{.area_m = {40.0, 40.0}})
     ->UseManualTime()
     ->Iterations(10)
     ->Unit(benchmark::kMillisecond);
