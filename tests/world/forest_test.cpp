@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
 
 #include "base/math.hpp"
@@ -149,20 +148,13 @@ TEST(Forest, is_sparser_where_the_radius_is_larger) {
   }
 }
 
-TEST(Forest, large_map_is_built_within_a_second) {
+TEST(Forest, large_map_shares_its_prototypes) {
   ForestSpec spec;
   spec.area_m = {160.0, 160.0};
   spec.poisson_radius_m = 2.3;
-  const auto start = std::chrono::steady_clock::now();
   const World world = make_world(spec, 13);
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   EXPECT_GT(plants(world).size(), 3000U);
   EXPECT_LT(memory_bytes(world), 20'000'000U);
-#if defined(NDEBUG) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-  EXPECT_LT(taken.count(), 1.0);
-#else
-  EXPECT_LT(taken.count(), 20.0);
-#endif
 }
 
 }  // namespace
