@@ -54,6 +54,10 @@ void PolarHistogram::add(const Vector3& point, double radius_m) {
   const double radius = counted_radius(distance_m, radius_m);
   const double level_m = horizontal_norm(point);
 
+  // Most of the ground: farther below the lowest direction, or above the highest, than the radius.
+  const Vector3& lowest_direction = directions_.front();  // at azimuth 0: its y is 0
+  if (std::abs(point.z) * lowest_direction.x + level_m * lowest_direction.z > radius + 1e-9) return;
+
   // Only the elevations and azimuths that can touch it: within asin(radius / distance), and within
   // asin(radius / level distance) or all where it is above or below.
   constexpr double kSlack = 1e-9;
