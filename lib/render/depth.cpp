@@ -64,9 +64,24 @@ struct Row {
   }
 };
 
+/// The triangle that was seen last, in the camera's frame: mostly the next packet's too.
+struct LastPlane {
+  unsigned instance = ~0U, triangle = ~0U;
+  PlaneInCamera plane{};
+
+  const PlaneInCamera& of(const PrimaryRays& rays, unsigned instance_now, unsigned triangle_now) {
+    if (instance_now != instance || triangle_now != triangle) {
+      instance = instance_now;
+      triangle = triangle_now;
+      plane = rays.plane(instance, triangle);
+    }
+    return plane;
+  }
+};
+
 /// The 4 × 2 depths of a packet whose first pixel has these slopes.
 void packet_depths(const PrimaryRays& rays, const RTCRayHit8& packet, const double* u,
-                   const double* v, float range_m, float* depths) {
+                   const double* v, float range_m, LastPlane& last, float* depths) {
   const unsigned* instances = rays.instances(packet);
   const unsigned* triangles = packet.hit.primID;
   Row first(packet.hit.geomID, instances, triangles);
@@ -76,7 +91,7 @@ void packet_depths(const PrimaryRays& rays, const RTCRayHit8& packet, const doub
   // Once for each triangle in the packet: one on smooth ground, up to eight in foliage.
   for (unsigned left = first.hits() | second.hits() << 4U; left != 0;) {
     const int lane = std::countr_zero(left);
-    const PlaneInCamera plane = rays.plane(instances[lane], triangles[lane]);
+    const PlaneInCamera& plane = last.of(rays, instances[lane], triangles[lane]);
     const __m128d a = _mm_set1_pd(plane.a);
     const __m128d au_low = _mm_mul_pd(a, u_low);
     const __m128d au_high = _mm_mul_pd(a, u_high);
@@ -98,6 +113,7 @@ void render_depth(const Scene& scene, const Pinhole& camera, const Pose& T_world
   PrimaryRays rays(scene.internals(), camera, T_world_camera);
   const auto range_m = static_cast<float>(camera.max_range_m);
   alignas(16) float depths[kBlockWidth * kBlockHeight];
+  LastPlane last;
   for (int block_y = 0; block_y < rays.blocks_down(); ++block_y) {
     const std::size_t y = static_cast<std::size_t>(block_y) * kBlockHeight;
     const std::size_t rows = std::min<std::size_t>(kBlockHeight, height - y);
@@ -107,7 +123,7 @@ void render_depth(const Scene& scene, const Pinhole& camera, const Pose& T_world
       rays.trace(block_x, block_y);
       for (std::size_t i = 0; i < embree::kStreamPackets; ++i) {
         packet_depths(rays, rays.packet(i), rays.u() + x, rays.v() + y + kPacketHeight * i, range_m,
-                      depths + 8 * i);
+                      last, depths + 8 * i);
       }
       float* out = depth_m.data() + y * width + x;
       for (std::size_t row = 0; row < rows; ++row, out += width) {

@@ -41,9 +41,10 @@ void ObstacleMemory::prune(const Vector3& centre_world, double range_m, double t
   }
 }
 
-void ObstacleMemory::append_points(std::vector<Vector3>& points_world) const {
+void ObstacleMemory::append_points(double except_time_s,
+                                   std::vector<Vector3>& points_world) const {
   for (const Entry& entry : entries_) {
-    if (entry.is_used) points_world.push_back(entry.point);
+    if (entry.is_used && entry.time_s != except_time_s) points_world.push_back(entry.point);
   }
 }
 

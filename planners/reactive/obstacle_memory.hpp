@@ -22,7 +22,8 @@ class ObstacleMemory {
   void prune(const Vector3& centre_world, double range_m, double time_s, double age_s,
              const DepthView& view);
 
-  void append_points(std::vector<Vector3>& points_world) const;
+  /// All points but those added at `except_time_s`.
+  void append_points(double except_time_s, std::vector<Vector3>& points_world) const;
 
  private:
   struct Entry {

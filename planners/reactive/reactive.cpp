@@ -103,7 +103,7 @@ class Reactive {
         if (matters) memory_.add(point, time_s);
       }
     }
-    memory_.append_points(points_);
+    memory_.append_points(time_s, points_);
     for (Vector3& point : points_) point = point - position;
   }
 

@@ -88,9 +88,9 @@ TEST(DepthView, SeesThroughWhatIsGone) {
 TEST(ObstacleMemory, ForgetsByAgeDistanceAndSight) {
   ObstacleMemory memory;
   const DepthView blind;
-  const auto count = [&] {
+  const auto count = [&](double except_time_s = -1.0) {
     std::vector<Vector3> points;
-    memory.append_points(points);
+    memory.append_points(except_time_s, points);
     return points.size();
   };
   memory.add({2.0, 0.0, 0.0}, 1.0);
@@ -98,6 +98,7 @@ TEST(ObstacleMemory, ForgetsByAgeDistanceAndSight) {
   memory.add({0.0, 6.0, 0.0}, 1.0);
   memory.add({std::nan(""), 0.0, 0.0}, 1.0);
   EXPECT_EQ(count(), 2U);
+  EXPECT_EQ(count(1.5), 1U);
   memory.prune({}, 8.0, 6.0, 10.0, blind);
   EXPECT_EQ(count(), 2U);
   memory.prune({}, 5.0, 6.0, 10.0, blind);
