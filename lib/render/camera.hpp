@@ -11,7 +11,8 @@ namespace avoidbench {
 struct Pinhole {
   std::int32_t width_px = 0, height_px = 0;
   double fx_px = 0.0, fy_px = 0.0, cx_px = 0.0, cy_px = 0.0;
-  double max_range_m = std::numeric_limits<double>::infinity();  ///< along z
+  double min_range_m = 0.0;                                      ///< along z; nearer is invalid
+  double max_range_m = std::numeric_limits<double>::infinity();  ///< along z; farther is nothing
 };
 
 /// fx = fy from the horizontal field of view, principal point in the middle.

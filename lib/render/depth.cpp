@@ -15,6 +15,11 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
+/// What the camera measures, in each lane, metres.
+struct DepthRange {
+  __m128 nearest, farthest;
+};
+
 /// Four of a packet's lanes: one row of its pixels.
 struct Row {
   __m128i triangles, instances;
@@ -51,15 +56,18 @@ struct Row {
     return static_cast<unsigned>(_mm_movemask_ps(taken));
   }
 
-  /// plane_depth() of the four lanes, to the bit, at most `range_m`; +inf where nothing was hit.
-  __m128 depths(const float* embree_depths, float range_m) const {
+  /// plane_depth() of the four lanes, to the bit, at most the farthest; +inf where nothing was hit,
+  /// NaN below the nearest.
+  __m128 depths(const float* embree_depths, const DepthRange& range) const {
     const __m128 depth = _mm_div_ps(numerators, denominators);
     const __m128 embree = _mm_load_ps(embree_depths);
     const __m128 no_sign = _mm_castsi128_ps(_mm_set1_epi32(0x7fffffff));
     const __m128 difference = _mm_and_ps(_mm_sub_ps(depth, embree), no_sign);
     const __m128 agrees = _mm_cmple_ps(difference, _mm_mul_ps(_mm_set1_ps(1e-3F), embree));
     const __m128 settled = _mm_or_ps(_mm_and_ps(agrees, depth), _mm_andnot_ps(agrees, embree));
-    const __m128 in_range = _mm_min_ps(settled, _mm_set1_ps(range_m));
+    const __m128i too_near = _mm_castps_si128(_mm_cmplt_ps(settled, range.nearest));
+    const __m128 nan_below = _mm_castsi128_ps(_mm_srli_epi32(too_near, 1));
+    const __m128 in_range = _mm_or_ps(_mm_min_ps(settled, range.farthest), nan_below);
     return _mm_or_ps(_mm_and_ps(hit, in_range), _mm_andnot_ps(hit, _mm_set1_ps(kInfinity)));
   }
 };
@@ -81,7 +89,7 @@ struct LastPlane {
 
 /// The 4 × 2 depths of a packet whose first pixel has these slopes.
 void packet_depths(const PrimaryRays& rays, const RTCRayHit8& packet, const double* u,
-                   const double* v, float range_m, LastPlane& last, float* depths) {
+                   const double* v, const DepthRange& range, LastPlane& last, float* depths) {
   const unsigned* instances = rays.instances(packet);
   const unsigned* triangles = packet.hit.primID;
   Row first(packet.hit.geomID, instances, triangles);
@@ -98,8 +106,8 @@ void packet_depths(const PrimaryRays& rays, const RTCRayHit8& packet, const doub
     left &= ~first.take(instances[lane], triangles[lane], plane, au_low, au_high, v[0]);
     left &= ~(second.take(instances[lane], triangles[lane], plane, au_low, au_high, v[1]) << 4U);
   }
-  _mm_store_ps(depths, first.depths(packet.ray.tfar, range_m));
-  _mm_store_ps(depths + 4, second.depths(packet.ray.tfar + 4, range_m));
+  _mm_store_ps(depths, first.depths(packet.ray.tfar, range));
+  _mm_store_ps(depths + 4, second.depths(packet.ray.tfar + 4, range));
 }
 
 }  // namespace
@@ -111,7 +119,8 @@ void render_depth(const Scene& scene, const Pinhole& camera, const Pose& T_world
   AB_CHECK(depth_m.size() == width * height, depth_m.size(), width, height);
   const ScopedFlushToZero flush;
   PrimaryRays rays(scene.internals(), camera, T_world_camera);
-  const auto range_m = static_cast<float>(camera.max_range_m);
+  const DepthRange range{_mm_set1_ps(static_cast<float>(camera.min_range_m)),
+                         _mm_set1_ps(static_cast<float>(camera.max_range_m))};
   alignas(16) float depths[kBlockWidth * kBlockHeight];
   LastPlane last;
   for (int block_y = 0; block_y < rays.blocks_down(); ++block_y) {
@@ -122,7 +131,7 @@ void render_depth(const Scene& scene, const Pinhole& camera, const Pose& T_world
       const std::size_t columns = std::min<std::size_t>(kBlockWidth, width - x);
       rays.trace(block_x, block_y);
       for (std::size_t i = 0; i < embree::kStreamPackets; ++i) {
-        packet_depths(rays, rays.packet(i), rays.u() + x, rays.v() + y + kPacketHeight * i, range_m,
+        packet_depths(rays, rays.packet(i), rays.u() + x, rays.v() + y + kPacketHeight * i, range,
                       last, depths + 8 * i);
       }
       float* out = depth_m.data() + y * width + x;

@@ -3,9 +3,11 @@
 namespace avoidbench {
 
 Pinhole sensor_camera(const SensorSpec& sensor) {
-  return make_pinhole(static_cast<std::int32_t>(sensor.width_px),
-                      static_cast<std::int32_t>(sensor.height_px), sensor.fov_x_deg * math::kDegree,
-                      sensor.max_range_m);
+  Pinhole camera = make_pinhole(static_cast<std::int32_t>(sensor.width_px),
+                                static_cast<std::int32_t>(sensor.height_px),
+                                sensor.fov_x_deg * math::kDegree, sensor.max_range_m);
+  camera.min_range_m = sensor.min_range_m;
+  return camera;
 }
 
 Pose T_body_camera(const SensorSpec& sensor) {

@@ -112,10 +112,6 @@ void expose(Flight& flight) {
   exposure.T_world_camera = pose_of(flight.state) * T_body_camera(sensor);
   exposure.depth_m.resize(static_cast<std::size_t>(sensor.width_px * sensor.height_px));
   render_depth(flight.scene, flight.camera, exposure.T_world_camera, exposure.depth_m);
-  const float nearest = static_cast<float>(sensor.min_range_m);
-  for (float& depth_m : exposure.depth_m) {
-    if (depth_m < nearest) depth_m = std::numeric_limits<float>::quiet_NaN();
-  }
 }
 
 /// Shows the planner what was seen since the last call and queues its answer.

@@ -41,8 +41,7 @@ void ObstacleMemory::prune(const Vector3& centre_world, double range_m, double t
   }
 }
 
-void ObstacleMemory::append_points(double except_time_s,
-                                   std::vector<Vector3>& points_world) const {
+void ObstacleMemory::append_points(double except_time_s, std::vector<Vector3>& points_world) const {
   for (const Entry& entry : entries_) {
     if (entry.is_used && entry.time_s != except_time_s) points_world.push_back(entry.point);
   }

@@ -10,15 +10,11 @@ namespace {
 namespace portable = avoidbench::portable;
 
 constexpr double kStep_rad = portable::kTau / PolarHistogram::kAzimuths;
+constexpr double kRounding_m = 1e-9;
 
-/// Where a ball of this squared radius touches `point` when it flies along the unit vector, or
-/// `free_m` if later or never.
-double touched_at(const Vector3& point, double square_distance, const Vector3& along,
-                  double square_radius, double free_m) {
-  const double ahead_m = dot(point, along);
-  if (ahead_m <= 0.0) return free_m;
-  const double square_aside = square_distance - ahead_m * ahead_m;
-  if (square_aside >= square_radius) return free_m;
+/// Where a ball of this squared radius touches a point that is `ahead_m` along its way and
+/// `square_aside` (less than the squared radius) beside it, or `free_m` if later.
+double touched_at(double ahead_m, double square_aside, double square_radius, double free_m) {
   return std::min(free_m, std::max(0.0, ahead_m - std::sqrt(square_radius - square_aside)));
 }
 
@@ -26,6 +22,24 @@ double touched_at(const Vector3& point, double square_distance, const Vector3& a
 /// radius only blocks the way to it.
 double counted_radius(double distance_m, double radius_m) {
   return std::min(radius_m, 0.98 * distance_m);
+}
+
+/// The angle of (x, y) in steps of the grid, within 0.06: enough to find the cells that are then
+/// looked at exactly, and several times faster than the exact one.
+double rough_step(double y, double x) {
+  const double ax = std::abs(x), ay = std::abs(y);
+  const double ratio = std::min(ax, ay) / std::max({ax, ay, 1e-12});
+  double angle = ratio * (portable::kPi / 4 + 0.273 * (1.0 - ratio));  // within 0.0038 rad
+  if (ay > ax) angle = portable::kPi / 2 - angle;
+  if (x < 0.0) angle = portable::kPi - angle;
+  return (y < 0.0 ? -angle : angle) / kStep_rad;
+}
+
+constexpr double kRoughSlack = 0.06;  // 0.0038 rad are 0.044 steps
+
+/// asin(sine) in steps of the grid, within the same.
+double rough_asin_steps(double sine) {
+  return rough_step(sine, std::sqrt(std::max(0.0, 1.0 - sine * sine)));
 }
 
 }  // namespace
@@ -60,40 +74,51 @@ void PolarHistogram::add(const Vector3& point, double radius_m) {
 
   // Only the elevations and azimuths that can touch it: within asin(radius / distance), and within
   // asin(radius / level distance) or all where it is above or below.
-  constexpr double kSlack = 1e-9;
   constexpr int kMiddle = kElevations / 2;
-  const double height = portable::atan2(point.z, level_m) / kStep_rad + kMiddle;
-  const double reach = portable::asin(radius / distance_m) / kStep_rad + kSlack;
+  const double height = rough_step(point.z, level_m) + kMiddle;
+  const double reach = rough_asin_steps(radius / distance_m) + 2 * kRoughSlack;
   const int lowest = std::max(0, static_cast<int>(std::ceil(height - reach)));
   const int highest = std::min(kElevations - 1, static_cast<int>(std::floor(height + reach)));
   if (lowest > highest) return;
   int first = 0, count = kAzimuths;
   if (level_m > radius) {
-    const double centre = portable::atan2(point.y, point.x) / kStep_rad;
-    const double half = portable::asin(radius / level_m) / kStep_rad;
+    const double centre = rough_step(point.y, point.x);
+    const double half = rough_asin_steps(radius / level_m) + 2 * kRoughSlack;
     first = static_cast<int>(std::ceil(centre - half));
     count = std::min(kAzimuths, static_cast<int>(std::floor(centre + half)) - first + 1);
   }
+  const double square_radius = radius * radius;
+  const double soonest_m = distance_m - radius;
   for (int i = 0; i < count; ++i) {
     const int azimuth = (first + i + 2 * kAzimuths) % kAzimuths;
     for (int elevation = lowest; elevation <= highest; ++elevation) {
       const auto index = static_cast<std::size_t>(azimuth * kElevations + elevation);
-      free_m_[index] =
-          touched_at(point, square_distance, directions_[index], radius * radius, free_m_[index]);
+      if (free_m_[index] < soonest_m - kRounding_m) continue;
+      const double ahead_m = dot(point, directions_[index]);
+      const double square_aside = square_distance - ahead_m * ahead_m;
+      if (ahead_m <= 0.0 || square_aside >= square_radius) continue;
+      free_m_[index] = touched_at(ahead_m, square_aside, square_radius, free_m_[index]);
     }
   }
 }
 
 double free_distance(const std::vector<Vector3>& points, const Vector3& from, const Vector3& along,
                      double radius_m, double range_m) {
+  const double most_square_radius = radius_m * radius_m;
   double free_m = range_m;
   for (const Vector3& point : points) {
     const Vector3 offset = point - from;
+    const double ahead_m = dot(offset, along);
     const double square_distance = dot(offset, offset);
-    const double reach_m = free_m + radius_m;
-    if (square_distance > reach_m * reach_m) continue;
+    const double square_aside = square_distance - ahead_m * ahead_m;
+    // In one test, which nearly always fails.
+    const bool is_near = static_cast<int>(ahead_m > 0.0) &
+                         static_cast<int>(ahead_m < free_m + radius_m) &
+                         static_cast<int>(square_aside < most_square_radius);
+    if (!is_near) continue;
     const double radius = counted_radius(std::sqrt(square_distance), radius_m);
-    free_m = touched_at(offset, square_distance, along, radius * radius, free_m);
+    if (square_aside >= radius * radius) continue;
+    free_m = touched_at(ahead_m, square_aside, radius * radius, free_m);
   }
   return free_m;
 }

@@ -79,7 +79,8 @@ std::vector<Steerer::Candidate> Steerer::candidates(const Situation& now, const 
     const double later_m = now.position.z + d.z * std::min(2.0, free_m) - now.line_height_m;
     const bool departs = std::abs(later_m) > settings_.max_departure_m && later_m * d.z > 0.0;
     if (departs) return;
-    Candidate candidate{d, free_m, 0.0, now.view->has_seen(d)};
+    Candidate candidate{
+        .direction = d, .free_m = free_m, .cost = 0.0, .is_seen = now.view->has_seen(d)};
     candidate.cost = cost(now, aim, candidate);
     all.push_back(candidate);
   };
@@ -91,23 +92,35 @@ std::vector<Steerer::Candidate> Steerer::candidates(const Situation& now, const 
   std::stable_sort(all.begin(), all.end(),
                    [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
   if (all.size() > kTried) all.resize(kTried);
+  for (std::size_t i = 0; i < all.size(); ++i) all[i].rank = static_cast<int>(i);
   return all;
 }
 
 void Steerer::add_second_leg(const Situation& now, const Aim& aim, double radius_m,
-                             std::vector<Candidate>& candidates) const {
-  for (Candidate& candidate : candidates) {
-    const double leg_m = std::min({candidate.free_m, 3.0, aim.distance_m});
-    const Vector3 corner = leg_m * candidate.direction;
-    const Vector3 onward = (now.goal - now.position) - corner;
-    const double wanted_m = std::min(horizontal_norm(onward), 3.0);
-    if (wanted_m < 0.1) continue;
-    const Vector3 along = direction({onward.x, onward.y, 0.0}, aim.direction);
-    const double free_m = free_distance(*now.points, corner, along, radius_m, wanted_m);
-    candidate.cost += kOnwardWeight * (1.0 - free_m / wanted_m);
+                             Candidate& candidate) const {
+  candidate.has_second_leg = true;
+  const double leg_m = std::min({candidate.free_m, 3.0, aim.distance_m});
+  const Vector3 corner = leg_m * candidate.direction;
+  const Vector3 onward = (now.goal - now.position) - corner;
+  const double wanted_m = std::min(horizontal_norm(onward), 3.0);
+  if (wanted_m < 0.1) return;
+  const Vector3 along = direction({onward.x, onward.y, 0.0}, aim.direction);
+  const double free_m = free_distance(*now.points, corner, along, radius_m, wanted_m);
+  candidate.cost += kOnwardWeight * (1.0 - free_m / wanted_m);
+}
+
+void Steerer::next_best(const Situation& now, const Aim& aim, double radius_m, std::size_t first,
+                        std::vector<Candidate>& candidates) const {
+  const auto begin = candidates.begin() + static_cast<std::ptrdiff_t>(first);
+  const auto is_cheaper = [](const Candidate& a, const Candidate& b) {
+    return a.cost < b.cost || (a.cost == b.cost && a.rank < b.rank);
+  };
+  // A second leg only adds to the cost: it need not be known of those that cost more without.
+  for (;;) {
+    const auto best = std::min_element(begin, candidates.end(), is_cheaper);
+    if (best->has_second_leg) return std::iter_swap(begin, best);
+    add_second_leg(now, aim, radius_m, *best);
   }
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
 }
 
 double Steerer::speed_limit(const Situation& now, const Aim& aim,
@@ -124,11 +137,12 @@ double Steerer::speed_limit(const Situation& now, const Aim& aim,
   return limit * std::clamp(1.6 * looked_at - 0.4, 0.25, 1.0);
 }
 
-bool Steerer::find_flyable(const Situation& now, const Aim& aim,
-                           const std::vector<Candidate>& candidates, double speed_mps,
-                           Steering& found) {
+bool Steerer::find_flyable(const Situation& now, const Aim& aim, double radius_m, double speed_mps,
+                           std::vector<Candidate>& candidates, Steering& found) {
   const double needed_m = std::min(settings_.body_radius_m + kContactMargin_m, 0.95 * nearest_m_);
-  for (const Candidate& candidate : candidates) {
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    next_best(now, aim, radius_m, i, candidates);
+    const Candidate& candidate = candidates[i];
     const double limit = std::min(speed_mps, speed_limit(now, aim, candidate));
     for (const double share : {1.0, 0.6, 0.3}) {
       const Vector3 velocity = (share * limit) * candidate.direction;
@@ -188,10 +202,9 @@ Steering Steerer::steer(const Situation& now) {
     tried = candidates(now, goal, radius_m);
     if (share == 1.0 && (tried.empty() || dot(tried.front().direction, goal.direction) < 0.3))
       continue;
-    add_second_leg(now, goal, radius_m, tried);
     const double speed =
         share == 1.0 ? settings_.cruise_speed_mps : 0.5 * settings_.cruise_speed_mps;
-    if (find_flyable(now, goal, tried, speed, found)) {
+    if (find_flyable(now, goal, radius_m, speed, tried, found)) {
       commit(goal, found.look);
       return found;
     }

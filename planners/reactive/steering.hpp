@@ -47,6 +47,8 @@ class Steerer {
     Vector3 direction;
     double free_m, cost;
     bool is_seen;
+    bool has_second_leg = false;  ///< `cost` holds the way on to the goal
+    int rank = 0;                 ///< by cost without it
   };
   struct Aim {
     Vector3 direction;  ///< unit, to the goal along the height line
@@ -57,11 +59,15 @@ class Steerer {
   double cost(const Situation& now, const Aim& aim, const Candidate& candidate) const;
   /// Whether the end of this way is nearer to the goal than the vehicle has been.
   bool leads_on(const Situation& now, const Candidate& candidate) const;
+  /// Brings the cheapest of the candidates from `first` on to its place.
+  void next_best(const Situation& now, const Aim& aim, double radius_m, std::size_t first,
+                 std::vector<Candidate>& candidates) const;
   void add_second_leg(const Situation& now, const Aim& aim, double radius_m,
-                      std::vector<Candidate>& candidates) const;
+                      Candidate& candidate) const;
   double speed_limit(const Situation& now, const Aim& aim, const Candidate& candidate) const;
-  bool find_flyable(const Situation& now, const Aim& aim, const std::vector<Candidate>& candidates,
-                    double speed_mps, Steering& found);
+  /// Orders the candidates by cost as far as it looks.
+  bool find_flyable(const Situation& now, const Aim& aim, double radius_m, double speed_mps,
+                    std::vector<Candidate>& candidates, Steering& found);
   Vector3 safest_velocity(const std::vector<Candidate>& candidates) const;
   void commit(const Aim& aim, const Vector3& direction);
 

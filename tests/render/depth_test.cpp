@@ -169,7 +169,7 @@ TEST(Depth, OddSizesGiveTheSamePixelsAsARoundOne) {
   }
 }
 
-TEST(Depth, RangeIsAlongTheAxisAndFarIsInfinite) {
+TEST(Depth, RangeIsAlongTheAxisFarIsInfiniteAndNearInvalid) {
   const World world = test::world_of(test::plane_mesh(100.0F));
   const Scene scene(world);
   Pinhole camera = make_pinhole(64, 48, 100.0 * math::kDegree, 5.001);
@@ -179,6 +179,10 @@ TEST(Depth, RangeIsAlongTheAxisAndFarIsInfinite) {
   for (const float depth : depth_image(scene, camera, pose)) ASSERT_EQ(depth, kInfinity);
   camera.max_range_m = std::numeric_limits<double>::infinity();
   for (const float depth : depth_image(scene, camera, pose)) ASSERT_FLOAT_EQ(depth, 5.0F);
+  camera.min_range_m = 4.999;
+  for (const float depth : depth_image(scene, camera, pose)) ASSERT_FLOAT_EQ(depth, 5.0F);
+  camera.min_range_m = 5.001;
+  for (const float depth : depth_image(scene, camera, pose)) ASSERT_TRUE(std::isnan(depth));
 }
 
 TEST(Depth, GrazingRaysStayBetweenZeroAndTheRange) {
