@@ -91,8 +91,9 @@ void info(const MapOptions& options) {
 
 void add_map_options(CLI::App& command, MapOptions& options) {
   command
-      .add_option("map", options.spec,
-                  "Generator (forest, hall), sweep file, or file with a map's fields")
+      .add_option(
+          "map", options.spec,
+          "Generator (forest, hall, mesh, point_cloud), sweep file, or file with a map's fields")
       ->required();
   command.add_option("--seed", options.seed, "Map seed (default: that of the file, else 1)");
   command
