@@ -15,6 +15,8 @@ constexpr double kBandSideMargin_m = 2.0;
 constexpr double kBandWallMargin_m = 1.0;
 constexpr double kLeastOpacityRatio = 0.8;
 
+}  // namespace
+
 void add_obstacle(World& world, Prototype prototype, Obstacle obstacle) {
   Instance instance;
   instance.prototype = static_cast<std::uint32_t>(world.prototypes.size());
@@ -25,7 +27,6 @@ void add_obstacle(World& world, Prototype prototype, Obstacle obstacle) {
   world.obstacles.push_back(std::move(obstacle));
 }
 
-/// A slab of the shell, given in world coordinates.
 void add_slab(World& world, std::string_view name, std::string_view kind, Material material,
               const Eigen::Vector3d& lowest, const Eigen::Vector3d& highest) {
   Obstacle obstacle;
@@ -37,8 +38,6 @@ void add_slab(World& world, std::string_view name, std::string_view kind, Materi
   add_box(slab, lowest - obstacle.position_world, highest - obstacle.position_world, material);
   add_obstacle(world, std::move(slab), std::move(obstacle));
 }
-
-}  // namespace
 
 void add_shell(const Aabb& inside, World& world) {
   const Eigen::Vector3d& a = inside.min();
@@ -82,6 +81,15 @@ void add_cylinders(std::span<const Cylinder> cylinders, double texture_opacity, 
   world.mean_obstacle_width_m = width_sum_m / static_cast<double>(cylinders.size());
 }
 
+void set_hall_bands(const std::array<double, 2>& area_m, double flight_height_m, World& world) {
+  const double band_m = band_depth_m(area_m[1]);
+  const double last_x_m = area_m[0] - kBandSideMargin_m;
+  world.start_region = {{kBandSideMargin_m, kBandWallMargin_m, flight_height_m},
+                        {last_x_m, band_m, flight_height_m}};
+  world.goal_region = {{kBandSideMargin_m, area_m[1] - band_m, flight_height_m},
+                       {last_x_m, area_m[1] - kBandWallMargin_m, flight_height_m}};
+}
+
 World make_hall(const HallSpec& spec, std::uint64_t map_seed) {
   const double width_m = spec.area_m[0];
   const double depth_m = spec.area_m[1];
@@ -103,13 +111,7 @@ World make_hall(const HallSpec& spec, std::uint64_t map_seed) {
   }
   add_cylinders(cylinders, spec.texture_opacity, map_seed, world);
   world.bounds = world.flight_bounds;
-  const double band_m = band_depth_m(depth_m);
-  const double last_x_m = width_m - kBandSideMargin_m;
-  const double height_m = spec.flight_height_m;
-  world.start_region = {{kBandSideMargin_m, kBandWallMargin_m, height_m},
-                        {last_x_m, band_m, height_m}};
-  world.goal_region = {{kBandSideMargin_m, depth_m - band_m, height_m},
-                       {last_x_m, depth_m - kBandWallMargin_m, height_m}};
+  set_hall_bands(spec.area_m, spec.flight_height_m, world);
   world.poisson_radius_m = spec.poisson_radius_m;
   world.digest = world_digest(world);
   return world;

@@ -124,6 +124,50 @@ void check_contradictions(const AvoidbenchIndoorSpec& spec, std::vector<InputPro
   }
 }
 
+/// Where along y the obstacles of a hard case may stand.
+double stretch_m(const std::array<double, 2>& area_m) {
+  return area_m[1] - 2.0 * (band_depth_m(area_m[1]) + kBandGap_m);
+}
+
+void check_contradictions(const MazeSpec& spec, std::vector<InputProblem>& problems) {
+  check_below("flight_height_m", spec.flight_height_m, "height_m", spec.height_m, problems);
+  check_room("area_m", {spec.area_m[0], stretch_m(spec.area_m)}, "corridor_m with its wall",
+             spec.corridor_m + kInnerWall_m, problems);
+}
+
+void check_contradictions(const GapWallsSpec& spec, std::vector<InputProblem>& problems) {
+  check_below("flight_height_m", spec.flight_height_m, "height_m", spec.height_m, problems);
+  check_below("gap_width_m", spec.gap_width_m, "a wall's length for each of its gaps",
+              spec.area_m[0] / static_cast<double>(spec.gaps_per_wall), problems);
+  check_below("gap_height_m", spec.gap_height_m, "height_m", spec.height_m, problems);
+  check_order("sill_m", spec.sill_m, problems);
+  check_below("wall_count", static_cast<double>(spec.wall_count), "the metres between the bands",
+              stretch_m(spec.area_m), problems);
+}
+
+void check_contradictions(const DeadEndsSpec& spec, std::vector<InputProblem>& problems) {
+  check_below("flight_height_m", spec.flight_height_m, "height_m", spec.height_m, problems);
+  const double reach_m = trap_reach_m(spec);
+  check_below("trap_width_m and trap_depth_m: the trap's diameter", 2.0 * reach_m + spec.passage_m,
+              "the hall's width", spec.area_m[0], problems);
+  check_below("trap_width_m and trap_depth_m: the trap's diameter", 2.0 * reach_m,
+              "the metres between the bands", stretch_m(spec.area_m), problems);
+}
+
+void check_contradictions(const PolesSpec& spec, std::vector<InputProblem>& problems) {
+  check_below("flight_height_m", spec.flight_height_m, "height_m", spec.height_m, problems);
+  check_room("area_m", spec.area_m, "poisson_radius_m", spec.poisson_radius_m, problems);
+  check_order("diameter_m", spec.diameter_m, problems);
+}
+
+void check_contradictions(const OverhangsSpec& spec, std::vector<InputProblem>& problems) {
+  check_below("flight_height_m", spec.flight_height_m, "height_m", spec.height_m, problems);
+  check_below("slot_height_m", spec.slot_height_m, "height_m", spec.height_m, problems);
+  check_below("thickness_m", 2.0 * spec.thickness_m,
+              "the room for each barrier, whose half it fills",
+              stretch_m(spec.area_m) / static_cast<double>(spec.barrier_count), problems);
+}
+
 template <class Spec>
 void check_spec(const Spec& spec) {
   RangeCheck check;
@@ -154,6 +198,17 @@ World make(const AvoidbenchForestSpec& spec, std::uint64_t map_seed) {
 }
 World make(const AvoidbenchIndoorSpec& spec, std::uint64_t map_seed) {
   return make_avoidbench_indoor(spec, map_seed);
+}
+World make(const MazeSpec& spec, std::uint64_t map_seed) { return make_maze(spec, map_seed); }
+World make(const GapWallsSpec& spec, std::uint64_t map_seed) {
+  return make_gap_walls(spec, map_seed);
+}
+World make(const DeadEndsSpec& spec, std::uint64_t map_seed) {
+  return make_dead_ends(spec, map_seed);
+}
+World make(const PolesSpec& spec, std::uint64_t map_seed) { return make_poles(spec, map_seed); }
+World make(const OverhangsSpec& spec, std::uint64_t map_seed) {
+  return make_overhangs(spec, map_seed);
 }
 
 }  // namespace

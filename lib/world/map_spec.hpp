@@ -8,6 +8,7 @@
 
 #include "base/fields.hpp"
 #include "world/file_maps.hpp"
+#include "world/hard_case_specs.hpp"
 #include "world/world.hpp"
 
 namespace avoidbench {
@@ -83,8 +84,9 @@ struct AvoidbenchIndoorSpec {
   double texture_opacity = 1.0;
 };
 
-using MapSpec = std::variant<ForestSpec, HallSpec, AvoidbenchForestSpec, AvoidbenchIndoorSpec,
-                             MeshSpec, PointCloudSpec>;
+using MapSpec =
+    std::variant<ForestSpec, HallSpec, AvoidbenchForestSpec, AvoidbenchIndoorSpec, MazeSpec,
+                 GapWallsSpec, DeadEndsSpec, PolesSpec, OverhangsSpec, MeshSpec, PointCloudSpec>;
 
 /// The start and goal bands are at the ends of y, as in the original suites: a flight crosses the
 /// map along +y.

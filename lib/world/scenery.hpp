@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 #include "world/world.hpp"
 
@@ -30,6 +31,16 @@ void add_plants(std::span<const Eigen::Vector2d> feet, const PlantRules& rules, 
 /// Flight bounds over [0, size] from below the ground up to `ceiling_m`, and bounds some metres
 /// wider.
 void set_forest_bounds(const std::array<double, 2>& size_m, double ceiling_m, World& world);
+
+/// An obstacle of a mesh of its own, which stands at the obstacle's position unturned.
+void add_obstacle(World& world, Prototype prototype, Obstacle obstacle);
+
+/// An upright block between two corners in the world.
+void add_slab(World& world, std::string_view name, std::string_view kind, Material material,
+              const Eigen::Vector3d& lowest, const Eigen::Vector3d& highest);
+
+/// Starts and goals at the ends of a hall over [0, area].
+void set_hall_bands(const std::array<double, 2>& area_m, double flight_height_m, World& world);
 
 /// Floor, four walls and ceiling around the box.
 void add_shell(const Aabb& inside, World& world);
