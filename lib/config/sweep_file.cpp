@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "config/cross_checks.hpp"
+#include "config/map_files.hpp"
 #include "config/named_specs.hpp"
 #include "config/overrides.hpp"
 #include "config/planner_entries.hpp"
@@ -115,6 +116,7 @@ SweepSpec read_sweep(const fs::path& file, const std::vector<std::string>& overr
   sweep.axes = axes_of_blocks(reading);
   const std::size_t block_problems = reading.problems.size();
   if (const YamlNode* node = reader.take("axes")) read_axes(*node, sweep, reading);
+  resolve_map_files(root, folder, sweep, reading);
   const YamlNode* planners = reader.take("planners");
   if (planners != nullptr) {
     sweep.planners = read_planners(*planners, folder, reading);
@@ -171,13 +173,13 @@ MapChoice read_map(const std::string& file_or_generator,
   reader.field("seed", choice.trial.seed, "");
   const fs::path folder = fs::path(file_or_generator).parent_path();
   read_blocks(reader, folder.empty() ? fs::path(".") : folder, choice.trial, reading);
+  SweepSpec sweep;
+  sweep.base = choice.trial;
+  resolve_map_files(root, folder.empty() ? fs::path(".") : folder, sweep, reading);
+  choice.trial = sweep.base;
   for (const char* other : {"sweep", "trials", "axes", "planners"}) reader.take(other);
   reader.finish();
-  if (reading.problems.empty()) {
-    SweepSpec sweep;
-    sweep.base = choice.trial;
-    add_contradictions(root, sweep, reading);
-  }
+  if (reading.problems.empty()) add_contradictions(root, sweep, reading);
   if (!reading.problems.empty()) fail(reading.problems, file_or_generator);
   return choice;
 }

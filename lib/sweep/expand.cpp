@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 
 #include "base/check.hpp"
 #include "base/digest.hpp"
@@ -15,19 +16,26 @@ json::json_pointer pointer(std::string path) {
   return json::json_pointer("/" + path);
 }
 
+/// `digests` are those of map files, by path.
 void expand_axes(const SweepSpec& sweep, std::size_t axis, const json& spec,
-                 std::vector<TrialSpec>& trials) {
+                 std::map<std::string, std::string>& digests, std::vector<TrialSpec>& trials) {
   if (axis < sweep.axes.size()) {
     const json::json_pointer place = pointer(sweep.axes[axis].path);
     AB_CHECK(spec.contains(place), sweep.axes[axis].path);
     for (const json& value : sweep.axes[axis].values) {
       json changed = spec;
       changed[place] = value;
-      expand_axes(sweep, axis + 1, changed, trials);
+      expand_axes(sweep, axis + 1, changed, digests, trials);
     }
     return;
   }
   TrialSpec trial = spec_from_json<TrialSpec>(spec);
+  const FileOfMap map = file_of(trial.map);
+  if (map.file != nullptr && map.digest->empty()) {
+    std::string& known = digests[*map.file];
+    if (known.empty()) known = file_digest(*map.file);
+    *map.digest = known;
+  }
   for (trial.mission_index = 0; trial.mission_index < sweep.trials; ++trial.mission_index) {
     for (const PlannerChoice& planner : sweep.planners) {
       trial.planner = planner;
@@ -40,23 +48,26 @@ void expand_axes(const SweepSpec& sweep, std::size_t axis, const json& spec,
 
 std::vector<TrialSpec> expand(const SweepSpec& sweep) {
   std::vector<TrialSpec> trials;
-  expand_axes(sweep, 0, spec_to_json(sweep.base), trials);
+  std::map<std::string, std::string> digests;
+  expand_axes(sweep, 0, spec_to_json(sweep.base), digests, trials);
   return trials;
 }
 
 std::string trial_key(const TrialSpec& spec) {
   json canonical = spec_to_json(spec);
+  canonical["map"].erase("file");  // its file_digest stays
   canonical["planner"].erase("file");
   canonical["planner"].erase("plugin");
   return Digest().add(canonical.dump()).add(std::uint64_t{kResultVersion}).hex();
 }
 
 std::string map_key(const TrialSpec& spec) {
-  const json canonical = {{"map", spec_to_json(spec.map)},
-                          {"map_seed", spec.map_seed},
-                          {"seed", spec.seed},
-                          {"mission", spec_to_json(spec.mission)},
-                          {"body_size_m", spec.vehicle.body_size_m}};
+  json canonical = {{"map", spec_to_json(spec.map)},
+                    {"map_seed", spec.map_seed},
+                    {"seed", spec.seed},
+                    {"mission", spec_to_json(spec.mission)},
+                    {"body_size_m", spec.vehicle.body_size_m}};
+  canonical["map"].erase("file");
   return Digest().add(canonical.dump()).add(std::uint64_t{kResultVersion}).hex();
 }
 

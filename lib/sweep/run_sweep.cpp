@@ -4,8 +4,10 @@
 
 #include <cerrno>
 #include <csignal>
+#include <filesystem>
 #include <optional>
 
+#include "base/digest.hpp"
 #include "base/input_error.hpp"
 #include "base/spec_json.hpp"
 #include "plugin/planner_library.hpp"
@@ -35,10 +37,26 @@ struct Seat {
   std::optional<std::size_t> last_map;
 };
 
+/// Of a map's file only the name is kept; its file_digest says which it is.
+void forget_folder(nlohmann::json& map) {
+  if (!map.contains("file")) return;
+  map["file"] = std::filesystem::path(map["file"].get<std::string>()).filename().string();
+}
+
+nlohmann::json axis_json(const Axis& axis) {
+  nlohmann::json values = axis.values;
+  if (axis.path == "map.file") {
+    for (nlohmann::json& value : values) {
+      value = {{"file", value}, {"file_digest", file_digest(value.get<std::string>())}};
+      forget_folder(value);
+    }
+  }
+  return {{"path", axis.path}, {"values", values}};
+}
+
 std::string sweep_json(const SweepSpec& sweep) {
   nlohmann::json axes = nlohmann::json::array(), planners = nlohmann::json::array();
-  for (const Axis& axis : sweep.axes)
-    axes.push_back({{"path", axis.path}, {"values", axis.values}});
+  for (const Axis& axis : sweep.axes) axes.push_back(axis_json(axis));
   for (const PlannerChoice& planner : sweep.planners) {
     nlohmann::json choice = spec_to_json(planner);
     choice.erase("file");
@@ -46,6 +64,7 @@ std::string sweep_json(const SweepSpec& sweep) {
   }
   nlohmann::json base = spec_to_json(sweep.base);
   base.erase("planner");
+  forget_folder(base["map"]);
   return nlohmann::json{{"name", sweep.name},
                         {"base", base},
                         {"axes", axes},
@@ -113,9 +132,11 @@ Job job_of(const Run& run, const Assignment& assignment) {
 
 void commit_map(Run& run, MapPlan& map, MapRecord record) {
   record.key = map.key;
+  nlohmann::json spec = spec_to_json(map.spec.map);
+  forget_folder(spec);
   run.database.add_map({.record = record,
                         .generator = std::string(kind(map.spec.map)),
-                        .spec_json = spec_to_json(map.spec.map).dump(),
+                        .spec_json = spec.dump(),
                         .map_seed = map.spec.map_seed},
                        run.sweep.name);
   settle_map(run, map, std::move(record));
@@ -129,6 +150,7 @@ void commit_trial(Run& run, const Assignment& assignment, TrialRecord record,
   if (record.outcome == Outcome::reached_goal) ++planner.reached_goal;
   nlohmann::json canonical = spec_to_json(spec);
   canonical["planner"].erase("file");
+  forget_folder(canonical["map"]);
   run.database.add_trial({.key = run.schedule.keys[*assignment.trial],
                           .sweep = run.sweep.name,
                           .map_key = run.schedule.maps[assignment.map].key,

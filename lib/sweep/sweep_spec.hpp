@@ -28,11 +28,12 @@ struct SweepSpec {
 /// announced as "Results change" in CHANGELOG.md.
 inline constexpr int kResultVersion = 1;
 
-/// The sweep's trials, in order of axes (first slowest), mission index, planner.
+/// The sweep's trials, in order of axes (first slowest), mission index, planner. Fills the
+/// file_digest of maps from files that lack it; throws InputError where such a file can't be read.
 std::vector<TrialSpec> expand(const SweepSpec& sweep);
 
-/// A trial's key, 64 hexadecimal digits: digest of its canonical spec (with the planner's digest,
-/// without the library's path) and kResultVersion.
+/// A trial's key, 64 hexadecimal digits: digest of its canonical spec (with the digests of
+/// the planner and of the map's file, without their paths) and kResultVersion.
 std::string trial_key(const TrialSpec& spec);
 
 /// The key of the map as this trial flies it (map, its seed, the sweep's seed, mission rules, body,

@@ -133,6 +133,20 @@ void check_spec(const Spec& spec) {
   if (!check.problems.empty()) throw InputError(std::move(check.problems));
 }
 
+template <class FileSpec>
+void check_file_spec(const FileSpec& spec) {
+  std::vector<std::string> found;
+  find_problems(spec, found);
+  std::vector<InputProblem> problems;
+  for (std::string& message : found) problems.push_back(problem(std::move(message)));
+  if (!problems.empty()) throw InputError(std::move(problems));
+}
+
+void check_spec(const MeshSpec& spec) { check_file_spec(spec); }
+void check_spec(const PointCloudSpec& spec) { check_file_spec(spec); }
+
+World make(const MeshSpec& spec, std::uint64_t) { return make_mesh(spec); }
+World make(const PointCloudSpec& spec, std::uint64_t) { return make_point_cloud(spec); }
 World make(const ForestSpec& spec, std::uint64_t map_seed) { return make_forest(spec, map_seed); }
 World make(const HallSpec& spec, std::uint64_t map_seed) { return make_hall(spec, map_seed); }
 World make(const AvoidbenchForestSpec& spec, std::uint64_t map_seed) {
@@ -143,6 +157,15 @@ World make(const AvoidbenchIndoorSpec& spec, std::uint64_t map_seed) {
 }
 
 }  // namespace
+
+FileOfMap file_of(MapSpec& spec) {
+  return std::visit(
+      []<class Spec>(Spec& held) -> FileOfMap {
+        if constexpr (requires { held.file_digest; }) return {&held.file, &held.file_digest};
+        return {};
+      },
+      spec);
+}
 
 void check_map(const MapSpec& spec) {
   std::visit([](const auto& held) { check_spec(held); }, spec);

@@ -2,10 +2,12 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <variant>
 
 #include "base/fields.hpp"
+#include "world/file_maps.hpp"
 #include "world/world.hpp"
 
 namespace avoidbench {
@@ -81,7 +83,8 @@ struct AvoidbenchIndoorSpec {
   double texture_opacity = 1.0;
 };
 
-using MapSpec = std::variant<ForestSpec, HallSpec, AvoidbenchForestSpec, AvoidbenchIndoorSpec>;
+using MapSpec = std::variant<ForestSpec, HallSpec, AvoidbenchForestSpec, AvoidbenchIndoorSpec,
+                             MeshSpec, PointCloudSpec>;
 
 /// The start and goal bands are at the ends of y, as in the original suites: a flight crosses the
 /// map along +y.
@@ -162,12 +165,19 @@ void visit(Visitor& v, MapSpec& s) {
   v.variant("generator", s, "What makes the map.");
 }
 
+/// The fields of a map that comes from a file; null for others.
+struct FileOfMap {
+  std::string* file = nullptr;
+  std::string* digest = nullptr;
+};
+FileOfMap file_of(MapSpec& spec);
+
 /// Throws InputError, with all the reasons at once, where the spec contradicts itself (a flight
 /// height above the ceiling).
 void check_map(const MapSpec& spec);
 
 /// The map of this spec and seed. Throws InputError where the spec contradicts itself (a flight
-/// height above the ceiling).
+/// height above the ceiling) or its file is no map.
 World make_world(const MapSpec& spec, std::uint64_t map_seed);
 
 }  // namespace avoidbench

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/input_error.hpp"
+
+/// What readers of map files share.
+namespace avoidbench {
+
+/// The bytes of a file of at most `most_bytes`. Throws InputError where it can't be read, is empty
+/// or larger.
+std::string read_map_file(const std::string& file, std::uint64_t most_bytes);
+
+/// The SHA-256 of bytes already read, as file_digest() gives it.
+std::string bytes_digest(std::string_view bytes);
+
+/// An InputError that names the file, and the line where it is not 0.
+[[noreturn]] void fail_file(const std::string& file, std::string message, int line = 0);
+
+/// The file's name after its last dot, lower-case: "ply".
+std::string extension_of(const std::string& file);
+
+/// Positions as they stand in a file: its units, its axes.
+using FilePoints = std::vector<Eigen::Vector3d>;
+
+}  // namespace avoidbench

@@ -1,0 +1,267 @@
+#include <algorithm>
+#include <array>
+
+#include "world/cloud_bytes.hpp"
+#include "world/point_cloud_file.hpp"
+
+namespace avoidbench {
+namespace {
+
+enum class Encoding { ascii, little_endian, big_endian };
+
+struct Property {
+  std::string name;
+  NumberType type = NumberType::f32;
+  bool is_list = false;
+  NumberType count_type = NumberType::u8;  ///< of a list
+};
+
+struct Element {
+  std::string name;
+  std::uint64_t count = 0;
+  std::vector<Property> properties;
+};
+
+struct Header {
+  Encoding encoding = Encoding::ascii;
+  std::vector<Element> elements;
+};
+
+std::optional<NumberType> type_of(std::string_view word) {
+  struct Name {
+    std::string_view text;
+    NumberType type;
+  };
+  constexpr std::array<Name, 18> kNames{{{"char", NumberType::i8},
+                                         {"int8", NumberType::i8},
+                                         {"uchar", NumberType::u8},
+                                         {"uint8", NumberType::u8},
+                                         {"short", NumberType::i16},
+                                         {"int16", NumberType::i16},
+                                         {"ushort", NumberType::u16},
+                                         {"uint16", NumberType::u16},
+                                         {"int", NumberType::i32},
+                                         {"int32", NumberType::i32},
+                                         {"uint", NumberType::u32},
+                                         {"uint32", NumberType::u32},
+                                         {"float", NumberType::f32},
+                                         {"float32", NumberType::f32},
+                                         {"double", NumberType::f64},
+                                         {"float64", NumberType::f64},
+                                         {"int64", NumberType::i64},
+                                         {"uint64", NumberType::u64}}};
+  for (const Name& name : kNames) {
+    if (name.text == word) return name.type;
+  }
+  return std::nullopt;
+}
+
+NumberType known_type(std::string_view word, const std::string& file, int line) {
+  const auto type = type_of(word);
+  if (!type) fail_file(file, quoted(word) + " is no type of a PLY property", line);
+  return *type;
+}
+
+void add_property(const std::vector<std::string_view>& words, Header& header,
+                  const std::string& file, int line) {
+  if (header.elements.empty()) fail_file(file, "a property before the first element", line);
+  Property property;
+  property.is_list = words.size() == 5 && words[1] == "list";
+  if (property.is_list) {
+    property.count_type = known_type(words[2], file, line);
+    if (property.count_type == NumberType::f32 || property.count_type == NumberType::f64) {
+      fail_file(file, "a list's count is no whole number", line);
+    }
+    property.type = known_type(words[3], file, line);
+  } else if (words.size() == 3) {
+    property.type = known_type(words[1], file, line);
+  } else {
+    fail_file(file, "expected 'property TYPE NAME' or 'property list TYPE TYPE NAME'", line);
+  }
+  property.name = words.back();
+  header.elements.back().properties.push_back(std::move(property));
+}
+
+void read_format(const std::vector<std::string_view>& words, Header& header,
+                 const std::string& file, int line) {
+  const std::string_view name = words.size() == 3 ? words[1] : "";
+  if (name == "ascii") {
+    header.encoding = Encoding::ascii;
+  } else if (name == "binary_little_endian") {
+    header.encoding = Encoding::little_endian;
+  } else if (name == "binary_big_endian") {
+    header.encoding = Encoding::big_endian;
+  } else {
+    fail_file(file, "expected 'format ascii|binary_little_endian|binary_big_endian 1.0'", line);
+  }
+}
+
+Header read_header(LineCursor& lines, const std::string& file) {
+  constexpr int kMostLines = 10'000;
+  Header header;
+  bool has_format = false;
+  lines.next();  // "ply", as was seen before
+  while (const auto line = lines.next()) {
+    const std::vector<std::string_view> words = words_of(*line);
+    if (words.empty() || words[0] == "comment" || words[0] == "obj_info") continue;
+    if (words[0] == "end_header") {
+      if (!has_format) fail_file(file, "the header lacks 'format'", lines.line);
+      return header;
+    }
+    if (words[0] == "format") {
+      read_format(words, header, file, lines.line);
+      has_format = true;
+    } else if (words[0] == "element") {
+      const auto count = words.size() == 3 ? number_in<std::uint64_t>(words[2]) : std::nullopt;
+      if (!count) fail_file(file, "expected 'element NAME COUNT'", lines.line);
+      header.elements.push_back({std::string(words[1]), *count, {}});
+    } else if (words[0] == "property") {
+      add_property(words, header, file, lines.line);
+    } else {
+      fail_file(file, quoted(words[0]) + " is no word of a PLY header", lines.line);
+    }
+    if (lines.line > kMostLines) break;
+  }
+  fail_file(file, "the header does not end ('end_header')", lines.line);
+}
+
+/// Where x, y and z are among the properties.
+std::array<std::size_t, 3> xyz_of(const Element& vertex, const std::string& file) {
+  std::array<std::size_t, 3> found{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::string name(1, "xyz"[axis]);
+    const auto property =
+        std::find_if(vertex.properties.begin(), vertex.properties.end(),
+                     [&](const Property& p) { return p.name == name && !p.is_list; });
+    if (property == vertex.properties.end()) {
+      fail_file(file, "the element vertex lacks the property " + name);
+    }
+    found[axis] = static_cast<std::size_t>(property - vertex.properties.begin());
+  }
+  return found;
+}
+
+[[noreturn]] void fail_short(const std::string& file, const Element& element, std::uint64_t found,
+                             int line = 0) {
+  fail_file(file,
+            "is truncated: the header promises " + std::to_string(element.count) + " of " +
+                quoted(element.name) + ", there are " + std::to_string(found),
+            line);
+}
+
+/// Bytes of an element without lists; nothing where it has one.
+std::optional<std::size_t> fixed_size(const Element& element) {
+  std::size_t size = 0;
+  for (const Property& property : element.properties) {
+    if (property.is_list) return std::nullopt;
+    size += size_of(property.type);
+  }
+  return size;
+}
+
+/// Takes one binary element off `rest`; the first byte of each property is put in `places`. False
+/// where the bytes end before it.
+bool take_binary(const Element& element, bool is_big_endian, std::string_view& rest,
+                 std::vector<const char*>& places) {
+  places.clear();
+  for (const Property& property : element.properties) {
+    std::size_t count = 1;
+    if (property.is_list) {
+      const std::size_t count_size = size_of(property.count_type);
+      if (rest.size() < count_size) return false;
+      const double listed = load_number(rest.data(), property.count_type, is_big_endian);
+      rest.remove_prefix(count_size);
+      if (!(listed >= 0.0 && listed <= static_cast<double>(rest.size()))) return false;
+      count = static_cast<std::size_t>(listed);
+    }
+    if (rest.size() / size_of(property.type) < count) return false;
+    places.push_back(rest.data());
+    rest.remove_prefix(count * size_of(property.type));
+  }
+  return true;
+}
+
+void skip_binary(const Element& element, bool is_big_endian, std::string_view& rest,
+                 const std::string& file) {
+  if (const auto size = fixed_size(element)) {
+    if (*size == 0) return;
+    if (rest.size() / *size < element.count) fail_short(file, element, rest.size() / *size);
+    rest.remove_prefix(*size * element.count);
+    return;
+  }
+  std::vector<const char*> places;
+  for (std::uint64_t i = 0; i < element.count; ++i) {
+    if (!take_binary(element, is_big_endian, rest, places)) fail_short(file, element, i);
+  }
+}
+
+FilePoints binary_points(const Element& vertex, bool is_big_endian, std::string_view rest,
+                         const std::string& file) {
+  const std::array<std::size_t, 3> xyz = xyz_of(vertex, file);
+  if (const auto size = fixed_size(vertex); size && rest.size() / *size < vertex.count) {
+    fail_short(file, vertex, rest.size() / *size);
+  }
+  FilePoints points;
+  std::vector<const char*> places;
+  for (std::uint64_t i = 0; i < vertex.count; ++i) {
+    if (!take_binary(vertex, is_big_endian, rest, places)) fail_short(file, vertex, i);
+    Eigen::Vector3d point;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      point[static_cast<Eigen::Index>(axis)] =
+          load_number(places[xyz[axis]], vertex.properties[xyz[axis]].type, is_big_endian);
+    }
+    add_if_finite(point, points);
+  }
+  return points;
+}
+
+/// One point a line; properties after z are not looked at.
+FilePoints ascii_points(const Element& vertex, LineCursor& lines, const std::string& file) {
+  const std::array<std::size_t, 3> xyz = xyz_of(vertex, file);
+  const std::size_t last = *std::max_element(xyz.begin(), xyz.end());
+  for (std::size_t i = 0; i < last; ++i) {
+    if (vertex.properties[i].is_list) fail_file(file, "a list stands before x, y and z");
+  }
+  FilePoints points;
+  for (std::uint64_t i = 0; i < vertex.count; ++i) {
+    auto line = lines.next();
+    if (!line) fail_short(file, vertex, i, lines.line);
+    Eigen::Vector3d point = Eigen::Vector3d::Zero();
+    for (std::size_t k = 0; k <= last; ++k) {
+      const std::string_view word = take_word(*line);
+      const auto number = number_in<double>(word);
+      if (!number) {
+        const std::string what = word.empty() ? "too few numbers" : quoted(word) + " is no number";
+        fail_file(file, what, lines.line);
+      }
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (xyz[axis] == k) point[static_cast<Eigen::Index>(axis)] = *number;
+      }
+    }
+    add_if_finite(point, points);
+  }
+  return points;
+}
+
+}  // namespace
+
+FilePoints parse_ply_points(std::string_view bytes, const std::string& file) {
+  LineCursor lines{bytes};
+  const Header header = read_header(lines, file);
+  const bool is_big_endian = header.encoding == Encoding::big_endian;
+  for (const Element& element : header.elements) {
+    const bool is_vertex = element.name == "vertex";
+    if (header.encoding != Encoding::ascii) {
+      if (is_vertex) return binary_points(element, is_big_endian, lines.rest, file);
+      skip_binary(element, is_big_endian, lines.rest, file);
+      continue;
+    }
+    if (is_vertex) return ascii_points(element, lines, file);
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      if (!lines.next()) fail_short(file, element, i, lines.line);
+    }
+  }
+  fail_file(file, "the header lacks 'element vertex'");
+}
+
+}  // namespace avoidbench
