@@ -120,7 +120,7 @@ void visit(Visitor& v, HallSpec& s) {
 template <class Visitor, class Spec>
 void visit_suite(Visitor& v, Spec& s, std::string_view range_origin_doc) {
   v.field("suite_seed", s.suite_seed, Range{0, 2147483647},
-          "Seed of the suite's task file; map k is drawn after srand(suite_seed * k).");
+          "Seed of the suite's task file; map k is drawn by C's rand seeded with this times k.");
   v.field("field_area_m", s.field_area_m, Range{10, 500},
           "Size in x and y of the field that obstacles are drawn over.");
   v.field("radius_origin_m", s.radius_origin_m, Range{1.0, 20},
