@@ -7,6 +7,9 @@ namespace avoidbench {
 namespace {
 
 constexpr double kMaxCells = 8e6;
+constexpr double kWorthAStep =
+    0.25;  ///< of a cell: the scene is asked where a step would be shorter
+constexpr double kFloatRounding_m = 1e-6;
 
 Eigen::Vector3i grid_size(const Aabb& region, double cell_m) {
   const Eigen::Vector3d cells = region.sizes() / cell_m;
@@ -51,27 +54,77 @@ Eigen::Vector3i ClearanceGrid::cell(std::int64_t index) const {
 double ClearanceGrid::clearance_m(const Eigen::Vector3i& cell) {
   float& kept = clearance_m_[static_cast<std::size_t>(index(cell))];
   if (kept < 0.0F) {
-    kept = static_cast<float>(std::min(kFar_m, scene_->nearest(centre(cell), kFar_m).distance_m));
+    const double limit_m = upper_bound_m(cell);
+    kept = static_cast<float>(std::min(kFar_m, scene_->nearest(centre(cell), limit_m).distance_m));
   }
   return static_cast<double>(kept);
 }
 
+double ClearanceGrid::upper_bound_m(const Eigen::Vector3i& cell) const {
+  double bound_m = kFar_m;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const int side : {-1, 1}) {
+      Eigen::Vector3i beside = cell;
+      beside[axis] += side;
+      if (beside[axis] < 0 || beside[axis] >= size_[axis]) continue;
+      const double known_m =
+          static_cast<double>(clearance_m_[static_cast<std::size_t>(index(beside))]);
+      if (known_m >= 0.0) bound_m = std::min(bound_m, known_m + cell_m_ + kFloatRounding_m);
+    }
+  }
+  return bound_m;
+}
+
+double ClearanceGrid::interpolated_bound_m(const Eigen::Vector3d& point) {
+  const Eigen::Vector3d scaled = (point - origin_) / cell_m_ - Eigen::Vector3d::Constant(0.5);
+  Eigen::Vector3i low;
+  Eigen::Vector3d share;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double floor = std::floor(scaled[axis]);
+    if (floor < 0.0 || floor + 1.0 >= size_[axis]) return 0.0;
+    low[axis] = static_cast<int>(floor);
+    share[axis] = scaled[axis] - floor;
+  }
+  double mean_m = 0.0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Eigen::Vector3i step(corner & 1, (corner >> 1) & 1, corner >> 2);
+    double weight = 1.0;
+    for (int axis = 0; axis < 3; ++axis) weight *= step[axis] ? share[axis] : 1.0 - share[axis];
+    mean_m += weight * clearance_m(low + step);
+  }
+  // With p the surface point nearest to x, every corner c has d(c) ≤ |c − p| ≤ d(x) + u·(c − x) +
+  // |c − x|²/2d(x), so that mean ≤ d + S/2d, S the mean of |c − x|². Of the two ranges of d that
+  // this leaves, the lower is out where mean − √S ≤ d is above it.
+  const double spread_m2 = cell_m_ * cell_m_ * (share.array() * (1.0 - share.array())).sum();
+  if (mean_m * mean_m < 2.62 * spread_m2) return 0.0;
+  return 0.5 * (mean_m + std::sqrt(mean_m * mean_m - 2.0 * spread_m2)) - kFloatRounding_m;
+}
+
 double ClearanceGrid::lower_bound_m(const Eigen::Vector3d& point, double enough_m) {
-  constexpr double kFloatRounding_m = 1e-6;
   const Eigen::Vector3i cell = cell_of(point);
-  const double bound_m = clearance_m(cell) - (point - centre(cell)).norm() - kFloatRounding_m;
-  if (bound_m >= enough_m) return bound_m;
-  return std::min(kFar_m, scene_->nearest(point, kFar_m).distance_m);
+  const double offset_m = (point - centre(cell)).norm() + kFloatRounding_m;
+  const double at_centre_m = clearance_m(cell);
+  if (at_centre_m - offset_m >= enough_m) return at_centre_m - offset_m;
+  if (offset_m <= 2.0 * kFloatRounding_m) return at_centre_m;
+  if (at_centre_m + offset_m >= enough_m) {
+    const double bound_m = interpolated_bound_m(point);
+    if (bound_m >= enough_m) return bound_m;
+  }
+  const double limit_m = std::min(kFar_m, at_centre_m + offset_m);
+  return std::min(limit_m, scene_->nearest(point, limit_m).distance_m);
 }
 
 bool ClearanceGrid::is_free(const Eigen::Vector3d& point, double radius_m) {
+  const Eigen::Vector3i cell = cell_of(point);
+  const double offset_m = (point - centre(cell)).norm() + kFloatRounding_m;
+  if (clearance_m(cell) + offset_m < radius_m) return false;
   return lower_bound_m(point, radius_m) >= radius_m;
 }
 
 double ClearanceGrid::free_distance_m(const Eigen::Vector3d& from, const Eigen::Vector3d& direction,
                                       double limit_m, double radius_m) {
   if (!is_free(from, radius_m)) return 0.0;
-  const double enough_m = radius_m + 0.5 * cell_m_;  // below it a step by the bound would be short
+  const double enough_m = radius_m + kWorthAStep * cell_m_;
   double travelled_m = 0.0;
   while (travelled_m < limit_m) {
     const double clearance = lower_bound_m(from + travelled_m * direction, enough_m);
@@ -84,14 +137,25 @@ double ClearanceGrid::free_distance_m(const Eigen::Vector3d& from, const Eigen::
 bool ClearanceGrid::is_segment_free(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                                     double radius_m) {
   const double length_m = (to - from).norm();
-  if (!is_free(to, radius_m - kTolerance_m)) return false;
+  const double least_m = radius_m - kSightTolerance_m;
+  if (!is_free(to, least_m)) return false;
   if (length_m < 1e-9) return true;
-  const double enough_m = radius_m + 0.5 * cell_m_;
   const Eigen::Vector3d direction = (to - from) / length_m;
-  for (double travelled_m = 0.0; travelled_m < length_m;) {
-    const double clearance = lower_bound_m(from + travelled_m * direction, enough_m);
-    if (clearance < radius_m - kTolerance_m) return false;
-    travelled_m += std::max(clearance - radius_m, 2.0 * kTolerance_m);
+  // A clearance at s covers as much before s as after it: look ahead by what the last one left.
+  double covered_m = 0.0, ahead_m = 0.0;
+  while (covered_m < length_m) {
+    const double s_m = std::min(covered_m + ahead_m, length_m);
+    const double behind_m = s_m - covered_m;
+    const double enough_m =
+        least_m + std::clamp(behind_m, kSightTolerance_m, kWorthAStep * cell_m_);
+    const double margin_m = lower_bound_m(from + s_m * direction, enough_m) - least_m;
+    if (margin_m < 0.0) return false;
+    if (margin_m >= behind_m || ahead_m <= kSightTolerance_m) {
+      covered_m = s_m + margin_m;
+      ahead_m = std::max(margin_m, kSightTolerance_m);
+    } else {
+      ahead_m = std::max(std::min(margin_m, 0.5 * behind_m), kSightTolerance_m);
+    }
   }
   return true;
 }

@@ -36,12 +36,20 @@ class ClearanceGrid {
   double free_distance_m(const Eigen::Vector3d& from, const Eigen::Vector3d& direction,
                          double limit_m, double radius_m);
 
+  /// Whether a ball can be moved from `from` to `to`, but for kSightTolerance_m of its radius.
   bool is_segment_free(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius_m);
 
   static constexpr double kFar_m = 2.5;
   static constexpr double kTolerance_m = 0.005;
+  static constexpr double kSightTolerance_m = 0.01;
 
  private:
+  /// What a cell's distance can't exceed, from its neighbours: a short query is a cheap one.
+  double upper_bound_m(const Eigen::Vector3i& cell) const;
+
+  /// A distance that is free around `point` for sure, from the eight cells around it; 0 at the rim.
+  double interpolated_bound_m(const Eigen::Vector3d& point);
+
   /// A distance that is free around `point` for sure, exact where it is less than `enough_m`.
   double lower_bound_m(const Eigen::Vector3d& point, double enough_m);
 

@@ -55,7 +55,7 @@ Traversability traversability(const Scene& scene, ClearanceGrid& grid, const Bod
   std::int64_t flights = 0;
   for_each_position(world.flight_bounds, kStep_m, [&](double x, double y) {
     Eigen::Vector3d from(x, y, height_m);
-    if (world.heights_above_ground) from.z() += ground_height_m(scene, x, y);
+    if (world.heights_above_ground) from.z() += ground_height_m(world, x, y);
     const bool is_blocked = is_inside(scene, from) || !grid.is_free(from, body.radius_m);
     for (int i = 0; i < kHeadings; ++i) {
       const double heading_rad = math::kTau * i / kHeadings;

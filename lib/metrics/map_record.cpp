@@ -8,8 +8,6 @@
 namespace avoidbench {
 namespace {
 
-constexpr double kCell_m = 0.2;
-
 MissionRecord make_mission_record(const TrialSpec& spec, const Scene& scene, ClearanceGrid& grid,
                                   double radius_m, std::int64_t index) {
   MissionRecord mission;
@@ -37,7 +35,7 @@ MissionRecord make_mission_record(const TrialSpec& spec, const Scene& scene, Cle
 MapRecord make_map_record(const TrialSpec& spec, const Scene& scene, std::int64_t mission_count) {
   const World& world = scene.world();
   const BodyMeasure body = body_measure(to_eigen(spec.vehicle.body_size_m));
-  ClearanceGrid grid(scene, world.bounds, kCell_m);
+  ClearanceGrid grid(scene, world.bounds, kMapCell_m);
   const Traversability trav = traversability(scene, grid, body);
   MapRecord map{.key = {},
                 .world_digest = world.digest,

@@ -8,6 +8,9 @@
 
 namespace avoidbench {
 
+/// Cells of the grid that a map is measured on.
+inline constexpr double kMapCell_m = 0.2;
+
 /// A mission with its reference path.
 struct MissionRecord {
   std::int64_t index = 0;

@@ -38,6 +38,7 @@ struct BodyContact {
 class Scene {
  public:
   explicit Scene(const World& world);
+  explicit Scene(World&&) = delete;
   /// The same, but with the hierarchy flattened where the world has at most `flatten_triangles`
   /// triangles over all instances (0: never). Changes speed and memory; depths agree to 1e-5 m,
   /// point queries to the bit.

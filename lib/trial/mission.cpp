@@ -17,7 +17,7 @@ std::optional<Eigen::Vector3d> free_place(const Scene& scene, const Region& regi
     for (int axis = 0; axis < 3; ++axis) {
       place[axis] = draws.uniform(region.lowest[axis], region.highest[axis]);
     }
-    if (world.heights_above_ground) place.z() += ground_height_m(scene, place.x(), place.y());
+    if (world.heights_above_ground) place.z() += ground_height_m(world, place.x(), place.y());
     const bool is_free = scene.nearest(place, free_radius_m).distance_m >= free_radius_m;
     if (is_free && world.flight_bounds.contains(place)) return place;
   }
@@ -25,19 +25,6 @@ std::optional<Eigen::Vector3d> free_place(const Scene& scene, const Region& regi
 }
 
 }  // namespace
-
-double ground_height_m(const Scene& scene, double x, double y) {
-  const World& world = scene.world();
-  Eigen::Vector3d from(x, y, world.bounds.max().z() + 100.0);
-  for (int layer = 0; layer < 1000; ++layer) {  // through crowns and roofs down to the ground
-    const RayHit hit = scene.first_hit(from, -Eigen::Vector3d::UnitZ());
-    if (!std::isfinite(hit.distance_m)) break;
-    from.z() -= hit.distance_m;
-    if (world.obstacles[world.instances[hit.instance].obstacle].kind == "ground") return from.z();
-    from.z() -= 1e-4;
-  }
-  return -std::numeric_limits<double>::infinity();
-}
 
 std::optional<Mission> make_mission(const Scene& scene, const MissionSpec& spec, std::uint64_t seed,
                                     std::int64_t index) {

@@ -21,7 +21,4 @@ struct Mission {
 std::optional<Mission> make_mission(const Scene& scene, const MissionSpec& spec, std::uint64_t seed,
                                     std::int64_t index);
 
-/// Height of the ground at (x, y), world z; -inf where there is none.
-double ground_height_m(const Scene& scene, double x, double y);
-
 }  // namespace avoidbench

@@ -138,6 +138,16 @@ TEST(Traversability, AmongCylindersAgreesWithClosedForm) {
   EXPECT_NEAR(found.value, sum / (1600.0 * 16.0) / body.diameter_m, 0.01 * found.value);
 }
 
+/// A bush's shell may lie less than a tenth of a millimetre above the ground.
+TEST(Traversability, StandsOnTheGroundOfADenseForest) {
+  const World world = make_world(ForestSpec{.poisson_radius_m = 2.1}, 1);
+  const Scene scene(world);
+  ClearanceGrid grid(scene, world.bounds, 0.2);
+  const Traversability measured = traversability(scene, grid, body_measure({0.6, 0.6, 0.3}));
+  EXPECT_GT(measured.normalized_ratio, 0.05);
+  EXPECT_LT(measured.normalized_ratio, 0.5);
+}
+
 TEST(IsInside, TellsSolidsFromAir) {
   World world = test::flight_world();
   test::add_obstacle(world, test::cylinder_mesh(0.8, 8.0, 32), {0, 0, 0}, "cylinder");

@@ -172,13 +172,5 @@ TEST(MakeMission, IsFreeAroundAndTheSameForTheSameIndex) {
       make_mission(scene, {.free_radius_m = 3.0}, 3, 0).has_value());  // the floor is 2 m below
 }
 
-TEST(GroundHeight, LooksThroughRoofs) {
-  World world = test::flight_world();
-  test::add_obstacle(world, test::box_mesh({4, 4, 1}), {0, 0, 5}, "roof");
-  const Scene scene(world);
-  EXPECT_NEAR(ground_height_m(scene, 0.3, 0.2), 0.0, 1e-6);
-  EXPECT_EQ(ground_height_m(scene, 35.0, 0.0), -std::numeric_limits<double>::infinity());
-}
-
 }  // namespace
 }  // namespace avoidbench
