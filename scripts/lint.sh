@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# lint.sh [FILE…]: clang-format and clang-tidy over the given sources, or over those that differ from the main branch, or over all.
-# --all: all. --format-only: no clang-tidy. Uses the compile commands of build/clang.
+# lint.sh [FILE…]: clang-format and clang-tidy over the given sources, or over those that changed (changed_files.sh).
+# --all: over all. --format-only: no clang-tidy. Uses the compile commands of build/clang.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -14,11 +14,8 @@ for argument in "$@"; do
 done
 sources=(apps lib planners tests)
 if [ ${#files[@]} -eq 0 ]; then
-  if [ $all = 1 ] || ! git rev-parse --verify -q origin/main >/dev/null; then
-    mapfile -t files < <(git ls-files -- "${sources[@]}" | grep -E '\.(cpp|hpp|h|c)$')
-  else
-    mapfile -t files < <(git diff --name-only --diff-filter=d origin/main -- "${sources[@]}" | grep -E '\.(cpp|hpp|h|c)$' || true)
-  fi
+  if [ $all = 1 ]; then list=(git ls-files -- "${sources[@]}"); else list=(scripts/changed_files.sh); fi
+  mapfile -t files < <("${list[@]}" | grep -E '^(apps|lib|planners|tests)/.*\.(cpp|hpp|h|c)$' || true)
 fi
 [ ${#files[@]} -eq 0 ] && { echo "nothing to check"; exit 0; }
 

@@ -1,18 +1,15 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds everything with both compilers and runs all tests. The last lines are the test runner's summary.
-#   --slow   also the tests labelled slow
-#   --tidy   also clang-tidy over everything (minutes)
+# clang-tidy and the sanitizers look at what changed (scripts/changed_files.sh).
+#   --all    the tests labelled slow too, and clang-tidy and the sanitizers over everything (an hour): for every night
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-slow=0 tidy=0
-for argument in "$@"; do
-  case "$argument" in
-    --slow) slow=1 ;;
-    --tidy) tidy=1 ;;
-    *) echo "usage: $0 [--slow] [--tidy]" >&2; exit 2 ;;
-  esac
-done
+case "${1:-}" in
+  '') exclude=(-LE slow) all=() ;;
+  --all) exclude=() all=(--all) ;;
+  *) echo "usage: $0 [--all]" >&2; exit 2 ;;
+esac
 
 scripts/install_packages.sh test
 jobs=$(nproc)
@@ -28,8 +25,9 @@ cmake --build build/release --parallel "$jobs"
 echo "== build the program and planners with clang (build/clang), for its warnings and to compare bits"
 cmake --preset clang >/dev/null
 cmake --build build/clang --parallel "$jobs" --target program
-[ $tidy = 1 ] && { echo "== clang-tidy"; scripts/lint.sh --all; }
+echo "== clang-tidy"
+scripts/lint.sh "${all[@]}"
+echo "== sanitizers"
+scripts/sanitize.sh "${all[@]}"
 echo "== tests"
-exclude=(-LE slow)
-[ $slow = 1 ] && exclude=()
 ctest --test-dir build/release --output-on-failure "${exclude[@]}"

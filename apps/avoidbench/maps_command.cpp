@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -9,6 +10,7 @@
 #include "commands.hpp"
 #include "config/sweep_file.hpp"
 #include "config/yaml_values.hpp"
+#include "map_list.hpp"
 #include "map_views.hpp"
 #include "reference_table.hpp"
 
@@ -48,7 +50,9 @@ void show(const MapOptions& options) {
   Picture picture = render_map(world, trial, options.view);
   std::string caption = std::string(kind(trial.map)) + ", seed " + std::to_string(trial.map_seed);
   if (world.poisson_radius_m > 0.0) {
-    caption += ", Poisson radius " + number_text(world.poisson_radius_m) + " m";
+    // Some radii are 32-bit floats: no more digits than those have.
+    const double radius_m = std::round(1e5 * world.poisson_radius_m) / 1e5;
+    caption += ", Poisson radius " + number_text(radius_m) + " m";
   }
   add_caption(picture, caption + ", " + options.view.name);
   write_png(picture, options.png);
@@ -91,9 +95,8 @@ void info(const MapOptions& options) {
 
 void add_map_options(CLI::App& command, MapOptions& options) {
   command
-      .add_option(
-          "map", options.spec,
-          "Generator (forest, hall, mesh, point_cloud), sweep file, or file with a map's fields")
+      .add_option("map", options.spec,
+                  "Generator (see maps list), sweep file, or file with a map's fields")
       ->required();
   command.add_option("--seed", options.seed, "Map seed (default: that of the file, else 1)");
   command
@@ -107,7 +110,8 @@ void add_map_options(CLI::App& command, MapOptions& options) {
 
 void add_maps_command(CLI::App& app) {
   const auto options = std::make_shared<MapOptions>();
-  CLI::App* command = app.add_subcommand("maps", "Pictures and figures of maps");
+  CLI::App* command =
+      app.add_subcommand("maps", "The maps there are, pictures and figures of them");
   command->footer(
       "Of a sweep's several maps the first is taken; --set and --seed choose another.\n\n"
       "Examples:\n"
@@ -140,6 +144,7 @@ void add_maps_command(CLI::App& app) {
   add_map_options(*info_command, *options);
   add_table_options(*info_command, options->table);
   info_command->callback([options] { info(*options); });
+  add_maps_list_command(*command);
 }
 
 }  // namespace avoidbench

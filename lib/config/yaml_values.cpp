@@ -147,7 +147,8 @@ std::vector<YamlNode> range_values(const YamlNode& node, const std::string& path
     return {};
   }
   std::vector<YamlNode> values;
-  for (double i = 0.0; i < count; i += 1.0) {
+  for (int k = 0; k < static_cast<int>(count); ++k) {
+    const double i = k;
     const double value = by_step       ? *from + i * *third
                          : count > 1.0 ? *from + i * (*to - *from) / (count - 1.0)
                                        : *from;

@@ -90,8 +90,15 @@ std::int64_t obstacle_count(const World& world) {
 }
 
 double obstacle_density_1pm2(const World& world) {
-  const Eigen::Vector3d size = world.flight_bounds.sizes();
-  return static_cast<double>(obstacle_count(world)) / (size.x() * size.y());
+  const Aabb& flight = world.flight_bounds;
+  const auto count =
+      std::count_if(world.obstacles.begin(), world.obstacles.end(), [&](const Obstacle& obstacle) {
+        const Eigen::Vector3d& foot = obstacle.position_world;
+        return !is_scenery(obstacle) && foot.x() >= flight.min().x() &&
+               foot.y() >= flight.min().y() && foot.x() <= flight.max().x() &&
+               foot.y() <= flight.max().y();
+      });
+  return static_cast<double>(count) / (flight.sizes().x() * flight.sizes().y());
 }
 
 double relative_gap_size(const World& world, const BodyMeasure& body) {

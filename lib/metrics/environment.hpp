@@ -27,7 +27,8 @@ Traversability traversability(const Scene& scene, ClearanceGrid& grid, const Bod
 /// m.
 double free_volume_ratio(const Scene& scene, ClearanceGrid& grid, const BodyMeasure& body);
 
-/// Obstacles but for ground, walls and ceiling, per square metre of the flight bounds.
+/// Obstacles that stand inside the flight bounds, but for ground, walls and ceiling, per square
+/// metre of them.
 double obstacle_density_1pm2(const World& world);
 std::int64_t obstacle_count(const World& world);
 

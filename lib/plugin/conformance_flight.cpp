@@ -124,6 +124,7 @@ bool equal(const Reply& a, const Reply& b) {
   };
   if (a.status != b.status) return false;
   if (a.status != AB_OK) return true;
+  // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): bytes that were copied, padding too
   return std::memcmp(&a.command, &b.command, sizeof(ab_command)) == 0 && same_points();
 }
 
@@ -166,6 +167,7 @@ Reply Probe::reset(const PlannerMission& mission) {
   const ab_mission before = given;
   Reply reply;
   reply.escaped = escaped_exception([&] { reply.status = table_->reset(instance_, &given); });
+  // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): bytes that were copied, padding too
   if (std::memcmp(&given, &before, sizeof given) != 0) reply.changed = "it wrote into the mission";
   if (poisoned_) std::memset(&given, 0xA7, sizeof given);
   reply.error = host_.take_error();
@@ -200,8 +202,10 @@ Reply Probe::plan(const Frame& frame) {
   reply.command.struct_size = static_cast<std::uint32_t>(sizeof(ab_command));
   reply.escaped = escaped_exception(
       [&] { reply.status = table_->plan(instance_, &observation, &reply.command); });
+  // NOLINTBEGIN(bugprone-suspicious-memory-comparison): bytes that were copied, padding too
   const bool same = std::memcmp(&before, &observation, sizeof before) == 0 &&
                     std::memcmp(&state_before, observation.state, sizeof state_before) == 0;
+  // NOLINTEND(bugprone-suspicious-memory-comparison)
   if (!same) reply.changed = "it wrote into the observation or the state";
   for (std::size_t i = 0; i < pixels_.size() && reply.changed.empty(); ++i) {
     reply.changed = change_in(pixels_[i], frame.images[i]);

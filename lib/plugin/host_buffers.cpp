@@ -29,6 +29,7 @@ void fill_with_rubbish(Struct& value) {
 
 template <class Struct>
 void fill_with_rubbish(std::vector<Struct>& values) {
+  // NOLINTNEXTLINE(bugprone-sizeof-expression): some of the vectors hold pointers
   if (!values.empty()) std::memset(values.data(), kRubbish, values.size() * sizeof(Struct));
 }
 

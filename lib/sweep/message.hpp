@@ -9,6 +9,7 @@ namespace avoidbench {
 
 /// What goes through the pipe between the parent and a worker, either way: a JSON object and bytes
 /// beside it.
+// NOLINTNEXTLINE(bugprone-exception-escape): nlohmann::json says it of its own members
 struct Message {
   nlohmann::json json;
   std::vector<std::byte> bytes;

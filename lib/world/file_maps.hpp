@@ -46,6 +46,7 @@ void visit(Visitor& v, BoxSpec& s) {
 /// A triangle mesh: OBJ, PLY, STL, GLB, or glTF with its buffers inside.
 struct MeshSpec {
   static constexpr std::string_view kind = "mesh";
+  static constexpr std::string_view doc = "A triangle mesh from a file: OBJ, PLY, STL, GLB, glTF.";
   std::string file;         ///< absolute once a sweep file is read; not part of a trial's key
   std::string file_digest;  ///< SHA-256 of the file; part of a trial's key. "": any file will do
   double scale = 1.0;
@@ -59,6 +60,7 @@ struct MeshSpec {
 /// A point cloud, PLY or PCD, as the surface of the voxels that hold a point.
 struct PointCloudSpec {
   static constexpr std::string_view kind = "point_cloud";
+  static constexpr std::string_view doc = "A point cloud from a file, PLY or PCD, as voxels.";
   std::string file;         ///< as in MeshSpec
   std::string file_digest;  ///< as in MeshSpec
   double resolution_m = 0.2;

@@ -7,12 +7,12 @@
 #include "world/ground.hpp"
 #include "world/plants.hpp"
 #include "world/poisson_disc.hpp"
+#include "world/scenery.hpp"
 
 namespace avoidbench {
 namespace {
 
-constexpr double kOutside_m = 3.0;        // how far a vehicle may swing out of the area
-constexpr double kGroundMargin_m = 20.0;  // ground around the area
+constexpr double kOutside_m = 3.0;  // how far a vehicle may swing out of the area
 constexpr double kDepthBelowGround_m = 1.0;
 constexpr double kBandSideMargin_m = 2.0;
 
@@ -49,7 +49,19 @@ PlantPose draw_pose(RandomStream& random) {
   return {(lean * turn).toRotationMatrix(), scale};
 }
 
-void place_plants(const ForestSpec& spec, std::uint64_t map_seed, World& world) {
+}  // namespace
+
+void add_ground(const std::array<double, 2>& size_m, double relief_m, std::uint64_t seed,
+                World& world) {
+  world.ground =
+      make_ground(size_m[0], size_m[1], kGroundMargin_m, relief_m, stream_seed(seed, "ground"));
+  world.prototypes.push_back(ground_prototype(world.ground));
+  world.instances.emplace_back();
+  world.obstacles.push_back({.kind = "ground"});
+}
+
+void add_plants(std::span<const Eigen::Vector2d> feet, const PlantRules& rules, std::uint64_t seed,
+                World& world) {
   const std::vector<PlantModel> trees = tree_models();
   const std::vector<PlantModel> bushes = bush_models();
   const auto first_tree = static_cast<std::uint32_t>(world.prototypes.size());
@@ -57,17 +69,15 @@ void place_plants(const ForestSpec& spec, std::uint64_t map_seed, World& world) 
   const auto first_bush = static_cast<std::uint32_t>(world.prototypes.size());
   for (const PlantModel& model : bushes) world.prototypes.push_back(model.prototype);
 
-  RandomStream positions = stream(map_seed, "positions");
-  const std::vector<Eigen::Vector2d> feet =
-      poisson_disc({spec.area_m[0], spec.area_m[1]}, spec.poisson_radius_m, positions);
   const std::vector<bool> is_bush =
-      draw_bushes(feet.size(), spec.bush_ratio, stream(map_seed, "kinds"));
-  RandomStream choices = stream(map_seed, "prototypes");
-  RandomStream poses = stream(map_seed, "poses");
-  double width_sum_m = 0.0;
+      draw_bushes(feet.size(), rules.bush_ratio, stream(seed, "kinds"));
+  RandomStream choices = stream(seed, "prototypes");
+  RandomStream poses = stream(seed, "poses");
+  double width_sum_m = 0.0, count = 0.0;
   for (std::size_t i = 0; i < feet.size(); ++i) {
     const double choice = choices.uniform();
     const PlantPose pose = draw_pose(poses);
+    if (!rules.kept.contains(feet[i])) continue;
     const std::vector<PlantModel>& models = is_bush[i] ? bushes : trees;
     const auto model = static_cast<std::uint32_t>(choice * static_cast<double>(models.size()));
 
@@ -75,8 +85,9 @@ void place_plants(const ForestSpec& spec, std::uint64_t map_seed, World& world) 
     obstacle.kind = is_bush[i] ? "bush" : "tree";
     obstacle.position_world = {feet[i].x(), feet[i].y(),
                                ground_height_m(world.ground, feet[i].x(), feet[i].y())};
-    obstacle.width_m = obstacle_width_m(models[model], pose.scale, spec.flight_height_m);
+    obstacle.width_m = obstacle_width_m(models[model], pose.scale, rules.height_m);
     width_sum_m += obstacle.width_m;
+    count += 1.0;
 
     Instance instance;
     instance.prototype = (is_bush[i] ? first_bush : first_tree) + model;
@@ -86,27 +97,28 @@ void place_plants(const ForestSpec& spec, std::uint64_t map_seed, World& world) 
     world.instances.push_back(instance);
     world.obstacles.push_back(obstacle);
   }
-  world.mean_obstacle_width_m = width_sum_m / static_cast<double>(feet.size());
+  if (count > 0.0) world.mean_obstacle_width_m = width_sum_m / count;
 }
 
-}  // namespace
+void set_forest_bounds(const std::array<double, 2>& size_m, double ceiling_m, World& world) {
+  world.flight_bounds = Aabb(Eigen::Vector3d(0.0, 0.0, -kDepthBelowGround_m),
+                             Eigen::Vector3d(size_m[0], size_m[1], ceiling_m));
+  const Eigen::Vector3d outside(kOutside_m, kOutside_m, 0.0);
+  world.bounds = Aabb(world.flight_bounds.min() - outside, world.flight_bounds.max() + outside);
+}
 
 World make_forest(const ForestSpec& spec, std::uint64_t map_seed) {
   const double width_m = spec.area_m[0];
   const double depth_m = spec.area_m[1];
   World world;
-  world.ground = make_ground(width_m, depth_m, kGroundMargin_m, spec.ground_relief_m,
-                             stream_seed(map_seed, "ground"));
-  world.prototypes.push_back(ground_prototype(world.ground));
-  world.instances.emplace_back();
-  world.obstacles.push_back({.kind = "ground"});
-  place_plants(spec, map_seed, world);
+  add_ground(spec.area_m, spec.ground_relief_m, map_seed, world);
+  RandomStream positions = stream(map_seed, "positions");
+  const std::vector<Eigen::Vector2d> feet =
+      poisson_disc({width_m, depth_m}, spec.poisson_radius_m, positions);
+  add_plants(feet, {.bush_ratio = spec.bush_ratio, .height_m = spec.flight_height_m}, map_seed,
+             world);
+  set_forest_bounds(spec.area_m, spec.ground_relief_m + spec.height_m, world);
 
-  const double ceiling_m = spec.ground_relief_m + spec.height_m;
-  world.flight_bounds = Aabb(Eigen::Vector3d(0.0, 0.0, -kDepthBelowGround_m),
-                             Eigen::Vector3d(width_m, depth_m, ceiling_m));
-  const Eigen::Vector3d outside(kOutside_m, kOutside_m, 0.0);
-  world.bounds = Aabb(world.flight_bounds.min() - outside, world.flight_bounds.max() + outside);
   const double band_m = band_depth_m(depth_m);
   const double last_x_m = width_m - kBandSideMargin_m;
   const double height_m = spec.flight_height_m;

@@ -2,6 +2,7 @@
 
 #include "world/generators.hpp"
 #include "world/poisson_disc.hpp"
+#include "world/scenery.hpp"
 #include "world/solids.hpp"
 
 namespace avoidbench {
@@ -14,6 +15,8 @@ constexpr double kBandSideMargin_m = 2.0;
 constexpr double kBandWallMargin_m = 1.0;
 constexpr double kLeastOpacityRatio = 0.8;
 
+}  // namespace
+
 void add_obstacle(World& world, Prototype prototype, Obstacle obstacle) {
   Instance instance;
   instance.prototype = static_cast<std::uint32_t>(world.prototypes.size());
@@ -24,7 +27,6 @@ void add_obstacle(World& world, Prototype prototype, Obstacle obstacle) {
   world.obstacles.push_back(std::move(obstacle));
 }
 
-/// A slab of the shell, given in world coordinates.
 void add_slab(World& world, std::string_view name, std::string_view kind, Material material,
               const Eigen::Vector3d& lowest, const Eigen::Vector3d& highest) {
   Obstacle obstacle;
@@ -37,66 +39,79 @@ void add_slab(World& world, std::string_view name, std::string_view kind, Materi
   add_obstacle(world, std::move(slab), std::move(obstacle));
 }
 
-void add_shell(const HallSpec& spec, World& world) {
-  const double x = spec.area_m[0];
-  const double y = spec.area_m[1];
-  const double z = spec.height_m;
+void add_shell(const Aabb& inside, World& world) {
+  const Eigen::Vector3d& a = inside.min();
+  const Eigen::Vector3d& b = inside.max();
   const double t = kWallThickness_m;
-  add_slab(world, "floor", "ground", Material::concrete, {-t, -t, -t}, {x + t, y + t, 0.0});
-  add_slab(world, "wall_low_x", "wall", Material::brick, {-t, -t, 0.0}, {0.0, y + t, z});
-  add_slab(world, "wall_high_x", "wall", Material::brick, {x, -t, 0.0}, {x + t, y + t, z});
-  add_slab(world, "wall_low_y", "wall", Material::brick, {0.0, -t, 0.0}, {x, 0.0, z});
-  add_slab(world, "wall_high_y", "wall", Material::brick, {0.0, y, 0.0}, {x, y + t, z});
-  add_slab(world, "ceiling", "ceiling", Material::concrete, {-t, -t, z}, {x + t, y + t, z + t});
+  add_slab(world, "floor", "ground", Material::concrete, {a.x() - t, a.y() - t, a.z() - t},
+           {b.x() + t, b.y() + t, a.z()});
+  add_slab(world, "wall_low_x", "wall", Material::brick, {a.x() - t, a.y() - t, a.z()},
+           {a.x(), b.y() + t, b.z()});
+  add_slab(world, "wall_high_x", "wall", Material::brick, {b.x(), a.y() - t, a.z()},
+           {b.x() + t, b.y() + t, b.z()});
+  add_slab(world, "wall_low_y", "wall", Material::brick, {a.x(), a.y() - t, a.z()},
+           {b.x(), a.y(), b.z()});
+  add_slab(world, "wall_high_y", "wall", Material::brick, {a.x(), b.y(), a.z()},
+           {b.x(), b.y() + t, b.z()});
+  add_slab(world, "ceiling", "ceiling", Material::concrete, {a.x() - t, a.y() - t, b.z()},
+           {b.x() + t, b.y() + t, b.z() + t});
 }
 
-void place_cylinders(const HallSpec& spec, std::uint64_t map_seed, World& world) {
-  const double inset_m = 0.5 * spec.cylinder_diameter_m[1];
-  RandomStream positions = stream(map_seed, "positions");
-  RandomStream diameters = stream(map_seed, "diameters");
-  RandomStream textures = stream(map_seed, "textures");
-  const std::vector<Eigen::Vector2d> feet =
-      poisson_disc({spec.area_m[0] - 2.0 * inset_m, spec.area_m[1] - 2.0 * inset_m},
-                   spec.poisson_radius_m, positions);
+void add_cylinders(std::span<const Cylinder> cylinders, double texture_opacity, std::uint64_t seed,
+                   World& world) {
+  RandomStream textures = stream(seed, "textures");
   double width_sum_m = 0.0;
-  for (const Eigen::Vector2d& foot : feet) {
+  for (const Cylinder& cylinder : cylinders) {
     Obstacle obstacle;
     obstacle.kind = "cylinder";
-    obstacle.position_world = {foot.x() + inset_m, foot.y() + inset_m, 0.0};
-    obstacle.width_m = diameters.uniform(spec.cylinder_diameter_m[0], spec.cylinder_diameter_m[1]);
-    obstacle.texture_opacity = spec.texture_opacity * textures.uniform(kLeastOpacityRatio, 1.0);
+    obstacle.position_world = {cylinder.foot_world.x(), cylinder.foot_world.y(), 0.0};
+    obstacle.width_m = cylinder.diameter_m;
+    obstacle.texture_opacity = texture_opacity * textures.uniform(kLeastOpacityRatio, 1.0);
     width_sum_m += obstacle.width_m;
 
-    Prototype cylinder;
-    cylinder.name = "cylinder";
+    Prototype prototype;
+    prototype.name = "cylinder";
     const double radius_m = 0.5 * obstacle.width_m;
     const std::array<TubeRing, 2> rings{
         TubeRing{.centre = {0.0, 0.0, -kCylinderSink_m}, .radius_m = radius_m},
-        TubeRing{.centre = {0.0, 0.0, spec.height_m + kCylinderSink_m}, .radius_m = radius_m}};
-    add_tube(cylinder, rings, kCylinderSides, Material::painted_metal);
-    add_obstacle(world, std::move(cylinder), std::move(obstacle));
+        TubeRing{.centre = {0.0, 0.0, cylinder.top_m}, .radius_m = radius_m}};
+    add_tube(prototype, rings, kCylinderSides, Material::painted_metal);
+    add_obstacle(world, std::move(prototype), std::move(obstacle));
   }
-  world.mean_obstacle_width_m = width_sum_m / static_cast<double>(feet.size());
+  world.mean_obstacle_width_m = width_sum_m / static_cast<double>(cylinders.size());
 }
 
-}  // namespace
+void set_hall_bands(const std::array<double, 2>& area_m, double flight_height_m, World& world) {
+  const double band_m = band_depth_m(area_m[1]);
+  const double last_x_m = area_m[0] - kBandSideMargin_m;
+  world.start_region = {{kBandSideMargin_m, kBandWallMargin_m, flight_height_m},
+                        {last_x_m, band_m, flight_height_m}};
+  world.goal_region = {{kBandSideMargin_m, area_m[1] - band_m, flight_height_m},
+                       {last_x_m, area_m[1] - kBandWallMargin_m, flight_height_m}};
+}
 
 World make_hall(const HallSpec& spec, std::uint64_t map_seed) {
   const double width_m = spec.area_m[0];
   const double depth_m = spec.area_m[1];
   World world;
-  add_shell(spec, world);
-  place_cylinders(spec, map_seed, world);
   world.flight_bounds =
       Aabb(Eigen::Vector3d::Zero(), Eigen::Vector3d(width_m, depth_m, spec.height_m));
+  add_shell(world.flight_bounds, world);
+
+  const double inset_m = 0.5 * spec.cylinder_diameter_m[1];
+  RandomStream positions = stream(map_seed, "positions");
+  RandomStream diameters = stream(map_seed, "diameters");
+  std::vector<Cylinder> cylinders;
+  for (const Eigen::Vector2d& foot : poisson_disc(
+           {width_m - 2.0 * inset_m, depth_m - 2.0 * inset_m}, spec.poisson_radius_m, positions)) {
+    cylinders.push_back(
+        {.foot_world = {foot.x() + inset_m, foot.y() + inset_m},
+         .diameter_m = diameters.uniform(spec.cylinder_diameter_m[0], spec.cylinder_diameter_m[1]),
+         .top_m = spec.height_m + kCylinderSink_m});
+  }
+  add_cylinders(cylinders, spec.texture_opacity, map_seed, world);
   world.bounds = world.flight_bounds;
-  const double band_m = band_depth_m(depth_m);
-  const double last_x_m = width_m - kBandSideMargin_m;
-  const double height_m = spec.flight_height_m;
-  world.start_region = {{kBandSideMargin_m, kBandWallMargin_m, height_m},
-                        {last_x_m, band_m, height_m}};
-  world.goal_region = {{kBandSideMargin_m, depth_m - band_m, height_m},
-                       {last_x_m, depth_m - kBandWallMargin_m, height_m}};
+  set_hall_bands(spec.area_m, spec.flight_height_m, world);
   world.poisson_radius_m = spec.poisson_radius_m;
   world.digest = world_digest(world);
   return world;

@@ -22,22 +22,56 @@ InputProblem problem(std::string message) {
 struct RangeCheck {
   std::vector<InputProblem> problems;
 
-  void field(std::string_view name, const double& value, Range range, std::string_view) {
-    if (value >= range.lowest && value <= range.highest) return;
+  template <class Number>
+  void field(std::string_view name, const Number& value, Range range, std::string_view) {
+    const auto number = static_cast<double>(value);
+    if (number >= range.lowest && number <= range.highest) return;
     std::ostringstream message;
     message << name << ": " << value << " is outside [" << range.lowest << ", " << range.highest
             << ']';
     problems.push_back(problem(message.str()));
   }
-  void field(std::string_view name, std::array<double, 2>& values, Range range,
+  template <std::size_t count>
+  void field(std::string_view name, const std::array<double, count>& values, Range range,
              std::string_view doc) {
     for (const double& value : values) field(name, value, range, doc);
   }
 };
 
-void check_contradictions(const ForestSpec&, std::vector<InputProblem>&) {}
+void check_order(std::string_view name, const std::array<double, 2>& ends,
+                 std::vector<InputProblem>& problems) {
+  if (ends[0] <= ends[1]) return;
+  problems.push_back(problem(std::string(name) + ": the least is above the greatest"));
+}
+
+/// A flight height or the like that must be below another field.
+void check_below(std::string_view name, double value, std::string_view limit_name, double limit,
+                 std::vector<InputProblem>& problems) {
+  if (value < limit) return;
+  std::ostringstream message;
+  message << name << ": " << value << " is not below " << limit_name << ", " << limit;
+  problems.push_back(problem(message.str()));
+}
+
+void check_room(std::string_view name, const std::array<double, 2>& area_m,
+                std::string_view radius_name, double radius_m,
+                std::vector<InputProblem>& problems) {
+  const double least_side_m = std::min(area_m[0], area_m[1]);
+  if (least_side_m >= 2.0 * radius_m) return;
+  std::ostringstream message;
+  message << name << ": its shorter side, " << least_side_m << ", is less than twice "
+          << radius_name << ", " << radius_m;
+  problems.push_back(problem(message.str()));
+}
+
+void check_contradictions(const ForestSpec& spec, std::vector<InputProblem>& problems) {
+  check_below("flight_height_m", spec.flight_height_m, "height_m", spec.height_m, problems);
+  check_room("area_m", spec.area_m, "poisson_radius_m", spec.poisson_radius_m, problems);
+}
 
 void check_contradictions(const HallSpec& spec, std::vector<InputProblem>& problems) {
+  check_below("flight_height_m", spec.flight_height_m, "height_m", spec.height_m, problems);
+  check_room("area_m", spec.area_m, "poisson_radius_m", spec.poisson_radius_m, problems);
   const auto& [least, greatest] = spec.cylinder_diameter_m;
   if (least > greatest) {
     problems.push_back(problem("cylinder_diameter_m: the least diameter is above the greatest"));
@@ -50,26 +84,97 @@ void check_contradictions(const HallSpec& spec, std::vector<InputProblem>& probl
 }
 
 template <class Spec>
+void check_suite(const Spec& spec, std::vector<InputProblem>& problems) {
+  check_room("field_area_m", spec.field_area_m, "the greatest Poisson radius",
+             spec.radius_origin_m + spec.radius_span_m, problems);
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const double lowest_m = spec.range_origin_m[axis];
+    if (lowest_m < spec.field_area_m[axis] && lowest_m + spec.range_m[axis] > 0.0) continue;
+    problems.push_back(problem("range_origin_m: the flight space is outside the field"));
+    break;
+  }
+  if (spec.band_width_m > spec.range_m[0]) {
+    problems.push_back(problem("band_width_m: wider than the flight space of range_m"));
+  }
+  check_order("start_band_m", spec.start_band_m, problems);
+  check_order("goal_band_m", spec.goal_band_m, problems);
+  if (std::max(spec.start_band_m[1], spec.goal_band_m[1]) > spec.range_m[1]) {
+    problems.push_back(problem("range_m: the flight space ends before the start or goal band"));
+  }
+  check_order("goal_height_m", spec.goal_height_m, problems);
+  const double height_m = spec.range_m[2];
+  check_below("start_height_m", spec.start_height_m, "range_m's height", height_m, problems);
+  check_below("goal_height_m", spec.goal_height_m[1], "range_m's height", height_m, problems);
+}
+
+void check_contradictions(const AvoidbenchForestSpec& spec, std::vector<InputProblem>& problems) {
+  check_suite(spec, problems);
+}
+
+void check_contradictions(const AvoidbenchIndoorSpec& spec, std::vector<InputProblem>& problems) {
+  check_suite(spec, problems);
+  check_order("cylinder_diameter_m", spec.cylinder_diameter_m, problems);
+  check_order("cylinder_height_m", spec.cylinder_height_m, problems);
+  check_below("cylinder_diameter_m", spec.cylinder_diameter_m[1], "radius_origin_m",
+              spec.radius_origin_m, problems);
+  check_below("cylinder_height_m", spec.cylinder_height_m[1], "ceiling_m", spec.ceiling_m,
+              problems);
+  if (spec.range_m[2] > spec.ceiling_m) {
+    problems.push_back(problem("ceiling_m: lower than range_m's height"));
+  }
+}
+
+/// Where along y the obstacles of a hard case may stand.
+double stretch_m(const std::array<double, 2>& area_m) {
+  return area_m[1] - 2.0 * (band_depth_m(area_m[1]) + kBandGap_m);
+}
+
+void check_contradictions(const MazeSpec& spec, std::vector<InputProblem>& problems) {
+  check_below("flight_height_m", spec.flight_height_m, "height_m", spec.height_m, problems);
+  check_room("area_m", {spec.area_m[0], stretch_m(spec.area_m)}, "corridor_m with its wall",
+             spec.corridor_m + kInnerWall_m, problems);
+}
+
+void check_contradictions(const GapWallsSpec& spec, std::vector<InputProblem>& problems) {
+  check_below("flight_height_m", spec.flight_height_m, "height_m", spec.height_m, problems);
+  check_below("gap_width_m", spec.gap_width_m, "a wall's length for each of its gaps",
+              spec.area_m[0] / static_cast<double>(spec.gaps_per_wall), problems);
+  check_below("gap_height_m", spec.gap_height_m, "height_m", spec.height_m, problems);
+  check_order("sill_m", spec.sill_m, problems);
+  check_below("wall_count", static_cast<double>(spec.wall_count), "the metres between the bands",
+              stretch_m(spec.area_m), problems);
+}
+
+void check_contradictions(const DeadEndsSpec& spec, std::vector<InputProblem>& problems) {
+  check_below("flight_height_m", spec.flight_height_m, "height_m", spec.height_m, problems);
+  const double reach_m = trap_reach_m(spec);
+  check_below("trap_width_m and trap_depth_m: the trap's diameter", 2.0 * reach_m + spec.passage_m,
+              "the hall's width", spec.area_m[0], problems);
+  check_below("trap_width_m and trap_depth_m: the trap's diameter", 2.0 * reach_m,
+              "the metres between the bands", stretch_m(spec.area_m), problems);
+}
+
+void check_contradictions(const PolesSpec& spec, std::vector<InputProblem>& problems) {
+  check_below("flight_height_m", spec.flight_height_m, "height_m", spec.height_m, problems);
+  check_room("area_m", spec.area_m, "poisson_radius_m", spec.poisson_radius_m, problems);
+  check_order("diameter_m", spec.diameter_m, problems);
+}
+
+void check_contradictions(const OverhangsSpec& spec, std::vector<InputProblem>& problems) {
+  check_below("flight_height_m", spec.flight_height_m, "height_m", spec.height_m, problems);
+  check_below("slot_height_m", spec.slot_height_m, "height_m", spec.height_m, problems);
+  check_below("thickness_m", 2.0 * spec.thickness_m,
+              "the room for each barrier, whose half it fills",
+              stretch_m(spec.area_m) / static_cast<double>(spec.barrier_count), problems);
+}
+
+template <class Spec>
 void check_spec(const Spec& spec) {
   RangeCheck check;
   Spec copy = spec;
   visit(check, copy);
-  std::vector<InputProblem>& problems = check.problems;
-  if (spec.flight_height_m >= spec.height_m) {
-    std::ostringstream message;
-    message << "flight_height_m: " << spec.flight_height_m << " is not below height_m, "
-            << spec.height_m;
-    problems.push_back(problem(message.str()));
-  }
-  const double least_side_m = std::min(spec.area_m[0], spec.area_m[1]);
-  if (least_side_m < 2.0 * spec.poisson_radius_m) {
-    std::ostringstream message;
-    message << "area_m: its shorter side, " << least_side_m
-            << ", is less than twice poisson_radius_m, " << spec.poisson_radius_m;
-    problems.push_back(problem(message.str()));
-  }
-  check_contradictions(spec, problems);
-  if (!problems.empty()) throw InputError(std::move(problems));
+  check_contradictions(spec, check.problems);
+  if (!check.problems.empty()) throw InputError(std::move(check.problems));
 }
 
 template <class FileSpec>
@@ -88,6 +193,23 @@ World make(const MeshSpec& spec, std::uint64_t) { return make_mesh(spec); }
 World make(const PointCloudSpec& spec, std::uint64_t) { return make_point_cloud(spec); }
 World make(const ForestSpec& spec, std::uint64_t map_seed) { return make_forest(spec, map_seed); }
 World make(const HallSpec& spec, std::uint64_t map_seed) { return make_hall(spec, map_seed); }
+World make(const AvoidbenchForestSpec& spec, std::uint64_t map_seed) {
+  return make_avoidbench_forest(spec, map_seed);
+}
+World make(const AvoidbenchIndoorSpec& spec, std::uint64_t map_seed) {
+  return make_avoidbench_indoor(spec, map_seed);
+}
+World make(const MazeSpec& spec, std::uint64_t map_seed) { return make_maze(spec, map_seed); }
+World make(const GapWallsSpec& spec, std::uint64_t map_seed) {
+  return make_gap_walls(spec, map_seed);
+}
+World make(const DeadEndsSpec& spec, std::uint64_t map_seed) {
+  return make_dead_ends(spec, map_seed);
+}
+World make(const PolesSpec& spec, std::uint64_t map_seed) { return make_poles(spec, map_seed); }
+World make(const OverhangsSpec& spec, std::uint64_t map_seed) {
+  return make_overhangs(spec, map_seed);
+}
 
 }  // namespace
 

@@ -92,7 +92,8 @@ void PolarHistogram::add(const Vector3& point, double radius_m) {
   for (int i = 0; i < count; ++i) {
     const int azimuth = (first + i + 2 * kAzimuths) % kAzimuths;
     for (int elevation = lowest; elevation <= highest; ++elevation) {
-      const auto index = static_cast<std::size_t>(azimuth * kElevations + elevation);
+      const int cell = azimuth * kElevations + elevation;
+      const auto index = static_cast<std::size_t>(cell);
       if (free_m_[index] < soonest_m - kRounding_m) continue;
       const double ahead_m = dot(point, directions_[index]);
       const double square_aside = square_distance - ahead_m * ahead_m;

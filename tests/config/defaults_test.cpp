@@ -25,26 +25,31 @@ TEST_F(SweepFiles, PrintedDefaultsReadBack) {
 }
 
 TEST_F(SweepFiles, TheOtherGeneratorsPrintedFieldsReadBackToo) {
-  // Comment the forest out and the hall in: swap the blocks' lines by their marks.
-  std::istringstream lines(printed_sweep());
-  std::string text;
-  bool in_maps = false;
-  for (std::string line; std::getline(lines, line);) {
-    if (line == "maps:") {
-      in_maps = true;
-    } else if (in_maps && line.starts_with("  # ")) {
-      line = "  " + line.substr(4);
-    } else if (in_maps && line.starts_with("  ") && line.find("seeds:") == std::string::npos) {
-      line = "  # " + line.substr(2);
-    } else {
-      in_maps = in_maps && line.starts_with("  ");
+  for (const MapSpec& other :
+       {MapSpec(HallSpec{}), MapSpec(AvoidbenchForestSpec{}), MapSpec(AvoidbenchIndoorSpec{})}) {
+    // Comment the forest out and the other in, whose lines begin after its generator's.
+    std::istringstream lines(printed_sweep());
+    std::string text;
+    bool in_maps = false, in_other = false;
+    for (std::string line; std::getline(lines, line);) {
+      if (line == "maps:") {
+        in_maps = true;
+      } else if (in_maps && line.starts_with("  # ")) {
+        if (line.starts_with("  # generator: ")) {
+          in_other = line == "  # generator: " + std::string(kind(other));
+        }
+        if (in_other) line = "  " + line.substr(4);
+      } else if (in_maps && line.starts_with("  ") && line.find("seeds:") == std::string::npos) {
+        line = "  # " + line.substr(2);
+      } else {
+        in_maps = in_maps && line.starts_with("  ");
+      }
+      text += line + "\n";
     }
-    text += line + "\n";
+    TrialSpec expected;
+    expected.map = other;
+    EXPECT_EQ(spec_to_json(read(text).base), spec_to_json(expected));
   }
-  const SweepSpec sweep = read(text);
-  TrialSpec expected;
-  expected.map = HallSpec{};
-  EXPECT_EQ(spec_to_json(sweep.base), spec_to_json(expected));
 }
 
 TEST_F(SweepFiles, EveryFieldIsPrintedWithADoc) {

@@ -141,7 +141,8 @@ TEST_F(SweepFiles, EachProblemHasItsPlaceAndReason) {
       {"sweeps: 3", "s.yaml:3:1: sweeps: unknown key (did you mean sweep?)"},
       {"trials: 0", "s.yaml:3:9: trials: 0 is outside [1, 1000000]"},
       {"maps: {generator: forrest}",
-       "s.yaml:3:19: maps.generator: \"forrest\" is none of forest, hall (did you mean forest?)"},
+       "s.yaml:3:19: maps.generator: \"forrest\" is none of forest, hall, avoidbench_forest, "
+       "avoidbench_indoor, mesh, point_cloud (did you mean forest?)"},
       {"maps: forest", "s.yaml:3:7: maps: expected a mapping (name: value), found \"forest\""},
       {"maps: {seeds: [1, 1]}", "s.yaml:3:19: maps.seeds: 1 is given twice"},
       {"maps: {seeds: 0}", "s.yaml:3:15: maps.seeds: 0 is outside [1, 10000]"},
@@ -263,7 +264,7 @@ TEST_F(SweepFiles, MapsAloneAreRead) {
   EXPECT_EQ(std::get<ForestSpec>(read_map(sweep.string()).trial.map).poisson_radius_m, 4.0);
   EXPECT_EQ(problems_of([] { read_map("forrest"); }),
             "'forrest' is neither a file nor a generator (did you mean forest?); generators: "
-            "forest, hall");
+            "forest, hall, avoidbench_forest, avoidbench_indoor, mesh, point_cloud");
 }
 
 /// Bytes of a good sweep changed at random: a sweep or an InputError, nothing else.

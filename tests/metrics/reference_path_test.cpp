@@ -147,6 +147,20 @@ TEST(IsInside, TellsSolidsFromAir) {
   EXPECT_FALSE(is_inside(scene, {-5.0, 3.0, 0.5}));
 }
 
+TEST(ObstacleDensity, CountsWhatStandsInTheFlightSpace) {
+  World world = test::flight_world();
+  const Eigen::Vector3d size = world.flight_bounds.sizes();
+  for (const Eigen::Vector3d& outside :
+       {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(2.0 * size.x(), 0, 0),
+        Eigen::Vector3d(0, 2.0 * size.y(), 0)}) {
+    const Eigen::Vector3d foot = world.flight_bounds.center() + outside;
+    test::add_obstacle(world, test::cylinder_mesh(0.8, 8.0, 32), {foot.x(), foot.y(), 0},
+                       "cylinder");
+  }
+  EXPECT_EQ(obstacle_count(world), 3);
+  EXPECT_NEAR(obstacle_density_1pm2(world) * size.x() * size.y(), 1.0, 1e-12);
+}
+
 TEST(RelativeGapSize, FollowsTheText) {
   World world = test::flight_world();
   const BodyMeasure body = body_measure({0.5, 0.5, 0.12});

@@ -14,6 +14,10 @@ constexpr const char* kForestDigest =
     "dc863f9ff77b95979a4eacf9b7b6562fc2b41599eca12bc84a17580f91ec109b";
 constexpr const char* kHallDigest =
     "440f3504aec8fd9aea9d5a33e0e6b9de88c261a7c8ce41fdab109c7aba9d74a1";
+constexpr const char* kAvoidbenchForestDigest =
+    "f860c0487f50bd3221eeedfbf828cb090b7ab92631aed8eca13291bca6512d1f";
+constexpr const char* kAvoidbenchIndoorDigest =
+    "0a7a92fbcf7837b68c329ef6493f19552ba898c7edba670b19c1c1b8f939b7d5";
 
 std::string error_of(const MapSpec& spec) {
   try {
@@ -29,6 +33,8 @@ std::string error_of(const MapSpec& spec) {
 TEST(MapSpec, digests_are_those_of_every_machine) {
   EXPECT_EQ(make_world(ForestSpec{}, 42).digest, kForestDigest);
   EXPECT_EQ(make_world(HallSpec{}, 42).digest, kHallDigest);
+  EXPECT_EQ(make_world(AvoidbenchForestSpec{}, 42).digest, kAvoidbenchForestDigest);
+  EXPECT_EQ(make_world(AvoidbenchIndoorSpec{}, 42).digest, kAvoidbenchIndoorDigest);
 }
 
 TEST(MapSpec, other_seeds_give_other_maps_and_the_same_seed_the_same) {

@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# sanitize.sh [ROOM…|--all]: builds the tests of these rooms with address and undefined-behaviour sanitizers (build/asan) and
+# runs them. Without arguments: the rooms that changed (changed_files.sh), of more than three those with the most changed files.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+mapfile -t rooms < <(grep -vE '^\s*(#|$)' lib/ORDER | cut -d: -f1 | tr -d ' ')
+tested=()
+for room in "${rooms[@]}"; do [ -f "tests/$room/CMakeLists.txt" ] && tested+=("$room"); done
+case "${1:-}" in
+  --all) chosen=("${tested[@]}") ;;
+  '')
+    changed=$(scripts/changed_files.sh | grep -E '^(lib|tests)/' || true)
+    mapfile -t chosen < <(for room in "${tested[@]}"; do
+        count=$(grep -cE "^(lib|tests)/$room/.*\.(cpp|hpp|h|c|sql)$" <<<"$changed" || true)
+        [ "$count" -gt 0 ] && echo "$count $room"
+      done | sort -rn | head -3 | cut -d' ' -f2)
+    ;;
+  *) chosen=("$@") ;;
+esac
+[ ${#chosen[@]} -eq 0 ] && { echo "no room changed"; exit 0; }
+
+echo "rooms: ${chosen[*]}"
+cmake --preset asan -DAVOIDBENCH_TESTS=ON >/dev/null
+targets=("${chosen[@]/%/_tests}")
+cmake --build build/asan --parallel "$(nproc)" --target "${targets[@]}"
+# Embree's and OpenCV's own threads and caches live until the process ends.
+export ASAN_OPTIONS=detect_leaks=1:strict_string_checks=1 UBSAN_OPTIONS=print_stacktrace=1
+for room in "${chosen[@]}"; do
+  echo "== $room"
+  (cd build/asan/tests/"$room" && "./${room}_tests" --gtest_brief=1)
+done
