@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "geometry/triangle_mesh.hpp"
+#include "world/map_file.hpp"
 
 /// Map files to read, written by the test itself.
 namespace avoidbench::test {
@@ -166,6 +167,18 @@ inline std::string gltf_bytes(const TriangleMesh& mesh, bool is_glb, const std::
          chunks;
 }
 
+/// A name and the bytes of the same mesh in each format.
+inline std::vector<std::pair<std::string, std::string>> all_meshes(const TriangleMesh& mesh) {
+  return {{"a.obj", obj_bytes(mesh)},
+          {"ascii.ply", ascii_ply_bytes(mesh)},
+          {"little.ply", binary_ply_bytes(mesh, false)},
+          {"big.ply", binary_ply_bytes(mesh, true)},
+          {"ascii.stl", ascii_stl_bytes(mesh)},
+          {"binary.STL", binary_stl_bytes(mesh)},
+          {"a.glb", gltf_bytes(mesh, true)},
+          {"a.gltf", gltf_bytes(mesh, false)}};
+}
+
 /// An LZF stream that copies nothing.
 inline std::string lzf_literals(const std::string& bytes) {
   std::string out;
@@ -174,6 +187,67 @@ inline std::string lzf_literals(const std::string& bytes) {
     out += static_cast<char>(piece.size() - 1) + piece;
   }
   return out;
+}
+
+/// With a camera before the vertices, a list and a color between the coordinates.
+inline std::string ply(const FilePoints& points, const std::string& format) {
+  const bool is_big = format == "binary_big_endian";
+  std::string bytes = "ply\r\nformat " + format +
+                      " 1.0\r\ncomment made by a test\r\nelement camera 1\r\nproperty short id\r\n"
+                      "element vertex " +
+                      std::to_string(points.size()) +
+                      "\r\nproperty float x\r\nproperty uchar red\r\nproperty double y\r\n"
+                      "property float32 z\r\nproperty list uchar int seen_by\r\nend_header\r\n";
+  const bool is_text = format == "ascii";
+  bytes += is_text ? "7\r\n" : raw(std::int16_t{7}, is_big);
+  for (const Eigen::Vector3d& p : points) {
+    if (is_text) {
+      std::ostringstream line;
+      line.precision(12);
+      line << p.x() << " 200 " << p.y() << " +" << p.z() << " 2 5 6\r\n";
+      bytes += line.str();
+      continue;
+    }
+    bytes += raw(static_cast<float>(p.x()), is_big) + '\xc8' + raw(p.y(), is_big) +
+             raw(static_cast<float>(p.z()), is_big) + '\2' + raw(5, is_big) + raw(6, is_big);
+  }
+  return bytes;
+}
+
+/// With colours between the coordinates.
+inline std::string pcd(const FilePoints& points, const std::string& data) {
+  const std::string count = std::to_string(points.size());
+  std::string bytes =
+      "# .PCD v0.7\nVERSION 0.7\nFIELDS x rgb y z\nSIZE 4 2 8 4\nTYPE F U F F\nCOUNT 1 2 1 1\n"
+      "WIDTH " +
+      count + "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + count + "\nDATA " + data + "\n";
+  std::string x, colors, y, z;
+  for (const Eigen::Vector3d& p : points) {
+    const std::string one_x = raw(static_cast<float>(p.x())), one_y = raw(p.y());
+    const std::string one_z = raw(static_cast<float>(p.z())), color = raw(std::uint32_t{77});
+    x += one_x, colors += color, y += one_y, z += one_z;
+    if (data == "binary") bytes += one_x + color + one_y + one_z;
+    if (data != "ascii") continue;
+    std::ostringstream line;
+    line.precision(12);
+    line << p.x() << " 1 2 " << p.y() << '\t' << p.z() << '\n';
+    bytes += line.str();
+  }
+  if (data != "binary_compressed") return bytes;
+  const std::string columns = x + colors + y + z;
+  const std::string packed = lzf_literals(columns);
+  return bytes + raw(static_cast<std::uint32_t>(packed.size())) +
+         raw(static_cast<std::uint32_t>(columns.size())) + packed;
+}
+
+/// A name and the bytes of the same points in each format.
+inline std::vector<std::pair<std::string, std::string>> all_clouds(const FilePoints& points) {
+  return {{"ascii.ply", ply(points, "ascii")},
+          {"little.ply", ply(points, "binary_little_endian")},
+          {"big.ply", ply(points, "binary_big_endian")},
+          {"ascii.pcd", pcd(points, "ascii")},
+          {"binary.pcd", pcd(points, "binary")},
+          {"compressed.pcd", pcd(points, "binary_compressed")}};
 }
 
 }  // namespace avoidbench::test

@@ -69,22 +69,10 @@ std::string message_of(const MapSpec& spec) {
   return "no error";
 }
 
-/// A name and the bytes of the same mesh in each format.
-std::vector<std::pair<std::string, std::string>> all_formats(const TriangleMesh& mesh) {
-  return {{"a.obj", test::obj_bytes(mesh)},
-          {"ascii.ply", test::ascii_ply_bytes(mesh)},
-          {"little.ply", test::binary_ply_bytes(mesh, false)},
-          {"big.ply", test::binary_ply_bytes(mesh, true)},
-          {"ascii.stl", test::ascii_stl_bytes(mesh)},
-          {"binary.STL", test::binary_stl_bytes(mesh)},
-          {"a.glb", test::gltf_bytes(mesh, true)},
-          {"a.gltf", test::gltf_bytes(mesh, false)}};
-}
-
 TEST(MeshMap, every_format_gives_the_same_triangles) {
   const TemporaryFolder folder;
   std::vector<Corners> first;
-  for (const auto& [name, bytes] : all_formats(brick_mesh())) {
+  for (const auto& [name, bytes] : test::all_meshes(brick_mesh())) {
     const World world = make_world(spec_of(folder.write(name, bytes)), 1);
     EXPECT_EQ(world.bounds.min(), Eigen::Vector3d(1, 2, 3)) << name;
     EXPECT_EQ(world.bounds.max(), Eigen::Vector3d(3, 5, 7)) << name;
@@ -213,7 +201,7 @@ TEST(MeshMap, what_is_wrong_is_told_with_the_files_name) {
 
 TEST(MeshMap, damaged_files_end_in_an_error_or_a_world) {
   const TemporaryFolder folder;
-  for (const auto& [name, bytes] : all_formats(brick_mesh())) {
+  for (const auto& [name, bytes] : test::all_meshes(brick_mesh())) {
     for (std::size_t size = 1; size < bytes.size(); size += 7) {
       message_of(spec_of(folder.write(name, bytes.substr(0, size))));
     }

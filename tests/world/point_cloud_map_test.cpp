@@ -15,7 +15,8 @@
 namespace avoidbench {
 namespace {
 
-using test::raw;
+using test::all_clouds;
+using test::pcd;
 using test::TemporaryFolder;
 
 /// A thousand points in 8 m × 10 m × 4 m, multiples of 1/64 m so that text says them exactly.
@@ -31,65 +32,6 @@ FilePoints random_points() {
     points.push_back(point);
   }
   return points;
-}
-
-/// With a camera before the vertices, a list and a color between the coordinates.
-std::string ply(const FilePoints& points, const std::string& format) {
-  const bool is_big = format == "binary_big_endian";
-  std::string bytes = "ply\r\nformat " + format +
-                      " 1.0\r\ncomment made by a test\r\nelement camera 1\r\nproperty short id\r\n"
-                      "element vertex " +
-                      std::to_string(points.size()) +
-                      "\r\nproperty float x\r\nproperty uchar red\r\nproperty double y\r\n"
-                      "property float32 z\r\nproperty list uchar int seen_by\r\nend_header\r\n";
-  const bool is_text = format == "ascii";
-  bytes += is_text ? "7\r\n" : raw(std::int16_t{7}, is_big);
-  for (const Eigen::Vector3d& p : points) {
-    if (is_text) {
-      std::ostringstream line;
-      line.precision(12);
-      line << p.x() << " 200 " << p.y() << " +" << p.z() << " 2 5 6\r\n";
-      bytes += line.str();
-      continue;
-    }
-    bytes += raw(static_cast<float>(p.x()), is_big) + '\xc8' + raw(p.y(), is_big) +
-             raw(static_cast<float>(p.z()), is_big) + '\2' + raw(5, is_big) + raw(6, is_big);
-  }
-  return bytes;
-}
-
-std::string pcd(const FilePoints& points, const std::string& data) {
-  const std::string count = std::to_string(points.size());
-  std::string bytes =
-      "# .PCD v0.7\nVERSION 0.7\nFIELDS x rgb y z\nSIZE 4 2 8 4\nTYPE F U F F\nCOUNT 1 2 1 1\n"
-      "WIDTH " +
-      count + "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + count + "\nDATA " + data + "\n";
-  std::string x, colors, y, z;
-  for (const Eigen::Vector3d& p : points) {
-    const std::string one_x = raw(static_cast<float>(p.x())), one_y = raw(p.y());
-    const std::string one_z = raw(static_cast<float>(p.z())), color = raw(std::uint32_t{77});
-    x += one_x, colors += color, y += one_y, z += one_z;
-    if (data == "binary") bytes += one_x + color + one_y + one_z;
-    if (data != "ascii") continue;
-    std::ostringstream line;
-    line.precision(12);
-    line << p.x() << " 1 2 " << p.y() << '\t' << p.z() << '\n';
-    bytes += line.str();
-  }
-  if (data != "binary_compressed") return bytes;
-  const std::string columns = x + colors + y + z;
-  const std::string packed = test::lzf_literals(columns);
-  return bytes + raw(static_cast<std::uint32_t>(packed.size())) +
-         raw(static_cast<std::uint32_t>(columns.size())) + packed;
-}
-
-std::vector<std::pair<std::string, std::string>> all_formats(const FilePoints& points) {
-  return {{"ascii.ply", ply(points, "ascii")},
-          {"little.ply", ply(points, "binary_little_endian")},
-          {"big.ply", ply(points, "binary_big_endian")},
-          {"ascii.pcd", pcd(points, "ascii")},
-          {"binary.pcd", pcd(points, "binary")},
-          {"compressed.pcd", pcd(points, "binary_compressed")}};
 }
 
 PointCloudSpec spec_of(const std::string& file) {
@@ -112,7 +54,7 @@ TEST(PointCloud, every_format_gives_the_same_points_and_world) {
   const TemporaryFolder folder;
   const FilePoints points = random_points();
   std::string digest;
-  for (const auto& [name, bytes] : all_formats(points)) {
+  for (const auto& [name, bytes] : all_clouds(points)) {
     EXPECT_EQ(parse_point_cloud(bytes, name), points) << name;
     const World world = make_world(spec_of(folder.write(name, bytes)), 1);
     if (digest.empty()) digest = world.digest;
@@ -265,7 +207,7 @@ TEST(PointCloud, what_is_wrong_is_told_with_file_and_line) {
 TEST(PointCloud, damaged_files_end_in_an_error_or_points) {
   FilePoints points = random_points();
   points.resize(20);
-  for (const auto& [name, bytes] : all_formats(points)) {
+  for (const auto& [name, bytes] : all_clouds(points)) {
     for (std::size_t size = 0; size < bytes.size(); ++size) {
       message_of([&, &file = name] { parse_point_cloud(bytes.substr(0, size), file); });
     }
