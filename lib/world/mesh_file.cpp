@@ -69,6 +69,7 @@ struct Gatherer {
   const std::string& file;
   Material fallback;
   std::uint64_t most_triangles;
+  bool is_gltf;
   Eigen::Vector3d offset;  ///< to be added to positions
   std::uint64_t triangle_count = 0;
   std::vector<MeshPart> parts = {};
@@ -106,6 +107,9 @@ struct Gatherer {
     }
   }
 
+  /// Whether the node is no node of the file: assimp puts what has none below one of its own.
+  bool is_assimps(const aiNode& node) const { return node.mParent == nullptr && !is_gltf; }
+
   void add_node(const aiNode& node, const Eigen::Affine3d& T_file_parent, int depth) {
     constexpr int kMostDepth = 1000;
     if (depth > kMostDepth) fail_file(file, "its nodes are nested too deep");
@@ -113,8 +117,9 @@ struct Gatherer {
     MeshPart part;
     for (unsigned i = 0; i < node.mNumMeshes; ++i) {
       const aiMesh& mesh = *scene.mMeshes[node.mMeshes[i]];
-      const bool is_root = node.mParent == nullptr;
-      if (part.kind.empty()) part.kind = obstacle_kind(text_of(is_root ? mesh.mName : node.mName));
+      if (part.kind.empty()) {
+        part.kind = obstacle_kind(text_of(is_assimps(node) ? mesh.mName : node.mName));
+      }
       if (part.kind == "mesh") part.kind = obstacle_kind(text_of(mesh.mName));
       add_mesh(mesh, T_file_node, part);
     }
@@ -172,7 +177,7 @@ std::vector<MeshPart> parse_mesh(std::string_view bytes, const std::string& file
   if (scene == nullptr || scene->mRootNode == nullptr) {
     fail_file(file, "can't be read as a mesh: " + plain_text(reason));
   }
-  Gatherer gatherer{*scene, file, fallback, most_triangles, plain.offset};
+  Gatherer gatherer{*scene, file, fallback, most_triangles, plain.name == "map.glb", plain.offset};
   gatherer.add_node(*scene->mRootNode, Eigen::Affine3d::Identity(), 0);
   if (gatherer.parts.empty()) fail_file(file, "has no triangles");
   return std::move(gatherer.parts);

@@ -273,9 +273,12 @@ struct GlbWriter {
     to.push_back(std::move(plain));
   }
 
+  /// Assimp makes up names where there are none.
   static std::string name_of(const json& object) {
     const auto name = object.find("name");
-    return name != object.end() && name->is_string() ? plain_name(name->get<std::string>()) : "";
+    const bool is_text = name != object.end() && name->is_string();
+    const std::string plain = is_text ? plain_name(name->get_ref<const std::string&>()) : "";
+    return plain.empty() ? "mesh" : plain;
   }
 
   void add_meshes() {

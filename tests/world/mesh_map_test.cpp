@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "base/input_error.hpp"
 #include "support/map_files.hpp"
+#include "world/export_map.hpp"
 #include "world/map_spec.hpp"
 #include "world/mesh_file.hpp"
 #include "world/solids.hpp"
@@ -11,6 +13,7 @@
 namespace avoidbench {
 namespace {
 
+using test::raw;
 using test::TemporaryFolder;
 
 /// 2 m × 3 m × 4 m, from (1, 2, 3).
@@ -124,7 +127,7 @@ TEST(MeshMap, up_axes_turn_and_scale_grows_without_mirroring) {
   EXPECT_EQ(volume_m3(world), 192.0);
 }
 
-TEST(MeshMap, node_transforms_are_applied_and_mirrored_nodes_stay_inside_out_never) {
+TEST(MeshMap, node_transforms_are_applied_and_mirrored_nodes_are_not_inside_out) {
   const TemporaryFolder folder;
   const std::string node = ",\"translation\":[10,0,-1],\"scale\":[-1,1,2]";
   const World world =
@@ -158,45 +161,239 @@ TEST(MeshMap, regions_are_bands_or_as_given) {
   EXPECT_EQ(world.goal_region.highest, Eigen::Vector3d(4, 5, 6));
 }
 
-TEST(MeshMap, what_is_wrong_is_told_with_the_files_name) {
+/// What make_world() says of a file of this name and content; "FILE" stands for its path.
+std::string message_of_file(const std::string& name, const std::string& bytes) {
   const TemporaryFolder folder;
-  const auto message = [&](const std::string& name, const std::string& bytes) {
-    return message_of(spec_of(folder.write(name, bytes)));
+  const std::string file = folder.write(name, bytes);
+  std::string text = message_of(spec_of(file));
+  const std::size_t at = text.find(file);
+  return at == std::string::npos ? text : text.replace(at, file.size(), "FILE");
+}
+
+TEST(MeshMap, wrong_obj_files_are_told_with_their_line) {
+  const auto message = [](const std::string& text) { return message_of_file("a.obj", text); };
+  const std::string triangle = "v 0 0 0\nv 5 0 0\nv 0 5 0\n";
+  EXPECT_EQ(message(""), "FILE: is empty");
+  EXPECT_EQ(message("v 0 0 0\nv 1 0 0\n"), "FILE: has no triangles");
+  EXPECT_EQ(message("once upon a time\n"), "FILE: has no triangles");
+  EXPECT_EQ(message("v 0 0 0\nv nan 0 0\n"), "FILE:2: vertex: 'nan' is not finite");
+  EXPECT_EQ(message("v 0 0 0\nv 0 1e39 0\n"), "FILE:2: vertex: '1e39' is not finite");
+  EXPECT_EQ(message("v 0 0\n"), "FILE:1: too few numbers");
+  EXPECT_EQ(message("v 0 0 0x\n"), "FILE:1: '0x' is no number");
+  EXPECT_EQ(message("v 0 0 0 2\n"), "FILE:1: a vertex's w is not 1");
+  EXPECT_EQ(message(triangle + "f 1 2\n"), "FILE:4: a face of fewer than 3 corners");
+  EXPECT_EQ(message(triangle + "f 1 2 4\n"),
+            "FILE:4: the face names vertex 4; up to here there are 3");
+  EXPECT_EQ(message(triangle + "f 1 2 -4\n"),
+            "FILE:4: the face names vertex -4; up to here there are 3");
+  EXPECT_EQ(message(triangle + "f 1 2 0\n"),
+            "FILE:4: the face names vertex 0; up to here there are 3");
+  EXPECT_EQ(message(triangle + "f 1 2 three\n"), "FILE:4: 'three' is no corner of a face");
+  EXPECT_EQ(message(triangle + "f 1 2 \\\n3\n"), "FILE:4: lines continued by \\ are not read");
+  std::string polygon = triangle + "f";
+  for (int i = 0; i < 1001; ++i) polygon += " 1";
+  EXPECT_EQ(message(polygon),
+            "FILE:4: a face of more than 1000 corners; cut it to triangles before");
+}
+
+TEST(MeshMap, maps_that_are_none_in_metres_are_told_with_what_to_set) {
+  const auto message = [](const std::string& second, const std::string& third) {
+    return message_of_file("a.obj", "v 0 0 0\nv " + second + "\nv " + third + "\nf 1 2 3\n");
   };
-  const auto expect = [](const std::string& text, const std::string& part) {
-    EXPECT_NE(text.find(part), std::string::npos) << text;
+  EXPECT_EQ(message("5 0 0", "9 0 0"), "FILE: has no triangle with an area");
+  EXPECT_EQ(message("5 0 0", "0 5 0"), "FILE: its own box is only 5 × 5 × 0 m: give bounds");
+  EXPECT_EQ(message("40000 0 0", "0 5 0"),
+            "FILE: spans 40000 × 5 × 0 m, more than 2000 m: if its unit is not the metre, set "
+            "scale (0.001 for millimetres, 0.01 for centimetres, 0.3048 for feet)");
+  EXPECT_EQ(message("0.5 0 0", "0 0.1 0"),
+            "FILE: spans 0.5 × 0.1 × 0 m, less than 1 m: set scale, the metres in one unit of the "
+            "file");
+  EXPECT_EQ(message_of_file("a.obj", "v 500000 0 0\nv 500050 0 0\nv 500000 50 9\nf 1 2 3\n"),
+            "FILE: lies more than 10 km from its origin, at [500000, 0, 0]: set origin_m near "
+            "there");
+}
+
+TEST(MeshMap, wrong_stl_files) {
+  const auto message = [](const std::string& bytes) { return message_of_file("a.stl", bytes); };
+  const std::string binary = test::binary_stl_bytes(brick_mesh());
+  EXPECT_EQ(message(binary.substr(0, binary.size() - 100)),
+            "FILE: is truncated or no STL: it promises 12 triangles, 684 bytes, and has 584");
+  EXPECT_EQ(message(binary.substr(0, 83)), "FILE: is truncated: an STL file has 84 bytes at least");
+  EXPECT_EQ(message(std::string(80, ' ') + raw(0U)), "FILE: has no triangles");
+  std::string infinite = binary;
+  infinite.replace(84 + 50 + 12, 4, raw(std::numeric_limits<float>::infinity()));
+  EXPECT_EQ(message(infinite), "FILE: triangle 2: a vertex is not finite");
+  const std::string ascii = test::ascii_stl_bytes(brick_mesh());
+  EXPECT_EQ(message(ascii.substr(0, ascii.rfind("endsolid"))),
+            "FILE:85: is truncated: it does not end by 'endsolid'");
+  EXPECT_EQ(message("solid a\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 nan\n"),
+            "FILE:5: vertex: 'nan' is not finite");
+  EXPECT_EQ(message("solid a\nfacet\nvertex 0 0 0\nendfacet\n"), "FILE:4: a facet of 1 vertices");
+  EXPECT_EQ(message("solid a\nvertex 0 0 0\n"), "FILE:2: a vertex too many");
+  EXPECT_EQ(message("solid a\nfacet\nfacet\n"), "FILE:3: the facet before does not end");
+  EXPECT_EQ(message("solid a\ncube 3\n"), "FILE:2: 'cube' is no word of an STL file");
+}
+
+TEST(MeshMap, wrong_ply_files) {
+  const auto message = [](const std::string& bytes) { return message_of_file("a.ply", bytes); };
+  const auto head = [](const std::string& vertices, const std::string& faces) {
+    return "ply\nformat ascii 1.0\nelement vertex " + vertices +
+           "\nproperty float x\nproperty float y\nproperty float z\nelement face " + faces +
+           "\nproperty list uchar int vertex_index\nend_header\n";
   };
-  expect(message_of(spec_of((folder.path / "none.obj").string())), "none.obj: no such file");
-  expect(message_of(spec_of(folder.path.string() + "/a.fbx")), "'fbx' is none of obj, ply");
-  expect(message_of(MeshSpec{}), "file: is not given");
-  expect(message("empty.obj", ""), "empty.obj: is empty");
-  expect(message("points.obj", "v 0 0 0\nv 1 0 0\n"), "points.obj: ");
-  expect(message("words.ply", "once upon a time"), "words.ply: can't be read as a mesh");
-  expect(message("nan.obj", "v nan 0 0\nv 5 0 0\nv 0 5 0\nf 1 2 3\n"), "is not finite");
-  expect(message("flat.obj", "v 0 0 0\nv 5 0 0\nv 9 0 0\nf 1 2 3\n"), "no triangle with an area");
-  expect(message("floor.obj", "v 0 0 0\nv 5 0 0\nv 0 5 0\nf 1 2 3\n"), "give bounds");
-  expect(message("millimetres.obj", "v 0 0 0\nv 5000 0 0\nv 0 5 0\nf 1 2 3\n"),
-         "5000 × 5 × 0 m, more than 2000 m: if its unit is not the metre, set scale");
-  expect(message("small.obj", "v 0 0 0\nv 0.5 0 0\nv 0 0.1 0\nf 1 2 3\n"), "less than 1 m");
-  expect(message("far.obj", "v 500000 0 0\nv 500050 0 0\nv 500000 50 0\nf 1 2 3\n"),
-         "[500000, 0, 0]: set origin_m");
-  std::string cut = test::binary_stl_bytes(brick_mesh());
-  cut.resize(cut.size() - 100);
-  expect(message("cut.stl", cut), "cut.stl: can't be read as a mesh");
-  expect(message("outside.gltf",
-                 "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":4,"
-                 "\"uri\":\"a.bin\"}]}"),
-         "outside.gltf: ");
-  MeshSpec spec = spec_of(folder.write("a.obj", test::obj_bytes(brick_mesh())));
-  spec.goal_region = {{0, 0, 0}, {1, 1, 1}};
-  expect(message_of(spec), "a.obj: goal_region: [0, 0, 0] to [1, 1, 1] is not within the bounds");
-  spec.bounds = {{5, 5, 5}, {9, 9, 9}};
-  expect(message_of(spec), "goal_region: is not within bounds");
-  spec.bounds = {{5, 5}, {9, 9, 9}};
-  expect(message_of(spec), "bounds.lowest_m: expected [x, y, z]");
-  spec = spec_of(folder.write("a.obj", test::obj_bytes(brick_mesh())));
-  spec.file_digest = std::string(64, '0');
-  expect(message_of(spec), "a.obj: is not the file it was");
+  EXPECT_EQ(message("once upon a time"), "FILE:1: does not begin as a PLY file ('ply')");
+  EXPECT_EQ(message(head("3", "0") + "0 0 0\n5 0 0\n0 5 0\n"),
+            "FILE: has no triangles; for a cloud of points use generator: point_cloud");
+  EXPECT_EQ(message(head("3", "1") + "0 0 0\n5 0 nan\n"), "FILE:11: vertex 1 is not finite");
+  EXPECT_EQ(message(head("3", "1") + "0 0 0\n5 0 0\n"),
+            "FILE:11: is truncated: the header promises 3 of 'vertex', there are 2");
+  EXPECT_EQ(message(head("9999999999", "1")),
+            "FILE: is truncated: the header promises 9999999999 of 'vertex', there are 0");
+  EXPECT_EQ(message(head("3", "1") + "0 0 0\n5 0 0\n0 5 0\n3 0 1 3\n"),
+            "FILE:13: face 0 names a vertex that is not there");
+  EXPECT_EQ(message(head("3", "1") + "0 0 0\n5 0 0\n0 5 0\n3 0 1 -1\n"),
+            "FILE:13: face 0 names a vertex that is not there");
+  EXPECT_EQ(message(head("3", "1") + "0 0 0\n5 0 0\n0 5 0\n200 0 1 2\n"),
+            "FILE:13: too few numbers");
+  EXPECT_EQ(message(head("3", "1") + "0 0 0\n5 0 0\n0 5 0\n2 0 1\n"), "FILE: has no triangles");
+  const std::string binary = test::binary_ply_bytes(brick_mesh(), true);
+  EXPECT_EQ(message(binary.substr(0, binary.size() - 1)),
+            "FILE: is truncated: the header promises 12 of 'face', there are 11");
+}
+
+TEST(MeshMap, wrong_gltf_files) {
+  const TriangleMesh mesh = brick_mesh();
+  const std::string good = test::gltf_bytes(mesh, false);
+  const auto with = [&](const std::string& from, const std::string& to) {
+    std::string text = good;
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return message_of_file("a.gltf", text.replace(at, from.size(), to));
+  };
+  EXPECT_EQ(message_of_file("a.gltf", good.substr(0, 50)),
+            "FILE: is no glTF: its JSON ends or is wrong at byte 51");
+  EXPECT_EQ(message_of_file("a.gltf", "[]"), "FILE: is no glTF: its JSON is no object");
+  EXPECT_EQ(with("2.0", "1.0"), "FILE: is no glTF of version 2");
+  EXPECT_EQ(with("data:application", "http://application"),
+            "FILE: buffers[0] is in another file, 'http://application/octet-stream;base64,A…': "
+            "buffers must be inside the file; export it as .glb");
+  EXPECT_EQ(with("base64,A", "base64,%"), "FILE: buffers[0] is no base64");
+  EXPECT_EQ(with("\"byteLength\":240", "\"byteLength\":999"),
+            "FILE: is truncated: buffers[0] has 999 bytes, there are 240");
+  EXPECT_EQ(with("\"byteOffset\":96", "\"byteOffset\":97"),
+            "FILE: accessors[1]: its bufferView is not within its buffer");
+  EXPECT_EQ(with("\"count\":8", "\"count\":9"), "FILE: accessors[0] is not within its bufferView");
+  EXPECT_EQ(with("\"count\":8", "\"count\":-1"), "FILE: count is no whole number");
+  EXPECT_EQ(with("\"count\":8", "\"count\":7"), "FILE: meshes[0]: an index names no vertex");
+  EXPECT_EQ(with("5126", "5123"), "FILE: accessors[0]: positions must be float");
+  EXPECT_EQ(with("\"nodes\":[0]", "\"nodes\":[1]"), "FILE: nodes[1] is not there");
+  EXPECT_EQ(with("\"mesh\":0", "\"mesh\":0,\"children\":[0]"),
+            "FILE: nodes[0] is below two others or below itself");
+  EXPECT_EQ(with("\"mesh\":0", "\"mesh\":0,\"scale\":[1,1]"), "FILE: a node's scale is wrong");
+  EXPECT_EQ(with("\"material\":0", "\"material\":3"), "FILE: materials[3] is not there");
+  EXPECT_EQ(with("\"indices\":1", "\"mode\":1"), "FILE: has no triangles");
+
+  const std::string glb = test::gltf_bytes(mesh, true);
+  const std::string size = std::to_string(glb.size());
+  EXPECT_EQ(message_of_file("a.glb", glb.substr(0, 19)),
+            "FILE: is truncated: a .glb file has 20 bytes at least");
+  EXPECT_EQ(message_of_file("a.glb", glb.substr(0, glb.size() - 1)),
+            "FILE: is truncated: it promises " + size + " bytes and has " +
+                std::to_string(glb.size() - 1));
+  TriangleMesh bad = mesh;
+  bad.vertices[3].y() = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(message_of_file("a.glb", test::gltf_bytes(bad, true)),
+            "FILE: accessors[0]: vertex 3 is not finite");
+}
+
+TEST(MeshMap, wrong_specs) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("a.obj", test::obj_bytes(brick_mesh()));
+  const auto message = [&](auto&& change) {
+    MeshSpec spec = spec_of(file);
+    change(spec);
+    std::string text = message_of(spec);
+    const std::size_t at = text.find(file);
+    return at == std::string::npos ? text : text.replace(at, file.size(), "FILE");
+  };
+  EXPECT_EQ(message([&](MeshSpec& s) { s.file = folder.path / "none.obj"; }),
+            (folder.path / "none.obj").string() + ": no such file");
+  EXPECT_EQ(message([&](MeshSpec& s) { s.file = folder.path.string() + "/"; }),
+            "file: '' is none of obj, ply, stl, glb, gltf");
+  EXPECT_EQ(message([](MeshSpec& s) { s.file = "a.fbx"; }),
+            "file: 'fbx' is none of obj, ply, stl, glb, gltf");
+  EXPECT_EQ(message([](MeshSpec& s) { s.file = ""; }),
+            "file: is not given; it is the map's file (obj, ply, stl, glb, gltf)");
+  EXPECT_EQ(message([](MeshSpec& s) {
+              s.goal_region = {{0, 0, 0}, {1, 1, 1}};
+            }),
+            "FILE: goal_region: [0, 0, 0] to [1, 1, 1] is not within the bounds, [1, 2, 3] to [3, "
+            "5, 7]");
+  EXPECT_EQ(message([](MeshSpec& s) {
+              s.goal_region = {{0, 0, 0}, {1, 1, 1}};
+              s.bounds = {{5, 5, 5}, {9, 9, 9}};
+            }),
+            "goal_region: is not within bounds");
+  EXPECT_EQ(message([](MeshSpec& s) {
+              s.bounds = {{5, 5}, {9, 9, 9}};
+            }),
+            "bounds.lowest_m: expected [x, y, z]");
+  EXPECT_EQ(message([](MeshSpec& s) {
+              s.bounds = {{5, 5, 9}, {9, 9, 5}};
+            }),
+            "bounds.highest_m: is below lowest_m along z");
+  EXPECT_EQ(
+      message([](MeshSpec& s) { s.file_digest = std::string(64, '0'); }),
+      "FILE: is not the file it was: its SHA-256 is not file_digest, " + std::string(64, '0'));
+}
+
+TEST(MeshMap, map_coordinates_keep_their_decimals) {
+  const TemporaryFolder folder;
+  const std::string text =
+      "v 500000.125 5900000.25 0\nv 500010.375 5900000.25 0\nv 500000.125 5900012.5 8\nf 1 2 3\n";
+  MeshSpec spec = spec_of(folder.write("a.obj", text));
+  spec.origin_m = {500000, 5900000, 0};
+  const World world = make_world(spec, 1);
+  EXPECT_EQ(world.bounds.min(), Eigen::Vector3d(0.125, 0.25, 0.0));
+  EXPECT_EQ(world.bounds.max(), Eigen::Vector3d(10.375, 12.5, 8.0));
+}
+
+TEST(MeshMap, strips_fans_and_lists_without_indices) {
+  const TemporaryFolder folder;
+  TriangleMesh mesh;  // a square's corners: 0 1 / 3 2
+  mesh.vertices = {{0, 0, 0}, {4, 0, 0}, {4, 4, 2}, {0, 4, 2}};
+  const auto area_of = [&](const std::string& mode, std::vector<std::uint32_t> corners) {
+    mesh.triangles.clear();
+    for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
+      mesh.triangles.push_back({corners[i], corners[i + 1], corners[i + 2]});
+    }
+    std::string text = test::gltf_bytes(mesh, false);
+    text.replace(text.find("\"material\":0"), 12, "\"mode\":" + mode);
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const Corners& t : triangles_of(make_world(spec_of(folder.write("a.gltf", text)), 1))) {
+      const Eigen::Vector3d a(t[0][0], t[0][1], t[0][2]), b(t[1][0], t[1][1], t[1][2]);
+      sum += 0.5 * (b - a).cross(Eigen::Vector3d(t[2][0], t[2][1], t[2][2]) - a);
+    }
+    return sum;
+  };
+  const Eigen::Vector3d whole(0, -8, 16);
+  EXPECT_EQ(area_of("4", {0, 1, 2, 0, 2, 3}), whole);
+  EXPECT_EQ(area_of("5", {0, 1, 3, 2, 2, 2}), whole);  // the last two are flat
+  EXPECT_EQ(area_of("6", {0, 1, 2, 3, 3, 3}), whole);
+}
+
+TEST(MeshMap, what_is_exported_comes_back) {
+  const TemporaryFolder folder;
+  const World world = make_world(GapWallsSpec{}, 1);
+  for (const std::string name : {"a.obj", "a.ply", "a.stl", "a.glb"}) {
+    export_mesh(world, folder.path / name);
+    MeshSpec spec = spec_of((folder.path / name).string());
+    spec.up_axis = name == "a.glb" ? UpAxis::y : UpAxis::z;
+    spec.bounds = {{-1, -1, 0}, {50, 50, 5}};
+    const World back = make_world(spec, 1);
+    EXPECT_EQ(triangle_count(back), triangle_count(world)) << name;
+    EXPECT_NEAR(volume_m3(back), volume_m3(world), 1e-3 * std::abs(volume_m3(world))) << name;
+  }
 }
 
 TEST(MeshMap, damaged_files_end_in_an_error_or_a_world) {
