@@ -269,7 +269,8 @@ void set_mean_width(World& world) {
 void crop(const PointCloudSpec& spec, FilePoints& points) {
   if (points.size() < kFewestPoints) {
     fail_file(spec.file, "has " + std::to_string(points.size()) +
-                             " points that are finite; a map needs 10 at least");
+                             (points.size() == 1 ? " point that is" : " points that are") +
+                             " finite; a map needs 10 at least");
   }
   if (!spec.bounds.is_given()) return;
   const Aabb bounds = box_of(spec.bounds);

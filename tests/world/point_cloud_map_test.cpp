@@ -189,7 +189,7 @@ TEST(PointCloud, what_is_wrong_is_told_with_file_and_line) {
     const std::string text = message_of([&] { make_world(spec, 1); });
     return text.substr(text.rfind(".pcd: ") + 6);
   };
-  EXPECT_EQ(make({{1, 2, 3}}), "has 1 points that are finite; a map needs 10 at least");
+  EXPECT_EQ(make({{1, 2, 3}}), "has 1 point that is finite; a map needs 10 at least");
   FilePoints millimetres = random_points();
   for (Eigen::Vector3d& p : millimetres) p *= 1000.0;
   EXPECT_NE(make(millimetres).find("set scale"), std::string::npos);
