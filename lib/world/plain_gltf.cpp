@@ -78,15 +78,20 @@ struct Gltf {
     return found == root.end() || !found->is_array() ? 0 : found->size();
   }
 
+  /// Values are never copied: they may be nested a million deep, and copying is recursive.
+  std::uint64_t whole_number(const json& value, const char* what) const {
+    const double number = value.is_number() ? value.get<double>() : -1.0;
+    if (number >= 0.0 && number < static_cast<double>(kMostWhole) && std::floor(number) == number) {
+      return static_cast<std::uint64_t>(number);
+    }
+    fail(std::string(what) + " is no whole number");
+  }
+
   /// A whole number of an object; nothing where the key is missing.
   std::optional<std::uint64_t> whole(const json& object, const char* key) const {
     const auto found = object.find(key);
     if (found == object.end()) return std::nullopt;
-    const double value = found->is_number() ? found->get<double>() : -1.0;
-    if (!(value >= 0.0 && value < static_cast<double>(kMostWhole) && std::floor(value) == value)) {
-      fail(std::string(key) + " is no whole number");
-    }
-    return static_cast<std::uint64_t>(value);
+    return whole_number(*found, key);
   }
 
   std::uint64_t needed(const json& object, const char* key) const {
@@ -129,7 +134,8 @@ struct Gltf {
     const json& accessor = element("accessors", index);
     const std::string name = place("accessors", index);
     if (accessor.contains("sparse")) fail(name + " is sparse, which is not read");
-    if (accessor.value("type", json()) != type) fail(name + " is no " + std::string(type));
+    const auto kind = accessor.find("type");
+    if (kind == accessor.end() || *kind != type) fail(name + " is no " + std::string(type));
     Numbers found;
     found.component = needed(accessor, "componentType");
     found.count = needed(accessor, "count");
@@ -334,7 +340,7 @@ struct GlbWriter {
     const auto children = node.find("children");
     if (children != node.end() && children->is_array()) {
       for (const json& child : *children) {
-        const std::uint64_t below = from.needed({{"child", child}}, "child");
+        const std::uint64_t below = from.whole_number(child, "a node's child");
         add_node(below, depth + 1, is_there);
         plain["children"].push_back(below);
       }
@@ -354,7 +360,7 @@ struct GlbWriter {
       from.fail("its scene has no nodes");
     }
     for (const json& root : *found) {
-      const std::uint64_t index = from.needed({{"node", root}}, "node");
+      const std::uint64_t index = from.whole_number(root, "a scene's node");
       add_node(index, 0, is_there);
       roots.push_back(index);
     }
@@ -415,11 +421,15 @@ PlainMesh plain_gltf(std::string_view bytes, const std::string& file,
     gltf.root = json::parse(bytes);
   } catch (const json::parse_error& error) {
     fail_file(file, "is no glTF: its JSON ends or is wrong at byte " + std::to_string(error.byte));
+  } catch (const json::out_of_range&) {
+    fail_file(file, "is no glTF: a number of its JSON is too large");
   }
   if (!gltf.root.is_object()) fail_file(file, "is no glTF: its JSON is no object");
-  const json asset = gltf.root.value("asset", json::object());
-  const json version = asset.is_object() ? asset.value("version", json()) : json();
-  if (!version.is_string() || !version.get<std::string>().starts_with("2.")) {
+  const auto asset = gltf.root.find("asset");
+  const bool has_asset = asset != gltf.root.end() && asset->is_object();
+  const auto version = has_asset ? asset->find("version") : gltf.root.end();
+  if (!has_asset || version == asset->end() || !version->is_string() ||
+      !version->get_ref<const std::string&>().starts_with("2.")) {
     fail_file(file, "is no glTF of version 2");
   }
   GlbWriter writer{gltf, most_triangles};

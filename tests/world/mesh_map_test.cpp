@@ -273,6 +273,13 @@ TEST(MeshMap, wrong_gltf_files) {
   EXPECT_EQ(message_of_file("a.gltf", good.substr(0, 50)),
             "FILE: is no glTF: its JSON ends or is wrong at byte 51");
   EXPECT_EQ(message_of_file("a.gltf", "[]"), "FILE: is no glTF: its JSON is no object");
+  EXPECT_EQ(message_of_file("a.gltf", "66666E33333"),
+            "FILE: is no glTF: a number of its JSON is too large");
+  const std::string deep = std::string(1'000'000, '[') + std::string(1'000'000, ']');
+  EXPECT_EQ(message_of_file("a.gltf", "{\"asset\":" + deep + "}"), "FILE: is no glTF of version 2");
+  EXPECT_EQ(with("\"nodes\":[0]", "\"nodes\":[" + deep + "]"),
+            "FILE: a scene's node is no whole number");
+  EXPECT_EQ(with("\"VEC3\"", deep), "FILE: accessors[0] is no VEC3");
   EXPECT_EQ(with("2.0", "1.0"), "FILE: is no glTF of version 2");
   EXPECT_EQ(with("data:application", "http://application"),
             "FILE: buffers[0] is in another file, 'http://application/octet-stream;base64,A…': "
