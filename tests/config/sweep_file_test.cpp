@@ -1,12 +1,20 @@
 #include "config/sweep_file.hpp"
 
 #include "base/random.hpp"
+#include "config/sweep_axes.hpp"
 #include "config/sweep_fixture.hpp"
 
 namespace avoidbench {
 namespace {
 
 const std::string kHead = "sweep: a\nplanners: [tunable]\n";
+
+/// "forest, hall, …": as messages list them.
+std::string generators() {
+  std::string all;
+  for (const std::string& name : generator_names()) all += (all.empty() ? "" : ", ") + name;
+  return all;
+}
 
 TEST_F(SweepFiles, TheLeastSweepHasDefaults) {
   const SweepSpec sweep = read(kHead);
@@ -137,12 +145,11 @@ TEST_F(SweepFiles, OverridesChangeAddAndAreChecked) {
 }
 
 TEST_F(SweepFiles, EachProblemHasItsPlaceAndReason) {
-  const std::pair<const char*, const char*> cases[] = {
+  const std::pair<const char*, std::string> cases[] = {
       {"sweeps: 3", "s.yaml:3:1: sweeps: unknown key (did you mean sweep?)"},
       {"trials: 0", "s.yaml:3:9: trials: 0 is outside [1, 1000000]"},
-      {"maps: {generator: forrest}",
-       "s.yaml:3:19: maps.generator: \"forrest\" is none of forest, hall, avoidbench_forest, "
-       "avoidbench_indoor, mesh, point_cloud (did you mean forest?)"},
+      {"maps: {generator: forrest}", "s.yaml:3:19: maps.generator: \"forrest\" is none of " +
+                                         generators() + " (did you mean forest?)"},
       {"maps: forest", "s.yaml:3:7: maps: expected a mapping (name: value), found \"forest\""},
       {"maps: {seeds: [1, 1]}", "s.yaml:3:19: maps.seeds: 1 is given twice"},
       {"maps: {seeds: 0}", "s.yaml:3:15: maps.seeds: 0 is outside [1, 10000]"},
@@ -263,8 +270,8 @@ TEST_F(SweepFiles, MapsAloneAreRead) {
       write("w.yaml", "sweep: a\nplanners: [no_such]\nmaps: {poisson_radius_m: [4, 5]}\n");
   EXPECT_EQ(std::get<ForestSpec>(read_map(sweep.string()).trial.map).poisson_radius_m, 4.0);
   EXPECT_EQ(problems_of([] { read_map("forrest"); }),
-            "'forrest' is neither a file nor a generator (did you mean forest?); generators: "
-            "forest, hall, avoidbench_forest, avoidbench_indoor, mesh, point_cloud");
+            "'forrest' is neither a file nor a generator (did you mean forest?); generators: " +
+                generators());
 }
 
 /// Bytes of a good sweep changed at random: a sweep or an InputError, nothing else.
