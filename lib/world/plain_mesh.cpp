@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "world/cloud_bytes.hpp"
 
@@ -42,6 +43,8 @@ struct ObjReader {
   std::int64_t vertices = 0;
   std::uint64_t triangles = 0;
   PlainMesh plain = {.name = "map.obj", .bytes = {}};
+  /// The lines o, g and usemtl since the last face: written only where a face follows.
+  std::array<std::string, 3> pending = {};
 
   void add_vertex(std::string_view words, int line) {
     Eigen::Vector3d position = take_position(words, file, line);
@@ -50,6 +53,9 @@ struct ObjReader {
     if (has_w && number_in<double>(w) != 1.0) fail_file(file, "a vertex's w is not 1", line);
     if (vertices == 0) plain.offset = offset_near(position);
     ++vertices;
+    if (static_cast<std::uint64_t>(vertices) > 3 * most_triangles) {
+      fail_vertices(file, most_triangles);
+    }
     position -= plain.offset;
     plain.bytes += "v";
     for (const double value : position) add_number(value, plain.bytes += ' ');
@@ -58,6 +64,7 @@ struct ObjReader {
 
   void add_face(std::string_view words, int line) {
     std::uint64_t corners = 0;
+    for (std::string& line_before : pending) plain.bytes += std::exchange(line_before, {});
     plain.bytes += "f";
     for (auto word = take_word(words); !word.empty(); word = take_word(words)) {
       const auto number = number_in<std::int64_t>(word.substr(0, word.find('/')));
@@ -84,9 +91,12 @@ struct ObjReader {
     if (words.ends_with('\\')) fail_file(file, "lines continued by \\ are not read", line);
     if (key == "v") add_vertex(words, line);
     if (key == "f") add_face(words, line);
-    if (key != "o" && key != "g" && key != "usemtl") return;
-    const std::string name = plain_name(words.substr(std::min<std::size_t>(words.size(), 1)));
-    plain.bytes += std::string(key) + ' ' + (name.empty() ? "mesh" : name) + '\n';
+    constexpr std::array<std::string_view, 3> kNamed{"o", "g", "usemtl"};
+    for (std::size_t i = 0; i < kNamed.size(); ++i) {
+      if (key != kNamed[i]) continue;
+      const std::string name = plain_name(words.substr(std::min<std::size_t>(words.size(), 1)));
+      pending[i] = std::string(key) + ' ' + (name.empty() ? "mesh" : name) + '\n';
+    }
   }
 };
 
@@ -190,6 +200,11 @@ void fail_corners(const std::string& file, int line) {
 void fail_triangles(const std::string& file, std::uint64_t most_triangles) {
   fail_file(file,
             "has more than " + std::to_string(most_triangles) + " triangles; decimate it before");
+}
+
+void fail_vertices(const std::string& file, std::uint64_t most_triangles) {
+  fail_file(file, "has more than " + std::to_string(3 * most_triangles) +
+                      " vertices, three for each of the most triangles; decimate it before");
 }
 
 PlainMesh plain_obj(std::string_view bytes, const std::string& file, std::uint64_t most_triangles) {

@@ -32,6 +32,7 @@ inline constexpr std::uint64_t kMostCorners = 1000;
 
 [[noreturn]] void fail_corners(const std::string& file, int line);
 [[noreturn]] void fail_triangles(const std::string& file, std::uint64_t most_triangles);
+[[noreturn]] void fail_vertices(const std::string& file, std::uint64_t most_triangles);
 
 PlainMesh plain_obj(std::string_view bytes, const std::string& file, std::uint64_t most_triangles);
 PlainMesh plain_stl(std::string_view bytes, const std::string& file, std::uint64_t most_triangles);

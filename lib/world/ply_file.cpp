@@ -410,11 +410,10 @@ PlainMesh plain_ply(std::string_view bytes, const std::string& file, std::uint64
   const Element* vertex = the_element(header, "vertex", file);
   const Element* face = the_element(header, "face", file);
   if (vertex == nullptr) fail_file(file, "the header lacks 'element vertex'");
-  constexpr std::uint64_t kMostVertices = std::uint64_t{1} << 30U;
   if (face == nullptr || face->count == 0) {
     fail_file(file, "has no triangles; for a cloud of points use generator: point_cloud");
   }
-  if (vertex->count > kMostVertices) fail_short(file, *vertex, 0);
+  if (vertex->count > 3 * most_triangles) fail_vertices(file, most_triangles);
   MeshReader reader{header, file, most_triangles, lines};
   for (const Element& element : header.elements) {
     if (&element == vertex) {

@@ -247,8 +247,10 @@ TEST(MeshMap, wrong_ply_files) {
   EXPECT_EQ(message(head("3", "1") + "0 0 0\n5 0 nan\n"), "FILE:11: vertex 1 is not finite");
   EXPECT_EQ(message(head("3", "1") + "0 0 0\n5 0 0\n"),
             "FILE:11: is truncated: the header promises 3 of 'vertex', there are 2");
-  EXPECT_EQ(message(head("9999999999", "1")),
-            "FILE: is truncated: the header promises 9999999999 of 'vertex', there are 0");
+  EXPECT_EQ(
+      message(head("9999999999", "1")),
+      "FILE: has more than 15000000 vertices, three for each of the most triangles; decimate it "
+      "before");
   EXPECT_EQ(message(head("3", "1") + "0 0 0\n5 0 0\n0 5 0\n3 0 1 3\n"),
             "FILE:13: face 0 names a vertex that is not there");
   EXPECT_EQ(message(head("3", "1") + "0 0 0\n5 0 0\n0 5 0\n3 0 1 -1\n"),
@@ -387,6 +389,35 @@ TEST(MeshMap, strips_fans_and_lists_without_indices) {
   EXPECT_EQ(area_of("4", {0, 1, 2, 0, 2, 3}), whole);
   EXPECT_EQ(area_of("5", {0, 1, 3, 2, 2, 2}), whole);  // the last two are flat
   EXPECT_EQ(area_of("6", {0, 1, 2, 3, 3, 3}), whole);
+}
+
+TEST(MeshMap, too_much_is_refused_before_it_is_kept) {
+  const auto message = [](const std::string& name, const std::string& bytes) {
+    try {
+      parse_mesh(bytes, name, Material::concrete, 11);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  for (const auto& [name, bytes] : test::all_meshes(brick_mesh())) {
+    EXPECT_EQ(message(name, bytes), name + ": has more than 11 triangles; decimate it before");
+  }
+  std::string vertices;
+  for (int i = 0; i < 34; ++i) vertices += "v 0 0 0\n";
+  EXPECT_EQ(message("a.obj", vertices),
+            "a.obj: has more than 33 vertices, three for each of the most triangles; decimate it "
+            "before");
+}
+
+TEST(MeshMap, names_without_a_face_are_no_obstacles) {
+  const TemporaryFolder folder;
+  std::string text = "v 0 0 0\nv 6 0 0\nv 6 4 0\nv 0 4 3\n";
+  for (int i = 0; i < 1000; ++i) text += "o none\ng none\nusemtl none\n";
+  text += "o slab\nf 1 2 3\no\to gate.2\nusemtl\tbark\nf 1 3 4\n";
+  const World world = make_world(spec_of(folder.write("a.obj", text)), 1);
+  ASSERT_EQ(world.obstacles.size(), 2U);
+  EXPECT_EQ(world.prototypes[1].triangle_materials[0], Material::bark);
 }
 
 TEST(MeshMap, what_is_exported_comes_back) {

@@ -193,6 +193,12 @@ TEST(PointCloud, what_is_wrong_is_told_with_file_and_line) {
   FilePoints millimetres = random_points();
   for (Eigen::Vector3d& p : millimetres) p *= 1000.0;
   EXPECT_NE(make(millimetres).find("set scale"), std::string::npos);
+  FilePoints wide = random_points();
+  wide.push_back({40'000.0, 0.0, 0.0});  // one stray point
+  EXPECT_EQ(make(wide),
+            "spans 40000 × 9.98438 × 3.98438 m, more than 2000 m: if its unit is not the metre, "
+            "set scale (0.001 for millimetres, 0.01 for centimetres, 0.3048 for feet); stray "
+            "points: give bounds");
   FilePoints many;
   RandomStream draws = stream(1, "many");
   for (int i = 0; i < 500'000; ++i) {
