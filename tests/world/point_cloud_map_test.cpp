@@ -196,7 +196,7 @@ TEST(PointCloud, what_is_wrong_is_told_with_file_and_line) {
   FilePoints wide = random_points();
   wide.push_back({40'000.0, 0.0, 0.0});  // one stray point
   EXPECT_EQ(make(wide),
-            "spans 40000 × 9.98438 × 3.98438 m, more than 2000 m: if its unit is not the metre, "
+            "spans 40000 × 9.98438 × 3.96875 m, more than 2000 m: if its unit is not the metre, "
             "set scale (0.001 for millimetres, 0.01 for centimetres, 0.3048 for feet); stray "
             "points: give bounds");
   FilePoints many;
