@@ -266,7 +266,8 @@ void set_mean_width(World& world) {
   if (count > 0.0) world.mean_obstacle_width_m = sum_m / count;
 }
 
-/// The points within the bounds, where these are given.
+/// The points within the bounds, where these are given; those on a high face would fill the voxels
+/// behind it.
 void crop(const PointCloudSpec& spec, FilePoints& points) {
   if (points.size() < kFewestPoints) {
     fail_file(spec.file, "has " + std::to_string(points.size()) +
@@ -276,7 +277,9 @@ void crop(const PointCloudSpec& spec, FilePoints& points) {
   if (!spec.bounds.is_given()) return;
   const Aabb bounds = box_of(spec.bounds);
   const Aabb all = box_around(points);
-  std::erase_if(points, [&](const Eigen::Vector3d& point) { return !bounds.contains(point); });
+  std::erase_if(points, [&](const Eigen::Vector3d& point) {
+    return !bounds.contains(point) || (point.array() == bounds.max().array()).any();
+  });
   if (points.size() < kFewestPoints) {
     fail_file(spec.file, "has " + std::to_string(points.size()) +
                              " points within bounds; its points span " + text_of(all.min()) +
