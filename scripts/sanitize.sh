@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # sanitize.sh [ROOM…|--all]: builds the tests of these rooms with address and undefined-behaviour sanitizers (build/asan) and
-# runs them. Without arguments: the rooms that changed (changed_files.sh), of more than three those with the most changed files.
+# runs them. Without arguments: the rooms that changed (changed_files.sh), of more than two those with the most changed files.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -14,7 +14,7 @@ case "${1:-}" in
     mapfile -t chosen < <(for room in "${tested[@]}"; do
         count=$(grep -cE "^(lib|tests)/$room/.*\.(cpp|hpp|h|c|sql)$" <<<"$changed" || true)
         [ "$count" -gt 0 ] && echo "$count $room"
-      done | sort -rn | head -3 | cut -d' ' -f2)
+      done | sort -rn | head -2 | cut -d' ' -f2)
     ;;
   *) chosen=("$@") ;;
 esac

@@ -48,7 +48,7 @@ struct DeadEndsSpec {
   double flight_height_m = 2.0;
 };
 
-/// Thin upright poles and bare slanting branches.
+/// Thin upright poles, and bare stems with slanting branches.
 struct PolesSpec {
   static constexpr std::string_view kind = "poles";
   static constexpr std::string_view doc = "Thin poles and bare branches.";
@@ -60,8 +60,8 @@ struct PolesSpec {
   double flight_height_m = 2.0;
 };
 
-/// Barriers across the whole hall that leave a slot at the floor or at the ceiling, by turns of
-/// chance: pass under or over.
+/// Barriers across the whole hall that leave a slot at the floor or at the ceiling, by
+/// turns: pass under, then over. Chance says which is first.
 struct OverhangsSpec {
   static constexpr std::string_view kind = "overhangs";
   static constexpr std::string_view doc = "Barriers to pass under or over.";
@@ -130,7 +130,7 @@ void visit(Visitor& v, PolesSpec& s) {
   v.field("diameter_m", s.diameter_m, Range{0.002, 0.2},
           "Least and greatest diameter; thinner is harder to see.");
   v.field("branch_ratio", s.branch_ratio, Range{0, 1},
-          "Fraction that are slanting branches, 1 to 2.5 m long, at any height.");
+          "Fraction that are bare stems with 2 to 4 slanting branches, 0.5 to 1.8 m long.");
   detail::visit_heights(v, s);
 }
 

@@ -163,25 +163,39 @@ Prototype trap_prototype(const DeadEndsSpec& spec) {
 
 // ---- poles
 
-/// A straight round rod; ends in world coordinates relative to the foot.
-Prototype rod(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double diameter_m,
-              Material material) {
-  Prototype prototype;
-  prototype.name = material == Material::bark ? "branch" : "pole";
+/// A straight round rod; ends relative to the foot of its pole [m].
+void add_rod(Prototype& prototype, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+             double diameter_m, Material material) {
   const std::array<TubeRing, 2> rings{TubeRing{.centre = from, .radius_m = 0.5 * diameter_m},
                                       TubeRing{.centre = to, .radius_m = 0.5 * diameter_m}};
   add_tube(prototype, rings, kPoleSides, material);
-  return prototype;
 }
 
-/// Half of a branch, from its middle: 0.5 to 1.25 m, up to 60° from level.
-Eigen::Vector3d draw_half_branch(RandomStream& draws) {
-  const double half_length_m = draws.uniform(0.5, 1.25);
+/// From a branch's root to its tip: 0.5 to 1.8 m, 20° down to 60° up.
+Eigen::Vector3d draw_branch(RandomStream& draws) {
+  const double length_m = draws.uniform(0.5, 1.8);
   const double azimuth = draws.uniform(0.0, 2.0 * std::numbers::pi);
-  const double elevation = draws.uniform(-std::numbers::pi / 3, std::numbers::pi / 3);
-  const double level_m = half_length_m * math::cos(elevation);
+  const double elevation = draws.uniform(-20.0, 60.0) * math::kDegree;
+  const double level_m = length_m * math::cos(elevation);
   return {level_m * math::cos(azimuth), level_m * math::sin(azimuth),
-          half_length_m * math::sin(elevation)};
+          length_m * math::sin(elevation)};
+}
+
+/// A pole from floor to ceiling, or a bare stem with branches at heights where vehicles fly.
+Prototype pole(const PolesSpec& spec, double diameter_m, bool is_branched, RandomStream& draws) {
+  Prototype prototype;
+  prototype.name = is_branched ? "bare stem" : "pole";
+  const Material material = is_branched ? Material::bark : Material::painted_metal;
+  add_rod(prototype, {0.0, 0.0, -kSink_m}, {0.0, 0.0, spec.height_m + kSink_m}, diameter_m,
+          material);
+  if (!is_branched) return prototype;
+  const std::uint64_t count = 2 + draws.below(3);
+  for (std::uint64_t i = 0; i < count; ++i) {
+    const Eigen::Vector3d root(0.0, 0.0, draws.uniform(0.2, 0.8) * spec.height_m);
+    const double thickness = draws.uniform(0.5, 0.9);
+    add_rod(prototype, root, root + draw_branch(draws), thickness * diameter_m, material);
+  }
+  return prototype;
 }
 
 }  // namespace
@@ -293,21 +307,10 @@ World make_poles(const PolesSpec& spec, std::uint64_t map_seed) {
   for (const Eigen::Vector2d& foot :
        poisson_disc({spec.area_m[0], spec.area_m[1]}, spec.poisson_radius_m, positions)) {
     const double diameter_m = diameters.uniform(spec.diameter_m[0], spec.diameter_m[1]);
-    const bool is_branch = kinds.uniform() < spec.branch_ratio;
-    Obstacle obstacle{.kind = is_branch ? "branch" : "pole", .width_m = diameter_m};
+    const bool is_branched = kinds.uniform() < spec.branch_ratio;
+    Obstacle obstacle{.kind = is_branched ? "bare stem" : "pole", .width_m = diameter_m};
     obstacle.position_world = {foot.x(), foot.y(), 0.0};
-    if (is_branch) {
-      const double middle_m = branches.uniform(0.5, spec.height_m - 0.5);
-      const Eigen::Vector3d half = draw_half_branch(branches);
-      obstacle.width_m = 2.0 * half.head<2>().norm();
-      const Eigen::Vector3d middle(0.0, 0.0, middle_m);
-      add_obstacle(world, rod(middle - half, middle + half, diameter_m, Material::bark), obstacle);
-    } else {
-      add_obstacle(world,
-                   rod({0.0, 0.0, -kSink_m}, {0.0, 0.0, spec.height_m + kSink_m}, diameter_m,
-                       Material::painted_metal),
-                   obstacle);
-    }
+    add_obstacle(world, pole(spec, diameter_m, is_branched, branches), obstacle);
     width_sum_m += obstacle.width_m;
     count += 1.0;
   }
@@ -321,16 +324,20 @@ World make_overhangs(const OverhangsSpec& spec, std::uint64_t map_seed) {
   World world = empty_hall(spec);
   const Stretch stretch = between_bands(spec.area_m);
   RandomStream kinds = stream(map_seed, "kinds");
+  RandomStream positions = stream(map_seed, "positions");
+  bool is_under = kinds.uniform() < 0.5;
   for (std::int64_t i = 0; i < spec.barrier_count; ++i) {
-    const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(spec.barrier_count);
+    const double share = (static_cast<double>(i) + positions.uniform(0.3, 0.7)) /
+                         static_cast<double>(spec.barrier_count);
     const double y = stretch.low_m + share * (stretch.high_m - stretch.low_m);
     const Eigen::Vector2d low(-kSink_m, y - 0.5 * spec.thickness_m);
     const Eigen::Vector2d high(spec.area_m[0] + kSink_m, y + 0.5 * spec.thickness_m);
-    if (kinds.uniform() < 0.5) {
+    if (is_under) {
       add_partition(low, high, spec.slot_height_m, spec.height_m + kSink_m, world);
     } else {
       add_partition(low, high, -kSink_m, spec.height_m - spec.slot_height_m, world);
     }
+    is_under = !is_under;
   }
   world.digest = world_digest(world);
   return world;
