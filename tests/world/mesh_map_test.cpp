@@ -51,14 +51,15 @@ std::vector<Corners> triangles_of(const World& world) {
   return all;
 }
 
+Eigen::Vector3d corner(const Corners& triangle, std::size_t k) {
+  return Eigen::Vector3f(triangle[k][0], triangle[k][1], triangle[k][2]).cast<double>();
+}
+
 /// By the divergence theorem; positive where corners are counter-clockwise seen from outside.
 double volume_m3(const World& world) {
   double six_volumes = 0.0;
   for (const Corners& t : triangles_of(world)) {
-    const auto corner = [&](std::size_t k) {
-      return Eigen::Vector3f(t[k][0], t[k][1], t[k][2]).cast<double>().eval();
-    };
-    six_volumes += corner(0).dot(corner(1).cross(corner(2)));
+    six_volumes += corner(t, 0).dot(corner(t, 1).cross(corner(t, 2)));
   }
   return six_volumes / 6.0;
 }
@@ -380,8 +381,7 @@ TEST(MeshMap, strips_fans_and_lists_without_indices) {
     text.replace(text.find("\"material\":0"), 12, "\"mode\":" + mode);
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (const Corners& t : triangles_of(make_world(spec_of(folder.write("a.gltf", text)), 1))) {
-      const Eigen::Vector3d a(t[0][0], t[0][1], t[0][2]), b(t[1][0], t[1][1], t[1][2]);
-      sum += 0.5 * (b - a).cross(Eigen::Vector3d(t[2][0], t[2][1], t[2][2]) - a);
+      sum += 0.5 * (corner(t, 1) - corner(t, 0)).cross(corner(t, 2) - corner(t, 0));
     }
     return sum;
   };
@@ -435,15 +435,17 @@ TEST(MeshMap, what_is_exported_comes_back) {
 }
 
 TEST(MeshMap, damaged_files_end_in_an_error_or_a_world) {
-  const TemporaryFolder folder;
   for (const auto& [name, bytes] : test::all_meshes(brick_mesh())) {
-    for (std::size_t size = 1; size < bytes.size(); size += 7) {
-      message_of(spec_of(folder.write(name, bytes.substr(0, size))));
+    for (std::size_t size = 0; size < bytes.size(); size += 7) {
+      const std::string message = message_of_file(name, bytes.substr(0, size));
+      const bool may_be_whole = name == "a.obj" || size + 40 >= bytes.size();
+      EXPECT_TRUE(may_be_whole || message.starts_with("FILE:")) << name << size << message;
     }
     for (std::size_t at = 0; at < bytes.size(); at += 5) {
       std::string damaged = bytes;
       damaged[at] = static_cast<char>(damaged[at] ^ 0x55);
-      message_of(spec_of(folder.write(name, damaged)));
+      const std::string message = message_of_file(name, damaged);
+      EXPECT_TRUE(message == "no error" || message.starts_with("FILE:")) << name << at << message;
     }
   }
 }

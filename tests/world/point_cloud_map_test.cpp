@@ -216,15 +216,21 @@ TEST(PointCloud, what_is_wrong_is_told_with_file_and_line) {
 TEST(PointCloud, damaged_files_end_in_an_error_or_points) {
   FilePoints points = random_points();
   points.resize(20);
+  const auto read = [](const std::string& bytes) {
+    return message_of([&] { parse_point_cloud(bytes, "c"); });
+  };
   for (const auto& [name, bytes] : all_clouds(points)) {
     for (std::size_t size = 0; size < bytes.size(); ++size) {
-      message_of([&, &file = name] { parse_point_cloud(bytes.substr(0, size), file); });
+      const std::string message = read(bytes.substr(0, size));
+      const bool is_last_line = size + 40 >= bytes.size();  // text may lack its end
+      EXPECT_TRUE(is_last_line || message.starts_with("c:")) << name << size << message;
     }
     for (std::size_t at = 0; at < bytes.size(); ++at) {
       for (const char flip : {'\x01', '\x10', '\x7f'}) {
         std::string damaged = bytes;
         damaged[at] = static_cast<char>(damaged[at] ^ flip);
-        message_of([&, &file = name] { parse_point_cloud(damaged, file); });
+        const std::string message = read(damaged);
+        EXPECT_TRUE(message == "no error" || message.starts_with("c:")) << name << at << message;
       }
     }
   }
