@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds everything with both compilers and runs all tests. The last lines are the test runner's summary.
 # clang-tidy and the sanitizers look at what changed (scripts/changed_files.sh).
-#   --all    the tests labelled slow too, and clang-tidy and the sanitizers over everything (an hour): for every night
+#   --all    the tests labelled slow too, clang-tidy and the sanitizers over everything, and the fuzz targets for a minute each
+#            (an hour): for every night
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -29,5 +30,9 @@ echo "== clang-tidy"
 scripts/lint.sh "${all[@]}"
 echo "== sanitizers"
 scripts/sanitize.sh "${all[@]}"
+if [ ${#all[@]} -gt 0 ]; then
+  echo "== fuzz targets"
+  scripts/fuzz.sh 60
+fi
 echo "== tests"
 ctest --test-dir build/release --output-on-failure "${exclude[@]}"

@@ -60,9 +60,19 @@ Picture top_view(const World& world, const MapView& view) {
 Picture bird_view(const World& world, const MapView& view) {
   constexpr double kFov = 40.0 * math::kDegree;
   const Eigen::Vector3d center = world.flight_bounds.center();
-  const double radius_m = 0.5 * world.flight_bounds.sizes().norm();
   const Eigen::Vector3d away = Eigen::Vector3d(-0.55, -0.8, 0.75).normalized();
-  const Eigen::Vector3d eye = center + away * (1.15 * radius_m / math::tan(0.5 * kFov));
+  const Pose axes = look_at(center + away, center, Eigen::Vector3d::UnitZ());
+  const double tan_x = math::tan(0.5 * kFov);
+  const double tan_y = tan_x * view.height_px / view.width_px;
+  double distance_m = 0.0;  // at which every corner of the flight space is in the picture
+  for (int k = 0; k < 8; ++k) {
+    const Eigen::Vector3d corner =
+        world.flight_bounds.corner(static_cast<Aabb::CornerType>(k)) - center;
+    const Eigen::Vector3d at = axes.linear().transpose() * corner;
+    const double beside_m = std::max(std::abs(at.x()) / tan_x, std::abs(at.y()) / tan_y);
+    distance_m = std::max(distance_m, 1.08 * beside_m - at.z());
+  }
+  const Eigen::Vector3d eye = center + away * distance_m;
   return shaded(opened(world, true), look_at(eye, center, Eigen::Vector3d::UnitZ()), kFov, false,
                 view);
 }
@@ -73,7 +83,7 @@ Pose start_camera(const Scene& scene, const TrialSpec& trial, std::int64_t index
   if (!mission) {
     throw InputError("mission " + std::to_string(index) +
                      ": no start or goal with mission.free_radius_m of free space; make the map "
-                     "sparser or the radius smaller");
+                     "sparser, the radius smaller or the start and goal regions larger");
   }
   return make_pose(mission->start_world, yaw_rotation(mission->start_yaw_rad)) *
          T_body_camera(trial.sensor);

@@ -129,14 +129,15 @@ Aabb box_around(const FilePoints& points) {
   return box;
 }
 
-/// Throws where the box is no map's in metres.
-void check_extent(const std::string& file, const Aabb& box) {
+/// Throws where the box is no map's in metres; `hint` is what else may help where it is too large.
+void check_extent(const std::string& file, const Aabb& box, const std::string& hint) {
   const Eigen::Vector3d size = box.sizes();
   const std::string found = "spans " + size_text(size);
   if (!(size.maxCoeff() <= kMostExtent_m)) {
     fail_file(file, found +
                         ", more than 2000 m: if its unit is not the metre, set scale (0.001 for "
-                        "millimetres, 0.01 for centimetres, 0.3048 for feet)");
+                        "millimetres, 0.01 for centimetres, 0.3048 for feet)" +
+                        hint);
   }
   if (size.maxCoeff() < kLeastExtent_m) {
     fail_file(file, found + ", less than 1 m: set scale, the metres in one unit of the file");
@@ -265,16 +266,20 @@ void set_mean_width(World& world) {
   if (count > 0.0) world.mean_obstacle_width_m = sum_m / count;
 }
 
-/// The points within the bounds, where these are given.
+/// The points within the bounds, where these are given; those on a high face would fill the voxels
+/// behind it.
 void crop(const PointCloudSpec& spec, FilePoints& points) {
   if (points.size() < kFewestPoints) {
     fail_file(spec.file, "has " + std::to_string(points.size()) +
-                             " points that are finite; a map needs 10 at least");
+                             (points.size() == 1 ? " point that is" : " points that are") +
+                             " finite; a map needs 10 at least");
   }
   if (!spec.bounds.is_given()) return;
   const Aabb bounds = box_of(spec.bounds);
   const Aabb all = box_around(points);
-  std::erase_if(points, [&](const Eigen::Vector3d& point) { return !bounds.contains(point); });
+  std::erase_if(points, [&](const Eigen::Vector3d& point) {
+    return !bounds.contains(point) || (point.array() == bounds.max().array()).any();
+  });
   if (points.size() < kFewestPoints) {
     fail_file(spec.file, "has " + std::to_string(points.size()) +
                              " points within bounds; its points span " + text_of(all.min()) +
@@ -310,7 +315,7 @@ World make_mesh(const MeshSpec& spec) {
     to_world(spec, part.vertices);
     box.extend(box_around(part.vertices));
   }
-  check_extent(spec.file, box);
+  check_extent(spec.file, box, "");
   World world;
   for (const MeshPart& part : parts) add_part(part, world);
   if (world.instances.empty()) fail_file(spec.file, "has no triangle with an area");
@@ -324,7 +329,7 @@ World make_point_cloud(const PointCloudSpec& spec) {
   FilePoints points = parse_point_cloud(read_bytes(spec), spec.file);
   to_world(spec, points);
   crop(spec, points);
-  check_extent(spec.file, box_around(points));
+  check_extent(spec.file, box_around(points), "; stray points: give bounds");
   VoxelSurface surface = voxel_surface(points, spec.resolution_m, kMostTriangles);
   if (surface.mesh.triangles.empty()) {
     fail_file(spec.file, "its voxels of " + number(spec.resolution_m) + " m have " +

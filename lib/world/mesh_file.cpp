@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "world/file_maps.hpp"
+#include "world/plain_mesh.hpp"
 
 namespace avoidbench {
 namespace {
@@ -36,7 +37,7 @@ class OneFile : public Assimp::IOSystem {
 std::string_view text_of(const aiString& string) { return {string.data, string.length}; }
 
 /// A message of the importer's, on one line of plain characters.
-std::string plain(std::string_view message) {
+std::string plain_text(std::string_view message) {
   constexpr std::size_t kMost = 200;
   std::string text;
   for (const char c : message.substr(0, kMost)) text += c >= ' ' && c <= '~' ? c : ' ';
@@ -68,6 +69,8 @@ struct Gatherer {
   const std::string& file;
   Material fallback;
   std::uint64_t most_triangles;
+  bool is_gltf;
+  Eigen::Vector3d offset;  ///< to be added to positions
   std::uint64_t triangle_count = 0;
   std::vector<MeshPart> parts = {};
 
@@ -90,10 +93,7 @@ struct Gatherer {
     }
     if (part.triangles.size() == triangles_before) return;
     triangle_count += part.triangles.size() - triangles_before;
-    if (triangle_count > most_triangles) {
-      fail_file(file, "has more than " + std::to_string(most_triangles) +
-                          " triangles; decimate it before");
-    }
+    if (triangle_count > most_triangles) fail_triangles(file, most_triangles);
     for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
       const aiVector3D& v = mesh.mVertices[i];
       const Eigen::Vector3d vertex =
@@ -103,9 +103,12 @@ struct Gatherer {
         fail_file(file, "vertex " + std::to_string(i) + " of '" +
                             obstacle_kind(text_of(mesh.mName)) + "' is not finite");
       }
-      part.vertices.push_back(vertex);
+      part.vertices.push_back(vertex + offset);
     }
   }
+
+  /// Whether the node is no node of the file: assimp puts what has none below one of its own.
+  bool is_assimps(const aiNode& node) const { return node.mParent == nullptr && !is_gltf; }
 
   void add_node(const aiNode& node, const Eigen::Affine3d& T_file_parent, int depth) {
     constexpr int kMostDepth = 1000;
@@ -114,8 +117,9 @@ struct Gatherer {
     MeshPart part;
     for (unsigned i = 0; i < node.mNumMeshes; ++i) {
       const aiMesh& mesh = *scene.mMeshes[node.mMeshes[i]];
-      const bool is_root = node.mParent == nullptr;
-      if (part.kind.empty()) part.kind = obstacle_kind(text_of(is_root ? mesh.mName : node.mName));
+      if (part.kind.empty()) {
+        part.kind = obstacle_kind(text_of(is_assimps(node) ? mesh.mName : node.mName));
+      }
       if (part.kind == "mesh") part.kind = obstacle_kind(text_of(mesh.mName));
       add_mesh(mesh, T_file_node, part);
     }
@@ -125,6 +129,15 @@ struct Gatherer {
     }
   }
 };
+
+PlainMesh plain_mesh(std::string_view bytes, const std::string& file,
+                     std::uint64_t most_triangles) {
+  const std::string extension = extension_of(file);
+  if (extension == "obj") return plain_obj(bytes, file, most_triangles);
+  if (extension == "ply") return plain_ply(bytes, file, most_triangles);
+  if (extension == "stl") return plain_stl(bytes, file, most_triangles);
+  return plain_gltf(bytes, file, most_triangles);
+}
 
 }  // namespace
 
@@ -150,29 +163,23 @@ std::string obstacle_kind(std::string_view name) {
 
 std::vector<MeshPart> parse_mesh(std::string_view bytes, const std::string& file, Material fallback,
                                  std::uint64_t most_triangles) {
-  const std::string name = "map." + extension_of(file);
+  const PlainMesh plain = plain_mesh(bytes, file, most_triangles);
   Assimp::Importer importer;
-  importer.SetIOHandler(new OneFile(name, bytes));  // the importer owns it
+  importer.SetIOHandler(new OneFile(plain.name, plain.bytes));  // the importer owns it
   const aiScene* scene = nullptr;
   std::string reason;
   try {
-    scene = importer.ReadFile(name, aiProcess_Triangulate);
+    scene = importer.ReadFile(plain.name, aiProcess_Triangulate);
     if (scene == nullptr) reason = importer.GetErrorString();
   } catch (const std::exception& error) {
     reason = error.what();
   }
   if (scene == nullptr || scene->mRootNode == nullptr) {
-    const bool is_gltf = name == "map.gltf";
-    fail_file(file, "can't be read as a mesh: " + plain(reason) +
-                        (is_gltf ? "; buffers must be inside the file: export it as .glb" : ""));
+    fail_file(file, "can't be read as a mesh: " + plain_text(reason));
   }
-  Gatherer gatherer{*scene, file, fallback, most_triangles};
+  Gatherer gatherer{*scene, file, fallback, most_triangles, plain.name == "map.glb", plain.offset};
   gatherer.add_node(*scene->mRootNode, Eigen::Affine3d::Identity(), 0);
-  if (gatherer.parts.empty()) {
-    const bool has_points = scene->mNumMeshes > 0 && name == "map.ply";
-    fail_file(file, std::string("has no triangles") +
-                        (has_points ? "; for a cloud of points use generator: point_cloud" : ""));
-  }
+  if (gatherer.parts.empty()) fail_file(file, "has no triangles");
   return std::move(gatherer.parts);
 }
 

@@ -2,6 +2,7 @@
 #include <array>
 
 #include "world/cloud_bytes.hpp"
+#include "world/plain_mesh.hpp"
 #include "world/point_cloud_file.hpp"
 
 namespace avoidbench {
@@ -159,11 +160,17 @@ std::optional<std::size_t> fixed_size(const Element& element) {
   return size;
 }
 
-/// Takes one binary element off `rest`; the first byte of each property is put in `places`. False
-/// where the bytes end before it.
+/// Where a property's numbers stand, and how many they are.
+struct Taken {
+  const char* bytes;
+  std::size_t count;
+};
+
+/// Takes one binary element off `rest`; where its properties are is put in `taken`. False where the
+/// bytes end before it.
 bool take_binary(const Element& element, bool is_big_endian, std::string_view& rest,
-                 std::vector<const char*>& places) {
-  places.clear();
+                 std::vector<Taken>& taken) {
+  taken.clear();
   for (const Property& property : element.properties) {
     std::size_t count = 1;
     if (property.is_list) {
@@ -175,7 +182,7 @@ bool take_binary(const Element& element, bool is_big_endian, std::string_view& r
       count = static_cast<std::size_t>(listed);
     }
     if (rest.size() / size_of(property.type) < count) return false;
-    places.push_back(rest.data());
+    taken.push_back({rest.data(), count});
     rest.remove_prefix(count * size_of(property.type));
   }
   return true;
@@ -189,9 +196,9 @@ void skip_binary(const Element& element, bool is_big_endian, std::string_view& r
     rest.remove_prefix(*size * element.count);
     return;
   }
-  std::vector<const char*> places;
+  std::vector<Taken> taken;
   for (std::uint64_t i = 0; i < element.count; ++i) {
-    if (!take_binary(element, is_big_endian, rest, places)) fail_short(file, element, i);
+    if (!take_binary(element, is_big_endian, rest, taken)) fail_short(file, element, i);
   }
 }
 
@@ -202,13 +209,13 @@ FilePoints binary_points(const Element& vertex, bool is_big_endian, std::string_
     fail_short(file, vertex, rest.size() / *size);
   }
   FilePoints points;
-  std::vector<const char*> places;
+  std::vector<Taken> taken;
   for (std::uint64_t i = 0; i < vertex.count; ++i) {
-    if (!take_binary(vertex, is_big_endian, rest, places)) fail_short(file, vertex, i);
+    if (!take_binary(vertex, is_big_endian, rest, taken)) fail_short(file, vertex, i);
     Eigen::Vector3d point;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       point[static_cast<Eigen::Index>(axis)] =
-          load_number(places[xyz[axis]], vertex.properties[xyz[axis]].type, is_big_endian);
+          load_number(taken[xyz[axis]].bytes, vertex.properties[xyz[axis]].type, is_big_endian);
     }
     add_if_finite(point, points);
   }
@@ -243,6 +250,137 @@ FilePoints ascii_points(const Element& vertex, LineCursor& lines, const std::str
   return points;
 }
 
+/// Calls `act(property, k, value)` for each number of an element: the k-th of the property's list.
+/// False where the bytes end before the element's end.
+template <class Act>
+bool for_each_number(const Header& header, const Element& element, LineCursor& lines,
+                     const std::string& file, Act&& act) {
+  if (header.encoding != Encoding::ascii) {
+    const bool is_big_endian = header.encoding == Encoding::big_endian;
+    std::vector<Taken> taken;
+    if (!take_binary(element, is_big_endian, lines.rest, taken)) return false;
+    for (std::size_t p = 0; p < taken.size(); ++p) {
+      const NumberType type = element.properties[p].type;
+      for (std::size_t k = 0; k < taken[p].count; ++k) {
+        act(p, k, load_number(taken[p].bytes + k * size_of(type), type, is_big_endian));
+      }
+    }
+    return true;
+  }
+  auto line = lines.next();
+  if (!line) return false;
+  const auto take_number = [&] {
+    const std::string_view word = take_word(*line);
+    const auto number = number_in<double>(word);
+    if (number) return *number;
+    fail_file(file, word.empty() ? "too few numbers" : quoted(word) + " is no number", lines.line);
+  };
+  for (std::size_t p = 0; p < element.properties.size(); ++p) {
+    double count = 1.0;
+    if (element.properties[p].is_list) {
+      count = take_number();
+      if (!(count >= 0.0 && count <= static_cast<double>(line->size()))) {
+        fail_file(file, "too few numbers", lines.line);
+      }
+    }
+    for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) act(p, k, take_number());
+  }
+  return true;
+}
+
+/// Gathers the elements of a mesh.
+struct MeshReader {
+  const Header& header;
+  const std::string& file;
+  std::uint64_t most_triangles;
+  LineCursor lines;
+  std::uint64_t vertices = 0, faces = 0, triangles = 0;
+  std::string vertex_bytes = {}, face_bytes = {};
+  PlainMesh plain = {.name = "map.ply", .bytes = {}};
+
+  int line() const { return header.encoding == Encoding::ascii ? lines.line : 0; }
+
+  void add_vertices(const Element& element) {
+    const std::array<std::size_t, 3> xyz = xyz_of(element, file);
+    for (; vertices < element.count; ++vertices) {
+      Eigen::Vector3d position;
+      const auto keep = [&](std::size_t property, std::size_t, double value) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          if (xyz[axis] == property) position[static_cast<Eigen::Index>(axis)] = value;
+        }
+      };
+      if (!for_each_number(header, element, lines, file, keep)) {
+        fail_short(file, element, vertices, line());
+      }
+      if (!position.cast<float>().allFinite()) {
+        fail_file(file, "vertex " + std::to_string(vertices) + " is not finite", line());
+      }
+      if (vertices == 0) plain.offset = offset_near(position);
+      position -= plain.offset;
+      vertex_bytes.append(reinterpret_cast<const char*>(position.data()), 3 * sizeof(double));
+    }
+  }
+
+  void add_face(const std::vector<std::uint32_t>& corners) {
+    if (corners.size() < 3) return;
+    if (corners.size() > kMostCorners) fail_corners(file, line());
+    ++faces;
+    triangles += corners.size() - 2;
+    if (triangles > most_triangles) fail_triangles(file, most_triangles);
+    const auto count = static_cast<std::uint32_t>(corners.size());
+    face_bytes.append(reinterpret_cast<const char*>(&count), 4);
+    face_bytes.append(reinterpret_cast<const char*>(corners.data()), 4 * corners.size());
+  }
+
+  void add_faces(const Element& element, std::uint64_t vertex_count) {
+    std::size_t list = 0;
+    const auto is_list = [&](const Property& p) {
+      return p.is_list && (p.name == "vertex_indices" || p.name == "vertex_index");
+    };
+    while (list < element.properties.size() && !is_list(element.properties[list])) ++list;
+    if (list == element.properties.size()) {
+      fail_file(file, "the element face lacks the list vertex_indices");
+    }
+    std::vector<std::uint32_t> corners;
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      corners.clear();
+      const auto keep = [&](std::size_t property, std::size_t, double value) {
+        if (property != list) return;
+        if (!(value >= 0.0 && value < static_cast<double>(vertex_count))) {
+          fail_file(file, "face " + std::to_string(i) + " names a vertex that is not there",
+                    line());
+        }
+        corners.push_back(static_cast<std::uint32_t>(value));
+      };
+      if (!for_each_number(header, element, lines, file, keep)) {
+        fail_short(file, element, i, line());
+      }
+      add_face(corners);
+    }
+  }
+
+  void skip(const Element& element) {
+    if (element.properties.empty() && header.encoding != Encoding::ascii) return;
+    const auto ignore = [](std::size_t, std::size_t, double) {};
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      if (!for_each_number(header, element, lines, file, ignore)) {
+        fail_short(file, element, i, line());
+      }
+    }
+  }
+};
+
+/// The one element of this name; null where there is none.
+const Element* the_element(const Header& header, std::string_view name, const std::string& file) {
+  const Element* found = nullptr;
+  for (const Element& element : header.elements) {
+    if (element.name != name) continue;
+    if (found != nullptr) fail_file(file, "has two elements " + quoted(name));
+    found = &element;
+  }
+  return found;
+}
+
 }  // namespace
 
 FilePoints parse_ply_points(std::string_view bytes, const std::string& file) {
@@ -262,6 +400,37 @@ FilePoints parse_ply_points(std::string_view bytes, const std::string& file) {
     }
   }
   fail_file(file, "the header lacks 'element vertex'");
+}
+
+PlainMesh plain_ply(std::string_view bytes, const std::string& file, std::uint64_t most_triangles) {
+  LineCursor lines{bytes};
+  if (lines.next() != "ply") fail_file(file, "does not begin as a PLY file ('ply')", 1);
+  lines = {bytes};
+  const Header header = read_header(lines, file);
+  const Element* vertex = the_element(header, "vertex", file);
+  const Element* face = the_element(header, "face", file);
+  if (vertex == nullptr) fail_file(file, "the header lacks 'element vertex'");
+  if (face == nullptr || face->count == 0) {
+    fail_file(file, "has no triangles; for a cloud of points use generator: point_cloud");
+  }
+  if (vertex->count > 3 * most_triangles) fail_vertices(file, most_triangles);
+  MeshReader reader{header, file, most_triangles, lines};
+  for (const Element& element : header.elements) {
+    if (&element == vertex) {
+      reader.add_vertices(element);
+    } else if (&element == face) {
+      reader.add_faces(element, vertex->count);
+    } else {
+      reader.skip(element);
+    }
+  }
+  if (reader.triangles == 0) fail_file(file, "has no triangles");
+  reader.plain.bytes =
+      "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(reader.vertices) +
+      "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
+      std::to_string(reader.faces) + "\nproperty list uint uint vertex_indices\nend_header\n" +
+      reader.vertex_bytes + reader.face_bytes;
+  return std::move(reader.plain);
 }
 
 }  // namespace avoidbench

@@ -1,0 +1,44 @@
+// fuzz_seeds FOLDER: writes the first inputs of the fuzz targets, FOLDER/point_cloud and
+// FOLDER/mesh: each kind of file, as the tests write them.
+#include <array>
+#include <cstdio>
+#include <filesystem>
+
+#include "support/map_files.hpp"
+#include "world/solids.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void write(const fs::path& file, const std::string& bytes) {
+  std::ofstream(file, std::ios::binary) << bytes;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace avoidbench;
+  if (argc != 2) {
+    std::fputs("usage: fuzz_seeds FOLDER\n", stderr);
+    return 2;
+  }
+  const fs::path clouds = fs::path(argv[1]) / "point_cloud", meshes = fs::path(argv[1]) / "mesh";
+  fs::create_directories(clouds);
+  fs::create_directories(meshes);
+  FilePoints points;
+  for (int i = 0; i < 20; ++i) points.emplace_back(0.25 * i, 7.0 - i, 0.5 * (i % 3));
+  for (const auto& [name, bytes] : test::all_clouds(points)) write(clouds / name, bytes);
+
+  Prototype box;
+  add_box(box, {1, 2, 3}, {3, 5, 7}, Material::brick);
+  const std::array<std::string, 5> kinds{"obj", "ply", "stl", "gltf", "glb"};
+  for (const auto& [name, bytes] : test::all_meshes(box.mesh)) {
+    for (std::size_t kind = 0; kind < kinds.size(); ++kind) {  // the target's first byte
+      if (extension_of(name) == kinds[kind]) {
+        write(meshes / name, static_cast<char>(kind) + bytes);
+      }
+    }
+  }
+  return 0;
+}

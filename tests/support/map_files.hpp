@@ -1,0 +1,253 @@
+#pragma once
+
+#include <stdlib.h>
+
+#include <array>
+#include <bit>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "geometry/triangle_mesh.hpp"
+#include "world/map_file.hpp"
+
+/// Map files to read, written by the test itself.
+namespace avoidbench::test {
+
+/// A folder of its own, gone with the object.
+struct TemporaryFolder {
+  std::filesystem::path path;
+  TemporaryFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "avoidbench_XXXXXX").string();
+    path = mkdtemp(name.data());
+  }
+  ~TemporaryFolder() { std::filesystem::remove_all(path); }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  std::string write(const std::string& name, const std::string& bytes) const {
+    std::ofstream(path / name, std::ios::binary) << bytes;
+    return (path / name).string();
+  }
+};
+
+template <class T>
+std::string raw(T value, bool is_big_endian = false) {
+  std::string bytes(sizeof(T), '\0');
+  std::memcpy(bytes.data(), &value, sizeof(T));
+  return is_big_endian ? std::string(bytes.rbegin(), bytes.rend()) : bytes;
+}
+
+inline std::string vertex_text(const Eigen::Vector3f& v) {
+  std::ostringstream text;
+  text << v.x() << ' ' << v.y() << ' ' << v.z();
+  return text.str();
+}
+
+inline std::string obj_bytes(const TriangleMesh& mesh) {
+  std::string text = "# a mesh\no Pillar.001\nusemtl brick\n";
+  for (const auto& v : mesh.vertices) text += "v " + vertex_text(v) + "\n";
+  for (const auto& [a, b, c] : mesh.triangles) {
+    text += "f " + std::to_string(a + 1) + " " + std::to_string(b + 1) + " " +
+            std::to_string(c + 1) + "\n";
+  }
+  return text;
+}
+
+inline std::string ply_mesh_header(const TriangleMesh& mesh, const std::string& format) {
+  return "ply\nformat " + format + " 1.0\nelement vertex " + std::to_string(mesh.vertices.size()) +
+         "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
+         std::to_string(mesh.triangles.size()) +
+         "\nproperty list uchar int vertex_indices\nend_header\n";
+}
+
+inline std::string ascii_ply_bytes(const TriangleMesh& mesh) {
+  std::string text = ply_mesh_header(mesh, "ascii");
+  for (const auto& v : mesh.vertices) text += vertex_text(v) + "\n";
+  for (const auto& [a, b, c] : mesh.triangles) {
+    text += "3 " + std::to_string(a) + " " + std::to_string(b) + " " + std::to_string(c) + "\n";
+  }
+  return text;
+}
+
+inline std::string binary_ply_bytes(const TriangleMesh& mesh, bool is_big_endian) {
+  std::string bytes =
+      ply_mesh_header(mesh, is_big_endian ? "binary_big_endian" : "binary_little_endian");
+  for (const auto& v : mesh.vertices) {
+    for (int axis = 0; axis < 3; ++axis) bytes += raw(v[axis], is_big_endian);
+  }
+  for (const auto& triangle : mesh.triangles) {
+    bytes += '\3';
+    for (const std::uint32_t corner : triangle) bytes += raw(corner, is_big_endian);
+  }
+  return bytes;
+}
+
+inline std::string ascii_stl_bytes(const TriangleMesh& mesh) {
+  std::string text = "solid pillar\n";
+  for (const auto& triangle : mesh.triangles) {
+    text += "facet normal 0 0 0\nouter loop\n";
+    for (const std::uint32_t corner : triangle) {
+      text += "vertex " + vertex_text(mesh.vertices[corner]) + "\n";
+    }
+    text += "endloop\nendfacet\n";
+  }
+  return text + "endsolid pillar\n";
+}
+
+inline std::string binary_stl_bytes(const TriangleMesh& mesh) {
+  std::string bytes(80, ' ');
+  bytes += raw(static_cast<std::uint32_t>(mesh.triangles.size()));
+  for (const auto& triangle : mesh.triangles) {
+    bytes += std::string(12, '\0');
+    for (const std::uint32_t corner : triangle) {
+      for (int axis = 0; axis < 3; ++axis) bytes += raw(mesh.vertices[corner][axis]);
+    }
+    bytes += std::string(2, '\0');
+  }
+  return bytes;
+}
+
+inline std::string base64(const std::string& bytes) {
+  constexpr const char* kDigits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t group = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const char c = i + k < bytes.size() ? bytes[i + k] : '\0';
+      group = (group << 8U) | static_cast<unsigned char>(c);
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+      text += i + k > bytes.size() ? '=' : kDigits[(group >> (18U - 6U * k)) & 63U];
+    }
+  }
+  return text;
+}
+
+/// A glTF scene with the mesh in one node; `node` is more of its JSON, as `,"translation":[…]`.
+/// With is_glb the binary form.
+inline std::string gltf_bytes(const TriangleMesh& mesh, bool is_glb, const std::string& node = "") {
+  std::string buffer;
+  for (const auto& v : mesh.vertices) {
+    for (int axis = 0; axis < 3; ++axis) buffer += raw(v[axis]);
+  }
+  const std::size_t vertices_size = buffer.size();
+  for (const auto& triangle : mesh.triangles) {
+    for (const std::uint32_t corner : triangle) buffer += raw(corner);
+  }
+  const auto view = [](std::size_t offset, std::size_t size) {
+    return "{\"buffer\":0,\"byteOffset\":" + std::to_string(offset) +
+           ",\"byteLength\":" + std::to_string(size) + "}";
+  };
+  const std::string uri =
+      is_glb ? "" : ",\"uri\":\"data:application/octet-stream;base64," + base64(buffer) + "\"";
+  std::string json =
+      "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],"
+      "\"nodes\":[{\"name\":\"Pillar.001\",\"mesh\":0" +
+      node +
+      "}],\"materials\":[{\"name\":\"brick\"}],\"meshes\":[{\"primitives\":[{\"attributes\":"
+      "{\"POSITION\":0},\"indices\":1,\"material\":0}]}],\"accessors\":["
+      "{\"bufferView\":0,\"componentType\":5126,\"count\":" +
+      std::to_string(mesh.vertices.size()) +
+      ",\"type\":\"VEC3\"},{\"bufferView\":1,\"componentType\":5125,\"count\":" +
+      std::to_string(3 * mesh.triangles.size()) + ",\"type\":\"SCALAR\"}],\"bufferViews\":[" +
+      view(0, vertices_size) + "," + view(vertices_size, buffer.size() - vertices_size) +
+      "],\"buffers\":[{\"byteLength\":" + std::to_string(buffer.size()) + uri + "}]}";
+  if (!is_glb) return json;
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  const auto chunk = [](const std::string& bytes, const std::string& kind) {
+    return raw(static_cast<std::uint32_t>(bytes.size())) + kind + bytes;
+  };
+  const std::string chunks = chunk(json, "JSON") + chunk(buffer, std::string("BIN\0", 4));
+  return "glTF" + raw(std::uint32_t{2}) + raw(static_cast<std::uint32_t>(12 + chunks.size())) +
+         chunks;
+}
+
+/// A name and the bytes of the same mesh in each format.
+inline std::vector<std::pair<std::string, std::string>> all_meshes(const TriangleMesh& mesh) {
+  return {{"a.obj", obj_bytes(mesh)},
+          {"ascii.ply", ascii_ply_bytes(mesh)},
+          {"little.ply", binary_ply_bytes(mesh, false)},
+          {"big.ply", binary_ply_bytes(mesh, true)},
+          {"ascii.stl", ascii_stl_bytes(mesh)},
+          {"binary.STL", binary_stl_bytes(mesh)},
+          {"a.glb", gltf_bytes(mesh, true)},
+          {"a.gltf", gltf_bytes(mesh, false)}};
+}
+
+/// An LZF stream that copies nothing.
+inline std::string lzf_literals(const std::string& bytes) {
+  std::string out;
+  for (std::size_t i = 0; i < bytes.size(); i += 32) {
+    const std::string piece = bytes.substr(i, 32);
+    out += static_cast<char>(piece.size() - 1) + piece;
+  }
+  return out;
+}
+
+/// With a camera before the vertices, a list and a color between the coordinates.
+inline std::string ply(const FilePoints& points, const std::string& format) {
+  const bool is_big = format == "binary_big_endian";
+  std::string bytes = "ply\r\nformat " + format +
+                      " 1.0\r\ncomment made by a test\r\nelement camera 1\r\nproperty short id\r\n"
+                      "element vertex " +
+                      std::to_string(points.size()) +
+                      "\r\nproperty float x\r\nproperty uchar red\r\nproperty double y\r\n"
+                      "property float32 z\r\nproperty list uchar int seen_by\r\nend_header\r\n";
+  const bool is_text = format == "ascii";
+  bytes += is_text ? "7\r\n" : raw(std::int16_t{7}, is_big);
+  for (const Eigen::Vector3d& p : points) {
+    if (is_text) {
+      std::ostringstream line;
+      line.precision(12);
+      line << p.x() << " 200 " << p.y() << " +" << p.z() << " 2 5 6\r\n";
+      bytes += line.str();
+      continue;
+    }
+    bytes += raw(static_cast<float>(p.x()), is_big) + '\xc8' + raw(p.y(), is_big) +
+             raw(static_cast<float>(p.z()), is_big) + '\2' + raw(5, is_big) + raw(6, is_big);
+  }
+  return bytes;
+}
+
+/// With colours between the coordinates.
+inline std::string pcd(const FilePoints& points, const std::string& data) {
+  const std::string count = std::to_string(points.size());
+  std::string bytes =
+      "# .PCD v0.7\nVERSION 0.7\nFIELDS x rgb y z\nSIZE 4 2 8 4\nTYPE F U F F\nCOUNT 1 2 1 1\n"
+      "WIDTH " +
+      count + "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + count + "\nDATA " + data + "\n";
+  std::string x, colors, y, z;
+  for (const Eigen::Vector3d& p : points) {
+    const std::string one_x = raw(static_cast<float>(p.x())), one_y = raw(p.y());
+    const std::string one_z = raw(static_cast<float>(p.z())), color = raw(std::uint32_t{77});
+    x += one_x, colors += color, y += one_y, z += one_z;
+    if (data == "binary") bytes += one_x + color + one_y + one_z;
+    if (data != "ascii") continue;
+    std::ostringstream line;
+    line.precision(12);
+    line << p.x() << " 1 2 " << p.y() << '\t' << p.z() << '\n';
+    bytes += line.str();
+  }
+  if (data != "binary_compressed") return bytes;
+  const std::string columns = x + colors + y + z;
+  const std::string packed = lzf_literals(columns);
+  return bytes + raw(static_cast<std::uint32_t>(packed.size())) +
+         raw(static_cast<std::uint32_t>(columns.size())) + packed;
+}
+
+/// A name and the bytes of the same points in each format.
+inline std::vector<std::pair<std::string, std::string>> all_clouds(const FilePoints& points) {
+  return {{"ascii.ply", ply(points, "ascii")},
+          {"little.ply", ply(points, "binary_little_endian")},
+          {"big.ply", ply(points, "binary_big_endian")},
+          {"ascii.pcd", pcd(points, "ascii")},
+          {"binary.pcd", pcd(points, "binary")},
+          {"compressed.pcd", pcd(points, "binary_compressed")}};
+}
+
+}  // namespace avoidbench::test
