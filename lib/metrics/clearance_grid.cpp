@@ -147,7 +147,7 @@ bool ClearanceGrid::is_segment_free(const Eigen::Vector3d& from, const Eigen::Ve
     const double s_m = std::min(covered_m + ahead_m, length_m);
     const double behind_m = s_m - covered_m;
     const double enough_m =
-        least_m + std::clamp(behind_m, kSightTolerance_m, kWorthAStep * cell_m_);
+        least_m + std::max(kSightTolerance_m, std::min(behind_m, kWorthAStep * cell_m_));
     const double margin_m = lower_bound_m(from + s_m * direction, enough_m) - least_m;
     if (margin_m < 0.0) return false;
     if (margin_m >= behind_m || ahead_m <= kSightTolerance_m) {
