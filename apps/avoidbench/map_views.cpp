@@ -1,8 +1,12 @@
 #include "map_views.hpp"
 
+#include <algorithm>
+#include <initializer_list>
 #include <limits>
+#include <string_view>
 
 #include "base/input_error.hpp"
+#include "map_plan.hpp"
 #include "render/depth.hpp"
 #include "render/shading.hpp"
 #include "trial/mission.hpp"
@@ -10,12 +14,12 @@
 namespace avoidbench {
 namespace {
 
-/// The world without its roof, and without walls where asked for, so that one sees in from outside.
-World opened(const World& world, bool without_walls) {
+/// The world without things of these kinds, so that one sees in from outside.
+World without(const World& world, std::initializer_list<std::string_view> kinds) {
   World open = world;
   std::erase_if(open.instances, [&](const Instance& instance) {
     const std::string& kind = world.obstacles[instance.obstacle].kind;
-    return kind == "ceiling" || (without_walls && kind == "wall");
+    return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
   });
   return open;
 }
@@ -44,19 +48,6 @@ Picture shaded(const World& world, const Pose& T_world_camera, double fov_x_rad,
   return picture;
 }
 
-/// From far above with a narrow field of view, so that trunks hardly lean.
-Picture top_view(const World& world, const MapView& view) {
-  constexpr double kFov = 12.0 * math::kDegree;
-  const Eigen::Vector3d size = world.flight_bounds.sizes();
-  const double aspect = static_cast<double>(view.height_px) / static_cast<double>(view.width_px);
-  const double half_width_m = 0.55 * std::max(size.x(), size.y() / aspect);
-  const Eigen::Vector3d center = world.flight_bounds.center();
-  const double height_m = half_width_m / math::tan(0.5 * kFov);
-  const Eigen::Vector3d eye = center + Eigen::Vector3d(0.0, 0.0, height_m);
-  return shaded(opened(world, false), look_at(eye, center, Eigen::Vector3d::UnitY()), kFov, false,
-                view);
-}
-
 Picture bird_view(const World& world, const MapView& view) {
   constexpr double kFov = 40.0 * math::kDegree;
   const Eigen::Vector3d center = world.flight_bounds.center();
@@ -73,8 +64,8 @@ Picture bird_view(const World& world, const MapView& view) {
     distance_m = std::max(distance_m, 1.08 * beside_m - at.z());
   }
   const Eigen::Vector3d eye = center + away * distance_m;
-  return shaded(opened(world, true), look_at(eye, center, Eigen::Vector3d::UnitZ()), kFov, false,
-                view);
+  return shaded(without(world, {"ceiling", "wall"}), look_at(eye, center, Eigen::Vector3d::UnitZ()),
+                kFov, false, view);
 }
 
 /// The mission camera's pose at the start.
@@ -107,8 +98,11 @@ Picture depth_view(const World& world, const TrialSpec& trial, const MapView& vi
 
 std::vector<std::string> map_view_names() { return {"top", "bird", "first_person", "depth"}; }
 
-Picture render_map(const World& world, const TrialSpec& trial, const MapView& view) {
-  if (view.name == "top") return top_view(world, view);
+World without_roof(const World& world) { return without(world, {"ceiling"}); }
+
+Picture render_map(const World& world, const TrialSpec& trial, const MapView& view,
+                   std::string& note) {
+  if (view.name == "top") return plan_view(world, trial, view, note);
   if (view.name == "bird") return bird_view(world, view);
   if (view.name == "depth") return depth_view(world, trial, view);
   const Pose T_world_camera = start_camera(Scene(world), trial, view.mission_index);

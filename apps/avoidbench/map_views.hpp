@@ -18,12 +18,16 @@ struct MapView {
   std::int64_t mission_index = 0;
 };
 
-/// top (from above, +y up), bird (from outside, without roof and walls), first_person and depth
-/// (from a mission's start toward its goal).
+/// top (a plan coloured by height, +y up, with a mission), bird (from outside, without roof and
+/// walls), first_person and depth (from a mission's start toward its goal).
 std::vector<std::string> map_view_names();
 
-/// The picture of `world`, the map of `trial`. Throws InputError where the mission can't be laid
-/// out.
-Picture render_map(const World& world, const TrialSpec& trial, const MapView& view);
+/// The world without its ceiling.
+World without_roof(const World& world);
+
+/// The picture of `world`, the map of `trial`; what else its caption should say goes to `note`.
+/// Throws InputError where the mission of first_person and depth can't be laid out.
+Picture render_map(const World& world, const TrialSpec& trial, const MapView& view,
+                   std::string& note);
 
 }  // namespace avoidbench

@@ -12,7 +12,11 @@
 #include "config/yaml_values.hpp"
 #include "map_list.hpp"
 #include "map_views.hpp"
+#include "metrics/environment.hpp"
+#include "metrics/metric_table.hpp"
 #include "reference_table.hpp"
+#include "world/export_map.hpp"
+#include "world/voxels.hpp"
 
 namespace avoidbench {
 namespace {
@@ -23,6 +27,10 @@ struct MapOptions {
   std::optional<std::uint64_t> seed;
   MapView view;
   std::string png = "map.png";
+  std::int64_t missions = 10;  ///< 0: no metrics
+  double point_cloud_m = 0.0;  ///< resolution of the original's metric; 0: without
+  std::string file, export_as = "mesh";
+  double resolution_m = 0.1;
   TableOptions table;
 };
 
@@ -47,14 +55,15 @@ void show(const MapOptions& options) {
   }
   const TrialSpec trial = trial_of(options);
   const World world = make_world(trial.map, trial.map_seed);
-  Picture picture = render_map(world, trial, options.view);
+  std::string note;
+  Picture picture = render_map(world, trial, options.view, note);
   std::string caption = std::string(kind(trial.map)) + ", seed " + std::to_string(trial.map_seed);
   if (world.poisson_radius_m > 0.0) {
     // Some radii are 32-bit floats: no more digits than those have.
     const double radius_m = std::round(1e5 * world.poisson_radius_m) / 1e5;
     caption += ", Poisson radius " + number_text(radius_m) + " m";
   }
-  add_caption(picture, caption + ", " + options.view.name);
+  add_caption(picture, caption + ", " + (note.empty() ? options.view.name : note));
   write_png(picture, options.png);
   std::cerr << "wrote " << options.png << '\n';
 }
@@ -68,11 +77,51 @@ std::string box_text(const Aabb& box) {
   return text;
 }
 
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::string metric_text(double value, std::string_view unit) {
+  if (std::isnan(value)) return "–";
+  char text[48];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text + (unit.empty() ? "" : " " + std::string(unit));
+}
+
+/// Metrics of the map, the means of those of its missions, and what the original would say of it.
+void add_metrics(const TrialSpec& trial, const World& world, const MapOptions& options,
+                 ReferenceTable& table) {
+  const Scene scene(world);
+  const MapRecord map = make_map_record(trial, scene, options.missions);
+  for (const MapMetricDef& metric : map_metric_table()) {
+    table.rows.push_back({std::string(metric.name), metric_text(metric.value(map), metric.unit)});
+  }
+  if (options.point_cloud_m > 0.0) {
+    const Traversability measured = traversability_pointcloud(
+        world, options.point_cloud_m, body_measure(to_eigen(trial.vehicle.body_size_m)));
+    table.rows.push_back({"traversability_pointcloud", metric_text(measured.value, "")});
+    table.rows.push_back(
+        {"traversability_pointcloud_normalized_ratio", metric_text(measured.normalized_ratio, "")});
+  }
+  std::size_t valid = 0;
+  for (const MissionRecord& mission : map.missions) valid += mission.is_valid ? 1 : 0;
+  table.rows.push_back(
+      {"valid_missions", std::to_string(valid) + " of " + std::to_string(map.missions.size())});
+  for (const MissionMetricDef& metric : mission_metric_table()) {
+    double sum = 0.0;
+    for (const MissionRecord& mission : map.missions) {
+      if (mission.is_valid) sum += metric.value(mission);
+    }
+    table.rows.push_back({"mean_" + std::string(metric.name),
+                          metric_text(sum / static_cast<double>(valid), metric.unit)});
+  }
+}
+
 void info(const MapOptions& options) {
   const TrialSpec trial = trial_of(options);
-  const auto before = std::chrono::steady_clock::now();
+  const auto start = std::chrono::steady_clock::now();
   const World world = make_world(trial.map, trial.map_seed);
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - before;
+  const double made_s = seconds_since(start);
   std::map<std::string, std::size_t> counts;
   for (const Obstacle& obstacle : world.obstacles) ++counts[obstacle.kind];
   ReferenceTable table{{"property", "value"}, {}};
@@ -88,9 +137,35 @@ void info(const MapOptions& options) {
   add("flight_bounds_m", box_text(world.flight_bounds));
   add("mean_obstacle_width_m", fixed(world.mean_obstacle_width_m, 4));
   add("memory_mb", fixed(static_cast<double>(memory_bytes(world)) / 1e6, 1));
+  const auto measuring = std::chrono::steady_clock::now();
+  if (options.missions > 0) add_metrics(trial, world, options, table);
+  const double measured_s = seconds_since(measuring);
   add("digest", world.digest);
   write_table(table, options.table);
-  std::cerr << "made in " << fixed(1000.0 * elapsed.count(), 0) << " ms\n";
+  std::cerr << "made in " << fixed(1000.0 * made_s, 0) << " ms, measured in "
+            << fixed(1000.0 * measured_s, 0) << " ms\n";
+}
+
+void export_map(const MapOptions& options) {
+  const std::vector<std::string> kinds{"mesh", "cloud", "occupancy"};
+  if (std::find(kinds.begin(), kinds.end(), options.export_as) == kinds.end()) {
+    throw InputError("--as " + options.export_as + ": unknown" +
+                     did_you_mean(options.export_as, kinds) +
+                     "; it is one of mesh, cloud, occupancy");
+  }
+  const TrialSpec trial = trial_of(options);
+  const World world = make_world(trial.map, trial.map_seed);
+  if (options.export_as == "mesh") {
+    export_mesh(world, options.file);
+  } else {
+    const VoxelGrid cells = surface_voxels(world, options.resolution_m);
+    if (options.export_as == "cloud") {
+      export_point_cloud(cells, options.file);
+    } else {
+      export_occupancy(cells, options.file);
+    }
+  }
+  std::cerr << "wrote " << options.file << '\n';
 }
 
 void add_map_options(CLI::App& command, MapOptions& options) {
@@ -116,17 +191,20 @@ void add_maps_command(CLI::App& app) {
       "Of a sweep's several maps the first is taken; --set and --seed choose another.\n\n"
       "Examples:\n"
       "  avoidbench maps show forest --set poisson_radius_m=3 --view top --png forest.png\n"
-      "  avoidbench maps info configs/sweeps/hall_small.yaml --seed 2");
+      "  avoidbench maps info configs/sweeps/hall_small.yaml --seed 2\n"
+      "  avoidbench maps export maze maze.glb");
   CLI::App* show_command = command->add_subcommand("show", "Draw a map as a PNG file");
   add_map_options(*show_command, *options);
   show_command
       ->add_option(
           "--view", options->view.name,
-          "top, bird, first_person, or depth (what the mission's camera sees at its start)")
+          "top (a plan coloured by height, with a mission's reference path), bird, first_person, "
+          "or depth (what the mission's camera sees at its start)")
       ->capture_default_str();
   show_command->add_option("--png", options->png, "File to write")->capture_default_str();
   show_command
-      ->add_option("--mission", options->view.mission_index, "Mission of first_person and depth")
+      ->add_option("--mission", options->view.mission_index,
+                   "Mission of top, first_person and depth")
       ->check(CLI::Range(0, 1'000'000))
       ->capture_default_str();
   show_command->add_option("--width", options->view.width_px, "Width, pixels")
@@ -140,10 +218,33 @@ void add_maps_command(CLI::App& app) {
       ->capture_default_str();
   show_command->callback([options] { show(*options); });
   CLI::App* info_command =
-      command->add_subcommand("info", "Counts, bounds, triangles and digest of a map");
+      command->add_subcommand("info", "Counts, bounds, memory, metrics and digest of a map");
   add_map_options(*info_command, *options);
+  info_command
+      ->add_option("--missions", options->missions, "Missions to measure; 0: no metrics at all")
+      ->check(CLI::Range(0, 100'000))
+      ->capture_default_str();
+  info_command
+      ->add_option("--point-cloud", options->point_cloud_m,
+                   "Traversability as the original computes it too, from a point cloud of this "
+                   "resolution, m (default: without)")
+      ->check(CLI::Range(0.02, 5.0));
   add_table_options(*info_command, options->table);
   info_command->callback([options] { info(*options); });
+  CLI::App* export_command = command->add_subcommand(
+      "export", "Write a map for other programs: x, y, z in metres, z up (glTF: y up)");
+  add_map_options(*export_command, *options);
+  export_command->add_option("file", options->file, "File to write; its ending says the format")
+      ->required();
+  export_command
+      ->add_option("--as", options->export_as,
+                   "mesh (.glb, .obj, .ply, .stl), cloud (.ply: centres of the cells that surfaces "
+                   "touch) or occupancy (.npy with a .json beside it)")
+      ->capture_default_str();
+  export_command->add_option("--resolution", options->resolution_m, "Size of a cell, m")
+      ->check(CLI::Range(0.01, 10.0))
+      ->capture_default_str();
+  export_command->callback([options] { export_map(*options); });
   add_maps_list_command(*command);
 }
 

@@ -13,7 +13,7 @@ using Words = std::vector<std::string>;
 const Words kColumns{"name",    "of",  "unit",    "better", "trials",
                      "version", "doc", "formula", "source"};
 
-/// One row of each metric of trials and of maps, in kColumns' order.
+/// One row of each metric of trials, maps and missions, in kColumns' order.
 std::vector<Words> all_metrics() {
   std::vector<Words> rows;
   for (const MetricDef& metric : metric_table()) {
@@ -25,6 +25,11 @@ std::vector<Words> all_metrics() {
   }
   for (const MapMetricDef& metric : map_metric_table()) {
     rows.push_back({std::string(metric.name), "map", std::string(metric.unit), "", "", "",
+                    std::string(metric.doc), std::string(metric.formula),
+                    std::string(metric.source)});
+  }
+  for (const MissionMetricDef& metric : mission_metric_table()) {
+    rows.push_back({std::string(metric.name), "mission", std::string(metric.unit), "", "", "",
                     std::string(metric.doc), std::string(metric.formula),
                     std::string(metric.source)});
   }

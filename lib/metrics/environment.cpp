@@ -1,11 +1,13 @@
 #include "metrics/environment.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "base/math.hpp"
 #include "trial/mission.hpp"
+#include "world/voxels.hpp"
 
 namespace avoidbench {
 namespace {
@@ -33,6 +35,50 @@ void for_each_position(const Aabb& box, double step_m, Visit visit_position) {
                      box.min().y() + (iy + 0.5) * box.sizes().y() / ny);
     }
   }
+}
+
+/// Whether the centre of an occupied cell lies within one cell's size of `point`.
+bool has_point_near(const VoxelGrid& points, const Eigen::Vector3d& point) {
+  const Eigen::Vector3d scaled = (point - points.lowest_world) / points.size_m;
+  const std::array<std::size_t, 3> counts{points.columns, points.rows, points.layers};
+  std::array<std::int64_t, 3> low{}, high{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto cell = static_cast<std::int64_t>(std::floor(scaled[static_cast<int>(axis)]));
+    low[axis] = std::max<std::int64_t>(0, cell - 1);
+    high[axis] = std::min(static_cast<std::int64_t>(counts[axis]) - 1, cell + 1);
+  }
+  for (auto layer = low[2]; layer <= high[2]; ++layer) {
+    for (auto row = low[1]; row <= high[1]; ++row) {
+      for (auto column = low[0]; column <= high[0]; ++column) {
+        const auto i = static_cast<std::size_t>(column), j = static_cast<std::size_t>(row),
+                   k = static_cast<std::size_t>(layer);
+        const bool is_near = (points.centre_world(i, j, k) - point).norm() <= points.size_m;
+        if (is_near && points.is_occupied[points.at(i, j, k)] != 0) return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// Mean of the original's free distances from one position [m].
+double stepped_distance_m(const VoxelGrid& points, const Aabb& box, const Eigen::Vector3d& from) {
+  constexpr int kHeadings = 8;
+  if (has_point_near(points, from)) return 0.0;
+  double sum_m = 0.0;
+  for (int i = 0; i < kHeadings; ++i) {
+    const double heading_rad = math::kTau * i / kHeadings;
+    const Eigen::Vector3d step(points.size_m * math::sin(heading_rad),
+                               points.size_m * math::cos(heading_rad), 0.0);
+    int count = 1;
+    while (!has_point_near(points, from + count * step)) {
+      ++count;
+      if (box.contains(from + count * step)) continue;
+      --count;
+      break;
+    }
+    sum_m += count * points.size_m;
+  }
+  return sum_m / kHeadings;
 }
 
 bool is_scenery(const Obstacle& obstacle) {
@@ -68,6 +114,35 @@ Traversability traversability(const Scene& scene, ClearanceGrid& grid, const Bod
   });
   return {.value = flown_m / static_cast<double>(flights) / body.diameter_m,
           .normalized_ratio = flown_m / unhindered_m};
+}
+
+Traversability traversability_pointcloud(const World& world, double resolution_m,
+                                         const BodyMeasure& body) {
+  const Aabb& box = world.flight_bounds;
+  const VoxelGrid points = surface_voxels(world, resolution_m);
+  VoxelGrid none = points;
+  std::fill(none.is_occupied.begin(), none.is_occupied.end(), std::uint8_t{0});
+  // The original leaves a margin of half a metre and more at each side.
+  std::array<int, 3> counts{};
+  Eigen::Vector3d first;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double size_m = box.sizes()[axis];
+    const bool is_thin = std::floor(size_m) <= 1.0;
+    counts[static_cast<std::size_t>(axis)] = is_thin ? 1 : static_cast<int>(std::floor(size_m)) - 1;
+    first[axis] = box.min()[axis] + 0.5 * (is_thin ? size_m : size_m - std::floor(size_m) + 1.0);
+  }
+  double flown_m = 0.0, unhindered_m = 0.0, count = 0.0;
+  for (int ix = 0; ix < counts[0]; ++ix) {
+    for (int iy = 0; iy < counts[1]; ++iy) {
+      for (int iz = 0; iz < counts[2]; ++iz) {
+        const Eigen::Vector3d from = first + Eigen::Vector3d(ix, iy, iz);
+        flown_m += stepped_distance_m(points, box, from);
+        unhindered_m += stepped_distance_m(none, box, from);
+        count += 1.0;
+      }
+    }
+  }
+  return {.value = flown_m / count / body.diameter_m, .normalized_ratio = flown_m / unhindered_m};
 }
 
 double free_volume_ratio(const Scene& scene, ClearanceGrid& grid, const BodyMeasure& body) {

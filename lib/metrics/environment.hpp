@@ -23,6 +23,13 @@ struct Traversability {
 /// end at the flight bounds. Exact geometry, by sphere tracing.
 Traversability traversability(const Scene& scene, ClearanceGrid& grid, const BodyMeasure& body);
 
+/// Traversability as the original's code computes it, from points instead of surfaces: the centres
+/// of the cells of `resolution_m` that a surface touches. Positions 1 m apart in the whole flight
+/// space, 8 headings, steps of one resolution until a point is within one resolution of the place:
+/// not the body's radius. Throws InputError where there would be too many cells.
+Traversability traversability_pointcloud(const World& world, double resolution_m,
+                                         const BodyMeasure& body);
+
 /// Share of the flight bounds' volume where the body's ball is free, on a grid of 1 m × 1 m × 0.5
 /// m.
 double free_volume_ratio(const Scene& scene, ClearanceGrid& grid, const BodyMeasure& body);

@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "base/random.hpp"
 #include "metrics/environment.hpp"
 #include "metrics/reference_path.hpp"
 
@@ -27,6 +28,9 @@ MissionRecord make_mission_record(const TrialSpec& spec, const Scene& scene, Cle
     return mission;
   }
   mission.reference_length_m = path_length_m(*path);
+  mission.difficulty = mission_difficulty(
+      scene, *path, radius_m,
+      stream_seed(stream_seed(spec.seed, "difficulty"), static_cast<std::uint64_t>(index)));
   return mission;
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "metrics/difficulty.hpp"
 #include "trial/mission.hpp"
 
 namespace avoidbench {
@@ -16,6 +17,7 @@ struct MissionRecord {
   std::int64_t index = 0;
   Mission mission;
   double reference_length_m = 0.0;  ///< d_min; NaN where invalid
+  MissionDifficulty difficulty;
   bool is_valid =
       true;  ///< false: no free start or goal, or the goal can't be reached; never flown
   std::string invalid_reason;

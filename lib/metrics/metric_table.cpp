@@ -207,7 +207,24 @@ constexpr MapMetricDef kMapTable[] = {
      [](const MapRecord& map) { return static_cast<double>(map.obstacle_count); }},
 };
 
+constexpr MissionMetricDef kMissionTable[] = {
+    {"reference_length_m", "m", "Shortest collision-free path of the body to the goal region",
+     "d_min: Lazy Theta* on exact clearances, pulled taut", "AvoidBench, d_min of eq. (2) and (3)",
+     [](const MissionRecord& mission) { return mission.reference_length_m; }},
+    {"traversability_obstruction", "", "How narrow the free space along the reference path is",
+     "4 m / (2 N) * sum(1/r) over the smaller half r of a corridor's N spheres", kFlightBench,
+     [](const MissionRecord& mission) { return mission.difficulty.traversability_obstruction; }},
+    {"view_occlusion", "", "How much the view along the reference path is blocked",
+     "mean of sum(w * 4 m / nearest) over four rings of the field of view", kFlightBench,
+     [](const MissionRecord& mission) { return mission.difficulty.view_occlusion; }},
+    {"angle_over_length_1pm", "1/m", "How much the reference path turns",
+     "sum(exp(2 angle / pi) - 1) / length over its bends", kFlightBench,
+     [](const MissionRecord& mission) { return mission.difficulty.angle_over_length_1pm; }},
+};
+
 }  // namespace
+
+std::span<const MissionMetricDef> mission_metric_table() { return kMissionTable; }
 
 std::span<const MetricDef> metric_table() { return kTable; }
 

@@ -62,4 +62,11 @@ struct MapMetricDef {
 };
 std::span<const MapMetricDef> map_metric_table();
 
+/// A metric of a mission, the same way: columns of the table `missions`.
+struct MissionMetricDef {
+  std::string_view name, unit, doc, formula, source;
+  double (*value)(const MissionRecord&);
+};
+std::span<const MissionMetricDef> mission_metric_table();
+
 }  // namespace avoidbench

@@ -31,6 +31,26 @@ cv::Mat scale_colors() {
   return colors;
 }
 
+/// Viridis, from low to high.
+cv::Mat height_colors() {
+  cv::Mat levels(1, 256, CV_8UC1), colors;
+  for (int i = 0; i < 256; ++i) levels.at<std::uint8_t>(0, i) = static_cast<std::uint8_t>(i);
+  cv::applyColorMap(levels, colors, cv::COLORMAP_VIRIDIS);
+  cv::cvtColor(colors, colors, cv::COLOR_BGR2RGB);
+  return colors;
+}
+
+constexpr int kFractionBits = 4;  ///< of coordinates that OpenCV draws at
+
+int fixed_point(double pixels) {
+  return static_cast<int>(std::lround(std::ldexp(pixels, kFractionBits)));
+}
+
+cv::Scalar scalar(const Color& color) {
+  return {static_cast<double>(color[0]), static_cast<double>(color[1]),
+          static_cast<double>(color[2])};
+}
+
 void darken(cv::Mat image) { image.convertTo(image, -1, 0.35); }
 
 void write_text(cv::Mat image, const std::string& text, cv::Point corner) {
@@ -84,6 +104,65 @@ void add_depth_scale(Picture& picture, double nearest_m, double farthest_m) {
   bar.copyTo(image(cv::Rect(kMargin, top + 6, bar.cols, bar.rows)));
   write_text(image, metres(nearest_m), {6, top + 16});
   write_text(image, metres(farthest_m), {picture.width_px - kMargin + 6, top + 16});
+}
+
+Color height_color(double ratio) {
+  static const cv::Mat colors = height_colors();
+  const int level = static_cast<int>(std::lround(255.0 * std::clamp(ratio, 0.0, 1.0)));
+  const auto& color = colors.at<cv::Vec3b>(0, level);
+  return {color[0], color[1], color[2]};
+}
+
+void add_height_scale(Picture& picture, double highest_m) {
+  constexpr int kBand = 22, kWidth = 120, kTextWidth = 60;
+  const int left = picture.width_px - kWidth - kTextWidth;
+  if (picture.height_px < 2 * kBand || left < 3 * kTextWidth) return;
+  cv::Mat image = pixels(picture);
+  const int top = picture.height_px - kBand;
+  darken(image(cv::Rect(left - kTextWidth - 40, top, kWidth + 2 * kTextWidth + 40, kBand)));
+  cv::Mat bar;
+  cv::resize(height_colors(), bar, cv::Size(kWidth, kBand - 12), 0, 0, cv::INTER_LINEAR);
+  bar.copyTo(image(cv::Rect(left, top + 6, bar.cols, bar.rows)));
+  write_text(image, "height 0 m", {left - kTextWidth - 30, top + 16});
+  write_text(image, metres(highest_m), {left + kWidth + 6, top + 16});
+}
+
+void add_scale_bar(Picture& picture, double pixels_per_m) {
+  constexpr int kBand = 22;
+  if (picture.height_px < 2 * kBand) return;
+  double length_m = 1.0;  // 1, 2 or 5 times a power of ten: the longest within a quarter
+  for (double power = 1e-3; power < 1e6; power *= 10.0) {
+    for (const double step : {1.0, 2.0, 5.0}) {
+      if (step * power * pixels_per_m <= 0.25 * picture.width_px) length_m = step * power;
+    }
+  }
+  cv::Mat image = pixels(picture);
+  const int top = picture.height_px - kBand;
+  const int length_px = static_cast<int>(std::lround(length_m * pixels_per_m));
+  darken(image(cv::Rect(0, top, std::min(picture.width_px, length_px + 74), kBand)));
+  cv::rectangle(image, cv::Rect(8, top + 8, length_px, 6), cv::Scalar(255, 255, 255), cv::FILLED);
+  write_text(image, metres(length_m), {length_px + 16, top + 16});
+}
+
+void draw_line(Picture& picture, const std::vector<Eigen::Vector2d>& points, const Color& color,
+               int width_px) {
+  std::vector<cv::Point> fixed;
+  fixed.reserve(points.size());
+  for (const Eigen::Vector2d& point : points) {
+    fixed.emplace_back(fixed_point(point.x()), fixed_point(point.y()));
+  }
+  cv::polylines(pixels(picture), fixed, false, scalar(color), width_px, cv::LINE_AA, kFractionBits);
+}
+
+void draw_disc(Picture& picture, const Eigen::Vector2d& center, double radius_px,
+               const Color& color) {
+  draw_circle(picture, center, radius_px, color, cv::FILLED);
+}
+
+void draw_circle(Picture& picture, const Eigen::Vector2d& center, double radius_px,
+                 const Color& color, int width_px) {
+  cv::circle(pixels(picture), {fixed_point(center.x()), fixed_point(center.y())},
+             fixed_point(radius_px), scalar(color), width_px, cv::LINE_AA, kFractionBits);
 }
 
 void add_caption(Picture& picture, const std::string& text) {

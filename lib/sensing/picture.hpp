@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <span>
@@ -14,6 +16,8 @@ struct Picture {
   std::vector<std::uint8_t> rgb;
 };
 
+using Color = std::array<std::uint8_t, 3>;  ///< sRGB
+
 /// A black picture of this size.
 Picture make_picture(int width_px, int height_px);
 
@@ -25,6 +29,25 @@ Picture depth_picture(std::span<const float> depth_m, int width_px, int height_p
 
 /// Draws the colour scale of depth_picture along the picture's lower edge, with its ends in metres.
 void add_depth_scale(Picture& picture, double nearest_m, double farthest_m);
+
+/// Colour of a height, 0: lowest to 1: highest (Viridis, Smith and van der Walt 2015).
+Color height_color(double ratio);
+
+/// Draws the scale of height_color() at the right of the picture's lower edge, 0 to `highest_m`.
+void add_height_scale(Picture& picture, double highest_m);
+
+/// Draws a bar of a round length at the left of the picture's lower edge.
+void add_scale_bar(Picture& picture, double pixels_per_m);
+
+/// Draws a polyline, anti-aliased; points in pixels, x to the right, y down.
+void draw_line(Picture& picture, const std::vector<Eigen::Vector2d>& points, const Color& color,
+               int width_px);
+
+/// Draws a disc, or a circle of `width_px`, the same way.
+void draw_disc(Picture& picture, const Eigen::Vector2d& center, double radius_px,
+               const Color& color);
+void draw_circle(Picture& picture, const Eigen::Vector2d& center, double radius_px,
+                 const Color& color, int width_px);
 
 /// Writes `text` (ASCII) in white on a dark band along the picture's upper edge.
 void add_caption(Picture& picture, const std::string& text);

@@ -75,10 +75,11 @@ std::string canonical_rows(const Database& db) {
       {.name = "mission",
        .sql = "SELECT map_key, invalid_reason, mission_index, is_valid, start_x_m, start_y_m, "
               "start_z_m, "
-              "goal_x_m, goal_y_m, goal_z_m, start_yaw_rad, reference_length_m FROM missions "
+              "goal_x_m, goal_y_m, goal_z_m, start_yaw_rad, reference_length_m, "
+              "traversability_obstruction, view_occlusion, angle_over_length_1pm FROM missions "
               "ORDER BY map_key, mission_index",
        .text_count = 2,
-       .number_count = 10},
+       .number_count = 13},
       trial_listing(db),
       {.name = "event",
        .sql =

@@ -147,6 +147,11 @@ Database Database::open_for_reading(const std::filesystem::path& path) {
   Statement tables(database.handle(), path, "SELECT count(*) FROM sqlite_schema");
   tables.step();
   if (tables.integer(0) == 0) fail(path, "an empty file: it holds no results");
+  if (database.schema_version() < kSchemaVersion) {
+    fail(path, "has schema version " + std::to_string(database.schema_version()) +
+                   ", this avoidbench reads version " + std::to_string(kSchemaVersion) +
+                   ": `avoidbench run` with this --db brings it up");
+  }
   database.check_integrity(false);
   database.read_metrics();
   return database;
@@ -193,7 +198,21 @@ void Database::check_integrity(bool whole) const {
 void Database::create_schema() {
   Statement statement(handle(), path(), "SELECT count(*) FROM sqlite_schema");
   statement.step();
-  if (statement.integer(0) == 0) execute(handle(), path(), std::string(kSchemaSql));
+  if (statement.integer(0) == 0) {
+    execute(handle(), path(), std::string(kSchemaSql));
+  } else if (schema_version() < 2) {
+    execute(handle(), path(),
+            "ALTER TABLE missions ADD COLUMN traversability_obstruction REAL;"
+            "ALTER TABLE missions ADD COLUMN view_occlusion REAL;"
+            "ALTER TABLE missions ADD COLUMN angle_over_length_1pm REAL;"
+            "PRAGMA user_version = 2;");
+  }
+}
+
+int Database::schema_version() const {
+  Statement statement(handle(), path(), "SELECT user_version FROM pragma_user_version");
+  statement.step();
+  return static_cast<int>(statement.integer(0));
 }
 
 void Database::bring_metrics(std::span<const MetricDef> metrics) {

@@ -19,7 +19,7 @@ struct sqlite3;
 namespace avoidbench {
 
 inline constexpr int kApplicationId = 0x6176426e;  ///< "avBn", in the SQLite header of our files
-inline constexpr int kSchemaVersion = 1;
+inline constexpr int kSchemaVersion = 2;
 
 /// One database file of results. The schema, and with it the meaning of every column, is in
 /// schema.sql. A handle serves one thread. All functions throw InputError, naming the file, when
@@ -88,7 +88,8 @@ class Database {
   static Database connect(const std::filesystem::path& path, int flags, bool is_immutable);
   void check_identity() const;
   void check_integrity(bool whole) const;
-  void create_schema();
+  int schema_version() const;
+  void create_schema();  ///< or brings an older one up
   void bring_metrics(std::span<const MetricDef> metrics);
   void read_metrics();
   std::int64_t revision_of(std::string_view sweep) const;

@@ -14,7 +14,8 @@ constexpr std::string_view kMapColumns =
     "m.obstacle_density_1pm2, m.free_volume_ratio";
 constexpr std::string_view kMissionColumns =
     "i.map_key, i.mission_index, i.start_x_m, i.start_y_m, i.start_z_m, i.goal_x_m, i.goal_y_m, "
-    "i.goal_z_m, i.start_yaw_rad, i.reference_length_m, i.is_valid, i.invalid_reason";
+    "i.goal_z_m, i.start_yaw_rad, i.reference_length_m, i.traversability_obstruction, "
+    "i.view_occlusion, i.angle_over_length_1pm, i.is_valid, i.invalid_reason";
 constexpr std::string_view kPlannerColumns =
     "p.label, p.name, p.version, p.file_digest, p.parameters_json, p.is_privileged";
 
@@ -42,8 +43,11 @@ MissionRecord mission_of(const Statement& s) {
   record.mission.goal_world = {s.real(5), s.real(6), s.real(7)};
   record.mission.start_yaw_rad = s.real(8);
   record.reference_length_m = s.real(9);
-  record.is_valid = s.integer(10) != 0;
-  record.invalid_reason = s.text(11);
+  record.difficulty = {.traversability_obstruction = s.real(10),
+                       .view_occlusion = s.real(11),
+                       .angle_over_length_1pm = s.real(12)};
+  record.is_valid = s.integer(13) != 0;
+  record.invalid_reason = s.text(14);
   return record;
 }
 

@@ -2,7 +2,7 @@
 -- and the program; NULL is "not defined" (a metric of the finished trials, in a trial that failed). Start with the views
 -- trial_table, planner_summary, map_summary and plan_call_table of views.sql.
 PRAGMA application_id = 1635140206;  -- "avBn"
-PRAGMA user_version = 1;             -- of this schema
+PRAGMA user_version = 2;             -- of this schema
 
 CREATE TABLE runs (
   -- One row an invocation of `avoidbench run`: where trials come from. Nothing here is part of a result.
@@ -67,6 +67,9 @@ CREATE TABLE missions (
   goal_z_m REAL,
   start_yaw_rad REAL,
   reference_length_m REAL,        -- d_min: shortest collision-free path of the body; NULL where invalid
+  traversability_obstruction REAL,  -- TO, VO and AOL of FlightBench along the reference path; NULL where invalid
+  view_occlusion REAL,
+  angle_over_length_1pm REAL,
   is_valid INTEGER NOT NULL CHECK (is_valid IN (0, 1)),  -- 0: can't be flown by anyone, never flown, never counted
   invalid_reason TEXT NOT NULL,
   PRIMARY KEY (map_key, mission_index)

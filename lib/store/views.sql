@@ -6,7 +6,8 @@ CREATE VIEW trial_table AS
   SELECT s.sweep, s.revision, p.label AS planner, m.generator, m.map_seed,
          json_extract(m.spec_json, '$.poisson_radius_m') AS poisson_radius_m,
          m.traversability, m.traversability_normalized_ratio, m.relative_gap_size, m.obstacle_density_1pm2,
-         t.mission_index, i.reference_length_m, t.outcome, t.outcome = 'reached_goal' AS is_finished, t.reason,
+         t.mission_index, i.reference_length_m, i.traversability_obstruction,
+         i.view_occlusion, i.angle_over_length_1pm, t.outcome, t.outcome = 'reached_goal' AS is_finished, t.reason,
          t.end_time_s{metrics},
          p.name AS planner_name, p.version AS planner_version, p.is_privileged, r.program_version, r.git_hash,
          t.attempt, t.map_key, t.planner_key, t.trial_key

@@ -29,8 +29,11 @@ bool same(const MissionRecord& a, const MissionRecord& b) {
   return same(a.mission.start_world, b.mission.start_world) &&
          same(a.mission.goal_world, b.mission.goal_world) &&
          same(a.mission.start_yaw_rad, b.mission.start_yaw_rad) &&
-         same(a.reference_length_m, b.reference_length_m) && a.is_valid == b.is_valid &&
-         a.invalid_reason == b.invalid_reason;
+         same(a.reference_length_m, b.reference_length_m) &&
+         same(a.difficulty.traversability_obstruction, b.difficulty.traversability_obstruction) &&
+         same(a.difficulty.view_occlusion, b.difficulty.view_occlusion) &&
+         same(a.difficulty.angle_over_length_1pm, b.difficulty.angle_over_length_1pm) &&
+         a.is_valid == b.is_valid && a.invalid_reason == b.invalid_reason;
 }
 
 void insert_map(const Database& db, const MapRow& row) {
@@ -53,8 +56,9 @@ void insert_map(const Database& db, const MapRow& row) {
 void insert_missions(const Database& db, const MapRow& row) {
   Statement insert(db.handle(), db.path(),
                    "INSERT INTO missions (map_key, mission_index, start_x_m, start_y_m, start_z_m, "
-                   "goal_x_m, goal_y_m, goal_z_m, start_yaw_rad, reference_length_m, is_valid, "
-                   "invalid_reason) VALUES (?,?,?,?,?,?,?,?,?,?,?,?) ON CONFLICT DO NOTHING");
+                   "goal_x_m, goal_y_m, goal_z_m, start_yaw_rad, reference_length_m, "
+                   "traversability_obstruction, view_occlusion, angle_over_length_1pm, is_valid, "
+                   "invalid_reason) VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?) ON CONFLICT DO NOTHING");
   for (const MissionRecord& m : row.record.missions) {
     const Eigen::Vector3d& start = m.mission.start_world;
     const Eigen::Vector3d& goal = m.mission.goal_world;
@@ -62,6 +66,8 @@ void insert_missions(const Database& db, const MapRow& row) {
     insert.bind_real(start.x()).bind_real(start.y()).bind_real(start.z());
     insert.bind_real(goal.x()).bind_real(goal.y()).bind_real(goal.z());
     insert.bind_real(m.mission.start_yaw_rad).bind_real(m.reference_length_m);
+    insert.bind_real(m.difficulty.traversability_obstruction);
+    insert.bind_real(m.difficulty.view_occlusion).bind_real(m.difficulty.angle_over_length_1pm);
     insert.bind_integer(m.is_valid ? 1 : 0).bind_text(m.invalid_reason).run();
   }
 }

@@ -16,23 +16,32 @@ Eigen::Vector3d vector_from_json(const json& v) {
 }
 
 json mission_to_json(const MissionRecord& record) {
-  return {{"index", record.index},
-          {"start", vector_to_json(record.mission.start_world)},
-          {"goal", vector_to_json(record.mission.goal_world)},
-          {"start_yaw_rad", record.mission.start_yaw_rad},
-          {"reference_length_m", number_to_json(record.reference_length_m)},
-          {"is_valid", record.is_valid},
-          {"invalid_reason", record.invalid_reason}};
+  return {
+      {"index", record.index},
+      {"start", vector_to_json(record.mission.start_world)},
+      {"goal", vector_to_json(record.mission.goal_world)},
+      {"start_yaw_rad", record.mission.start_yaw_rad},
+      {"reference_length_m", number_to_json(record.reference_length_m)},
+      {"traversability_obstruction", number_to_json(record.difficulty.traversability_obstruction)},
+      {"view_occlusion", number_to_json(record.difficulty.view_occlusion)},
+      {"angle_over_length_1pm", number_to_json(record.difficulty.angle_over_length_1pm)},
+      {"is_valid", record.is_valid},
+      {"invalid_reason", record.invalid_reason}};
 }
 
 MissionRecord mission_from_json(const json& from) {
-  return {.index = from.at("index"),
-          .mission = {.start_world = vector_from_json(from.at("start")),
-                      .goal_world = vector_from_json(from.at("goal")),
-                      .start_yaw_rad = from.at("start_yaw_rad")},
-          .reference_length_m = number_from_json(from.at("reference_length_m")),
-          .is_valid = from.at("is_valid"),
-          .invalid_reason = from.at("invalid_reason")};
+  return {
+      .index = from.at("index"),
+      .mission = {.start_world = vector_from_json(from.at("start")),
+                  .goal_world = vector_from_json(from.at("goal")),
+                  .start_yaw_rad = from.at("start_yaw_rad")},
+      .reference_length_m = number_from_json(from.at("reference_length_m")),
+      .difficulty = {.traversability_obstruction =
+                         number_from_json(from.at("traversability_obstruction")),
+                     .view_occlusion = number_from_json(from.at("view_occlusion")),
+                     .angle_over_length_1pm = number_from_json(from.at("angle_over_length_1pm"))},
+      .is_valid = from.at("is_valid"),
+      .invalid_reason = from.at("invalid_reason")};
 }
 
 json map_to_json(const MapRecord& map) {

@@ -26,7 +26,7 @@ struct SweepSpec {
 
 /// Version of everything that results follow from: part of every key. Raised with each change
 /// announced as "Results change" in CHANGELOG.md.
-inline constexpr int kResultVersion = 1;
+inline constexpr int kResultVersion = 2;
 
 /// The sweep's trials, in order of axes (first slowest), mission index, planner. Fills the
 /// file_digest of maps from files that lack it; throws InputError where such a file can't be read.

@@ -103,6 +103,32 @@ double free_flight(const Vector3d& from, const Vector3d& direction,
   return free_m;
 }
 
+TEST(Traversability, BeforeOneWallAgreesWithClosedForm) {
+  World world = test::flight_world();
+  test::add_obstacle(world, test::box_mesh({60, 1, 12}), {0, 5.2, 5}, "wall");  // y 4.7 to 5.7
+  const Scene scene(world);
+  ClearanceGrid grid(scene, world.bounds, 0.2);
+  const BodyMeasure body = body_measure({0.5, 0.5, 0.12});
+  double sum = 0.0;
+  for (int ix = 0; ix < 40; ++ix) {
+    for (int iy = 0; iy < 40; ++iy) {
+      const double x = ix - 19.5, y = iy - 19.5;
+      if (y > 4.45 && y < 5.95) continue;  // too near the wall
+      for (int h = 0; h < 16; ++h) {
+        const double dx = std::cos(math::kTau * h / 16), dy = std::sin(math::kTau * h / 16);
+        double limit = HUGE_VAL;
+        if (std::abs(dx) > 1e-9) limit = std::min(limit, ((dx > 0 ? 20 : -20) - x) / dx);
+        if (std::abs(dy) > 1e-9) limit = std::min(limit, ((dy > 0 ? 20 : -20) - y) / dy);
+        const double to_wall = y < 4.45 ? 4.45 - y : 5.95 - y;
+        if (std::abs(dy) > 1e-9 && to_wall / dy > 0) limit = std::min(limit, to_wall / dy);
+        sum += limit;
+      }
+    }
+  }
+  const Traversability found = traversability(scene, grid, body);
+  EXPECT_NEAR(found.value, sum / (1600.0 * 16.0) / body.diameter_m, 0.003 * found.value);
+}
+
 TEST(Traversability, AmongCylindersAgreesWithClosedForm) {
   World world = test::flight_world();
   std::vector<Vector3d> centres;

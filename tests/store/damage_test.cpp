@@ -78,6 +78,25 @@ TEST(Damage, ANewerSchemaIsRefusedWithTheVersionNeeded) {
   EXPECT_TRUE(has(message, "version 7")) << message;
 }
 
+TEST(Damage, AnOlderSchemaIsBroughtUpByTheNextRun) {
+  const TemporaryFolder folder;
+  { begun(folder / "o.db"); }
+  run_sql(folder / "o.db", "DROP VIEW trial_table");  // its columns are in the way
+  for (const char* column :
+       {"traversability_obstruction", "view_occlusion", "angle_over_length_1pm"}) {
+    run_sql(folder / "o.db", std::string("ALTER TABLE missions DROP COLUMN ") + column);
+  }
+  run_sql(folder / "o.db", "PRAGMA user_version = 1");
+  EXPECT_TRUE(has(message_of([&] { Database::open_for_reading(folder / "o.db"); }),
+                  "has schema version 1, this avoidbench reads version 2"));
+  { Database::open_for_run(folder / "o.db", kMetrics); }
+  const Database db = Database::open_for_reading(folder / "o.db");
+  Statement columns(db.handle(), folder / "o.db",
+                    "SELECT traversability_obstruction, view_occlusion, angle_over_length_1pm "
+                    "FROM missions");
+  EXPECT_NO_THROW(columns.step());
+}
+
 TEST(Damage, AnotherVersionOfAMetricIsRefused) {
   const TemporaryFolder folder;
   { begun(folder / "m.db"); }

@@ -118,6 +118,10 @@ TEST(Database, GivesBackEveryColumnOfAMap) {
     EXPECT_EQ(a.is_valid, b.is_valid);
     EXPECT_EQ(a.invalid_reason, b.invalid_reason);
     EXPECT_TRUE(a.reference_length_m == b.reference_length_m || !b.is_valid);
+    if (!b.is_valid) continue;
+    EXPECT_EQ(a.difficulty.traversability_obstruction, b.difficulty.traversability_obstruction);
+    EXPECT_EQ(a.difficulty.view_occlusion, b.difficulty.view_occlusion);
+    EXPECT_EQ(a.difficulty.angle_over_length_1pm, b.difficulty.angle_over_length_1pm);
   }
   EXPECT_TRUE(std::isnan(out->record.missions[2].reference_length_m));
   EXPECT_FALSE(db.read_map("no such key").has_value());

@@ -91,10 +91,12 @@ inline MapRow map_row(int index, int mission_count, bool has_invalid = false) {
     mission.mission.goal_world = {1.0 / 3.0, 20.0, 2.0};
     mission.mission.start_yaw_rad = 1.5;
     mission.reference_length_m = 40.0 + i;
+    mission.difficulty = {1.5, 0.25 * i, 0.125};
     if (has_invalid && i == mission_count - 1) {
       mission.is_valid = false;
       mission.invalid_reason = "the goal can't be reached";
       mission.reference_length_m = std::numeric_limits<double>::quiet_NaN();
+      mission.difficulty = {};
     }
     row.record.missions.push_back(mission);
   }
