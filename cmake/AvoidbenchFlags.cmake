@@ -20,7 +20,8 @@ set(CMAKE_C_FLAGS_RELWITHDEBINFO "-O1 -g1")
 
 find_program(AVOIDBENCH_CCACHE ccache)
 if(AVOIDBENCH_CCACHE)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${AVOIDBENCH_CCACHE})
+  # The sloppiness is what precompiled headers need: they carry times.
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${AVOIDBENCH_CCACHE})
   set(CMAKE_C_COMPILER_LAUNCHER ${AVOIDBENCH_CCACHE})
 endif()
 
@@ -32,6 +33,11 @@ target_compile_options(avoidbench_flags INTERFACE
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # g++ 12 sees uninitialised members of std::variant and std::optional that are never read (GCC bug 105562); clang's analyser looks instead.
   target_compile_options(avoidbench_flags INTERFACE -Wno-maybe-uninitialized)
+endif()
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  target_compile_options(avoidbench_flags INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-fpch-preprocess>)  # for ccache
+else()
+  target_compile_options(avoidbench_flags INTERFACE "$<$<COMPILE_LANGUAGE:CXX>:SHELL:-Xclang -fno-pch-timestamp>")
 endif()
 if(AVOIDBENCH_WERROR)
   target_compile_options(avoidbench_flags INTERFACE -Werror)

@@ -26,7 +26,7 @@ bool is_plain_name(std::string_view name) {
   });
 }
 
-std::string quoted(const char* text) {
+std::string in_quotes(const char* text) {
   return text != nullptr ? "'" + std::string(text) + "'" : std::string("null");
 }
 
@@ -60,9 +60,9 @@ std::string parameter_problem(const ab_parameter* p) {
            std::to_string(kLeastParameterSize);
   }
   if (p->name == nullptr || !is_plain_name(p->name)) {
-    return "has the name " + quoted(p->name) + "; a name is of a-z, 0-9 and _";
+    return "has the name " + in_quotes(p->name) + "; a name is of a-z, 0-9 and _";
   }
-  if (p->unit == nullptr || p->doc == nullptr) return quoted(p->name) + ": unit or doc is null";
+  if (p->unit == nullptr || p->doc == nullptr) return in_quotes(p->name) + ": unit or doc is null";
   std::string problem;
   switch (p->kind) {
     case AB_NUMBER:
@@ -78,7 +78,7 @@ std::string parameter_problem(const ab_parameter* p) {
     default:
       problem = "kind " + std::to_string(p->kind) + " is unknown";
   }
-  return problem.empty() ? "" : quoted(p->name) + ": " + problem;
+  return problem.empty() ? "" : in_quotes(p->name) + ": " + problem;
 }
 
 void add_parameter_problems(const ab_planner& table, std::vector<std::string>& problems) {
@@ -97,7 +97,7 @@ void add_parameter_problems(const ab_planner& table, std::vector<std::string>& p
     if (!problem.empty()) {
       problems.push_back("parameter " + std::to_string(i) + " " + problem);
     } else if (!names.insert(table.parameters[i]->name).second) {
-      problems.push_back("two parameters are named " + quoted(table.parameters[i]->name));
+      problems.push_back("two parameters are named " + in_quotes(table.parameters[i]->name));
     }
   }
 }
@@ -128,7 +128,7 @@ std::vector<std::string> table_problems(const ab_planner& table) {
   }
   std::vector<std::string> problems;
   if (table.name == nullptr || !is_plain_name(table.name)) {
-    problems.push_back("its name is " + quoted(table.name) + "; a name is of a-z, 0-9 and _");
+    problems.push_back("its name is " + in_quotes(table.name) + "; a name is of a-z, 0-9 and _");
   }
   if (table.version == nullptr) problems.emplace_back("its version is null");
   if (table.summary == nullptr) problems.emplace_back("its summary is null");

@@ -119,7 +119,7 @@ std::optional<T> number_in(std::string_view word) {
 }
 
 /// A word for messages: printable, not long.
-inline std::string quoted(std::string_view word) {
+inline std::string in_quotes(std::string_view word) {
   std::string text = "'";
   for (const char c : word.substr(0, 40)) text += c >= ' ' && c <= '~' ? c : '?';
   return text + (word.size() > 40 ? "…'" : "'");

@@ -44,7 +44,7 @@ NumberType type_of(const Field& field, const std::string& file) {
   if (is('U', 2)) return NumberType::u16;
   if (is('U', 4)) return NumberType::u32;
   if (is('U', 8)) return NumberType::u64;
-  fail_file(file, "the field " + quoted(field.name) + " has no known TYPE and SIZE");
+  fail_file(file, "the field " + in_quotes(field.name) + " has no known TYPE and SIZE");
 }
 
 /// A line of one word a field: SIZE, TYPE or COUNT.
@@ -66,7 +66,7 @@ void read_column(const std::vector<std::string_view>& words, Header& header,
     const auto number = number_in<std::uint64_t>(word);
     const bool is_size = words[0] == "SIZE";
     if (!number || *number > (is_size ? 8 : kMostCount) || *number == 0) {
-      fail_file(file, std::string(words[0]) + ": " + quoted(word) + " can't be", line);
+      fail_file(file, std::string(words[0]) + ": " + in_quotes(word) + " can't be", line);
     }
     (is_size ? field.size : field.count) = static_cast<std::size_t>(*number);
   }
@@ -75,7 +75,7 @@ void read_column(const std::vector<std::string_view>& words, Header& header,
 std::uint64_t whole_number(const std::vector<std::string_view>& words, const std::string& file,
                            int line) {
   const auto number = words.size() == 2 ? number_in<std::uint64_t>(words[1]) : std::nullopt;
-  if (!number) fail_file(file, "expected " + quoted(words[0]) + " and one whole number", line);
+  if (!number) fail_file(file, "expected " + in_quotes(words[0]) + " and one whole number", line);
   return *number;
 }
 
@@ -109,7 +109,7 @@ Header read_header(LineCursor& lines, const std::string& file) {
       header.points = *points;
       return header;
     } else {
-      fail_file(file, quoted(words[0]) + " is no word of a PCD header", lines.line);
+      fail_file(file, in_quotes(words[0]) + " is no word of a PCD header", lines.line);
     }
   }
   fail_file(file, "the header does not end ('DATA ascii|binary|binary_compressed')", lines.line);
@@ -163,7 +163,7 @@ FilePoints ascii_points(const Header& header, LineCursor& lines, const std::stri
         if (xyz[axis].word != k) continue;
         const auto number = number_in<double>(word);
         if (!number) {
-          fail_file(file, word.empty() ? "too few numbers" : quoted(word) + " is no number",
+          fail_file(file, word.empty() ? "too few numbers" : in_quotes(word) + " is no number",
                     lines.line);
         }
         point[static_cast<Eigen::Index>(axis)] = *number;
@@ -249,7 +249,7 @@ FilePoints parse_pcd_points(std::string_view bytes, const std::string& file) {
   if (header.data == "ascii") return ascii_points(header, lines, file);
   if (header.data == "binary") return binary_points(header, lines.rest, file);
   if (header.data == "binary_compressed") return compressed_points(header, lines.rest, file);
-  fail_file(file, "DATA " + quoted(header.data) + " is none of ascii, binary, binary_compressed",
+  fail_file(file, "DATA " + in_quotes(header.data) + " is none of ascii, binary, binary_compressed",
             lines.line);
 }
 

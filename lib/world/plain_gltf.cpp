@@ -110,7 +110,7 @@ struct Gltf {
           uri->is_string() ? uri->get_ref<const std::string&>() : std::string_view();
       const std::size_t comma = text.find(";base64,");
       if (!text.starts_with("data:") || comma == std::string_view::npos) {
-        fail(place("buffers", index) + " is in another file, " + quoted(text) +
+        fail(place("buffers", index) + " is in another file, " + in_quotes(text) +
              ": buffers must be inside the file; export it as .glb");
       }
       if (!decoded.contains(index)) {

@@ -26,10 +26,10 @@ Eigen::Vector3d take_position(std::string_view& words, const std::string& file, 
     const std::string_view word = take_word(words);
     const auto number = number_in<double>(word);
     if (!number) {
-      fail_file(file, word.empty() ? "too few numbers" : quoted(word) + " is no number", line);
+      fail_file(file, word.empty() ? "too few numbers" : in_quotes(word) + " is no number", line);
     }
     if (!std::isfinite(static_cast<float>(*number))) {
-      fail_file(file, "vertex: " + quoted(word) + " is not finite", line);
+      fail_file(file, "vertex: " + in_quotes(word) + " is not finite", line);
     }
     value = *number;
   }
@@ -68,7 +68,7 @@ struct ObjReader {
     plain.bytes += "f";
     for (auto word = take_word(words); !word.empty(); word = take_word(words)) {
       const auto number = number_in<std::int64_t>(word.substr(0, word.find('/')));
-      if (!number) fail_file(file, quoted(word) + " is no corner of a face", line);
+      if (!number) fail_file(file, in_quotes(word) + " is no corner of a face", line);
       if (*number == 0 || *number > vertices || *number < -vertices) {
         fail_file(file,
                   "the face names vertex " + std::to_string(*number) + "; up to here there are " +
@@ -160,7 +160,7 @@ PlainMesh plain_ascii_stl(std::string_view bytes, StlWriter& writer) {
       is_open = false;
     } else if (key != "solid" && key != "endsolid" && key != "outer" && key != "endloop" &&
                !key.empty()) {
-      fail_file(file, quoted(key) + " is no word of an STL file", lines.line);
+      fail_file(file, in_quotes(key) + " is no word of an STL file", lines.line);
     }
     if (!key.empty()) has_ended = key == "endsolid";
   }

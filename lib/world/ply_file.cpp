@@ -59,7 +59,7 @@ std::optional<NumberType> type_of(std::string_view word) {
 
 NumberType known_type(std::string_view word, const std::string& file, int line) {
   const auto type = type_of(word);
-  if (!type) fail_file(file, quoted(word) + " is no type of a PLY property", line);
+  if (!type) fail_file(file, in_quotes(word) + " is no type of a PLY property", line);
   return *type;
 }
 
@@ -119,7 +119,7 @@ Header read_header(LineCursor& lines, const std::string& file) {
     } else if (words[0] == "property") {
       add_property(words, header, file, lines.line);
     } else {
-      fail_file(file, quoted(words[0]) + " is no word of a PLY header", lines.line);
+      fail_file(file, in_quotes(words[0]) + " is no word of a PLY header", lines.line);
     }
     if (lines.line > kMostLines) break;
   }
@@ -146,7 +146,7 @@ std::array<std::size_t, 3> xyz_of(const Element& vertex, const std::string& file
                              int line = 0) {
   fail_file(file,
             "is truncated: the header promises " + std::to_string(element.count) + " of " +
-                quoted(element.name) + ", there are " + std::to_string(found),
+                in_quotes(element.name) + ", there are " + std::to_string(found),
             line);
 }
 
@@ -238,7 +238,7 @@ FilePoints ascii_points(const Element& vertex, LineCursor& lines, const std::str
       const std::string_view word = take_word(*line);
       const auto number = number_in<double>(word);
       if (!number) {
-        const std::string what = word.empty() ? "too few numbers" : quoted(word) + " is no number";
+        const std::string what = word.empty() ? "too few numbers" : in_quotes(word) + " is no number";
         fail_file(file, what, lines.line);
       }
       for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -273,7 +273,7 @@ bool for_each_number(const Header& header, const Element& element, LineCursor& l
     const std::string_view word = take_word(*line);
     const auto number = number_in<double>(word);
     if (number) return *number;
-    fail_file(file, word.empty() ? "too few numbers" : quoted(word) + " is no number", lines.line);
+    fail_file(file, word.empty() ? "too few numbers" : in_quotes(word) + " is no number", lines.line);
   };
   for (std::size_t p = 0; p < element.properties.size(); ++p) {
     double count = 1.0;
@@ -375,7 +375,7 @@ const Element* the_element(const Header& header, std::string_view name, const st
   const Element* found = nullptr;
   for (const Element& element : header.elements) {
     if (element.name != name) continue;
-    if (found != nullptr) fail_file(file, "has two elements " + quoted(name));
+    if (found != nullptr) fail_file(file, "has two elements " + in_quotes(name));
     found = &element;
   }
   return found;

@@ -141,11 +141,13 @@ TEST(Table, JsonReadsBack) {
 TEST(Table, NeverExceedsAHundredColumns) {
   Section wide = section();
   Table& table = wide.tables[0];
+  std::string long_doc(300, 'x');
+  long_doc.append(" ").append(60, 'y');
   for (int i = 0; i < 20; ++i) {
     table.columns.push_back({.name = "metric",
                              .header = "some_metric_" + std::to_string(i),
                              .unit = "m",
-                             .doc = std::string(300, 'x') + " " + std::string(60, 'y')});
+                             .doc = long_doc});
     for (auto& row : table.rows) row.emplace_back().value = 1e5 + i;
   }
   table.rows[0][0].value = std::string(70, 'n');
