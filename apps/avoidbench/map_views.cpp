@@ -64,8 +64,8 @@ Picture bird_view(const World& world, const MapView& view) {
     distance_m = std::max(distance_m, 1.08 * beside_m - at.z());
   }
   const Eigen::Vector3d eye = center + away * distance_m;
-  return shaded(without(world, {"ceiling", "wall"}), look_at(eye, center, Eigen::Vector3d::UnitZ()),
-                kFov, false, view);
+  return shaded(without(world, {"ceiling", "lamp", "wall"}),
+                look_at(eye, center, Eigen::Vector3d::UnitZ()), kFov, false, view);
 }
 
 /// The mission camera's pose at the start.
@@ -98,7 +98,7 @@ Picture depth_view(const World& world, const TrialSpec& trial, const MapView& vi
 
 std::vector<std::string> map_view_names() { return {"top", "bird", "first_person", "depth"}; }
 
-World without_roof(const World& world) { return without(world, {"ceiling"}); }
+World without_roof(const World& world) { return without(world, {"ceiling", "lamp"}); }
 
 Picture render_map(const World& world, const TrialSpec& trial, const MapView& view,
                    std::string& note) {

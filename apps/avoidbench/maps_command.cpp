@@ -10,6 +10,7 @@
 #include "commands.hpp"
 #include "config/sweep_file.hpp"
 #include "config/yaml_values.hpp"
+#include "map_find.hpp"
 #include "map_list.hpp"
 #include "map_views.hpp"
 #include "metrics/environment.hpp"
@@ -192,7 +193,8 @@ void add_maps_command(CLI::App& app) {
       "Examples:\n"
       "  avoidbench maps show forest --set poisson_radius_m=3 --view top --png forest.png\n"
       "  avoidbench maps info configs/sweeps/hall_small.yaml --seed 2\n"
-      "  avoidbench maps export maze maze.glb");
+      "  avoidbench maps export maze maze.glb\n"
+      "  avoidbench maps find forest --metric traversability --value 12 --within 0.5");
   CLI::App* show_command = command->add_subcommand("show", "Draw a map as a PNG file");
   add_map_options(*show_command, *options);
   show_command
@@ -246,6 +248,7 @@ void add_maps_command(CLI::App& app) {
       ->capture_default_str();
   export_command->callback([options] { export_map(*options); });
   add_maps_list_command(*command);
+  add_maps_find_command(*command);
 }
 
 }  // namespace avoidbench

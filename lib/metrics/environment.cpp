@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include "base/math.hpp"
 #include "trial/mission.hpp"
@@ -82,7 +83,8 @@ double stepped_distance_m(const VoxelGrid& points, const Aabb& box, const Eigen:
 }
 
 bool is_scenery(const Obstacle& obstacle) {
-  return obstacle.kind == "ground" || obstacle.kind == "wall" || obstacle.kind == "ceiling";
+  static constexpr std::array<std::string_view, 4> kScenery{"ground", "wall", "ceiling", "lamp"};
+  return std::find(kScenery.begin(), kScenery.end(), obstacle.kind) != kScenery.end();
 }
 
 }  // namespace

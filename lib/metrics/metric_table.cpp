@@ -203,7 +203,7 @@ constexpr MapMetricDef kMapTable[] = {
     {"free_volume_ratio", "", "Share of the flight space where the body's ball is free",
      "free points / points of a 1 m x 1 m x 0.5 m grid", "",
      [](const MapRecord& map) { return map.free_volume_ratio; }},
-    {"obstacle_count", "", "Obstacles but for ground, walls and ceiling", "count", "",
+    {"obstacle_count", "", "Obstacles but for ground, walls, ceiling and lamps", "count", "",
      [](const MapRecord& map) { return static_cast<double>(map.obstacle_count); }},
 };
 

@@ -174,10 +174,10 @@ SurfaceLook painted_metal(const SurfacePoint& p) {
 
 /// About the mean of each material, in the order of the enum: what a bland surface looks like.
 Vector3f bland_albedo(Material material) {
-  static const std::array<Vector3f, 6> kMeans{
-      Vector3f(0.13F, 0.12F, 0.055F), Vector3f(0.14F, 0.10F, 0.07F),
-      Vector3f(0.10F, 0.15F, 0.03F),  Vector3f(0.33F, 0.14F, 0.09F),
-      Vector3f(0.25F, 0.245F, 0.23F), Vector3f(0.45F, 0.44F, 0.42F)};
+  static const std::array<Vector3f, 7> kMeans{
+      Vector3f(0.13F, 0.12F, 0.055F), Vector3f(0.14F, 0.10F, 0.07F),  Vector3f(0.10F, 0.15F, 0.03F),
+      Vector3f(0.33F, 0.14F, 0.09F),  Vector3f(0.25F, 0.245F, 0.23F), Vector3f(0.45F, 0.44F, 0.42F),
+      Vector3f(0.90F, 0.88F, 0.82F)};
   return kMeans[static_cast<std::size_t>(material)];
 }
 
@@ -195,6 +195,12 @@ SurfaceLook textured_look(const SurfacePoint& point) {
       return concrete(point);
     case Material::painted_metal:
       return painted_metal(point);
+    case Material::lamp: {
+      SurfaceLook look;
+      look.albedo = {0.90F, 0.88F, 0.82F};
+      look.glow = 1.2F;
+      return look;
+    }
   }
   return {};
 }

@@ -24,6 +24,7 @@ struct SurfaceLook {
   Eigen::Vector3f normal_tilt =
       Eigen::Vector3f::Zero();  ///< to be added to the unit normal: relief
   float translucency = 0.0F;    ///< part of the sun that shines through from behind
+  float glow = 0.0F;            ///< light of its own, times the albedo
   float crevice = 1.0F;         ///< part of the sky that reaches the point
 };
 

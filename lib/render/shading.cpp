@@ -52,14 +52,16 @@ struct View {
   double ceiling_z_m;  ///< the sun is above the surfaces and below this
 };
 
-/// The lowest point of all ceilings: the sun shines through them, else halls would be dark.
+/// The lowest point of all ceilings and lamps: the sun shines through them, else halls would be
+/// dark.
 double lowest_ceiling_m(const Scene::Internals& scene) {
   double lowest = std::numeric_limits<double>::infinity();
   const World& world = *scene.world;
   for (std::size_t i = 0; i < world.instances.size(); ++i) {
     const Instance& instance = world.instances[i];
     if (instance.obstacle >= world.obstacles.size()) continue;
-    if (world.obstacles[instance.obstacle].kind != "ceiling") continue;
+    const std::string& kind = world.obstacles[instance.obstacle].kind;
+    if (kind != "ceiling" && kind != "lamp") continue;
     const Placement& placement = scene.placements[i];
     for (const Vector3f& vertex : world.prototypes[instance.prototype].mesh.vertices) {
       lowest = std::min(lowest, (placement.linear_world_prototype * vertex.cast<double>() +
@@ -177,7 +179,7 @@ Vector3f surface_color(const View& view, const Lane& lane) {
   const auto sky = static_cast<float>(view.light.sky) * look.crevice;
   const float up = 0.5F + 0.5F * normal.z();
   const Vector3f ambient = kSkyColor * (sky * up) + kBounceColor * (0.45F * sky * (1.0F - up));
-  return look.albedo.cwiseProduct(kSunColor * (sun * front) + ambient) +
+  return look.glow * look.albedo + look.albedo.cwiseProduct(kSunColor * (sun * front) + ambient) +
          through_color.cwiseProduct(kSunColor * (sun * through));
 }
 

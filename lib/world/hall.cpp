@@ -1,5 +1,8 @@
 #include <array>
+#include <optional>
 
+#include "base/math.hpp"
+#include "world/furniture.hpp"
 #include "world/generators.hpp"
 #include "world/poisson_disc.hpp"
 #include "world/scenery.hpp"
@@ -15,13 +18,34 @@ constexpr double kBandSideMargin_m = 2.0;
 constexpr double kBandWallMargin_m = 1.0;
 constexpr double kLeastOpacityRatio = 0.8;
 
+/// What stands at a place, by a draw in [0, 1); nothing: a cylinder.
+std::optional<FurnitureKind> furniture_kind(const HallSpec& spec, double draw) {
+  if (draw < spec.crates_ratio) return FurnitureKind::crates;
+  draw -= spec.crates_ratio;
+  if (draw < spec.shelf_ratio) return FurnitureKind::shelf;
+  draw -= spec.shelf_ratio;
+  if (draw < spec.pillar_ratio) return FurnitureKind::pillar;
+  return std::nullopt;
+}
+
 }  // namespace
 
 void add_obstacle(World& world, Prototype prototype, Obstacle obstacle) {
+  add_turned_obstacle(world, std::move(prototype), std::move(obstacle), 0.0);
+}
+
+void add_turned_obstacle(World& world, Prototype prototype, Obstacle obstacle, double yaw_rad) {
   Instance instance;
   instance.prototype = static_cast<std::uint32_t>(world.prototypes.size());
   instance.obstacle = static_cast<std::uint32_t>(world.obstacles.size());
   instance.T_world_prototype.translation() = obstacle.position_world.cast<float>();
+  if (yaw_rad != 0.0) {
+    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+    turn(0, 0) = turn(1, 1) = math::cos(yaw_rad);
+    turn(1, 0) = math::sin(yaw_rad);
+    turn(0, 1) = -turn(1, 0);
+    instance.T_world_prototype.linear() = turn.cast<float>();
+  }
   world.prototypes.push_back(std::move(prototype));
   world.instances.push_back(instance);
   world.obstacles.push_back(std::move(obstacle));
@@ -101,15 +125,35 @@ World make_hall(const HallSpec& spec, std::uint64_t map_seed) {
   const double inset_m = 0.5 * spec.cylinder_diameter_m[1];
   RandomStream positions = stream(map_seed, "positions");
   RandomStream diameters = stream(map_seed, "diameters");
+  RandomStream heights = stream(map_seed, "heights");
+  RandomStream kinds = stream(map_seed, "kinds");
   std::vector<Cylinder> cylinders;
-  for (const Eigen::Vector2d& foot : poisson_disc(
+  std::vector<Furniture> furniture;
+  for (const Eigen::Vector2d& place : poisson_disc(
            {width_m - 2.0 * inset_m, depth_m - 2.0 * inset_m}, spec.poisson_radius_m, positions)) {
-    cylinders.push_back(
-        {.foot_world = {foot.x() + inset_m, foot.y() + inset_m},
-         .diameter_m = diameters.uniform(spec.cylinder_diameter_m[0], spec.cylinder_diameter_m[1]),
-         .top_m = spec.height_m + kCylinderSink_m});
+    const Eigen::Vector2d foot(place.x() + inset_m, place.y() + inset_m);
+    const double diameter_m =
+        diameters.uniform(spec.cylinder_diameter_m[0], spec.cylinder_diameter_m[1]);
+    const double top_m = heights.uniform(spec.cylinder_height_m[0], spec.cylinder_height_m[1]);
+    if (const auto kind = furniture_kind(spec, kinds.uniform())) {
+      furniture.push_back({.kind = *kind, .foot_world = foot, .size_m = diameter_m});
+    } else {
+      cylinders.push_back(
+          {.foot_world = foot,
+           .diameter_m = diameter_m,
+           .top_m = top_m < spec.height_m ? top_m : spec.height_m + kCylinderSink_m});
+    }
   }
   add_cylinders(cylinders, spec.texture_opacity, map_seed, world);
+  double width_sum_m =
+      cylinders.empty() ? 0.0 : world.mean_obstacle_width_m * static_cast<double>(cylinders.size());
+  for (std::size_t i = 0; i < furniture.size(); ++i) {
+    add_furniture(furniture[i], spec.height_m, stream_seed(map_seed, i), world);
+    width_sum_m += world.obstacles.back().width_m;
+  }
+  world.mean_obstacle_width_m =
+      width_sum_m / static_cast<double>(cylinders.size() + furniture.size());
+  add_lamps(world.flight_bounds, world);
   world.bounds = world.flight_bounds;
   set_hall_bands(spec.area_m, spec.flight_height_m, world);
   world.poisson_radius_m = spec.poisson_radius_m;

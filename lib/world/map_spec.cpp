@@ -81,6 +81,15 @@ void check_contradictions(const HallSpec& spec, std::vector<InputProblem>& probl
         problem("cylinder_diameter_m: cylinders as wide as poisson_radius_m may "
                 "overlap; make them thinner or the radius larger"));
   }
+  if (spec.shelf_ratio > 0.0 && 2.0 * greatest >= spec.poisson_radius_m) {
+    problems.push_back(
+        problem("shelf_ratio: shelves, twice as long as cylinder_diameter_m, may overlap at this "
+                "poisson_radius_m"));
+  }
+  check_order("cylinder_height_m", spec.cylinder_height_m, problems);
+  if (spec.crates_ratio + spec.shelf_ratio + spec.pillar_ratio > 1.0) {
+    problems.push_back(problem("crates_ratio, shelf_ratio and pillar_ratio are more than 1"));
+  }
 }
 
 template <class Spec>

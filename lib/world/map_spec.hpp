@@ -26,13 +26,19 @@ struct ForestSpec {
   double flight_height_m = 2.0;
 };
 
-/// An indoor hall with a floor, walls and upright cylinders by Poisson-disc sampling.
+/// An indoor hall with a floor, walls, lamps and upright cylinders by Poisson-disc sampling;
+/// crates, shelves and pillars may take the places of some.
 struct HallSpec {
   static constexpr std::string_view kind = "hall";
-  static constexpr std::string_view doc = "A hall with walls and upright cylinders.";
+  static constexpr std::string_view doc =
+      "A hall with upright cylinders, and crates, shelves and pillars if wanted.";
   std::array<double, 2> area_m{20.0, 30.0};
   double poisson_radius_m = 3.5;
   std::array<double, 2> cylinder_diameter_m{0.5, 1.0};
+  std::array<double, 2> cylinder_height_m{20.0, 20.0};
+  double crates_ratio = 0.0;
+  double shelf_ratio = 0.0;
+  double pillar_ratio = 0.0;
   double height_m = 5.0;
   double texture_opacity = 1.0;
   double flight_height_m = 2.0;
@@ -110,7 +116,14 @@ void visit(Visitor& v, HallSpec& s) {
           "Least distance between two cylinders' axes (Bridson 2007); smaller is harder.");
   v.field("cylinder_diameter_m", s.cylinder_diameter_m, Range{0.05, 3},
           "Least and greatest diameter of a cylinder.");
-  v.field("height_m", s.height_m, Range{2, 20}, "Height of the ceiling; cylinders reach it.");
+  v.field("cylinder_height_m", s.cylinder_height_m, Range{0.3, 20},
+          "Least and greatest height of a cylinder; one higher than the ceiling ends there.");
+  v.field("crates_ratio", s.crates_ratio, Range{0, 1},
+          "Fraction of the places with a stack of crates instead of a cylinder.");
+  v.field("shelf_ratio", s.shelf_ratio, Range{0, 1},
+          "Fraction with an open shelf, twice as long as a cylinder is wide.");
+  v.field("pillar_ratio", s.pillar_ratio, Range{0, 1}, "Fraction with a square pillar.");
+  v.field("height_m", s.height_m, Range{2, 20}, "Height of the ceiling.");
   v.field("texture_opacity", s.texture_opacity, Range{0, 1},
           "Strength of the cylinders' painted pattern: low is bland. Does not move any obstacle.");
   v.field("flight_height_m", s.flight_height_m, Range{0.3, 10}, "Height of starts and goals.");

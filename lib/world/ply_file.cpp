@@ -238,7 +238,8 @@ FilePoints ascii_points(const Element& vertex, LineCursor& lines, const std::str
       const std::string_view word = take_word(*line);
       const auto number = number_in<double>(word);
       if (!number) {
-        const std::string what = word.empty() ? "too few numbers" : in_quotes(word) + " is no number";
+        const std::string what =
+            word.empty() ? "too few numbers" : in_quotes(word) + " is no number";
         fail_file(file, what, lines.line);
       }
       for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -273,7 +274,8 @@ bool for_each_number(const Header& header, const Element& element, LineCursor& l
     const std::string_view word = take_word(*line);
     const auto number = number_in<double>(word);
     if (number) return *number;
-    fail_file(file, word.empty() ? "too few numbers" : in_quotes(word) + " is no number", lines.line);
+    fail_file(file, word.empty() ? "too few numbers" : in_quotes(word) + " is no number",
+              lines.line);
   };
   for (std::size_t p = 0; p < element.properties.size(); ++p) {
     double count = 1.0;

@@ -35,6 +35,9 @@ void set_forest_bounds(const std::array<double, 2>& size_m, double ceiling_m, Wo
 /// An obstacle of a mesh of its own, which stands at the obstacle's position unturned.
 void add_obstacle(World& world, Prototype prototype, Obstacle obstacle);
 
+/// The same, turned about its own upright axis.
+void add_turned_obstacle(World& world, Prototype prototype, Obstacle obstacle, double yaw_rad);
+
 /// An upright block between two corners in the world.
 void add_slab(World& world, std::string_view name, std::string_view kind, Material material,
               const Eigen::Vector3d& lowest, const Eigen::Vector3d& highest);

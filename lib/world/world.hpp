@@ -12,7 +12,7 @@
 namespace avoidbench {
 
 /// What a surface is made of: chooses its procedural texture in shaded images (render/shading.hpp).
-enum class Material : std::uint8_t { soil, bark, leaf, brick, concrete, painted_metal };
+enum class Material : std::uint8_t { soil, bark, leaf, brick, concrete, painted_metal, lamp };
 
 /// A mesh that may stand in many places. Every triangle has a material.
 struct Prototype {

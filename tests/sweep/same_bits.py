@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Flies one sweep by several programs or with several numbers of workers, each into a database of its own, and compares every
-deterministic value of every row, trajectories bit for bit.
+deterministic value of every row, trajectories bit for bit; and the digests of every generator's world.
 
     same_bits.py SWEEP PROGRAM:JOBS PROGRAM:JOBS …
 
@@ -28,6 +28,18 @@ def rows(database):
     return {"trial": trials, "map": maps, "mission": missions}
 
 
+GENERATORS = ["forest", "hall", "avoidbench_forest", "avoidbench_indoor", "maze", "gap_walls", "dead_ends", "poles", "overhangs"]
+
+
+def world_digests(program):
+    digests = []
+    for generator in GENERATORS:
+        table = subprocess.run([program, "maps", "info", generator, "--seed", "5", "--missions", "0"], check=True,
+                               capture_output=True, text=True).stdout
+        digests.append((generator, table.split()[-1]))
+    return digests
+
+
 def main():
     sweep, runs = sys.argv[1], sys.argv[2:]
     found = []
@@ -36,7 +48,7 @@ def main():
             program, _, jobs = run.rpartition(":")
             database = pathlib.Path(folder) / f"{number}.db"
             subprocess.run([program, "run", sweep, "--db", database, "--jobs", jobs, "--quiet"], check=True)
-            found.append(rows(database))
+            found.append(rows(database) | {"world": world_digests(program)})
     if not found[0]["trial"]:
         sys.exit("no trials")
     different = 0

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "base/input_error.hpp"
 #include "world/map_spec.hpp"
 
 namespace avoidbench {
@@ -16,7 +17,8 @@ TEST(Hall, has_a_shell_and_cylinders) {
   EXPECT_EQ(counts["wall"], 4);
   EXPECT_EQ(counts["ceiling"], 1);
   EXPECT_GT(counts["cylinder"], 20);
-  EXPECT_EQ(counts.size(), 4U);
+  EXPECT_EQ(counts["lamp"], 24);
+  EXPECT_EQ(counts.size(), 5U);
   EXPECT_EQ(world.obstacles[world.instances[0].obstacle].kind, "ground");
   EXPECT_EQ(ground_height_m(world, 5.0, 5.0), 0.0);
   EXPECT_FALSE(world.heights_above_ground);
@@ -103,6 +105,53 @@ TEST(Hall, bands_are_at_the_ends_of_y) {
   EXPECT_EQ(world.start_region.highest, Eigen::Vector3d(18.0, 4.5, 2.0));
   EXPECT_EQ(world.goal_region.lowest, Eigen::Vector3d(2.0, 25.5, 2.0));
   EXPECT_EQ(world.goal_region.highest, Eigen::Vector3d(18.0, 29.0, 2.0));
+}
+
+TEST(Hall, furniture_takes_its_share_of_the_places) {
+  const HallSpec plain{.area_m = {60.0, 60.0}};
+  HallSpec spec = plain;
+  spec.crates_ratio = 0.3;
+  spec.shelf_ratio = 0.2;
+  spec.pillar_ratio = 0.1;
+  spec.cylinder_height_m = {1.0, 2.0};
+  const World world = make_world(spec, 3);
+  std::map<std::string, double> counts;
+  for (const Instance& instance : world.instances) {
+    const Obstacle& obstacle = world.obstacles[instance.obstacle];
+    ++counts[obstacle.kind];
+    Aabb box;
+    for (const Eigen::Vector3f& vertex : world.prototypes[instance.prototype].mesh.vertices) {
+      box.extend((instance.T_world_prototype * vertex).cast<double>());
+    }
+    if (obstacle.kind == "cylinder") {
+      EXPECT_GE(box.max().z(), 1.0 - 1e-6);
+      EXPECT_LE(box.max().z(), 2.0 + 1e-6);
+    }
+    if (obstacle.kind == "pillar") {
+      EXPECT_GE(box.max().z(), spec.height_m);
+    }
+    if (obstacle.kind != "crates" && obstacle.kind != "shelf") continue;
+    EXPECT_LT(box.min().z(), 0.0);  // stands on the floor
+    EXPECT_GE(box.max().z(), 1.2);
+    EXPECT_LE(box.max().z(), 3.2 + 1e-6);
+    const double across_m = (box.max() - box.min()).head<2>().norm();
+    EXPECT_LE(across_m, 2.0 * obstacle.width_m + 1e-6);
+  }
+  const double places = counts["cylinder"] + counts["crates"] + counts["shelf"] + counts["pillar"];
+  double cylinders = 0.0;  // of the hall without furniture
+  for (const Obstacle& obstacle : make_world(plain, 3).obstacles) {
+    cylinders += obstacle.kind == "cylinder" ? 1.0 : 0.0;
+  }
+  EXPECT_EQ(places, cylinders);
+  EXPECT_NEAR(counts["crates"] / places, 0.3, 0.08);
+  EXPECT_NEAR(counts["shelf"] / places, 0.2, 0.08);
+  EXPECT_NEAR(counts["pillar"] / places, 0.1, 0.08);
+}
+
+TEST(Hall, too_much_or_too_long_furniture_is_refused) {
+  EXPECT_THROW(make_world(HallSpec{.crates_ratio = 0.7, .pillar_ratio = 0.7}, 1), InputError);
+  EXPECT_THROW(make_world(HallSpec{.poisson_radius_m = 1.9, .shelf_ratio = 0.1}, 1), InputError);
+  EXPECT_THROW(make_world(HallSpec{.cylinder_height_m = {3.0, 2.0}}, 1), InputError);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace {
 constexpr const char* kForestDigest =
     "dc863f9ff77b95979a4eacf9b7b6562fc2b41599eca12bc84a17580f91ec109b";
 constexpr const char* kHallDigest =
-    "440f3504aec8fd9aea9d5a33e0e6b9de88c261a7c8ce41fdab109c7aba9d74a1";
+    "e0406f1f073d1ac3eb45428a6449d81bb774de13dd8d2a056e48bedc4027a1af";
 constexpr const char* kAvoidbenchForestDigest =
     "f860c0487f50bd3221eeedfbf828cb090b7ab92631aed8eca13291bca6512d1f";
 constexpr const char* kAvoidbenchIndoorDigest =
@@ -35,6 +35,17 @@ TEST(MapSpec, digests_are_those_of_every_machine) {
   EXPECT_EQ(make_world(HallSpec{}, 42).digest, kHallDigest);
   EXPECT_EQ(make_world(AvoidbenchForestSpec{}, 42).digest, kAvoidbenchForestDigest);
   EXPECT_EQ(make_world(AvoidbenchIndoorSpec{}, 42).digest, kAvoidbenchIndoorDigest);
+  const HallSpec furnished{.crates_ratio = 0.3, .shelf_ratio = 0.3, .pillar_ratio = 0.2};
+  const std::pair<MapSpec, std::string_view> others[] = {
+      {furnished, "da5649e4d132ba85f16ddcc76084da605347886c1e0ff5ba774206d2a1f132e4"},
+      {MazeSpec{}, "dc2102f61bc06313c7229a28a839cedba157e3631250a5b919b2664f47c7f924"},
+      {GapWallsSpec{}, "9f6e1136f020fdc833648fefc455c545190c78596fc438d9099a584acbd19cd5"},
+      {DeadEndsSpec{}, "1c27ba05109a25d21739012774198a283504798c294419277f079ffecc47a8a4"},
+      {PolesSpec{}, "65c5175c5ef889b4d276f0b0dd0a17b20c6ee9bc100efe106f466c82c6ab239c"},
+      {OverhangsSpec{}, "396348013663b8c93b3d802b3f7a33740a7a07bd190fac2b1eb582ab1df3f06b"}};
+  for (const auto& [spec, digest] : others) {
+    EXPECT_EQ(make_world(spec, 42).digest, digest) << kind(spec);
+  }
 }
 
 TEST(MapSpec, other_seeds_give_other_maps_and_the_same_seed_the_same) {

@@ -1,0 +1,152 @@
+#include "map_find.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include "base/input_error.hpp"
+#include "config/sweep_file.hpp"
+#include "config/yaml_values.hpp"
+#include "metrics/environment.hpp"
+#include "metrics/find_maps.hpp"
+#include "metrics/metric_table.hpp"
+
+namespace avoidbench {
+namespace {
+
+struct FindOptions {
+  std::string spec, metric = "traversability", vary = "poisson_radius_m";
+  std::vector<std::string> overrides;
+  double wanted = 0.0, within = 0.5;
+  std::vector<double> between{1.8, 8.0};
+  std::int64_t count = 3, most_seeds = 100, missions = 5;
+};
+
+std::vector<std::string> metric_names() {
+  std::vector<std::string> names;
+  for (const MapMetricDef& metric : map_metric_table()) names.emplace_back(metric.name);
+  for (const MissionMetricDef& metric : mission_metric_table()) names.emplace_back(metric.name);
+  return names;
+}
+
+/// The map's metric, or the mean of a mission's metric over the valid missions.
+double value_of(const FindOptions& options, double parameter, std::uint64_t map_seed) {
+  std::vector<std::string> overrides = options.overrides;
+  overrides.push_back(options.vary + "=" + number_text(parameter));
+  const TrialSpec trial = read_map(options.spec, overrides).trial;
+  const World world = make_world(trial.map, map_seed);
+  const Scene scene(world);
+  for (const MapMetricDef& metric : map_metric_table()) {
+    if (metric.name == options.metric) return metric.value(make_map_record(trial, scene, 0));
+  }
+  const MapRecord map = make_map_record(trial, scene, options.missions);
+  double sum = 0.0, count = 0.0;
+  for (const MissionMetricDef& metric : mission_metric_table()) {
+    if (metric.name != options.metric) continue;
+    for (const MissionRecord& mission : map.missions) {
+      if (!mission.is_valid) continue;
+      sum += metric.value(mission);
+      count += 1.0;
+    }
+  }
+  return sum / count;
+}
+
+/// Field of a map out of `maps.area_m=[20, 30]`, to be written below `maps:`.
+std::string yaml_line(const std::string& override) {
+  const std::size_t equals = override.find('=');
+  std::string name = override.substr(0, equals);
+  for (const std::string_view prefix : {"maps.", "map."}) {
+    if (name.starts_with(prefix)) name.erase(0, prefix.size());
+  }
+  return "  " + name + ": " + override.substr(std::min(equals + 1, override.size())) + "\n";
+}
+
+void print_found(const FindOptions& options, const MapsFound& found) {
+  std::int64_t tried = 0;
+  for (const MapTried& map : found.tried) tried += map.parameter == found.parameter ? 1 : 0;
+  std::string text = "# " + options.metric + " " + number_text(options.wanted) + " ± " +
+                     number_text(options.within) + ": " + std::to_string(found.seeds.size()) +
+                     " of " + std::to_string(tried) + " seeds tried\nmaps:\n";
+  const TrialSpec trial = read_map(options.spec, options.overrides).trial;
+  text += "  generator: " + std::string(kind(trial.map)) + "\n";
+  for (const std::string& override : options.overrides) text += yaml_line(override);
+  text += "  " + options.vary + ": " + number_text(found.parameter) + "\n  seeds: [";
+  for (std::size_t i = 0; i < found.seeds.size(); ++i) {
+    text += (i > 0 ? ", " : "") + std::to_string(found.seeds[i]);
+  }
+  std::cout << text << "]\n";
+}
+
+void find(const FindOptions& options) {
+  const std::vector<std::string> names = metric_names();
+  if (std::find(names.begin(), names.end(), options.metric) == names.end()) {
+    throw InputError("--metric " + options.metric + ": no metric of maps or missions" +
+                     did_you_mean(options.metric, names));
+  }
+  if (!(options.between[0] < options.between[1])) {
+    throw InputError("--between: the lower end comes first");
+  }
+  const auto measure = [&](double parameter, std::uint64_t seed) {
+    const double value = value_of(options, parameter, seed);
+    const bool is_near = std::abs(value - options.wanted) <= options.within;
+    std::fprintf(stderr, "%s %g, seed %llu: %s %.4g%s\n", options.vary.c_str(), parameter,
+                 static_cast<unsigned long long>(seed), options.metric.c_str(), value,
+                 is_near ? ", within" : "");
+    return value;
+  };
+  const MapsFound found = find_maps({.measure = measure,
+                                     .wanted = options.wanted,
+                                     .within = options.within,
+                                     .lowest = options.between[0],
+                                     .highest = options.between[1],
+                                     .count = options.count,
+                                     .most_seeds = options.most_seeds});
+  if (found.seeds.empty()) {
+    throw InputError("none of seeds 1 to " + std::to_string(options.most_seeds) + " has " +
+                     options.metric + " within " + number_text(options.within) + " of " +
+                     number_text(options.wanted) + "; take a wider --within");
+  }
+  print_found(options, found);
+}
+
+}  // namespace
+
+void add_maps_find_command(CLI::App& maps) {
+  const auto options = std::make_shared<FindOptions>();
+  CLI::App* command = maps.add_subcommand(
+      "find", "Maps of a wanted difficulty: a parameter and seeds, as YAML for a sweep");
+  command->add_option("map", options->spec, "Generator, sweep file, or file with a map's fields")
+      ->required();
+  command
+      ->add_option("--metric", options->metric, "Metric of maps or missions (avoidbench metrics)")
+      ->capture_default_str();
+  command->add_option("--value", options->wanted, "Its wanted value")->required();
+  command->add_option("--within", options->within, "How far from it a map may be")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->add_option("--vary", options->vary, "The field that is fitted")->capture_default_str();
+  command->add_option("--between", options->between, "Its least and greatest value")
+      ->expected(2)
+      ->capture_default_str();
+  command->add_option("--count", options->count, "Maps wanted")
+      ->check(CLI::Range(1, 10'000))
+      ->capture_default_str();
+  command->add_option("--seeds", options->most_seeds, "Seeds tried: 1 to this")
+      ->check(CLI::Range(1, 1'000'000))
+      ->capture_default_str();
+  command->add_option("--missions", options->missions, "Missions a metric of missions is taken of")
+      ->check(CLI::Range(1, 10'000))
+      ->capture_default_str();
+  command
+      ->add_option("--set", options->overrides,
+                   "Set another field, as in bush_ratio=0; repeatable (default: none)")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+  command->callback([options] { find(*options); });
+}
+
+}  // namespace avoidbench
