@@ -11,7 +11,7 @@ namespace avoidbench {
 namespace {
 
 constexpr Color kPaper{236, 236, 234}, kGround{214, 209, 199}, kStart{30, 150, 60},
-    kGoal{205, 40, 40}, kPath{255, 255, 255}, kPathRim{20, 20, 20};
+    kGoal{205, 40, 40}, kPath{255, 255, 255}, kPathRim{20, 20, 20}, kMoving{230, 120, 20};
 constexpr int kBand_px = 22;  ///< of caption and scales
 
 /// Where the map lies in the picture.
@@ -126,6 +126,14 @@ Picture plan_view(const World& world, const TrialSpec& trial, const MapView& vie
   const double highest_m = world.flight_bounds.sizes().z();
   Picture picture = make_picture(view.width_px, view.height_px);
   paint_ground_plan(without_roof(world), plan, view, highest_m, picture);
+  for (const Motion& motion : world.motions) {
+    const Eigen::Vector3d middle =
+        world.instances[motion.instance].T_world_prototype.translation().cast<double>();
+    draw_line(picture,
+              {plan.to_pixels(middle - motion.amplitude_world),
+               plan.to_pixels(middle + motion.amplitude_world)},
+              kMoving, 2);
+  }
   draw_region(plan, world.start_region, kStart, picture);
   draw_region(plan, world.goal_region, kGoal, picture);
   note = draw_mission(Scene(world), trial, view.mission_index, plan, picture);

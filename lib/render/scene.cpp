@@ -34,14 +34,20 @@ double plane_distance(const Triangle& triangle, const Vector3d& origin, const Ve
 
 }  // namespace
 
-Scene::Scene(const World& world) : internals_(build_internals(world, kFlattenTriangles)) {}
+Scene::Scene(const World& world) : Scene(world, kFlattenTriangles) {}
 Scene::Scene(const World& world, std::size_t flatten_triangles)
-    : internals_(build_internals(world, flatten_triangles)) {}
+    : internals_(build_internals(world, flatten_triangles)) {
+  set_time(0.0);
+}
 Scene::~Scene() = default;
 Scene::Scene(Scene&&) noexcept = default;
 Scene& Scene::operator=(Scene&&) noexcept = default;
 
 const World& Scene::world() const { return *internals_->world; }
+
+void Scene::set_time(double time_s) {
+  if (!world().motions.empty()) move_instances(*internals_, time_s);
+}
 
 RayHit Scene::first_hit(const Vector3d& origin_world, const Vector3d& direction_world,
                         double limit_m) const {

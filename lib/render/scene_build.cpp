@@ -183,6 +183,9 @@ void check_world(const World& world) {
   for (const Instance& instance : world.instances) {
     AB_CHECK(instance.prototype < world.prototypes.size(), instance.prototype);
   }
+  for (const Motion& motion : world.motions) {
+    AB_CHECK(motion.instance < world.instances.size() && motion.period_s > 0.0, motion.instance);
+  }
 }
 
 }  // namespace
@@ -192,8 +195,12 @@ std::unique_ptr<Scene::Internals> build_internals(const World& world,
   check_world(world);
   auto scene = std::make_unique<Scene::Internals>();
   scene->world = &world;
-  scene->flattened = triangle_count(world) <= flatten_triangles;
+  scene->flattened = world.motions.empty() && triangle_count(world) <= flatten_triangles;
   scene->top = make_scene();
+  if (!world.motions.empty()) {
+    rtcSetSceneFlags(scene->top.get(), RTC_SCENE_FLAG_DYNAMIC);
+    rtcSetSceneBuildQuality(scene->top.get(), RTC_BUILD_QUALITY_LOW);
+  }
   for (const Instance& instance : world.instances) {
     scene->placements.push_back(make_placement(instance));
   }
@@ -205,6 +212,28 @@ std::unique_ptr<Scene::Internals> build_internals(const World& world,
   }
   commit(scene->top.get());
   return scene;
+}
+
+void move_instances(Scene::Internals& scene, double time_s) {
+  const World& world = *scene.world;
+  for (const Motion& motion : world.motions) {
+    Instance moved = world.instances[motion.instance];
+    moved.T_world_prototype.translation() += displacement_world(motion, time_s).cast<float>();
+    Placement& placement = scene.placements[motion.instance];
+    const TrianglePlane* const planes = placement.planes;
+    placement = make_placement(moved);
+    placement.planes = planes;
+    const TriangleMesh& mesh = world.prototypes[moved.prototype].mesh;
+    if (mesh.triangles.empty()) continue;
+    const RTCGeometry geometry = rtcGetGeometry(scene.top.get(), motion.instance);
+    rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR,
+                            moved.T_world_prototype.matrix().data());
+    rtcCommitGeometry(geometry);
+    scene.bounds[motion.instance] = instance_bounds(mesh, placement);
+  }
+  rtcCommitGeometry(rtcGetGeometry(scene.instance_boxes.get(), 0));
+  commit(scene.instance_boxes.get());
+  commit(scene.top.get());
 }
 
 }  // namespace avoidbench

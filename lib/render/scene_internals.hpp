@@ -53,6 +53,9 @@ struct Scene::Internals {
 std::unique_ptr<Scene::Internals> build_internals(const World& world,
                                                   std::size_t flatten_triangles);
 
+/// Puts the world's moving instances where they stand at `time_s`.
+void move_instances(Scene::Internals& scene, double time_s);
+
 /// The triangle of an instance in the world's frame: the float vertices through the float transform
 /// in double. All exact queries use it, whether the hierarchy is flattened or not, so that both
 /// give the same answers.

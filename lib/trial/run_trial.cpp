@@ -36,6 +36,8 @@ struct Flight {
   const Scene& scene;
   const Mission& mission;
   PlannerInstance& planner;
+  Scene* moving = nullptr;          ///< the scene, where things move in it
+  double obstacle_speed_mps = 0.0;  ///< of the fastest
 
   VehicleModel model;
   Environment environment;
@@ -80,6 +82,8 @@ Flight make_flight(const TrialSpec& spec, const Scene& scene, const Mission& mis
       .scene = scene,
       .mission = mission,
       .planner = planner,
+      .moving = nullptr,
+      .obstacle_speed_mps = 0.0,
       .model = std::move(model),
       .environment = environment(spec.wind),
       .state = start,
@@ -192,6 +196,13 @@ void sample(Flight& flight) {
        .rotor_power_w = rotor_power_w(flight.model, state)});
 }
 
+/// Brings what moves to the flight's own time.
+void move_obstacles(Flight& flight, Tick dt) {
+  if (flight.moving == nullptr) return;
+  flight.moving->set_time(seconds(flight.state.tick));
+  flight.collision_check.free_radius_m -= flight.obstacle_speed_mps * seconds(dt);
+}
+
 /// Records a contact that begins now. True when it is one more than a flight may survive.
 bool collided(Flight& flight) {
   const auto touched = contact(flight.collision_check, flight.scene, pose_of(flight.state));
@@ -251,7 +262,14 @@ Tick next_tick(const Flight& flight) {
 
 TrialRecord run_trial(const TrialSpec& spec, const Scene& scene, const Mission& mission,
                       PlannerInstance& planner) {
-  Flight flight = make_flight(spec, scene, mission, planner);
+  const std::vector<Motion>& motions = scene.world().motions;
+  std::optional<Scene> own;  // with its own time
+  if (!motions.empty()) own.emplace(scene.world());
+  Flight flight = make_flight(spec, own ? *own : scene, mission, planner);
+  flight.moving = own ? &*own : nullptr;
+  for (const Motion& motion : motions) {
+    flight.obstacle_speed_mps = std::max(flight.obstacle_speed_mps, greatest_speed_mps(motion));
+  }
   if (std::string error = planner.reset(planner_mission(spec, mission)); !error.empty()) {
     flight.planner_end = Outcome::planner_error;
     flight.record.reason = "reset: " + error;
@@ -267,6 +285,7 @@ TrialRecord run_trial(const TrialSpec& spec, const Scene& scene, const Mission& 
       const RotorVector rotors = track(flight.tracker, flight.model, flight.state);
       const Tick dt = next_tick(flight) - now;
       flight.state = step(flight.model, flight.state, rotors, flight.environment, dt);
+      move_obstacles(flight, dt);
     }
     outcome = ended(flight);
   }

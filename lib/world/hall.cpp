@@ -18,6 +18,26 @@ constexpr double kBandSideMargin_m = 2.0;
 constexpr double kBandWallMargin_m = 1.0;
 constexpr double kLeastOpacityRatio = 0.8;
 
+/// Lets some cylinders go back and forth, each within half the gap that Poisson-disc sampling
+/// leaves to a neighbour, so that none meet.
+void add_motions(const HallSpec& spec, std::uint64_t seed, World& world) {
+  RandomStream draws = stream(seed, "motions");
+  const double reach_m = 0.5 * (spec.poisson_radius_m - spec.cylinder_diameter_m[1]);
+  for (std::uint32_t i = 0; i < world.instances.size(); ++i) {
+    if (world.obstacles[world.instances[i].obstacle].kind != "cylinder") continue;
+    const bool is_moving = draws.uniform() < spec.moving_ratio;
+    const double heading_rad = draws.uniform(0.0, math::kTau);
+    const double speed_mps = draws.uniform(spec.moving_speed_mps[0], spec.moving_speed_mps[1]);
+    const double phase = draws.uniform();
+    if (!is_moving) continue;
+    const Eigen::Vector3d direction(math::cos(heading_rad), math::sin(heading_rad), 0.0);
+    world.motions.push_back({.instance = i,
+                             .amplitude_world = reach_m * direction,
+                             .period_s = math::kTau * reach_m / speed_mps,
+                             .phase = phase});
+  }
+}
+
 /// What stands at a place, by a draw in [0, 1); nothing: a cylinder.
 std::optional<FurnitureKind> furniture_kind(const HallSpec& spec, double draw) {
   if (draw < spec.crates_ratio) return FurnitureKind::crates;
@@ -153,6 +173,7 @@ World make_hall(const HallSpec& spec, std::uint64_t map_seed) {
   }
   world.mean_obstacle_width_m =
       width_sum_m / static_cast<double>(cylinders.size() + furniture.size());
+  add_motions(spec, map_seed, world);
   add_lamps(world.flight_bounds, world);
   world.bounds = world.flight_bounds;
   set_hall_bands(spec.area_m, spec.flight_height_m, world);

@@ -87,6 +87,7 @@ void check_contradictions(const HallSpec& spec, std::vector<InputProblem>& probl
                 "poisson_radius_m"));
   }
   check_order("cylinder_height_m", spec.cylinder_height_m, problems);
+  check_order("moving_speed_mps", spec.moving_speed_mps, problems);
   if (spec.crates_ratio + spec.shelf_ratio + spec.pillar_ratio > 1.0) {
     problems.push_back(problem("crates_ratio, shelf_ratio and pillar_ratio are more than 1"));
   }

@@ -39,6 +39,8 @@ struct HallSpec {
   double crates_ratio = 0.0;
   double shelf_ratio = 0.0;
   double pillar_ratio = 0.0;
+  double moving_ratio = 0.0;
+  std::array<double, 2> moving_speed_mps{0.5, 1.5};
   double height_m = 5.0;
   double texture_opacity = 1.0;
   double flight_height_m = 2.0;
@@ -123,6 +125,10 @@ void visit(Visitor& v, HallSpec& s) {
   v.field("shelf_ratio", s.shelf_ratio, Range{0, 1},
           "Fraction with an open shelf, twice as long as a cylinder is wide.");
   v.field("pillar_ratio", s.pillar_ratio, Range{0, 1}, "Fraction with a square pillar.");
+  v.field("moving_ratio", s.moving_ratio, Range{0, 1},
+          "Fraction of the cylinders that go back and forth, as far as their neighbours let them.");
+  v.field("moving_speed_mps", s.moving_speed_mps, Range{0.05, 10},
+          "Least and greatest speed in the middle of a moving cylinder's way.");
   v.field("height_m", s.height_m, Range{2, 20}, "Height of the ceiling.");
   v.field("texture_opacity", s.texture_opacity, Range{0, 1},
           "Strength of the cylinders' painted pattern: low is bland. Does not move any obstacle.");

@@ -2,7 +2,10 @@
 
 #include <span>
 
+#include <cmath>
+
 #include "base/digest.hpp"
+#include "base/math.hpp"
 
 namespace avoidbench {
 namespace {
@@ -58,7 +61,21 @@ std::string world_digest(const World& world) {
   }
   digest.add(std::uint64_t{world.heights_above_ground ? 1U : 0U});
   digest.add(world.poisson_radius_m).add(world.mean_obstacle_width_m);
+  for (const Motion& motion : world.motions) {
+    digest.add(std::uint64_t{motion.instance});
+    add(digest, motion.amplitude_world);
+    digest.add(motion.period_s).add(motion.phase);
+  }
   return digest.hex();
+}
+
+Eigen::Vector3d displacement_world(const Motion& motion, double time_s) {
+  const double turns = time_s / motion.period_s + motion.phase;
+  return motion.amplitude_world * math::sin(math::kTau * (turns - std::floor(turns)));
+}
+
+double greatest_speed_mps(const Motion& motion) {
+  return motion.amplitude_world.norm() * math::kTau / motion.period_s;
 }
 
 std::size_t triangle_count(const World& world) {
@@ -71,7 +88,7 @@ std::size_t triangle_count(const World& world) {
 
 std::size_t memory_bytes(const World& world) {
   std::size_t total = sizeof(World) + bytes(world.prototypes) + bytes(world.instances) +
-                      bytes(world.obstacles) + bytes(world.ground.heights_m);
+                      bytes(world.obstacles) + bytes(world.motions) + bytes(world.ground.heights_m);
   for (const Prototype& prototype : world.prototypes) {
     total += bytes(prototype.mesh.vertices) + bytes(prototype.mesh.triangles) +
              bytes(prototype.triangle_materials);

@@ -37,6 +37,18 @@ struct Obstacle {
   double texture_opacity = 1.0;  ///< strength of the surface's pattern in [0, 1]: low is bland
 };
 
+/// An instance that goes back and forth: at time t it stands amplitude · sin(2π(t/period + phase))
+/// away from its transform.
+struct Motion {
+  std::uint32_t instance = 0;
+  Eigen::Vector3d amplitude_world = Eigen::Vector3d::Zero();  ///< [m]
+  double period_s = 1.0;
+  double phase = 0.0;  ///< in periods
+};
+
+Eigen::Vector3d displacement_world(const Motion& motion, double time_s);
+double greatest_speed_mps(const Motion& motion);
+
 /// A box of positions, for starts, goals and flight.
 struct Region {
   Eigen::Vector3d lowest = Eigen::Vector3d::Zero();
@@ -58,6 +70,7 @@ struct HeightField {
 struct World {
   std::vector<Prototype> prototypes;
   std::vector<Instance> instances;
+  std::vector<Motion> motions;  ///< of the instances that move; of most maps none
   std::vector<Obstacle> obstacles;
   HeightField ground;
   Aabb bounds;         ///< a vehicle's centre that leaves it ends the trial with left_bounds

@@ -159,7 +159,8 @@ TEST_F(SweepFiles, EachProblemHasItsPlaceAndReason) {
        "s.yaml:3:25: maps.bush_ratio: unknown key for generator hall (known: seeds, generator, "
        "area_m, "
        "poisson_radius_m, cylinder_diameter_m, "
-       "cylinder_height_m, crates_ratio, shelf_ratio, pillar_ratio, height_m, texture_opacity, "
+       "cylinder_height_m, crates_ratio, shelf_ratio, pillar_ratio, moving_ratio, "
+       "moving_speed_mps, height_m, texture_opacity, "
        "flight_height_m)"},
       {"maps: {flight_height_m: 8}",
        "s.yaml:3:25: maps.flight_height_m: 8 is not below height_m, 6"},

@@ -77,7 +77,7 @@ TEST(TraversabilityObstruction, DependsOnItsSeedAlone) {
 TEST(TraversabilityPointcloud, OfAnEmptyWorldIsItsOwnNorm) {
   const World world = test::flight_world();
   const Traversability found =
-      traversability_pointcloud(world, 0.25, body_measure({0.5, 0.5, 0.1}));
+      traversability_pointcloud(world, 0.35, body_measure({0.5, 0.5, 0.1}));
   EXPECT_EQ(found.normalized_ratio, 1.0);
   // Along y from row i of 39: whole steps to the sides, 40 m in all; slantwise √2 as far at most.
   EXPECT_GT(found.value, 15.0 / std::sqrt(0.5));

@@ -48,7 +48,8 @@ TEST(HardCases, OpeningWallsShortensTheWayThroughAMaze) {
 
 TEST(HardCases, TheOnlyWayThroughAGateHasItsSize) {
   // A gate 1.4 m wide lets a ball of 0.65 m pass and stops one of 0.75 m.
-  const GapWallsSpec spec{.wall_count = 1, .gaps_per_wall = 1, .gap_height_m = 1.4};
+  const GapWallsSpec spec{
+      .area_m = {10.0, 14.0}, .wall_count = 1, .gaps_per_wall = 1, .gap_height_m = 1.4};
   TrialSpec trial;
   trial.map = spec;
   const World world = make_world(trial.map, 5);

@@ -74,6 +74,7 @@ TEST(ReferencePath, FliesOverALowWallRatherThanAround) {
 TEST(ReferencePath, SaysWhenThereIsNone) {
   World world = test::flight_world();
   test::add_obstacle(world, test::box_mesh({41.9F, 0.2F, 30}), {0, 0, 0}, "wall");
+  world.bounds = Aabb(Vector3d(-6, -18, -0.5), Vector3d(6, 18, 4));
   EXPECT_EQ(reference_length(world, test::straight_mission()), HUGE_VAL);
 }
 

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <vector>
 
+#include "render/depth.hpp"
 #include "support/test_worlds.hpp"
 
 namespace avoidbench {
@@ -215,6 +217,67 @@ TEST(Scene, MovesWithItsWorld) {
   for (int i = 0; i < 200; ++i) {
     const Vector3d point = test::random_point(random, 7.0);
     EXPECT_NEAR(here.nearest(point).distance_m, there.nearest(point + shift).distance_m, 4e-6);
+  }
+}
+
+/// A floor and a box that goes back and forth over it along x.
+World moving_world() {
+  World world;
+  world.prototypes = {test::make_prototype(test::plane_mesh(20.0F)),
+                      test::make_prototype(test::box_mesh({1, 1, 1}))};
+  world.instances.resize(2);
+  world.instances[1].prototype = world.instances[1].obstacle = 1;
+  world.instances[1].T_world_prototype.translation() = Eigen::Vector3f(0, 5, 2);
+  world.obstacles = {{.kind = "ground"}, {.kind = "box"}};
+  world.motions = {{.instance = 1, .amplitude_world = {3, 0, 0}, .period_s = 4.0, .phase = 0.0}};
+  return world;
+}
+
+TEST(Scene, WhatMovesIsWhereItsTimeSays) {
+  const World world = moving_world();
+  Scene scene(world);
+  World still = world;
+  still.motions.clear();
+  for (const double time_s : {0.0, 0.4, 1.0, 2.9, 1.7, 4.0}) {
+    scene.set_time(time_s);
+    const Vector3d away(3.0 * std::sin(2.0 * math::kPi * time_s / 4.0), 0, 0);
+    still.instances[1].T_world_prototype.translation() =
+        world.instances[1].T_world_prototype.translation() +
+        displacement_world(world.motions[0], time_s).cast<float>();
+    const Scene expected(still, 0);
+    EXPECT_NEAR(scene.nearest(Vector3d(0, 5, 2) + away).distance_m, 0.5, 1e-6);
+    const Vector3d from(0, -3, 2), to = Vector3d(0, 5, 2) + away;
+    const RayHit hit = scene.first_hit(from, to - from);
+    EXPECT_EQ(hit.instance, 1U);
+    EXPECT_EQ(hit.distance_m, expected.first_hit(from, to - from).distance_m);
+    EXPECT_TRUE(scene.occluded(from, from + 2.0 * (to - from)));
+    const Pose body = make_pose(Vector3d(0.0, 4.3, 2.0), Eigen::Quaterniond::Identity());
+    const Vector3d size(0.5, 0.5, 0.2);
+    EXPECT_EQ(scene.touch(size, body).has_value(), expected.touch(size, body).has_value());
+    EXPECT_EQ(scene.body_clearance(size, body, 10.0), expected.body_clearance(size, body, 10.0));
+    const Vector3d beside(1.0, 2.0, 1.0);
+    EXPECT_EQ(scene.nearest(beside).point_world, expected.nearest(beside).point_world);
+  }
+}
+
+TEST(Scene, DepthFollowsWhatMoves) {
+  const World world = moving_world();
+  Scene scene(world);
+  World still = world;
+  still.motions.clear();
+  const Pinhole camera = make_pinhole(64, 48, 1.4, 15.0);
+  Pose pose = Pose::Identity();
+  pose.linear() << 1, 0, 0, 0, 0, 1, 0, -1, 0;  // looks along +y, image up is +z
+  pose.translation() = Vector3d(0, -3, 2);
+  std::vector<float> seen(64 * 48), expected(64 * 48);
+  for (const double time_s : {0.0, 0.7, 1.3, 3.1}) {
+    scene.set_time(time_s);
+    render_depth(scene, camera, pose, seen);
+    still.instances[1].T_world_prototype.translation() =
+        world.instances[1].T_world_prototype.translation() +
+        displacement_world(world.motions[0], time_s).cast<float>();
+    render_depth(Scene(still, 0), camera, pose, expected);
+    EXPECT_EQ(std::memcmp(seen.data(), expected.data(), seen.size() * sizeof(float)), 0) << time_s;
   }
 }
 

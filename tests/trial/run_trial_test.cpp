@@ -172,5 +172,42 @@ TEST(MakeMission, IsFreeAroundAndTheSameForTheSameIndex) {
       make_mission(scene, {.free_radius_m = 3.0}, 3, 0).has_value());  // the floor is 2 m below
 }
 
+/// The goal is behind a gate that a box closes and opens: the same straight flight meets it or not.
+TEST(RunTrial, MovingObstaclesAreMetWhereTheyAreAtThatTime) {
+  World world = test::flight_world();
+  test::add_obstacle(world, test::box_mesh({1, 1, 8}), {0, 0, 2}, "slider");
+  const auto flown = [&](double amplitude_m, double phase) {
+    World moving = world;
+    moving.motions = {{.instance = 1,
+                       .amplitude_world = {amplitude_m, 0, 0},
+                       .period_s = 1000.0,
+                       .phase = phase}};
+    return fly(spec_of("straight_line"), moving, test::straight_mission());
+  };
+  const TrialRecord met = flown(3.0, 0.0);  // hardly out of the way within the flight
+  ASSERT_EQ(met.outcome, Outcome::collided) << met.reason;
+  EXPECT_EQ(met.collisions[0].kind, "slider");
+  EXPECT_NEAR(met.samples.back().position_world.y(), -0.75, 0.02);
+  EXPECT_EQ(flown(3.0, 0.25).outcome, Outcome::reached_goal);  // 3 m aside all the time
+}
+
+/// A hovering vehicle is hit by what comes to it, at the time that follows from the motion.
+TEST(RunTrial, AHoveringVehicleIsHitByWhatComes) {
+  World world = test::flight_world();
+  test::add_obstacle(world, test::box_mesh({1, 6, 8}), {-6, -15, 2}, "slider");
+  world.motions = {{.instance = 1, .amplitude_world = {12, 0, 0}, .period_s = 40.0, .phase = 0.0}};
+  TrialSpec spec = spec_of("straight_line");
+  Mission mission = test::straight_mission();
+  mission.goal_world = mission.start_world + Vector3d(0, 1.0, 0);  // stays about where it is
+  spec.mission.goal_radius_m = 0.0;                                // never reached
+  spec.mission.time_limit_s = 20.0;
+  const TrialRecord record = fly(spec, world, mission);
+  ASSERT_EQ(record.outcome, Outcome::collided) << record.reason;
+  // Its face comes to the vehicle's side: -6 + 12 sin(2πt/40) + 0.5 = -0.25.
+  const double expected_s = 40.0 / math::kTau * std::asin(5.25 / 12.0);
+  EXPECT_NEAR(record.end_time_s, expected_s, 0.1);
+  EXPECT_EQ(record.collisions[0].kind, "slider");
+}
+
 }  // namespace
 }  // namespace avoidbench

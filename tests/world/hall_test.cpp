@@ -154,5 +154,32 @@ TEST(Hall, too_much_or_too_long_furniture_is_refused) {
   EXPECT_THROW(make_world(HallSpec{.cylinder_height_m = {3.0, 2.0}}, 1), InputError);
 }
 
+TEST(Hall, moving_cylinders_keep_to_their_half_of_the_gap) {
+  const HallSpec spec{.poisson_radius_m = 3.0, .moving_ratio = 0.5, .moving_speed_mps = {0.5, 2.0}};
+  const World world = make_world(spec, 5);
+  EXPECT_GT(world.motions.size(), 10U);
+  const double reach_m = 0.5 * (3.0 - 1.0);
+  for (const Motion& motion : world.motions) {
+    EXPECT_EQ(world.obstacles[world.instances[motion.instance].obstacle].kind, "cylinder");
+    EXPECT_NEAR(motion.amplitude_world.norm(), reach_m, 1e-12);
+    EXPECT_EQ(motion.amplitude_world.z(), 0.0);
+    EXPECT_GE(greatest_speed_mps(motion), 0.5 - 1e-12);
+    EXPECT_LE(greatest_speed_mps(motion), 2.0);
+    const double step_s = 1e-4;  // the speed where the way is crossed, by a difference
+    const double crossing_s = (1.0 - motion.phase) * motion.period_s;
+    const Eigen::Vector3d after = displacement_world(motion, crossing_s + step_s);
+    const Eigen::Vector3d before = displacement_world(motion, crossing_s - step_s);
+    EXPECT_NEAR((after - before).norm() / (2.0 * step_s), greatest_speed_mps(motion), 1e-4);
+    EXPECT_LT(
+        (displacement_world(motion, 1.0) - displacement_world(motion, 1.0 + 3.0 * motion.period_s))
+            .norm(),
+        1e-9);
+  }
+  World still = world;
+  still.motions.clear();
+  EXPECT_NE(world_digest(world), world_digest(still));
+  EXPECT_EQ(world_digest(still), make_world(HallSpec{.poisson_radius_m = 3.0}, 5).digest);
+}
+
 }  // namespace
 }  // namespace avoidbench
