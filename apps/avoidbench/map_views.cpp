@@ -17,6 +17,11 @@ namespace {
 /// The world without things of these kinds, so that one sees in from outside.
 World without(const World& world, std::initializer_list<std::string_view> kinds) {
   World open = world;
+  for (const Motion& motion : world.motions) {  // where it stands at time 0
+    open.instances[motion.instance].T_world_prototype.translation() +=
+        displacement_world(motion, 0.0).cast<float>();
+  }
+  open.motions.clear();
   std::erase_if(open.instances, [&](const Instance& instance) {
     const std::string& kind = world.obstacles[instance.obstacle].kind;
     return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
