@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <string_view>
 
 #include "base/math.hpp"
 #include "trial/mission.hpp"
+#include "world/scenery.hpp"
 #include "world/voxels.hpp"
 
 namespace avoidbench {
@@ -80,11 +80,6 @@ double stepped_distance_m(const VoxelGrid& points, const Aabb& box, const Eigen:
     sum_m += count * points.size_m;
   }
   return sum_m / kHeadings;
-}
-
-bool is_scenery(const Obstacle& obstacle) {
-  static constexpr std::array<std::string_view, 4> kScenery{"ground", "wall", "ceiling", "lamp"};
-  return std::find(kScenery.begin(), kScenery.end(), obstacle.kind) != kScenery.end();
 }
 
 }  // namespace
@@ -163,7 +158,7 @@ double free_volume_ratio(const Scene& scene, ClearanceGrid& grid, const BodyMeas
 
 std::int64_t obstacle_count(const World& world) {
   return std::count_if(world.obstacles.begin(), world.obstacles.end(),
-                       [](const Obstacle& obstacle) { return !is_scenery(obstacle); });
+                       [](const Obstacle& obstacle) { return !is_scenery(obstacle.kind); });
 }
 
 double obstacle_density_1pm2(const World& world) {
@@ -171,7 +166,7 @@ double obstacle_density_1pm2(const World& world) {
   const auto count =
       std::count_if(world.obstacles.begin(), world.obstacles.end(), [&](const Obstacle& obstacle) {
         const Eigen::Vector3d& foot = obstacle.position_world;
-        return !is_scenery(obstacle) && foot.x() >= flight.min().x() &&
+        return !is_scenery(obstacle.kind) && foot.x() >= flight.min().x() &&
                foot.y() >= flight.min().y() && foot.x() <= flight.max().x() &&
                foot.y() <= flight.max().y();
       });

@@ -8,6 +8,7 @@
 #include "world/map_file.hpp"
 #include "world/mesh_file.hpp"
 #include "world/point_cloud_file.hpp"
+#include "world/scenery.hpp"
 #include "world/voxel_surface.hpp"
 
 namespace avoidbench {
@@ -230,10 +231,6 @@ Prototype welded(const MeshPart& part, const Eigen::Vector3d& foot) {
     prototype.triangle_materials.push_back(part.materials[i]);
   }
   return prototype;
-}
-
-bool is_scenery(const std::string& kind) {
-  return kind == "ground" || kind == "wall" || kind == "ceiling";
 }
 
 /// Adds the part as an obstacle that stands at the middle of its foot.

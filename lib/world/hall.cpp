@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <optional>
 
@@ -50,6 +51,19 @@ std::optional<FurnitureKind> furniture_kind(const HallSpec& spec, double draw) {
 
 }  // namespace
 
+bool is_scenery(std::string_view kind) {
+  static constexpr std::array<std::string_view, 4> kScenery{"ground", "wall", "ceiling", "lamp"};
+  return std::find(kScenery.begin(), kScenery.end(), kind) != kScenery.end();
+}
+
+Eigen::Matrix3f upright_turn(double yaw_rad) {
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+  turn(0, 0) = turn(1, 1) = math::cos(yaw_rad);
+  turn(1, 0) = math::sin(yaw_rad);
+  turn(0, 1) = -turn(1, 0);
+  return turn.cast<float>();
+}
+
 void add_obstacle(World& world, Prototype prototype, Obstacle obstacle) {
   add_turned_obstacle(world, std::move(prototype), std::move(obstacle), 0.0);
 }
@@ -60,11 +74,7 @@ void add_turned_obstacle(World& world, Prototype prototype, Obstacle obstacle, d
   instance.obstacle = static_cast<std::uint32_t>(world.obstacles.size());
   instance.T_world_prototype.translation() = obstacle.position_world.cast<float>();
   if (yaw_rad != 0.0) {
-    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
-    turn(0, 0) = turn(1, 1) = math::cos(yaw_rad);
-    turn(1, 0) = math::sin(yaw_rad);
-    turn(0, 1) = -turn(1, 0);
-    instance.T_world_prototype.linear() = turn.cast<float>();
+    instance.T_world_prototype.linear() = upright_turn(yaw_rad);
   }
   world.prototypes.push_back(std::move(prototype));
   world.instances.push_back(instance);

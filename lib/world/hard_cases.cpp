@@ -279,16 +279,12 @@ World make_dead_ends(const DeadEndsSpec& spec, std::uint64_t map_seed) {
   for (const Eigen::Vector2d& place :
        poisson_disc({size_m.x(), size_m.y()}, 2.0 * reach_m + spec.passage_m, positions)) {
     const double yaw = turns.uniform(-spec.yaw_deg, spec.yaw_deg) * math::kDegree;
-    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
-    turn(0, 0) = turn(1, 1) = math::cos(yaw);
-    turn(1, 0) = math::sin(yaw);
-    turn(0, 1) = -turn(1, 0);
     Obstacle trap{.kind = "trap", .width_m = spec.trap_width_m + 2.0 * kWall_m};
     trap.position_world = {corner.x() + place.x(), corner.y() + place.y(), 0.0};
     Instance instance;
     instance.prototype = prototype;
     instance.obstacle = static_cast<std::uint32_t>(world.obstacles.size());
-    instance.T_world_prototype.linear() = turn.cast<float>();
+    instance.T_world_prototype.linear() = upright_turn(yaw);
     instance.T_world_prototype.translation() = trap.position_world.cast<float>();
     world.instances.push_back(instance);
     world.obstacles.push_back(trap);
