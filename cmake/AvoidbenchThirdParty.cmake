@@ -20,7 +20,7 @@ endif()
 # Only the OpenCV modules that are used: Debian's CMake files for OpenCV demand all of them, so ask by name.
 add_library(avoidbench_opencv INTERFACE)
 find_path(OPENCV_INCLUDE opencv2/imgproc.hpp PATH_SUFFIXES opencv4 REQUIRED)
-foreach(module imgproc core)
+foreach(module calib3d imgproc core)
   find_library(OPENCV_${module} opencv_${module} REQUIRED)
   target_link_libraries(avoidbench_opencv INTERFACE ${OPENCV_${module}})
 endforeach()
