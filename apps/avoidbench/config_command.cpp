@@ -10,21 +10,35 @@
 namespace avoidbench {
 namespace {
 
-const std::vector<std::string> kPresets{"sweep", "hummingbird", "hummingbird_rotors", "firefly",
-                                        "depth_ideal"};
+/// What can be printed: a sweep, the vehicles and sensors that are built in.
+std::vector<std::string> preset_names() {
+  std::vector<std::string> names{"sweep", "hummingbird", "hummingbird_rotors", "firefly"};
+  for (const SensorSpec& sensor : sensor_presets()) names.push_back(sensor.name);
+  return names;
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string all;
+  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+  return all;
+}
 
 std::string preset_yaml(const std::string& name) {
   if (name == "sweep") return sweep_defaults_yaml();
   if (name == "hummingbird") return vehicle_yaml(hummingbird_spec());
   if (name == "hummingbird_rotors") return vehicle_yaml(hummingbird_rotors_spec());
   if (name == "firefly") return vehicle_yaml(firefly_spec());
-  if (name == "depth_ideal") return sensor_yaml(SensorSpec{});
-  throw InputError("nothing built in is named '" + name + "'" + did_you_mean(name, kPresets) +
-                   "; it is one of sweep, hummingbird, hummingbird_rotors, firefly, depth_ideal");
+  for (const SensorSpec& sensor : sensor_presets()) {
+    if (name == sensor.name) return sensor_yaml(sensor);
+  }
+  const std::vector<std::string> names = preset_names();
+  throw InputError("nothing built in is named '" + name + "'" + did_you_mean(name, names) +
+                   "; it is one of " + joined(names));
 }
 
 void check(const std::string& file, const std::vector<std::string>& overrides) {
   const SweepSpec sweep = read_sweep(file, overrides);
+  for (const std::string& warning : sweep.warnings) std::cerr << "warning: " << warning << "\n";
   std::size_t settings = 1;
   for (const Axis& axis : sweep.axes) settings *= axis.values.size();
   const auto missions = static_cast<std::size_t>(sweep.trials);
@@ -59,8 +73,7 @@ void add_config_command(CLI::App& app) {
       "defaults", "Everything that a file can say, at its default, with docs and ranges, as YAML");
   defaults
       ->add_option("what", options->preset,
-                   "sweep, or a vehicle or sensor that is built in: hummingbird, "
-                   "hummingbird_rotors, firefly, depth_ideal")
+                   "A sweep, or a vehicle or sensor that is built in: " + joined(preset_names()))
       ->capture_default_str();
   defaults->add_option("--output", options->output, "File to write, - for standard output")
       ->capture_default_str();

@@ -82,7 +82,7 @@ Pose start_camera(const Scene& scene, const TrialSpec& trial, std::int64_t index
                      "sparser, the radius smaller or the start and goal regions larger");
   }
   return make_pose(mission->start_world, yaw_rotation(mission->start_yaw_rad)) *
-         T_body_camera(trial.sensor);
+         T_body_camera(trial.sensor.mounting);
 }
 
 Picture depth_view(const World& world, const TrialSpec& trial, const MapView& view) {

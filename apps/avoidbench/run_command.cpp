@@ -161,6 +161,7 @@ void warn(const RunCommand& command, const SweepSpec& sweep, int jobs) {
 
 void run(const RunCommand& command) {
   const SweepSpec sweep = read_sweep(command.sweep_file, command.overrides);
+  for (const std::string& warning : sweep.warnings) std::cerr << "warning: " << warning << "\n";
   if (command.dry_run) return print_trials(sweep);
   const int jobs = command.jobs > 0 ? command.jobs : allowed_cpus();
   std::filesystem::path file = command.database_file;

@@ -1,10 +1,13 @@
 #include "base/random.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
+#include <vector>
 
 #include "base/check.hpp"
 #include "base/math.hpp"
+#include "base/normal_quantile.hpp"
 
 namespace avoidbench {
 namespace {
@@ -16,6 +19,24 @@ std::uint64_t split_mix(std::uint64_t& state) {
   z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9ULL;
   z = (z ^ (z >> 27U)) * 0x94d049bb133111ebULL;
   return z ^ (z >> 31U);
+}
+
+constexpr unsigned kCoarseBits = 12;
+constexpr std::size_t kCoarseLevels = std::size_t{1} << kCoarseBits;
+
+/// The normal's quantiles at the middles of equal shares, scaled to variance 1.
+std::vector<float> make_coarse_normals() {
+  std::vector<double> quantiles(kCoarseLevels);
+  double square_sum = 0.0;
+  for (std::size_t i = 0; i < kCoarseLevels; ++i) {
+    quantiles[i] =
+        normal_quantile((static_cast<double>(i) + 0.5) / static_cast<double>(kCoarseLevels));
+    square_sum += quantiles[i] * quantiles[i];
+  }
+  const double scale = std::sqrt(static_cast<double>(kCoarseLevels) / square_sum);
+  std::vector<float> normals;
+  for (const double quantile : quantiles) normals.push_back(static_cast<float>(scale * quantile));
+  return normals;
 }
 
 }  // namespace
@@ -67,6 +88,18 @@ double RandomStream::normal() {
   spare_normal_ = y * factor;
   has_spare_ = true;
   return x * factor;
+}
+
+void RandomStream::coarse_normals(std::span<float> values) {
+  static const std::vector<float> kNormals = make_coarse_normals();
+  constexpr std::size_t kPerDraw = 5;  // of 12 bits each
+  for (std::size_t i = 0; i < values.size(); i += kPerDraw) {
+    std::uint64_t word = bits();
+    const std::size_t count = std::min(kPerDraw, values.size() - i);
+    for (std::size_t k = 0; k < count; ++k, word >>= kCoarseBits) {
+      values[i + k] = kNormals[word & (kCoarseLevels - 1)];
+    }
+  }
 }
 
 std::uint64_t stream_seed(std::uint64_t seed, std::string_view name) {

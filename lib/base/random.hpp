@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 namespace avoidbench {
@@ -19,6 +20,9 @@ class RandomStream {
   double uniform(double lowest, double highest);  ///< [lowest, highest)
   std::uint64_t below(std::uint64_t count);       ///< [0, count), unbiased; count > 0
   double normal();  ///< mean 0, variance 1 (polar method; both values used)
+  /// Fills with normals of mean 0 and variance 1 in 4096 steps, the farthest at 3.7: for images,
+  /// ten times as fast as normal(). Draws 64 bits for each five values begun.
+  void coarse_normals(std::span<float> values);
 
  private:
   std::array<std::uint64_t, 4> state_;

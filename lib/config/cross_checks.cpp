@@ -11,23 +11,6 @@ namespace {
 
 using Found = std::vector<Contradiction>;
 
-/// The rate nearest to `rate_hz` whose period is a whole number of ticks.
-double nearest_rate_hz(double rate_hz) {
-  const double exact = static_cast<double>(kTicksPerSecond) / rate_hz;
-  const double below = static_cast<double>(kTicksPerSecond) / std::max(1.0, std::floor(exact));
-  const double above = static_cast<double>(kTicksPerSecond) / std::max(1.0, std::ceil(exact));
-  return std::abs(below - rate_hz) < std::abs(above - rate_hz) ? below : above;
-}
-
-void check_rate(const std::string& path, double rate_hz, Found& found) {
-  if (period_ticks(rate_hz)) return;
-  // Enough digits for the suggestion to be accepted as it is printed.
-  const double nearest = nearest_rate_hz(rate_hz);
-  found.push_back({path, number_text(rate_hz) +
-                             " Hz is not a whole number of ticks of 1/36000 s; the nearest is " +
-                             number_text(nearest)});
-}
-
 void check_not_faster(const std::string& path, double rate_hz, double physics_hz, Found& found) {
   if (rate_hz <= physics_hz) return;
   found.push_back({path, number_text(rate_hz) + " Hz is faster than rates.physics_hz, " +
@@ -44,22 +27,83 @@ void add_fields(const std::string& block, const InputError& error, Found& found)
   }
 }
 
+void check_matcher(const SensorSpec& sensor, Found& found) {
+  const auto check_disparities = [&](std::int64_t disparities) {
+    if (disparities % 16 != 0) {
+      found.push_back({"sensor.disparities", std::to_string(disparities) +
+                                                 " is not a multiple of 16; the next is " +
+                                                 std::to_string((disparities / 16 + 1) * 16)});
+    }
+    if (disparities >= sensor.width_px) {
+      found.push_back({"sensor.disparities", std::to_string(disparities) +
+                                                 " is not below width_px, " +
+                                                 std::to_string(sensor.width_px)});
+    }
+  };
+  if (const auto* sgm = std::get_if<StereoSgmSpec>(&sensor.method)) {
+    check_disparities(sgm->disparities);
+    if (sgm->block_px % 2 == 0) {
+      found.push_back({"sensor.block_px", std::to_string(sgm->block_px) + " is not odd"});
+    }
+    if (sgm->p1_factor >= sgm->p2_factor) {
+      found.push_back({"sensor.p1_factor", number_text(sgm->p1_factor) +
+                                               " is not below p2_factor, " +
+                                               number_text(sgm->p2_factor)});
+    }
+  }
+  if (const auto* census = std::get_if<StereoCensusSpec>(&sensor.method)) {
+    check_disparities(census->disparities);
+    if (census->paths != 4 && census->paths != 8) {
+      found.push_back({"sensor.paths", std::to_string(census->paths) + " is neither 4 nor 8"});
+    }
+    if (census->p1 > census->p2) {
+      found.push_back({"sensor.p1",
+                       std::to_string(census->p1) + " is above p2, " + std::to_string(census->p2)});
+    }
+  }
+}
+
+void check_sensor(const SensorSpec& sensor, Found& found) {
+  if (!(sensor.min_range_m < sensor.max_range_m)) {
+    found.push_back({"sensor.min_range_m", number_text(sensor.min_range_m) +
+                                               " is not below max_range_m, " +
+                                               number_text(sensor.max_range_m)});
+  }
+  const double period_ms = 1000.0 / sensor.rate_hz;
+  for (const auto& [name, time_ms] : {std::pair("sensor.jitter_ms", sensor.jitter_ms),
+                                      std::pair("sensor.exposure_ms", sensor.exposure_ms)}) {
+    if (time_ms < period_ms) continue;
+    found.push_back({name, number_text(time_ms) + " ms is not below the time between two images, " +
+                               number_text(period_ms) + " ms"});
+  }
+  check_matcher(sensor, found);
+}
+
 }  // namespace
+
+std::vector<std::pair<std::string, double*>> rates_hz(TrialSpec& spec) {
+  return {
+      {"rates.physics_hz", &spec.rates.physics_hz}, {"rates.plan_hz", &spec.rates.plan_hz},
+      {"rates.sample_hz", &spec.rates.sample_hz},   {"sensor.rate_hz", &spec.sensor.rate_hz},
+      {"imu.rate_hz", &spec.imu.rate_hz},           {"odometry.rate_hz", &spec.odometry.rate_hz}};
+}
+
+double nearest_rate_hz(double rate_hz) {
+  if (period_ticks(rate_hz)) return rate_hz;
+  const double exact = static_cast<double>(kTicksPerSecond) / rate_hz;
+  const double below = static_cast<double>(kTicksPerSecond) / std::max(1.0, std::floor(exact));
+  const double above = static_cast<double>(kTicksPerSecond) / std::max(1.0, std::ceil(exact));
+  return std::abs(below - rate_hz) < std::abs(above - rate_hz) ? below : above;
+}
 
 std::vector<Contradiction> contradictions(const TrialSpec& spec) {
   Found found;
-  check_rate("rates.physics_hz", spec.rates.physics_hz, found);
-  check_rate("rates.plan_hz", spec.rates.plan_hz, found);
-  check_rate("rates.sample_hz", spec.rates.sample_hz, found);
-  check_rate("sensor.rate_hz", spec.sensor.rate_hz, found);
   check_not_faster("rates.plan_hz", spec.rates.plan_hz, spec.rates.physics_hz, found);
   check_not_faster("rates.sample_hz", spec.rates.sample_hz, spec.rates.physics_hz, found);
   check_not_faster("sensor.rate_hz", spec.sensor.rate_hz, spec.rates.physics_hz, found);
-  if (!(spec.sensor.min_range_m < spec.sensor.max_range_m)) {
-    found.push_back({"sensor.min_range_m", number_text(spec.sensor.min_range_m) +
-                                               " is not below max_range_m, " +
-                                               number_text(spec.sensor.max_range_m)});
-  }
+  check_not_faster("imu.rate_hz", spec.imu.rate_hz, spec.rates.physics_hz, found);
+  check_not_faster("odometry.rate_hz", spec.odometry.rate_hz, spec.rates.physics_hz, found);
+  check_sensor(spec.sensor, found);
   try {
     check_map(spec.map);
   } catch (const InputError& error) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "trial/trial_spec.hpp"
@@ -13,8 +14,14 @@ struct Contradiction {
   std::string message;
 };
 
-/// What makes this trial impossible: rates that are not whole ticks, ranges that are empty, flights
-/// above the ceiling, a vehicle that can't fly.
+/// All rates of a trial with their paths.
+std::vector<std::pair<std::string, double*>> rates_hz(TrialSpec& spec);
+
+/// The rate nearest to `rate_hz` whose period is a whole number of ticks; itself where it is one.
+double nearest_rate_hz(double rate_hz);
+
+/// What makes this trial impossible: ranges that are empty, matchers that can't be, flights above
+/// the ceiling, a vehicle that can't fly.
 std::vector<Contradiction> contradictions(const TrialSpec& spec);
 
 }  // namespace avoidbench

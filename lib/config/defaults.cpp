@@ -91,7 +91,7 @@ class BlockPrinter {
       text += inner.text;
     } else if constexpr (detail::IsSequence<T>::value) {
       if constexpr (Visitable<typename T::value_type, BlockPrinter>) {
-        line(std::string(name) + ":", comment);
+        line(std::string(name) + (value.empty() ? ": []" : ":"), comment);
         for (auto& element : value) text += indent_ + "  - " + value_text(element) + "\n";
       } else {
         line(std::string(name) + ": " + value_text(value), comment);
@@ -161,6 +161,12 @@ void add_block(std::string& text, const std::string& name, Spec spec, const std:
   text += "\n# " + comment + "\n" + name + ":\n" + printer.text;
 }
 
+std::string sensor_names() {
+  std::string all;
+  for (const SensorSpec& sensor : sensor_presets()) all += (all.empty() ? "" : ", ") + sensor.name;
+  return all;
+}
+
 template <class Spec>
 std::string file_text(Spec spec, const std::string& header) {
   BlockPrinter printer("");
@@ -197,7 +203,13 @@ std::string sweep_defaults_yaml() {
             "given.");
   add_block(
       text, "sensor", trial.sensor,
-      "A name (depth_ideal, or that of sensors/NAME.yaml beside the sweep's folder), or fields.");
+      "A name (" + sensor_names() +
+          ",\n# or that of sensors/NAME.yaml beside the sweep's folder), or fields that differ "
+          "from those of `preset: NAME`,\n# which is depth_ideal where not given.");
+  add_block(text, "imu", trial.imu,
+            "The inertial measurement unit; the defaults are an ADIS16448's.");
+  add_block(text, "odometry", trial.odometry,
+            "How wrong the vehicle and its planner know where they are; all zero: not at all.");
   add_block(text, "latency", trial.latency, "What the planner sees at time t acts at t + latency.");
   add_block(text, "wind", trial.wind, "Wind and outer force.");
   add_block(text, "mission", trial.mission, "The rules of a flight.");

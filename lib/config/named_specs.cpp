@@ -23,7 +23,11 @@ Shelf<VehicleSpec> vehicles() {
   return shelf;
 }
 
-Shelf<SensorSpec> sensors() { return {"sensor", "sensors", {{"depth_ideal", SensorSpec{}}}}; }
+Shelf<SensorSpec> sensors() {
+  Shelf<SensorSpec> shelf{"sensor", "sensors", {}};
+  for (const SensorSpec& spec : sensor_presets()) shelf.built_in.emplace_back(spec.name, spec);
+  return shelf;
+}
 
 /// The file that `name` means, or "" where it is a built-in one or unknown.
 fs::path file_of(const std::string& name, const std::string& folder, const fs::path& base_folder) {

@@ -49,6 +49,10 @@ void read_blocks(SpecReader& reader, const fs::path& folder, TrialSpec& trial, R
   }
   if (const YamlNode* node = reader.take("sensor"))
     read_sensor(*node, folder, trial.sensor, reading);
+  if (const YamlNode* node = reader.take("imu")) read_spec(*node, "imu", trial.imu, reading);
+  if (const YamlNode* node = reader.take("odometry")) {
+    read_spec(*node, "odometry", trial.odometry, reading);
+  }
   if (const YamlNode* node = reader.take("latency")) {
     read_spec(*node, "latency", trial.latency, reading);
   }
@@ -58,6 +62,31 @@ void read_blocks(SpecReader& reader, const fs::path& folder, TrialSpec& trial, R
   }
   if (const YamlNode* node = reader.take("rates")) read_spec(*node, "rates", trial.rates, reading);
   reading.lists_are_axes = false;
+}
+
+/// Rounds the rates of the base and of the axes to whole ticks, with a warning for each.
+void round_rates(const YamlNode& root, SweepSpec& sweep) {
+  const auto rounded = [&](const std::string& path, double rate_hz) {
+    const double nearest_hz = nearest_rate_hz(rate_hz);
+    if (nearest_hz == rate_hz) return rate_hz;
+    const YamlNode* axis = axis_key(root, path);
+    const YamlNode& place = axis != nullptr ? *axis : node_near(root, path);
+    sweep.warnings.push_back(
+        text(problem_at(place, path + ": " + number_text(rate_hz) +
+                                   " Hz is not a whole number of ticks of 1/36000 s; rounded to " +
+                                   number_text(nearest_hz) + " Hz")));
+    return nearest_hz;
+  };
+  for (const auto& [path, rate_hz] : rates_hz(sweep.base)) {
+    bool is_axis = false;
+    for (Axis& axis : sweep.axes) {
+      if (axis.path != path) continue;
+      is_axis = true;
+      for (nlohmann::json& value : axis.values) value = rounded(path, value.get<double>());
+      *rate_hz = axis.values.front().get<double>();
+    }
+    if (!is_axis) *rate_hz = rounded(path, *rate_hz);
+  }
 }
 
 /// Adds the contradictions of the base and of the axes' combinations, each once.
@@ -125,7 +154,10 @@ SweepSpec read_sweep(const fs::path& file, const std::vector<std::string>& overr
         problem_at(root, "lacks 'planners', the list of planners to compare"));
   }
   reader.finish();
-  if (block_problems == 0) add_contradictions(root, sweep, reading);
+  if (block_problems == 0) {
+    round_rates(root, sweep);
+    add_contradictions(root, sweep, reading);
+  }
   check_size(root, sweep, reading);
   if (!reading.problems.empty()) fail(reading.problems, file.string());
   return sweep;
@@ -159,7 +191,8 @@ MapChoice read_map(const std::string& file_or_generator,
     root = std::move(sweep);
   }
   std::vector<std::string> full = overrides;
-  const std::vector<std::string> blocks{"maps", "mission", "seed", "vehicle", "sensor"};
+  const std::vector<std::string> blocks{"maps", "mission",  "seed",    "vehicle", "sensor",
+                                        "imu",  "odometry", "latency", "wind",    "rates"};
   for (std::string& option : full) {
     const std::string first = option.substr(0, option.find_first_of(".="));
     if (std::find(blocks.begin(), blocks.end(), first) == blocks.end()) option = "maps." + option;
@@ -176,6 +209,7 @@ MapChoice read_map(const std::string& file_or_generator,
   SweepSpec sweep;
   sweep.base = choice.trial;
   resolve_map_files(root, folder.empty() ? fs::path(".") : folder, sweep, reading);
+  round_rates(root, sweep);
   choice.trial = sweep.base;
   for (const char* other : {"sweep", "trials", "axes", "planners"}) reader.take(other);
   reader.finish();

@@ -73,7 +73,7 @@ PlannerSetup conformance_setup() {
   setup.body_size_m = {0.5, 0.5, 0.12};
   setup.plan_period_s = 1.0 / 30.0;
   setup.gravity_mps2 = 9.81;
-  CameraSetup& camera = setup.depth_camera;
+  CameraSetup& camera = setup.cameras.emplace_back();
   camera.width_px = 160;
   camera.height_px = 120;
   camera.fx_px = camera.fy_px = 80.0;
@@ -84,6 +84,7 @@ PlannerSetup conformance_setup() {
   camera.rate_hz = 30.0;
   camera.min_range_m = 0.1;
   camera.max_range_m = 15.0;
+  camera.baseline_m = 0.1;
   return setup;
 }
 
@@ -101,8 +102,8 @@ Flight wall_flight() {
     frame.velocity_world = {3.0, 0.0, 0.0};
     frame.position_world = flight.mission.start_world + frame.time_s * frame.velocity_world;
     const Eigen::Vector3d eye =
-        frame.position_world + setup.depth_camera.T_body_camera.translation();
-    frame.images.push_back(wall_image(setup.depth_camera, eye));
+        frame.position_world + setup.cameras.front().T_body_camera.translation();
+    frame.images.push_back(wall_image(setup.cameras.front(), eye));
     flight.frames.push_back(std::move(frame));
   }
   return flight;
@@ -145,7 +146,7 @@ std::string reply_problem(const Reply& reply, const ab_planner& table) {
 
 Probe::Probe(const ab_planner& table, const std::vector<ParameterValue>& values, bool poisoned)
     : table_(&table), poisoned_(poisoned), setup_(conformance_setup()) {
-  SetupBuffers buffers(setup_, values, (table.needs & AB_SEES_DEPTH) != 0);
+  SetupBuffers buffers(setup_, values, table.needs);
   const std::string escaped =
       escaped_exception([&] { instance_ = table_->create(&host_.table(), &buffers.setup()); });
   if (poisoned_) buffers.poison();
@@ -174,6 +175,18 @@ Reply Probe::reset(const PlannerMission& mission) {
   return reply;
 }
 
+/// Pictures for planners that see light: near is bright. Of one image a frame.
+void Probe::paint(const std::vector<float>& depth_m) {
+  grey_.clear();
+  rgb_.clear();
+  for (const float depth : depth_m) {
+    const float level = depth > 0.0F ? 255.0F / (1.0F + depth) : 0.0F;  // 0 for +inf and NaN
+    const auto grey = static_cast<std::uint8_t>(std::min(level, 255.0F));
+    grey_.push_back(grey);
+    rgb_.insert(rgb_.end(), 3, grey);
+  }
+}
+
 Reply Probe::plan(const Frame& frame) {
   std::move(pixels_.begin(), pixels_.end(), std::back_inserter(old_pixels_));
   pixels_.clear();
@@ -184,16 +197,20 @@ Reply Probe::plan(const Frame& frame) {
   view.velocity_world = frame.velocity_world;
   view.rates_body.setZero();
   view.q_world_body.setIdentity();
+  const Eigen::Isometry3d T_world_camera =
+      Eigen::Translation3d(frame.position_world) * setup_.cameras.front().T_body_camera;
   for (std::size_t i = 0; i < pixels_.size(); ++i) {
     DepthView seen;
     seen.time_s = frame.time_s;
-    seen.T_world_camera =
-        Eigen::Translation3d(frame.position_world) * setup_.depth_camera.T_body_camera;
+    seen.T_world_camera = T_world_camera;
     seen.depth_m = std::span<const float>(pixels_[i]).subspan(kFenceLength, frame.images[i].size());
     view.depth.push_back(seen);
+    paint(frame.images[i]);
+    view.stereo.push_back({frame.time_s, T_world_camera, 0, grey_, grey_});
+    view.color.push_back({frame.time_s, T_world_camera, 0, rgb_});
   }
-  const bool sees_depth = (table_->needs & AB_SEES_DEPTH) != 0;
-  const ab_observation& observation = observation_.fill(view, setup_.depth_camera, sees_depth);
+  view.imu.push_back({frame.time_s, Eigen::Vector3d::Zero(), {0.0, 0.0, 9.81}});
+  const ab_observation& observation = observation_.fill(view, setup_.cameras, table_->needs);
   const ab_observation before = observation;
   const ab_state state_before = *observation.state;
 

@@ -67,6 +67,8 @@ class Probe {
   std::vector<Reply> fly(const Flight& flight);
 
  private:
+  void paint(const std::vector<float>& depth_m);
+
   const ab_planner* table_;
   bool poisoned_;
   PlannerSetup setup_;
@@ -74,6 +76,7 @@ class Probe {
   ObservationBuffers observation_;
   std::vector<std::vector<float>> pixels_;
   std::vector<std::vector<float>> old_pixels_;  ///< kept, so that a late read is no crash
+  std::vector<std::uint8_t> grey_, rgb_;
   void* instance_ = nullptr;
   std::string problem_;
 };

@@ -1,6 +1,7 @@
 #include "plugin/host_buffers.hpp"
 
 #include <cstring>
+#include <span>
 
 #include "base/check.hpp"
 
@@ -38,6 +39,57 @@ void set_size(Struct& value) {
   value.struct_size = static_cast<std::uint32_t>(sizeof(Struct));
 }
 
+/// Adds the addresses of all elements, which must not move from now on.
+template <class Struct>
+void point_to(const std::vector<Struct>& values, std::vector<const Struct*>& pointers) {
+  pointers.clear();
+  for (const Struct& value : values) pointers.push_back(&value);
+}
+
+/// The fields that depth images and pictures share.
+template <class Image>
+Image image_of(const CameraSetup& camera, double time_s, const Eigen::Isometry3d& T_world_camera,
+               std::uint32_t index) {
+  Image image{};
+  set_size(image);
+  image.width_px = camera.width_px;
+  image.height_px = camera.height_px;
+  image.camera = index;
+  image.time_s = time_s;
+  image.fx_px = camera.fx_px;
+  image.fy_px = camera.fy_px;
+  image.cx_px = camera.cx_px;
+  image.cy_px = camera.cy_px;
+  copy(T_world_camera.translation(), image.position_world_m);
+  copy(Eigen::Quaterniond(T_world_camera.linear()), image.q_world_camera);
+  return image;
+}
+
+template <class Pixel>
+void check_size(std::span<const Pixel> pixels, const CameraSetup& camera, std::size_t channels) {
+  const std::size_t expected = static_cast<std::size_t>(camera.width_px) *
+                               static_cast<std::size_t>(camera.height_px) * channels;
+  AB_CHECK(pixels.size() == expected, pixels.size(), expected);
+}
+
+ab_camera to_camera(const CameraSetup& camera) {
+  ab_camera out{};
+  set_size(out);
+  out.width_px = camera.width_px;
+  out.height_px = camera.height_px;
+  out.fx_px = camera.fx_px;
+  out.fy_px = camera.fy_px;
+  out.cx_px = camera.cx_px;
+  out.cy_px = camera.cy_px;
+  copy(camera.T_body_camera.translation(), out.position_body_m);
+  copy(Eigen::Quaterniond(camera.T_body_camera.linear()), out.q_body_camera);
+  out.rate_hz = camera.rate_hz;
+  out.min_range_m = camera.min_range_m;
+  out.max_range_m = camera.max_range_m;
+  out.baseline_m = camera.baseline_m;
+  return out;
+}
+
 }  // namespace
 
 HostSide::HostSide() {
@@ -67,7 +119,7 @@ std::vector<std::string> HostSide::take_log() {
 }
 
 SetupBuffers::SetupBuffers(const PlannerSetup& setup, const std::vector<ParameterValue>& values,
-                           bool with_camera) {
+                           std::uint32_t needs) {
   for (const ParameterValue& value : values) texts_.push_back(value.text);
   for (std::size_t i = 0; i < values.size(); ++i) {
     ab_value value{};
@@ -88,26 +140,18 @@ SetupBuffers::SetupBuffers(const PlannerSetup& setup, const std::vector<Paramete
   setup_.body_radius_m = 0.5 * setup.body_size_m.norm();
   setup_.plan_period_s = setup.plan_period_s;
   setup_.gravity_mps2 = setup.gravity_mps2;
-  const CameraSetup& camera = setup.depth_camera;
-  if (!with_camera || camera.width_px == 0) return;
-  set_size(camera_);
-  camera_.width_px = camera.width_px;
-  camera_.height_px = camera.height_px;
-  camera_.fx_px = camera.fx_px;
-  camera_.fy_px = camera.fy_px;
-  camera_.cx_px = camera.cx_px;
-  camera_.cy_px = camera.cy_px;
-  copy(camera.T_body_camera.translation(), camera_.position_body_m);
-  copy(Eigen::Quaterniond(camera.T_body_camera.linear()), camera_.q_body_camera);
-  camera_.rate_hz = camera.rate_hz;
-  camera_.min_range_m = camera.min_range_m;
-  camera_.max_range_m = camera.max_range_m;
-  setup_.depth_camera = &camera_;
+  if ((needs & (AB_SEES_DEPTH | AB_SEES_STEREO | AB_SEES_COLOR)) == 0) return;
+  for (const CameraSetup& camera : setup.cameras) cameras_.push_back(to_camera(camera));
+  point_to(cameras_, camera_pointers_);
+  setup_.depth_camera = camera_pointers_.empty() ? nullptr : camera_pointers_.front();
+  setup_.camera_count = static_cast<std::uint32_t>(camera_pointers_.size());
+  setup_.cameras = camera_pointers_.data();
 }
 
 void SetupBuffers::poison() {
   fill_with_rubbish(setup_);
-  fill_with_rubbish(camera_);
+  fill_with_rubbish(cameras_);
+  fill_with_rubbish(camera_pointers_);
   fill_with_rubbish(values_);
   fill_with_rubbish(pointers_);
   for (std::string& text : texts_) std::fill(text.begin(), text.end(), '#');
@@ -125,8 +169,9 @@ ab_mission to_mission(const PlannerMission& mission) {
   return out;
 }
 
-const ab_observation& ObservationBuffers::fill(const PlannerView& view, const CameraSetup& camera,
-                                               bool with_depth) {
+const ab_observation& ObservationBuffers::fill(const PlannerView& view,
+                                               const std::vector<CameraSetup>& cameras,
+                                               std::uint32_t needs) {
   state_ = ab_state{};
   set_size(state_);
   state_.time_s = view.time_s;
@@ -135,35 +180,84 @@ const ab_observation& ObservationBuffers::fill(const PlannerView& view, const Ca
   copy(view.q_world_body, state_.q_world_body);
   copy(view.rates_body, state_.rates_body_radps);
 
-  images_.clear();
-  pointers_.clear();
-  if (with_depth) {
-    for (const DepthView& seen : view.depth) {
-      ab_depth_image image{};
-      set_size(image);
-      const auto pixel_count =
-          static_cast<std::size_t>(camera.width_px) * static_cast<std::size_t>(camera.height_px);
-      AB_CHECK(seen.depth_m.size() == pixel_count, seen.depth_m.size(), pixel_count);
-      image.width_px = camera.width_px;
-      image.height_px = camera.height_px;
-      image.time_s = seen.time_s;
-      image.fx_px = camera.fx_px;
-      image.fy_px = camera.fy_px;
-      image.cx_px = camera.cx_px;
-      image.cy_px = camera.cy_px;
-      copy(seen.T_world_camera.translation(), image.position_world_m);
-      copy(Eigen::Quaterniond(seen.T_world_camera.linear()), image.q_world_camera);
-      image.depth_m = seen.depth_m.data();
-      images_.push_back(image);
-    }
-    for (const ab_depth_image& image : images_) pointers_.push_back(&image);
-  }
   observation_ = ab_observation{};
   set_size(observation_);
   observation_.state = &state_;
+  images_.clear();
+  if ((needs & AB_SEES_DEPTH) != 0) {
+    for (const DepthView& seen : view.depth) {
+      const CameraSetup& camera = cameras[seen.camera];
+      check_size(seen.depth_m, camera, 1);
+      images_.push_back(
+          image_of<ab_depth_image>(camera, seen.time_s, seen.T_world_camera, seen.camera));
+      images_.back().depth_m = seen.depth_m.data();
+    }
+  }
+  point_to(images_, pointers_);
   observation_.depth_count = static_cast<std::uint32_t>(pointers_.size());
   observation_.depth = pointers_.data();
+  fill_stereo((needs & AB_SEES_STEREO) != 0 ? view.stereo : std::vector<StereoView>{}, cameras);
+  fill_color((needs & AB_SEES_COLOR) != 0 ? view.color : std::vector<ColorView>{}, cameras);
+  fill_imu((needs & AB_SEES_IMU) != 0 ? view.imu : std::vector<ImuView>{});
   return observation_;
+}
+
+void ObservationBuffers::fill_stereo(const std::vector<StereoView>& seen,
+                                     const std::vector<CameraSetup>& cameras) {
+  eyes_.clear();
+  pairs_.clear();
+  for (const StereoView& view : seen) {
+    const CameraSetup& camera = cameras[view.camera];
+    const Eigen::Isometry3d T_world_right =
+        view.T_world_camera * Eigen::Translation3d(camera.baseline_m, 0.0, 0.0);
+    for (const bool is_left : {true, false}) {
+      const std::span<const std::uint8_t> pixels = is_left ? view.left : view.right;
+      check_size(pixels, camera, 1);
+      eyes_.push_back(image_of<ab_picture>(
+          camera, view.time_s, is_left ? view.T_world_camera : T_world_right, view.camera));
+      eyes_.back().channels = 1;
+      eyes_.back().pixels = pixels.data();
+    }
+  }
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    ab_stereo_pair pair{};
+    set_size(pair);
+    pair.baseline_m = cameras[seen[i].camera].baseline_m;
+    pair.left = &eyes_[2 * i];
+    pair.right = &eyes_[2 * i + 1];
+    pairs_.push_back(pair);
+  }
+  point_to(pairs_, pair_pointers_);
+  observation_.stereo_count = static_cast<std::uint32_t>(pairs_.size());
+  observation_.stereo = pair_pointers_.data();
+}
+
+void ObservationBuffers::fill_color(const std::vector<ColorView>& seen,
+                                    const std::vector<CameraSetup>& cameras) {
+  colors_.clear();
+  for (const ColorView& view : seen) {
+    const CameraSetup& camera = cameras[view.camera];
+    check_size(view.rgb, camera, 3);
+    colors_.push_back(image_of<ab_picture>(camera, view.time_s, view.T_world_camera, view.camera));
+    colors_.back().channels = 3;
+    colors_.back().pixels = view.rgb.data();
+  }
+  point_to(colors_, color_pointers_);
+  observation_.color_count = static_cast<std::uint32_t>(colors_.size());
+  observation_.color = color_pointers_.data();
+}
+
+void ObservationBuffers::fill_imu(const std::vector<ImuView>& seen) {
+  imu_.clear();
+  for (const ImuView& view : seen) {
+    ab_imu_sample sample{};
+    sample.time_s = view.time_s;
+    copy(view.rates_body, sample.rates_body_radps);
+    copy(view.specific_force_body_mps2, sample.specific_force_body_mps2);
+    imu_.push_back(sample);
+  }
+  observation_.imu_count = static_cast<std::uint32_t>(imu_.size());
+  observation_.imu = imu_.data();
 }
 
 void ObservationBuffers::poison() {
@@ -171,6 +265,12 @@ void ObservationBuffers::poison() {
   fill_with_rubbish(state_);
   fill_with_rubbish(images_);
   fill_with_rubbish(pointers_);
+  fill_with_rubbish(eyes_);
+  fill_with_rubbish(pairs_);
+  fill_with_rubbish(pair_pointers_);
+  fill_with_rubbish(colors_);
+  fill_with_rubbish(color_pointers_);
+  fill_with_rubbish(imu_);
 }
 
 }  // namespace avoidbench

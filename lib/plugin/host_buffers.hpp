@@ -29,9 +29,9 @@ class HostSide {
 /// An ab_setup with all that it points to. Stays at its address.
 class SetupBuffers {
  public:
-  /// `with_camera` false: the planner sees no depth.
+  /// `needs` are the planner's: without images there are no cameras.
   SetupBuffers(const PlannerSetup& setup, const std::vector<ParameterValue>& values,
-               bool with_camera);
+               std::uint32_t needs);
   SetupBuffers(const SetupBuffers&) = delete;
   SetupBuffers& operator=(const SetupBuffers&) = delete;
 
@@ -41,7 +41,8 @@ class SetupBuffers {
 
  private:
   ab_setup setup_{};
-  ab_camera camera_{};
+  std::vector<ab_camera> cameras_;
+  std::vector<const ab_camera*> camera_pointers_;
   std::vector<std::string> texts_;
   std::vector<ab_value> values_;
   std::vector<const ab_value*> pointers_;
@@ -56,16 +57,26 @@ class ObservationBuffers {
   ObservationBuffers(const ObservationBuffers&) = delete;
   ObservationBuffers& operator=(const ObservationBuffers&) = delete;
 
-  /// The view as the planner sees it, valid until the next call. Every image of `view` has camera's
-  /// size.
-  const ab_observation& fill(const PlannerView& view, const CameraSetup& camera, bool with_depth);
+  /// The view as the planner of these `needs` sees it, valid until the next call. Every image of
+  /// `view` has its camera's size.
+  const ab_observation& fill(const PlannerView& view, const std::vector<CameraSetup>& cameras,
+                             std::uint32_t needs);
   void poison();
 
  private:
+  void fill_stereo(const std::vector<StereoView>& seen, const std::vector<CameraSetup>& cameras);
+  void fill_color(const std::vector<ColorView>& seen, const std::vector<CameraSetup>& cameras);
+  void fill_imu(const std::vector<ImuView>& seen);
+
   ab_observation observation_{};
   ab_state state_{};
   std::vector<ab_depth_image> images_;
   std::vector<const ab_depth_image*> pointers_;
+  std::vector<ab_picture> eyes_, colors_;  ///< left and right in turns; left alone
+  std::vector<ab_stereo_pair> pairs_;
+  std::vector<const ab_stereo_pair*> pair_pointers_;
+  std::vector<const ab_picture*> color_pointers_;
+  std::vector<ab_imu_sample> imu_;
 };
 
 }  // namespace avoidbench

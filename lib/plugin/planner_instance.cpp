@@ -66,13 +66,11 @@ double CallClock::running_s() const {
 
 struct PlannerInstance::Internals {
   const ab_planner* table = nullptr;
-  CameraSetup camera;
+  std::vector<CameraSetup> cameras;
   HostSide host;
   ObservationBuffers observation;
   void* instance = nullptr;
   CallClock* clock = nullptr;
-
-  bool sees_depth() const { return (table->needs & AB_SEES_DEPTH) != 0; }
 
   ~Internals() {
     if (instance != nullptr) escaped_exception(clock, [this] { table->destroy(instance); });
@@ -84,9 +82,9 @@ PlannerInstance::PlannerInstance(const PlannerLibrary& library, const PlannerSet
     : internals_(std::make_unique<Internals>()) {
   AB_CHECK(values.size() == library.description().parameters.size(), values.size());
   internals_->table = &library.table();
-  internals_->camera = setup.depth_camera;
+  internals_->cameras = setup.cameras;
   internals_->clock = clock;
-  const SetupBuffers buffers(setup, values, internals_->sees_depth());
+  const SetupBuffers buffers(setup, values, internals_->table->needs);
   std::string problem = escaped_exception(clock, [&] {
     internals_->instance = internals_->table->create(&internals_->host.table(), &buffers.setup());
   });
@@ -102,7 +100,7 @@ PlannerInstance::~PlannerInstance() = default;
 PlannerInstance::PlannerInstance(PlannerInstance&&) noexcept = default;
 PlannerInstance& PlannerInstance::operator=(PlannerInstance&&) noexcept = default;
 
-bool PlannerInstance::sees_depth() const { return internals_->sees_depth(); }
+std::uint32_t PlannerInstance::needs() const { return internals_->table->needs; }
 
 std::string PlannerInstance::reset(const PlannerMission& mission) {
   Internals& self = *internals_;
@@ -117,7 +115,7 @@ std::string PlannerInstance::reset(const PlannerMission& mission) {
 
 PlanResult PlannerInstance::plan(const PlannerView& view) {
   Internals& self = *internals_;
-  const ab_observation& observation = self.observation.fill(view, self.camera, self.sees_depth());
+  const ab_observation& observation = self.observation.fill(view, self.cameras, self.table->needs);
   PlanResult result;
   result.command.struct_size = static_cast<std::uint32_t>(sizeof(ab_command));
   ab_status status = AB_ERROR;

@@ -17,13 +17,13 @@ struct CameraSetup {
   std::int32_t width_px = 0, height_px = 0;
   double fx_px = 0, fy_px = 0, cx_px = 0, cy_px = 0;
   Eigen::Isometry3d T_body_camera = Eigen::Isometry3d::Identity();
-  double rate_hz = 0, min_range_m = 0, max_range_m = 0;
+  double rate_hz = 0, min_range_m = 0, max_range_m = 0, baseline_m = 0;
 };
 struct PlannerSetup {
   double max_speed_mps = 0, max_acceleration_mps2 = 0, max_yaw_rate_radps = 0;
   Eigen::Vector3d body_size_m = Eigen::Vector3d::Zero();
   double plan_period_s = 0, gravity_mps2 = 0;
-  CameraSetup depth_camera;  ///< width 0: no depth
+  std::vector<CameraSetup> cameras;  ///< at least one; alike but for where they are mounted
 };
 struct PlannerMission {
   std::uint64_t seed = 0;
@@ -32,17 +32,37 @@ struct PlannerMission {
 };
 
 /// What a planner sees in one call. Images newest first; their pixels must live until plan()
-/// returns.
+/// returns. Poses are the (left) camera's; `camera` is an index into PlannerSetup::cameras.
 struct DepthView {
   double time_s = 0;
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
+  std::uint32_t camera = 0;
   std::span<const float> depth_m;
+};
+struct StereoView {
+  double time_s = 0;
+  Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
+  std::uint32_t camera = 0;
+  std::span<const std::uint8_t> left, right;
+};
+struct ColorView {
+  double time_s = 0;
+  Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
+  std::uint32_t camera = 0;
+  std::span<const std::uint8_t> rgb;
+};
+struct ImuView {
+  double time_s = 0;
+  Eigen::Vector3d rates_body, specific_force_body_mps2;
 };
 struct PlannerView {
   double time_s = 0;
   Eigen::Vector3d position_world, velocity_world, rates_body;
   Eigen::Quaterniond q_world_body;
   std::vector<DepthView> depth;
+  std::vector<StereoView> stereo;
+  std::vector<ColorView> color;
+  std::vector<ImuView> imu;  ///< oldest first
 };
 
 enum class PlanStatus { command, no_plan, gave_up, error };
@@ -81,7 +101,7 @@ class PlannerInstance {
   PlannerInstance(PlannerInstance&&) noexcept;
   PlannerInstance& operator=(PlannerInstance&&) noexcept;
 
-  bool sees_depth() const;
+  std::uint32_t needs() const;  ///< AB_SEES_…
 
   /// Empty text on success, else why it failed.
   std::string reset(const PlannerMission& mission);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstring>
 #include <limits>
 
 #include "base/check.hpp"
@@ -33,6 +34,13 @@ struct Row {
     const __m128i missed = _mm_cmpeq_epi32(
         _mm_load_si128(reinterpret_cast<const __m128i*>(geometry)), _mm_set1_epi32(-1));
     hit = _mm_castsi128_ps(_mm_xor_si128(missed, _mm_set1_epi32(-1)));
+  }
+
+  /// kNoInstance in the lanes that hit nothing.
+  __m128i seen_instances() const {
+    static_assert(kNoInstance == ~0U);
+    const __m128i missed = _mm_xor_si128(_mm_castps_si128(hit), _mm_set1_epi32(-1));
+    return _mm_or_si128(instances, missed);
   }
 
   unsigned hits() const { return static_cast<unsigned>(_mm_movemask_ps(hit)); }
@@ -87,9 +95,16 @@ struct LastPlane {
   }
 };
 
-/// The 4 × 2 depths of a packet whose first pixel has these slopes.
-void packet_depths(const PrimaryRays& rays, const RTCRayHit8& packet, const double* u,
-                   const double* v, const DepthRange& range, LastPlane& last, float* depths) {
+/// What a block's rays found, row by row.
+struct alignas(16) Block {
+  float depths[kBlockWidth * kBlockHeight];
+  std::uint32_t instances[kBlockWidth * kBlockHeight];
+};
+
+/// The 4 × 2 pixels of packet `index`, whose first has the slopes `u` and `v`.
+void read_packet(const PrimaryRays& rays, std::size_t index, const double* u, const double* v,
+                 const DepthRange& range, LastPlane& last, Block& block) {
+  const RTCRayHit8& packet = rays.packet(index);
   const unsigned* instances = rays.instances(packet);
   const unsigned* triangles = packet.hit.primID;
   Row first(packet.hit.geomID, instances, triangles);
@@ -106,22 +121,46 @@ void packet_depths(const PrimaryRays& rays, const RTCRayHit8& packet, const doub
     left &= ~first.take(instances[lane], triangles[lane], plane, au_low, au_high, v[0]);
     left &= ~(second.take(instances[lane], triangles[lane], plane, au_low, au_high, v[1]) << 4U);
   }
+  float* depths = block.depths + 8 * index;
   _mm_store_ps(depths, first.depths(packet.ray.tfar, range));
   _mm_store_ps(depths + 4, second.depths(packet.ray.tfar + 4, range));
+  auto* seen = reinterpret_cast<__m128i*>(block.instances + 8 * index);
+  _mm_store_si128(seen, first.seen_instances());
+  _mm_store_si128(seen + 1, second.seen_instances());
+}
+
+/// Copies the part of a block that is inside the image.
+template <class Pixel>
+void copy_block(const Pixel* from, std::size_t rows, std::size_t columns, std::size_t width,
+                Pixel* to) {
+  static_assert(sizeof(Pixel) == 4);
+  for (std::size_t row = 0; row < rows; ++row, from += kBlockWidth, to += width) {
+    if (columns == kBlockWidth) {
+      std::memcpy(to, from, kBlockWidth * sizeof(Pixel));
+    } else {
+      std::copy_n(from, columns, to);
+    }
+  }
 }
 
 }  // namespace
 
 void render_depth(const Scene& scene, const Pinhole& camera, const Pose& T_world_camera,
                   std::span<float> depth_m) {
+  render_depth(scene, camera, T_world_camera, depth_m, {});
+}
+
+void render_depth(const Scene& scene, const Pinhole& camera, const Pose& T_world_camera,
+                  std::span<float> depth_m, std::span<std::uint32_t> instances) {
   const auto width = static_cast<std::size_t>(camera.width_px);
   const auto height = static_cast<std::size_t>(camera.height_px);
   AB_CHECK(depth_m.size() == width * height, depth_m.size(), width, height);
+  AB_CHECK(instances.empty() || instances.size() == depth_m.size(), instances.size());
   const ScopedFlushToZero flush;
   PrimaryRays rays(scene.internals(), camera, T_world_camera);
   const DepthRange range{_mm_set1_ps(static_cast<float>(camera.min_range_m)),
                          _mm_set1_ps(static_cast<float>(camera.max_range_m))};
-  alignas(16) float depths[kBlockWidth * kBlockHeight];
+  Block block;
   LastPlane last;
   for (int block_y = 0; block_y < rays.blocks_down(); ++block_y) {
     const std::size_t y = static_cast<std::size_t>(block_y) * kBlockHeight;
@@ -131,17 +170,12 @@ void render_depth(const Scene& scene, const Pinhole& camera, const Pose& T_world
       const std::size_t columns = std::min<std::size_t>(kBlockWidth, width - x);
       rays.trace(block_x, block_y);
       for (std::size_t i = 0; i < embree::kStreamPackets; ++i) {
-        packet_depths(rays, rays.packet(i), rays.u() + x, rays.v() + y + kPacketHeight * i, range,
-                      last, depths + 8 * i);
+        read_packet(rays, i, rays.u() + x, rays.v() + y + kPacketHeight * i, range, last, block);
       }
-      float* out = depth_m.data() + y * width + x;
-      for (std::size_t row = 0; row < rows; ++row, out += width) {
-        const float* from = depths + row * kBlockWidth;
-        if (columns == kBlockWidth) {
-          _mm_storeu_ps(out, _mm_load_ps(from));
-        } else {
-          std::copy_n(from, columns, out);
-        }
+      const std::size_t at = y * width + x;
+      copy_block(block.depths, rows, columns, width, depth_m.data() + at);
+      if (!instances.empty()) {
+        copy_block(block.instances, rows, columns, width, instances.data() + at);
       }
     }
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 
 #include "render/camera.hpp"
@@ -15,5 +16,11 @@ namespace avoidbench {
 /// so that it does not depend on the processor's approximate reciprocals.
 void render_depth(const Scene& scene, const Pinhole& camera, const Pose& T_world_camera,
                   std::span<float> depth_m);
+
+/// The same depth, and what each pixel shows: an index into World::instances, kNoInstance where
+/// nothing is hit. `instances` has the size of `depth_m`.
+inline constexpr std::uint32_t kNoInstance = ~0U;
+void render_depth(const Scene& scene, const Pinhole& camera, const Pose& T_world_camera,
+                  std::span<float> depth_m, std::span<std::uint32_t> instances);
 
 }  // namespace avoidbench

@@ -14,10 +14,6 @@ struct Interval {
   double upper = 0.0;
 };
 
-/// The standard normal quantile of `p` in (0, 1): Wichura, algorithm AS 241 (1988), PPND16;
-/// relative error below 1e-15.
-double normal_quantile(double p);
-
 /// Interval for a rate (Wilson 1927): keeps its confidence for few trials and at rates 0 and 1. NaN
 /// without trials.
 Interval wilson_interval(std::int64_t successes, std::int64_t trials, double confidence = 0.95);

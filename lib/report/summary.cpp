@@ -7,6 +7,7 @@
 #include <set>
 
 #include "base/input_error.hpp"
+#include "base/normal_quantile.hpp"
 
 namespace avoidbench {
 namespace {

@@ -23,6 +23,7 @@ struct ImuSpec {
   double accelerometer_bias_time_s = 300.0;
   double accelerometer_turn_on_bias_mps2 = 0.196;
   std::array<double, 3> position_body_m{0.0, 0.0, 0.0};
+  double rate_hz = 200.0;
 };
 
 template <class Visitor>
@@ -42,6 +43,7 @@ void visit(Visitor& v, ImuSpec& s) {
           "Correlation time of the bias.");
   v.field("accelerometer_turn_on_bias_mps2", s.accelerometer_turn_on_bias_mps2, Range{0, 10},
           "Standard deviation of the constant bias.");
+  v.field("rate_hz", s.rate_hz, Range{1, 4000}, "Samples a second.");
   v.field("position_body_m", s.position_body_m, Range{-1, 1},
           "Where it sits, from the centre of gravity, body frame (FLU).");
 }

@@ -1,6 +1,17 @@
 #include "sensing/sensor_spec.hpp"
 
 namespace avoidbench {
+namespace {
+
+Eigen::Matrix3d rotation(double angle_rad, const Eigen::Vector3d& axis) {
+  // By our own sine: Eigen's AngleAxis asks the C library.
+  const double c = math::cos(angle_rad), s = math::sin(angle_rad);
+  const Eigen::Matrix3d cross{
+      {0.0, -axis.z(), axis.y()}, {axis.z(), 0.0, -axis.x()}, {-axis.y(), axis.x(), 0.0}};
+  return Eigen::Matrix3d::Identity() + s * cross + (1.0 - c) * cross * cross;
+}
+
+}  // namespace
 
 Pinhole sensor_camera(const SensorSpec& sensor) {
   Pinhole camera = make_pinhole(static_cast<std::int32_t>(sensor.width_px),
@@ -10,15 +21,39 @@ Pinhole sensor_camera(const SensorSpec& sensor) {
   return camera;
 }
 
-Pose T_body_camera(const SensorSpec& sensor) {
-  const double sine = math::sin(sensor.pitch_deg * math::kDegree);
-  const double cosine = math::cos(sensor.pitch_deg * math::kDegree);
+Pose T_body_camera(const MountingSpec& mounting) {
+  const double sine = math::sin(mounting.pitch_deg * math::kDegree);
+  const double cosine = math::cos(mounting.pitch_deg * math::kDegree);
+  Eigen::Matrix3d pitched;
+  pitched.col(0) = Eigen::Vector3d(0.0, -1.0, 0.0);       // right
+  pitched.col(1) = Eigen::Vector3d(-sine, 0.0, -cosine);  // down
+  pitched.col(2) = Eigen::Vector3d(cosine, 0.0, -sine);   // forward
   Pose pose = Pose::Identity();
-  pose.linear().col(0) = Eigen::Vector3d(0.0, -1.0, 0.0);       // right
-  pose.linear().col(1) = Eigen::Vector3d(-sine, 0.0, -cosine);  // down
-  pose.linear().col(2) = Eigen::Vector3d(cosine, 0.0, -sine);   // forward
-  pose.translation() = to_eigen(sensor.position_body_m);
+  pose.linear() = pitched;
+  if (mounting.roll_deg != 0.0) {
+    pose.linear() *= rotation(mounting.roll_deg * math::kDegree, Eigen::Vector3d::UnitZ());
+  }
+  if (mounting.yaw_deg != 0.0) {
+    pose.linear() =
+        rotation(mounting.yaw_deg * math::kDegree, Eigen::Vector3d::UnitZ()) * pose.linear();
+  }
+  pose.translation() = to_eigen(mounting.position_body_m);
   return pose;
+}
+
+std::vector<MountingSpec> mountings(const SensorSpec& sensor) {
+  std::vector<MountingSpec> all{sensor.mounting};
+  all.insert(all.end(), sensor.more_mountings.begin(), sensor.more_mountings.end());
+  return all;
+}
+
+bool is_stereo(const SensorSpec& sensor) {
+  return std::holds_alternative<StereoSgmSpec>(sensor.method) ||
+         std::holds_alternative<StereoCensusSpec>(sensor.method);
+}
+
+double disparity_at_1m_px(const SensorSpec& sensor) {
+  return sensor_camera(sensor).fx_px * sensor.baseline_m;
 }
 
 }  // namespace avoidbench

@@ -2,6 +2,9 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
 
 #include "base/enum_text.hpp"
 #include "base/fields.hpp"
@@ -11,45 +14,219 @@
 
 namespace avoidbench {
 
-enum class SensorKind { depth_ideal };
-
-template <>
-struct EnumText<SensorKind> {
-  static constexpr std::pair<SensorKind, std::string_view> entries[] = {
-      {SensorKind::depth_ideal, "depth_ideal"}};
+/// The true depth along camera z.
+struct DepthIdealSpec {
+  static constexpr std::string_view kind = "depth_ideal";
 };
 
-/// The camera a planner sees through.
+template <class Visitor>
+void visit(Visitor&, DepthIdealSpec&) {}
+
+/// True depth made as wrong as that of a stereo pair matched by SGM, for a tenth of its cost. The
+/// presets are fitted to stereo_sgm; see docs/sensors.md and `avoidbench sensors measure`.
+struct DepthNoisySpec {
+  static constexpr std::string_view kind = "depth_noisy";
+  double disparity_sigma_px = 0.14;
+  double disparity_step_px = 0.0625;
+  std::int64_t fattening_px = 2;
+  bool half_occlusion = true;
+  double dropout_ratio = 0.004;
+  double hole_ratio = 0.01;
+  double bland_hole_ratio = 0.75;
+  double hole_size_px = 12.0;
+};
+
+template <class Visitor>
+void visit(Visitor& v, DepthNoisySpec& s) {
+  v.field("disparity_sigma_px", s.disparity_sigma_px, Range{0, 5},
+          "Standard deviation of the disparity; depth errs by Z²/(baseline · focal length) of it.");
+  v.field("disparity_step_px", s.disparity_step_px, Range{0, 4},
+          "Disparity is a whole multiple of this; 0: not rounded.");
+  v.field("fattening_px", s.fattening_px, Range{0, 16},
+          "Near things look wider by this much on each side.");
+  v.field("half_occlusion", s.half_occlusion,
+          "What the right eye can't see, left of near things, is invalid.");
+  v.field("dropout_ratio", s.dropout_ratio, Range{0, 1}, "Share of single invalid pixels.");
+  v.field("hole_ratio", s.hole_ratio, Range{0, 1},
+          "Share of invalid patches on fully textured surfaces.");
+  v.field("bland_hole_ratio", s.bland_hole_ratio, Range{0, 1},
+          "Share of invalid patches on surfaces without texture (opacity 0); between, linear.");
+  v.field("hole_size_px", s.hole_size_px, Range{1, 200}, "About the size of such a patch.");
+}
+
+/// Variants of OpenCV's matcher: SGBM 5 paths, 3WAY 3, HH 8, HH4 4.
+enum class SgbmMode { sgbm, three_way, hh, hh4 };
+
+template <>
+struct EnumText<SgbmMode> {
+  static constexpr std::pair<SgbmMode, std::string_view> entries[] = {{SgbmMode::sgbm, "sgbm"},
+                                                                      {SgbmMode::three_way, "3way"},
+                                                                      {SgbmMode::hh, "hh"},
+                                                                      {SgbmMode::hh4, "hh4"}};
+};
+
+/// A shaded stereo pair matched by OpenCV's StereoSGBM (Hirschmüller 2008, with block costs).
+struct StereoSgmSpec {
+  static constexpr std::string_view kind = "stereo_sgm";
+  SgbmMode mode = SgbmMode::three_way;
+  std::int64_t disparities = 64;
+  std::int64_t block_px = 5;
+  double p1_factor = 8.0, p2_factor = 32.0;
+  std::int64_t uniqueness_percent = 10;
+  std::int64_t speckle_window_px = 100, speckle_range_px = 2;
+  std::int64_t left_right_px = 1;
+};
+
+template <class Visitor>
+void visit(Visitor& v, StereoSgmSpec& s) {
+  v.field("mode", s.mode, "The matcher's paths: 5, 3, 8 or 4 of them.");
+  v.field("disparities", s.disparities, Range{16, 512},
+          "Disparities that are tried, from 0; a multiple of 16.");
+  v.field("block_px", s.block_px, Range{1, 21}, "Side of the matched block n; odd.");
+  v.field("p1_factor", s.p1_factor, Range{0, 100}, "Penalty for a disparity step of 1, times n².");
+  v.field("p2_factor", s.p2_factor, Range{0, 400},
+          "Penalty for a larger step, times n²; above p1_factor.");
+  v.field("uniqueness_percent", s.uniqueness_percent, Range{0, 100},
+          "By how much the best cost must beat the second.");
+  v.field("speckle_window_px", s.speckle_window_px, Range{0, 10000},
+          "Patches up to this many pixels are invalid; 0: all stay.");
+  v.field("speckle_range_px", s.speckle_range_px, Range{1, 64},
+          "Disparity step at which a patch ends.");
+  v.field("left_right_px", s.left_right_px, Range{-1, 64},
+          "Greatest difference between left-right and right-left disparity; -1: not checked.");
+}
+
+/// A shaded stereo pair matched over a census cost: the original AvoidBench's matcher, of which the
+/// defaults are.
+struct StereoCensusSpec {
+  static constexpr std::string_view kind = "stereo_census";
+  std::int64_t disparities = 128;
+  std::int64_t paths = 8;
+  std::int64_t p1 = 6, p2 = 96;
+  bool subpixel = false;
+  std::int64_t left_right_px = 1;
+  double depth_step_m = 0.001;
+};
+
+template <class Visitor>
+void visit(Visitor& v, StereoCensusSpec& s) {
+  v.field("disparities", s.disparities, Range{16, 256},
+          "Disparities that are tried, from 0; a multiple of 16.");
+  v.field("paths", s.paths, Range{4, 8}, "Aggregated paths: 4 or 8.");
+  v.field("p1", s.p1, Range{0, 96}, "Penalty for a disparity step of 1.");
+  v.field("p2", s.p2, Range{0, 96}, "Penalty for a larger step; not below p1.");
+  v.field("subpixel", s.subpixel, "Disparities of 1/16 px instead of whole ones.");
+  v.field("left_right_px", s.left_right_px, Range{-1, 64},
+          "Greatest difference between left-right and right-left disparity; -1: not checked.");
+  v.field("depth_step_m", s.depth_step_m, Range{0, 1},
+          "Depth is cut down to a whole multiple of this; 0: not cut.");
+}
+
+using DepthMethod = std::variant<DepthIdealSpec, DepthNoisySpec, StereoSgmSpec, StereoCensusSpec>;
+
+/// Where a camera sits on the body and where it looks.
+struct MountingSpec {
+  std::array<double, 3> position_body_m{0.2, 0.0, 0.05};
+  double yaw_deg = 0.0, pitch_deg = 0.0, roll_deg = 0.0;
+};
+
+template <class Visitor>
+void visit(Visitor& v, MountingSpec& s) {
+  v.field("position_body_m", s.position_body_m, Range{-5, 5},
+          "Centre of the (left) camera in the body frame (FLU).");
+  v.field("yaw_deg", s.yaw_deg, Range{-180, 180}, "Direction, positive looks to the left.");
+  v.field("pitch_deg", s.pitch_deg, Range{-90, 90}, "Tilt, positive looks down.");
+  v.field("roll_deg", s.roll_deg, Range{-180, 180},
+          "Turn about the direction, positive lowers the right side.");
+}
+
+/// How light becomes an 8-bit picture.
+struct ImageSpec {
+  double brightness = 0.22;
+  double full_well_e = 10000.0;
+  double read_noise_e = 10.0;
+  double vignetting = 0.3;
+  std::int64_t samples = 1;
+  std::int64_t blur_samples = 1;
+  bool shadows = true;
+};
+
+template <class Visitor>
+void visit(Visitor& v, ImageSpec& s) {
+  v.field("brightness", s.brightness, Range{0, 1},
+          "Mean of the left image that automatic exposure aims at, as a share of white in linear "
+          "light; 0: fixed exposure.");
+  v.field("full_well_e", s.full_well_e, Range{0, 1e9},
+          "Photo-electrons of white: shot noise is the square root of the electrons; 0: none.");
+  v.field("read_noise_e", s.read_noise_e, Range{0, 1e6},
+          "Standard deviation of the read-out, in electrons.");
+  v.field("vignetting", s.vignetting, Range{0, 1},
+          "Share of the lens's cos⁴ loss of light toward the corners that is left; 0: none.");
+  v.field("samples", s.samples, Range{1, 8},
+          "Rays a side of each pixel. Textures are filtered for one; more smooth the outlines.");
+  v.field("blur_samples", s.blur_samples, Range{1, 64},
+          "Pictures averaged over the exposure; 1: no motion blur.");
+  v.field("shadows", s.shadows, "Whether the sun casts shadows.");
+}
+
+/// The camera, stereo camera or rig of several that a planner sees through. The presets below are
+/// ready-made ones.
 struct SensorSpec {
-  SensorKind kind = SensorKind::depth_ideal;
+  std::string name = "depth_ideal";
+  DepthMethod method;
   std::int64_t width_px = 320, height_px = 240;
   double fov_x_deg = 90.0;
   double rate_hz = 30.0;
+  double exposure_ms = 5.0, delay_ms = 0.0, jitter_ms = 0.0;
   double min_range_m = 0.1, max_range_m = 15.0;
-  std::array<double, 3> position_body_m{0.2, 0.0, 0.05};
-  double pitch_deg = 0.0;
+  double baseline_m = 0.1;
+  MountingSpec mounting;
+  std::vector<MountingSpec> more_mountings;
+  ImageSpec image;
 };
 
 template <class Visitor>
 void visit(Visitor& v, SensorSpec& s) {
-  v.field("kind", s.kind,
-          "What the camera measures: depth_ideal is the true depth along camera z.");
+  v.field("name", s.name, "Name in reports.");
+  v.variant("kind", s.method, "How depth comes about.");
   v.field("width_px", s.width_px, Range{8, 4096}, "Image width.");
   v.field("height_px", s.height_px, Range{8, 4096}, "Image height.");
-  v.field("fov_x_deg", s.fov_x_deg, Range{10, 170}, "Horizontal field of view; pixels are square.");
+  v.field("fov_x_deg", s.fov_x_deg, Range{10, 170},
+          "Horizontal field of view of the pinhole, below 180; pixels are square.");
   v.field("rate_hz", s.rate_hz, Range{1, 1000},
           "Images a second; a whole number of 1/36000 s ticks each.");
+  v.field("exposure_ms", s.exposure_ms, Range{0, 1000},
+          "Exposure time, around the image's time; blurs where image.blur_samples > 1.");
+  v.field("delay_ms", s.delay_ms, Range{0, 1000},
+          "From the image's time until the planner gets it.");
+  v.field("jitter_ms", s.jitter_ms, Range{0, 1000},
+          "Each image is late by up to this much, evenly distributed.");
   v.field("min_range_m", s.min_range_m, Range{0, 10}, "Nearer depth is invalid (NaN).");
   v.field("max_range_m", s.max_range_m, Range{0.5, 1000}, "Farther depth is no return (+inf).");
-  v.field("position_body_m", s.position_body_m, Range{-5, 5},
-          "Camera centre in the body frame (FLU).");
-  v.field("pitch_deg", s.pitch_deg, Range{-90, 90}, "Camera tilt, positive looks down.");
+  v.field("baseline_m", s.baseline_m, Range{0.001, 10},
+          "From the left eye to the right one, along the image's rows.");
+  visit(v, s.mounting);
+  v.field("more_mountings", s.more_mountings,
+          "Further cameras of the same kind, as [{position_body_m: …, yaw_deg: …}, …].");
+  v.field("image", s.image, "How light becomes a picture.");
 }
 
-/// The sensor's pinhole model.
+/// The ready-made sensors; the first is the default of a trial.
+std::vector<SensorSpec> sensor_presets();
+
+/// The pinhole model of each of its cameras.
 Pinhole sensor_camera(const SensorSpec& sensor);
 
-/// Camera (RDF) to body (FLU): looks along body x, pitched down by pitch_deg.
-Pose T_body_camera(const SensorSpec& sensor);
+/// Camera (RDF) to body (FLU): looks along body x, turned by yaw, pitch, roll in this order.
+Pose T_body_camera(const MountingSpec& mounting);
+
+/// All mountings, `mounting` first.
+std::vector<MountingSpec> mountings(const SensorSpec& sensor);
+
+/// Whether depth is matched from shaded images.
+bool is_stereo(const SensorSpec& sensor);
+
+/// Focal length times baseline: disparity in pixels = this / depth in metres.
+double disparity_at_1m_px(const SensorSpec& sensor);
 
 }  // namespace avoidbench

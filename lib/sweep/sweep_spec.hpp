@@ -22,6 +22,7 @@ struct SweepSpec {
   std::vector<Axis> axes;
   std::int64_t trials = 10;             ///< missions a map; the same ones for every planner
   std::vector<PlannerChoice> planners;  ///< resolved and checked; labels are unique
+  std::vector<std::string> warnings;    ///< for people: what was read otherwise than written
 };
 
 /// Version of everything that results follow from: part of every key. Raised with each change

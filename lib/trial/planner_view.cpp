@@ -35,16 +35,19 @@ PlannerSetup planner_setup(const TrialSpec& spec) {
   setup.plan_period_s = 1.0 / spec.rates.plan_hz;
   setup.gravity_mps2 = spec.vehicle.gravity_mps2;
   const Pinhole camera = sensor_camera(spec.sensor);
-  setup.depth_camera = {.width_px = camera.width_px,
-                        .height_px = camera.height_px,
-                        .fx_px = camera.fx_px,
-                        .fy_px = camera.fy_px,
-                        .cx_px = camera.cx_px,
-                        .cy_px = camera.cy_px,
-                        .T_body_camera = T_body_camera(spec.sensor),
-                        .rate_hz = spec.sensor.rate_hz,
-                        .min_range_m = spec.sensor.min_range_m,
-                        .max_range_m = spec.sensor.max_range_m};
+  for (const MountingSpec& mounting : mountings(spec.sensor)) {
+    setup.cameras.push_back({.width_px = camera.width_px,
+                             .height_px = camera.height_px,
+                             .fx_px = camera.fx_px,
+                             .fy_px = camera.fy_px,
+                             .cx_px = camera.cx_px,
+                             .cy_px = camera.cy_px,
+                             .T_body_camera = T_body_camera(mounting),
+                             .rate_hz = spec.sensor.rate_hz,
+                             .min_range_m = spec.sensor.min_range_m,
+                             .max_range_m = spec.sensor.max_range_m,
+                             .baseline_m = spec.sensor.baseline_m});
+  }
   return setup;
 }
 
@@ -64,15 +67,6 @@ PlannerMission planner_mission(const TrialSpec& spec, const Mission& mission) {
           .start_yaw_rad = mission.start_yaw_rad,
           .goal_radius_m = spec.mission.goal_radius_m,
           .time_limit_s = spec.mission.time_limit_s};
-}
-
-PlannerView planner_view(const VehicleState& state) {
-  return {.time_s = seconds(state.tick),
-          .position_world = state.position_world,
-          .velocity_world = state.velocity_world,
-          .rates_body = state.rates_body,
-          .q_world_body = state.q_world_body,
-          .depth = {}};
 }
 
 Command vehicle_command(const PlanResult& result, Tick start_tick) {

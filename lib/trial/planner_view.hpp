@@ -18,8 +18,6 @@ std::vector<ParameterValue> parameter_values(const PlannerChoice& planner);
 /// other streams.
 PlannerMission planner_mission(const TrialSpec& spec, const Mission& mission);
 
-PlannerView planner_view(const VehicleState& state);
-
 /// The command of a plan call that takes effect at `start_tick`.
 Command vehicle_command(const PlanResult& result, Tick start_tick);
 

@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "base/check.hpp"
-#include "render/depth.hpp"
 #include "trial/collision_check.hpp"
+#include "trial/perception.hpp"
 #include "trial/planner_view.hpp"
 #include "vehicle/dynamics.hpp"
 #include "vehicle/tracking.hpp"
@@ -21,13 +21,6 @@ namespace {
 struct Pending {
   Tick due = 0;
   std::optional<Command> command;  ///< nothing: brake and hover
-};
-
-/// One exposed depth image, kept until the planner has seen it.
-struct Exposure {
-  Tick tick = 0;
-  Pose T_world_camera;
-  std::vector<float> depth_m;
 };
 
 /// Everything that changes during a trial.
@@ -44,13 +37,9 @@ struct Flight {
   VehicleState state;
   Tracker tracker;
   CollisionCheck collision_check;
-  Pinhole camera;
-  bool sees_depth = false;
-  Tick physics_period = 0, camera_period = 0, plan_period = 0, sample_period = 0, latency = 0;
+  Perception perception;
+  Tick physics_period = 0, plan_period = 0, sample_period = 0, latency = 0;
 
-  std::vector<Exposure>
-      exposures;  ///< oldest first; buffers are kept for reuse beyond exposure_count
-  std::size_t exposure_count = 0;
   std::deque<Pending> pending;  ///< by due tick
   bool was_touching = false;
   std::optional<Outcome> planner_end;  ///< set when the planner ends the trial
@@ -89,14 +78,11 @@ Flight make_flight(const TrialSpec& spec, const Scene& scene, const Mission& mis
       .state = start,
       .tracker = std::move(tracker),
       .collision_check = {.body_size_m = to_eigen(spec.vehicle.body_size_m)},
-      .camera = sensor_camera(spec.sensor),
-      .sees_depth = planner.sees_depth(),
+      .perception = make_perception(spec, planner.needs(), start),
       .physics_period = required_period(spec.rates.physics_hz),
-      .camera_period = required_period(spec.sensor.rate_hz),
       .plan_period = required_period(spec.rates.plan_hz),
       .sample_period = required_period(spec.rates.sample_hz),
       .latency = spec.latency.mode == LatencyMode::fixed ? ticks(spec.latency.ms / 1000.0) : 0,
-      .exposures = {},
       .pending = {},
       .planner_end = {},
       .record = {}};
@@ -106,30 +92,15 @@ Pose pose_of(const VehicleState& state) {
   return make_pose(state.position_world, state.q_world_body);
 }
 
-/// Exposes a depth image, where the planner asks for depth.
-void expose(Flight& flight) {
-  if (!flight.sees_depth) return;
-  if (flight.exposure_count == flight.exposures.size()) flight.exposures.emplace_back();
-  Exposure& exposure = flight.exposures[flight.exposure_count++];
-  const SensorSpec& sensor = flight.spec.sensor;
-  exposure.tick = flight.state.tick;
-  exposure.T_world_camera = pose_of(flight.state) * T_body_camera(sensor);
-  exposure.depth_m.resize(static_cast<std::size_t>(sensor.width_px * sensor.height_px));
-  render_depth(flight.scene, flight.camera, exposure.T_world_camera, exposure.depth_m);
-}
-
 /// Shows the planner what was seen since the last call and queues its answer.
 void plan(Flight& flight) {
-  PlannerView view = planner_view(flight.state);
-  for (std::size_t i = flight.exposure_count; i-- > 0;) {  // newest first
-    const Exposure& exposure = flight.exposures[i];
-    view.depth.push_back({seconds(exposure.tick), exposure.T_world_camera, exposure.depth_m});
-  }
+  const PlannerView view = planner_view(flight.perception, flight.state);
   const PlanResult result = flight.planner.plan(view);
-  flight.exposure_count = 0;
+  forget_seen(flight.perception, flight.state.tick);
   const Tick due = flight.state.tick + flight.latency;
-  PlanCall call{
-      .time_s = view.time_s, .cpu_time_s = result.cpu_time_s, .wall_time_s = result.wall_time_s};
+  PlanCall call{.time_s = seconds(flight.state.tick),
+                .cpu_time_s = result.cpu_time_s,
+                .wall_time_s = result.wall_time_s};
   switch (result.status) {
     case PlanStatus::command:
       call.status = AB_OK;
@@ -158,10 +129,11 @@ void plan(Flight& flight) {
 void apply_due_commands(Flight& flight) {
   while (!flight.pending.empty() && flight.pending.front().due <= flight.state.tick) {
     const std::optional<Command>& command = flight.pending.front().command;
+    const VehicleState believed = believed_state(flight.perception, flight.state);
     if (command) {
-      accept(flight.tracker, flight.model, *command, flight.state);
+      accept(flight.tracker, flight.model, *command, believed);
     } else {
-      hold(flight.tracker, flight.model, flight.state);
+      hold(flight.tracker, flight.model, believed);
     }
     flight.pending.pop_front();
   }
@@ -252,8 +224,8 @@ std::optional<Outcome> ended(Flight& flight) {
 Tick next_tick(const Flight& flight) {
   const Tick now = flight.state.tick;
   const auto after = [now](Tick period) { return (now / period + 1) * period; };
-  Tick next = std::min({after(flight.physics_period), after(flight.camera_period),
-                        after(flight.plan_period), after(flight.sample_period)});
+  Tick next = std::min({after(flight.physics_period), after(flight.plan_period),
+                        after(flight.sample_period), next_sensing(flight.perception, now)});
   if (!flight.pending.empty()) next = std::min(next, flight.pending.front().due);
   return next;
 }
@@ -277,12 +249,13 @@ TrialRecord run_trial(const TrialSpec& spec, const Scene& scene, const Mission& 
   std::optional<Outcome> outcome = ended(flight);
   while (!outcome) {
     const Tick now = flight.state.tick;
-    if (now % flight.camera_period == 0) expose(flight);
+    sense(flight.perception, flight.scene, flight.model, flight.state, flight.environment);
     if (now % flight.plan_period == 0) plan(flight);
     apply_due_commands(flight);
     if (now % flight.sample_period == 0) sample(flight);
     if (!flight.planner_end) {
-      const RotorVector rotors = track(flight.tracker, flight.model, flight.state);
+      const VehicleState believed = believed_state(flight.perception, flight.state);
+      const RotorVector rotors = track(flight.tracker, flight.model, believed);
       const Tick dt = next_tick(flight) - now;
       flight.state = step(flight.model, flight.state, rotors, flight.environment, dt);
       move_obstacles(flight, dt);

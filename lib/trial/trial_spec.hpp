@@ -6,6 +6,8 @@
 
 #include "base/enum_text.hpp"
 #include "base/fields.hpp"
+#include "sensing/imu.hpp"
+#include "sensing/odometry.hpp"
 #include "sensing/sensor_spec.hpp"
 #include "vehicle/vehicle_spec.hpp"
 #include "vehicle/wind.hpp"
@@ -111,6 +113,8 @@ struct TrialSpec {
   MissionSpec mission;
   VehicleSpec vehicle = hummingbird_spec();
   SensorSpec sensor;
+  ImuSpec imu;
+  OdometrySpec odometry;
   PlannerChoice planner;
   RatesSpec rates;
   LatencySpec latency;
@@ -126,6 +130,8 @@ void visit(Visitor& v, TrialSpec& s) {
   v.field("mission", s.mission, "Rules of a flight.");
   v.field("vehicle", s.vehicle, "The vehicle.");
   v.field("sensor", s.sensor, "The camera.");
+  v.field("imu", s.imu, "The inertial measurement unit.");
+  v.field("odometry", s.odometry, "How the vehicle knows its own state.");
   v.field("planner", s.planner, "The planner.");
   v.field("rates", s.rates, "How often things happen.");
   v.field("latency", s.latency, "When commands take effect.");

@@ -22,7 +22,7 @@ double traversal_s(const Scene& scene, const TrialSpec& spec, const TrialRecord&
                                 record.samples.size() - 1);
     const Sample& sample = record.samples[index];
     const Pose pose =
-        make_pose(sample.position_world, sample.q_world_body) * T_body_camera(spec.sensor);
+        make_pose(sample.position_world, sample.q_world_body) * T_body_camera(spec.sensor.mounting);
     const std::vector<Block> rays = prepared_rays(camera, pose);
     const double before = processor_s();
     trace_bare(scene.internals().top.get(), rays, pose, spec.sensor.max_range_m);

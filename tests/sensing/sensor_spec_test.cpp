@@ -14,12 +14,12 @@ TEST(SensorSpec, LevelCameraLooksAlongBodyX) {
 }
 
 TEST(SensorSpec, PositivePitchLooksDown) {
-  SensorSpec sensor;
-  sensor.pitch_deg = 90.0;
-  EXPECT_TRUE(T_body_camera(sensor).linear().col(2).isApprox(-Eigen::Vector3d::UnitZ(), 1e-12));
+  MountingSpec mounting;
+  mounting.pitch_deg = 90.0;
+  EXPECT_TRUE(T_body_camera(mounting).linear().col(2).isApprox(-Eigen::Vector3d::UnitZ(), 1e-12));
   for (const double pitch_deg : {-60.0, -10.0, 0.0, 25.0, 90.0}) {
-    sensor.pitch_deg = pitch_deg;
-    const Eigen::Matrix3d R = T_body_camera(sensor).linear();
+    mounting.pitch_deg = pitch_deg;
+    const Eigen::Matrix3d R = T_body_camera(mounting).linear();
     EXPECT_TRUE((R.transpose() * R).isIdentity(1e-12));
     EXPECT_NEAR(R.determinant(), 1.0, 1e-12);
     EXPECT_NEAR(R.col(2).z(), -math::sin(pitch_deg * math::kDegree), 1e-12);

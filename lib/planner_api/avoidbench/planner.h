@@ -45,8 +45,8 @@ typedef int32_t ab_status;
 /* ab_planner.needs: what the planner wants to see. */
 #define AB_SEES_STATE 1u
 #define AB_SEES_DEPTH 2u
-#define AB_SEES_STEREO 4u
-#define AB_SEES_COLOR 8u
+#define AB_SEES_STEREO 4u /* left and right, grey, 8 bits */
+#define AB_SEES_COLOR 8u  /* left, RGB, 8 bits */
 #define AB_SEES_IMU 16u
 #define AB_SEES_WORLD 32u /* privileged: reported apart in every table */
 
@@ -102,7 +102,8 @@ typedef struct ab_value {
   const char* text; /* AB_CHOICE, AB_TEXT; else null */
 } ab_value;
 
-/* A camera: pinhole without distortion, pixel centres at whole coordinates. */
+/* A camera: pinhole without distortion, pixel centres at whole coordinates. Of a stereo camera the
+ * left eye; the right one is the same, baseline_m further along camera x. */
 typedef struct ab_camera {
   uint32_t struct_size;
   int32_t width_px, height_px;
@@ -112,6 +113,7 @@ typedef struct ab_camera {
   double q_body_camera[4];
   double rate_hz;
   double min_range_m, max_range_m; /* depth beyond is +inf, nearer is NaN */
+  double baseline_m;
 } ab_camera;
 
 /* What one instance is made for. */
@@ -124,7 +126,10 @@ typedef struct ab_setup {
   double body_radius_m;  /* of the ball around the box */
   double plan_period_s;
   double gravity_mps2;
-  const ab_camera* depth_camera; /* null where no depth is sensed */
+  const ab_camera* depth_camera; /* cameras[0]; null where the planner sees no images */
+  uint32_t camera_count;         /* 1, or more of a rig */
+  uint32_t reserved;
+  const ab_camera* const* cameras; /* camera_count pointers */
 } ab_setup;
 
 typedef struct ab_mission {
@@ -141,7 +146,7 @@ typedef struct ab_mission {
 typedef struct ab_state {
   uint32_t struct_size;
   uint32_t reserved;
-  double time_s; /* since the start of the trial */
+  double time_s; /* since the start of the trial; of the past where the odometry has a delay */
   double position_world_m[3];
   double velocity_world_mps[3];
   double q_world_body[4];
@@ -157,8 +162,41 @@ typedef struct ab_depth_image {
   double position_world_m[3]; /* of the camera, at exposure */
   double q_world_camera[4];
   const float*
-      depth_m; /* height x width, row-major, along camera z; +inf: no return; NaN: invalid */
+      depth_m;     /* height x width, row-major, along camera z; +inf: no return; NaN: invalid */
+  uint32_t camera; /* index into ab_setup.cameras */
+  uint32_t reserved2;
 } ab_depth_image;
+
+/* An 8-bit picture, sRGB encoded. */
+typedef struct ab_picture {
+  uint32_t struct_size;
+  int32_t width_px, height_px;
+  uint32_t channels; /* 1: grey; 3: red, green, blue */
+  uint32_t camera;   /* index into ab_setup.cameras */
+  uint32_t reserved;
+  double time_s; /* the middle of the exposure */
+  double fx_px, fy_px, cx_px, cy_px;
+  double position_world_m[3]; /* of this eye, at that time */
+  double q_world_camera[4];
+  const uint8_t* pixels; /* height x width x channels, row-major */
+} ab_picture;
+
+/* Two grey pictures of one moment, rectified: what the left eye sees in column x the right one sees
+ * in column x - fx * baseline_m / depth of the same row. */
+typedef struct ab_stereo_pair {
+  uint32_t struct_size;
+  uint32_t reserved;
+  double baseline_m;
+  const ab_picture* left;
+  const ab_picture* right;
+} ab_stereo_pair;
+
+/* Samples lie in an array, so this struct never grows within ABI 1. */
+typedef struct ab_imu_sample {
+  double time_s;
+  double rates_body_radps[3];
+  double specific_force_body_mps2[3]; /* acceleration less gravity: (0, 0, 9.81) at rest */
+} ab_imu_sample;
 
 typedef struct ab_observation {
   uint32_t struct_size;
@@ -166,6 +204,13 @@ typedef struct ab_observation {
   const ab_state* state; /* always there */
   const ab_depth_image* const*
       depth; /* depth_count pointers; none unless AB_SEES_DEPTH is declared */
+  /* As depth: newest first, since the last call, none unless declared. */
+  uint32_t stereo_count, color_count;
+  const ab_stereo_pair* const* stereo; /* AB_SEES_STEREO */
+  const ab_picture* const* color;      /* AB_SEES_COLOR */
+  uint32_t imu_count;
+  uint32_t reserved;
+  const ab_imu_sample* imu; /* AB_SEES_IMU; imu_count samples, oldest first */
 } ab_observation;
 
 /* Points lie in an array, so this struct never grows within ABI 1. */

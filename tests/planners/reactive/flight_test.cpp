@@ -72,7 +72,7 @@ TEST(Reactive, GetsOutOfADeadEnd) {
 }
 
 TEST(Reactive, TurnsFirstWhenTheGoalIsBehind) {
-  const CameraSetup camera = kinematic::vehicle_setup().depth_camera;
+  const CameraSetup camera = kinematic::vehicle_setup().cameras.front();
   PlannerInstance planner = kinematic::instance_of(PLANNER_FILE);
   PlannerMission mission;
   mission.start_world = {0.0, 0.0, 2.0};
@@ -97,7 +97,7 @@ TEST(Reactive, TurnsFirstWhenTheGoalIsBehind) {
 }
 
 TEST(Reactive, HoldsWhereItSeesNothing) {
-  const CameraSetup camera = kinematic::vehicle_setup().depth_camera;
+  const CameraSetup camera = kinematic::vehicle_setup().cameras.front();
   PlannerInstance planner = kinematic::instance_of(PLANNER_FILE);
   PlannerMission mission;
   mission.goal_world = {10.0, 0.0, 2.0};

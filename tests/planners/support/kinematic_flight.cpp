@@ -143,7 +143,7 @@ PlannerSetup vehicle_setup() {
   setup.body_size_m = {0.5, 0.5, 0.12};
   setup.plan_period_s = 1.0 / 30.0;
   setup.gravity_mps2 = 9.81;
-  CameraSetup& camera = setup.depth_camera;
+  CameraSetup& camera = setup.cameras.emplace_back();
   camera.width_px = 64;
   camera.height_px = 48;
   camera.fx_px = camera.fy_px = 32.0;
@@ -211,9 +211,9 @@ Result fly(PlannerInstance& planner, const Course& course, double time_limit_s) 
     // A command takes effect one plan period after what it answers.
     wanted = next;
     wanted_yaw_rad = next_yaw_rad;
-    const Course near = nearby(course, vehicle.position, setup.depth_camera.max_range_m);
+    const Course near = nearby(course, vehicle.position, setup.cameras.front().max_range_m);
     const PlanResult plan =
-        planner.plan(seen_by(vehicle, near, setup.depth_camera, result.time_s, pixels));
+        planner.plan(seen_by(vehicle, near, setup.cameras.front(), result.time_s, pixels));
     result.positions.push_back(vehicle.position);
     next = Eigen::Vector3d::Zero();
     if (plan.status == PlanStatus::command) {

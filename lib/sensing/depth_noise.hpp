@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "base/random.hpp"
+#include "sensing/sensor_spec.hpp"
+
+namespace avoidbench {
+
+/// A true depth image and the stereo pair that is to have measured it.
+struct NoisyDepthView {
+  std::size_t width_px = 0, height_px = 0;
+  double disparity_at_1m_px = 0;  ///< focal length × baseline
+  double min_range_m = 0, max_range_m = 0;
+};
+
+/// Makes true depth as wrong as a stereo camera's. `depth_m` is height × width, row-major, and must
+/// reach beyond the range (+inf: nothing); afterwards it is NaN where invalid and nearer than the
+/// range, +inf beyond it. `opacity` says how much texture each pixel shows, 0 to 1. Buffers are
+/// kept for the next image.
+class DepthNoise {
+ public:
+  explicit DepthNoise(const DepthNoisySpec& spec) : spec_(spec) {}
+
+  void apply(const NoisyDepthView& view, std::span<const float> opacity, RandomStream& random,
+             std::span<float> depth_m);
+
+ private:
+  void fatten(std::size_t width, std::size_t height);
+  void draw_patches(std::size_t width, std::size_t height, RandomStream& random);
+  void interpolate_patches(std::size_t y);
+  void occlude_row(float* disparity, std::size_t width) const;
+  float hole_limit(float opacity);
+  void finish_row(const NoisyDepthView& view, std::size_t y, std::span<const float> opacity,
+                  RandomStream& random, std::span<float> depth_m);
+
+  DepthNoisySpec spec_;
+  std::vector<float> disparity_, fattened_;
+  std::vector<float> patches_;  ///< a lattice of random numbers, one each hole_size_px
+  std::size_t patches_across_ = 0;
+  struct Column {
+    std::size_t cell;
+    float left, right;  ///< weights of the lattice's columns beside a pixel
+  };
+  std::vector<Column> columns_;
+  std::vector<float> row_cells_, row_patches_, noise_;
+  float limit_opacity_ = -1.0F, limit_ = 0.0F;  ///< the last answer of hole_limit()
+};
+
+}  // namespace avoidbench

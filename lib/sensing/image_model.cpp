@@ -1,0 +1,83 @@
+#include "sensing/image_model.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/check.hpp"
+#include "base/math.hpp"
+
+namespace avoidbench {
+namespace {
+
+constexpr std::size_t kLevels = 4096;
+
+/// Linear light in [0, 1], in 4096 steps, to 8-bit sRGB (IEC 61966-2-1).
+std::array<std::uint8_t, kLevels + 1> make_srgb_table() {
+  std::array<std::uint8_t, kLevels + 1> table{};
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const double linear = static_cast<double>(i) / static_cast<double>(kLevels);
+    const double encoded =
+        linear <= 0.0031308 ? 12.92 * linear : 1.055 * math::pow(linear, 1.0 / 2.4) - 0.055;
+    table[i] = static_cast<std::uint8_t>(std::round(255.0 * encoded));
+  }
+  return table;
+}
+
+}  // namespace
+
+std::vector<float> vignette(const ImageSpec& image, const Pinhole& camera) {
+  std::vector<float> shares;
+  shares.reserve(static_cast<std::size_t>(camera.width_px) *
+                 static_cast<std::size_t>(camera.height_px));
+  for (std::int32_t y = 0; y < camera.height_px; ++y) {
+    for (std::int32_t x = 0; x < camera.width_px; ++x) {
+      const double u = (x - camera.cx_px) / camera.fx_px;
+      const double v = (y - camera.cy_px) / camera.fy_px;
+      const double cosine_squared = 1.0 / (1.0 + u * u + v * v);
+      const double loss = 1.0 - cosine_squared * cosine_squared;
+      shares.push_back(static_cast<float>(1.0 - image.vignetting * loss));
+    }
+  }
+  return shares;
+}
+
+double exposure_gain(const ImageSpec& image, double mean_light) {
+  if (image.brightness == 0.0) return 1.0;
+  return std::clamp(image.brightness / std::max(mean_light, 1e-9), 1.0 / 16.0, 16.0);
+}
+
+double mean_light(std::span<const float> light) {
+  double sum = 0.0;
+  for (const float value : light) sum += static_cast<double>(value);
+  return light.empty() ? 0.0 : sum / static_cast<double>(light.size());
+}
+
+void develop(const ImageSpec& image, std::span<const float> light, std::span<const float> vignette,
+             double gain, RandomStream& random, std::span<std::uint8_t> pixels) {
+  static const std::array<std::uint8_t, kLevels + 1> kSrgb = make_srgb_table();
+  AB_CHECK(pixels.size() == light.size() && light.size() % vignette.size() == 0, light.size());
+  const std::size_t channels = light.size() / vignette.size();
+  const bool has_noise = image.full_well_e > 0.0;
+  const double per_electron = has_noise ? 1.0 / image.full_well_e : 0.0;
+  const auto shot_variance = static_cast<float>(per_electron);
+  const double read_sigma = image.read_noise_e * per_electron;
+  const auto read_variance = static_cast<float>(read_sigma * read_sigma);
+  const auto factor = static_cast<float>(gain);
+  constexpr std::size_t kChunk = 1024;
+  std::array<float, kChunk> normals{};
+  for (std::size_t begin = 0; begin < light.size(); begin += kChunk) {
+    const std::size_t count = std::min(kChunk, light.size() - begin);
+    if (has_noise) random.coarse_normals({normals.data(), count});
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t at = begin + i;
+      const std::size_t pixel = channels == 1 ? at : at / channels;
+      float level = light[at] * factor * vignette[pixel];
+      level += std::sqrt(level * shot_variance + read_variance) * normals[i];
+      level = std::min(std::max(level, 0.0F), 1.0F);
+      pixels[at] = kSrgb[static_cast<std::size_t>(level * static_cast<float>(kLevels) + 0.5F)];
+    }
+  }
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,85 @@
+#include "sensing/stereo_matcher.hpp"
+
+#include <limits>
+#include <opencv2/calib3d.hpp>
+
+#include "base/check.hpp"
+
+namespace avoidbench {
+namespace {
+
+constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+
+int sgbm_mode(SgbmMode mode) {
+  switch (mode) {
+    case SgbmMode::sgbm:
+      return cv::StereoSGBM::MODE_SGBM;
+    case SgbmMode::three_way:
+      return cv::StereoSGBM::MODE_SGBM_3WAY;
+    case SgbmMode::hh:
+      return cv::StereoSGBM::MODE_HH;
+    case SgbmMode::hh4:
+      return cv::StereoSGBM::MODE_HH4;
+  }
+  return cv::StereoSGBM::MODE_SGBM;
+}
+
+class SgbmMatcher : public StereoMatcher {
+ public:
+  SgbmMatcher(const StereoSgmSpec& spec, int width_px, int height_px)
+      : size_(width_px, height_px), border_(static_cast<int>(spec.disparities)) {
+    cv::setNumThreads(1);  // one trial a core; the result does not depend on it
+    const int block = static_cast<int>(spec.block_px);
+    const auto penalty = [&](double factor) { return static_cast<int>(factor * block * block); };
+    constexpr int kPrefilterCap = 31;
+    matcher_ = cv::StereoSGBM::create(
+        0, static_cast<int>(spec.disparities), block, penalty(spec.p1_factor),
+        penalty(spec.p2_factor), static_cast<int>(spec.left_right_px), kPrefilterCap,
+        static_cast<int>(spec.uniqueness_percent), static_cast<int>(spec.speckle_window_px),
+        static_cast<int>(spec.speckle_range_px), sgbm_mode(spec.mode));
+  }
+
+  void match(std::span<const std::uint8_t> left, std::span<const std::uint8_t> right,
+             std::span<float> disparity_px) override {
+    pad(left, left_);
+    pad(right, right_);
+    matcher_->compute(left_, right_, sixteenths_);
+    for (int y = 0; y < size_.height; ++y) {
+      const std::int16_t* from = sixteenths_.ptr<std::int16_t>(y) + border_;
+      float* to =
+          &disparity_px[static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.width)];
+      for (int x = 0; x < size_.width; ++x) {
+        const float disparity = static_cast<float>(from[x]) * (1.0F / 16.0F);
+        const bool seen_right = disparity <= static_cast<float>(x) + 0.5F;
+        to[x] = from[x] >= 0 && seen_right ? disparity : kNaN;
+      }
+    }
+  }
+
+ private:
+  /// OpenCV leaves out as many columns at the left as there are disparities. We put them before the
+  /// image, so that whatever both eyes see is matched.
+  void pad(std::span<const std::uint8_t> image, cv::Mat& padded) const {
+    AB_CHECK(image.size() == static_cast<std::size_t>(size_.area()), image.size());
+    // OpenCV takes const data only by a cast; it is not written to.
+    const cv::Mat pixels(size_, CV_8UC1, const_cast<std::uint8_t*>(image.data()));
+    cv::copyMakeBorder(pixels, padded, 0, 0, border_, 0, cv::BORDER_REPLICATE);
+  }
+
+  cv::Size size_;
+  int border_;
+  cv::Ptr<cv::StereoSGBM> matcher_;
+  cv::Mat left_, right_, sixteenths_;
+};
+
+}  // namespace
+
+std::unique_ptr<StereoMatcher> make_stereo_matcher(const SensorSpec& sensor) {
+  if (const auto* sgm = std::get_if<StereoSgmSpec>(&sensor.method)) {
+    return std::make_unique<SgbmMatcher>(*sgm, static_cast<int>(sensor.width_px),
+                                         static_cast<int>(sensor.height_px));
+  }
+  return nullptr;
+}
+
+}  // namespace avoidbench
