@@ -151,16 +151,16 @@ inline void keep_right_winners(std::uint16_t* window, int w, bool last_of_chunk,
   store_words(at, min_words(word_after(load_words(at), above), keys));
 }
 
-/// The disparity in 1/16 px of the parabola through the sums beside the least one; at the ends of
-/// the range there is none.
+/// The disparity in 1/16 px where two lines of equal and opposite slopes through the sums beside the
+/// least one meet; at the ends of the range there are none.
 inline int refine(const std::uint16_t* keys, int d, int disparities) {
   if (d == 0 || d + 1 >= disparities) return 16 * d;
   const int before = keys[d - 1] >> 6;
   const int after = keys[d + 1] >> 6;
-  const int curvature = before + after - 2 * (keys[d] >> 6);
-  if (curvature == 0) return 16 * d;
-  // d + (before − after) / (2 curvature), which is within half a pixel, to the nearest 1/16
-  return 16 * d - 8 + (16 * (before - after) + 17 * curvature) / (2 * curvature);
+  const int slope = (before > after ? before : after) - (keys[d] >> 6);
+  if (slope == 0) return 16 * d;
+  // d + (before − after) / (2 slope), which is within half a pixel, to the nearest 1/16
+  return 16 * d - 8 + (16 * (before - after) + 17 * slope) / (2 * slope);
 }
 
 /// Picks the left pixel's winner and gives every right pixel in reach its candidate. A key is a sum

@@ -16,7 +16,7 @@ struct CensusSettings {
   int paths = 8;           ///< 8, or 4: along the axes only
   int small_penalty = 6;   ///< for a step of one pixel; 0 … large_penalty
   int large_penalty = 96;  ///< for any other step; at most 96, so that sums of costs are bytes
-  bool subpixel = false;   ///< a parabola through the summed costs, to 1/16 px
+  bool subpixel = false;   ///< lines of equal slopes through the summed costs, to 1/16 px
   int left_right_tolerance_px = 1;  ///< −1: no check, nothing is invalid
 };
 
