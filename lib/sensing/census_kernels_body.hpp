@@ -47,7 +47,8 @@ struct Disparities {
 /// Hamming distances of the left pixel's census and the right ones' at all disparities. What is
 /// padded costs 255: with saturating sums, more than all else.
 template <int kVectors>
-void find_costs(const Frame& frame, int x, int y, Bytes padding, Disparities<kVectors>& costs) {
+[[gnu::always_inline]] inline void find_costs(const Frame& frame, int x, int y, Bytes padding,
+                                              Disparities<kVectors>& costs) {
   const std::uint8_t* left = frame.left_planes + y * kPlanes * frame.plane_stride + x;
   const std::uint8_t* right =
       frame.right_planes + y * kPlanes * frame.plane_stride + (frame.width_px - 1 - x);
@@ -71,8 +72,9 @@ struct Penalties {
 };
 
 /// A path's next value. `least` is that of the values before: they are taken less it.
-inline Bytes next_on_path(Bytes same, Bytes nearer, Bytes farther, Bytes least,
-                          const Penalties& penalties, Bytes cost) {
+[[gnu::always_inline]] inline Bytes next_on_path(Bytes same, Bytes nearer, Bytes farther,
+                                                 Bytes least, const Penalties& penalties,
+                                                 Bytes cost) {
   const Bytes stepped = add_saturated(min(nearer, farther), penalties.small);
   const Bytes before = min(subtract(min(same, stepped), least), penalties.large);
   return add_saturated(before, cost);
@@ -90,7 +92,8 @@ struct RowPath {
     least = broadcast(0);
   }
 
-  void advance(const Penalties& penalties, const Disparities<kVectors>& costs) {
+  [[gnu::always_inline]] void advance(const Penalties& penalties,
+                                      const Disparities<kVectors>& costs) {
     const Bytes all = broadcast(255);
     Disparities<kVectors> next;
     Bytes lowest = all;
@@ -109,8 +112,10 @@ struct RowPath {
 
 /// A path from the row before: its values there are in a slot, which takes the new ones.
 template <int kVectors>
-void advance_slot(std::uint8_t* slot, std::uint8_t* slot_least, const Penalties& penalties,
-                  const Disparities<kVectors>& costs, Disparities<kVectors>& next) {
+[[gnu::always_inline]] inline void advance_slot(std::uint8_t* slot, std::uint8_t* slot_least,
+                                                const Penalties& penalties,
+                                                const Disparities<kVectors>& costs,
+                                                Disparities<kVectors>& next) {
   const Bytes least = broadcast(*slot_least);
   Bytes lowest = broadcast(255);
   AB_UNROLL
@@ -145,14 +150,15 @@ void clear_slots(const Frame& frame) {
 /// window holds the least key so far of the right pixel x − d at d; from one pixel to the next,
 /// leftwards, it moves on by one. What has then passed the chunk's disparities leaves it. `w`
 /// counts words; chunks are apart, because keys compare only within one.
-inline void keep_right_winners(std::uint16_t* window, int w, bool last_of_chunk, Words keys) {
+[[gnu::always_inline]] inline void keep_right_winners(std::uint16_t* window, int w,
+                                                      bool last_of_chunk, Words keys) {
   std::uint16_t* at = window + w * kWords;
   const Words above = last_of_chunk ? spread_word(0xFFFF) : load_words(window + (w + 1) * kWords);
   store_words(at, min_words(word_after(load_words(at), above), keys));
 }
 
-/// The disparity in 1/16 px where two lines of equal and opposite slopes through the sums beside the
-/// least one meet; at the ends of the range there are none.
+/// The disparity in 1/16 px where two lines of equal and opposite slopes through the sums beside
+/// the least one meet; at the ends of the range there are none.
 inline int refine(const std::uint16_t* keys, int d, int disparities) {
   if (d == 0 || d + 1 >= disparities) return 16 * d;
   const int before = keys[d - 1] >> 6;
@@ -167,8 +173,10 @@ inline int refine(const std::uint16_t* keys, int d, int disparities) {
 /// of paths · 64 + the disparity within the chunk: the least one is that of the least sum and among
 /// equal ones of the least disparity. Sums are at most 1016, so that a key has 16 bits.
 template <int kVectors, int kPaths>
-void pick_winner(const Frame& frame, int x, int y, const std::uint8_t* stored,
-                 const Disparities<kVectors>& first, const Disparities<kVectors>& second) {
+[[gnu::always_inline]] inline void pick_winner(const Frame& frame, int x, int y,
+                                               const std::uint8_t* stored,
+                                               const Disparities<kVectors>& first,
+                                               const Disparities<kVectors>& second) {
   int best_key = 0xFFFF;
   int best_d = 0;
   Words lowest = spread_word(0xFFFF);
@@ -233,7 +241,8 @@ void write_right_row(const Frame& frame, int y) {
 /// left the image. (The original's diagonals wrap around to the other border's column; ours start
 /// anew.)
 template <int kVectors, int kPaths, bool kUp>
-void sweep(const Frame& frame) {
+void sweep(const Frame& given) {
+  const Frame frame = given;  // a copy, which stores of bytes cannot alias
   const int width = frame.width_px;
   const std::ptrdiff_t slot_stride = frame.padded + kGuard;
   const Penalties penalties{broadcast(frame.small_penalty), broadcast(frame.large_penalty)};
