@@ -20,9 +20,11 @@ class Carver {
  public:
   explicit Carver(std::uint8_t* memory) : memory_(memory) {}
 
+  /// Room for `count` elements; points at the one after `before` of them.
   template <class Element>
-  Element* take(std::ptrdiff_t count) {
-    const std::ptrdiff_t start = used_bytes_;
+  Element* take(std::ptrdiff_t count, std::ptrdiff_t before = 0) {
+    const std::ptrdiff_t start =
+        used_bytes_ + before * static_cast<std::ptrdiff_t>(sizeof(Element));
     used_bytes_ += round_up(count * static_cast<std::ptrdiff_t>(sizeof(Element)), kAlignment);
     return memory_ == nullptr ? nullptr : reinterpret_cast<Element*>(memory_ + start);
   }
@@ -67,8 +69,7 @@ Buffers carve(const CensusSettings& settings, int width_px, int height_px, Carve
   frame.volume = carver.take<std::uint8_t>(width * height * frame.padded * (settings.paths / 4));
   for (int path = 0; path < 3; ++path) {
     // The first guard ends where a slot may start.
-    frame.slots[path] =
-        carver.take<std::uint8_t>(kGuard + width * (frame.padded + kGuard) + kSlack) + kGuard;
+    frame.slots[path] = carver.take<std::uint8_t>(kGuard + width * (frame.padded + kGuard), kGuard);
     frame.least[path] = carver.take<std::uint8_t>(width);
   }
   frame.keys = carver.take<std::uint16_t>(frame.padded);
@@ -77,8 +78,8 @@ Buffers carve(const CensusSettings& settings, int width_px, int height_px, Carve
   frame.right_keys = carver.take<std::uint16_t>(round_up(frame.padded, kChunk) / kChunk * width);
   frame.disparity_stride = width + 2;
   const std::ptrdiff_t pixels = height * frame.disparity_stride + kSlack;
-  frame.left_disparity = carver.take<std::int16_t>(pixels) + 1;
-  frame.right_disparity = carver.take<std::int16_t>(pixels) + 1;
+  frame.left_disparity = carver.take<std::int16_t>(pixels, 1);
+  frame.right_disparity = carver.take<std::int16_t>(pixels, 1);
   buffers.left_median = carver.take<std::int16_t>(width + kSlack);
   buffers.right_median = carver.take<std::int16_t>(width + kSlack);
   return buffers;

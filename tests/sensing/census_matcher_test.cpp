@@ -6,6 +6,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <string>
 #include <vector>
@@ -19,6 +20,8 @@ namespace {
 using Grey = std::vector<std::uint8_t>;
 using Disparity = std::vector<std::int16_t>;
 
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
 struct StereoPair {
   int width_px, height_px;
   Grey left, right;
@@ -29,7 +32,7 @@ struct StereoPair {
 std::uint32_t census_at(const Grey& image, int width, int height, int x, int y) {
   const auto pixel = [&](int px, int py) {
     const bool inside = px >= 0 && px < width && py >= 0 && py < height;
-    return inside ? image[static_cast<std::size_t>(py * width + px)] : 0;
+    return inside ? image[index(py * width + px)] : 0;
   };
   std::uint32_t bits = 0;
   for (int dy = -3; dy <= 0; ++dy) {
@@ -45,11 +48,8 @@ std::uint32_t census_at(const Grey& image, int width, int height, int x, int y) 
 struct Volume {
   int width, height, disparities;
   std::vector<int> values;
-  Volume(int w, int h, int d)
-      : width(w), height(h), disparities(d), values(static_cast<std::size_t>(w * h * d)) {}
-  int& at(int x, int y, int d) {
-    return values[static_cast<std::size_t>((y * width + x) * disparities + d)];
-  }
+  Volume(int w, int h, int d) : width(w), height(h), disparities(d), values(index(w * h * d)) {}
+  int& at(int x, int y, int d) { return values[index((y * width + x) * disparities + d)]; }
 };
 
 Volume plain_costs(const StereoPair& pair, int disparities) {
@@ -107,7 +107,7 @@ Disparity plain_median(const Disparity& image, int width, int height) {
         for (int dx = -1; dx <= 1; ++dx) {
           const int px = std::clamp(x + dx, 0, width - 1);
           const int py = std::clamp(y + dy, 0, height - 1);
-          values.push_back(image[static_cast<std::size_t>(py * width + px)]);
+          values.push_back(image[index(py * width + px)]);
         }
       }
       std::sort(values.begin(), values.end());
@@ -158,10 +158,10 @@ Disparity plain_match(const StereoPair& pair, const CensusSettings& settings) {
   if (settings.left_right_tolerance_px < 0) return left;
   Disparity out;
   for (int i = 0; i < width * height; ++i) {
-    const std::int16_t value = left[static_cast<std::size_t>(i)];
+    const std::int16_t value = left[index(i)];
     const int d = (value + 8) / 16;
-    const bool valid = i % width >= d && std::abs(d - right[static_cast<std::size_t>(i - d)]) <=
-                                             settings.left_right_tolerance_px;
+    const bool valid =
+        i % width >= d && std::abs(d - right[index(i - d)]) <= settings.left_right_tolerance_px;
     out.push_back(valid ? value : kInvalidDisparity);
   }
   return out;
@@ -172,7 +172,7 @@ Disparity plain_match(const StereoPair& pair, const CensusSettings& settings) {
 /// Texture, as seen by both cameras with disparities that change in steps, and noise.
 StereoPair random_pair(int width_px, int height_px, int most_px, int noise, std::uint64_t seed) {
   RandomStream random(seed);
-  const auto pixels = static_cast<std::size_t>(width_px * height_px);
+  const std::size_t pixels = index(width_px * height_px);
   StereoPair pair{width_px, height_px, Grey(pixels), Grey(pixels)};
   for (std::uint8_t& value : pair.right) {
     value = static_cast<std::uint8_t>(random.uniform(0.0, 256.0));
@@ -181,10 +181,9 @@ StereoPair random_pair(int width_px, int height_px, int most_px, int noise, std:
     for (int x = 0; x < width_px; ++x) {
       const int d = (x / 11 * 5 + y / 7 * 3) % (most_px + 1);
       const int from = y * width_px + std::max(x - d, 0);
-      const double value = pair.right[static_cast<std::size_t>(from)] +
-                           random.uniform(-noise, static_cast<double>(noise));
-      pair.left[static_cast<std::size_t>(y * width_px + x)] =
-          static_cast<std::uint8_t>(std::clamp(value, 0.0, 255.0));
+      const double value =
+          pair.right[index(from)] + random.uniform(-noise, static_cast<double>(noise));
+      pair.left[index(y * width_px + x)] = static_cast<std::uint8_t>(std::clamp(value, 0.0, 255.0));
     }
   }
   return pair;
@@ -195,11 +194,11 @@ StereoPair shifted_pair(int width_px, int height_px, int shift_px) {
   StereoPair pair = random_pair(width_px, height_px, 0, 0, 3);
   RandomStream random(4);
   for (int y = 0; y < height_px; ++y) {
-    const auto row = static_cast<std::size_t>(y * width_px);
+    const std::size_t row = index(y * width_px);
     for (int x = width_px - 1; x >= 0; --x) {
-      pair.left[row + static_cast<std::size_t>(x)] =
-          x >= shift_px ? pair.right[row + static_cast<std::size_t>(x - shift_px)]
-                        : static_cast<std::uint8_t>(random.uniform(0.0, 256.0));
+      pair.left[row + index(x)] = x >= shift_px
+                                      ? pair.right[row + index(x - shift_px)]
+                                      : static_cast<std::uint8_t>(random.uniform(0.0, 256.0));
     }
   }
   return pair;
@@ -328,7 +327,7 @@ TEST(CensusMatcher, FindsAShiftEverywhereButAtTheBorder) {
       // The census window sees the strip that only the left camera sees.
       for (int y = 4; y < pair.height_px - 4; ++y) {
         for (int x = shift_px + 8; x < pair.width_px - 5; ++x) {
-          ASSERT_EQ(found[static_cast<std::size_t>(y * pair.width_px + x)], 16 * shift_px)
+          ASSERT_EQ(found[index(y * pair.width_px + x)], 16 * shift_px)
               << "at " << x << ", " << y << " shifted by " << shift_px << ", paths " << paths;
         }
       }
@@ -343,7 +342,7 @@ TEST(CensusMatcher, WhatOnlyTheLeftCameraSeesIsInvalid) {
   int invalid = 0;
   for (int y = 0; y < pair.height_px; ++y) {
     for (int x = 0; x < shift_px - 5; ++x) {
-      if (found[static_cast<std::size_t>(y * pair.width_px + x)] == kInvalidDisparity) ++invalid;
+      if (found[index(y * pair.width_px + x)] == kInvalidDisparity) ++invalid;
     }
   }
   EXPECT_GT(invalid, pair.height_px * (shift_px - 5) * 9 / 10);
@@ -372,7 +371,7 @@ Grey smooth_texture(int width_px, int height_px, double offset_px) {
       const double at = (x + offset_px) / 3.0;
       const int knot = static_cast<int>(at);
       const double t = (at - knot) * (at - knot) * (3.0 - 2.0 * (at - knot));
-      const auto i = static_cast<std::size_t>(y * knots + knot);
+      const std::size_t i = index(y * knots + knot);
       image.push_back(static_cast<std::uint8_t>(values[i] * (1.0 - t) + values[i + 1] * t));
     }
   }
@@ -392,7 +391,7 @@ TEST(CensusMatcher, SubpixelsComeNearerThanWholePixels) {
       int count = 0;
       for (int y = 5; y < height - 5; ++y) {
         for (int x = 20; x < width - 20; ++x) {
-          const int value = found[static_cast<std::size_t>(y * width + x)];
+          const int value = found[index(y * width + x)];
           if (value < 0) continue;
           sum += std::abs(value / 16.0 - d_px);
           ++count;
