@@ -1,0 +1,383 @@
+// The census matcher's loops, written once over the vectors Bytes and Words that the including file
+// defines: census_sse2.cpp or census_avx2.cpp. Everything is in an unnamed namespace and of
+// integers.
+
+#if defined(__clang__)
+#define AB_UNROLL  // clang unrolls of itself
+#else
+#define AB_UNROLL _Pragma("GCC unroll 16")
+#endif
+
+namespace avoidbench::census {
+namespace {
+
+/// Bit: pixel >= its mirror through the centre, for the 31 pairs of a 9 × 7 window.
+void transform(const PaddedImage& image, std::uint8_t* planes, std::ptrdiff_t plane_stride) {
+  std::ptrdiff_t offsets[31];
+  int count = 0;
+  for (int dy = -kMarginY_px; dy <= 0; ++dy) {
+    for (int dx = -kMarginX_px; dx <= (dy < 0 ? kMarginX_px : -1); ++dx) {
+      offsets[count++] = dy * image.stride + (image.mirrored ? -dx : dx);
+    }
+  }
+  for (int y = 0; y < image.height_px; ++y) {
+    const std::uint8_t* row = image.pixels + y * image.stride;
+    for (int k = 0; k < kPlanes; ++k) {
+      std::uint8_t* plane = planes + (y * kPlanes + k) * plane_stride;
+      const int end = 8 * k + 8 < count ? 8 * k + 8 : count;
+      for (int x = 0; x < image.width_px; x += kBytes) {
+        Bytes bits = broadcast(0);
+        for (int i = 8 * k; i < end; ++i) {
+          const Bytes pixel = load(row + x + offsets[i]);
+          const Bytes is_set = equal(max(pixel, load(row + x - offsets[i])), pixel);
+          bits = subtract(add(bits, bits), is_set);  // a mask is −1
+        }
+        store(plane + x, bits);
+      }
+    }
+  }
+}
+
+/// One pixel's values for all disparities.
+template <int kVectors>
+struct Disparities {
+  Bytes at[static_cast<std::size_t>(kVectors)];
+};
+
+/// Hamming distances of the left pixel's census and the right ones' at all disparities. What is
+/// padded costs 255: with saturating sums, more than all else.
+template <int kVectors>
+[[gnu::always_inline]] inline void find_costs(const Frame& frame, int x, int y, Bytes padding,
+                                              Disparities<kVectors>& costs) {
+  const std::uint8_t* left = frame.left_planes + y * kPlanes * frame.plane_stride + x;
+  const std::uint8_t* right =
+      frame.right_planes + y * kPlanes * frame.plane_stride + (frame.width_px - 1 - x);
+  Bytes census[kPlanes];
+  AB_UNROLL
+  for (int k = 0; k < kPlanes; ++k) census[k] = broadcast(left[k * frame.plane_stride]);
+  AB_UNROLL
+  for (int j = 0; j < kVectors; ++j) {
+    Bytes differing[kPlanes];
+    AB_UNROLL
+    for (int k = 0; k < kPlanes; ++k) {
+      differing[k] = exclusive_or(census[k], load(right + k * frame.plane_stride + j * kBytes));
+    }
+    costs.at[j] = count_bits(differing[0], differing[1], differing[2], differing[3]);
+  }
+  costs.at[kVectors - 1] = either(costs.at[kVectors - 1], padding);
+}
+
+struct Penalties {
+  Bytes small, large;
+};
+
+/// A path's next value. `least` is that of the values before: they are taken less it.
+[[gnu::always_inline]] inline Bytes next_on_path(Bytes same, Bytes nearer, Bytes farther,
+                                                 Bytes least, const Penalties& penalties,
+                                                 Bytes cost) {
+  const Bytes stepped = add_saturated(min(nearer, farther), penalties.small);
+  const Bytes before = min(subtract(min(same, stepped), least), penalties.large);
+  return add_saturated(before, cost);
+}
+
+/// A path along the row; its values stay in registers.
+template <int kVectors>
+struct RowPath {
+  Disparities<kVectors> values;
+  Bytes least;
+
+  void start() {
+    AB_UNROLL
+    for (int j = 0; j < kVectors; ++j) values.at[j] = broadcast(0);
+    least = broadcast(0);
+  }
+
+  [[gnu::always_inline]] void advance(const Penalties& penalties,
+                                      const Disparities<kVectors>& costs) {
+    const Bytes all = broadcast(255);
+    Disparities<kVectors> next;
+    Bytes lowest = all;
+    AB_UNROLL
+    for (int j = 0; j < kVectors; ++j) {
+      const Bytes nearer = one_before(j > 0 ? values.at[j > 0 ? j - 1 : 0] : all, values.at[j]);
+      const Bytes farther =
+          one_after(values.at[j], j + 1 < kVectors ? values.at[j + 1 < kVectors ? j + 1 : j] : all);
+      next.at[j] = next_on_path(values.at[j], nearer, farther, least, penalties, costs.at[j]);
+      lowest = min(lowest, next.at[j]);
+    }
+    values = next;
+    least = spread_least(lowest);
+  }
+};
+
+/// A path from the row before: its values there are in a slot, which takes the new ones.
+template <int kVectors>
+[[gnu::always_inline]] inline void advance_slot(std::uint8_t* slot, std::uint8_t* slot_least,
+                                                const Penalties& penalties,
+                                                const Disparities<kVectors>& costs,
+                                                Disparities<kVectors>& next) {
+  const Bytes least = broadcast(*slot_least);
+  Bytes lowest = broadcast(255);
+  AB_UNROLL
+  for (int j = 0; j < kVectors; ++j) {
+    const std::uint8_t* at = slot + j * kBytes;
+    next.at[j] = next_on_path(load(at), load(at - 1), load(at + 1), least, penalties, costs.at[j]);
+    lowest = min(lowest, next.at[j]);
+  }
+  AB_UNROLL
+  for (int j = 0; j < kVectors; ++j) store(slot + j * kBytes, next.at[j]);
+  *slot_least = lowest_byte(spread_least(lowest));
+}
+
+/// The values of a path that starts at the border: what comes out is the cost alone.
+void clear_slot(const Frame& frame, int path, std::ptrdiff_t slot) {
+  std::uint8_t* values = frame.slots[path] + slot * (frame.padded + kGuard);
+  for (int d = 0; d < frame.padded; d += kBytes) store(values + d, broadcast(0));
+  frame.least[path][slot] = 0;
+}
+
+void clear_slots(const Frame& frame) {
+  for (int path = 0; path < (frame.paths == 8 ? 3 : 1); ++path) {
+    for (int slot = 0; slot < frame.width_px; ++slot) clear_slot(frame, path, slot);
+    for (int slot = 0; slot <= frame.width_px; ++slot) {
+      std::uint8_t* guard = frame.slots[path] + slot * (frame.padded + kGuard) - kGuard;
+      for (int i = 0; i < kGuard; i += kBytes) store(guard + i, broadcast(255));
+    }
+  }
+}
+
+/// A right pixel x' is met at x' + d by disparity d, so its candidates lie on a diagonal. The
+/// window holds the least key so far of the right pixel x − d at d; from one pixel to the next,
+/// leftwards, it moves on by one. What has then passed the chunk's disparities leaves it. `w`
+/// counts words; chunks are apart, because keys compare only within one.
+[[gnu::always_inline]] inline void keep_right_winners(std::uint16_t* window, int w,
+                                                      bool last_of_chunk, Words keys) {
+  std::uint16_t* at = window + w * kWords;
+  const Words above = last_of_chunk ? spread_word(0xFFFF) : load_words(window + (w + 1) * kWords);
+  store_words(at, min_words(word_after(load_words(at), above), keys));
+}
+
+/// The disparity in 1/16 px where two lines of equal and opposite slopes through the sums beside
+/// the least one meet; at the ends of the range there are none.
+inline int refine(const std::uint16_t* keys, int d, int disparities) {
+  if (d == 0 || d + 1 >= disparities) return 16 * d;
+  const int before = keys[d - 1] >> 6;
+  const int after = keys[d + 1] >> 6;
+  const int slope = (before > after ? before : after) - (keys[d] >> 6);
+  if (slope == 0) return 16 * d;
+  // d + (before − after) / (2 slope), which is within half a pixel, to the nearest 1/16
+  return 16 * d - 8 + (16 * (before - after) + 17 * slope) / (2 * slope);
+}
+
+/// Picks the left pixel's winner and gives every right pixel in reach its candidate. A key is a sum
+/// of paths · 64 + the disparity within the chunk: the least one is that of the least sum and among
+/// equal ones of the least disparity. Sums are at most 1016, so that a key has 16 bits.
+template <int kVectors, int kPaths>
+[[gnu::always_inline]] inline void pick_winner(const Frame& frame, int x, int y,
+                                               const std::uint8_t* stored,
+                                               const Disparities<kVectors>& first,
+                                               const Disparities<kVectors>& second) {
+  int best_key = 0xFFFF;
+  int best_d = 0;
+  Words lowest = spread_word(0xFFFF);
+  Words disparity = first_words();
+  AB_UNROLL
+  for (int j = 0; j < kVectors; ++j) {
+    Words keys[2];
+    if constexpr (kPaths == 8) {
+      sum_as_words(load(stored + j * kBytes), load(stored + (kVectors + j) * kBytes), first.at[j],
+                   second.at[j], keys);
+    } else {
+      sum_as_words(load(stored + j * kBytes), first.at[j], keys);
+    }
+    const bool chunk_starts = j * kBytes % kChunk == 0;
+    const bool chunk_ends = (j + 1) * kBytes % kChunk == 0 || j + 1 == kVectors;
+    if (chunk_starts) disparity = first_words();
+    AB_UNROLL
+    for (int half = 0; half < 2; ++half) {
+      keys[half] = add_words(keys[half], disparity);
+      disparity = add_words(disparity, spread_word(kWords));
+      lowest = min_words(lowest, keys[half]);
+      keep_right_winners(frame.window, 2 * j + half, chunk_ends && half == 1, keys[half]);
+      if (frame.subpixel) store_words(frame.keys + (2 * j + half) * kWords, keys[half]);
+    }
+    if (!chunk_ends) continue;
+    const int chunk_key = least_word(lowest);
+    const int chunk = j * kBytes / kChunk;
+    if ((chunk_key >> 6) < (best_key >> 6)) {
+      best_key = chunk_key;
+      best_d = chunk * kChunk + (chunk_key & (kChunk - 1));
+    }
+    lowest = spread_word(0xFFFF);
+    // The chunk's first disparity is the last one that its right pixel meets.
+    if (x >= chunk * kChunk) {
+      frame.right_keys[chunk * frame.right_keys_stride + x - chunk * kChunk] =
+          frame.window[chunk * kChunk];
+    }
+  }
+  frame.left_disparity[y * frame.disparity_stride + x] = static_cast<std::int16_t>(
+      frame.subpixel ? refine(frame.keys, best_d, frame.disparities) : 16 * best_d);
+}
+
+/// The best of the chunks, the nearer to zero where equal.
+void write_right_row(const Frame& frame, int y) {
+  std::int16_t* out = frame.right_disparity + y * frame.disparity_stride;
+  for (int x = 0; x < frame.width_px; ++x) {
+    int best_key = frame.right_keys[x];
+    int best_d = best_key & (kChunk - 1);
+    for (int chunk = 1; chunk * kChunk < frame.padded; ++chunk) {
+      const int key = frame.right_keys[chunk * frame.right_keys_stride + x];
+      if ((key >> 6) >= (best_key >> 6)) continue;
+      best_key = key;
+      best_d = chunk * kChunk + (key & (kChunk - 1));
+    }
+    out[x] = static_cast<std::int16_t>(best_d);
+  }
+}
+
+/// One sweep over the image, downwards and to the right or, turned by 180°, upwards and to the
+/// left: the path along the row and those from the row before. A diagonal keeps its slot, so the
+/// slots of the two diagonals turn by one a row, and a slot is free again where its diagonal has
+/// left the image. (The original's diagonals wrap around to the other border's column; ours start
+/// anew.)
+template <int kVectors, int kPaths, bool kUp>
+void sweep(const Frame& given) {
+  const Frame frame = given;  // a copy, which stores of bytes cannot alias
+  const int width = frame.width_px;
+  const std::ptrdiff_t slot_stride = frame.padded + kGuard;
+  const Penalties penalties{broadcast(frame.small_penalty), broadcast(frame.large_penalty)};
+  const Bytes padding = bytes_from(frame.padded - frame.disparities);
+  clear_slots(frame);
+  for (int step = 0; step < frame.height_px; ++step) {
+    const int y = kUp ? frame.height_px - 1 - step : step;
+    RowPath<kVectors> row;
+    row.start();
+    int behind = (width - step % width) % width;  // (column − step) mod width
+    int ahead = step % width;                     // (column + step) mod width
+    if constexpr (kPaths == 8) {
+      clear_slot(frame, 1, behind);
+      clear_slot(frame, 2, (ahead + width - 1) % width);
+    }
+    if constexpr (kUp) {
+      for (int d = 0; d < frame.padded; d += kWords) {
+        store_words(frame.window + d, spread_word(0xFFFF));
+      }
+    }
+    for (int column = 0; column < width; ++column) {
+      const int x = kUp ? width - 1 - column : column;
+      Disparities<kVectors> costs;
+      find_costs(frame, x, y, padding, costs);
+      row.advance(penalties, costs);
+      Disparities<kVectors> first;
+      Disparities<kVectors> second;
+      advance_slot(frame.slots[0] + column * slot_stride, frame.least[0] + column, penalties, costs,
+                   first);
+      AB_UNROLL
+      for (int j = 0; j < kVectors; ++j) {
+        first.at[j] = add_saturated(first.at[j], row.values.at[j]);
+      }
+      if constexpr (kPaths == 8) {
+        Disparities<kVectors> other;
+        advance_slot(frame.slots[1] + behind * slot_stride, frame.least[1] + behind, penalties,
+                     costs, second);
+        advance_slot(frame.slots[2] + ahead * slot_stride, frame.least[2] + ahead, penalties, costs,
+                     other);
+        AB_UNROLL
+        for (int j = 0; j < kVectors; ++j) {
+          second.at[j] = add_saturated(second.at[j], other.at[j]);
+        }
+        behind = behind + 1 == width ? 0 : behind + 1;
+        ahead = ahead + 1 == width ? 0 : ahead + 1;
+      }
+      std::uint8_t* stored = frame.volume + (static_cast<std::ptrdiff_t>(y) * width + x) *
+                                                (kPaths / 4 * kVectors * kBytes);
+      if constexpr (kUp) {
+        pick_winner<kVectors, kPaths>(frame, x, y, stored, first, second);
+      } else {
+        AB_UNROLL
+        for (int j = 0; j < kVectors; ++j) store(stored + j * kBytes, first.at[j]);
+        if constexpr (kPaths == 8) {
+          AB_UNROLL
+          for (int j = 0; j < kVectors; ++j) {
+            store(stored + (kVectors + j) * kBytes, second.at[j]);
+          }
+        }
+      }
+    }
+    if constexpr (kUp) write_right_row(frame, y);
+  }
+}
+
+template <int kPaths, bool kUp>
+void sweep_padded(const Frame& frame) {
+  constexpr int kStep = kDisparityStep / kBytes;
+  switch (frame.padded / kDisparityStep) {
+    case 1:
+      return sweep<1 * kStep, kPaths, kUp>(frame);
+    case 2:
+      return sweep<2 * kStep, kPaths, kUp>(frame);
+    case 3:
+      return sweep<3 * kStep, kPaths, kUp>(frame);
+    case 4:
+      return sweep<4 * kStep, kPaths, kUp>(frame);
+    case 5:
+      return sweep<5 * kStep, kPaths, kUp>(frame);
+    case 6:
+      return sweep<6 * kStep, kPaths, kUp>(frame);
+    case 7:
+      return sweep<7 * kStep, kPaths, kUp>(frame);
+    default:
+      return sweep<8 * kStep, kPaths, kUp>(frame);
+  }
+}
+
+void sweep_down(const Frame& frame) {
+  frame.paths == 8 ? sweep_padded<8, false>(frame) : sweep_padded<4, false>(frame);
+}
+
+void sweep_up(const Frame& frame) {
+  frame.paths == 8 ? sweep_padded<8, true>(frame) : sweep_padded<4, true>(frame);
+}
+
+/// Puts the lesser first.
+inline void sort(Words& a, Words& b) {
+  const Words lesser = min_signed(a, b);
+  b = max_signed(a, b);
+  a = lesser;
+}
+
+void median_row(const std::int16_t* above, const std::int16_t* at, const std::int16_t* below,
+                int width_px, std::int16_t* out) {
+  for (int x = 0; x < width_px; x += kWords) {
+    const std::int16_t* rows[3] = {above + x - 1, at + x - 1, below + x - 1};
+    Words low[3];
+    Words middle[3];
+    Words high[3];
+    AB_UNROLL
+    for (int column = 0; column < 3; ++column) {
+      Words a = load_signed(rows[0] + column);
+      Words b = load_signed(rows[1] + column);
+      Words c = load_signed(rows[2] + column);
+      sort(a, b);
+      sort(b, c);
+      sort(a, b);
+      low[column] = a;
+      middle[column] = b;
+      high[column] = c;
+    }
+    // Median of the columns' greatest minimum, median middle and least maximum.
+    Words a = max_signed(max_signed(low[0], low[1]), low[2]);
+    sort(middle[0], middle[1]);
+    Words b = max_signed(middle[0], min_signed(middle[1], middle[2]));
+    Words c = min_signed(min_signed(high[0], high[1]), high[2]);
+    sort(a, b);
+    store_signed(out + x, max_signed(a, min_signed(b, c)));
+  }
+}
+
+constexpr Kernels kKernels{&transform, &sweep_down, &sweep_up, &median_row};
+
+}  // namespace
+}  // namespace avoidbench::census
+
+#undef AB_UNROLL
