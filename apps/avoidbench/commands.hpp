@@ -11,6 +11,7 @@ void add_run_command(CLI::App& app);
 void add_report_command(CLI::App& app);
 void add_planners_command(CLI::App& app);
 void add_maps_command(CLI::App& app);
+void add_sensors_command(CLI::App& app);
 void add_metrics_command(CLI::App& app);
 void add_config_command(CLI::App& app);
 void add_worker_command(CLI::App& app);  ///< hidden

@@ -82,6 +82,7 @@ void add_commands(CLI::App& app) {
   add_report_command(app);
   add_planners_command(app);
   add_maps_command(app);
+  add_sensors_command(app);
   add_metrics_command(app);
   add_config_command(app);
   add_worker_command(app);

@@ -211,6 +211,7 @@ MapChoice read_map(const std::string& file_or_generator,
   resolve_map_files(root, folder.empty() ? fs::path(".") : folder, sweep, reading);
   round_rates(root, sweep);
   choice.trial = sweep.base;
+  choice.warnings = sweep.warnings;
   for (const char* other : {"sweep", "trials", "axes", "planners"}) reader.take(other);
   reader.finish();
   if (reading.problems.empty()) add_contradictions(root, sweep, reading);

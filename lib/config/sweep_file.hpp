@@ -16,7 +16,8 @@ SweepSpec read_sweep(const std::filesystem::path& file,
 
 /// A map alone, as `avoidbench maps` takes it.
 struct MapChoice {
-  TrialSpec trial;  ///< with the map, its seed and the mission rules
+  TrialSpec trial;  ///< with the map, its seed, the mission rules and what else was given
+  std::vector<std::string> warnings;
 };
 
 /// The map of a sweep file or of a file with a map's fields alone; or, for the bare name of a

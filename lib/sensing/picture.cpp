@@ -173,6 +173,29 @@ void add_caption(Picture& picture, const std::string& text) {
   write_text(image, text, {6, 16});
 }
 
+void paste(const Picture& part, int left_px, int top_px, Picture& picture) {
+  const int from_x = std::max(0, -left_px);
+  const int columns = std::min(part.width_px, picture.width_px - left_px) - from_x;
+  if (columns <= 0) return;
+  for (int y = std::max(0, -top_px); y < part.height_px && y + top_px < picture.height_px; ++y) {
+    const auto from = part.rgb.begin() + 3 * (std::ptrdiff_t{y} * part.width_px + from_x);
+    const std::ptrdiff_t to = std::ptrdiff_t{y + top_px} * picture.width_px + left_px + from_x;
+    std::copy_n(from, 3 * columns, picture.rgb.begin() + 3 * to);
+  }
+}
+
+Picture enlarged(const Picture& picture, int factor) {
+  Picture large = make_picture(picture.width_px * factor, picture.height_px * factor);
+  for (int y = 0; y < large.height_px; ++y) {
+    for (int x = 0; x < large.width_px; ++x) {
+      const auto from = static_cast<std::size_t>(y / factor * picture.width_px + x / factor);
+      const auto to = static_cast<std::size_t>(y * large.width_px + x);
+      std::copy_n(&picture.rgb[3 * from], 3, &large.rgb[3 * to]);
+    }
+  }
+  return large;
+}
+
 void write_png(const Picture& picture, const std::filesystem::path& file) {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;

@@ -52,6 +52,13 @@ void draw_circle(Picture& picture, const Eigen::Vector2d& center, double radius_
 /// Writes `text` (ASCII) in white on a dark band along the picture's upper edge.
 void add_caption(Picture& picture, const std::string& text);
 
+/// Copies `part` into `picture` with its upper left corner at (left_px, top_px); what lies outside
+/// is cut off.
+void paste(const Picture& part, int left_px, int top_px, Picture& picture);
+
+/// Each pixel as a square of factor × factor.
+Picture enlarged(const Picture& picture, int factor);
+
 /// Throws InputError where the file can't be written.
 void write_png(const Picture& picture, const std::filesystem::path& file);
 

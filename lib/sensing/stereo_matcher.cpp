@@ -2,8 +2,10 @@
 
 #include <limits>
 #include <opencv2/calib3d.hpp>
+#include <vector>
 
 #include "base/check.hpp"
+#include "sensing/census_matcher.hpp"
 
 namespace avoidbench {
 namespace {
@@ -72,12 +74,48 @@ class SgbmMatcher : public StereoMatcher {
   cv::Mat left_, right_, sixteenths_;
 };
 
+class CensusMatcher : public StereoMatcher {
+ public:
+  CensusMatcher(const StereoCensusSpec& spec, int width_px, int height_px)
+      : settings_{.disparities = static_cast<int>(spec.disparities),
+                  .paths = static_cast<int>(spec.paths),
+                  .small_penalty = static_cast<int>(spec.p1),
+                  .large_penalty = static_cast<int>(spec.p2),
+                  .subpixel = spec.subpixel,
+                  .left_right_tolerance_px = static_cast<int>(spec.left_right_px)},
+        zero_is_invalid_(!spec.subpixel),
+        width_px_(width_px),
+        height_px_(height_px) {}
+
+  void match(std::span<const std::uint8_t> left, std::span<const std::uint8_t> right,
+             std::span<float> disparity_px) override {
+    sixteenths_.resize(disparity_px.size());
+    match_census(settings_, left, right, width_px_, height_px_, workspace_, sixteenths_);
+    for (std::size_t i = 0; i < disparity_px.size(); ++i) {
+      const std::int16_t disparity = sixteenths_[i];
+      const bool is_valid = disparity > 0 || (disparity == 0 && !zero_is_invalid_);
+      disparity_px[i] = is_valid ? static_cast<float>(disparity) * (1.0F / 16.0F) : kNaN;
+    }
+  }
+
+ private:
+  CensusSettings settings_;
+  bool zero_is_invalid_;  ///< as in the original, which knows whole pixels alone
+  int width_px_, height_px_;
+  CensusWorkspace workspace_;
+  std::vector<std::int16_t> sixteenths_;
+};
+
 }  // namespace
 
 std::unique_ptr<StereoMatcher> make_stereo_matcher(const SensorSpec& sensor) {
   if (const auto* sgm = std::get_if<StereoSgmSpec>(&sensor.method)) {
     return std::make_unique<SgbmMatcher>(*sgm, static_cast<int>(sensor.width_px),
                                          static_cast<int>(sensor.height_px));
+  }
+  if (const auto* census = std::get_if<StereoCensusSpec>(&sensor.method)) {
+    return std::make_unique<CensusMatcher>(*census, static_cast<int>(sensor.width_px),
+                                           static_cast<int>(sensor.height_px));
   }
   return nullptr;
 }

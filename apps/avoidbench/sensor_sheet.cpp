@@ -1,0 +1,143 @@
+#include "sensor_sheet.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "render/depth.hpp"
+#include "sensing/camera.hpp"
+#include "sensing/depth_statistics.hpp"
+
+namespace avoidbench {
+namespace {
+
+constexpr double kErrorScale_m = 1.0;  ///< at which an error's colour is full
+constexpr std::uint8_t kInvalid = 96;
+
+Picture grey_picture(const std::vector<std::uint8_t>& pixels, int width_px, int height_px) {
+  Picture picture = make_picture(width_px, height_px);
+  for (std::size_t i = 0; i < pixels.size(); ++i) std::fill_n(&picture.rgb[3 * i], 3, pixels[i]);
+  return picture;
+}
+
+/// White where right, red where measured too far, blue too near; grey where invalid, black where
+/// both say there is nothing.
+Picture error_picture(const std::vector<float>& truth_m, const std::vector<float>& measured_m,
+                      double max_range_m, int width_px, int height_px) {
+  Picture picture = make_picture(width_px, height_px);
+  for (std::size_t i = 0; i < truth_m.size(); ++i) {
+    const auto truth = static_cast<double>(truth_m[i]);
+    const auto measured = static_cast<double>(measured_m[i]);
+    std::uint8_t* rgb = &picture.rgb[3 * i];
+    if (std::isnan(measured)) {
+      std::fill_n(rgb, 3, kInvalid);
+      continue;
+    }
+    const bool nothing = truth > max_range_m;
+    if (nothing && !std::isfinite(measured)) continue;
+    const double error = std::min(measured, max_range_m) - std::min(truth, max_range_m);
+    const double share = std::clamp(error / kErrorScale_m, -1.0, 1.0);
+    const auto faded = static_cast<std::uint8_t>(std::lround(255.0 * (1.0 - std::abs(share))));
+    rgb[0] = share > 0.0 ? 255 : faded;
+    rgb[1] = faded;
+    rgb[2] = share > 0.0 ? faded : 255;
+  }
+  return picture;
+}
+
+std::string figures(const DepthStatistics& s) {
+  char line[200];
+  std::snprintf(
+      line, sizeof line, "%.1f %% valid, disparity error %.3f ± %.3f px, beyond 1 px %.1f %%",
+      100.0 * s.valid_ratio, s.disparity_bias_px, s.disparity_sigma_px, 100.0 * s.outlier_ratio);
+  return line;
+}
+
+/// Puts rows of equally large cells into one picture.
+Picture tiled(const std::vector<std::vector<Picture>>& rows) {
+  constexpr int kGap = 4;
+  std::size_t columns = 0;
+  for (const auto& row : rows) columns = std::max(columns, row.size());
+  const int width = rows.front().front().width_px, height = rows.front().front().height_px;
+  Picture sheet = make_picture(static_cast<int>(columns) * (width + kGap) - kGap,
+                               static_cast<int>(rows.size()) * (height + kGap) - kGap);
+  std::fill(sheet.rgb.begin(), sheet.rgb.end(), std::uint8_t{255});
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    for (std::size_t c = 0; c < rows[r].size(); ++c) {
+      paste(rows[r][c], static_cast<int>(c) * (width + kGap), static_cast<int>(r) * (height + kGap),
+            sheet);
+    }
+  }
+  return sheet;
+}
+
+/// Cells of at least this width, so that captions can be read.
+Picture cell(Picture picture, const std::string& caption) {
+  constexpr int kLeastWidth_px = 320;
+  const int factor = (kLeastWidth_px + picture.width_px - 1) / picture.width_px;
+  Picture shown = factor > 1 ? enlarged(picture, factor) : std::move(picture);
+  add_caption(shown, caption);
+  return shown;
+}
+
+}  // namespace
+
+SensorSheet make_sensor_sheet(const SensorSpec& sensor, const Scene& scene,
+                              const Pose& T_world_body, std::uint64_t seed) {
+  const int width = static_cast<int>(sensor.width_px), height = static_cast<int>(sensor.height_px);
+  const double range_m = sensor.max_range_m;
+  Pinhole ideal = sensor_camera(sensor);
+  ideal.min_range_m = 0.0;
+  ideal.max_range_m = std::numeric_limits<double>::infinity();
+  Camera camera(sensor);
+  CameraImages images;
+  std::vector<float> truth_m(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  std::vector<std::vector<Picture>> rows;
+  SensorSheet sheet;
+  const std::vector<MountingSpec> all = mountings(sensor);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Pose T_world_camera = T_world_body * T_body_camera(all[i]);
+    camera.expose(scene, T_world_camera, {}, {.depth = true, .stereo = true, .color = true},
+                  stream_seed(seed, i), images);
+    render_depth(scene, ideal, T_world_camera, truth_m);
+    std::vector<DepthSample> samples;
+    constexpr int kEdge_px = 8;
+    add_samples(truth_m, images.depth_m, width, disparity_at_1m_px(sensor), kEdge_px, samples);
+    const DepthStatistics inside =
+        depth_statistics(samples, false, 0.0, range_m, disparity_at_1m_px(sensor));
+    sheet.summary += (all.size() > 1 ? "camera " + std::to_string(i) + ": " : "") +
+                     figures(inside) + ", away from edges\n";
+    const auto depth_cell = [&](const std::vector<float>& depth_m, const std::string& caption) {
+      Picture picture = depth_picture(depth_m, width, height, 0.0, range_m);
+      Picture shown = cell(std::move(picture), caption);
+      add_depth_scale(shown, 0.0, range_m);
+      return shown;
+    };
+    Picture color = make_picture(width, height);
+    color.rgb = images.color;
+    std::vector<Picture> seen{cell(grey_picture(images.left, width, height), "left"),
+                              cell(grey_picture(images.right, width, height), "right"),
+                              cell(std::move(color), "colour")};
+    std::vector<Picture> measured{
+        depth_cell(images.depth_m, sensor.name + ": depth"), depth_cell(truth_m, "true depth"),
+        cell(error_picture(truth_m, images.depth_m, range_m, width, height),
+             "error: blue -1 m, white 0, red +1 m")};
+    if (is_stereo(sensor)) {
+      const double most_px = disparity_at_1m_px(sensor) / 0.5;
+      std::vector<float> shown = images.disparity_px;
+      for (float& disparity : shown) disparity = static_cast<float>(most_px) - disparity;
+      seen.push_back(
+          cell(depth_picture(shown, width, height, 0.0, most_px), "disparity: red is large"));
+    }
+    if (all.size() == 1) {
+      rows.push_back(std::move(seen));
+      rows.push_back(std::move(measured));
+    } else {
+      rows.push_back({seen[0], measured[0], measured[1], measured[2]});
+    }
+  }
+  sheet.picture = tiled(rows);
+  return sheet;
+}
+
+}  // namespace avoidbench

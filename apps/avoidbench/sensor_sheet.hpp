@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "render/scene.hpp"
+#include "sensing/picture.hpp"
+#include "sensing/sensor_spec.hpp"
+
+namespace avoidbench {
+
+/// What a sensor makes of one view.
+struct SensorSheet {
+  Picture picture;      ///< left, right, color, disparity, depth, truth and error of each camera
+  std::string summary;  ///< a line of figures a camera
+};
+
+/// Exposes all cameras of the sensor on a body at `T_world_body` that rests.
+SensorSheet make_sensor_sheet(const SensorSpec& sensor, const Scene& scene,
+                              const Pose& T_world_body, std::uint64_t seed);
+
+}  // namespace avoidbench

@@ -1,0 +1,243 @@
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <optional>
+
+#include "base/input_error.hpp"
+#include "commands.hpp"
+#include "config/sweep_file.hpp"
+#include "config/yaml_values.hpp"
+#include "reference_table.hpp"
+#include "render/depth.hpp"
+#include "sensing/camera.hpp"
+#include "sensing/depth_statistics.hpp"
+#include "sensor_sheet.hpp"
+#include "trial/mission.hpp"
+
+namespace avoidbench {
+namespace {
+
+struct SensorOptions {
+  std::vector<std::string> sensors;
+  std::string map = "forest";
+  std::vector<std::string> overrides;
+  std::optional<std::uint64_t> seed;
+  std::int64_t mission_index = 0, missions = 5;
+  std::vector<double> pose;  ///< x, y, z, yaw in degrees
+  std::string png = "sensor.png";
+  double bin_m = 3.0;
+  TableOptions table;
+};
+
+std::string fixed(double value, int digits) {
+  if (std::isnan(value)) return "–";
+  char text[48];
+  std::snprintf(text, sizeof text, "%.*f", digits, value);
+  return text;
+}
+
+/// The map with this sensor, a preset's name or a file.
+TrialSpec trial_of(const SensorOptions& options, const std::string& sensor) {
+  std::vector<std::string> overrides = options.overrides;
+  std::string found = sensor;
+  if (sensor.find('/') != std::string::npos || sensor.ends_with(".yaml")) {
+    found = std::filesystem::absolute(sensor).string();
+  }
+  overrides.insert(overrides.begin(), "sensor=" + found);
+  const MapChoice choice = read_map(options.map, overrides);
+  for (const std::string& warning : choice.warnings) std::cerr << "warning: " << warning << "\n";
+  TrialSpec trial = choice.trial;
+  if (options.seed) trial.map_seed = *options.seed;
+  return trial;
+}
+
+Mission mission_of(const Scene& scene, const TrialSpec& trial, std::int64_t index) {
+  const auto mission = make_mission(scene, trial.mission, trial.seed, index);
+  if (!mission) {
+    throw InputError("mission " + std::to_string(index) +
+                     ": no start or goal with mission.free_radius_m of free space");
+  }
+  return *mission;
+}
+
+void show(const SensorOptions& options) {
+  const TrialSpec trial = trial_of(options, options.sensors.front());
+  const World world = make_world(trial.map, trial.map_seed);
+  const Scene scene(world);
+  Pose T_world_body;
+  if (options.pose.empty()) {
+    const Mission mission = mission_of(scene, trial, options.mission_index);
+    T_world_body = make_pose(mission.start_world, yaw_rotation(mission.start_yaw_rad));
+  } else {
+    const double yaw_deg = options.pose.size() > 3 ? options.pose[3] : 0.0;
+    T_world_body = make_pose({options.pose[0], options.pose[1], options.pose[2]},
+                             yaw_rotation(yaw_deg * math::kDegree));
+  }
+  const SensorSheet sheet = make_sensor_sheet(trial.sensor, scene, T_world_body, trial.seed);
+  write_png(sheet.picture, options.png);
+  std::cout << sheet.summary;
+  std::cerr << "wrote " << options.png << '\n';
+}
+
+/// Poses of a level body along the straight lines of missions, away from what is near.
+std::vector<Pose> poses_of(const Scene& scene, const TrialSpec& trial, std::int64_t missions) {
+  std::vector<Pose> poses;
+  constexpr double kFree_m = 0.6;
+  for (std::int64_t i = 0; i < missions; ++i) {
+    const auto mission = make_mission(scene, trial.mission, trial.seed, i);
+    if (!mission) continue;
+    for (const double part : {0.0, 0.25, 0.5, 0.75}) {
+      const Eigen::Vector3d place =
+          mission->start_world + part * (mission->goal_world - mission->start_world);
+      if (scene.nearest(place, kFree_m).distance_m < kFree_m) continue;
+      poses.push_back(make_pose(place, yaw_rotation(mission->start_yaw_rad)));
+    }
+  }
+  return poses;
+}
+
+void add_rows(const std::string& name, const SensorSpec& sensor, double bin_m,
+              const std::vector<DepthSample>& samples, double fattening, ReferenceTable& table) {
+  const double at_1m_px = disparity_at_1m_px(sensor);
+  const auto add = [&](const std::string& where, bool edges, double from_m, double to_m) {
+    const DepthStatistics s = depth_statistics(samples, edges, from_m, to_m, at_1m_px);
+    if (s.pixel_count == 0) return;
+    table.rows.push_back({name, where, std::to_string(s.pixel_count),
+                          fixed(100.0 * s.valid_ratio, 1), fixed(s.disparity_bias_px, 3),
+                          fixed(s.disparity_sigma_px, 3), fixed(100.0 * s.outlier_ratio, 1),
+                          fixed(s.depth_sigma_m, 3), fixed(s.expected_depth_sigma_m, 3)});
+  };
+  const double range_m = sensor.max_range_m;
+  for (double from_m = 0.0; from_m < range_m; from_m += bin_m) {
+    const double to_m = std::min(from_m + bin_m, range_m);
+    add(number_text(from_m) + "-" + number_text(to_m) + " m", false, from_m, to_m);
+  }
+  add("all", false, 0.0, range_m);
+  add("edges, " + fixed(fattening, 1) + " px fatter", true, 0.0, range_m);
+}
+
+void measure(const SensorOptions& options) {
+  ReferenceTable table{{"sensor", "where", "pixels", "valid_percent", "bias_px", "sigma_px",
+                        "outlier_percent", "depth_sigma_m", "z2_over_bf_sigma_m"},
+                       {}};
+  for (const std::string& name : options.sensors) {
+    const TrialSpec trial = trial_of(options, name);
+    const SensorSpec& sensor = trial.sensor;
+    const World world = make_world(trial.map, trial.map_seed);
+    const Scene scene(world);
+    Pinhole ideal = sensor_camera(sensor);
+    ideal.min_range_m = 0.0;
+    ideal.max_range_m = std::numeric_limits<double>::infinity();
+    Camera camera(sensor);
+    CameraImages images;
+    std::vector<float> truth_m(static_cast<std::size_t>(sensor.width_px * sensor.height_px));
+    std::vector<DepthSample> samples;
+    double fattening_sum = 0.0, fattening_count = 0.0;
+    std::uint64_t index = 0;
+    for (const Pose& T_world_body : poses_of(scene, trial, options.missions)) {
+      for (const MountingSpec& mounting : mountings(sensor)) {
+        const Pose T_world_camera = T_world_body * T_body_camera(mounting);
+        camera.expose(scene, T_world_camera, {}, {.depth = true}, stream_seed(trial.seed, index++),
+                      images);
+        render_depth(scene, ideal, T_world_camera, truth_m);
+        const int width = static_cast<int>(sensor.width_px);
+        constexpr int kEdge_px = 8;
+        add_samples(truth_m, images.depth_m, width, disparity_at_1m_px(sensor), kEdge_px, samples);
+        const double fattening =
+            fattening_px(truth_m, images.depth_m, width, disparity_at_1m_px(sensor), kEdge_px);
+        if (std::isnan(fattening)) continue;
+        fattening_sum += fattening;
+        fattening_count += 1.0;
+      }
+    }
+    add_rows(sensor.name, sensor, options.bin_m, samples, fattening_sum / fattening_count, table);
+  }
+  write_table(table, options.table);
+}
+
+void list(const TableOptions& options) {
+  ReferenceTable table{{"sensor", "kind", "pixels", "fov_x_deg", "rate_hz", "delay_ms",
+                        "baseline_m", "range_m", "cameras"},
+                       {}};
+  for (const SensorSpec& s : sensor_presets()) {
+    table.rows.push_back({s.name, std::string(kind(s.method)),
+                          std::to_string(s.width_px) + "x" + std::to_string(s.height_px),
+                          number_text(s.fov_x_deg), number_text(s.rate_hz), number_text(s.delay_ms),
+                          number_text(s.baseline_m),
+                          number_text(s.min_range_m) + "-" + number_text(s.max_range_m),
+                          std::to_string(1 + s.more_mountings.size())});
+  }
+  write_table(table, options);
+}
+
+void add_map_options(CLI::App& command, const std::shared_ptr<SensorOptions>& options) {
+  command.add_option("--map", options->map, "Map or sweep file, or a generator's name")
+      ->capture_default_str()
+      ->type_name("FILE|NAME");
+  command.add_option("--seed", options->seed, "Map seed (default: the map's first)");
+  command
+      .add_option("--set", options->overrides,
+                  "Override one value, as in maps.texture_opacity=0.5 or sensor.width_px=640; "
+                  "repeatable (default: none)")
+      ->type_name("PATH=VALUE")
+      ->allow_extra_args(false);
+}
+
+}  // namespace
+
+void add_sensors_command(CLI::App& app) {
+  const auto options = std::make_shared<SensorOptions>();
+  CLI::App* command = app.add_subcommand("sensors", "List cameras, show and measure what they see");
+  command->require_subcommand(1);
+  command->footer(
+      "Examples:\n"
+      "  avoidbench sensors list\n"
+      "  avoidbench sensors show stereo_sgm --map hall --png stereo.png\n"
+      "  avoidbench sensors show my_camera.yaml --map forest --pose 20,5,2,90\n"
+      "  avoidbench sensors measure stereo_sgm depth_noisy --map hall --set "
+      "maps.texture_opacity=0.5");
+
+  CLI::App* list_command = command->add_subcommand("list", "The sensors that are built in");
+  add_table_options(*list_command, options->table);
+  list_command->callback([options] { list(options->table); });
+
+  CLI::App* show_command = command->add_subcommand(
+      "show", "Picture of what a sensor sees: left, right, disparity, depth, truth, error");
+  show_command->add_option("sensor", options->sensors, "A built-in sensor's name, or a file")
+      ->required()
+      ->expected(1)
+      ->type_name("NAME|FILE");
+  add_map_options(*show_command, options);
+  show_command
+      ->add_option("--pose", options->pose,
+                   "Where the body is: x,y,z in metres and yaw in degrees "
+                   "(default: the start of --mission)")
+      ->delimiter(',')
+      ->expected(3, 4)
+      ->type_name("X,Y,Z[,YAW]");
+  show_command->add_option("--mission", options->mission_index, "Which mission's start")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  show_command->add_option("--png", options->png, "File to write")->capture_default_str();
+  show_command->callback([options] { show(*options); });
+
+  CLI::App* measure_command = command->add_subcommand(
+      "measure", "Errors of sensors against the truth, by distance, along missions of a map");
+  measure_command->add_option("sensors", options->sensors, "Built-in sensors' names, or files")
+      ->required()
+      ->type_name("NAME|FILE");
+  add_map_options(*measure_command, options);
+  measure_command->add_option("--missions", options->missions, "Missions, with four views each")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str();
+  measure_command->add_option("--bin", options->bin_m, "Width of the rows' distance ranges, m")
+      ->check(CLI::Range(0.1, 1000.0))
+      ->capture_default_str();
+  add_table_options(*measure_command, options->table);
+  measure_command->callback([options] { measure(*options); });
+}
+
+}  // namespace avoidbench
