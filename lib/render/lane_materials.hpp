@@ -83,30 +83,35 @@ AB_LANE Ints key_of(std::uint32_t number) { return all_lanes(salt(number)); }
 /// Earth with patches of grass, fresh and dry.
 inline Look soil(const Points& p) {
   const Flat at = along_surface(p);
-  const Noise patches = octaves(at.x, at.y, 3.5F, 5, p.footprint, key_of(11U));
-  const Noise tones = octaves(at.x, at.y, 9.0F, 3, p.footprint, key_of(23U));
-  const Noise blades = octaves(at.x, at.y, 0.16F, 4, p.footprint, key_of(37U));
-  const Floats fine = 0.5F + 0.7F * blades.value;
-  const Floats coarse = 0.5F + 0.3F * patches.value + 0.25F * tones.value;
-  const Floats level = within_unit(0.65F * fine + 0.35F * coarse);
+  const Noise patches = octaves(at.x, at.y, Chain{3.5F, 5}, p.footprint, key_of(11U));
+  const Noise tones = octaves(at.x, at.y, Chain{9.0F, 3}, p.footprint, key_of(23U));
+  const Noise blades = octaves(at.x, at.y, Chain{0.64F, 6, 0.8F}, p.footprint, key_of(37U));
+  const Floats fine = 0.5F + 0.55F * blades.value;
+  const Floats coarse = 0.5F + 0.6F * patches.value + 0.25F * tones.value;
+  const Floats level = within_unit(0.6F * fine + 0.4F * coarse);
   const Triple earth = mix(Rgb{0.060F, 0.037F, 0.021F}, Rgb{0.29F, 0.20F, 0.123F}, level);
-  const Triple fresh = mix(Rgb{0.022F, 0.048F, 0.011F}, Rgb{0.17F, 0.265F, 0.058F}, level);
+  const Triple fresh = mix(Rgb{0.022F, 0.048F, 0.011F}, Rgb{0.15F, 0.235F, 0.052F}, level);
   const Triple dry = mix(Rgb{0.09F, 0.077F, 0.027F}, Rgb{0.38F, 0.315F, 0.126F}, level);
   const Triple grass = mix(fresh, dry, smooth_step(0.42F, 0.68F, 0.5F + 0.5F * tones.value));
   Look look;
   look.albedo =
       mix(earth, grass, smooth_step(-0.10F, 0.04F, 0.5F * patches.value + 0.11F * blades.value));
-  look.tilt = tilt_along(at, blades.slope_x, blades.slope_y, 0.35F);
-  look.crevice = 0.88F + 0.4F * blades.value;
+  look.tilt = tilt_along(at, blades.slope_x, blades.slope_y, 0.055F);
+  look.crevice = 0.88F + 0.25F * blades.value;
   return look;
 }
 
 /// Streaks, long up the stem and narrow around it, with blotches, and moss at the foot.
 inline Look bark(const Points& p) {
   constexpr float kStretch = 0.22F;
-  const Noise plates = octaves(p.at.x, p.at.y, p.at.z * kStretch, 0.06F, 4, p.footprint, p.seed);
-  const Noise blotches = octaves(p.at.x, p.at.y, p.at.z, 0.7F, 3, p.footprint, salted(p.seed, 7U));
-  const Floats crack = smooth_step(-0.32F, 0.04F, plates.value);
+  const Noise plates =
+      octaves(p.at.x, p.at.y, p.at.z * kStretch, Chain{0.06F, 4}, p.footprint, p.seed);
+  const Noise blotches =
+      octaves(p.at.x, p.at.y, p.at.z, Chain{0.7F, 4, 0.7F}, p.footprint, salted(p.seed, 7U));
+  // Where the plates are too fine to be seen, their mean.
+  constexpr float kMeanCrack = 0.72F;
+  const Floats crack = kMeanCrack + seen(0.06F, p.footprint) *
+                                        (smooth_step(-0.32F, 0.04F, plates.value) - kMeanCrack);
   const Floats blotch = 0.5F + 0.5F * blotches.value;
   Look look;
   look.albedo =
@@ -125,22 +130,25 @@ inline Look bark(const Points& p) {
 inline Look leaf(const Points& p) {
   constexpr float kLeaf = 0.085F;
   const Floats plant = part_of<3>(p.seed);
-  const Noise clusters = octaves(p.at.x, p.at.y, p.at.z, 0.45F, 2, p.footprint, salted(p.seed, 3U));
+  const Noise clusters =
+      octaves(p.at.x, p.at.y, p.at.z, Chain{0.45F, 2}, p.footprint, salted(p.seed, 3U));
   Look look;
   look.tilt = Triple{clusters.slope_x, clusters.slope_y, clusters.slope_z} * all_lanes(-0.35F);
   Floats tone = 0.5F + 0.45F * clusters.value;
-  Floats between = all_lanes(0.35F);
+  constexpr float kMeanBetween = 0.5F;
+  Floats between = all_lanes(kMeanBetween);
   const Floats visible = seen(kLeaf, p.footprint);
   if (any(all_lanes(0.0F) < visible)) {
     constexpr float kLeaves = 1.0F / kLeaf;
     const Cell cell = nearest_cell(p.at.x * kLeaves, p.at.y * kLeaves, p.at.z * kLeaves, p.seed);
     tone = tone + visible * 0.6F * (part_of<6>(cell.hash) - 0.5F);
-    between = between + visible * (smooth_step(0.12F, 0.42F, cell.square_distance) - 0.35F);
+    between = between + visible * (smooth_step(0.12F, 0.42F, cell.square_distance) - kMeanBetween);
     const Floats tilt = visible * 1.3F;
     look.tilt = look.tilt + Triple{tilt * (part_of<9>(cell.hash) - 0.5F),
                                    tilt * (part_of<15>(cell.hash) - 0.5F),
                                    tilt * (part_of<22>(cell.hash) - 0.5F)};
-    const Noise veins = octaves(p.at.x, p.at.y, p.at.z, 0.03F, 2, p.footprint, salted(p.seed, 5U));
+    const Noise veins =
+        octaves(p.at.x, p.at.y, p.at.z, Chain{0.03F, 2}, p.footprint, salted(p.seed, 5U));
     tone = tone + 0.35F * veins.value;
   }
   const Triple dark = mix(Rgb{0.020F, 0.050F, 0.010F}, Rgb{0.045F, 0.060F, 0.010F}, plant);
@@ -172,8 +180,8 @@ inline Look brick(const Points& p) {
   const Floats burnt =
       visible * select(all_lanes(0.82F) < part_of<14>(hash), all_lanes(0.8F), all_lanes(0.0F)) +
       (1.0F - visible) * 0.14F;
-  const Noise grain = octaves(at.x, at.y, 0.06F, 3, p.footprint, salted(p.seed, 5U));
-  const Noise stain = octaves(at.x, at.y, 1.6F, 4, p.footprint, salted(p.seed, 9U));
+  const Noise grain = octaves(at.x, at.y, Chain{0.06F, 3}, p.footprint, salted(p.seed, 5U));
+  const Noise stain = octaves(at.x, at.y, Chain{1.6F, 4}, p.footprint, salted(p.seed, 9U));
   const Triple clay = mix(mix(Rgb{0.22F, 0.075F, 0.045F}, Rgb{0.46F, 0.19F, 0.11F}, shade),
                           all_lanes(Rgb{0.17F, 0.085F, 0.07F}), burnt);
   Look look;
@@ -188,8 +196,8 @@ inline Look brick(const Points& p) {
 inline Look concrete(const Points& p) {
   constexpr float kSlab = 3.0F, kGroove = 0.012F;
   const Flat at = along_surface(p);
-  const Noise stain = octaves(at.x, at.y, 2.2F, 5, p.footprint, p.seed);
-  const Noise grit = octaves(at.x, at.y, 0.07F, 3, p.footprint, salted(p.seed, 41U));
+  const Noise stain = octaves(at.x, at.y, Chain{2.2F, 5, 0.7F}, p.footprint, p.seed);
+  const Noise grit = octaves(at.x, at.y, Chain{0.07F, 4, 0.8F}, p.footprint, salted(p.seed, 41U));
   const Floats from_x = magnitude(split(at.x * (1.0F / kSlab) + 0.5F).rest - 0.5F);
   const Floats from_y = magnitude(split(at.y * (1.0F / kSlab) + 0.5F).rest - 0.5F);
   const Floats width = kGroove + 0.5F * p.footprint;
@@ -197,7 +205,7 @@ inline Look concrete(const Points& p) {
   const Floats groove = (1.0F - t * t * (3.0F - 2.0F * t)) * (0.55F * kGroove / width);
   Look look;
   look.albedo =
-      mix(Rgb{0.15F, 0.147F, 0.14F}, Rgb{0.36F, 0.35F, 0.33F}, 0.5F + 0.6F * stain.value) *
+      mix(Rgb{0.15F, 0.147F, 0.14F}, Rgb{0.36F, 0.35F, 0.33F}, 0.5F + 0.55F * stain.value) *
       ((1.0F + 0.45F * grit.value) * (1.0F - groove));
   look.tilt = untilted();
   return look;
@@ -230,9 +238,10 @@ inline Look painted_metal(const Points& p) {
   const Floats t = within_unit((saw - 0.5F + blur) / (2.0F * blur));
   const Floats visible = seen(kPeriod, p.footprint);
   const Floats stripe = 0.5F + visible * (t * t * (3.0F - 2.0F * t) - 0.5F);
-  const Noise wear = octaves(p.at.x, p.at.y, p.at.z, 0.5F, 5, p.footprint, salted(p.seed, 17U));
-  const Noise scratch =
-      octaves(p.at.x, p.at.y, 4.0F * p.at.z, 0.07F, 3, 3.0F * p.footprint, salted(p.seed, 19U));
+  const Noise wear =
+      octaves(p.at.x, p.at.y, p.at.z, Chain{0.5F, 5}, p.footprint, salted(p.seed, 17U));
+  const Noise scratch = octaves(p.at.x, p.at.y, 4.0F * p.at.z, Chain{0.07F, 3, 0.8F},
+                                3.0F * p.footprint, salted(p.seed, 19U));
   Look look;
   look.albedo = mix(paint_of(p.seed), all_lanes(Rgb{0.62F, 0.61F, 0.58F}), stripe) *
                 (1.0F + 0.4F * scratch.value + 0.3F * wear.value);

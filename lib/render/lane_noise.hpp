@@ -119,45 +119,52 @@ AB_LANE Noise noise(Floats x, Floats y, Floats z, Ints key) {
           (f1 - f0) * az.slope * kNoiseScale};
 }
 
-/// Octaves of noise, each of half the size and half the weight of the one before, the first of
-/// `size` and of weight 1. What is finer than the footprint fades out and, where no lane sees it,
-/// costs nothing. Value around 0; slopes are those of the sum times `size`.
-AB_LANE Noise octaves(Floats x, Floats y, float size, int count, Floats footprint, Ints key) {
-  Noise sum{all_lanes(0.0F), all_lanes(0.0F), all_lanes(0.0F), all_lanes(0.0F)};
-  float frequency = 1.0F / size;
+/// A chain of octaves of noise, each of half the size of the one before and `decay` times its
+/// weight.
+struct Chain {
+  float size;  ///< of the first, whose weight is 1
+  int count;
+  float decay = 0.5F;
+};
+
+/// The sum of a chain at points where `of(frequency, key)` is one octave of it. What is finer than
+/// the footprint fades out and, where no lane sees it, costs nothing. The value lies around 0;
+/// slopes are those of the sum times the chain's size.
+template <class Octave>
+AB_LANE Noise sum_of(const Chain& chain, Floats footprint, Ints key, Octave of) {
+  const Floats none = all_lanes(0.0F);
+  Noise sum{none, none, none, none};
+  float frequency = 1.0F / chain.size;
   float weight = 1.0F;
-  for (int octave = 0; octave < count; ++octave) {
+  float slope = 1.0F;
+  for (int octave = 0; octave < chain.count; ++octave) {
     const Floats visible = seen(1.0F, footprint * frequency);
-    if (!any(all_lanes(0.0F) < visible)) break;
-    const Noise one = noise(x * frequency, y * frequency, key);
+    if (!any(none < visible)) break;
+    const Noise one = of(frequency, key);
     sum.value = sum.value + visible * weight * one.value;
-    sum.slope_x = sum.slope_x + visible * one.slope_x;
-    sum.slope_y = sum.slope_y + visible * one.slope_y;
+    const Floats visible_slope = visible * slope;
+    sum.slope_x = sum.slope_x + visible_slope * one.slope_x;
+    sum.slope_y = sum.slope_y + visible_slope * one.slope_y;
+    sum.slope_z = sum.slope_z + visible_slope * one.slope_z;
     frequency *= 2.0F;
-    weight *= 0.5F;
+    weight *= chain.decay;
+    slope *= 2.0F * chain.decay;
     key = salted(key, 1U);
   }
   return sum;
 }
 
-AB_LANE Noise octaves(Floats x, Floats y, Floats z, float size, int count, Floats footprint,
+AB_LANE Noise octaves(Floats x, Floats y, const Chain& chain, Floats footprint, Ints key) {
+  return sum_of(chain, footprint, key, [&](float frequency, Ints octave_key) {
+    return noise(x * frequency, y * frequency, octave_key);
+  });
+}
+
+AB_LANE Noise octaves(Floats x, Floats y, Floats z, const Chain& chain, Floats footprint,
                       Ints key) {
-  Noise sum{all_lanes(0.0F), all_lanes(0.0F), all_lanes(0.0F), all_lanes(0.0F)};
-  float frequency = 1.0F / size;
-  float weight = 1.0F;
-  for (int octave = 0; octave < count; ++octave) {
-    const Floats visible = seen(1.0F, footprint * frequency);
-    if (!any(all_lanes(0.0F) < visible)) break;
-    const Noise one = noise(x * frequency, y * frequency, z * frequency, key);
-    sum.value = sum.value + visible * weight * one.value;
-    sum.slope_x = sum.slope_x + visible * one.slope_x;
-    sum.slope_y = sum.slope_y + visible * one.slope_y;
-    sum.slope_z = sum.slope_z + visible * one.slope_z;
-    frequency *= 2.0F;
-    weight *= 0.5F;
-    key = salted(key, 1U);
-  }
-  return sum;
+  return sum_of(chain, footprint, key, [&](float frequency, Ints octave_key) {
+    return noise(x * frequency, y * frequency, z * frequency, octave_key);
+  });
 }
 
 /// The nearest of centres that lie one in each unit cube, anywhere in it (Worley 1996).
