@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstring>
 #include <limits>
 
@@ -170,6 +171,24 @@ void build_instance_boxes(Scene::Internals& scene) {
   commit(scene.instance_boxes.get());
 }
 
+double lowest_ceiling_m(const Scene::Internals& scene) {
+  double lowest = std::numeric_limits<double>::infinity();
+  const World& world = *scene.world;
+  for (std::size_t i = 0; i < world.instances.size(); ++i) {
+    const Instance& instance = world.instances[i];
+    if (instance.obstacle >= world.obstacles.size()) continue;
+    const std::string& kind = world.obstacles[instance.obstacle].kind;
+    if (kind != "ceiling" && kind != "lamp") continue;
+    const Placement& placement = scene.placements[i];
+    for (const Vector3f& vertex : world.prototypes[instance.prototype].mesh.vertices) {
+      lowest = std::min(lowest, (placement.linear_world_prototype * vertex.cast<double>() +
+                                 placement.position_world)
+                                    .z());
+    }
+  }
+  return lowest;
+}
+
 void check_world(const World& world) {
   for (const Prototype& prototype : world.prototypes) {
     AB_CHECK(prototype.triangle_materials.size() == prototype.mesh.triangles.size(),
@@ -204,6 +223,7 @@ std::unique_ptr<Scene::Internals> build_internals(const World& world,
   for (const Instance& instance : world.instances) {
     scene->placements.push_back(make_placement(instance));
   }
+  scene->lowest_ceiling_m = lowest_ceiling_m(*scene);
   if (scene->flattened) {
     build_flattened(*scene);
   } else {

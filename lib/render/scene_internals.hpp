@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "geometry/box_triangle.hpp"
@@ -46,6 +47,9 @@ struct Scene::Internals {
   std::vector<std::vector<TrianglePlane>>
       planes;                         ///< one list an instance where flattened, else a prototype
   std::vector<Placement> placements;  ///< one an instance
+  /// The lowest point of all ceilings and lamps, where they stand at first; +inf: there are none.
+  /// In shaded images the sun shines through them, else halls would be dark.
+  double lowest_ceiling_m = std::numeric_limits<double>::infinity();
 };
 
 /// Builds the hierarchy. `flatten_triangles` is a parameter so that tests can compare both kinds on

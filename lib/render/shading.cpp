@@ -1,196 +1,288 @@
 #include "render/shading.hpp"
 
+#include <emmintrin.h>
+
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <vector>
 
 #include "base/check.hpp"
 #include "base/math.hpp"
 #include "render/flush_to_zero.hpp"
-#include "render/materials.hpp"
 #include "render/primary_rays.hpp"
-#include "render/value_noise.hpp"
+#include "render/shading_kernel.hpp"
 
 namespace avoidbench {
 namespace {
 
 using Eigen::Vector3d;
-using Eigen::Vector3f;
 
-constexpr std::size_t kLanes = 8 * embree::kStreamPackets;
+static_assert(kBlockPackets == embree::kStreamPackets);
+static_assert(kMaterialCount == static_cast<int>(Material::lamp) + 1);
 
-const Vector3f kSunColor(1.0F, 0.93F, 0.80F);
-const Vector3f kSkyColor(0.72F, 0.86F, 1.0F);
-const Vector3f kBounceColor(0.55F, 0.50F, 0.38F);
-const Vector3f kHorizonColor(0.74F, 0.82F, 0.90F);
-const Vector3f kZenithColor(0.16F, 0.34F, 0.72F);
+std::uint32_t mixed_seed(std::uint32_t number) {
+  std::uint32_t h = number * 0x85ebca6bU + 0x9e3779b9U;
+  h = (h ^ (h >> 15U)) * 0x2c1b3c6dU;
+  h = (h ^ (h >> 12U)) * 0x297a2d39U;
+  return h ^ (h >> 15U);
+}
 
-/// What one ray of a block found.
-struct Lane {
-  bool inside = false;  ///< a pixel of the image
-  bool hit = false;
-  bool lit = true;  ///< by the sun, as far as other surfaces go
-  std::uint32_t instance = 0, triangle = 0;
-  std::size_t pixel = 0;
-  double depth_m = 0.0;
-  Vector3d ray;             ///< world frame, forward component 1
-  Vector3d position_world;  ///< of the hit
-  Vector3d normal_world;    ///< unit, towards the viewer
+void copy(const Vector3d& from, float (&to)[3]) {
+  for (int k = 0; k < 3; ++k) to[k] = static_cast<float>(from[k]);
+}
+
+/// The instances that a frame has seen so far, as its camera sees them.
+class ObjectViews {
+ public:
+  ObjectViews(const Scene::Internals& scene, const Pose& T_world_camera, const Vector3d& to_sun)
+      : scene_(scene),
+        axes_(T_world_camera.linear()),
+        position_world_(T_world_camera.translation()),
+        to_sun_(to_sun),
+        // Only what is seen is ever written.
+        views_(std::make_unique_for_overwrite<ObjectView[]>(scene.placements.size())),
+        is_made_(scene.placements.size(), 0) {}
+
+  const ObjectView& of(unsigned instance) {
+    if (is_made_[instance] == 0) make(instance);
+    return views_[instance];
+  }
+
+ private:
+  void make(unsigned instance) {
+    const World& world = *scene_.world;
+    const Placement& placement = scene_.placements[instance];
+    const Eigen::Matrix3d R = placement.linear_prototype_world * placement.scale;
+    ObjectView& view = views_[instance];
+    copy(R * axes_.col(0), view.right);
+    copy(R * axes_.col(1), view.down);
+    copy(R * axes_.col(2), view.forward);
+    copy(R * (position_world_ - placement.position_world), view.position);
+    copy(R * to_sun_, view.to_sun);
+    for (int row = 0; row < 3; ++row) copy(R.row(row).transpose(), view.R_object_world[row]);
+    const std::uint32_t obstacle = world.instances[instance].obstacle;
+    const bool has_opacity = obstacle < world.obstacles.size();
+    view.opacity =
+        has_opacity ? static_cast<float>(world.obstacles[obstacle].texture_opacity) : 1.0F;
+    view.seed = mixed_seed(instance);
+    is_made_[instance] = 1;
+  }
+
+  const Scene::Internals& scene_;
+  Eigen::Matrix3d axes_;
+  Vector3d position_world_, to_sun_;
+  std::unique_ptr<ObjectView[]> views_;
+  std::vector<std::uint8_t> is_made_;
 };
 
-struct View {
+/// The triangle that was seen last: mostly the next packet's too.
+struct LastFacet {
+  unsigned instance = ~0U, triangle = ~0U;
+  FacetLanes facet{};
+  std::size_t material = 0;
+
+  void find(const Scene::Internals& scene, const PrimaryRays& rays, unsigned instance_now,
+            unsigned triangle_now) {
+    if (instance_now == instance && triangle_now == triangle) return;
+    instance = instance_now;
+    triangle = triangle_now;
+    const PlaneInCamera plane = rays.plane(instance, triangle);
+    facet.a = static_cast<float>(plane.a);
+    facet.b = static_cast<float>(plane.b);
+    facet.c = static_cast<float>(plane.c);
+    facet.h = static_cast<float>(plane.h);
+    const Placement& placement = scene.placements[instance];
+    const TrianglePlane& p = placement.planes[triangle];
+    const Vector3d normal(p.nx, p.ny, p.nz);
+    copy(scene.flattened
+             ? normal
+             : Vector3d(placement.linear_world_prototype * normal * (1.0 / placement.scale)),
+         facet.normal_world);
+    const World& world = *scene.world;
+    const Prototype& prototype = world.prototypes[world.instances[instance].prototype];
+    material = static_cast<std::size_t>(prototype.triangle_materials[triangle]);
+  }
+};
+
+/// A bit for each of eight lanes that holds this number.
+unsigned lanes_with(const unsigned* lanes, unsigned number) {
+  const __m128i all = _mm_set1_epi32(static_cast<int>(number));
+  const auto* at = reinterpret_cast<const __m128i*>(lanes);
+  const auto bits = [&](const __m128i* four) {
+    return static_cast<unsigned>(
+        _mm_movemask_ps(_mm_castsi128_ps(_mm_cmpeq_epi32(_mm_load_si128(four), all))));
+  };
+  return bits(at) | bits(at + 1) << 4U;
+}
+
+/// A frame as it is being shaded.
+struct Frame {
+  const ShadingKernel& kernel;
   const Scene::Internals& scene;
-  const Light& light;
-  Vector3d to_sun;
-  Vector3d position_world;
-  Eigen::Matrix3d axes;
-  std::size_t width, height;
-  std::size_t samples;
-  double pixel_slope;  ///< size of a ray's footprint a metre of depth
-  double ceiling_z_m;  ///< the sun is above the surfaces and below this
+  FrameLight light;
+  bool has_shadows;
+  std::vector<float> u, v;  ///< of the rays' columns and rows
+  ObjectViews objects;
+  LastFacet last;
 };
 
-/// The lowest point of all ceilings and lamps: the sun shines through them, else halls would be
-/// dark.
-double lowest_ceiling_m(const Scene::Internals& scene) {
-  double lowest = std::numeric_limits<double>::infinity();
-  const World& world = *scene.world;
-  for (std::size_t i = 0; i < world.instances.size(); ++i) {
-    const Instance& instance = world.instances[i];
-    if (instance.obstacle >= world.obstacles.size()) continue;
-    const std::string& kind = world.obstacles[instance.obstacle].kind;
-    if (kind != "ceiling" && kind != "lamp") continue;
-    const Placement& placement = scene.placements[i];
-    for (const Vector3f& vertex : world.prototypes[instance.prototype].mesh.vertices) {
-      lowest = std::min(lowest, (placement.linear_world_prototype * vertex.cast<double>() +
-                                 placement.position_world)
-                                    .z());
+void add_object(PacketHits& hits, const ObjectView& object, unsigned lanes) {
+  for (int i = 0; i < hits.object_count; ++i) {
+    if (hits.objects[i].object != &object) continue;
+    hits.objects[i].lanes |= lanes;
+    return;
+  }
+  hits.objects[hits.object_count++] = {lanes, &object};
+}
+
+void gather(Frame& frame, const PrimaryRays& rays, const RTCRayHit8& packet, std::size_t x,
+            std::size_t y, PacketHits& hits) {
+  hits.ray_x = packet.ray.dir_x;
+  hits.ray_y = packet.ray.dir_y;
+  hits.ray_z = packet.ray.dir_z;
+  hits.embree_depth = packet.ray.tfar;
+  hits.u = &frame.u[x];
+  hits.v[0] = frame.v[y];
+  hits.v[1] = frame.v[y + 1];
+  hits.hit = 0xffU & ~lanes_with(packet.hit.geomID, RTC_INVALID_GEOMETRY_ID);
+  hits.facet_count = 0;
+  hits.object_count = 0;
+  std::fill_n(hits.material_lanes, kMaterialCount, 0U);
+  const unsigned* instances = rays.instances(packet);
+  const unsigned* triangles = packet.hit.primID;
+  for (unsigned left = hits.hit; left != 0;) {
+    const int lane = std::countr_zero(left);
+    const unsigned lanes =
+        left & lanes_with(instances, instances[lane]) & lanes_with(triangles, triangles[lane]);
+    left &= ~lanes;
+    frame.last.find(frame.scene, rays, instances[lane], triangles[lane]);
+    FacetLanes& facet = hits.facets[hits.facet_count++];
+    facet = frame.last.facet;
+    facet.lanes = lanes;
+    hits.material_lanes[frame.last.material] |= lanes;
+    add_object(hits, frame.objects.of(instances[lane]), lanes);
+  }
+}
+
+/// The four packets of a block.
+struct Block {
+  PacketHits hits[kBlockPackets];
+  PacketSurface surfaces[kBlockPackets];
+  PacketLight lights[kBlockPackets];
+  RTCRay8 shadows[kBlockPackets];  ///< rays to the sun
+
+  explicit Block(const FrameLight& light) : hits{}, surfaces{}, lights{}, shadows{} {
+    for (RTCRay8& packet : shadows) {
+      std::fill_n(packet.mask, 8, ~0U);
+      std::fill_n(packet.dir_x, 8, light.to_sun_world[0]);
+      std::fill_n(packet.dir_y, 8, light.to_sun_world[1]);
+      std::fill_n(packet.dir_z, 8, light.to_sun_world[2]);
     }
   }
-  return lowest;
-}
+};
 
-void gather_lanes(const View& view, const PrimaryRays& rays, int block_x, int block_y,
-                  std::array<Lane, kLanes>& lanes) {
-  for (std::size_t i = 0; i < kLanes; ++i) {
-    Lane& lane = lanes[i];
-    const std::size_t x = static_cast<std::size_t>(block_x) * kBlockWidth + i % kBlockWidth;
-    const std::size_t y = static_cast<std::size_t>(block_y) * kBlockHeight + i / kBlockWidth;
-    lane.inside = x < view.width * view.samples && y < view.height * view.samples;
-    if (!lane.inside) continue;
-    lane.pixel = y / view.samples * view.width + x / view.samples;
-    const double u = rays.u()[x];
-    const double v = rays.v()[y];
-    lane.ray = view.axes.col(0) * u + view.axes.col(1) * v + view.axes.col(2);
-    const RTCRayHit8& packet = rays.packet(i / 8);
-    lane.hit = packet.hit.geomID[i % 8] != RTC_INVALID_GEOMETRY_ID;
-    if (!lane.hit) continue;
-    lane.instance = rays.instances(packet)[i % 8];
-    lane.triangle = packet.hit.primID[i % 8];
-    const float depth =
-        plane_depth(rays.plane(lane.instance, lane.triangle), u, v, packet.ray.tfar[i % 8]);
-    lane.depth_m = static_cast<double>(depth);
-    lane.position_world = view.position_world + lane.ray * lane.depth_m;
-    const Placement& placement = view.scene.placements[lane.instance];
-    const TrianglePlane& plane = placement.planes[lane.triangle];
-    Vector3d normal(plane.nx, plane.ny, plane.nz);
-    if (!view.scene.flattened) normal = placement.linear_world_prototype * normal / placement.scale;
-    lane.normal_world = normal.dot(lane.ray) > 0.0 ? Vector3d(-normal) : normal;
+/// Takes the lanes that something hides from the sun from `lit`.
+void cast_shadows(const Frame& frame, Block& block, unsigned (&lit)[kBlockPackets]) {
+  unsigned any = 0;
+  for (int i = 0; i < kBlockPackets; ++i) {
+    RTCRay8& rays = block.shadows[i];
+    const PacketSurface& surface = block.surfaces[i];
+    std::copy_n(surface.shadow_from[0], 8, rays.org_x);
+    std::copy_n(surface.shadow_from[1], 8, rays.org_y);
+    std::copy_n(surface.shadow_from[2], 8, rays.org_z);
+    if (lit[i] != 0) {
+      std::copy_n(surface.shadow_length, 8, rays.tfar);
+    } else {
+      std::fill_n(rays.tfar, 8, -1.0F);
+    }
+    any |= lit[i];
+  }
+  if (any == 0) return;
+  embree::occlude_stream(frame.scene.top.get(), block.shadows);
+  for (int i = 0; i < kBlockPackets; ++i) {
+    // Embree gives rays that hit something a length of -inf.
+    lit[i] &= ~static_cast<unsigned>(_mm_movemask_ps(_mm_load_ps(block.shadows[i].tfar)) |
+                                     _mm_movemask_ps(_mm_load_ps(block.shadows[i].tfar + 4)) << 4);
   }
 }
 
-void cast_shadows(const View& view, std::array<Lane, kLanes>& lanes) {
-  RTCRay8 packets[embree::kStreamPackets] = {};
-  bool any = false;
-  for (std::size_t i = 0; i < kLanes; ++i) {
-    RTCRay8& packet = packets[i / 8];
-    const std::size_t k = i % 8;
-    packet.tfar[k] = -1.0F;
-    packet.mask[k] = ~0U;
-    packet.dir_x[k] = static_cast<float>(view.to_sun.x());
-    packet.dir_y[k] = static_cast<float>(view.to_sun.y());
-    packet.dir_z[k] = static_cast<float>(view.to_sun.z());
-    Lane& lane = lanes[i];
-    lane.lit = true;
-    if (!lane.inside || !lane.hit) continue;
-    const double side = lane.normal_world.dot(view.to_sun) < 0.0 ? -1.0 : 1.0;
-    const Vector3d from =
-        lane.position_world + lane.normal_world * (side * (1e-3 + 1e-4 * lane.depth_m));
-    packet.org_x[k] = static_cast<float>(from.x());
-    packet.org_y[k] = static_cast<float>(from.y());
-    packet.org_z[k] = static_cast<float>(from.z());
-    const double rise = view.ceiling_z_m - 1e-3 - from.z();
-    packet.tfar[k] = rise < 1e6 ? static_cast<float>(std::max(rise, 0.0) / view.to_sun.z())
-                                : std::numeric_limits<float>::infinity();
-    any = true;
+void shade_block(Frame& frame, PrimaryRays& rays, int block_x, int block_y, Block& block) {
+  rays.trace(block_x, block_y);
+  const std::size_t x = static_cast<std::size_t>(block_x) * kBlockWidth;
+  const std::size_t y = static_cast<std::size_t>(block_y) * kBlockHeight;
+  unsigned lit[kBlockPackets] = {};
+  for (std::size_t i = 0; i < kBlockPackets; ++i) {
+    PacketHits& hits = block.hits[i];
+    gather(frame, rays, rays.packet(i), x, y + kPacketHeight * i, hits);
+    PacketSurface& surface = block.surfaces[i];
+    surface.facing_sun = 0;
+    if (hits.hit != 0) {
+      frame.kernel.locate(frame.light, hits, surface);
+    } else {
+      std::fill_n(surface.shadow_length, kPacketLanes, -1.0F);
+    }
+    lit[i] = surface.facing_sun;
   }
-  if (!any) return;
-  std::array<bool, kLanes> active{};
-  for (std::size_t i = 0; i < kLanes; ++i) active[i] = packets[i / 8].tfar[i % 8] >= 0.0F;
-  embree::occlude_stream(view.scene.top.get(), packets);
-  for (std::size_t i = 0; i < kLanes; ++i) {
-    if (active[i]) lanes[i].lit = packets[i / 8].tfar[i % 8] >= 0.0F;
+  if (frame.has_shadows) cast_shadows(frame, block, lit);
+  for (std::size_t i = 0; i < kBlockPackets; ++i) {
+    frame.kernel.shade(frame.light, block.hits[i], block.surfaces[i], lit[i], block.lights[i]);
   }
 }
 
-Vector3f sky_color(const View& view, const Vector3d& direction) {
-  const auto up = static_cast<float>(std::clamp(direction.z(), 0.0, 1.0));
-  const float toward_zenith = std::sqrt(up);
-  Vector3f color = kHorizonColor + (kZenithColor - kHorizonColor) * toward_zenith;
-  const auto near_sun = static_cast<float>(std::max(0.0, direction.dot(view.to_sun)));
-  const float squared = near_sun * near_sun;
-  const float glow = squared * squared * squared * squared;
-  return color + kSunColor * (0.35F * glow * glow);
+/// Where a frame's light goes.
+struct Image {
+  std::size_t width, height, samples;
+  Channels channels;
+  std::span<float> radiance;
+};
+
+float luminance(const PacketLight& light, std::size_t lane) {
+  return 0.2126F * light.rgb[0][lane] + 0.7152F * light.rgb[1][lane] + 0.0722F * light.rgb[2][lane];
 }
 
-Vector3f surface_color(const View& view, const Lane& lane) {
-  const World& world = *view.scene.world;
-  const Instance& instance = world.instances[lane.instance];
-  const Placement& placement = view.scene.placements[lane.instance];
-  SurfacePoint point;
-  point.material = world.prototypes[instance.prototype].triangle_materials[lane.triangle];
-  const Eigen::Matrix3d to_object = placement.linear_prototype_world * placement.scale;
-  point.position_object =
-      (to_object * (lane.position_world - placement.position_world)).cast<float>();
-  point.normal_object = (to_object * lane.normal_world).cast<float>();
-  point.object_seed = lattice_hash(static_cast<std::int32_t>(lane.instance), 0, 0, 1U);
-  if (instance.obstacle < world.obstacles.size()) {
-    point.texture_opacity = static_cast<float>(world.obstacles[instance.obstacle].texture_opacity);
+/// Writes (or, of several samples, adds) a block's light to the pixels at (x, y) of the samples.
+void store_block(const Image& image, const Block& block, std::size_t x, std::size_t y) {
+  const std::size_t columns = std::min<std::size_t>(kBlockWidth, image.width * image.samples - x);
+  const std::size_t rows = std::min<std::size_t>(kBlockHeight, image.height * image.samples - y);
+  const auto channels = static_cast<std::size_t>(image.channels);
+  const bool is_single = image.samples == 1;
+  const float share = 1.0F / static_cast<float>(image.samples * image.samples);
+  for (std::size_t row = 0; row < rows; ++row) {
+    const PacketLight& light = block.lights[row / kPacketHeight];
+    const std::size_t first_lane = row % kPacketHeight * kBlockWidth;
+    float* line = &image.radiance[(y + row) / image.samples * image.width * channels];
+    for (std::size_t column = 0; column < columns; ++column) {
+      const std::size_t lane = first_lane + column;
+      float* pixel = line + (x + column) / image.samples * channels;
+      for (std::size_t k = 0; k < channels; ++k) {
+        const float value =
+            image.channels == Channels::grey ? luminance(light, lane) : light.rgb[k][lane];
+        pixel[k] = is_single ? value : pixel[k] + share * value;
+      }
+    }
   }
-  point.footprint_m = static_cast<float>(view.pixel_slope * lane.depth_m);
-  const SurfaceLook look = surface_look(point);
-
-  const Vector3f tilted =
-      lane.normal_world.cast<float>() +
-      (placement.linear_world_prototype.cast<float>() / static_cast<float>(placement.scale)) *
-          look.normal_tilt;
-  const float length = tilted.norm();
-  const Vector3f normal =
-      length > 1e-3F ? Vector3f(tilted / length) : lane.normal_world.cast<float>();
-  const float facing = normal.dot(view.to_sun.cast<float>());
-  const float front = std::max(facing, 0.0F);
-  const float through = look.translucency * std::max(-facing, 0.0F);
-  // Light that a leaf lets through comes out yellower.
-  const Vector3f through_color(1.15F * look.albedo.x(), 1.1F * look.albedo.y(),
-                               0.5F * look.albedo.z());
-  const auto sun = static_cast<float>(lane.lit ? view.light.sun : 0.0);
-  const auto sky = static_cast<float>(view.light.sky) * look.crevice;
-  const float up = 0.5F + 0.5F * normal.z();
-  const Vector3f ambient = kSkyColor * (sky * up) + kBounceColor * (0.45F * sky * (1.0F - up));
-  return look.glow * look.albedo + look.albedo.cwiseProduct(kSunColor * (sun * front) + ambient) +
-         through_color.cwiseProduct(kSunColor * (sun * through));
 }
 
-Vector3f lane_color(const View& view, const Lane& lane) {
-  const double length = lane.ray.norm();
-  if (!lane.hit) return sky_color(view, lane.ray / length);
-  constexpr float kExposure = 2.2F;
-  const Vector3f color = surface_color(view, lane) * kExposure;
-  const auto clear =
-      static_cast<float>(math::exp(-lane.depth_m * length / view.light.haze_range_m));
-  return kHorizonColor + (color - kHorizonColor) * clear;
+FrameLight frame_light(const Scene::Internals& scene, const Pinhole& camera,
+                       const Pose& T_world_camera, const Light& light, int samples) {
+  constexpr double kHugeLength_m = 1e6;
+  const Vector3d to_sun = light.to_sun_world.normalized();
+  FrameLight frame{};
+  copy(T_world_camera.translation(), frame.camera_world);
+  copy(to_sun, frame.to_sun_world);
+  frame.sun = static_cast<float>(light.sun);
+  frame.sky = static_cast<float>(light.sky);
+  frame.haze_per_m = static_cast<float>(1.0 / light.haze_range_m);
+  frame.pixel_slope = static_cast<float>(1.0 / (camera.fx_px * samples));
+  const bool is_above = to_sun.z() > 1e-3;
+  frame.ceiling_z_m = static_cast<float>(is_above ? scene.lowest_ceiling_m : kHugeLength_m);
+  frame.sun_distance_per_m = static_cast<float>(is_above ? 1.0 / to_sun.z() : 1.0);
+  frame.longest_shadow_m = static_cast<float>(kHugeLength_m);
+  return frame;
 }
 
 /// Linear light in [0, 1] to 8-bit sRGB (IEC 61966-2-1), by a table of 4096 steps.
@@ -215,48 +307,60 @@ float soft_highlights(float x) {
 
 }  // namespace
 
-void render_shaded(const Scene& scene, const Pinhole& camera, const Pose& T_world_camera,
-                   const Light& light, int samples, std::span<std::uint8_t> rgb) {
-  const auto width = static_cast<std::size_t>(camera.width_px);
-  const auto height = static_cast<std::size_t>(camera.height_px);
-  AB_CHECK(rgb.size() == 3 * width * height, rgb.size(), width, height);
+const ShadingKernel& shading_kernel() {
+  __builtin_cpu_init();
+  return __builtin_cpu_supports("avx2") != 0 ? kAvx2Shading : kPortableShading;
+}
+
+void render_radiance_by(const ShadingKernel& kernel, const Scene& scene, const Pinhole& camera,
+                        const Pose& T_world_camera, const Light& light, int samples,
+                        Channels channels, std::span<float> radiance) {
+  const Image image{static_cast<std::size_t>(camera.width_px),
+                    static_cast<std::size_t>(camera.height_px), static_cast<std::size_t>(samples),
+                    channels, radiance};
+  AB_CHECK(radiance.size() == image.width * image.height * static_cast<std::size_t>(channels),
+           radiance.size(), image.width, image.height);
   AB_CHECK(samples >= 1 && light.to_sun_world.norm() > 0.0, samples);
   const ScopedFlushToZero flush;
-  PrimaryRays rays(scene.internals(), camera, T_world_camera, samples);
-  const Vector3d to_sun = light.to_sun_world.normalized();
-  const double ceiling_z_m = to_sun.z() > 1e-3 ? lowest_ceiling_m(scene.internals())
-                                               : std::numeric_limits<double>::infinity();
-  const View view{scene.internals(),
-                  light,
-                  to_sun,
-                  T_world_camera.translation(),
-                  T_world_camera.linear(),
-                  width,
-                  height,
-                  static_cast<std::size_t>(samples),
-                  1.0 / (camera.fx_px * samples),
-                  ceiling_z_m};
-  std::vector<Vector3f> colors(width * height, Vector3f::Zero());
-  std::array<Lane, kLanes> lanes;
+  const Scene::Internals& internals = scene.internals();
+  PrimaryRays rays(internals, camera, T_world_camera, samples);
+  const auto as_floats = [](const double* slopes, int count) {
+    return std::vector<float>(slopes, slopes + count);
+  };
+  Frame frame{kernel,
+              internals,
+              frame_light(internals, camera, T_world_camera, light, samples),
+              light.shadows,
+              as_floats(rays.u(), rays.blocks_across() * kBlockWidth),
+              as_floats(rays.v(), rays.blocks_down() * kBlockHeight),
+              ObjectViews(internals, T_world_camera, light.to_sun_world.normalized()),
+              {}};
+  if (samples > 1) std::fill(radiance.begin(), radiance.end(), 0.0F);
+  Block block(frame.light);
   for (int block_y = 0; block_y < rays.blocks_down(); ++block_y) {
     for (int block_x = 0; block_x < rays.blocks_across(); ++block_x) {
-      rays.trace(block_x, block_y);
-      gather_lanes(view, rays, block_x, block_y, lanes);
-      if (light.shadows) cast_shadows(view, lanes);
-      for (const Lane& lane : lanes) {
-        if (!lane.inside) continue;
-        colors[lane.pixel] += lane_color(view, lane).unaryExpr(&soft_highlights);
-      }
+      shade_block(frame, rays, block_x, block_y, block);
+      store_block(image, block, static_cast<std::size_t>(block_x) * kBlockWidth,
+                  static_cast<std::size_t>(block_y) * kBlockHeight);
     }
   }
+}
+
+void render_radiance(const Scene& scene, const Pinhole& camera, const Pose& T_world_camera,
+                     const Light& light, int samples, Channels channels,
+                     std::span<float> radiance) {
+  render_radiance_by(shading_kernel(), scene, camera, T_world_camera, light, samples, channels,
+                     radiance);
+}
+
+void render_shaded(const Scene& scene, const Pinhole& camera, const Pose& T_world_camera,
+                   const Light& light, int samples, std::span<std::uint8_t> rgb) {
+  std::vector<float> radiance(rgb.size());
+  render_radiance(scene, camera, T_world_camera, light, samples, Channels::rgb, radiance);
   static const std::array<std::uint8_t, 4097> kSrgb = make_srgb_table();
-  const float share = 1.0F / static_cast<float>(samples * samples);
-  for (std::size_t i = 0; i < colors.size(); ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const float level = colors[i][static_cast<Eigen::Index>(k)] * share;
-      rgb[3 * i + k] =
-          kSrgb[static_cast<std::size_t>(std::lround(4096.0F * std::min(level, 1.0F)))];
-    }
+  for (std::size_t i = 0; i < rgb.size(); ++i) {
+    const float level = std::min(soft_highlights(radiance[i]), 1.0F);
+    rgb[i] = kSrgb[static_cast<std::size_t>(4096.0F * level + 0.5F)];
   }
 }
 

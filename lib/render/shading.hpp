@@ -17,10 +17,31 @@ struct Light {
   double haze_range_m = 200.0;  ///< distance at which the haze takes 63 % of the colour; +inf: none
 };
 
-/// The colour image seen from `T_world_camera`, sRGB 8-bit, `rgb` is height × width × 3, row-major.
-/// Materials are procedural and fixed to the object (never to the view), so that two cameras see
-/// the same texture. `samples` rays a side of each pixel (1: one ray through its centre).
+enum class Channels { grey = 1, rgb = 3 };
+
+/// Linear light that reaches the pixels of a camera at `T_world_camera`: `light` is height × width
+/// × channels, row-major; a grey card in the sun is about 0.3, and 1 is white. Grey is the Rec. 709
+/// luminance. Not clipped; no tone curve, no noise. The sky is seen where nothing is hit within
+/// `camera.max_range_m`; `min_range_m` is ignored. Materials are procedural and fixed to the object
+/// (never to the view), so that two cameras see the same texture; what is finer than about two
+/// pixels fades out of it. `samples` rays a side of each pixel (1: one ray through its centre). The
+/// same bits on every machine, as far as Embree hits the same triangles.
+void render_radiance(const Scene& scene, const Pinhole& camera, const Pose& T_world_camera,
+                     const Light& light, int samples, Channels channels, std::span<float> radiance);
+
+/// The same as a picture: highlights bent below white, sRGB 8-bit; `rgb` is height × width × 3,
+/// row-major.
 void render_shaded(const Scene& scene, const Pinhole& camera, const Pose& T_world_camera,
                    const Light& light, int samples, std::span<std::uint8_t> rgb);
+
+struct ShadingKernel;
+
+/// The kernel that render_radiance() uses: the fastest this processor runs.
+const ShadingKernel& shading_kernel();
+
+/// render_radiance() by a kernel of shading_kernel.hpp: all give the same bits, which tests see to.
+void render_radiance_by(const ShadingKernel& kernel, const Scene& scene, const Pinhole& camera,
+                        const Pose& T_world_camera, const Light& light, int samples,
+                        Channels channels, std::span<float> radiance);
 
 }  // namespace avoidbench

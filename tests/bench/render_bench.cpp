@@ -4,6 +4,7 @@
 #include <array>
 #include <cstring>
 #include <ctime>
+#include <limits>
 #include <map>
 #include <memory>
 #include <vector>
@@ -163,16 +164,45 @@ void occluded_5m(benchmark::State& state, MapKind kind) {
   });
 }
 
-void shaded(benchmark::State& state, MapKind kind) {
+/// A pair of grey shaded images in linear light, one ray a pixel, beside the depth images of the
+/// same two cameras. Shaded images see as far as there is anything, depth images kDepthRange_m.
+void shaded_pair(benchmark::State& state, MapKind kind, bool has_shadows) {
+  constexpr double kBaseline_m = 0.1;
   const Place& in = place(kind);
-  const Pinhole camera = make_pinhole(320, 240, 90.0 * math::kDegree, 1000.0);
-  std::vector<std::uint8_t> image(3 * 320 * 240);
-  const std::vector<Pose> poses = crossing(in);
-  std::size_t i = 0;
+  const auto width = static_cast<std::int32_t>(state.range(0));
+  const std::int32_t height = width * 3 / 4;
+  const Pinhole depth_camera = make_pinhole(width, height, 90.0 * math::kDegree, kDepthRange_m);
+  Pinhole camera = depth_camera;
+  camera.max_range_m = std::numeric_limits<double>::infinity();
+  const Light light{.shadows = has_shadows};
+  std::vector<float> image(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  const std::vector<Pose> left_poses = crossing(in);
+  std::vector<double> shaded_s;
+  std::vector<double> depth_s;
   for (auto _ : state) {
-    render_shaded(*in.scene, camera, poses[i++ % poses.size()], Light{}, 1, image);
-    benchmark::DoNotOptimize(image.data());
+    std::vector<double> pair_s;
+    for (const Pose& left : left_poses) {
+      Pose right = left;
+      right.translation() += kBaseline_m * left.linear().col(0);
+      const double first = processor_s();
+      for (const Pose& pose : {left, right}) {
+        render_radiance(*in.scene, camera, pose, light, 1, Channels::grey, image);
+        benchmark::DoNotOptimize(image.data());
+      }
+      pair_s.push_back(processor_s() - first);
+      const double second = processor_s();
+      for (const Pose& pose : {left, right}) {
+        render_depth(*in.scene, depth_camera, pose, image);
+        benchmark::DoNotOptimize(image.data());
+      }
+      depth_s.push_back(processor_s() - second);
+    }
+    shaded_s.insert(shaded_s.end(), pair_s.begin(), pair_s.end());
+    state.SetIterationTime(median(pair_s));
   }
+  state.counters["ms"] = 1e3 * median(shaded_s);
+  state.counters["depth_pair_ms"] = 1e3 * median(depth_s);
+  state.counters["ratio_to_depth_pair"] = median(shaded_s) / median(depth_s);
 }
 
 void build(benchmark::State& state, MapKind kind, bool flattened) {
@@ -208,8 +238,10 @@ BENCHMARK_CAPTURE(body_clearance, hall, hall);
 BENCHMARK_CAPTURE(body_clearance, forest, forest);
 BENCHMARK_CAPTURE(occluded_5m, hall, hall);
 BENCHMARK_CAPTURE(occluded_5m, forest, forest);
-BENCHMARK_CAPTURE(shaded, hall, hall)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(shaded, forest, forest)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(shaded_pair, hall, hall, false)->Arg(640)->Arg(320)->UseManualTime();
+BENCHMARK_CAPTURE(shaded_pair, hall_shadows, hall, true)->Arg(640)->Arg(320)->UseManualTime();
+BENCHMARK_CAPTURE(shaded_pair, forest, forest, false)->Arg(640)->Arg(320)->UseManualTime();
+BENCHMARK_CAPTURE(shaded_pair, forest_shadows, forest, true)->Arg(640)->Arg(320)->UseManualTime();
 BENCHMARK_CAPTURE(build, hall_flattened, hall, true)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(build, forest_flattened, forest, true)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(build, forest_instanced, forest, false)->Unit(benchmark::kMillisecond);

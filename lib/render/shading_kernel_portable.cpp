@@ -1,0 +1,7 @@
+#include "render/lane_shading.hpp"
+
+namespace avoidbench {
+
+const ShadingKernel kPortableShading{locate, shade};
+
+}  // namespace avoidbench
