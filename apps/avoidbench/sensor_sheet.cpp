@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/random.hpp"
 #include "render/depth.hpp"
 #include "sensing/camera.hpp"
 #include "sensing/depth_statistics.hpp"

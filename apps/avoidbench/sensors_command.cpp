@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/input_error.hpp"
+#include "base/random.hpp"
 #include "commands.hpp"
 #include "config/sweep_file.hpp"
 #include "config/yaml_values.hpp"
@@ -30,6 +31,17 @@ struct SensorOptions {
   std::string png = "sensor.png";
   double bin_m = 3.0;
   TableOptions table;
+};
+
+/// Of the numbers among what is added.
+struct Mean {
+  double sum = 0.0, count = 0.0;
+  void add(double value) {
+    if (std::isnan(value)) return;
+    sum += value;
+    count += 1.0;
+  }
+  double value() const { return sum / count; }
 };
 
 std::string fixed(double value, int digits) {
@@ -100,7 +112,8 @@ std::vector<Pose> poses_of(const Scene& scene, const TrialSpec& trial, std::int6
 }
 
 void add_rows(const std::string& name, const SensorSpec& sensor, double bin_m,
-              const std::vector<DepthSample>& samples, double fattening, ReferenceTable& table) {
+              const std::vector<DepthSample>& samples, double fattening, double size_px,
+              ReferenceTable& table) {
   const double at_1m_px = disparity_at_1m_px(sensor);
   const auto add = [&](const std::string& where, bool edges, double from_m, double to_m) {
     const DepthStatistics s = depth_statistics(samples, edges, from_m, to_m, at_1m_px);
@@ -115,7 +128,7 @@ void add_rows(const std::string& name, const SensorSpec& sensor, double bin_m,
     const double to_m = std::min(from_m + bin_m, range_m);
     add(number_text(from_m) + "-" + number_text(to_m) + " m", false, from_m, to_m);
   }
-  add("all", false, 0.0, range_m);
+  add("all, size " + fixed(size_px, 1) + " px", false, 0.0, range_m);
   add("edges, " + fixed(fattening, 1) + " px fatter", true, 0.0, range_m);
 }
 
@@ -135,7 +148,7 @@ void measure(const SensorOptions& options) {
     CameraImages images;
     std::vector<float> truth_m(static_cast<std::size_t>(sensor.width_px * sensor.height_px));
     std::vector<DepthSample> samples;
-    double fattening_sum = 0.0, fattening_count = 0.0;
+    Mean edges, sizes;
     std::uint64_t index = 0;
     for (const Pose& T_world_body : poses_of(scene, trial, options.missions)) {
       for (const MountingSpec& mounting : mountings(sensor)) {
@@ -148,12 +161,11 @@ void measure(const SensorOptions& options) {
         add_samples(truth_m, images.depth_m, width, disparity_at_1m_px(sensor), kEdge_px, samples);
         const double fattening =
             fattening_px(truth_m, images.depth_m, width, disparity_at_1m_px(sensor), kEdge_px);
-        if (std::isnan(fattening)) continue;
-        fattening_sum += fattening;
-        fattening_count += 1.0;
+        edges.add(fattening);
+        sizes.add(error_size_px(truth_m, images.depth_m, width, disparity_at_1m_px(sensor)));
       }
     }
-    add_rows(sensor.name, sensor, options.bin_m, samples, fattening_sum / fattening_count, table);
+    add_rows(sensor.name, sensor, options.bin_m, samples, edges.value(), sizes.value(), table);
   }
   write_table(table, options.table);
 }

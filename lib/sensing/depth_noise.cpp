@@ -14,18 +14,17 @@ namespace {
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-/// out[i] = greatest of in[i - reach … i + reach], ends aside.
-void running_max(const float* in, std::size_t count, std::size_t reach, std::size_t stride,
-                 float* out, std::size_t lanes) {
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t first = i < reach ? 0 : i - reach;
-    const std::size_t last = std::min(i + reach, count - 1);
-    float* to = out + i * stride;
-    std::copy_n(in + first * stride, lanes, to);
-    for (std::size_t k = first + 1; k <= last; ++k) {
-      const float* from = in + k * stride;
-      for (std::size_t lane = 0; lane < lanes; ++lane) to[lane] = std::max(to[lane], from[lane]);
-    }
+/// to[i] = the larger of both.
+void larger_of(const float* from, std::size_t count, float* to) {
+  for (std::size_t i = 0; i < count; ++i) to[i] = from[i] > to[i] ? from[i] : to[i];
+}
+
+/// out[i] = greatest of in[i - reach … i + reach], as far as there are such.
+void running_max(const float* in, std::size_t count, std::size_t reach, float* out) {
+  std::copy_n(in, count, out);
+  for (std::size_t shift = 1; shift <= reach && shift < count; ++shift) {
+    larger_of(in, count - shift, out + shift);
+    larger_of(in + shift, count - shift, out);
   }
 }
 
@@ -44,6 +43,40 @@ std::pair<float, float> even_weights(double t) {
 
 }  // namespace
 
+void NormalField::draw(std::size_t width_px, std::size_t height_px, RandomStream& random) {
+  const auto cells = [&](std::size_t size) {
+    return static_cast<std::size_t>(static_cast<double>(size) / size_px_) + 2;
+  };
+  cells_across_ = cells(width_px);
+  lattice_.resize(cells_across_ * cells(height_px));
+  random.coarse_normals(lattice_);
+  row_cells_.resize(cells_across_);
+  if (columns_.size() == width_px) return;
+  columns_.resize(width_px);
+  row_.resize(width_px);
+  for (std::size_t x = 0; x < width_px; ++x) {
+    const double at = static_cast<double>(x) / size_px_;
+    const double cell = std::floor(at);
+    const auto [left, right] = even_weights(at - cell);
+    columns_[x] = {static_cast<std::size_t>(cell), left, right};
+  }
+}
+
+const std::vector<float>& NormalField::row(std::size_t y) {
+  const double at = static_cast<double>(y) / size_px_;
+  const double cell = std::floor(at);
+  const auto [upper, lower] = even_weights(at - cell);
+  const float* above = &lattice_[static_cast<std::size_t>(cell) * cells_across_];
+  for (std::size_t i = 0; i < cells_across_; ++i) {
+    row_cells_[i] = upper * above[i] + lower * above[i + cells_across_];
+  }
+  for (std::size_t x = 0; x < columns_.size(); ++x) {
+    const Column& column = columns_[x];
+    row_[x] = column.left * row_cells_[column.cell] + column.right * row_cells_[column.cell + 1];
+  }
+  return row_;
+}
+
 void DepthNoise::apply(const NoisyDepthView& view, std::span<const float> opacity,
                        RandomStream& random, std::span<float> depth_m) {
   AB_CHECK(depth_m.size() == view.width_px * view.height_px, depth_m.size());
@@ -53,61 +86,30 @@ void DepthNoise::apply(const NoisyDepthView& view, std::span<const float> opacit
   disparity_.resize(depth_m.size());
   for (std::size_t i = 0; i < depth_m.size(); ++i) disparity_[i] = at_1m / depth_m[i];
   fatten(view.width_px, view.height_px);
-  draw_patches(view.width_px, view.height_px, random);
+  holes_.draw(view.width_px, view.height_px, random);
+  errors_.draw(view.width_px, view.height_px, random);
   for (std::size_t y = 0; y < view.height_px; ++y) finish_row(view, y, opacity, random, depth_m);
 }
 
-/// A block matcher gives a pixel the disparity of the nearest thing in its block.
+/// A block matcher gives pixels beside a step the nearer side's disparity; slopes stay as they are.
 void DepthNoise::fatten(std::size_t width, std::size_t height) {
   const auto reach = static_cast<std::size_t>(spec_.fattening_px);
   if (reach == 0) return;
-  fattened_.resize(disparity_.size());
-  running_max(disparity_.data(), height, reach, width, fattened_.data(), width);
+  rows_max_.resize(disparity_.size());
+  max_.resize(width);
   for (std::size_t y = 0; y < height; ++y) {
-    const float* in = &fattened_[y * width];
+    running_max(&disparity_[y * width], width, reach, &rows_max_[y * width]);
+  }
+  const float least_step = 1.5F;  // px of disparity: what no slope has within the reach
+  for (std::size_t y = 0; y < height; ++y) {
+    const std::size_t last = std::min(y + reach, height - 1);
+    std::size_t k = y < reach ? 0 : y - reach;
+    std::copy_n(&rows_max_[k * width], width, max_.data());
+    for (++k; k <= last; ++k) larger_of(&rows_max_[k * width], width, max_.data());
     float* out = &disparity_[y * width];
-    std::copy_n(in, width, out);
-    for (std::size_t shift = 1; shift <= reach && shift < width; ++shift) {
-      for (std::size_t x = shift; x < width; ++x) out[x] = std::max(out[x], in[x - shift]);
-      for (std::size_t x = shift; x < width; ++x) {
-        out[x - shift] = std::max(out[x - shift], in[x]);
-      }
+    for (std::size_t x = 0; x < width; ++x) {
+      out[x] = max_[x] - out[x] > least_step ? max_[x] : out[x];
     }
-  }
-}
-
-void DepthNoise::draw_patches(std::size_t width, std::size_t height, RandomStream& random) {
-  const auto cells = [&](std::size_t size) {
-    return static_cast<std::size_t>(static_cast<double>(size) / spec_.hole_size_px) + 2;
-  };
-  patches_across_ = cells(width);
-  patches_.resize(patches_across_ * cells(height));
-  random.coarse_normals(patches_);
-  if (columns_.size() == width) return;
-  columns_.resize(width);
-  for (std::size_t x = 0; x < width; ++x) {
-    const double at = static_cast<double>(x) / spec_.hole_size_px;
-    const double cell = std::floor(at);
-    const auto [left, right] = even_weights(at - cell);
-    columns_[x] = {static_cast<std::size_t>(cell), left, right};
-  }
-}
-
-/// The patches' numbers along row `y`, each of variance 1.
-void DepthNoise::interpolate_patches(std::size_t y) {
-  const double at = static_cast<double>(y) / spec_.hole_size_px;
-  const double cell = std::floor(at);
-  const auto [upper, lower] = even_weights(at - cell);
-  const float* above = &patches_[static_cast<std::size_t>(cell) * patches_across_];
-  row_cells_.resize(patches_across_);
-  for (std::size_t i = 0; i < patches_across_; ++i) {
-    row_cells_[i] = upper * above[i] + lower * above[i + patches_across_];
-  }
-  row_patches_.resize(columns_.size());
-  for (std::size_t x = 0; x < columns_.size(); ++x) {
-    const Column& column = columns_[x];
-    row_patches_[x] =
-        column.left * row_cells_[column.cell] + column.right * row_cells_[column.cell + 1];
   }
 }
 
@@ -140,19 +142,19 @@ void DepthNoise::finish_row(const NoisyDepthView& view, std::size_t y,
   const std::size_t width = view.width_px;
   float* disparity = &disparity_[y * width];
   if (spec_.half_occlusion) occlude_row(disparity, width);
-  interpolate_patches(y);
+  const std::vector<float>& patches = holes_.row(y);
   for (std::size_t x = 0; x < width; ++x) {
-    if (row_patches_[x] < hole_limit(opacity[y * width + x])) disparity[x] = -1.0F;
+    if (patches[x] < hole_limit(opacity[y * width + x])) disparity[x] = -1.0F;
   }
-  noise_.resize(width);
   if (spec_.dropout_ratio > 0.0) {
     const float limit = normal_limit(spec_.dropout_ratio);
-    random.coarse_normals(noise_);
+    dropouts_.resize(width);
+    random.coarse_normals(dropouts_);
     for (std::size_t x = 0; x < width; ++x) {
-      if (noise_[x] < limit) disparity[x] = -1.0F;
+      if (dropouts_[x] < limit) disparity[x] = -1.0F;
     }
   }
-  random.coarse_normals(noise_);
+  const std::vector<float>& errors = errors_.row(y);
   const auto sigma = static_cast<float>(spec_.disparity_sigma_px);
   const auto step = static_cast<float>(spec_.disparity_step_px);
   const float steps_a_px = step > 0.0F ? 1.0F / step : 0.0F;
@@ -162,7 +164,7 @@ void DepthNoise::finish_row(const NoisyDepthView& view, std::size_t y,
   float* out = &depth_m[y * width];
   for (std::size_t x = 0; x < width; ++x) {
     const float exact = disparity[x];
-    const float noisy = std::max(exact + sigma * noise_[x], 0.0F);
+    const float noisy = std::max(exact + sigma * errors[x], 0.0F);
     const auto whole = static_cast<float>(static_cast<std::int32_t>(noisy * steps_a_px + 0.5F));
     const float measured = steps_a_px > 0.0F ? whole * step : noisy;
     const float depth = at_1m / measured;

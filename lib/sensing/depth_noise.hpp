@@ -16,36 +16,48 @@ struct NoisyDepthView {
   double min_range_m = 0, max_range_m = 0;
 };
 
+/// An image of normals of variance 1 in which neighbours are alike: a lattice of independent ones,
+/// one each `size_px`, linear between. Read row by row.
+class NormalField {
+ public:
+  explicit NormalField(double size_px) : size_px_(size_px) {}
+
+  void draw(std::size_t width_px, std::size_t height_px, RandomStream& random);
+  const std::vector<float>& row(std::size_t y);  ///< valid until the next call
+
+ private:
+  struct Column {
+    std::size_t cell;
+    float left, right;  ///< weights of the lattice's columns beside a pixel
+  };
+  double size_px_;
+  std::size_t cells_across_ = 0;
+  std::vector<float> lattice_, row_cells_, row_;
+  std::vector<Column> columns_;
+};
+
 /// Makes true depth as wrong as a stereo camera's. `depth_m` is height × width, row-major, and must
 /// reach beyond the range (+inf: nothing); afterwards it is NaN where invalid and nearer than the
 /// range, +inf beyond it. `opacity` says how much texture each pixel shows, 0 to 1. Buffers are
 /// kept for the next image.
 class DepthNoise {
  public:
-  explicit DepthNoise(const DepthNoisySpec& spec) : spec_(spec) {}
+  explicit DepthNoise(const DepthNoisySpec& spec)
+      : spec_(spec), holes_(spec.hole_size_px), errors_(spec.noise_size_px) {}
 
   void apply(const NoisyDepthView& view, std::span<const float> opacity, RandomStream& random,
              std::span<float> depth_m);
 
  private:
   void fatten(std::size_t width, std::size_t height);
-  void draw_patches(std::size_t width, std::size_t height, RandomStream& random);
-  void interpolate_patches(std::size_t y);
   void occlude_row(float* disparity, std::size_t width) const;
   float hole_limit(float opacity);
   void finish_row(const NoisyDepthView& view, std::size_t y, std::span<const float> opacity,
                   RandomStream& random, std::span<float> depth_m);
 
   DepthNoisySpec spec_;
-  std::vector<float> disparity_, fattened_;
-  std::vector<float> patches_;  ///< a lattice of random numbers, one each hole_size_px
-  std::size_t patches_across_ = 0;
-  struct Column {
-    std::size_t cell;
-    float left, right;  ///< weights of the lattice's columns beside a pixel
-  };
-  std::vector<Column> columns_;
-  std::vector<float> row_cells_, row_patches_, noise_;
+  NormalField holes_, errors_;
+  std::vector<float> disparity_, rows_max_, max_, dropouts_;
   float limit_opacity_ = -1.0F, limit_ = 0.0F;  ///< the last answer of hole_limit()
 };
 

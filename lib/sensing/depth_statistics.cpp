@@ -52,18 +52,59 @@ void add_samples(std::span<const float> truth_m, std::span<const float> measured
   }
 }
 
+double error_size_px(std::span<const float> truth_m, std::span<const float> measured_m,
+                     int width_px, double disparity_at_1m_px) {
+  const auto width = static_cast<std::size_t>(width_px);
+  const std::vector<float> truth = disparities(truth_m, disparity_at_1m_px);
+  std::vector<float> errors = disparities(measured_m, disparity_at_1m_px);
+  double mean = 0.0, count = 0.0;
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    errors[i] -= truth[i];
+    if (!(std::abs(errors[i]) <= 1.0F) || measured_m[i] > 1e9F) {
+      errors[i] = std::numeric_limits<float>::quiet_NaN();
+      continue;
+    }
+    mean += static_cast<double>(errors[i]);
+    count += 1.0;
+  }
+  mean /= count;
+  constexpr std::size_t kMost = 40;
+  double variance = 0.0, last = 1.0;
+  for (std::size_t lag = 0; lag < std::min(kMost, width); ++lag) {
+    double sum = 0.0, pairs = 0.0;
+    for (std::size_t i = 0; i + lag < errors.size(); ++i) {
+      if (i % width + lag >= width) continue;
+      const double product =
+          (static_cast<double>(errors[i]) - mean) * (static_cast<double>(errors[i + lag]) - mean);
+      if (std::isnan(product)) continue;
+      sum += product;
+      pairs += 1.0;
+    }
+    const double covariance = sum / pairs;
+    if (lag == 0) variance = covariance;
+    const double correlation = covariance / variance;
+    if (correlation < 0.5) {
+      return static_cast<double>(lag) - (0.5 - correlation) / (last - correlation);
+    }
+    last = correlation;
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
 DepthStatistics depth_statistics(std::span<const DepthSample> samples, bool edges, double nearest_m,
                                  double farthest_m, double disparity_at_1m_px) {
   DepthStatistics result;
-  std::size_t valid = 0, outliers = 0;
+  std::size_t valid = 0, finite = 0, outliers = 0;
   double sum = 0.0, squares = 0.0, depth_squares = 0.0, depth_sum = 0.0, expected = 0.0;
   for (const DepthSample& sample : samples) {
     const auto truth = static_cast<double>(sample.truth_m);
     const auto measured = static_cast<double>(sample.measured_m);
     if (sample.is_edge != edges || truth < nearest_m || truth >= farthest_m) continue;
     ++result.pixel_count;
-    if (!std::isfinite(measured)) continue;
+    if (std::isnan(measured)) continue;
     ++valid;
+    if (!std::isfinite(measured)) continue;
+    ++finite;
     const double error = disparity_at_1m_px / measured - disparity_at_1m_px / truth;
     if (std::abs(error) > 1.0) {
       ++outliers;
@@ -75,13 +116,13 @@ DepthStatistics depth_statistics(std::span<const DepthSample> samples, bool edge
     depth_squares += (measured - truth) * (measured - truth);
     expected += truth * truth / disparity_at_1m_px;
   }
-  const auto count = static_cast<double>(valid - outliers);
+  const auto count = static_cast<double>(finite - outliers);
   const auto ratio = [](std::size_t part, std::size_t whole) {
     return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole)
                      : std::numeric_limits<double>::quiet_NaN();
   };
   result.valid_ratio = ratio(valid, result.pixel_count);
-  result.outlier_ratio = ratio(outliers, valid);
+  result.outlier_ratio = ratio(outliers, finite);
   result.disparity_bias_px = sum / count;
   result.disparity_sigma_px = std::sqrt(std::max(0.0, squares / count - sum / count * sum / count));
   result.depth_sigma_m =

@@ -19,13 +19,18 @@ struct DepthSample {
 void add_samples(std::span<const float> truth_m, std::span<const float> measured_m, int width_px,
                  double disparity_at_1m_px, int edge_px, std::vector<DepthSample>& samples);
 
+/// How far the errors of at most 1 px of pixels in a row are alike: the distance at which their
+/// correlation falls below one half. NaN where there are too few. Same layout as add_samples.
+double error_size_px(std::span<const float> truth_m, std::span<const float> measured_m,
+                     int width_px, double disparity_at_1m_px);
+
 /// What a sensor does to true depth.
 struct DepthStatistics {
   std::size_t pixel_count = 0;
-  double valid_ratio = 0;             ///< neither invalid nor lost beyond the range
+  double valid_ratio = 0;             ///< not NaN; no return (+inf) is an answer too
   double disparity_bias_px = 0;       ///< mean of the errors of at most 1 px
   double disparity_sigma_px = 0;      ///< their standard deviation
-  double outlier_ratio = 0;           ///< of the valid ones: errors of more than 1 px
+  double outlier_ratio = 0;           ///< of the finite ones: errors of more than 1 px
   double depth_sigma_m = 0;           ///< standard deviation of the depth errors of the others
   double expected_depth_sigma_m = 0;  ///< Z² / (focal length × baseline) × disparity_sigma_px
 };

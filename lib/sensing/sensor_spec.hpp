@@ -26,7 +26,8 @@ void visit(Visitor&, DepthIdealSpec&) {}
 /// presets are fitted to stereo_sgm; see docs/sensors.md and `avoidbench sensors measure`.
 struct DepthNoisySpec {
   static constexpr std::string_view kind = "depth_noisy";
-  double disparity_sigma_px = 0.14;
+  double disparity_sigma_px = 0.24;
+  double noise_size_px = 6.0;
   double disparity_step_px = 0.0625;
   std::int64_t fattening_px = 2;
   bool half_occlusion = true;
@@ -40,6 +41,8 @@ template <class Visitor>
 void visit(Visitor& v, DepthNoisySpec& s) {
   v.field("disparity_sigma_px", s.disparity_sigma_px, Range{0, 5},
           "Standard deviation of the disparity; depth errs by Z²/(baseline · focal length) of it.");
+  v.field("noise_size_px", s.noise_size_px, Range{1, 100},
+          "Errors of pixels closer than this are alike, as a matcher's are; 1: each its own.");
   v.field("disparity_step_px", s.disparity_step_px, Range{0, 4},
           "Disparity is a whole multiple of this; 0: not rounded.");
   v.field("fattening_px", s.fattening_px, Range{0, 16},
