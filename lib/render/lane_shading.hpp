@@ -207,6 +207,7 @@ void shade(const FrameLight& frame, const PacketHits& hits, const PacketSurface&
     color = select(mask_of(hits.hit), color, sky(frame, direction));
   }
   store(light.rgb, color);
+  store(light.grey, 0.2126F * color.x + 0.7152F * color.y + 0.0722F * color.z);
 }
 
 }  // namespace

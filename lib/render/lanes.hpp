@@ -13,6 +13,7 @@ namespace {
 
 #define AB_LANE [[gnu::always_inline]] inline
 
+// NOLINTBEGIN(bugprone-macro-parentheses): types and names cannot stand in parentheses
 #ifdef __AVX2__
 #define AB_LANES_MEMBERS(whole, half) whole all
 #define AB_UNARY(type, name, from, sse, avx) \
@@ -26,6 +27,7 @@ namespace {
 #define AB_BINARY(type, name, from, sse, avx) \
   AB_LANE type name(from a, from b) { return type{sse(a.low, b.low), sse(a.high, b.high)}; }
 #endif
+// NOLINTEND(bugprone-macro-parentheses)
 
 /// All bits of a lane are set, or none.
 struct Mask {

@@ -240,10 +240,6 @@ struct Image {
   std::span<float> radiance;
 };
 
-float luminance(const PacketLight& light, std::size_t lane) {
-  return 0.2126F * light.rgb[0][lane] + 0.7152F * light.rgb[1][lane] + 0.0722F * light.rgb[2][lane];
-}
-
 /// Writes (or, of several samples, adds) a block's light to the pixels at (x, y) of the samples.
 void store_block(const Image& image, const Block& block, std::size_t x, std::size_t y) {
   const std::size_t columns = std::min<std::size_t>(kBlockWidth, image.width * image.samples - x);
@@ -254,14 +250,18 @@ void store_block(const Image& image, const Block& block, std::size_t x, std::siz
   for (std::size_t row = 0; row < rows; ++row) {
     const PacketLight& light = block.lights[row / kPacketHeight];
     const std::size_t first_lane = row % kPacketHeight * kBlockWidth;
+    const bool is_grey = image.channels == Channels::grey;
+    const float* from[3] = {(is_grey ? light.grey : light.rgb[0]) + first_lane,
+                            light.rgb[1] + first_lane, light.rgb[2] + first_lane};
     float* line = &image.radiance[(y + row) / image.samples * image.width * channels];
+    if (is_grey && is_single && columns == kBlockWidth) {
+      std::copy_n(from[0], kBlockWidth, line + x);
+      continue;
+    }
     for (std::size_t column = 0; column < columns; ++column) {
-      const std::size_t lane = first_lane + column;
       float* pixel = line + (x + column) / image.samples * channels;
       for (std::size_t k = 0; k < channels; ++k) {
-        const float value =
-            image.channels == Channels::grey ? luminance(light, lane) : light.rgb[k][lane];
-        pixel[k] = is_single ? value : pixel[k] + share * value;
+        pixel[k] = is_single ? from[k][column] : pixel[k] + share * from[k][column];
       }
     }
   }
@@ -360,7 +360,7 @@ void render_shaded(const Scene& scene, const Pinhole& camera, const Pose& T_worl
   static const std::array<std::uint8_t, 4097> kSrgb = make_srgb_table();
   for (std::size_t i = 0; i < rgb.size(); ++i) {
     const float level = std::min(soft_highlights(radiance[i]), 1.0F);
-    rgb[i] = kSrgb[static_cast<std::size_t>(4096.0F * level + 0.5F)];
+    rgb[i] = kSrgb[static_cast<std::size_t>(std::lround(4096.0F * level))];
   }
 }
 

@@ -73,6 +73,7 @@ struct alignas(32) PacketSurface {
 
 struct alignas(32) PacketLight {
   float rgb[3][kPacketLanes];  ///< linear light
+  float grey[kPacketLanes];    ///< its Rec. 709 luminance
 };
 
 /// One build of the kernel. Flush-to-zero must be on while it runs.

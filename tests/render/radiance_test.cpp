@@ -82,7 +82,7 @@ void expect_same_bits_of_both_kernels(const World& world) {
       for (const Vector3d& forward : {Vector3d(0.3, 1.0, 0.0), Vector3d(0.1, 0.5, -0.6)}) {
         const Pose pose = in_the_middle(world, forward);
         const Light light{.shadows = has_shadows};
-        std::vector<float> portable(static_cast<std::size_t>(3 * 161 * 119));
+        std::vector<float> portable(std::size_t{3} * 161 * 119);
         std::vector<float> avx2(portable.size());
         render_radiance_by(kPortableShading, *scene, camera, pose, light, 1, Channels::rgb,
                            portable);
@@ -147,7 +147,7 @@ double window_contrast(const std::vector<float>& image, int width, int height) {
     for (int x = 0; x + 9 <= width; x += 9, ++windows) {
       std::vector<float> window;
       for (int row = y; row < y + 9; ++row) {
-        const float* from = &image[static_cast<std::size_t>(row * width + x)];
+        const auto from = image.begin() + row * width + x;
         window.insert(window.end(), from, from + 9);
       }
       sum += std::sqrt(variance(window)) / mean(window);
