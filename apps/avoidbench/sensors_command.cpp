@@ -30,6 +30,7 @@ struct SensorOptions {
   std::vector<double> pose;  ///< x, y, z, yaw in degrees
   std::string png = "sensor.png";
   double bin_m = 3.0;
+  std::string kind;  ///< of the obstacles that are looked at; "": all
   TableOptions table;
 };
 
@@ -132,6 +133,19 @@ void add_rows(const std::string& name, const SensorSpec& sensor, double bin_m,
   add("edges, " + fixed(fattening, 1) + " px fatter", true, 0.0, range_m);
 }
 
+/// Forgets the truth of pixels that show something else than obstacles of this kind.
+void keep_kind(const World& world, const std::string& kind,
+               const std::vector<std::uint32_t>& instances, std::vector<float>& truth_m) {
+  if (kind.empty()) return;
+  for (std::size_t i = 0; i < truth_m.size(); ++i) {
+    if (instances[i] == kNoInstance) continue;
+    const std::uint32_t obstacle = world.instances[instances[i]].obstacle;
+    const bool is_kind =
+        obstacle < world.obstacles.size() && world.obstacles[obstacle].kind == kind;
+    if (!is_kind) truth_m[i] = std::numeric_limits<float>::infinity();
+  }
+}
+
 void measure(const SensorOptions& options) {
   ReferenceTable table{{"sensor", "where", "pixels", "valid_percent", "bias_px", "sigma_px",
                         "outlier_percent", "depth_sigma_m", "z2_over_bf_sigma_m"},
@@ -147,6 +161,7 @@ void measure(const SensorOptions& options) {
     Camera camera(sensor);
     CameraImages images;
     std::vector<float> truth_m(static_cast<std::size_t>(sensor.width_px * sensor.height_px));
+    std::vector<std::uint32_t> instances(truth_m.size());
     std::vector<DepthSample> samples;
     Mean edges, sizes;
     std::uint64_t index = 0;
@@ -155,7 +170,8 @@ void measure(const SensorOptions& options) {
         const Pose T_world_camera = T_world_body * T_body_camera(mounting);
         camera.expose(scene, T_world_camera, {}, {.depth = true}, stream_seed(trial.seed, index++),
                       images);
-        render_depth(scene, ideal, T_world_camera, truth_m);
+        render_depth(scene, ideal, T_world_camera, truth_m, instances);
+        keep_kind(world, options.kind, instances, truth_m);
         const int width = static_cast<int>(sensor.width_px);
         constexpr int kEdge_px = 8;
         add_samples(truth_m, images.depth_m, width, disparity_at_1m_px(sensor), kEdge_px, samples);
@@ -248,6 +264,12 @@ void add_sensors_command(CLI::App& app) {
   measure_command->add_option("--bin", options->bin_m, "Width of the rows' distance ranges, m")
       ->check(CLI::Range(0.1, 1000.0))
       ->capture_default_str();
+  measure_command
+      ->add_option(
+          "--of", options->kind,
+          "Look at obstacles of this kind alone, as `maps info` counts them: cylinder, tree, "
+          "… (default: everything)")
+      ->type_name("KIND");
   add_table_options(*measure_command, options->table);
   measure_command->callback([options] { measure(*options); });
 }

@@ -82,7 +82,7 @@ void DepthNoise::apply(const NoisyDepthView& view, std::span<const float> opacit
   AB_CHECK(depth_m.size() == view.width_px * view.height_px, depth_m.size());
   AB_CHECK(opacity.size() == depth_m.size(), opacity.size());
   const auto at_1m = static_cast<float>(view.disparity_at_1m_px);
-  limit_opacity_ = -1.0F;
+  texture_ = {};
   disparity_.resize(depth_m.size());
   for (std::size_t i = 0; i < depth_m.size(); ++i) disparity_[i] = at_1m / depth_m[i];
   fatten(view.width_px, view.height_px);
@@ -113,27 +113,30 @@ void DepthNoise::fatten(std::size_t width, std::size_t height) {
   }
 }
 
-/// Marks with disparity -1 what has no partner in the right image: right of the place where a
-/// nearer thing covers it, or outside.
-void DepthNoise::occlude_row(float* disparity, std::size_t width) const {
+/// Marks with disparity -1 what has no partner in the right image: where a nearer thing covers it
+/// there, in as many patches as the ratio says, and what lies outside of it.
+void DepthNoise::occlude_row(const std::vector<float>& patches, float* disparity) const {
+  const float limit = normal_limit(spec_.half_occlusion_ratio);
   float leftmost = kInfinity;  // column in the right image of all that lies further right
-  for (std::size_t x = width; x-- > 0;) {
+  for (std::size_t x = patches.size(); x-- > 0;) {
     const float column = static_cast<float>(x) - disparity[x];
-    const bool seen = column < leftmost && column > -0.5F;
+    const bool is_covered = column >= leftmost && patches[x] < limit;
     leftmost = std::min(leftmost, column);
-    if (!seen) disparity[x] = -1.0F;
+    if (is_covered || column <= -0.5F) disparity[x] = -1.0F;
   }
 }
 
-/// Least patch number that is no hole, for this opacity.
-float DepthNoise::hole_limit(float opacity) {
-  if (opacity != limit_opacity_) {
-    limit_opacity_ = opacity;
-    const double ratio = spec_.bland_hole_ratio +
-                         (spec_.hole_ratio - spec_.bland_hole_ratio) * static_cast<double>(opacity);
-    limit_ = normal_limit(ratio);
-  }
-  return limit_;
+/// What follows from the opacity of a surface.
+void DepthNoise::take_texture(float opacity) {
+  const auto lack = static_cast<double>((1.0F - opacity) * (1.0F - opacity));
+  const auto between = [lack](double textured, double bland) {
+    return textured + (bland - textured) * lack;
+  };
+  texture_.opacity = opacity;
+  texture_.hole_below = normal_limit(between(spec_.hole_ratio, spec_.bland_hole_ratio));
+  texture_.outlier_above = -normal_limit(between(spec_.outlier_ratio, spec_.bland_outlier_ratio));
+  texture_.sigma_px =
+      static_cast<float>(between(spec_.disparity_sigma_px, spec_.bland_disparity_sigma_px));
 }
 
 void DepthNoise::finish_row(const NoisyDepthView& view, std::size_t y,
@@ -141,11 +144,8 @@ void DepthNoise::finish_row(const NoisyDepthView& view, std::size_t y,
                             std::span<float> depth_m) {
   const std::size_t width = view.width_px;
   float* disparity = &disparity_[y * width];
-  if (spec_.half_occlusion) occlude_row(disparity, width);
   const std::vector<float>& patches = holes_.row(y);
-  for (std::size_t x = 0; x < width; ++x) {
-    if (patches[x] < hole_limit(opacity[y * width + x])) disparity[x] = -1.0F;
-  }
+  occlude_row(patches, disparity);
   if (spec_.dropout_ratio > 0.0) {
     const float limit = normal_limit(spec_.dropout_ratio);
     dropouts_.resize(width);
@@ -155,7 +155,7 @@ void DepthNoise::finish_row(const NoisyDepthView& view, std::size_t y,
     }
   }
   const std::vector<float>& errors = errors_.row(y);
-  const auto sigma = static_cast<float>(spec_.disparity_sigma_px);
+  const auto outlier_sigma = static_cast<float>(spec_.outlier_sigma_px);
   const auto step = static_cast<float>(spec_.disparity_step_px);
   const float steps_a_px = step > 0.0F ? 1.0F / step : 0.0F;
   const auto at_1m = static_cast<float>(view.disparity_at_1m_px);
@@ -163,8 +163,11 @@ void DepthNoise::finish_row(const NoisyDepthView& view, std::size_t y,
   const auto farthest = static_cast<float>(view.max_range_m);
   float* out = &depth_m[y * width];
   for (std::size_t x = 0; x < width; ++x) {
-    const float exact = disparity[x];
-    const float noisy = std::max(exact + sigma * errors[x], 0.0F);
+    if (opacity[y * width + x] != texture_.opacity) take_texture(opacity[y * width + x]);
+    const float exact = patches[x] < texture_.hole_below ? -1.0F : disparity[x];
+    const float sigma = patches[x] > texture_.outlier_above ? outlier_sigma : texture_.sigma_px;
+    const float error = sigma * errors[x];
+    const float noisy = exact + error > 0.0F ? exact + error : 0.0F;
     const auto whole = static_cast<float>(static_cast<std::int32_t>(noisy * steps_a_px + 0.5F));
     const float measured = steps_a_px > 0.0F ? whole * step : noisy;
     const float depth = at_1m / measured;

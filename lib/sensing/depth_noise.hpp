@@ -50,15 +50,20 @@ class DepthNoise {
 
  private:
   void fatten(std::size_t width, std::size_t height);
-  void occlude_row(float* disparity, std::size_t width) const;
-  float hole_limit(float opacity);
+  void occlude_row(const std::vector<float>& patches, float* disparity) const;
+  void take_texture(float opacity);
   void finish_row(const NoisyDepthView& view, std::size_t y, std::span<const float> opacity,
                   RandomStream& random, std::span<float> depth_m);
 
   DepthNoisySpec spec_;
   NormalField holes_, errors_;
   std::vector<float> disparity_, rows_max_, max_, dropouts_;
-  float limit_opacity_ = -1.0F, limit_ = 0.0F;  ///< the last answer of hole_limit()
+  struct Texture {
+    float opacity = -1.0F;
+    float hole_below = 0.0F, outlier_above = 0.0F;  ///< of the patches' numbers
+    float sigma_px = 0.0F;
+  };
+  Texture texture_;  ///< of the last pixel: mostly the next one's too
 };
 
 }  // namespace avoidbench

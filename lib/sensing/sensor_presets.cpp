@@ -55,8 +55,11 @@ SensorSpec d435_like() {
   sensor.name = "d435_like";
   DepthNoisySpec noise;
   noise.disparity_sigma_px = 0.08;
+  noise.bland_disparity_sigma_px = 0.12;
   noise.disparity_step_px = 1.0 / 32.0;
-  noise.bland_hole_ratio = 0.15;
+  noise.outlier_ratio = 0.003;
+  noise.bland_outlier_ratio = 0.01;
+  noise.bland_hole_ratio = 0.03;
   sensor.method = noise;
   sensor.width_px = 424;
   sensor.height_px = 240;

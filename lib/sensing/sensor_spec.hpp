@@ -23,38 +23,46 @@ template <class Visitor>
 void visit(Visitor&, DepthIdealSpec&) {}
 
 /// True depth made as wrong as that of a stereo pair matched by SGM, for a tenth of its cost. The
-/// presets are fitted to stereo_sgm; see docs/sensors.md and `avoidbench sensors measure`.
+/// defaults are fitted to stereo_sgm; see docs/sensors.md and `avoidbench sensors measure`. What
+/// differs between fully textured and bland surfaces goes with the square of the lack of opacity.
 struct DepthNoisySpec {
   static constexpr std::string_view kind = "depth_noisy";
-  double disparity_sigma_px = 0.24;
+  double disparity_sigma_px = 0.26, bland_disparity_sigma_px = 0.36;
   double noise_size_px = 6.0;
   double disparity_step_px = 0.0625;
-  std::int64_t fattening_px = 2;
-  bool half_occlusion = true;
-  double dropout_ratio = 0.004;
-  double hole_ratio = 0.01;
-  double bland_hole_ratio = 0.75;
+  double outlier_ratio = 0.012, bland_outlier_ratio = 0.11;
+  double outlier_sigma_px = 3.0;
+  double hole_ratio = 0.006, bland_hole_ratio = 0.11;
   double hole_size_px = 12.0;
+  double dropout_ratio = 0.001;
+  std::int64_t fattening_px = 2;
+  double half_occlusion_ratio = 0.5;
 };
 
 template <class Visitor>
 void visit(Visitor& v, DepthNoisySpec& s) {
   v.field("disparity_sigma_px", s.disparity_sigma_px, Range{0, 5},
           "Standard deviation of the disparity; depth errs by Z²/(baseline · focal length) of it.");
+  v.field("bland_disparity_sigma_px", s.bland_disparity_sigma_px, Range{0, 5},
+          "The same on surfaces without texture (opacity 0).");
   v.field("noise_size_px", s.noise_size_px, Range{1, 100},
           "Errors of pixels closer than this are alike, as a matcher's are; 1: each its own.");
   v.field("disparity_step_px", s.disparity_step_px, Range{0, 4},
           "Disparity is a whole multiple of this; 0: not rounded.");
+  v.field("outlier_ratio", s.outlier_ratio, Range{0, 1}, "Share of patches with large errors.");
+  v.field("bland_outlier_ratio", s.bland_outlier_ratio, Range{0, 1},
+          "The same on surfaces without texture.");
+  v.field("outlier_sigma_px", s.outlier_sigma_px, Range{0, 100},
+          "Standard deviation of the disparity in such patches.");
+  v.field("hole_ratio", s.hole_ratio, Range{0, 1}, "Share of invalid patches.");
+  v.field("bland_hole_ratio", s.bland_hole_ratio, Range{0, 1},
+          "The same on surfaces without texture, and where there is nothing in range.");
+  v.field("hole_size_px", s.hole_size_px, Range{1, 200}, "About the size of patches.");
+  v.field("dropout_ratio", s.dropout_ratio, Range{0, 1}, "Share of single invalid pixels.");
   v.field("fattening_px", s.fattening_px, Range{0, 16},
           "Near things look wider by this much on each side.");
-  v.field("half_occlusion", s.half_occlusion,
-          "What the right eye can't see, left of near things, is invalid.");
-  v.field("dropout_ratio", s.dropout_ratio, Range{0, 1}, "Share of single invalid pixels.");
-  v.field("hole_ratio", s.hole_ratio, Range{0, 1},
-          "Share of invalid patches on fully textured surfaces.");
-  v.field("bland_hole_ratio", s.bland_hole_ratio, Range{0, 1},
-          "Share of invalid patches on surfaces without texture (opacity 0); between, linear.");
-  v.field("hole_size_px", s.hole_size_px, Range{1, 200}, "About the size of such a patch.");
+  v.field("half_occlusion_ratio", s.half_occlusion_ratio, Range{0, 1},
+          "Share that is invalid of what the right eye can't see, left of near things.");
 }
 
 /// Variants of OpenCV's matcher: SGBM 5 paths, 3WAY 3, HH 8, HH4 4.
