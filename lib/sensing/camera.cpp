@@ -55,7 +55,7 @@ struct Camera::Internals {
   std::vector<float> shares;  ///< of light, by the lens
   std::vector<float> light, slice;
   std::vector<std::uint32_t> instances;
-  std::vector<float> instance_opacity, opacity;
+  std::vector<float> instance_opacity;
 
   std::size_t pixel_count() const { return shares.size(); }
 
@@ -160,17 +160,13 @@ void Camera::Internals::render_noisy_depth(const Scene& scene, const Pose& pose,
     instance_opacity[i] =
         is_known ? static_cast<float>(world.obstacles[obstacle].texture_opacity) : 1.0F;
   }
-  opacity.resize(pixel_count());
-  for (std::size_t i = 0; i < opacity.size(); ++i) {
-    opacity[i] = instances[i] == kNoInstance ? 0.0F : instance_opacity[instances[i]];
-  }
   RandomStream random = stream(seed, "depth");
   noise->apply({.width_px = static_cast<std::size_t>(pinhole.width_px),
                 .height_px = static_cast<std::size_t>(pinhole.height_px),
                 .disparity_at_1m_px = at_1m_px,
                 .min_range_m = sensor.min_range_m,
                 .max_range_m = sensor.max_range_m},
-               opacity, random, images.depth_m);
+               {instances, instance_opacity}, random, images.depth_m);
 }
 
 Camera::Camera(const SensorSpec& sensor) : internals_(std::make_unique<Internals>(sensor)) {}

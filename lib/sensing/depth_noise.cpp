@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/check.hpp"
+#include "base/math.hpp"
 #include "base/normal_quantile.hpp"
 
 namespace avoidbench {
@@ -51,15 +52,20 @@ void NormalField::draw(std::size_t width_px, std::size_t height_px, RandomStream
   lattice_.resize(cells_across_ * cells(height_px));
   random.coarse_normals(lattice_);
   row_cells_.resize(cells_across_);
-  if (columns_.size() == width_px) return;
-  columns_.resize(width_px);
+  if (row_.size() == width_px) return;
   row_.resize(width_px);
+  left_.clear();
+  right_.clear();
+  first_pixel_.clear();
   for (std::size_t x = 0; x < width_px; ++x) {
     const double at = static_cast<double>(x) / size_px_;
     const double cell = std::floor(at);
+    while (first_pixel_.size() <= static_cast<std::size_t>(cell)) first_pixel_.push_back(x);
     const auto [left, right] = even_weights(at - cell);
-    columns_[x] = {static_cast<std::size_t>(cell), left, right};
+    left_.push_back(left);
+    right_.push_back(right);
   }
+  first_pixel_.push_back(width_px);
 }
 
 const std::vector<float>& NormalField::row(std::size_t y) {
@@ -70,25 +76,34 @@ const std::vector<float>& NormalField::row(std::size_t y) {
   for (std::size_t i = 0; i < cells_across_; ++i) {
     row_cells_[i] = upper * above[i] + lower * above[i + cells_across_];
   }
-  for (std::size_t x = 0; x < columns_.size(); ++x) {
-    const Column& column = columns_[x];
-    row_[x] = column.left * row_cells_[column.cell] + column.right * row_cells_[column.cell + 1];
+  for (std::size_t i = 0; i + 1 < first_pixel_.size(); ++i) {
+    const float left = row_cells_[i], right = row_cells_[i + 1];
+    for (std::size_t x = first_pixel_[i]; x < first_pixel_[i + 1]; ++x) {
+      row_[x] = left_[x] * left + right_[x] * right;
+    }
   }
   return row_;
 }
 
-void DepthNoise::apply(const NoisyDepthView& view, std::span<const float> opacity,
-                       RandomStream& random, std::span<float> depth_m) {
+DepthNoise::DepthNoise(const DepthNoisySpec& spec)
+    : spec_(spec),
+      holes_(spec.hole_size_px),
+      errors_(spec.noise_size_px),
+      covered_below_(normal_limit(spec.half_occlusion_ratio)) {}
+
+void DepthNoise::apply(const NoisyDepthView& view, const SeenSurfaces& seen, RandomStream& random,
+                       std::span<float> depth_m) {
   AB_CHECK(depth_m.size() == view.width_px * view.height_px, depth_m.size());
-  AB_CHECK(opacity.size() == depth_m.size(), opacity.size());
+  AB_CHECK(seen.surface.size() == depth_m.size(), seen.surface.size());
   const auto at_1m = static_cast<float>(view.disparity_at_1m_px);
-  texture_ = {};
+  find_textures(seen.opacity);
   disparity_.resize(depth_m.size());
   for (std::size_t i = 0; i < depth_m.size(); ++i) disparity_[i] = at_1m / depth_m[i];
   fatten(view.width_px, view.height_px);
   holes_.draw(view.width_px, view.height_px, random);
   errors_.draw(view.width_px, view.height_px, random);
-  for (std::size_t y = 0; y < view.height_px; ++y) finish_row(view, y, opacity, random, depth_m);
+  drop_pixels(random);
+  for (std::size_t y = 0; y < view.height_px; ++y) finish_row(view, y, seen.surface, depth_m);
 }
 
 /// A block matcher gives pixels beside a step the nearer side's disparity; slopes stay as they are.
@@ -116,63 +131,108 @@ void DepthNoise::fatten(std::size_t width, std::size_t height) {
 /// Marks with disparity -1 what has no partner in the right image: where a nearer thing covers it
 /// there, in as many patches as the ratio says, and what lies outside of it.
 void DepthNoise::occlude_row(const std::vector<float>& patches, float* disparity) const {
-  const float limit = normal_limit(spec_.half_occlusion_ratio);
   float leftmost = kInfinity;  // column in the right image of all that lies further right
   for (std::size_t x = patches.size(); x-- > 0;) {
+    if (disparity[x] < 0.0F) continue;
     const float column = static_cast<float>(x) - disparity[x];
-    const bool is_covered = column >= leftmost && patches[x] < limit;
+    const bool is_covered = column >= leftmost && patches[x] < covered_below_;
     leftmost = std::min(leftmost, column);
     if (is_covered || column <= -0.5F) disparity[x] = -1.0F;
   }
 }
 
-/// What follows from the opacity of a surface.
-void DepthNoise::take_texture(float opacity) {
+DepthNoise::Texture DepthNoise::texture_of(float opacity) const {
   const auto lack = static_cast<double>((1.0F - opacity) * (1.0F - opacity));
   const auto between = [lack](double textured, double bland) {
     return textured + (bland - textured) * lack;
   };
-  texture_.opacity = opacity;
-  texture_.hole_below = normal_limit(between(spec_.hole_ratio, spec_.bland_hole_ratio));
-  texture_.outlier_above = -normal_limit(between(spec_.outlier_ratio, spec_.bland_outlier_ratio));
-  texture_.sigma_px =
+  Texture texture;
+  texture.opacity = opacity;
+  texture.hole_below = normal_limit(between(spec_.hole_ratio, spec_.bland_hole_ratio));
+  texture.outlier_above = -normal_limit(between(spec_.outlier_ratio, spec_.bland_outlier_ratio));
+  texture.sigma_px =
       static_cast<float>(between(spec_.disparity_sigma_px, spec_.bland_disparity_sigma_px));
+  return texture;
+}
+
+/// What follows from the surfaces' opacities. Kept where they are as in the last image.
+void DepthNoise::find_textures(std::span<const float> opacity) {
+  const std::size_t known = textures_.size();
+  textures_.resize(opacity.size() + 1);
+  for (std::size_t i = 0; i < textures_.size(); ++i) {
+    const float wanted = i < opacity.size() ? opacity[i] : 0.0F;
+    if (i < known && textures_[i].opacity == wanted) continue;
+    const bool as_before = i > 0 && textures_[i - 1].opacity == wanted;
+    textures_[i] = as_before ? textures_[i - 1] : texture_of(wanted);
+  }
+}
+
+namespace {
+
+/// What all pixels of an image share.
+struct Measuring {
+  float steps_a_px, step_px;  ///< 0: disparity is not rounded
+  float outlier_sigma_px, at_1m_px, nearest_m, farthest_m;
+};
+
+/// Depth of a run of pixels on one texture. Written so that compilers take four at a time.
+template <class Texture>
+void measure(const Measuring& measuring, const Texture& texture, std::size_t count,
+             const float* disparity, const float* patches, const float* errors, float* depth_m) {
+  const Measuring m = measuring;  // so that writes to depth_m can't change them
+  const float hole_below = texture.hole_below, outlier_above = texture.outlier_above;
+  const float usual_sigma = texture.sigma_px;
+  for (std::size_t i = 0; i < count; ++i) {
+    const float sigma = patches[i] > outlier_above ? m.outlier_sigma_px : usual_sigma;
+    const float moved = disparity[i] + sigma * errors[i];
+    const float noisy = moved > 0.0F ? moved : 0.0F;
+    const auto whole = static_cast<float>(static_cast<std::int32_t>(noisy * m.steps_a_px + 0.5F));
+    const float measured = m.steps_a_px > 0.0F ? whole * m.step_px : noisy;
+    const float depth = m.at_1m_px / measured;
+    float seen = depth > m.farthest_m ? kInfinity : depth;
+    seen = depth < m.nearest_m ? kNaN : seen;
+    seen = patches[i] < hole_below ? kNaN : seen;
+    depth_m[i] = disparity[i] < 0.0F ? kNaN : seen;
+  }
+}
+
+}  // namespace
+
+/// Single pixels, at distances that follow the geometric distribution.
+void DepthNoise::drop_pixels(RandomStream& random) {
+  if (spec_.dropout_ratio <= 0.0) return;
+  const double log_kept = math::log(std::max(1.0 - spec_.dropout_ratio, 1e-300));
+  const auto count = static_cast<double>(disparity_.size());
+  for (double at = -1.0;;) {
+    at += 1.0 + std::floor(math::log(1.0 - random.uniform()) / log_kept);
+    if (!(at < count)) return;
+    disparity_[static_cast<std::size_t>(at)] = -1.0F;
+  }
 }
 
 void DepthNoise::finish_row(const NoisyDepthView& view, std::size_t y,
-                            std::span<const float> opacity, RandomStream& random,
-                            std::span<float> depth_m) {
+                            std::span<const std::uint32_t> surfaces, std::span<float> depth_m) {
   const std::size_t width = view.width_px;
-  float* disparity = &disparity_[y * width];
   const std::vector<float>& patches = holes_.row(y);
+  float* disparity = &disparity_[y * width];
   occlude_row(patches, disparity);
-  if (spec_.dropout_ratio > 0.0) {
-    const float limit = normal_limit(spec_.dropout_ratio);
-    dropouts_.resize(width);
-    random.coarse_normals(dropouts_);
-    for (std::size_t x = 0; x < width; ++x) {
-      if (dropouts_[x] < limit) disparity[x] = -1.0F;
-    }
-  }
   const std::vector<float>& errors = errors_.row(y);
-  const auto outlier_sigma = static_cast<float>(spec_.outlier_sigma_px);
-  const auto step = static_cast<float>(spec_.disparity_step_px);
-  const float steps_a_px = step > 0.0F ? 1.0F / step : 0.0F;
-  const auto at_1m = static_cast<float>(view.disparity_at_1m_px);
-  const auto nearest = static_cast<float>(view.min_range_m);
-  const auto farthest = static_cast<float>(view.max_range_m);
-  float* out = &depth_m[y * width];
-  for (std::size_t x = 0; x < width; ++x) {
-    if (opacity[y * width + x] != texture_.opacity) take_texture(opacity[y * width + x]);
-    const float exact = patches[x] < texture_.hole_below ? -1.0F : disparity[x];
-    const float sigma = patches[x] > texture_.outlier_above ? outlier_sigma : texture_.sigma_px;
-    const float error = sigma * errors[x];
-    const float noisy = exact + error > 0.0F ? exact + error : 0.0F;
-    const auto whole = static_cast<float>(static_cast<std::int32_t>(noisy * steps_a_px + 0.5F));
-    const float measured = steps_a_px > 0.0F ? whole * step : noisy;
-    const float depth = at_1m / measured;
-    const float in_range = depth > farthest ? kInfinity : depth;
-    out[x] = exact < 0.0F || depth < nearest ? kNaN : in_range;
+  const Measuring measuring{.steps_a_px = spec_.disparity_step_px > 0.0
+                                              ? static_cast<float>(1.0 / spec_.disparity_step_px)
+                                              : 0.0F,
+                            .step_px = static_cast<float>(spec_.disparity_step_px),
+                            .outlier_sigma_px = static_cast<float>(spec_.outlier_sigma_px),
+                            .at_1m_px = static_cast<float>(view.disparity_at_1m_px),
+                            .nearest_m = static_cast<float>(view.min_range_m),
+                            .farthest_m = static_cast<float>(view.max_range_m)};
+  const std::uint32_t* row = &surfaces[y * width];
+  for (std::size_t from = 0; from < width;) {  // in runs of one surface
+    std::size_t to = from + 1;
+    while (to < width && row[to] == row[from]) ++to;
+    const Texture& texture = textures_[std::min<std::size_t>(row[from], textures_.size() - 1)];
+    measure(measuring, texture, to - from, disparity + from, patches.data() + from,
+            errors.data() + from, &depth_m[y * width + from]);
+    from = to;
   }
 }
 

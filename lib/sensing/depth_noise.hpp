@@ -9,6 +9,13 @@
 
 namespace avoidbench {
 
+/// What each pixel of an image shows.
+struct SeenSurfaces {
+  std::span<const std::uint32_t>
+      surface;                     ///< height × width; an index into `opacity`, else nothing
+  std::span<const float> opacity;  ///< of each surface's texture, 0 to 1
+};
+
 /// A true depth image and the stereo pair that is to have measured it.
 struct NoisyDepthView {
   std::size_t width_px = 0, height_px = 0;
@@ -26,44 +33,42 @@ class NormalField {
   const std::vector<float>& row(std::size_t y);  ///< valid until the next call
 
  private:
-  struct Column {
-    std::size_t cell;
-    float left, right;  ///< weights of the lattice's columns beside a pixel
-  };
   double size_px_;
   std::size_t cells_across_ = 0;
   std::vector<float> lattice_, row_cells_, row_;
-  std::vector<Column> columns_;
+  std::vector<float> left_, right_;       ///< weights of the lattice's columns beside a pixel
+  std::vector<std::size_t> first_pixel_;  ///< of each cell, and the width
 };
 
 /// Makes true depth as wrong as a stereo camera's. `depth_m` is height × width, row-major, and must
 /// reach beyond the range (+inf: nothing); afterwards it is NaN where invalid and nearer than the
-/// range, +inf beyond it. `opacity` says how much texture each pixel shows, 0 to 1. Buffers are
-/// kept for the next image.
+/// range, +inf beyond it. Buffers are kept for the next image.
 class DepthNoise {
  public:
-  explicit DepthNoise(const DepthNoisySpec& spec)
-      : spec_(spec), holes_(spec.hole_size_px), errors_(spec.noise_size_px) {}
+  explicit DepthNoise(const DepthNoisySpec& spec);
 
-  void apply(const NoisyDepthView& view, std::span<const float> opacity, RandomStream& random,
+  void apply(const NoisyDepthView& view, const SeenSurfaces& seen, RandomStream& random,
              std::span<float> depth_m);
 
  private:
   void fatten(std::size_t width, std::size_t height);
   void occlude_row(const std::vector<float>& patches, float* disparity) const;
-  void take_texture(float opacity);
-  void finish_row(const NoisyDepthView& view, std::size_t y, std::span<const float> opacity,
-                  RandomStream& random, std::span<float> depth_m);
+  void find_textures(std::span<const float> opacity);
+  void drop_pixels(RandomStream& random);
+  void finish_row(const NoisyDepthView& view, std::size_t y,
+                  std::span<const std::uint32_t> surfaces, std::span<float> depth_m);
 
   DepthNoisySpec spec_;
   NormalField holes_, errors_;
-  std::vector<float> disparity_, rows_max_, max_, dropouts_;
+  std::vector<float> disparity_, rows_max_, max_;
   struct Texture {
-    float opacity = -1.0F;
+    float opacity = 0.0F;
     float hole_below = 0.0F, outlier_above = 0.0F;  ///< of the patches' numbers
     float sigma_px = 0.0F;
   };
-  Texture texture_;  ///< of the last pixel: mostly the next one's too
+  Texture texture_of(float opacity) const;
+  float covered_below_ = 0.0F;     ///< half-occluded patches below this are invalid
+  std::vector<Texture> textures_;  ///< of the surfaces, and at the end of where there is none
 };
 
 }  // namespace avoidbench

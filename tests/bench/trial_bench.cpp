@@ -72,6 +72,45 @@ BENCHMARK_CAPTURE(whole_trial, forest, ForestSpec{.area_m = {40.0, 40.0}, .poiss
     ->Iterations(10)
     ->Unit(benchmark::kMillisecond);
 
+/// The first seconds of flights with one of the built-in sensors.
+void trial_with(benchmark::State& state, const SensorSpec& sensor, const MapSpec& map) {
+  TrialSpec spec;
+  spec.map = map;
+  spec.sensor = sensor;
+  spec.mission.time_limit_s = 6.0;
+  spec.planner = test::preset_choice("reactive");
+  const World world = make_world(spec.map, spec.map_seed);
+  const Scene scene(world);
+  const PlannerLibrary library = PlannerLibrary::load(spec.planner.file);
+  PlannerInstance planner(library, planner_setup(spec), parameter_values(spec.planner));
+  std::vector<double> factors;
+  for (auto _ : state) {
+    spec.mission_index = static_cast<std::int64_t>(factors.size()) % 5;
+    const auto mission = make_mission(scene, spec.mission, spec.seed, spec.mission_index);
+    const double before = processor_s();
+    const TrialRecord record = run_trial(spec, scene, *mission, planner);
+    const double trial_s = processor_s() - before;
+    factors.push_back(record.end_time_s / trial_s);
+    state.SetIterationTime(trial_s);
+  }
+  state.counters["real_time_factor"] = median(factors);
+}
+
+void register_sensors() {
+  const std::pair<const char*, MapSpec> maps[] = {
+      {"hall", HallSpec{.area_m = {40.0, 40.0}}},
+      {"forest", ForestSpec{.area_m = {40.0, 40.0}, .poisson_radius_m = 3.5}}};
+  for (const SensorSpec& sensor : sensor_presets()) {
+    for (const auto& [name, map] : maps) {
+      const std::string label = "sensor/" + sensor.name + "/" + name;
+      benchmark::RegisterBenchmark(label.c_str(), trial_with, sensor, map)
+          ->UseManualTime()
+          ->Iterations(5)
+          ->Unit(benchmark::kMillisecond);
+    }
+  }
+}
+
 /// Environment metrics and five missions with their reference paths.
 void measure_map(benchmark::State& state, const MapSpec& map, std::int64_t mission_count) {
   TrialSpec spec;
@@ -91,4 +130,8 @@ BENCHMARK_CAPTURE(measure_map, hall_with_10_missions, HallSpec{}, 10)
 }  // namespace
 }  // namespace avoidbench
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) {
+  avoidbench::register_sensors();
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+}
