@@ -77,7 +77,9 @@ std::string value_text(T& value) {
 /// Writes a spec as a block, one commented line a field.
 class BlockPrinter {
  public:
-  explicit BlockPrinter(std::string indent) : indent_(std::move(indent)) {}
+  /// `shows_other_kinds`: the fields of variants' other kinds too, commented out.
+  explicit BlockPrinter(std::string indent, bool shows_other_kinds = true)
+      : indent_(std::move(indent)), shows_other_kinds_(shows_other_kinds) {}
   std::string text;
 
   template <class T>
@@ -110,7 +112,7 @@ class BlockPrinter {
     kind_names<Variant, 0>(kinds);
     line(std::string(name) + ": " + std::string(kind(value)), std::string(doc) + one_of(kinds));
     std::visit([this](auto& held) { visit(*this, held); }, value);
-    other_kinds<Variant, 0>(name, value);
+    if (shows_other_kinds_) other_kinds<Variant, 0>(name, value);
   }
 
   void line(const std::string& content, const std::string& comment) {
@@ -152,6 +154,7 @@ class BlockPrinter {
   }
 
   std::string indent_;
+  bool shows_other_kinds_;
 };
 
 template <class Spec>
@@ -169,7 +172,7 @@ std::string sensor_names() {
 
 template <class Spec>
 std::string file_text(Spec spec, const std::string& header) {
-  BlockPrinter printer("");
+  BlockPrinter printer("", false);
   visit(printer, spec);
   return header + printer.text;
 }

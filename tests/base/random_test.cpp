@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <vector>
 
 namespace avoidbench {
 namespace {
@@ -43,6 +44,32 @@ TEST(RandomStream, NormalHasItsMoments) {
   EXPECT_NEAR(sum / kCount, 0.0, 4.0 / std::sqrt(kCount));
   EXPECT_NEAR(squares / kCount, 1.0, 0.01);
   EXPECT_NEAR(fourths / kCount, 3.0, 0.1);
+}
+
+TEST(RandomStream, CoarseNormalsAreStandardNormals) {
+  RandomStream draws(4);
+  std::vector<float> values(1'000'003);
+  draws.coarse_normals(values);
+  double sum = 0.0, squares = 0.0, fourths = 0.0, neighbours = 0.0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const auto x = static_cast<double>(values[i]);
+    sum += x;
+    squares += x * x;
+    fourths += x * x * x * x;
+    if (i > 0) neighbours += x * static_cast<double>(values[i - 1]);
+    ASSERT_LT(std::abs(x), 3.8);
+  }
+  const auto count = static_cast<double>(values.size());
+  EXPECT_NEAR(sum / count, 0.0, 4.0 / std::sqrt(count));
+  EXPECT_NEAR(squares / count, 1.0, 0.006);
+  EXPECT_NEAR(fourths / count, 3.0, 0.03);
+  EXPECT_NEAR(neighbours / count, 0.0, 0.005);
+  // Values do not depend on how many are asked for at once, in whole fives.
+  RandomStream first(7), second(7);
+  std::vector<float> together(25), apart(25);
+  first.coarse_normals(together);
+  for (std::size_t i = 0; i < 25; i += 5) second.coarse_normals({&apart[i], 5});
+  EXPECT_EQ(together, apart);
 }
 
 TEST(RandomStream, BelowIsUnbiasedAndInRange) {

@@ -81,8 +81,10 @@ TEST(Configs, FilesEqualTheBuiltInSpecs) {
             spec_to_json(hummingbird_spec()));
   EXPECT_EQ(spec_to_json(read_file<VehicleSpec>("vehicles/firefly.yaml", read_vehicle)),
             spec_to_json(firefly_spec()));
-  EXPECT_EQ(spec_to_json(read_file<SensorSpec>("sensors/depth_ideal.yaml", read_sensor)),
-            spec_to_json(SensorSpec{}));
+  for (const SensorSpec& sensor : sensor_presets()) {
+    EXPECT_EQ(spec_to_json(read_file<SensorSpec>("sensors/" + sensor.name + ".yaml", read_sensor)),
+              spec_to_json(sensor));
+  }
 }
 
 TEST(Configs, PrintedSpecsReadBackToTheSameBits) {
@@ -93,6 +95,13 @@ TEST(Configs, PrintedSpecsReadBackToTheSameBits) {
     read_vehicle(parse_yaml(vehicle_yaml(vehicle), "v"), ".", read, reading);
     EXPECT_EQ(joined(reading.problems), "");
     EXPECT_EQ(spec_to_json(read), spec_to_json(vehicle));
+  }
+  for (const SensorSpec& sensor : sensor_presets()) {
+    SensorSpec read;
+    Reading reading;
+    read_sensor(parse_yaml(sensor_yaml(sensor), "s"), ".", read, reading);
+    EXPECT_EQ(joined(reading.problems), "");
+    EXPECT_EQ(spec_to_json(read), spec_to_json(sensor));
   }
 }
 

@@ -4,6 +4,8 @@
 #include "config/sweep_axes.hpp"
 #include "config/sweep_fixture.hpp"
 
+#include <algorithm>
+
 namespace avoidbench {
 namespace {
 
@@ -159,18 +161,40 @@ TEST_F(SweepFiles, EachProblemHasItsPlaceAndReason) {
        "s.yaml:3:25: maps.bush_ratio: unknown key for generator hall"},
       {"maps: {flight_height_m: 8}",
        "s.yaml:3:25: maps.flight_height_m: 8 is not below height_m, 6"},
-      {"rates: {plan_hz: 31}",
-       "s.yaml:3:18: rates.plan_hz: 31 Hz is not a whole number of ticks of 1/36000 s; the nearest "
-       "is "
-       "31.007751937984494"},
-      {"sensor: {rate_hz: 7.7}",
-       "s.yaml:3:19: sensor.rate_hz: 7.7 Hz is not a whole number of ticks of 1/36000 s; the "
-       "nearest is "
-       "7.7005347593582885"},
       {"rates: {physics_hz: 250, plan_hz: 500}",
        "s.yaml:3:35: rates.plan_hz: 500 Hz is faster than rates.physics_hz, 250"},
       {"sensor: {min_range_m: 5, max_range_m: 5}",
        "s.yaml:3:23: sensor.min_range_m: 5 is not below max_range_m, 5"},
+      {"sensor: {width_px: 0}", "s.yaml:3:20: sensor.width_px: 0 is outside [8, 4096]"},
+      {"sensor: {height_px: -240}", "s.yaml:3:21: sensor.height_px: -240 is outside [8, 4096]"},
+      {"sensor: {fov_x_deg: 180}", "s.yaml:3:21: sensor.fov_x_deg: 180 is outside [10, 170]"},
+      {"sensor: {baseline_m: 0}", "s.yaml:3:22: sensor.baseline_m: 0 is outside [0.001, 10]"},
+      {"sensor: {rate_hz: 0}", "s.yaml:3:19: sensor.rate_hz: 0 is outside [1, 1000]"},
+      {"sensor: {jitter_ms: 40}",
+       "s.yaml:3:21: sensor.jitter_ms: 40 ms is not below the time between two images, "
+       "33.333333333333336 ms"},
+      {"sensor: {preset: stereo_sgm, disparities: 60}",
+       "s.yaml:3:43: sensor.disparities: 60 is not a multiple of 16; the next is 64"},
+      {"sensor: {preset: stereo_sgm, disparities: 320}",
+       "s.yaml:3:43: sensor.disparities: 320 is not below width_px, 320"},
+      {"sensor: {preset: stereo_sgm, block_px: 4}", "s.yaml:3:40: sensor.block_px: 4 is not odd"},
+      {"sensor: {preset: stereo_sgm, p1_factor: 32}",
+       "s.yaml:3:41: sensor.p1_factor: 32 is not below p2_factor, 32"},
+      {"sensor: {preset: stereo_original, paths: 6}",
+       "s.yaml:3:43: sensor.paths: 6 is neither 4 nor 8"},
+      {"sensor: {kind: depth_ideal, disparities: 64}",
+       "s.yaml:3:29: sensor.disparities: unknown key for kind depth_ideal"},
+      {"sensor: {kind: stereo}",
+       "s.yaml:3:16: sensor.kind: \"stereo\" is none of depth_ideal, depth_noisy, stereo_sgm, "
+       "stereo_census"},
+      {"sensor: {more_mountings: [{yaw: 90}]}",
+       "s.yaml:3:28: sensor.more_mountings[0].yaw: unknown key (did you mean yaw_deg?)"},
+      {"imu: {rate_hz: 2000}",
+       "s.yaml:3:16: imu.rate_hz: 2000 Hz is faster than rates.physics_hz, 1000"},
+      {"odometry: {drift: 1}",
+       "s.yaml:3:12: odometry.drift: unknown key (known: rate_hz, delay_ms, position_sigma_m, "
+       "velocity_sigma_mps, attitude_sigma_deg, rates_sigma_radps, position_drift_ratio, "
+       "yaw_drift_deg_per_sqrt_s)"},
       {"axes: {wind.mean_mps: [1]}",
        "s.yaml:3:8: wind.mean_mps: unknown key (did you mean mean_world_mps?)"},
       {"axes: {wind.mean_world_mps: [0, 4]}",
@@ -184,15 +208,36 @@ TEST_F(SweepFiles, EachProblemHasItsPlaceAndReason) {
       {"axes: {planner.label: [a]}",
        "s.yaml:3:8: axes.planner.label: write a planner's parameters as lists in its entry of "
        "'planners'"},
-      {"axes: {rates.plan_hz: [20, 31]}",
-       "s.yaml:3:8: rates.plan_hz: 31 Hz is not a whole number of ticks of 1/36000 s; the nearest "
-       "is "
-       "31.007751937984494"},
       {"maps: {poisson_radius_m: [3, 4]}\naxes: {maps.poisson_radius_m: [5, 6]}",
        "s.yaml:4:8: axes.maps.poisson_radius_m: has several values above already"},
   };
   for (const auto& [text, expected] : cases)
     EXPECT_EQ(problems(kHead + text + "\n"), expected) << text;
+}
+
+TEST_F(SweepFiles, RatesAreRoundedToTicksWithAWarning) {
+  const SweepSpec sweep = read(kHead +
+                               "sensor: {rate_hz: 7.7}\nrates: {plan_hz: 31, sample_hz: 100}\n"
+                               "imu: {rate_hz: [200, 333]}\n");
+  EXPECT_EQ(sweep.base.sensor.rate_hz, 36000.0 / 4675.0);
+  EXPECT_EQ(sweep.base.rates.plan_hz, 36000.0 / 1161.0);
+  EXPECT_EQ(sweep.base.rates.sample_hz, 100.0);
+  ASSERT_EQ(sweep.axes.size(), 1U);
+  EXPECT_EQ(sweep.axes[0].values[0].get<double>(), 200.0);
+  EXPECT_EQ(sweep.axes[0].values[1].get<double>(), 36000.0 / 108.0);
+  ASSERT_EQ(sweep.warnings.size(), 3U);
+  for (const char* expected :
+       {"sensor.rate_hz: 7.7 Hz is not a whole number of ticks of 1/36000 s; rounded to "
+        "7.7005347593582885 Hz",
+        "rates.plan_hz: 31 Hz is not a whole number of ticks of 1/36000 s; rounded to "
+        "31.007751937984494 Hz",
+        "imu.rate_hz: 333 Hz is not a whole number of ticks of 1/36000 s; rounded to "
+        "333.3333333333333 Hz"}) {
+    const bool found = std::any_of(sweep.warnings.begin(), sweep.warnings.end(),
+                                   [&](const auto& text) { return text.ends_with(expected); });
+    EXPECT_TRUE(found) << expected;
+  }
+  EXPECT_TRUE(sweep.warnings[1].find("s.yaml:3:19: ") != std::string::npos) << sweep.warnings[1];
 }
 
 TEST_F(SweepFiles, ProblemsOfTheHead) {

@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 """Flies one sweep by several programs or with several numbers of workers, each into a database of its own, and compares every
-deterministic value of every row, trajectories bit for bit; and the digests of every generator's world.
+deterministic value of every row, trajectories bit for bit; the digests of every generator's world, and those of
+every sensor's images.
 
     same_bits.py SWEEP PROGRAM:JOBS PROGRAM:JOBS …
 
 Left out are measured times, runs, and what follows from the bytes of the planners' files (another compiler makes other files)."""
+import hashlib
 import pathlib
 import sqlite3
 import subprocess
@@ -40,6 +42,25 @@ def world_digests(program):
     return digests
 
 
+NOISY = [argument for setting in ["trials=1", "sensor=depth_noisy", "sensor.delay_ms=20", "sensor.jitter_ms=4",
+                                  "odometry.position_sigma_m=0.01", "odometry.position_drift_ratio=0.01",
+                                  "odometry.yaw_drift_deg_per_sqrt_s=0.1", "odometry.delay_ms=5"]
+         for argument in ("--set", setting)]
+SENSORS = ["depth_ideal", "depth_noisy", "stereo_sgm", "stereo_original", "d435_like", "oak_d_like", "surround"]
+
+
+def image_digests(program, folder):
+    """Of the sheets of every sensor: both eyes, colour, disparity, depth; and the figures beside them."""
+    digests = []
+    for sensor in SENSORS:
+        for generator in ["hall", "forest"]:
+            picture = pathlib.Path(folder) / "sheet.png"
+            figures = subprocess.run([program, "sensors", "show", sensor, "--map", generator, "--png", picture], check=True,
+                                     capture_output=True, text=True).stdout
+            digests.append((sensor, generator, figures, hashlib.sha256(picture.read_bytes()).hexdigest()))
+    return digests
+
+
 def main():
     sweep, runs = sys.argv[1], sys.argv[2:]
     found = []
@@ -47,8 +68,12 @@ def main():
         for number, run in enumerate(runs):
             program, _, jobs = run.rpartition(":")
             database = pathlib.Path(folder) / f"{number}.db"
-            subprocess.run([program, "run", sweep, "--db", database, "--jobs", jobs, "--quiet"], check=True)
-            found.append(rows(database) | {"world": world_digests(program)})
+            run_all = [program, "run", sweep, "--jobs", jobs, "--quiet"]
+            subprocess.run(run_all + ["--db", database], check=True)
+            noisy = pathlib.Path(folder) / f"{number}_noisy.db"
+            subprocess.run(run_all + ["--db", noisy] + NOISY, check=True)
+            found.append(rows(database) | {f"noisy {kind}": values for kind, values in rows(noisy).items()} |
+                         {"world": world_digests(program), "image": image_digests(program, folder)})
     if not found[0]["trial"]:
         sys.exit("no trials")
     different = 0

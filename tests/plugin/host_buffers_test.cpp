@@ -1,0 +1,96 @@
+#include "plugin/host_buffers.hpp"
+
+#include <gtest/gtest.h>
+
+namespace avoidbench {
+namespace {
+
+/// Two cameras of 4 × 3 pixels, the second one looking back.
+PlannerSetup two_cameras() {
+  PlannerSetup setup;
+  CameraSetup camera;
+  camera.width_px = 4;
+  camera.height_px = 3;
+  camera.fx_px = camera.fy_px = 2.0;
+  camera.baseline_m = 0.25;
+  camera.T_body_camera.linear() << 0, 0, 1, -1, 0, 0, 0, -1, 0;
+  setup.cameras = {camera, camera};
+  setup.cameras[1].T_body_camera.linear() << 0, 0, -1, 1, 0, 0, 0, -1, 0;
+  return setup;
+}
+
+TEST(HostBuffers, SetupListsEveryCameraForWhoeverSeesImages) {
+  const PlannerSetup setup = two_cameras();
+  for (const std::uint32_t needs : {AB_SEES_DEPTH, AB_SEES_STEREO, AB_SEES_COLOR}) {
+    const SetupBuffers buffers(setup, {}, needs);
+    ASSERT_EQ(buffers.setup().camera_count, 2U);
+    EXPECT_EQ(buffers.setup().depth_camera, buffers.setup().cameras[0]);
+    EXPECT_EQ(buffers.setup().cameras[1]->baseline_m, 0.25);
+    EXPECT_EQ(buffers.setup().cameras[1]->struct_size, sizeof(ab_camera));
+    EXPECT_NEAR(buffers.setup().cameras[1]->q_body_camera[1],
+                -buffers.setup().cameras[0]->q_body_camera[1], 1e-12);
+  }
+  const SetupBuffers blind(setup, {}, AB_SEES_STATE | AB_SEES_IMU);
+  EXPECT_EQ(blind.setup().depth_camera, nullptr);
+  EXPECT_EQ(blind.setup().camera_count, 0U);
+}
+
+class Observations : public ::testing::Test {
+ protected:
+  Observations() : depth_m(12, 3.0F), left(12, 10), right(12, 20), rgb(36, 30) {
+    view.position_world = view.velocity_world = view.rates_body = Eigen::Vector3d::Zero();
+    view.q_world_body.setIdentity();
+    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+    pose.linear() = setup.cameras[0].T_body_camera.linear();
+    pose.translation() << 1.0, 2.0, 3.0;
+    view.depth.push_back({0.5, pose, 1, depth_m});
+    view.stereo.push_back({0.5, pose, 1, left, right});
+    view.stereo.push_back({0.4, pose, 0, right, left});
+    view.color.push_back({0.5, pose, 1, rgb});
+    view.imu.push_back({0.48, {0.1, 0.2, 0.3}, {0.0, 0.0, 9.8}});
+    view.imu.push_back({0.49, {0.4, 0.5, 0.6}, {0.0, 0.0, 9.9}});
+  }
+
+  PlannerSetup setup = two_cameras();
+  std::vector<float> depth_m;
+  std::vector<std::uint8_t> left, right, rgb;
+  PlannerView view;
+  ObservationBuffers buffers;
+};
+
+TEST_F(Observations, PicturesAndSamplesArriveWithTheirTimesAndPlaces) {
+  const ab_observation& seen = buffers.fill(
+      view, setup.cameras, AB_SEES_DEPTH | AB_SEES_STEREO | AB_SEES_COLOR | AB_SEES_IMU);
+  ASSERT_EQ(seen.depth_count, 1U);
+  EXPECT_EQ(seen.depth[0]->camera, 1U);
+  ASSERT_EQ(seen.stereo_count, 2U);
+  const ab_stereo_pair& pair = *seen.stereo[0];
+  EXPECT_EQ(pair.struct_size, sizeof(ab_stereo_pair));
+  EXPECT_EQ(pair.baseline_m, 0.25);
+  EXPECT_EQ(pair.left->channels, 1U);
+  EXPECT_EQ(pair.left->camera, 1U);
+  EXPECT_EQ(pair.left->pixels, left.data());
+  EXPECT_EQ(pair.right->pixels, right.data());
+  // Camera x is body -y: the right eye is 0.25 m to the right.
+  EXPECT_EQ(pair.left->position_world_m[1], 2.0);
+  EXPECT_NEAR(pair.right->position_world_m[1], 1.75, 1e-12);
+  EXPECT_EQ(seen.stereo[1]->left->time_s, 0.4);
+  ASSERT_EQ(seen.color_count, 1U);
+  EXPECT_EQ(seen.color[0]->channels, 3U);
+  EXPECT_EQ(seen.color[0]->pixels, rgb.data());
+  ASSERT_EQ(seen.imu_count, 2U);
+  EXPECT_EQ(seen.imu[1].time_s, 0.49);
+  EXPECT_EQ(seen.imu[0].rates_body_radps[2], 0.3);
+  EXPECT_EQ(seen.imu[1].specific_force_body_mps2[2], 9.9);
+}
+
+TEST_F(Observations, OnlyWhatIsDeclaredArrives) {
+  const ab_observation& seen = buffers.fill(view, setup.cameras, AB_SEES_STATE | AB_SEES_COLOR);
+  EXPECT_EQ(seen.depth_count, 0U);
+  EXPECT_EQ(seen.stereo_count, 0U);
+  EXPECT_EQ(seen.color_count, 1U);
+  EXPECT_EQ(seen.imu_count, 0U);
+}
+
+}  // namespace
+}  // namespace avoidbench

@@ -1,0 +1,180 @@
+#include "trial/perception.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "support/flight_worlds.hpp"
+
+namespace avoidbench {
+namespace {
+
+constexpr std::uint32_t kAllNeeds =
+    AB_SEES_STATE | AB_SEES_DEPTH | AB_SEES_STEREO | AB_SEES_COLOR | AB_SEES_IMU;
+
+/// What the planner saw at one of its calls.
+struct Seen {
+  double call_s = 0.0;
+  double state_s = 0.0;
+  std::vector<double> image_s;
+  std::vector<std::uint32_t> cameras;
+  std::vector<double> imu_s;
+  Eigen::Vector3d position, image_position;
+};
+
+TrialSpec small_trial() {
+  TrialSpec spec;
+  spec.sensor.width_px = 32;
+  spec.sensor.height_px = 24;
+  return spec;
+}
+
+/// Straight flight at 2 m/s along x for `duration_s`.
+std::vector<Seen> flown(const TrialSpec& spec, double duration_s, std::uint32_t needs = kAllNeeds) {
+  World world = test::flight_world();
+  const Scene scene(world);
+  const VehicleModel model = make_model(spec.vehicle);
+  const VehicleState start = hovering_at(spec.vehicle, {0.0, 0.0, 2.0}, 0.0);
+  Perception perception = make_perception(spec, needs, start);
+  const Tick plan_period = *period_ticks(spec.rates.plan_hz);
+  std::vector<Seen> all;
+  for (Tick now = 0; now <= ticks(duration_s);) {
+    VehicleState truth = start;
+    truth.tick = now;
+    truth.position_world.x() += 2.0 * seconds(now);
+    truth.velocity_world.x() = 2.0;
+    sense(perception, scene, model, truth, {});
+    if (now % plan_period == 0) {
+      const PlannerView view = planner_view(perception, truth);
+      Seen seen{.call_s = seconds(now),
+                .state_s = view.time_s,
+                .image_s = {},
+                .cameras = {},
+                .imu_s = {},
+                .position = view.position_world,
+                .image_position = {}};
+      for (const DepthView& image : view.depth) {
+        seen.image_s.push_back(image.time_s);
+        seen.cameras.push_back(image.camera);
+        seen.image_position = image.T_world_camera.translation();
+      }
+      EXPECT_EQ(view.stereo.size(), (needs & AB_SEES_STEREO) != 0 ? view.depth.size() : 0U);
+      EXPECT_EQ(view.color.size(), (needs & AB_SEES_COLOR) != 0 ? view.depth.size() : 0U);
+      for (const ImuView& sample : view.imu) seen.imu_s.push_back(sample.time_s);
+      forget_seen(perception, now);
+      all.push_back(seen);
+    }
+    now = std::min(next_sensing(perception, now), (now / plan_period + 1) * plan_period);
+  }
+  return all;
+}
+
+TEST(Perception, AnImageIsSeenAtOnceWithoutDelay) {
+  for (const Seen& seen : flown(small_trial(), 0.5)) {
+    ASSERT_EQ(seen.image_s.size(), 1U);
+    EXPECT_EQ(seen.image_s[0], seen.call_s);
+    EXPECT_EQ(seen.state_s, seen.call_s);
+    EXPECT_NEAR(seen.image_position.x(), 2.0 * seen.call_s + 0.2, 1e-12);
+  }
+}
+
+TEST(Perception, ADelayedImageKeepsItsTimeAndPlace) {
+  TrialSpec spec = small_trial();
+  spec.sensor.delay_ms = 50.0;  // one and a half periods
+  const std::vector<Seen> all = flown(spec, 0.5);
+  EXPECT_TRUE(all[0].image_s.empty());
+  EXPECT_TRUE(all[1].image_s.empty());
+  for (std::size_t i = 2; i < all.size(); ++i) {
+    ASSERT_EQ(all[i].image_s.size(), 1U);
+    EXPECT_NEAR(all[i].image_s[0], all[i].call_s - 2.0 / 30.0, 1e-9);
+    EXPECT_NEAR(all[i].image_position.x(), 2.0 * all[i].image_s[0] + 0.2, 1e-9);
+  }
+}
+
+TEST(Perception, AFastCameraShowsAllImagesNewestFirst) {
+  TrialSpec spec = small_trial();
+  spec.sensor.rate_hz = 90.0;
+  const std::vector<Seen> all = flown(spec, 0.3);
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    ASSERT_EQ(all[i].image_s.size(), 3U);
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_NEAR(all[i].image_s[k], all[i].call_s - static_cast<double>(k) / 90.0, 1e-9);
+    }
+  }
+}
+
+TEST(Perception, JitterMakesImagesLateByUpToThatMuch) {
+  TrialSpec spec = small_trial();
+  spec.sensor.jitter_ms = 10.0;
+  std::set<double> lateness;
+  double most = 0.0;
+  std::size_t count = 0;
+  for (const Seen& seen : flown(spec, 3.0, AB_SEES_DEPTH)) {
+    for (const double image_s : seen.image_s) {
+      const double late_s = image_s - std::floor(image_s * 30.0 + 1e-9) / 30.0;
+      lateness.insert(std::round(late_s * 36000.0));
+      most = std::max(most, late_s);
+      ++count;
+    }
+  }
+  EXPECT_GT(count, 85U);
+  EXPECT_GT(lateness.size(), 60U);
+  EXPECT_LE(most, 0.010001);
+  EXPECT_GT(most, 0.008);
+}
+
+TEST(Perception, ARigShowsEveryCamera) {
+  TrialSpec spec = small_trial();
+  MountingSpec back;
+  back.position_body_m = {-0.2, 0.0, 0.05};
+  back.yaw_deg = 180.0;
+  spec.sensor.more_mountings = {back};
+  for (const Seen& seen : flown(spec, 0.2)) {
+    EXPECT_EQ(seen.cameras, (std::vector<std::uint32_t>{1, 0}));
+  }
+}
+
+TEST(Perception, ImuSamplesComeOnceAndInOrder) {
+  TrialSpec spec = small_trial();
+  const std::vector<Seen> all = flown(spec, 1.0);
+  std::vector<double> times;
+  for (const Seen& seen : all) times.insert(times.end(), seen.imu_s.begin(), seen.imu_s.end());
+  ASSERT_GE(times.size(), 200U);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    EXPECT_NEAR(times[i], static_cast<double>(i) / 200.0, 1e-9);
+  }
+}
+
+TEST(Perception, DelayedOdometryIsThatOfThePast) {
+  TrialSpec spec = small_trial();
+  spec.odometry.delay_ms = 20.0;
+  for (const Seen& seen : flown(spec, 0.5)) {
+    const double then_s = std::max(0.0, seen.call_s - 0.02);
+    EXPECT_NEAR(seen.state_s, then_s, 1e-9);
+    EXPECT_NEAR(seen.position.x(), 2.0 * then_s, 1e-9);
+  }
+}
+
+TEST(Perception, ImagesCarryTheBelievedPose) {
+  TrialSpec spec = small_trial();
+  spec.odometry.position_drift_ratio = 0.1;
+  const std::vector<Seen> all = flown(spec, 3.0);
+  const Seen& last = all.back();
+  EXPECT_GT(std::abs(last.position.x() - 2.0 * last.call_s), 1e-3);  // it has drifted
+  EXPECT_NEAR(last.image_position.x() - 0.2, last.position.x(), 1e-9);
+}
+
+TEST(Perception, NoiseDoesNotDependOnWhatThePlannerAsksFor) {
+  TrialSpec spec = small_trial();
+  spec.odometry.position_sigma_m = 0.05;
+  spec.sensor.jitter_ms = 5.0;
+  const std::vector<Seen> all = flown(spec, 1.0), few = flown(spec, 1.0, AB_SEES_DEPTH);
+  ASSERT_EQ(all.size(), few.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    EXPECT_EQ(all[i].position, few[i].position);
+    EXPECT_EQ(all[i].image_s, few[i].image_s);
+  }
+}
+
+}  // namespace
+}  // namespace avoidbench
