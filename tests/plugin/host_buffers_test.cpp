@@ -27,8 +27,13 @@ TEST(HostBuffers, SetupListsEveryCameraForWhoeverSeesImages) {
     EXPECT_EQ(buffers.setup().depth_camera, buffers.setup().cameras[0]);
     EXPECT_EQ(buffers.setup().cameras[1]->baseline_m, 0.25);
     EXPECT_EQ(buffers.setup().cameras[1]->struct_size, sizeof(ab_camera));
-    EXPECT_NEAR(buffers.setup().cameras[1]->q_body_camera[1],
-                -buffers.setup().cameras[0]->q_body_camera[1], 1e-12);
+    // Looking back is half a turn about body z from looking ahead.
+    const double* ahead = buffers.setup().cameras[0]->q_body_camera;
+    const double* back = buffers.setup().cameras[1]->q_body_camera;
+    const Eigen::Quaterniond q_ahead(ahead[0], ahead[1], ahead[2], ahead[3]);
+    const Eigen::Quaterniond q_back(back[0], back[1], back[2], back[3]);
+    EXPECT_NEAR(q_ahead.angularDistance(q_back), 3.14159265358979, 1e-6);
+    EXPECT_TRUE((q_back * Eigen::Vector3d::UnitZ()).isApprox(-Eigen::Vector3d::UnitX(), 1e-12));
   }
   const SetupBuffers blind(setup, {}, AB_SEES_STATE | AB_SEES_IMU);
   EXPECT_EQ(blind.setup().depth_camera, nullptr);
