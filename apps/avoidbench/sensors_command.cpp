@@ -5,12 +5,14 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <sstream>
 
 #include "base/input_error.hpp"
 #include "base/random.hpp"
 #include "commands.hpp"
 #include "config/sweep_file.hpp"
 #include "config/yaml_values.hpp"
+#include "line_chart.hpp"
 #include "reference_table.hpp"
 #include "render/depth.hpp"
 #include "sensing/camera.hpp"
@@ -30,7 +32,9 @@ struct SensorOptions {
   std::vector<double> pose;  ///< x, y, z, yaw in degrees
   std::string png = "sensor.png";
   double bin_m = 3.0;
-  std::string kind;  ///< of the obstacles that are looked at; "": all
+  std::string over;   ///< a field and values to measure at
+  std::string chart;  ///< file of their picture
+  std::string kind;   ///< of the obstacles that are looked at; "": all
   TableOptions table;
 };
 
@@ -112,25 +116,44 @@ std::vector<Pose> poses_of(const Scene& scene, const TrialSpec& trial, std::int6
   return poses;
 }
 
-void add_rows(const std::string& name, const SensorSpec& sensor, double bin_m,
-              const std::vector<DepthSample>& samples, double fattening, double size_px,
+/// What was measured of one sensor on one map.
+struct Measured {
+  SensorSpec sensor;
+  std::vector<DepthSample> samples;
+  double fattening_px = 0.0, error_size_px = 0.0;
+};
+
+DepthStatistics overall(const Measured& measured) {
+  return depth_statistics(measured.samples, false, 0.0, measured.sensor.max_range_m,
+                          disparity_at_1m_px(measured.sensor));
+}
+
+/// Rows by distance, overall and near edges; `value` stands in front where it is swept.
+void add_rows(const Measured& measured, double bin_m, const std::string& value,
               ReferenceTable& table) {
-  const double at_1m_px = disparity_at_1m_px(sensor);
   const auto add = [&](const std::string& where, bool edges, double from_m, double to_m) {
-    const DepthStatistics s = depth_statistics(samples, edges, from_m, to_m, at_1m_px);
+    const DepthStatistics s = depth_statistics(measured.samples, edges, from_m, to_m,
+                                               disparity_at_1m_px(measured.sensor));
     if (s.pixel_count == 0) return;
-    table.rows.push_back({name, where, std::to_string(s.pixel_count),
-                          fixed(100.0 * s.valid_ratio, 1), fixed(s.disparity_bias_px, 3),
-                          fixed(s.disparity_sigma_px, 3), fixed(100.0 * s.outlier_ratio, 1),
-                          fixed(s.depth_sigma_m, 3), fixed(s.expected_depth_sigma_m, 3)});
+    std::vector<std::string> row{measured.sensor.name,
+                                 where,
+                                 std::to_string(s.pixel_count),
+                                 fixed(100.0 * s.valid_ratio, 1),
+                                 fixed(s.disparity_bias_px, 3),
+                                 fixed(s.disparity_sigma_px, 3),
+                                 fixed(100.0 * s.outlier_ratio, 1),
+                                 fixed(s.depth_sigma_m, 3),
+                                 fixed(s.expected_depth_sigma_m, 3)};
+    if (!value.empty()) row.insert(row.begin(), value);
+    table.rows.push_back(std::move(row));
   };
-  const double range_m = sensor.max_range_m;
+  const double range_m = measured.sensor.max_range_m;
   for (double from_m = 0.0; from_m < range_m; from_m += bin_m) {
     const double to_m = std::min(from_m + bin_m, range_m);
     add(number_text(from_m) + "-" + number_text(to_m) + " m", false, from_m, to_m);
   }
-  add("all, size " + fixed(size_px, 1) + " px", false, 0.0, range_m);
-  add("edges, " + fixed(fattening, 1) + " px fatter", true, 0.0, range_m);
+  add("all, size " + fixed(measured.error_size_px, 1) + " px", false, 0.0, range_m);
+  add("edges, " + fixed(measured.fattening_px, 1) + " px fatter", true, 0.0, range_m);
 }
 
 /// Forgets the truth of pixels that show something else than obstacles of this kind.
@@ -146,44 +169,93 @@ void keep_kind(const World& world, const std::string& kind,
   }
 }
 
+/// One sensor on its trial's map.
+Measured measured(const TrialSpec& trial, const SensorOptions& options) {
+  const SensorSpec& sensor = trial.sensor;
+  const World world = make_world(trial.map, trial.map_seed);
+  const Scene scene(world);
+  Pinhole ideal = sensor_camera(sensor);
+  ideal.min_range_m = 0.0;
+  ideal.max_range_m = std::numeric_limits<double>::infinity();
+  const int width = static_cast<int>(sensor.width_px);
+  const double at_1m_px = disparity_at_1m_px(sensor);
+  Camera camera(sensor);
+  CameraImages images;
+  std::vector<float> truth_m(static_cast<std::size_t>(sensor.width_px * sensor.height_px));
+  std::vector<std::uint32_t> instances(truth_m.size());
+  Measured result{.sensor = sensor, .samples = {}};
+  Mean edges, sizes;
+  std::uint64_t index = 0;
+  for (const Pose& T_world_body : poses_of(scene, trial, options.missions)) {
+    for (const MountingSpec& mounting : mountings(sensor)) {
+      const Pose T_world_camera = T_world_body * T_body_camera(mounting);
+      camera.expose(scene, T_world_camera, {}, {.depth = true}, stream_seed(trial.seed, index++),
+                    images);
+      render_depth(scene, ideal, T_world_camera, truth_m, instances);
+      keep_kind(world, options.kind, instances, truth_m);
+      constexpr int kEdge_px = 8;
+      add_samples(truth_m, images.depth_m, width, at_1m_px, kEdge_px, result.samples);
+      edges.add(fattening_px(truth_m, images.depth_m, width, at_1m_px, kEdge_px));
+      sizes.add(error_size_px(truth_m, images.depth_m, width, at_1m_px));
+    }
+  }
+  result.fattening_px = edges.value();
+  result.error_size_px = sizes.value();
+  return result;
+}
+
+/// "maps.texture_opacity=1,0.5,0" as its path and values; no values where nothing is swept.
+std::pair<std::string, std::vector<double>> swept(const std::string& over) {
+  if (over.empty()) return {};
+  const std::size_t equals = over.find('=');
+  std::vector<double> values;
+  std::istringstream list(equals == std::string::npos ? "" : over.substr(equals + 1));
+  for (std::string text; std::getline(list, text, ',');) {
+    YamlNode scalar;
+    scalar.kind = YamlNode::Kind::scalar;
+    scalar.scalar = text;
+    const std::optional<double> value = number_of(scalar);
+    if (!value) throw InputError("--over " + over + ": '" + text + "' is no number");
+    values.push_back(*value);
+  }
+  if (values.size() < 2) {
+    throw InputError("--over " + over + ": expected PATH=VALUE,VALUE,… with two values at least");
+  }
+  return {over.substr(0, equals), values};
+}
+
 void measure(const SensorOptions& options) {
+  const auto [path, values] = swept(options.over);
+  if (!options.chart.empty() && values.empty()) {
+    throw InputError("--png needs --over: a chart shows how errors change with a value");
+  }
   ReferenceTable table{{"sensor", "where", "pixels", "valid_percent", "bias_px", "sigma_px",
                         "outlier_percent", "depth_sigma_m", "z2_over_bf_sigma_m"},
                        {}};
+  if (!values.empty()) table.columns.insert(table.columns.begin(), path);
+  std::vector<ChartPanel> panels{{"valid pixels (%)", {}},
+                                 {"disparity errors beyond 1 px (%)", {}},
+                                 {"standard deviation of the others (px)", {}}};
   for (const std::string& name : options.sensors) {
-    const TrialSpec trial = trial_of(options, name);
-    const SensorSpec& sensor = trial.sensor;
-    const World world = make_world(trial.map, trial.map_seed);
-    const Scene scene(world);
-    Pinhole ideal = sensor_camera(sensor);
-    ideal.min_range_m = 0.0;
-    ideal.max_range_m = std::numeric_limits<double>::infinity();
-    Camera camera(sensor);
-    CameraImages images;
-    std::vector<float> truth_m(static_cast<std::size_t>(sensor.width_px * sensor.height_px));
-    std::vector<std::uint32_t> instances(truth_m.size());
-    std::vector<DepthSample> samples;
-    Mean edges, sizes;
-    std::uint64_t index = 0;
-    for (const Pose& T_world_body : poses_of(scene, trial, options.missions)) {
-      for (const MountingSpec& mounting : mountings(sensor)) {
-        const Pose T_world_camera = T_world_body * T_body_camera(mounting);
-        camera.expose(scene, T_world_camera, {}, {.depth = true}, stream_seed(trial.seed, index++),
-                      images);
-        render_depth(scene, ideal, T_world_camera, truth_m, instances);
-        keep_kind(world, options.kind, instances, truth_m);
-        const int width = static_cast<int>(sensor.width_px);
-        constexpr int kEdge_px = 8;
-        add_samples(truth_m, images.depth_m, width, disparity_at_1m_px(sensor), kEdge_px, samples);
-        const double fattening =
-            fattening_px(truth_m, images.depth_m, width, disparity_at_1m_px(sensor), kEdge_px);
-        edges.add(fattening);
-        sizes.add(error_size_px(truth_m, images.depth_m, width, disparity_at_1m_px(sensor)));
-      }
+    for (ChartPanel& panel : panels) panel.lines.push_back({name, {}});
+    const std::size_t count = std::max<std::size_t>(1, values.size());
+    for (std::size_t i = 0; i < count; ++i) {
+      SensorOptions at_value = options;
+      const std::string value = values.empty() ? "" : number_text(values[i]);
+      if (!value.empty()) at_value.overrides.push_back(path + "=" + value);
+      const Measured result = measured(trial_of(at_value, name), at_value);
+      add_rows(result, options.bin_m, value, table);
+      if (values.empty()) continue;
+      const DepthStatistics s = overall(result);
+      panels[0].lines.back().points.emplace_back(values[i], 100.0 * s.valid_ratio);
+      panels[1].lines.back().points.emplace_back(values[i], 100.0 * s.outlier_ratio);
+      panels[2].lines.back().points.emplace_back(values[i], s.disparity_sigma_px);
     }
-    add_rows(sensor.name, sensor, options.bin_m, samples, edges.value(), sizes.value(), table);
   }
   write_table(table, options.table);
+  if (options.chart.empty()) return;
+  write_png(line_chart(panels, path), options.chart);
+  std::cerr << "wrote " << options.chart << '\n';
 }
 
 void list(const TableOptions& options) {
@@ -226,7 +298,9 @@ void add_sensors_command(CLI::App& app) {
       "  avoidbench sensors show stereo_sgm --map hall --png stereo.png\n"
       "  avoidbench sensors show my_camera.yaml --map forest --pose 20,5,2,90\n"
       "  avoidbench sensors measure stereo_sgm depth_noisy --map hall --set "
-      "maps.texture_opacity=0.5");
+      "maps.texture_opacity=0.5\n"
+      "  avoidbench sensors measure stereo_sgm --map hall --of cylinder "
+      "--over maps.texture_opacity=1,0.5,0.25,0 --png opacity.png");
 
   CLI::App* list_command = command->add_subcommand("list", "The sensors that are built in");
   add_table_options(*list_command, options->table);
@@ -270,6 +344,14 @@ void add_sensors_command(CLI::App& app) {
           "Look at obstacles of this kind alone, as `maps info` counts them: cylinder, tree, "
           "… (default: everything)")
       ->type_name("KIND");
+  measure_command
+      ->add_option("--over", options->over,
+                   "Measure at several values of a field, as in maps.texture_opacity=1,0.5,0 "
+                   "(default: at the map's own)")
+      ->type_name("PATH=VALUES");
+  measure_command
+      ->add_option("--png", options->chart, "Chart over these values to write (default: none)")
+      ->type_name("FILE");
   add_table_options(*measure_command, options->table);
   measure_command->callback([options] { measure(*options); });
 }

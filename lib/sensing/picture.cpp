@@ -165,6 +165,11 @@ void draw_circle(Picture& picture, const Eigen::Vector2d& center, double radius_
              fixed_point(radius_px), scalar(color), width_px, cv::LINE_AA, kFractionBits);
 }
 
+void draw_text(Picture& picture, const std::string& text, int x_px, int y_px, const Color& color) {
+  cv::putText(pixels(picture), text, {x_px, y_px}, cv::FONT_HERSHEY_SIMPLEX, 0.45, scalar(color), 1,
+              cv::LINE_AA);
+}
+
 void add_caption(Picture& picture, const std::string& text) {
   constexpr int kBand = 22;
   if (picture.height_px < 2 * kBand) return;

@@ -49,6 +49,9 @@ void draw_disc(Picture& picture, const Eigen::Vector2d& center, double radius_px
 void draw_circle(Picture& picture, const Eigen::Vector2d& center, double radius_px,
                  const Color& color, int width_px);
 
+/// Writes `text` (ASCII) with the left end of its base line at (x_px, y_px).
+void draw_text(Picture& picture, const std::string& text, int x_px, int y_px, const Color& color);
+
 /// Writes `text` (ASCII) in white on a dark band along the picture's upper edge.
 void add_caption(Picture& picture, const std::string& text);
 
