@@ -132,12 +132,15 @@ void DepthNoise::fatten(std::size_t width, std::size_t height) {
 /// there, in as many patches as the ratio says, and what lies outside of it.
 void DepthNoise::occlude_row(const std::vector<float>& patches, float* disparity) const {
   float leftmost = kInfinity;  // column in the right image of all that lies further right
+  auto position = static_cast<float>(patches.size());
   for (std::size_t x = patches.size(); x-- > 0;) {
-    if (disparity[x] < 0.0F) continue;
-    const float column = static_cast<float>(x) - disparity[x];
-    const bool is_covered = column >= leftmost && patches[x] < covered_below_;
-    leftmost = std::min(leftmost, column);
-    if (is_covered || column <= -0.5F) disparity[x] = -1.0F;
+    position -= 1.0F;
+    const float exact = disparity[x];
+    const float column = position - exact;
+    const bool is_covered = (column >= leftmost) & (patches[x] < covered_below_);
+    const float here = exact < 0.0F ? kInfinity : column;  // a dropped pixel covers nothing
+    leftmost = here < leftmost ? here : leftmost;
+    disparity[x] = is_covered | (column <= -0.5F) ? -1.0F : exact;
   }
 }
 

@@ -98,7 +98,7 @@ void trial_with(benchmark::State& state, const SensorSpec& sensor, const MapSpec
 
 void register_sensors() {
   const std::pair<const char*, MapSpec> maps[] = {
-      {"hall", HallSpec{.area_m = {40.0, 40.0}}},
+      {"hall", HallSpec{}},
       {"forest", ForestSpec{.area_m = {40.0, 40.0}, .poisson_radius_m = 3.5}}};
   for (const SensorSpec& sensor : sensor_presets()) {
     for (const auto& [name, map] : maps) {
