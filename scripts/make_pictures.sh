@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# make_pictures.sh: draws the pictures of README.md and docs/maps.md anew with build/release/avoidbench.
+# make_pictures.sh: draws the pictures of README.md, docs/maps.md and docs/sensors.md anew with build/release/avoidbench.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 program=build/release/avoidbench out=docs/images
@@ -30,3 +30,11 @@ for opacity in 0 0.25 0.5 0.75 1; do
 done
 show own_map 720 480 bird configs/sweeps/own_map.yaml
 show own_cloud 720 480 bird configs/sweeps/own_cloud.yaml
+
+for sensor in depth_ideal depth_noisy stereo_sgm stereo_original d435_like oak_d_like surround; do
+  "$program" sensors show "$sensor" --map forest --view depth --png "$out/sensor_$sensor.png"
+done
+"$program" sensors show stereo_sgm --map hall --png "$out/sensor_sheet_hall.png"
+"$program" sensors show stereo_sgm --map forest --png "$out/sensor_sheet_forest.png"
+"$program" sensors measure stereo_sgm depth_noisy stereo_original --map hall --of cylinder --missions 10 --bin 15 \
+  --over maps.texture_opacity=1,0.8,0.6,0.4,0.2,0.1,0 --png "$out/sensor_opacity.png" --output /dev/null

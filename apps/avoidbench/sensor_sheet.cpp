@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/input_error.hpp"
 #include "base/random.hpp"
 #include "render/depth.hpp"
 #include "sensing/camera.hpp"
@@ -81,19 +82,86 @@ Picture cell(Picture picture, const std::string& caption) {
   return shown;
 }
 
+/// A picture and the view that it is.
+struct Cell {
+  std::string view;
+  Picture picture;
+};
+
+/// All views of one camera.
+std::vector<Cell> cells_of(const SensorSpec& sensor, CameraImages& images,
+                           const std::vector<float>& truth_m) {
+  const int width = static_cast<int>(sensor.width_px), height = static_cast<int>(sensor.height_px);
+  constexpr double kMostShown_m = 20.0;  // what is farther has the colour of this
+  const double range_m = sensor.max_range_m, shown_m = std::min(range_m, kMostShown_m);
+  const auto depth_cell = [&](const std::vector<float>& depth_m, const std::string& caption) {
+    Picture shown = cell(depth_picture(depth_m, width, height, 0.0, shown_m), caption);
+    add_depth_scale(shown, 0.0, shown_m);
+    return shown;
+  };
+  Picture color = make_picture(width, height);
+  color.rgb = images.color;
+  std::vector<Cell> cells{{"left", cell(grey_picture(images.left, width, height), "left")},
+                          {"right", cell(grey_picture(images.right, width, height), "right")},
+                          {"color", cell(std::move(color), "colour")}};
+  if (is_stereo(sensor)) {
+    const double most_px = disparity_at_1m_px(sensor) / 0.5;
+    std::vector<float> from_most = images.disparity_px;
+    for (float& disparity : from_most) disparity = static_cast<float>(most_px) - disparity;
+    cells.push_back({"disparity", cell(depth_picture(from_most, width, height, 0.0, most_px),
+                                       "disparity: red is large")});
+  }
+  cells.push_back({"depth", depth_cell(images.depth_m, sensor.name + ": depth")});
+  cells.push_back({"truth", depth_cell(truth_m, "true depth")});
+  cells.push_back({"error", cell(error_picture(truth_m, images.depth_m, range_m, width, height),
+                                 "error: blue -1 m, white 0, red +1 m")});
+  return cells;
+}
+
+/// Rows of pictures: what the eyes see above what was measured; a row a camera where there are
+/// more; one row of a single view.
+std::vector<std::vector<Picture>> arranged(std::vector<std::vector<Cell>> cameras,
+                                           const std::string& view) {
+  const auto is_seen = [](const std::string& name) {
+    return name == "left" || name == "right" || name == "color" || name == "disparity";
+  };
+  std::vector<std::vector<Picture>> rows(1);
+  for (std::vector<Cell>& cells : cameras) {
+    for (Cell& one : cells) {
+      if (view != "sheet" && one.view != view) continue;
+      const bool starts_row = view == "sheet" && cameras.size() == 1 && one.view == "depth";
+      const bool is_left_out =
+          view == "sheet" && cameras.size() > 1 && is_seen(one.view) && one.view != "left";
+      if (is_left_out) continue;
+      if (starts_row ||
+          (view == "sheet" && cameras.size() > 1 && one.view == "left" && !rows.back().empty())) {
+        rows.emplace_back();
+      }
+      rows.back().push_back(std::move(one.picture));
+    }
+  }
+  return rows;
+}
+
 }  // namespace
 
+std::vector<std::string> sensor_view_names() {
+  return {"sheet", "left", "right", "color", "disparity", "depth", "truth", "error"};
+}
+
 SensorSheet make_sensor_sheet(const SensorSpec& sensor, const Scene& scene,
-                              const Pose& T_world_body, std::uint64_t seed) {
-  const int width = static_cast<int>(sensor.width_px), height = static_cast<int>(sensor.height_px);
-  const double range_m = sensor.max_range_m;
+                              const Pose& T_world_body, std::uint64_t seed,
+                              const std::string& view) {
+  if (view == "disparity" && !is_stereo(sensor)) {
+    throw InputError("--view disparity: " + sensor.name + " does not match images");
+  }
   Pinhole ideal = sensor_camera(sensor);
   ideal.min_range_m = 0.0;
   ideal.max_range_m = std::numeric_limits<double>::infinity();
   Camera camera(sensor);
   CameraImages images;
-  std::vector<float> truth_m(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  std::vector<std::vector<Picture>> rows;
+  std::vector<float> truth_m(static_cast<std::size_t>(sensor.width_px * sensor.height_px));
+  std::vector<std::vector<Cell>> cameras;
   SensorSheet sheet;
   const std::vector<MountingSpec> all = mountings(sensor);
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -103,41 +171,15 @@ SensorSheet make_sensor_sheet(const SensorSpec& sensor, const Scene& scene,
     render_depth(scene, ideal, T_world_camera, truth_m);
     std::vector<DepthSample> samples;
     constexpr int kEdge_px = 8;
-    add_samples(truth_m, images.depth_m, width, disparity_at_1m_px(sensor), kEdge_px, samples);
+    add_samples(truth_m, images.depth_m, static_cast<int>(sensor.width_px),
+                disparity_at_1m_px(sensor), kEdge_px, samples);
     const DepthStatistics inside =
-        depth_statistics(samples, false, 0.0, range_m, disparity_at_1m_px(sensor));
+        depth_statistics(samples, false, 0.0, sensor.max_range_m, disparity_at_1m_px(sensor));
     sheet.summary += (all.size() > 1 ? "camera " + std::to_string(i) + ": " : "") +
                      figures(inside) + ", away from edges\n";
-    const auto depth_cell = [&](const std::vector<float>& depth_m, const std::string& caption) {
-      Picture picture = depth_picture(depth_m, width, height, 0.0, range_m);
-      Picture shown = cell(std::move(picture), caption);
-      add_depth_scale(shown, 0.0, range_m);
-      return shown;
-    };
-    Picture color = make_picture(width, height);
-    color.rgb = images.color;
-    std::vector<Picture> seen{cell(grey_picture(images.left, width, height), "left"),
-                              cell(grey_picture(images.right, width, height), "right"),
-                              cell(std::move(color), "colour")};
-    std::vector<Picture> measured{
-        depth_cell(images.depth_m, sensor.name + ": depth"), depth_cell(truth_m, "true depth"),
-        cell(error_picture(truth_m, images.depth_m, range_m, width, height),
-             "error: blue -1 m, white 0, red +1 m")};
-    if (is_stereo(sensor)) {
-      const double most_px = disparity_at_1m_px(sensor) / 0.5;
-      std::vector<float> shown = images.disparity_px;
-      for (float& disparity : shown) disparity = static_cast<float>(most_px) - disparity;
-      seen.push_back(
-          cell(depth_picture(shown, width, height, 0.0, most_px), "disparity: red is large"));
-    }
-    if (all.size() == 1) {
-      rows.push_back(std::move(seen));
-      rows.push_back(std::move(measured));
-    } else {
-      rows.push_back({seen[0], measured[0], measured[1], measured[2]});
-    }
+    cameras.push_back(cells_of(sensor, images, truth_m));
   }
-  sheet.picture = tiled(rows);
+  sheet.picture = tiled(arranged(std::move(cameras), view));
   return sheet;
 }
 

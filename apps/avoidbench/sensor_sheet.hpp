@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "render/scene.hpp"
 #include "sensing/picture.hpp"
@@ -14,8 +15,14 @@ struct SensorSheet {
   std::string summary;  ///< a line of figures a camera
 };
 
-/// Exposes all cameras of the sensor on a body at `T_world_body` that rests.
+/// sheet (all the others), left, right, color, disparity (of sensors that match), depth, truth,
+/// error.
+std::vector<std::string> sensor_view_names();
+
+/// Exposes all cameras of the sensor on a body at `T_world_body` that rests. `view` is one of
+/// sensor_view_names(). Throws InputError where the sensor has no such view.
 SensorSheet make_sensor_sheet(const SensorSpec& sensor, const Scene& scene,
-                              const Pose& T_world_body, std::uint64_t seed);
+                              const Pose& T_world_body, std::uint64_t seed,
+                              const std::string& view);
 
 }  // namespace avoidbench

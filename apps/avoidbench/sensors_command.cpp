@@ -30,7 +30,7 @@ struct SensorOptions {
   std::optional<std::uint64_t> seed;
   std::int64_t mission_index = 0, missions = 5;
   std::vector<double> pose;  ///< x, y, z, yaw in degrees
-  std::string png = "sensor.png";
+  std::string png = "sensor.png", view = "sheet";
   double bin_m = 3.0;
   std::string over;   ///< a field and values to measure at
   std::string chart;  ///< file of their picture
@@ -93,7 +93,8 @@ void show(const SensorOptions& options) {
     T_world_body = make_pose({options.pose[0], options.pose[1], options.pose[2]},
                              yaw_rotation(yaw_deg * math::kDegree));
   }
-  const SensorSheet sheet = make_sensor_sheet(trial.sensor, scene, T_world_body, trial.seed);
+  const SensorSheet sheet =
+      make_sensor_sheet(trial.sensor, scene, T_world_body, trial.seed, options.view);
   write_png(sheet.picture, options.png);
   std::cout << sheet.summary;
   std::cerr << "wrote " << options.png << '\n';
@@ -322,6 +323,9 @@ void add_sensors_command(CLI::App& app) {
       ->type_name("X,Y,Z[,YAW]");
   show_command->add_option("--mission", options->mission_index, "Which mission's start")
       ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  show_command->add_option("--view", options->view, "All pictures, or one of them")
+      ->check(CLI::IsMember(sensor_view_names()))
       ->capture_default_str();
   show_command->add_option("--png", options->png, "File to write")->capture_default_str();
   show_command->callback([options] { show(*options); });

@@ -164,10 +164,12 @@ void DepthNoise::find_textures(std::span<const float> opacity) {
   textures_.resize(opacity.size() + 1);
   for (std::size_t i = 0; i < textures_.size(); ++i) {
     const float wanted = i < opacity.size() ? opacity[i] : 0.0F;
-    if (i < known && textures_[i].opacity == wanted) continue;
+    if (i + 1 < known && textures_[i].opacity == wanted) continue;
     const bool as_before = i > 0 && textures_[i - 1].opacity == wanted;
     textures_[i] = as_before ? textures_[i - 1] : texture_of(wanted);
   }
+  textures_.back().outlier_above = kInfinity;  // the sky may be invalid but is not near
+  textures_.back().sigma_px = static_cast<float>(spec_.disparity_sigma_px);
 }
 
 namespace {
