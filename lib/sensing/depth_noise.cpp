@@ -140,7 +140,8 @@ void DepthNoise::occlude_row(const std::vector<float>& patches, float* disparity
     const bool is_covered = (column >= leftmost) & (patches[x] < covered_below_);
     const float here = exact < 0.0F ? kInfinity : column;  // a dropped pixel covers nothing
     leftmost = here < leftmost ? here : leftmost;
-    disparity[x] = is_covered | (column <= -0.5F) ? -1.0F : exact;
+    const bool is_hidden = is_covered | (column <= -0.5F);
+    disparity[x] = is_hidden ? -1.0F : exact;
   }
 }
 

@@ -12,7 +12,7 @@ using testing::HasSubstr;
 
 TEST(Conformance, HonestPlannersPassEveryRule) {
   for (const std::filesystem::path& file :
-       {bad_planner("honest"), std::filesystem::path(C_PLANNER)}) {
+       {bad_planner("honest"), bad_planner("sees_all"), std::filesystem::path(C_PLANNER)}) {
     const auto results = check_conformance(file);
     EXPECT_GE(results.size(), 15U);
     for (const ConformanceResult& result : results) {

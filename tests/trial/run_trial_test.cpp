@@ -45,6 +45,44 @@ TEST(RunTrial, ReachesTheGoalInAnEmptyWorld) {
   EXPECT_TRUE(record.collisions.empty());
 }
 
+TEST(RunTrial, EverySensorShowsWhatAPlannerMayAskFor) {
+  for (SensorSpec sensor : sensor_presets()) {
+    sensor.width_px = 80;
+    sensor.height_px = 48;
+    if (auto* sgm = std::get_if<StereoSgmSpec>(&sensor.method)) sgm->disparities = 32;
+    if (auto* census = std::get_if<StereoCensusSpec>(&sensor.method)) census->disparities = 32;
+    TrialSpec spec;
+    spec.sensor = sensor;
+    spec.odometry.position_drift_ratio = 0.001;
+    spec.planner.file = std::string(BAD_PLANNERS) + "/sees_all.so";
+    Mission mission = test::straight_mission();
+    mission.goal_world.y() = mission.start_world.y() + 4.0;
+    const TrialRecord record = fly(spec, test::flight_world(), mission);
+    EXPECT_EQ(record.outcome, Outcome::reached_goal) << sensor.name << ": " << record.reason;
+    const TrialRecord again = fly(spec, test::flight_world(), mission);
+    ASSERT_EQ(record.samples.size(), again.samples.size());
+    EXPECT_EQ(record.samples.back().position_world, again.samples.back().position_world);
+  }
+}
+
+TEST(RunTrial, ADriftedVehicleReachesWhatItTakesForTheGoal) {
+  TrialSpec spec = spec_of("straight_line");
+  spec.odometry.yaw_drift_deg_per_sqrt_s = 2.0;
+  spec.mission.time_limit_s = 30.0;
+  const TrialRecord exact =
+      fly(spec_of("straight_line"), test::flight_world(), test::straight_mission());
+  const TrialRecord drifted = fly(spec, test::flight_world(), test::straight_mission());
+  const auto aside = [](const TrialRecord& record) {
+    double most = 0.0;
+    for (const Sample& sample : record.samples) {
+      most = std::max(most, std::abs(sample.position_world.x()));
+    }
+    return most;
+  };
+  EXPECT_LT(aside(exact), 0.05);
+  EXPECT_GT(aside(drifted), 0.15);  // it flies straight in its own frame
+}
+
 TEST(RunTrial, SamplesAtAHundredHertzAndPlansAtThirty) {
   const TrialRecord record =
       fly(spec_of("straight_line"), test::flight_world(), test::straight_mission());

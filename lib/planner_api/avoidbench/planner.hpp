@@ -116,6 +116,14 @@ inline const ab_depth_image* newest_depth(const ab_observation& seen) {
   return seen.depth_count > 0 ? seen.depth[0] : nullptr;
 }
 
+/// The newest stereo pair or colour picture since the last call, or null where none is new.
+inline const ab_stereo_pair* newest_stereo(const ab_observation& seen) {
+  return seen.stereo_count > 0 ? seen.stereo[0] : nullptr;
+}
+inline const ab_picture* newest_color(const ab_observation& seen) {
+  return seen.color_count > 0 ? seen.color[0] : nullptr;
+}
+
 /// A command of this kind with all else zero.
 inline ab_command make_command(std::uint32_t kind) {
   ab_command command{};
