@@ -66,12 +66,14 @@ struct Frame {
 
 void draw_axes(const Frame& frame, const std::string& title, Picture& picture) {
   const double y_step = tick_step(frame.y), x_step = tick_step(frame.x);
-  for (double y = frame.y.low; y <= frame.y.high + 0.01 * y_step; y += y_step) {
+  for (int i = 0; frame.y.low + i * y_step <= frame.y.high + 0.01 * y_step; ++i) {
+    const double y = frame.y.low + i * y_step;
     const Eigen::Vector2d left = frame.at({frame.x.low, y});
     draw_line(picture, {left, frame.at({frame.x.high, y})}, kGrid, 1);
     draw_text(picture, tick_text(y), 8, static_cast<int>(left.y()) + 5, kInk);
   }
-  for (double x = frame.x.low; x <= frame.x.high + 0.01 * x_step; x += x_step) {
+  for (int i = 0; frame.x.low + i * x_step <= frame.x.high + 0.01 * x_step; ++i) {
+    const double x = frame.x.low + i * x_step;
     const Eigen::Vector2d foot = frame.at({x, frame.y.low});
     draw_line(picture, {foot, frame.at({x, frame.y.high})}, kGrid, 1);
     draw_text(picture, tick_text(x), static_cast<int>(foot.x()) - 8,

@@ -149,7 +149,8 @@ void add_rows(const Measured& measured, double bin_m, const std::string& value,
     table.rows.push_back(std::move(row));
   };
   const double range_m = measured.sensor.max_range_m;
-  for (double from_m = 0.0; from_m < range_m; from_m += bin_m) {
+  for (int i = 0; i * bin_m < range_m; ++i) {
+    const double from_m = i * bin_m;
     const double to_m = std::min(from_m + bin_m, range_m);
     add(number_text(from_m) + "-" + number_text(to_m) + " m", false, from_m, to_m);
   }

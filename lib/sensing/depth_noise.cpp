@@ -192,7 +192,8 @@ void measure(const Measuring& measuring, const Texture& texture, std::size_t cou
     const float sigma = patches[i] > outlier_above ? m.outlier_sigma_px : usual_sigma;
     const float moved = disparity[i] + sigma * errors[i];
     const float noisy = moved > 0.0F ? moved : 0.0F;
-    const auto whole = static_cast<float>(static_cast<std::int32_t>(noisy * m.steps_a_px + 0.5F));
+    const float half_up = noisy * m.steps_a_px + 0.5F;
+    const auto whole = static_cast<float>(static_cast<std::int32_t>(half_up));
     const float measured = m.steps_a_px > 0.0F ? whole * m.step_px : noisy;
     const float depth = m.at_1m_px / measured;
     float seen = depth > m.farthest_m ? kInfinity : depth;

@@ -75,7 +75,8 @@ void develop(const ImageSpec& image, std::span<const float> light, std::span<con
       float level = light[at] * factor * vignette[pixel];
       level += std::sqrt(level * shot_variance + read_variance) * normals[i];
       level = std::min(std::max(level, 0.0F), 1.0F);
-      pixels[at] = kSrgb[static_cast<std::size_t>(level * static_cast<float>(kLevels) + 0.5F)];
+      const float half_up = level * static_cast<float>(kLevels) + 0.5F;
+      pixels[at] = kSrgb[static_cast<std::size_t>(half_up)];
     }
   }
 }

@@ -131,7 +131,8 @@ void add_scale_bar(Picture& picture, double pixels_per_m) {
   constexpr int kBand = 22;
   if (picture.height_px < 2 * kBand) return;
   double length_m = 1.0;  // 1, 2 or 5 times a power of ten: the longest within a quarter
-  for (double power = 1e-3; power < 1e6; power *= 10.0) {
+  double power = 1e-3;
+  for (int decade = 0; decade < 9; ++decade, power *= 10.0) {
     for (const double step : {1.0, 2.0, 5.0}) {
       if (step * power * pixels_per_m <= 0.25 * picture.width_px) length_m = step * power;
     }
@@ -191,13 +192,9 @@ void paste(const Picture& part, int left_px, int top_px, Picture& picture) {
 
 Picture enlarged(const Picture& picture, int factor) {
   Picture large = make_picture(picture.width_px * factor, picture.height_px * factor);
-  for (int y = 0; y < large.height_px; ++y) {
-    for (int x = 0; x < large.width_px; ++x) {
-      const auto from = static_cast<std::size_t>(y / factor * picture.width_px + x / factor);
-      const auto to = static_cast<std::size_t>(y * large.width_px + x);
-      std::copy_n(&picture.rgb[3 * from], 3, &large.rgb[3 * to]);
-    }
-  }
+  cv::Mat pixels_of_large = pixels(large);
+  Picture small = picture;
+  cv::resize(pixels(small), pixels_of_large, pixels_of_large.size(), 0, 0, cv::INTER_NEAREST);
   return large;
 }
 
