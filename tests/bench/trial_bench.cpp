@@ -77,7 +77,7 @@ void trial_with(benchmark::State& state, const SensorSpec& sensor, const MapSpec
   TrialSpec spec;
   spec.map = map;
   spec.sensor = sensor;
-  spec.mission.time_limit_s = 6.0;
+  spec.mission.time_limit_s = 4.0;
   spec.planner = test::preset_choice("reactive");
   const World world = make_world(spec.map, spec.map_seed);
   const Scene scene(world);
@@ -105,7 +105,7 @@ void register_sensors() {
       const std::string label = "sensor/" + sensor.name + "/" + name;
       benchmark::RegisterBenchmark(label.c_str(), trial_with, sensor, map)
           ->UseManualTime()
-          ->Iterations(5)
+          ->Iterations(3)
           ->Unit(benchmark::kMillisecond);
     }
   }
