@@ -17,7 +17,8 @@ SensorSpec depth_noisy() {
   return with_centered_eyes(sensor);
 }
 
-/// Without shadows, which cost a forest's trial half of its speed and change hardly what is matched.
+/// Without shadows, which cost a forest's trial half of its speed and change hardly what is
+/// matched.
 SensorSpec stereo_sgm() {
   SensorSpec sensor;
   sensor.name = "stereo_sgm";
