@@ -48,9 +48,12 @@ Picture error_picture(const std::vector<float>& truth_m, const std::vector<float
 }
 
 std::string figures(const DepthStatistics& s) {
+  if (s.pixel_count == 0) return "nothing within range";
+  if (std::isnan(s.disparity_bias_px)) return "no depth within 1 px of the truth";
   char line[200];
   std::snprintf(
-      line, sizeof line, "%.1f %% valid, disparity error %.3f ± %.3f px, beyond 1 px %.1f %%",
+      line, sizeof line,
+      "%.1f %% valid, disparity error %.3f ± %.3f px, beyond 1 px %.1f %%, away from edges",
       100.0 * s.valid_ratio, s.disparity_bias_px, s.disparity_sigma_px, 100.0 * s.outlier_ratio);
   return line;
 }
@@ -175,8 +178,8 @@ SensorSheet make_sensor_sheet(const SensorSpec& sensor, const Scene& scene,
                 disparity_at_1m_px(sensor), kEdge_px, samples);
     const DepthStatistics inside =
         depth_statistics(samples, false, 0.0, sensor.max_range_m, disparity_at_1m_px(sensor));
-    sheet.summary += (all.size() > 1 ? "camera " + std::to_string(i) + ": " : "") +
-                     figures(inside) + ", away from edges\n";
+    sheet.summary +=
+        (all.size() > 1 ? "camera " + std::to_string(i) + ": " : "") + figures(inside) + "\n";
     cameras.push_back(cells_of(sensor, images, truth_m));
   }
   sheet.picture = tiled(arranged(std::move(cameras), view));

@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <set>
 #include <sstream>
 
 #include "base/input_error.hpp"
@@ -171,10 +172,24 @@ void keep_kind(const World& world, const std::string& kind,
   }
 }
 
+/// Throws InputError where the map has no obstacles of the kind that is asked for.
+void check_kind(const World& world, const std::string& kind) {
+  if (kind.empty()) return;
+  std::set<std::string> kinds;
+  for (const Obstacle& obstacle : world.obstacles) kinds.insert(obstacle.kind);
+  if (kinds.contains(kind)) return;
+  const std::vector<std::string> known(kinds.begin(), kinds.end());
+  std::string all;
+  for (const std::string& name : known) all += (all.empty() ? "" : ", ") + name;
+  throw InputError("--of " + kind + ": the map has none" + did_you_mean(kind, known) +
+                   "; it has: " + all);
+}
+
 /// One sensor on its trial's map.
 Measured measured(const TrialSpec& trial, const SensorOptions& options) {
   const SensorSpec& sensor = trial.sensor;
   const World world = make_world(trial.map, trial.map_seed);
+  check_kind(world, options.kind);
   const Scene scene(world);
   Pinhole ideal = sensor_camera(sensor);
   ideal.min_range_m = 0.0;
