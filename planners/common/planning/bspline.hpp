@@ -1,0 +1,34 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "planning/polynomial.hpp"
+
+namespace planning {
+
+/// A uniform cubic B-spline: twice continuously differentiable, within the hull of its control
+/// points. Valid for times 0 to duration.
+struct Bspline {
+  Eigen::Matrix3Xd points;  ///< control points, at least 4
+  double interval_s = 0.0;  ///< between knots
+
+  double duration_s() const { return static_cast<double>(points.cols() - 3) * interval_s; }
+};
+
+Eigen::Vector3d position_at(const Bspline& spline, double time_s);
+Eigen::Vector3d velocity_at(const Bspline& spline, double time_s);
+Eigen::Vector3d acceleration_at(const Bspline& spline, double time_s);
+Eigen::Vector3d jerk_at(const Bspline& spline, double time_s);
+
+/// The spline that has the motions `start` and `end` at its ends exactly and passes the way points
+/// (one a knot, the first and last being the ends' positions) as closely as it can, in the
+/// least-squares sense. At least 4 way points.
+Bspline fitted(const std::vector<Eigen::Vector3d>& way_points, double interval_s,
+               const Motion& start, const Motion& end);
+
+/// By how much time must be stretched for velocity and acceleration to keep the limits on each axis
+/// at all times; 1 or less: they do. By the control points, which bound them.
+double stretch_needed(const Bspline& spline, double speed_mps, double acceleration_mps2);
+
+}  // namespace planning
