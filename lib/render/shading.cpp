@@ -15,6 +15,7 @@
 #include "render/flush_to_zero.hpp"
 #include "render/primary_rays.hpp"
 #include "render/shading_kernel.hpp"
+#include "render/srgb.hpp"
 
 namespace avoidbench {
 namespace {
@@ -285,18 +286,6 @@ FrameLight frame_light(const Scene::Internals& scene, const Pinhole& camera,
   return frame;
 }
 
-/// Linear light in [0, 1] to 8-bit sRGB (IEC 61966-2-1), by a table of 4096 steps.
-std::array<std::uint8_t, 4097> make_srgb_table() {
-  std::array<std::uint8_t, 4097> table{};
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    const double linear = static_cast<double>(i) / 4096.0;
-    const double encoded =
-        linear <= 0.0031308 ? 12.92 * linear : 1.055 * math::pow(linear, 1.0 / 2.4) - 0.055;
-    table[i] = static_cast<std::uint8_t>(std::round(255.0 * encoded));
-  }
-  return table;
-}
-
 /// Keeps the middle and bends the highlights: x below 0.6, toward 1 beyond.
 float soft_highlights(float x) {
   constexpr float kKnee = 0.6F;
@@ -357,10 +346,10 @@ void render_shaded(const Scene& scene, const Pinhole& camera, const Pose& T_worl
                    const Light& light, int samples, std::span<std::uint8_t> rgb) {
   std::vector<float> radiance(rgb.size());
   render_radiance(scene, camera, T_world_camera, light, samples, Channels::rgb, radiance);
-  static const std::array<std::uint8_t, 4097> kSrgb = make_srgb_table();
+  const SrgbTable& srgb = srgb_table();
   for (std::size_t i = 0; i < rgb.size(); ++i) {
     const float level = std::min(soft_highlights(radiance[i]), 1.0F);
-    rgb[i] = kSrgb[static_cast<std::size_t>(std::lround(4096.0F * level))];
+    rgb[i] = srgb[static_cast<std::size_t>(std::lround(4096.0F * level))];
   }
 }
 

@@ -5,26 +5,9 @@
 #include <cmath>
 
 #include "base/check.hpp"
-#include "base/math.hpp"
+#include "render/srgb.hpp"
 
 namespace avoidbench {
-namespace {
-
-constexpr std::size_t kLevels = 4096;
-
-/// Linear light in [0, 1], in 4096 steps, to 8-bit sRGB (IEC 61966-2-1).
-std::array<std::uint8_t, kLevels + 1> make_srgb_table() {
-  std::array<std::uint8_t, kLevels + 1> table{};
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    const double linear = static_cast<double>(i) / static_cast<double>(kLevels);
-    const double encoded =
-        linear <= 0.0031308 ? 12.92 * linear : 1.055 * math::pow(linear, 1.0 / 2.4) - 0.055;
-    table[i] = static_cast<std::uint8_t>(std::round(255.0 * encoded));
-  }
-  return table;
-}
-
-}  // namespace
 
 std::vector<float> vignette(const ImageSpec& image, const Pinhole& camera) {
   std::vector<float> shares;
@@ -55,7 +38,7 @@ double mean_light(std::span<const float> light) {
 
 void develop(const ImageSpec& image, std::span<const float> light, std::span<const float> vignette,
              double gain, RandomStream& random, std::span<std::uint8_t> pixels) {
-  static const std::array<std::uint8_t, kLevels + 1> kSrgb = make_srgb_table();
+  const SrgbTable& srgb = srgb_table();
   AB_CHECK(pixels.size() == light.size() && light.size() % vignette.size() == 0, light.size());
   const std::size_t channels = light.size() / vignette.size();
   const bool has_noise = image.full_well_e > 0.0;
@@ -75,8 +58,8 @@ void develop(const ImageSpec& image, std::span<const float> light, std::span<con
       float level = light[at] * factor * vignette[pixel];
       level += std::sqrt(level * shot_variance + read_variance) * normals[i];
       level = std::min(std::max(level, 0.0F), 1.0F);
-      const float half_up = level * static_cast<float>(kLevels) + 0.5F;
-      pixels[at] = kSrgb[static_cast<std::size_t>(half_up)];
+      const float half_up = level * static_cast<float>(srgb.size() - 1) + 0.5F;
+      pixels[at] = srgb[static_cast<std::size_t>(half_up)];
     }
   }
 }

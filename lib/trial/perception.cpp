@@ -3,24 +3,15 @@
 #include <algorithm>
 
 #include "base/check.hpp"
+#include "trial/periods.hpp"
 
 namespace avoidbench {
 namespace {
-
-Tick required_period(double rate_hz) {
-  const auto period = period_ticks(rate_hz);
-  AB_CHECK(period.has_value(), rate_hz, "Hz is not a whole number of ticks");
-  return *period;
-}
 
 /// The seed of this trial's noise: the same for every planner.
 std::uint64_t noise_seed(const TrialSpec& spec) {
   const std::uint64_t map_stream = stream_seed(stream_seed(spec.seed, "sensing"), spec.map_seed);
   return stream_seed(map_stream, static_cast<std::uint64_t>(spec.mission_index));
-}
-
-Pose pose_of(const VehicleState& state) {
-  return make_pose(state.position_world, state.q_world_body);
 }
 
 CameraMotion motion_of(const VehicleState& truth, const Pose& T_body_camera) {

@@ -10,6 +10,7 @@
 #include "base/check.hpp"
 #include "trial/collision_check.hpp"
 #include "trial/perception.hpp"
+#include "trial/periods.hpp"
 #include "trial/planner_view.hpp"
 #include "vehicle/dynamics.hpp"
 #include "vehicle/tracking.hpp"
@@ -55,12 +56,6 @@ __attribute__((format(printf, 1, 2))) std::string formatted(const char* format, 
   return line;
 }
 
-Tick required_period(double rate_hz) {
-  const auto period = period_ticks(rate_hz);
-  AB_CHECK(period.has_value(), rate_hz, "Hz is not a whole number of ticks");
-  return *period;
-}
-
 Flight make_flight(const TrialSpec& spec, const Scene& scene, const Mission& mission,
                    PlannerInstance& planner) {
   VehicleModel model = make_model(spec.vehicle);
@@ -86,10 +81,6 @@ Flight make_flight(const TrialSpec& spec, const Scene& scene, const Mission& mis
       .pending = {},
       .planner_end = {},
       .record = {}};
-}
-
-Pose pose_of(const VehicleState& state) {
-  return make_pose(state.position_world, state.q_world_body);
 }
 
 /// Shows the planner what was seen since the last call and queues its answer.

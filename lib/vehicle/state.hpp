@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 
 #include "base/ticks.hpp"
+#include "geometry/pose.hpp"
 #include "vehicle/vehicle_spec.hpp"
 
 namespace avoidbench {
@@ -20,6 +21,11 @@ struct VehicleState {
   Eigen::Quaterniond q_world_body = Eigen::Quaterniond::Identity();
   RotorVector rotor_speed_radps;
 };
+
+/// Body to world.
+inline Pose pose_of(const VehicleState& state) {
+  return make_pose(state.position_world, state.q_world_body);
+}
 
 /// At rest, level, at tick 0, with the rotors turning as they must to hover in still air.
 VehicleState hovering_at(const VehicleSpec& vehicle, const Eigen::Vector3d& position_world,

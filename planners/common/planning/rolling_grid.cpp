@@ -1,9 +1,10 @@
 #include "planning/rolling_grid.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "avoidbench/planner_eigen.hpp"
 
 namespace planning {
 namespace {
@@ -17,12 +18,6 @@ int floored(double value) { return static_cast<int>(std::floor(value)); }
 int wrapped(int value, int size) {
   const int rest = value % size;
   return rest < 0 ? rest + size : rest;
-}
-
-Vector3d vector(const double (&v)[3]) { return {v[0], v[1], v[2]}; }
-
-Eigen::Matrix3d rotation(const double (&q)[4]) {
-  return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
 }
 
 }  // namespace
@@ -228,8 +223,9 @@ void RollingGrid::add(std::size_t index, double log_odds) {
 }
 
 void RollingGrid::integrate(const ab_depth_image& image) {
-  const RayFan fan{vector(image.position_world_m), cell_of(vector(image.position_world_m))};
-  const Eigen::Matrix3d R_world_camera = rotation(image.q_world_camera);
+  const Eigen::Isometry3d T_world_camera = avoidbench::pose_of(image);
+  const Eigen::Matrix3d R_world_camera = T_world_camera.linear();
+  const RayFan fan{T_world_camera.translation(), cell_of(T_world_camera.translation())};
   for (std::int32_t v = 0; v < image.height_px; v += spec_.pixel_step) {
     const double down = (v - image.cy_px) / image.fy_px;
     const Vector3d row = R_world_camera.col(1) * down + R_world_camera.col(2);
