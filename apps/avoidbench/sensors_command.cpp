@@ -155,8 +155,8 @@ void add_rows(const Measured& measured, double bin_m, const std::string& value,
     const double to_m = std::min(from_m + bin_m, range_m);
     add(number_text(from_m) + "-" + number_text(to_m) + " m", false, from_m, to_m);
   }
-  add("all, size " + fixed(measured.error_size_px, 1) + " px", false, 0.0, range_m);
-  add("edges, " + fixed(measured.fattening_px, 1) + " px fatter", true, 0.0, range_m);
+  add("all ~" + fixed(measured.error_size_px, 1) + " px", false, 0.0, range_m);
+  add("edges +" + fixed(measured.fattening_px, 1) + " px", true, 0.0, range_m);
 }
 
 /// Forgets the truth of pixels that show something else than obstacles of this kind.
@@ -246,10 +246,11 @@ void measure(const SensorOptions& options) {
   if (!options.chart.empty() && values.empty()) {
     throw InputError("--png needs --over: a chart shows how errors change with a value");
   }
-  ReferenceTable table{{"sensor", "where", "pixels", "valid_percent", "bias_px", "sigma_px",
-                        "outlier_percent", "depth_sigma_m", "z2_over_bf_sigma_m"},
+  ReferenceTable table{{"sensor", "where", "pixels", "valid_pct", "bias_px", "sigma_px",
+                        "outlier_pct", "sigma_m", "z2_bf_m"},
                        {}};
-  if (!values.empty()) table.columns.insert(table.columns.begin(), path);
+  if (!values.empty())
+    table.columns.insert(table.columns.begin(), path.substr(path.rfind('.') + 1));
   std::vector<ChartPanel> panels{{"valid pixels (%)", {}},
                                  {"disparity errors beyond 1 px (%)", {}},
                                  {"standard deviation of the others (px)", {}}};
@@ -348,6 +349,14 @@ void add_sensors_command(CLI::App& app) {
 
   CLI::App* measure_command = command->add_subcommand(
       "measure", "Errors of sensors against the truth, by distance, along missions of a map");
+  measure_command->footer(
+      "Columns: valid_pct not NaN; bias_px, sigma_px mean and standard deviation of disparity "
+      "errors "
+      "up to 1 px, outlier_pct those beyond;\nsigma_m that deviation in depth, z2_bf_m what "
+      "follows "
+      "for it from sigma_px by Z^2/(baseline * focal length).\nRows: by distance away from steps "
+      "in "
+      "depth; all ~N px: errors within N px are alike; edges +N px: near things look N px wider.");
   measure_command->add_option("sensors", options->sensors, "Built-in sensors' names, or files")
       ->required()
       ->type_name("NAME|FILE");
