@@ -44,7 +44,7 @@ void Flight::reset(const ab_mission& mission) {
   line_start_ = avoidbench::as_vector(mission.start_world_m);
   goal_ = avoidbench::as_vector(mission.goal_world_m);
   start_yaw_rad_ = mission.start_yaw_rad;
-  random_ = planning::RandomStream(mission.seed);
+  random_ = planning::Random(mission.seed);
   surroundings_.grid.reset(line_start_);
   const double low = std::min(line_start_.z(), goal_.z());
   const double high = std::max(line_start_.z(), goal_.z());

@@ -53,7 +53,7 @@ class Flight {
 
   Settings settings_;
   Surroundings surroundings_;
-  planning::RandomStream random_;
+  planning::Random random_;
   Eigen::Vector3d line_start_ = Eigen::Vector3d::Zero(), goal_ = Eigen::Vector3d::Zero();
   double start_yaw_rad_ = 0.0;
   bool is_first_ = true;

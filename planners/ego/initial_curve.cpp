@@ -124,7 +124,7 @@ InitialCurve polynomial_curve(const Settings& settings, const Motion& start, con
 }
 
 InitialCurve random_curve(const Settings& settings, const Motion& start, const Motion& target,
-                          int failures, planning::RandomStream& random) {
+                          int failures, planning::Random& random) {
   const Vector3d way = target.position - start.position;
   const double distance_m = way.norm();
   const double reach = distance_m * (0.989 - 0.978 / (failures + 0.989));

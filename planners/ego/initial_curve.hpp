@@ -27,7 +27,7 @@ InitialCurve polynomial_curve(const Settings& settings, const planning::Motion& 
 /// farther the more tries failed.
 InitialCurve random_curve(const Settings& settings, const planning::Motion& start,
                           const planning::Motion& target, int failures,
-                          planning::RandomStream& random);
+                          planning::Random& random);
 
 /// What is left of a trajectory at `from_s`, with a polynomial on to the target; points evenly
 /// spaced. Empty where it would be too long.

@@ -88,7 +88,7 @@ Bspline slowed(const Bspline& curve, double ratio, const Motion& start, const Mo
 }
 
 std::optional<Bspline> plan_trajectory(Surroundings& surroundings, const Settings& settings,
-                                       const Request& request, planning::RandomStream& random) {
+                                       const Request& request, planning::Random& random) {
   if ((request.target.position - request.start.position).norm() < kTooNear_m) return std::nullopt;
   if (request.previous != nullptr) {
     const InitialCurve initial =

@@ -21,7 +21,7 @@ struct Request {
 /// refined. Nothing where all fail.
 std::optional<planning::Bspline> plan_trajectory(Surroundings& surroundings,
                                                  const Settings& settings, const Request& request,
-                                                 planning::RandomStream& random);
+                                                 planning::Random& random);
 
 /// The curve with its middle flown `ratio` times slower, its ends kept, as a uniform spline again.
 planning::Bspline slowed(const planning::Bspline& curve, double ratio,

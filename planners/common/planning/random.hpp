@@ -4,22 +4,23 @@
 
 namespace planning {
 
-/// Random numbers that are the same on every machine (SplitMix64, Steele, Lea and Flood 2014).
-class RandomStream {
+/// Random numbers of a planner: SplitMix64 (Steele, Lea and Flood 2014), the same on every machine.
+/// Draw one a statement: compilers order the operands of an expression as they like.
+class Random {
  public:
-  explicit RandomStream(std::uint64_t seed = 0) : state_(seed) {}
+  explicit Random(std::uint64_t seed = 0) : state_(seed) {}
 
-  std::uint64_t next() {
-    std::uint64_t z = state_ += 0x9e3779b97f4a7c15ULL;
-    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9ULL;
-    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebULL;
+  std::uint64_t bits() {
+    state_ += 0x9E3779B97F4A7C15ULL;
+    std::uint64_t z = state_;
+    z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9ULL;
+    z = (z ^ (z >> 27U)) * 0x94D049BB133111EBULL;
     return z ^ (z >> 31U);
   }
 
-  /// In [low, high).
-  double uniform(double low, double high) {
-    return low + (high - low) * (static_cast<double>(next() >> 11U) * 0x1.0p-53);
-  }
+  /// In [0, 1).
+  double uniform() { return static_cast<double>(bits() >> 11U) * 0x1.0p-53; }
+  double uniform(double low, double high) { return low + (high - low) * uniform(); }
 
  private:
   std::uint64_t state_;
