@@ -16,16 +16,7 @@ bool Surroundings::is_blocked(const Vector3d& position_world) const {
 }
 
 bool Surroundings::is_touching(const Vector3d& position_world) const {
-  const Cell from = grid.cell_of(position_world - 0.5 * body_size_m);
-  const Cell to = grid.cell_of(position_world + 0.5 * body_size_m);
-  for (int x = from.x(); x <= to.x(); ++x) {
-    for (int y = from.y(); y <= to.y(); ++y) {
-      for (int z = from.z(); z <= to.z(); ++z) {
-        if (grid.state({x, y, z}) == CellState::occupied) return true;
-      }
-    }
-  }
-  return false;
+  return grid.box_state(position_world, body_size_m) == CellState::occupied;
 }
 
 std::optional<double> first_blocked_s(const Surroundings& surroundings,
