@@ -21,7 +21,7 @@ struct ReplayOptions {
   TrialChoice choice;
   bool is_list = false;
   TableOptions table;
-  std::string planner_file;
+  std::string planner_file, map_file;
   std::string png, csv, commands;
   std::vector<double> at_s;
   double every_s = 0.0;
@@ -176,7 +176,11 @@ void replay(const ReplayOptions& options) {
     std::cerr << "warning: this trial ended with " << text(listing.outcome)
               << ": here that ends, or stops, this program\n";
   }
-  const Replay replay(stored, options.planner_file);
+  const std::filesystem::path given = options.database;
+  const Replay replay(stored,
+                      {.planner = options.planner_file,
+                       .map = options.map_file,
+                       .folders = {".", given.parent_path(), database.path().parent_path()}});
   for (const std::string& warning : replay.warnings()) std::cerr << "warning: " << warning << '\n';
   const std::string title = "trial " + std::to_string(listing.id) + " (" +
                             listing.key.substr(0, 8) + "): " + trial_text(listing);
@@ -245,8 +249,12 @@ void add_replay_command(CLI::App& app) {
       ->capture_default_str();
   command
       ->add_option("--library", options->planner_file,
-                   "Fly another planner library (default: the stored one's)")
+                   "Fly this planner library (default: what the sweep's name of it leads to)")
       ->type_name("NAME|FILE");
+  command
+      ->add_option("--map-file", options->map_file,
+                   "File of the map (default: by its name beside sweep and database, or in maps/)")
+      ->type_name("FILE");
   add_table_options(*command, options->table);
   command->callback([options] { replay(*options); });
 }

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include "base/digest.hpp"
 #include "base/input_error.hpp"
 #include "base/spec_json.hpp"
 #include "store/record_format.hpp"
@@ -14,14 +15,50 @@
 namespace avoidbench {
 namespace {
 
-/// The library to fly with. Sweeps store the file that they found; it may have moved since.
-PlannerLibrary load_planner(const PlannerChoice& choice, const std::string& planner_file) {
-  if (!planner_file.empty()) return PlannerLibrary::load(find_planner(planner_file, "."));
-  std::error_code error;
-  if (std::filesystem::is_regular_file(choice.file, error)) {
-    return PlannerLibrary::load(choice.file);
+/// The library to fly with. Of one that was named by a path its bare name is tried, too.
+PlannerLibrary load_planner(const PlannerChoice& choice, const ReplayFiles& files) {
+  if (!files.planner.empty()) return PlannerLibrary::load(find_planner(files.planner, "."));
+  std::vector<std::string> problems;
+  std::vector<std::string> names{choice.plugin};
+  const std::string bare = std::filesystem::path(choice.plugin).stem().string();
+  if (bare != choice.plugin) names.push_back(bare);
+  for (const std::string& name : names) {
+    for (const std::filesystem::path& folder : files.folders) {
+      try {
+        return PlannerLibrary::load(find_planner(name, folder));
+      } catch (const InputError& error) {
+        problems.emplace_back(error.what());
+      }
+    }
   }
-  return PlannerLibrary::load(find_planner(choice.plugin, "."));
+  throw InputError(problems.front() + "; --library names another place");
+}
+
+/// Gives a map from a file the place of that file.
+void find_map_file(TrialSpec& spec, const ReplayFiles& files) {
+  const FileOfMap map = file_of(spec.map);
+  if (map.file == nullptr) return;
+  std::vector<std::filesystem::path> places;
+  if (!files.map.empty()) places.emplace_back(files.map);
+  for (const std::filesystem::path& folder : files.folders) {
+    places.push_back(folder / *map.file);
+    places.push_back(folder / "maps" / *map.file);
+  }
+  for (const std::filesystem::path& place : places) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(place, error)) continue;
+    if (files.map.empty() && file_digest(place.string()) != *map.digest) continue;
+    *map.file = place.string();
+    return;
+  }
+  throw InputError("the map's file " + *map.file + " (SHA-256 " + *map.digest +
+                   ") is not found: name it by --map-file");
+}
+
+/// Finds what the stored trial leaves out before the map is made.
+StoredTrial with_files(StoredTrial stored, const ReplayFiles& files) {
+  find_map_file(stored.spec, files);
+  return stored;
 }
 
 std::string seconds_text(double time_s) {
@@ -67,7 +104,9 @@ StoredTrial read_stored_trial(const Database& database, const std::string& key) 
   StoredTrial stored;
   stored.row = std::move(*row);
   try {
-    stored.spec = spec_from_json<TrialSpec>(nlohmann::json::parse(stored.row.spec_json));
+    nlohmann::json json = nlohmann::json::parse(stored.row.spec_json);
+    json.at("planner").emplace("file", "");  // databases keep no paths
+    stored.spec = spec_from_json<TrialSpec>(json);
   } catch (const nlohmann::json::exception& error) {
     throw InputError({.file = database.path().string(),
                       .message = "trial " + key.substr(0, 8) +
@@ -79,23 +118,27 @@ StoredTrial read_stored_trial(const Database& database, const std::string& key) 
   for (const MissionRecord& mission : map ? map->record.missions : std::vector<MissionRecord>{}) {
     if (mission.index != stored.row.mission_index) continue;
     stored.mission = mission.mission;
+    stored.world_digest = map->record.world_digest;
     return stored;
   }
   throw InputError({.file = database.path().string(),
                     .message = "lacks the mission of trial " + key.substr(0, 8)});
 }
 
-Replay::Replay(const StoredTrial& stored, const std::string& planner_file)
-    : stored_(stored),
-      world_(make_world(stored.spec.map, stored.spec.map_seed)),
+Replay::Replay(StoredTrial stored, const ReplayFiles& files)
+    : stored_(with_files(std::move(stored), files)),
+      world_(make_world(stored_.spec.map, stored_.spec.map_seed)),
       scene_(world_),
-      library_(load_planner(stored.spec.planner, planner_file)) {
+      library_(load_planner(stored_.spec.planner, files)) {
   const PlannerDescription& planner = library_.description();
-  if (trial_key(stored.spec) != stored.row.key) {
+  if (world_.digest != stored_.world_digest) {
+    warnings_.emplace_back("the map is another one than that of the stored trial");
+  }
+  if (trial_key(stored_.spec) != stored_.row.key) {
     warnings_.push_back(
         "the trial was flown by a program whose results differ: see CHANGELOG.md, Results change");
   }
-  if (planner.file_digest != stored.spec.planner.file_digest) {
+  if (planner.file_digest != stored_.spec.planner.file_digest) {
     warnings_.push_back("the planner's file is another one than in the stored trial: " +
                         planner.file.string());
   }

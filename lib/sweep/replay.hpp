@@ -1,6 +1,6 @@
 #pragma once
 
-#include <memory>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,8 +15,16 @@ namespace avoidbench {
 /// A trial of a database with all that it was flown from.
 struct StoredTrial {
   TrialRow row;
-  TrialSpec spec;
+  TrialSpec spec;  ///< without the planner's file, and with the mere name of a map's file
   Mission mission;
+  std::string world_digest;
+};
+
+/// Where to look for files, which a database does not name.
+struct ReplayFiles {
+  std::string planner;  ///< name or file of a library; "": as the sweep named it
+  std::string map;      ///< of a map from a file; "": its name in `folders` and in maps/
+  std::vector<std::filesystem::path> folders{"."};  ///< the sweep's, the database's, …
 };
 
 /// Reads the trial of this key. Throws InputError where there is none, or where another version of
@@ -26,16 +34,14 @@ StoredTrial read_stored_trial(const Database& database, const std::string& key);
 /// A stored trial made ready to be flown again in this process. Stays at its address.
 class Replay {
  public:
-  /// Loads the planner from where it was, or from where its name is found now; or, where given,
-  /// from `planner_file`. Parameters that the library no longer declares are left out. Throws
+  /// Loads map and planner. Parameters that the library no longer declares are left out. Throws
   /// InputError where map or planner can't be had.
-  explicit Replay(const StoredTrial& stored, const std::string& planner_file = "");
+  explicit Replay(StoredTrial stored, const ReplayFiles& files = {});
   Replay(const Replay&) = delete;
   Replay& operator=(const Replay&) = delete;
 
+  const StoredTrial& stored() const { return stored_; }
   const World& world() const { return world_; }
-  const Scene& scene() const { return scene_; }
-  std::uint32_t planner_needs() const { return library_.description().needs; }
 
   /// Why the flight may differ from the stored one: another file of the planner, other parameters,
   /// another version of the program.
@@ -48,7 +54,7 @@ class Replay {
  private:
   void load_parameters();
 
-  const StoredTrial& stored_;
+  StoredTrial stored_;
   World world_;
   Scene scene_;
   std::vector<std::string> warnings_;
