@@ -121,10 +121,10 @@ class Reactive {
     }
     canvas_.points("remembered", 0x9060c0, remembered);
     canvas_.points("seen", 0x1060e0, seen);
-    const std::vector<Vector3> ahead{position, position + steering.velocity};
     const std::vector<Vector3> look{position, position + steering.look};
+    const std::vector<Vector3> course{position, position + kDrawnCourse_s * steering.velocity};
     canvas_.line("looks along", 0x707070, look, 1.0);
-    canvas_.line("flies, 1 s ahead", 0xe02080, ahead, 3.0);
+    canvas_.line("chosen course, 3 s", 0xe02080, course, 1.0);
   }
 
   double line_height_m(const Vector3& position) const {
@@ -145,6 +145,7 @@ class Reactive {
     return command;
   }
 
+  static constexpr double kDrawnCourse_s = 3.0;
   static constexpr double kMemoryRange_m = 8.0, kMemoryHeight_m = 1.5;
 
   reactive::SteeringSettings settings_;
