@@ -11,6 +11,7 @@
 #include "config/sweep_file.hpp"
 #include "replay_files.hpp"
 #include "replay_sheet.hpp"
+#include "sweep/worker_process.hpp"
 #include "trial_list.hpp"
 
 namespace avoidbench {
@@ -169,6 +170,7 @@ void replay(const ReplayOptions& options) {
                        options.table);
   }
   const TrialListing listing = the_trial(all, options.choice);
+  enter_worker_environment();
   const StoredTrial stored = read_stored_trial(database, listing.key);
   const bool may_crash =
       listing.outcome == Outcome::planner_crashed || listing.outcome == Outcome::planner_hung;
@@ -233,15 +235,18 @@ void add_replay_command(CLI::App& app) {
       ->required();
   add_choice_options(*command, options->choice);
   command->add_flag("--list", options->is_list, "List these trials and fly none");
-  command->add_option("--png", options->png, "Picture to write; of several, numbered ones")
-      ->type_name("FILE");
+  CLI::Option* png =
+      command->add_option("--png", options->png, "Picture to write; of several, numbered ones")
+          ->type_name("FILE");
   command
       ->add_option("--at", options->at_s,
                    "Moment to show, s; repeatable (default: the end of the flight)")
       ->check(CLI::NonNegativeNumber)
+      ->needs(png)
       ->allow_extra_args(false);
   command->add_option("--every", options->every_s, "Show a moment each so many seconds, too")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::PositiveNumber)
+      ->needs(png);
   command->add_option("--csv", options->csv, "Path to write as CSV")->type_name("FILE");
   command->add_option("--commands", options->commands, "The planner's calls to write as CSV")
       ->type_name("FILE");
