@@ -215,6 +215,7 @@ Panel ReplaySheets::Internals::detail(const Moment& moment, const Panel& empty, 
   Panel panel = empty;
   const Sample& now = sample_at(record, moment.time_s);
   paint_slice(*scene, radius_m, panel);
+  if (from_above) draw_mission(stored.mission, stored.spec.mission.goal_radius_m, panel);
   draw(moment.drawings, panel);
   draw_flown(record, moment.time_s, most_mps, 2, panel);
   std::vector<Vector3d> references;
@@ -228,7 +229,6 @@ Panel ReplaySheets::Internals::detail(const Moment& moment, const Panel& empty, 
            make_pose(now.position_world, now.q_world_body), kVehicle, panel);
   const Vector3d nose = now.position_world + 0.6 * (now.q_world_body * Vector3d::UnitX());
   draw_path({now.position_world, nose}, kVehicle, 2, 0, panel);
-  if (from_above) draw_mission(stored.mission, stored.spec.mission.goal_radius_m, panel);
   return panel;
 }
 
@@ -309,8 +309,11 @@ Picture ReplaySheets::Internals::images(const Moment& moment) {
     if (seen[i].width_px == 0) continue;
     newest_s = std::max(newest_s, seen[i].time_s);
     const int column = static_cast<int>(i) % columns, row = static_cast<int>(i) / columns;
-    paste(resized(image_picture(seen[i], shown_m), width, height), left + column * width,
-          row * height, sheet);
+    const bool is_alone = seen.size() == 1;
+    const int gap_px = is_alone ? 0 : kGap_px;
+    Picture shown = resized(image_picture(seen[i], shown_m), width - gap_px, height - gap_px);
+    if (!is_alone) draw_text(shown, "camera " + std::to_string(i), 6, height - 30, kWhite);
+    paste(shown, left + column * width, row * height, sheet);
   }
   add_caption(sheet, caption + formatted(", t = %.3f s", newest_s));
   if (!seen.front().depth_m.empty()) add_depth_scale(sheet, 0.0, shown_m);
