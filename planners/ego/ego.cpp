@@ -1,5 +1,6 @@
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 #include "avoidbench/planner_eigen.hpp"
 #include "flight.hpp"
@@ -18,7 +19,8 @@ class Ego {
   static constexpr std::uint32_t commands = AB_COMMAND_TRAJECTORY;
   static constexpr auto parameters = ego::Declared::parameters;
 
-  explicit Ego(const ab_setup& setup) : flight_(ego::settings_from(setup)) {}
+  Ego(const ab_setup& setup, const ab_host& host)
+      : flight_(ego::settings_from(setup)), canvas_(host) {}
 
   void reset(const ab_mission& mission) { flight_.reset(mission); }
 
@@ -30,11 +32,38 @@ class Ego {
       return std::nullopt;
     }
     for (std::uint32_t i = seen.depth_count; i-- > 0;) flight_.see(*seen.depth[i]);  // oldest first
-    return avoidbench::make_trajectory_command(flight_.plan(state));
+    const std::vector<ab_point>& points = flight_.plan(state);
+    if (canvas_.is_wanted()) draw(state);
+    return avoidbench::make_trajectory_command(points);
   }
 
  private:
+  /// For `avoidbench replay`: the map about the vehicle's height, what was tried and what is flown.
+  void draw(const ab_state& state) const {
+    constexpr double kSlice_m = 0.35;
+    std::vector<Eigen::Vector3d> occupied;
+    for (const Eigen::Vector3d& center : flight_.surroundings().grid.occupied_centers()) {
+      if (std::abs(center.z() - state.position_world_m[2]) < kSlice_m) occupied.push_back(center);
+    }
+    canvas_.points("occupied", 0x305080, occupied, 2.0);
+    for (const planning::Bspline& curve : flight_.candidates()) {
+      canvas_.line("candidate", 0xe0a040, places_of(curve), 1.0);
+    }
+    if (flight_.curve()) canvas_.line("trajectory", 0xe02080, places_of(*flight_.curve()), 2.0);
+    canvas_.points("local target", 0x20a040, std::vector{flight_.target().position}, 7.0);
+  }
+
+  static std::vector<Eigen::Vector3d> places_of(const planning::Bspline& curve) {
+    constexpr int kSteps = 60;
+    std::vector<Eigen::Vector3d> places;
+    for (int i = 0; i <= kSteps; ++i) {
+      places.push_back(position_at(curve, curve.duration_s() * i / kSteps));
+    }
+    return places;
+  }
+
   ego::Flight flight_;
+  avoidbench::Canvas canvas_;
 };
 
 }  // namespace

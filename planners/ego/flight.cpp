@@ -57,6 +57,7 @@ void Flight::reset(const ab_mission& mission) {
   executed_ = {};
   failures_ = 0;
   tried_s_ = -std::numeric_limits<double>::infinity();
+  candidates_.clear();
   points_.clear();
 }
 
@@ -127,7 +128,8 @@ bool Flight::replan(double phase_s) {
     request.previous = &*executed_.curve;
     request.previous_s = phase_s;
   }
-  auto found = plan_trajectory(surroundings_, settings_, request, random_);
+  candidates_.clear();
+  auto found = plan_trajectory(surroundings_, settings_, request, random_, &candidates_);
   if (!found) {
     ++failures_;
     return false;

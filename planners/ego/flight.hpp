@@ -31,6 +31,9 @@ class Flight {
   const std::optional<planning::Bspline>& curve() const { return executed_.curve; }
   const planning::Motion& target() const { return target_; }
 
+  /// The curves that the last planning began with, in order.
+  const std::vector<planning::Bspline>& candidates() const { return candidates_; }
+
  private:
   enum class Kind { hover, curve, stop, step_aside };
 
@@ -62,6 +65,7 @@ class Flight {
   planning::Motion now_;  ///< of the trajectory under way
   planning::Heading heading_;
   planning::Motion target_;
+  std::vector<planning::Bspline> candidates_;
   Executed executed_;
   int failures_ = 0;
   double tried_s_ = 0.0, resting_since_s_ = 0.0;

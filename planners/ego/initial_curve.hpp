@@ -26,8 +26,7 @@ InitialCurve polynomial_curve(const Settings& settings, const planning::Motion& 
 /// The same by way of a random point, up to 0.4 of the distance aside and 0.2 up or down, the
 /// farther the more tries failed.
 InitialCurve random_curve(const Settings& settings, const planning::Motion& start,
-                          const planning::Motion& target, int failures,
-                          planning::Random& random);
+                          const planning::Motion& target, int failures, planning::Random& random);
 
 /// What is left of a trajectory at `from_s`, with a polynomial on to the target; points evenly
 /// spaced. Empty where it would be too long.

@@ -54,10 +54,12 @@ std::optional<Bspline> within_limits(const Surroundings& surroundings, const Set
 }
 
 std::optional<Bspline> plan_from(Surroundings& surroundings, const Settings& settings,
-                                 const Request& request, const InitialCurve& initial) {
+                                 const Request& request, const InitialCurve& initial,
+                                 std::vector<Bspline>* candidates) {
   if (initial.way_points.size() < 4) return std::nullopt;
   const Bspline curve =
       fitted(initial.way_points, initial.interval_s, request.start, request.target);
+  if (candidates != nullptr) candidates->push_back(curve);
   const auto free = rebounded(surroundings, settings, curve);
   if (!free) return std::nullopt;
   return within_limits(surroundings, settings, request, *free);
@@ -88,19 +90,20 @@ Bspline slowed(const Bspline& curve, double ratio, const Motion& start, const Mo
 }
 
 std::optional<Bspline> plan_trajectory(Surroundings& surroundings, const Settings& settings,
-                                       const Request& request, planning::Random& random) {
+                                       const Request& request, planning::Random& random,
+                                       std::vector<Bspline>* candidates) {
   if ((request.target.position - request.start.position).norm() < kTooNear_m) return std::nullopt;
   if (request.previous != nullptr) {
     const InitialCurve initial =
         inherited_curve(settings, *request.previous, request.previous_s, request.target);
-    if (auto found = plan_from(surroundings, settings, request, initial)) return found;
+    if (auto found = plan_from(surroundings, settings, request, initial, candidates)) return found;
   }
   const InitialCurve direct = polynomial_curve(settings, request.start, request.target);
-  if (auto found = plan_from(surroundings, settings, request, direct)) return found;
+  if (auto found = plan_from(surroundings, settings, request, direct, candidates)) return found;
   for (int i = 1; i <= request.random_tries; ++i) {
     const InitialCurve aside =
         random_curve(settings, request.start, request.target, request.failures + i, random);
-    if (auto found = plan_from(surroundings, settings, request, aside)) return found;
+    if (auto found = plan_from(surroundings, settings, request, aside, candidates)) return found;
   }
   return std::nullopt;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "initial_curve.hpp"
 #include "surroundings.hpp"
@@ -18,10 +19,10 @@ struct Request {
 
 /// A trajectory from start toward the target: the previous one extended, else a polynomial, else
 /// ones by way of random points; each pushed out of obstacles, slowed down to the limits and
-/// refined. Nothing where all fail.
-std::optional<planning::Bspline> plan_trajectory(Surroundings& surroundings,
-                                                 const Settings& settings, const Request& request,
-                                                 planning::Random& random);
+/// refined. Nothing where all fail. `candidates`, where given, gets the curves it began with.
+std::optional<planning::Bspline> plan_trajectory(
+    Surroundings& surroundings, const Settings& settings, const Request& request,
+    planning::Random& random, std::vector<planning::Bspline>* candidates = nullptr);
 
 /// The curve with its middle flown `ratio` times slower, its ends kept, as a uniform spline again.
 planning::Bspline slowed(const planning::Bspline& curve, double ratio,
