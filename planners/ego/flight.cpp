@@ -6,6 +6,7 @@
 
 #include "avoidbench/planner_eigen.hpp"
 #include "avoidbench/portable_math.hpp"
+#include "emergency_stop.hpp"
 #include "optimizer.hpp"
 
 namespace ego {
@@ -159,7 +160,7 @@ void Flight::execute(Kind kind, const Quintic& quintic) {
   resting_since_s_ = now_s_ + quintic.duration_s;
 }
 
-void Flight::stop() { execute(Kind::stop, planning::stopping(now_, braking(settings_))); }
+void Flight::stop() { execute(Kind::stop, emergency_stop(surroundings_, settings_, now_)); }
 
 void Flight::hover() {
   const Motion rest{now_.position, Vector3d::Zero(), Vector3d::Zero()};
