@@ -175,7 +175,7 @@ void RollingGrid::forget_column(int x, int y) {
 
 /// The inflation of this column and its neighbours is to be found anew.
 void RollingGrid::mark_changed(int x, int y) {
-  std::uint8_t& flags = column_flags_[column_start(x, y) / 64 / static_cast<std::size_t>(words_)];
+  std::uint8_t& flags = column_flags_[column_of(x, y)];
   if ((flags & kChanged) != 0) return;
   flags |= kChanged;
   changed_.emplace_back(x, y);
@@ -185,13 +185,12 @@ void RollingGrid::mark_changed(int x, int y) {
 /// z.
 void RollingGrid::inflate_changes() {
   const auto words = static_cast<std::size_t>(words_);
-  const auto number_of = [&](int x, int y) { return column_start(x, y) / 64 / words; };
   const auto first_of = [&](int value, int first) { return std::max(value - reach_, first); };
   const auto last_of = [&](int value, int first) {
     return std::min(value + reach_, first + side_ - 1);
   };
   const auto gather = [&](int x, int y, std::uint8_t flag, std::vector<Eigen::Vector2i>& list) {
-    std::uint8_t& flags = column_flags_[number_of(x, y)];
+    std::uint8_t& flags = column_flags_[column_of(x, y)];
     if ((flags & flag) != 0) return;
     flags |= flag;
     list.emplace_back(x, y);
@@ -213,24 +212,24 @@ void RollingGrid::inflate_changes() {
     }
   }
   for (const Eigen::Vector2i& at : swept_) {
-    std::uint64_t* to = &swept_bits_[number_of(at.x(), at.y()) * words];
+    std::uint64_t* to = &swept_bits_[column_of(at.x(), at.y()) * words];
     std::fill_n(to, words, std::uint64_t{0});
     for (int y = first_of(at.y(), first_y_); y <= last_of(at.y(), first_y_); ++y) {
-      const std::uint64_t* from = &occupied_[number_of(at.x(), y) * words];
+      const std::uint64_t* from = &occupied_[column_of(at.x(), y) * words];
       for (std::size_t w = 0; w < words; ++w) to[w] |= from[w];
     }
   }
   for (const Eigen::Vector2i& at : in_reach_) {
-    std::uint64_t* to = &inflated_[number_of(at.x(), at.y()) * words];
+    std::uint64_t* to = &inflated_[column_of(at.x(), at.y()) * words];
     std::fill_n(to, words, std::uint64_t{0});
     for (int x = first_of(at.x(), first_x_); x <= last_of(at.x(), first_x_); ++x) {
-      const std::uint64_t* from = &swept_bits_[number_of(x, at.y()) * words];
+      const std::uint64_t* from = &swept_bits_[column_of(x, at.y()) * words];
       for (std::size_t w = 0; w < words; ++w) to[w] |= from[w];
     }
     grow_along_z(to);
   }
   for (const auto* list : {&changed_, &in_reach_, &swept_}) {
-    for (const Eigen::Vector2i& at : *list) column_flags_[number_of(at.x(), at.y())] = 0;
+    for (const Eigen::Vector2i& at : *list) column_flags_[column_of(at.x(), at.y())] = 0;
   }
   changed_.clear();
   in_reach_.clear();
