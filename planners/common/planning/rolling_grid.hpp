@@ -113,7 +113,7 @@ class RollingGrid {
   }
 
   void center_at(const Cell& center);
-  void forget_column(int x, int y);
+  bool forget_column(int x, int y);
   void mark_changed(int x, int y);
   void inflate_changes();
   void grow_along_z(std::uint64_t* column) const;
