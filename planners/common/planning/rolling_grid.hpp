@@ -120,6 +120,9 @@ class RollingGrid {
 
   bool look(const ab_depth_image& image, View& view);
   void take_nearest(const ab_depth_image& image, const View& view);
+  float nearest_far_enough(const ab_depth_image& image, const View& view, int left, int top) const;
+  double distance_m(int u, int v, float depth_m) const;
+  void end_ray(const ab_depth_image& image, const View& view, int left, int top, float depth_m);
   void find_rays(const View& view);
   void add_end(const Eigen::Vector3d& place);
   void find_windows(View& view);
@@ -128,7 +131,7 @@ class RollingGrid {
   void miss_column(const View& view, const Column& column);
   std::uint64_t passed_cells(const View& view, const Column& column, int word,
                              std::uint64_t cells) const;
-  bool is_grazed(const View& view, const Eigen::Vector3f& in_camera) const;
+  bool is_grazed(const View& view, const Eigen::Vector3f& in_camera, int parts) const;
   bool is_hit(const View& view, const Eigen::Vector3f& in_camera, int ends) const;
   bool add(std::size_t index, int change);
 
@@ -155,7 +158,7 @@ class RollingGrid {
   std::vector<float> nearest_m_;  ///< of each block of pixels; 0: says nothing
   std::array<std::vector<float>, kWindows> windows_m_;  ///< the least around each block
   std::vector<Ray> rays_u_, rays_v_;
-  std::vector<float> known_m_, shrunk_m_, no_window_m_;
+  std::vector<float> row_m_, known_m_, shrunk_m_, no_window_m_;
 };
 
 }  // namespace planning

@@ -16,6 +16,9 @@ using Eigen::Vector3d;
 using Eigen::Vector3f;
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kNothing = kInfinity;                           ///< no pixel says anything
+constexpr float kFarthest = std::numeric_limits<float>::max();  ///< stands for +inf
+constexpr int kGrazedParts = 5;  ///< a cell is not missed where more than one ray in five grazes it
 constexpr int kDepthSteps = 64;  ///< of the table that has a window for each depth
 
 /// How many blocks around the one where a cell's centre lies may see part of the cell.
@@ -111,42 +114,72 @@ bool RollingGrid::look(const ab_depth_image& image, View& view) {
 
 /// Of each block the nearest pixel, whose ray ends in a cell if it is not too long.
 void RollingGrid::take_nearest(const ab_depth_image& image, const View& view) {
+  const auto width_px = static_cast<std::size_t>(view.width_px);
   nearest_m_.resize(static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height));
   find_rays(view);
-  const double least_m = spec_.least_ray_m, longest_m = spec_.longest_ray_m;
+  row_m_.resize(width_px);
   std::size_t block = 0;
   for (int top = 0; top < view.height_px; top += view.step) {
     const int bottom = std::min(top + view.step, view.height_px);
+    std::fill(row_m_.begin(), row_m_.end(), kNothing);
+    for (int v = top; v < bottom; ++v) {
+      const float* depths = image.depth_m + static_cast<std::size_t>(v) * width_px;
+      float* row = row_m_.data();
+      for (std::size_t u = 0; u < width_px; ++u) {
+        const float far = std::min(depths[u], kFarthest);
+        row[u] = std::min(row[u], depths[u] > 0.0F ? far : kNothing);
+      }
+    }
     for (int left = 0; left < view.width_px; left += view.step, ++block) {
       const int right = std::min(left + view.step, view.width_px);
-      float nearest = kInfinity;
-      const Ray *ray_u = nullptr, *ray_v = nullptr;
-      bool says_something = false;
-      for (int v = top; v < bottom; ++v) {
-        const float* depths = image.depth_m + static_cast<std::ptrdiff_t>(v) * view.width_px;
-        for (int u = left; u < right; ++u) {
-          const float depth = depths[u];
-          if (!(depth > 0.0F)) continue;
-          const Ray &across = rays_u_[static_cast<std::size_t>(u)],
-                    &down = rays_v_[static_cast<std::size_t>(v)];
-          const auto depth_m = static_cast<double>(depth);
-          if (depth_m < least_m &&
-              depth_m * depth_m * (across.length2 + down.length2) < least_m * least_m) {
-            continue;
-          }
-          says_something = true;
-          if (depth >= nearest) continue;
-          nearest = depth;
-          ray_u = &across;
-          ray_v = &down;
-        }
+      float nearest = kNothing;
+      for (int u = left; u < right; ++u)
+        nearest = std::min(nearest, row_m_[static_cast<std::size_t>(u)]);
+      if (nearest < static_cast<float>(spec_.least_ray_m)) {
+        nearest = nearest_far_enough(image, view, left, top);
       }
-      nearest_m_[block] = says_something ? nearest : 0.0F;
-      const auto depth_m = static_cast<double>(nearest);
-      if (!(depth_m <= longest_m)) continue;
-      const double length2 = ray_u->length2 + ray_v->length2;
-      if (depth_m * depth_m * length2 > longest_m * longest_m) continue;
-      add_end(view.eye_cells + depth_m * (ray_u->way_cells + ray_v->way_cells));
+      nearest_m_[block] = nearest < kNothing ? nearest : 0.0F;
+      if (static_cast<double>(nearest) <= spec_.longest_ray_m) {
+        end_ray(image, view, left, top, nearest);
+      }
+    }
+  }
+}
+
+/// The nearest of the block at these pixels, but for those nearer than the least ray.
+float RollingGrid::nearest_far_enough(const ab_depth_image& image, const View& view, int left,
+                                      int top) const {
+  float nearest = kNothing;
+  for (int v = top; v < std::min(top + view.step, view.height_px); ++v) {
+    for (int u = left; u < std::min(left + view.step, view.width_px); ++u) {
+      const float depth =
+          image.depth_m[static_cast<std::size_t>(v) * static_cast<std::size_t>(view.width_px) +
+                        static_cast<std::size_t>(u)];
+      if (!(depth > 0.0F) || !(distance_m(u, v, depth) >= spec_.least_ray_m)) continue;
+      nearest = std::min({nearest, depth, kFarthest});
+    }
+  }
+  return nearest;
+}
+
+double RollingGrid::distance_m(int u, int v, float depth_m) const {
+  return static_cast<double>(depth_m) * std::sqrt(rays_u_[static_cast<std::size_t>(u)].length2 +
+                                                  rays_v_[static_cast<std::size_t>(v)].length2);
+}
+
+/// Ends the ray of the first pixel of the block that has this depth.
+void RollingGrid::end_ray(const ab_depth_image& image, const View& view, int left, int top,
+                          float depth_m) {
+  for (int v = top; v < std::min(top + view.step, view.height_px); ++v) {
+    const float* depths =
+        image.depth_m + static_cast<std::size_t>(v) * static_cast<std::size_t>(view.width_px);
+    for (int u = left; u < std::min(left + view.step, view.width_px); ++u) {
+      if (depths[u] != depth_m) continue;
+      if (distance_m(u, v, depth_m) > spec_.longest_ray_m) return;
+      const Vector3d way = rays_u_[static_cast<std::size_t>(u)].way_cells +
+                           rays_v_[static_cast<std::size_t>(v)].way_cells;
+      add_end(view.eye_cells + static_cast<double>(depth_m) * way);
+      return;
     }
   }
 }
@@ -209,10 +242,11 @@ void RollingGrid::find_windows(View& view) {
   }
 }
 
-/// Whether of the rays around the cell more than a third end in its depth or a little before, those
-/// that end long before it left aside. So do those at a surface that goes through the cell, however
-/// flat it is seen.
-bool RollingGrid::is_grazed(const View& view, const Vector3f& in_camera) const {
+/// Whether of the rays around the cell more than one in `parts` ends in its depth or a little
+/// before, those that end long before it left aside. So do those at a surface that goes through the
+/// cell, however flat it is seen. At the image's edge, where half of the surface may be out of
+/// sight, one ray is enough.
+bool RollingGrid::is_grazed(const View& view, const Vector3f& in_camera, int parts) const {
   const float depth = in_camera.z();
   const float u = in_camera.x() / depth * view.fu + view.cu;
   const float v = in_camera.y() / depth * view.fv + view.cv;
@@ -233,7 +267,9 @@ bool RollingGrid::is_grazed(const View& view, const Vector3f& in_camera) const {
       near += is_not_before & (nearest_m[i] <= behind ? 1 : 0);
     }
   }
-  return 3 * near > all;
+  const bool is_cut = from_u > middle_u - reach_u || from_v > middle_v - reach_v ||
+                      to_u < middle_u + reach_u || to_v < middle_v + reach_v;
+  return is_cut ? near > 0 : parts * near > all;
 }
 
 /// Whether a cell with ends is hit: few rays go on behind it, or it is part of a surface. Four rays
@@ -257,17 +293,18 @@ bool RollingGrid::is_hit(const View& view, const Vector3f& in_camera, int ends) 
       passes += nearest_m_[static_cast<std::size_t>(row * view.width + column)] > behind ? 1 : 0;
     }
   }
-  return 2 * ends > std::min(passes, kEnough) || is_grazed(view, in_camera);
+  return 2 * ends > std::min(passes, kEnough) || is_grazed(view, in_camera, 3);
 }
 
 void RollingGrid::count_ends(const View& view) {
   const Eigen::Matrix3d R_camera_world = view.R_world_camera.transpose();
   for (const End& end : ends_) {
     const Vector3d from_eye = Vector3d(end.x + 0.5, end.y + 0.5, end.z + 0.5) - view.eye_cells;
-    const Vector3d in_camera = R_camera_world * from_eye * spec_.resolution_m;
+    const Vector3f in_camera = (R_camera_world * from_eye * spec_.resolution_m).cast<float>();
+    const bool hits = is_hit(view, in_camera, ends_in_[end.index]);
+    if (!hits && is_grazed(view, in_camera, kGrazedParts)) continue;
     const bool was_occupied = ((occupied_[end.index / 64] >> (end.index % 64)) & 1U) != 0;
-    const int change = is_hit(view, in_camera.cast<float>(), ends_in_[end.index]) ? hit_ : miss_;
-    const bool is_occupied = add(end.index, change);
+    const bool is_occupied = add(end.index, hits ? hit_ : miss_);
     if (is_occupied != was_occupied) mark_changed(first_x_ + end.x, first_y_ + end.y);
   }
 }
@@ -308,7 +345,7 @@ std::uint64_t RollingGrid::passed_cells(const View& view, const Column& column, 
     if (!(nearest_m[block] > behind)) continue;
     const int at = std::min(static_cast<int>(depth * steps_per_m), kDepthSteps - 1);
     if (view.window_at_m[static_cast<std::size_t>(at)][block] > behind ||
-        !is_grazed(view, lowest + up * step)) {
+        !is_grazed(view, lowest + up * step, kGrazedParts)) {
       passed |= cells & (~cells + 1);
     }
   }
