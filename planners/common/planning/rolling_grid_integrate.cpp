@@ -331,22 +331,30 @@ std::uint64_t RollingGrid::passed_cells(const View& view, const Column& column, 
   const float half_depth_m = view.half_depth_m - 0.01F * view.resolution_m;
   const float steps_per_m = view.steps_per_m;
   const int last_u = view.width - 1, last_v = view.height - 1;
+  const int width = view.width;
   const float* nearest_m = nearest_m_.data();
-  std::uint64_t passed = 0;
-  for (; cells != 0; cells &= cells - 1) {
-    const auto up = static_cast<float>(std::countr_zero(cells));
+  const float* const* window_at_m = view.window_at_m.data();
+  std::uint64_t passed = 0, unclear = 0;
+  for (; cells != 0; cells &= cells - 1) {  // without branches that are hard to foretell
+    const int z = std::countr_zero(cells);
+    const auto up = static_cast<float>(z);
     const float depth = lowest.z() + up * step.z(), inverse = 1.0F / depth;
     const float x = (lowest.x() + up * step.x()) * inverse;
     const float y = (lowest.y() + up * step.y()) * inverse;
     const int u = std::clamp(static_cast<int>(x * fu + cu), 0, last_u);
     const int v = std::clamp(static_cast<int>(y * fv + cv), 0, last_v);
-    const auto block = static_cast<std::size_t>(v * view.width + u);
+    const auto block = static_cast<std::size_t>(v * width + u);
     const float behind = depth + half_depth_m;
-    if (!(nearest_m[block] > behind)) continue;
     const int at = std::min(static_cast<int>(depth * steps_per_m), kDepthSteps - 1);
-    if (view.window_at_m[static_cast<std::size_t>(at)][block] > behind ||
-        !is_grazed(view, lowest + up * step, kGrazedParts)) {
-      passed |= cells & (~cells + 1);
+    const std::uint64_t is_clear = window_at_m[at][block] > behind ? 1 : 0;
+    const std::uint64_t is_passed = nearest_m[block] > behind ? 1 : 0;
+    passed |= (is_passed & is_clear) << z;
+    unclear |= (is_passed & (is_clear ^ 1U)) << z;
+  }
+  for (; unclear != 0; unclear &= unclear - 1) {
+    const int z = std::countr_zero(unclear);
+    if (!is_grazed(view, lowest + static_cast<float>(z) * step, kGrazedParts)) {
+      passed |= std::uint64_t{1} << z;
     }
   }
   return passed;
