@@ -11,7 +11,7 @@ namespace {
 using Eigen::Vector3d;
 using planning::Quintic;
 
-constexpr double kSpeedShare = 0.98;  ///< of the limit that roll-outs go up to
+constexpr double kSpeedShare = 0.97;  ///< of the limit that roll-outs go up to
 constexpr double kJerkShare = 0.4;    ///< of the jerk counted on to end an acceleration in time
 
 /// `pull` without what would lead beyond the speed.
@@ -27,6 +27,20 @@ Vector3d within_speed(const Vector3d& pull, const Vector3d& velocity, const Limi
   if (wanted <= most) return pull;
   const Vector3d across = pull - wanted * along;
   return across + most * along;
+}
+
+/// What of a change of acceleration one step's jerk allows: along the velocity first, so that the
+/// speed keeps its limit however the vehicle turns.
+Vector3d within_jerk(const Vector3d& change, const Vector3d& velocity, const Limits& limits) {
+  const double most = limits.jerk_mps3 * kStep_s;
+  if (change.squaredNorm() <= most * most) return change;
+  const double speed = velocity.norm();
+  if (speed < 0.5 * limits.speed_mps) return change * (most / change.norm());
+  const Vector3d way = velocity / speed;
+  const double along = std::clamp(change.dot(way), -most, most);
+  const Vector3d across = change - change.dot(way) * way;
+  const double left = std::sqrt(most * most - along * along), size = across.norm();
+  return along * way + across * (size > left ? left / size : 1.0);
 }
 
 double greatest_jerk(const Quintic& quintic) {
@@ -53,10 +67,8 @@ std::vector<Motion> knots_of(const Quintic& quintic) {
 
 Motion stepped(const Motion& from, const Vector3d& pull, const Limits& limits) {
   constexpr double h = kStep_s;
-  Vector3d change = within_speed(pull, from.velocity, limits) - from.acceleration;
-  const double most = limits.jerk_mps3 * h;
-  const double size = change.norm();
-  if (size > most) change *= most / size;
+  const Vector3d change = within_jerk(
+      within_speed(pull, from.velocity, limits) - from.acceleration, from.velocity, limits);
   Motion to;
   to.acceleration = from.acceleration + change;
   to.velocity = from.velocity + h * from.acceleration + 0.5 * h * change;
