@@ -33,6 +33,9 @@ planning::RollingGridSpec grid_spec(const Settings& settings, double lowest_m, d
   spec.lowest_m = lowest_m;
   spec.highest_m = highest_m;
   spec.longest_ray_m = settings.range_m;
+  // As many rays as touch each cell, as far as the map reaches.
+  const double spacing_m = settings.range_m / std::max(settings.focal_length_px, 1.0);
+  spec.pixel_step = spacing_m > 0.5 * settings.resolution_m ? 1 : 2;
   spec.inflation_m = 0.0;  // boxes are looked up as they are
   return spec;
 }
@@ -172,7 +175,7 @@ void Pilot::rejoin(const Vector3d& position, const Vector3d& velocity, double ti
   now.velocity = velocity / pace_;
   Course course;
   course.kind = Kind::brake;
-  course.knots = stop_from(now, settings_.braking_mps2, settings_.jerk_mps3);
+  course.knots = stop_from(now, settings_.braking_mps2, limits(0));
   course.knots.insert(course.knots.begin(), now);
   begin(std::move(course), time_s);
   planned_s_ = time_s - settings_.replan_period_s;

@@ -43,15 +43,23 @@ Vector3d within_jerk(const Vector3d& change, const Vector3d& velocity, const Lim
   return along * way + across * (size > left ? left / size : 1.0);
 }
 
-double greatest_jerk(const Quintic& quintic) {
-  double greatest = 0.0;
+/// Of a quintic, at some moments.
+struct Peaks {
+  double acceleration_mps2 = 0.0, jerk_mps3 = 0.0;
+};
+
+Peaks peaks_of(const Quintic& quintic) {
+  Peaks peaks;
   for (int i = 0; i <= 8; ++i) {
     const double t = quintic.duration_s * i / 8;
-    const Vector3d jerk = 6.0 * quintic.coefficients.col(3) + 24.0 * t * quintic.coefficients.col(4) +
+    const Vector3d jerk = 6.0 * quintic.coefficients.col(3) +
+                          24.0 * t * quintic.coefficients.col(4) +
                           60.0 * t * t * quintic.coefficients.col(5);
-    greatest = std::max(greatest, jerk.norm());
+    const Vector3d acceleration = planning::motion_at(quintic, t).acceleration;
+    peaks.jerk_mps3 = std::max(peaks.jerk_mps3, jerk.norm());
+    peaks.acceleration_mps2 = std::max(peaks.acceleration_mps2, acceleration.norm());
   }
-  return greatest;
+  return peaks;
 }
 
 std::vector<Motion> knots_of(const Quintic& quintic) {
@@ -67,10 +75,15 @@ std::vector<Motion> knots_of(const Quintic& quintic) {
 
 Motion stepped(const Motion& from, const Vector3d& pull, const Limits& limits) {
   constexpr double h = kStep_s;
-  const Vector3d change = within_jerk(
+  Vector3d change = within_jerk(
       within_speed(pull, from.velocity, limits) - from.acceleration, from.velocity, limits);
   Motion to;
   to.acceleration = from.acceleration + change;
+  // Back into the ball: that makes no change greater.
+  const double most = std::max(limits.acceleration_mps2, from.acceleration.norm());
+  const double size = to.acceleration.norm();
+  if (size > most) to.acceleration *= most / size;
+  change = to.acceleration - from.acceleration;
   to.velocity = from.velocity + h * from.acceleration + 0.5 * h * change;
   to.position =
       from.position + h * from.velocity + 0.5 * h * h * from.acceleration + h * h / 6.0 * change;
@@ -86,18 +99,21 @@ std::vector<Motion> rolled_out(const Motion& from, const Vector3d& pull, const L
   return knots;
 }
 
-std::vector<Motion> stop_from(const Motion& from, double braking_mps2, double jerk_mps3) {
-  Quintic stop = planning::stopping(from, braking_mps2);
-  for (int i = 0; i < 10 && greatest_jerk(stop) > jerk_mps3; ++i) {
-    braking_mps2 *= 0.8;
-    stop = planning::stopping(from, braking_mps2);
+std::vector<Motion> stop_from(const Motion& from, double braking_mps2, const Limits& limits) {
+  const double most_mps2 = std::max(limits.acceleration_mps2, 1.01 * from.acceleration.norm());
+  double duration_s = planning::stopping(from, braking_mps2).duration_s;
+  Quintic stop;
+  for (int i = 0; i < 12; ++i, duration_s *= 1.2) {
+    // Whole steps, so that the knots are the quintic itself.
+    duration_s = kStep_s * std::ceil(duration_s / kStep_s - 1e-9);
+    Motion rest;
+    rest.position = from.position + from.velocity * (0.5 * duration_s) +
+                    from.acceleration * (duration_s * duration_s / 12.0);
+    stop = planning::quintic_between(from, rest, duration_s);
+    const Peaks peaks = peaks_of(stop);
+    if (peaks.jerk_mps3 <= limits.jerk_mps3 && peaks.acceleration_mps2 <= most_mps2) break;
   }
-  // Whole steps, so that the knots are the quintic itself.
-  const double whole_s = kStep_s * std::ceil(stop.duration_s / kStep_s - 1e-9);
-  Motion rest;
-  rest.position = from.position + from.velocity * (0.5 * whole_s) +
-                  from.acceleration * (whole_s * whole_s / 12.0);
-  return knots_of(planning::quintic_between(from, rest, whole_s));
+  return knots_of(stop);
 }
 
 std::vector<Motion> stop_at(const Motion& from, const Vector3d& place, const Limits& limits) {
@@ -109,7 +125,7 @@ std::vector<Motion> stop_at(const Motion& from, const Vector3d& place, const Lim
   for (double factor = 0.7; factor < 4.0; factor *= 1.15) {
     const double duration_s = kStep_s * std::ceil(factor * least_s / kStep_s);
     const Quintic quintic = planning::quintic_between(from, rest, duration_s);
-    if (greatest_jerk(quintic) > limits.jerk_mps3) continue;
+    if (peaks_of(quintic).jerk_mps3 > limits.jerk_mps3) continue;
     std::vector<Motion> knots = knots_of(quintic);
     const bool is_fair = std::all_of(knots.begin(), knots.end(), [&](const Motion& knot) {
       return knot.velocity.norm() <= limits.speed_mps &&

@@ -27,8 +27,9 @@ Motion stepped(const Motion& from, const Eigen::Vector3d& pull, const Limits& li
 std::vector<Motion> rolled_out(const Motion& from, const Eigen::Vector3d& pull,
                                const Limits& limits, int steps);
 
-/// Knots after `from` to rest, within the deceleration where `from` allows, and within the jerk.
-std::vector<Motion> stop_from(const Motion& from, double braking_mps2, double jerk_mps3);
+/// Knots after `from` to rest, about as fast as this deceleration allows and within the limits'
+/// acceleration and jerk where `from` is.
+std::vector<Motion> stop_from(const Motion& from, double braking_mps2, const Limits& limits);
 
 /// Knots after `from` to rest at `place`, as fast as the limits allow; empty where no duration up
 /// to four times the least keeps them.

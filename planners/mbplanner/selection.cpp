@@ -20,6 +20,11 @@ constexpr int kWarpStride = 3;               ///< knots between the points that 
 
 double pull_of(const Limits& limits) { return limits.acceleration_mps2; }
 
+/// With what a stop may ask for at its peak.
+Limits greatest(const Limits& limits, const Settings& settings) {
+  return {limits.speed_mps, settings.greatest_acceleration_mps2, limits.jerk_mps3};
+}
+
 /// A constant pull at this angle off the velocity for a second, then a stop.
 std::vector<Motion> evasive_arc(const Motion& from, double turn_rad, const Limits& limits,
                                 const Settings& settings) {
@@ -34,7 +39,7 @@ std::vector<Motion> evasive_arc(const Motion& from, double turn_rad, const Limit
   });
   knots.erase(slowest + 1, knots.end());
   const std::vector<Motion> stop =
-      stop_from(knots.back(), settings.braking_mps2, limits.jerk_mps3);
+      stop_from(knots.back(), settings.braking_mps2, greatest(limits, settings));
   knots.insert(knots.end(), stop.begin(), stop.end());
   return knots;
 }
@@ -156,7 +161,8 @@ std::size_t best_of(const std::vector<Choice>& choices, double similarity_m) {
 }  // namespace
 
 double Potential::at(const Vector3d& position) const {
-  double left_m = (goal - position).norm();
+  constexpr double kHeightWeight = 0.5;
+  double left_m = (goal - position).norm() + kHeightWeight * std::abs(goal.z() - position.z());
   for (const Trap& trap : traps) {
     const double away = (trap.place - position).head<2>().norm() / kTrapRadius_m;
     if (away < 1.0) left_m += trap.weight_m * (1.0 - away);
@@ -180,7 +186,7 @@ bool are_free(const std::vector<Motion>& knots, const Space& space) {
 
 std::optional<std::vector<Motion>> safe_path(const Motion& from, const Space& space,
                                              const Limits& limits, const Settings& settings) {
-  std::vector<Motion> brake = stop_from(from, settings.braking_mps2, limits.jerk_mps3);
+  std::vector<Motion> brake = stop_from(from, settings.braking_mps2, greatest(limits, settings));
   if (are_free(brake, space)) return brake;
   if (from.velocity.head<2>().norm() < 0.1) return std::nullopt;
   for (int arc = 0; arc < settings.evasive_arcs; ++arc) {
@@ -193,12 +199,12 @@ std::optional<std::vector<Motion>> safe_path(const Motion& from, const Space& sp
 std::vector<Motion> least_bad_stop(const Motion& from, const Space& space, const Limits& limits,
                                    const Settings& settings) {
   Settings hard = settings;
-  hard.braking_mps2 = settings.greatest_acceleration_mps2;
+  hard.braking_mps2 = 0.9 * settings.greatest_acceleration_mps2;
   Limits sharp = limits;
-  sharp.acceleration_mps2 = settings.greatest_acceleration_mps2;
+  sharp.acceleration_mps2 = hard.braking_mps2;
   std::vector<std::vector<Motion>> ways;
-  ways.push_back(stop_from(from, settings.braking_mps2, limits.jerk_mps3));
-  ways.push_back(stop_from(from, hard.braking_mps2, limits.jerk_mps3));
+  ways.push_back(stop_from(from, settings.braking_mps2, greatest(limits, settings)));
+  ways.push_back(stop_from(from, hard.braking_mps2, greatest(limits, settings)));
   if (from.velocity.head<2>().norm() >= 0.1) {
     for (int arc = 0; arc < settings.evasive_arcs; ++arc) {
       ways.push_back(evasive_arc(from, arc_turn_rad(arc), sharp, hard));

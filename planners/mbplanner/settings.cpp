@@ -60,12 +60,12 @@ Settings settings_from(const ab_setup& setup) {
   const Values values(setup);
   Settings s;
   const double pull_mps2 =
-      setup.max_acceleration_mps2 > 0.0 ? 0.9 * setup.max_acceleration_mps2 : 20.0;
+      setup.max_acceleration_mps2 > 0.0 ? 0.95 * setup.max_acceleration_mps2 : 20.0;
   s.speed_mps = capped(values.number("max_speed_mps"), setup.max_speed_mps);
   s.follower_speed_mps = values.number("follower_speed_mps");
   s.climb_mps2 = std::min(values.number("max_climb_mps2"), 0.3 * pull_mps2);
-  s.acceleration_mps2 = std::min(values.number("max_acceleration_mps2"), 0.95 * pull_mps2);
-  s.braking_mps2 = std::min(values.number("braking_mps2"), 0.95 * pull_mps2);
+  s.acceleration_mps2 = std::min(values.number("max_acceleration_mps2"), 0.9 * pull_mps2);
+  s.braking_mps2 = std::min(values.number("braking_mps2"), 0.9 * pull_mps2);
   s.greatest_acceleration_mps2 = pull_mps2;
   s.jerk_mps3 = values.number("jerk_mps3");
   s.robot_length_m = values.number("robot_length_m");
@@ -93,6 +93,7 @@ Settings settings_from(const ab_setup& setup) {
   s.replan_period_s = values.number("replan_period_s");
   s.lead_s = values.number("lead_s");
   s.yaw_rate_radps = capped(values.number("yaw_rate_radps"), 0.95 * setup.max_yaw_rate_radps);
+  s.focal_length_px = setup.depth_camera != nullptr ? setup.depth_camera->fx_px : 0.0;
   s.resolution_m = values.number("resolution_m");
   s.range_m = values.number("range_m");
   s.max_departure_m = values.number("max_departure_m");

@@ -91,7 +91,7 @@ TEST(Mbplanner, GetsOutOfADeadEnd) {
   EXPECT_LE(result.demands.speed_mps, 3.003);
 }
 
-TEST(Mbplanner, FliesThePublishedPresetInAWideForest) {
+TEST(Mbplanner, FliesThePublishedPreset) {
   PlannerInstance planner =
       kinematic::instance_of(PLANNER_FILE, {{"preset", ParameterValue{0.0, "published"}}});
   const TrajectoryResult result =

@@ -51,7 +51,7 @@ TEST(Primitive, KeepsSpeedAccelerationAndJerkWhateverPullsFollow) {
 
 TEST(Stop, EndsAtRestAtTheDistanceOfItsQuintic) {
   const Motion from{Vector3d(1, 2, 3), Vector3d(3, 0, 0), Vector3d::Zero()};
-  const std::vector<Motion> knots = stop_from(from, 4.0, 20.0);
+  const std::vector<Motion> knots = stop_from(from, 4.0, {3.0, 5.7, 20.0});
   EXPECT_EQ(knots.back().velocity.norm(), 0.0);
   // 0.75 v² / a, and what whole steps add.
   const double way_m = (knots.back().position - from.position).norm();
@@ -66,11 +66,12 @@ TEST(Stop, KeepsTheJerkWhateverTheMotion) {
     Motion from;
     for (double& part : from.velocity) part = random.uniform(-1.7, 1.7);
     for (double& part : from.acceleration) part = random.uniform(-2.0, 2.0);
-    const std::vector<Motion> knots = stop_from(from, 4.0, 20.0);
+    const std::vector<Motion> knots = stop_from(from, 4.0, {3.0, 5.7, 20.0});
     EXPECT_EQ(knots.back().velocity.norm(), 0.0);
     Motion before = from;
     for (const Motion& knot : knots) {
       ASSERT_LE((knot.acceleration - before.acceleration).norm(), 20.0 * kStep_s + 1e-6);
+      ASSERT_LE(knot.acceleration.norm(), 5.7 * 1.02);
       before = knot;
     }
   }
