@@ -232,7 +232,7 @@ double clearance_of(const std::vector<Motion>& path, const Space& space) {
     double room = 0.0;
     for (int ring = 1; ring <= kRings; ++ring) {
       const Vector3d box = space.box_m + Vector3d(2.0 * kRing_m * ring, 2.0 * kRing_m * ring, 0.0);
-      if (box_state(*space.grid, path[i].position, box) == CellState::occupied) break;
+      if (space.grid->box_state(path[i].position, box) == CellState::occupied) break;
       room += 1.0 / kRings;
     }
     sum += room;

@@ -11,65 +11,96 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr float kUnknown = -std::numeric_limits<float>::infinity();
-
-int floored(double value) { return static_cast<int>(std::floor(value)); }
+/// Numbers that are no cell's, NaN among them, become cells far outside.
+int floored(double value) {
+  constexpr double kFar = 1e9;
+  if (!(value > -kFar)) return -static_cast<int>(kFar);
+  if (value > kFar) return static_cast<int>(kFar);
+  const int cut = static_cast<int>(value);
+  return cut - (static_cast<double>(cut) > value ? 1 : 0);
+}
 
 int wrapped(int value, int size) {
   const int rest = value % size;
   return rest < 0 ? rest + size : rest;
 }
 
+std::int16_t thousandths(double log_odds) {
+  return static_cast<std::int16_t>(std::lround(1000.0 * std::clamp(log_odds, -16.0, 16.0)));
+}
+
+/// The bits from..to, both included, that lie in this word.
+std::uint64_t bits_between(int from, int to, int word) {
+  const int low = std::max(from - 64 * word, 0), high = std::min(to - 64 * word, 63);
+  if (low > high) return 0;
+  return (~std::uint64_t{0} << low) & (~std::uint64_t{0} >> (63 - high));
+}
+
 }  // namespace
 
-/// The rays of one image start here.
-struct RollingGrid::RayFan {
-  Vector3d eye_world;
-  Cell eye;
-};
-
 RollingGrid::RollingGrid(const RollingGridSpec& spec) : spec_(spec) {
+  hit_ = thousandths(spec.hit);
+  miss_ = thousandths(spec.miss);
+  lowest_ = thousandths(spec.lowest_log_odds);
+  highest_ = thousandths(spec.highest_log_odds);
+  occupied_above_ = thousandths(spec.occupied_above);
   side_ = 2 * static_cast<int>(std::ceil(spec.half_size_m / spec.resolution_m));
   lowest_z_ = floored(spec.lowest_m / spec.resolution_m);
   height_ = floored(spec.highest_m / spec.resolution_m) - lowest_z_ + 1;
   words_ = (height_ + 63) / 64;
   reach_ = static_cast<int>(std::ceil(spec.inflation_m / spec.resolution_m - 1e-9));
   const auto columns = static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_);
-  const std::size_t cells = columns * static_cast<std::size_t>(height_);
-  log_odds_.assign(cells, kUnknown);
-  hits_.assign(cells, 0);
-  touches_.assign(cells, 0);
-  occupied_.assign(columns * static_cast<std::size_t>(words_), 0);
-  inflated_.assign(occupied_.size(), 0);
-  is_dirty_.assign(columns, false);
+  const std::size_t words = columns * static_cast<std::size_t>(words_);
+  log_odds_.assign(64 * words, 0);
+  ends_in_.assign(64 * words, 0);
+  for (auto* bits : {&known_, &occupied_, &inflated_, &settled_, &has_ends_})
+    bits->assign(words, 0);
+  swept_bits_.assign(words, 0);
+  column_flags_.assign(columns, 0);
+  center_at(Cell::Zero());
+}
+
+void RollingGrid::center_at(const Cell& center) {
+  first_x_ = center.x() - side_ / 2;
+  first_y_ = center.y() - side_ / 2;
+  ring_x_ = wrapped(first_x_, side_);
+  ring_y_ = wrapped(first_y_, side_);
 }
 
 void RollingGrid::reset(const Vector3d& center_world) {
-  std::fill(log_odds_.begin(), log_odds_.end(), kUnknown);
-  std::fill(occupied_.begin(), occupied_.end(), 0);
-  std::fill(inflated_.begin(), inflated_.end(), 0);
-  const Cell center = cell_of(center_world);
-  first_x_ = center.x() - side_ / 2;
-  first_y_ = center.y() - side_ / 2;
+  std::fill(log_odds_.begin(), log_odds_.end(), std::int16_t{0});
+  for (auto* bits : {&known_, &occupied_, &inflated_, &settled_}) {
+    std::fill(bits->begin(), bits->end(), std::uint64_t{0});
+  }
+  if (center_world.allFinite()) center_at(cell_of(center_world));
 }
 
 void RollingGrid::move_to(const Vector3d& center_world) {
+  if (!center_world.allFinite()) return;
+  const int old_x = first_x_, old_y = first_y_;
   const Cell center = cell_of(center_world);
-  const int new_x = center.x() - side_ / 2, new_y = center.y() - side_ / 2;
-  if (std::abs(new_x - first_x_) >= side_ || std::abs(new_y - first_y_) >= side_) {
+  const std::int64_t far_x = std::int64_t{center.x()} - side_ / 2 - old_x;
+  const std::int64_t far_y = std::int64_t{center.y()} - side_ / 2 - old_y;
+  if (std::abs(far_x) >= side_ || std::abs(far_y) >= side_) {
     reset(center_world);
     return;
   }
-  const int old_x = first_x_, old_y = first_y_;
-  first_x_ = new_x;
-  first_y_ = new_y;
-  for (int x = new_x; x < new_x + side_; ++x) {
+  if (far_x == 0 && far_y == 0) return;
+  center_at(center);
+  for (int x = first_x_; x < first_x_ + side_; ++x) {
     const bool is_new_row = x < old_x || x >= old_x + side_;
-    for (int y = new_y; y < new_y + side_; ++y) {
+    for (int y = first_y_; y < first_y_ + side_; ++y) {
       if (is_new_row || y < old_y || y >= old_y + side_) forget_column(x, y);
     }
   }
-  inflate_dirty_columns();
+  // Surfaces that left went on beyond these edges.
+  const int edge_x = far_x > 0 ? first_x_ : first_x_ + side_ - 1;
+  const int edge_y = far_y > 0 ? first_y_ : first_y_ + side_ - 1;
+  for (int i = 0; i < side_; ++i) {
+    if (far_x != 0) mark_changed(edge_x, first_y_ + i);
+    if (far_y != 0) mark_changed(first_x_ + i, edge_y);
+  }
+  inflate_changes();
 }
 
 Cell RollingGrid::cell_of(const Vector3d& position_world) const {
@@ -87,26 +118,8 @@ bool RollingGrid::contains(const Cell& cell) const {
          cell.y() < first_y_ + side_ && cell.z() >= lowest_z_ && cell.z() < lowest_z_ + height_;
 }
 
-std::size_t RollingGrid::column_of(int x, int y) const {
-  return static_cast<std::size_t>(wrapped(x, side_)) * static_cast<std::size_t>(side_) +
-         static_cast<std::size_t>(wrapped(y, side_));
-}
-
-std::size_t RollingGrid::index_of(const Cell& cell) const {
-  return column_of(cell.x(), cell.y()) * static_cast<std::size_t>(height_) +
-         static_cast<std::size_t>(cell.z() - lowest_z_);
-}
-
-bool RollingGrid::bit(const std::vector<std::uint64_t>& bits, const Cell& cell) const {
-  const auto z = static_cast<std::size_t>(cell.z() - lowest_z_);
-  const std::size_t word =
-      column_of(cell.x(), cell.y()) * static_cast<std::size_t>(words_) + z / 64;
-  return ((bits[word] >> (z % 64)) & 1U) != 0;
-}
-
 CellState RollingGrid::state(const Cell& cell) const {
-  if (!contains(cell)) return CellState::unknown;
-  if (log_odds_[index_of(cell)] == kUnknown) return CellState::unknown;
+  if (!is_known(cell)) return CellState::unknown;
   return bit(occupied_, cell) ? CellState::occupied : CellState::free;
 }
 
@@ -126,160 +139,140 @@ std::vector<Vector3d> RollingGrid::occupied_centers() const {
   return centers;
 }
 
+CellState RollingGrid::box_state(const Vector3d& center_world, const Vector3d& size_m) const {
+  const Cell from = cell_of(center_world - 0.5 * size_m), to = cell_of(center_world + 0.5 * size_m);
+  const int from_x = std::max(from.x(), first_x_), to_x = std::min(to.x(), first_x_ + side_ - 1);
+  const int from_y = std::max(from.y(), first_y_), to_y = std::min(to.y(), first_y_ + side_ - 1);
+  const int from_z = std::max(from.z(), lowest_z_) - lowest_z_;
+  const int to_z = std::min(to.z(), lowest_z_ + height_ - 1) - lowest_z_;
+  if (from_x > to_x || from_y > to_y || from_z > to_z) return CellState::unknown;
+  std::uint64_t occupied = 0, unknown = 0;
+  for (int word = from_z / 64; word <= to_z / 64; ++word) {
+    const std::uint64_t mask = bits_between(from_z, to_z, word);
+    for (int x = from_x; x <= to_x; ++x) {
+      for (int y = from_y; y <= to_y; ++y) {
+        const std::size_t at = column_start(x, y) / 64 + static_cast<std::size_t>(word);
+        occupied |= occupied_[at] & mask;
+        unknown |= ~known_[at] & mask;
+      }
+    }
+  }
+  if (occupied != 0) return CellState::occupied;
+  const bool is_inside = contains(from) && contains(to);
+  return unknown == 0 && is_inside ? CellState::free : CellState::unknown;
+}
+
 void RollingGrid::forget_column(int x, int y) {
-  const std::size_t column = column_of(x, y);
-  const auto cells = static_cast<std::size_t>(height_);
-  const auto words = static_cast<std::size_t>(words_);
-  std::fill_n(&log_odds_[column * cells], cells, kUnknown);
-  std::fill_n(&occupied_[column * words], words, 0);
-  mark_dirty(x, y);
+  const auto words = static_cast<std::ptrdiff_t>(words_);
+  const std::size_t start = column_start(x, y);
+  const auto word = static_cast<std::ptrdiff_t>(start / 64);
+  std::fill_n(log_odds_.begin() + static_cast<std::ptrdiff_t>(start), 64 * words, std::int16_t{0});
+  for (auto* bits : {&known_, &occupied_, &inflated_, &settled_}) {
+    std::fill_n(bits->begin() + word, words, std::uint64_t{0});
+  }
+  mark_changed(x, y);
 }
 
 /// The inflation of this column and its neighbours is to be found anew.
-void RollingGrid::mark_dirty(int x, int y) {
-  const int to_x = std::min(x + reach_, first_x_ + side_ - 1);
-  const int to_y = std::min(y + reach_, first_y_ + side_ - 1);
-  for (int i = std::max(x - reach_, first_x_); i <= to_x; ++i) {
-    for (int k = std::max(y - reach_, first_y_); k <= to_y; ++k) {
-      const std::size_t column = column_of(i, k);
-      if (is_dirty_[column]) continue;
-      is_dirty_[column] = true;
-      dirty_.emplace_back(i, k);
-    }
-  }
+void RollingGrid::mark_changed(int x, int y) {
+  std::uint8_t& flags = column_flags_[column_start(x, y) / 64 / static_cast<std::size_t>(words_)];
+  if ((flags & kChanged) != 0) return;
+  flags |= kChanged;
+  changed_.emplace_back(x, y);
 }
 
-void RollingGrid::inflate_dirty_columns() {
+/// The inflation of columns within reach of a change is found anew, first along y, then along x and
+/// z.
+void RollingGrid::inflate_changes() {
   const auto words = static_cast<std::size_t>(words_);
-  std::vector<std::uint64_t> flat(words), grown(words);
-  for (const Eigen::Vector2i& place : dirty_) {
-    std::fill(flat.begin(), flat.end(), 0);
-    const int to_x = std::min(place.x() + reach_, first_x_ + side_ - 1);
-    const int to_y = std::min(place.y() + reach_, first_y_ + side_ - 1);
-    for (int x = std::max(place.x() - reach_, first_x_); x <= to_x; ++x) {
-      for (int y = std::max(place.y() - reach_, first_y_); y <= to_y; ++y) {
-        const std::uint64_t* column = &occupied_[column_of(x, y) * words];
-        for (std::size_t w = 0; w < words; ++w) flat[w] |= column[w];
-      }
-    }
-    for (int step = 0; step < reach_; ++step) {  // one cell up and down at a time
-      for (std::size_t w = 0; w < words; ++w) {
-        const std::uint64_t from_below = w > 0 ? flat[w - 1] >> 63U : 0;
-        const std::uint64_t from_above = w + 1 < words ? flat[w + 1] << 63U : 0;
-        grown[w] = flat[w] | flat[w] << 1U | flat[w] >> 1U | from_below | from_above;
-      }
-      flat.swap(grown);
-    }
-    const std::size_t column = column_of(place.x(), place.y());
-    std::copy(flat.begin(), flat.end(),
-              inflated_.begin() + static_cast<std::ptrdiff_t>(column * words));
-    is_dirty_[column] = false;
-  }
-  dirty_.clear();
-}
-
-void RollingGrid::touch(const Cell& cell, bool is_hit) {
-  const std::size_t index = index_of(cell);
-  constexpr std::uint16_t kMost = std::numeric_limits<std::uint16_t>::max();
-  if (touches_[index] == 0) touched_.push_back(static_cast<std::uint32_t>(index));
-  if (touches_[index] == kMost) return;
-  ++touches_[index];
-  if (is_hit) ++hits_[index];
-}
-
-/// Touches the cells from the eye to the end, the end first. Rays lie close together near the eye:
-/// a ray ends where others of this image have passed before often enough for the cell's vote.
-void RollingGrid::cast(const RayFan& fan, const Vector3d& end_world, bool is_hit) {
-  constexpr std::uint16_t kEnough = 4;
-  Cell cell = cell_of(end_world);
-  if (contains(cell)) touch(cell, is_hit);
-  const Vector3d way = fan.eye_world - end_world;  // the walk of Amanatides and Woo (1987)
-  Eigen::Vector3i step;
-  Vector3d next, pace;
-  for (int k = 0; k < 3; ++k) {
-    step[k] = way[k] > 0.0 ? 1 : -1;
-    const double border = (cell[k] + (way[k] > 0.0 ? 1 : 0)) * spec_.resolution_m;
-    const bool is_flat = std::abs(way[k]) < 1e-12;
-    next[k] = is_flat ? std::numeric_limits<double>::infinity() : (border - end_world[k]) / way[k];
-    pace[k] =
-        is_flat ? std::numeric_limits<double>::infinity() : spec_.resolution_m / std::abs(way[k]);
-  }
-  while (cell != fan.eye) {
-    int axis = next.x() < next.y() ? 0 : 1;
-    if (next.z() < next[axis]) axis = 2;
-    if (next[axis] > 1.0) return;
-    cell[axis] += step[axis];
-    next[axis] += pace[axis];
-    if (!contains(cell)) continue;
-    if (touches_[index_of(cell)] >= kEnough) return;
-    touch(cell, false);
-  }
-}
-
-void RollingGrid::add(std::size_t index, double log_odds) {
-  const double before = log_odds_[index] == kUnknown ? 0.0 : static_cast<double>(log_odds_[index]);
-  log_odds_[index] = static_cast<float>(
-      std::clamp(before + log_odds, spec_.lowest_log_odds, spec_.highest_log_odds));
-}
-
-void RollingGrid::integrate(const ab_depth_image& image) {
-  const Eigen::Isometry3d T_world_camera = avoidbench::pose_of(image);
-  const Eigen::Matrix3d R_world_camera = T_world_camera.linear();
-  const RayFan fan{T_world_camera.translation(), cell_of(T_world_camera.translation())};
-  for (std::int32_t v = 0; v < image.height_px; v += spec_.pixel_step) {
-    const double down = (v - image.cy_px) / image.fy_px;
-    const Vector3d row = R_world_camera.col(1) * down + R_world_camera.col(2);
-    const float* depths = image.depth_m + static_cast<std::ptrdiff_t>(v) * image.width_px;
-    for (std::int32_t u = 0; u < image.width_px; u += spec_.pixel_step) {
-      const auto depth = static_cast<double>(depths[u]);
-      if (std::isnan(depth)) continue;
-      const Vector3d ray = R_world_camera.col(0) * ((u - image.cx_px) / image.fx_px) + row;
-      const double length = ray.norm();
-      const double distance = depth * length;
-      if (distance < spec_.least_ray_m) continue;
-      const bool is_hit = distance <= spec_.longest_ray_m;
-      const double reach = is_hit ? depth : spec_.longest_ray_m / length;
-      cast(fan, fan.eye_world + ray * reach, is_hit);
+  const auto number_of = [&](int x, int y) { return column_start(x, y) / 64 / words; };
+  const auto first_of = [&](int value, int first) { return std::max(value - reach_, first); };
+  const auto last_of = [&](int value, int first) {
+    return std::min(value + reach_, first + side_ - 1);
+  };
+  const auto gather = [&](int x, int y, std::uint8_t flag, std::vector<Eigen::Vector2i>& list) {
+    std::uint8_t& flags = column_flags_[number_of(x, y)];
+    if ((flags & flag) != 0) return;
+    flags |= flag;
+    list.emplace_back(x, y);
+  };
+  for (std::size_t i = 0, count = changed_.size(); i < count; ++i) {
+    const Eigen::Vector2i at = changed_[i];
+    for (int y = first_of(at.y(), first_y_); y <= last_of(at.y(), first_y_); ++y) {
+      gather(at.x(), y, kChanged, changed_);
     }
   }
-  const auto height = static_cast<std::uint32_t>(height_);
-  const auto side = static_cast<std::uint32_t>(side_);
-  for (const std::uint32_t index : touched_) {
-    const bool is_hit = 3 * hits_[index] > touches_[index];
-    add(index, is_hit ? spec_.hit : spec_.miss);
-    hits_[index] = touches_[index] = 0;
-    const std::uint32_t column = index / height, z = index % height;
-    std::uint64_t& word = occupied_[column * static_cast<std::uint32_t>(words_) + z / 64];
-    const std::uint64_t mask = std::uint64_t{1} << (z % 64);
-    const bool is_occupied = static_cast<double>(log_odds_[index]) > spec_.occupied_above;
-    if (is_occupied == ((word & mask) != 0)) continue;
-    word ^= mask;
-    const int x =
-        first_x_ + wrapped(static_cast<int>(column / side) - wrapped(first_x_, side_), side_);
-    const int y =
-        first_y_ + wrapped(static_cast<int>(column % side) - wrapped(first_y_, side_), side_);
-    mark_dirty(x, y);
+  for (const Eigen::Vector2i& at : changed_) {
+    for (int x = first_of(at.x(), first_x_); x <= last_of(at.x(), first_x_); ++x) {
+      gather(x, at.y(), kInReach, in_reach_);
+    }
   }
-  touched_.clear();
-  inflate_dirty_columns();
+  for (const Eigen::Vector2i& at : in_reach_) {
+    for (int x = first_of(at.x(), first_x_); x <= last_of(at.x(), first_x_); ++x) {
+      gather(x, at.y(), kSwept, swept_);
+    }
+  }
+  for (const Eigen::Vector2i& at : swept_) {
+    std::uint64_t* to = &swept_bits_[number_of(at.x(), at.y()) * words];
+    std::fill_n(to, words, std::uint64_t{0});
+    for (int y = first_of(at.y(), first_y_); y <= last_of(at.y(), first_y_); ++y) {
+      const std::uint64_t* from = &occupied_[number_of(at.x(), y) * words];
+      for (std::size_t w = 0; w < words; ++w) to[w] |= from[w];
+    }
+  }
+  for (const Eigen::Vector2i& at : in_reach_) {
+    std::uint64_t* to = &inflated_[number_of(at.x(), at.y()) * words];
+    std::fill_n(to, words, std::uint64_t{0});
+    for (int x = first_of(at.x(), first_x_); x <= last_of(at.x(), first_x_); ++x) {
+      const std::uint64_t* from = &swept_bits_[number_of(x, at.y()) * words];
+      for (std::size_t w = 0; w < words; ++w) to[w] |= from[w];
+    }
+    grow_along_z(to);
+  }
+  for (const auto* list : {&changed_, &in_reach_, &swept_}) {
+    for (const Eigen::Vector2i& at : *list) column_flags_[number_of(at.x(), at.y())] = 0;
+  }
+  changed_.clear();
+  in_reach_.clear();
+  swept_.clear();
+}
+
+/// One cell up and down at a time.
+void RollingGrid::grow_along_z(std::uint64_t* column) const {
+  const auto words = static_cast<std::size_t>(words_);
+  for (int step = 0; step < reach_; ++step) {
+    std::uint64_t below = 0;
+    for (std::size_t w = 0; w < words; ++w) {
+      const std::uint64_t at = column[w], above = w + 1 < words ? column[w + 1] : 0;
+      column[w] = at | at << 1U | at >> 1U | below >> 63U | above << 63U;
+      below = at;
+    }
+  }
 }
 
 void RollingGrid::clear_box(const Vector3d& center_world, const Vector3d& size_m) {
   const Cell from = cell_of(center_world - 0.5 * size_m), to = cell_of(center_world + 0.5 * size_m);
-  for (int x = from.x(); x <= to.x(); ++x) {
-    for (int y = from.y(); y <= to.y(); ++y) {
-      for (int z = from.z(); z <= to.z(); ++z) {
-        const Cell cell(x, y, z);
-        if (!contains(cell)) continue;
-        log_odds_[index_of(cell)] = static_cast<float>(spec_.lowest_log_odds);
-        const auto up = static_cast<std::size_t>(z - lowest_z_);
-        occupied_[column_of(x, y) * static_cast<std::size_t>(words_) + up / 64] &=
-            ~(std::uint64_t{1} << (up % 64));
-        mark_dirty(x, y);
+  const int to_x = std::min(to.x(), first_x_ + side_ - 1);
+  const int to_y = std::min(to.y(), first_y_ + side_ - 1);
+  const int from_z = std::max(from.z(), lowest_z_) - lowest_z_;
+  const int to_z = std::min(to.z(), lowest_z_ + height_ - 1) - lowest_z_;
+  if (from_z > to_z) return;
+  for (int x = std::max(from.x(), first_x_); x <= to_x; ++x) {
+    for (int y = std::max(from.y(), first_y_); y <= to_y; ++y) {
+      const std::size_t start = column_start(x, y);
+      for (int z = from_z; z <= to_z; ++z) log_odds_[start + static_cast<std::size_t>(z)] = lowest_;
+      for (int word = from_z / 64; word <= to_z / 64; ++word) {
+        const std::size_t at = start / 64 + static_cast<std::size_t>(word);
+        const std::uint64_t mask = bits_between(from_z, to_z, word);
+        known_[at] |= mask;
+        settled_[at] |= mask;
+        if ((occupied_[at] & mask) == 0) continue;
+        occupied_[at] &= ~mask;
+        mark_changed(x, y);
       }
     }
   }
-  inflate_dirty_columns();
+  inflate_changes();
 }
 
 }  // namespace planning

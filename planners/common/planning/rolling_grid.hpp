@@ -18,7 +18,7 @@ struct RollingGridSpec {
   double lowest_log_odds = -2.0, highest_log_odds = 2.2;
   double occupied_above = 1.39;  ///< probability 0.8: two images with a hit, from unknown
   double least_ray_m = 0.1, longest_ray_m = 5.0;
-  int pixel_step = 2;  ///< every so many-th pixel of an image is taken
+  int pixel_step = 2;  ///< of a block of so many by so many pixels, the nearest is taken
   double inflation_m = 0.3;
 };
 
@@ -41,9 +41,11 @@ class RollingGrid {
   /// Moves the centre.
   void move_to(const Eigen::Vector3d& center_world);
 
-  /// Takes an image in: cells with surfaces are hit, those before them missed; NaN says nothing,
-  /// and what is farther than the longest ray frees its cells up to there. A cell counts once an
-  /// image: as hit where it was hit by more than a third of the rays that touched it.
+  /// Takes an image in: cells with surfaces are hit, those before them missed; what is farther than
+  /// the longest ray frees its cells up to there, +inf too. NaN and depths that are not positive
+  /// say nothing, and an image whose pose or focal lengths are no numbers is left out. A cell
+  /// counts once an image: as hit where more than a third of the rays that touched it ended in it,
+  /// and it is not missed where a surface of which it may be part is grazed.
   void integrate(const ab_depth_image& image);
 
   /// Marks all cells of this box as free, as the vehicle's own place is.
@@ -55,6 +57,13 @@ class RollingGrid {
 
   CellState state(const Cell& cell) const;
 
+  /// Whether the cell has been seen, be it free or occupied.
+  bool is_known(const Cell& cell) const { return contains(cell) && bit(known_, cell); }
+
+  /// Of all cells that this box touches: occupied where any is, else unknown where any is unknown
+  /// or beyond the grid, else free.
+  CellState box_state(const Eigen::Vector3d& center_world, const Eigen::Vector3d& size_m) const;
+
   /// Whether an occupied cell lies within inflation_m along each axis; false beyond the grid.
   bool is_inflated(const Cell& cell) const;
   bool is_inflated(const Eigen::Vector3d& position_world) const {
@@ -65,27 +74,75 @@ class RollingGrid {
   std::vector<Eigen::Vector3d> occupied_centers() const;
 
  private:
-  struct RayFan;
+  struct View;
+  struct Column;
 
-  std::size_t column_of(int x, int y) const;
-  std::size_t index_of(const Cell& cell) const;
-  bool bit(const std::vector<std::uint64_t>& bits, const Cell& cell) const;
+  /// A cell in which rays of the image under way end; x, y, z from the least cell.
+  struct End {
+    std::uint32_t index;
+    std::int16_t x, y, z;
+  };
+
+  /// A number of x or y, counted from the least cell inside, as the ring has it.
+  int ringed(int from_first, int ring_start) const {
+    const int place = from_first + ring_start;
+    return place < side_ ? place : place - side_;
+  }
+  /// Columns are whole words of 64 cells, so that one index serves cells and bits.
+  std::size_t column_start(int x, int y) const {
+    const auto row = static_cast<std::size_t>(ringed(x - first_x_, ring_x_));
+    const auto place = static_cast<std::size_t>(ringed(y - first_y_, ring_y_));
+    return (row * static_cast<std::size_t>(side_) + place) * static_cast<std::size_t>(words_) * 64;
+  }
+  std::size_t index_of(const Cell& cell) const {
+    return column_start(cell.x(), cell.y()) + static_cast<std::size_t>(cell.z() - lowest_z_);
+  }
+  bool bit(const std::vector<std::uint64_t>& bits, const Cell& cell) const {
+    const std::size_t index = index_of(cell);
+    return ((bits[index / 64] >> (index % 64)) & 1U) != 0;
+  }
+
+  void center_at(const Cell& center);
   void forget_column(int x, int y);
-  void touch(const Cell& cell, bool is_hit);
-  void cast(const RayFan& fan, const Eigen::Vector3d& end_world, bool is_hit);
-  void add(std::size_t index, double log_odds);
-  void mark_dirty(int x, int y);
-  void inflate_dirty_columns();
+  void mark_changed(int x, int y);
+  void inflate_changes();
+  void grow_along_z(std::uint64_t* column) const;
+
+  bool look(const ab_depth_image& image, View& view);
+  void take_nearest(const ab_depth_image& image, const View& view);
+  void add_end(const View& view, float depth_m, int u, int v);
+  void find_windows(View& view);
+  void count_ends(const View& view);
+  void miss_cells_in_view(const View& view);
+  void miss_column(const View& view, const Column& column);
+  bool is_passed(const View& view, const Eigen::Vector3f& in_camera) const;
+  bool is_grazed(const View& view, const Eigen::Vector3f& in_camera) const;
+  bool is_hit(const View& view, const Eigen::Vector3f& in_camera, int ends) const;
+  bool add(std::size_t index, int change);
 
   RollingGridSpec spec_;
+  std::int16_t hit_ = 0, miss_ = 0, lowest_ = 0, highest_ = 0, occupied_above_ = 0;  ///< [1/1000]
   int side_ = 0, height_ = 0, words_ = 0, lowest_z_ = 0, reach_ = 0;
-  int first_x_ = 0, first_y_ = 0;                   ///< the least cell inside
-  std::vector<float> log_odds_;                     ///< of each cell; unknown: kUnknown
-  std::vector<std::uint64_t> occupied_, inflated_;  ///< a bit a cell, columns of z
-  std::vector<std::uint16_t> hits_, touches_;       ///< of the image under way
-  std::vector<std::uint32_t> touched_;              ///< indices of cells with touches
-  std::vector<Eigen::Vector2i> dirty_;              ///< columns whose inflation may have changed
-  std::vector<bool> is_dirty_;
+  int first_x_ = 0, first_y_ = 0;                           ///< the least cell inside
+  int ring_x_ = 0, ring_y_ = 0;                             ///< where the ring has it
+  std::vector<std::int16_t> log_odds_;                      ///< of each cell [1/1000]; unknown: 0
+  std::vector<std::uint64_t> known_, occupied_, inflated_;  ///< a bit a cell, columns of z
+  std::vector<std::uint64_t> settled_;                      ///< at the least log odds
+
+  // Columns whose occupied bits changed, those whose inflation that concerns, and those that were
+  // inflated along y for it.
+  enum Flag : std::uint8_t { kChanged = 1, kInReach = 2, kSwept = 4 };
+  std::vector<Eigen::Vector2i> changed_, in_reach_, swept_;
+  std::vector<std::uint8_t> column_flags_;
+  std::vector<std::uint64_t> swept_bits_;
+
+  // Of the image under way.
+  std::vector<std::uint64_t> has_ends_;
+  std::vector<std::uint8_t> ends_in_;  ///< how many rays end in each cell, up to 255
+  std::vector<End> ends_;
+  std::vector<float> nearest_m_;               ///< of each block of pixels; 0: says nothing
+  std::vector<std::vector<float>> windows_m_;  ///< the least around each block, see View
+  std::vector<float> known_m_, shrunk_m_;
 };
 
 }  // namespace planning
