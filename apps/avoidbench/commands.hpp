@@ -9,6 +9,7 @@ namespace avoidbench {
 /// thrown into an exit code.
 void add_run_command(CLI::App& app);
 void add_report_command(CLI::App& app);
+void add_replay_command(CLI::App& app);
 void add_planners_command(CLI::App& app);
 void add_maps_command(CLI::App& app);
 void add_sensors_command(CLI::App& app);

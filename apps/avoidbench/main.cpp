@@ -80,6 +80,7 @@ const CLI::App* lacks_command(const CLI::App& app) {
 void add_commands(CLI::App& app) {
   add_run_command(app);
   add_report_command(app);
+  add_replay_command(app);
   add_planners_command(app);
   add_maps_command(app);
   add_sensors_command(app);

@@ -38,27 +38,10 @@ Plan lay_out(const World& world, const MapView& view) {
           .bottom_px = kBand_px + 0.5 * (height_px + scale * size.y())};
 }
 
-/// Colour of what lies below (x, y), lit from the upper left.
-Color color_below(const Scene& scene, double x, double y, double highest_m) {
-  const World& world = scene.world();
-  const Eigen::Vector3d from(x, y, world.bounds.max().z() + 1.0);
-  const RayHit hit = scene.first_hit(from, -Eigen::Vector3d::UnitZ());
-  if (!std::isfinite(hit.distance_m)) return kPaper;
-  const std::string& kind = world.obstacles[world.instances[hit.instance].obstacle].kind;
-  const double above_m = from.z() - hit.distance_m - ground_height_m(world, x, y);
-  const Color flat = kind == "ground" ? kGround : height_color(above_m / highest_m);
-  const Eigen::Vector3d up = hit.normal_world.z() < 0.0 ? -hit.normal_world : hit.normal_world;
-  const double light = std::max(0.0, up.dot(Eigen::Vector3d(-0.5, 0.5, 0.7071)));
-  Color color{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    color[i] = static_cast<std::uint8_t>(std::min(255.0, flat[i] * (0.45 + 0.75 * light)));
-  }
-  return color;
-}
-
 void paint_ground_plan(const World& world, const Plan& plan, const MapView& view, double highest_m,
                        Picture& picture) {
   const Scene scene(world);
+  const double from_z_m = world.bounds.max().z() + 1.0;
   for (int row = 0; row < view.height_px; ++row) {
     for (int column = 0; column < view.width_px; ++column) {
       std::array<int, 3> sum{};
@@ -69,7 +52,7 @@ void paint_ground_plan(const World& world, const Plan& plan, const MapView& view
         const double y = plan.low_world.y() + (plan.bottom_px - down) / plan.pixels_per_m;
         const bool is_inside =
             x >= world.flight_bounds.min().x() - 0.5 && x <= world.flight_bounds.max().x() + 0.5;
-        const Color color = is_inside ? color_below(scene, x, y, highest_m) : kPaper;
+        const Color color = is_inside ? color_below(scene, x, y, from_z_m, highest_m) : kPaper;
         for (std::size_t i = 0; i < 3; ++i) sum[i] += color[i];
       }
       for (std::size_t i = 0; i < 3; ++i) {
@@ -119,6 +102,23 @@ std::string draw_mission(const Scene& scene, const TrialSpec& trial, std::int64_
 }
 
 }  // namespace
+
+Color color_below(const Scene& scene, double x_m, double y_m, double from_z_m, double highest_m) {
+  const World& world = scene.world();
+  const Eigen::Vector3d from(x_m, y_m, from_z_m);
+  const RayHit hit = scene.first_hit(from, -Eigen::Vector3d::UnitZ());
+  if (!std::isfinite(hit.distance_m)) return kPaper;
+  const std::string& kind = world.obstacles[world.instances[hit.instance].obstacle].kind;
+  const double above_m = from.z() - hit.distance_m - ground_height_m(world, x_m, y_m);
+  const Color flat = kind == "ground" ? kGround : height_color(above_m / highest_m);
+  const Eigen::Vector3d up = hit.normal_world.z() < 0.0 ? -hit.normal_world : hit.normal_world;
+  const double light = std::max(0.0, up.dot(Eigen::Vector3d(-0.5, 0.5, 0.7071)));
+  Color color{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    color[i] = static_cast<std::uint8_t>(std::min(255.0, flat[i] * (0.45 + 0.75 * light)));
+  }
+  return color;
+}
 
 Picture plan_view(const World& world, const TrialSpec& trial, const MapView& view,
                   std::string& note) {

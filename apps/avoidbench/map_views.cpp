@@ -15,11 +15,12 @@ namespace avoidbench {
 namespace {
 
 /// The world without things of these kinds, so that one sees in from outside.
-World without(const World& world, std::initializer_list<std::string_view> kinds) {
+World without(const World& world, std::initializer_list<std::string_view> kinds,
+              double time_s = 0.0) {
   World open = world;
-  for (const Motion& motion : world.motions) {  // where it stands at time 0
+  for (const Motion& motion : world.motions) {  // where it stands then
     open.instances[motion.instance].T_world_prototype.translation() +=
-        displacement_world(motion, 0.0).cast<float>();
+        displacement_world(motion, time_s).cast<float>();
   }
   open.motions.clear();
   std::erase_if(open.instances, [&](const Instance& instance) {
@@ -103,7 +104,9 @@ Picture depth_view(const World& world, const TrialSpec& trial, const MapView& vi
 
 std::vector<std::string> map_view_names() { return {"top", "bird", "first_person", "depth"}; }
 
-World without_roof(const World& world) { return without(world, {"ceiling", "lamp"}); }
+World without_roof(const World& world, double time_s) {
+  return without(world, {"ceiling", "lamp"}, time_s);
+}
 
 Picture render_map(const World& world, const TrialSpec& trial, const MapView& view,
                    std::string& note) {

@@ -22,8 +22,8 @@ struct MapView {
 /// walls), first_person and depth (from a mission's start toward its goal).
 std::vector<std::string> map_view_names();
 
-/// The world without its ceiling.
-World without_roof(const World& world);
+/// The world without its ceiling; what moves stands where it is at `time_s`.
+World without_roof(const World& world, double time_s = 0.0);
 
 /// The picture of `world`, the map of `trial`; what else its caption should say goes to `note`.
 /// Throws InputError where the mission of first_person and depth can't be laid out.

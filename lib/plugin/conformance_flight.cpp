@@ -144,8 +144,13 @@ std::string reply_problem(const Reply& reply, const ab_planner& table) {
   return command_problem(command, table.commands);
 }
 
-Probe::Probe(const ab_planner& table, const std::vector<ParameterValue>& values, bool poisoned)
-    : table_(&table), poisoned_(poisoned), setup_(conformance_setup()) {
+Probe::Probe(const ab_planner& table, const std::vector<ParameterValue>& values, bool poisoned,
+             Looking looking)
+    : table_(&table),
+      poisoned_(poisoned),
+      setup_(conformance_setup()),
+      host_(looking != Looking::impossible) {
+  host_.want_drawings(looking == Looking::somebody);
   SetupBuffers buffers(setup_, values, table.needs);
   const std::string escaped =
       escaped_exception([&] { instance_ = table_->create(&host_.table(), &buffers.setup()); });

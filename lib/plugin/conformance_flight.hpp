@@ -48,11 +48,15 @@ bool equal(const Reply& a, const Reply& b);
 /// Why this reply breaks the interface, whatever was asked; empty when it does not.
 std::string reply_problem(const Reply& reply, const ab_planner& table);
 
+/// What a host does with drawings: it has no such extension, nobody looks, or somebody does.
+enum class Looking { impossible, nobody, somebody };
+
 /// An instance called through its bare table, with inputs in buffers that are compared and, when
 /// `poisoned`, overwritten with rubbish after each call.
 class Probe {
  public:
-  Probe(const ab_planner& table, const std::vector<ParameterValue>& values, bool poisoned = false);
+  Probe(const ab_planner& table, const std::vector<ParameterValue>& values, bool poisoned = false,
+        Looking looking = Looking::nobody);
   ~Probe();
   Probe(const Probe&) = delete;
   Probe& operator=(const Probe&) = delete;
@@ -63,6 +67,7 @@ class Probe {
 
   Reply reset(const PlannerMission& mission);
   Reply plan(const Frame& frame);
+  std::vector<Drawing> take_drawings() { return host_.take_drawings(); }
   /// reset and then every frame.
   std::vector<Reply> fly(const Flight& flight);
 

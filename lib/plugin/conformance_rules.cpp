@@ -34,8 +34,9 @@ std::string with_context(const std::string& finding, const std::string& context)
 }
 
 /// Replies of a new instance, flown alone.
-std::vector<Reply> alone(const PlannerLibrary& library, const Flight& flight) {
-  Probe probe(library.table(), presets(library));
+std::vector<Reply> alone(const PlannerLibrary& library, const Flight& flight,
+                         Looking looking = Looking::nobody) {
+  Probe probe(library.table(), presets(library), false, looking);
   return probe.is_created() ? probe.fly(flight) : std::vector<Reply>{};
 }
 
@@ -176,6 +177,17 @@ std::string keeps_no_input(const PlannerLibrary& library) {
                       "when inputs are overwritten after each call: it keeps a pointer to them");
 }
 
+std::string drawing_changes_nothing(const PlannerLibrary& library) {
+  const Flight flight = wall_flight();
+  const std::vector<Reply> expected = alone(library, flight);
+  std::string finding =
+      with_context(first_difference(expected, alone(library, flight, Looking::impossible)),
+                   "with a host that has no extension " AB_DEBUG_EXTENSION);
+  if (!finding.empty()) return finding;
+  return with_context(first_difference(expected, alone(library, flight, Looking::somebody)),
+                      "when its drawings are wanted");
+}
+
 std::string survives_odd_images(const PlannerLibrary& library) {
   struct Case {
     const char* name;
@@ -265,6 +277,10 @@ constexpr ConformanceRule kRules[] = {
     {"keeps_no_input",
      "What is passed into a call is not read after it: setup, mission, state and images.",
      keeps_no_input},
+    {"drawing_changes_nothing",
+     "Commands are the same, bit for bit, with a host that has no " AB_DEBUG_EXTENSION
+     " and with one where somebody looks at the drawings.",
+     drawing_changes_nothing},
     {"survives_odd_images",
      "Images of NaN, +inf or zeros, none and several at once give commands or no plan, not errors.",
      survives_odd_images},

@@ -2,6 +2,7 @@
 
 #include <cstring>
 #include <span>
+#include <string_view>
 
 #include "base/check.hpp"
 
@@ -92,7 +93,7 @@ ab_camera to_camera(const CameraSetup& camera) {
 
 }  // namespace
 
-HostSide::HostSide() {
+HostSide::HostSide(bool has_debug) : has_debug_(has_debug) {
   set_size(table_);
   table_.abi_version = AVOIDBENCH_ABI_VERSION;
   table_.context = this;
@@ -103,7 +104,11 @@ HostSide::HostSide() {
     const std::string prefix = level == AB_LOG_WARNING ? "warning: " : "";
     static_cast<HostSide*>(context)->log_.push_back(prefix + (text != nullptr ? text : ""));
   };
-  table_.get_extension = [](void*, const char*) -> const void* { return nullptr; };
+  table_.get_extension = [](void* context, const char* id) -> const void* {
+    const HostSide& self = *static_cast<HostSide*>(context);
+    const bool is_debug = id != nullptr && std::string_view(id) == AB_DEBUG_EXTENSION;
+    return is_debug && self.has_debug_ ? &self.board_.table() : nullptr;
+  };
 }
 
 std::string HostSide::take_error() {
@@ -116,6 +121,14 @@ std::vector<std::string> HostSide::take_log() {
   std::vector<std::string> taken;
   taken.swap(log_);
   return taken;
+}
+
+std::vector<Drawing> HostSide::take_drawings() {
+  if (board_.is_full()) {
+    log_.push_back("warning: drawings beyond " + std::to_string(kMostDrawnPoints) +
+                   " points in one call are left out");
+  }
+  return board_.take();
 }
 
 SetupBuffers::SetupBuffers(const PlannerSetup& setup, const std::vector<ParameterValue>& values,

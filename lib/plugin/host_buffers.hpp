@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "avoidbench/planner.h"
+#include "plugin/drawings.hpp"
 #include "plugin/planner_instance.hpp"
 
 namespace avoidbench {
@@ -11,7 +12,8 @@ namespace avoidbench {
 /// The table that one instance gets, and what the instance said through it. Stays at its address.
 class HostSide {
  public:
-  HostSide();
+  /// `has_debug` false: a host without AB_DEBUG_EXTENSION.
+  explicit HostSide(bool has_debug = true);
   HostSide(const HostSide&) = delete;
   HostSide& operator=(const HostSide&) = delete;
 
@@ -20,8 +22,14 @@ class HostSide {
   std::string take_error();
   std::vector<std::string> take_log();
 
+  void want_drawings(bool wanted) { board_.is_wanted = wanted; }
+  /// With a line in the log where some were left out.
+  std::vector<Drawing> take_drawings();
+
  private:
   ab_host table_{};
+  bool has_debug_;
+  DrawingBoard board_;
   std::string error_;
   std::vector<std::string> log_;
 };

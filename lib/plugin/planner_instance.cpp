@@ -155,4 +155,8 @@ PlanResult PlannerInstance::plan(const PlannerView& view) {
 
 std::vector<std::string> PlannerInstance::take_log() { return internals_->host.take_log(); }
 
+void PlannerInstance::want_drawings(bool wanted) { internals_->host.want_drawings(wanted); }
+
+std::vector<Drawing> PlannerInstance::take_drawings() { return internals_->host.take_drawings(); }
+
 }  // namespace avoidbench

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "plugin/drawings.hpp"
 #include "plugin/planner_library.hpp"
 
 namespace avoidbench {
@@ -109,6 +110,12 @@ class PlannerInstance {
 
   /// Lines the planner logged since the last call.
   std::vector<std::string> take_log();
+
+  /// Whether the planner is told that someone looks at what it draws; it is not at first. Commands
+  /// do not depend on it.
+  void want_drawings(bool wanted);
+  /// What it drew since the last call.
+  std::vector<Drawing> take_drawings();
 
  private:
   struct Internals;

@@ -113,6 +113,13 @@ Color height_color(double ratio) {
   return {color[0], color[1], color[2]};
 }
 
+Color turbo_color(double ratio) {
+  static const cv::Mat colors = scale_colors();  // from near, red, to far
+  const int level = static_cast<int>(std::lround(255.0 * (1.0 - std::clamp(ratio, 0.0, 1.0))));
+  const auto& color = colors.at<cv::Vec3b>(0, level);
+  return {color[0], color[1], color[2]};
+}
+
 void add_height_scale(Picture& picture, double highest_m) {
   constexpr int kBand = 22, kWidth = 120, kTextWidth = 60;
   const int left = picture.width_px - kWidth - kTextWidth;
@@ -190,12 +197,16 @@ void paste(const Picture& part, int left_px, int top_px, Picture& picture) {
   }
 }
 
+Picture resized(const Picture& picture, int width_px, int height_px) {
+  Picture result = make_picture(width_px, height_px);
+  cv::Mat pixels_of_result = pixels(result);
+  Picture given = picture;
+  cv::resize(pixels(given), pixels_of_result, pixels_of_result.size(), 0, 0, cv::INTER_NEAREST);
+  return result;
+}
+
 Picture enlarged(const Picture& picture, int factor) {
-  Picture large = make_picture(picture.width_px * factor, picture.height_px * factor);
-  cv::Mat pixels_of_large = pixels(large);
-  Picture small = picture;
-  cv::resize(pixels(small), pixels_of_large, pixels_of_large.size(), 0, 0, cv::INTER_NEAREST);
-  return large;
+  return resized(picture, picture.width_px * factor, picture.height_px * factor);
 }
 
 void write_png(const Picture& picture, const std::filesystem::path& file) {

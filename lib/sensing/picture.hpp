@@ -33,6 +33,9 @@ void add_depth_scale(Picture& picture, double nearest_m, double farthest_m);
 /// Colour of a height, 0: lowest to 1: highest (Viridis, Smith and van der Walt 2015).
 Color height_color(double ratio);
 
+/// Colour of a share, 0: blue to 1: red (Turbo).
+Color turbo_color(double ratio);
+
 /// Draws the scale of height_color() at the right of the picture's lower edge, 0 to `highest_m`.
 void add_height_scale(Picture& picture, double highest_m);
 
@@ -61,6 +64,9 @@ void paste(const Picture& part, int left_px, int top_px, Picture& picture);
 
 /// Each pixel as a square of factor × factor.
 Picture enlarged(const Picture& picture, int factor);
+
+/// The picture at another size, each pixel that of the nearest.
+Picture resized(const Picture& picture, int width_px, int height_px);
 
 /// Throws InputError where the file can't be written.
 void write_png(const Picture& picture, const std::filesystem::path& file);

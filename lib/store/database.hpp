@@ -71,6 +71,7 @@ class Database {
   std::optional<MapRow> read_map(std::string_view key) const;
   std::optional<TrialRow> read_trial(
       std::string_view key) const;                ///< `sweep` is one that it belongs to
+  std::vector<TrialListing> list_trials() const;  ///< all, by id
   std::vector<PlannerRow> read_planners() const;  ///< by label, then key
   std::vector<SweepInfo> read_sweeps() const;     ///< by name, then revision
   SweepResult read_sweep(std::string_view name, std::int64_t revision) const;

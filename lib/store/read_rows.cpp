@@ -166,6 +166,28 @@ std::optional<TrialRow> Database::read_trial(std::string_view key) const {
   return row;
 }
 
+std::vector<TrialListing> Database::list_trials() const {
+  Statement s(handle(), path(),
+              "SELECT t.rowid, t.trial_key, p.label, m.generator, m.map_seed, "
+              "json_extract(m.spec_json, '$.poisson_radius_m'), t.mission_index, t.outcome, "
+              "t.reason, t.end_time_s FROM trials t JOIN planners p USING (planner_key) "
+              "JOIN maps m USING (map_key) ORDER BY t.rowid");
+  std::vector<TrialListing> trials;
+  while (s.step()) {
+    trials.push_back({.id = s.integer(0),
+                      .key = s.text(1),
+                      .planner_label = s.text(2),
+                      .generator = s.text(3),
+                      .map_seed = std::bit_cast<std::uint64_t>(s.integer(4)),
+                      .poisson_radius_m = s.real(5),
+                      .mission_index = s.integer(6),
+                      .outcome = outcome_of(*this, s.text(7)),
+                      .reason = s.text(8),
+                      .end_time_s = s.real(9)});
+  }
+  return trials;
+}
+
 std::vector<PlannerRow> Database::read_planners() const {
   Statement s(handle(), path(),
               "SELECT " + std::string(kPlannerColumns) +

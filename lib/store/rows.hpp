@@ -69,6 +69,19 @@ struct SweepInfo {
   std::int64_t trial_count = 0;
 };
 
+/// One trial of a database as a list of them shows it.
+struct TrialListing {
+  std::int64_t id =
+      0;  ///< for people: a small number, of this file and as long as it isn't rebuilt
+  std::string key, planner_label, generator;
+  std::uint64_t map_seed = 0;
+  double poisson_radius_m = 0.0;  ///< NaN where the map has none
+  std::int64_t mission_index = 0;
+  Outcome outcome = Outcome::timed_out;
+  std::string reason;
+  double end_time_s = 0.0;  ///< NaN where not known
+};
+
 /// What reports need of one trial.
 struct TrialSummary {
   std::string key, planner_key, map_key;

@@ -8,6 +8,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <utility>
 
 #include "base/input_error.hpp"
@@ -41,6 +42,20 @@ std::vector<char*> child_environment() {
 }
 
 }  // namespace
+
+void enter_worker_environment() {
+  for (char** variable = environ; *variable != nullptr; ++variable) {
+    if (std::strcmp(*variable, kTunables) == 0) return;
+  }
+  std::ifstream file("/proc/self/cmdline", std::ios::binary);
+  std::vector<std::string> arguments;
+  for (std::string word; std::getline(file, word, '\0');) arguments.push_back(word);
+  if (arguments.empty()) return;
+  std::vector<char*> pointers;
+  for (std::string& word : arguments) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  ::execve("/proc/self/exe", pointers.data(), child_environment().data());
+}
 
 WorkerProcess::WorkerProcess(const std::vector<std::string>& command) {
   int jobs[2], results[2];

@@ -30,6 +30,7 @@ struct Flight {
   const Scene& scene;
   const Mission& mission;
   PlannerInstance& planner;
+  const TrialObserver& observer;
   Scene* moving = nullptr;          ///< the scene, where things move in it
   double obstacle_speed_mps = 0.0;  ///< of the fastest
 
@@ -57,7 +58,7 @@ __attribute__((format(printf, 1, 2))) std::string formatted(const char* format, 
 }
 
 Flight make_flight(const TrialSpec& spec, const Scene& scene, const Mission& mission,
-                   PlannerInstance& planner) {
+                   PlannerInstance& planner, const TrialObserver& observer) {
   VehicleModel model = make_model(spec.vehicle);
   const VehicleState start = hovering_at(spec.vehicle, mission.start_world, mission.start_yaw_rad);
   Tracker tracker = make_tracker(model, start);
@@ -66,6 +67,7 @@ Flight make_flight(const TrialSpec& spec, const Scene& scene, const Mission& mis
       .scene = scene,
       .mission = mission,
       .planner = planner,
+      .observer = observer,
       .moving = nullptr,
       .obstacle_speed_mps = 0.0,
       .model = std::move(model),
@@ -83,12 +85,29 @@ Flight make_flight(const TrialSpec& spec, const Scene& scene, const Mission& mis
       .record = {}};
 }
 
+/// Tells the observer, where there is one.
+void tell_planned(const Flight& flight, const PlannerView& view, const PlanResult& result,
+                  Tick due) {
+  if (!flight.observer.planned) return;
+  const VehicleState believed = believed_state(flight.perception, flight.state);
+  std::vector<Drawing> drawings = flight.planner.take_drawings();  // may add to the log
+  flight.observer.planned({.time_s = seconds(flight.state.tick),
+                           .effect_s = seconds(due),
+                           .truth = flight.state,
+                           .believed = believed,
+                           .view = view,
+                           .result = result,
+                           .drawings = std::move(drawings),
+                           .log = flight.planner.take_log()});
+}
+
 /// Shows the planner what was seen since the last call and queues its answer.
 void plan(Flight& flight) {
   const PlannerView view = planner_view(flight.perception, flight.state);
   const PlanResult result = flight.planner.plan(view);
-  forget_seen(flight.perception, flight.state.tick);
   const Tick due = flight.state.tick + flight.latency;
+  tell_planned(flight, view, result, due);
+  forget_seen(flight.perception, flight.state.tick);
   PlanCall call{.time_s = seconds(flight.state.tick),
                 .cpu_time_s = result.cpu_time_s,
                 .wall_time_s = result.wall_time_s};
@@ -224,15 +243,17 @@ Tick next_tick(const Flight& flight) {
 }  // namespace
 
 TrialRecord run_trial(const TrialSpec& spec, const Scene& scene, const Mission& mission,
-                      PlannerInstance& planner) {
+                      PlannerInstance& planner, const TrialObserver& observer) {
   const std::vector<Motion>& motions = scene.world().motions;
   std::optional<Scene> own;  // with its own time
   if (!motions.empty()) own.emplace(scene.world());
-  Flight flight = make_flight(spec, own ? *own : scene, mission, planner);
+  Flight flight = make_flight(spec, own ? *own : scene, mission, planner, observer);
   flight.moving = own ? &*own : nullptr;
   for (const Motion& motion : motions) {
     flight.obstacle_speed_mps = std::max(flight.obstacle_speed_mps, greatest_speed_mps(motion));
   }
+  planner.take_log();  // of an earlier trial
+  planner.take_drawings();
   if (std::string error = planner.reset(planner_mission(spec, mission)); !error.empty()) {
     flight.planner_end = Outcome::planner_error;
     flight.record.reason = "reset: " + error;

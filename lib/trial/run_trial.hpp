@@ -2,6 +2,7 @@
 
 #include "plugin/planner_instance.hpp"
 #include "trial/mission.hpp"
+#include "trial/trial_observer.hpp"
 #include "trial/trial_record.hpp"
 
 namespace avoidbench {
@@ -9,8 +10,8 @@ namespace avoidbench {
 /// Flies one trial: `planner`, reset first, takes the vehicle of `spec` from start to goal through
 /// `scene`. A pure function of its arguments but for the measured times in `plan_calls`. Everything
 /// that can go wrong in flight is an Outcome, never an exception. One thread; the scene may be
-/// shared with other trials.
+/// shared with other trials. `observer` sees each call of the planner.
 TrialRecord run_trial(const TrialSpec& spec, const Scene& scene, const Mission& mission,
-                      PlannerInstance& planner);
+                      PlannerInstance& planner, const TrialObserver& observer = {});
 
 }  // namespace avoidbench

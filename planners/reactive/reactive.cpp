@@ -6,6 +6,9 @@
 #include "obstacle_memory.hpp"
 #include "steering.hpp"
 
+template <>
+struct avoidbench::IsThreeDoubles<reactive::Vector3> : std::true_type {};
+
 namespace {
 
 using reactive::Vector3;
@@ -35,7 +38,8 @@ class Reactive {
       avoidbench::parameter("max_departure_m", "m", 1.0, 0.0, 20.0,
                             "How far it climbs or sinks from the line between start and goal.")};
 
-  explicit Reactive(const ab_setup& setup) : settings_(settings_from(setup)), steerer_(settings_) {
+  Reactive(const ab_setup& setup, const ab_host& host)
+      : settings_(settings_from(setup)), steerer_(settings_), canvas_(host) {
     memory_s_ = avoidbench::Parameters<Reactive>(setup).number("memory_s");
   }
 
@@ -67,6 +71,7 @@ class Reactive {
       yaw_rad_ = avoidbench::portable::atan2(steering.look.y, steering.look.x);
     }
     const Vector3& v = steering.velocity;
+    if (canvas_.is_wanted()) draw(now.position, steering);
     return with_horizon(avoidbench::make_velocity_command({v.x, v.y, v.z}, yaw_rad_));
   }
 
@@ -96,6 +101,7 @@ class Reactive {
     if (image != nullptr) view_.take(*image);
     memory_.prune(position, kMemoryRange_m, time_s, memory_s_, view_);
     view_.append_points(settings_.lookahead_m + 1.0, points_);
+    seen_count_ = points_.size();
     if (image != nullptr) {
       for (const Vector3& point : points_) {
         const Vector3 offset = point - position;
@@ -105,6 +111,20 @@ class Reactive {
     }
     memory_.append_points(time_s, points_);
     for (Vector3& point : points_) point = point - position;
+  }
+
+  /// For `avoidbench replay`: what counts as obstacle, and where it flies and looks.
+  void draw(const Vector3& position, const reactive::Steering& steering) const {
+    std::vector<Vector3> seen, remembered;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      (i < seen_count_ ? seen : remembered).push_back(points_[i] + position);
+    }
+    canvas_.points("remembered", 0x9060c0, remembered);
+    canvas_.points("seen", 0x1060e0, seen);
+    const std::vector<Vector3> look{position, position + steering.look};
+    const std::vector<Vector3> course{position, position + kDrawnCourse_s * steering.velocity};
+    canvas_.line("looks along", 0x707070, look, 1.0);
+    canvas_.line("chosen course, 3 s", 0xe02080, course, 1.0);
   }
 
   double line_height_m(const Vector3& position) const {
@@ -125,13 +145,16 @@ class Reactive {
     return command;
   }
 
+  static constexpr double kDrawnCourse_s = 3.0;
   static constexpr double kMemoryRange_m = 8.0, kMemoryHeight_m = 1.5;
 
   reactive::SteeringSettings settings_;
   reactive::Steerer steerer_;
   reactive::DepthView view_;
   reactive::ObstacleMemory memory_;
-  std::vector<Vector3> points_;
+  avoidbench::Canvas canvas_;
+  std::vector<Vector3> points_;  ///< relative to the vehicle
+  std::size_t seen_count_ = 0;   ///< of them, that the newest image shows
   Vector3 start_, goal_;
   double memory_s_ = 0.0;
   double yaw_rad_ = 0.0;

@@ -8,6 +8,7 @@ typedef struct {
   double speed_mps;
   double climb_mps;
   double goal_world_m[3];
+  const ab_debug* debug; /* null with hosts that show no drawings */
 } c_planner;
 
 static void* create(const ab_host* host, const ab_setup* setup) {
@@ -21,6 +22,7 @@ static void* create(const ab_host* host, const ab_setup* setup) {
     host->set_error(host->context, "no memory");
     return NULL;
   }
+  self->debug = host->get_extension(host->context, AB_DEBUG_EXTENSION);
   self->speed_mps = setup->values[0]->number;
   self->climb_mps = strcmp(setup->values[1]->text, "climb") == 0 ? 0.5 : 0.0;
   return self;
@@ -34,6 +36,12 @@ static ab_status reset(void* instance, const ab_mission* mission) {
   return AB_OK;
 }
 
+static void draw_goal(const c_planner* self) {
+  ab_drawing goal = {sizeof(ab_drawing), AB_DRAW_POINTS, 0xff0000, 1, NULL, 8.0, "goal"};
+  goal.points_world_m = self->goal_world_m;
+  if (self->debug->is_wanted(self->debug->context)) self->debug->draw(self->debug->context, &goal);
+}
+
 static ab_status plan(void* instance, const ab_observation* seen, ab_command* command) {
   const c_planner* self = instance;
   const double ahead_m = self->goal_world_m[0] - seen->state->position_world_m[0];
@@ -41,6 +49,7 @@ static ab_status plan(void* instance, const ab_observation* seen, ab_command* co
   if (ahead_m > 0.5) command->velocity_world_mps[0] = self->speed_mps;
   if (ahead_m < -0.5) command->velocity_world_mps[0] = -self->speed_mps;
   command->velocity_world_mps[2] = self->climb_mps;
+  if (self->debug != NULL) draw_goal(self);
   return AB_OK;
 }
 

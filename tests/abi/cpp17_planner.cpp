@@ -14,7 +14,7 @@ class Cpp17Planner {
       avoidbench::choice_parameter("mode", "safe", "safe|fast", "Mode."),
       avoidbench::text_parameter("label", "", "Any text.")};
 
-  explicit Cpp17Planner(const ab_setup& setup) {
+  Cpp17Planner(const ab_setup& setup, const ab_host& host) : canvas_(host) {
     const avoidbench::Parameters<Cpp17Planner> values(setup);
     speed_mps_ = values.number("speed_mps") * static_cast<double>(values.integer("ray_count"));
     if (values.text("mode") == "fast") speed_mps_ *= 2.0;
@@ -23,10 +23,15 @@ class Cpp17Planner {
   void reset(const ab_mission&) {}
   std::optional<ab_command> plan(const ab_observation& seen) {
     if (avoidbench::newest_depth(seen) == nullptr) return std::nullopt;
+    if (canvas_.is_wanted()) {
+      const Eigen::Vector3d place = avoidbench::as_vector(seen.state->position_world_m);
+      canvas_.line("up", 0x00ff00, std::vector<Eigen::Vector3d>{place, 2.0 * place});
+    }
     return avoidbench::make_velocity_command({speed_mps_, 0.0, 0.0}, 0.0);
   }
 
  private:
+  avoidbench::Canvas canvas_;
   double speed_mps_ = 0.0;
 };
 

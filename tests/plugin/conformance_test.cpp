@@ -57,6 +57,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadCase{"shared_state", "a_new_instance_is_like_a_reset_one", "instances share something"},
         BadCase{"shared_state", "instances_are_apart", "instances share something"},
         BadCase{"keeps_pointer", "keeps_no_input", "keeps a pointer"},
+        BadCase{"draws_differently", "drawing_changes_nothing", "when its drawings are wanted"},
+        BadCase{"needs_debug", "drawing_changes_nothing", "has no extension avoidbench.debug/1"},
         BadCase{"extra_symbol", "exports_one_avoidbench_symbol", "avoidbench_secret"},
         BadCase{"serves_all", "refuses_unknown_hosts", "ABI 0"},
         BadCase{"fails_inside", "describes_itself", "summary is empty"},
@@ -72,6 +74,8 @@ TEST(Conformance, OneBrokenRuleDoesNotTripTheOthers) {
               testing::ElementsAre("reset_forgets"));
   EXPECT_THAT(failed_rules(check_conformance(bad_planner("keeps_pointer"))),
               testing::ElementsAre("keeps_no_input"));
+  EXPECT_THAT(failed_rules(check_conformance(bad_planner("draws_differently"))),
+              testing::ElementsAre("drawing_changes_nothing"));
 }
 
 TEST(IsolatedConformance, GivesTheSameAsInProcess) {

@@ -83,6 +83,43 @@ TEST(RunTrial, ADriftedVehicleReachesWhatItTakesForTheGoal) {
   EXPECT_GT(aside(drifted), 0.15);  // it flies straight in its own frame
 }
 
+TEST(RunTrial, AnObserverChangesNothing) {
+  World world = test::flight_world();
+  test::add_obstacle(world, test::box_mesh({2, 1, 8}), {0, 0, 2}, "wall");
+  const Scene scene(world);
+  const TrialSpec spec = spec_of("reactive");
+  const PlannerLibrary library = PlannerLibrary::load(spec.planner.file);
+  PlannerInstance planner(library, planner_setup(spec), parameter_values(spec.planner));
+  const Mission mission = test::straight_mission();
+  const TrialRecord alone = run_trial(spec, scene, mission, planner);
+  EXPECT_TRUE(planner.take_drawings().empty());
+  planner.want_drawings(true);
+  std::vector<double> times;
+  std::size_t images = 0, drawings = 0;
+  TrialObserver observer;
+  observer.planned = [&](const PlanStep& step) {
+    times.push_back(step.time_s);
+    EXPECT_NEAR(step.effect_s, step.time_s + 0.033, 1e-4);
+    EXPECT_EQ(step.truth.position_world, step.believed.position_world);
+    EXPECT_EQ(step.result.status, PlanStatus::command);
+    images += step.view.depth.size();
+    drawings += step.drawings.size();
+  };
+  const TrialRecord watched = run_trial(spec, scene, mission, planner, observer);
+  EXPECT_EQ(watched.outcome, alone.outcome);
+  EXPECT_EQ(watched.end_time_s, alone.end_time_s);
+  ASSERT_EQ(watched.samples.size(), alone.samples.size());
+  for (std::size_t i = 0; i < alone.samples.size(); ++i) {
+    ASSERT_EQ(watched.samples[i].position_world, alone.samples[i].position_world);
+    ASSERT_EQ(watched.samples[i].q_world_body.coeffs(), alone.samples[i].q_world_body.coeffs());
+    ASSERT_EQ(watched.samples[i].rotor_power_w, alone.samples[i].rotor_power_w);
+  }
+  ASSERT_EQ(times.size(), watched.plan_calls.size());
+  EXPECT_EQ(times.back(), watched.plan_calls.back().time_s);
+  EXPECT_EQ(images, times.size());
+  EXPECT_GT(drawings, times.size());
+}
+
 TEST(RunTrial, SamplesAtAHundredHertzAndPlansAtThirty) {
   const TrialRecord record =
       fly(spec_of("straight_line"), test::flight_world(), test::straight_mission());

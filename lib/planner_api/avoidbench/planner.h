@@ -77,7 +77,7 @@ typedef struct ab_host {
   void* context; /* first argument of the functions below */
   void (*set_error)(void* context, const char* text);
   void (*log)(void* context, int32_t level, const char* text);
-  /* A further table by its name and version, e.g. "avoidbench.world/1"; null where this host has
+  /* A further table by its name and version, e.g. AB_DEBUG_EXTENSION; null where this host has
    * none. */
   const void* (*get_extension)(void* context, const char* id);
 } ab_host;
@@ -261,6 +261,43 @@ typedef struct ab_planner {
   /* A further table of the planner by its name and version, or null. May be null itself. */
   const void* (*get_extension)(void* instance, const char* id);
 } ab_planner;
+
+/* ---------------------------------------------------------------------------------------------
+ * Extension "avoidbench.debug/1": drawings, for people who look for why a flight failed. Got by
+ * host->get_extension(host->context, AB_DEBUG_EXTENSION), which gives an ab_debug, or null with
+ * hosts that have none; valid as long as the host's own table. A drawing is shown from the plan()
+ * that drew it until the next one; what reset() draws is shown with the first plan(). Whether
+ * anyone looks never changes a command. */
+#define AB_DEBUG_EXTENSION "avoidbench.debug/1"
+
+/* ab_drawing.kind */
+#define AB_DRAW_POINTS 1u   /* dots */
+#define AB_DRAW_LINE 2u     /* a polyline through all points, not closed */
+#define AB_DRAW_SEGMENTS 3u /* a line from each point of even index to the next one */
+#define AB_DRAW_TEXT 4u     /* `label` beside the first point */
+
+typedef struct ab_drawing {
+  uint32_t struct_size;
+  uint32_t kind;
+  uint32_t color_rgb; /* 0xRRGGBB */
+  uint32_t point_count;
+  const double* points_world_m; /* 3 numbers a point */
+  double size_px; /* diameter of dots, width of lines, in pixels of the picture; 0: a usual one */
+  const char* label; /* what it is, for the legend: "obstacles"; may be null */
+} ab_drawing;
+
+typedef struct ab_debug {
+  uint32_t struct_size;
+  uint32_t reserved;
+  void* context; /* first argument of the functions below */
+  /* 1 where someone looks, else 0: work for drawings alone is done only then. Always 0 in sweeps.
+   * May change between calls, not within one. */
+  int32_t (*is_wanted)(void* context);
+  /* Copied at once; does nothing where nobody looks. Points that are not finite are left out (with
+   * segments, their partner too). Of one plan() 200000 points are kept and then no more, with a
+   * note in the log. Only during a call of the planner and in the thread of that call. */
+  void (*draw)(void* context, const ab_drawing* drawing);
+} ab_debug;
 
 /* The one exported symbol. `host_api` is the host's AVOIDBENCH_ABI_VERSION; null where the planner
  * can't serve it. */

@@ -14,6 +14,10 @@
 
 namespace avoidbench {
 
+/// Canvas takes std::vector<Eigen::Vector3d>.
+template <>
+struct IsThreeDoubles<Eigen::Vector3d> : std::true_type {};
+
 /// height x width, row-major.
 using DepthMap =
     Eigen::Map<const Eigen::Array<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>;

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "render/scene.hpp"
+#include "store/database.hpp"
+#include "trial/run_trial.hpp"
+#include "trial/trial_spec.hpp"
+
+namespace avoidbench {
+
+/// A trial of a database with all that it was flown from.
+struct StoredTrial {
+  TrialRow row;
+  TrialSpec spec;  ///< without the planner's file, and with the mere name of a map's file
+  Mission mission;
+  std::string world_digest;
+};
+
+/// Where to look for files, which a database does not name.
+struct ReplayFiles {
+  std::string planner;  ///< name or file of a library; "": as the sweep named it
+  std::string map;      ///< of a map from a file; "": its name in `folders` and in maps/
+  std::vector<std::filesystem::path> folders{"."};  ///< the sweep's, the database's, …
+};
+
+/// Reads the trial of this key. Throws InputError where there is none, or where another version of
+/// the program stored it in a form that this one can't fly.
+StoredTrial read_stored_trial(const Database& database, const std::string& key);
+
+/// A stored trial made ready to be flown again in this process. Stays at its address.
+class Replay {
+ public:
+  /// Loads map and planner. Parameters that the library no longer declares are left out. Throws
+  /// InputError where map or planner can't be had.
+  explicit Replay(StoredTrial stored, const ReplayFiles& files = {});
+  Replay(const Replay&) = delete;
+  Replay& operator=(const Replay&) = delete;
+
+  const StoredTrial& stored() const { return stored_; }
+  const World& world() const { return world_; }
+
+  /// Why the flight may differ from the stored one: another file of the planner, other parameters,
+  /// another version of the program.
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
+  /// Flies it, with drawings wanted. `log` gets what the planner logged before its first and after
+  /// its last call.
+  TrialRecord fly(const TrialObserver& observer, std::vector<std::string>& log) const;
+
+ private:
+  void load_parameters();
+
+  StoredTrial stored_;
+  World world_;
+  Scene scene_;
+  std::vector<std::string> warnings_;
+  PlannerLibrary library_;
+  std::vector<ParameterValue> values_;
+};
+
+/// Where two records of one trial differ in what must not: outcome, end, reason, samples (bit for
+/// bit), status and kind of each plan call; a line each. Empty where they are equal.
+std::vector<std::string> differences(const TrialRecord& stored, const TrialRecord& flown);
+
+}  // namespace avoidbench
