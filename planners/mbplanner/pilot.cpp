@@ -17,7 +17,7 @@ constexpr double kLost_m = 0.5;        ///< from the course: then it begins anew
 constexpr double kLateness_s = 0.15;   ///< that a vehicle may be behind its course
 constexpr double kLeastPath_m = 0.15;  ///< the authors' least length of a path
 constexpr double kSwitch_m = 0.2;      ///< by which a new path must lead farther
-constexpr double kTrap_m = 3.0;        ///< weight of a trap
+constexpr double kRest_s = 0.5;        ///< that a command lasts at least
 constexpr std::size_t kMostTraps = 40;
 
 bool is_finite(const ab_depth_image& image) {
@@ -210,8 +210,8 @@ Limits Pilot::limits(int relaxation) const {
 
 /// Whether a known obstacle is in the rest of the course.
 bool Pilot::is_blocked(double phase_s) const {
+  if (course_.kind == Kind::retreat) return false;  // where it has been there is room
   Space tight = space(std::max(course_.relaxation, 1));
-  if (course_.kind == Kind::retreat) tight = space(2);
   tight.lowest_m = -1e9;
   tight.highest_m = 1e9;
   const double end_s = course_.duration_s();
@@ -240,7 +240,7 @@ void Pilot::decide(double time_s) {
   const bool is_old = time_s - planned_s_ >= settings_.replan_period_s - 1e-9;
   const bool ends = course_.kind != Kind::retreat && course_.path_s - phase < settings_.lead_s &&
                     time_s - planned_s_ >= 0.1 - 1e-9;
-  if (course_.kind == Kind::retreat && !blocked && !is_resting(time_s)) return;
+  if (course_.kind == Kind::retreat && !is_resting(time_s)) return;
   if (!blocked && !is_old && !ends) return;
   planned_s_ = time_s;
   if (find_path(time_s, blocked)) {
@@ -342,9 +342,17 @@ void Pilot::search(double time_s) {
   begin(std::move(course), time_s);
 }
 
+/// A new trap, or a stronger and wider one where there was one: dead ends may be large.
 void Pilot::set_trap(const Vector3d& place) {
+  constexpr double kWeight_m = 3.0, kRadius_m = 3.0, kGrowth = 1.5, kGreatest_m = 8.0;
+  for (Trap& trap : potential_.traps) {
+    if ((trap.place - place).norm() > 0.5 * trap.radius_m) continue;
+    trap.weight_m = std::min(kGrowth * trap.weight_m, kGreatest_m);
+    trap.radius_m = std::min(kGrowth * trap.radius_m, kGreatest_m);
+    return;
+  }
   if (potential_.traps.size() >= kMostTraps) potential_.traps.erase(potential_.traps.begin());
-  potential_.traps.push_back({place, kTrap_m});
+  potential_.traps.push_back({place, kWeight_m, kRadius_m});
 }
 
 /// Where nothing was gained for long, the place becomes a trap and the search goes elsewhere.
@@ -374,7 +382,8 @@ std::vector<ab_point> Pilot::points(double time_s) {
         now.acceleration *= pace_ * pace_;
         return now;
       },
-      course_.duration_s() / pace_};
+      // Some rest at its end, so that headings go on turning.
+      std::max(course_.duration_s(), phase_s(time_s) + kRest_s) / pace_};
   planning::LookAhead look;
   look.limits = {settings_.yaw_rate_radps, std::min(6.0, 4.0 * settings_.yaw_rate_radps)};
   std::optional<double> facing = facing_rad_;

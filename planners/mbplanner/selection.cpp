@@ -13,7 +13,6 @@ using Eigen::Vector3d;
 using planning::CellState;
 namespace portable = avoidbench::portable;
 
-constexpr double kTrapRadius_m = 3.0;
 constexpr std::size_t kMostCandidates = 12;  ///< that are weighed in full
 constexpr int kMostStops = 250;              ///< that are tried
 constexpr int kWarpStride = 3;               ///< knots between the points that are compared
@@ -164,7 +163,7 @@ double Potential::at(const Vector3d& position) const {
   constexpr double kHeightWeight = 0.5;
   double left_m = (goal - position).norm() + kHeightWeight * std::abs(goal.z() - position.z());
   for (const Trap& trap : traps) {
-    const double away = (trap.place - position).head<2>().norm() / kTrapRadius_m;
+    const double away = (trap.place - position).head<2>().norm() / trap.radius_m;
     if (away < 1.0) left_m += trap.weight_m * (1.0 - away);
   }
   return left_m;

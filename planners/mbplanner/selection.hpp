@@ -7,10 +7,10 @@
 
 namespace mbplanner {
 
-/// A place that lost time: around it the goal counts as farther.
+/// A place that lost time: within the radius the goal counts as farther.
 struct Trap {
   Eigen::Vector3d place = Eigen::Vector3d::Zero();
-  double weight_m = 0.0;
+  double weight_m = 0.0, radius_m = 1.0;
 };
 
 /// How far a place is from the goal, traps counted in.

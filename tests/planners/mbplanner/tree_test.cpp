@@ -218,7 +218,7 @@ TEST(Choose, GoesToTheGoalAndStopsInKnownSpace) {
 TEST(Choose, LeavesATrap) {
   Potential potential{{10.0, 0.0, 1.0}, {}};
   EXPECT_NEAR(potential.at({0.0, 0.0, 1.0}), 10.0, 1e-12);
-  potential.traps.push_back({{0.0, 0.0, 1.0}, 3.0});
+  potential.traps.push_back({{0.0, 0.0, 1.0}, 3.0, 3.0});
   EXPECT_NEAR(potential.at({0.0, 0.0, 1.0}), 13.0, 1e-12);
   EXPECT_LT(potential.at({0.0, 3.0, 1.0}), 10.5);
 }
