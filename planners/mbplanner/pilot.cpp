@@ -16,6 +16,7 @@ namespace portable = avoidbench::portable;
 constexpr double kLost_m = 0.5;        ///< from the course: then it begins anew from the state
 constexpr double kLateness_s = 0.15;   ///< that a vehicle may be behind its course
 constexpr double kLeastPath_m = 0.15;  ///< the authors' least length of a path
+constexpr double kLeastSqueeze_m = 1.0;
 constexpr double kSwitch_m = 0.2;      ///< by which a new path must lead farther
 constexpr double kRest_s = 0.5;        ///< that a command lasts at least
 constexpr std::size_t kMostTraps = 40;
@@ -193,7 +194,7 @@ Space Pilot::space(int relaxation) const {
   double length_m = settings_.robot_length_m, height_m = settings_.robot_height_m;
   if (relaxation == 1) length_m = std::min(length_m, turning_m);
   if (relaxation >= 2) {
-    length_m = std::min(length_m, settings_.body_length_m + 0.1);
+    length_m = std::min(length_m, settings_.body_length_m + 0.15);
     height_m = std::min(height_m, settings_.body_height_m + 0.15);
   }
   space.box_m = {length_m, length_m, height_m};
@@ -276,7 +277,9 @@ bool Pilot::find_path(double time_s, bool is_blocked_now) {
     task.space.lowest_m = std::min(task.space.lowest_m, task.root.position.z() - 0.05);
     task.space.highest_m = std::max(task.space.highest_m, task.root.position.z() + 0.05);
     tree_.grow(task, random_);
-    const auto choice = choose(tree_, task, potential_, settings_, flown, kLeastPath_m);
+    // Squeezing by must be worth it, or it creeps up to surfaces for a few centimetres.
+    const double least_m = relaxation == 0 ? kLeastPath_m : kLeastSqueeze_m;
+    const auto choice = choose(tree_, task, potential_, settings_, flown, least_m);
     if (!choice) continue;
     const double end_m = potential_.at(choice->safe_path.back().position);
     const bool leads_on = course_.kind != Kind::path || is_blocked_now ||

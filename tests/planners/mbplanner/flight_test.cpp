@@ -88,7 +88,6 @@ TEST(Mbplanner, GetsOutOfADeadEnd) {
   add_hedge(course, {3.0, 12.0}, {3.0, 16.0});
   const TrajectoryResult result = kinematic::fly_trajectories(planner, course, 90.0);
   EXPECT_EQ(result.flight.ending, Ending::reached_goal) << result.flight.reason;
-  if (getenv("TRACE")) for (std::size_t i = 0; i < result.flight.positions.size(); i += 30) std::cout << i / 30 << ": " << result.flight.positions[i].transpose() << '\n';
   EXPECT_LE(result.demands.speed_mps, 3.003);
 }
 
