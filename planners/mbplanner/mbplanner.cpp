@@ -14,13 +14,15 @@ class Mbplanner {
   static constexpr std::uint32_t commands = AB_COMMAND_TRAJECTORY;
   static constexpr const auto& parameters = mbplanner::kParameters;
 
-  explicit Mbplanner(const ab_setup& setup) : pilot_(mbplanner::settings_from(setup)) {}
+  Mbplanner(const ab_setup& setup, const ab_host& host)
+      : canvas_(host), pilot_(mbplanner::settings_from(setup)) {}
 
   void reset(const ab_mission& mission) { pilot_.reset(mission); }
 
   std::optional<ab_command> plan(const ab_observation& seen) {
     auto points = pilot_.plan(seen);
     if (!points) return std::nullopt;
+    pilot_.draw(canvas_);
     points_ = std::move(*points);
     ab_command command = avoidbench::make_trajectory_command(points_);
     command.horizon_s = points_.back().time_s;
@@ -28,6 +30,7 @@ class Mbplanner {
   }
 
  private:
+  avoidbench::Canvas canvas_;
   mbplanner::Pilot pilot_;
   std::vector<ab_point> points_;
 };
