@@ -17,7 +17,8 @@ class FlownPath {
 
   /// Knots from rest at `from` back along the last `length_m` to rest there; empty where nothing
   /// was flown.
-  std::vector<Motion> back(const Eigen::Vector3d& from, double length_m, const Limits& limits) const;
+  std::vector<Motion> back(const Eigen::Vector3d& from, double length_m,
+                           const Limits& limits) const;
 
   const std::vector<Eigen::Vector3d>& places() const { return places_; }
 

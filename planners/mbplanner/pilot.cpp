@@ -17,8 +17,8 @@ constexpr double kLost_m = 0.5;        ///< from the course: then it begins anew
 constexpr double kLateness_s = 0.15;   ///< that a vehicle may be behind its course
 constexpr double kLeastPath_m = 0.15;  ///< the authors' least length of a path
 constexpr double kLeastSqueeze_m = 1.0;
-constexpr double kSwitch_m = 0.2;      ///< by which a new path must lead farther
-constexpr double kRest_s = 0.5;        ///< that a command lasts at least
+constexpr double kSwitch_m = 0.2;  ///< by which a new path must lead farther
+constexpr double kRest_s = 0.5;    ///< that a command lasts at least
 constexpr std::size_t kMostTraps = 40;
 
 bool is_finite(const ab_depth_image& image) {
@@ -113,9 +113,9 @@ void Pilot::look(const ab_observation& seen, const Vector3d& position) {
     has_seen_ = true;
   }
   const double more_m = flown_.places().size() < 2 ? 0.8 : 0.4;
-  clear_around(position, Vector3d(settings_.robot_length_m + more_m,
-                                  settings_.robot_length_m + more_m,
-                                  settings_.robot_height_m + more_m));
+  clear_around(position,
+               Vector3d(settings_.robot_length_m + more_m, settings_.robot_length_m + more_m,
+                        settings_.robot_height_m + 0.5 * more_m));
   grid_.clear_box(position, Vector3d(settings_.body_length_m, settings_.body_length_m,
                                      settings_.body_height_m));
   flown_.visit(position);
@@ -391,8 +391,8 @@ std::vector<ab_point> Pilot::points(double time_s) {
   look.limits = {settings_.yaw_rate_radps, std::min(6.0, 4.0 * settings_.yaw_rate_radps)};
   std::optional<double> facing = facing_rad_;
   if (course_.kind == Kind::retreat) facing = heading_.yaw_rad;
-  points_ = planning::trajectory_points(motion, phase_s(time_s) / pace_, kStep_s, heading_, look,
-                                        facing);
+  points_ =
+      planning::trajectory_points(motion, phase_s(time_s) / pace_, kStep_s, heading_, look, facing);
   points_began_s_ = time_s;
   return points_;
 }

@@ -11,7 +11,7 @@ namespace {
 using Eigen::Vector3d;
 using planning::Quintic;
 
-constexpr double kSpeedShare = 0.97;  ///< of the limit that roll-outs go up to
+constexpr double kSpeedShare = 0.95;  ///< of the limit that roll-outs go up to
 constexpr double kJerkShare = 0.4;    ///< of the jerk counted on to end an acceleration in time
 
 /// `pull` without what would lead beyond the speed.
@@ -20,9 +20,8 @@ Vector3d within_speed(const Vector3d& pull, const Vector3d& velocity, const Limi
   if (speed < 1e-6) return pull;
   const Vector3d along = velocity / speed;
   const double room = kSpeedShare * limits.speed_mps - speed;
-  const double most = room > 0.0
-                          ? std::sqrt(2.0 * kJerkShare * limits.jerk_mps3 * room)
-                          : std::max(4.0 * room, -0.8 * limits.acceleration_mps2);
+  const double most = room > 0.0 ? std::sqrt(2.0 * kJerkShare * limits.jerk_mps3 * room)
+                                 : std::max(4.0 * room, -0.8 * limits.acceleration_mps2);
   const double wanted = pull.dot(along);
   if (wanted <= most) return pull;
   const Vector3d across = pull - wanted * along;
@@ -75,8 +74,8 @@ std::vector<Motion> knots_of(const Quintic& quintic) {
 
 Motion stepped(const Motion& from, const Vector3d& pull, const Limits& limits) {
   constexpr double h = kStep_s;
-  Vector3d change = within_jerk(
-      within_speed(pull, from.velocity, limits) - from.acceleration, from.velocity, limits);
+  Vector3d change = within_jerk(within_speed(pull, from.velocity, limits) - from.acceleration,
+                                from.velocity, limits);
   Motion to;
   to.acceleration = from.acceleration + change;
   // Back into the ball: that makes no change greater.
@@ -120,8 +119,8 @@ std::vector<Motion> stop_at(const Motion& from, const Vector3d& place, const Lim
   const double way_m = (place - from.position).norm();
   Motion rest;
   rest.position = place;
-  const double least_s = std::max(
-      planning::trapezoid_time_s(way_m, limits.speed_mps, limits.acceleration_mps2), 0.3);
+  const double least_s =
+      std::max(planning::trapezoid_time_s(way_m, limits.speed_mps, limits.acceleration_mps2), 0.3);
   for (double factor = 0.7; factor < 4.0; factor *= 1.15) {
     const double duration_s = kStep_s * std::ceil(factor * least_s / kStep_s);
     const Quintic quintic = planning::quintic_between(from, rest, duration_s);

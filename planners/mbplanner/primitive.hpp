@@ -33,7 +33,6 @@ std::vector<Motion> stop_from(const Motion& from, double braking_mps2, const Lim
 
 /// Knots after `from` to rest at `place`, as fast as the limits allow; empty where no duration up
 /// to four times the least keeps them.
-std::vector<Motion> stop_at(const Motion& from, const Eigen::Vector3d& place,
-                            const Limits& limits);
+std::vector<Motion> stop_at(const Motion& from, const Eigen::Vector3d& place, const Limits& limits);
 
 }  // namespace mbplanner

@@ -33,9 +33,10 @@ std::vector<Motion> evasive_arc(const Motion& from, double turn_rad, const Limit
                       pull_of(limits) * portable::sin(heading), 0.0);
   std::vector<Motion> knots = rolled_out(from, pull, limits, kArcSteps);
   // A pull against the velocity would in the end fly back: the arc ends where it is slowest.
-  const auto slowest = std::min_element(knots.begin(), knots.end(), [](const auto& a, const auto& b) {
-    return a.velocity.squaredNorm() < b.velocity.squaredNorm();
-  });
+  const auto slowest =
+      std::min_element(knots.begin(), knots.end(), [](const auto& a, const auto& b) {
+        return a.velocity.squaredNorm() < b.velocity.squaredNorm();
+      });
   knots.erase(slowest + 1, knots.end());
   const std::vector<Motion> stop =
       stop_from(knots.back(), settings.braking_mps2, greatest(limits, settings));
@@ -84,9 +85,8 @@ struct Chooser {
       if (vertex.is_at_goal) left_m = 0.0;
       found.push_back({static_cast<int>(i), here_m - left_m - cost_m(vertex.time_s)});
     }
-    std::stable_sort(found.begin(), found.end(), [](const Prospect& a, const Prospect& b) {
-      return a.gain_m > b.gain_m;
-    });
+    std::stable_sort(found.begin(), found.end(),
+                     [](const Prospect& a, const Prospect& b) { return a.gain_m > b.gain_m; });
     return found;
   }
 
@@ -224,13 +224,13 @@ std::vector<Motion> least_bad_stop(const Motion& from, const Space& space, const
 
 double clearance_of(const std::vector<Motion>& path, const Space& space) {
   constexpr int kStride = 4, kRings = 2;
-  constexpr double kRing_m = 0.4;  // that each ring adds to both sides
+  constexpr double kRing_m = 0.4;  // that each ring adds to all sides; half of it up and down
   double sum = 0.0;
   int count = 0;
   for (std::size_t i = 0; i < path.size(); i += kStride) {
     double room = 0.0;
     for (int ring = 1; ring <= kRings; ++ring) {
-      const Vector3d box = space.box_m + Vector3d(2.0 * kRing_m * ring, 2.0 * kRing_m * ring, 0.0);
+      const Vector3d box = space.box_m + 2.0 * kRing_m * ring * Vector3d(1.0, 1.0, 0.5);
       if (space.grid->box_state(path[i].position, box) == CellState::occupied) break;
       room += 1.0 / kRings;
     }

@@ -54,8 +54,8 @@ int reached_count(double poisson_radius_m, std::uint64_t count) {
     } else {
       std::cout << "seed " << seed << ": "
                 << (result.flight.ending == Ending::collided ? "collided" : "timed out") << " at "
-                << result.flight.time_s << " s, "
-                << result.flight.positions.back().transpose() << '\n';
+                << result.flight.time_s << " s, " << result.flight.positions.back().transpose()
+                << '\n';
     }
   }
   return reached;
@@ -96,8 +96,7 @@ TEST(Mbplanner, GetsOutOfADeadEnd) {
 TEST(Mbplanner, FliesThePublishedPreset) {
   PlannerInstance planner =
       kinematic::instance_of(PLANNER_FILE, {{"preset", ParameterValue{0.0, "published"}}});
-  const TrajectoryResult result =
-      kinematic::fly_trajectories(planner, kinematic::meadow(), 90.0);
+  const TrajectoryResult result = kinematic::fly_trajectories(planner, kinematic::meadow(), 90.0);
   EXPECT_EQ(result.flight.ending, Ending::reached_goal) << result.flight.reason;
   expect_flyable(result.demands, 1.0);
 }

@@ -9,7 +9,7 @@ namespace avoidbench::kinematic {
 /// What the commands of a flight asked for at most.
 struct Demands {
   double speed_mps = 0.0, acceleration_mps2 = 0.0, yaw_rate_radps = 0.0;
-  double body_rate_radps = 0.0;  ///< that turns the thrust as the acceleration does
+  double body_rate_radps = 0.0;               ///< that turns the thrust as the acceleration does
   double jump_m = 0.0, speed_jump_mps = 0.0;  ///< between what a command and the next one ask for
   double end_speed_mps = 0.0;                 ///< at the last point of a command
 };
