@@ -1,0 +1,90 @@
+#include "primitive.hpp"
+
+#include <gtest/gtest.h>
+
+#include "planning/random.hpp"
+
+namespace mbplanner {
+namespace {
+
+using Eigen::Vector3d;
+
+TEST(Primitive, IsConstantAccelerationBelowTheSpeedLimit) {
+  Motion from{Vector3d(1, 2, 3), Vector3d(0.5, -0.2, 0.1), Vector3d(0.6, 0.8, -0.1)};
+  const Limits limits{5.0, 4.0, 20.0};
+  const std::vector<Motion> knots = rolled_out(from, from.acceleration, limits, 20);
+  ASSERT_EQ(knots.size(), 20U);
+  const double t = 1.0;
+  const Vector3d expected = from.position + t * from.velocity + 0.5 * t * t * from.acceleration;
+  EXPECT_LT((knots.back().position - expected).norm(), 1e-12);
+  EXPECT_LT((knots.back().velocity - from.velocity - t * from.acceleration).norm(), 1e-12);
+}
+
+/// That knots keep the limits between them too: the host joins them with quintics.
+void expect_within(const std::vector<Motion>& knots, const Motion& from, const Limits& limits) {
+  Motion before = from;
+  for (const Motion& knot : knots) {
+    const planning::Quintic piece = planning::quintic_between(before, knot, kStep_s);
+    for (double t = 0.0; t <= kStep_s; t += kStep_s / 4) {
+      const Motion at = planning::motion_at(piece, t);
+      ASSERT_LE(at.velocity.norm(), limits.speed_mps + 1e-6);
+      ASSERT_LE(at.acceleration.norm(), limits.acceleration_mps2 + 1e-6);
+    }
+    ASSERT_LE((knot.acceleration - before.acceleration).norm(), limits.jerk_mps3 * kStep_s + 1e-6);
+    before = knot;
+  }
+}
+
+TEST(Primitive, KeepsSpeedAccelerationAndJerkWhateverPullsFollow) {
+  planning::Random random(4);
+  const Limits limits{3.0, 4.0, 20.0};
+  Motion from;
+  for (int i = 0; i < 500; ++i) {
+    Vector3d pull;
+    for (double& part : pull) part = random.uniform(-1.0, 1.0);
+    pull *= random.uniform() * 4.0 / pull.norm();
+    const std::vector<Motion> knots = rolled_out(from, pull, limits, 18);
+    expect_within(knots, from, limits);
+    from = knots.back();
+  }
+}
+
+TEST(Stop, EndsAtRestAtTheDistanceOfItsQuintic) {
+  const Motion from{Vector3d(1, 2, 3), Vector3d(3, 0, 0), Vector3d::Zero()};
+  const std::vector<Motion> knots = stop_from(from, 4.0, {3.0, 5.7, 20.0});
+  EXPECT_EQ(knots.back().velocity.norm(), 0.0);
+  // 0.75 v² / a, and what whole steps add.
+  const double way_m = (knots.back().position - from.position).norm();
+  EXPECT_NEAR(way_m, 0.75 * 9.0 / 4.0, 0.1);
+  EXPECT_GE(way_m, 0.75 * 9.0 / 4.0 - 1e-9);
+  expect_within(knots, from, {3.0, 4.0, 20.0});
+}
+
+TEST(Stop, KeepsTheJerkWhateverTheMotion) {
+  planning::Random random(7);
+  for (int i = 0; i < 300; ++i) {
+    Motion from;
+    for (double& part : from.velocity) part = random.uniform(-1.7, 1.7);
+    for (double& part : from.acceleration) part = random.uniform(-2.0, 2.0);
+    const std::vector<Motion> knots = stop_from(from, 4.0, {3.0, 5.7, 20.0});
+    EXPECT_EQ(knots.back().velocity.norm(), 0.0);
+    Motion before = from;
+    for (const Motion& knot : knots) {
+      ASSERT_LE((knot.acceleration - before.acceleration).norm(), 20.0 * kStep_s + 1e-6);
+      ASSERT_LE(knot.acceleration.norm(), 5.7 * 1.02);
+      before = knot;
+    }
+  }
+}
+
+TEST(StopAt, EndsAtThePlaceWithinTheLimits) {
+  const Motion from{Vector3d::Zero(), Vector3d(2.5, 0.3, 0), Vector3d(0, 1, 0)};
+  const Limits limits{3.0, 4.0, 20.0};
+  const std::vector<Motion> knots = stop_at(from, {6.0, 1.0, 0.3}, limits);
+  ASSERT_FALSE(knots.empty());
+  EXPECT_LT((knots.back().position - Vector3d(6.0, 1.0, 0.3)).norm(), 1e-9);
+  expect_within(knots, from, limits);
+}
+
+}  // namespace
+}  // namespace mbplanner
