@@ -121,7 +121,7 @@ class RollingGrid {
   bool look(const ab_depth_image& image, View& view);
   void take_nearest(const ab_depth_image& image, const View& view);
   float nearest_far_enough(const ab_depth_image& image, const View& view, int left, int top) const;
-  double distance_m(int u, int v, float depth_m) const;
+  double distance_m2(int u, int v, float depth_m) const;
   void end_ray(const ab_depth_image& image, const View& view, int left, int top, float depth_m);
   void find_rays(const View& view);
   void add_end(const Eigen::Vector3d& place);

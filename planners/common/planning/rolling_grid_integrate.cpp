@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "avoidbench/planner_eigen.hpp"
 #include "planning/rolling_grid.hpp"
@@ -19,6 +20,7 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr float kNothing = kInfinity;                           ///< no pixel says anything
 constexpr float kFarthest = std::numeric_limits<float>::max();  ///< stands for +inf
 constexpr int kGrazedParts = 5;  ///< a cell is not missed where more than one ray in five grazes it
+constexpr int kLanes = 8;
 constexpr int kDepthSteps = 64;  ///< of the table that has a window for each depth
 
 /// How many blocks around the one where a cell's centre lies may see part of the cell.
@@ -50,6 +52,41 @@ void shrink_columns(const std::vector<float>& from, int width, int reach, std::v
   }
 }
 
+struct Counts {
+  int near, all;
+};
+
+struct Strides {
+  int count, stride;
+};
+
+/// How many of the depths in this window are not before, and how many of these not behind. Reads up
+/// to kLanes beyond the last.
+Counts count_row_by_row(const float* depths_m, Strides along, Strides down, float before_m,
+                        float behind_m) {
+  std::array<std::int32_t, kLanes> near{}, all{}, is_inside{};
+  if (along.stride != 1 || along.count > kLanes) {
+    Counts counts{0, 0};
+    for (int row = 0; row < down.count; ++row, depths_m += down.stride) {
+      for (int i = 0; i < along.count; ++i) {
+        const float depth_m = depths_m[i * along.stride];
+        counts.all += depth_m >= before_m ? 1 : 0;
+        counts.near += depth_m >= before_m && depth_m <= behind_m ? 1 : 0;
+      }
+    }
+    return counts;
+  }
+  for (int i = 0; i < along.count; ++i) is_inside[static_cast<std::size_t>(i)] = 1;
+  for (int row = 0; row < down.count; ++row, depths_m += down.stride) {
+    for (std::size_t i = 0; i < kLanes; ++i) {  // as vectors
+      const std::int32_t counts = (depths_m[i] >= before_m ? 1 : 0) & is_inside[i];
+      all[i] += counts;
+      near[i] += counts & (depths_m[i] <= behind_m ? 1 : 0);
+    }
+  }
+  return {std::accumulate(near.begin(), near.end(), 0), std::accumulate(all.begin(), all.end(), 0)};
+}
+
 }  // namespace
 
 /// The image as blocks of pixel_step by pixel_step pixels, and what cells are to it.
@@ -79,9 +116,9 @@ bool RollingGrid::look(const ab_depth_image& image, View& view) {
   const Vector3d eye = avoidbench::as_vector(image.position_world_m);
   const Eigen::Quaterniond q = avoidbench::as_quaternion(image.q_world_camera);
   const double norm = q.norm();
-  const bool has_lens = std::isfinite(image.fx_px) && image.fx_px > 0.0 &&
-                        std::isfinite(image.fy_px) && image.fy_px > 0.0 &&
-                        std::isfinite(image.cx_px) && std::isfinite(image.cy_px);
+  const auto is_focal = [](double length_px) { return length_px > 1e-2 && length_px < 1e6; };
+  const bool has_lens = is_focal(image.fx_px) && is_focal(image.fy_px) &&
+                        std::abs(image.cx_px) < 1e6 && std::abs(image.cy_px) < 1e6;
   if (!has_lens || !eye.allFinite() || !(norm > 0.5 && norm < 2.0)) return false;
   if (image.width_px <= 0 || image.height_px <= 0 || image.depth_m == nullptr) return false;
   const double cell_m = spec_.resolution_m;
@@ -115,7 +152,8 @@ bool RollingGrid::look(const ab_depth_image& image, View& view) {
 /// Of each block the nearest pixel, whose ray ends in a cell if it is not too long.
 void RollingGrid::take_nearest(const ab_depth_image& image, const View& view) {
   const auto width_px = static_cast<std::size_t>(view.width_px);
-  nearest_m_.resize(static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height));
+  const auto blocks = static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height);
+  nearest_m_.assign(blocks + kLanes, 0.0F);  // see count_row_by_row
   find_rays(view);
   row_m_.resize(width_px);
   std::size_t block = 0;
@@ -155,16 +193,19 @@ float RollingGrid::nearest_far_enough(const ab_depth_image& image, const View& v
       const float depth =
           image.depth_m[static_cast<std::size_t>(v) * static_cast<std::size_t>(view.width_px) +
                         static_cast<std::size_t>(u)];
-      if (!(depth > 0.0F) || !(distance_m(u, v, depth) >= spec_.least_ray_m)) continue;
+      if (!(depth > 0.0F) || !(distance_m2(u, v, depth) >= spec_.least_ray_m * spec_.least_ray_m))
+        continue;
       nearest = std::min({nearest, depth, kFarthest});
     }
   }
   return nearest;
 }
 
-double RollingGrid::distance_m(int u, int v, float depth_m) const {
-  return static_cast<double>(depth_m) * std::sqrt(rays_u_[static_cast<std::size_t>(u)].length2 +
-                                                  rays_v_[static_cast<std::size_t>(v)].length2);
+double RollingGrid::distance_m2(int u, int v, float depth_m) const {
+  const auto depth = static_cast<double>(depth_m);
+  return depth * depth *
+         (rays_u_[static_cast<std::size_t>(u)].length2 +
+          rays_v_[static_cast<std::size_t>(v)].length2);
 }
 
 /// Ends the ray of the first pixel of the block that has this depth.
@@ -175,7 +216,7 @@ void RollingGrid::end_ray(const ab_depth_image& image, const View& view, int lef
         image.depth_m + static_cast<std::size_t>(v) * static_cast<std::size_t>(view.width_px);
     for (int u = left; u < std::min(left + view.step, view.width_px); ++u) {
       if (depths[u] != depth_m) continue;
-      if (distance_m(u, v, depth_m) > spec_.longest_ray_m) return;
+      if (distance_m2(u, v, depth_m) > spec_.longest_ray_m * spec_.longest_ray_m) return;
       const Vector3d way = rays_u_[static_cast<std::size_t>(u)].way_cells +
                            rays_v_[static_cast<std::size_t>(v)].way_cells;
       add_end(view.eye_cells + static_cast<double>(depth_m) * way);
@@ -222,7 +263,7 @@ void RollingGrid::find_windows(View& view) {
   const auto longest_m = static_cast<float>(spec_.longest_ray_m);
   const int least = blocks_around(half, longest_m);
   std::array<int, kWindows> reach{least, least + 1, least + 2, least + 4};
-  known_m_ = nearest_m_;
+  known_m_.assign(nearest_m_.begin(), nearest_m_.end() - kLanes);
   for (float& depth : known_m_) depth = depth > 0.0F ? depth : kInfinity;
   int has = 0;
   for (std::size_t k = 0; k < kWindows; ++k) {
@@ -258,18 +299,13 @@ bool RollingGrid::is_grazed(const View& view, const Vector3f& in_camera, int par
   const int from_u = std::max(middle_u - reach_u, 0), from_v = std::max(middle_v - reach_v, 0);
   const int to_u = std::min(middle_u + reach_u, view.width - 1);
   const int to_v = std::min(middle_v + reach_v, view.height - 1);
-  int near = 0, all = 0;
-  for (int row = from_v; row <= to_v; row += stride_v) {
-    const float* nearest_m = &nearest_m_[static_cast<std::size_t>(row * view.width)];
-    for (int i = from_u; i <= to_u; i += stride_u) {
-      const int is_not_before = nearest_m[i] >= before ? 1 : 0;
-      all += is_not_before;
-      near += is_not_before & (nearest_m[i] <= behind ? 1 : 0);
-    }
-  }
+  const Counts counts =
+      count_row_by_row(&nearest_m_[static_cast<std::size_t>(from_v * view.width + from_u)],
+                       {(to_u - from_u) / stride_u + 1, stride_u},
+                       {(to_v - from_v) / stride_v + 1, stride_v * view.width}, before, behind);
   const bool is_cut = from_u > middle_u - reach_u || from_v > middle_v - reach_v ||
                       to_u < middle_u + reach_u || to_v < middle_v + reach_v;
-  return is_cut ? near > 0 : parts * near > all;
+  return is_cut ? counts.near > 0 : parts * counts.near > counts.all;
 }
 
 /// Whether a cell with ends is hit: few rays go on behind it, or it is part of a surface. Four rays
