@@ -24,7 +24,9 @@ bool is_flyable(const Settings& settings, const Quintic& quintic, double most_at
     const Motion motion = motion_at(quintic, quintic.duration_s * i / kSteps);
     if (motion.acceleration.norm() > most) return false;
   }
-  return true;
+  const planning::TimedMotion motion{[&](double time_s) { return motion_at(quintic, time_s); },
+                                     quintic.duration_s};
+  return thrust_turn_rate_radps(motion, settings.gravity_mps2) <= settings.max_turn_rate_radps;
 }
 
 /// The share of its way that is free: 2 where nothing near is blocked, 1 where nothing is touched.

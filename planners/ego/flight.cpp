@@ -28,7 +28,7 @@ planning::PathSearchSpec search_spec(const Settings& settings) {
   planning::PathSearchSpec spec;
   spec.half_size_cells =
       static_cast<int>(std::ceil(0.5 * settings.horizon_m / settings.grid.resolution_m)) + 15;
-  spec.most_expansions = 20000;
+  spec.most_expansions = 10000;
   return spec;
 }
 

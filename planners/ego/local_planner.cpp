@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "optimizer.hpp"
+#include "planning/trajectory_command.hpp"
 
 namespace ego {
 namespace {
@@ -32,7 +33,13 @@ bool is_flyable(const Settings& settings, const Bspline& curve, const Motion& st
         (curve.interval_s * curve.interval_s);
     if (pull.norm() > most_pull) return false;
   }
-  return true;
+  const planning::TimedMotion motion{[&](double time_s) {
+                                       Motion at;
+                                       at.acceleration = acceleration_at(curve, time_s);
+                                       return at;
+                                     },
+                                     curve.duration_s()};
+  return thrust_turn_rate_radps(motion, settings.gravity_mps2) <= settings.max_turn_rate_radps;
 }
 
 /// The curve made slow enough for the limits and smooth again; the slower one itself where the
@@ -41,8 +48,8 @@ std::optional<Bspline> within_limits(const Surroundings& surroundings, const Set
                                      const Request& request, Bspline curve) {
   constexpr int kMostTimes = 4;
   for (int time = 0; time < kMostTimes; ++time) {
-    const double stretch =
-        stretch_needed(curve, settings.max_speed_mps, settings.max_acceleration_mps2);
+    const double stretch = stretch_needed(
+        curve, {settings.max_speed_mps, settings.max_acceleration_mps2, settings.max_jerk_mps3});
     if (stretch <= 1.0 + settings.feasibility_tolerance) break;
     const Bspline slower = slowed(curve, std::min(stretch, 2.0), request.start, request.target);
     const Bspline smooth = refined(settings, slower);

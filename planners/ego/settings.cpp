@@ -56,6 +56,8 @@ Settings settings_from(const ab_setup& setup) {
       std::min(value("max_acceleration_mps2"), 0.8 * setup.max_acceleration_mps2);
   settings.grid = grid_from(setup);
   settings.body_size_m = avoidbench::as_vector(setup.body_size_m);
+  if (setup.gravity_mps2 > 0.0) settings.gravity_mps2 = setup.gravity_mps2;
+  settings.max_jerk_mps3 = value("max_jerk_mps3");
   settings.departure_m = value("departure_m");
   settings.horizon_m = value("horizon_m");
   settings.replan_distance_m = value("replan_distance_m");

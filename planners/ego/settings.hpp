@@ -16,7 +16,10 @@ struct Weights {
 /// Fixed for an instance; README.md has what each figure is for and its authors' own.
 struct Settings {
   double max_speed_mps = 3.0, max_acceleration_mps2 = 4.0;
+  double max_jerk_mps3 = 40.0;
   double vehicle_acceleration_mps2 = 6.0;  ///< what no command may exceed
+  double gravity_mps2 = 9.81;
+  double max_turn_rate_radps = 7.0;  ///< of the thrust; vehicles roll and pitch faster
   planning::RollingGridSpec grid;
   Eigen::Vector3d body_size_m = Eigen::Vector3d(0.5, 0.5, 0.12);
   double departure_m = 1.0;  ///< how far it may climb above or sink below the missions' heights
@@ -42,6 +45,9 @@ struct Declared {
       avoidbench::parameter("max_speed_mps", "m/s", 3.0, 0.2, 15.0, "Greatest speed."),
       avoidbench::parameter("max_acceleration_mps2", "m/s^2", 4.0, 0.5, 20.0,
                             "Greatest acceleration it plans with."),
+      avoidbench::parameter(
+          "max_jerk_mps3", "m/s^3", 40.0, 1.0, 1000.0,
+          "Greatest jerk it plans with: over 9.8 m/s^2 the body rate it asks for."),
       avoidbench::parameter("resolution_m", "m", 0.1, 0.05, 0.5, "Edge of the map's cells."),
       avoidbench::parameter("map_range_m", "m", 6.0, 2.0, 15.0,
                             "Half the map's side; beyond it nothing is known."),
@@ -53,7 +59,7 @@ struct Declared {
                             "What an image adds to a cell in which it sees a surface."),
       avoidbench::parameter("miss_log_odds", "", -0.62, -10.0, -0.05,
                             "What it adds to a cell that it sees through."),
-      avoidbench::parameter("inflation_m", "m", 0.3, 0.0, 2.0,
+      avoidbench::parameter("inflation_m", "m", 0.4, 0.0, 2.0,
                             "How far from an occupied cell along each axis the way counts as "
                             "blocked for the vehicle's centre."),
       avoidbench::parameter("departure_m", "m", 1.0, 0.0, 50.0,

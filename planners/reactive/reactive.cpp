@@ -24,8 +24,7 @@ class Reactive {
   static constexpr std::uint32_t needs = AB_SEES_STATE | AB_SEES_DEPTH;
   static constexpr std::uint32_t commands = AB_COMMAND_VELOCITY;
   static constexpr std::array parameters{
-      avoidbench::parameter("max_speed_mps", "m/s", 2.5, 0.2, 15.0,
-                            "Speed where the way is free."),
+      avoidbench::parameter("max_speed_mps", "m/s", 2.5, 0.2, 15.0, "Speed where the way is free."),
       avoidbench::parameter("braking_mps2", "m/s^2", 3.0, 0.5, 20.0,
                             "Deceleration it counts on: it never flies faster than it could stop "
                             "in what it sees free."),

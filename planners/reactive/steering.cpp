@@ -128,8 +128,7 @@ double Steerer::speed_limit(const Situation& now, const Aim& aim,
   if (!candidate.is_seen) return 0.0;
   // Stop before what blocks the way, or at the goal.
   const double way_m = std::max(0.0, candidate.free_m - 0.1);
-  double limit =
-      std::min(settings_.max_speed_mps, std::sqrt(2.0 * settings_.braking_mps2 * way_m));
+  double limit = std::min(settings_.max_speed_mps, std::sqrt(2.0 * settings_.braking_mps2 * way_m));
   limit = std::min(limit, 0.6 + std::sqrt(2.0 * settings_.braking_mps2 * aim.distance_m));
   // Slower past near surfaces, and while the camera looks elsewhere.
   limit = std::min(limit, 0.7 + 3.0 * std::max(0.0, nearest_m_ - settings_.body_radius_m));
@@ -202,8 +201,7 @@ Steering Steerer::steer(const Situation& now) {
     tried = candidates(now, goal, radius_m);
     if (share == 1.0 && (tried.empty() || dot(tried.front().direction, goal.direction) < 0.3))
       continue;
-    const double speed =
-        share == 1.0 ? settings_.max_speed_mps : 0.5 * settings_.max_speed_mps;
+    const double speed = share == 1.0 ? settings_.max_speed_mps : 0.5 * settings_.max_speed_mps;
     if (find_flyable(now, goal, radius_m, speed, tried, found)) {
       commit(goal, found.look);
       return found;

@@ -25,8 +25,7 @@ class StraightLine {
   explicit StraightLine(const ab_setup& setup) {
     const avoidbench::Parameters<StraightLine> values(setup);
     max_speed_mps_ = values.number("max_speed_mps");
-    if (setup.max_speed_mps > 0.0)
-      max_speed_mps_ = std::min(max_speed_mps_, setup.max_speed_mps);
+    if (setup.max_speed_mps > 0.0) max_speed_mps_ = std::min(max_speed_mps_, setup.max_speed_mps);
     line_gain_hz_ = values.number("line_gain_hz");
     braking_mps2_ = setup.max_acceleration_mps2 > 0.0 ? 0.3 * setup.max_acceleration_mps2 : 1.0;
   }
@@ -54,8 +53,7 @@ class StraightLine {
       left_m += (goal_world_m_[i] - seen.state->position_world_m[i]) * course_[i];
     }
     // As fast as it can still stop from within the way that is left, and back to the line.
-    double speed_mps =
-        std::min(max_speed_mps_, std::sqrt(2.0 * braking_mps2_ * std::abs(left_m)));
+    double speed_mps = std::min(max_speed_mps_, std::sqrt(2.0 * braking_mps2_ * std::abs(left_m)));
     speed_mps = std::copysign(std::min(speed_mps, 2.0 * std::abs(left_m)), left_m);
     Vec3 velocity_world_mps{};
     for (std::size_t i = 0; i < 3; ++i) {

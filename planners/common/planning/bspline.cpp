@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "avoidbench/portable_math.hpp"
+
 namespace planning {
 namespace {
 
@@ -100,15 +102,21 @@ Bspline fitted(const std::vector<Vector3d>& way_points, double interval_s, const
   return spline;
 }
 
-double stretch_needed(const Bspline& spline, double speed_mps, double acceleration_mps2) {
+double stretch_needed(const Bspline& spline, const MotionLimits& limits) {
   const Eigen::Index count = spline.points.cols();
   const double dt = spline.interval_s;
   const Eigen::Matrix3Xd velocity =
       (spline.points.rightCols(count - 1) - spline.points.leftCols(count - 1)) / dt;
   const Eigen::Matrix3Xd acceleration =
       (velocity.rightCols(count - 2) - velocity.leftCols(count - 2)) / dt;
-  return std::max(velocity.colwise().norm().maxCoeff() / speed_mps,
-                  std::sqrt(acceleration.colwise().norm().maxCoeff() / acceleration_mps2));
+  const Eigen::Matrix3Xd jerk =
+      (acceleration.rightCols(count - 3) - acceleration.leftCols(count - 3)) / dt;
+  const auto greatest = [](const Eigen::Matrix3Xd& values) {
+    return values.colwise().norm().maxCoeff();
+  };
+  return std::max({greatest(velocity) / limits.speed_mps,
+                   std::sqrt(greatest(acceleration) / limits.acceleration_mps2),
+                   avoidbench::portable::pow(greatest(jerk) / limits.jerk_mps3, 1.0 / 3.0)});
 }
 
 }  // namespace planning

@@ -9,7 +9,8 @@
 namespace planning {
 namespace {
 
-constexpr double kFineStep_s = 0.01;  ///< of the heading's law
+constexpr double kFineStep_s = 0.01;     ///< of the heading's law
+constexpr double kStopJerk_mps3 = 40.0;  ///< of a stop: some 4 rad/s of roll or pitch
 
 double wanted_yaw(const TimedMotion& motion, double time_s, const LookAhead& look,
                   double otherwise_rad) {
@@ -36,7 +37,8 @@ Quintic stopping(const Motion& from, double braking_mps2) {
   constexpr double kPeak = 1.5;  // of a quintic's deceleration over its mean
   const double speed = from.velocity.norm(), pull = from.acceleration.norm();
   const double duration_s =
-      std::max({0.1, kPeak * speed / braking_mps2, 2.0 * pull / braking_mps2});
+      std::max({0.1, kPeak * speed / braking_mps2, 2.0 * pull / braking_mps2,
+                std::sqrt(6.0 * speed / kStopJerk_mps3), 4.0 * pull / kStopJerk_mps3});
   Motion rest;
   rest.position = from.position + from.velocity * (0.5 * duration_s) +
                   from.acceleration * (duration_s * duration_s / 12.0);
@@ -69,6 +71,19 @@ std::vector<ab_point> trajectory_points(const TimedMotion& motion, double from_s
   }
   points.back().yaw_rate_radps = 0.0;
   return points;
+}
+
+double thrust_turn_rate_radps(const TimedMotion& motion, double gravity_mps2, int count) {
+  const Eigen::Vector3d up(0.0, 0.0, gravity_mps2);
+  const double step_s = motion.duration_s / count;
+  Eigen::Vector3d before = (motion.at(0.0).acceleration + up).normalized();
+  double greatest = 0.0;
+  for (int i = 1; i <= count; ++i) {
+    const Eigen::Vector3d now = (motion.at(i * step_s).acceleration + up).normalized();
+    greatest = std::max(greatest, (now - before).norm() / step_s);
+    before = now;
+  }
+  return greatest;
 }
 
 Heading heading_at(const std::vector<ab_point>& points, double time_s) {

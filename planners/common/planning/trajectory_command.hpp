@@ -37,6 +37,10 @@ std::vector<ab_point> trajectory_points(const TimedMotion& motion, double from_s
                                         const Heading& heading, const LookAhead& look,
                                         std::optional<double> facing = std::nullopt);
 
+/// The greatest rate at which a motion turns the thrust of a multirotor, which points along
+/// acceleration less gravity: roll and pitch it needs. From `count` samples of the motion.
+double thrust_turn_rate_radps(const TimedMotion& motion, double gravity_mps2, int count = 60);
+
 /// The heading of such points `time_s` after the first.
 Heading heading_at(const std::vector<ab_point>& points, double time_s);
 

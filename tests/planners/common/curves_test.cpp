@@ -81,10 +81,10 @@ TEST(Bspline, DerivativesAreThoseOfThePosition) {
 
 TEST(Bspline, StretchKeepsTheLimits) {
   Bspline spline = spline_of_quintic(0.1, 12);
-  const double ratio = stretch_needed(spline, 2.0, 3.0);
+  const double ratio = stretch_needed(spline, {2.0, 3.0, 1e6});
   ASSERT_GT(ratio, 1.0);
   spline.interval_s *= ratio;
-  EXPECT_NEAR(stretch_needed(spline, 2.0, 3.0), 1.0, 1e-9);
+  EXPECT_NEAR(stretch_needed(spline, {2.0, 3.0, 1e6}), 1.0, 1e-9);
   for (double t = 0.0; t < spline.duration_s(); t += 0.01) {
     EXPECT_LE(velocity_at(spline, t).cwiseAbs().maxCoeff(), 2.0 + 1e-9);
     EXPECT_LE(acceleration_at(spline, t).cwiseAbs().maxCoeff(), 3.0 + 1e-9);

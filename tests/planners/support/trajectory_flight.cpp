@@ -15,6 +15,7 @@ using Eigen::Vector3d;
 using planning::Motion;
 
 constexpr double kBody_m = 0.3, kGravity_mps2 = 9.81;
+constexpr double kBodyRate_radps = 10.0;  ///< of the hummingbird's roll and pitch
 
 struct Reference {
   Motion motion;
@@ -169,7 +170,7 @@ void expect_flyable(const Demands& demands, double speed_mps) {
   EXPECT_LE(demands.speed_mps, speed_mps);
   EXPECT_LE(demands.acceleration_mps2, setup.max_acceleration_mps2);
   EXPECT_LE(demands.yaw_rate_radps, setup.max_yaw_rate_radps);
-  EXPECT_LE(demands.body_rate_radps, 4.0);
+  EXPECT_LE(demands.body_rate_radps, kBodyRate_radps);
   EXPECT_LE(demands.jump_m, 1e-3);
   EXPECT_LE(demands.speed_jump_mps, 0.02);
   EXPECT_LE(demands.end_speed_mps, 1e-9);
