@@ -22,7 +22,9 @@ class Flight {
   void reset(const ab_mission& mission);
 
   /// Takes an image into the map.
-  void see(const ab_depth_image& image) { surroundings_.grid.integrate(image); }
+  void see(const ab_depth_image& image) {
+    surroundings_.grid.integrate(planning::without_border(image, settings_.image_border_ratio));
+  }
 
   /// What to fly from now on; valid until the next call.
   const std::vector<ab_point>& plan(const ab_state& state);

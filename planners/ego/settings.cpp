@@ -17,6 +17,7 @@ struct Figure {
 constexpr std::array kPublished{Figure{"max_speed_mps", 2.0},  Figure{"max_acceleration_mps2", 3.0},
                                 Figure{"map_range_m", 5.5},    Figure{"ray_length_m", 4.5},
                                 Figure{"hit_log_odds", 0.619}, Figure{"miss_log_odds", -0.619},
+                                Figure{"least_depth_m", 0.2},  Figure{"image_border_ratio", 0.0},
                                 Figure{"inflation_m", 0.099},  Figure{"replan_period_s", 0.0}};
 
 /// The value given, or its authors' where the preset says so and nothing else was given.
@@ -38,6 +39,7 @@ planning::RollingGridSpec grid_from(const ab_setup& setup) {
   grid.resolution_m = value_of(setup, "resolution_m");
   grid.half_size_m = value_of(setup, "map_range_m");
   grid.longest_ray_m = value_of(setup, "ray_length_m");
+  grid.least_ray_m = value_of(setup, "least_depth_m");
   grid.pixel_step = static_cast<int>(value_of(setup, "pixel_step"));
   grid.hit = value_of(setup, "hit_log_odds");
   grid.miss = value_of(setup, "miss_log_odds");
@@ -55,6 +57,7 @@ Settings settings_from(const ab_setup& setup) {
   settings.max_acceleration_mps2 =
       std::min(value("max_acceleration_mps2"), 0.8 * setup.max_acceleration_mps2);
   settings.grid = grid_from(setup);
+  settings.image_border_ratio = value("image_border_ratio");
   settings.body_size_m = avoidbench::as_vector(setup.body_size_m);
   if (setup.gravity_mps2 > 0.0) settings.gravity_mps2 = setup.gravity_mps2;
   settings.max_jerk_mps3 = value("max_jerk_mps3");

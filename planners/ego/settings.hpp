@@ -21,6 +21,7 @@ struct Settings {
   double gravity_mps2 = 9.81;
   double max_turn_rate_radps = 7.0;  ///< of the thrust; vehicles roll and pitch faster
   planning::RollingGridSpec grid;
+  double image_border_ratio = 0.05;
   Eigen::Vector3d body_size_m = Eigen::Vector3d(0.5, 0.5, 0.12);
   double departure_m = 1.0;  ///< how far it may climb above or sink below the missions' heights
   double least_height_m = 0.5;
@@ -53,6 +54,11 @@ struct Declared {
                             "Half the map's side; beyond it nothing is known."),
       avoidbench::parameter("ray_length_m", "m", 5.5, 1.0, 15.0,
                             "Depth beyond this only frees the cells up to there."),
+      avoidbench::parameter("least_depth_m", "m", 0.5, 0.0, 5.0,
+                            "Nearer depth is left out: a stereo matcher's mistakes, mostly."),
+      avoidbench::parameter("image_border_ratio", "", 0.05, 0.0, 0.4,
+                            "Share of an image's rows left out at its upper and at its lower edge, "
+                            "for the same reason."),
       avoidbench::integer_parameter("pixel_step", "px", 2, 1, 16,
                                     "Every so many-th pixel and row goes into the map."),
       avoidbench::parameter("hit_log_odds", "", 0.85, 0.05, 10.0,

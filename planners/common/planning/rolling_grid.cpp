@@ -38,6 +38,16 @@ std::uint64_t bits_between(int from, int to, int word) {
 
 }  // namespace
 
+ab_depth_image without_border(const ab_depth_image& image, double share) {
+  if (image.height_px <= 0 || image.depth_m == nullptr) return image;
+  const int rows = static_cast<int>(std::clamp(share, 0.0, 0.49) * image.height_px);
+  ab_depth_image inner = image;
+  inner.height_px -= 2 * rows;
+  inner.cy_px -= rows;
+  inner.depth_m += static_cast<std::ptrdiff_t>(rows) * image.width_px;
+  return inner;
+}
+
 RollingGrid::RollingGrid(const RollingGridSpec& spec) : spec_(spec) {
   hit_ = thousandths(spec.hit);
   miss_ = thousandths(spec.miss);

@@ -25,6 +25,10 @@ struct RollingGridSpec {
 
 enum class CellState { unknown, free, occupied };
 
+/// The image without this share of its rows at the upper and at the lower edge, where stereo
+/// matchers err most. Shares its pixels.
+ab_depth_image without_border(const ab_depth_image& image, double share);
+
 /// Cells of the world: floor(position / resolution).
 using Cell = Eigen::Vector3i;
 

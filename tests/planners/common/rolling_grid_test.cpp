@@ -431,5 +431,22 @@ TEST(RollingGridImages, BoxStateIsThatOfAllCellsItTouches) {
   for (const int count : counts) EXPECT_GT(count, 100);
 }
 
+TEST(WithoutBorder, LeavesTheSameRaysInTheMiddle) {
+  std::vector<float> depth_m(40 * 20);
+  for (std::size_t i = 0; i < depth_m.size(); ++i) depth_m[i] = static_cast<float>(i);
+  ab_depth_image image{};
+  image.width_px = 40;
+  image.height_px = 20;
+  image.cy_px = 9.5;
+  image.depth_m = depth_m.data();
+  const ab_depth_image inner = without_border(image, 0.1);
+  EXPECT_EQ(inner.height_px, 16);
+  EXPECT_EQ(inner.depth_m[0], 80.0F);  // two rows further
+  EXPECT_EQ(inner.cy_px, 7.5);         // so that its rows look where they did
+  EXPECT_EQ(without_border(image, 0.0).height_px, 20);
+  image.height_px = 0;
+  EXPECT_EQ(without_border(image, 0.3).height_px, 0);
+}
+
 }  // namespace
 }  // namespace planning
