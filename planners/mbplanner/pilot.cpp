@@ -235,6 +235,15 @@ std::vector<Primitive> Pilot::chain_left(double phase_s) const {
   return left;
 }
 
+/// The course from this phase on, a knot a step.
+std::vector<Motion> Pilot::knots_left(double phase_s) const {
+  std::vector<Motion> left;
+  for (double at_s = phase_s + kStep_s; at_s < course_.duration_s() + kStep_s; at_s += kStep_s) {
+    left.push_back(course_.at(at_s));
+  }
+  return left;
+}
+
 void Pilot::decide(double time_s) {
   const double phase = phase_s(time_s);
   const bool blocked = is_blocked(phase);
@@ -265,9 +274,7 @@ bool Pilot::find_path(double time_s, bool is_blocked_now) {
   task.chain = chain_left(phase);
   std::vector<Motion> flown;
   if (course_.kind == Kind::path && !is_blocked_now) {
-    for (double at_s = phase + kStep_s; at_s < course_.duration_s(); at_s += kStep_s) {
-      flown.push_back(course_.at(at_s));
-    }
+    flown = knots_left(phase);
   }
   const bool is_slow = task.root.velocity.norm() < 0.5 * settings_.speed_mps;
   const int loosest = is_slow || is_blocked_now ? settings_.relaxations : 0;
@@ -302,10 +309,11 @@ bool Pilot::find_path(double time_s, bool is_blocked_now) {
 }
 
 void Pilot::brake(double time_s) {
-  const Motion now = course_.at(phase_s(time_s));
+  const double phase = phase_s(time_s);
+  const Motion now = course_.at(phase);
   Course course;
   course.kind = Kind::brake;
-  course.knots = least_bad_stop(now, space(1), limits(0), settings_);
+  course.knots = least_bad_stop(now, knots_left(phase), space(1), space(2), limits(0), settings_);
   course.knots.insert(course.knots.begin(), now);
   course.relaxation = 1;
   braked_s_ = time_s;
