@@ -72,7 +72,7 @@ class @CLASS@ {
   // Each can be set and swept in a sweep file. Values outside the range are refused before the
   // first trial.
   static constexpr std::array parameters{
-      avoidbench::parameter("cruise_speed_mps", "m/s", 1.5, 0.1, 10.0,
+      avoidbench::parameter("max_speed_mps", "m/s", 1.5, 0.1, 10.0,
                             "Speed where the way is free."),
       avoidbench::parameter("margin_m", "m", 0.3, 0.0, 2.0,
                             "Distance kept between body and surfaces.")};
@@ -81,7 +81,7 @@ class @CLASS@ {
   // user sees.
   explicit @CLASS@(const ab_setup& setup) {
     const avoidbench::Parameters<@CLASS@> values(setup);
-    cruise_speed_mps_ = values.number("cruise_speed_mps");
+    max_speed_mps_ = values.number("max_speed_mps");
     corridor_m_ = setup.body_radius_m + values.number("margin_m");
   }
 
@@ -124,7 +124,7 @@ class @CLASS@ {
     }
     // Slow enough to stop in half the free way, whose deceleration is 2 m/s².
     const double speed_mps =
-        std::min(cruise_speed_mps_, std::sqrt(2.0 * std::max(0.0, best_free_m - 0.5)));
+        std::min(max_speed_mps_, std::sqrt(2.0 * std::max(0.0, best_free_m - 0.5)));
     const double climb_mps = std::clamp(goal_world_m_[2] - state.position_world_m[2], -0.5, 0.5);
     return avoidbench::make_velocity_command(
         {speed_mps * portable::cos(yaw_rad_), speed_mps * portable::sin(yaw_rad_), climb_mps},
@@ -165,7 +165,7 @@ class @CLASS@ {
     return free_m;
   }
 
-  double cruise_speed_mps_ = 0.0, corridor_m_ = 0.0, yaw_rad_ = 0.0;
+  double max_speed_mps_ = 0.0, corridor_m_ = 0.0, yaw_rad_ = 0.0;
   Vec3 goal_world_m_{};
   std::vector<Vec3> points_world_m_;
 };
@@ -184,7 +184,7 @@ Flies toward the goal along the freest of the headings that the camera sees.
 
 | parameter | unit | default | meaning |
 |---|---|---|---|
-| `cruise_speed_mps` | m/s | 1.5 | speed where the way is free |
+| `max_speed_mps` | m/s | 1.5 | speed where the way is free |
 | `margin_m` | m | 0.3 | distance kept between body and surfaces |
 EOF
 

@@ -194,7 +194,9 @@ std::string sweep_defaults_yaml() {
           "\n# Names, or {plugin: NAME or ./FILE.so, label: …, parameters: {name: value or list}, "
           "max_speed_mps: …};\n"
           "# see avoidbench planners list, and planners describe NAME for the parameters.\n"
-          "planners:\n  - straight_line\n  - reactive\n";
+          "planners:\n  - straight_line\n  - reactive\n"
+          "# max_speed_mps: 3               # Speed limit of all planners that are given none; a "
+          "list compares speeds.\n";
   add_block(text, "maps", trial.map, "The maps.");
   BlockPrinter seeds("  ");
   seeds.line("seeds: [1]", "Map seeds as a list, or how many of them, from 1.");

@@ -199,6 +199,24 @@ PlannerChoice make_choice(const Entry& entry, const std::vector<std::size_t>& ch
   return result;
 }
 
+/// The sweep's speed limit, where the planner was given none of its own.
+void add_common_speed(const YamlNode& max_speed, const YamlNode& node, Entry& entry,
+                      Reading& reading) {
+  const std::string name = "max_speed_mps";
+  const bool is_given = std::any_of(entry.parameters.begin(), entry.parameters.end(),
+                                    [&](const auto& given) { return given.name == name; });
+  if (is_given) return;
+  if (parameter_def(entry.planner, name) == nullptr) {
+    reading.problems.push_back(
+        problem_at(node, entry.path + ": " + entry.planner.name +
+                             " has no parameter 'max_speed_mps' and can't keep the sweep's"));
+    return;
+  }
+  YamlNode key = max_speed;
+  key.scalar = name;
+  read_parameter(key, max_speed, name, entry, reading);
+}
+
 /// All combinations of the values, the last parameter fastest.
 void add_choices(const Entry& entry, const YamlNode& node, std::vector<PlannerChoice>& planners,
                  Reading& reading) {
@@ -225,8 +243,8 @@ void add_choices(const Entry& entry, const YamlNode& node, std::vector<PlannerCh
 
 }  // namespace
 
-std::vector<PlannerChoice> read_planners(const YamlNode& node, const fs::path& base_folder,
-                                         Reading& reading) {
+std::vector<PlannerChoice> read_planners(const YamlNode& node, const YamlNode* max_speed,
+                                         const fs::path& base_folder, Reading& reading) {
   std::vector<PlannerChoice> planners;
   std::map<std::string, std::string> label_owners;
   const std::vector<YamlNode> single{node};
@@ -239,7 +257,8 @@ std::vector<PlannerChoice> read_planners(const YamlNode& node, const fs::path& b
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const std::string path = is_list ? "planners[" + std::to_string(i) + "]" : "planners";
     const std::size_t before = reading.problems.size();
-    const std::optional<Entry> entry = read_entry(nodes[i], path, base_folder, reading);
+    std::optional<Entry> entry = read_entry(nodes[i], path, base_folder, reading);
+    if (entry && max_speed != nullptr) add_common_speed(*max_speed, nodes[i], *entry, reading);
     if (!entry || reading.problems.size() > before) continue;
     const std::size_t first = planners.size();
     add_choices(*entry, nodes[i], planners, reading);

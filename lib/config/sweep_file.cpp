@@ -147,8 +147,9 @@ SweepSpec read_sweep(const fs::path& file, const std::vector<std::string>& overr
   if (const YamlNode* node = reader.take("axes")) read_axes(*node, sweep, reading);
   resolve_map_files(root, folder, sweep, reading);
   const YamlNode* planners = reader.take("planners");
+  const YamlNode* max_speed = reader.take("max_speed_mps");
   if (planners != nullptr) {
-    sweep.planners = read_planners(*planners, folder, reading);
+    sweep.planners = read_planners(*planners, max_speed, folder, reading);
   } else {
     reading.problems.push_back(
         problem_at(root, "lacks 'planners', the list of planners to compare"));
@@ -212,7 +213,7 @@ MapChoice read_map(const std::string& file_or_generator,
   round_rates(root, sweep);
   choice.trial = sweep.base;
   choice.warnings = sweep.warnings;
-  for (const char* other : {"sweep", "trials", "axes", "planners"}) reader.take(other);
+  for (const char* other : {"sweep", "trials", "axes", "planners", "max_speed_mps"}) reader.take(other);
   reader.finish();
   if (reading.problems.empty()) add_contradictions(root, sweep, reading);
   if (!reading.problems.empty()) fail(reading.problems, file_or_generator);

@@ -24,7 +24,7 @@ class Reactive {
   static constexpr std::uint32_t needs = AB_SEES_STATE | AB_SEES_DEPTH;
   static constexpr std::uint32_t commands = AB_COMMAND_VELOCITY;
   static constexpr std::array parameters{
-      avoidbench::parameter("cruise_speed_mps", "m/s", 2.5, 0.2, 15.0,
+      avoidbench::parameter("max_speed_mps", "m/s", 2.5, 0.2, 15.0,
                             "Speed where the way is free."),
       avoidbench::parameter("braking_mps2", "m/s^2", 3.0, 0.5, 20.0,
                             "Deceleration it counts on: it never flies faster than it could stop "
@@ -79,7 +79,7 @@ class Reactive {
   static reactive::SteeringSettings settings_from(const ab_setup& setup) {
     const avoidbench::Parameters<Reactive> values(setup);
     reactive::SteeringSettings settings;
-    settings.cruise_speed_mps = values.number("cruise_speed_mps");
+    settings.max_speed_mps = values.number("max_speed_mps");
     settings.braking_mps2 = values.number("braking_mps2");
     settings.margin_m = values.number("margin_m");
     settings.lookahead_m = values.number("lookahead_m");
@@ -88,7 +88,7 @@ class Reactive {
     settings.response.acceleration_mps2 = settings.braking_mps2;
     settings.response.latency_s = 0.05 + setup.plan_period_s;
     if (setup.max_speed_mps > 0.0) {
-      settings.cruise_speed_mps = std::min(settings.cruise_speed_mps, setup.max_speed_mps);
+      settings.max_speed_mps = std::min(settings.max_speed_mps, setup.max_speed_mps);
     }
     return settings;
   }

@@ -50,7 +50,7 @@ double Steerer::cost(const Situation& now, const Aim& aim, const Candidate& cand
   const double speed = norm(now.velocity);
   double total = kGoalWeight * (1.0 - dot(d, aim.direction)) + kClearWeight * blocked * blocked;
   if (speed > 0.2) {
-    const double weight = kMotionWeight * std::min(1.0, speed / settings_.cruise_speed_mps);
+    const double weight = kMotionWeight * std::min(1.0, speed / settings_.max_speed_mps);
     total += weight * (1.0 - dot(d, now.velocity) / speed);
   }
   if (norm(last_) > 0.0) total += kKeepWeight * (1.0 - dot(d, last_));
@@ -129,7 +129,7 @@ double Steerer::speed_limit(const Situation& now, const Aim& aim,
   // Stop before what blocks the way, or at the goal.
   const double way_m = std::max(0.0, candidate.free_m - 0.1);
   double limit =
-      std::min(settings_.cruise_speed_mps, std::sqrt(2.0 * settings_.braking_mps2 * way_m));
+      std::min(settings_.max_speed_mps, std::sqrt(2.0 * settings_.braking_mps2 * way_m));
   limit = std::min(limit, 0.6 + std::sqrt(2.0 * settings_.braking_mps2 * aim.distance_m));
   // Slower past near surfaces, and while the camera looks elsewhere.
   limit = std::min(limit, 0.7 + 3.0 * std::max(0.0, nearest_m_ - settings_.body_radius_m));
@@ -161,7 +161,7 @@ Vector3 Steerer::safest_velocity(const std::vector<Candidate>& candidates) const
   double most_m = rollout_clearance(near_, velocity_, {}, settings_.response, kPredicted_m);
   for (const Candidate& candidate : candidates) {
     if (!candidate.is_seen) continue;
-    const Vector3 velocity = std::min(1.0, settings_.cruise_speed_mps) * candidate.direction;
+    const Vector3 velocity = std::min(1.0, settings_.max_speed_mps) * candidate.direction;
     const double clearance_m =
         rollout_clearance(near_, velocity_, velocity, settings_.response, kPredicted_m);
     if (clearance_m > most_m + 0.02) {
@@ -203,7 +203,7 @@ Steering Steerer::steer(const Situation& now) {
     if (share == 1.0 && (tried.empty() || dot(tried.front().direction, goal.direction) < 0.3))
       continue;
     const double speed =
-        share == 1.0 ? settings_.cruise_speed_mps : 0.5 * settings_.cruise_speed_mps;
+        share == 1.0 ? settings_.max_speed_mps : 0.5 * settings_.max_speed_mps;
     if (find_flyable(now, goal, radius_m, speed, tried, found)) {
       commit(goal, found.look);
       return found;

@@ -11,7 +11,7 @@ namespace reactive {
 
 /// Fixed for a flight.
 struct SteeringSettings {
-  double cruise_speed_mps = 2.5;
+  double max_speed_mps = 2.5;
   double braking_mps2 = 3.0;
   double body_radius_m = 0.36;
   double margin_m = 0.3;

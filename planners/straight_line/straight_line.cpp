@@ -17,16 +17,16 @@ class StraightLine {
   static constexpr std::uint32_t needs = AB_SEES_STATE;
   static constexpr std::uint32_t commands = AB_COMMAND_VELOCITY;
   static constexpr std::array parameters{
-      avoidbench::parameter("cruise_speed_mps", "m/s", 3.0, 0.1, 20.0,
+      avoidbench::parameter("max_speed_mps", "m/s", 3.0, 0.1, 20.0,
                             "Speed held until the goal is near."),
       avoidbench::parameter("line_gain_hz", "1/s", 1.0, 0.0, 5.0,
                             "Speed back toward the line for each metre beside it.")};
 
   explicit StraightLine(const ab_setup& setup) {
     const avoidbench::Parameters<StraightLine> values(setup);
-    cruise_speed_mps_ = values.number("cruise_speed_mps");
+    max_speed_mps_ = values.number("max_speed_mps");
     if (setup.max_speed_mps > 0.0)
-      cruise_speed_mps_ = std::min(cruise_speed_mps_, setup.max_speed_mps);
+      max_speed_mps_ = std::min(max_speed_mps_, setup.max_speed_mps);
     line_gain_hz_ = values.number("line_gain_hz");
     braking_mps2_ = setup.max_acceleration_mps2 > 0.0 ? 0.3 * setup.max_acceleration_mps2 : 1.0;
   }
@@ -55,7 +55,7 @@ class StraightLine {
     }
     // As fast as it can still stop from within the way that is left, and back to the line.
     double speed_mps =
-        std::min(cruise_speed_mps_, std::sqrt(2.0 * braking_mps2_ * std::abs(left_m)));
+        std::min(max_speed_mps_, std::sqrt(2.0 * braking_mps2_ * std::abs(left_m)));
     speed_mps = std::copysign(std::min(speed_mps, 2.0 * std::abs(left_m)), left_m);
     Vec3 velocity_world_mps{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -70,7 +70,7 @@ class StraightLine {
   }
 
  private:
-  double cruise_speed_mps_ = 0.0, line_gain_hz_ = 0.0, braking_mps2_ = 0.0;
+  double max_speed_mps_ = 0.0, line_gain_hz_ = 0.0, braking_mps2_ = 0.0;
   Vec3 start_world_m_{}, goal_world_m_{}, course_{};
   double yaw_rad_ = 0.0;
 };

@@ -149,6 +149,16 @@ void query(benchmark::State& state, Query ask) {
   }
 }
 
+void is_inflated(benchmark::State& state) {
+  query(state, [](const RollingGrid& grid, const Vector3d& at) { return grid.is_inflated(at); });
+}
+
+void box_state(benchmark::State& state) {
+  query(state, [](const RollingGrid& grid, const Vector3d& at) {
+    return grid.box_state(at, {0.7, 0.7, 0.4});
+  });
+}
+
 BENCHMARK_CAPTURE(integrate, forest, false)
     ->UseManualTime()
     ->Iterations(200)
@@ -157,10 +167,8 @@ BENCHMARK_CAPTURE(integrate, forest_from_unknown, true)
     ->UseManualTime()
     ->Iterations(200)
     ->Unit(benchmark::kMillisecond);
-void is_inflated(benchmark::State& state) {
-  query(state, [](const RollingGrid& grid, const Vector3d& at) { return grid.is_inflated(at); });
-}
 BENCHMARK(is_inflated);
+BENCHMARK(box_state);
 
 }  // namespace
 }  // namespace avoidbench

@@ -93,6 +93,23 @@ TEST_F(SweepFiles, PlannersAreLoadedAndTheirParametersFilledIn) {
   EXPECT_EQ(second.file, std::string(CONFIG_TEST_PLANNERS) + "/tunable.so");
 }
 
+TEST_F(SweepFiles, OneSpeedLimitHoldsForAllPlannersThatAreGivenNone) {
+  const SweepSpec sweep = read(
+      "sweep: a\nmax_speed_mps: [2, 4]\nplanners:\n  - tunable\n"
+      "  - {plugin: tunable, label: own, max_speed_mps: 6}\n");
+  ASSERT_EQ(sweep.planners.size(), 3U);
+  EXPECT_EQ(sweep.planners[0].label, "tunable[max_speed_mps=2]");
+  EXPECT_EQ(sweep.planners[0].parameters[4].number, 2.0);
+  EXPECT_EQ(sweep.planners[1].parameters[4].number, 4.0);
+  EXPECT_EQ(sweep.planners[2].label, "own");
+  EXPECT_EQ(sweep.planners[2].parameters[4].number, 6.0);
+  EXPECT_EQ(read("sweep: a\nplanners: [tunable]\n", {"max_speed_mps=3"})
+                .planners[0]
+                .parameters[4]
+                .number,
+            3.0);
+}
+
 TEST_F(SweepFiles, PlannerPathsAreRelativeToTheSweep) {
   std::filesystem::create_directories(folder_ / "built");
   std::filesystem::copy(std::string(CONFIG_TEST_PLANNERS) + "/tunable.so",

@@ -107,8 +107,8 @@ double stretch_needed(const Bspline& spline, double speed_mps, double accelerati
       (spline.points.rightCols(count - 1) - spline.points.leftCols(count - 1)) / dt;
   const Eigen::Matrix3Xd acceleration =
       (velocity.rightCols(count - 2) - velocity.leftCols(count - 2)) / dt;
-  return std::max(velocity.cwiseAbs().maxCoeff() / speed_mps,
-                  std::sqrt(acceleration.cwiseAbs().maxCoeff() / acceleration_mps2));
+  return std::max(velocity.colwise().norm().maxCoeff() / speed_mps,
+                  std::sqrt(acceleration.colwise().norm().maxCoeff() / acceleration_mps2));
 }
 
 }  // namespace planning

@@ -27,8 +27,8 @@ Eigen::Vector3d jerk_at(const Bspline& spline, double time_s);
 Bspline fitted(const std::vector<Eigen::Vector3d>& way_points, double interval_s,
                const Motion& start, const Motion& end);
 
-/// By how much time must be stretched for velocity and acceleration to keep the limits on each axis
-/// at all times; 1 or less: they do. By the control points, which bound them.
+/// By how much time must be stretched for speed and acceleration to keep the limits at all times; 1
+/// or less: they do. By the control points, which bound them.
 double stretch_needed(const Bspline& spline, double speed_mps, double acceleration_mps2);
 
 }  // namespace planning

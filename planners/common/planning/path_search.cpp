@@ -71,27 +71,30 @@ std::optional<std::vector<Vector3d>> PathSearch::find(const RollingGrid& grid,
   const auto start = freed(grid, grid.cell_of(start_world), grid.cell_of(goal_world));
   const auto goal = freed(grid, grid.cell_of(goal_world), grid.cell_of(start_world));
   if (!start || !goal) return std::nullopt;
+  const Cell lowest = grid.cell_of(Vector3d(0.0, 0.0, spec_.lowest_m));
+  const Cell highest = grid.cell_of(Vector3d(0.0, 0.0, spec_.highest_m));
   const int side = 2 * spec_.half_size_cells + 1;
-  const Cell middle = (*start + *goal) / 2;
-  const Cell corner = middle - Cell::Constant(spec_.half_size_cells);
+  const Cell sides(side, side, highest.z() - lowest.z() + 1);
+  Cell corner = (*start + *goal) / 2 - Cell::Constant(spec_.half_size_cells);
+  corner.z() = lowest.z();
   const auto is_inside = [&](const Cell& cell) {
-    return ((cell - corner).array() >= 0).all() && ((cell - corner).array() < side).all();
+    return ((cell - corner).array() >= 0).all() && ((cell - corner).array() < sides.array()).all();
   };
   if (!is_inside(*start) || !is_inside(*goal)) return std::nullopt;
   const auto index_of = [&](const Cell& cell) {
     const Cell c = cell - corner;
-    return static_cast<std::uint32_t>((c.x() * side + c.y()) * side + c.z());
+    return static_cast<std::uint32_t>((c.x() * side + c.y()) * sides.z() + c.z());
   };
   const auto cell_at = [&](std::uint32_t index) {
     const int i = static_cast<int>(index);
-    return Cell(corner + Cell(i / (side * side), i / side % side, i % side));
+    return Cell(corner + Cell(i / (side * sides.z()), i / sides.z() % side, i % sides.z()));
   };
   const auto is_later = [](const Open& a, const Open& b) {
     return a.total != b.total ? a.total > b.total : a.order < b.order;
   };
   const auto size = static_cast<std::size_t>(side) * static_cast<std::size_t>(side) *
-                    static_cast<std::size_t>(side);
-  if (nodes_.size() != size) nodes_.assign(size, {});
+                    static_cast<std::size_t>(sides.z());
+  if (nodes_.size() < size) nodes_.assign(size, {});
   ++search_;
   open_.clear();
   std::uint32_t order = 0;

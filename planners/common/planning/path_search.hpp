@@ -9,7 +9,7 @@
 namespace planning {
 
 struct PathSearchSpec {
-  int half_size_cells = 50;  ///< of the searched box, around the middle of start and goal
+  int half_size_cells = 50;  ///< of the searched box along x and y, around start and goal's middle
   double lowest_m = 0.3, highest_m = 5.0;  ///< heights that may be used
   int most_expansions = 200000;
 };
@@ -20,6 +20,12 @@ struct PathSearchSpec {
 class PathSearch {
  public:
   explicit PathSearch(const PathSearchSpec& spec) : spec_(spec) {}
+
+  /// From now on only these heights may be used.
+  void use_heights(double lowest_m, double highest_m) {
+    spec_.lowest_m = lowest_m;
+    spec_.highest_m = highest_m;
+  }
 
   /// Cell centres from the start's to the goal's, both included. Ends inside obstacles are moved
   /// along the line between them to the nearest free cell. Nothing where there is no way within the

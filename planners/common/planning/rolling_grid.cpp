@@ -86,19 +86,28 @@ void RollingGrid::move_to(const Vector3d& center_world) {
     return;
   }
   if (far_x == 0 && far_y == 0) return;
-  center_at(center);
-  for (int x = first_x_; x < first_x_ + side_; ++x) {
-    const bool is_new_row = x < old_x || x >= old_x + side_;
-    for (int y = first_y_; y < first_y_ + side_; ++y) {
-      if (is_new_row || y < old_y || y >= old_y + side_) forget_column(x, y);
+  // Where a surface leaves, what stays beside it changes. What comes in has surfaces beside it
+  // only.
+  std::vector<Eigen::Vector2i> left_behind;
+  for (int x = old_x; x < old_x + side_; ++x) {
+    const bool leaves = x < old_x + far_x || x >= old_x + far_x + side_;
+    for (int y = old_y; y < old_y + side_; ++y) {
+      if (!leaves && y >= old_y + far_y && y < old_y + far_y + side_) continue;
+      if (forget_column(x, y)) left_behind.emplace_back(x, y);
     }
   }
-  // Surfaces that left went on beyond these edges.
-  const int edge_x = far_x > 0 ? first_x_ : first_x_ + side_ - 1;
-  const int edge_y = far_y > 0 ? first_y_ : first_y_ + side_ - 1;
-  for (int i = 0; i < side_; ++i) {
-    if (far_x != 0) mark_changed(edge_x, first_y_ + i);
-    if (far_y != 0) mark_changed(first_x_ + i, edge_y);
+  center_at(center);
+  for (const Eigen::Vector2i& at : left_behind) {
+    mark_changed(std::clamp(at.x(), first_x_, first_x_ + side_ - 1),
+                 std::clamp(at.y(), first_y_, first_y_ + side_ - 1));
+  }
+  for (int x = first_x_; x < first_x_ + side_; ++x) {
+    const bool comes_in = x < old_x || x >= old_x + side_;
+    for (int y = first_y_; y < first_y_ + side_; ++y) {
+      if (!comes_in && y >= old_y && y < old_y + side_) continue;
+      column_flags_[column_of(x, y)] |= kInReach;
+      in_reach_.emplace_back(x, y);
+    }
   }
   inflate_changes();
 }
@@ -162,20 +171,24 @@ CellState RollingGrid::box_state(const Vector3d& center_world, const Vector3d& s
   return unknown == 0 && is_inside ? CellState::free : CellState::unknown;
 }
 
-void RollingGrid::forget_column(int x, int y) {
+/// Whether there was a surface in it.
+bool RollingGrid::forget_column(int x, int y) {
   const auto words = static_cast<std::ptrdiff_t>(words_);
   const std::size_t start = column_start(x, y);
   const auto word = static_cast<std::ptrdiff_t>(start / 64);
   std::fill_n(log_odds_.begin() + static_cast<std::ptrdiff_t>(start), 64 * words, std::int16_t{0});
+  std::uint64_t occupied = 0;
+  for (std::ptrdiff_t w = 0; w < words; ++w)
+    occupied |= occupied_[start / 64 + static_cast<std::size_t>(w)];
   for (auto* bits : {&known_, &occupied_, &inflated_, &settled_}) {
     std::fill_n(bits->begin() + word, words, std::uint64_t{0});
   }
-  mark_changed(x, y);
+  return occupied != 0;
 }
 
 /// The inflation of this column and its neighbours is to be found anew.
 void RollingGrid::mark_changed(int x, int y) {
-  std::uint8_t& flags = column_flags_[column_start(x, y) / 64 / static_cast<std::size_t>(words_)];
+  std::uint8_t& flags = column_flags_[column_of(x, y)];
   if ((flags & kChanged) != 0) return;
   flags |= kChanged;
   changed_.emplace_back(x, y);
@@ -185,13 +198,12 @@ void RollingGrid::mark_changed(int x, int y) {
 /// z.
 void RollingGrid::inflate_changes() {
   const auto words = static_cast<std::size_t>(words_);
-  const auto number_of = [&](int x, int y) { return column_start(x, y) / 64 / words; };
   const auto first_of = [&](int value, int first) { return std::max(value - reach_, first); };
   const auto last_of = [&](int value, int first) {
     return std::min(value + reach_, first + side_ - 1);
   };
   const auto gather = [&](int x, int y, std::uint8_t flag, std::vector<Eigen::Vector2i>& list) {
-    std::uint8_t& flags = column_flags_[number_of(x, y)];
+    std::uint8_t& flags = column_flags_[column_of(x, y)];
     if ((flags & flag) != 0) return;
     flags |= flag;
     list.emplace_back(x, y);
@@ -213,24 +225,24 @@ void RollingGrid::inflate_changes() {
     }
   }
   for (const Eigen::Vector2i& at : swept_) {
-    std::uint64_t* to = &swept_bits_[number_of(at.x(), at.y()) * words];
+    std::uint64_t* to = &swept_bits_[column_of(at.x(), at.y()) * words];
     std::fill_n(to, words, std::uint64_t{0});
     for (int y = first_of(at.y(), first_y_); y <= last_of(at.y(), first_y_); ++y) {
-      const std::uint64_t* from = &occupied_[number_of(at.x(), y) * words];
+      const std::uint64_t* from = &occupied_[column_of(at.x(), y) * words];
       for (std::size_t w = 0; w < words; ++w) to[w] |= from[w];
     }
   }
   for (const Eigen::Vector2i& at : in_reach_) {
-    std::uint64_t* to = &inflated_[number_of(at.x(), at.y()) * words];
+    std::uint64_t* to = &inflated_[column_of(at.x(), at.y()) * words];
     std::fill_n(to, words, std::uint64_t{0});
     for (int x = first_of(at.x(), first_x_); x <= last_of(at.x(), first_x_); ++x) {
-      const std::uint64_t* from = &swept_bits_[number_of(x, at.y()) * words];
+      const std::uint64_t* from = &swept_bits_[column_of(x, at.y()) * words];
       for (std::size_t w = 0; w < words; ++w) to[w] |= from[w];
     }
     grow_along_z(to);
   }
   for (const auto* list : {&changed_, &in_reach_, &swept_}) {
-    for (const Eigen::Vector2i& at : *list) column_flags_[number_of(at.x(), at.y())] = 0;
+    for (const Eigen::Vector2i& at : *list) column_flags_[column_of(at.x(), at.y())] = 0;
   }
   changed_.clear();
   in_reach_.clear();

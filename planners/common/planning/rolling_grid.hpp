@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -83,16 +84,25 @@ class RollingGrid {
     std::int16_t x, y, z;
   };
 
+  /// One part of the rays of a column or a row of pixels, a metre deep.
+  struct Ray {
+    Eigen::Vector3d way_cells;
+    double length2;  ///< [m²]
+  };
+  static constexpr std::size_t kWindows = 4;
+
   /// A number of x or y, counted from the least cell inside, as the ring has it.
   int ringed(int from_first, int ring_start) const {
     const int place = from_first + ring_start;
     return place < side_ ? place : place - side_;
   }
+  std::size_t column_of(int x, int y) const {
+    return static_cast<std::size_t>(ringed(x - first_x_, ring_x_) * side_ +
+                                    ringed(y - first_y_, ring_y_));
+  }
   /// Columns are whole words of 64 cells, so that one index serves cells and bits.
   std::size_t column_start(int x, int y) const {
-    const auto row = static_cast<std::size_t>(ringed(x - first_x_, ring_x_));
-    const auto place = static_cast<std::size_t>(ringed(y - first_y_, ring_y_));
-    return (row * static_cast<std::size_t>(side_) + place) * static_cast<std::size_t>(words_) * 64;
+    return column_of(x, y) * static_cast<std::size_t>(words_) * 64;
   }
   std::size_t index_of(const Cell& cell) const {
     return column_start(cell.x(), cell.y()) + static_cast<std::size_t>(cell.z() - lowest_z_);
@@ -103,20 +113,25 @@ class RollingGrid {
   }
 
   void center_at(const Cell& center);
-  void forget_column(int x, int y);
+  bool forget_column(int x, int y);
   void mark_changed(int x, int y);
   void inflate_changes();
   void grow_along_z(std::uint64_t* column) const;
 
   bool look(const ab_depth_image& image, View& view);
   void take_nearest(const ab_depth_image& image, const View& view);
-  void add_end(const View& view, float depth_m, int u, int v);
+  float nearest_far_enough(const ab_depth_image& image, const View& view, int left, int top) const;
+  double distance_m(int u, int v, float depth_m) const;
+  void end_ray(const ab_depth_image& image, const View& view, int left, int top, float depth_m);
+  void find_rays(const View& view);
+  void add_end(const Eigen::Vector3d& place);
   void find_windows(View& view);
   void count_ends(const View& view);
   void miss_cells_in_view(const View& view);
   void miss_column(const View& view, const Column& column);
-  bool is_passed(const View& view, const Eigen::Vector3f& in_camera) const;
-  bool is_grazed(const View& view, const Eigen::Vector3f& in_camera) const;
+  std::uint64_t passed_cells(const View& view, const Column& column, int word,
+                             std::uint64_t cells) const;
+  bool is_grazed(const View& view, const Eigen::Vector3f& in_camera, int parts) const;
   bool is_hit(const View& view, const Eigen::Vector3f& in_camera, int ends) const;
   bool add(std::size_t index, int change);
 
@@ -140,9 +155,10 @@ class RollingGrid {
   std::vector<std::uint64_t> has_ends_;
   std::vector<std::uint8_t> ends_in_;  ///< how many rays end in each cell, up to 255
   std::vector<End> ends_;
-  std::vector<float> nearest_m_;               ///< of each block of pixels; 0: says nothing
-  std::vector<std::vector<float>> windows_m_;  ///< the least around each block, see View
-  std::vector<float> known_m_, shrunk_m_;
+  std::vector<float> nearest_m_;  ///< of each block of pixels; 0: says nothing
+  std::array<std::vector<float>, kWindows> windows_m_;  ///< the least around each block
+  std::vector<Ray> rays_u_, rays_v_;
+  std::vector<float> row_m_, known_m_, shrunk_m_, no_window_m_;
 };
 
 }  // namespace planning

@@ -16,7 +16,9 @@ using Eigen::Vector3d;
 using Eigen::Vector3f;
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-constexpr int kWindows = 4;
+constexpr float kNothing = kInfinity;                           ///< no pixel says anything
+constexpr float kFarthest = std::numeric_limits<float>::max();  ///< stands for +inf
+constexpr int kGrazedParts = 5;  ///< a cell is not missed where more than one ray in five grazes it
 constexpr int kDepthSteps = 64;  ///< of the table that has a window for each depth
 
 /// How many blocks around the one where a cell's centre lies may see part of the cell.
@@ -61,8 +63,8 @@ struct RollingGrid::View {
   float half_u, half_v;  ///< half a cell at 1 m depth [blocks]
   float half_depth_m;    ///< from a cell's centre to its farthest point
   float resolution_m;
-  float steps_per_m;                               ///< of window_at
-  std::array<std::int8_t, kDepthSteps> window_at;  ///< which windows a cell needs; -1: none has it
+  float steps_per_m;                                  ///< of window_at_m
+  std::array<const float*, kDepthSteps> window_at_m;  ///< what a cell needs at each depth
 };
 
 /// A column of cells and those of it, from..to, that lie in the view.
@@ -112,57 +114,103 @@ bool RollingGrid::look(const ab_depth_image& image, View& view) {
 
 /// Of each block the nearest pixel, whose ray ends in a cell if it is not too long.
 void RollingGrid::take_nearest(const ab_depth_image& image, const View& view) {
+  const auto width_px = static_cast<std::size_t>(view.width_px);
   nearest_m_.resize(static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height));
-  const auto least_m = static_cast<float>(spec_.least_ray_m);
-  const auto length_of = [&](int u, int v) {
-    return Vector3d((u - view.cx_px) / view.fx_px, (v - view.cy_px) / view.fy_px, 1.0).norm();
-  };
+  find_rays(view);
+  row_m_.resize(width_px);
   std::size_t block = 0;
   for (int top = 0; top < view.height_px; top += view.step) {
     const int bottom = std::min(top + view.step, view.height_px);
+    std::fill(row_m_.begin(), row_m_.end(), kNothing);
+    for (int v = top; v < bottom; ++v) {
+      const float* depths = image.depth_m + static_cast<std::size_t>(v) * width_px;
+      float* row = row_m_.data();
+      for (std::size_t u = 0; u < width_px; ++u) {
+        const float far = std::min(depths[u], kFarthest);
+        row[u] = std::min(row[u], depths[u] > 0.0F ? far : kNothing);
+      }
+    }
     for (int left = 0; left < view.width_px; left += view.step, ++block) {
       const int right = std::min(left + view.step, view.width_px);
-      float nearest = kInfinity;
-      int at_u = -1, at_v = -1;
-      for (int v = top; v < bottom; ++v) {
-        const float* depths = image.depth_m + static_cast<std::ptrdiff_t>(v) *
-                                                  static_cast<std::ptrdiff_t>(view.width_px);
-        for (int u = left; u < right; ++u) {
-          const float depth = depths[u];
-          if (!(depth > 0.0F) || (at_u >= 0 && depth >= nearest)) continue;
-          if (depth < least_m && static_cast<double>(depth) * length_of(u, v) < spec_.least_ray_m) {
-            continue;
-          }
-          nearest = depth;
-          at_u = u;
-          at_v = v;
-        }
+      float nearest = kNothing;
+      for (int u = left; u < right; ++u)
+        nearest = std::min(nearest, row_m_[static_cast<std::size_t>(u)]);
+      if (nearest < static_cast<float>(spec_.least_ray_m)) {
+        nearest = nearest_far_enough(image, view, left, top);
       }
-      nearest_m_[block] = at_u >= 0 ? nearest : 0.0F;
-      if (at_u >= 0 && static_cast<double>(nearest) <= spec_.longest_ray_m) {
-        add_end(view, nearest, at_u, at_v);
+      nearest_m_[block] = nearest < kNothing ? nearest : 0.0F;
+      if (static_cast<double>(nearest) <= spec_.longest_ray_m) {
+        end_ray(image, view, left, top, nearest);
       }
     }
   }
 }
 
-void RollingGrid::add_end(const View& view, float depth_m, int u, int v) {
-  const auto depth = static_cast<double>(depth_m);
-  const double x = (u - view.cx_px) / view.fx_px, y = (v - view.cy_px) / view.fy_px;
-  if (depth * depth * (x * x + y * y + 1.0) > spec_.longest_ray_m * spec_.longest_ray_m) return;
-  const Vector3d way = view.R_world_camera * Vector3d(x * depth, y * depth, depth);
-  const Vector3d place = view.eye_cells + way / spec_.resolution_m;
-  if (!(place.minCoeff() >= 0.0)) return;
-  const int cell_x = static_cast<int>(place.x()), cell_y = static_cast<int>(place.y());
-  const int cell_z = static_cast<int>(place.z());
-  if (cell_x >= side_ || cell_y >= side_ || cell_z >= height_) return;
-  const std::size_t index =
-      column_start(first_x_ + cell_x, first_y_ + cell_y) + static_cast<std::size_t>(cell_z);
+/// The nearest of the block at these pixels, but for those nearer than the least ray.
+float RollingGrid::nearest_far_enough(const ab_depth_image& image, const View& view, int left,
+                                      int top) const {
+  float nearest = kNothing;
+  for (int v = top; v < std::min(top + view.step, view.height_px); ++v) {
+    for (int u = left; u < std::min(left + view.step, view.width_px); ++u) {
+      const float depth =
+          image.depth_m[static_cast<std::size_t>(v) * static_cast<std::size_t>(view.width_px) +
+                        static_cast<std::size_t>(u)];
+      if (!(depth > 0.0F) || !(distance_m(u, v, depth) >= spec_.least_ray_m)) continue;
+      nearest = std::min({nearest, depth, kFarthest});
+    }
+  }
+  return nearest;
+}
+
+double RollingGrid::distance_m(int u, int v, float depth_m) const {
+  return static_cast<double>(depth_m) * std::sqrt(rays_u_[static_cast<std::size_t>(u)].length2 +
+                                                  rays_v_[static_cast<std::size_t>(v)].length2);
+}
+
+/// Ends the ray of the first pixel of the block that has this depth.
+void RollingGrid::end_ray(const ab_depth_image& image, const View& view, int left, int top,
+                          float depth_m) {
+  for (int v = top; v < std::min(top + view.step, view.height_px); ++v) {
+    const float* depths =
+        image.depth_m + static_cast<std::size_t>(v) * static_cast<std::size_t>(view.width_px);
+    for (int u = left; u < std::min(left + view.step, view.width_px); ++u) {
+      if (depths[u] != depth_m) continue;
+      if (distance_m(u, v, depth_m) > spec_.longest_ray_m) return;
+      const Vector3d way = rays_u_[static_cast<std::size_t>(u)].way_cells +
+                           rays_v_[static_cast<std::size_t>(v)].way_cells;
+      add_end(view.eye_cells + static_cast<double>(depth_m) * way);
+      return;
+    }
+  }
+}
+
+/// The ray of a pixel is the sum of its column's and its row's.
+void RollingGrid::find_rays(const View& view) {
+  const Eigen::Matrix3d cells = view.R_world_camera / spec_.resolution_m;
+  rays_u_.resize(static_cast<std::size_t>(view.width_px));
+  rays_v_.resize(static_cast<std::size_t>(view.height_px));
+  for (int u = 0; u < view.width_px; ++u) {
+    const double x = (u - view.cx_px) / view.fx_px;
+    rays_u_[static_cast<std::size_t>(u)] = {cells.col(0) * x, x * x};
+  }
+  for (int v = 0; v < view.height_px; ++v) {
+    const double y = (v - view.cy_px) / view.fy_px;
+    rays_v_[static_cast<std::size_t>(v)] = {cells.col(1) * y + cells.col(2), y * y + 1.0};
+  }
+}
+
+/// `place` is in cells from the least corner of the grid.
+void RollingGrid::add_end(const Vector3d& place) {
+  if (!(place.x() >= 0.0 && place.y() >= 0.0 && place.z() >= 0.0)) return;
+  const int x = static_cast<int>(place.x()), y = static_cast<int>(place.y());
+  const int z = static_cast<int>(place.z());
+  if (x >= side_ || y >= side_ || z >= height_) return;
+  const std::size_t index = column_start(first_x_ + x, first_y_ + y) + static_cast<std::size_t>(z);
   std::uint8_t& ends = ends_in_[index];
   if (ends == 0) {
     has_ends_[index / 64] |= std::uint64_t{1} << (index % 64);
-    ends_.push_back({static_cast<std::uint32_t>(index), static_cast<std::int16_t>(cell_x),
-                     static_cast<std::int16_t>(cell_y), static_cast<std::int16_t>(cell_z)});
+    ends_.push_back({static_cast<std::uint32_t>(index), static_cast<std::int16_t>(x),
+                     static_cast<std::int16_t>(y), static_cast<std::int16_t>(z)});
   }
   if (ends < 255) ++ends;
 }
@@ -170,7 +218,6 @@ void RollingGrid::add_end(const View& view, float depth_m, int u, int v) {
 /// For some sizes of windows, the least depth in the window around each block: what is nearer has
 /// nothing before or in it. Cells near the camera are larger than all windows.
 void RollingGrid::find_windows(View& view) {
-  windows_m_.resize(kWindows);
   const float half = std::max(view.half_u, view.half_v);
   const auto longest_m = static_cast<float>(spec_.longest_ray_m);
   const int least = blocks_around(half, longest_m);
@@ -183,40 +230,23 @@ void RollingGrid::find_windows(View& view) {
     shrink_columns(shrunk_m_, view.width, reach[k] - has, windows_m_[k]);
     has = reach[k];
   }
+  no_window_m_.assign(known_m_.size(), 0.0F);
   view.steps_per_m = kDepthSteps / longest_m;
   for (int i = 0; i < kDepthSteps; ++i) {
     const float depth_m = static_cast<float>(i) / view.steps_per_m;
-    std::int8_t window = -1;
-    for (int k = kWindows - 1; k >= 0 && i > 0; --k) {
-      if (blocks_around(half, depth_m) <= reach[static_cast<std::size_t>(k)]) {
-        window = static_cast<std::int8_t>(k);
-      }
+    const float* window_m = no_window_m_.data();
+    for (std::size_t k = kWindows; i > 0 && k-- > 0;) {
+      if (blocks_around(half, depth_m) <= reach[k]) window_m = windows_m_[k].data();
     }
-    view.window_at[static_cast<std::size_t>(i)] = window;
+    view.window_at_m[static_cast<std::size_t>(i)] = window_m;
   }
 }
 
-/// Whether a cell without ends is missed: the ray through its centre goes on behind it, and it is
-/// not part of a surface that other rays graze.
-bool RollingGrid::is_passed(const View& view, const Vector3f& in_camera) const {
-  const float depth = in_camera.z(), inverse = 1.0F / depth;
-  const int u =
-      std::clamp(static_cast<int>(in_camera.x() * inverse * view.fu + view.cu), 0, view.width - 1);
-  const int v =
-      std::clamp(static_cast<int>(in_camera.y() * inverse * view.fv + view.cv), 0, view.height - 1);
-  const auto block = static_cast<std::size_t>(v * view.width + u);
-  const float behind = depth + view.half_depth_m - 0.01F * view.resolution_m;
-  if (!(nearest_m_[block] > behind)) return false;
-  const int step = std::min(static_cast<int>(depth * view.steps_per_m), kDepthSteps - 1);
-  const int window = view.window_at[static_cast<std::size_t>(step)];
-  if (window >= 0 && windows_m_[static_cast<std::size_t>(window)][block] > behind) return true;
-  return !is_grazed(view, in_camera);
-}
-
-/// Whether of the rays around the cell more than a third end in its depth or a little before, those
-/// that end long before it left aside. So do those at a surface that goes through the cell, however
-/// flat it is seen.
-bool RollingGrid::is_grazed(const View& view, const Vector3f& in_camera) const {
+/// Whether of the rays around the cell more than one in `parts` ends in its depth or a little
+/// before, those that end long before it left aside. So do those at a surface that goes through the
+/// cell, however flat it is seen. At the image's edge, where half of the surface may be out of
+/// sight, one ray is enough.
+bool RollingGrid::is_grazed(const View& view, const Vector3f& in_camera, int parts) const {
   const float depth = in_camera.z();
   const float u = in_camera.x() / depth * view.fu + view.cu;
   const float v = in_camera.y() / depth * view.fv + view.cv;
@@ -224,20 +254,22 @@ bool RollingGrid::is_grazed(const View& view, const Vector3f& in_camera) const {
   const int reach_v = blocks_around(view.half_v, depth), stride_v = reach_v / 4 + 1;
   const float behind = depth + view.half_depth_m - 0.01F * view.resolution_m;
   const float before = depth - std::max(2.0F * view.resolution_m, 0.1F * depth);
+  const int middle_u = static_cast<int>(u), middle_v = static_cast<int>(v);
+  const int from_u = std::max(middle_u - reach_u, 0), from_v = std::max(middle_v - reach_v, 0);
+  const int to_u = std::min(middle_u + reach_u, view.width - 1);
+  const int to_v = std::min(middle_v + reach_v, view.height - 1);
   int near = 0, all = 0;
-  for (int k = -(reach_v / stride_v) * stride_v; k <= reach_v; k += stride_v) {
-    const int row = static_cast<int>(v) + k;
-    if (row < 0 || row >= view.height) continue;
-    for (int i = -(reach_u / stride_u) * stride_u; i <= reach_u; i += stride_u) {
-      const int column = static_cast<int>(u) + i;
-      if (column < 0 || column >= view.width) continue;
-      const float nearest = nearest_m_[static_cast<std::size_t>(row * view.width + column)];
-      if (!(nearest >= before)) continue;
-      ++all;
-      near += nearest <= behind ? 1 : 0;
+  for (int row = from_v; row <= to_v; row += stride_v) {
+    const float* nearest_m = &nearest_m_[static_cast<std::size_t>(row * view.width)];
+    for (int i = from_u; i <= to_u; i += stride_u) {
+      const int is_not_before = nearest_m[i] >= before ? 1 : 0;
+      all += is_not_before;
+      near += is_not_before & (nearest_m[i] <= behind ? 1 : 0);
     }
   }
-  return 3 * near > all;
+  const bool is_cut = from_u > middle_u - reach_u || from_v > middle_v - reach_v ||
+                      to_u < middle_u + reach_u || to_v < middle_v + reach_v;
+  return is_cut ? near > 0 : parts * near > all;
 }
 
 /// Whether a cell with ends is hit: few rays go on behind it, or it is part of a surface. Four rays
@@ -261,17 +293,18 @@ bool RollingGrid::is_hit(const View& view, const Vector3f& in_camera, int ends) 
       passes += nearest_m_[static_cast<std::size_t>(row * view.width + column)] > behind ? 1 : 0;
     }
   }
-  return 2 * ends > std::min(passes, kEnough) || is_grazed(view, in_camera);
+  return 2 * ends > std::min(passes, kEnough) || is_grazed(view, in_camera, 3);
 }
 
 void RollingGrid::count_ends(const View& view) {
   const Eigen::Matrix3d R_camera_world = view.R_world_camera.transpose();
   for (const End& end : ends_) {
     const Vector3d from_eye = Vector3d(end.x + 0.5, end.y + 0.5, end.z + 0.5) - view.eye_cells;
-    const Vector3d in_camera = R_camera_world * from_eye * spec_.resolution_m;
+    const Vector3f in_camera = (R_camera_world * from_eye * spec_.resolution_m).cast<float>();
+    const bool hits = is_hit(view, in_camera, ends_in_[end.index]);
+    if (!hits && is_grazed(view, in_camera, kGrazedParts)) continue;
     const bool was_occupied = ((occupied_[end.index / 64] >> (end.index % 64)) & 1U) != 0;
-    const int change = is_hit(view, in_camera.cast<float>(), ends_in_[end.index]) ? hit_ : miss_;
-    const bool is_occupied = add(end.index, change);
+    const bool is_occupied = add(end.index, hits ? hit_ : miss_);
     if (is_occupied != was_occupied) mark_changed(first_x_ + end.x, first_y_ + end.y);
   }
 }
@@ -288,7 +321,46 @@ bool RollingGrid::add(std::size_t index, int change) {
   return sum > occupied_above_;
 }
 
-/// Misses what is_passed of the column's cells. Those at the least log odds cannot sink further.
+/// Of these cells without ends, one bit each, those that are missed: the ray through the centre
+/// goes on behind the cell, and the cell is not part of a surface that other rays graze.
+std::uint64_t RollingGrid::passed_cells(const View& view, const Column& column, int word,
+                                        std::uint64_t cells) const {
+  const Vector3f step = column.step_in_camera;
+  const Vector3f lowest = column.lowest_in_camera + static_cast<float>(64 * word) * step;
+  const float fu = view.fu, fv = view.fv, cu = view.cu, cv = view.cv;
+  const float half_depth_m = view.half_depth_m - 0.01F * view.resolution_m;
+  const float steps_per_m = view.steps_per_m;
+  const int last_u = view.width - 1, last_v = view.height - 1;
+  const int width = view.width;
+  const float* nearest_m = nearest_m_.data();
+  const float* const* window_at_m = view.window_at_m.data();
+  std::uint64_t passed = 0, unclear = 0;
+  for (; cells != 0; cells &= cells - 1) {  // without branches that are hard to foretell
+    const int z = std::countr_zero(cells);
+    const auto up = static_cast<float>(z);
+    const float depth = lowest.z() + up * step.z(), inverse = 1.0F / depth;
+    const float x = (lowest.x() + up * step.x()) * inverse;
+    const float y = (lowest.y() + up * step.y()) * inverse;
+    const int u = std::clamp(static_cast<int>(x * fu + cu), 0, last_u);
+    const int v = std::clamp(static_cast<int>(y * fv + cv), 0, last_v);
+    const auto block = static_cast<std::size_t>(v * width + u);
+    const float behind = depth + half_depth_m;
+    const int at = std::min(static_cast<int>(depth * steps_per_m), kDepthSteps - 1);
+    const std::uint64_t is_clear = window_at_m[at][block] > behind ? 1 : 0;
+    const std::uint64_t is_passed = nearest_m[block] > behind ? 1 : 0;
+    passed |= (is_passed & is_clear) << z;
+    unclear |= (is_passed & (is_clear ^ 1U)) << z;
+  }
+  for (; unclear != 0; unclear &= unclear - 1) {
+    const int z = std::countr_zero(unclear);
+    if (!is_grazed(view, lowest + static_cast<float>(z) * step, kGrazedParts)) {
+      passed |= std::uint64_t{1} << z;
+    }
+  }
+  return passed;
+}
+
+/// Cells at the least log odds cannot sink further and are not looked at.
 void RollingGrid::miss_column(const View& view, const Column& column) {
   bool is_changed = false;
   for (int word = column.from / 64; word <= column.to / 64; ++word) {
@@ -296,20 +368,22 @@ void RollingGrid::miss_column(const View& view, const Column& column) {
     const int low = std::max(column.from - 64 * word, 0);
     const int high = std::min(column.to - 64 * word, 63);
     const std::uint64_t inside = (~std::uint64_t{0} << low) & (~std::uint64_t{0} >> (63 - high));
-    std::uint64_t left = inside & ~settled_[at] & ~has_ends_[at];
-    std::uint64_t missed = 0;
-    for (; left != 0; left &= left - 1) {
-      const int z = std::countr_zero(left);
-      const auto up = static_cast<float>(64 * word + z);
-      if (is_passed(view, column.lowest_in_camera + up * column.step_in_camera)) {
-        missed |= left & (~left + 1);
-      }
+    const std::uint64_t cells = inside & ~settled_[at] & ~has_ends_[at];
+    const std::uint64_t missed = passed_cells(view, column, word, cells);
+    std::uint64_t settled = 0, freed = 0;
+    std::int16_t* log_odds = &log_odds_[64 * at];
+    for (std::uint64_t left = missed; left != 0; left &= left - 1) {
+      const std::uint64_t cell = left & (~left + 1);
+      std::int16_t& here = log_odds[std::countr_zero(left)];
+      const int sum = std::max(here + miss_, int{lowest_});
+      here = static_cast<std::int16_t>(sum);
+      settled |= sum == lowest_ ? cell : 0;
+      freed |= sum > occupied_above_ ? 0 : cell;
     }
-    const std::uint64_t was_occupied = occupied_[at];
-    for (; missed != 0; missed &= missed - 1) {
-      add(64 * at + static_cast<std::size_t>(std::countr_zero(missed)), miss_);
-    }
-    is_changed = is_changed || occupied_[at] != was_occupied;
+    known_[at] |= missed;
+    settled_[at] |= settled;
+    is_changed = is_changed || (occupied_[at] & freed) != 0;
+    occupied_[at] &= ~freed;
   }
   if (is_changed) mark_changed(first_x_ + column.x, first_y_ + column.y);
 }

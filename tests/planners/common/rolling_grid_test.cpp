@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
+#include <vector>
 
 namespace planning {
 namespace {
@@ -145,6 +147,288 @@ TEST(RollingGrid, TheVehiclesOwnPlaceIsFree) {
   grid.clear_box({3.0, 0.0, 2.0}, {0.6, 0.6, 0.4});
   EXPECT_EQ(grid.state(grid.cell_of({3.05, 0.05, 2.05})), CellState::free);
   EXPECT_EQ(grid.state(grid.cell_of({3.05, 0.55, 2.05})), CellState::occupied);
+}
+
+/// 320 x 240 pixels, 90 degrees wide, level and looking along +x, of what `depth` says of each
+/// direction: (left, up) at 1 m.
+template <class Depth>
+Camera forest_camera(const Vector3d& eye, Depth depth) {
+  Camera camera(eye);
+  camera.image.width_px = 320;
+  camera.image.height_px = 240;
+  camera.image.fx_px = camera.image.fy_px = 160.0;
+  camera.image.cx_px = 159.5;
+  camera.image.cy_px = 119.5;
+  camera.depth_m.clear();
+  for (int v = 0; v < 240; ++v) {
+    for (int u = 0; u < 320; ++u) {
+      camera.depth_m.push_back(static_cast<float>(depth((159.5 - u) / 160.0, (119.5 - v) / 160.0)));
+    }
+  }
+  return camera;
+}
+
+/// The states of all cells around the origin, the inflation of each with it.
+std::vector<int> states(const RollingGrid& grid) {
+  std::vector<int> all;
+  for (int x = -90; x < 90; ++x) {
+    for (int y = -90; y < 90; ++y) {
+      for (int z = -8; z < 64; ++z) {
+        const Cell cell(x, y, z);
+        all.push_back(2 * static_cast<int>(grid.state(cell)) + (grid.is_inflated(cell) ? 1 : 0));
+      }
+    }
+  }
+  return all;
+}
+
+void expect_inflation_as_by_brute_force(const RollingGrid& grid) {
+  const int reach = 3;
+  std::vector<Cell> occupied;
+  for (const Vector3d& center : grid.occupied_centers()) occupied.push_back(grid.cell_of(center));
+  std::vector<char> inflated(std::size_t{200} * 200 * 90, 0);
+  const auto at = [&](const Cell& c) -> char& {
+    return inflated[static_cast<std::size_t>(((c.x() + 100) * 200 + c.y() + 100) * 90 + c.z() +
+                                             12)];
+  };
+  for (const Cell& cell : occupied) {
+    for (int x = -reach; x <= reach; ++x) {
+      for (int y = -reach; y <= reach; ++y) {
+        for (int z = -reach; z <= reach; ++z) at(cell + Cell(x, y, z)) = 1;
+      }
+    }
+  }
+  int wrong = 0;
+  for (int x = -90; x < 90; ++x) {
+    for (int y = -90; y < 90; ++y) {
+      for (int z = -8; z < 64; ++z) {
+        const Cell cell(x, y, z);
+        if (grid.contains(cell)) wrong += grid.is_inflated(cell) != (at(cell) != 0) ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_EQ(wrong, 0);
+}
+
+TEST(RollingGridImages, AWallIsOnePlaneOfCellsAndAllCellsBeforeItAreFree) {
+  RollingGrid grid{RollingGridSpec{}};
+  grid.reset({0.02, 0.03, 3.0});
+  const Vector3d eye(0.02, 0.03, 3.0);
+  Camera camera = forest_camera(eye, [](double, double) { return 3.43; });  // x = 3.45
+  for (int i = 0; i < 2; ++i) grid.integrate(camera.seen());
+  int walls = 0, before = 0;
+  for (int x = -59; x < 59; ++x) {
+    for (int y = -59; y < 59; ++y) {
+      for (int z = 0; z < 60; ++z) {
+        const Vector3d way = grid.center_of({x, y, z}) - eye;
+        const bool is_seen = way.x() > 0.3 && std::abs(way.y()) < 0.98 * way.x() - 0.1 &&
+                             std::abs(way.z()) < 0.735 * way.x() - 0.1 && way.norm() < 4.9;
+        if (x != 34) {
+          EXPECT_NE(grid.state({x, y, z}), CellState::occupied) << x << " " << y << " " << z;
+        }
+        if (x > 34) {
+          EXPECT_EQ(grid.state({x, y, z}), CellState::unknown);
+        }
+        if (!is_seen || x > 34) continue;
+        EXPECT_EQ(grid.state({x, y, z}), x == 34 ? CellState::occupied : CellState::free)
+            << x << " " << y << " " << z;
+        ++(x == 34 ? walls : before);
+      }
+    }
+  }
+  EXPECT_GT(walls, 2000);
+  EXPECT_GT(before, 15000);
+}
+
+TEST(RollingGridImages, APoleOfAPixelOrTwoIsKept) {
+  for (const double width_px : {1.0, 1.5, 2.0}) {
+    for (double left_m = -1.0; left_m < 1.0; left_m += 0.0317) {
+      RollingGrid grid{RollingGridSpec{}};
+      grid.reset({0.0, 0.0, 2.0});
+      Camera camera = forest_camera({0.0, 0.0, 2.0}, [&](double left, double) {
+        return std::abs(left * 4.05 - left_m) * 160.0 / 4.05 <= 0.5 * width_px ? 4.05 : 20.0;
+      });
+      for (int i = 0; i < 2; ++i) grid.integrate(camera.seen());
+      for (int z = 10; z < 30; ++z) {
+        bool is_kept = false;
+        for (int y = grid.cell_of({0, left_m - 0.05, 0}).y(); y * 0.1 < left_m + 0.05; ++y) {
+          is_kept = is_kept || grid.state({40, y, z}) == CellState::occupied;
+        }
+        EXPECT_TRUE(is_kept) << width_px << " pixels at " << left_m << " m, cell " << z;
+      }
+    }
+  }
+}
+
+TEST(RollingGridImages, AGrazedFloorStaysOccupiedWhateverItsHeightInItsCells) {
+  for (const double floor_m : {0.01, 0.03, 0.05, 0.08}) {
+    RollingGrid grid{RollingGridSpec{}};
+    grid.reset({0.0, 0.0, 1.0});
+    const auto floor_from = [&](const Vector3d& eye) {
+      return forest_camera(eye, [&, eye](double, double up) {
+        return up < 0.0 ? (eye.z() - floor_m) / -up : std::numeric_limits<double>::infinity();
+      });
+    };
+    Camera near = floor_from({1.5, 0.0, 2.5});  // steep enough to see each cell
+    for (int i = 0; i < 6; ++i) grid.integrate(near.seen());
+    std::vector<Cell> floor;
+    for (int x = 0; x < 55; ++x) {
+      for (int y = -10; y < 10; ++y) {
+        if (grid.state({x, y, 0}) == CellState::occupied) floor.emplace_back(x, y, 0);
+      }
+    }
+    ASSERT_GT(floor.size(), 100U) << floor_m;
+    Camera low = floor_from({0.0, 0.0, floor_m + 0.6});
+    for (int i = 0; i < 20; ++i) grid.integrate(low.seen());
+    int lost = 0;
+    for (const Cell& cell : floor) lost += grid.state(cell) == CellState::occupied ? 0 : 1;
+    EXPECT_EQ(lost, 0) << floor_m << " of " << floor.size();
+  }
+}
+
+TEST(RollingGridImages, AWrongSurfaceIsClearedByRaysThroughItBesideATrunkToo) {
+  RollingGrid grid{RollingGridSpec{}};
+  grid.reset({0.0, 0.0, 2.0});
+  const auto trunk = [](double left) { return left * 2.0 > 0.0 && left * 2.0 < 0.4; };
+  Camera wrong = forest_camera({0, 0, 2}, [&](double left, double up) {
+    if (trunk(left)) return 2.05;
+    return std::abs(left + 0.12) < 0.02 && std::abs(up) < 0.02 ? 3.05 : 8.0;
+  });
+  for (int i = 0; i < 6; ++i) grid.integrate(wrong.seen());
+  const Cell ghost = grid.cell_of({3.05, -0.12 * 3.05, 2.0});
+  ASSERT_EQ(grid.state(ghost), CellState::occupied);
+  Camera right =
+      forest_camera({0, 0, 2}, [&](double left, double) { return trunk(left) ? 2.05 : 8.0; });
+  for (int i = 0; i < 3; ++i) grid.integrate(right.seen());
+  EXPECT_EQ(grid.state(ghost), CellState::free);
+  EXPECT_EQ(grid.state(grid.cell_of({2.05, 0.2, 2.0})), CellState::occupied);
+}
+
+TEST(RollingGridImages, PixelsThatSayNothingChangeNothingAndOddImagesAreSurvived) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<int> unknown = [] {
+    RollingGrid grid(small());
+    return states(grid);
+  }();
+  for (const float depth :
+       {std::nanf(""), 0.0F, -1.0F, -kInfinity, 1e-40F, 0.05F, -std::nanf("")}) {
+    RollingGrid grid(small());
+    Camera camera({0, 0, 2});
+    camera.fill(depth);
+    camera.depth_m.back() = depth;
+    grid.integrate(camera.seen());
+    EXPECT_EQ(states(grid), unknown) << depth;
+  }
+  const auto expect_left_out = [&](auto spoil) {
+    RollingGrid grid(small());
+    Camera camera({0, 0, 2});
+    camera.seen();
+    spoil(camera.image);
+    grid.integrate(camera.image);
+    EXPECT_EQ(states(grid), unknown);
+  };
+  for (const double bad : {kNan, HUGE_VAL, 1e300}) {
+    expect_left_out([&](ab_depth_image& image) { image.position_world_m[1] = bad; });
+    expect_left_out([&](ab_depth_image& image) { image.q_world_camera[2] = bad; });
+  }
+  expect_left_out([&](ab_depth_image& image) { image.fx_px = kNan; });
+  expect_left_out([&](ab_depth_image& image) { image.fy_px = 0.0; });
+  expect_left_out([&](ab_depth_image& image) { image.cx_px = HUGE_VAL; });
+  expect_left_out([&](ab_depth_image& image) { image.width_px = image.height_px = 0; });
+  expect_left_out([&](ab_depth_image& image) { std::fill_n(image.q_world_camera, 4, 0.0); });
+  RollingGrid grid(small());
+  grid.reset({0, 0, 2});
+  Camera pixel({0, 0, 2});
+  pixel.image.width_px = pixel.image.height_px = 1;
+  pixel.image.cx_px = pixel.image.cy_px = 0.0;
+  for (int i = 0; i < 2; ++i) grid.integrate(pixel.seen());
+  ASSERT_EQ(grid.occupied_centers().size(), 1U);
+  grid.move_to({kNan, 0, 0});
+  EXPECT_EQ(grid.occupied_centers().size(), 1U);
+  EXPECT_EQ(grid.box_state({kNan, 0, 2}, {1, 1, 1}), CellState::unknown);
+  EXPECT_FALSE(grid.is_inflated(Vector3d(1e300, kNan, 0)));
+}
+
+/// Random depths of 0.3 to 6 m, one in ten NaN or +inf.
+void randomize(Camera& camera, std::mt19937& random) {
+  for (float& depth : camera.depth_m) {
+    const auto kind = random() % 20;
+    depth = 0.3F + static_cast<float>(random() % 570) / 100.0F;
+    if (kind == 0) depth = std::nanf("");
+    if (kind == 1) depth = kInfinity;
+  }
+}
+
+TEST(RollingGridImages, SameImagesGiveTheSameCellsWhereverTheRingStarts) {
+  std::mt19937 random(7);
+  RollingGrid grid(small()), again(small());
+  grid.reset({0, 0, 2});
+  again.reset({3.1, -2.3, 2});
+  again.move_to({0, 0, 2});
+  RollingGrid twice = grid;
+  Camera camera({0.03, 0.01, 2.02});
+  for (int i = 0; i < 6; ++i) {
+    randomize(camera, random);
+    for (RollingGrid* each : {&grid, &again, &twice}) {
+      each->move_to({0.1 * i, -0.2 * i, 2});
+      each->integrate(camera.seen());
+    }
+  }
+  ASSERT_GT(grid.occupied_centers().size(), 10U);
+  EXPECT_EQ(states(grid), states(again));
+  EXPECT_EQ(states(grid), states(twice));
+}
+
+TEST(RollingGridImages, InflationIsThatOfBruteForceAfterEachMove) {
+  std::mt19937 random(11);
+  RollingGrid grid(small());
+  grid.reset({0, 0, 2});
+  Camera camera({0, 0, 2});
+  for (int i = 0; i < 3; ++i) grid.integrate(camera.seen());  // a wall that moves go through
+  for (const Vector3d& center :
+       {Vector3d(1.0, 0.4, 2), Vector3d(-1.02, 0.7, 2), Vector3d(-0.3, -2.2, 2),
+        Vector3d(2.5, 1.5, 2), Vector3d(4.5, 1.5, 2), Vector3d(1.0, 0.0, 2)}) {
+    grid.move_to(center);
+    expect_inflation_as_by_brute_force(grid);
+    randomize(camera, random);
+    for (int i = 0; i < 2; ++i) grid.integrate(camera.seen());
+    expect_inflation_as_by_brute_force(grid);
+    grid.clear_box(center, {1.0, 0.6, 0.5});
+    expect_inflation_as_by_brute_force(grid);
+  }
+}
+
+TEST(RollingGridImages, BoxStateIsThatOfAllCellsItTouches) {
+  std::mt19937 random(5);
+  RollingGrid grid{small()};
+  grid.reset({1.3, -0.9, 2});
+  Camera camera({0, 0, 2});
+  for (int i = 0; i < 3; ++i) grid.integrate(camera.seen());
+  camera.fill(kInfinity);
+  grid.clear_box({0.0, 0.0, 5.5}, {2.0, 2.0, 1.0});  // across two words of a column
+  const auto uniform = [&](double from, double to) {
+    return from + (to - from) * static_cast<double>(random()) / 4294967295.0;
+  };
+  int counts[3] = {0, 0, 0};
+  for (int i = 0; i < 6000; ++i) {
+    const Vector3d center(uniform(-3.5, 5.5), uniform(-5.5, 3.5), uniform(-0.8, 6.3));
+    const Vector3d size(uniform(0.0, 0.7), uniform(0.0, 0.7), uniform(0.0, 0.9));
+    const Cell from = grid.cell_of(center - 0.5 * size), to = grid.cell_of(center + 0.5 * size);
+    CellState expected = CellState::free;
+    for (int x = from.x(); x <= to.x(); ++x) {
+      for (int y = from.y(); y <= to.y(); ++y) {
+        for (int z = from.z(); z <= to.z(); ++z) {
+          const CellState here = grid.state({x, y, z});
+          EXPECT_EQ(grid.is_known({x, y, z}), here != CellState::unknown);
+          if (here == CellState::occupied) expected = here;
+          if (here == CellState::unknown && expected == CellState::free) expected = here;
+        }
+      }
+    }
+    EXPECT_EQ(grid.box_state(center, size), expected);
+    ++counts[static_cast<int>(expected)];
+  }
+  for (const int count : counts) EXPECT_GT(count, 100);
 }
 
 }  // namespace

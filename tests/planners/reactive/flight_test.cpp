@@ -6,6 +6,7 @@
 namespace avoidbench {
 namespace {
 
+using kinematic::add_hedge;
 using kinematic::Course;
 using kinematic::Ending;
 using kinematic::Result;
@@ -43,14 +44,6 @@ TEST(Reactive, ClearsASparseForest) {
 }
 
 TEST(Reactive, IsDecentInADenseForest) { EXPECT_GE(reached_count(PLANNER_FILE, 2.8, 4), 3); }
-
-/// A row of trees so near each other that nothing passes between.
-void add_hedge(Course& course, const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
-  const double length_m = (to - from).norm();
-  for (double s = 0.0; s <= length_m; s += 0.5) {
-    course.cylinders.push_back({from + s / length_m * (to - from), 0.25});
-  }
-}
 
 TEST(Reactive, FindsTheGapInAWall) {
   PlannerInstance planner = kinematic::instance_of(PLANNER_FILE);

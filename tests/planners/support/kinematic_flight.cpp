@@ -135,6 +135,15 @@ Course forest(double poisson_radius_m, std::uint64_t seed) {
   return course;
 }
 
+void add_hedge(Course& course, const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+  constexpr double kSpacing_m = 0.5;
+  const double length_m = (to - from).norm();
+  const int last = static_cast<int>(length_m / kSpacing_m);
+  for (int i = 0; i <= last; ++i) {
+    course.cylinders.push_back({from + kSpacing_m * i / length_m * (to - from), 0.25});
+  }
+}
+
 PlannerSetup vehicle_setup() {
   PlannerSetup setup;
   setup.max_speed_mps = 8.0;

@@ -33,6 +33,9 @@ Course forest(double poisson_radius_m, std::uint64_t seed);
 /// The course without obstacles.
 Course meadow();
 
+/// Adds a row of trees so near each other that nothing passes between.
+void add_hedge(Course& course, const Eigen::Vector2d& from, const Eigen::Vector2d& to);
+
 enum class Ending { reached_goal, collided, timed_out, failed };
 
 struct Result {

@@ -1,4 +1,6 @@
-#include "trajectory_flight.hpp"
+#include "planners/support/trajectory_flight.hpp"
+
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -160,6 +162,35 @@ TrajectoryResult fly_trajectories(PlannerInstance& planner, const Course& course
     }
   }
   return result;
+}
+
+void expect_flyable(const Demands& demands, double speed_mps) {
+  const PlannerSetup setup = vehicle_setup();
+  EXPECT_LE(demands.speed_mps, speed_mps);
+  EXPECT_LE(demands.acceleration_mps2, setup.max_acceleration_mps2);
+  EXPECT_LE(demands.yaw_rate_radps, setup.max_yaw_rate_radps);
+  EXPECT_LE(demands.body_rate_radps, 4.0);
+  EXPECT_LE(demands.jump_m, 1e-3);
+  EXPECT_LE(demands.speed_jump_mps, 0.02);
+  EXPECT_LE(demands.end_speed_mps, 1e-9);
+}
+
+int reached_count(PlannerInstance& planner, double poisson_radius_m, std::uint64_t count,
+                  double speed_mps) {
+  int reached = 0;
+  for (std::uint64_t seed = 0; seed < count; ++seed) {
+    const TrajectoryResult result = fly_trajectories(planner, forest(poisson_radius_m, seed));
+    const Result& flight = result.flight;
+    EXPECT_NE(flight.ending, Ending::failed) << flight.reason;
+    expect_flyable(result.demands, speed_mps);
+    if (flight.ending == Ending::reached_goal) {
+      ++reached;
+    } else {
+      std::cout << "seed " << seed << (flight.ending == Ending::collided ? ": collided" : ": late")
+                << " at " << flight.time_s << " s, " << flight.positions.back().transpose() << '\n';
+    }
+  }
+  return reached;
 }
 
 }  // namespace avoidbench::kinematic

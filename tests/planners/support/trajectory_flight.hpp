@@ -24,4 +24,13 @@ struct TrajectoryResult {
 TrajectoryResult fly_trajectories(PlannerInstance& planner, const Course& course,
                                   double time_limit_s = 60.0, std::uint64_t seed = 1);
 
+/// Expects that all that was commanded keeps the vehicle's limits and this speed, and that one
+/// command goes on where the other is.
+void expect_flyable(const Demands& demands, double speed_mps);
+
+/// Flights of the forests with the seeds 0 … count - 1 that reach the goal; expects that no flight
+/// fails otherwise than by collision or time, and that all keep the limits.
+int reached_count(PlannerInstance& planner, double poisson_radius_m, std::uint64_t count,
+                  double speed_mps);
+
 }  // namespace avoidbench::kinematic

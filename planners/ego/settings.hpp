@@ -1,0 +1,91 @@
+#pragma once
+
+#include <array>
+
+#include "avoidbench/planner.hpp"
+#include "planning/heading.hpp"
+#include "planning/rolling_grid.hpp"
+
+namespace ego {
+
+/// Weights of the costs; see cost.hpp.
+struct Weights {
+  double smoothness = 1.0, collision = 0.5, feasibility = 0.1, fitness = 1.0;
+};
+
+/// Fixed for an instance; README.md has what each figure is for and its authors' own.
+struct Settings {
+  double max_speed_mps = 3.0, max_acceleration_mps2 = 4.0;
+  double vehicle_acceleration_mps2 = 6.0;  ///< what no command may exceed
+  planning::RollingGridSpec grid;
+  Eigen::Vector3d body_size_m = Eigen::Vector3d(0.5, 0.5, 0.12);
+  double departure_m = 1.0;  ///< how far it may climb above or sink below the missions' heights
+  double least_height_m = 0.5;
+  double horizon_m = 7.5;
+  double replan_distance_m = 1.5, keep_distance_m = 2.0, replan_period_s = 0.2;
+  double emergency_s = 1.0;
+  double spacing_m = 0.4;  ///< between control points at full speed, about
+  double safety_distance_m = 0.5;
+  double feasibility_tolerance = 0.05;
+  double tracking_error_m = 0.5;  ///< from which it plans from the odometry
+  double look_ahead_s = 1.0;
+  Weights weights;
+  planning::HeadingLimits heading;
+};
+
+/// What a sweep may set.
+struct Declared {
+  static constexpr std::array parameters{
+      avoidbench::choice_parameter(
+          "preset", "avoidbench", "avoidbench|published",
+          "published: each parameter below that is left at its preset takes its authors' figure."),
+      avoidbench::parameter("max_speed_mps", "m/s", 3.0, 0.2, 15.0, "Greatest speed."),
+      avoidbench::parameter("max_acceleration_mps2", "m/s^2", 4.0, 0.5, 20.0,
+                            "Greatest acceleration it plans with."),
+      avoidbench::parameter("resolution_m", "m", 0.1, 0.05, 0.5, "Edge of the map's cells."),
+      avoidbench::parameter("map_range_m", "m", 6.0, 2.0, 15.0,
+                            "Half the map's side; beyond it nothing is known."),
+      avoidbench::parameter("ray_length_m", "m", 5.5, 1.0, 15.0,
+                            "Depth beyond this only frees the cells up to there."),
+      avoidbench::integer_parameter("pixel_step", "px", 2, 1, 16,
+                                    "Every so many-th pixel and row goes into the map."),
+      avoidbench::parameter("hit_log_odds", "", 0.85, 0.05, 10.0,
+                            "What an image adds to a cell in which it sees a surface."),
+      avoidbench::parameter("miss_log_odds", "", -0.62, -10.0, -0.05,
+                            "What it adds to a cell that it sees through."),
+      avoidbench::parameter("inflation_m", "m", 0.3, 0.0, 2.0,
+                            "How far from an occupied cell along each axis the way counts as "
+                            "blocked for the vehicle's centre."),
+      avoidbench::parameter("departure_m", "m", 1.0, 0.0, 50.0,
+                            "How far it climbs above or sinks below start and goal."),
+      avoidbench::parameter("horizon_m", "m", 7.5, 2.0, 30.0,
+                            "Distance of the local target along the way to the goal."),
+      avoidbench::parameter("replan_distance_m", "m", 1.5, 0.1, 20.0,
+                            "It plans anew after so much way."),
+      avoidbench::parameter("keep_distance_m", "m", 2.0, 0.0, 20.0,
+                            "So near the goal it keeps a trajectory that ends there."),
+      avoidbench::parameter("replan_period_s", "s", 0.2, 0.0, 10.0,
+                            "It plans anew after so much time; 0: only by way and collision."),
+      avoidbench::parameter(
+          "emergency_s", "s", 1.0, 0.1, 5.0,
+          "It brakes where a collision is nearer than this and no plan is found."),
+      avoidbench::parameter("control_point_spacing_m", "m", 0.4, 0.1, 2.0,
+                            "Between control points at full speed; their interval is 1.2 times the "
+                            "time for it."),
+      avoidbench::parameter("safety_distance_m", "m", 0.5, 0.05, 3.0,
+                            "How far the collision cost pushes control points off an obstacle."),
+      avoidbench::parameter("weight_smoothness", "", 1.0, 0.0, 1000.0, "Of squared jerk."),
+      avoidbench::parameter("weight_collision", "", 0.5, 0.0, 1000.0,
+                            "Of penetration, doubled at each new try."),
+      avoidbench::parameter("weight_feasibility", "", 0.1, 0.0, 1000.0,
+                            "Of velocity and acceleration beyond the limits."),
+      avoidbench::parameter("weight_fitness", "", 1.0, 0.0, 1000.0,
+                            "Of distance from the curve that is made slower."),
+      avoidbench::parameter("look_ahead_s", "s", 1.0, 0.05, 5.0,
+                            "It looks at the place where it will be so much later.")};
+};
+
+/// Never beyond what the vehicle of `setup` can do.
+Settings settings_from(const ab_setup& setup);
+
+}  // namespace ego

@@ -1,0 +1,96 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "planners/support/conformance_expectation.hpp"
+#include "planners/support/trajectory_flight.hpp"
+
+namespace avoidbench {
+namespace {
+
+using kinematic::add_hedge;
+using kinematic::Course;
+using kinematic::Ending;
+using kinematic::expect_flyable;
+using kinematic::reached_count;
+using kinematic::TrajectoryResult;
+
+constexpr double kSpeed_mps = 3.3;  // its limit and the tolerance of its feasibility check
+
+TEST(Ego, KeepsEveryRule) { expect_conformance(PLANNER_FILE); }
+
+TEST(Ego, FliesStraightWhereNothingIsInTheWay) {
+  PlannerInstance planner = kinematic::instance_of(PLANNER_FILE);
+  const Course course = kinematic::meadow();
+  const TrajectoryResult result = kinematic::fly_trajectories(planner, course);
+  ASSERT_EQ(result.flight.ending, Ending::reached_goal) << result.flight.reason;
+  const double straight_m = (course.goal_world - course.start_world).norm() - 0.8;
+  EXPECT_LT(result.flight.path_m, 1.01 * straight_m);
+  EXPECT_LT(result.flight.time_s, straight_m / 2.5 + 2.0);
+  EXPECT_GT(result.flight.lowest_m, 1.9);
+  EXPECT_LT(result.flight.highest_m, 2.1);
+  expect_flyable(result.demands, kSpeed_mps);
+}
+
+TEST(Ego, ClearsSparseForestsAndMostDenseOnes) {
+  PlannerInstance planner = kinematic::instance_of(PLANNER_FILE);
+  EXPECT_GE(reached_count(planner, 5.0, 6, kSpeed_mps), 6);
+  EXPECT_GE(reached_count(planner, 2.8, 4, kSpeed_mps), 3);
+}
+
+TEST(Ego, FindsTheGapInAWall) {
+  PlannerInstance planner = kinematic::instance_of(PLANNER_FILE);
+  Course course = kinematic::meadow();
+  add_hedge(course, {-8.0, 15.0}, {2.0, 15.0});
+  add_hedge(course, {4.5, 15.0}, {8.0, 15.0});
+  const TrajectoryResult result = kinematic::fly_trajectories(planner, course);
+  EXPECT_EQ(result.flight.ending, Ending::reached_goal) << result.flight.reason;
+  expect_flyable(result.demands, kSpeed_mps);
+}
+
+TEST(Ego, StopsBeforeAWallWithoutAGapAndGoesOnTrying) {
+  PlannerInstance planner = kinematic::instance_of(PLANNER_FILE);
+  Course course = kinematic::meadow();
+  add_hedge(course, {-25.0, 15.0}, {25.0, 15.0});
+  const TrajectoryResult result = kinematic::fly_trajectories(planner, course, 25.0);
+  EXPECT_EQ(result.flight.ending, Ending::timed_out) << result.flight.reason;
+  expect_flyable(result.demands, kSpeed_mps);
+}
+
+TEST(Ego, FliesThePublishedPreset) {
+  PlannerInstance planner =
+      kinematic::instance_of(PLANNER_FILE, {{"preset", ParameterValue{0.0, "published"}}});
+  const TrajectoryResult result = kinematic::fly_trajectories(planner, kinematic::meadow());
+  EXPECT_EQ(result.flight.ending, Ending::reached_goal) << result.flight.reason;
+  expect_flyable(result.demands, 2.2);
+}
+
+std::size_t resident_bytes() {
+  std::ifstream file("/proc/self/statm");
+  std::size_t total = 0, resident = 0;
+  file >> total >> resident;
+  return resident * 4096;
+}
+
+TEST(Ego, DoesNotGrowOverFiftyMissions) {
+  PlannerInstance planner = kinematic::instance_of(PLANNER_FILE);
+  std::size_t before = 0;
+  for (int i = 0; i < 50; ++i) {
+    Course course = kinematic::forest(4.0, 3);
+    course.goal_world.z() += i % 3;  // other heights make the searched box another
+    const TrajectoryResult result = kinematic::fly_trajectories(planner, course, 0.5);
+    ASSERT_NE(result.flight.ending, Ending::failed) << result.flight.reason;
+    if (i == 10) before = resident_bytes();
+  }
+  EXPECT_LT(resident_bytes(), before + 4'000'000);
+}
+
+TEST(Ego, GivesTheSameFlightAgain) {
+  const Course course = kinematic::forest(3.0, 3);
+  PlannerInstance planner = kinematic::instance_of(PLANNER_FILE);
+  const auto first = kinematic::fly_trajectories(planner, course, 6.0).flight.positions;
+  EXPECT_EQ(first, kinematic::fly_trajectories(planner, course, 6.0).flight.positions);
+}
+
+}  // namespace
+}  // namespace avoidbench
