@@ -33,6 +33,9 @@ planning::RollingGridSpec grid_spec(const Settings& settings, double lowest_m, d
   spec.half_size_m = settings.range_m + 1.0;
   spec.lowest_m = lowest_m;
   spec.highest_m = highest_m;
+  // Nearer depth is mostly a stereo matcher's mistake at the border of its image; what is really
+  // there was seen before.
+  spec.least_ray_m = 0.5;
   spec.longest_ray_m = settings.range_m;
   // As many rays as touch each cell, as far as the map reaches.
   const double spacing_m = settings.range_m / std::max(settings.focal_length_px, 1.0);
@@ -192,7 +195,10 @@ Space Pilot::space(int relaxation) const {
   // The whole box, one that the body can turn in, and the body with little around it.
   const double turning_m = 1.45 * settings_.body_length_m;
   double length_m = settings_.robot_length_m, height_m = settings_.robot_height_m;
-  if (relaxation == 1) length_m = std::min(length_m, turning_m);
+  if (relaxation == 1) {
+    length_m = std::min(length_m, turning_m);
+    height_m = std::min(height_m, settings_.body_height_m + 0.28);
+  }
   if (relaxation >= 2) {
     length_m = std::min(length_m, settings_.body_length_m + 0.15);
     height_m = std::min(height_m, settings_.body_height_m + 0.15);
@@ -340,6 +346,8 @@ void Pilot::search(double time_s) {
     return;
   }
   set_trap(here);
+  // It looked all around and is touched by nothing: what the map has so close is a ghost.
+  grid_.clear_box(here, space(0).box_m);
   look_ = 0;
   facing_rad_.reset();
   ++retreats_;
