@@ -27,15 +27,26 @@ bool is_finite(const ab_depth_image& image) {
          image.fx_px > 0.0 && image.fy_px > 0.0;
 }
 
+/// The image without its uppermost and lowest rows, where stereo matchers err most.
+ab_depth_image without_border(const ab_depth_image& image) {
+  constexpr int kShare = 20;
+  const std::int32_t rows = image.height_px / kShare;
+  ab_depth_image inner = image;
+  inner.height_px -= 2 * rows;
+  inner.cy_px -= rows;
+  inner.depth_m += static_cast<std::ptrdiff_t>(rows) * image.width_px;
+  return inner;
+}
+
 planning::RollingGridSpec grid_spec(const Settings& settings, double lowest_m, double highest_m) {
   planning::RollingGridSpec spec;
   spec.resolution_m = settings.resolution_m;
   spec.half_size_m = settings.range_m + 1.0;
   spec.lowest_m = lowest_m;
   spec.highest_m = highest_m;
-  // Nearer depth is mostly a stereo matcher's mistake at the border of its image; what is really
-  // there was seen before.
-  spec.least_ray_m = 0.5;
+  // Nearer depth is mostly a stereo matcher's mistake. What is really there was seen before, or
+  // stays unknown, which blocks as well.
+  spec.least_ray_m = 0.8;
   spec.longest_ray_m = settings.range_m;
   // As many rays as touch each cell, as far as the map reaches.
   const double spacing_m = settings.range_m / std::max(settings.focal_length_px, 1.0);
@@ -112,7 +123,7 @@ void Pilot::look(const ab_observation& seen, const Vector3d& position) {
   grid_.move_to(position);
   for (std::uint32_t i = seen.depth_count; i-- > 0;) {
     if (!is_finite(*seen.depth[i])) continue;
-    grid_.integrate(*seen.depth[i]);
+    grid_.integrate(without_border(*seen.depth[i]));
     has_seen_ = true;
   }
   const double more_m = flown_.places().size() < 2 ? 0.8 : 0.4;
