@@ -27,12 +27,26 @@ bool is_finite(const ab_depth_image& image) {
          image.fx_px > 0.0 && image.fy_px > 0.0;
 }
 
+/// The image without its uppermost and lowest rows, where stereo matchers err most.
+ab_depth_image without_border(const ab_depth_image& image) {
+  constexpr int kShare = 20;
+  const std::int32_t rows = image.height_px / kShare;
+  ab_depth_image inner = image;
+  inner.height_px -= 2 * rows;
+  inner.cy_px -= rows;
+  inner.depth_m += static_cast<std::ptrdiff_t>(rows) * image.width_px;
+  return inner;
+}
+
 planning::RollingGridSpec grid_spec(const Settings& settings, double lowest_m, double highest_m) {
   planning::RollingGridSpec spec;
   spec.resolution_m = settings.resolution_m;
   spec.half_size_m = settings.range_m + 1.0;
   spec.lowest_m = lowest_m;
   spec.highest_m = highest_m;
+  // Nearer depth is mostly a stereo matcher's mistake. What is really there was seen before, or
+  // stays unknown, which blocks as well.
+  spec.least_ray_m = 0.8;
   spec.longest_ray_m = settings.range_m;
   // As many rays as touch each cell, as far as the map reaches.
   const double spacing_m = settings.range_m / std::max(settings.focal_length_px, 1.0);
@@ -109,7 +123,7 @@ void Pilot::look(const ab_observation& seen, const Vector3d& position) {
   grid_.move_to(position);
   for (std::uint32_t i = seen.depth_count; i-- > 0;) {
     if (!is_finite(*seen.depth[i])) continue;
-    grid_.integrate(*seen.depth[i]);
+    grid_.integrate(without_border(*seen.depth[i]));
     has_seen_ = true;
   }
   const double more_m = flown_.places().size() < 2 ? 0.8 : 0.4;
@@ -192,7 +206,10 @@ Space Pilot::space(int relaxation) const {
   // The whole box, one that the body can turn in, and the body with little around it.
   const double turning_m = 1.45 * settings_.body_length_m;
   double length_m = settings_.robot_length_m, height_m = settings_.robot_height_m;
-  if (relaxation == 1) length_m = std::min(length_m, turning_m);
+  if (relaxation == 1) {
+    length_m = std::min(length_m, turning_m);
+    height_m = std::min(height_m, settings_.body_height_m + 0.28);
+  }
   if (relaxation >= 2) {
     length_m = std::min(length_m, settings_.body_length_m + 0.15);
     height_m = std::min(height_m, settings_.body_height_m + 0.15);
@@ -235,6 +252,15 @@ std::vector<Primitive> Pilot::chain_left(double phase_s) const {
   return left;
 }
 
+/// The course from this phase on, a knot a step.
+std::vector<Motion> Pilot::knots_left(double phase_s) const {
+  std::vector<Motion> left;
+  for (double at_s = phase_s + kStep_s; at_s < course_.duration_s() + kStep_s; at_s += kStep_s) {
+    left.push_back(course_.at(at_s));
+  }
+  return left;
+}
+
 void Pilot::decide(double time_s) {
   const double phase = phase_s(time_s);
   const bool blocked = is_blocked(phase);
@@ -265,9 +291,7 @@ bool Pilot::find_path(double time_s, bool is_blocked_now) {
   task.chain = chain_left(phase);
   std::vector<Motion> flown;
   if (course_.kind == Kind::path && !is_blocked_now) {
-    for (double at_s = phase + kStep_s; at_s < course_.duration_s(); at_s += kStep_s) {
-      flown.push_back(course_.at(at_s));
-    }
+    flown = knots_left(phase);
   }
   const bool is_slow = task.root.velocity.norm() < 0.5 * settings_.speed_mps;
   const int loosest = is_slow || is_blocked_now ? settings_.relaxations : 0;
@@ -302,10 +326,11 @@ bool Pilot::find_path(double time_s, bool is_blocked_now) {
 }
 
 void Pilot::brake(double time_s) {
-  const Motion now = course_.at(phase_s(time_s));
+  const double phase = phase_s(time_s);
+  const Motion now = course_.at(phase);
   Course course;
   course.kind = Kind::brake;
-  course.knots = least_bad_stop(now, space(1), limits(0), settings_);
+  course.knots = least_bad_stop(now, knots_left(phase), space(1), space(2), limits(0), settings_);
   course.knots.insert(course.knots.begin(), now);
   course.relaxation = 1;
   braked_s_ = time_s;
@@ -332,6 +357,8 @@ void Pilot::search(double time_s) {
     return;
   }
   set_trap(here);
+  // It looked all around and is touched by nothing: what the map has so close is a ghost.
+  grid_.clear_box(here, space(0).box_m);
   look_ = 0;
   facing_rad_.reset();
   ++retreats_;

@@ -58,6 +58,8 @@ class Pilot {
   Limits limits(int relaxation) const;
   std::vector<Primitive> chain_left(double phase_s) const;
 
+  std::vector<Motion> knots_left(double phase_s) const;
+
   void decide(double time_s);
   bool find_path(double time_s, bool is_blocked_now);
   void brake(double time_s);

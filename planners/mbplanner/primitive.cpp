@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planning/trajectory_command.hpp"
-
 namespace mbplanner {
 namespace {
 
@@ -70,6 +68,23 @@ std::vector<Motion> knots_of(const Quintic& quintic) {
   return knots;
 }
 
+/// The shortest quintic to rest along the motion that keeps acceleration and jerk.
+std::vector<Motion> settled(const Motion& from, const Limits& limits) {
+  const double most_mps2 = std::max(limits.acceleration_mps2, 1.01 * from.acceleration.norm());
+  Quintic stop;
+  for (double least_s = 2.0 * kStep_s; least_s < 5.0; least_s *= 1.15) {
+    // Whole steps, so that the knots are the quintic itself.
+    const double duration_s = kStep_s * std::ceil(least_s / kStep_s - 1e-9);
+    Motion rest;
+    rest.position = from.position + from.velocity * (0.5 * duration_s) +
+                    from.acceleration * (duration_s * duration_s / 12.0);
+    stop = planning::quintic_between(from, rest, duration_s);
+    const Peaks peaks = peaks_of(stop);
+    if (peaks.jerk_mps3 <= limits.jerk_mps3 && peaks.acceleration_mps2 <= most_mps2) break;
+  }
+  return knots_of(stop);
+}
+
 }  // namespace
 
 Motion stepped(const Motion& from, const Vector3d& pull, const Limits& limits) {
@@ -99,20 +114,27 @@ std::vector<Motion> rolled_out(const Motion& from, const Vector3d& pull, const L
 }
 
 std::vector<Motion> stop_from(const Motion& from, double braking_mps2, const Limits& limits) {
-  const double most_mps2 = std::max(limits.acceleration_mps2, 1.01 * from.acceleration.norm());
-  double duration_s = planning::stopping(from, braking_mps2).duration_s;
-  Quintic stop;
-  for (int i = 0; i < 12; ++i, duration_s *= 1.2) {
-    // Whole steps, so that the knots are the quintic itself.
-    duration_s = kStep_s * std::ceil(duration_s / kStep_s - 1e-9);
-    Motion rest;
-    rest.position = from.position + from.velocity * (0.5 * duration_s) +
-                    from.acceleration * (duration_s * duration_s / 12.0);
-    stop = planning::quintic_between(from, rest, duration_s);
-    const Peaks peaks = peaks_of(stop);
-    if (peaks.jerk_mps3 <= limits.jerk_mps3 && peaks.acceleration_mps2 <= most_mps2) break;
+  constexpr int kMostSteps = 200;
+  const double jerk_mps3 = 0.9 * limits.jerk_mps3;
+  const Limits braking{limits.speed_mps, std::max(limits.acceleration_mps2, braking_mps2),
+                       jerk_mps3};
+  std::vector<Motion> knots;
+  Motion now = from;
+  for (int i = 0; i < kMostSteps; ++i) {
+    const double speed = now.velocity.norm();
+    if (speed < 1e-6) break;
+    // The deceleration ends in time to be none at rest.
+    const double slowing = std::max(-now.acceleration.dot(now.velocity) / speed, 0.0);
+    const double next_speed = speed - slowing * kStep_s;
+    if (next_speed <= 0.5 * slowing * slowing / jerk_mps3 + 0.5 * jerk_mps3 * kStep_s * kStep_s) {
+      break;
+    }
+    now = stepped(now, now.velocity * (-braking_mps2 / speed), braking);
+    knots.push_back(now);
   }
-  return knots_of(stop);
+  const std::vector<Motion> rest = settled(now, limits);
+  knots.insert(knots.end(), rest.begin(), rest.end());
+  return knots;
 }
 
 std::vector<Motion> stop_at(const Motion& from, const Vector3d& place, const Limits& limits) {

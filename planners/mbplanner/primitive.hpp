@@ -27,8 +27,8 @@ Motion stepped(const Motion& from, const Eigen::Vector3d& pull, const Limits& li
 std::vector<Motion> rolled_out(const Motion& from, const Eigen::Vector3d& pull,
                                const Limits& limits, int steps);
 
-/// Knots after `from` to rest, about as fast as this deceleration allows and within the limits'
-/// acceleration and jerk where `from` is.
+/// Knots after `from` to rest: against the velocity with this deceleration, then a quintic that
+/// ends it. Braked again on the way it goes on as before.
 std::vector<Motion> stop_from(const Motion& from, double braking_mps2, const Limits& limits);
 
 /// Knots after `from` to rest at `place`, as fast as the limits allow; empty where no duration up

@@ -80,7 +80,7 @@ struct Chooser {
     for (std::size_t i = 1; i < vertices.size(); ++i) {
       const Vertex& vertex = vertices[i];
       const Vector3d& v = vertex.motion.velocity;
-      const Vector3d stop = vertex.motion.position + v * (0.75 * v.norm() / settings->braking_mps2);
+      const Vector3d stop = vertex.motion.position + v * (0.5 * v.norm() / settings->braking_mps2);
       double left_m = std::min(potential->at(vertex.motion.position), potential->at(stop));
       if (vertex.is_at_goal) left_m = 0.0;
       found.push_back({static_cast<int>(i), here_m - left_m - cost_m(vertex.time_s)});
@@ -195,24 +195,25 @@ std::optional<std::vector<Motion>> safe_path(const Motion& from, const Space& sp
   return std::nullopt;
 }
 
-std::vector<Motion> least_bad_stop(const Motion& from, const Space& space, const Limits& limits,
+std::vector<Motion> least_bad_stop(const Motion& from, const std::vector<Motion>& present,
+                                   const Space& space, const Space& body, const Limits& limits,
                                    const Settings& settings) {
   Settings hard = settings;
   hard.braking_mps2 = 0.9 * settings.greatest_acceleration_mps2;
   Limits sharp = limits;
   sharp.acceleration_mps2 = hard.braking_mps2;
   std::vector<std::vector<Motion>> ways;
-  ways.push_back(stop_from(from, settings.braking_mps2, greatest(limits, settings)));
   ways.push_back(stop_from(from, hard.braking_mps2, greatest(limits, settings)));
   if (from.velocity.head<2>().norm() >= 0.1) {
     for (int arc = 0; arc < settings.evasive_arcs; ++arc) {
       ways.push_back(evasive_arc(from, arc_turn_rad(arc), sharp, hard));
     }
   }
+  if (!present.empty()) ways.push_back(present);
   std::size_t best = 0, longest = 0;
   for (std::size_t i = 0; i < ways.size(); ++i) {
     if (are_free(ways[i], space)) return ways[i];
-    std::size_t clear = free_knots(ways[i], space);
+    std::size_t clear = free_knots(ways[i], body);
     if (clear == ways[i].size()) clear = 1000;  // all the same how long, if nothing is known there
     if (clear > longest) {
       best = i;

@@ -35,8 +35,10 @@ struct Choice {
 std::optional<std::vector<Motion>> safe_path(const Motion& from, const Space& space,
                                              const Limits& limits, const Settings& settings);
 
-/// Among evasive manoeuvres the one that stays clear of known obstacles longest.
-std::vector<Motion> least_bad_stop(const Motion& from, const Space& space, const Limits& limits,
+/// Of hard braking, hard evasive arcs and what is flown at `present`, one that is free in `space`,
+/// or the one that stays clear of known obstacles longest as `body` sees them.
+std::vector<Motion> least_bad_stop(const Motion& from, const std::vector<Motion>& present,
+                                   const Space& space, const Space& body, const Limits& limits,
                                    const Settings& settings);
 
 /// Whether all of these knots are free; checked where half a box has been flown since.

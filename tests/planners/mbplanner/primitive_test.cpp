@@ -49,15 +49,25 @@ TEST(Primitive, KeepsSpeedAccelerationAndJerkWhateverPullsFollow) {
   }
 }
 
-TEST(Stop, EndsAtRestAtTheDistanceOfItsQuintic) {
+TEST(Stop, EndsAtRestAtTheDistanceOfABrakeWithRamps) {
   const Motion from{Vector3d(1, 2, 3), Vector3d(3, 0, 0), Vector3d::Zero()};
   const std::vector<Motion> knots = stop_from(from, 4.0, {3.0, 5.7, 20.0});
   EXPECT_EQ(knots.back().velocity.norm(), 0.0);
-  // 0.75 v² / a, and what whole steps add.
+  // v² / 2a + v a / 2j, with nine tenths of the jerk.
   const double way_m = (knots.back().position - from.position).norm();
-  EXPECT_NEAR(way_m, 0.75 * 9.0 / 4.0, 0.1);
-  EXPECT_GE(way_m, 0.75 * 9.0 / 4.0 - 1e-9);
+  EXPECT_NEAR(way_m, 9.0 / 8.0 + 12.0 / 36.0, 0.06);
   expect_within(knots, from, {3.0, 4.0, 20.0});
+}
+
+TEST(Stop, GoesOnAsBeforeWhenBrakedAgain) {
+  const Motion from{Vector3d(1, 2, 3), Vector3d(2.9, 0.4, 0), Vector3d(0.5, -1, 0)};
+  const Limits limits{3.0, 5.7, 20.0};
+  const std::vector<Motion> once = stop_from(from, 5.0, limits);
+  Motion now = from;
+  for (std::size_t i = 0; i + 8 < once.size(); i += 2) {
+    now = stop_from(now, 5.0, limits)[1];
+    EXPECT_LT((now.position - once[i + 1].position).norm(), 0.02);
+  }
 }
 
 TEST(Stop, KeepsTheJerkWhateverTheMotion) {
