@@ -213,7 +213,8 @@ MapChoice read_map(const std::string& file_or_generator,
   round_rates(root, sweep);
   choice.trial = sweep.base;
   choice.warnings = sweep.warnings;
-  for (const char* other : {"sweep", "trials", "axes", "planners", "max_speed_mps"}) reader.take(other);
+  for (const char* other : {"sweep", "trials", "axes", "planners", "max_speed_mps"})
+    reader.take(other);
   reader.finish();
   if (reading.problems.empty()) add_contradictions(root, sweep, reading);
   if (!reading.problems.empty()) fail(reading.problems, file_or_generator);

@@ -18,6 +18,7 @@ using planning::Quintic;
 namespace portable = avoidbench::portable;
 
 constexpr double kPointStep_s = 0.05;
+constexpr int kExpansions = 12000;  ///< cells that the searches of one call may expand
 constexpr double kRetry_s = 0.1;    ///< between tries where there is no trajectory to follow
 constexpr double kDeadEnd_s = 0.7;  ///< of resting without a plan, before it steps aside
 constexpr double kBraking = 0.9;    ///< of the vehicle's acceleration
@@ -130,6 +131,7 @@ bool Flight::replan(double phase_s) {
     request.previous_s = phase_s;
   }
   candidates_.clear();
+  surroundings_.search.use_budget(kExpansions);
   auto found = plan_trajectory(surroundings_, settings_, request, random_, &candidates_);
   if (!found) {
     ++failures_;

@@ -14,11 +14,13 @@ struct Figure {
 };
 
 /// What its authors' launch files say (README.md).
-constexpr std::array kPublished{Figure{"max_speed_mps", 2.0},  Figure{"max_acceleration_mps2", 3.0},
-                                Figure{"map_range_m", 5.5},    Figure{"ray_length_m", 4.5},
-                                Figure{"hit_log_odds", 0.619}, Figure{"miss_log_odds", -0.619},
-                                Figure{"least_depth_m", 0.2},  Figure{"image_border_ratio", 0.0},
-                                Figure{"inflation_m", 0.099},  Figure{"replan_period_s", 0.0}};
+constexpr std::array kPublished{
+    Figure{"max_speed_mps", 2.0},     Figure{"max_acceleration_mps2", 3.0},
+    Figure{"map_range_m", 5.5},       Figure{"ray_length_m", 4.5},
+    Figure{"hit_log_odds", 0.619},    Figure{"miss_log_odds", -0.619},
+    Figure{"least_depth_m", 0.2},     Figure{"image_border_ratio", 0.0},
+    Figure{"least_log_odds", -1.992}, Figure{"safety_distance_m", 0.5},
+    Figure{"inflation_m", 0.099},     Figure{"replan_period_s", 0.0}};
 
 /// The value given, or its authors' where the preset says so and nothing else was given.
 double value_of(const ab_setup& setup, std::string_view name) {
@@ -43,6 +45,7 @@ planning::RollingGridSpec grid_from(const ab_setup& setup) {
   grid.pixel_step = static_cast<int>(value_of(setup, "pixel_step"));
   grid.hit = value_of(setup, "hit_log_odds");
   grid.miss = value_of(setup, "miss_log_odds");
+  grid.lowest_log_odds = value_of(setup, "least_log_odds");
   grid.inflation_m = value_of(setup, "inflation_m");
   return grid;
 }

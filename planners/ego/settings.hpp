@@ -29,7 +29,7 @@ struct Settings {
   double replan_distance_m = 1.5, keep_distance_m = 2.0, replan_period_s = 0.2;
   double emergency_s = 1.0;
   double spacing_m = 0.4;  ///< between control points at full speed, about
-  double safety_distance_m = 0.5;
+  double safety_distance_m = 1.0;
   double feasibility_tolerance = 0.05;
   double tracking_error_m = 0.5;  ///< from which it plans from the odometry
   double look_ahead_s = 1.0;
@@ -61,11 +61,14 @@ struct Declared {
                             "for the same reason."),
       avoidbench::integer_parameter("pixel_step", "px", 2, 1, 16,
                                     "Every so many-th pixel and row goes into the map."),
-      avoidbench::parameter("hit_log_odds", "", 0.85, 0.05, 10.0,
+      avoidbench::parameter("hit_log_odds", "", 1.0, 0.05, 10.0,
                             "What an image adds to a cell in which it sees a surface."),
-      avoidbench::parameter("miss_log_odds", "", -0.62, -10.0, -0.05,
+      avoidbench::parameter("miss_log_odds", "", -0.4, -10.0, -0.05,
                             "What it adds to a cell that it sees through."),
-      avoidbench::parameter("inflation_m", "m", 0.4, 0.0, 2.0,
+      avoidbench::parameter("least_log_odds", "", -1.2, -20.0, 0.0,
+                            "A cell gets no freer than this: the nearer to 0, the sooner something "
+                            "that was missed before counts."),
+      avoidbench::parameter("inflation_m", "m", 0.5, 0.0, 2.0,
                             "How far from an occupied cell along each axis the way counts as "
                             "blocked for the vehicle's centre."),
       avoidbench::parameter("departure_m", "m", 1.0, 0.0, 50.0,
@@ -84,7 +87,7 @@ struct Declared {
       avoidbench::parameter("control_point_spacing_m", "m", 0.4, 0.1, 2.0,
                             "Between control points at full speed; their interval is 1.2 times the "
                             "time for it."),
-      avoidbench::parameter("safety_distance_m", "m", 0.5, 0.05, 3.0,
+      avoidbench::parameter("safety_distance_m", "m", 1.0, 0.05, 3.0,
                             "How far the collision cost pushes control points off an obstacle."),
       avoidbench::parameter("weight_smoothness", "", 1.0, 0.0, 1000.0, "Of squared jerk."),
       avoidbench::parameter("weight_collision", "", 0.5, 0.0, 1000.0,

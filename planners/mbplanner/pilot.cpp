@@ -27,16 +27,7 @@ bool is_finite(const ab_depth_image& image) {
          image.fx_px > 0.0 && image.fy_px > 0.0;
 }
 
-/// The image without its uppermost and lowest rows, where stereo matchers err most.
-ab_depth_image without_border(const ab_depth_image& image) {
-  constexpr int kShare = 20;
-  const std::int32_t rows = image.height_px / kShare;
-  ab_depth_image inner = image;
-  inner.height_px -= 2 * rows;
-  inner.cy_px -= rows;
-  inner.depth_m += static_cast<std::ptrdiff_t>(rows) * image.width_px;
-  return inner;
-}
+constexpr double kBorder = 0.05;  ///< of the rows, left out above and below
 
 planning::RollingGridSpec grid_spec(const Settings& settings, double lowest_m, double highest_m) {
   planning::RollingGridSpec spec;
@@ -123,7 +114,7 @@ void Pilot::look(const ab_observation& seen, const Vector3d& position) {
   grid_.move_to(position);
   for (std::uint32_t i = seen.depth_count; i-- > 0;) {
     if (!is_finite(*seen.depth[i])) continue;
-    grid_.integrate(without_border(*seen.depth[i]));
+    grid_.integrate(planning::without_border(*seen.depth[i], kBorder));
     has_seen_ = true;
   }
   const double more_m = flown_.places().size() < 2 ? 0.8 : 0.4;

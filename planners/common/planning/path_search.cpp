@@ -100,7 +100,9 @@ std::optional<std::vector<Vector3d>> PathSearch::find(const RollingGrid& grid,
   std::uint32_t order = 0;
   nodes_[index_of(*start)] = {search_, 0, 0, false};
   open_.push_back({octile(*start, *goal), order++, index_of(*start)});
-  for (int expansions = 0; !open_.empty() && expansions < spec_.most_expansions; ++expansions) {
+  const int most = std::min(spec_.most_expansions, budget_);
+  for (int expansions = 0; !open_.empty() && expansions < most; ++expansions) {
+    --budget_;
     std::pop_heap(open_.begin(), open_.end(), is_later);
     const std::uint32_t at = open_.back().node;
     open_.pop_back();

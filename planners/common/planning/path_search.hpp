@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -27,6 +28,10 @@ class PathSearch {
     spec_.highest_m = highest_m;
   }
 
+  /// Until told again, all searches together expand no more cells than these; where they would,
+  /// they find nothing.
+  void use_budget(int expansions) { budget_ = expansions; }
+
   /// Cell centres from the start's to the goal's, both included. Ends inside obstacles are moved
   /// along the line between them to the nearest free cell. Nothing where there is no way within the
   /// box.
@@ -51,6 +56,7 @@ class PathSearch {
   std::optional<Cell> freed(const RollingGrid& grid, const Cell& from, const Cell& toward) const;
 
   PathSearchSpec spec_;
+  int budget_ = std::numeric_limits<int>::max();
   std::vector<Node> nodes_;
   std::vector<Open> open_;
   std::uint32_t search_ = 0;

@@ -82,5 +82,16 @@ TEST(PathSearch, MovesEndsOutOfObstaclesAndGivesUpOutsideOfItsBox) {
   EXPECT_FALSE(search.find(grid, {0.05, 0.05, 2.05}, {30.0, 0.05, 2.05}));
 }
 
+TEST(PathSearch, SpendsNoMoreThanItsBudget) {
+  const RollingGrid grid = grid_with_wall();
+  PathSearch search{PathSearchSpec{}};
+  const Vector3d start(0.05, 0.05, 2.05), goal(3.05, 0.05, 2.05);
+  search.use_budget(100000);
+  ASSERT_TRUE(search.find(grid, start, goal));
+  search.use_budget(20);
+  EXPECT_FALSE(search.find(grid, start, goal));
+  EXPECT_FALSE(search.find(grid, start, Vector3d(0.55, 0.05, 2.05))) << "nothing is left";
+}
+
 }  // namespace
 }  // namespace planning

@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <fstream>
+#include <thread>
 
 #include "geometry/pose.hpp"
 #include "planning/polynomial.hpp"
@@ -192,6 +195,44 @@ int reached_count(PlannerInstance& planner, double poisson_radius_m, std::uint64
     }
   }
   return reached;
+}
+
+void expect_same_in_threads(const std::string& file) {
+  constexpr double kTime_s = 4.0;
+  constexpr std::size_t kThreads = 3;
+  const Course course = forest(3.0, 3);
+  PlannerInstance alone = instance_of(file);
+  const std::vector<Vector3d> expected = fly_trajectories(alone, course, kTime_s).flight.positions;
+  std::array<std::vector<Vector3d>, kThreads> flown;
+  {
+    std::vector<std::jthread> threads;
+    for (std::vector<Vector3d>& positions : flown) {
+      threads.emplace_back([&] {
+        PlannerInstance planner = instance_of(file);
+        positions = fly_trajectories(planner, course, kTime_s).flight.positions;
+      });
+    }
+  }
+  for (const std::vector<Vector3d>& positions : flown) EXPECT_EQ(positions, expected);
+}
+
+std::size_t resident_bytes() {
+  std::ifstream file("/proc/self/statm");
+  std::size_t total = 0, resident = 0;
+  file >> total >> resident;
+  return resident * 4096;
+}
+
+void expect_no_growth(PlannerInstance& planner, int count) {
+  std::size_t before = 0;
+  for (int i = 0; i < count; ++i) {
+    Course course = forest(4.0, 3);
+    course.goal_world.z() += i % 3;  // other heights make other maps
+    const TrajectoryResult result = fly_trajectories(planner, course, 0.5);
+    ASSERT_NE(result.flight.ending, Ending::failed) << result.flight.reason;
+    if (i == 10) before = resident_bytes();
+  }
+  EXPECT_LT(resident_bytes(), before + 4'000'000);
 }
 
 }  // namespace avoidbench::kinematic

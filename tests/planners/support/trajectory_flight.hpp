@@ -33,4 +33,10 @@ void expect_flyable(const Demands& demands, double speed_mps);
 int reached_count(PlannerInstance& planner, double poisson_radius_m, std::uint64_t count,
                   double speed_mps);
 
+/// Expects that instances in several threads fly as one alone does.
+void expect_same_in_threads(const std::string& file);
+
+/// Expects that this process is no larger after `count` short missions than after the first ten.
+void expect_no_growth(PlannerInstance& planner, int count);
+
 }  // namespace avoidbench::kinematic
