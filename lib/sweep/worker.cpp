@@ -124,7 +124,8 @@ void Worker::end_process_after(double plan_timeout_s) {
 }
 
 int run_worker(int in_fd, int out_fd, double plan_timeout_s) {
-  std::signal(SIGINT, SIG_IGN);  // the parent decides when to stop
+  // The parent decides when to stop; a signal to the whole process group reaches workers, too.
+  for (const int number : {SIGINT, SIGTERM, SIGUSR1}) std::signal(number, SIG_IGN);
   std::signal(SIGPIPE, SIG_IGN);
   ::dup2(STDERR_FILENO, STDOUT_FILENO);  // what a planner prints is not a result
   Worker worker;

@@ -106,12 +106,27 @@ TEST(Configs, PrintedSpecsReadBackToTheSameBits) {
 }
 
 TEST_F(SweepFiles, TheSweepsThatComeAlongAreGood) {
-  for (const char* name : {"quick", "forest_small", "hall_small"}) {
+  for (const char* name : {"quick", "forest_small", "hall_small", "paper_outdoor", "paper_indoor",
+                           "paper_outdoor_small", "paper_indoor_small"}) {
     const std::filesystem::path file = std::filesystem::path(AVOIDBENCH_SOURCE_DIR) /
                                        "configs/sweeps" / (std::string(name) + ".yaml");
     const SweepSpec sweep = read_sweep(file, {"planners=[tunable]"});
     EXPECT_EQ(sweep.name, name);
     EXPECT_FALSE(sweep.axes.empty());
+  }
+}
+
+TEST_F(SweepFiles, ThePapersSweepsHaveItsSizesAndASixthOfThem) {
+  const std::filesystem::path folder =
+      std::filesystem::path(AVOIDBENCH_SOURCE_DIR) / "configs/sweeps";
+  for (const std::string name : {"paper_outdoor", "paper_indoor"}) {
+    const SweepSpec whole = read_sweep(folder / (name + ".yaml"), {"planners=[tunable]"});
+    const SweepSpec sixth = read_sweep(folder / (name + "_small.yaml"), {"planners=[tunable]"});
+    EXPECT_EQ(whole.axes.front().values.size() * static_cast<std::size_t>(whole.trials), 900U);
+    EXPECT_EQ(sixth.axes.front().values.size() * static_cast<std::size_t>(sixth.trials), 150U);
+    EXPECT_EQ(whole.axes.front().values.front(), sixth.axes.front().values.front());
+    EXPECT_EQ(whole.axes.front().values.back(), sixth.axes.front().values.back());
+    EXPECT_EQ(whole.planners.front().parameters[4].number, 3.0);  // max_speed_mps
   }
 }
 

@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <fstream>
-
 #include "planners/support/conformance_expectation.hpp"
 #include "planners/support/trajectory_flight.hpp"
 
@@ -66,25 +64,12 @@ TEST(Mbplanner, FliesThePublishedPreset) {
   expect_flyable(result.demands, 1.001);
 }
 
-std::size_t resident_bytes() {
-  std::ifstream file("/proc/self/statm");
-  std::size_t total = 0, resident = 0;
-  file >> total >> resident;
-  return resident * 4096;
-}
-
 TEST(Mbplanner, DoesNotGrowOverFiftyMissions) {
   PlannerInstance planner = kinematic::instance_of(PLANNER_FILE);
-  std::size_t before = 0;
-  for (int i = 0; i < 50; ++i) {
-    Course course = kinematic::forest(4.0, 3);
-    course.goal_world.z() += i % 3;  // other heights make other grids
-    const TrajectoryResult result = kinematic::fly_trajectories(planner, course, 0.5);
-    ASSERT_NE(result.flight.ending, Ending::failed) << result.flight.reason;
-    if (i == 10) before = resident_bytes();
-  }
-  EXPECT_LT(resident_bytes(), before + 4'000'000);
+  kinematic::expect_no_growth(planner, 50);
 }
+
+TEST(Mbplanner, FliesTheSameInSeveralThreads) { kinematic::expect_same_in_threads(PLANNER_FILE); }
 
 TEST(Mbplanner, GivesTheSameFlightForTheSameSeedAlone) {
   const Course course = kinematic::forest(4.0, 3);
