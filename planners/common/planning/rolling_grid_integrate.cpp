@@ -464,7 +464,7 @@ void RollingGrid::miss_cells_in_view(const View& view) {
         const Vector3d& n = normals[k];
         const double lacks = (k == 4 ? least_depth_m : 0.0) - n.x() * x_m - n.y() * y_m;
         if (std::abs(n.z()) < 1e-9) {
-          if (lacks > 0.0) to_m = -kInfinity;
+          if (lacks > 0.0) to_m = -static_cast<double>(kInfinity);
         } else if (n.z() > 0.0) {
           from_m = std::max(from_m, lacks / n.z());
         } else {
