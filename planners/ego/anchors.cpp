@@ -48,8 +48,8 @@ std::optional<Anchor> anchor_between(const Surroundings& surroundings, const Vec
   if (length < 0.1 * step_m) return std::nullopt;
   const Vector3d direction = way / length;
   Vector3d surface = free;
-  for (double gone_m = 0.0; gone_m < length; gone_m += step_m) {
-    const Vector3d at = free - gone_m * direction;
+  for (int i = 0; i * step_m < length; ++i) {
+    const Vector3d at = free - (i * step_m) * direction;
     if (surroundings.is_blocked(at)) break;
     surface = at;
   }

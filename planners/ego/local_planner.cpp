@@ -133,7 +133,8 @@ Motion local_target(const Surroundings& surroundings, const Settings& settings,
   double at_m = wanted_m;
   // The nearest free place on the line, forward first.
   for (int i = 0; surroundings.is_blocked(line_start + at_m * along); ++i) {
-    const double away_m = (i / 2 + 1) * step_m;
+    const int steps = i / 2 + 1;
+    const double away_m = steps * step_m;
     if (away_m > 0.6 * settings.horizon_m) {
       at_m = wanted_m;
       break;

@@ -171,7 +171,9 @@ void Pilot::hover(const Vector3d& position, double time_s) {
 /// Where the vehicle is not near its course, the course begins anew from where it is.
 void Pilot::rejoin(const Vector3d& position, const Vector3d& velocity, double time_s) {
   double apart_m = kLost_m;
-  for (double late_s = 0.0; late_s <= kLateness_s + 1e-9; late_s += 0.05) {
+  constexpr double kLateStep_s = 0.05;
+  for (int i = 0; i * kLateStep_s <= kLateness_s + 1e-9; ++i) {
+    const double late_s = i * kLateStep_s;
     const Vector3d& there = course_.at(phase_s(time_s) - pace_ * late_s).position;
     apart_m = std::min(apart_m, (there - position).norm());
   }
@@ -224,7 +226,9 @@ bool Pilot::is_blocked(double phase_s) const {
   tight.lowest_m = -1e9;
   tight.highest_m = 1e9;
   const double end_s = course_.duration_s();
-  for (double at_s = phase_s - 2.0 * kStep_s; at_s < end_s + kStep_s; at_s += 2.0 * kStep_s) {
+  for (int i = -2;; i += 2) {
+    const double at_s = phase_s + i * kStep_s;
+    if (at_s >= end_s + kStep_s) break;
     if (tight.at(course_.at(std::min(at_s, end_s)).position) == CellState::occupied) return true;
   }
   return false;
@@ -246,8 +250,8 @@ std::vector<Primitive> Pilot::chain_left(double phase_s) const {
 /// The course from this phase on, a knot a step.
 std::vector<Motion> Pilot::knots_left(double phase_s) const {
   std::vector<Motion> left;
-  for (double at_s = phase_s + kStep_s; at_s < course_.duration_s() + kStep_s; at_s += kStep_s) {
-    left.push_back(course_.at(at_s));
+  for (int i = 1; phase_s + i * kStep_s < course_.duration_s() + kStep_s; ++i) {
+    left.push_back(course_.at(phase_s + i * kStep_s));
   }
   return left;
 }

@@ -72,7 +72,9 @@ std::vector<Motion> knots_of(const Quintic& quintic) {
 std::vector<Motion> settled(const Motion& from, const Limits& limits) {
   const double most_mps2 = std::max(limits.acceleration_mps2, 1.01 * from.acceleration.norm());
   Quintic stop;
-  for (double least_s = 2.0 * kStep_s; least_s < 5.0; least_s *= 1.15) {
+  constexpr int kTries = 28;  // up to 5 s
+  double least_s = 2.0 * kStep_s;
+  for (int i = 0; i < kTries; ++i, least_s *= 1.15) {
     // Whole steps, so that the knots are the quintic itself.
     const double duration_s = kStep_s * std::ceil(least_s / kStep_s - 1e-9);
     Motion rest;
@@ -143,7 +145,8 @@ std::vector<Motion> stop_at(const Motion& from, const Vector3d& place, const Lim
   rest.position = place;
   const double least_s =
       std::max(planning::trapezoid_time_s(way_m, limits.speed_mps, limits.acceleration_mps2), 0.3);
-  for (double factor = 0.7; factor < 4.0; factor *= 1.15) {
+  double factor = 0.7;
+  for (int i = 0; i < 13; ++i, factor *= 1.15) {
     const double duration_s = kStep_s * std::ceil(factor * least_s / kStep_s);
     const Quintic quintic = planning::quintic_between(from, rest, duration_s);
     if (peaks_of(quintic).jerk_mps3 > limits.jerk_mps3) continue;

@@ -101,8 +101,8 @@ class RollingGrid {
     return place < side_ ? place : place - side_;
   }
   std::size_t column_of(int x, int y) const {
-    return static_cast<std::size_t>(ringed(x - first_x_, ring_x_) * side_ +
-                                    ringed(y - first_y_, ring_y_));
+    const int column = ringed(x - first_x_, ring_x_) * side_ + ringed(y - first_y_, ring_y_);
+    return static_cast<std::size_t>(column);
   }
   /// Columns are whole words of 64 cells, so that one index serves cells and bits.
   std::size_t column_start(int x, int y) const {

@@ -299,10 +299,10 @@ bool RollingGrid::is_grazed(const View& view, const Vector3f& in_camera, int par
   const int from_u = std::max(middle_u - reach_u, 0), from_v = std::max(middle_v - reach_v, 0);
   const int to_u = std::min(middle_u + reach_u, view.width - 1);
   const int to_v = std::min(middle_v + reach_v, view.height - 1);
-  const Counts counts =
-      count_row_by_row(&nearest_m_[static_cast<std::size_t>(from_v * view.width + from_u)],
-                       {(to_u - from_u) / stride_u + 1, stride_u},
-                       {(to_v - from_v) / stride_v + 1, stride_v * view.width}, before, behind);
+  const int first = from_v * view.width + from_u;
+  const Counts counts = count_row_by_row(
+      &nearest_m_[static_cast<std::size_t>(first)], {(to_u - from_u) / stride_u + 1, stride_u},
+      {(to_v - from_v) / stride_v + 1, stride_v * view.width}, before, behind);
   const bool is_cut = from_u > middle_u - reach_u || from_v > middle_v - reach_v ||
                       to_u < middle_u + reach_u || to_v < middle_v + reach_v;
   return is_cut ? counts.near > 0 : parts * counts.near > counts.all;
@@ -326,7 +326,8 @@ bool RollingGrid::is_hit(const View& view, const Vector3f& in_camera, int ends) 
   int passes = 0;
   for (int row = from_v; row <= to_v && passes < kEnough; ++row) {
     for (int column = from_u; column <= to_u; ++column) {
-      passes += nearest_m_[static_cast<std::size_t>(row * view.width + column)] > behind ? 1 : 0;
+      const int block = row * view.width + column;
+      passes += nearest_m_[static_cast<std::size_t>(block)] > behind ? 1 : 0;
     }
   }
   return 2 * ends > std::min(passes, kEnough) || is_grazed(view, in_camera, 3);
@@ -379,7 +380,8 @@ std::uint64_t RollingGrid::passed_cells(const View& view, const Column& column, 
     const float y = (lowest.y() + up * step.y()) * inverse;
     const int u = std::clamp(static_cast<int>(x * fu + cu), 0, last_u);
     const int v = std::clamp(static_cast<int>(y * fv + cv), 0, last_v);
-    const auto block = static_cast<std::size_t>(v * width + u);
+    const int place = v * width + u;
+    const auto block = static_cast<std::size_t>(place);
     const float behind = depth + half_depth_m;
     const int at = std::min(static_cast<int>(depth * steps_per_m), kDepthSteps - 1);
     const std::uint64_t is_clear = window_at_m[at][block] > behind ? 1 : 0;
