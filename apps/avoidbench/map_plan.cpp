@@ -46,8 +46,9 @@ void paint_ground_plan(const World& world, const Plan& plan, const MapView& view
     for (int column = 0; column < view.width_px; ++column) {
       std::array<int, 3> sum{};
       for (int sample = 0; sample < view.samples * view.samples; ++sample) {
-        const double across = column + (sample % view.samples + 0.5) / view.samples;
-        const double down = row + (sample / view.samples + 0.5) / view.samples;
+        const int sample_column = sample % view.samples, sample_row = sample / view.samples;
+        const double across = column + (sample_column + 0.5) / view.samples;
+        const double down = row + (sample_row + 0.5) / view.samples;
         const double x = plan.low_world.x() + (across - plan.left_px) / plan.pixels_per_m;
         const double y = plan.low_world.y() + (plan.bottom_px - down) / plan.pixels_per_m;
         const bool is_inside =
