@@ -103,11 +103,9 @@ TEST_F(SweepFiles, OneSpeedLimitHoldsForAllPlannersThatAreGivenNone) {
   EXPECT_EQ(sweep.planners[1].parameters[4].number, 4.0);
   EXPECT_EQ(sweep.planners[2].label, "own");
   EXPECT_EQ(sweep.planners[2].parameters[4].number, 6.0);
-  EXPECT_EQ(read("sweep: a\nplanners: [tunable]\n", {"max_speed_mps=3"})
-                .planners[0]
-                .parameters[4]
-                .number,
-            3.0);
+  EXPECT_EQ(
+      read("sweep: a\nplanners: [tunable]\n", {"max_speed_mps=3"}).planners[0].parameters[4].number,
+      3.0);
 }
 
 TEST_F(SweepFiles, PlannerPathsAreRelativeToTheSweep) {
