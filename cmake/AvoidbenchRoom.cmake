@@ -17,7 +17,8 @@ function(avoidbench_room name)
   add_library(avoidbench::${name} ALIAS ${target})
 endfunction()
 
-# avoidbench_test(room [USES room …] [PRIVATE target …]): every *_test.cpp beside the caller as one test binary.
+# avoidbench_test(room [USES room …] [PRIVATE target …]): every *_test.cpp beside the caller as one test binary. Test suites
+# whose names end in Slow are labelled so.
 function(avoidbench_test name)
   cmake_parse_arguments(TEST "" "" "USES;PRIVATE" ${ARGN})
   list(TRANSFORM TEST_USES PREPEND avoidbench::)
@@ -28,5 +29,7 @@ function(avoidbench_test name)
   target_compile_definitions(${name}_tests PRIVATE AVOIDBENCH_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
                              AVOIDBENCH_BINARY_DIR="${PROJECT_BINARY_DIR}")
   avoidbench_precompiled(${name}_tests test)
-  gtest_discover_tests(${name}_tests TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60 NO_PRETTY_VALUES)
+  gtest_discover_tests(${name}_tests TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60 NO_PRETTY_VALUES TEST_FILTER -*Slow.*)
+  gtest_discover_tests(${name}_tests TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60 NO_PRETTY_VALUES TEST_FILTER *Slow.*
+                       TEST_LIST ${name}_slow_tests PROPERTIES LABELS slow)
 endfunction()

@@ -4,6 +4,7 @@
 
 #include "avoidbench/planner.hpp"
 #include "planning/heading.hpp"
+#include "planning/published_values.hpp"
 #include "planning/rolling_grid.hpp"
 
 namespace ego {
@@ -40,9 +41,7 @@ struct Settings {
 /// What a sweep may set.
 struct Declared {
   static constexpr std::array parameters{
-      avoidbench::choice_parameter(
-          "preset", "avoidbench", "avoidbench|published",
-          "published: each parameter below that is left at its preset takes its authors' figure."),
+      planning::kPreset,
       avoidbench::parameter("max_speed_mps", "m/s", 3.0, 0.2, 15.0, "Greatest speed."),
       avoidbench::parameter("max_acceleration_mps2", "m/s^2", 4.0, 0.5, 20.0,
                             "Greatest acceleration it plans with."),

@@ -42,6 +42,9 @@ planning::RollingGridSpec grid_spec(const Settings& settings, double lowest_m, d
   // As many rays as touch each cell, as far as the map reaches.
   const double spacing_m = settings.range_m / std::max(settings.focal_length_px, 1.0);
   spec.pixel_step = spacing_m > 0.5 * settings.resolution_m ? 1 : 2;
+  spec.hit = settings.hit_log_odds;
+  spec.miss = settings.miss_log_odds;
+  spec.lowest_log_odds = settings.least_log_odds;
   spec.inflation_m = 0.0;  // boxes are looked up as they are
   return spec;
 }

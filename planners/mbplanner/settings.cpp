@@ -1,20 +1,14 @@
 #include "settings.hpp"
 
 #include <algorithm>
-#include <string>
-#include <string_view>
+#include <array>
 
 namespace mbplanner {
 namespace {
 
-struct Figure {
-  std::string_view name;
-  double value;
-};
-
 /// mbplanner_config.yaml and planner_control_interface_sim_config.yaml of the authors' repository,
 /// where they differ from ours.
-constexpr Figure kPublished[] = {
+constexpr std::array<planning::PublishedValue, 20> kPublished{{
     {"max_speed_mps", 1.75},   {"follower_speed_mps", 1.0}, {"max_acceleration_mps2", 2.0},
     {"max_climb_mps2", 0.3},   {"braking_mps2", 2.0},       {"robot_length_m", 1.4},
     {"robot_height_m", 0.8},   {"relaxations", 0.0},        {"primitive_s", 1.5},
@@ -22,31 +16,7 @@ constexpr Figure kPublished[] = {
     {"time_weight", 0.0},      {"clearance_weight_m", 0.0}, {"deviation_weight", 0.0},
     {"replan_period_s", 60.0}, {"yaw_rate_radps", 0.5},     {"resolution_m", 0.2},
     {"range_m", 20.0},         {"max_departure_m", 3.0},
-};
-
-class Values {
- public:
-  explicit Values(const ab_setup& setup)
-      : values_(setup), is_published_(values_.text("preset") == "published") {}
-
-  double number(std::string_view name) const {
-    const double given = values_.number(name);
-    if (!is_published_) return given;
-    const auto* const declared =
-        std::find_if(kParameters.begin(), kParameters.end(),
-                     [&](const ab_parameter& parameter) { return name == parameter.name; });
-    if (declared == kParameters.end() || given != declared->preset) return given;
-    const auto* const found =
-        std::find_if(std::begin(kPublished), std::end(kPublished),
-                     [&](const Figure& figure) { return figure.name == name; });
-    return found != std::end(kPublished) ? found->value : given;
-  }
-  int integer(std::string_view name) const { return static_cast<int>(number(name)); }
-
- private:
-  avoidbench::Parameters<Declaration> values_;
-  bool is_published_;
-};
+}};
 
 /// `limit` where the vehicle has one.
 double capped(double value, double limit) { return limit > 0.0 ? std::min(value, limit) : value; }
@@ -54,7 +24,7 @@ double capped(double value, double limit) { return limit > 0.0 ? std::min(value,
 }  // namespace
 
 Settings settings_from(const ab_setup& setup) {
-  const Values values(setup);
+  const planning::PublishedValues<Declaration, kPublished.size()> values(setup, kPublished);
   Settings s;
   const double pull_mps2 =
       setup.max_acceleration_mps2 > 0.0 ? 0.95 * setup.max_acceleration_mps2 : 20.0;
@@ -94,6 +64,9 @@ Settings settings_from(const ab_setup& setup) {
   s.resolution_m = values.number("resolution_m");
   s.range_m = values.number("range_m");
   s.max_departure_m = values.number("max_departure_m");
+  s.hit_log_odds = values.number("hit_log_odds");
+  s.miss_log_odds = values.number("miss_log_odds");
+  s.least_log_odds = values.number("least_log_odds");
   return s;
 }
 

@@ -3,14 +3,13 @@
 #include <array>
 
 #include "avoidbench/planner.hpp"
+#include "planning/published_values.hpp"
 
 namespace mbplanner {
 
 /// What can be set, with the presets of this benchmark; README.md has the authors' beside them.
 inline constexpr std::array kParameters{
-    avoidbench::choice_parameter("preset", "avoidbench", "avoidbench|published",
-                                 "published: what is left at its default takes the authors' "
-                                 "figures."),
+    planning::kPreset,
     avoidbench::parameter("max_speed_mps", "m/s", 3.0, 0.2, 15.0, "Greatest speed of the tree."),
     avoidbench::parameter("follower_speed_mps", "m/s", 20.0, 0.1, 20.0,
                           "Paths are flown more slowly, so that this is the greatest speed."),
@@ -67,6 +66,13 @@ inline constexpr std::array kParameters{
     avoidbench::parameter("yaw_rate_radps", "rad/s", 2.0, 0.1, 10.0, "Greatest yaw rate."),
     avoidbench::parameter("resolution_m", "m", 0.15, 0.05, 0.5, "Side of the map's cells."),
     avoidbench::parameter("range_m", "m", 8.0, 2.0, 20.0, "How far the map reaches."),
+    avoidbench::parameter("hit_log_odds", "", 1.0, 0.05, 10.0,
+                          "What an image adds to a cell in which it sees a surface."),
+    avoidbench::parameter("miss_log_odds", "", -0.4, -10.0, -0.05,
+                          "What it adds to a cell that it sees through."),
+    avoidbench::parameter("least_log_odds", "", -1.2, -20.0, 0.0,
+                          "A cell gets no freer than this: the nearer to 0, the sooner something "
+                          "that was missed before counts."),
     avoidbench::parameter("max_departure_m", "m", 1.5, 0.2, 20.0,
                           "How far it climbs above or sinks below both start and goal."),
 };
@@ -91,6 +97,7 @@ struct Settings {
   double replan_period_s = 0.0, lead_s = 0.0, yaw_rate_radps = 0.0;
   double focal_length_px = 0.0;  ///< of the camera
   double resolution_m = 0.0, range_m = 0.0, max_departure_m = 0.0;
+  double hit_log_odds = 0.0, miss_log_odds = 0.0, least_log_odds = 0.0;
 };
 
 /// The setup's values with the preset taken in, within the vehicle's limits.

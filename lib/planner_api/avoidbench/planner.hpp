@@ -10,11 +10,11 @@
  *     static constexpr std::uint32_t needs = AB_SEES_STATE | AB_SEES_DEPTH;
  *     static constexpr std::uint32_t commands = AB_COMMAND_VELOCITY;
  *     static constexpr std::array parameters{
- *         avoidbench::parameter("cruise_speed_mps", "m/s", 3.0, 0.1, 20.0, "Speed held until the
- * goal.")}; explicit Drift(const ab_setup& setup) :
- * speed_mps_(avoidbench::Parameters<Drift>(setup).number("cruise_speed_mps")) {} void reset(const
- * ab_mission& mission); std::optional<ab_command> plan(const ab_observation& seen);   // nullopt:
- * no plan now
+ *         avoidbench::parameter("speed_mps", "m/s", 3.0, 0.1, 20.0, "Held until the goal.")};
+ *     explicit Drift(const ab_setup& setup)
+ *         : speed_mps_(avoidbench::Parameters<Drift>(setup).number("speed_mps")) {}
+ *     void reset(const ab_mission& mission);
+ *     std::optional<ab_command> plan(const ab_observation& seen);  // nullopt: no plan now
  *   };
  *   AVOIDBENCH_PLANNER(Drift)
  *

@@ -68,6 +68,11 @@ TEST(Ego, DoesNotGrowOverFiftyMissions) {
   kinematic::expect_no_growth(planner, 50);
 }
 
+TEST(EgoSlow, DoesNotGrowOverAThousandMissions) {
+  PlannerInstance planner = kinematic::instance_of(PLANNER_FILE);
+  kinematic::expect_no_growth(planner, 1000);
+}
+
 TEST(Ego, FliesTheSameInSeveralThreads) { kinematic::expect_same_in_threads(PLANNER_FILE); }
 
 TEST(Ego, GivesTheSameFlightAgain) {

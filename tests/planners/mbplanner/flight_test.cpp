@@ -69,6 +69,11 @@ TEST(Mbplanner, DoesNotGrowOverFiftyMissions) {
   kinematic::expect_no_growth(planner, 50);
 }
 
+TEST(MbplannerSlow, DoesNotGrowOverAThousandMissions) {
+  PlannerInstance planner = kinematic::instance_of(PLANNER_FILE);
+  kinematic::expect_no_growth(planner, 1000);
+}
+
 TEST(Mbplanner, FliesTheSameInSeveralThreads) { kinematic::expect_same_in_threads(PLANNER_FILE); }
 
 TEST(Mbplanner, GivesTheSameFlightForTheSameSeedAlone) {
