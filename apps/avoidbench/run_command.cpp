@@ -18,7 +18,7 @@
 #include "metrics/metric_table.hpp"
 #include "render/device.hpp"
 #include "store/database.hpp"
-#include "sweep/allowed_cpus.hpp"
+#include "sweep/allowance.hpp"
 #include "sweep/run_sweep.hpp"
 #include "version.hpp"
 
@@ -32,7 +32,8 @@ struct RunCommand {
   std::vector<std::string> overrides;
   std::string database_file;
   int jobs = 0;
-  double plan_timeout_s = 10.0;
+  double plan_timeout_s = 10.0, grace_s = 30.0;
+  double memory_limit_mib = 0.0;
   bool dry_run = false, in_process = false, quiet = false;
 };
 
@@ -135,6 +136,17 @@ class ProgressLine {
 
 std::string program_file() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
 
+/// What starts a worker. Without a limit of the user's, workers together stay within nine tenths of
+/// the memory that this process may use.
+std::vector<std::string> worker_command(const RunCommand& command, int jobs) {
+  const double limit_mib =
+      command.memory_limit_mib > 0.0 ? command.memory_limit_mib : 0.9 * allowed_memory_mib() / jobs;
+  char timeout[32], limit[32];
+  std::snprintf(timeout, sizeof timeout, "%.17g", command.plan_timeout_s);
+  std::snprintf(limit, sizeof limit, "%.17g", limit_mib);
+  return {program_file(), "worker", "--plan-timeout", timeout, "--memory-limit", limit};
+}
+
 void print_trials(const SweepSpec& sweep) {
   const std::vector<TrialSpec> trials = expand(sweep);
   for (const TrialSpec& trial : trials) {
@@ -175,14 +187,13 @@ void run(const RunCommand& command) {
   std::signal(SIGTERM, request_stop);
   std::signal(SIGUSR1, request_stop);
   ProgressLine line(command.quiet);
-  char timeout[32];
-  std::snprintf(timeout, sizeof timeout, "%.17g", command.plan_timeout_s);
   const RunSummary summary =
       run_sweep(sweep, provenance(), database,
                 {.jobs = jobs,
                  .in_process = command.in_process,
-                 .worker_command = {program_file(), "worker", "--plan-timeout", timeout},
-                 .plan_timeout_s = command.plan_timeout_s,
+                 .worker_command = worker_command(command, jobs),
+                 .silence_s = command.plan_timeout_s + 20.0,
+                 .grace_s = command.grace_s,
                  .on_progress = [&line](const Progress& progress) { line.draw(progress); },
                  .stop = &stop_requested});
   const Progress& progress = summary.progress;
@@ -226,6 +237,16 @@ void add_run_command(CLI::App& app) {
       ->add_option("--plan-timeout", options->plan_timeout_s,
                    "Wall time after which a plan call counts as hung, s")
       ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command
+      ->add_option("--memory-limit", options->memory_limit_mib,
+                   "Resident memory of a worker, MiB; its trial ends with planner_crashed beyond "
+                   "it [nine tenths of what there is, shared by the workers]")
+      ->check(CLI::PositiveNumber);
+  command
+      ->add_option("--grace", options->grace_s,
+                   "Time that trials in flight have after a signal to stop, s")
+      ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   command->add_flag("--dry-run", options->dry_run, "Print the trials and fly none");
   command->add_flag("--in-process", options->in_process, "Fly in this process, for debuggers");

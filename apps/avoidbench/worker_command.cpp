@@ -7,18 +7,16 @@
 namespace avoidbench {
 
 void add_worker_command(CLI::App& app) {
-  struct Options {
-    double plan_timeout_s = 10.0;
-    int in_fd = -1, out_fd = -1;
-  };
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<WorkerOptions>();
   CLI::App* command = app.add_subcommand("worker", "Flies trials for a parent process");
   command->group("");  // started by `run` only
   command->add_option("--plan-timeout", options->plan_timeout_s);
+  command->add_option("--memory-limit", options->memory_limit_mib);
   command->add_option("in_fd", options->in_fd)->required();
   command->add_option("out_fd", options->out_fd)->required();
+  command->add_option("notes_fd", options->notes_fd)->required();
   command->callback([options] {
-    const int code = run_worker(options->in_fd, options->out_fd, options->plan_timeout_s);
+    const int code = run_worker(*options);
     if (code != 0) throw CLI::RuntimeError(code);
   });
 }

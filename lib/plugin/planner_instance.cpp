@@ -6,6 +6,7 @@
 #include "base/check.hpp"
 #include "base/input_error.hpp"
 #include "plugin/command_check.hpp"
+#include "plugin/float_guard.hpp"
 #include "plugin/host_buffers.hpp"
 
 namespace avoidbench {
@@ -31,6 +32,7 @@ class TimedCall {
 
  private:
   CallClock* clock_;
+  FloatGuard guard_;
 };
 
 /// Runs `call`; "" or what escaped from it. No exception may cross the interface: one that does is

@@ -8,6 +8,7 @@
 #include "base/digest.hpp"
 #include "base/input_error.hpp"
 #include "plugin/elf_symbols.hpp"
+#include "plugin/float_guard.hpp"
 #include "plugin/planner_table.hpp"
 
 namespace avoidbench {
@@ -81,6 +82,7 @@ PlannerLibrary PlannerLibrary::load(const std::filesystem::path& file) {
   check_symbol(file);
   // An absolute path: dlopen would look a bare name up in the system's folders.
   const std::string path = std::filesystem::absolute(file).string();
+  const FloatGuard guard;
   void* handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr) {
     const char* reason = dlerror();

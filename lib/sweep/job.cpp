@@ -126,6 +126,7 @@ Job job_from(const Message& message) {
 Message result_message(const JobResult& result) {
   Message message;
   message.json["error"] = result.error;
+  message.json["is_out_of_memory"] = result.is_out_of_memory;
   if (result.map) message.json["map"] = map_to_json(*result.map);
   if (result.trial) {
     message.json["trial"] = trial_to_json(*result.trial);
@@ -140,6 +141,7 @@ Message result_message(const JobResult& result) {
 JobResult result_from(const Message& message) {
   JobResult result;
   result.error = message.json.at("error");
+  result.is_out_of_memory = message.json.at("is_out_of_memory");
   if (message.json.contains("map")) result.map = map_from_json(message.json.at("map"));
   if (message.json.contains("trial")) {
     result.trial = trial_from_json(message.json.at("trial"));

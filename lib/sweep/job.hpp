@@ -25,6 +25,7 @@ struct JobResult {
   std::optional<TrialRecord> trial;
   std::vector<double> metrics;
   std::string error;
+  bool is_out_of_memory = false;  ///< that was the error
 };
 
 Message job_message(const Job& job);

@@ -14,6 +14,8 @@ namespace avoidbench {
 namespace {
 
 constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 32U;
+constexpr std::uint64_t kMagic =
+    0x6176426e4d736731;  ///< begins a message: a planner may write here
 
 bool write_all(int fd, std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
@@ -39,18 +41,18 @@ bool read_all(int fd, std::span<std::byte> bytes) {
 
 bool send_message(int fd, const Message& message) {
   const std::string text = message.json.dump();
-  const std::array<std::uint64_t, 2> sizes{text.size(), message.bytes.size()};
+  const std::array<std::uint64_t, 3> sizes{kMagic, text.size(), message.bytes.size()};
   return write_all(fd, std::as_bytes(std::span(sizes))) &&
          write_all(fd, std::as_bytes(std::span(text))) && write_all(fd, message.bytes);
 }
 
 std::optional<Message> receive_message(int fd) {
-  std::array<std::uint64_t, 2> sizes{};
+  std::array<std::uint64_t, 3> sizes{};
   if (!read_all(fd, std::as_writable_bytes(std::span(sizes)))) return std::nullopt;
-  if (sizes[0] > kMaxBytes || sizes[1] > kMaxBytes) return std::nullopt;
-  std::string text(sizes[0], '\0');
+  if (sizes[0] != kMagic || sizes[1] > kMaxBytes || sizes[2] > kMaxBytes) return std::nullopt;
+  std::string text(sizes[1], '\0');
   Message message;
-  message.bytes.resize(sizes[1]);
+  message.bytes.resize(sizes[2]);
   if (!read_all(fd, std::as_writable_bytes(std::span(text)))) return std::nullopt;
   if (!read_all(fd, message.bytes)) return std::nullopt;
   message.json = nlohmann::json::parse(text, nullptr, false);

@@ -2,22 +2,24 @@
 
 #include <poll.h>
 
-#include <cerrno>
+#include <algorithm>
+#include <chrono>
 #include <csignal>
-#include <filesystem>
 #include <optional>
 
-#include "base/digest.hpp"
 #include "base/input_error.hpp"
 #include "base/spec_json.hpp"
-#include "plugin/planner_library.hpp"
+#include "sweep/crash_report.hpp"
 #include "sweep/job.hpp"
 #include "sweep/schedule.hpp"
+#include "sweep/sweep_rows.hpp"
 #include "sweep/worker.hpp"
 #include "sweep/worker_process.hpp"
 
 namespace avoidbench {
 namespace {
+
+using Clock = std::chrono::steady_clock;
 
 /// The run as the parent sees it.
 struct Run {
@@ -30,81 +32,37 @@ struct Run {
   bool is_stopped() const { return options.stop != nullptr && options.stop->load(); }
 };
 
-/// A worker process and what it is doing.
+/// A worker process, what it is doing and what it has in memory.
 struct Seat {
   WorkerProcess process;
   std::optional<Assignment> assignment;
-  std::optional<std::size_t> last_map;
+  Memory memory;
+  double silent_s = 0.0;  ///< since it last said that it lives
 };
-
-/// Of a map's file only the name is kept; its file_digest says which it is.
-void forget_folder(nlohmann::json& map) {
-  if (!map.contains("file")) return;
-  map["file"] = std::filesystem::path(map["file"].get<std::string>()).filename().string();
-}
-
-nlohmann::json axis_json(const Axis& axis) {
-  nlohmann::json values = axis.values;
-  if (axis.path == "map.file") {
-    for (nlohmann::json& value : values) {
-      value = {{"file", value}, {"file_digest", file_digest(value.get<std::string>())}};
-      forget_folder(value);
-    }
-  }
-  return {{"path", axis.path}, {"values", values}};
-}
-
-std::string sweep_json(const SweepSpec& sweep) {
-  nlohmann::json axes = nlohmann::json::array(), planners = nlohmann::json::array();
-  for (const Axis& axis : sweep.axes) axes.push_back(axis_json(axis));
-  for (const PlannerChoice& planner : sweep.planners) {
-    nlohmann::json choice = spec_to_json(planner);
-    choice.erase("file");
-    planners.push_back(choice);
-  }
-  nlohmann::json base = spec_to_json(sweep.base);
-  base.erase("planner");
-  forget_folder(base["map"]);
-  return nlohmann::json{{"name", sweep.name},
-                        {"base", base},
-                        {"axes", axes},
-                        {"trials", sweep.trials},
-                        {"planners", planners}}
-      .dump();
-}
-
-PlannerRow planner_row(const PlannerChoice& choice) {
-  const PlannerDescription planner = PlannerLibrary::load(choice.file).description();
-  nlohmann::json parameters = nlohmann::json::object();
-  for (const ParameterChoice& parameter : choice.parameters) {
-    if (parameter.is_text) {
-      parameters[parameter.name] = parameter.text;
-    } else {
-      parameters[parameter.name] = parameter.number;
-    }
-  }
-  return {.label = choice.label,
-          .name = planner.name,
-          .version = planner.version,
-          .file_digest = choice.file_digest,
-          .parameters_json = parameters.dump(),
-          .is_privileged = (planner.needs & AB_SEES_WORLD) != 0};
-}
 
 void report_progress(const Run& run) {
   if (run.options.on_progress) run.options.on_progress(run.progress);
+}
+
+/// What a worker has in memory once it did this.
+Memory memory_after(const Run& run, const Assignment& assignment) {
+  if (!assignment.trial) return {.map = assignment.map, .planner_label = {}};
+  return {.map = assignment.map,
+          .planner_label = run.schedule.trials[*assignment.trial].planner.label};
 }
 
 /// The map is known: missions that can't be flown leave the schedule.
 void settle_map(Run& run, MapPlan& map, MapRecord record) {
   record.key = map.key;
   map.record = std::move(record);
-  const std::size_t before = map.waiting.size();
-  std::erase_if(map.waiting, [&](std::size_t trial) {
-    const auto index = static_cast<std::size_t>(run.schedule.trials[trial].mission_index);
-    return !map.record->missions[index].is_valid;
-  });
-  run.progress.invalid_missions += static_cast<std::int64_t>(before - map.waiting.size());
+  const std::size_t before = waiting_count(map);
+  for (TrialGroup& group : map.groups) {
+    std::erase_if(group.waiting, [&](std::size_t trial) {
+      const auto index = static_cast<std::size_t>(run.schedule.trials[trial].mission_index);
+      return !map.record->missions[index].is_valid;
+    });
+  }
+  run.progress.invalid_missions += static_cast<std::int64_t>(before - waiting_count(map));
   report_progress(run);
 }
 
@@ -174,46 +132,102 @@ void take_result(Run& run, const Assignment& assignment, JobResult result) {
   }
 }
 
+/// Why a worker is gone: what that makes of the trial it flew.
+struct Death {
+  Outcome outcome = Outcome::planner_crashed;
+  std::string reason;
+};
+
+Death death_of(const ProcessEnd& end, const std::string& notes, const PlannerChoice& planner) {
+  switch (end.exit_code) {
+    case kHungExitCode:
+      return {Outcome::planner_hung, "a planner call lasted longer than the plan timeout"};
+    case kMemoryExitCode:
+      return {.reason = "the worker used more memory than --memory-limit allows"};
+    case kPipesExitCode:
+      return {.reason = "the worker's own pipes were closed or written to"};
+    default:
+      break;
+  }
+  const std::string places = crash_places(notes, planner.file);
+  return {.reason = "the worker ended by " + end.text + (places.empty() ? "" : " in " + places)};
+}
+
 /// The worker is gone: its trial has an outcome all the same.
-void take_death(Run& run, const Assignment& assignment, const ProcessEnd& end) {
+void take_death(Run& run, const Assignment& assignment, const Death& death) {
   if (!assignment.trial) {
-    throw InputError("the worker that measured a map of " + run.sweep.name + " ended by " +
-                     end.text);
+    throw InputError("the worker that measured a map of " + run.sweep.name +
+                     " ended: " + death.reason);
   }
   const Job job = job_of(run, assignment);
   TrialRecord record;
-  const bool is_hung = end.exit_code == kHungExitCode;
-  record.outcome = is_hung ? Outcome::planner_hung : Outcome::planner_crashed;
-  record.reason = is_hung ? "a planner call lasted longer than the plan timeout"
-                          : "the worker ended by " + end.text;
+  record.outcome = death.outcome;
+  record.reason = death.reason;
   std::vector<double> metrics = compute_metrics({job.spec, *job.mission, record});
   commit_trial(run, assignment, std::move(record), std::move(metrics));
 }
 
 void run_in_process(Run& run) {
   Worker worker;
-  std::optional<std::size_t> last_map;
+  Memory memory;
   while (!run.is_stopped()) {
-    const auto assignment = next_assignment(run.schedule, last_map);
+    const auto assignment = next_assignment(run.schedule, memory);
     if (!assignment) return;
-    last_map = assignment->map;
+    memory = memory_after(run, *assignment);
     take_result(run, *assignment, worker.work(job_of(run, *assignment)));
   }
 }
 
-/// Hands the seat its next job, if there is one for it. A worker that is gone is replaced once.
+void replace_process(const Run& run, Seat& seat) {
+  seat.process = WorkerProcess(run.options.worker_command);
+  seat.memory = {};
+}
+
+/// Hands the seat its next job, if there is one for it. A process flies one planner only, so that
+/// what one does to its process is no other one's misfortune. A worker that is gone is replaced
+/// once.
 void hand_out(Run& run, Seat& seat) {
-  seat.assignment = next_assignment(run.schedule, seat.last_map);
+  seat.assignment = next_assignment(run.schedule, seat.memory);
   if (!seat.assignment) return;
-  seat.last_map = seat.assignment->map;
+  const Memory next = memory_after(run, *seat.assignment);
+  const std::string& flown = seat.memory.planner_label;
+  if (!flown.empty() && flown != next.planner_label) replace_process(run, seat);
+  seat.memory = next;
+  seat.silent_s = 0.0;
   const Message message = job_message(job_of(run, *seat.assignment));
   if (seat.process.send(message)) return;
   seat.process = WorkerProcess(run.options.worker_command);
   if (!seat.process.send(message)) throw InputError("worker processes end before they take a job");
 }
 
-/// Waits until a busy seat has something to say, and takes it.
+/// What a busy seat has to say.
+void take_from(Run& run, Seat& seat) {
+  const Assignment assignment = *seat.assignment;
+  seat.assignment.reset();
+  const auto message = seat.process.receive();
+  std::optional<JobResult> result;
+  if (message) result = result_from(*message);
+  if (result && !(result->is_out_of_memory && assignment.trial)) {
+    return take_result(run, assignment, std::move(*result));
+  }
+  const ProcessEnd end =
+      result ? ProcessEnd{.text = {}, .exit_code = kMemoryExitCode} : seat.process.wait();
+  const PlannerChoice& planner = run.schedule.trials[assignment.trial.value_or(0)].planner;
+  take_death(run, assignment, death_of(end, seat.process.notes(), planner));
+  replace_process(run, seat);
+}
+
+/// Ends a worker that does not even say that it lives: stopped by a signal, or worse.
+void give_up_on(Run& run, Seat& seat) {
+  const Assignment assignment = *seat.assignment;
+  seat.assignment.reset();
+  take_death(run, assignment, {Outcome::planner_hung, "the worker did not answer any more"});
+  replace_process(run, seat);
+}
+
+/// Waits a second at most until busy seats have something to say, and takes it.
 void take_next_results(Run& run, std::vector<Seat>& seats) {
+  constexpr int kWait_ms = 1000;
   std::vector<pollfd> waiting;
   std::vector<Seat*> busy;
   for (Seat& seat : seats) {
@@ -221,19 +235,20 @@ void take_next_results(Run& run, std::vector<Seat>& seats) {
     waiting.push_back({.fd = seat.process.result_fd(), .events = POLLIN, .revents = 0});
     busy.push_back(&seat);
   }
-  if (::poll(waiting.data(), waiting.size(), -1) < 0)
+  const Clock::time_point began = Clock::now();
+  if (::poll(waiting.data(), waiting.size(), kWait_ms) < 0) {
     return;  // a signal: the caller looks at `stop`
+  }
+  // No wait counts for longer: what stops this process stops its workers, too.
+  const std::chrono::duration<double> waited = Clock::now() - began;
+  const double waited_s = std::min(waited.count(), 1e-3 * kWait_ms);
   for (std::size_t i = 0; i < busy.size(); ++i) {
-    if (waiting[i].revents == 0) continue;
     Seat& seat = *busy[i];
-    const Assignment assignment = *seat.assignment;
-    seat.assignment.reset();
-    if (const auto message = seat.process.receive()) {
-      take_result(run, assignment, result_from(*message));
-    } else {
-      take_death(run, assignment, seat.process.wait());
-      seat.process = WorkerProcess(run.options.worker_command);
-      seat.last_map.reset();
+    seat.silent_s = seat.process.listen() ? 0.0 : seat.silent_s + waited_s;
+    if (waiting[i].revents != 0) {
+      take_from(run, seat);
+    } else if (seat.silent_s > run.options.silence_s) {
+      give_up_on(run, seat);
     }
   }
 }
@@ -242,9 +257,12 @@ void run_in_workers(Run& run) {
   std::signal(SIGPIPE, SIG_IGN);  // a dead worker is seen by its result
   std::vector<Seat> seats;
   for (int i = 0; i < run.options.jobs; ++i) {
-    seats.push_back(
-        {.process = WorkerProcess(run.options.worker_command), .assignment = {}, .last_map = {}});
+    seats.push_back({.process = WorkerProcess(run.options.worker_command),
+                     .assignment = {},
+                     .memory = {},
+                     .silent_s = 0.0});
   }
+  std::optional<Clock::time_point> stopped;
   while (true) {
     bool is_busy = false;
     for (Seat& seat : seats) {
@@ -252,6 +270,9 @@ void run_in_workers(Run& run) {
       is_busy = is_busy || seat.assignment.has_value();
     }
     if (!is_busy) return;
+    if (run.is_stopped() && !stopped) stopped = Clock::now();
+    const std::chrono::duration<double> grace(run.options.grace_s);
+    if (stopped && Clock::now() - *stopped > grace) return;  // the seats' processes are killed
     take_next_results(run, seats);
   }
 }

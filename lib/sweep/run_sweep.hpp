@@ -29,11 +29,13 @@ struct RunOptions {
   /// Trials fly in this process, one after the other, for debuggers. Crashes and hangs are not
   /// caught then, and the C library's processor-dependent functions are in use by planners.
   bool in_process = false;
-  std::vector<std::string> worker_command;  ///< starts a worker; two file descriptors are appended
-  double plan_timeout_s = 10.0;             ///< a longer plan call ends the trial with planner_hung
+  std::vector<std::string>
+      worker_command;            ///< starts a worker; three file descriptors are appended
+  double silence_s = 30.0;       ///< a worker that says for so long not even that it lives is ended
+  double grace_s = 30.0;         ///< after `stop`, for the trials that fly
   std::function<void(const Progress&)> on_progress;
   const std::atomic<bool>* stop =
-      nullptr;  ///< set: hand out nothing more, commit what is in flight, return
+      nullptr;  ///< set: hand out nothing more, commit what ends within grace_s, return
 };
 
 struct RunSummary {

@@ -4,6 +4,48 @@
 #include <map>
 
 namespace avoidbench {
+namespace {
+
+TrialGroup& group_of(MapPlan& map, const std::string& label) {
+  const auto found =
+      std::find_if(map.groups.begin(), map.groups.end(),
+                   [&](const TrialGroup& group) { return group.planner_label == label; });
+  if (found != map.groups.end()) return *found;
+  map.groups.push_back({.planner_label = label, .waiting = {}});
+  return map.groups.back();
+}
+
+bool is_ready(const MapPlan& map) { return map.record.has_value() && waiting_count(map) > 0; }
+
+/// Of these maps' groups the one with most trials, the first of several; null where none has any.
+struct Largest {
+  std::size_t map = 0;
+  TrialGroup* group = nullptr;
+
+  void look_at(Schedule& schedule, std::size_t index) {
+    if (!is_ready(schedule.maps[index])) return;
+    for (TrialGroup& candidate : schedule.maps[index].groups) {
+      const std::size_t most = group != nullptr ? group->waiting.size() : 0;
+      if (candidate.waiting.size() <= most) continue;
+      map = index;
+      group = &candidate;
+    }
+  }
+};
+
+Assignment taken(std::size_t map, TrialGroup& group) {
+  const std::size_t trial = group.waiting.back();
+  group.waiting.pop_back();
+  return {map, trial};
+}
+
+}  // namespace
+
+std::size_t waiting_count(const MapPlan& map) {
+  std::size_t count = 0;
+  for (const TrialGroup& group : map.groups) count += group.waiting.size();
+  return count;
+}
 
 Schedule make_schedule(std::vector<TrialSpec> trials, const std::set<std::string>& finished_keys) {
   Schedule schedule;
@@ -24,38 +66,35 @@ Schedule make_schedule(std::vector<TrialSpec> trials, const std::set<std::string
     const bool is_twice = !seen.insert(schedule.keys[i]).second;
     const bool is_done = finished_keys.contains(schedule.keys[i]);
     if (is_done || is_twice) ++schedule.done_before;
-    if (!is_done && !is_twice) schedule.maps[entry->second].waiting.push_back(i);
+    if (is_done || is_twice) continue;
+    group_of(schedule.maps[entry->second], spec.planner.label).waiting.push_back(i);
   }
-  for (MapPlan& map : schedule.maps) std::reverse(map.waiting.begin(), map.waiting.end());
+  for (MapPlan& map : schedule.maps) {
+    for (TrialGroup& group : map.groups) std::reverse(group.waiting.begin(), group.waiting.end());
+  }
   return schedule;
 }
 
-std::optional<Assignment> next_assignment(Schedule& schedule,
-                                          std::optional<std::size_t> preferred_map) {
-  const auto trial_of = [&](std::size_t index) {
-    MapPlan& map = schedule.maps[index];
-    const std::size_t trial = map.waiting.back();
-    map.waiting.pop_back();
-    return Assignment{index, trial};
-  };
-  const auto is_ready = [&](std::size_t index) {
-    const MapPlan& map = schedule.maps[index];
-    return map.record.has_value() && !map.waiting.empty();
-  };
-  if (preferred_map && is_ready(*preferred_map)) return trial_of(*preferred_map);
+std::optional<Assignment> next_assignment(Schedule& schedule, const Memory& memory) {
+  if (memory.map && is_ready(schedule.maps[*memory.map])) {
+    for (TrialGroup& group : schedule.maps[*memory.map].groups) {
+      const bool is_own = group.planner_label == memory.planner_label;
+      if (is_own && !group.waiting.empty()) return taken(*memory.map, group);
+    }
+    Largest there;
+    there.look_at(schedule, *memory.map);
+    return taken(there.map, *there.group);
+  }
   for (std::size_t i = 0; i < schedule.maps.size(); ++i) {
     MapPlan& map = schedule.maps[i];
-    if (map.record || map.is_requested || map.waiting.empty()) continue;
+    if (map.record || map.is_requested || waiting_count(map) == 0) continue;
     map.is_requested = true;
     return Assignment{i, std::nullopt};
   }
-  std::optional<std::size_t> fullest;
-  for (std::size_t i = 0; i < schedule.maps.size(); ++i) {
-    const std::size_t most = fullest ? schedule.maps[*fullest].waiting.size() : 0;
-    if (is_ready(i) && schedule.maps[i].waiting.size() > most) fullest = i;
-  }
-  if (fullest) return trial_of(*fullest);
-  return std::nullopt;
+  Largest anywhere;
+  for (std::size_t i = 0; i < schedule.maps.size(); ++i) anywhere.look_at(schedule, i);
+  if (anywhere.group == nullptr) return std::nullopt;
+  return taken(anywhere.map, *anywhere.group);
 }
 
 }  // namespace avoidbench

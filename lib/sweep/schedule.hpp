@@ -11,14 +11,24 @@
 
 namespace avoidbench {
 
+/// The trials of one planner on one map that are still to be flown: what one worker process flies,
+/// since a process flies one planner only.
+struct TrialGroup {
+  std::string planner_label;
+  std::vector<std::size_t> waiting;  ///< not handed out yet, the next one last
+};
+
 /// One map of a sweep and its trials that are still to be flown.
 struct MapPlan {
   std::string key;
   TrialSpec spec;  ///< of one of its trials: map, seeds, rules and body are the same in all
-  std::optional<MapRecord> record;   ///< once measured
-  bool is_requested = false;         ///< a worker is measuring it
-  std::vector<std::size_t> waiting;  ///< trials not handed out yet, the next one last
+  std::optional<MapRecord> record;  ///< once measured
+  bool is_requested = false;        ///< a worker is measuring it
+  std::vector<TrialGroup> groups;   ///< one a planner, in the sweep's order
 };
+
+/// Trials of this map that are not handed out yet.
+std::size_t waiting_count(const MapPlan& map);
 
 /// What there is to do, and what of it is done. Plain data; the functions below change it.
 struct Schedule {
@@ -37,10 +47,15 @@ struct Assignment {
   std::optional<std::size_t> trial;
 };
 
-/// The next job for a worker that last had `preferred_map` in memory: a trial there, else a map
-/// that nobody has measured, else a trial of the map with most of them waiting; nothing when all
-/// that is left waits for other workers.
-std::optional<Assignment> next_assignment(Schedule& schedule,
-                                          std::optional<std::size_t> preferred_map);
+/// What a worker process has in memory: a map, and the planner that it flew there.
+struct Memory {
+  std::optional<std::size_t> map;
+  std::string planner_label;  ///< "": none yet
+};
+
+/// The next job for a worker with this in memory: a trial of its planner on its map, else one of
+/// another planner there, else a map that nobody has measured, else a trial of the largest group;
+/// nothing when all that is left waits for other workers.
+std::optional<Assignment> next_assignment(Schedule& schedule, const Memory& memory);
 
 }  // namespace avoidbench

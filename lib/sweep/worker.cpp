@@ -1,16 +1,21 @@
 #include "sweep/worker.hpp"
 
+#include <sys/prctl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <atomic>
+#include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <fstream>
 #include <map>
 #include <thread>
 
 #include "base/input_error.hpp"
 #include "base/spec_json.hpp"
 #include "metrics/metric_table.hpp"
+#include "sweep/crash_report.hpp"
 #include "sweep/sweep_spec.hpp"
 #include "trial/planner_view.hpp"
 #include "trial/run_trial.hpp"
@@ -24,6 +29,30 @@ struct Place {
       : world(make_world(spec.map, spec.map_seed)), scene(world) {}
   World world;
   Scene scene;
+};
+
+/// Memory of this process that is in use now.
+double resident_mib() {
+  constexpr double kMib = 1024.0 * 1024.0;
+  std::ifstream file("/proc/self/statm");
+  double size = 0.0, resident = 0.0;
+  file >> size >> resident;
+  return resident * static_cast<double>(::sysconf(_SC_PAGESIZE)) / kMib;
+}
+
+/// Which file a descriptor led to.
+class FileIdentity {
+ public:
+  explicit FileIdentity(int fd) { is_known_ = ::fstat(fd, &file_) == 0; }
+  bool is_still(int fd) const {
+    struct stat now {};
+    return is_known_ && ::fstat(fd, &now) == 0 && now.st_dev == file_.st_dev &&
+           now.st_ino == file_.st_ino;
+  }
+
+ private:
+  struct stat file_ {};
+  bool is_known_ = false;
 };
 
 std::string place_key(const TrialSpec& spec) {
@@ -109,29 +138,43 @@ JobResult Worker::work(const Job& job) {
     result.error = error.what();
   } catch (const std::bad_alloc&) {
     result.error = "out of memory";
+    result.is_out_of_memory = true;
   }
   return result;
 }
 
-void Worker::end_process_after(double plan_timeout_s) {
+void Worker::watch(const WorkerOptions& options) {
   const CallClock* clock = &internals_->clock;
-  internals_->watchdog = std::jthread([clock, plan_timeout_s](const std::stop_token& stop) {
-    while (!stop.stop_requested()) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(100));
-      if (clock->running_s() > plan_timeout_s) ::_exit(kHungExitCode);
+  internals_->watchdog = std::jthread([clock, options](const std::stop_token& stop) {
+    constexpr int kLooksASecond = 10;
+    for (int look = 0; !stop.stop_requested(); ++look) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1000 / kLooksASecond));
+      if (clock->running_s() > options.plan_timeout_s) ::_exit(kHungExitCode);
+      if (options.memory_limit_mib > 0.0 && resident_mib() > options.memory_limit_mib) {
+        ::_exit(kMemoryExitCode);
+      }
+      if (look % kLooksASecond == 0 && ::write(options.notes_fd, "", 1) < 0 && errno == EBADF) {
+        ::_exit(kPipesExitCode);
+      }
     }
   });
 }
 
-int run_worker(int in_fd, int out_fd, double plan_timeout_s) {
+int run_worker(const WorkerOptions& options) {
   // The parent decides when to stop; a signal to the whole process group reaches workers, too.
   for (const int number : {SIGINT, SIGTERM, SIGUSR1}) std::signal(number, SIG_IGN);
   std::signal(SIGPIPE, SIG_IGN);
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   ::dup2(STDERR_FILENO, STDOUT_FILENO);  // what a planner prints is not a result
+  report_crashes(options.notes_fd);
+  const FileIdentity results(options.out_fd), jobs(options.in_fd);
   Worker worker;
-  worker.end_process_after(plan_timeout_s);
-  while (const auto message = receive_message(in_fd)) {
-    if (!send_message(out_fd, result_message(worker.work(job_from(*message))))) return 1;
+  worker.watch(options);
+  while (const auto message = receive_message(options.in_fd)) {
+    const JobResult result = worker.work(job_from(*message));
+    // A planner may have closed them, and opened files of its own that took their numbers.
+    if (!results.is_still(options.out_fd) || !jobs.is_still(options.in_fd)) return kPipesExitCode;
+    if (!send_message(options.out_fd, result_message(result))) return 1;
   }
   return 0;
 }

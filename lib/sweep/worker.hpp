@@ -7,8 +7,18 @@
 
 namespace avoidbench {
 
-/// Exit code of a worker whose planner did not come back from a call in time.
-inline constexpr int kHungExitCode = 86;
+/// Exit codes of a worker that ends itself: a planner's call did not come back in time, the process
+/// grew beyond its limit, or its pipes are not its own any more.
+inline constexpr int kHungExitCode = 86, kMemoryExitCode = 87, kPipesExitCode = 88;
+
+/// How a worker process talks to its parent, and what it may use.
+struct WorkerOptions {
+  int in_fd = -1;     ///< jobs
+  int out_fd = -1;    ///< results
+  int notes_fd = -1;  ///< a zero byte a second while it lives, and the stack where it crashes
+  double plan_timeout_s = 10.0;
+  double memory_limit_mib = 0.0;  ///< of resident memory; 0: none
+};
 
 /// Does jobs in this process and keeps what the next one may need again: the last map with its BVH,
 /// planner libraries and instances. Move-only.
@@ -23,17 +33,17 @@ class Worker {
   /// outcome.
   JobResult work(const Job& job);
 
-  /// Ends the process with kHungExitCode when a planner's call lasts longer than this. A thread of
-  /// its own watches.
-  void end_process_after(double plan_timeout_s);
+  /// Starts a thread that ends the process with one of the exit codes above where it must, and that
+  /// says that it lives.
+  void watch(const WorkerOptions& options);
 
  private:
   struct Internals;
   std::unique_ptr<Internals> internals_;
 };
 
-/// A worker process's main loop: jobs from `in_fd`, results to `out_fd`, until the parent closes
-/// its end. Returns the exit code.
-int run_worker(int in_fd, int out_fd, double plan_timeout_s);
+/// A worker process's main loop: jobs in, results out, until the parent closes its end or is gone.
+/// Returns the exit code.
+int run_worker(const WorkerOptions& options);
 
 }  // namespace avoidbench

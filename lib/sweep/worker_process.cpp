@@ -6,19 +6,23 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <fstream>
+#include <thread>
 #include <utility>
 
 #include "base/input_error.hpp"
+#include "sweep/worker.hpp"
 
 extern char** environ;  // NOLINT(readability-identifier-naming): POSIX's name
 
 namespace avoidbench {
 namespace {
 
-constexpr int kJobFd = 3, kResultFd = 4;
+constexpr int kJobFd = 3, kResultFd = 4, kNotesFd = 5;
 
 /// The C library picks variants of sin, exp, … by the processor; those with fused multiply-add
 /// differ in the last bit. Planners use the C library, so workers run without those variants: the
@@ -41,6 +45,29 @@ std::vector<char*> child_environment() {
                    std::strerror(error));
 }
 
+/// Both ends closed on exec, with numbers above those that the child's take.
+struct Pipe {
+  Pipe() {
+    int ends[2];
+    if (::pipe2(ends, O_CLOEXEC) != 0) fail("pipe", errno);
+    read_end = ::fcntl(ends[0], F_DUPFD_CLOEXEC, kNotesFd + 5);
+    write_end = ::fcntl(ends[1], F_DUPFD_CLOEXEC, kNotesFd + 5);
+    ::close(ends[0]);
+    ::close(ends[1]);
+    if (read_end < 0 || write_end < 0) fail("pipe", errno);
+  }
+  ~Pipe() {
+    if (read_end >= 0) ::close(read_end);
+    if (write_end >= 0) ::close(write_end);
+  }
+  Pipe(const Pipe&) = delete;
+  Pipe& operator=(const Pipe&) = delete;
+  int take_read_end() { return std::exchange(read_end, -1); }
+  int take_write_end() { return std::exchange(write_end, -1); }
+
+  int read_end = -1, write_end = -1;
+};
+
 }  // namespace
 
 void enter_worker_environment() {
@@ -58,25 +85,20 @@ void enter_worker_environment() {
 }
 
 WorkerProcess::WorkerProcess(const std::vector<std::string>& command) {
-  int jobs[2], results[2];
-  if (::pipe2(jobs, O_CLOEXEC) != 0) fail("pipe", errno);
-  if (::pipe2(results, O_CLOEXEC) != 0) fail("pipe", errno);
-  // Moved out of the way first, so that the two dup2 of the child can't overwrite each other's
-  // source.
-  const int child_in = ::fcntl(jobs[0], F_DUPFD_CLOEXEC, 10);
-  const int child_out = ::fcntl(results[1], F_DUPFD_CLOEXEC, 10);
-  ::close(jobs[0]);
-  ::close(results[1]);
-  job_fd_ = jobs[1];
-  result_fd_ = results[0];
+  Pipe jobs, results, notes;
+  job_fd_ = jobs.take_write_end();
+  result_fd_ = results.take_read_end();
+  notes_fd_ = notes.take_read_end();
+  ::fcntl(notes_fd_, F_SETFL, O_NONBLOCK);
+  ::fcntl(notes.write_end, F_SETFL, O_NONBLOCK);
 
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, child_in, kJobFd);
-  posix_spawn_file_actions_adddup2(&actions, child_out, kResultFd);
+  posix_spawn_file_actions_adddup2(&actions, jobs.read_end, kJobFd);
+  posix_spawn_file_actions_adddup2(&actions, results.write_end, kResultFd);
+  posix_spawn_file_actions_adddup2(&actions, notes.write_end, kNotesFd);
   std::vector<std::string> words = command;
-  words.push_back(std::to_string(kJobFd));
-  words.push_back(std::to_string(kResultFd));
+  for (const int fd : {kJobFd, kResultFd, kNotesFd}) words.push_back(std::to_string(fd));
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
@@ -84,8 +106,6 @@ WorkerProcess::WorkerProcess(const std::vector<std::string>& command) {
   const int error =
       ::posix_spawn(&pid_, arguments[0], &actions, nullptr, arguments.data(), variables.data());
   posix_spawn_file_actions_destroy(&actions);
-  ::close(child_in);
-  ::close(child_out);
   if (error != 0) {
     pid_ = -1;
     close_all();
@@ -94,22 +114,23 @@ WorkerProcess::WorkerProcess(const std::vector<std::string>& command) {
 }
 
 WorkerProcess::~WorkerProcess() {
-  if (pid_ > 0) {
-    ::kill(pid_, SIGKILL);
-    wait();
-  }
+  kill();
   close_all();
 }
 
 WorkerProcess::WorkerProcess(WorkerProcess&& other) noexcept
     : pid_(std::exchange(other.pid_, -1)),
       job_fd_(std::exchange(other.job_fd_, -1)),
-      result_fd_(std::exchange(other.result_fd_, -1)) {}
+      result_fd_(std::exchange(other.result_fd_, -1)),
+      notes_fd_(std::exchange(other.notes_fd_, -1)),
+      notes_(std::move(other.notes_)) {}
 
 WorkerProcess& WorkerProcess::operator=(WorkerProcess&& other) noexcept {
   std::swap(pid_, other.pid_);
   std::swap(job_fd_, other.job_fd_);
   std::swap(result_fd_, other.result_fd_);
+  std::swap(notes_fd_, other.notes_fd_);
+  std::swap(notes_, other.notes_);
   return *this;
 }
 
@@ -117,11 +138,38 @@ bool WorkerProcess::send(const Message& message) { return send_message(job_fd_, 
 
 std::optional<Message> WorkerProcess::receive() { return receive_message(result_fd_); }
 
-ProcessEnd WorkerProcess::wait() {
+bool WorkerProcess::listen() {
+  constexpr std::size_t kMostNotes = 65536;
+  std::array<char, 4096> bytes{};
+  bool heard = false;
+  while (true) {
+    const ssize_t got = ::read(notes_fd_, bytes.data(), bytes.size());
+    if (got <= 0) return heard;
+    heard = true;
+    for (ssize_t i = 0; i < got && notes_.size() < kMostNotes; ++i) {
+      if (bytes[static_cast<std::size_t>(i)] != 0) notes_ += bytes[static_cast<std::size_t>(i)];
+    }
+  }
+}
+
+int WorkerProcess::ended_within(double seconds) {
+  constexpr int kLook_ms = 5;
   int status = 0;
-  while (::waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
+  for (int waited_ms = 0; ::waitpid(pid_, &status, WNOHANG) == 0; waited_ms += kLook_ms) {
+    if (waited_ms > 1000.0 * seconds) return -1;
+    std::this_thread::sleep_for(std::chrono::milliseconds(kLook_ms));
   }
   pid_ = -1;
+  return status;
+}
+
+ProcessEnd WorkerProcess::wait() {
+  const int status = ended_within(1.0);
+  if (status < 0) {
+    kill();
+    return {.text = "its pipes were broken", .exit_code = kPipesExitCode};
+  }
+  listen();
   if (WIFSIGNALED(status)) {
     const int number = WTERMSIG(status);
     return {.text = "signal " + std::to_string(number) + " (" + ::strsignal(number) + ")",
@@ -131,10 +179,19 @@ ProcessEnd WorkerProcess::wait() {
   return {.text = "exit code " + std::to_string(code), .exit_code = code};
 }
 
+void WorkerProcess::kill() {
+  if (pid_ <= 0) return;
+  ::kill(pid_, SIGKILL);
+  while (::waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
+  }
+  pid_ = -1;
+}
+
 void WorkerProcess::close_all() {
-  if (job_fd_ >= 0) ::close(job_fd_);
-  if (result_fd_ >= 0) ::close(result_fd_);
-  job_fd_ = result_fd_ = -1;
+  for (int* fd : {&job_fd_, &result_fd_, &notes_fd_}) {
+    if (*fd >= 0) ::close(*fd);
+    *fd = -1;
+  }
 }
 
 }  // namespace avoidbench

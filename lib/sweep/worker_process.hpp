@@ -21,11 +21,13 @@ struct ProcessEnd {
   int exit_code = -1;  ///< -1: by a signal
 };
 
-/// A child process that speaks Message over two pipes, started by posix_spawn (threads of libraries
-/// do not survive a fork). Move-only; kills the child when destroyed.
+/// A child process that speaks Message over two pipes and makes notes on a third one, started by
+/// posix_spawn (threads of libraries do not survive a fork). Move-only; kills the child when
+/// destroyed.
 class WorkerProcess {
  public:
-  /// Starts `command` with the file descriptors 3 (jobs) and 4 (results) appended as arguments.
+  /// Starts `command` with the file descriptors 3 (jobs), 4 (results) and 5 (notes) appended as
+  /// arguments.
   /// Throws InputError where it can't be started.
   explicit WorkerProcess(const std::vector<std::string>& command);
   ~WorkerProcess();
@@ -36,14 +38,24 @@ class WorkerProcess {
   std::optional<Message> receive();             ///< waits; nothing: it is gone
   int result_fd() const { return result_fd_; }  ///< for poll()
 
-  /// Waits for the end of a child that is gone.
+  /// Reads the notes made since the last call; whether there were any, as there are every second
+  /// from a child that lives. Keeps those that are text.
+  bool listen();
+  const std::string& notes() const { return notes_; }
+
+  /// How a child ended whose results do not come any more. One that lives on, since a planner broke
+  /// its pipes, is killed after a second: with the exit code of a worker that sees so itself.
   ProcessEnd wait();
+
+  void kill();
 
  private:
   void close_all();
+  int ended_within(double seconds);  ///< status of the child, or -1: it lives
 
   pid_t pid_ = -1;
-  int job_fd_ = -1, result_fd_ = -1;
+  int job_fd_ = -1, result_fd_ = -1, notes_fd_ = -1;
+  std::string notes_;
 };
 
 }  // namespace avoidbench

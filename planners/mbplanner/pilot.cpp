@@ -17,8 +17,9 @@ constexpr double kLost_m = 0.5;        ///< from the course: then it begins anew
 constexpr double kLateness_s = 0.15;   ///< that a vehicle may be behind its course
 constexpr double kLeastPath_m = 0.15;  ///< the authors' least length of a path
 constexpr double kLeastSqueeze_m = 1.0;
-constexpr double kSwitch_m = 0.2;  ///< by which a new path must lead farther
-constexpr double kRest_s = 0.5;    ///< that a command lasts at least
+constexpr double kLeastPause_s = 0.1;  ///< between two trees
+constexpr double kSwitch_m = 0.2;      ///< by which a new path must lead farther
+constexpr double kRest_s = 0.5;        ///< that a command lasts at least
 constexpr std::size_t kMostTraps = 40;
 
 bool is_finite(const ab_depth_image& image) {
@@ -222,10 +223,10 @@ Limits Pilot::limits(int relaxation) const {
           settings_.jerk_mps3};
 }
 
-/// Whether a known obstacle is in the rest of the course.
-bool Pilot::is_blocked(double phase_s) const {
+/// Whether a known obstacle is in the rest of the course, with the box of this relaxation.
+bool Pilot::is_blocked(double phase_s, int relaxation) const {
   if (course_.kind == Kind::retreat) return false;  // where it has been there is room
-  Space tight = space(std::max(course_.relaxation, 1));
+  Space tight = space(relaxation);
   tight.lowest_m = -1e9;
   tight.highest_m = 1e9;
   const double end_s = course_.duration_s();
@@ -261,14 +262,18 @@ std::vector<Motion> Pilot::knots_left(double phase_s) const {
 
 void Pilot::decide(double time_s) {
   const double phase = phase_s(time_s);
-  const bool blocked = is_blocked(phase);
+  const bool blocked = is_blocked(phase, std::max(course_.relaxation, 1));
   const bool is_old = time_s - planned_s_ >= settings_.replan_period_s - 1e-9;
-  const bool ends = course_.kind != Kind::retreat && course_.path_s - phase < settings_.lead_s &&
-                    time_s - planned_s_ >= 0.1 - 1e-9;
+  const bool is_new = time_s - planned_s_ < kLeastPause_s - 1e-9;
+  const bool ends =
+      course_.kind != Kind::retreat && course_.path_s - phase < settings_.lead_s && !is_new;
+  // What came nearer than the whole box is passed more slowly, or farther away.
+  const bool is_tight = course_.kind == Kind::path && course_.relaxation == 0 && !is_new &&
+                        (blocked || is_blocked(phase, 0));
   if (course_.kind == Kind::retreat && !is_resting(time_s)) return;
-  if (!blocked && !is_old && !ends) return;
+  if (!blocked && !is_old && !ends && !is_tight) return;
   planned_s_ = time_s;
-  if (find_path(time_s, blocked)) {
+  if (find_path(time_s, blocked, is_tight)) {
     facing_rad_.reset();
     look_ = 0;
     return;
@@ -280,7 +285,8 @@ void Pilot::decide(double time_s) {
   }
 }
 
-bool Pilot::find_path(double time_s, bool is_blocked_now) {
+/// `is_blocked_now`: an obstacle is on the course; `is_tight`: in the whole box along it.
+bool Pilot::find_path(double time_s, bool is_blocked_now, bool is_tight) {
   const double phase = phase_s(time_s);
   Task task;
   task.root = course_.at(phase);
@@ -292,7 +298,7 @@ bool Pilot::find_path(double time_s, bool is_blocked_now) {
     flown = knots_left(phase);
   }
   const bool is_slow = task.root.velocity.norm() < 0.5 * settings_.speed_mps;
-  const int loosest = is_slow || is_blocked_now ? settings_.relaxations : 0;
+  const int loosest = is_slow || is_blocked_now || is_tight ? settings_.relaxations : 0;
   for (int relaxation = 0; relaxation <= loosest; ++relaxation) {
     task.limits = limits(relaxation);
     task.space = space(relaxation);
@@ -304,7 +310,7 @@ bool Pilot::find_path(double time_s, bool is_blocked_now) {
     const auto choice = choose(tree_, task, potential_, settings_, flown, least_m);
     if (!choice) continue;
     const double end_m = potential_.at(choice->safe_path.back().position);
-    const bool leads_on = course_.kind != Kind::path || is_blocked_now ||
+    const bool leads_on = course_.kind != Kind::path || is_blocked_now || is_tight ||
                           phase > course_.path_s - settings_.lead_s ||
                           end_m < course_.end_potential_m - kSwitch_m;
     if (!leads_on) return true;  // as good as before: keep to it

@@ -53,7 +53,7 @@ class Pilot {
 
   double phase_s(double time_s) const;
   bool is_resting(double time_s) const;
-  bool is_blocked(double phase_s) const;
+  bool is_blocked(double phase_s, int relaxation) const;
   Space space(int relaxation) const;
   Limits limits(int relaxation) const;
   std::vector<Primitive> chain_left(double phase_s) const;
@@ -61,7 +61,7 @@ class Pilot {
   std::vector<Motion> knots_left(double phase_s) const;
 
   void decide(double time_s);
-  bool find_path(double time_s, bool is_blocked_now);
+  bool find_path(double time_s, bool is_blocked_now, bool is_tight);
   void brake(double time_s);
   void search(double time_s);
   void set_trap(const Eigen::Vector3d& place);

@@ -21,9 +21,9 @@ inline constexpr std::array kParameters{
                           "Deceleration of the stop that must be free at a path's end."),
     avoidbench::parameter("jerk_mps3", "m/s^3", 20.0, 2.0, 100.0,
                           "How fast one acceleration becomes the next."),
-    avoidbench::parameter("robot_length_m", "m", 0.8, 0.1, 5.0,
+    avoidbench::parameter("robot_length_m", "m", 1.2, 0.1, 5.0,
                           "Side of the box that must be free, along x and y."),
-    avoidbench::parameter("robot_height_m", "m", 0.6, 0.1, 5.0, "Its height."),
+    avoidbench::parameter("robot_height_m", "m", 0.8, 0.1, 5.0, "Its height."),
     avoidbench::integer_parameter("relaxations", "", 1, 0, 2,
                                   "How many tighter boxes, flown more slowly, are tried where the "
                                   "whole one leaves no way."),

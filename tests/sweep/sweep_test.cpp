@@ -1,64 +1,18 @@
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <filesystem>
 #include <set>
 
-#include "metrics/metric_table.hpp"
-#include "store/canonical_rows.hpp"
-#include "support/planner_files.hpp"
+#include "small_sweep.hpp"
 #include "sweep/job.hpp"
-#include "sweep/run_sweep.hpp"
 #include "sweep/schedule.hpp"
 #include "sweep/worker_process.hpp"
 
 namespace avoidbench {
 namespace {
 
-/// Two small halls, two missions each, one blind planner and one that sees.
-SweepSpec small_sweep() {
-  SweepSpec sweep;
-  sweep.name = "small";
-  sweep.base.map = HallSpec{.area_m = {10, 14}, .poisson_radius_m = 3.0};
-  sweep.base.mission.time_limit_s = 20.0;
-  sweep.base.sensor.width_px = 80;
-  sweep.base.sensor.height_px = 60;
-  sweep.axes = {{.path = "map_seed", .values = {1, 2}}};
-  sweep.trials = 2;
-  sweep.planners = {test::preset_choice("straight_line"), test::preset_choice("reactive")};
-  return sweep;
-}
-
-/// A database file in a folder of its own, removed afterwards.
-class SweepTest : public testing::Test {
- protected:
-  void SetUp() override {
-    folder_ =
-        std::filesystem::temp_directory_path() /
-        (std::string("sweep_") + testing::UnitTest::GetInstance()->current_test_info()->name() +
-         std::to_string(::getpid()));
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  RunSummary run(const SweepSpec& sweep, const std::string& file, int jobs,
-                 bool in_process = false) {
-    Database database = Database::open_for_run(folder_ / file, metric_table());
-    const RunSummary summary =
-        run_sweep(sweep, {}, database,
-                  {.jobs = jobs,
-                   .in_process = in_process,
-                   .worker_command = {std::string(AVOIDBENCH_BINARY_DIR) + "/avoidbench", "worker",
-                                      "--plan-timeout", "1"},
-                   .on_progress = {}});
-    rows_ = canonical_rows(database);
-    return summary;
-  }
-
-  std::filesystem::path folder_;
-  std::string rows_;
-};
+using test::small_sweep;
+using test::SweepTest;
 
 TEST_F(SweepTest, RowsAreTheSameForAnyNumberOfWorkersAndOnResume) {
   SweepSpec sweep = small_sweep();
@@ -144,21 +98,21 @@ TEST(TrialKey, FollowsTheSpecAndNotThePath) {
 TEST(Schedule, HandsOutEveryTrialOnceAfterItsMap) {
   Schedule schedule = make_schedule(expand(small_sweep()), {});
   ASSERT_EQ(schedule.maps.size(), 2U);
-  const auto first = next_assignment(schedule, std::nullopt);
+  const auto first = next_assignment(schedule, {});
   ASSERT_TRUE(first && !first->trial);
-  const auto second = next_assignment(schedule, std::nullopt);
+  const auto second = next_assignment(schedule, {});
   ASSERT_TRUE(second && !second->trial);
   EXPECT_NE(first->map, second->map);
-  EXPECT_FALSE(
-      next_assignment(schedule, std::nullopt).has_value());  // both maps are being measured
+  EXPECT_FALSE(next_assignment(schedule, {}).has_value());  // both maps are being measured
   for (MapPlan& map : schedule.maps) map.record = MapRecord{};
   std::set<std::size_t> trials;
   for (int i = 0; i < 4; ++i) {
-    const auto next = next_assignment(schedule, 1);
+    const auto next = next_assignment(schedule, {.map = 1, .planner_label = {}});
     EXPECT_EQ(next->map, 1U);  // the worker's own map first
     trials.insert(*next->trial);
   }
-  while (const auto next = next_assignment(schedule, 1)) trials.insert(*next->trial);
+  while (const auto next = next_assignment(schedule, {.map = 1, .planner_label = {}}))
+    trials.insert(*next->trial);
   EXPECT_EQ(trials.size(), 8U);
 }
 
@@ -166,8 +120,8 @@ TEST(Schedule, LeavesOutWhatIsFinished) {
   const auto trials = expand(small_sweep());
   const Schedule schedule = make_schedule(trials, {trial_key(trials[0]), trial_key(trials[7])});
   EXPECT_EQ(schedule.done_before, 2U);
-  EXPECT_EQ(schedule.maps[0].waiting.size(), 3U);
-  EXPECT_EQ(schedule.maps[1].waiting.size(), 3U);
+  EXPECT_EQ(waiting_count(schedule.maps[0]), 3U);
+  EXPECT_EQ(waiting_count(schedule.maps[1]), 3U);
 }
 
 TEST(Job, MessagesKeepEveryBit) {

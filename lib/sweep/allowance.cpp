@@ -1,6 +1,7 @@
-#include "sweep/allowed_cpus.hpp"
+#include "sweep/allowance.hpp"
 
 #include <sched.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +20,19 @@ double cgroup_quota() {
   return std::strtod(quota.c_str(), nullptr) / period;
 }
 
+constexpr double kMib = 1024.0 * 1024.0;
+
+/// The cgroup's limit (version 2 or 1), or `all` where there is none.
+double cgroup_memory_mib(double all_mib) {
+  for (const char* name :
+       {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"}) {
+    std::ifstream file(name);
+    double bytes = 0.0;
+    if (file >> bytes && bytes > 0.0) return std::min(all_mib, bytes / kMib);
+  }
+  return all_mib;
+}
+
 }  // namespace
 
 int allowed_cpus() {
@@ -29,6 +43,11 @@ int allowed_cpus() {
     count = std::min(count, static_cast<int>(std::ceil(quota)));
   }
   return std::max(1, count);
+}
+
+double allowed_memory_mib() {
+  const double pages = static_cast<double>(::sysconf(_SC_PHYS_PAGES));
+  return cgroup_memory_mib(pages * static_cast<double>(::sysconf(_SC_PAGESIZE)) / kMib);
 }
 
 }  // namespace avoidbench

@@ -6,4 +6,7 @@ namespace avoidbench {
 /// the machine has.
 int allowed_cpus();
 
+/// Memory that this process may use: the machine's, or the cgroup's limit where that is less.
+double allowed_memory_mib();
+
 }  // namespace avoidbench

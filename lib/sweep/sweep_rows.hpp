@@ -1,0 +1,21 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "store/rows.hpp"
+#include "sweep/sweep_spec.hpp"
+
+/// A sweep's specs as the database keeps them: canonical, without this machine's paths.
+namespace avoidbench {
+
+/// Of a map's file only the name is kept; its file_digest says which it is.
+void forget_folder(nlohmann::json& map);
+
+/// The resolved sweep.
+std::string sweep_json(const SweepSpec& sweep);
+
+/// Throws InputError where the planner's library can't be loaded.
+PlannerRow planner_row(const PlannerChoice& choice);
+
+}  // namespace avoidbench

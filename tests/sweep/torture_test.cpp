@@ -1,0 +1,113 @@
+#include <gtest/gtest.h>
+
+#include <map>
+#include <sstream>
+
+#include "small_sweep.hpp"
+#include "sweep/crash_report.hpp"
+
+/// Planners that misbehave in every way there is: each costs its own trial, and nothing else.
+namespace avoidbench {
+namespace {
+
+PlannerChoice torture_choice(const std::string& way) {
+  const PlannerDescription planner = PlannerLibrary::load(TORTURE_FILE).description();
+  return {.plugin = "torture",
+          .label = "torture " + way,
+          .file = TORTURE_FILE,
+          .file_digest = planner.file_digest,
+          .parameters = {{.name = "way", .number = 0.0, .text = way, .is_text = true}}};
+}
+
+/// The rows of what is not of the torture planner: by what a row begins with and its keys.
+std::string good_rows(const Database& database) {
+  std::map<std::string, std::string> planners;
+  std::string rows;
+  for (const TrialListing& trial : database.list_trials()) {
+    if (trial.planner_label.starts_with("torture")) planners[trial.key] = trial.planner_label;
+  }
+  std::istringstream lines(canonical_rows(database));
+  for (std::string line; std::getline(lines, line);) {
+    bool is_bad = line.starts_with("sweep\t") || line.find("torture") != std::string::npos;
+    for (const auto& [key, label] : planners) {
+      is_bad = is_bad || line.find(key) != std::string::npos;
+    }
+    if (!is_bad) rows += line + '\n';
+  }
+  return rows;
+}
+
+class TortureTest : public test::SweepTest {};
+
+TEST_F(TortureTest, EveryWayBecomesTheOutcomeOfItsTrial) {
+  SweepSpec sweep = test::small_sweep();
+  sweep.axes[0].values = {1};
+  sweep.trials = 1;
+  options_.silence_s = 3.0;
+  const std::map<std::string, std::pair<Outcome, std::string>> expected{
+      {"segfault", {Outcome::planner_crashed, "signal 11 (Segmentation fault) in "}},
+      {"abort", {Outcome::planner_crashed, "signal 6 (Aborted) in "}},
+      {"exit", {Outcome::planner_crashed, "exit code 0"}},
+      {"throw", {Outcome::planner_error, "thrown by the planner"}},
+      {"loop", {Outcome::planner_hung, "longer than the plan timeout"}},
+      {"memory", {Outcome::planner_crashed, "more memory than --memory-limit"}},
+      {"overflow", {Outcome::planner_crashed, "signal 11 (Segmentation fault) in "}},
+      {"close", {Outcome::planner_crashed, "pipes were closed"}},
+      {"reopen", {Outcome::planner_crashed, "pipes were closed"}},
+      {"scribble", {Outcome::planner_crashed, "pipes were closed or written to"}},
+      {"nan", {Outcome::planner_error, ""}},
+      {"terminate", {Outcome::planner_crashed, "signal 6 (Aborted) in "}},
+      {"stop", {Outcome::planner_hung, "did not answer"}}};
+  sweep.planners.clear();
+  for (const auto& [way, ends] : expected) sweep.planners.push_back(torture_choice(way));
+  EXPECT_EQ(run(sweep, "ways.db", 2).progress.done, static_cast<std::int64_t>(expected.size()));
+  const Database database = Database::open_for_reading(folder_ / "ways.db");
+  for (const TrialListing& trial : database.list_trials()) {
+    const auto& [outcome, reason] = expected.at(trial.planner_label.substr(8));
+    EXPECT_EQ(trial.outcome, outcome) << trial.planner_label << ": " << trial.reason;
+    EXPECT_NE(trial.reason.find(reason), std::string::npos)
+        << trial.planner_label << ": " << trial.reason;
+  }
+}
+
+TEST_F(TortureTest, OtherPlannersFlyAsWithoutIt) {
+  SweepSpec sweep = test::small_sweep();
+  sweep.trials = 8;
+  run(sweep, "without.db", 2);
+  const std::string without = good_rows(Database::open_for_reading(folder_ / "without.db"));
+  sweep.planners.insert(sweep.planners.begin() + 1, torture_choice("seeded"));
+  const RunSummary with = run(sweep, "with.db", 2);
+  EXPECT_EQ(with.progress.done + with.progress.invalid_missions, with.progress.total);
+  EXPECT_EQ(good_rows(Database::open_for_reading(folder_ / "with.db")), without);
+}
+
+TEST_F(TortureTest, RoundingAndOutputOfAPlannerChangeNothing) {
+  SweepSpec sweep = test::small_sweep();
+  sweep.trials = 1;
+  std::map<std::string, std::string> flights;
+  for (const std::string way : {"nothing", "round", "print"}) {
+    sweep.planners = {torture_choice(way)};
+    run(sweep, way + ".db", 1);
+    const Database database = Database::open_for_reading(folder_ / (way + ".db"));
+    for (const TrialListing& trial : database.list_trials()) {
+      flights[way] += std::to_string(trial.end_time_s) + trial.reason;
+    }
+  }
+  EXPECT_EQ(flights["round"], flights["nothing"]);
+  EXPECT_EQ(flights["print"], flights["nothing"]);
+}
+
+TEST(CrashReport, NamesThePlacesInThePlannersLibrary) {
+  const std::string report =
+      "/usr/bin/avoidbench(_ZN10avoidbench5writeEi+0x20) [0x55d]\n"
+      "/lib/libc.so.6(+0x3c050) [0x7f1]\n"
+      "/home/me/mine.so(_ZN4mine4planEd+0x1b) [0x7f2]\n"
+      "/home/me/mine.so(_ZN4mine4planEd+0x1b) [0x7f2]\n"
+      "/home/me/mine.so(+0x1234) [0x7f3]\n";
+  EXPECT_EQ(crash_places(report, "/elsewhere/mine.so"), "mine::plan(double)+0x1b < +0x1234");
+  EXPECT_EQ(crash_places(report, "/elsewhere/other.so"), "");
+  EXPECT_EQ(crash_places("no stack at all", "mine.so"), "");
+}
+
+}  // namespace
+}  // namespace avoidbench
