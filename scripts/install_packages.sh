@@ -6,7 +6,7 @@ set -euo pipefail
 build_packages=(
   g++ cmake ninja-build ccache pkg-config git ca-certificates
   libeigen3-dev libembree-dev libopencv-core-dev libopencv-imgproc-dev libopencv-calib3d-dev libyaml-cpp-dev libcli11-dev
-  nlohmann-json3-dev libsqlite3-dev libpng-dev nettle-dev libassimp-dev libbenchmark-dev sqlite3
+  nlohmann-json3-dev libsqlite3-dev libpng-dev zlib1g-dev nettle-dev libassimp-dev libbenchmark-dev sqlite3
 )
 test_packages=(clang clang-format clang-tidy libclang-rt-14-dev libgtest-dev python3 valgrind)
 

@@ -10,6 +10,8 @@ namespace avoidbench {
 void add_run_command(CLI::App& app);
 void add_report_command(CLI::App& app);
 void add_replay_command(CLI::App& app);
+void add_merge_command(CLI::App& app);
+void add_verify_command(CLI::App& app);
 void add_planners_command(CLI::App& app);
 void add_maps_command(CLI::App& app);
 void add_sensors_command(CLI::App& app);

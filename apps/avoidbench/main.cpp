@@ -81,6 +81,8 @@ void add_commands(CLI::App& app) {
   add_run_command(app);
   add_report_command(app);
   add_replay_command(app);
+  add_merge_command(app);
+  add_verify_command(app);
   add_planners_command(app);
   add_maps_command(app);
   add_sensors_command(app);

@@ -4,19 +4,24 @@
 #include <CLI/CLI.hpp>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <map>
 #include <memory>
+#include <set>
 
 #include "base/input_error.hpp"
 #include "commands.hpp"
 #include "config/sweep_file.hpp"
 #include "metrics/metric_table.hpp"
 #include "render/device.hpp"
+#include "run_progress.hpp"
+#include "shard_option.hpp"
 #include "store/database.hpp"
 #include "sweep/allowance.hpp"
 #include "sweep/run_sweep.hpp"
@@ -35,6 +40,7 @@ struct RunCommand {
   double plan_timeout_s = 10.0, grace_s = 30.0;
   double memory_limit_mib = 0.0;
   bool dry_run = false, in_process = false, quiet = false;
+  std::string shard = "1/1", rerun, progress = "line", heartbeat;
 };
 
 std::atomic<bool> stop_requested{false};
@@ -53,6 +59,12 @@ std::string cpu_model() {
   return "unknown";
 }
 
+/// "2/3"; "" where it is all of it.
+std::string shard_text(const Shard& shard) {
+  if (shard.count == 1) return "";
+  return std::to_string(shard.index) + "/" + std::to_string(shard.count);
+}
+
 /// The words this process was started with.
 std::string command_line() {
   std::ifstream file("/proc/self/cmdline");
@@ -61,7 +73,7 @@ std::string command_line() {
   return line;
 }
 
-RunRow provenance() {
+RunRow provenance(const Shard& shard) {
   utsname system{};
   ::uname(&system);
   const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
@@ -77,62 +89,9 @@ RunRow provenance() {
           .host = system.nodename,
           .cpu = cpu_model(),
           .isa = embree::ray_tracing_isa(),
-          .command_line = command_line()};
+          .command_line = command_line(),
+          .shard = shard_text(shard)};
 }
-
-std::string duration_text(double duration_s) {
-  char text[32];
-  const int whole_s = static_cast<int>(duration_s);
-  if (whole_s >= 3600) {
-    std::snprintf(text, sizeof text, "%d h %02d min", whole_s / 3600, whole_s / 60 % 60);
-  } else if (whole_s >= 60) {
-    std::snprintf(text, sizeof text, "%d min %02d s", whole_s / 60, whole_s % 60);
-  } else {
-    std::snprintf(text, sizeof text, "%.0f s", duration_s);
-  }
-  return text;
-}
-
-/// Draws progress on stderr: one live line on a terminal, else a line each tenth of the way.
-class ProgressLine {
- public:
-  explicit ProgressLine(bool is_quiet)
-      : is_quiet_(is_quiet), is_live_(::isatty(STDERR_FILENO) == 1) {}
-
-  void draw(const Progress& progress) {
-    if (is_quiet_) return;
-    const std::int64_t due = progress.total - progress.invalid_missions;
-    const auto now = std::chrono::steady_clock::now();
-    const bool is_last = progress.done >= due;
-    const std::int64_t tenth = due > 0 ? 10 * progress.done / due : 10;
-    const bool is_due =
-        is_live_ ? is_last || now - drawn_ > std::chrono::milliseconds(200) : tenth > tenth_;
-    if (!is_due) return;
-    drawn_ = now;
-    tenth_ = tenth;
-    const double elapsed_s = std::chrono::duration<double>(now - began_).count();
-    const auto flown = static_cast<double>(progress.done - progress.done_before);
-    std::string line = std::to_string(progress.done) + "/" + std::to_string(due) + " trials";
-    if (flown > 0 && !is_last) {
-      line += ", " + duration_text(elapsed_s / flown * static_cast<double>(due - progress.done)) +
-              " left";
-    } else if (is_last) {
-      line += " in " + duration_text(elapsed_s);
-    }
-    for (const auto& [label, planner] : progress.planners) {
-      line += " | " + label + " " + std::to_string(planner.reached_goal) + "/" +
-              std::to_string(planner.flown);
-    }
-    std::fprintf(stderr, is_live_ ? "\r\033[K%s%s" : "%s%s", line.c_str(),
-                 is_live_ && !is_last ? "" : "\n");
-    std::fflush(stderr);
-  }
-
- private:
-  bool is_quiet_, is_live_;
-  std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now(), drawn_{};
-  std::int64_t tenth_ = -1;
-};
 
 std::string program_file() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
 
@@ -147,14 +106,64 @@ std::vector<std::string> worker_command(const RunCommand& command, int jobs) {
   return {program_file(), "worker", "--plan-timeout", timeout, "--memory-limit", limit};
 }
 
-void print_trials(const SweepSpec& sweep) {
-  const std::vector<TrialSpec> trials = expand(sweep);
+/// What the trials that are missing will take, by those of the same planners that the file has.
+void print_estimate(const std::vector<TrialSpec>& trials, const std::filesystem::path& file,
+                    int jobs) {
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) {
+    std::cerr << "no estimate of time and size: " << file.string() << " has no trials yet\n";
+    return;
+  }
+  const Database database = Database::open_for_reading(file);
+  const std::map<std::string, TrialCost> costs = database.mean_costs();
+  const std::set<std::string> finished = database.finished_keys();
+  double wall_s = 0.0, bytes = 0.0;
+  std::size_t missing = 0, unknown = 0;
+  for (const TrialSpec& trial : trials) {
+    if (finished.contains(trial_key(trial))) continue;
+    ++missing;
+    const auto cost = costs.find(trial.planner.label);
+    if (cost == costs.end()) {
+      ++unknown;
+      continue;
+    }
+    wall_s += cost->second.wall_time_s;
+    bytes += cost->second.bytes;
+  }
+  std::cerr << missing << " to fly: about " << duration_text(wall_s / jobs) << " with " << jobs
+            << " workers, " << std::llround(bytes / 1e6) << " MB";
+  if (unknown > 0) std::cerr << "; without " << unknown << " of planners not flown yet";
+  std::cerr << '\n';
+}
+
+void print_trials(const std::vector<TrialSpec>& trials) {
   for (const TrialSpec& trial : trials) {
     std::cout << trial_key(trial).substr(0, 12) << "  map " << map_key(trial).substr(0, 12)
               << " seed " << trial.map_seed << "  mission " << trial.mission_index << "  "
               << trial.planner.label << '\n';
   }
   std::cerr << trials.size() << " trials\n";
+}
+
+std::filesystem::path database_file(const RunCommand& command, const SweepSpec& sweep,
+                                    const Shard& shard) {
+  if (!command.database_file.empty()) return command.database_file;
+  std::string name = sweep.name;
+  if (shard.count > 1) {
+    name += ".shard" + std::to_string(shard.index) + "of" + std::to_string(shard.count);
+  }
+  return "results/" + name + ".db";
+}
+
+Rerun rerun_from(const std::string& text) {
+  if (text.empty()) return Rerun::none;
+  if (text == "failed") return Rerun::failed;
+  if (text == "all") return Rerun::all;
+  constexpr std::size_t kLeastDigits = 6;
+  const bool is_key = text.find_first_not_of("0123456789abcdef") == std::string::npos;
+  if (is_key && text.size() >= kLeastDigits) return Rerun::chosen;
+  throw InputError("--rerun " + text +
+                   ": expected failed, all, or a trial's key (its first six digits or more)");
 }
 
 void warn(const RunCommand& command, const SweepSpec& sweep, int jobs) {
@@ -174,27 +183,36 @@ void warn(const RunCommand& command, const SweepSpec& sweep, int jobs) {
 void run(const RunCommand& command) {
   const SweepSpec sweep = read_sweep(command.sweep_file, command.overrides);
   for (const std::string& warning : sweep.warnings) std::cerr << "warning: " << warning << "\n";
-  if (command.dry_run) return print_trials(sweep);
   const int jobs = command.jobs > 0 ? command.jobs : allowed_cpus();
-  std::filesystem::path file = command.database_file;
-  if (file.empty()) {
-    std::filesystem::create_directories("results");
-    file = "results/" + sweep.name + ".db";
+  const Shard shard = shard_from(command.shard);
+  const Rerun rerun = rerun_from(command.rerun);
+  const std::filesystem::path file = database_file(command, sweep, shard);
+  if (command.dry_run) {
+    const std::vector<TrialSpec> trials = trials_of(shard, expand(sweep));
+    print_trials(trials);
+    return print_estimate(trials, file, jobs);
   }
+  if (command.database_file.empty()) std::filesystem::create_directories("results");
   Database database = Database::open_for_run(file, metric_table());
   warn(command, sweep, jobs);
   std::signal(SIGINT, request_stop);
   std::signal(SIGTERM, request_stop);
   std::signal(SIGUSR1, request_stop);
-  ProgressLine line(command.quiet);
+  const ProgressStyle style = command.quiet                ? ProgressStyle::none
+                              : command.progress == "json" ? ProgressStyle::json
+                                                           : ProgressStyle::line;
+  RunProgress shown(style, command.heartbeat);
   const RunSummary summary =
-      run_sweep(sweep, provenance(), database,
+      run_sweep(sweep, provenance(shard), database,
                 {.jobs = jobs,
+                 .shard = shard,
+                 .rerun = rerun,
+                 .rerun_key = command.rerun,
                  .in_process = command.in_process,
                  .worker_command = worker_command(command, jobs),
                  .silence_s = command.plan_timeout_s + 20.0,
                  .grace_s = command.grace_s,
-                 .on_progress = [&line](const Progress& progress) { line.draw(progress); },
+                 .on_progress = [&shown](const Progress& progress) { shown.show(progress); },
                  .stop = &stop_requested});
   const Progress& progress = summary.progress;
   if (progress.done_before > 0) {
@@ -248,7 +266,25 @@ void add_run_command(CLI::App& app) {
                    "Time that trials in flight have after a signal to stop, s")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  command->add_flag("--dry-run", options->dry_run, "Print the trials and fly none");
+  command
+      ->add_option("--shard", options->shard,
+                   "Fly this part of the sweep only, of N for as many machines; auto: the task of "
+                   "a Slurm, PBS or Kubernetes array")
+      ->type_name("I/N|auto|auto/N");
+  command
+      ->add_option("--rerun", options->rerun,
+                   "Fly trials again that are there: failed (planner_error, planner_crashed, "
+                   "planner_hung), all, or one by its key")
+      ->type_name("failed|all|KEY");
+  command->add_option("--progress", options->progress, "On stderr: line, or json for machines")
+      ->check(CLI::IsMember({"line", "json"}))
+      ->capture_default_str();
+  command
+      ->add_option("--heartbeat", options->heartbeat,
+                   "File that is written anew every five seconds with the progress as JSON")
+      ->type_name("FILE");
+  command->add_flag("--dry-run", options->dry_run,
+                    "Print the trials and fly none; what they will take, where some were flown");
   command->add_flag("--in-process", options->in_process, "Fly in this process, for debuggers");
   command->add_flag("-q,--quiet", options->quiet, "No progress on stderr");
   command->footer(

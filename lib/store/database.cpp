@@ -200,12 +200,22 @@ void Database::create_schema() {
   statement.step();
   if (statement.integer(0) == 0) {
     execute(handle(), path(), std::string(kSchemaSql));
-  } else if (schema_version() < 2) {
+    return;
+  }
+  if (schema_version() < 2) {
     execute(handle(), path(),
             "ALTER TABLE missions ADD COLUMN traversability_obstruction REAL;"
             "ALTER TABLE missions ADD COLUMN view_occlusion REAL;"
             "ALTER TABLE missions ADD COLUMN angle_over_length_1pm REAL;"
             "PRAGMA user_version = 2;");
+  }
+  if (schema_version() < 3) {
+    execute(handle(), path(),
+            "ALTER TABLE runs ADD COLUMN shard TEXT NOT NULL DEFAULT '';"
+            "ALTER TABLE trials ADD COLUMN wall_time_s REAL;"
+            "ALTER TABLE trajectories ADD COLUMN is_packed INTEGER NOT NULL DEFAULT 0 "
+            "CHECK (is_packed IN (0, 1));"
+            "PRAGMA user_version = 3;");
   }
 }
 

@@ -19,7 +19,7 @@ struct sqlite3;
 namespace avoidbench {
 
 inline constexpr int kApplicationId = 0x6176426e;  ///< "avBn", in the SQLite header of our files
-inline constexpr int kSchemaVersion = 2;
+inline constexpr int kSchemaVersion = 3;
 
 /// One database file of results. The schema, and with it the meaning of every column, is in
 /// schema.sql. A handle serves one thread. All functions throw InputError, naming the file, when
@@ -70,10 +70,11 @@ class Database {
   std::set<std::string> finished_keys() const;
   std::optional<MapRow> read_map(std::string_view key) const;
   std::optional<TrialRow> read_trial(
-      std::string_view key) const;                ///< `sweep` is one that it belongs to
-  std::vector<TrialListing> list_trials() const;  ///< all, by id
-  std::vector<PlannerRow> read_planners() const;  ///< by label, then key
-  std::vector<SweepInfo> read_sweeps() const;     ///< by name, then revision
+      std::string_view key) const;                      ///< `sweep` is one that it belongs to
+  std::vector<TrialListing> list_trials() const;        ///< all, by id
+  std::map<std::string, TrialCost> mean_costs() const;  ///< by planner label
+  std::vector<PlannerRow> read_planners() const;        ///< by label, then key
+  std::vector<SweepInfo> read_sweeps() const;           ///< by name, then revision
   SweepResult read_sweep(std::string_view name, std::int64_t revision) const;
 
   /// SQLite's handle, for this room only.

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <bit>
 
 #include "base/input_error.hpp"
@@ -99,14 +100,23 @@ std::vector<Collision> read_collisions(const Database& db, std::string_view key)
 }
 
 void read_flight(const Database& db, std::string_view key, TrialRecord& record) {
-  Statement s(
-      db.handle(), db.path(),
-      "SELECT r.samples, c.calls_json FROM trajectories r JOIN plan_calls c USING (trial_key) "
-      "WHERE trial_key = ?");
+  Statement s(db.handle(), db.path(),
+              "SELECT r.samples, r.is_packed, r.sample_count, c.calls_json FROM trajectories r "
+              "JOIN plan_calls c USING (trial_key) "
+              "WHERE trial_key = ?");
   s.bind_text(key);
   if (s.step()) {
-    record.samples = samples_from_bytes(s.blob(0));
-    record.plan_calls = plan_calls_from_json(s.text(1));
+    const auto count = static_cast<std::size_t>(std::max<std::int64_t>(0, s.integer(2)));
+    const auto bytes = s.integer(1) != 0
+                           ? unpacked_samples(s.blob(0), count)
+                           : std::vector<std::byte>(s.blob(0).begin(), s.blob(0).end());
+    if (bytes.size() != count * kSampleDoubles * sizeof(double)) {
+      throw InputError(InputProblem{
+          .file = db.path().string(),
+          .message = "damaged (trajectory of trial " + std::string(key.substr(0, 12)) + ")"});
+    }
+    record.samples = samples_from_bytes(bytes);
+    record.plan_calls = plan_calls_from_json(s.text(3));
   }
   record.collisions = read_collisions(db, key);
 }
@@ -145,7 +155,7 @@ std::optional<TrialRow> Database::read_trial(std::string_view key) const {
   Statement s(handle(), path(),
               "SELECT t.trial_key, (SELECT min(sweep) FROM sweep_trials x WHERE x.trial_key = "
               "t.trial_key), t.map_key, p.label, p.file_digest, t.mission_index, t.spec_json, "
-              "t.outcome, t.reason, t.end_time_s" +
+              "t.outcome, t.reason, t.end_time_s, t.wall_time_s" +
                   metric_columns(*this) +
                   " FROM trials t JOIN planners p USING (planner_key) WHERE t.trial_key = ?");
   s.bind_text(key);
@@ -161,7 +171,8 @@ std::optional<TrialRow> Database::read_trial(std::string_view key) const {
   row.record.outcome = outcome_of(*this, s.text(7));
   row.record.reason = s.text(8);
   row.record.end_time_s = s.real(9);
-  row.metrics = metrics_of(*this, s, 10);
+  row.wall_time_s = s.real(10);
+  row.metrics = metrics_of(*this, s, 11);
   read_flight(*this, key, row.record);
   return row;
 }
@@ -186,6 +197,18 @@ std::vector<TrialListing> Database::list_trials() const {
                       .end_time_s = s.real(9)});
   }
   return trials;
+}
+
+std::map<std::string, TrialCost> Database::mean_costs() const {
+  constexpr double kRowBytes = 6000.0;  // of a trial's spec and metrics
+  Statement s(handle(), path(),
+              "SELECT p.label, coalesce(avg(t.wall_time_s), 0), avg(coalesce(length(r.samples), 0) "
+              "+ coalesce(length(c.calls_json), 0)) FROM trials t JOIN planners p USING "
+              "(planner_key) LEFT JOIN trajectories r USING (trial_key) LEFT JOIN plan_calls c "
+              "USING (trial_key) GROUP BY p.label");
+  std::map<std::string, TrialCost> costs;
+  while (s.step()) costs[s.text(0)] = {.wall_time_s = s.real(1), .bytes = s.real(2) + kRowBytes};
+  return costs;
 }
 
 std::vector<PlannerRow> Database::read_planners() const {

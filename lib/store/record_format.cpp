@@ -1,5 +1,7 @@
 #include "store/record_format.hpp"
 
+#include <zlib.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -72,6 +74,42 @@ std::vector<Sample> samples_from_bytes(std::span<const std::byte> bytes) {
     samples[i] = sample(row);
   }
   return samples;
+}
+
+std::vector<std::byte> packed_samples(std::span<const std::byte> bytes) {
+  const std::size_t count = bytes.size() / sizeof(SampleNumbers);
+  std::vector<std::byte> planes(count * sizeof(SampleNumbers));
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t k = 0; k < sizeof(SampleNumbers); ++k) {
+      planes[k * count + i] = bytes[i * sizeof(SampleNumbers) + k];
+    }
+  }
+  uLongf size = ::compressBound(planes.size());
+  std::vector<std::byte> packed(size);
+  constexpr int kLevel = 6;
+  const int code =
+      ::compress2(reinterpret_cast<Bytef*>(packed.data()), &size,
+                  reinterpret_cast<const Bytef*>(planes.data()), planes.size(), kLevel);
+  AB_CHECK(code == Z_OK, code);
+  packed.resize(size);
+  return packed;
+}
+
+std::vector<std::byte> unpacked_samples(std::span<const std::byte> packed, std::size_t count) {
+  // A corrupt count must not ask for all memory: zlib packs at most about 1032 to 1.
+  constexpr std::size_t kMostRatio = 1100;
+  if (count > (packed.size() + 1) * kMostRatio / sizeof(SampleNumbers)) return {};
+  std::vector<std::byte> planes(count * sizeof(SampleNumbers)), bytes(planes.size());
+  uLongf size = planes.size();
+  const int code = ::uncompress(reinterpret_cast<Bytef*>(planes.data()), &size,
+                                reinterpret_cast<const Bytef*>(packed.data()), packed.size());
+  if (code != Z_OK || size != planes.size()) return {};
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t k = 0; k < sizeof(SampleNumbers); ++k) {
+      bytes[i * sizeof(SampleNumbers) + k] = planes[k * count + i];
+    }
+  }
+  return bytes;
 }
 
 std::string plan_calls_json(std::span<const PlanCall> calls) {

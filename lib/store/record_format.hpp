@@ -18,6 +18,11 @@ std::vector<std::byte> sample_bytes(std::span<const Sample> samples);
 /// Reverse of sample_bytes(); bytes after the last whole sample are passed over.
 std::vector<Sample> samples_from_bytes(std::span<const std::byte> bytes);
 
+/// The bytes of sample_bytes() packed for storage: see schema.sql.
+std::vector<std::byte> packed_samples(std::span<const std::byte> bytes);
+/// Reverse of packed_samples() for so many samples; empty where `packed` is damaged.
+std::vector<std::byte> unpacked_samples(std::span<const std::byte> packed, std::size_t count);
+
 /// Calls as stored: a JSON array of [time_s, cpu_time_s, wall_time_s, status, command_kind],
 /// numbers with the fewest digits that read back to the same bits.
 std::string plan_calls_json(std::span<const PlanCall> calls);

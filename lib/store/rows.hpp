@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ namespace avoidbench {
 struct RunRow {
   std::string started_at;  ///< ISO 8601, UTC; provenance only
   std::string program_version, git_hash, compiler, flags, host, cpu, isa, command_line;
+  std::string shard;  ///< "2/3": of its sweep it flew the second third only
 };
 
 struct SweepRow {
@@ -44,7 +46,8 @@ struct TrialRow {
   std::int64_t mission_index = 0;
   std::string spec_json;  ///< canonical TrialSpec: enough to fly it again
   TrialRecord record;
-  std::vector<double> metrics;  ///< one a row of metric_table()
+  std::vector<double> metrics;                                    ///< one a row of metric_table()
+  double wall_time_s = std::numeric_limits<double>::quiet_NaN();  ///< it took; NaN: not known
 };
 
 /// A metric's definition as stored beside the values.
@@ -67,6 +70,12 @@ struct SweepInfo {
   std::int64_t revision = 1;  ///< from 1
   std::string spec_json;
   std::int64_t trial_count = 0;
+};
+
+/// What a trial takes, on the mean.
+struct TrialCost {
+  double wall_time_s = 0.0;  ///< of the trials whose time is known; 0 where none is
+  double bytes = 0.0;        ///< in the file
 };
 
 /// One trial of a database as a list of them shows it.

@@ -2,7 +2,7 @@
 -- and the program; NULL is "not defined" (a metric of the finished trials, in a trial that failed). Start with the views
 -- trial_table, planner_summary, map_summary and plan_call_table of views.sql.
 PRAGMA application_id = 1635140206;  -- "avBn"
-PRAGMA user_version = 2;             -- of this schema
+PRAGMA user_version = 3;             -- of this schema
 
 CREATE TABLE runs (
   -- One row an invocation of `avoidbench run`: where trials come from. Nothing here is part of a result.
@@ -15,7 +15,8 @@ CREATE TABLE runs (
   host TEXT NOT NULL,
   cpu TEXT NOT NULL,
   isa TEXT NOT NULL,
-  command_line TEXT NOT NULL
+  command_line TEXT NOT NULL,
+  shard TEXT NOT NULL DEFAULT ''  -- "2/3" where it flew the second third of its sweep only
 ) STRICT;
 
 CREATE TABLE sweeps (
@@ -114,6 +115,7 @@ CREATE TABLE trials (
   attempt INTEGER NOT NULL,       -- 1, and one more each time it was flown anew; the last one is kept
   run_id INTEGER NOT NULL REFERENCES runs,
   spec_json TEXT NOT NULL,        -- all that determines the trial: enough to fly it again
+  wall_time_s REAL,               -- it took on the host; NULL where a worker died or an older program flew it
   FOREIGN KEY (map_key, mission_index) REFERENCES missions
 ) STRICT;
 
@@ -127,14 +129,18 @@ CREATE TABLE sweep_trials (
 ) STRICT, WITHOUT ROWID;
 
 CREATE TABLE trajectories (
-  -- The flown path of a trial. `samples` is sample_count × 22 little-endian 64-bit floats, one sample after the other:
-  -- time_s; position_world x y z, m; velocity_world x y z, m/s; acceleration_world x y z, m/s²; q_world_body w x y z;
-  -- rates_body x y z, rad/s; reference_world x y z, m (NaN: no commanded position); clearance_m; rotor_power_w.
-  -- In Python: numpy.frombuffer(samples, '<f8').reshape(-1, 22)
+  -- The flown path of a trial: sample_count samples of 22 little-endian 64-bit floats: time_s; position_world x y z, m;
+  -- velocity_world x y z, m/s; acceleration_world x y z, m/s²; q_world_body w x y z; rates_body x y z, rad/s;
+  -- reference_world x y z, m (NaN: no commanded position); clearance_m; rotor_power_w.
+  -- Stored number by number, of each the eight bytes of all samples apart, lowest first, and packed by zlib. In Python:
+  --   planes = numpy.frombuffer(zlib.decompress(samples), 'u1').reshape(22, 8, sample_count)
+  --   samples = planes.transpose(2, 0, 1).copy().view('<f8')[..., 0]
+  -- `avoidbench export trajectory` writes them as CSV or for evaluation tools (TUM).
   trial_key TEXT PRIMARY KEY REFERENCES trials,
   sample_count INTEGER NOT NULL,
-  samples_digest TEXT NOT NULL,   -- SHA-256 of samples: equal flights have equal digests
-  samples BLOB NOT NULL
+  samples_digest TEXT NOT NULL,   -- SHA-256 of the samples, one after the other: equal flights have equal digests
+  samples BLOB NOT NULL,
+  is_packed INTEGER NOT NULL DEFAULT 0 CHECK (is_packed IN (0, 1))  -- 0: one after the other as they are (schema 2)
 ) STRICT;
 
 CREATE TABLE plan_calls (

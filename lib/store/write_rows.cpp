@@ -96,12 +96,12 @@ std::string insert_trial_sql(const Database& db) {
     updates += ", " + metric.name + " = excluded." + metric.name;
   }
   return "INSERT INTO trials (trial_key, map_key, mission_index, planner_key, outcome, reason, "
-         "end_time_s, attempt, run_id, spec_json" +
-         columns + ") VALUES (?,?,?,?,?,?,?,1,?,?" + marks +
+         "end_time_s, attempt, run_id, spec_json, wall_time_s" +
+         columns + ") VALUES (?,?,?,?,?,?,?,1,?,?,?" + marks +
          ") ON CONFLICT (trial_key) DO UPDATE SET outcome = excluded.outcome, reason = "
          "excluded.reason, "
          "end_time_s = excluded.end_time_s, attempt = attempt + 1, run_id = excluded.run_id, "
-         "spec_json = excluded.spec_json" +
+         "spec_json = excluded.spec_json, wall_time_s = excluded.wall_time_s" +
          updates;
 }
 
@@ -110,9 +110,9 @@ void write_record(const Database& db, const TrialRow& row) {
   Statement trajectory(
       db.handle(), db.path(),
       "INSERT OR REPLACE INTO trajectories (trial_key, sample_count, samples_digest, "
-      "samples) VALUES (?,?,?,?)");
+      "samples, is_packed) VALUES (?,?,?,?,1)");
   trajectory.bind_text(row.key).bind_integer(static_cast<std::int64_t>(row.record.samples.size()));
-  trajectory.bind_text(Digest().add_bytes(samples).hex()).bind_blob(samples).run();
+  trajectory.bind_text(Digest().add_bytes(samples).hex()).bind_blob(packed_samples(samples)).run();
 
   Statement calls(
       db.handle(), db.path(),
@@ -177,10 +177,10 @@ std::int64_t Database::add_run(const RunRow& row) {
   Statement insert(
       handle(), path(),
       "INSERT INTO runs (started_at, program_version, git_hash, compiler, flags, host, "
-      "cpu, isa, command_line) VALUES (?,?,?,?,?,?,?,?,?) RETURNING run_id");
+      "cpu, isa, command_line, shard) VALUES (?,?,?,?,?,?,?,?,?,?) RETURNING run_id");
   insert.bind_text(row.started_at).bind_text(row.program_version).bind_text(row.git_hash);
   insert.bind_text(row.compiler).bind_text(row.flags).bind_text(row.host).bind_text(row.cpu);
-  insert.bind_text(row.isa).bind_text(row.command_line).step();
+  insert.bind_text(row.isa).bind_text(row.command_line).bind_text(row.shard).step();
   run_id_ = insert.integer(0);
   insert.run();
   return run_id_;
@@ -251,6 +251,7 @@ void Database::add_trial(const TrialRow& row) {
       .bind_text(text(row.record.outcome))
       .bind_text(row.record.reason);
   insert.bind_real(row.record.end_time_s).bind_integer(run_id_).bind_text(row.spec_json);
+  insert.bind_real(row.wall_time_s);
   for (const double value : row.metrics) insert.bind_real(value);
   insert.run();
   write_record(*this, row);

@@ -126,6 +126,7 @@ Job job_from(const Message& message) {
 Message result_message(const JobResult& result) {
   Message message;
   message.json["error"] = result.error;
+  message.json["wall_time_s"] = result.wall_time_s;
   message.json["is_out_of_memory"] = result.is_out_of_memory;
   if (result.map) message.json["map"] = map_to_json(*result.map);
   if (result.trial) {
@@ -141,6 +142,7 @@ Message result_message(const JobResult& result) {
 JobResult result_from(const Message& message) {
   JobResult result;
   result.error = message.json.at("error");
+  result.wall_time_s = message.json.at("wall_time_s");
   result.is_out_of_memory = message.json.at("is_out_of_memory");
   if (message.json.contains("map")) result.map = map_from_json(message.json.at("map"));
   if (message.json.contains("trial")) {

@@ -24,6 +24,7 @@ struct JobResult {
   std::optional<MapRecord> map;
   std::optional<TrialRecord> trial;
   std::vector<double> metrics;
+  double wall_time_s = 0.0;  ///< that the job took
   std::string error;
   bool is_out_of_memory = false;  ///< that was the error
 };

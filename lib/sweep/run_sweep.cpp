@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include "base/input_error.hpp"
 #include "base/spec_json.hpp"
@@ -28,6 +31,8 @@ struct Run {
   Database& database;
   Schedule schedule;
   Progress progress;
+  /// Jobs whose worker was killed from outside.
+  std::set<std::pair<std::size_t, std::optional<std::size_t>>> killed_once;
 
   bool is_stopped() const { return options.stop != nullptr && options.stop->load(); }
 };
@@ -101,7 +106,7 @@ void commit_map(Run& run, MapPlan& map, MapRecord record) {
 }
 
 void commit_trial(Run& run, const Assignment& assignment, TrialRecord record,
-                  std::vector<double> metrics) {
+                  std::vector<double> metrics, double wall_time_s) {
   const TrialSpec& spec = run.schedule.trials[*assignment.trial];
   PlannerProgress& planner = run.progress.planners[spec.planner.label];
   ++planner.flown;
@@ -117,7 +122,8 @@ void commit_trial(Run& run, const Assignment& assignment, TrialRecord record,
                           .mission_index = spec.mission_index,
                           .spec_json = canonical.dump(),
                           .record = std::move(record),
-                          .metrics = std::move(metrics)});
+                          .metrics = std::move(metrics),
+                          .wall_time_s = wall_time_s});
   ++run.progress.done;
   report_progress(run);
 }
@@ -126,10 +132,16 @@ void take_result(Run& run, const Assignment& assignment, JobResult result) {
   MapPlan& map = run.schedule.maps[assignment.map];
   if (!result.error.empty()) throw InputError(run.sweep.name + ": " + result.error);
   if (assignment.trial) {
-    commit_trial(run, assignment, std::move(*result.trial), std::move(result.metrics));
+    commit_trial(run, assignment, std::move(*result.trial), std::move(result.metrics),
+                 result.wall_time_s);
   } else {
     commit_map(run, map, std::move(*result.map));
   }
+}
+
+/// Whether somebody else ended the worker: a person, the kernel out of memory, a cluster.
+bool is_from_outside(const ProcessEnd& end) {
+  return end.signal == SIGKILL || end.signal == SIGTERM || end.signal == SIGHUP;
 }
 
 /// Why a worker is gone: what that makes of the trial it flew.
@@ -164,7 +176,7 @@ void take_death(Run& run, const Assignment& assignment, const Death& death) {
   record.outcome = death.outcome;
   record.reason = death.reason;
   std::vector<double> metrics = compute_metrics({job.spec, *job.mission, record});
-  commit_trial(run, assignment, std::move(record), std::move(metrics));
+  commit_trial(run, assignment, std::move(record), std::move(metrics), std::nan(""));
 }
 
 void run_in_process(Run& run) {
@@ -212,6 +224,10 @@ void take_from(Run& run, Seat& seat) {
   }
   const ProcessEnd end =
       result ? ProcessEnd{.text = {}, .exit_code = kMemoryExitCode} : seat.process.wait();
+  if (is_from_outside(end) && run.killed_once.insert({assignment.map, assignment.trial}).second) {
+    give_back(run.schedule, assignment);  // once; a planner may have done it itself
+    return replace_process(run, seat);
+  }
   const PlannerChoice& planner = run.schedule.trials[assignment.trial.value_or(0)].planner;
   take_death(run, assignment, death_of(end, seat.process.notes(), planner));
   replace_process(run, seat);
@@ -274,15 +290,37 @@ void run_in_workers(Run& run) {
     const std::chrono::duration<double> grace(run.options.grace_s);
     if (stopped && Clock::now() - *stopped > grace) return;  // the seats' processes are killed
     take_next_results(run, seats);
+    report_progress(run);
   }
+}
+
+/// The finished trials, but for those that are wanted again.
+std::set<std::string> keys_to_skip(const Database& database, const RunOptions& options) {
+  if (options.rerun == Rerun::none) return database.finished_keys();
+  std::set<std::string> keys;
+  for (const auto& [key, outcome] : database.finished_trials()) {
+    const bool has_failed = outcome == Outcome::planner_error ||
+                            outcome == Outcome::planner_crashed || outcome == Outcome::planner_hung;
+    const bool again = options.rerun == Rerun::all ||
+                       (options.rerun == Rerun::failed && has_failed) ||
+                       (options.rerun == Rerun::chosen && key.starts_with(options.rerun_key));
+    if (!again) keys.insert(key);
+  }
+  return keys;
 }
 
 }  // namespace
 
 RunSummary run_sweep(const SweepSpec& sweep, const RunRow& provenance, Database& database,
                      const RunOptions& options) {
-  Run run{.sweep = sweep, .options = options, .database = database, .schedule = {}, .progress = {}};
-  run.schedule = make_schedule(expand(sweep), database.finished_keys());
+  Run run{.sweep = sweep,
+          .options = options,
+          .database = database,
+          .schedule = {},
+          .progress = {},
+          .killed_once = {}};
+  run.schedule =
+      make_schedule(trials_of(options.shard, expand(sweep)), keys_to_skip(database, options));
   run.progress.total = static_cast<std::int64_t>(run.schedule.trials.size());
   run.progress.done_before = static_cast<std::int64_t>(run.schedule.done_before);
   run.progress.done = run.progress.done_before;

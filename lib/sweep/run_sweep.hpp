@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "store/database.hpp"
+#include "sweep/schedule.hpp"
 #include "sweep/sweep_spec.hpp"
 
 namespace avoidbench {
@@ -24,16 +25,22 @@ struct Progress {
   std::map<std::string, PlannerProgress> planners;  ///< by label, trials of this run
 };
 
+/// Which finished trials are flown again.
+enum class Rerun { none, failed, all, chosen };
+
 struct RunOptions {
   int jobs = 1;
+  Shard shard;
+  Rerun rerun = Rerun::none;  ///< failed: that ended in an error, a crash or a hang of the planner
+  std::string rerun_key;      ///< of the chosen one: the key or its beginning
   /// Trials fly in this process, one after the other, for debuggers. Crashes and hangs are not
   /// caught then, and the C library's processor-dependent functions are in use by planners.
   bool in_process = false;
   std::vector<std::string>
-      worker_command;            ///< starts a worker; three file descriptors are appended
-  double silence_s = 30.0;       ///< a worker that says for so long not even that it lives is ended
-  double grace_s = 30.0;         ///< after `stop`, for the trials that fly
-  std::function<void(const Progress&)> on_progress;
+      worker_command;       ///< starts a worker; three file descriptors are appended
+  double silence_s = 30.0;  ///< a worker that says for so long not even that it lives is ended
+  double grace_s = 30.0;    ///< after `stop`, for the trials that fly
+  std::function<void(const Progress&)> on_progress;  ///< at each change, and each second
   const std::atomic<bool>* stop =
       nullptr;  ///< set: hand out nothing more, commit what ends within grace_s, return
 };

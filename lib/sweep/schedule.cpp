@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
+
+#include "base/digest.hpp"
 
 namespace avoidbench {
 namespace {
@@ -40,6 +43,29 @@ Assignment taken(std::size_t map, TrialGroup& group) {
 }
 
 }  // namespace
+
+std::vector<TrialSpec> trials_of(const Shard& shard, std::vector<TrialSpec> trials) {
+  if (shard.count <= 1) return trials;
+  constexpr std::size_t kLeastGroups = 4;  // a shard, so that shards are of about one size
+  std::vector<std::string> units;
+  for (const TrialSpec& trial : trials) {
+    units.push_back(Digest().add(map_key(trial)).add(trial.planner.label).hex());
+  }
+  const auto count = static_cast<std::size_t>(shard.count);
+  if (std::set<std::string>(units.begin(), units.end()).size() < kLeastGroups * count) {
+    std::transform(trials.begin(), trials.end(), units.begin(), trial_key);
+  }
+  std::map<std::string, std::size_t> rank;
+  for (const std::string& unit : units) rank[unit] = 0;
+  std::size_t next = 0;
+  for (auto& [unit, number] : rank) number = next++;
+  std::vector<TrialSpec> kept;
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    const bool is_ours = rank[units[i]] % count == static_cast<std::size_t>(shard.index - 1);
+    if (is_ours) kept.push_back(std::move(trials[i]));
+  }
+  return kept;
+}
 
 std::size_t waiting_count(const MapPlan& map) {
   std::size_t count = 0;
@@ -95,6 +121,16 @@ std::optional<Assignment> next_assignment(Schedule& schedule, const Memory& memo
   for (std::size_t i = 0; i < schedule.maps.size(); ++i) anywhere.look_at(schedule, i);
   if (anywhere.group == nullptr) return std::nullopt;
   return taken(anywhere.map, *anywhere.group);
+}
+
+void give_back(Schedule& schedule, const Assignment& assignment) {
+  MapPlan& map = schedule.maps[assignment.map];
+  if (!assignment.trial) {
+    map.is_requested = false;
+    return;
+  }
+  const std::string& label = schedule.trials[*assignment.trial].planner.label;
+  group_of(map, label).waiting.push_back(*assignment.trial);
 }
 
 }  // namespace avoidbench

@@ -11,6 +11,16 @@
 
 namespace avoidbench {
 
+/// One of `count` parts of a sweep that are flown apart, from 1.
+struct Shard {
+  std::int64_t index = 1, count = 1;
+};
+
+/// The trials of this part: whole groups of a planner on a map, dealt in the order of their
+/// digests, or single trials where there are too few groups. The same for whoever asks, whatever is
+/// flown.
+std::vector<TrialSpec> trials_of(const Shard& shard, std::vector<TrialSpec> trials);
+
 /// The trials of one planner on one map that are still to be flown: what one worker process flies,
 /// since a process flies one planner only.
 struct TrialGroup {
@@ -57,5 +67,8 @@ struct Memory {
 /// another planner there, else a map that nobody has measured, else a trial of the largest group;
 /// nothing when all that is left waits for other workers.
 std::optional<Assignment> next_assignment(Schedule& schedule, const Memory& memory);
+
+/// The job was not done: it will be handed out again.
+void give_back(Schedule& schedule, const Assignment& assignment);
 
 }  // namespace avoidbench

@@ -125,6 +125,7 @@ Worker::Worker(Worker&&) noexcept = default;
 Worker& Worker::operator=(Worker&&) noexcept = default;
 
 JobResult Worker::work(const Job& job) {
+  const auto began = std::chrono::steady_clock::now();
   JobResult result;
   try {
     const Place& place = internals_->place_of(job.spec);
@@ -140,6 +141,8 @@ JobResult Worker::work(const Job& job) {
     result.error = "out of memory";
     result.is_out_of_memory = true;
   }
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
+  result.wall_time_s = took.count();
   return result;
 }
 

@@ -167,16 +167,17 @@ ProcessEnd WorkerProcess::wait() {
   const int status = ended_within(1.0);
   if (status < 0) {
     kill();
-    return {.text = "its pipes were broken", .exit_code = kPipesExitCode};
+    return {.text = "its pipes were broken", .exit_code = kPipesExitCode, .signal = 0};
   }
   listen();
   if (WIFSIGNALED(status)) {
     const int number = WTERMSIG(status);
     return {.text = "signal " + std::to_string(number) + " (" + ::strsignal(number) + ")",
-            .exit_code = -1};
+            .exit_code = -1,
+            .signal = number};
   }
   const int code = WEXITSTATUS(status);
-  return {.text = "exit code " + std::to_string(code), .exit_code = code};
+  return {.text = "exit code " + std::to_string(code), .exit_code = code, .signal = 0};
 }
 
 void WorkerProcess::kill() {

@@ -19,6 +19,7 @@ void enter_worker_environment();
 struct ProcessEnd {
   std::string text;
   int exit_code = -1;  ///< -1: by a signal
+  int signal = 0;      ///< 0: not by one
 };
 
 /// A child process that speaks Message over two pipes and makes notes on a third one, started by

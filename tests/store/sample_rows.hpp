@@ -52,7 +52,8 @@ inline RunRow run_row() {
           .host = "bench",
           .cpu = "a processor",
           .isa = "sse2",
-          .command_line = "avoidbench run forest.yaml"};
+          .command_line = "avoidbench run forest.yaml",
+          .shard = {}};
 }
 
 inline SweepRow sweep_row(const std::string& spec_json = R"({"trials":2})") {

@@ -30,8 +30,9 @@ class ReplayTest : public testing::Test {
     sweep.planners[0].plugin = sweep.planners[0].file;  // by a path
     sweep.planners[1].plugin = sweep.planners[1].file;
     Database database = Database::open_for_run(file_, metric_table());
-    run_sweep(sweep, {}, database,
-              {.jobs = 1, .in_process = true, .worker_command = {}, .on_progress = {}});
+    RunOptions options;
+    options.in_process = true;
+    run_sweep(sweep, {}, database, options);
   }
   ~ReplayTest() override {
     for (const char* suffix : {"", "-wal", "-shm"}) {

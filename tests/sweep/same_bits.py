@@ -27,6 +27,7 @@ def rows(database):
                                  JOIN plan_calls USING (trial_key) ORDER BY 1, 2, 3""").fetchall()
     maps = db.execute(f"SELECT {MAP_COLUMNS} FROM maps ORDER BY 1").fetchall()
     missions = db.execute("SELECT * FROM missions ORDER BY map_key, mission_index").fetchall()
+    db.close()
     return {"trial": trials, "map": maps, "mission": missions}
 
 
@@ -90,4 +91,5 @@ def main():
     print(f"{len(found[0]['trial'])} trials, the same bits in {len(runs)} runs")
 
 
-main()
+if __name__ == "__main__":
+    main()

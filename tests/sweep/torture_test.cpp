@@ -50,13 +50,13 @@ TEST_F(TortureTest, EveryWayBecomesTheOutcomeOfItsTrial) {
       {"exit", {Outcome::planner_crashed, "exit code 0"}},
       {"throw", {Outcome::planner_error, "thrown by the planner"}},
       {"loop", {Outcome::planner_hung, "longer than the plan timeout"}},
-      {"memory", {Outcome::planner_crashed, "more memory than --memory-limit"}},
       {"overflow", {Outcome::planner_crashed, "signal 11 (Segmentation fault) in "}},
       {"close", {Outcome::planner_crashed, "pipes were closed"}},
       {"reopen", {Outcome::planner_crashed, "pipes were closed"}},
       {"scribble", {Outcome::planner_crashed, "pipes were closed or written to"}},
       {"nan", {Outcome::planner_error, ""}},
       {"terminate", {Outcome::planner_crashed, "signal 6 (Aborted) in "}},
+      {"kill", {Outcome::planner_crashed, "signal 9 (Killed)"}},
       {"stop", {Outcome::planner_hung, "did not answer"}}};
   sweep.planners.clear();
   for (const auto& [way, ends] : expected) sweep.planners.push_back(torture_choice(way));
@@ -79,6 +79,33 @@ TEST_F(TortureTest, OtherPlannersFlyAsWithoutIt) {
   const RunSummary with = run(sweep, "with.db", 2);
   EXPECT_EQ(with.progress.done + with.progress.invalid_missions, with.progress.total);
   EXPECT_EQ(good_rows(Database::open_for_reading(folder_ / "with.db")), without);
+}
+
+TEST_F(TortureTest, MemoryBeyondTheLimitIsACrash) {
+  SweepSpec sweep = test::small_sweep();
+  sweep.axes[0].values = {1};
+  sweep.trials = 1;
+  sweep.planners = {torture_choice("memory")};
+  options_.worker_command[3] = "60";
+  run(sweep, "memory.db", 1);
+  const auto trials = Database::open_for_reading(folder_ / "memory.db").list_trials();
+  ASSERT_EQ(trials.size(), 1U);
+  EXPECT_EQ(trials[0].outcome, Outcome::planner_crashed);
+  EXPECT_NE(trials[0].reason.find("more memory than --memory-limit"), std::string::npos)
+      << trials[0].reason;
+}
+
+/// As by a kernel that is short of memory, or by a person: no planner's fault.
+TEST_F(TortureTest, ATrialWhoseWorkerIsKilledIsFlownAgainOnce) {
+  SweepSpec sweep = test::small_sweep();
+  sweep.axes[0].values = {1};
+  sweep.trials = 1;
+  sweep.planners = {torture_choice("kill once, " + (folder_ / "killed").string())};
+  run(sweep, "once.db", 1);
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "killed"));
+  const auto trials = Database::open_for_reading(folder_ / "once.db").list_trials();
+  ASSERT_EQ(trials.size(), 1U);
+  EXPECT_NE(trials[0].outcome, Outcome::planner_crashed) << trials[0].reason;
 }
 
 TEST_F(TortureTest, RoundingAndOutputOfAPlannerChangeNothing) {

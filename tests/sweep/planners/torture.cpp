@@ -79,6 +79,11 @@ void misbehave(const std::string& way) {
   }
   if (way == "terminate") std::terminate();
   if (way == "stop") ::raise(SIGSTOP);
+  if (way == "kill") ::raise(SIGKILL);
+  if (way.starts_with("kill once, ")) {  // and a file that says so
+    const int fd = ::open(way.substr(11).c_str(), O_CREAT | O_EXCL | O_WRONLY, 0600);
+    if (fd >= 0) ::raise(SIGKILL);
+  }
 }
 
 class Torture {

@@ -1,0 +1,76 @@
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "commands.hpp"
+#include "metrics/metric_table.hpp"
+#include "store/merge.hpp"
+
+namespace avoidbench {
+namespace {
+
+constexpr int kExitIncomplete = 1;
+
+struct MergeCommand {
+  std::string into;
+  std::vector<std::string> from;
+  bool must_be_complete = false;
+};
+
+/// Prints what each sweep lacks; whether all are complete.
+bool print_completeness(const Database& database) {
+  bool is_complete = true;
+  for (const SweepCompleteness& sweep : sweep_completeness(database)) {
+    std::cout << "sweep " << sweep.name;
+    if (sweep.revision > 1) std::cout << " (revision " << sweep.revision << ")";
+    std::cout << ": " << sweep.flown << " of " << sweep.wanted << " trials";
+    if (sweep.flown < sweep.wanted) {
+      is_complete = false;
+      std::cout << ", " << sweep.wanted - sweep.flown << " missing";
+      for (std::size_t i = 0; i < sweep.lost_shards.size(); ++i) {
+        std::cout << (i == 0 ? "; no trials of shard " : ", ") << sweep.lost_shards[i];
+      }
+    }
+    std::cout << '\n';
+  }
+  return is_complete;
+}
+
+void merge(const MergeCommand& command) {
+  // Before the first row moves: every file is there and one of ours.
+  for (const std::string& file : command.from) Database::open_for_reading(file);
+  Database into = Database::open_for_run(command.into, metric_table());
+  for (const std::string& file : command.from) {
+    const MergeResult result = merge_database(into, file);
+    std::cout << file << ": " << result.trials << " trials, " << result.new_trials << " new\n";
+  }
+  const bool is_complete = print_completeness(into);
+  if (!is_complete) {
+    std::cerr << "to fly what is missing: avoidbench run SWEEP.yaml --db " << command.into << '\n';
+    if (command.must_be_complete) throw CLI::RuntimeError(kExitIncomplete);
+  }
+}
+
+}  // namespace
+
+void add_merge_command(CLI::App& app) {
+  const auto options = std::make_shared<MergeCommand>();
+  CLI::App* command = app.add_subcommand("merge", "Put databases, of shards say, into one");
+  command->add_option("OUT", options->into, "Database to merge into; made where there is none")
+      ->required();
+  command->add_option("DB", options->from, "Databases to take from; they stay as they are")
+      ->required();
+  command->add_flag("--complete", options->must_be_complete,
+                    "Exit code 1 where trials of a sweep are missing");
+  command->footer(
+      "Rows that are there already stay: merging twice, or in another order, gives the same "
+      "database. A trial that\n"
+      "two files hold with different results is an error, and nothing of that file is merged.\n\n"
+      "Example:\n"
+      "  avoidbench run sweep.yaml --shard 1/3 --db a.db     # on three machines\n"
+      "  avoidbench merge all.db a.db b.db c.db");
+  command->callback([options] { merge(*options); });
+}
+
+}  // namespace avoidbench

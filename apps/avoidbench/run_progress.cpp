@@ -1,0 +1,120 @@
+#include "run_progress.hpp"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "base/input_error.hpp"
+
+namespace avoidbench {
+namespace {
+
+std::int64_t due_of(const Progress& progress) { return progress.total - progress.invalid_missions; }
+
+bool is_done(const Progress& progress) { return progress.done >= due_of(progress); }
+
+/// Wall time until the end at this run's rate; negative while nothing was flown.
+double left_s(const Progress& progress, double elapsed_s) {
+  const auto flown = static_cast<double>(progress.done - progress.done_before);
+  if (flown <= 0.0) return -1.0;
+  return elapsed_s / flown * static_cast<double>(due_of(progress) - progress.done);
+}
+
+nlohmann::json json_of(const Progress& progress, double elapsed_s) {
+  nlohmann::json planners = nlohmann::json::object();
+  for (const auto& [label, planner] : progress.planners) {
+    planners[label] = {{"flown", planner.flown}, {"reached_goal", planner.reached_goal}};
+  }
+  const double left = left_s(progress, elapsed_s);
+  return {{"total", due_of(progress)},
+          {"done", progress.done},
+          {"done_before", progress.done_before},
+          {"invalid_missions", progress.invalid_missions},
+          {"elapsed_s", elapsed_s},
+          {"left_s", left >= 0.0 ? nlohmann::json(left) : nlohmann::json(nullptr)},
+          {"planners", planners}};
+}
+
+}  // namespace
+
+std::string duration_text(double duration_s) {
+  char text[32];
+  const int whole_s = static_cast<int>(duration_s);
+  if (whole_s >= 3600) {
+    std::snprintf(text, sizeof text, "%d h %02d min", whole_s / 3600, whole_s / 60 % 60);
+  } else if (whole_s >= 60) {
+    std::snprintf(text, sizeof text, "%d min %02d s", whole_s / 60, whole_s % 60);
+  } else {
+    std::snprintf(text, sizeof text, "%.0f s", duration_s);
+  }
+  return text;
+}
+
+RunProgress::RunProgress(ProgressStyle style, std::filesystem::path heartbeat)
+    : style_(style),
+      heartbeat_(std::move(heartbeat)),
+      is_live_(style == ProgressStyle::line && ::isatty(STDERR_FILENO) == 1) {
+  if (heartbeat_.empty()) return;
+  if (!std::ofstream(heartbeat_)) {
+    throw InputError(InputProblem{.file = heartbeat_.string(), .message = "can't be written"});
+  }
+}
+
+void RunProgress::show(const Progress& progress) {
+  if (is_finished_) return;
+  is_finished_ = is_done(progress);
+  beat(progress);
+  if (style_ == ProgressStyle::line) draw_line(progress);
+  if (style_ == ProgressStyle::json) print_json(progress);
+}
+
+void RunProgress::draw_line(const Progress& progress) {
+  const std::int64_t due = due_of(progress);
+  const auto now = Clock::now();
+  const std::int64_t tenth = due > 0 ? 10 * progress.done / due : 10;
+  const bool is_due =
+      is_live_ ? is_finished_ || now - shown_ > std::chrono::milliseconds(200) : tenth > tenth_;
+  if (!is_due) return;
+  shown_ = now;
+  tenth_ = tenth;
+  const double elapsed_s = std::chrono::duration<double>(now - began_).count();
+  std::string line = std::to_string(progress.done) + "/" + std::to_string(due) + " trials";
+  if (is_finished_) {
+    line += " in " + duration_text(elapsed_s);
+  } else if (const double left = left_s(progress, elapsed_s); left >= 0.0) {
+    line += ", " + duration_text(left) + " left";
+  }
+  for (const auto& [label, planner] : progress.planners) {
+    line += " | " + label + " " + std::to_string(planner.reached_goal) + "/" +
+            std::to_string(planner.flown);
+  }
+  std::fprintf(stderr, is_live_ ? "\r\033[K%s%s" : "%s%s", line.c_str(),
+               is_live_ && !is_finished_ ? "" : "\n");
+  std::fflush(stderr);
+}
+
+void RunProgress::print_json(const Progress& progress) {
+  const auto now = Clock::now();
+  if (!is_finished_ && now - shown_ < std::chrono::seconds(1)) return;
+  shown_ = now;
+  const double elapsed_s = std::chrono::duration<double>(now - began_).count();
+  std::fprintf(stderr, "%s\n", json_of(progress, elapsed_s).dump().c_str());
+  std::fflush(stderr);
+}
+
+void RunProgress::beat(const Progress& progress) {
+  const auto now = Clock::now();
+  if (heartbeat_.empty() || (!is_finished_ && now - beaten_ < std::chrono::seconds(5))) return;
+  beaten_ = now;
+  const double elapsed_s = std::chrono::duration<double>(now - began_).count();
+  // Moved into place, so that nobody reads half of it; a full disk does not end the run.
+  const std::filesystem::path fresh = heartbeat_.string() + ".new";
+  std::ofstream(fresh) << json_of(progress, elapsed_s).dump() << '\n';
+  std::error_code error;
+  std::filesystem::rename(fresh, heartbeat_, error);
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,65 @@
+#include "shard_option.hpp"
+
+#include <charconv>
+#include <cstdlib>
+#include <optional>
+
+#include "base/input_error.hpp"
+
+namespace avoidbench {
+namespace {
+
+std::optional<std::int64_t> number_from(const std::string& text) {
+  std::int64_t number = 0;
+  const char* end = text.data() + text.size();
+  const auto [at, error] = std::from_chars(text.data(), end, number);
+  if (error != std::errc{} || at != end || text.empty()) return std::nullopt;
+  return number;
+}
+
+std::optional<std::int64_t> number_of(const char* variable) {
+  const char* text = std::getenv(variable);
+  return text != nullptr ? number_from(text) : std::nullopt;
+}
+
+[[noreturn]] void fail(const std::string& text, const std::string& reason) {
+  throw InputError("--shard " + text + ": " + reason);
+}
+
+/// This task's place in its array, from 1.
+std::int64_t task_index(const std::string& text) {
+  if (const auto task = number_of("SLURM_ARRAY_TASK_ID")) {
+    return *task - number_of("SLURM_ARRAY_TASK_MIN").value_or(1) + 1;
+  }
+  if (const auto task = number_of("PBS_ARRAY_INDEX")) return *task;
+  if (const auto task = number_of("JOB_COMPLETION_INDEX")) return *task + 1;
+  fail(text, "none of SLURM_ARRAY_TASK_ID, PBS_ARRAY_INDEX and JOB_COMPLETION_INDEX is set");
+}
+
+}  // namespace
+
+Shard shard_from(const std::string& text) {
+  const std::size_t slash = text.find('/');
+  const std::string first = text.substr(0, slash);
+  const bool has_count = slash != std::string::npos;
+  const auto given = has_count ? number_from(text.substr(slash + 1)) : std::nullopt;
+  if (has_count && (!given || *given < 1)) fail(text, "expected I/N, auto or auto/N");
+  Shard shard;
+  if (first == "auto") {
+    shard.index = task_index(text);
+    const auto count = has_count ? given : number_of("SLURM_ARRAY_TASK_COUNT");
+    if (!count) fail(text, "how many there are is not known: write auto/N");
+    shard.count = *count;
+  } else {
+    const auto index = number_from(first);
+    if (!index || !has_count) fail(text, "expected I/N, auto or auto/N");
+    shard = {.index = *index, .count = *given};
+  }
+  if (shard.index < 1 || shard.index > shard.count) {
+    fail(text, "there is no shard " + std::to_string(shard.index) + " of " +
+                   std::to_string(shard.count) + "; they count from 1");
+  }
+  return shard;
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,106 @@
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "base/input_error.hpp"
+#include "commands.hpp"
+#include "store/database.hpp"
+#include "sweep/replay.hpp"
+#include "sweep/worker_process.hpp"
+
+namespace avoidbench {
+namespace {
+
+constexpr int kExitDiffers = 1;
+
+struct VerifyCommand {
+  std::string database_file;
+  std::string sample = "100%";
+};
+
+/// A share from "1%", "0.01" or "1".
+double share_from(const std::string& text) {
+  std::size_t end = 0;
+  double share = -1.0;
+  try {
+    share = std::stod(text, &end);
+  } catch (const std::exception&) {
+    end = 0;
+  }
+  if (end + 1 == text.size() && text.back() == '%') share /= 100.0;
+  if (end == 0 || share <= 0.0 || share > 1.0) {
+    throw InputError("--sample " + text + ": expected a share such as 1% or 0.01");
+  }
+  return share;
+}
+
+/// Whether the sample has this trial: by the first 32 bits of its key, so that a larger sample has
+/// all trials of a smaller one.
+bool is_sampled(const std::string& key, double share) {
+  const auto number = static_cast<double>(std::stoul(key.substr(0, 8), nullptr, 16));
+  return number < share * 4294967296.0;
+}
+
+/// Whether the end was a worker's, which a flight in this process can't have.
+bool ended_worker(Outcome outcome) {
+  return outcome == Outcome::planner_crashed || outcome == Outcome::planner_hung;
+}
+
+/// Flies it again; whether it is the same.
+bool is_repeated(const Database& database, const TrialListing& listing) {
+  const std::filesystem::path folder = database.path().parent_path();
+  const Replay replay(read_stored_trial(database, listing.key),
+                      {.planner = "", .map = "", .folders = {".", folder}});
+  std::vector<std::string> log;
+  const TrialRecord flown = replay.fly({}, log);
+  const std::vector<std::string> found = differences(replay.stored().row.record, flown);
+  if (found.empty()) return true;
+  std::cout << "trial " << listing.id << " (" << listing.key.substr(0, 8) << ", "
+            << listing.planner_label << ") differs:\n";
+  for (const std::string& line : found) std::cout << "  " << line << '\n';
+  for (const std::string& line : replay.warnings()) std::cout << "  note: " << line << '\n';
+  return false;
+}
+
+void verify(const VerifyCommand& command) {
+  enter_worker_environment();
+  const double share = share_from(command.sample);
+  const Database database = Database::open_for_reading(command.database_file);
+  std::int64_t flown = 0, different = 0, passed_over = 0;
+  for (const TrialListing& trial : database.list_trials()) {
+    if (!is_sampled(trial.key, share)) continue;
+    if (ended_worker(trial.outcome)) {
+      ++passed_over;
+      continue;
+    }
+    ++flown;
+    different += is_repeated(database, trial) ? 0 : 1;
+  }
+  std::cout << flown << " trials flown again, " << different << " different\n";
+  if (passed_over > 0) {
+    std::cout << passed_over << " crashed or hung and were not flown: see avoidbench run --rerun\n";
+  }
+  if (flown == 0 && passed_over == 0) std::cerr << "the sample has no trial: make it larger\n";
+  if (different > 0) throw CLI::RuntimeError(kExitDiffers);
+}
+
+}  // namespace
+
+void add_verify_command(CLI::App& app) {
+  const auto options = std::make_shared<VerifyCommand>();
+  CLI::App* command =
+      app.add_subcommand("verify", "Fly stored trials again and compare them bit for bit");
+  command->add_option("DB", options->database_file, "Database")->required();
+  command->add_option("--sample", options->sample, "Share of the trials, chosen by their keys")
+      ->capture_default_str();
+  command->footer(
+      "Exit code 1 where a flight differs from the stored one. Planners and map files are looked "
+      "for as `avoidbench\n"
+      "replay` does.\n\n"
+      "Example:\n  avoidbench verify results/quick.db --sample 10%");
+  command->callback([options] { verify(*options); });
+}
+
+}  // namespace avoidbench
