@@ -1,6 +1,7 @@
 #include "config/map_files.hpp"
 
 #include "base/digest.hpp"
+#include "config/includes.hpp"
 #include "config/overrides.hpp"
 #include "config/sweep_axes.hpp"
 
@@ -15,11 +16,10 @@ const YamlNode& place_of(const YamlNode& root, const std::string& path) {
   return axis != nullptr ? *axis : node_near(root, "maps." + path.substr(path.find('.') + 1));
 }
 
-std::string absolute(const std::string& file, const fs::path& base_folder, const YamlNode& place,
-                     Reading& reading) {
+std::string absolute(const std::string& file, const YamlNode& place, Reading& reading) {
   const fs::path given(file);
-  // What the command line gives is relative to where it was typed.
-  const fs::path folder = place.line > 0 ? base_folder : fs::path(".");
+  // Relative to the file that says so; what the command line gives, to where it was typed.
+  const fs::path folder = folder_of(place, ".");
   const fs::path found =
       fs::absolute(given.is_absolute() ? given : folder / given).lexically_normal();
   std::error_code error;
@@ -56,17 +56,16 @@ void fill_digest(const FileOfMap& map, const YamlNode& root, Reading& reading) {
 
 }  // namespace
 
-void resolve_map_files(const YamlNode& root, const fs::path& base_folder, SweepSpec& sweep,
-                       Reading& reading) {
+void resolve_map_files(const YamlNode& root, SweepSpec& sweep, Reading& reading) {
   const FileOfMap map = file_of(sweep.base.map);
   if (map.file == nullptr || map.file->empty()) return;
   const std::size_t before = reading.problems.size();
   const YamlNode& place = place_of(root, "map.file");
-  *map.file = absolute(*map.file, base_folder, place, reading);
+  *map.file = absolute(*map.file, place, reading);
   for (Axis& axis : sweep.axes) {
     if (axis.path != "map.file") continue;
     for (nlohmann::json& value : axis.values) {
-      value = absolute(value.get<std::string>(), base_folder, place, reading);
+      value = absolute(value.get<std::string>(), place, reading);
     }
   }
   if (axis_of(sweep, "map_seed") != nullptr) {

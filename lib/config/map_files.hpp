@@ -1,17 +1,14 @@
 #pragma once
 
-#include <filesystem>
-
 #include "config/yaml_reader.hpp"
 #include "sweep/sweep_spec.hpp"
 
 namespace avoidbench {
 
-/// For maps that come from files: makes the paths in the sweep's base and axes absolute (those of a
-/// file relative to `base_folder`, those of the command line to the working folder) and fills the
+/// For maps that come from files: makes the paths in the sweep's base and axes absolute (relative
+/// to the file that they stand in, those of the command line to the working folder) and fills the
 /// base's file_digest, where the file is no axis. Adds a problem for a file that is not there or
 /// has another digest than was asked for, and for several seeds, which such a map has no use for.
-void resolve_map_files(const YamlNode& root, const std::filesystem::path& base_folder,
-                       SweepSpec& sweep, Reading& reading);
+void resolve_map_files(const YamlNode& root, SweepSpec& sweep, Reading& reading);
 
 }  // namespace avoidbench

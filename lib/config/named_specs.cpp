@@ -2,6 +2,8 @@
 
 #include <set>
 
+#include "config/includes.hpp"
+
 namespace avoidbench {
 namespace {
 
@@ -64,14 +66,15 @@ template <class Spec>
 void read_name(const Shelf<Spec>& shelf, const YamlNode& node, const fs::path& base_folder,
                int level, Spec& spec, Reading& reading) {
   constexpr int kMostLevels = 8;
-  const fs::path file = file_of(node.scalar, shelf.folder, base_folder);
+  const fs::path folder = folder_of(node, base_folder);
+  const fs::path file = file_of(node.scalar, shelf.folder, folder);
   if (!file.empty()) {
     if (level >= kMostLevels) {
       reading.problems.push_back(problem_at(node, shelf.path + ": presets lead in a circle"));
       return;
     }
     try {
-      const YamlNode root = read_yaml(file);
+      const YamlNode root = read_document(file).root;
       const bool lists_were_axes = reading.lists_are_axes;
       reading.lists_are_axes = false;
       read_shelved(shelf, root, file.parent_path(), level + 1, spec, reading);
@@ -91,7 +94,7 @@ void read_name(const Shelf<Spec>& shelf, const YamlNode& node, const fs::path& b
       return;
     }
   }
-  const std::vector<std::string> names = known_names(shelf, base_folder);
+  const std::vector<std::string> names = known_names(shelf, folder);
   std::string all;
   for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
   reading.problems.push_back(problem_at(node, shelf.path + ": " + found_text(node) + " is no " +

@@ -9,9 +9,10 @@
 namespace avoidbench {
 
 /// Reads the vehicle that `node` gives: a name or a mapping. A name is looked up as NAME.yaml in
-/// `base_folder`/vehicles and `base_folder`/../vehicles, then among the built-in ones; with a slash
-/// or .yaml it is a file, relative to `base_folder`. A mapping changes fields of the vehicle that
-/// its key `preset` names, of the hummingbird where there is none.
+/// vehicles/ and ../vehicles/ of the folder of the file that it stands in, then among the built-in
+/// ones; with a slash or .yaml it is a file, relative to that folder. What the command line gives
+/// is looked up from `base_folder`. A mapping changes fields of the vehicle that its key `preset`
+/// names, of the hummingbird where there is none.
 void read_vehicle(const YamlNode& node, const std::filesystem::path& base_folder,
                   VehicleSpec& vehicle, Reading& reading);
 

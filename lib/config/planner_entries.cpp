@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 
+#include "config/includes.hpp"
 #include "plugin/planner_library.hpp"
 
 namespace avoidbench {
@@ -34,9 +35,9 @@ const ParameterDef* parameter_def(const PlannerDescription& planner, const std::
 bool is_number(const ParameterDef& def) { return def.kind == AB_NUMBER || def.kind == AB_INTEGER; }
 
 std::optional<PlannerDescription> load(const YamlNode& node, const std::string& path,
-                                       const fs::path& base_folder, Reading& reading) {
-  // What the command line gives is relative to where it was typed.
-  const fs::path folder = node.line > 0 ? base_folder : fs::path(".");
+                                       Reading& reading) {
+  // Relative to the file that says so; what the command line gives, to where it was typed.
+  const fs::path folder = folder_of(node, ".");
   try {
     return PlannerLibrary::load(find_planner(node.scalar, folder)).description();
   } catch (const InputError& error) {
@@ -101,8 +102,7 @@ bool is_good_label(const std::string& label) {
 }
 
 /// A mapping's entry, or nothing where its library could not be loaded.
-std::optional<Entry> read_mapping(const YamlNode& node, const std::string& path,
-                                  const fs::path& base_folder, Reading& reading) {
+std::optional<Entry> read_mapping(const YamlNode& node, const std::string& path, Reading& reading) {
   Entry entry;
   entry.path = path;
   SpecReader reader(node, path, reading);
@@ -118,7 +118,7 @@ std::optional<Entry> read_mapping(const YamlNode& node, const std::string& path,
     const std::size_t before = reading.problems.size();
     read_scalar(*plugin, path + ".plugin", entry.plugin, Range{}, reading.problems);
     if (reading.problems.size() == before) {
-      planner = load(*plugin, path + ".plugin", base_folder, reading);
+      planner = load(*plugin, path + ".plugin", reading);
     }
   }
   if (!planner || parameter_def(*planner, "max_speed_mps") != nullptr) {
@@ -148,16 +148,15 @@ std::optional<Entry> read_mapping(const YamlNode& node, const std::string& path,
   return entry;
 }
 
-std::optional<Entry> read_entry(const YamlNode& node, const std::string& path,
-                                const fs::path& base_folder, Reading& reading) {
-  if (node.kind == YamlNode::Kind::mapping) return read_mapping(node, path, base_folder, reading);
+std::optional<Entry> read_entry(const YamlNode& node, const std::string& path, Reading& reading) {
+  if (node.kind == YamlNode::Kind::mapping) return read_mapping(node, path, reading);
   if (node.kind != YamlNode::Kind::scalar) {
     reading.problems.push_back(problem_at(
         node, path + ": expected a planner's name or {plugin, label, parameters}, found " +
                   found_text(node)));
     return std::nullopt;
   }
-  auto planner = load(node, path, base_folder, reading);
+  auto planner = load(node, path, reading);
   if (!planner) return std::nullopt;
   return Entry{path, std::move(*planner), node.scalar, "", {}};
 }
@@ -244,7 +243,7 @@ void add_choices(const Entry& entry, const YamlNode& node, std::vector<PlannerCh
 }  // namespace
 
 std::vector<PlannerChoice> read_planners(const YamlNode& node, const YamlNode* max_speed,
-                                         const fs::path& base_folder, Reading& reading) {
+                                         Reading& reading) {
   std::vector<PlannerChoice> planners;
   std::map<std::string, std::string> label_owners;
   const std::vector<YamlNode> single{node};
@@ -257,7 +256,7 @@ std::vector<PlannerChoice> read_planners(const YamlNode& node, const YamlNode* m
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const std::string path = is_list ? "planners[" + std::to_string(i) + "]" : "planners";
     const std::size_t before = reading.problems.size();
-    std::optional<Entry> entry = read_entry(nodes[i], path, base_folder, reading);
+    std::optional<Entry> entry = read_entry(nodes[i], path, reading);
     if (entry && max_speed != nullptr) add_common_speed(*max_speed, nodes[i], *entry, reading);
     if (!entry || reading.problems.size() > before) continue;
     const std::size_t first = planners.size();

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <vector>
 
 #include "config/yaml_reader.hpp"
@@ -9,13 +8,12 @@
 namespace avoidbench {
 
 /// Reads the list of planners: bare names, or mappings {plugin, label, parameters, max_speed_mps}.
-/// Each library is found, relative paths from `base_folder`, and loaded, and its parameters are
-/// checked and filled in. A list of values for a parameter gives one planner for each, with the
-/// value in its label: `ego[horizon_m=5]`. Labels are unique. `max_speed`, where given, is the
-/// sweep's own max_speed_mps: that of each planner that is given no other, or an error where it
-/// declares no such parameter.
+/// Each library is found, relative paths from the folder of the file that they stand in, and
+/// loaded, and its parameters are checked and filled in. A list of values for a parameter gives one
+/// planner for each, with the value in its label: `ego[horizon_m=5]`. Labels are unique.
+/// `max_speed`, where given, is the sweep's own max_speed_mps: that of each planner that is given
+/// no other, or an error where it declares no such parameter.
 std::vector<PlannerChoice> read_planners(const YamlNode& node, const YamlNode* max_speed,
-                                         const std::filesystem::path& base_folder,
                                          Reading& reading);
 
 }  // namespace avoidbench

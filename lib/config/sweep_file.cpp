@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <tuple>
 
 #include "config/cross_checks.hpp"
+#include "config/includes.hpp"
 #include "config/map_files.hpp"
 #include "config/named_specs.hpp"
 #include "config/overrides.hpp"
@@ -115,10 +117,15 @@ void check_size(const YamlNode& root, const SweepSpec& sweep, Reading& reading) 
       "the sweep has " + number_text(count) + " trials, more than " + number_text(kMostTrials)));
 }
 
-/// In the order of the file, and those of other files after; each once.
+/// In the order of the file, then those of other files, one after the other; each once.
 [[noreturn]] void fail(std::vector<InputProblem> problems, const std::string& main_file) {
+  std::map<std::string, std::size_t> file_order{{main_file, 0}};
+  for (const InputProblem& problem : problems) {
+    const bool is_file = problem.line > 0;  // or an option of the command line
+    file_order.emplace(problem.file, is_file ? file_order.size() : problems.size() + 1);
+  }
   const auto key = [&](const InputProblem& problem) {
-    return std::tuple(problem.file != main_file, problem.line, problem.column);
+    return std::tuple(file_order.at(problem.file), problem.line, problem.column);
   };
   std::stable_sort(problems.begin(), problems.end(),
                    [&](const auto& a, const auto& b) { return key(a) < key(b); });
@@ -130,7 +137,7 @@ void check_size(const YamlNode& root, const SweepSpec& sweep, Reading& reading) 
 }  // namespace
 
 SweepSpec read_sweep(const fs::path& file, const std::vector<std::string>& overrides) {
-  YamlNode root = read_yaml(file);
+  YamlNode root = read_document(file).root;
   apply_overrides(root, overrides);
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
 
@@ -145,11 +152,11 @@ SweepSpec read_sweep(const fs::path& file, const std::vector<std::string>& overr
   sweep.axes = axes_of_blocks(reading);
   const std::size_t block_problems = reading.problems.size();
   if (const YamlNode* node = reader.take("axes")) read_axes(*node, sweep, reading);
-  resolve_map_files(root, folder, sweep, reading);
+  resolve_map_files(root, sweep, reading);
   const YamlNode* planners = reader.take("planners");
   const YamlNode* max_speed = reader.take("max_speed_mps");
   if (planners != nullptr) {
-    sweep.planners = read_planners(*planners, max_speed, folder, reading);
+    sweep.planners = read_planners(*planners, max_speed, reading);
   } else {
     reading.problems.push_back(
         problem_at(root, "lacks 'planners', the list of planners to compare"));
@@ -178,7 +185,7 @@ MapChoice read_map(const std::string& file_or_generator,
     throw InputError("'" + file_or_generator + "' is neither a file nor a generator" +
                      did_you_mean(file_or_generator, generators) + "; generators: " + all);
   }
-  if (!is_generator) root = read_yaml(file_or_generator);
+  if (!is_generator) root = read_document(file_or_generator).root;
   const bool is_map_alone = root.find("generator") != nullptr || is_generator;
   if (is_map_alone) {  // {generator: …} becomes {maps: {generator: …}}
     YamlNode sweep;
@@ -209,7 +216,7 @@ MapChoice read_map(const std::string& file_or_generator,
   read_blocks(reader, folder.empty() ? fs::path(".") : folder, choice.trial, reading);
   SweepSpec sweep;
   sweep.base = choice.trial;
-  resolve_map_files(root, folder.empty() ? fs::path(".") : folder, sweep, reading);
+  resolve_map_files(root, sweep, reading);
   round_rates(root, sweep);
   choice.trial = sweep.base;
   choice.warnings = sweep.warnings;
