@@ -8,7 +8,7 @@ build_packages=(
   libeigen3-dev libembree-dev libopencv-core-dev libopencv-imgproc-dev libopencv-calib3d-dev libyaml-cpp-dev libcli11-dev
   nlohmann-json3-dev libsqlite3-dev libpng-dev zlib1g-dev nettle-dev libassimp-dev libbenchmark-dev sqlite3
 )
-test_packages=(clang clang-format clang-tidy libclang-rt-14-dev libgtest-dev python3 valgrind)
+test_packages=(clang clang-format clang-tidy libclang-rt-14-dev libgtest-dev python3 python3-jsonschema python3-yaml valgrind)
 
 case "${1:-build}" in
   build) packages=("${build_packages[@]}") ;;

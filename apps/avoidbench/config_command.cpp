@@ -4,6 +4,7 @@
 #include "base/input_error.hpp"
 #include "commands.hpp"
 #include "config/defaults.hpp"
+#include "config/json_schema.hpp"
 #include "config/sweep_file.hpp"
 #include "reference_table.hpp"
 
@@ -53,12 +54,27 @@ void check(const std::string& file, const std::vector<std::string>& overrides) {
   write_text(text, "-");
 }
 
+std::string schema_text(const std::string& what) {
+  if (what == "vehicle") return vehicle_schema().dump(1) + "\n";
+  if (what == "sensor") return sensor_schema().dump(1) + "\n";
+  const std::vector<std::string> kinds{"sweep", "part", "vehicle", "sensor"};
+  if (what != "sweep" && what != "part") {
+    throw InputError("no schema of '" + what + "'" + did_you_mean(what, kinds) + "; it is one of " +
+                     joined(kinds));
+  }
+  std::vector<std::string> problems;
+  const std::vector<PlannerDescription> planners = list_planners(problems);
+  for (const std::string& problem : problems) std::cerr << "warning: " << problem << "\n";
+  return sweep_schema(planners, what == "part").dump(1) + "\n";
+}
+
 }  // namespace
 
 void add_config_command(CLI::App& app) {
   struct Options {
     std::string preset = "sweep";
     std::string output = "-";
+    std::string schema = "sweep", schema_output = "-";
     std::string file;
     std::vector<std::string> overrides;
   };
@@ -78,6 +94,20 @@ void add_config_command(CLI::App& app) {
   defaults->add_option("--output", options->output, "File to write, - for standard output")
       ->capture_default_str();
   defaults->callback([options] { write_text(preset_yaml(options->preset), options->output); });
+  CLI::App* schema = command->add_subcommand(
+      "schema", "JSON Schema (2020-12) of a kind of file: editors complete and check by it");
+  schema
+      ->add_option("what", options->schema,
+                   "sweep, part (a file that sweeps include), vehicle or sensor")
+      ->capture_default_str();
+  schema->add_option("--output", options->schema_output, "File to write, - for standard output")
+      ->capture_default_str();
+  schema->footer(
+      "Example:\n"
+      "  avoidbench config schema --output sweep.schema.json\n"
+      "and as the first line of a sweep file beside it, for editors with a YAML language server:\n"
+      "  # yaml-language-server: $schema=sweep.schema.json");
+  schema->callback([options] { write_text(schema_text(options->schema), options->schema_output); });
   CLI::App* check_command = command->add_subcommand(
       "check", "Read a sweep file and print what it would fly, or all that is wrong with it");
   check_command->add_option("sweep", options->file, "Sweep file (YAML)")

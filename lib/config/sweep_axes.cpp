@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "config/sweep_keys.hpp"
+
 namespace avoidbench {
 namespace {
 
@@ -12,13 +14,6 @@ Json::json_pointer pointer(const std::string& path) {
   std::string text = "/" + path;
   std::replace(text.begin(), text.end(), '.', '/');
   return Json::json_pointer(text);
-}
-
-/// A path as written in a sweep file, as one of TrialSpec.
-std::string trial_path(const std::string& path) {
-  if (path == "maps.seed" || path == "maps.seeds") return "map_seed";
-  if (path.starts_with("maps.")) return "map." + path.substr(5);
-  return path;
 }
 
 /// {a: {b: value}} for "a.b"; every level stands at the place of `key`.
@@ -42,12 +37,16 @@ std::string path_problem(const std::string& path, const TrialSpec& base) {
   }
   if (first == "mission_index" || first == "trials")
     return "'trials' says how many missions there are";
-  if (path == "map.generator") return "a generator can't be an axis; write one sweep for each";
   if (path.find('[') != std::string::npos)
     return "elements of lists can't be axes; give whole lists";
   if (path.empty() || path.front() == '.' || path.back() == '.' ||
       path.find("..") != std::string::npos || path.find_first_of("/~") != std::string::npos) {
     return "no dotted path such as wind.mean_world_mps";
+  }
+  const FieldTree trial = field_tree("", base, "");
+  for (const KindField& found : fields_at(trial, path)) {
+    if (found.field->kind != FieldKind::variant) continue;
+    return "a " + found.field->name + " can't be an axis; write one sweep for each";
   }
   const Json json = spec_to_json(base);
   if (json.contains(pointer(path)) && json.at(pointer(path)).is_object()) {

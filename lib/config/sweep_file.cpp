@@ -42,9 +42,11 @@ void read_name(const YamlNode& root, const YamlNode* node, std::string& name, Re
   }
 }
 
-/// The blocks of a TrialSpec. Lists become axes, their paths starting with the block's key.
+/// The seed and the blocks of a TrialSpec. Lists become axes, their paths starting with the block's
+/// key.
 void read_blocks(SpecReader& reader, const fs::path& folder, TrialSpec& trial, Reading& reading) {
   reading.lists_are_axes = true;
+  reader.field("seed", trial.seed, "");
   if (const YamlNode* node = reader.take("maps")) read_maps(*node, trial, reading);
   if (const YamlNode* node = reader.take("vehicle")) {
     read_vehicle(*node, folder, trial.vehicle, reading);
@@ -146,7 +148,6 @@ SweepSpec read_sweep(const fs::path& file, const std::vector<std::string>& overr
   SpecReader reader(root, "", reading);
   if (!reading.problems.empty()) fail(reading.problems, file.string());
   read_name(root, reader.take("sweep"), sweep.name, reading);
-  reader.field("seed", sweep.base.seed, "");
   reader.field("trials", sweep.trials, Range{1, 1e6}, "");
   read_blocks(reader, folder, sweep.base, reading);
   sweep.axes = axes_of_blocks(reading);
@@ -211,7 +212,6 @@ MapChoice read_map(const std::string& file_or_generator,
   Reading reading;
   MapChoice choice;
   SpecReader reader(root, "", reading);
-  reader.field("seed", choice.trial.seed, "");
   const fs::path folder = fs::path(file_or_generator).parent_path();
   read_blocks(reader, folder.empty() ? fs::path(".") : folder, choice.trial, reading);
   SweepSpec sweep;

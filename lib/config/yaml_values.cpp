@@ -157,6 +157,19 @@ std::vector<YamlNode> range_values(const YamlNode& node, const std::string& path
   return values;
 }
 
+/// The same text for values that mean the same: 3 and 3.0, also in lists.
+std::string meaning(const YamlNode& node) {
+  const std::optional<double> number = number_of(node);
+  if (number) return number_text(*number);
+  std::string text = node.scalar;
+  for (std::size_t i = 0; i < node.items.size(); ++i) {
+    text += "\n";
+    if (i < node.keys.size()) text += node.keys[i].scalar + ": ";
+    text += "(" + meaning(node.items[i]) + ")";
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string number_text(double value) {
@@ -252,11 +265,9 @@ std::vector<YamlNode> axis_values(const YamlNode& node, const std::string& path,
   }
   std::set<std::string> seen;
   for (const YamlNode& item : node.items) {
-    const std::optional<double> number = number_of(item);
-    const std::string text = number ? number_text(*number) : item.scalar;
-    if (item.kind == YamlNode::Kind::scalar && !seen.insert(text).second) {
-      add_problem(item, path, item.scalar + " is given twice", problems);
-    }
+    if (item.kind == YamlNode::Kind::null || seen.insert(meaning(item)).second) continue;
+    const std::string what = item.kind == YamlNode::Kind::scalar ? item.scalar : found_text(item);
+    add_problem(item, path, what + " is given twice", problems);
   }
   return node.items;
 }

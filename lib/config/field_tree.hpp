@@ -1,0 +1,140 @@
+#pragma once
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/enum_text.hpp"
+#include "base/fields.hpp"
+#include "base/spec_json.hpp"
+
+namespace avoidbench {
+
+enum class FieldKind {
+  truth,    ///< true or false
+  whole,    ///< a whole number
+  number,   ///< a finite number
+  text,     ///< any text
+  choice,   ///< one of several words
+  list,     ///< a list of equal elements
+  block,    ///< fields by name
+  variant,  ///< a word that chooses which further fields stand beside it
+  other,    ///< a key of sweep files that is no field of a spec
+};
+
+/// What a visit() says of one field, as plain data: what the JSON Schema and `config explain` are
+/// made of, so that they know every field there is.
+struct FieldTree {
+  std::string name, doc;
+  FieldKind kind = FieldKind::block;
+  Range range;                       ///< of numbers, also those in a list
+  std::vector<std::string> choices;  ///< of a choice; of a variant its kinds
+  std::optional<std::size_t> count;  ///< of a list, where it is fixed
+  nlohmann::json preset;             ///< what it is where nothing is said; null for blocks
+  std::vector<FieldTree> fields;     ///< of a block; of a list one, its element; of a variant a
+                                     ///< block for each kind
+
+  /// The field of this name in a block, or null. Looks not into variants.
+  const FieldTree* find(std::string_view field) const;
+};
+
+/// A field, and the kind that must be chosen for it to be there.
+struct KindField {
+  const FieldTree* field = nullptr;
+  std::string variant, kind;  ///< "generator", "forest"; "" where every kind has it
+};
+
+/// The fields of a block with all that its variants may add, in order: a name may come several
+/// times, from several kinds.
+std::vector<KindField> all_fields(const FieldTree& block);
+
+/// The fields at a dotted path below `block`: none where there is no such field, several where
+/// several kinds have it. Each is told with the kind that is chosen last on the way.
+std::vector<KindField> fields_at(const FieldTree& block, std::string_view path);
+
+/// The block's JSON as spec_to_json() gives it for the spec that the tree was made of.
+nlohmann::json preset_json(const FieldTree& block);
+
+/// The visitor of base/fields.hpp that makes the tree.
+class FieldCollector {
+ public:
+  std::vector<FieldTree> fields;
+
+  template <class T>
+  void field(std::string_view name, T& value, Range range, std::string_view doc) {
+    fields.push_back(described(name, value, range, doc));
+  }
+  template <class T>
+  void field(std::string_view name, T& value, std::string_view doc) {
+    field(name, value, Range{}, doc);
+  }
+  template <class Variant>
+  void variant(std::string_view name, Variant& value, std::string_view doc) {
+    FieldTree tree;
+    tree.name = name;
+    tree.doc = doc;
+    tree.kind = FieldKind::variant;
+    tree.preset = std::string(kind(value));
+    add_kinds<Variant, 0>(value, tree);
+    fields.push_back(std::move(tree));
+  }
+
+  template <class T>
+  static FieldTree described(std::string_view name, T& value, Range range, std::string_view doc) {
+    FieldTree tree;
+    tree.name = name;
+    tree.doc = doc;
+    tree.range = range;
+    if constexpr (TextEnum<T>) {
+      tree.kind = FieldKind::choice;
+      tree.choices = enum_texts<T>();
+    } else if constexpr (detail::IsSequence<T>::value) {
+      tree.kind = FieldKind::list;
+      if constexpr (!requires { value.resize(1); }) tree.count = value.size();
+      typename T::value_type element{};
+      tree.fields.push_back(described("", element, range, ""));
+    } else if constexpr (Visitable<T, FieldCollector>) {
+      FieldCollector inner;
+      visit(inner, value);
+      tree.fields = std::move(inner.fields);
+      return tree;
+    } else if constexpr (std::is_same_v<T, bool>) {
+      tree.kind = FieldKind::truth;
+    } else if constexpr (std::is_integral_v<T>) {
+      tree.kind = FieldKind::whole;
+      if (!std::is_signed_v<T>) tree.range.lowest = std::max(0.0, range.lowest);
+    } else if constexpr (std::is_floating_point_v<T>) {
+      tree.kind = FieldKind::number;
+    } else {
+      tree.kind = FieldKind::text;
+    }
+    tree.preset = detail::value_to_json(value);
+    return tree;
+  }
+
+ private:
+  template <class Variant, std::size_t index>
+  static void add_kinds(Variant& value, FieldTree& tree) {
+    if constexpr (index < std::variant_size_v<Variant>) {
+      using Kind = std::variant_alternative_t<index, Variant>;
+      Kind held{};
+      if (value.index() == index) held = std::get<index>(value);
+      FieldTree block = described(Kind::kind, held, Range{}, "");
+      if constexpr (requires { Kind::doc; }) block.doc = Kind::doc;
+      tree.choices.push_back(block.name);
+      tree.fields.push_back(std::move(block));
+      add_kinds<Variant, index + 1>(value, tree);
+    }
+  }
+};
+
+/// The fields of `spec`, whose values are the presets.
+template <class Spec>
+FieldTree field_tree(std::string_view name, Spec spec, std::string_view doc) {
+  return FieldCollector::described(name, spec, Range{}, doc);
+}
+
+}  // namespace avoidbench
