@@ -4,6 +4,8 @@
 #include "base/input_error.hpp"
 #include "commands.hpp"
 #include "config/defaults.hpp"
+#include "config/explain.hpp"
+#include "config/includes.hpp"
 #include "config/json_schema.hpp"
 #include "config/sweep_file.hpp"
 #include "reference_table.hpp"
@@ -37,8 +39,9 @@ std::string preset_yaml(const std::string& name) {
                    "; it is one of " + joined(names));
 }
 
-void check(const std::string& file, const std::vector<std::string>& overrides) {
+void check(const std::string& file, const std::vector<std::string>& overrides, bool resolved) {
   const SweepSpec sweep = read_sweep(file, overrides);
+  const Document document = read_sweep_document(file, overrides);
   for (const std::string& warning : sweep.warnings) std::cerr << "warning: " << warning << "\n";
   std::size_t settings = 1;
   for (const Axis& axis : sweep.axes) settings *= axis.values.size();
@@ -51,7 +54,9 @@ void check(const std::string& file, const std::vector<std::string>& overrides) {
     text += "  " + axis.path + ": " + nlohmann::json(axis.values).dump() + "\n";
   }
   for (const PlannerChoice& planner : sweep.planners) text += "  planner " + planner.label + "\n";
-  write_text(text, "-");
+  for (const std::string& included : document.included) text += "  included " + included + "\n";
+  for (const std::string& option : overrides) text += "  --set " + option + "\n";
+  write_text(resolved ? document_text(document) : text, "-");
 }
 
 std::string schema_text(const std::string& what) {
@@ -68,6 +73,22 @@ std::string schema_text(const std::string& what) {
   return sweep_schema(planners, what == "part").dump(1) + "\n";
 }
 
+/// For people: titles, facts, tables.
+std::string explanation_text(const std::string& key) {
+  std::vector<std::string> unused;
+  std::string text;
+  for (const Explanation& about : explain(key, list_planners(unused))) {
+    text += (text.empty() ? "" : "\n") + about.title + "\n";
+    std::size_t width = 0;
+    for (const auto& [name, fact] : about.facts) width = std::max(width, name.size());
+    for (const auto& [name, fact] : about.facts) {
+      text += "  " + name + std::string(width + 2 - name.size(), ' ') + fact + "\n";
+    }
+    if (!about.keys.empty()) text += "\n" + table_text({about.columns, about.keys}, "table");
+  }
+  return text;
+}
+
 }  // namespace
 
 void add_config_command(CLI::App& app) {
@@ -77,13 +98,18 @@ void add_config_command(CLI::App& app) {
     std::string schema = "sweep", schema_output = "-";
     std::string file;
     std::vector<std::string> overrides;
+    bool resolved = false;
+    std::string key;
   };
   const auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("config", "Print defaults, check sweep files");
+  CLI::App* command =
+      app.add_subcommand("config", "Print and explain what files can say; check sweep files");
   command->footer(
       "Examples:\n"
       "  avoidbench config defaults > my_sweep.yaml\n"
       "  avoidbench config defaults firefly\n"
+      "  avoidbench config explain maps.poisson_radius_m\n"
+      "  avoidbench config schema --output sweep.schema.json\n"
       "  avoidbench config check my_sweep.yaml --set maps.poisson_radius_m=3");
   CLI::App* defaults = command->add_subcommand(
       "defaults", "Everything that a file can say, at its default, with docs and ranges, as YAML");
@@ -119,7 +145,29 @@ void add_config_command(CLI::App& app) {
           "Override one value, as in maps.poisson_radius_m=3.0; repeatable (default: none)")
       ->type_name("PATH=VALUE")
       ->allow_extra_args(false);
-  check_command->callback([options] { check(options->file, options->overrides); });
+  check_command->add_flag("--resolved", options->resolved,
+                          "Print the file with what it includes and --set put in, each value with "
+                          "where it comes from (default: a summary)");
+  check_command->footer(
+      "Examples:\n"
+      "  avoidbench config check my_sweep.yaml\n"
+      "  avoidbench config check my_sweep.yaml --set maps.poisson_radius_m=3 --resolved");
+  check_command->callback(
+      [options] { check(options->file, options->overrides, options->resolved); });
+  CLI::App* explain_command = command->add_subcommand(
+      "explain", "What a key means: its range and default, and how to write it, also as an axis");
+  explain_command
+      ->add_option("key", options->key,
+                   "Path of a key, as maps.bush_ratio or latency; maps.hall for one generator's "
+                   "keys; reactive.margin_m for a planner's parameter (default: all top keys)")
+      ->type_name("KEY");
+  explain_command->footer(
+      "Examples:\n"
+      "  avoidbench config explain\n"
+      "  avoidbench config explain latency\n"
+      "  avoidbench config explain maps.poisson_radius_m\n"
+      "  avoidbench config explain reactive.margin_m");
+  explain_command->callback([options] { write_text(explanation_text(options->key), "-"); });
 }
 
 }  // namespace avoidbench

@@ -94,6 +94,7 @@ void add_commands(CLI::App& app) {
 int run_program(int argc, const char* const* argv) {
   CLI::App app("Benchmark of obstacle-avoidance planners for multirotors.", "avoidbench");
   app.set_version_flag("--version", version_text(), "Print version, git hash and compiler");
+  app.require_subcommand(0, 1);  // so that `config explain maps` means the key, not the command
   add_commands(app);
   // After the commands, which would take it over.
   app.footer(

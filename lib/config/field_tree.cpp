@@ -3,15 +3,38 @@
 namespace avoidbench {
 namespace {
 
-void add_fields(const FieldTree& block, const std::string& variant, const std::string& kind,
+void add_fields(const FieldTree& block, const std::vector<SaidKind>& kinds,
                 std::vector<KindField>& all) {
   for (const FieldTree& field : block.fields) {
-    all.push_back({&field, variant, kind});
+    all.push_back({&field, kinds});
     if (field.kind != FieldKind::variant) continue;
     for (const FieldTree& of_kind : field.fields) {
-      add_fields(of_kind, field.name, of_kind.name, all);
+      std::vector<SaidKind> said = kinds;
+      said.push_back({field.name, of_kind.name});
+      add_fields(of_kind, said, all);
     }
   }
+}
+
+nlohmann::json json_below(const FieldTree& block, const std::string& prefix,
+                          const std::vector<SaidKind>& kinds) {
+  nlohmann::json json = nlohmann::json::object();
+  for (const FieldTree& field : block.fields) {
+    const std::string path = prefix + field.name;
+    if (field.kind == FieldKind::block) {
+      json[field.name] = json_below(field, path + ".", kinds);
+    } else if (field.kind != FieldKind::other) {
+      json[field.name] = field.preset;
+    }
+    if (field.kind != FieldKind::variant) continue;
+    for (const SaidKind& said : kinds) {
+      if (said.path == path) json[field.name] = said.kind;
+    }
+    for (const FieldTree& of_kind : field.fields) {
+      if (of_kind.name == json[field.name]) json.update(json_below(of_kind, prefix, kinds));
+    }
+  }
+  return json;
 }
 
 }  // namespace
@@ -25,40 +48,34 @@ const FieldTree* FieldTree::find(std::string_view field) const {
 
 std::vector<KindField> all_fields(const FieldTree& block) {
   std::vector<KindField> all;
-  add_fields(block, "", "", all);
+  add_fields(block, {}, all);
   return all;
 }
 
 std::vector<KindField> fields_at(const FieldTree& block, std::string_view path) {
   const std::size_t dot = path.find('.');
+  const std::string first(path.substr(0, dot));
   std::vector<KindField> found;
   for (const KindField& entry : all_fields(block)) {
-    if (entry.field->name != path.substr(0, dot)) continue;
+    if (entry.field->name != first) continue;
     if (dot == std::string_view::npos) {
       found.push_back(entry);
     } else if (entry.field->kind == FieldKind::block) {
-      for (KindField& inner : fields_at(*entry.field, path.substr(dot + 1))) {
-        if (inner.kind.empty()) {
-          inner.variant = entry.variant;
-          inner.kind = entry.kind;
+      for (const KindField& inner : fields_at(*entry.field, path.substr(dot + 1))) {
+        KindField whole = entry;
+        whole.field = inner.field;
+        for (const SaidKind& said : inner.kinds) {
+          whole.kinds.push_back({first + "." + said.path, said.kind});
         }
-        found.push_back(std::move(inner));
+        found.push_back(std::move(whole));
       }
     }
   }
   return found;
 }
 
-nlohmann::json preset_json(const FieldTree& block) {
-  nlohmann::json json = nlohmann::json::object();
-  for (const FieldTree& field : block.fields) {
-    json[field.name] = field.kind == FieldKind::block ? preset_json(field) : field.preset;
-    if (field.kind != FieldKind::variant) continue;
-    for (const FieldTree& of_kind : field.fields) {
-      if (of_kind.name == field.preset) json.update(preset_json(of_kind));
-    }
-  }
-  return json;
+nlohmann::json preset_json(const FieldTree& block, const std::vector<SaidKind>& kinds) {
+  return json_below(block, "", kinds);
 }
 
 }  // namespace avoidbench

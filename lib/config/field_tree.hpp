@@ -22,7 +22,7 @@ enum class FieldKind {
   list,     ///< a list of equal elements
   block,    ///< fields by name
   variant,  ///< a word that chooses which further fields stand beside it
-  other,    ///< a key of sweep files that is no field of a spec
+  other,    ///< a key of the files that is no field of a spec: planners, include, preset
 };
 
 /// What a visit() says of one field, as plain data: what the JSON Schema and `config explain` are
@@ -41,10 +41,14 @@ struct FieldTree {
   const FieldTree* find(std::string_view field) const;
 };
 
-/// A field, and the kind that must be chosen for it to be there.
+/// The word of a variant that must be said for a field to be there: {"generator", "forest"}.
+struct SaidKind {
+  std::string path, kind;
+  friend bool operator==(const SaidKind&, const SaidKind&) = default;
+};
 struct KindField {
   const FieldTree* field = nullptr;
-  std::string variant, kind;  ///< "generator", "forest"; "" where every kind has it
+  std::vector<SaidKind> kinds;
 };
 
 /// The fields of a block with all that its variants may add, in order: a name may come several
@@ -52,11 +56,12 @@ struct KindField {
 std::vector<KindField> all_fields(const FieldTree& block);
 
 /// The fields at a dotted path below `block`: none where there is no such field, several where
-/// several kinds have it. Each is told with the kind that is chosen last on the way.
+/// several kinds have it.
 std::vector<KindField> fields_at(const FieldTree& block, std::string_view path);
 
-/// The block's JSON as spec_to_json() gives it for the spec that the tree was made of.
-nlohmann::json preset_json(const FieldTree& block);
+/// The block's JSON as spec_to_json() gives it for the spec that the tree was made of; with
+/// `kinds`, for that of these kinds.
+nlohmann::json preset_json(const FieldTree& block, const std::vector<SaidKind>& kinds = {});
 
 /// The visitor of base/fields.hpp that makes the tree.
 class FieldCollector {

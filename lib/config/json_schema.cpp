@@ -14,20 +14,11 @@ void add_axes(const FieldTree& block, const std::string& prefix, SchemaWriter& w
     const std::string path = prefix + field.name;
     if (field.kind == FieldKind::block) {
       add_axes(field, path + ".", writer, properties);
-    } else if (field.kind != FieldKind::variant) {
+    } else if (field.kind != FieldKind::variant && field.kind != FieldKind::other) {
       const Schema value = writer.value(field, prefix + "axis", {});
       add_property(path, writer.several(field, value, true), properties);
     }
   }
-}
-
-FieldTree preset_key(const std::vector<std::string>& known) {
-  FieldTree key;
-  key.name = "preset";
-  key.kind = FieldKind::other;
-  key.doc = "What holds where no field says otherwise: built in, or the name of a file.";
-  key.choices = known;
-  return key;
 }
 
 /// A planner's own parameters, where it is one that is known.
@@ -101,9 +92,9 @@ Schema document(const std::string& name, const std::string& doc) {
           {"description", doc}};
 }
 
-Schema shelf_schema(const FieldTree& tree, const std::vector<std::string>& built_in) {
+Schema shelf_schema(const FieldTree& tree) {
   SchemaWriter writer(false);
-  std::vector<FieldTree> fields{*sweep_tree().find("include"), preset_key(built_in)};
+  std::vector<FieldTree> fields{*sweep_tree().find("include")};
   fields.insert(fields.end(), tree.fields.begin(), tree.fields.end());
   Schema schema = document(tree.name, tree.doc);
   schema.update(writer.block(fields, tree.name, Unsaid{false, {"preset", "include"}}));
@@ -114,15 +105,10 @@ Schema shelf_schema(const FieldTree& tree, const std::vector<std::string>& built
 /// Defines what stands under the sweep's key `key`, where it is a block.
 void define_block(const FieldTree& key, const std::string& name, Unsaid unsaid,
                   SchemaWriter& writer) {
-  std::vector<FieldTree> fields = key.fields;
-  std::vector<std::string> names;
-  if (may_be_name(key.name)) {
-    names = key.name == "vehicle" ? built_in_vehicles() : built_in_sensors();
-    fields.insert(fields.begin(), preset_key(names));
-    if (!unsaid.may_be_any) unsaid.any_with = {"preset"};
-  }
-  Schema schema = writer.block(fields, key.name, unsaid);
-  if (may_be_name(key.name)) schema = name_or(schema, names);
+  const FieldTree* preset = key.find("preset");
+  if (preset != nullptr && !unsaid.may_be_any) unsaid.any_with = {"preset"};
+  Schema schema = writer.block(key.fields, key.name, unsaid);
+  if (preset != nullptr) schema = name_or(schema, preset->choices);
   describe(key, schema);
   writer.definitions[name] = std::move(schema);
 }
@@ -175,7 +161,7 @@ Schema sweep_schema(const std::vector<PlannerDescription>& planners, bool is_par
   return result;
 }
 
-Schema vehicle_schema() { return shelf_schema(vehicle_tree(), built_in_vehicles()); }
-Schema sensor_schema() { return shelf_schema(sensor_tree(), built_in_sensors()); }
+Schema vehicle_schema() { return shelf_schema(vehicle_tree()); }
+Schema sensor_schema() { return shelf_schema(sensor_tree()); }
 
 }  // namespace avoidbench

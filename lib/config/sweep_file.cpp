@@ -7,7 +7,6 @@
 #include <tuple>
 
 #include "config/cross_checks.hpp"
-#include "config/includes.hpp"
 #include "config/map_files.hpp"
 #include "config/named_specs.hpp"
 #include "config/overrides.hpp"
@@ -138,9 +137,14 @@ void check_size(const YamlNode& root, const SweepSpec& sweep, Reading& reading) 
 
 }  // namespace
 
+Document read_sweep_document(const fs::path& file, const std::vector<std::string>& overrides) {
+  Document document = read_document(file);
+  apply_overrides(document.root, overrides);
+  return document;
+}
+
 SweepSpec read_sweep(const fs::path& file, const std::vector<std::string>& overrides) {
-  YamlNode root = read_document(file).root;
-  apply_overrides(root, overrides);
+  const YamlNode root = read_sweep_document(file, overrides).root;
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
 
   Reading reading;

@@ -4,15 +4,21 @@
 #include <string>
 #include <vector>
 
+#include "config/includes.hpp"
 #include "sweep/sweep_spec.hpp"
 
 namespace avoidbench {
 
-/// The sweep in the YAML file, with the command line's `--set path=value` options applied. Every
-/// planner is found, loaded and its parameters resolved. Throws InputError with all that is wrong
-/// at once, each with its place: sweep_defaults_yaml() shows the format.
+/// The sweep in the YAML file with those that it includes, with the command line's `--set
+/// path=value` options applied. Every planner is found, loaded and its parameters resolved. Throws
+/// InputError with all that is wrong at once, each with its place: sweep_defaults_yaml() shows the
+/// format.
 SweepSpec read_sweep(const std::filesystem::path& file,
                      const std::vector<std::string>& overrides = {});
+
+/// The document that read_sweep reads, with includes and overrides put in.
+Document read_sweep_document(const std::filesystem::path& file,
+                             const std::vector<std::string>& overrides = {});
 
 /// A map alone, as `avoidbench maps` takes it.
 struct MapChoice {

@@ -8,8 +8,6 @@
 namespace avoidbench {
 namespace {
 
-constexpr double kMostTrials = 1e6;
-
 FieldTree own_key(std::string name, FieldKind kind, std::string doc, nlohmann::json preset = {}) {
   FieldTree tree;
   tree.name = std::move(name);
@@ -27,7 +25,7 @@ std::vector<FieldTree> head() {
                          "relative to this file's folder."));
   keys.push_back(
       own_key("trials", FieldKind::whole, "Missions a map, the same for every planner.", 10));
-  keys.back().range = Range{1, kMostTrials};
+  keys.back().range = Range{1, 1e6};
   keys.push_back(own_key("planners", FieldKind::other,
                          "The planners to compare: names, or {plugin: NAME or ./FILE.so, label, "
                          "parameters: {name: value or list}, max_speed_mps}."));
@@ -35,6 +33,15 @@ std::vector<FieldTree> head() {
                          "Speed limit of all planners that are given none; a list compares speeds. "
                          "Left out: each planner's own."));
   return keys;
+}
+
+/// Adds the key `preset`.
+void add_preset(const std::vector<std::string>& built_in, FieldTree& tree) {
+  FieldTree key = own_key(
+      "preset", FieldKind::other,
+      "What holds where no key says otherwise: built in, or the name of a file.", built_in.front());
+  key.choices = built_in;
+  tree.fields.insert(tree.fields.begin(), std::move(key));
 }
 
 }  // namespace
@@ -51,10 +58,12 @@ FieldTree sweep_tree() {
     if (field.name == "map_seed" || field.name == "mission_index" || field.name == "planner") {
       continue;
     }
-    sweep.fields.push_back(field);
+    FieldTree& key = sweep.fields.emplace_back(field);
+    if (field.name == "vehicle") key.fields = vehicle_tree().fields;
+    if (field.name == "sensor") key.fields = sensor_tree().fields;
     if (field.name != "map") continue;
-    sweep.fields.back().name = "maps";
-    sweep.fields.back().fields.push_back(seeds);
+    key.name = "maps";
+    key.fields.push_back(seeds);
   }
   sweep.fields.push_back(own_key("axes", FieldKind::other,
                                  "Any field above by its path, with the values to try: each "
@@ -63,21 +72,19 @@ FieldTree sweep_tree() {
 }
 
 FieldTree vehicle_tree() {
-  return field_tree("vehicle", hummingbird_spec(), "A vehicle: fields that differ from `preset`.");
+  FieldTree tree =
+      field_tree("vehicle", hummingbird_spec(), "A vehicle: fields that differ from `preset`.");
+  add_preset({hummingbird_spec().name, hummingbird_rotors_spec().name, firefly_spec().name}, tree);
+  return tree;
 }
 
 FieldTree sensor_tree() {
-  return field_tree("sensor", SensorSpec{}, "A sensor: fields that differ from `preset`.");
-}
-
-std::vector<std::string> built_in_vehicles() {
-  return {hummingbird_spec().name, hummingbird_rotors_spec().name, firefly_spec().name};
-}
-
-std::vector<std::string> built_in_sensors() {
+  FieldTree tree =
+      field_tree("sensor", SensorSpec{}, "A sensor: fields that differ from `preset`.");
   std::vector<std::string> names;
   for (const SensorSpec& sensor : sensor_presets()) names.push_back(sensor.name);
-  return names;
+  add_preset(names, tree);
+  return tree;
 }
 
 FieldTree parameter_tree(const ParameterDef& parameter) {
@@ -96,8 +103,6 @@ FieldTree parameter_tree(const ParameterDef& parameter) {
   return tree;
 }
 
-bool may_be_name(std::string_view key) { return key == "vehicle" || key == "sensor"; }
-
 std::string trial_path(const std::string& path) {
   if (path == "maps.seed" || path == "maps.seeds") return "map_seed";
   if (path.starts_with("maps.")) return "map." + path.substr(5);
@@ -105,13 +110,30 @@ std::string trial_path(const std::string& path) {
 }
 
 std::string unit_of(std::string_view name) {
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 25> kUnits{{
-      {"_per_sqrt_s", "/√s"}, {"_radps2", "rad/s²"}, {"_radps", "rad/s"}, {"_mps3", "m/s³"},
-      {"_mps2", "m/s²"},      {"_mps", "m/s"},       {"_kgpm", "kg/m"},   {"_kgps", "kg/s"},
-      {"_kgm2", "kg m²"},     {"_kgm", "kg m"},      {"_ns2", "N s²"},    {"_percent", "%"},
-      {"_ratio", "fraction"}, {"_pct", "%"},         {"_deg", "°"},       {"_rad", "rad"},
-      {"_kg", "kg"},          {"_hz", "Hz"},         {"_px", "px"},       {"_ms", "ms"},
-      {"_pa", "Pa"},          {"_m", "m"},           {"_s", "s"},         {"_n", "N"},
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 24> kUnits{{
+      {"_per_sqrt_s", "/√s"},
+      {"_radps2", "rad/s²"},
+      {"_radps", "rad/s"},
+      {"_mps3", "m/s³"},
+      {"_mps2", "m/s²"},
+      {"_mps", "m/s"},
+      {"_kgpm", "kg/m"},
+      {"_kgps", "kg/s"},
+      {"_kgm2", "kg m²"},
+      {"_kgm", "kg m"},
+      {"_ns2", "N s²"},
+      {"_percent", "%"},
+      {"_pct", "%"},
+      {"_deg", "deg"},
+      {"_rad", "rad"},
+      {"_kg", "kg"},
+      {"_hz", "Hz"},
+      {"_px", "px"},
+      {"_ms", "ms"},
+      {"_pa", "Pa"},
+      {"_m", "m"},
+      {"_s", "s"},
+      {"_n", "N"},
       {"_e", "electrons"},
   }};
   for (const auto& [ending, unit] : kUnits) {

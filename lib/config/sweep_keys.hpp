@@ -11,22 +11,16 @@ namespace avoidbench {
 
 /// Everything that a sweep file can say, in the order of its keys: the blocks and seeds as visit()
 /// of TrialSpec gives them (`map` is called `maps`, and `map_seed` maps.seeds), and the keys that
-/// are the sweep's own.
+/// are the sweep's own. Blocks for which a name may stand have the key `preset`, whose choices are
+/// what is built in.
 FieldTree sweep_tree();
 
 /// Everything that a file of configs/vehicles or configs/sensors can say.
 FieldTree vehicle_tree();
 FieldTree sensor_tree();
 
-/// Names that a key `preset`, or the block itself, may have without a file.
-std::vector<std::string> built_in_vehicles();
-std::vector<std::string> built_in_sensors();
-
 /// A planner's parameter as a field.
 FieldTree parameter_tree(const ParameterDef& parameter);
-
-/// Whether the sweep's top key holds a block of which a name may stand: `vehicle`, `sensor`.
-bool may_be_name(std::string_view key);
 
 /// The path of a sweep file as one of TrialSpec: maps.seeds is map_seed, maps.x is map.x.
 std::string trial_path(const std::string& path);

@@ -21,10 +21,14 @@ void add_paths(const FieldTree& block, const std::string& prefix, const std::str
                std::vector<SweepPath>& paths) {
   for (const KindField& entry : all_fields(block)) {
     const FieldTree& field = *entry.field;
-    if (field.kind == FieldKind::variant) continue;
+    if (field.kind == FieldKind::variant || field.kind == FieldKind::other) continue;
     std::string said = kind;
-    if (!entry.kind.empty()) {
-      said = prefix.substr(0, prefix.size() - 1) + ": {" + entry.variant + ": " + entry.kind + "}";
+    if (!entry.kinds.empty()) {
+      std::string words;
+      for (const SaidKind& word : entry.kinds) {
+        words += (words.empty() ? "" : ", ") + word.path + ": " + word.kind;
+      }
+      said = prefix.substr(0, prefix.size() - 1) + ": {" + words + "}";
     }
     if (field.kind == FieldKind::block) {
       add_paths(field, prefix + field.name + ".", said, paths);
