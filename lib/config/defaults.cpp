@@ -185,7 +185,9 @@ std::string sweep_defaults_yaml() {
       "# A sweep with every key at its default; only 'sweep' and 'planners' must be given.\n"
       "# One value may be a list, or a range {from: 2.3, to: 5.8, count: 10} or {from, to, step}:\n"
       "# each combination of such values is flown. avoidbench run FILE --set "
-      "maps.poisson_radius_m=3 changes keys.\n";
+      "maps.poisson_radius_m=3 changes keys.\n"
+      "# include: FILE.yaml takes what this file does not say from another; config explain KEY tells "
+      "more of a key.\n";
   BlockPrinter top("");
   top.line("sweep: my_sweep", "Name of the result set: A-Z a-z 0-9 _ . -");
   top.line("seed: " + std::to_string(trial.seed), "Seed of missions and noise.");

@@ -1,5 +1,7 @@
 #include "config/json_schema.hpp"
 
+#include <cstring>
+
 #include "config/schema_blocks.hpp"
 #include "config/sweep_keys.hpp"
 
@@ -92,42 +94,88 @@ Schema document(const std::string& name, const std::string& doc) {
           {"description", doc}};
 }
 
+/// The schema of a mapping that is laid over an included one: any key may be empty, which takes out
+/// what was included, and a range may say only what it changes. Its definitions are those of
+/// `schema` with "over." before their names, planners aside, which are replaced as a whole.
+Schema laid_over(const Schema& schema) {
+  if (schema.is_array()) {
+    Schema all = Schema::array();
+    for (const Schema& element : schema) all.push_back(laid_over(element));
+    return all;
+  }
+  if (!schema.is_object()) return schema;
+  const bool is_range = schema.contains("properties") && schema["properties"].contains("step");
+  Schema result = Schema::object();
+  for (const auto& [key, value] : schema.items()) {
+    if (is_range && (key == "required" || key == "dependentSchemas")) continue;
+    if (key == "if" || key == "enum" || key == "default") {
+      result[key] = value;
+    } else if (key == "$ref" && value != "#/$defs/planner") {
+      result[key] = "#/$defs/over." + value.get<std::string>().substr(std::strlen("#/$defs/"));
+    } else if (key == "properties") {
+      for (const auto& [name, property] : value.items()) {
+        Schema filled = laid_over(property);
+        Schema& or_empty = result[key][name];
+        or_empty = {{"if", {{"type", "null"}}}};
+        for (const char* note : {"description", "default"}) {
+          if (filled.contains(note)) or_empty[note] = filled[note];
+        }
+        or_empty["else"] = std::move(filled);
+      }
+    } else {
+      result[key] = laid_over(value);
+    }
+  }
+  return result;
+}
+
+/// Adds `whole` and `over`, which holds where there is `include`, with what they define.
+void add_forms(const std::string& name, Schema whole, SchemaWriter& of_whole, const Schema& over,
+               const SchemaWriter& of_over, Schema& document) {
+  document["type"] = "object";
+  document["if"] = {{"required", {"include"}}};
+  document["then"] = reference("over." + name + "_file");
+  document["else"] = reference(name + "_file");
+  Schema& definitions = document["$defs"];
+  definitions = std::move(of_whole.definitions);
+  definitions[name + "_file"] = std::move(whole);
+  definitions["over." + name + "_file"] = laid_over(over);
+  for (const auto& [key, value] : of_over.definitions.items()) {
+    definitions["over." + key] = laid_over(value);
+  }
+}
+
 Schema shelf_schema(const FieldTree& tree) {
-  SchemaWriter writer(false);
   std::vector<FieldTree> fields{*sweep_tree().find("include")};
   fields.insert(fields.end(), tree.fields.begin(), tree.fields.end());
+  SchemaWriter of_whole(false), of_over(false);
+  Schema whole = of_whole.block(fields, tree.name, Unsaid{false, {"preset"}});
+  const Schema over = of_over.block(fields, tree.name, Unsaid{true, {}});
   Schema schema = document(tree.name, tree.doc);
-  schema.update(writer.block(fields, tree.name, Unsaid{false, {"preset", "include"}}));
-  if (!writer.definitions.empty()) schema["$defs"] = std::move(writer.definitions);
+  add_forms(tree.name, std::move(whole), of_whole, over, of_over, schema);
   return schema;
 }
 
-/// Defines what stands under the sweep's key `key`, where it is a block.
-void define_block(const FieldTree& key, const std::string& name, Unsaid unsaid,
-                  SchemaWriter& writer) {
+/// What stands under the sweep's key `key`, where it is a block.
+Schema block_of_sweep(const FieldTree& key, bool may_be_any, SchemaWriter& writer) {
   const FieldTree* preset = key.find("preset");
-  if (preset != nullptr && !unsaid.may_be_any) unsaid.any_with = {"preset"};
+  Unsaid unsaid{may_be_any, {}};
+  if (preset != nullptr && !may_be_any) unsaid.any_with = {"preset"};
   Schema schema = writer.block(key.fields, key.name, unsaid);
   if (preset != nullptr) schema = name_or(schema, preset->choices);
   describe(key, schema);
-  writer.definitions[name] = std::move(schema);
+  writer.definitions[key.name] = std::move(schema);
+  return reference(key.name);
 }
 
-}  // namespace
-
-Schema sweep_schema(const std::vector<PlannerDescription>& planners, bool is_part) {
-  SchemaWriter writer(true);
-  const FieldTree sweep = sweep_tree();
-  Schema properties = Schema::object(), axes = Schema::object(), alone = Schema::object();
+/// The mapping of a sweep file's keys.
+Schema sweep_keys(const FieldTree& sweep, bool may_be_any, SchemaWriter& writer) {
+  Schema properties = Schema::object(), axes = Schema::object();
   for (const FieldTree& key : sweep.fields) {
     Schema& schema = properties[key.name];
     if (key.kind == FieldKind::block) {
-      define_block(key, key.name, Unsaid{true, {}}, writer);
-      schema = reference(key.name);
+      schema = block_of_sweep(key, may_be_any, writer);
       add_axes(key, key.name + ".", writer, axes);
-      if (is_part || !has_variant(key.fields)) continue;
-      define_block(key, key.name + ".alone", Unsaid{}, writer);
-      alone[key.name] = reference(key.name + ".alone");
     } else if (key.name == "sweep") {
       schema = name_of_sweep(key);
     } else if (key.name == "planners") {
@@ -147,17 +195,26 @@ Schema sweep_schema(const std::vector<PlannerDescription>& planners, bool is_par
       if (key.name == "seed") axes[key.name] = writer.several(key, value_schema(key), true);
     }
   }
-  writer.definitions["planner"] = planner_schema(*sweep.find("max_speed_mps"), planners, writer);
-  Schema result = document(is_part ? "part" : "sweep", sweep.doc);
-  result["type"] = "object";
-  result["properties"] = std::move(properties);
-  result["additionalProperties"] = false;
-  if (!is_part) {  // what a file lacks, an included one may have
-    Schema whole{{"required", {"sweep", "planners"}}, {"properties", std::move(alone)}};
-    result["if"] = {{"not", {{"required", {"include"}}}}};
-    result["then"] = std::move(whole);
+  return {{"properties", std::move(properties)}, {"additionalProperties", false}};
+}
+
+}  // namespace
+
+Schema sweep_schema(const std::vector<PlannerDescription>& planners, bool is_part) {
+  const std::string name = is_part ? "part" : "sweep";
+  const FieldTree sweep = sweep_tree();
+  SchemaWriter of_whole(true), of_over(true);
+  const Schema over = sweep_keys(sweep, true, of_over);
+  Schema whole = is_part ? Schema(over) : sweep_keys(sweep, false, of_whole);
+  if (is_part) {  // what it lacks, an including file has
+    of_whole.definitions = of_over.definitions;
+  } else {
+    whole["required"] = {"sweep", "planners"};
   }
-  result["$defs"] = std::move(writer.definitions);
+  of_whole.definitions["planner"] =
+      planner_schema(*sweep.find("max_speed_mps"), planners, of_whole);
+  Schema result = document(name, sweep.doc);
+  add_forms(name, std::move(whole), of_whole, over, of_over, result);
   return result;
 }
 

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """Validates files with the JSON Schemas of `avoidbench config schema`, and compares with the program's own verdict.
 
-usage: check_schemas.py --program build/avoidbench --configs configs
+usage: check_schemas.py --program build/avoidbench --configs configs [--page docs/sweep_files.md]
 
 - Each schema is one of draft 2020-12.
 - Every file in configs/ and all that `config defaults` prints is valid.
+- Every example of the page is good for both.
 - Small files, good and wrong, are accepted or refused alike by the schema and by `config check`.
 - Every number that has a range is refused outside of it, and every word that is none of a choice, by both, field by field.
 
@@ -226,6 +227,18 @@ class Checker:
             self.fail(f"the schema is wrong about: {text.strip()}\n  {[e.message[:200] for e in errors][:3]}")
 
 
+def check_page(checker, page):
+    """The YAML examples of a page in order; the first line of one may name its file."""
+    examples = re.findall(r"^```yaml\n(.*?)^```", page.read_text(), re.M | re.S)
+    if not examples:
+        checker.fail(f"no examples in {page}")
+    for text in examples:
+        named = re.match(r"# (\w+\.yaml)\n", text)
+        if named:
+            (checker.folder / named[1]).write_text(text)
+        checker.compare(text, True)
+
+
 def with_head(line):
     lines = {"sweep": "sweep: a", "planners": "planners: [straight_line]"}
     key = line.split(":")[0]
@@ -296,6 +309,7 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--program", required=True)
     parser.add_argument("--configs", required=True, type=pathlib.Path)
+    parser.add_argument("--page", type=pathlib.Path)
     arguments = parser.parse_args()
     with tempfile.TemporaryDirectory(prefix="avoidbench_schemas_") as folder:
         checker = Checker(os.path.abspath(arguments.program), folder)
@@ -313,6 +327,8 @@ def main():
         for file in sorted((arguments.configs / "sensors").glob("*.yaml")):
             checker.valid("sensor", checker.run("config", "defaults", file.stem), file.stem)
 
+        if arguments.page:
+            check_page(checker, arguments.page)
         for is_good, lines in ((True, GOOD), (False, WRONG)):
             for line in lines.strip().splitlines():
                 checker.compare(with_head(line), is_good)
@@ -322,6 +338,7 @@ def main():
         head = "sweep: a\nplanners: [straight_line]\n"
         (checker.folder / "base.yaml").write_text(head + "maps: {generator: hall}\nsensor: stereo_sgm\n")
         checker.compare("include: base.yaml\nmaps: {cylinder_height_m: [2, 4]}\nsensor: {disparities: 80}\n", True)
+        checker.compare("include: base.yaml\nmaps: {height_m: \"4\"}\n", False)
         checker.compare("include: [base.yaml]\nmaps: {cylinder_heigth_m: [2, 4]}\n", False)
         shelves = {
             "vehicle": [("preset: firefly\nmass_kg: 1.6\n", True), ("mass_kg: [1, 2]\n", False), ("mas_kg: 1\n", False),
