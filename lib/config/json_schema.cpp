@@ -183,7 +183,7 @@ Schema sweep_keys(const FieldTree& sweep, bool may_be_any, SchemaWriter& writer)
     } else if (key.name == "axes") {
       Schema map_alias{{"^map(\\.|_seed$)", {{"type", {"number", "array", "object"}}}}};
       schema = {{"type", {"object", "null"}},
-                {"properties", std::move(axes)},
+                {"properties", axes},
                 {"patternProperties", std::move(map_alias)},  // the paths of stored trials
                 {"additionalProperties", false}};
       describe(key, schema);
