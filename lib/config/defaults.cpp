@@ -186,7 +186,8 @@ std::string sweep_defaults_yaml() {
       "# One value may be a list, or a range {from: 2.3, to: 5.8, count: 10} or {from, to, step}:\n"
       "# each combination of such values is flown. avoidbench run FILE --set "
       "maps.poisson_radius_m=3 changes keys.\n"
-      "# include: FILE.yaml takes what this file does not say from another; config explain KEY tells "
+      "# include: FILE.yaml takes what this file does not say from another; config explain KEY "
+      "tells "
       "more of a key.\n";
   BlockPrinter top("");
   top.line("sweep: my_sweep", "Name of the result set: A-Z a-z 0-9 _ . -");
