@@ -22,7 +22,7 @@ struct ReplayOptions {
   TrialChoice choice;
   bool is_list = false;
   TableOptions table;
-  std::string planner_file, map_file;
+  std::string planner_file, map_file, wind_file;
   std::string png, csv, commands;
   std::vector<double> at_s;
   double every_s = 0.0;
@@ -182,6 +182,7 @@ void replay(const ReplayOptions& options) {
   const Replay replay(stored,
                       {.planner = options.planner_file,
                        .map = options.map_file,
+                       .wind = options.wind_file,
                        .folders = {".", given.parent_path(), database.path().parent_path()}});
   for (const std::string& warning : replay.warnings()) std::cerr << "warning: " << warning << '\n';
   const std::string title = "trial " + std::to_string(listing.id) + " (" +
@@ -259,6 +260,10 @@ void add_replay_command(CLI::App& app) {
   command
       ->add_option("--map-file", options->map_file,
                    "File of the map (default: by its name beside sweep and database, or in maps/)")
+      ->type_name("FILE");
+  command
+      ->add_option("--wind-file", options->wind_file,
+                   "File of the wind field (default: by its name, as the map's, or in wind/)")
       ->type_name("FILE");
   add_table_options(*command, options->table);
   command->callback([options] { replay(*options); });

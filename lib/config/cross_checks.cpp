@@ -82,10 +82,13 @@ void check_sensor(const SensorSpec& sensor, Found& found) {
 }  // namespace
 
 std::vector<std::pair<std::string, double*>> rates_hz(TrialSpec& spec) {
-  return {
-      {"rates.physics_hz", &spec.rates.physics_hz}, {"rates.plan_hz", &spec.rates.plan_hz},
-      {"rates.sample_hz", &spec.rates.sample_hz},   {"sensor.rate_hz", &spec.sensor.rate_hz},
-      {"imu.rate_hz", &spec.imu.rate_hz},           {"odometry.rate_hz", &spec.odometry.rate_hz}};
+  return {{"rates.physics_hz", &spec.rates.physics_hz},
+          {"rates.plan_hz", &spec.rates.plan_hz},
+          {"rates.sample_hz", &spec.rates.sample_hz},
+          {"sensor.rate_hz", &spec.sensor.rate_hz},
+          {"imu.rate_hz", &spec.imu.rate_hz},
+          {"odometry.rate_hz", &spec.odometry.rate_hz},
+          {"wind.turbulence.rate_hz", &spec.wind.turbulence.rate_hz}};
 }
 
 double nearest_rate_hz(double rate_hz) {
@@ -108,6 +111,11 @@ std::vector<Contradiction> contradictions(const TrialSpec& spec) {
     check_map(spec.map);
   } catch (const InputError& error) {
     add_fields("map", error, found);
+  }
+  try {
+    check_wind(spec.wind);
+  } catch (const InputError& error) {
+    add_fields("wind", error, found);
   }
   try {
     check_vehicle(spec.vehicle);

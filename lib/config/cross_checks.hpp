@@ -21,7 +21,7 @@ std::vector<std::pair<std::string, double*>> rates_hz(TrialSpec& spec);
 double nearest_rate_hz(double rate_hz);
 
 /// What makes this trial impossible: ranges that are empty, matchers that can't be, flights above
-/// the ceiling, a vehicle that can't fly.
+/// the ceiling, gusts that overlap, a vehicle that can't fly.
 std::vector<Contradiction> contradictions(const TrialSpec& spec);
 
 }  // namespace avoidbench

@@ -219,7 +219,7 @@ std::string sweep_defaults_yaml() {
   add_block(text, "odometry", trial.odometry,
             "How wrong the vehicle and its planner know where they are; all zero: not at all.");
   add_block(text, "latency", trial.latency, "What the planner sees at time t acts at t + latency.");
-  add_block(text, "wind", trial.wind, "Wind and outer force.");
+  add_block(text, "wind", trial.wind, "Wind and disturbances, added up; see docs/wind.md.");
   add_block(text, "mission", trial.mission, "The rules of a flight.");
   add_block(text, "rates", trial.rates,
             "How often things happen. Each period is a whole number of 1/36000 s.");

@@ -4,19 +4,26 @@
 #include "config/includes.hpp"
 #include "config/overrides.hpp"
 #include "config/sweep_axes.hpp"
+#include "vehicle/wind_field.hpp"
 
 namespace avoidbench {
 namespace {
 
 namespace fs = std::filesystem;
 
+/// A field of TrialSpec as a sweep file names it.
+std::string shown(const std::string& path) {
+  return path.starts_with("map.") ? "maps." + path.substr(4) : path;
+}
+
 /// The value of the key `path`, of the blocks or of `axes`: where a problem with it stands.
 const YamlNode& place_of(const YamlNode& root, const std::string& path) {
   const YamlNode* axis = axis_key(root, path);
-  return axis != nullptr ? *axis : node_near(root, "maps." + path.substr(path.find('.') + 1));
+  return axis != nullptr ? *axis : node_near(root, shown(path));
 }
 
-std::string absolute(const std::string& file, const YamlNode& place, Reading& reading) {
+std::string absolute(const std::string& path, const std::string& file, const YamlNode& place,
+                     Reading& reading) {
   const fs::path given(file);
   // Relative to the file that says so; what the command line gives, to where it was typed.
   const fs::path folder = folder_of(place, ".");
@@ -24,9 +31,10 @@ std::string absolute(const std::string& file, const YamlNode& place, Reading& re
       fs::absolute(given.is_absolute() ? given : folder / given).lexically_normal();
   std::error_code error;
   if (!fs::exists(found, error)) {
-    reading.problems.push_back(problem_at(place, "maps.file: no file " + found.string()));
+    reading.problems.push_back(problem_at(place, shown(path) + ": no file " + found.string()));
   } else if (!fs::is_regular_file(found, error)) {
-    reading.problems.push_back(problem_at(place, "maps.file: is no plain file: " + found.string()));
+    reading.problems.push_back(
+        problem_at(place, shown(path) + ": is no plain file: " + found.string()));
   }
   return found.string();
 }
@@ -38,19 +46,26 @@ const Axis* axis_of(const SweepSpec& sweep, const std::string& path) {
   return nullptr;
 }
 
-void fill_digest(const FileOfMap& map, const YamlNode& root, Reading& reading) {
-  try {
-    const std::string digest = file_digest(*map.file);
-    if (map.digest->empty()) *map.digest = digest;
-    if (*map.digest == digest) return;
+void add_problems(const InputError& error, const std::string& path, const YamlNode& root,
+                  Reading& reading) {
+  for (const InputProblem& problem : error.problems()) {
     reading.problems.push_back(
-        problem_at(place_of(root, "map.file_digest"),
-                   "maps.file_digest: is not that of " + *map.file + ", " + digest));
+        problem_at(place_of(root, path), shown(path) + ": " + text(problem)));
+  }
+}
+
+/// `block` is "map" or "wind.field".
+void fill_digest(const std::string& block, const std::string& file, std::string& file_digest_field,
+                 const YamlNode& root, Reading& reading) {
+  try {
+    const std::string digest = file_digest(file);
+    if (file_digest_field.empty()) file_digest_field = digest;
+    if (file_digest_field == digest) return;
+    const std::string path = block + ".file_digest";
+    reading.problems.push_back(
+        problem_at(place_of(root, path), shown(path) + ": is not that of " + file + ", " + digest));
   } catch (const InputError& error) {
-    for (const InputProblem& problem : error.problems()) {
-      reading.problems.push_back(
-          problem_at(place_of(root, "map.file"), "maps.file: " + text(problem)));
-    }
+    add_problems(error, block + ".file", root, reading);
   }
 }
 
@@ -61,11 +76,11 @@ void resolve_map_files(const YamlNode& root, SweepSpec& sweep, Reading& reading)
   if (map.file == nullptr || map.file->empty()) return;
   const std::size_t before = reading.problems.size();
   const YamlNode& place = place_of(root, "map.file");
-  *map.file = absolute(*map.file, place, reading);
+  *map.file = absolute("map.file", *map.file, place, reading);
   for (Axis& axis : sweep.axes) {
     if (axis.path != "map.file") continue;
     for (nlohmann::json& value : axis.values) {
-      value = absolute(value.get<std::string>(), place, reading);
+      value = absolute("map.file", value.get<std::string>(), place, reading);
     }
   }
   if (axis_of(sweep, "map_seed") != nullptr) {
@@ -74,10 +89,45 @@ void resolve_map_files(const YamlNode& root, SweepSpec& sweep, Reading& reading)
                    "maps.seeds: a map from a file is the same for every seed; leave one"));
   }
   if (reading.problems.size() > before) return;
-  if (axis_of(sweep, "map.file") == nullptr) return fill_digest(map, root, reading);
+  if (axis_of(sweep, "map.file") == nullptr) {
+    return fill_digest("map", *map.file, *map.digest, root, reading);
+  }
   if (map.digest->empty()) return;
   reading.problems.push_back(problem_at(place_of(root, "map.file_digest"),
                                         "maps.file_digest: can't be that of several files"));
+}
+
+void resolve_wind_file(const YamlNode& root, SweepSpec& sweep, Reading& reading) {
+  const std::string path = "wind.field.file";
+  const YamlNode& place = place_of(root, path);
+  const auto resolve = [&](const std::string& file) {
+    if (file.empty()) return file;
+    const std::size_t before = reading.problems.size();
+    std::string found = absolute(path, file, place, reading);
+    if (reading.problems.size() > before) return found;
+    try {
+      read_wind_field(found, "");
+    } catch (const InputError& error) {
+      add_problems(error, path, root, reading);
+    }
+    return found;
+  };
+  WindFieldSpec& field = sweep.base.wind.field;
+  const bool is_axis = axis_of(sweep, path) != nullptr;
+  const std::size_t before = reading.problems.size();
+  if (!is_axis) field.file = resolve(field.file);
+  for (Axis& axis : sweep.axes) {
+    if (axis.path != path) continue;
+    for (nlohmann::json& value : axis.values) value = resolve(value.get<std::string>());
+    field.file = axis.values.front().get<std::string>();
+  }
+  if (reading.problems.size() > before) return;
+  if (!is_axis && !field.file.empty()) {
+    return fill_digest("wind.field", field.file, field.file_digest, root, reading);
+  }
+  if (!is_axis || field.file_digest.empty()) return;
+  reading.problems.push_back(problem_at(place_of(root, "wind.field.file_digest"),
+                                        "wind.field.file_digest: can't be that of several files"));
 }
 
 }  // namespace avoidbench

@@ -11,4 +11,8 @@ namespace avoidbench {
 /// has another digest than was asked for, and for several seeds, which such a map has no use for.
 void resolve_map_files(const YamlNode& root, SweepSpec& sweep, Reading& reading);
 
+/// The same for the file of a wind field, which is read once to see that it is one; an axis may
+/// have "" among its values for no field.
+void resolve_wind_file(const YamlNode& root, SweepSpec& sweep, Reading& reading);
+
 }  // namespace avoidbench

@@ -158,6 +158,7 @@ SweepSpec read_sweep(const fs::path& file, const std::vector<std::string>& overr
   const std::size_t block_problems = reading.problems.size();
   if (const YamlNode* node = reader.take("axes")) read_axes(*node, sweep, reading);
   resolve_map_files(root, sweep, reading);
+  resolve_wind_file(root, sweep, reading);
   const YamlNode* planners = reader.take("planners");
   const YamlNode* max_speed = reader.take("max_speed_mps");
   if (planners != nullptr) {
@@ -221,6 +222,7 @@ MapChoice read_map(const std::string& file_or_generator,
   SweepSpec sweep;
   sweep.base = choice.trial;
   resolve_map_files(root, sweep, reading);
+  resolve_wind_file(root, sweep, reading);
   round_rates(root, sweep);
   choice.trial = sweep.base;
   choice.warnings = sweep.warnings;

@@ -16,7 +16,7 @@ json::json_pointer pointer(std::string path) {
   return json::json_pointer("/" + path);
 }
 
-/// `digests` are those of map files, by path.
+/// `digests` are those of maps' and winds' files, by path.
 void expand_axes(const SweepSpec& sweep, std::size_t axis, const json& spec,
                  std::map<std::string, std::string>& digests, std::vector<TrialSpec>& trials) {
   if (axis < sweep.axes.size()) {
@@ -30,12 +30,15 @@ void expand_axes(const SweepSpec& sweep, std::size_t axis, const json& spec,
     return;
   }
   TrialSpec trial = spec_from_json<TrialSpec>(spec);
+  const auto fill_digest = [&](const std::string& file, std::string& digest) {
+    if (file.empty() || !digest.empty()) return;
+    std::string& known = digests[file];
+    if (known.empty()) known = file_digest(file);
+    digest = known;
+  };
   const FileOfMap map = file_of(trial.map);
-  if (map.file != nullptr && map.digest->empty()) {
-    std::string& known = digests[*map.file];
-    if (known.empty()) known = file_digest(*map.file);
-    *map.digest = known;
-  }
+  if (map.file != nullptr) fill_digest(*map.file, *map.digest);
+  fill_digest(trial.wind.field.file, trial.wind.field.file_digest);
   for (trial.mission_index = 0; trial.mission_index < sweep.trials; ++trial.mission_index) {
     for (const PlannerChoice& planner : sweep.planners) {
       trial.planner = planner;
@@ -56,6 +59,7 @@ std::vector<TrialSpec> expand(const SweepSpec& sweep) {
 std::string trial_key(const TrialSpec& spec) {
   json canonical = spec_to_json(spec);
   canonical["map"].erase("file");  // its file_digest stays
+  canonical["wind"]["field"].erase("file");
   canonical["planner"].erase("file");
   canonical["planner"].erase("plugin");
   return Digest().add(canonical.dump()).add(std::uint64_t{kResultVersion}).hex();

@@ -34,30 +34,35 @@ PlannerLibrary load_planner(const PlannerChoice& choice, const ReplayFiles& file
   throw InputError(problems.front() + "; --library names another place");
 }
 
-/// Gives a map from a file the place of that file.
-void find_map_file(TrialSpec& spec, const ReplayFiles& files) {
-  const FileOfMap map = file_of(spec.map);
-  if (map.file == nullptr) return;
+/// The place of the file of this name and digest: as `given`, or in the folders or their
+/// subfolder. `what`: "map" or "wind".
+std::string found_file(const std::string& what, const std::string& name, const std::string& digest,
+                       const std::string& given, const std::string& subfolder,
+                       const std::vector<std::filesystem::path>& folders) {
   std::vector<std::filesystem::path> places;
-  if (!files.map.empty()) places.emplace_back(files.map);
-  for (const std::filesystem::path& folder : files.folders) {
-    places.push_back(folder / *map.file);
-    places.push_back(folder / "maps" / *map.file);
+  if (!given.empty()) places.emplace_back(given);
+  for (const std::filesystem::path& folder : folders) {
+    places.push_back(folder / name);
+    places.push_back(folder / subfolder / name);
   }
   for (const std::filesystem::path& place : places) {
     std::error_code error;
     if (!std::filesystem::is_regular_file(place, error)) continue;
-    if (files.map.empty() && file_digest(place.string()) != *map.digest) continue;
-    *map.file = place.string();
-    return;
+    if (given.empty() && file_digest(place.string()) != digest) continue;
+    return place.string();
   }
-  throw InputError("the map's file " + *map.file + " (SHA-256 " + *map.digest +
-                   ") is not found: name it by --map-file");
+  throw InputError("the " + what + "'s file " + name + " (SHA-256 " + digest +
+                   ") is not found: name it by --" + what + "-file");
 }
 
 /// Finds what the stored trial leaves out before the map is made.
 StoredTrial with_files(StoredTrial stored, const ReplayFiles& files) {
-  find_map_file(stored.spec, files);
+  if (const FileOfMap map = file_of(stored.spec.map); map.file != nullptr) {
+    *map.file = found_file("map", *map.file, *map.digest, files.map, "maps", files.folders);
+  }
+  if (WindFieldSpec& wind = stored.spec.wind.field; !wind.file.empty()) {
+    wind.file = found_file("wind", wind.file, wind.file_digest, files.wind, "wind", files.folders);
+  }
   return stored;
 }
 

@@ -15,7 +15,7 @@ namespace avoidbench {
 /// A trial of a database with all that it was flown from.
 struct StoredTrial {
   TrialRow row;
-  TrialSpec spec;  ///< without the planner's file, and with the mere name of a map's file
+  TrialSpec spec;  ///< without the planner's file, and with the mere name of a map's and a wind's
   Mission mission;
   std::string world_digest;
 };
@@ -24,6 +24,7 @@ struct StoredTrial {
 struct ReplayFiles {
   std::string planner;  ///< name or file of a library; "": as the sweep named it
   std::string map;      ///< of a map from a file; "": its name in `folders` and in maps/
+  std::string wind;     ///< of a wind field; "": its name in `folders` and in wind/
   std::vector<std::filesystem::path> folders{"."};  ///< the sweep's, the database's, …
 };
 

@@ -113,7 +113,7 @@ void commit_trial(Run& run, const Assignment& assignment, TrialRecord record,
   if (record.outcome == Outcome::reached_goal) ++planner.reached_goal;
   nlohmann::json canonical = spec_to_json(spec);
   canonical["planner"].erase("file");
-  forget_folder(canonical["map"]);
+  forget_folders(canonical);
   run.database.add_trial({.key = run.schedule.keys[*assignment.trial],
                           .sweep = run.sweep.name,
                           .map_key = run.schedule.maps[assignment.map].key,

@@ -11,9 +11,10 @@ namespace {
 
 nlohmann::json axis_json(const Axis& axis) {
   nlohmann::json values = axis.values;
-  if (axis.path == "map.file") {
+  if (axis.path == "map.file" || axis.path == "wind.field.file") {
     for (nlohmann::json& value : values) {
-      value = {{"file", value}, {"file_digest", file_digest(value.get<std::string>())}};
+      const std::string file = value.get<std::string>();
+      value = {{"file", file}, {"file_digest", file.empty() ? "" : file_digest(file)}};
       forget_folder(value);
     }
   }
@@ -22,9 +23,14 @@ nlohmann::json axis_json(const Axis& axis) {
 
 }  // namespace
 
-void forget_folder(nlohmann::json& map) {
-  if (!map.contains("file")) return;
-  map["file"] = std::filesystem::path(map["file"].get<std::string>()).filename().string();
+void forget_folder(nlohmann::json& block) {
+  if (!block.contains("file")) return;
+  block["file"] = std::filesystem::path(block["file"].get<std::string>()).filename().string();
+}
+
+void forget_folders(nlohmann::json& trial) {
+  forget_folder(trial["map"]);
+  forget_folder(trial["wind"]["field"]);
 }
 
 std::string sweep_json(const SweepSpec& sweep) {
@@ -37,7 +43,7 @@ std::string sweep_json(const SweepSpec& sweep) {
   }
   nlohmann::json base = spec_to_json(sweep.base);
   base.erase("planner");
-  forget_folder(base["map"]);
+  forget_folders(base);
   return nlohmann::json{{"name", sweep.name},
                         {"base", base},
                         {"axes", axes},

@@ -9,8 +9,11 @@
 /// A sweep's specs as the database keeps them: canonical, without this machine's paths.
 namespace avoidbench {
 
-/// Of a map's file only the name is kept; its file_digest says which it is.
-void forget_folder(nlohmann::json& map);
+/// Of a map's or a wind's file only the name is kept; its file_digest says which it is.
+void forget_folder(nlohmann::json& block);
+
+/// The same for all blocks of a TrialSpec.
+void forget_folders(nlohmann::json& trial);
 
 /// The resolved sweep.
 std::string sweep_json(const SweepSpec& sweep);

@@ -30,11 +30,12 @@ struct SweepSpec {
 inline constexpr int kResultVersion = 2;
 
 /// The sweep's trials, in order of axes (first slowest), mission index, planner. Fills the
-/// file_digest of maps from files that lack it; throws InputError where such a file can't be read.
+/// file_digest of maps and winds from files that lack it; throws InputError where such a file can't
+/// be read.
 std::vector<TrialSpec> expand(const SweepSpec& sweep);
 
 /// A trial's key, 64 hexadecimal digits: digest of its canonical spec (with the digests of
-/// the planner and of the map's file, without their paths) and kResultVersion.
+/// the planner and of the map's and the wind's file, without their paths) and kResultVersion.
 std::string trial_key(const TrialSpec& spec);
 
 /// The key of the map as this trial flies it (map, its seed, the sweep's seed, mission rules, body,

@@ -3,16 +3,11 @@
 #include <algorithm>
 
 #include "base/check.hpp"
+#include "trial/noise_seed.hpp"
 #include "trial/periods.hpp"
 
 namespace avoidbench {
 namespace {
-
-/// The seed of this trial's noise: the same for every planner.
-std::uint64_t noise_seed(const TrialSpec& spec) {
-  const std::uint64_t map_stream = stream_seed(stream_seed(spec.seed, "sensing"), spec.map_seed);
-  return stream_seed(map_stream, static_cast<std::uint64_t>(spec.mission_index));
-}
 
 CameraMotion motion_of(const VehicleState& truth, const Pose& T_body_camera) {
   const Eigen::Matrix3d R_world_body = truth.q_world_body.toRotationMatrix();
@@ -56,7 +51,7 @@ bool is_state_tick(const Perception& p, Tick tick) {
 }  // namespace
 
 Perception make_perception(const TrialSpec& spec, std::uint32_t needs, const VehicleState& start) {
-  const std::uint64_t seed = noise_seed(spec);
+  const std::uint64_t seed = noise_seed(spec, "sensing");
   Perception p{.sensor = spec.sensor,
                .image_needs = {.depth = (needs & AB_SEES_DEPTH) != 0,
                                .stereo = (needs & AB_SEES_STEREO) != 0,

@@ -9,11 +9,13 @@
 
 #include "base/check.hpp"
 #include "trial/collision_check.hpp"
+#include "trial/noise_seed.hpp"
 #include "trial/perception.hpp"
 #include "trial/periods.hpp"
 #include "trial/planner_view.hpp"
 #include "vehicle/dynamics.hpp"
 #include "vehicle/tracking.hpp"
+#include "vehicle/wind.hpp"
 
 namespace avoidbench {
 namespace {
@@ -35,7 +37,8 @@ struct Flight {
   double obstacle_speed_mps = 0.0;  ///< of the fastest
 
   VehicleModel model;
-  Environment environment;
+  Wind wind;
+  Environment environment;  ///< of the step that begins now
   VehicleState state;
   Tracker tracker;
   CollisionCheck collision_check;
@@ -71,7 +74,8 @@ Flight make_flight(const TrialSpec& spec, const Scene& scene, const Mission& mis
       .moving = nullptr,
       .obstacle_speed_mps = 0.0,
       .model = std::move(model),
-      .environment = environment(spec.wind),
+      .wind = make_wind(spec.wind, noise_seed(spec, "wind"), spec.mission.time_limit_s),
+      .environment = {},
       .state = start,
       .tracker = std::move(tracker),
       .collision_check = {.body_size_m = to_eigen(spec.vehicle.body_size_m)},
@@ -236,6 +240,7 @@ Tick next_tick(const Flight& flight) {
   const auto after = [now](Tick period) { return (now / period + 1) * period; };
   Tick next = std::min({after(flight.physics_period), after(flight.plan_period),
                         after(flight.sample_period), next_sensing(flight.perception, now)});
+  next = std::min(next, next_force_change(flight.wind, now));
   if (!flight.pending.empty()) next = std::min(next, flight.pending.front().due);
   return next;
 }
@@ -261,6 +266,7 @@ TrialRecord run_trial(const TrialSpec& spec, const Scene& scene, const Mission& 
   std::optional<Outcome> outcome = ended(flight);
   while (!outcome) {
     const Tick now = flight.state.tick;
+    flight.environment = environment_at(flight.wind, now, flight.state.position_world);
     sense(flight.perception, flight.scene, flight.model, flight.state, flight.environment);
     if (now % flight.plan_period == 0) plan(flight);
     apply_due_commands(flight);
@@ -274,6 +280,7 @@ TrialRecord run_trial(const TrialSpec& spec, const Scene& scene, const Mission& 
     }
     outcome = ended(flight);
   }
+  flight.environment = environment_at(flight.wind, flight.state.tick, flight.state.position_world);
   sample(flight);
   flight.record.outcome = *outcome;
   flight.record.end_time_s = seconds(flight.state.tick);

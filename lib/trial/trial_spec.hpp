@@ -10,7 +10,7 @@
 #include "sensing/odometry.hpp"
 #include "sensing/sensor_spec.hpp"
 #include "vehicle/vehicle_spec.hpp"
-#include "vehicle/wind.hpp"
+#include "vehicle/wind_spec.hpp"
 #include "world/map_spec.hpp"
 
 namespace avoidbench {
@@ -135,7 +135,7 @@ void visit(Visitor& v, TrialSpec& s) {
   v.field("planner", s.planner, "The planner.");
   v.field("rates", s.rates, "How often things happen.");
   v.field("latency", s.latency, "When commands take effect.");
-  v.field("wind", s.wind, "Wind and outer force.");
+  v.field("wind", s.wind, "Wind and disturbances.");
 }
 
 }  // namespace avoidbench

@@ -125,6 +125,9 @@ Motion derivative(const VehicleModel& model, const Motion& m, const RotorLoads& 
   torque_x -= q * (jz * r + n.momentum) - r * jy * q;
   torque_y -= r * jx * p - p * (jz * r + n.momentum);
   torque_z -= p * jy * q - q * jx * p;
+  torque_x += environment.torque_body_nm.x();
+  torque_y += environment.torque_body_nm.y();
+  torque_z += environment.torque_body_nm.z();
 
   const double im = model.inverse_mass;
   const Vector3d& external = environment.force_world_n;

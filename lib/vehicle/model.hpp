@@ -42,7 +42,7 @@ struct VehicleModel {
   BrakingCurve speed_curve, yaw_curve;
   double acceleration_gain = 0.0, acceleration_jerk = 0.0;  ///< the governor's velocity loop
 
-  Tick position_period = 0, rate_period = 0;  ///< of the controllers
+  Tick position_period = 0, rate_period = 0, lee_period = 0;  ///< of the controllers
 
   /// Rotor lag factors exp(-dt/2/τ) for the physics step in common use, 1 ms; others are computed.
   double lag_step_s = 0.0, lag_up = 0.0, lag_down = 0.0;

@@ -52,7 +52,8 @@ Vector3d twice_quaternion_vector(const Matrix3d& R) {
   return (q.w() < 0.0 ? -2.0 : 2.0) * q.vec();
 }
 
-/// The demanded acceleration, gravity's part included, with its tilt within `max_tilt_rad`.
+}  // namespace
+
 Vector3d tilt_limited(const Vector3d& demand, double min_vertical, double max_tilt_rad) {
   Vector3d limited_demand = demand;
   limited_demand.z() = std::max(demand.z(), min_vertical);
@@ -64,8 +65,6 @@ Vector3d tilt_limited(const Vector3d& demand, double min_vertical, double max_ti
   }
   return limited_demand;
 }
-
-}  // namespace
 
 FlatState flat_state(const Reference& reference, const Vector3d& drag_per_s, double gravity_mps2) {
   const Vector3d& v = reference.velocity_world;

@@ -23,6 +23,11 @@ struct FlatState {
 FlatState flat_state(const Reference& reference, const Eigen::Vector3d& drag_per_s,
                      double gravity_mps2);
 
+/// The demanded acceleration, gravity's part included, with its vertical part at least
+/// `min_vertical` and its tilt within `max_tilt_rad`; a tilt is lowered by its horizontal part.
+Eigen::Vector3d tilt_limited(const Eigen::Vector3d& demand, double min_vertical,
+                             double max_tilt_rad);
+
 /// Body rates and thrust that bring the vehicle to the reference: the position controller of
 /// rpg_quadrotor_control. Proportional-derivative on limited errors plus the reference's
 /// acceleration and drag give the demanded acceleration; its direction and the yaw give an

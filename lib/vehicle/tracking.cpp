@@ -5,6 +5,8 @@
 #include "base/check.hpp"
 #include "geometry/pose.hpp"
 #include "vehicle/dynamics.hpp"
+#include "vehicle/lee_controller.hpp"
+#include "vehicle/mixer.hpp"
 #include "vehicle/position_controller.hpp"
 #include "vehicle/rate_controller.hpp"
 #include "vehicle/trajectory.hpp"
@@ -119,6 +121,14 @@ void advance_reference(Tracker& tracker, const VehicleModel& model, const Vehicl
   }
 }
 
+void track_by_lee(Tracker& tracker, const VehicleModel& model, const VehicleState& state) {
+  if (state.tick < tracker.next_position_tick) return;
+  const ThrustAndTorque wanted = lee_control(model, state, tracker.reference);
+  tracker.rotor_command_radps = mix(model, wanted.thrust_n, wanted.torque_body_nm);
+  tracker.next_position_tick =
+      std::max(tracker.next_position_tick + model.lee_period, state.tick + 1);
+}
+
 }  // namespace
 
 Tracker make_tracker(const VehicleModel& model, const VehicleState& initial) {
@@ -161,6 +171,10 @@ void hold(Tracker& tracker, const VehicleModel& model, const VehicleState& state
 RotorVector track(Tracker& tracker, const VehicleModel& model, const VehicleState& state) {
   AB_CHECK(state.tick >= tracker.reference_tick, state.tick, tracker.reference_tick);
   advance_reference(tracker, model, state);
+  if (!tracker.following_rates && model.spec.controller == Controller::lee) {
+    track_by_lee(tracker, model, state);
+    return tracker.rotor_command_radps;
+  }
   if (!tracker.following_rates && state.tick >= tracker.next_position_tick) {
     tracker.rate_target = position_control(model, state, tracker.reference);
     tracker.next_position_tick =

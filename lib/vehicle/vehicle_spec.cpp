@@ -16,6 +16,9 @@ VehicleSpec hummingbird_rotors_spec() {
   vehicle.gravity_mps2 = 9.8;
   vehicle.rolling_moment_follows_spin = false;
   vehicle.motor_reaction_torque = false;
+  vehicle.lee_controller.mass_kg = 0.716;  // of rotors_gazebo/resource/hummingbird.yaml
+  vehicle.lee_controller.gravity_mps2 = 9.81;
+  vehicle.lee_controller.feed_forward = false;
   return vehicle;
 }
 
@@ -32,6 +35,10 @@ VehicleSpec firefly_spec() {
   vehicle.max_acceleration_mps2 = 5.0;
   vehicle.max_jerk_mps3 = 20.0;
   vehicle.rate_controller.p_nms_per_rad = {0.92, 1.2, 2.0};
+  vehicle.lee_controller.position_n_per_m = {6.0, 6.0, 6.0};
+  vehicle.lee_controller.velocity_ns_per_m = {4.7, 4.7, 4.7};
+  vehicle.lee_controller.attitude_nm_per_rad = {3.0, 3.0, 0.15};
+  vehicle.lee_controller.rates_nms_per_rad = {0.52, 0.52, 0.18};
   vehicle.body_size_m = {0.63, 0.63, 0.16};
   return vehicle;
 }
@@ -60,8 +67,8 @@ void check_vehicle(const VehicleSpec& vehicle) {
   if (!(vehicle.time_constant_up_s > 0.0 && vehicle.time_constant_down_s > 0.0)) {
     add("time_constant_up_s, time_constant_down_s: not above zero");
   }
-  for (const double rate_hz :
-       {vehicle.position_controller.rate_hz, vehicle.rate_controller.rate_hz}) {
+  for (const double rate_hz : {vehicle.position_controller.rate_hz, vehicle.rate_controller.rate_hz,
+                               vehicle.lee_controller.rate_hz}) {
     if (!period_ticks(rate_hz)) {
       add("controller rate_hz: the period is not a whole number of ticks of 1/36000 s");
     }

@@ -3,8 +3,10 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "base/enum_text.hpp"
 #include "base/fields.hpp"
 
 namespace avoidbench {
@@ -34,6 +36,27 @@ struct RateControllerSpec {
   double rate_hz = 500.0;
   std::array<double, 3> p_nms_per_rad{0.2, 0.2, 0.4};
   std::array<double, 3> d_ratio{0.5, 0.5, 0.3};
+};
+
+/// What turns references into rotor commands.
+enum class Controller { rpg, lee };
+
+template <>
+struct EnumText<Controller> {
+  static constexpr std::pair<Controller, std::string_view> entries[] = {{Controller::rpg, "rpg"},
+                                                                        {Controller::lee, "lee"}};
+};
+
+/// Gains of the geometric controller; see lee_controller.hpp.
+struct LeeControllerSpec {
+  double rate_hz = 1000.0;
+  std::array<double, 3> position_n_per_m{4.0, 4.0, 4.0};
+  std::array<double, 3> velocity_ns_per_m{2.2, 2.2, 2.2};
+  std::array<double, 3> attitude_nm_per_rad{0.7, 0.7, 0.035};
+  std::array<double, 3> rates_nms_per_rad{0.1, 0.1, 0.025};
+  double mass_kg = 0.0;
+  double gravity_mps2 = 0.0;
+  bool feed_forward = true;
 };
 
 /// A multirotor with up to eight rotors whose axes are body z, and what flies it. The defaults are
@@ -69,8 +92,10 @@ struct VehicleSpec {
   double max_yaw_rate_radps = 2.5;
   double max_yaw_acceleration_radps2 = 10.0;
 
+  Controller controller = Controller::rpg;
   PositionControllerSpec position_controller;
   RateControllerSpec rate_controller;
+  LeeControllerSpec lee_controller;
 };
 
 /// The quadrotor of RotorS (Furrer et al. 2016, hummingbird.xacro) with its parts lumped into one
@@ -79,7 +104,8 @@ struct VehicleSpec {
 VehicleSpec hummingbird_spec();
 
 /// The same quadrotor as RotorS simulates it: g = 9.8, rolling moments that ignore the spin and so
-/// add up, no reaction torque of the motors.
+/// add up, no reaction torque of the motors, and a geometric controller that takes it for 0.716 kg
+/// and leaves the reference's rates out.
 VehicleSpec hummingbird_rotors_spec();
 
 /// The hexarotor of RotorS (firefly.xacro), lumped as the hummingbird is.
@@ -131,6 +157,27 @@ void visit(Visitor& v, RateControllerSpec& s) {
 }
 
 template <class Visitor>
+void visit(Visitor& v, LeeControllerSpec& s) {
+  v.field(
+      "rate_hz", s.rate_hz, Range{10, 36000},
+      "How often it runs, rotor commands held between; each physics step where that is longer.");
+  v.field("position_n_per_m", s.position_n_per_m, Range{0, 10000},
+          "Force per position error, world x y z.");
+  v.field("velocity_ns_per_m", s.velocity_ns_per_m, Range{0, 10000},
+          "Force per velocity error, world x y z.");
+  v.field("attitude_nm_per_rad", s.attitude_nm_per_rad, Range{0, 1000},
+          "Torque per attitude error, body x y z.");
+  v.field("rates_nms_per_rad", s.rates_nms_per_rad, Range{0, 1000},
+          "Torque per body-rate error, body x y z.");
+  v.field("mass_kg", s.mass_kg, Range{0, 1000}, "What it takes the mass for; 0: what it is.");
+  v.field("gravity_mps2", s.gravity_mps2, Range{0, 30},
+          "What it takes gravity for; 0: what it is.");
+  v.field("feed_forward", s.feed_forward,
+          "Whether the reference's body rates and the body's gyroscopic torque enter (Lee et al. "
+          "2010); RotorS has the yaw rate alone.");
+}
+
+template <class Visitor>
 void visit(Visitor& v, VehicleSpec& s) {
   v.field("name", s.name, "What the tables call it.");
   v.field("mass_kg", s.mass_kg, Range{0.01, 1000}, "Total mass.");
@@ -176,8 +223,12 @@ void visit(Visitor& v, VehicleSpec& s) {
           "Greatest yaw rate of the reference.");
   v.field("max_yaw_acceleration_radps2", s.max_yaw_acceleration_radps2, Range{0.1, 1000},
           "Greatest yaw acceleration of the reference.");
-  v.field("position_controller", s.position_controller, "Position and attitude loop.");
+  v.field("controller", s.controller,
+          "What follows references: rpg: position_controller and rate_controller; lee: "
+          "lee_controller, rates commands still by rate_controller.");
+  v.field("position_controller", s.position_controller, "Position and attitude loop of rpg.");
   v.field("rate_controller", s.rate_controller, "Body-rate loop.");
+  v.field("lee_controller", s.lee_controller, "Geometric controller, position to torques.");
 }
 
 }  // namespace avoidbench

@@ -1,36 +1,55 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
+#include <cstdint>
+#include <vector>
 
-#include "base/fields.hpp"
-#include "geometry/pose.hpp"
+#include "base/random.hpp"
+#include "base/ticks.hpp"
+#include "vehicle/environment.hpp"
+#include "vehicle/kicks.hpp"
+#include "vehicle/turbulence.hpp"
+#include "vehicle/wind_field.hpp"
+#include "vehicle/wind_spec.hpp"
 
 namespace avoidbench {
 
-/// What acts on the vehicle from outside: the air's velocity, which the rotors and the body feel
-/// through drag, and a force at the centre of gravity.
-struct Environment {
-  Eigen::Vector3d wind_world_mps = Eigen::Vector3d::Zero();
-  Eigen::Vector3d force_world_n = Eigen::Vector3d::Zero();
+/// Wind and disturbances between one physics step and the next. Plain data; copy it to branch. Only
+/// the turbulence has a past; all else is a function of time and place.
+struct Wind {
+  WindSpec spec;
+  Environment steady;  ///< the constant part
+  bool is_steady = true;
+
+  WindField field;
+  std::uint64_t gust_seed = 0;
+  Tick force_from = 0, force_until = 0;
+  std::vector<Kick> kicks;
+  std::size_t first_kick = 0;  ///< the first that is not over
+
+  bool is_turbulent = false;
+  Eigen::Vector3d sigma_mps = Eigen::Vector3d::Zero();
+  Eigen::Vector3d along_world = Eigen::Vector3d::UnitX();  ///< the turbulence's first axis
+  DrydenFilter dryden;
+  DrydenState turbulence;
+  RandomStream turbulence_random{0};
+  Tick turbulence_period = 0, turbulence_tick = 0;
+
+  Tick tick = 0;  ///< of the last call
 };
 
-/// A constant wind and a constant force, the two ways in which RotorS models wind; they are
-/// unrelated numbers.
-struct WindSpec {
-  std::array<double, 3> mean_world_mps{0.0, 0.0, 0.0};
-  std::array<double, 3> force_world_n{0.0, 0.0, 0.0};
-};
+/// The wind of one trial, whose random parts follow from `seed` and the spec's own; kicks are drawn
+/// until `until_s`. Throws InputError where the spec contradicts itself or its file is no wind
+/// field.
+Wind make_wind(const WindSpec& spec, std::uint64_t seed, double until_s);
 
-template <class Visitor>
-void visit(Visitor& v, WindSpec& s) {
-  v.field("mean_world_mps", s.mean_world_mps, Range{-30, 30}, "Velocity of the air, ENU.");
-  v.field("force_world_n", s.force_world_n, Range{-100, 100},
-          "Constant force on the vehicle at its centre of gravity, ENU.");
-}
+/// What acts on the vehicle at this tick and place, held over the step that begins there. The tick
+/// may not be before that of an earlier call. What is random is a function of time alone, so that
+/// it is the same whatever a planner does.
+Environment environment_at(Wind& wind, Tick tick, const Eigen::Vector3d& position_world);
 
-inline Environment environment(const WindSpec& wind) {
-  return {to_eigen(wind.mean_world_mps), to_eigen(wind.force_world_n)};
-}
+/// The next tick after `now` at which a force begins or ends; physics steps end there, so that
+/// impulses are exact. The largest tick there is where there is none.
+Tick next_force_change(const Wind& wind, Tick now);
 
 }  // namespace avoidbench
