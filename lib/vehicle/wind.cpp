@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 void start_turbulence(Wind& wind, std::uint64_t seed) {
   const TurbulenceSpec& spec = wind.spec.turbulence;
   const TurbulenceScales scales = turbulence_scales(spec);
-  wind.sigma_mps = to_eigen(scales.sigma_mps);
+  wind.sigma_mps = spec.intensity_ratio * to_eigen(scales.sigma_mps);
   wind.is_turbulent = wind.sigma_mps.maxCoeff() > 0.0;
   if (!wind.is_turbulent) return;
   const Vector3d across(wind.steady.wind_world_mps.x(), wind.steady.wind_world_mps.y(), 0.0);

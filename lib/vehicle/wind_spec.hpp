@@ -41,6 +41,7 @@ struct EnumText<TurbulenceModel> {
 /// Dryden turbulence; see turbulence.hpp.
 struct TurbulenceSpec {
   TurbulenceModel model = TurbulenceModel::none;
+  double intensity_ratio = 1.0;
   double wind_6m_mps = 7.7;
   double height_m = 3.048;
   std::array<double, 3> sigma_mps{1.0, 1.0, 0.5};
@@ -109,6 +110,8 @@ void visit(Visitor& v, TurbulenceSpec& s) {
   v.field("model", s.model,
           "none; mil_f_8785c: strength and lengths from wind_6m_mps and height_m; given: from "
           "sigma_mps and length_m.");
+  v.field("intensity_ratio", s.intensity_ratio, Range{0, 100},
+          "All standard deviations are multiplied by this.");
   v.field("wind_6m_mps", s.wind_6m_mps, Range{0, 50},
           "mil_f_8785c: wind at 6 m (20 ft); 7.7 is light turbulence, 15.4 moderate, 23.2 severe.");
   v.field("height_m", s.height_m, Range{3.048, 304.8},
