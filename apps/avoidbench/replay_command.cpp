@@ -262,8 +262,9 @@ void add_replay_command(CLI::App& app) {
                    "File of the map (default: by its name beside sweep and database, or in maps/)")
       ->type_name("FILE");
   command
-      ->add_option("--wind-file", options->wind_file,
-                   "File of the wind field (default: by its name, as the map's, or in wind/)")
+      ->add_option(
+          "--wind-file", options->wind_file,
+          "File of the wind field (default: by its name, as the map's, or in configs/wind/)")
       ->type_name("FILE");
   add_table_options(*command, options->table);
   command->callback([options] { replay(*options); });

@@ -61,7 +61,8 @@ StoredTrial with_files(StoredTrial stored, const ReplayFiles& files) {
     *map.file = found_file("map", *map.file, *map.digest, files.map, "maps", files.folders);
   }
   if (WindFieldSpec& wind = stored.spec.wind.field; !wind.file.empty()) {
-    wind.file = found_file("wind", wind.file, wind.file_digest, files.wind, "wind", files.folders);
+    wind.file =
+        found_file("wind", wind.file, wind.file_digest, files.wind, "configs/wind", files.folders);
   }
   return stored;
 }

@@ -24,7 +24,7 @@ struct StoredTrial {
 struct ReplayFiles {
   std::string planner;  ///< name or file of a library; "": as the sweep named it
   std::string map;      ///< of a map from a file; "": its name in `folders` and in maps/
-  std::string wind;     ///< of a wind field; "": its name in `folders` and in wind/
+  std::string wind;     ///< of a wind field; "": its name in `folders` and in configs/wind/
   std::vector<std::filesystem::path> folders{"."};  ///< the sweep's, the database's, …
 };
 

@@ -81,6 +81,8 @@ TEST(Configs, FilesEqualTheBuiltInSpecs) {
             spec_to_json(hummingbird_spec()));
   EXPECT_EQ(spec_to_json(read_file<VehicleSpec>("vehicles/firefly.yaml", read_vehicle)),
             spec_to_json(firefly_spec()));
+  EXPECT_EQ(spec_to_json(read_file<VehicleSpec>("vehicles/hummingbird_rotors.yaml", read_vehicle)),
+            spec_to_json(hummingbird_rotors_spec()));
   for (const SensorSpec& sensor : sensor_presets()) {
     EXPECT_EQ(spec_to_json(read_file<SensorSpec>("sensors/" + sensor.name + ".yaml", read_sensor)),
               spec_to_json(sensor));
@@ -107,7 +109,7 @@ TEST(Configs, PrintedSpecsReadBackToTheSameBits) {
 
 TEST_F(SweepFiles, TheSweepsThatComeAlongAreGood) {
   for (const char* name : {"quick", "forest_small", "hall_small", "paper_outdoor", "paper_indoor",
-                           "paper_outdoor_small", "paper_indoor_small"}) {
+                           "paper_outdoor_small", "paper_indoor_small", "wind"}) {
     const std::filesystem::path file = std::filesystem::path(AVOIDBENCH_SOURCE_DIR) /
                                        "configs/sweeps" / (std::string(name) + ".yaml");
     const SweepSpec sweep = read_sweep(file, {"planners=[tunable]"});

@@ -101,7 +101,8 @@ TEST_F(ReplayTest, SaysWhatIsMissing) {
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("--library"), std::string::npos) << error.what();
   }
-  const Replay elsewhere(stored, {.planner = test::built_planner("straight_line"), .map = {}});
+  const Replay elsewhere(stored,
+                         {.planner = test::built_planner("straight_line"), .map = {}, .wind = {}});
   EXPECT_TRUE(elsewhere.warnings().empty());
 }
 

@@ -1,8 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <set>
 
+#include "base/digest.hpp"
+#include "base/input_error.hpp"
 #include "small_sweep.hpp"
 #include "sweep/job.hpp"
 #include "sweep/schedule.hpp"
@@ -78,6 +82,20 @@ TEST(Expand, AxesAreSlowestAndPlannersFastest) {
   EXPECT_EQ(keys.size(), 8U);
 }
 
+TEST(Expand, FillsTheDigestsOfWindFields) {
+  const std::filesystem::path file =
+      std::filesystem::temp_directory_path() / ("wind_" + std::to_string(::getpid()) + ".txt");
+  std::ofstream(file) << "min_x: 0";
+  SweepSpec sweep = small_sweep();
+  sweep.axes = {{.path = "wind.field.file", .values = {"", file.string()}}};
+  const auto trials = expand(sweep);
+  EXPECT_EQ(trials.front().wind.field.file_digest, "");
+  EXPECT_EQ(trials.back().wind.field.file_digest, file_digest(file));
+  EXPECT_NE(trial_key(trials.front()), trial_key(trials.back()));
+  std::filesystem::remove(file);
+  EXPECT_THROW(expand(sweep), InputError);
+}
+
 TEST(TrialKey, FollowsTheSpecAndNotThePath) {
   const TrialSpec spec = expand(small_sweep())[0];
   TrialSpec moved = spec;
@@ -87,6 +105,14 @@ TEST(TrialKey, FollowsTheSpecAndNotThePath) {
   windy.wind.mean_world_mps[0] = 1e-9;
   EXPECT_NE(trial_key(spec), trial_key(windy));
   EXPECT_EQ(map_key(spec), map_key(windy));
+  TrialSpec gusty = spec;
+  gusty.wind.gust.rise_s += 1e-9;
+  EXPECT_NE(trial_key(spec), trial_key(gusty));
+  TrialSpec blown = spec;
+  blown.wind.field.file = "/here/field.txt";
+  EXPECT_EQ(trial_key(spec), trial_key(blown));  // its digest counts, not its place
+  blown.wind.field.file_digest = "ab";
+  EXPECT_NE(trial_key(spec), trial_key(blown));
   TrialSpec rebuilt = spec;
   rebuilt.planner.file_digest[0] = 'x';
   EXPECT_NE(trial_key(spec), trial_key(rebuilt));
