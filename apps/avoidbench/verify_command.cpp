@@ -51,8 +51,9 @@ bool ended_worker(Outcome outcome) {
 /// Flies it again; whether it is the same.
 bool is_repeated(const Database& database, const TrialListing& listing) {
   const std::filesystem::path folder = database.path().parent_path();
-  const Replay replay(read_stored_trial(database, listing.key),
-                      {.planner = "", .map = "", .folders = {".", folder}});
+  ReplayFiles files;
+  files.folders = {".", folder};
+  const Replay replay(read_stored_trial(database, listing.key), files);
   std::vector<std::string> log;
   const TrialRecord flown = replay.fly({}, log);
   const std::vector<std::string> found = differences(replay.stored().row.record, flown);

@@ -61,7 +61,8 @@ TEST_F(SweepFiles, EveryFieldCanBeAnAxisByItsPath) {
   EXPECT_GT(paths.size(), 200U);
   for (const SweepPath& path : paths) {
     Json value = path.field->preset;
-    if (path.field->name == "file") value = path.kind.ends_with("mesh}") ? "a.obj" : "a.ply";
+    const bool is_map_file = path.field->name == "file" && path.path.starts_with("maps.");
+    if (is_map_file) value = path.kind.ends_with("mesh}") ? "a.obj" : "a.ply";
     const std::string text = "sweep: a\nplanners: [tunable]\n" + with_file(path.kind) +
                              "\naxes: {" + path.path + ": " + Json::array({value}).dump() + "}\n";
     SCOPED_TRACE(text);
@@ -69,7 +70,7 @@ TEST_F(SweepFiles, EveryFieldCanBeAnAxisByItsPath) {
     const SweepSpec sweep = read(text);
     ASSERT_EQ(sweep.axes.size(), 1U);
     EXPECT_EQ(sweep.axes[0].path, trial_path(path.path));
-    if (path.field->name == "file") value = (folder_ / value.get<std::string>()).string();
+    if (is_map_file) value = (folder_ / value.get<std::string>()).string();
     EXPECT_EQ(sweep.axes[0].values, std::vector<Json>{value});
     if (path.field->name.starts_with("file")) continue;  // the maps are none
     const std::vector<TrialSpec> trials = expand(sweep);
