@@ -109,7 +109,7 @@ std::optional<Assignment> next_assignment(Schedule& schedule, const Memory& memo
     }
     Largest there;
     there.look_at(schedule, *memory.map);
-    return taken(there.map, *there.group);
+    if (there.group != nullptr) return taken(there.map, *there.group);
   }
   for (std::size_t i = 0; i < schedule.maps.size(); ++i) {
     MapPlan& map = schedule.maps[i];
