@@ -7,7 +7,10 @@
 #include <set>
 
 #include "base/input_error.hpp"
-#include "base/normal_quantile.hpp"
+#include "statistics/bootstrap.hpp"
+#include "statistics/ranks.hpp"
+#include "statistics/rates.hpp"
+#include "statistics/sample_size.hpp"
 
 namespace avoidbench {
 namespace {
@@ -130,7 +133,6 @@ void mark_best_mean(std::vector<PlannerSummary>& planners, const std::vector<Tri
   }
   if (best == planners.size()) return;
   const auto comparisons = static_cast<double>(planners.size() - 1);
-  const double wanted_z = normal_quantile(1.0 - 0.5 * kAlpha / comparisons);
   const std::map<Mission, double> values = values_by_mission(trials[best], metric);
   for (std::size_t i = 0; i < planners.size(); ++i) {
     if (i == best) continue;
@@ -139,7 +141,8 @@ void mark_best_mean(std::vector<PlannerSummary>& planners, const std::vector<Tri
       const auto paired = values.find(mission);
       if (paired != values.end()) differences.push_back(sign * (paired->second - other));
     }
-    if (wilcoxon_z(differences) <= wanted_z) return;
+    const RankTest test = wilcoxon_signed_rank(differences);
+    if (test.z <= 0.0 || comparisons * test.p >= kAlpha) return;  // Bonferroni
   }
   planners[best].means[column].is_best = true;
 }
@@ -225,9 +228,7 @@ Contrast contrast_of(const SweepSummary& summary, const std::vector<Trials>& by_
   std::vector<std::size_t> every(maps.size());
   for (std::size_t i = 0; i < every.size(); ++i) every[i] = i;
   contrast.smoothed_factor = smoothed(every);
-  contrast.smoothed_interval =
-      maps.size() < 2 ? Interval{kNaN, kNaN}
-                      : bootstrap_interval(maps.size(), smoothed, stream(1, "contrast_factor"));
+  contrast.smoothed_interval = bca_interval(maps.size(), smoothed, stream(1, "contrast_factor"));
   return contrast;
 }
 

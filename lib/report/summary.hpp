@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "report/statistics.hpp"
+#include "statistics/interval.hpp"
 #include "store/rows.hpp"
 
 namespace avoidbench {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/input_error.hpp"
+#include "statistics/rates.hpp"
 #include "store/sample_rows.hpp"
 
 namespace avoidbench {

@@ -1,0 +1,114 @@
+#include "statistics/bootstrap.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <vector>
+
+#include "base/math.hpp"
+#include "base/normal_quantile.hpp"
+#include "statistics/distributions.hpp"
+
+namespace avoidbench {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+using Statistic = std::function<double(std::span<const std::size_t>)>;
+
+std::vector<double> replicates(std::size_t cluster_count, const Statistic& statistic,
+                               RandomStream& random, std::size_t replicate_count) {
+  std::vector<std::size_t> drawn(cluster_count);
+  std::vector<double> values;
+  for (std::size_t replicate = 0; replicate < replicate_count; ++replicate) {
+    for (std::size_t& cluster : drawn) {
+      cluster = static_cast<std::size_t>(random.below(cluster_count));
+    }
+    const double value = statistic(drawn);
+    if (value == value) values.push_back(value);
+  }
+  return values;
+}
+
+/// How far the statistic's median is from its value on all clusters, in standard deviations; draws
+/// that equal it count half. Nothing where all draws are on one side.
+std::optional<double> bias_of(std::span<const double> values, double estimate) {
+  if (estimate != estimate) return std::nullopt;
+  double below = 0.0;
+  for (const double value : values) below += value < estimate ? 1.0 : value == estimate ? 0.5 : 0.0;
+  const double ratio = below / static_cast<double>(values.size());
+  if (ratio <= 0.0 || ratio >= 1.0) return std::nullopt;
+  return normal_quantile(ratio);
+}
+
+/// Σ d³ / (6 (Σ d²)^1.5) of the jackknife's deviations d = mean - value.
+std::optional<double> acceleration_of(std::size_t cluster_count, const Statistic& statistic) {
+  std::vector<std::size_t> others(cluster_count - 1);
+  std::vector<double> values;
+  for (std::size_t left_out = 0; left_out < cluster_count; ++left_out) {
+    std::iota(others.begin(), others.end(), std::size_t{0});
+    for (std::size_t i = left_out; i < others.size(); ++i) others[i] = i + 1;
+    values.push_back(statistic(others));
+  }
+  const double mean =
+      std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(cluster_count);
+  double squares = 0.0, cubes = 0.0;
+  for (const double value : values) {
+    const double deviation = mean - value;
+    squares += deviation * deviation;
+    cubes += deviation * deviation * deviation;
+  }
+  const double acceleration = cubes / (6.0 * squares * std::sqrt(squares));
+  if (!std::isfinite(acceleration)) return std::nullopt;
+  return acceleration;
+}
+
+}  // namespace
+
+double quantile(std::span<const double> values, double ratio) {
+  if (values.empty()) return kNaN;
+  std::vector<double> sorted(values.begin(), values.end());
+  std::sort(sorted.begin(), sorted.end());
+  const double place = ratio * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const std::size_t above = std::min(below + 1, sorted.size() - 1);
+  if (sorted[below] == sorted[above]) return sorted[below];  // both may be infinite
+  return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
+}
+
+double contrast_factor(double success_rate_1, double reference_length_1_m, double success_rate_2,
+                       double reference_length_2_m) {
+  const bool is_defined = success_rate_1 > 0.0 && success_rate_1 < 1.0 && success_rate_2 > 0.0 &&
+                          success_rate_2 < 1.0 && reference_length_1_m > 0.0;
+  if (!is_defined) return kNaN;
+  return reference_length_2_m * math::log(success_rate_1) /
+         (reference_length_1_m * math::log(success_rate_2));
+}
+
+Interval bca_interval(std::size_t cluster_count, const Statistic& statistic, RandomStream random,
+                      std::size_t replicate_count, double confidence) {
+  if (cluster_count < 2) return {kNaN, kNaN};
+  const std::vector<double> values = replicates(cluster_count, statistic, random, replicate_count);
+  if (values.empty()) return {kNaN, kNaN};
+
+  std::vector<std::size_t> every(cluster_count);
+  std::iota(every.begin(), every.end(), std::size_t{0});
+  const std::optional<double> bias = bias_of(values, statistic(every));
+  const std::optional<double> acceleration =
+      bias ? acceleration_of(cluster_count, statistic) : std::nullopt;
+
+  const auto n = static_cast<double>(cluster_count);
+  const double widened =
+      std::sqrt(n / (n - 1.0)) * student_t_quantile(0.5 + 0.5 * confidence, n - 1.0);
+  const auto level = [&](double z) {
+    if (!acceleration) return normal_cdf(z);
+    const double shifted = *bias + z;
+    const double shrink = 1.0 - *acceleration * shifted;
+    return shrink > 0.0 ? normal_cdf(*bias + shifted / shrink) : normal_cdf(z);
+  };
+  return {quantile(values, level(-widened)), quantile(values, level(widened))};
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,85 @@
+#include "statistics/correlation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "base/check.hpp"
+#include "base/math.hpp"
+#include "base/normal_quantile.hpp"
+#include "statistics/ranks.hpp"
+
+namespace avoidbench {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+struct Pairs {
+  std::vector<double> x, y;
+};
+
+Pairs whole_pairs(std::span<const double> x, std::span<const double> y) {
+  AB_CHECK(x.size() == y.size(), x.size(), y.size());
+  Pairs pairs;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (x[i] != x[i] || y[i] != y[i]) continue;
+    pairs.x.push_back(x[i]);
+    pairs.y.push_back(y[i]);
+  }
+  return pairs;
+}
+
+double mean_of(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values) sum += value;
+  return sum / static_cast<double>(values.size());
+}
+
+/// Equal values may differ from their mean by rounding, so they are looked at themselves.
+bool is_constant(const std::vector<double>& values) {
+  return std::all_of(values.begin(), values.end(), [&](double v) { return v == values.front(); });
+}
+
+double correlation_of(const std::vector<double>& x, const std::vector<double>& y) {
+  if (x.size() < 2 || is_constant(x) || is_constant(y)) return kNaN;
+  const double mean_x = mean_of(x);
+  const double mean_y = mean_of(y);
+  double xy = 0.0, xx = 0.0, yy = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    xy += (x[i] - mean_x) * (y[i] - mean_y);
+    xx += (x[i] - mean_x) * (x[i] - mean_x);
+    yy += (y[i] - mean_y) * (y[i] - mean_y);
+  }
+  const double r = xy / (std::sqrt(xx) * std::sqrt(yy));
+  return r == r ? std::clamp(r, -1.0, 1.0) : kNaN;
+}
+
+double tanh_of(double z) {
+  const double e = math::exp(-2.0 * std::abs(z));
+  const double size = (1.0 - e) / (1.0 + e);
+  return z < 0.0 ? -size : size;
+}
+
+}  // namespace
+
+double pearson_correlation(std::span<const double> x, std::span<const double> y) {
+  const Pairs pairs = whole_pairs(x, y);
+  return correlation_of(pairs.x, pairs.y);
+}
+
+double spearman_correlation(std::span<const double> x, std::span<const double> y) {
+  const Pairs pairs = whole_pairs(x, y);
+  return correlation_of(average_ranks(pairs.x), average_ranks(pairs.y));
+}
+
+Interval correlation_interval(double r, std::size_t count, bool is_spearman, double confidence) {
+  if (count < 4 || !(std::abs(r) < 1.0)) return {kNaN, kNaN};
+  const double centre = 0.5 * math::log((1.0 + r) / (1.0 - r));
+  const double variance =
+      (is_spearman ? 1.0 + 0.5 * r * r : 1.0) / (static_cast<double>(count) - 3.0);
+  const double half = normal_quantile(0.5 + 0.5 * confidence) * std::sqrt(variance);
+  return {tanh_of(centre - half), tanh_of(centre + half)};
+}
+
+}  // namespace avoidbench

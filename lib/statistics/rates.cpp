@@ -1,0 +1,130 @@
+#include "statistics/rates.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "base/check.hpp"
+#include "base/math.hpp"
+#include "base/normal_quantile.hpp"
+#include "statistics/distributions.hpp"
+
+namespace avoidbench {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+/// Wilson's interval of a rate seen in `trials` trials, with the normal quantile `z`.
+Interval score_interval(double rate, double trials, double z) {
+  const double scale = 1.0 / (1.0 + z * z / trials);
+  const double centre = scale * (rate + 0.5 * z * z / trials);
+  const double half =
+      scale * z * std::sqrt(rate * (1.0 - rate) / trials + 0.25 * z * z / (trials * trials));
+  return {rate <= 0.0 ? 0.0 : std::max(0.0, centre - half),
+          rate >= 1.0 ? 1.0 : std::min(1.0, centre + half)};
+}
+
+void check_counts(std::int64_t successes, std::int64_t trials) {
+  AB_CHECK(successes >= 0 && successes <= trials, successes, trials);
+}
+
+}  // namespace
+
+Interval wilson_interval(std::int64_t successes, std::int64_t trials, double confidence) {
+  check_counts(successes, trials);
+  if (trials == 0) return {kNaN, kNaN};
+  const auto n = static_cast<double>(trials);
+  return score_interval(static_cast<double>(successes) / n, n,
+                        normal_quantile(0.5 + 0.5 * confidence));
+}
+
+Interval clopper_pearson_interval(std::int64_t successes, std::int64_t trials, double confidence) {
+  check_counts(successes, trials);
+  if (trials == 0) return {kNaN, kNaN};
+  const double tail = 0.5 - 0.5 * confidence;
+  const auto k = static_cast<double>(successes);
+  const auto failures = static_cast<double>(trials - successes);
+  return {successes == 0 ? 0.0 : beta_quantile(tail, k, failures + 1.0),
+          successes == trials ? 1.0 : beta_quantile(1.0 - tail, k + 1.0, failures)};
+}
+
+Interval jeffreys_interval(std::int64_t successes, std::int64_t trials, double confidence) {
+  check_counts(successes, trials);
+  if (trials == 0) return {kNaN, kNaN};
+  const double tail = 0.5 - 0.5 * confidence;
+  const double a = static_cast<double>(successes) + 0.5;
+  const double b = static_cast<double>(trials - successes) + 0.5;
+  return {successes == 0 ? 0.0 : beta_quantile(tail, a, b),
+          successes == trials ? 1.0 : beta_quantile(1.0 - tail, a, b)};
+}
+
+Interval clustered_wilson_interval(std::span<const std::int64_t> successes,
+                                   std::span<const std::int64_t> trials, double confidence) {
+  AB_CHECK(successes.size() == trials.size(), successes.size(), trials.size());
+  double clusters = 0.0, n = 0.0, finished = 0.0;
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    check_counts(successes[i], trials[i]);
+    if (trials[i] == 0) continue;
+    clusters += 1.0;
+    n += static_cast<double>(trials[i]);
+    finished += static_cast<double>(successes[i]);
+  }
+  if (clusters < 2.0) return {kNaN, kNaN};
+  const double rate = finished / n;
+  double effective = clusters;
+  if (rate > 0.0 && rate < 1.0) {
+    double squares = 0.0;
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+      const double residual =
+          static_cast<double>(successes[i]) - rate * static_cast<double>(trials[i]);
+      squares += residual * residual;
+    }
+    const double variance = clusters / (clusters - 1.0) * squares / (n * n);
+    effective = n / std::max(1.0, variance / (rate * (1.0 - rate) / n));
+  }
+  return score_interval(rate, effective,
+                        student_t_quantile(0.5 + 0.5 * confidence, clusters - 1.0));
+}
+
+double jeffreys_rate(std::int64_t successes, std::int64_t trials) {
+  return (static_cast<double>(successes) + 0.5) / (static_cast<double>(trials) + 1.0);
+}
+
+double fisher_exact_p(std::int64_t successes_1, std::int64_t trials_1, std::int64_t successes_2,
+                      std::int64_t trials_2) {
+  AB_CHECK(successes_1 >= 0 && successes_1 <= trials_1 && successes_2 >= 0 &&
+           successes_2 <= trials_2);
+  const std::int64_t trials = trials_1 + trials_2;
+  const std::int64_t successes = successes_1 + successes_2;
+  std::vector<double> log_factorial(static_cast<std::size_t>(trials) + 1, 0.0);
+  for (std::size_t i = 2; i < log_factorial.size(); ++i) {
+    log_factorial[i] = log_factorial[i - 1] + math::log(static_cast<double>(i));
+  }
+  const auto log_choose = [&](std::int64_t n, std::int64_t k) {
+    return log_factorial[static_cast<std::size_t>(n)] - log_factorial[static_cast<std::size_t>(k)] -
+           log_factorial[static_cast<std::size_t>(n - k)];
+  };
+  // Probability that k of the successes fall to the first.
+  const auto probability = [&](std::int64_t k) {
+    return math::exp(log_choose(trials_1, k) + log_choose(trials_2, successes - k) -
+                     log_choose(trials, successes));
+  };
+  const double seen = probability(successes_1);
+  double p = 0.0;
+  for (std::int64_t k = std::max<std::int64_t>(0, successes - trials_2);
+       k <= std::min(trials_1, successes); ++k) {
+    const double other = probability(k);
+    if (other <= seen * (1.0 + 1e-7)) p += other;
+  }
+  return std::min(1.0, p);
+}
+
+double mcnemar_exact_p(std::int64_t only_first, std::int64_t only_second) {
+  AB_CHECK(only_first >= 0 && only_second >= 0, only_first, only_second);
+  const auto fewer = static_cast<double>(std::min(only_first, only_second));
+  const auto both = static_cast<double>(only_first + only_second);
+  return std::min(1.0, 2.0 * binomial_cdf(fewer, both, 0.5));
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "statistics/interval.hpp"
+
+namespace avoidbench {
+
+/// Interval for a rate (Wilson 1927): keeps its confidence for few trials and at rates 0 and 1. NaN
+/// without trials. It is for trials that know nothing of each other: for many trials a map, it is
+/// the interval of the rate on these maps; for the rate on maps of their kind, see
+/// clustered_wilson_interval.
+Interval wilson_interval(std::int64_t successes, std::int64_t trials, double confidence = 0.95);
+
+/// Interval for a rate that never has less than its confidence (Clopper and Pearson 1934): wider
+/// than Wilson's. NaN without trials.
+Interval clopper_pearson_interval(std::int64_t successes, std::int64_t trials,
+                                  double confidence = 0.95);
+
+/// Equal-tailed credible interval of a rate under Jeffreys' prior, Beta(1/2, 1/2), with 0 as its
+/// lower end where nothing succeeded and 1 as its upper where all did (Brown, Cai and DasGupta
+/// 2001, eq. (8)). NaN without trials.
+Interval jeffreys_interval(std::int64_t successes, std::int64_t trials, double confidence = 0.95);
+
+/// Interval for the success rate on maps like those flown, of which `successes[i]` of `trials[i]`
+/// trials succeeded on map i: Wilson's interval with the trials divided by the design effect, which
+/// says how much more the maps' rates differ than those of independent trials would (Kish 1965; Rao
+/// and Scott 1992; never below 1), and Student's t for the number of maps (Korn and Graubard 1998).
+/// Maps without trials are left out; where all trials succeed or all fail, each map counts as one
+/// trial. NaN for fewer than 2 maps.
+Interval clustered_wilson_interval(std::span<const std::int64_t> successes,
+                                   std::span<const std::int64_t> trials, double confidence = 0.95);
+
+/// (successes + 1/2) / (trials + 1): never 0 or 1, so that its logarithm can be taken.
+double jeffreys_rate(std::int64_t successes, std::int64_t trials);
+
+/// Two-sided p of Fisher's exact test that two rates are equal: the sum of the probabilities of all
+/// tables with these margins that are no likelier than the one seen.
+double fisher_exact_p(std::int64_t successes_1, std::int64_t trials_1, std::int64_t successes_2,
+                      std::int64_t trials_2);
+
+/// Two-sided p of McNemar's exact test that two planners succeed equally often on the same
+/// missions, of which `only_first` were finished by the first only and `only_second` by the second
+/// only: the binomial test of one half. 1 where none differ.
+double mcnemar_exact_p(std::int64_t only_first, std::int64_t only_second);
+
+}  // namespace avoidbench
