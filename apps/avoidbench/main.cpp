@@ -80,6 +80,7 @@ const CLI::App* lacks_command(const CLI::App& app) {
 void add_commands(CLI::App& app) {
   add_run_command(app);
   add_report_command(app);
+  add_power_command(app);
   add_replay_command(app);
   add_merge_command(app);
   add_verify_command(app);

@@ -6,10 +6,20 @@
 #include <nlohmann/json.hpp>
 
 #include "base/input_error.hpp"
-#include "report/table.hpp"
 #include "report/table_text.hpp"
 
 namespace avoidbench {
+
+enum class ReferenceFormat { table, csv, json, markdown };
+template <>
+struct EnumText<ReferenceFormat> {
+  static constexpr std::pair<ReferenceFormat, std::string_view> entries[] = {
+      {ReferenceFormat::table, "table"},
+      {ReferenceFormat::csv, "csv"},
+      {ReferenceFormat::json, "json"},
+      {ReferenceFormat::markdown, "markdown"}};
+};
+
 namespace {
 
 constexpr std::size_t kWidth = 100, kGap = 2;
@@ -102,20 +112,20 @@ void add_table_options(CLI::App& command, TableOptions& options) {
 }
 
 std::string table_text(const ReferenceTable& table, const std::string& format) {
-  const auto known = enum_from_text<TableFormat>(format);
+  const auto known = enum_from_text<ReferenceFormat>(format);
   if (!known) {
     throw InputError("--format " + format + ": unknown" +
-                     did_you_mean(format, enum_texts<TableFormat>()) +
+                     did_you_mean(format, enum_texts<ReferenceFormat>()) +
                      "; it is one of table, csv, json, markdown");
   }
   switch (*known) {
-    case TableFormat::csv:
+    case ReferenceFormat::csv:
       return csv(table);
-    case TableFormat::json:
+    case ReferenceFormat::json:
       return json(table);
-    case TableFormat::markdown:
+    case ReferenceFormat::markdown:
       return markdown(table);
-    case TableFormat::table:
+    case ReferenceFormat::table:
       break;
   }
   return for_people(table);

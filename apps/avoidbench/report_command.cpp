@@ -1,4 +1,8 @@
+#include <sys/ioctl.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -19,8 +23,41 @@ struct ReportOptions {
   std::string format = "table";
   std::string output = "-";
   std::string sweep;
-  std::vector<std::string> metrics;
+  std::vector<std::string> metrics, group_by, where, tables;
 };
+
+/// As wide as the terminal, within reason, and coloured there if nobody objects (no-color.org).
+TextStyle style_of_output(const std::string& output) {
+  TextStyle style;
+  if (output != "-" || ::isatty(STDOUT_FILENO) != 1) return style;
+  winsize size{};
+  if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) {
+    style.width = std::clamp<std::size_t>(size.ws_col, 60, 100);
+  }
+  const char* no_color = std::getenv("NO_COLOR");
+  const char* terminal = std::getenv("TERM");
+  const bool is_dumb = terminal == nullptr || std::string_view(terminal) == "dumb";
+  style.is_coloured = !is_dumb && (no_color == nullptr || *no_color == '\0');
+  return style;
+}
+
+ReportQuery query_of(const ReportOptions& options) {
+  ReportQuery query;
+  query.metrics = options.metrics;
+  for (const std::string& column : options.group_by) {
+    query.group_by.push_back(parse_group_column(column));
+  }
+  for (const std::string& condition : options.where) {
+    query.where.push_back(parse_condition(condition));
+  }
+  const std::vector<std::string> known = table_names();
+  for (const std::string& table : options.tables) {
+    if (std::find(known.begin(), known.end(), table) == known.end()) {
+      throw InputError("--tables " + table + ": unknown" + did_you_mean(table, known));
+    }
+  }
+  return query;
+}
 
 /// The results/*.db that was written to last.
 std::filesystem::path newest_database() {
@@ -61,7 +98,8 @@ struct Candidates {
   std::vector<std::string> names;
 };
 
-void add_sweeps_of(const Database& database, const std::string& wanted, Candidates& found) {
+void add_sweeps_of(const Database& database, const std::string& wanted,
+                   const std::vector<std::string>& fields, Candidates& found) {
   const std::vector<SweepInfo> sweeps = database.read_sweeps();
   for (std::size_t i = 0; i < sweeps.size(); ++i) {
     const bool is_latest = i + 1 == sweeps.size() || sweeps[i + 1].name != sweeps[i].name;
@@ -75,7 +113,7 @@ void add_sweeps_of(const Database& database, const std::string& wanted, Candidat
       continue;
     }
     found.by_sweep[{sweeps[i].name, sweeps[i].spec_json}].push_back(
-        database.read_sweep(sweeps[i].name, sweeps[i].revision));
+        database.read_sweep(sweeps[i].name, sweeps[i].revision, fields));
   }
 }
 
@@ -96,12 +134,13 @@ void report(ReportOptions options) {
   if (!format) {
     throw InputError("--format " + options.format + ": unknown" +
                      did_you_mean(options.format, enum_texts<TableFormat>()) +
-                     "; it is one of table, csv, json, markdown");
+                     "; it is one of table, csv, json, markdown, latex");
   }
+  const ReportQuery query = query_of(options);
   if (options.files.empty()) options.files.push_back(newest_database().string());
   Candidates found;
   for (const std::string& file : options.files) {
-    add_sweeps_of(Database::open_for_reading(file), options.sweep, found);
+    add_sweeps_of(Database::open_for_reading(file), options.sweep, query.fields(), found);
   }
   const bool is_known =
       std::find(found.names.begin(), found.names.end(), options.sweep) != found.names.end();
@@ -110,26 +149,31 @@ void report(ReportOptions options) {
   }
   if (found.by_sweep.empty()) throw InputError("nothing to report: no finished trial");
 
-  std::vector<Section> sections;
-  for (const auto& [sweep, parts] : found.by_sweep) {
-    const SweepResult result = combined(parts);
-    sections.push_back(sweep_section(
-        summarize(result, options.metrics.empty() ? default_metrics(result) : options.metrics)));
+  std::vector<SweepSummary> summaries;
+  for (auto& [sweep, parts] : found.by_sweep) {
+    summaries.push_back(summarize(combined(parts), query));
+    parts.clear();
   }
-  write_output(options.output, format_sections(sections, *format));
+  std::vector<Section> sections;
+  if (summaries.size() > 1 && options.tables.empty()) sections.push_back(side_by_side(summaries));
+  for (const SweepSummary& summary : summaries) {
+    sections.push_back(sweep_section(summary, options.tables));
+  }
+  write_output(options.output, format_sections(sections, *format, style_of_output(options.output)));
 }
 
 }  // namespace
 
 void add_report_command(CLI::App& app) {
-  CLI::App* command = app.add_subcommand(
-      "report",
-      "Tables of results: success rates with intervals, means, outcomes, contrast factors");
+  CLI::App* command = app.add_subcommand("report",
+                                         "Tables of results: success rates with intervals, means, "
+                                         "outcomes, contrast factors, response "
+                                         "to difficulty");
   const auto options = std::make_shared<ReportOptions>();
   command->add_option(
       "DB", options->files,
       "Databases; parts of one sweep are taken together (default: the newest results/*.db)");
-  command->add_option("--format", options->format, "table, csv, json or markdown")
+  command->add_option("--format", options->format, "table, csv, json, markdown or latex")
       ->capture_default_str();
   command->add_option("--output", options->output, "File to write, - for standard output")
       ->capture_default_str();
@@ -141,6 +185,23 @@ void add_report_command(CLI::App& app) {
                    "Metrics to show, separated by commas; `avoidbench metrics` lists them "
                    "(default: path and energy "
                    "optimality, average goal velocity, mission progress, processing time)")
+      ->delimiter(',');
+  command
+      ->add_option("--group-by", options->group_by,
+                   "Columns to group trials by, separated by commas: a field of the trials "
+                   "(planner, traversability, map.poisson_radius_m, wind.mean_mps, sensor, …), or "
+                   "FIELD/5 for its range in five groups of equal map count")
+      ->delimiter(',');
+  command
+      ->add_option("--where", options->where,
+                   "Only trials that fulfil this: FIELD OP VALUE, such as 'map.poisson_radius_m < "
+                   "3' or 'planner = ego, reactive'; given more than once, all of them")
+      ->expected(1)
+      ->take_all();
+  command
+      ->add_option("--tables", options->tables,
+                   "Tables to show, separated by commas: planners, groups, grouped, outcomes, "
+                   "pairs, difficulty, flight_time, flight_time_curve, maps, environment")
       ->delimiter(',');
   command->callback([options] { report(*options); });
 }

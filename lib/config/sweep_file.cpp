@@ -41,6 +41,19 @@ void read_name(const YamlNode& root, const YamlNode* node, std::string& name, Re
   }
 }
 
+void read_until(const YamlNode* node, StopRule& rule, Reading& reading) {
+  if (node == nullptr) return;
+  std::string text;
+  const std::size_t before = reading.problems.size();
+  read_scalar(*node, "until", text, Range{}, reading.problems);
+  if (reading.problems.size() != before || text.empty()) return;
+  try {
+    rule = parse_stop_rule(text);
+  } catch (const InputError& error) {
+    reading.problems.push_back(problem_at(*node, error.what()));
+  }
+}
+
 /// The seed and the blocks of a TrialSpec. Lists become axes, their paths starting with the block's
 /// key.
 void read_blocks(SpecReader& reader, const fs::path& folder, TrialSpec& trial, Reading& reading) {
@@ -153,6 +166,7 @@ SweepSpec read_sweep(const fs::path& file, const std::vector<std::string>& overr
   if (!reading.problems.empty()) fail(reading.problems, file.string());
   read_name(root, reader.take("sweep"), sweep.name, reading);
   reader.field("trials", sweep.trials, Range{1, 1e6}, "");
+  read_until(reader.take("until"), sweep.until, reading);
   read_blocks(reader, folder, sweep.base, reading);
   sweep.axes = axes_of_blocks(reading);
   const std::size_t block_problems = reading.problems.size();
@@ -226,7 +240,7 @@ MapChoice read_map(const std::string& file_or_generator,
   round_rates(root, sweep);
   choice.trial = sweep.base;
   choice.warnings = sweep.warnings;
-  for (const char* other : {"sweep", "trials", "axes", "planners", "max_speed_mps"})
+  for (const char* other : {"sweep", "trials", "until", "axes", "planners", "max_speed_mps"})
     reader.take(other);
   reader.finish();
   if (reading.problems.empty()) add_contradictions(root, sweep, reading);

@@ -26,6 +26,11 @@ std::vector<FieldTree> head() {
   keys.push_back(
       own_key("trials", FieldKind::whole, "Missions a map, the same for every planner.", 10));
   keys.back().range = Range{1, 1e6};
+  keys.push_back(
+      own_key("until", FieldKind::text,
+              "When a planner has flown enough, as in 'success_rate ci<0.05': its rate is "
+              "known to ± 0.05 (95 %). Looked at after each tenth of the trials; left "
+              "out: all are flown."));
   keys.push_back(own_key("planners", FieldKind::other,
                          "The planners to compare: names, or {plugin: NAME or ./FILE.so, label, "
                          "parameters: {name: value or list}, max_speed_mps}."));

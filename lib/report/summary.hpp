@@ -1,36 +1,29 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "statistics/interval.hpp"
-#include "store/rows.hpp"
+#include "report/contrast.hpp"
+#include "report/difficulty_response.hpp"
+#include "report/environment_summary.hpp"
+#include "report/flight_times.hpp"
+#include "report/grouping.hpp"
+#include "report/planner_summary.hpp"
+#include "report/selection.hpp"
 
 namespace avoidbench {
 
-inline constexpr std::size_t kOutcomeCount = std::size(EnumText<Outcome>::entries);
+/// What a report is asked for.
+struct ReportQuery {
+  std::vector<std::string> metrics;   ///< empty: default_metrics()
+  std::vector<GroupColumn> group_by;  ///< empty: planners by five groups of traversability
+  std::vector<Condition> where;
 
-/// A metric over the trials that it speaks of; NaN where there are none.
-struct MetricMean {
-  double mean = 0.0;
-  double standard_deviation = 0.0;  ///< of the values, n - 1
-  std::int64_t count = 0;
-  bool is_best = false;  ///< and significantly better than that of every other planner
-};
-
-/// One planner's trials, all or those of one group of maps.
-struct PlannerSummary {
-  std::size_t planner = 0;  ///< index into SweepSummary::planners
-  std::int64_t trial_count = 0, finished_count = 0;
-  double success_rate = 0.0;  ///< NaN without trials
-  Interval success_interval;  ///< Wilson, 95 %
-  bool is_best_rate = false;  ///< significantly above every other planner's
-  double mean_reference_length_m = 0.0;
-  std::vector<MetricMean> means;  ///< one a metric of SweepSummary::metrics
-  std::array<std::int64_t, kOutcomeCount> outcome_counts{};  ///< in order of Outcome
+  /// Every field that columns and conditions name, each once: what Database::read_sweep() is to
+  /// read.
+  std::vector<std::string> fields() const;
 };
 
 /// Maps of like difficulty, and how each planner fared there.
@@ -40,38 +33,48 @@ struct MapGroup {
   std::vector<PlannerSummary> planners;
 };
 
-/// Two planners compared by AvoidBench's contrast factor, eq. (10).
-struct Contrast {
-  std::size_t planner_1 = 0, planner_2 = 0;
-  double factor = 0.0;           ///< NaN: undefined, a success rate is 0 or 1
-  double smoothed_factor = 0.0;  ///< with Jeffreys-smoothed rates
-  Interval smoothed_interval;    ///< bootstrap over maps, 95 %; NaN for fewer than 2 maps
-  double fisher_p = 1.0;         ///< that the success rates are equal
+/// One row of what was asked for by ReportQuery::group_by.
+struct GroupRow {
+  std::vector<FieldValue> keys;
+  std::int64_t map_count = 0;
+  PlannerSummary summary;  ///< of all planners together where `planner` is no key
 };
 
 /// What a report says of one sweep.
 struct SweepSummary {
   std::string name;
   std::int64_t revision = 1;
-  std::vector<MetricRow> metrics;  ///< those that were asked for
+  std::vector<std::string> conditions;  ///< those that the trials fulfil, as they were written
+  std::vector<MetricRow> metrics;       ///< those that were asked for
   std::vector<std::string>
       planners;  ///< labels; with the start of the key where two planners share one
-  std::int64_t map_count = 0, mission_count = 0, invalid_mission_count = 0, trial_count = 0;
+  std::vector<MapRow> maps;
+  std::int64_t mission_count = 0, invalid_mission_count = 0, trial_count = 0;
   std::vector<PlannerSummary> overall;
   std::vector<MapGroup> groups;  ///< from hard to easy maps; empty for fewer than 2 maps
+  std::vector<GroupColumn> group_columns;
+  std::vector<GroupRow> group_rows;  ///< empty without ReportQuery::group_by
   std::vector<Contrast> contrasts;
-  std::vector<std::string> warnings;
+  std::vector<DifficultyResponse> difficulty;  ///< one a planner; empty for fewer than kLeastMaps
+  std::vector<FlightTimes> flight_times;       ///< one a planner
+  EnvironmentSummary environment;
+  std::vector<std::string> warnings;  ///< what the figures can't carry
 };
 
 /// Those of the usual metrics that `result` has: path and energy optimality, average goal velocity,
 /// mission progress, processing time.
 std::vector<std::string> default_metrics(const SweepResult& result);
 
-/// The summary, with these metrics. Throws InputError for a metric that the results lack.
-SweepSummary summarize(const SweepResult& result, std::span<const std::string> metric_names);
+/// The summary; `result` has the fields of `query`. Throws InputError for a metric that the results
+/// lack, for conditions that no trial fulfils, and as group_trials().
+SweepSummary summarize(SweepResult result, const ReportQuery& query = {});
 
 /// One sweep's trials out of several databases (shards); a trial that several have counts once.
 /// Throws InputError when they define metrics differently.
 SweepResult combined(std::span<const SweepResult> parts);
+
+/// Warnings of what `summary` of `result` can't carry: few trials, rates that can't be told apart,
+/// trials of different programs or latencies that were measured, trials that are still to fly.
+std::vector<std::string> warnings_of(const SweepSummary& summary, const SweepResult& result);
 
 }  // namespace avoidbench

@@ -5,8 +5,17 @@
 
 namespace avoidbench {
 
-/// A sweep's tables: `planners` (rates and means), `groups` (the same by traversability),
-/// `outcomes` (counts), `pairs` (contrast factors).
-Section sweep_section(const SweepSummary& summary);
+/// Names of the tables that a sweep can have: `planners` (rates and means), `groups` (the same by
+/// traversability), `grouped` (by the columns that were asked for), `outcomes` (counts), `pairs`
+/// (contrast factors), `difficulty` (success against traversability), `flight_time` and
+/// `flight_time_curve` (times to the goal), `maps`, `environment` (how their measures go together).
+std::vector<std::string> table_names();
+
+/// A sweep's tables: those named, or all, of which `flight_time_curve`, `maps` and `environment`
+/// are then for machines only.
+Section sweep_section(const SweepSummary& summary, std::span<const std::string> tables = {});
+
+/// Every sweep's planners in one table; the summaries have the same metrics.
+Section side_by_side(std::span<const SweepSummary> summaries);
 
 }  // namespace avoidbench

@@ -4,16 +4,16 @@
 #include <span>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "base/enum_text.hpp"
+#include "store/field_value.hpp"
 
 namespace avoidbench {
 
 /// A number, a text, or nothing ("not defined": a dash for people, empty for machines).
 struct Cell {
-  std::variant<std::monostate, std::string, std::int64_t, double> value;
+  FieldValue value = {};
   bool is_best = false;  ///< shown with a star
 };
 
@@ -39,6 +39,7 @@ struct Table {
   std::string title;  ///< for people
   std::vector<Column> columns;
   std::vector<std::vector<Cell>> rows;  ///< each as long as `columns`
+  bool is_for_people = true;            ///< false: only in the formats for machines
 };
 
 /// The tables of one sweep with what stands around them.
@@ -51,26 +52,35 @@ struct Section {
   std::vector<std::string> warnings;  ///< before the tables
 };
 
-enum class TableFormat { table, csv, json, markdown };
+enum class TableFormat { table, csv, json, markdown, latex };
 template <>
 struct EnumText<TableFormat> {
   static constexpr std::pair<TableFormat, std::string_view> entries[] = {
       {TableFormat::table, "table"},
       {TableFormat::csv, "csv"},
       {TableFormat::json, "json"},
-      {TableFormat::markdown, "markdown"}};
+      {TableFormat::markdown, "markdown"},
+      {TableFormat::latex, "latex"}};
+};
+
+/// How text for a terminal is set.
+struct TextStyle {
+  std::size_t width = 100;  ///< columns; what does not fit goes on in a further block
+  bool is_coloured = false;
 };
 
 /// The sections as text that ends with a newline.
-/// - table: aligned, never wider than 100 columns for people's sake: what does not fit goes on in a
-/// further block;
+/// - table: aligned, no wider than `style.width`;
 /// - csv (RFC 4180, one header line): one value a line, `sweep,table,<keys>,name,unit,value`, where
 /// the keys are every key
 ///   column of any table, empty in tables without it; values with all digits, empty where not
 ///   defined;
 /// - json: an array of {"sweep", "title", "warnings", "tables": {name: [{column: value, …}, …]},
 /// "columns": …};
-/// - markdown: pipe tables.
-std::string format_sections(std::span<const Section> sections, TableFormat format);
+/// - markdown: pipe tables;
+/// - latex: one table environment a table, set by booktabs (`\usepackage{booktabs}`), the legend in
+/// its caption.
+std::string format_sections(std::span<const Section> sections, TableFormat format,
+                            const TextStyle& style = {});
 
 }  // namespace avoidbench

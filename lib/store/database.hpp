@@ -75,7 +75,10 @@ class Database {
   std::map<std::string, TrialCost> mean_costs() const;  ///< by planner label
   std::vector<PlannerRow> read_planners() const;        ///< by label, then key
   std::vector<SweepInfo> read_sweeps() const;           ///< by name, then revision
-  SweepResult read_sweep(std::string_view name, std::int64_t revision) const;
+  /// The sweep with its trials, and of each trial these fields (trial_fields.hpp). Throws
+  /// InputError for a field that no trial can have.
+  SweepResult read_sweep(std::string_view name, std::int64_t revision,
+                         const std::vector<std::string>& fields = {}) const;
 
   /// SQLite's handle, for this room only.
   sqlite3* handle() const { return handle_.get(); }

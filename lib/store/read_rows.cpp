@@ -5,6 +5,7 @@
 #include "store/database.hpp"
 #include "store/record_format.hpp"
 #include "store/statement.hpp"
+#include "store/trial_fields.hpp"
 
 namespace avoidbench {
 namespace {
@@ -235,20 +236,26 @@ std::vector<SweepInfo> Database::read_sweeps() const {
   return sweeps;
 }
 
-SweepResult Database::read_sweep(std::string_view name, std::int64_t revision) const {
+SweepResult Database::read_sweep(std::string_view name, std::int64_t revision,
+                                 const std::vector<std::string>& fields) const {
   SweepResult result{.name = std::string(name),
                      .revision = revision,
                      .metrics = metrics_,
                      .planners = {},
                      .maps = {},
                      .trials = {},
-                     .program_versions = {}};
+                     .program_versions = {},
+                     .spec_json = {},
+                     .fields = fields};
   const auto query = [&](std::string_view sql) {
     auto statement = std::make_unique<Statement>(handle(), path(), sql);
     statement->bind_text(name).bind_integer(revision);
     return statement;
   };
   const std::string of_sweep = " WHERE s.sweep = ? AND s.revision = ? ";
+
+  auto spec = query("SELECT s.spec_json FROM sweeps s" + of_sweep);
+  if (spec->step()) result.spec_json = spec->text(0);
 
   auto planners =
       query("SELECT DISTINCT " + std::string(kPlannerColumns) +
@@ -274,11 +281,10 @@ SweepResult Database::read_sweep(std::string_view name, std::int64_t revision) c
 
   auto trials = query(
       "SELECT t.trial_key, t.planner_key, t.map_key, t.mission_index, t.outcome, "
-      "i.reference_length_m" +
-      metric_columns(*this) +
-      " FROM sweep_trials s JOIN trials t USING (trial_key) JOIN missions i ON "
-      "i.map_key = t.map_key AND i.mission_index = t.mission_index" +
-      of_sweep + "ORDER BY t.trial_key");
+      "i.reference_length_m, t.end_time_s" +
+      metric_columns(*this) + field_columns(*this, fields) + std::string(kTrialTables) + of_sweep +
+      "ORDER BY t.trial_key");
+  const int first_field = 7 + static_cast<int>(metrics_.size());
   while (trials->step()) {
     result.trials.push_back({.key = trials->text(0),
                              .planner_key = trials->text(1),
@@ -286,8 +292,13 @@ SweepResult Database::read_sweep(std::string_view name, std::int64_t revision) c
                              .mission_index = trials->integer(3),
                              .outcome = outcome_of(*this, trials->text(4)),
                              .reference_length_m = trials->real(5),
-                             .metrics = metrics_of(*this, *trials, 6)});
+                             .end_time_s = trials->real(6),
+                             .metrics = metrics_of(*this, *trials, 7)});
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      result.trials.back().fields.push_back(trials->value(first_field + static_cast<int>(i)));
+    }
   }
+  for (std::size_t i = 0; i < fields.size(); ++i) refuse_empty_field(*this, result, i);
 
   auto versions = query(
       "SELECT DISTINCT r.program_version || ' ' || r.git_hash FROM sweep_trials s "

@@ -7,6 +7,7 @@
 
 #include "metrics/map_record.hpp"
 #include "metrics/metric_table.hpp"
+#include "store/field_value.hpp"
 #include "trial/trial_record.hpp"
 
 namespace avoidbench {
@@ -97,7 +98,9 @@ struct TrialSummary {
   std::int64_t mission_index = 0;
   Outcome outcome = Outcome::timed_out;
   double reference_length_m = 0.0;
+  double end_time_s = 0.0;      ///< simulated
   std::vector<double> metrics;  ///< one an element of SweepResult::metrics, NaN where there is none
+  std::vector<FieldValue> fields = {};  ///< one an element of SweepResult::fields
 };
 
 /// All that reports need of one sweep. Everything is ordered by key, whatever the order of
@@ -110,7 +113,9 @@ struct SweepResult {
   std::vector<MapRow> maps;          ///< with the missions that the sweep asked for
   std::vector<TrialSummary> trials;
   std::vector<std::string>
-      program_versions;  ///< `version git_hash` of the runs that made the trials
+      program_versions;                  ///< `version git_hash` of the runs that made the trials
+  std::string spec_json = {};            ///< of the sweep
+  std::vector<std::string> fields = {};  ///< that were asked for
 };
 
 }  // namespace avoidbench

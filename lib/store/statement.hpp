@@ -9,6 +9,8 @@
 #include <string>
 #include <string_view>
 
+#include "store/field_value.hpp"
+
 namespace avoidbench {
 
 /// Throws what SQLite's error code `code` means to a user as InputError naming the file; a broken
@@ -38,6 +40,7 @@ class Statement {
   std::string text(int column) const;
   std::int64_t integer(int column) const;
   double real(int column) const;                      ///< NULL becomes NaN
+  FieldValue value(int column) const;                 ///< as the file has it; nothing for a blob
   std::span<const std::byte> blob(int column) const;  ///< valid until the next step
 
  private:

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -28,11 +29,13 @@ using Clock = std::chrono::steady_clock;
 struct Run {
   const SweepSpec& sweep;
   const RunOptions& options;
+  const RunRow& provenance;
   Database& database;
   Schedule schedule;
   Progress progress;
   /// Jobs whose worker was killed from outside.
   std::set<std::pair<std::size_t, std::optional<std::size_t>>> killed_once;
+  bool has_begun = false;  ///< the database knows of this run
 
   bool is_stopped() const { return options.stop != nullptr && options.stop->load(); }
 };
@@ -309,32 +312,92 @@ std::set<std::string> keys_to_skip(const Database& database, const RunOptions& o
   return keys;
 }
 
+/// Flies those of `trials` that are not in `skip`, and adds all of them to it.
+void fly(Run& run, std::vector<TrialSpec> trials, std::set<std::string>& skip) {
+  const std::int64_t flown = run.progress.done - run.progress.done_before;
+  run.schedule = make_schedule(std::move(trials), skip);
+  run.progress.total = static_cast<std::int64_t>(run.schedule.trials.size());
+  run.progress.done = static_cast<std::int64_t>(run.schedule.done_before);
+  run.progress.done_before = run.progress.done - flown;
+  run.progress.invalid_missions = 0;
+  run.killed_once.clear();
+  run.database.add_to_sweep(run.sweep.name, run.schedule.keys);
+  const bool has_work = run.progress.done < run.progress.total;
+  if (has_work && !run.has_begun) run.database.add_run(run.provenance);
+  run.has_begun = run.has_begun || has_work;
+  recall_maps(run);
+  report_progress(run);
+  if (run.options.in_process) {
+    run_in_process(run);
+  } else if (has_work) {
+    run_in_workers(run);
+  }
+  skip.insert(run.schedule.keys.begin(), run.schedule.keys.end());
+}
+
+/// Those planners of the last schedule that have flown enough.
+std::set<std::string> planners_with_enough(const Run& run) {
+  struct Counts {
+    std::int64_t finished = 0, trials = 0;
+  };
+  std::map<std::string, Counts> planners;
+  const std::map<std::string, Outcome> outcomes = run.database.finished_trials();
+  for (std::size_t i = 0; i < run.schedule.trials.size(); ++i) {
+    const auto outcome = outcomes.find(run.schedule.keys[i]);
+    if (outcome == outcomes.end()) continue;  // an invalid mission
+    Counts& counts = planners[run.schedule.trials[i].planner.label];
+    counts.trials += 1;
+    counts.finished += outcome->second == Outcome::reached_goal ? 1 : 0;
+  }
+  std::set<std::string> enough;
+  for (const auto& [label, counts] : planners) {
+    if (is_enough(run.sweep.until, counts.finished, counts.trials)) enough.insert(label);
+  }
+  return enough;
+}
+
+/// Flies the sweep's missions in rounds; a planner whose rule is met stays out of further ones.
+void fly_until(Run& run, const std::vector<TrialSpec>& trials, std::set<std::string>& skip) {
+  std::map<std::string, std::int64_t> last_mission;  // of the planners that have flown enough
+  for (const std::int64_t mission_count : looks(run.sweep.trials)) {
+    std::vector<TrialSpec> round;
+    for (const TrialSpec& trial : trials) {
+      const auto end = last_mission.find(trial.planner.label);
+      const std::int64_t count = end == last_mission.end() ? mission_count : end->second;
+      if (trial.mission_index < count) round.push_back(trial);
+    }
+    fly(run, std::move(round), skip);
+    if (run.is_stopped()) return;
+    for (const std::string& label : planners_with_enough(run)) {
+      last_mission.emplace(label, mission_count);
+    }
+  }
+}
+
 }  // namespace
 
 RunSummary run_sweep(const SweepSpec& sweep, const RunRow& provenance, Database& database,
                      const RunOptions& options) {
+  if (sweep.until.is_set() && options.shard.count > 1) {
+    throw InputError(
+        "until: whether a planner has flown enough is seen from all of its trials, a shard has "
+        "only some: fly the sweep on one machine, or without 'until'");
+  }
   Run run{.sweep = sweep,
           .options = options,
+          .provenance = provenance,
           .database = database,
           .schedule = {},
           .progress = {},
           .killed_once = {}};
-  run.schedule =
-      make_schedule(trials_of(options.shard, expand(sweep)), keys_to_skip(database, options));
-  run.progress.total = static_cast<std::int64_t>(run.schedule.trials.size());
-  run.progress.done_before = static_cast<std::int64_t>(run.schedule.done_before);
-  run.progress.done = run.progress.done_before;
+  std::set<std::string> skip = keys_to_skip(database, options);
   database.add_sweep({.name = sweep.name, .spec_json = sweep_json(sweep)});
   for (const PlannerChoice& planner : sweep.planners) database.add_planner(planner_row(planner));
-  database.add_to_sweep(sweep.name, run.schedule.keys);
-  const bool has_work = run.progress.done < run.progress.total;
-  if (has_work) database.add_run(provenance);
-  recall_maps(run);
-  report_progress(run);
-  if (options.in_process) {
-    run_in_process(run);
-  } else if (has_work) {
-    run_in_workers(run);
+  std::vector<TrialSpec> trials = trials_of(options.shard, expand(sweep));
+  if (sweep.until.is_set()) {
+    fly_until(run, trials, skip);
+  } else {
+    fly(run, std::move(trials), skip);
   }
   return {.progress = run.progress, .is_stopped = run.is_stopped()};
 }

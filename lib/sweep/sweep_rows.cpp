@@ -44,12 +44,13 @@ std::string sweep_json(const SweepSpec& sweep) {
   nlohmann::json base = spec_to_json(sweep.base);
   base.erase("planner");
   forget_folders(base);
-  return nlohmann::json{{"name", sweep.name},
-                        {"base", base},
-                        {"axes", axes},
-                        {"trials", sweep.trials},
-                        {"planners", planners}}
-      .dump();
+  nlohmann::json resolved{{"name", sweep.name},
+                          {"base", base},
+                          {"axes", axes},
+                          {"trials", sweep.trials},
+                          {"planners", planners}};
+  if (sweep.until.is_set()) resolved["until"] = sweep.until.text();
+  return resolved.dump();
 }
 
 PlannerRow planner_row(const PlannerChoice& choice) {

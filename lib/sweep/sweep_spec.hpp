@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "sweep/stop_rule.hpp"
 #include "trial/trial_spec.hpp"
 
 namespace avoidbench {
@@ -22,6 +23,7 @@ struct SweepSpec {
   std::vector<Axis> axes;
   std::int64_t trials = 10;             ///< missions a map; the same ones for every planner
   std::vector<PlannerChoice> planners;  ///< resolved and checked; labels are unique
+  StopRule until;                       ///< when a planner has flown enough
   std::vector<std::string> warnings;    ///< for people: what was read otherwise than written
 };
 

@@ -6,56 +6,16 @@
 #include <cmath>
 
 #include "base/input_error.hpp"
+#include "sample_sweep.hpp"
 #include "statistics/rates.hpp"
-#include "store/sample_rows.hpp"
 
 namespace avoidbench {
 namespace {
 
 using namespace sample_rows;
+using sample_sweep::result_of;
 
-/// `map_count` maps of `mission_count` missions, flown by planners a and b, which succeed where
-/// `succeeds` says so.
-template <class Succeeds>
-SweepResult result_of(int map_count, int mission_count, Succeeds succeeds) {
-  SweepResult result;
-  result.name = "forest";
-  for (const MetricDef& def : kMetrics) {
-    result.metrics.push_back({.name = std::string(def.name),
-                              .version = def.version,
-                              .unit = std::string(def.unit),
-                              .doc = std::string(def.doc),
-                              .formula = "",
-                              .source = "",
-                              .better = def.better,
-                              .population = def.population,
-                              .is_measured = def.is_measured});
-  }
-  result.planners = {planner_row("a"), planner_row("b")};
-  for (int map = 0; map < map_count; ++map) {
-    result.maps.push_back(map_row(map, mission_count));
-    for (int mission = 0; mission < mission_count; ++mission) {
-      for (const char* label : {"a", "b"}) {
-        const bool is_finished = succeeds(label[0], map, mission);
-        const TrialRow row =
-            trial_row(label, map, mission, is_finished ? Outcome::reached_goal : Outcome::collided);
-        result.trials.push_back({.key = row.key,
-                                 .planner_key = planner_key(planner_row(label)),
-                                 .map_key = row.map_key,
-                                 .mission_index = mission,
-                                 .outcome = row.record.outcome,
-                                 .reference_length_m = 40.0 + mission,
-                                 .metrics = row.metrics});
-      }
-    }
-  }
-  result.program_versions = {"0.1.0 abcdef"};
-  return result;
-}
-
-SweepSummary summary_of(const SweepResult& result) {
-  return summarize(result, default_metrics(result));
-}
+SweepSummary summary_of(const SweepResult& result) { return summarize(result); }
 
 bool has_warning(const SweepSummary& summary, const std::string& part) {
   return std::any_of(summary.warnings.begin(), summary.warnings.end(),
@@ -144,15 +104,19 @@ TEST(Summary, MarksABetterMeanByPairedMissions) {
 }
 
 TEST(Summary, ContrastFactorIsUndefinedAtSureRatesButSmoothed) {
-  const SweepSummary summary = summary_of(result_of(
-      4, 10, [](char planner, int, int mission) { return planner == 'a' || mission < 5; }));
+  const auto half = [](char planner, int map, int mission) {
+    return planner == 'a' || mission < 4 + map % 3;
+  };
+  const SweepSummary summary = summary_of(result_of(6, 10, half));
   ASSERT_EQ(summary.contrasts.size(), 1U);
   const Contrast& contrast = summary.contrasts[0];
   EXPECT_TRUE(std::isnan(contrast.factor));
-  EXPECT_NEAR(contrast.smoothed_factor, std::log(40.5 / 41.0) / std::log(20.5 / 41.0), 1e-12);
-  EXPECT_LE(contrast.smoothed_interval.lower, contrast.smoothed_factor);
-  EXPECT_GE(contrast.smoothed_interval.upper, contrast.smoothed_factor);
+  EXPECT_NEAR(contrast.smoothed_factor, std::log(60.5 / 61.0) / std::log(30.5 / 61.0), 1e-12);
+  EXPECT_LT(contrast.smoothed_interval.lower, contrast.smoothed_factor);
+  EXPECT_GT(contrast.smoothed_interval.upper, contrast.smoothed_factor);
   EXPECT_LT(contrast.fisher_p, 1e-4);
+  const SweepSummary few = summary_of(result_of(4, 10, half));
+  EXPECT_TRUE(std::isnan(few.contrasts[0].smoothed_interval.lower));  // 4 maps say too little
 }
 
 TEST(Summary, WarnsInsteadOfLying) {
@@ -177,10 +141,53 @@ TEST(Summary, WarnsInsteadOfLying) {
   EXPECT_NE(shared.planners[0], shared.planners[1]);
 }
 
+TEST(Summary, MeansHaveIntervalsOverMaps) {
+  SweepResult result = result_of(8, 4, [](char, int, int) { return true; });
+  for (TrialSummary& trial : result.trials) trial.metrics[1] = trial.map_key < "8" ? 40.0 : 60.0;
+  const SweepSummary summary = summary_of(result);
+  const MetricMean& mean = summary.overall[0].means[1];
+  EXPECT_LT(mean.interval.lower, mean.mean);
+  EXPECT_GT(mean.interval.upper, mean.mean);
+  EXPECT_GE(mean.interval.lower, 40.0);
+  EXPECT_LE(mean.interval.upper, 60.0);
+  // More missions on the same maps say nothing new of how maps differ.
+  SweepResult more = result_of(8, 40, [](char, int, int) { return true; });
+  for (TrialSummary& trial : more.trials) trial.metrics[1] = trial.map_key < "8" ? 40.0 : 60.0;
+  const MetricMean of_more = summary_of(more).overall[0].means[1];
+  EXPECT_EQ(of_more.interval.lower, mean.interval.lower);
+  EXPECT_EQ(of_more.interval.upper, mean.interval.upper);
+}
+
+TEST(Summary, TellsHowMuchOfTheSweepIsMissing) {
+  SweepResult result = result_of(2, 3, [](char, int, int) { return true; });
+  const auto asks_for = [](int trials) {
+    return R"({"axes":[{"path":"map.poisson_radius_m","values":[2,3]}],"planners":[{},{}],"trials":)" +
+           std::to_string(trials) + "}";
+  };
+  result.spec_json = asks_for(3);
+  EXPECT_FALSE(has_warning(summary_of(result), "not done"));
+  result.spec_json = asks_for(5);
+  EXPECT_TRUE(has_warning(summary_of(result), "8 of its 20 trials are not flown yet"));
+  // A mission that nobody can fly is not missing.
+  result.maps[1] = map_row(1, 4, true);
+  result.spec_json = asks_for(4);
+  EXPECT_TRUE(has_warning(summary_of(result), "2 of its 14 trials are not flown yet"));
+}
+
+TEST(Summary, TellsOfMeasuredLatency) {
+  SweepResult result = result_of(1, 3, [](char, int, int) { return true; });
+  result.spec_json = R"({"base":{"latency":{"mode":"fixed"}}})";
+  EXPECT_FALSE(has_warning(summary_of(result), "latency"));
+  result.spec_json = R"({"base":{"latency":{"mode":"measured"}}})";
+  EXPECT_TRUE(has_warning(summary_of(result), "latency was measured"));
+  result.spec_json = R"({"axes":[{"path":"latency.mode","values":["fixed","measured"]}]})";
+  EXPECT_TRUE(has_warning(summary_of(result), "latency was measured"));
+}
+
 TEST(Summary, AnUnknownMetricGetsASuggestion) {
   const SweepResult result = result_of(1, 1, [](char, int, int) { return true; });
   try {
-    summarize(result, std::vector<std::string>{"path_optimalty_pct"});
+    summarize(result, {.metrics = {"path_optimalty_pct"}, .group_by = {}, .where = {}});
     FAIL();
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("did you mean path_optimality_pct?"),
@@ -192,7 +199,7 @@ TEST(Summary, ShardsTogetherAreTheWhole) {
   const auto some = [](char planner, int map, int mission) {
     return (planner + map + mission) % 3 != 0;
   };
-  const SweepResult whole = result_of(4, 3, some);
+  const SweepResult whole = result_of(6, 3, some);
   std::vector<SweepResult> shards(2, whole);
   for (std::size_t shard = 0; shard < 2; ++shard) {
     shards[shard].trials.clear();
@@ -207,10 +214,11 @@ TEST(Summary, ShardsTogetherAreTheWhole) {
   const SweepSummary a = summary_of(whole);
   const SweepSummary b = summary_of(combined(shards));
   EXPECT_EQ(a.trial_count, b.trial_count);
-  EXPECT_EQ(a.map_count, b.map_count);
+  EXPECT_EQ(a.maps.size(), b.maps.size());
   EXPECT_EQ(a.mission_count, b.mission_count);
   EXPECT_EQ(a.overall[0].success_rate, b.overall[0].success_rate);
   EXPECT_EQ(a.contrasts[0].smoothed_interval.lower, b.contrasts[0].smoothed_interval.lower);
+  EXPECT_EQ(a.overall[0].means[1].interval.upper, b.overall[0].means[1].interval.upper);
   shards[1].metrics[0].version = 9;
   EXPECT_THROW(combined(shards), InputError);
 }

@@ -1,0 +1,47 @@
+#include <iostream>
+#include <memory>
+
+#include "base/input_error.hpp"
+#include "commands.hpp"
+#include "report/power_table.hpp"
+
+namespace avoidbench {
+
+void add_power_command(CLI::App& app) {
+  struct PowerOptions {
+    PowerQuestion question;
+    std::string format = "table";
+  };
+  CLI::App* command = app.add_subcommand("power", "How many trials tell two success rates apart");
+  const auto options = std::make_shared<PowerOptions>();
+  PowerQuestion& question = options->question;
+  command->add_option("--sr", question.success_rate, "Success rate of the better planner")
+      ->capture_default_str();
+  command->add_option("--detect", question.detect, "Loss of success rate to find")
+      ->capture_default_str();
+  command->add_option("--power", question.power, "Probability of finding it")
+      ->capture_default_str();
+  command->add_option("--alpha", question.alpha, "Level of the two-sided test")
+      ->capture_default_str();
+  command->add_option("--discordance", question.discordance,
+                      "Share of missions on which two planners end differently, for paired tests "
+                      "[that of independent planners]");
+  command->add_option("--trials", question.trials, "Trials a planner: what can be found with them");
+  command->add_option("--format", options->format, "table, csv, json, markdown or latex")
+      ->capture_default_str();
+  command->footer(
+      "Example: what tells a planner that reaches its goal in 90 % of trials from one that does in "
+      "85 %?\n"
+      "  avoidbench power --sr 0.9 --detect 0.05");
+  command->callback([options] {
+    const auto format = enum_from_text<TableFormat>(options->format);
+    if (!format) {
+      throw InputError("--format " + options->format + ": unknown" +
+                       did_you_mean(options->format, enum_texts<TableFormat>()));
+    }
+    const Section section = power_section(options->question);
+    std::cout << format_sections({&section, 1}, *format) << std::flush;
+  });
+}
+
+}  // namespace avoidbench

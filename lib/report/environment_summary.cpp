@@ -1,0 +1,112 @@
+#include "report/environment_summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "statistics/correlation.hpp"
+
+namespace avoidbench {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+/// Mean over valid missions of a measure of theirs.
+template <class Measure>
+double mission_mean(const MapRecord& map, Measure measure) {
+  double sum = 0.0, count = 0.0;
+  for (const MissionRecord& mission : map.missions) {
+    const double value = measure(mission);
+    if (!mission.is_valid || std::isnan(value)) continue;
+    sum += value;
+    count += 1.0;
+  }
+  return count > 0.0 ? sum / count : kNaN;
+}
+
+MapSummary summary_of(std::size_t index, const MapRecord& map) {
+  MapSummary summary;
+  summary.map = index;
+  summary.mission_count = static_cast<std::int64_t>(map.missions.size());
+  summary.invalid_mission_count =
+      std::count_if(map.missions.begin(), map.missions.end(),
+                    [](const auto& mission) { return !mission.is_valid; });
+  summary.traversability_obstruction = mission_mean(
+      map, [](const MissionRecord& m) { return m.difficulty.traversability_obstruction; });
+  summary.view_occlusion =
+      mission_mean(map, [](const MissionRecord& m) { return m.difficulty.view_occlusion; });
+  summary.angle_over_length_1pm =
+      mission_mean(map, [](const MissionRecord& m) { return m.difficulty.angle_over_length_1pm; });
+  return summary;
+}
+
+EnvironmentCorrelation correlation_of(std::string measure,
+                                      const std::vector<double>& traversabilities,
+                                      const std::vector<double>& values) {
+  std::vector<double> x, y;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (std::isnan(values[i]) || std::isnan(traversabilities[i])) continue;
+    x.push_back(traversabilities[i]);
+    y.push_back(values[i]);
+  }
+  EnvironmentCorrelation result;
+  result.measure = std::move(measure);
+  result.map_count = static_cast<std::int64_t>(y.size());
+  if (y.empty()) return result;
+  double sum = 0.0;
+  for (const double value : y) sum += value;
+  result.mean = sum / static_cast<double>(y.size());
+  result.lowest = *std::min_element(y.begin(), y.end());
+  result.highest = *std::max_element(y.begin(), y.end());
+  result.pearson = pearson_correlation(x, y);
+  result.spearman = spearman_correlation(x, y);
+  result.pearson_interval = correlation_interval(result.pearson, y.size(), false);
+  result.spearman_interval = correlation_interval(result.spearman, y.size(), true);
+  return result;
+}
+
+}  // namespace
+
+EnvironmentSummary environment_summary(const SweepResult& result, const Trials& trials) {
+  EnvironmentSummary summary;
+  for (std::size_t i = 0; i < result.maps.size(); ++i) {
+    summary.maps.push_back(summary_of(i, result.maps[i].record));
+  }
+  for (const TrialOnMap& on_map : trials) {
+    summary.maps[on_map.map].trial_count += 1;
+    summary.maps[on_map.map].finished_count +=
+        on_map.trial->outcome == Outcome::reached_goal ? 1 : 0;
+  }
+  const auto record = [&](const MapSummary& map) -> const MapRecord& {
+    return result.maps[map.map].record;
+  };
+  const auto rank = [&](const MapSummary& map) {
+    const double ratio = record(map).traversability_normalized_ratio;
+    return std::isnan(ratio) ? std::numeric_limits<double>::infinity() : ratio;
+  };
+  std::stable_sort(summary.maps.begin(), summary.maps.end(),
+                   [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+
+  std::vector<double> traversabilities;
+  for (const MapSummary& map : summary.maps) traversabilities.push_back(record(map).traversability);
+  const auto add = [&](std::string measure, auto value_of) {
+    std::vector<double> values;
+    for (const MapSummary& map : summary.maps) values.push_back(value_of(map));
+    EnvironmentCorrelation correlation =
+        correlation_of(std::move(measure), traversabilities, values);
+    if (correlation.map_count > 0 && correlation.lowest < correlation.highest) {
+      summary.correlations.push_back(std::move(correlation));
+    }
+  };
+  add("relative_gap_size", [&](const MapSummary& map) { return record(map).relative_gap_size; });
+  add("obstacle_density_1pm2",
+      [&](const MapSummary& map) { return record(map).obstacle_density_1pm2; });
+  add("free_volume_ratio", [&](const MapSummary& map) { return record(map).free_volume_ratio; });
+  add("traversability_obstruction",
+      [](const MapSummary& map) { return map.traversability_obstruction; });
+  add("view_occlusion", [](const MapSummary& map) { return map.view_occlusion; });
+  add("angle_over_length_1pm", [](const MapSummary& map) { return map.angle_over_length_1pm; });
+  return summary;
+}
+
+}  // namespace avoidbench

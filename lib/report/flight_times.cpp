@@ -1,0 +1,45 @@
+#include "report/flight_times.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace avoidbench {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// The first time at which this end of the curve's interval is at one half or below.
+double first_time(const std::vector<SurvivalPoint>& curve, double Interval::*end) {
+  const auto found = std::find_if(curve.begin(), curve.end(), [&](const SurvivalPoint& point) {
+    return point.survival == 0.0 || point.interval.*end <= 0.5;
+  });
+  return found == curve.end() ? kInfinity : found->time_s;
+}
+
+}  // namespace
+
+FlightTimes flight_times(std::size_t planner, const Trials& trials) {
+  double end_s = 0.0;
+  for (const TrialOnMap& on_map : trials) end_s = std::max(end_s, on_map.trial->end_time_s);
+  std::vector<double> times_s;
+  std::vector<bool> has_arrived;
+  for (const TrialOnMap& on_map : trials) {
+    has_arrived.push_back(on_map.trial->outcome == Outcome::reached_goal);
+    times_s.push_back(has_arrived.back() ? on_map.trial->end_time_s : end_s);
+  }
+  const std::vector<SurvivalPoint> curve = kaplan_meier(times_s, has_arrived);
+
+  FlightTimes result;
+  result.planner = planner;
+  result.quartiles_s = {survival_quantile(curve, 0.25), survival_quantile(curve, 0.5),
+                        survival_quantile(curve, 0.75)};
+  result.median_interval_s = {first_time(curve, &Interval::lower),
+                              first_time(curve, &Interval::upper)};
+  const std::size_t step = (curve.size() + kMostCurvePoints - 1) / kMostCurvePoints;
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    if (i % step == 0 || i + 1 == curve.size()) result.curve.push_back(curve[i]);
+  }
+  return result;
+}
+
+}  // namespace avoidbench

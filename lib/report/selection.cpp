@@ -1,0 +1,131 @@
+#include "report/selection.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <set>
+
+#include "base/check.hpp"
+#include "base/input_error.hpp"
+
+namespace avoidbench {
+namespace {
+
+using Comparison = Condition::Comparison;
+
+constexpr std::pair<std::string_view, Comparison> kSigns[] = {  // the longer before the shorter
+    {"==", Comparison::equal},    {"!=", Comparison::unequal}, {"<=", Comparison::at_most},
+    {">=", Comparison::at_least}, {"=", Comparison::equal},    {"<", Comparison::less},
+    {">", Comparison::greater}};
+
+std::string trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(' ');
+  if (first == std::string::npos) return "";
+  return text.substr(first, text.find_last_not_of(' ') - first + 1);
+}
+
+FieldValue value_of(const std::string& text) {
+  double number = 0.0;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, number);
+  if (error == std::errc{} && rest == end) return number;
+  if (text == "true") return 1.0;
+  if (text == "false") return 0.0;
+  return text;
+}
+
+const double* number_in(const FieldValue& value, double& storage) {
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) {
+    storage = static_cast<double>(*whole);
+    return &storage;
+  }
+  return std::get_if<double>(&value);
+}
+
+bool is_equal(const FieldValue& a, const FieldValue& b) {
+  double storage_a = 0.0, storage_b = 0.0;
+  const double* number_a = number_in(a, storage_a);
+  const double* number_b = number_in(b, storage_b);
+  if (number_a != nullptr && number_b != nullptr) return *number_a == *number_b;
+  return a == b;
+}
+
+}  // namespace
+
+Condition parse_condition(const std::string& text) {
+  Condition condition;
+  condition.text = trimmed(text);
+  const std::size_t at = text.find_first_of("=!<>");
+  const auto* const sign =
+      std::find_if(std::begin(kSigns), std::end(kSigns), [&](const auto& candidate) {
+        return at != std::string::npos &&
+               text.compare(at, candidate.first.size(), candidate.first) == 0;
+      });
+  condition.field = trimmed(text.substr(0, at));
+  if (sign == std::end(kSigns) || condition.field.empty()) {
+    throw InputError("--where '" + text +
+                     "': a condition is FIELD OP VALUE, OP one of = != < <= > >=, such as "
+                     "'map.poisson_radius_m < 3' or 'planner = ego, reactive'");
+  }
+  condition.comparison = sign->second;
+  const bool takes_several =
+      condition.comparison == Comparison::equal || condition.comparison == Comparison::unequal;
+  std::string rest = text.substr(at + sign->first.size());
+  while (true) {
+    const std::size_t comma = takes_several ? rest.find(',') : std::string::npos;
+    const std::string word = trimmed(rest.substr(0, comma));
+    if (word.empty()) throw InputError("--where '" + text + "': a value is missing");
+    condition.values.push_back(value_of(word));
+    if (comma == std::string::npos) break;
+    rest.erase(0, comma + 1);
+  }
+  if (!takes_several && !std::holds_alternative<double>(condition.values.front())) {
+    throw InputError("--where '" + text + "': " + std::string(sign->first) +
+                     " compares with a number");
+  }
+  return condition;
+}
+
+bool holds(const Condition& condition, const FieldValue& value) {
+  const bool is_one_of =
+      std::any_of(condition.values.begin(), condition.values.end(),
+                  [&](const FieldValue& wanted) { return is_equal(value, wanted); });
+  if (condition.comparison == Comparison::equal) return is_one_of;
+  if (condition.comparison == Comparison::unequal) return !is_one_of;
+  double storage = 0.0;
+  const double* number = number_in(value, storage);
+  if (number == nullptr) return false;
+  const double limit = std::get<double>(condition.values.front());
+  switch (condition.comparison) {
+    case Comparison::less:
+      return *number < limit;
+    case Comparison::at_most:
+      return *number <= limit;
+    case Comparison::greater:
+      return *number > limit;
+    default:
+      return *number >= limit;
+  }
+}
+
+SweepResult selected(SweepResult result, const std::vector<Condition>& conditions) {
+  std::set<std::string> maps, planners;
+  for (const Condition& condition : conditions) {
+    const auto found = std::find(result.fields.begin(), result.fields.end(), condition.field);
+    AB_CHECK(found != result.fields.end());
+    const auto field = static_cast<std::size_t>(found - result.fields.begin());
+    std::erase_if(result.trials, [&](const TrialSummary& trial) {
+      return !holds(condition, trial.fields[field]);
+    });
+  }
+  if (conditions.empty()) return result;
+  for (const TrialSummary& trial : result.trials) {
+    maps.insert(trial.map_key);
+    planners.insert(trial.planner_key);
+  }
+  std::erase_if(result.maps, [&](const MapRow& map) { return !maps.contains(map.record.key); });
+  std::erase_if(result.planners,
+                [&](const PlannerRow& row) { return !planners.contains(planner_key(row)); });
+  return result;
+}
+
+}  // namespace avoidbench

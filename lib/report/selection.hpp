@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "store/rows.hpp"
+
+namespace avoidbench {
+
+/// What a trial's field must be to be reported: `map.poisson_radius_m < 3`, `planner = ego, mine`.
+struct Condition {
+  enum class Comparison { equal, unequal, less, at_most, greater, at_least };
+
+  std::string field;
+  Comparison comparison = Comparison::equal;
+  std::vector<FieldValue> values;  ///< equal: to one of them; unequal: to all of them; else one
+  std::string text;                ///< as it was written
+};
+
+/// Reads FIELD OP VALUE with OP one of = (or ==) != < <= > >=; = and != take several values,
+/// separated by commas. Throws InputError for anything else.
+Condition parse_condition(const std::string& text);
+
+/// Numbers compare as numbers, whole or not; a text never equals a number, and is never less or
+/// greater than one. A field without value fulfils != only.
+bool holds(const Condition& condition, const FieldValue& value);
+
+/// The result with only those trials for which every condition holds, and the maps and planners
+/// that they have. Every condition's field is one of `result.fields`.
+SweepResult selected(SweepResult result, const std::vector<Condition>& conditions);
+
+}  // namespace avoidbench

@@ -1,0 +1,221 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "report/summary.hpp"
+#include "statistics/sample_size.hpp"
+#include "sweep/stop_rule.hpp"
+
+namespace avoidbench {
+namespace {
+
+constexpr std::int64_t kFewTrials = 10;
+
+using Warnings = std::vector<std::string>;
+
+std::string rounded(double value) {
+  std::array<char, 64> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "%.0f", value);
+  return buffer.data();
+}
+
+std::string joined(const std::vector<std::string>& words, std::string_view separator) {
+  std::string line;
+  for (const std::string& word : words) line += (line.empty() ? "" : std::string(separator)) + word;
+  return line;
+}
+
+void warn_of_few_trials(const SweepSummary& summary, Warnings& warnings) {
+  std::vector<std::string> few;
+  for (const PlannerSummary& planner : summary.overall) {
+    if (planner.trial_count < kFewTrials) few.push_back(summary.planners[planner.planner]);
+  }
+  if (!few.empty()) {
+    warnings.push_back("fewer than 10 trials of " + joined(few, ", ") +
+                       ": hardly more than anecdotes");
+  }
+  std::int64_t few_cells = 0, cells = 0;
+  const auto count = [&](const PlannerSummary& cell) {
+    few_cells += cell.trial_count < kFewTrials ? 1 : 0;
+    ++cells;
+  };
+  for (const GroupRow& row : summary.group_rows) count(row.summary);
+  if (summary.group_rows.empty()) {
+    for (const MapGroup& group : summary.groups) {
+      for (const PlannerSummary& planner : group.planners) count(planner);
+    }
+  }
+  if (few_cells > 0) {
+    warnings.push_back("fewer than 10 trials in " + std::to_string(few_cells) + " of " +
+                       std::to_string(cells) + " cells of planner and group");
+  }
+}
+
+void warn_of_unclear_differences(const SweepSummary& summary, Warnings& warnings) {
+  std::vector<std::string> unclear;
+  for (const Contrast& contrast : summary.contrasts) {
+    if (contrast.fisher_p < kAlpha) continue;
+    const PlannerSummary& a = summary.overall[contrast.planner_1];
+    const PlannerSummary& b = summary.overall[contrast.planner_2];
+    std::string pair =
+        summary.planners[contrast.planner_1] + " / " + summary.planners[contrast.planner_2];
+    if (a.success_rate != b.success_rate) {
+      const double trials = std::ceil(two_rates_trials(a.success_rate, b.success_rate));
+      pair += " (would take some " + rounded(trials) + " trials each)";
+    }
+    unclear.push_back(pair);
+  }
+  if (!unclear.empty()) {
+    warnings.push_back("success rates that can't be told apart: " + joined(unclear, ", "));
+  }
+}
+
+/// Whether values of this path are maps of their own (a map's record is that of one body in it).
+bool makes_maps(const std::string& path) {
+  return path.starts_with("map.") || path == "map_seed" || path.starts_with("vehicle.");
+}
+
+/// Paths that the sweep varies, of which `is_wanted(path)` holds, with the number of their values.
+template <class IsWanted>
+std::vector<std::pair<std::string, std::int64_t>> axes_of(const nlohmann::json& spec,
+                                                          IsWanted is_wanted) {
+  std::vector<std::pair<std::string, std::int64_t>> axes;
+  for (const auto& axis : spec.value("axes", nlohmann::json::array())) {
+    const std::string path = axis.value("path", "");
+    if (!is_wanted(path)) continue;
+    axes.emplace_back(path, axis.value("values", nlohmann::json::array()).size());
+  }
+  return axes;
+}
+
+/// How often the sweep flies a mission: planners times settings on the same map.
+std::int64_t flights_of_mission(const nlohmann::json& spec) {
+  auto count = static_cast<std::int64_t>(spec.value("planners", nlohmann::json::array()).size());
+  for (const auto& [path, size] : axes_of(spec, [](const auto& p) { return !makes_maps(p); })) {
+    count *= size;
+  }
+  return count;
+}
+
+/// Trials that the sweep asks for; 0 where its spec does not say.
+std::int64_t asked_trials(const nlohmann::json& spec) {
+  std::int64_t count = spec.value("trials", std::int64_t{0}) * flights_of_mission(spec);
+  for (const auto& [path, size] : axes_of(spec, makes_maps)) count *= size;
+  return count;
+}
+
+void warn_of_mixtures(const SweepSummary& summary, const SweepResult& result,
+                      const nlohmann::json& spec, Warnings& warnings) {
+  if (result.program_versions.size() > 1) {
+    warnings.push_back("trials of different versions of avoidbench: " +
+                       joined(result.program_versions, ", "));
+  }
+  std::map<std::string, std::string> key_of_label;
+  for (const PlannerRow& planner : result.planners) {
+    if (!key_of_label.emplace(planner.label, planner_key(planner)).second) {
+      warnings.push_back("planners of different files or parameters share the label " +
+                         planner.label);
+    }
+  }
+  if (!summary.group_rows.empty()) return;
+  std::set<std::tuple<std::string_view, std::string_view, std::int64_t>> flights;
+  for (const TrialSummary& trial : result.trials) {
+    if (!flights.emplace(trial.planner_key, trial.map_key, trial.mission_index).second) {
+      std::vector<std::string> axes;
+      for (const auto& [path, size] : axes_of(spec, [](const auto& p) { return !makes_maps(p); })) {
+        axes.push_back(path);
+      }
+      warnings.push_back(
+          "trials differ in more than planner, map and mission; this report takes them together" +
+          (axes.empty() ? "" : " (--group-by planner," + joined(axes, ",") + " tells them apart)"));
+      break;
+    }
+  }
+}
+
+bool has_measured_latency(const nlohmann::json& spec) {
+  const nlohmann::json base = spec.value("base", nlohmann::json::object());
+  const nlohmann::json latency = base.value("latency", nlohmann::json::object());
+  if (latency.value("mode", "") == "measured") return true;
+  const nlohmann::json axes = spec.value("axes", nlohmann::json::array());
+  return std::any_of(axes.begin(), axes.end(), [](const nlohmann::json& axis) {
+    const nlohmann::json values = axis.value("values", nlohmann::json::array());
+    return axis.value("path", "") == "latency.mode" &&
+           std::find(values.begin(), values.end(), "measured") != values.end();
+  });
+}
+
+/// Missions a map that the planner's trials reach up to.
+std::int64_t mission_count_of(const SweepResult& result, const std::string& label) {
+  std::set<std::string> keys;
+  for (const PlannerRow& planner : result.planners) {
+    if (planner.label == label) keys.insert(planner_key(planner));
+  }
+  std::int64_t count = 0;
+  for (const TrialSummary& trial : result.trials) {
+    if (keys.contains(trial.planner_key)) count = std::max(count, trial.mission_index + 1);
+  }
+  return count;
+}
+
+/// Planners that stopped by the sweep's rule. What they left out is not missing.
+std::int64_t warn_of_stops(const SweepSummary& summary, const SweepResult& result,
+                           const nlohmann::json& spec, std::int64_t asked_a_planner,
+                           Warnings& warnings) {
+  const std::string text = spec.value("until", "");
+  if (text.empty()) return 0;
+  const StopRule rule = parse_stop_rule(text);
+  std::int64_t left_out = 0;
+  for (const PlannerSummary& planner : summary.overall) {
+    if (planner.trial_count >= asked_a_planner) continue;
+    if (!is_enough(rule, planner.finished_count, planner.trial_count)) continue;
+    const std::string& label = result.planners[planner.planner].label;
+    left_out += asked_a_planner - planner.trial_count;
+    warnings.push_back(summary.planners[planner.planner] + " stopped after " +
+                       std::to_string(mission_count_of(result, label)) + " of " +
+                       std::to_string(spec.value("trials", std::int64_t{0})) +
+                       " missions a map, as the sweep's rule says (until " + text + ")");
+  }
+  return left_out;
+}
+
+void warn_of_missing_trials(const SweepSummary& summary, const SweepResult& result,
+                            const nlohmann::json& spec, Warnings& warnings) {
+  const std::int64_t asked = asked_trials(spec);
+  if (asked == 0 || !summary.conditions.empty()) return;
+  // An invalid mission is flown by no planner, in none of the settings that share its map.
+  const std::int64_t invalid = summary.invalid_mission_count * flights_of_mission(spec);
+  const auto planner_count =
+      static_cast<std::int64_t>(spec.value("planners", nlohmann::json::array()).size());
+  const std::int64_t left_out =
+      warn_of_stops(summary, result, spec, (asked - invalid) / planner_count, warnings);
+  const std::int64_t missing =
+      asked - invalid - left_out - static_cast<std::int64_t>(result.trials.size());
+  if (missing <= 0) return;
+  warnings.push_back("the sweep is not done: " + std::to_string(missing) + " of its " +
+                     std::to_string(asked - invalid) +
+                     " trials are not flown yet, and those that are may be the quick or easy ones");
+}
+
+}  // namespace
+
+std::vector<std::string> warnings_of(const SweepSummary& summary, const SweepResult& result) {
+  const nlohmann::json parsed = nlohmann::json::parse(result.spec_json, nullptr, false);
+  const nlohmann::json spec = parsed.is_object() ? parsed : nlohmann::json::object();
+  Warnings warnings;
+  warn_of_missing_trials(summary, result, spec, warnings);
+  warn_of_few_trials(summary, warnings);
+  warn_of_unclear_differences(summary, warnings);
+  warn_of_mixtures(summary, result, spec, warnings);
+  if (has_measured_latency(spec)) {
+    warnings.push_back(
+        "latency was measured on the host: these results depend on the machine and can't be "
+        "repeated bit for bit but with latency mode replay");
+  }
+  return warnings;
+}
+
+}  // namespace avoidbench

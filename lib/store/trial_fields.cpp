@@ -1,0 +1,147 @@
+#include "store/trial_fields.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "base/input_error.hpp"
+#include "store/statement.hpp"
+
+namespace avoidbench {
+namespace {
+
+struct NamedField {
+  std::string_view name, sql;
+};
+
+constexpr NamedField kNamedFields[] = {
+    {"planner", "p.label"},
+    {"planner_name", "p.name"},
+    {"planner_version", "p.version"},
+    {"is_privileged", "p.is_privileged"},
+    {"generator", "m.generator"},
+    {"map_seed", "m.map_seed"},
+    {"poisson_radius_m", "json_extract(m.spec_json, '$.poisson_radius_m')"},
+    {"obstacle_count", "m.obstacle_count"},
+    {"traversability", "m.traversability"},
+    {"traversability_normalized_ratio", "m.traversability_normalized_ratio"},
+    {"relative_gap_size", "m.relative_gap_size"},
+    {"obstacle_density_1pm2", "m.obstacle_density_1pm2"},
+    {"free_volume_ratio", "m.free_volume_ratio"},
+    {"mission_index", "t.mission_index"},
+    {"reference_length_m", "i.reference_length_m"},
+    {"traversability_obstruction", "i.traversability_obstruction"},
+    {"view_occlusion", "i.view_occlusion"},
+    {"angle_over_length_1pm", "i.angle_over_length_1pm"},
+    {"outcome", "t.outcome"},
+    {"is_finished", "t.outcome = 'reached_goal'"},
+    {"reason", "t.reason"},
+    {"end_time_s", "t.end_time_s"},
+    {"attempt", "t.attempt"},
+    {"program_version", "r.program_version"},
+    {"git_hash", "r.git_hash"},
+    {"host", "r.host"},
+    {"cpu", "r.cpu"},
+    {"sensor", "json_extract(t.spec_json, '$.sensor.name')"},
+    {"vehicle", "json_extract(t.spec_json, '$.vehicle.name')"},
+};
+
+constexpr std::string_view kParameterPrefix = "planner.";
+constexpr std::string_view kOwnOfPlanner[] = {"label", "plugin", "file_digest"};
+
+std::string in_quotes(std::string_view text, char quote) {
+  std::string out(1, quote);
+  for (const char c : text) {
+    if (c == quote) out += quote;
+    out += c;
+  }
+  return out + quote;
+}
+
+/// `$."a"."b"` for a.b, as a literal of SQL.
+std::string json_path(std::string_view dotted) {
+  std::string path = "$";
+  while (!dotted.empty()) {
+    const std::size_t dot = dotted.find('.');
+    std::string part(dotted.substr(0, dot));
+    std::erase(part, '"');  // which no key of ours has
+    path += ".\"" + part + "\"";
+    dotted.remove_prefix(dot == std::string_view::npos ? dotted.size() : dot + 1);
+  }
+  return in_quotes(path, '\'');
+}
+
+std::string sql_of(const Database& db, const std::string& field) {
+  for (const NamedField& named : kNamedFields) {
+    if (named.name == field) return std::string(named.sql);
+  }
+  for (const MetricRow& metric : db.metrics()) {
+    if (metric.name == field) return "t." + field;
+  }
+  if (field.starts_with(kParameterPrefix)) {
+    const std::string name = field.substr(kParameterPrefix.size());
+    if (std::find(std::begin(kOwnOfPlanner), std::end(kOwnOfPlanner), name) ==
+        std::end(kOwnOfPlanner)) {
+      return "(SELECT CASE WHEN json_extract(value, '$.is_text') THEN json_extract(value, "
+             "'$.text') ELSE json_extract(value, '$.number') END FROM json_each(t.spec_json, "
+             "'$.planner.parameters') WHERE json_extract(value, '$.name') = " +
+             in_quotes(name, '\'') + ")";
+    }
+  }
+  if (field.find('.') != std::string::npos) {
+    return "json_extract(t.spec_json, " + json_path(field) + ")";
+  }
+  std::vector<std::string> known;
+  for (const NamedField& named : kNamedFields) known.emplace_back(named.name);
+  for (const MetricRow& metric : db.metrics()) known.push_back(metric.name);
+  throw InputError("trials have no field " + field + did_you_mean(field, known) +
+                   "; a field is a column of the view trial_table, a metric, or a path such as "
+                   "map.poisson_radius_m or sensor.kind");
+}
+
+void append_paths(const nlohmann::json& object, const std::string& prefix,
+                  std::vector<std::string>& paths) {
+  for (const auto& [key, value] : object.items()) {
+    if (value.is_object()) {
+      append_paths(value, prefix + key + ".", paths);
+    } else if (value.is_primitive()) {
+      paths.push_back(prefix + key);
+    }
+  }
+}
+
+/// Every path of a trial's spec and its planner's parameters.
+std::vector<std::string> paths_of(const Database& db, const std::string& trial_key) {
+  Statement s(db.handle(), db.path(), "SELECT spec_json FROM trials WHERE trial_key = ?");
+  s.bind_text(trial_key);
+  std::vector<std::string> paths;
+  if (!s.step()) return paths;
+  const nlohmann::json spec = nlohmann::json::parse(s.text(0), nullptr, false);
+  append_paths(spec, "", paths);
+  if (!spec.contains("planner")) return paths;
+  for (const auto& parameter : spec["planner"].value("parameters", nlohmann::json::array())) {
+    paths.push_back(std::string(kParameterPrefix) + parameter.value("name", ""));
+  }
+  return paths;
+}
+
+}  // namespace
+
+std::string field_columns(const Database& db, const std::vector<std::string>& fields) {
+  std::string columns;
+  for (const std::string& field : fields) columns += ", " + sql_of(db, field);
+  return columns;
+}
+
+void refuse_empty_field(const Database& db, const SweepResult& result, std::size_t field) {
+  const std::string& name = result.fields[field];
+  if (name.find('.') == std::string::npos || result.trials.empty()) return;
+  const bool is_there =
+      std::any_of(result.trials.begin(), result.trials.end(), [&](const TrialSummary& trial) {
+        return !std::holds_alternative<std::monostate>(trial.fields[field]);
+      });
+  if (is_there) return;
+  throw InputError("no trial of sweep " + result.name + " has a value at " + name +
+                   did_you_mean(name, paths_of(db, result.trials.front().key)));
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "store/database.hpp"
+
+namespace avoidbench {
+
+/// The tables that a field's expression may name: trials t, planners p, maps m, missions i, runs r.
+inline constexpr std::string_view kTrialTables =
+    " FROM sweep_trials s JOIN trials t USING (trial_key) JOIN planners p USING (planner_key) "
+    "JOIN maps m ON m.map_key = t.map_key JOIN runs r USING (run_id) JOIN missions i ON "
+    "i.map_key = t.map_key AND i.mission_index = t.mission_index";
+
+/// SQL for each field, a comma before each. A field is
+/// - a column of the view trial_table or a metric: `planner`, `traversability`, `outcome`;
+/// - any value of the trial's spec by its path: `map.poisson_radius_m`, `wind.mean_mps`,
+///   `planner.horizon_m` for a planner's parameter; `sensor` and `vehicle` mean their names.
+/// Throws InputError for any other name.
+std::string field_columns(const Database& db, const std::vector<std::string>& fields);
+
+/// Throws InputError, with the nearest path that there is, when no trial of `result` has field
+/// number `field`: the path was misspelled.
+void refuse_empty_field(const Database& db, const SweepResult& result, std::size_t field);
+
+}  // namespace avoidbench
