@@ -72,7 +72,7 @@ Interval clustered_wilson_interval(std::span<const std::int64_t> successes,
   }
   if (clusters < 2.0) return {kNaN, kNaN};
   const double rate = finished / n;
-  double effective = clusters;
+  double effective = n;
   if (rate > 0.0 && rate < 1.0) {
     double squares = 0.0;
     for (std::size_t i = 0; i < trials.size(); ++i) {

@@ -26,9 +26,14 @@ Interval jeffreys_interval(std::int64_t successes, std::int64_t trials, double c
 /// Interval for the success rate on maps like those flown, of which `successes[i]` of `trials[i]`
 /// trials succeeded on map i: Wilson's interval with the trials divided by the design effect, which
 /// says how much more the maps' rates differ than those of independent trials would (Kish 1965; Rao
-/// and Scott 1992; never below 1), and Student's t for the number of maps (Korn and Graubard 1998).
-/// Maps without trials are left out; where all trials succeed or all fail, each map counts as one
-/// trial. NaN for fewer than 2 maps.
+/// and Scott 1992; never below 1), and Student's t for the number of maps (Korn and Graubard 1998):
+/// never narrower than Wilson's. Where all trials succeed or all fail nothing is known of the maps'
+/// differences, and the design effect is 1. Maps without trials are left out; NaN for fewer than 2.
+///
+/// What 95 % covers, in 4,000 synthetic sweeps of 10 trials a map whose logits are normal: 94 to 98
+/// % for 15 and 30 maps with standard deviations of 0 to 2 and rates of 0.5 to 0.9; where maps
+/// differ by 2 and nearly all flights succeed (0.93 to 0.98) only 91 to 93 %, as few maps have the
+/// failures. Wilson's of the same covers 95, 89, 79 and 64 % at 0, 0.5, 1 and 2.
 Interval clustered_wilson_interval(std::span<const std::int64_t> successes,
                                    std::span<const std::int64_t> trials, double confidence = 0.95);
 

@@ -1,13 +1,19 @@
 #include "statistics/bootstrap.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
-#include <vector>
+#include "reference.hpp"
+#include "statistics/distributions.hpp"
 
 namespace avoidbench {
 namespace {
+
+/// The mean of `values` at the indices.
+auto mean_of(const std::vector<double>& values) {
+  return [&values](std::span<const std::size_t> drawn) {
+    double total = 0.0;
+    for (const std::size_t i : drawn) total += values[i];
+    return total / static_cast<double>(drawn.size());
+  };
+}
 
 TEST(Bootstrap, ContrastFactorIsTheRatioOfFailuresAMetre) {
   // Failures of intensity λ a metre: SR = exp(-λ d).
@@ -34,17 +40,78 @@ TEST(Bootstrap, BootstrapOfAMeanHasItsSpread) {
   double sum = 0.0;
   for (const double value : values) sum += value;
   const double mean = sum / 400.0;
-  const auto mean_of = [&](std::span<const std::size_t> drawn) {
-    double total = 0.0;
-    for (const std::size_t i : drawn) total += values[i];
-    return total / static_cast<double>(drawn.size());
-  };
-  const Interval interval = bca_interval(values.size(), mean_of, stream(1, "test"));
+  const Interval interval = bca_interval(values.size(), mean_of(values), stream(1, "test"));
   EXPECT_NEAR(interval.lower, mean - 1.96 / 20.0, 0.015);
   EXPECT_NEAR(interval.upper, mean + 1.96 / 20.0, 0.015);
-  const Interval again = bca_interval(values.size(), mean_of, stream(1, "test"));
+  const Interval again = bca_interval(values.size(), mean_of(values), stream(1, "test"));
   EXPECT_EQ(interval.lower, again.lower);
   EXPECT_EQ(interval.upper, again.upper);
+}
+
+TEST(Bootstrap, IsScipysBcaButForItsWidening) {
+  const nlohmann::json row = reference("bootstrap");
+  const std::vector<double> values = numbers(row.at("values"));
+  // The confidence whose widened quantile is the normal one of 95 %.
+  const double n = static_cast<double>(values.size());
+  const double t = 1.959963984540054 * std::sqrt((n - 1.0) / n);
+  const double outside = beta_cdf((n - 1.0) / (n - 1.0 + t * t), 0.5 * (n - 1.0), 0.5);
+  const Interval interval =
+      bca_interval(values.size(), mean_of(values), stream(1, "test"), 40000, 1.0 - outside);
+  const std::vector<double> ends = numbers(row.at("bca"));
+  const double monte_carlo = 0.06 * row.at("standard_deviation").get<double>();
+  EXPECT_NEAR(interval.lower, ends[0], monte_carlo);
+  EXPECT_NEAR(interval.upper, ends[1], monte_carlo);
+  const Interval widened = bca_interval(values.size(), mean_of(values), stream(1, "test"), 40000);
+  EXPECT_LT(widened.lower, interval.lower);
+  EXPECT_GT(widened.upper, interval.upper);
+}
+
+TEST(Bootstrap, FallsBackWhereThereIsNoBiasOrAcceleration) {
+  const std::vector<double> constant(12, 3.0);
+  const Interval point = bca_interval(12, mean_of(constant), stream(1, "test"));
+  EXPECT_EQ(point.lower, 3.0);
+  EXPECT_EQ(point.upper, 3.0);
+
+  // A maximum: no draw is above it, so that the bias is infinite.
+  std::vector<double> rising;
+  for (int i = 0; i < 12; ++i) rising.push_back(i);
+  const Interval maximum = bca_interval(
+      12,
+      [&](std::span<const std::size_t> drawn) {
+        return rising[*std::max_element(drawn.begin(), drawn.end())];
+      },
+      stream(1, "test"));
+  EXPECT_EQ(maximum.upper, 11.0);
+  EXPECT_LT(maximum.lower, 11.0);
+
+  // Undefined without the last cluster: the percentiles of the draws that have it.
+  const Interval sparse = bca_interval(
+      12,
+      [&](std::span<const std::size_t> drawn) {
+        const bool has_last = std::find(drawn.begin(), drawn.end(), 11U) != drawn.end();
+        return has_last ? mean_of(rising)(drawn) : std::nan("");
+      },
+      stream(1, "test"));
+  EXPECT_LT(sparse.lower, 5.5);
+  EXPECT_GT(sparse.upper, 5.5);
+
+  const auto never = [](std::span<const std::size_t>) { return std::nan(""); };
+  EXPECT_TRUE(std::isnan(bca_interval(12, never, stream(1, "test")).lower));
+  EXPECT_TRUE(std::isnan(bca_interval(1, mean_of(rising), stream(1, "test")).lower));
+  EXPECT_TRUE(std::isnan(bca_interval(0, mean_of(rising), stream(1, "test")).upper));
+}
+
+TEST(Bootstrap, IsSkewedAsItsStatistic) {
+  std::vector<double> values;
+  RandomStream random(7);
+  for (int i = 0; i < 40; ++i) {
+    const double normal = random.normal();
+    values.push_back(std::exp(normal));
+  }
+  double mean = 0.0;
+  for (const double value : values) mean += value / 40.0;
+  const Interval interval = bca_interval(40, mean_of(values), stream(1, "test"));
+  EXPECT_GT(interval.upper - mean, 1.2 * (mean - interval.lower));
 }
 
 }  // namespace
