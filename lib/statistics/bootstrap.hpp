@@ -25,6 +25,11 @@ double contrast_factor(double success_rate_1, double reference_length_1_m, doubl
 /// Draws where the statistic is NaN are left out. Without a bias or an acceleration (all draws on
 /// one side, the statistic undefined for all clusters or without one of them) it is the widened
 /// percentile interval. NaN for fewer than 2 clusters and where no draw is left.
+///
+/// What 95 % covers, for means and contrast factors in 2,000 synthetic sweeps: 93.5 to 95 % for 15
+/// and 30 maps (91 to 93 % at 15 without the widening), 92 to 95 % for 8, 89 to 91 % for 5; for
+/// means of heavy tails (skewness 2.3) 92 % for 15 and 94 % for 60. Drawing trials instead of maps
+/// it covers 55 % of means and 80 to 90 % of contrast factors.
 Interval bca_interval(std::size_t cluster_count,
                       const std::function<double(std::span<const std::size_t>)>& statistic,
                       RandomStream random, std::size_t replicate_count = 2000,

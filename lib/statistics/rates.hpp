@@ -41,13 +41,19 @@ Interval clustered_wilson_interval(std::span<const std::int64_t> successes,
 double jeffreys_rate(std::int64_t successes, std::int64_t trials);
 
 /// Two-sided p of Fisher's exact test that two rates are equal: the sum of the probabilities of all
-/// tables with these margins that are no likelier than the one seen.
+/// tables with these margins that are no likelier than the one seen. It is about trials that know
+/// nothing of each other: see mcnemar_exact_p.
 double fisher_exact_p(std::int64_t successes_1, std::int64_t trials_1, std::int64_t successes_2,
                       std::int64_t trials_2);
 
 /// Two-sided p of McNemar's exact test that two planners succeed equally often on the same
 /// missions, of which `only_first` were finished by the first only and `only_second` by the second
 /// only: the binomial test of one half. 1 where none differ.
+///
+/// Both this and Fisher's test are about the missions flown, or about missions that share no maps.
+/// Where many missions share a map and each planner has maps of its own to be good at, they find
+/// differences on other maps too often: at 5 %, 17 and 13 % of synthetic sweeps of 30 maps with 10
+/// missions. wilcoxon_signed_rank of the maps' differences of rates keeps its 5 %.
 double mcnemar_exact_p(std::int64_t only_first, std::int64_t only_second);
 
 }  // namespace avoidbench

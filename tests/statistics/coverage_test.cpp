@@ -4,6 +4,7 @@
 
 #include <iostream>
 
+#include "statistics/ranks.hpp"
 #include "synthetic_sweeps.hpp"
 
 namespace avoidbench {
@@ -110,6 +111,56 @@ TEST(StatisticsSlow, SkewedMeansNeedMoreMaps) {
   EXPECT_GE(few.percent(), 90.0);
   EXPECT_LT(few.percent(), 93.0);
   expect_honest(synthetic::mean_coverage(population, 60, 2000, 1000), "strong, 60 maps");
+}
+
+TEST(StatisticsSlow, EightMapsAreNearlyEnoughAndFiveAreNot) {
+  const BootstrapCoverage five = synthetic::bootstrap_coverage({}, 5, 4000, 1000);
+  const BootstrapCoverage eight = synthetic::bootstrap_coverage({}, 8, 4000, 1000);
+  std::cout << "    mean " << five.mean.percent() << " %, " << eight.mean.percent()
+            << " %, contrast factor " << five.contrast.percent() << " %, "
+            << eight.contrast.percent() << " %\n";
+  for (const Coverage& coverage : {five.mean, five.contrast}) {
+    EXPECT_GE(coverage.percent(), 88.0);
+    EXPECT_LT(coverage.percent(), 93.0);
+  }
+  for (const Coverage& coverage : {eight.mean, eight.contrast}) {
+    EXPECT_GE(coverage.percent(), 92.0);
+    EXPECT_LE(coverage.percent(), 97.0);
+  }
+}
+
+// Two planners of the same rate over all maps, each better on maps of its own: how often a test
+// of 5 % says that they differ.
+TEST(StatisticsSlow, TestsOfMapsKeepTheirLevelWhereTestsOfTrialsDoNot) {
+  Population population;
+  population.logit = {1.5, 1.5};
+  population.logit_spread = 1.5;
+  constexpr int kSweeps = 4000;
+  RandomStream random = stream(6, "sweeps");
+  int mcnemar = 0, fisher = 0, wilcoxon = 0;
+  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    const std::vector<synthetic::Map> maps = synthetic::flown(population, 30, random);
+    std::array<std::int64_t, 2> finished{}, only{};
+    std::vector<double> differences;
+    for (const synthetic::Map& map : maps) {
+      for (std::size_t trial = 0; trial < map.successes[0].size(); ++trial) {
+        only[0] += map.successes[0][trial] && !map.successes[1][trial] ? 1 : 0;
+        only[1] += map.successes[1][trial] && !map.successes[0][trial] ? 1 : 0;
+      }
+      finished[0] += map.finished[0];
+      finished[1] += map.finished[1];
+      differences.push_back(static_cast<double>(map.finished[0] - map.finished[1]));
+    }
+    mcnemar += mcnemar_exact_p(only[0], only[1]) < 0.05 ? 1 : 0;
+    fisher += fisher_exact_p(finished[0], 300, finished[1], 300) < 0.05 ? 1 : 0;
+    wilcoxon += wilcoxon_signed_rank(differences).p < 0.05 ? 1 : 0;
+  }
+  std::cout << "    Wilcoxon of maps' rates " << 100.0 * wilcoxon / kSweeps << " %, McNemar "
+            << 100.0 * mcnemar / kSweeps << " %, Fisher " << 100.0 * fisher / kSweeps << " %\n";
+  EXPECT_LE(wilcoxon, 0.06 * kSweeps);
+  EXPECT_GE(wilcoxon, 0.03 * kSweeps);
+  EXPECT_GT(mcnemar, 0.08 * kSweeps);
+  EXPECT_GT(fisher, 0.08 * kSweeps);
 }
 
 }  // namespace
