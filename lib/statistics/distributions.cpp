@@ -62,7 +62,10 @@ double log_gamma(double x) {
   AB_CHECK(x > 0.0, x);
   // Stirling's series from 12 on, reached by Γ(x + 1) = x Γ(x).
   double product = 1.0;
-  for (; x < 12.0; x += 1.0) product *= x;
+  while (x < 12.0) {
+    product *= x;
+    x += 1.0;
+  }
   const double y = 1.0 / (x * x);
   const double series =
       (1.0 / 12.0 + y * (-1.0 / 360.0 +
