@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "statistics/bootstrap.hpp"
+#include "statistics/ranks.hpp"
 #include "statistics/rates.hpp"
 
 namespace avoidbench {
@@ -65,6 +66,9 @@ Contrast contrast_of(const PlannerSummary& planner_1, const Trials& trials_1,
                                     planner_2.success_rate, planner_2.mean_reference_length_m);
   contrast.fisher_p = fisher_exact_p(planner_1.finished_count, planner_1.trial_count,
                                      planner_2.finished_count, planner_2.trial_count);
+  const std::vector<double> differences = rate_differences(trials_1, trials_2);
+  contrast.map_p =
+      differences.size() < kLeastMapsToTest ? kNaN : wilcoxon_signed_rank(differences).p;
 
   const std::vector<SumPair> maps = sums_by_map(trials_1, trials_2);
   std::vector<std::size_t> every(maps.size());

@@ -10,7 +10,11 @@ struct Contrast {
   double factor = 0.0;           ///< NaN: undefined, a success rate is 0 or 1
   double smoothed_factor = 0.0;  ///< with Jeffreys-smoothed rates
   Interval smoothed_interval;    ///< BCa bootstrap over maps, 95 %; NaN for fewer than kLeastMaps
-  double fisher_p = 1.0;         ///< that the success rates are equal
+  double fisher_p = 1.0;         ///< that the success rates are equal, on missions like these
+  double map_p = 1.0;  ///< the same on maps like these: Wilcoxon's test of the maps' rates; NaN
+                       ///< for fewer than kLeastMapsToTest
+
+  bool is_clear() const { return fisher_p < kAlpha && !(map_p >= kAlpha); }
 };
 
 /// `trials_1` and `trials_2` are those that the summaries were made of.

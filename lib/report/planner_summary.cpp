@@ -101,21 +101,60 @@ std::vector<double> paired_differences(const Trials& a, const Trials& b, std::si
   return differences;
 }
 
-void mark_best_rate(std::vector<PlannerSummary>& planners) {
+/// Trials and successes on one map.
+struct MapCount {
+  std::size_t map = 0;
+  std::int64_t trials = 0, finished = 0;
+
+  double rate() const { return static_cast<double>(finished) / static_cast<double>(trials); }
+};
+
+std::vector<MapCount> counts_by_map(const Trials& trials) {
+  std::vector<MapCount> counts;
+  for (const TrialOnMap& on_map : trials) {
+    if (counts.empty() || counts.back().map != on_map.map) counts.push_back({.map = on_map.map});
+    counts.back().trials += 1;
+    counts.back().finished += on_map.trial->outcome == Outcome::reached_goal ? 1 : 0;
+  }
+  return counts;
+}
+
+Interval success_interval(const Trials& trials, std::int64_t finished_count) {
+  std::vector<std::int64_t> finished, flown;
+  for (const MapCount& count : counts_by_map(trials)) {
+    finished.push_back(count.finished);
+    flown.push_back(count.trials);
+  }
+  if (flown.size() >= kLeastMaps) return clustered_wilson_interval(finished, flown);
+  return wilson_interval(finished_count, static_cast<std::int64_t>(trials.size()));
+}
+
+/// Whether `a`'s rate is significantly above `b`'s, on these missions and on maps like these.
+bool is_better_rate(const PlannerSummary& a, const Trials& trials_a, const PlannerSummary& b,
+                    const Trials& trials_b, double comparisons) {
+  if (a.success_rate <= b.success_rate) return false;
+  const double p = fisher_exact_p(a.finished_count, a.trial_count, b.finished_count, b.trial_count);
+  if (comparisons * p >= kAlpha) return false;
+  const std::vector<double> differences = rate_differences(trials_a, trials_b);
+  return differences.size() < kLeastMapsToTest ||
+         comparisons * wilcoxon_signed_rank(differences).p < kAlpha;
+}
+
+void mark_best_rate(std::vector<PlannerSummary>& planners, std::span<const Trials> trials) {
   const auto best =
       std::max_element(planners.begin(), planners.end(), [](const auto& a, const auto& b) {
         return a.success_rate < b.success_rate ||
                (std::isnan(a.success_rate) && !std::isnan(b.success_rate));
       });
   const auto comparisons = static_cast<double>(planners.size() - 1);
-  best->is_best_rate =
-      std::all_of(planners.begin(), planners.end(), [&](const PlannerSummary& other) {
-        if (other.planner == best->planner) return true;
-        return best->success_rate > other.success_rate &&
-               comparisons * fisher_exact_p(best->finished_count, best->trial_count,
-                                            other.finished_count, other.trial_count) <
-                   kAlpha;
-      });
+  const auto best_index = static_cast<std::size_t>(best - planners.begin());
+  bool is_best = true;
+  for (std::size_t i = 0; i < planners.size(); ++i) {
+    if (i == best_index) continue;
+    is_best =
+        is_best && is_better_rate(*best, trials[best_index], planners[i], trials[i], comparisons);
+  }
+  best->is_best_rate = is_best;
 }
 
 void mark_best_mean(std::vector<PlannerSummary>& planners, std::span<const Trials> trials,
@@ -140,6 +179,18 @@ void mark_best_mean(std::vector<PlannerSummary>& planners, std::span<const Trial
 
 }  // namespace
 
+std::vector<double> rate_differences(const Trials& a, const Trials& b) {
+  const std::vector<MapCount> counts_a = counts_by_map(a), counts_b = counts_by_map(b);
+  std::vector<double> differences;
+  std::size_t in_b = 0;
+  for (const MapCount& count : counts_a) {
+    while (in_b < counts_b.size() && counts_b[in_b].map < count.map) ++in_b;
+    if (in_b == counts_b.size() || counts_b[in_b].map != count.map) continue;
+    differences.push_back(count.rate() - counts_b[in_b].rate());
+  }
+  return differences;
+}
+
 PlannerSummary planner_summary(std::size_t planner, const Trials& trials,
                                std::span<const std::size_t> metrics) {
   PlannerSummary summary;
@@ -153,7 +204,7 @@ PlannerSummary planner_summary(std::size_t planner, const Trials& trials,
   summary.finished_count = summary.outcome_counts[static_cast<std::size_t>(Outcome::reached_goal)];
   const auto count = static_cast<double>(trials.size());
   summary.success_rate = static_cast<double>(summary.finished_count) / count;  // 0 / 0 is NaN
-  summary.success_interval = wilson_interval(summary.finished_count, summary.trial_count);
+  summary.success_interval = success_interval(trials, summary.finished_count);
   summary.mean_reference_length_m = length_m / count;
   for (const std::size_t metric : metrics) summary.means.push_back(metric_mean(trials, metric));
   return summary;
@@ -162,7 +213,7 @@ PlannerSummary planner_summary(std::size_t planner, const Trials& trials,
 void mark_best(std::vector<PlannerSummary>& planners, std::span<const Trials> trials,
                std::span<const std::size_t> metrics, std::span<const MetricRow> rows) {
   if (planners.size() < 2) return;
-  mark_best_rate(planners);
+  mark_best_rate(planners, trials);
   for (std::size_t i = 0; i < metrics.size(); ++i) {
     mark_best_mean(planners, trials, i, metrics[i], rows[i].better);
   }

@@ -37,7 +37,7 @@ struct PlannerSummary {
   std::size_t planner = 0;  ///< index into SweepSummary::planners
   std::int64_t trial_count = 0, finished_count = 0;
   double success_rate = 0.0;  ///< NaN without trials
-  Interval success_interval;  ///< Wilson, 95 %
+  Interval success_interval;  ///< 95 %: Wilson, for maps like these where there are kLeastMaps
   bool is_best_rate = false;  ///< significantly above every other planner's
   double mean_reference_length_m = 0.0;
   std::vector<MetricMean> means;  ///< one a metric of SweepSummary::metrics
@@ -48,10 +48,17 @@ struct PlannerSummary {
 PlannerSummary planner_summary(std::size_t planner, const Trials& trials,
                                std::span<const std::size_t> metrics);
 
+/// How much greater `a`'s success rate is than `b`'s on each map that both flew.
+std::vector<double> rate_differences(const Trials& a, const Trials& b);
+
+/// Maps from which on a test over them can find anything (p < kAlpha).
+inline constexpr std::size_t kLeastMapsToTest = 6;
+
 /// Marks what is significantly best among planners that flew the same missions: rates by Fisher's
-/// exact test, means by Wilcoxon's signed-rank test on the missions that both have, p Bonferroni
-/// corrected. `trials` has the trials of each of `planners`; `metrics` are those of
-/// planner_summary(), `rows` their definitions.
+/// exact test and, from kLeastMapsToTest maps on, by Wilcoxon's of the maps' rates too, means by
+/// Wilcoxon's signed-rank test on the missions that both have, p Bonferroni corrected. `trials` has
+/// the trials of each of `planners`; `metrics` are those of planner_summary(), `rows` their
+/// definitions.
 void mark_best(std::vector<PlannerSummary>& planners, std::span<const Trials> trials,
                std::span<const std::size_t> metrics, std::span<const MetricRow> rows);
 

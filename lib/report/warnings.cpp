@@ -57,7 +57,7 @@ void warn_of_few_trials(const SweepSummary& summary, Warnings& warnings) {
 void warn_of_unclear_differences(const SweepSummary& summary, Warnings& warnings) {
   std::vector<std::string> unclear;
   for (const Contrast& contrast : summary.contrasts) {
-    if (contrast.fisher_p < kAlpha) continue;
+    if (contrast.is_clear()) continue;
     const PlannerSummary& a = summary.overall[contrast.planner_1];
     const PlannerSummary& b = summary.overall[contrast.planner_2];
     std::string pair =
