@@ -18,6 +18,8 @@ constexpr std::pair<std::string_view, std::string_view> kSigns[] = {
     {"{", R"(\{)"},
     {"}", R"(\})"},
     {"~", R"(\textasciitilde{})"},
+    {"^2", R"($^2$)"},
+    {"^3", R"($^3$)"},
     {"^", R"(\textasciicircum{})"},
     {"<", R"($<$)"},
     {">", R"($>$)"},
@@ -78,6 +80,14 @@ std::string line_of(const std::vector<TextColumn>& columns,
   return line + " \\\\\n";
 }
 
+/// A column's doc without the name for machines that it begins with.
+std::string bare_doc(const TextColumn& column) {
+  const std::size_t colon = column.doc.find(": ");
+  const bool has_name =
+      colon != std::string::npos && column.doc.find(' ') > colon && column.doc.find('_') < colon;
+  return has_name ? column.doc.substr(colon + 2) : column.doc;
+}
+
 std::string table_in_latex(const std::string& sweep, const Table& table) {
   const std::vector<TextColumn> columns = text_columns(table);
   std::string caption = in_latex(table.title) + ".";
@@ -86,7 +96,9 @@ std::string table_in_latex(const std::string& sweep, const Table& table) {
   for (const TextColumn& column : columns) {
     alignment += column.is_key ? 'l' : 'r';
     has_units = has_units || !column.unit.empty();
-    if (!column.doc.empty()) caption += " " + in_latex(column.header + ": " + column.doc + ".");
+    if (!column.doc.empty()) {
+      caption += " " + in_latex(column.header + ": " + bare_doc(column) + ".");
+    }
     for (const std::string& cell : column.cells) {
       has_best = has_best || cell.find('*') != std::string::npos;
     }

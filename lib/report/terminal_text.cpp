@@ -49,9 +49,9 @@ std::vector<std::size_t> next_block(const std::vector<TextColumn>& columns, std:
   return block;
 }
 
-void append_line(std::string& out, std::string line) {
+std::string trimmed(std::string line) {
   line.erase(line.find_last_not_of(' ') + 1);
-  out += line + "\n";
+  return line;
 }
 
 /// One line of a block, of a text from each column, painted by `paint(column, aligned text)`.
@@ -74,44 +74,53 @@ std::string block_line(const std::vector<TextColumn>& columns,
                     [](const TextColumn&, const std::string& text) { return text; });
 }
 
+/// Titles, headers, units and a rule.
+std::string head_text(const Table& table, const std::vector<TextColumn>& columns,
+                      const std::vector<std::size_t>& block, bool is_first,
+                      const TextStyle& style) {
+  const auto line = [&](auto text_of, std::string_view colour) {
+    return painted(trimmed(block_line(columns, block, text_of)), colour, style) + "\n";
+  };
+  std::string out = painted(table.title, kBold, style) + (is_first ? "" : " (continued)") + "\n";
+  out += line([](const TextColumn& c) { return c.header; }, kBold);
+  const bool has_units = std::any_of(block.begin(), block.end(),
+                                     [&](std::size_t i) { return !columns[i].unit.empty(); });
+  if (has_units) out += line([](const TextColumn& c) { return c.unit; }, kDim);
+  std::string rule;
+  for (const std::size_t i : block) {
+    if (!rule.empty()) rule += kGap;
+    for (std::size_t n = 0; n < width_of(columns[i]); ++n) rule += "─";
+  }
+  return out + painted(rule, kDim, style) + "\n";
+}
+
+std::string row_text(const std::vector<TextColumn>& columns, const std::vector<std::size_t>& block,
+                     std::size_t row, const TextStyle& style) {
+  // A key that repeats is shown once, so that the eye sees the groups; the last key names the row
+  // and stays.
+  bool repeats = row > 0;
+  auto keys_left =
+      std::count_if(block.begin(), block.end(), [&](std::size_t i) { return columns[i].is_key; });
+  const auto cell = [&](const TextColumn& c) -> std::string {
+    if (!c.is_key) return c.cells[row];
+    repeats = repeats && --keys_left > 0 && c.cells[row] == c.cells[row - 1];
+    return repeats ? "" : c.cells[row];
+  };
+  const auto paint = [&](const TextColumn& c, const std::string& text) {
+    const bool is_best = !c.is_key && c.cells[row].find('*') != std::string::npos;
+    return is_best ? painted(text, kGreen, style) : text;
+  };
+  return trimmed(block_line(columns, block, cell, paint)) + "\n";
+}
+
 std::string table_text(const Table& table, const TextStyle& style) {
   const std::vector<TextColumn> columns = text_columns(table);
   std::string out;
   for (std::size_t first = 0; first < columns.size();) {
     const std::vector<std::size_t> block = next_block(columns, first, style.width);
-    out += painted(table.title, kBold, style) + (out.empty() ? "" : " (continued)") + "\n";
-    append_line(out,
-                painted(block_line(columns, block, [](const TextColumn& c) { return c.header; }),
-                        kBold, style));
-    const bool has_units = std::any_of(block.begin(), block.end(),
-                                       [&](std::size_t i) { return !columns[i].unit.empty(); });
-    if (has_units) {
-      append_line(
-          out, painted(block_line(columns, block, [](const TextColumn& c) { return c.unit; }), kDim,
-                       style));
-    }
-    std::string rule;
-    for (const std::size_t i : block) {
-      if (!rule.empty()) rule += kGap;
-      for (std::size_t n = 0; n < width_of(columns[i]); ++n) rule += "─";
-    }
-    out += painted(rule, kDim, style) + "\n";
+    out += head_text(table, columns, block, out.empty(), style);
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
-      // A key that repeats is shown once, so that the eye sees the groups; the last key names the
-      // row and stays.
-      bool repeats = row > 0;
-      std::size_t keys_left = static_cast<std::size_t>(std::count_if(
-          block.begin(), block.end(), [&](std::size_t i) { return columns[i].is_key; }));
-      const auto cell = [&](const TextColumn& c) -> std::string {
-        if (!c.is_key) return c.cells[row];
-        repeats = repeats && --keys_left > 0 && c.cells[row] == c.cells[row - 1];
-        return repeats ? "" : c.cells[row];
-      };
-      append_line(
-          out, block_line(columns, block, cell, [&](const TextColumn& c, const std::string& text) {
-            const bool is_best = !c.is_key && c.cells[row].find('*') != std::string::npos;
-            return is_best ? painted(text, kGreen, style) : text;
-          }));
+      out += row_text(columns, block, row, style);
     }
     out += "\n";
   }

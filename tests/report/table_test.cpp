@@ -167,6 +167,41 @@ TEST(Table, NeverExceedsAHundredColumns) {
   EXPECT_NE(all.find("Planners (continued)"), std::string::npos);
 }
 
+TEST(Table, LatexEscapesAndSetsTheBestInBold) {
+  Section some = section();
+  some.tables[0].columns[5].doc = "path_optimality_pct: excess & more, in % of P_τ";
+  some.tables[0].columns[5].unit = "m/s^2";
+  const Section sections[] = {some};
+  const std::string text = format_sections(sections, TableFormat::latex);
+  EXPECT_NE(text.find("\\toprule"), std::string::npos);
+  EXPECT_NE(text.find("\\textbf{0.88} [0.80, 0.93]"), std::string::npos) << text;
+  EXPECT_NE(text.find("PO: excess \\& more, in \\% of $P_\\tau$."), std::string::npos) << text;
+  EXPECT_NE(text.find("m/s$^2$"), std::string::npos) << text;
+  EXPECT_NE(text.find("\\label{tab:forest-planners}"), std::string::npos);
+  EXPECT_EQ(text.find(" & --"), text.rfind(" & --"));  // one cell is not defined
+}
+
+TEST(Table, ColoursOnlyWhereAsked) {
+  const Section sections[] = {section()};
+  const std::string plain = format_sections(sections, TableFormat::table);
+  EXPECT_EQ(plain.find('\033'), std::string::npos);
+  std::string coloured =
+      format_sections(sections, TableFormat::table, {.width = 100, .is_coloured = true});
+  EXPECT_NE(coloured.find("\033[32m"), std::string::npos);
+  while (coloured.find('\033') != std::string::npos) {
+    const std::size_t at = coloured.find('\033');
+    coloured.erase(at, coloured.find('m', at) + 1 - at);
+  }
+  EXPECT_EQ(coloured, plain);  // nothing but colours is added
+}
+
+TEST(Table, FoldsToANarrowTerminal) {
+  const Section sections[] = {section()};
+  std::istringstream lines(
+      format_sections(sections, TableFormat::table, {.width = 60, .is_coloured = false}));
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(display_width(line), 60U) << line;
+}
+
 TEST(Table, WidthsAreThoseOfATerminal) {
   EXPECT_EQ(display_width("abc"), 3U);
   EXPECT_EQ(display_width("é–τ"), 3U);
