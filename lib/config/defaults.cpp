@@ -194,6 +194,8 @@ std::string sweep_defaults_yaml() {
   top.line("seed: " + std::to_string(trial.seed), "Seed of missions and noise.");
   top.line("trials: 10", "Missions a map, the same for every planner. [1, 1000000]");
   text += top.text +
+          "# until: success_rate ci<0.05     # A planner stops when its success rate is known to "
+          "± 0.05. Left out: all are flown.\n"
           "\n# Names, or {plugin: NAME or ./FILE.so, label: …, parameters: {name: value or list}, "
           "max_speed_mps: …};\n"
           "# see avoidbench planners list, and planners describe NAME for the parameters.\n"

@@ -91,6 +91,12 @@ std::vector<std::pair<std::string, std::string>> own_facts(const std::string& ke
                  {"axis", "no: all missions are flown for each setting"},
                  {"example", "trials: 30"}};
   }
+  if (key == "until") {
+    return Facts{{"type", "a rule"},
+                 {"default", "none: all trials are flown"},
+                 {"axis", "no: it is the sweep's"},
+                 {"example", "until: success_rate ci<0.05"}};
+  }
   if (key == "include") {
     return Facts{{"type", "a file, or a list of them"},
                  {"example", "include: base.yaml"},
