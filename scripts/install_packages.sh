@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# install_packages.sh build|test: installs the Debian/Ubuntu packages that a build or the tests need, and says which. Does nothing,
-# and needs no root, where they are all there.
+# install_packages.sh build|test|plot: installs the Debian/Ubuntu packages that a build, the tests or the figures of
+# `report --plots` need, and says which. Does nothing, and needs no root, where they are all there.
 set -euo pipefail
 
 build_packages=(
@@ -8,12 +8,14 @@ build_packages=(
   libeigen3-dev libembree-dev libopencv-core-dev libopencv-imgproc-dev libopencv-calib3d-dev libyaml-cpp-dev libcli11-dev
   nlohmann-json3-dev libsqlite3-dev libpng-dev zlib1g-dev nettle-dev libassimp-dev libbenchmark-dev sqlite3
 )
-test_packages=(clang clang-format clang-tidy libclang-rt-14-dev libgtest-dev python3 python3-jsonschema python3-yaml valgrind)
+plot_packages=(python3 python3-matplotlib python3-pandas)  # scripts/plot
+test_packages=("${plot_packages[@]}" clang clang-format clang-tidy libclang-rt-14-dev libgtest-dev python3-jsonschema python3-yaml valgrind)
 
 case "${1:-build}" in
   build) packages=("${build_packages[@]}") ;;
   test) packages=("${build_packages[@]}" "${test_packages[@]}") ;;
-  *) echo "usage: $0 build|test" >&2; exit 2 ;;
+  plot) packages=("${plot_packages[@]}") ;;
+  *) echo "usage: $0 build|test|plot" >&2; exit 2 ;;
 esac
 
 is_installed() { dpkg-query -W -f '${Status}' "$1" 2>/dev/null | grep -q '^install ok installed'; }

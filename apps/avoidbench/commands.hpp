@@ -10,6 +10,7 @@ namespace avoidbench {
 void add_run_command(CLI::App& app);
 void add_report_command(CLI::App& app);
 void add_power_command(CLI::App& app);
+void add_export_command(CLI::App& app);
 void add_replay_command(CLI::App& app);
 void add_merge_command(CLI::App& app);
 void add_verify_command(CLI::App& app);

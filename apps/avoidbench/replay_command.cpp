@@ -8,9 +8,10 @@
 
 #include "base/input_error.hpp"
 #include "commands.hpp"
-#include "config/sweep_file.hpp"
+#include "database_choice.hpp"
 #include "replay_files.hpp"
 #include "replay_sheet.hpp"
+#include "report/export_trajectory.hpp"
 #include "sweep/worker_process.hpp"
 #include "trial_list.hpp"
 
@@ -36,28 +37,6 @@ __attribute__((format(printf, 1, 2))) std::string formatted(const char* format, 
   std::vsnprintf(line, sizeof line, format, arguments);
   va_end(arguments);
   return line;
-}
-
-/// The database itself, or that of a sweep by its file or name.
-std::filesystem::path database_of(const std::string& given) {
-  std::error_code error;
-  const std::filesystem::path path = given;
-  const auto of_sweep = [](const std::string& name) {
-    return std::filesystem::path("results") / (name + ".db");
-  };
-  if (path.extension() == ".yaml" || path.extension() == ".yml") {
-    const std::filesystem::path database = of_sweep(read_sweep(path).name);
-    if (!std::filesystem::exists(database, error)) {
-      throw InputError({.file = database.string(),
-                        .message = "no such file: fly the sweep first (avoidbench run " + given +
-                                   "), or name the database"});
-    }
-    return database;
-  }
-  if (!std::filesystem::exists(path, error) && std::filesystem::exists(of_sweep(given), error)) {
-    return of_sweep(given);
-  }
-  return path;
 }
 
 /// A line that the planner logged.
@@ -194,7 +173,7 @@ void replay(const ReplayOptions& options) {
   const bool is_explained = print_comparison(stored, replay, flown.record);
   print_log(flown.log, options.log_lines);
   std::cout << std::flush;
-  if (!options.csv.empty()) write_text(trajectory_csv(flown.record), options.csv);
+  if (!options.csv.empty()) write_text(trajectory_csv(flown.record.samples), options.csv);
   if (!options.commands.empty()) write_text(commands_csv(flown.calls), options.commands);
   if (!options.png.empty()) write_pictures(flown, stored, replay, title, options.png);
   if (!is_explained) throw CLI::RuntimeError(1);

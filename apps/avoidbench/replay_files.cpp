@@ -2,33 +2,11 @@
 
 #include <cmath>
 
-#include "geometry/pose.hpp"
 #include "plugin/command_check.hpp"
-#include "store/record_format.hpp"
+#include "report/csv.hpp"
 
 namespace avoidbench {
 namespace {
-
-/// A row of numbers; NaN is empty.
-class CsvRow {
- public:
-  CsvRow& add(double value) { return add(std::isnan(value) ? std::string() : shortest(value)); }
-  CsvRow& add(const double* xyz) {
-    for (int i = 0; i < 3; ++i) xyz == nullptr ? add(std::string()) : add(xyz[i]);
-    return *this;
-  }
-  CsvRow& add(const Eigen::Vector3d& v) { return add(v.data()); }
-  CsvRow& add(const std::string& word) {
-    text_ += (is_first_ ? "" : ",") + word;
-    is_first_ = false;
-    return *this;
-  }
-  std::string line() const { return text_ + "\r\n"; }
-
- private:
-  std::string text_;
-  bool is_first_ = true;
-};
 
 std::string status_text(PlanStatus status) {
   switch (status) {
@@ -45,19 +23,6 @@ std::string status_text(PlanStatus status) {
 }
 
 }  // namespace
-
-std::string trajectory_csv(const TrialRecord& record) {
-  std::string csv =
-      "time_s,x_m,y_m,z_m,vx_mps,vy_mps,vz_mps,ax_mps2,ay_mps2,az_mps2,yaw_rad,"
-      "reference_x_m,reference_y_m,reference_z_m,clearance_m\r\n";
-  for (const Sample& s : record.samples) {
-    CsvRow row;
-    row.add(s.time_s).add(s.position_world).add(s.velocity_world).add(s.acceleration_world);
-    row.add(yaw_of(s.q_world_body)).add(s.reference_world).add(s.clearance_m);
-    csv += row.line();
-  }
-  return csv;
-}
 
 CommandLine command_line(const PlanStep& step) {
   return {.time_s = step.time_s,
@@ -81,13 +46,13 @@ std::string commands_csv(const std::vector<CommandLine>& calls) {
     CsvRow row;
     row.add(call.time_s).add(call.effect_s).add(status_text(call.status));
     row.add(1000.0 * call.cpu_time_s).add(is_command ? command_kind_text(kind) : "");
-    row.add(first != nullptr              ? first->position_world_m
+    row.add_vector(first != nullptr              ? first->position_world_m
             : kind == AB_COMMAND_POSITION ? c.position_world_m
                                           : nullptr);
-    row.add(first != nullptr ? first->velocity_world_mps
+    row.add_vector(first != nullptr ? first->velocity_world_mps
             : has_velocity   ? c.velocity_world_mps
                              : nullptr);
-    row.add(first != nullptr                  ? first->acceleration_world_mps2
+    row.add_vector(first != nullptr                  ? first->acceleration_world_mps2
             : kind == AB_COMMAND_ACCELERATION ? c.acceleration_world_mps2
                                               : nullptr);
     const double nothing = std::nan("");
@@ -96,7 +61,7 @@ std::string commands_csv(const std::vector<CommandLine>& calls) {
     row.add(!has_yaw ? nothing : first != nullptr ? first->yaw_rate_radps : c.yaw_rate_radps);
     row.add(std::to_string(call.points.size()));
     row.add(first == nullptr ? nothing : call.points.back().time_s);
-    row.add(first == nullptr ? nullptr : call.points.back().position_world_m);
+    row.add_vector(first == nullptr ? nullptr : call.points.back().position_world_m);
     row.add(is_command ? c.horizon_s : nothing);
     csv += row.line();
   }

@@ -8,9 +8,6 @@
 
 namespace avoidbench {
 
-/// The flown path as CSV, a row a sample.
-std::string trajectory_csv(const TrialRecord& record);
-
 /// One plan call in words, for commands_csv.
 struct CommandLine {
   double time_s = 0.0, effect_s = 0.0, cpu_time_s = 0.0;

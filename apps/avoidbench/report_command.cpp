@@ -11,6 +11,7 @@
 
 #include "base/input_error.hpp"
 #include "commands.hpp"
+#include "plots.hpp"
 #include "report/summary.hpp"
 #include "report/sweep_tables.hpp"
 #include "store/database.hpp"
@@ -23,6 +24,7 @@ struct ReportOptions {
   std::string format = "table";
   std::string output = "-";
   std::string sweep;
+  std::string plots;
   std::vector<std::string> metrics, group_by, where, tables;
 };
 
@@ -160,6 +162,7 @@ void report(ReportOptions options) {
     sections.push_back(sweep_section(summary, options.tables));
   }
   write_output(options.output, format_sections(sections, *format, style_of_output(options.output)));
+  if (!options.plots.empty()) draw_plots(options.files, options.sweep, options.plots);
 }
 
 }  // namespace
@@ -180,6 +183,11 @@ void add_report_command(CLI::App& app) {
   command->add_option(
       "--sweep", options->sweep,
       "Only this sweep; NAME@2 for its revision 2 (default: the latest revision of every sweep)");
+  command
+      ->add_option("--plots", options->plots,
+                   "Folder for the figures of papers, too, as PDF and PNG; takes Python with "
+                   "matplotlib and pandas")
+      ->type_name("FOLDER");
   command
       ->add_option("--metrics", options->metrics,
                    "Metrics to show, separated by commas; `avoidbench metrics` lists them "

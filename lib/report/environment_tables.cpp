@@ -56,7 +56,7 @@ Table map_table(const SweepSummary& summary) {
     const MapRow& of_map = summary.maps[map.map];
     std::vector<Cell> row;
     append(row, of_map.generator + " " + of_map.record.key.substr(0, 6));
-    append(row, std::to_string(of_map.map_seed));
+    row.push_back({.value = of_map.map_seed});
     append(row, spec_number(of_map, "poisson_radius_m"));
     append(row, of_map.record.obstacle_count);
     append(row, of_map.record.traversability);

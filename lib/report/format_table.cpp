@@ -13,6 +13,7 @@ namespace {
 std::string exact(const Cell& cell) {
   if (const auto* words = std::get_if<std::string>(&cell.value)) return *words;
   if (const auto* count = std::get_if<std::int64_t>(&cell.value)) return std::to_string(*count);
+  if (const auto* seed = std::get_if<std::uint64_t>(&cell.value)) return std::to_string(*seed);
   const auto* value = std::get_if<double>(&cell.value);
   if (value == nullptr || std::isnan(*value)) return "";
   std::array<char, 32> buffer{};
@@ -74,6 +75,7 @@ std::string csv_of(std::span<const Section> sections) {
 nlohmann::ordered_json json_of(const Cell& cell) {
   if (const auto* words = std::get_if<std::string>(&cell.value)) return *words;
   if (const auto* count = std::get_if<std::int64_t>(&cell.value)) return *count;
+  if (const auto* seed = std::get_if<std::uint64_t>(&cell.value)) return *seed;
   const auto* value = std::get_if<double>(&cell.value);
   if (value == nullptr || !std::isfinite(*value)) return nullptr;
   return *value;

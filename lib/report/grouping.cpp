@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kMostGroups = 1000;
 
-double number_of(const FieldValue& value, const std::string& field) {
+double number_of(const TableValue& value, const std::string& field) {
   if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
   if (const auto* real = std::get_if<double>(&value)) return *real;
   throw InputError("--group-by " + field + "/…: not all of its values are numbers");
@@ -25,16 +25,16 @@ double number_of(const FieldValue& value, const std::string& field) {
 struct Binning {
   std::size_t field = 0;            // index into the trials' fields
   std::vector<double> last_values;  // greatest value of each bin; empty: values as they are
-  std::vector<FieldValue> names;
+  std::vector<TableValue> names;
 
-  FieldValue place(const TrialSummary& trial, const std::string& name) const {
-    const FieldValue& value = trial.fields[field];
+  TableValue place(const TrialSummary& trial, const std::string& name) const {
+    const TableValue& value = trial.fields[field];
     if (last_values.empty() || std::holds_alternative<std::monostate>(value)) return value;
     const auto bin =
         std::lower_bound(last_values.begin(), last_values.end(), number_of(value, name));
     return static_cast<std::int64_t>(bin - last_values.begin());
   }
-  FieldValue name(const FieldValue& place) const {
+  TableValue name(const TableValue& place) const {
     const auto* bin = std::get_if<std::int64_t>(&place);
     return last_values.empty() || bin == nullptr ? place : names[static_cast<std::size_t>(*bin)];
   }
@@ -49,7 +49,7 @@ Binning binning_of(const SweepResult& result, const Trials& trials, const GroupC
   // A value counts once a map, so that a measure of maps is cut into groups of equal map count.
   std::set<std::pair<double, std::size_t>> values;
   for (const TrialOnMap& on_map : trials) {
-    const FieldValue& value = on_map.trial->fields[binning.field];
+    const TableValue& value = on_map.trial->fields[binning.field];
     if (std::holds_alternative<std::monostate>(value)) continue;
     values.emplace(number_of(value, column.field), on_map.map);
   }
@@ -91,9 +91,9 @@ std::vector<GroupedTrials> group_trials(const SweepResult& result, const Trials&
   for (const GroupColumn& column : columns) {
     binnings.push_back(binning_of(result, trials, column));
   }
-  std::map<std::vector<FieldValue>, Trials> by_place;
+  std::map<std::vector<TableValue>, Trials> by_place;
   for (const TrialOnMap& on_map : trials) {
-    std::vector<FieldValue> place;
+    std::vector<TableValue> place;
     for (std::size_t i = 0; i < columns.size(); ++i) {
       place.push_back(binnings[i].place(*on_map.trial, columns[i].field));
     }

@@ -20,7 +20,7 @@ GroupColumn parse_group_column(const std::string& text);
 
 /// Trials that have the same in every column.
 struct GroupedTrials {
-  std::vector<FieldValue> keys;  ///< one a column; the range as text where it was cut
+  std::vector<TableValue> keys;  ///< one a column; the range as text where it was cut
   Trials trials;
 };
 

@@ -23,7 +23,7 @@ std::string trimmed(const std::string& text) {
   return text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
-FieldValue value_of(const std::string& text) {
+TableValue value_of(const std::string& text) {
   double number = 0.0;
   const char* end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data(), end, number);
@@ -33,7 +33,7 @@ FieldValue value_of(const std::string& text) {
   return text;
 }
 
-const double* number_in(const FieldValue& value, double& storage) {
+const double* number_in(const TableValue& value, double& storage) {
   if (const auto* whole = std::get_if<std::int64_t>(&value)) {
     storage = static_cast<double>(*whole);
     return &storage;
@@ -41,7 +41,7 @@ const double* number_in(const FieldValue& value, double& storage) {
   return std::get_if<double>(&value);
 }
 
-bool is_equal(const FieldValue& a, const FieldValue& b) {
+bool is_equal(const TableValue& a, const TableValue& b) {
   double storage_a = 0.0, storage_b = 0.0;
   const double* number_a = number_in(a, storage_a);
   const double* number_b = number_in(b, storage_b);
@@ -85,10 +85,10 @@ Condition parse_condition(const std::string& text) {
   return condition;
 }
 
-bool holds(const Condition& condition, const FieldValue& value) {
+bool holds(const Condition& condition, const TableValue& value) {
   const bool is_one_of =
       std::any_of(condition.values.begin(), condition.values.end(),
-                  [&](const FieldValue& wanted) { return is_equal(value, wanted); });
+                  [&](const TableValue& wanted) { return is_equal(value, wanted); });
   if (condition.comparison == Comparison::equal) return is_one_of;
   if (condition.comparison == Comparison::unequal) return !is_one_of;
   double storage = 0.0;

@@ -13,7 +13,7 @@ struct Condition {
 
   std::string field;
   Comparison comparison = Comparison::equal;
-  std::vector<FieldValue> values;  ///< equal: to one of them; unequal: to all of them; else one
+  std::vector<TableValue> values;  ///< equal: to one of them; unequal: to all of them; else one
   std::string text;                ///< as it was written
 };
 
@@ -23,7 +23,7 @@ Condition parse_condition(const std::string& text);
 
 /// Numbers compare as numbers, whole or not; a text never equals a number, and is never less or
 /// greater than one. A field without value fulfils != only.
-bool holds(const Condition& condition, const FieldValue& value);
+bool holds(const Condition& condition, const TableValue& value);
 
 /// The result with only those trials for which every condition holds, and the maps and planners
 /// that they have. Every condition's field is one of `result.fields`.

@@ -135,9 +135,9 @@ std::int64_t map_count_of(const Trials& trials) {
 void mark_best_rows(std::vector<GroupRow>& rows, const std::vector<Trials>& trials,
                     std::size_t planner_column, std::span<const std::size_t> metrics,
                     std::span<const MetricRow> metric_rows) {
-  std::map<std::vector<FieldValue>, std::vector<std::size_t>> rivals;
+  std::map<std::vector<TableValue>, std::vector<std::size_t>> rivals;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    std::vector<FieldValue> keys = rows[i].keys;
+    std::vector<TableValue> keys = rows[i].keys;
     keys.erase(keys.begin() + static_cast<std::ptrdiff_t>(planner_column));
     rivals[keys].push_back(i);
   }

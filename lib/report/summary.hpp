@@ -35,7 +35,7 @@ struct MapGroup {
 
 /// One row of what was asked for by ReportQuery::group_by.
 struct GroupRow {
-  std::vector<FieldValue> keys;
+  std::vector<TableValue> keys;
   std::int64_t map_count = 0;
   PlannerSummary summary;  ///< of all planners together where `planner` is no key
 };

@@ -141,7 +141,7 @@ Table grouped_table(const SweepSummary& summary) {
   hide_mean_bounds(table);
   for (const GroupRow& group : summary.group_rows) {
     std::vector<Cell> row;
-    for (const FieldValue& key : group.keys) row.push_back({.value = key});
+    for (const TableValue& key : group.keys) row.push_back({.value = key});
     append(row, group.map_count);
     append_summary_cells(row, group.summary);
     table.rows.push_back(std::move(row));

@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "base/enum_text.hpp"
-#include "store/field_value.hpp"
+#include "store/table_value.hpp"
 
 namespace avoidbench {
 
 /// A number, a text, or nothing ("not defined": a dash for people, empty for machines).
 struct Cell {
-  FieldValue value = {};
+  TableValue value = {};
   bool is_best = false;  ///< shown with a star
 };
 

@@ -82,6 +82,7 @@ int decimals_of(const Table& table, std::size_t column) {
 std::string cell_text(const Cell& cell, int decimals) {
   if (const auto* words = std::get_if<std::string>(&cell.value)) return cut_to_width(*words, 44);
   if (const auto* count = std::get_if<std::int64_t>(&cell.value)) return std::to_string(*count);
+  if (const auto* seed = std::get_if<std::uint64_t>(&cell.value)) return std::to_string(*seed);
   if (const auto* value = std::get_if<double>(&cell.value)) return with_decimals(*value, decimals);
   return "–";
 }

@@ -7,7 +7,7 @@
 
 #include "metrics/map_record.hpp"
 #include "metrics/metric_table.hpp"
-#include "store/field_value.hpp"
+#include "store/table_value.hpp"
 #include "trial/trial_record.hpp"
 
 namespace avoidbench {
@@ -100,7 +100,7 @@ struct TrialSummary {
   double reference_length_m = 0.0;
   double end_time_s = 0.0;      ///< simulated
   std::vector<double> metrics;  ///< one an element of SweepResult::metrics, NaN where there is none
-  std::vector<FieldValue> fields = {};  ///< one an element of SweepResult::fields
+  std::vector<TableValue> fields = {};  ///< one an element of SweepResult::fields
 };
 
 /// All that reports need of one sweep. Everything is ordered by key, whatever the order of

@@ -122,7 +122,20 @@ double Statement::real(int column) const {
   return sqlite3_column_double(statement_, column);
 }
 
-FieldValue Statement::value(int column) const {
+std::span<const std::byte> Statement::blob(int column) const {
+  const void* data = sqlite3_column_blob(statement_, column);
+  const int size = sqlite3_column_bytes(statement_, column);
+  return {static_cast<const std::byte*>(data), static_cast<std::size_t>(size)};
+}
+
+int Statement::column_count() const { return sqlite3_column_count(statement_); }
+
+std::string Statement::column_name(int column) const {
+  const char* name = sqlite3_column_name(statement_, column);
+  return name == nullptr ? std::string() : std::string(name);
+}
+
+TableValue Statement::value(int column) const {
   switch (sqlite3_column_type(statement_, column)) {
     case SQLITE_INTEGER:
       return integer(column);
@@ -131,14 +144,8 @@ FieldValue Statement::value(int column) const {
     case SQLITE_TEXT:
       return text(column);
     default:
-      return {};
+      return std::monostate{};
   }
-}
-
-std::span<const std::byte> Statement::blob(int column) const {
-  const void* data = sqlite3_column_blob(statement_, column);
-  const int size = sqlite3_column_bytes(statement_, column);
-  return {static_cast<const std::byte*>(data), static_cast<std::size_t>(size)};
 }
 
 Transaction::Transaction(sqlite3* handle, const std::filesystem::path& path)

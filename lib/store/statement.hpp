@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "store/field_value.hpp"
+#include "store/table_value.hpp"
 
 namespace avoidbench {
 
@@ -40,8 +40,10 @@ class Statement {
   std::string text(int column) const;
   std::int64_t integer(int column) const;
   double real(int column) const;                      ///< NULL becomes NaN
-  FieldValue value(int column) const;                 ///< as the file has it; nothing for a blob
   std::span<const std::byte> blob(int column) const;  ///< valid until the next step
+  int column_count() const;
+  std::string column_name(int column) const;
+  TableValue value(int column) const;  ///< a blob becomes nothing
 
  private:
   void check(int code) const;

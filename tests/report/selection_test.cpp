@@ -30,7 +30,7 @@ SweepResult with_fields(int map_count, int mission_count) {
   return result;
 }
 
-FieldValue whole(std::int64_t value) { return value; }
+TableValue whole(std::int64_t value) { return value; }
 
 TEST(Condition, ReadsEverySign) {
   EXPECT_TRUE(holds(parse_condition("x < 3"), 2.5));
@@ -49,9 +49,9 @@ TEST(Condition, ReadsEverySign) {
 }
 
 TEST(Condition, WhatHasNoValueFulfilsOnlyUnequal) {
-  EXPECT_FALSE(holds(parse_condition("x < 3"), FieldValue{}));
-  EXPECT_FALSE(holds(parse_condition("x = 3"), FieldValue{}));
-  EXPECT_TRUE(holds(parse_condition("x != 3"), FieldValue{}));
+  EXPECT_FALSE(holds(parse_condition("x < 3"), TableValue{}));
+  EXPECT_FALSE(holds(parse_condition("x = 3"), TableValue{}));
+  EXPECT_TRUE(holds(parse_condition("x != 3"), TableValue{}));
   EXPECT_FALSE(holds(parse_condition("x < 3"), std::string("2")));  // a text is no number
 }
 
@@ -91,9 +91,9 @@ TEST(Grouping, RowsAreInOrderOfTheColumnsAndMarkTheBestAmongRivals) {
                           .where = {}};
   const SweepSummary summary = summarize(with_fields(3, 40), query);
   ASSERT_EQ(summary.group_rows.size(), 6U);
-  EXPECT_EQ(summary.group_rows[0].keys, (std::vector<FieldValue>{2.5, std::string("a")}));
-  EXPECT_EQ(summary.group_rows[1].keys, (std::vector<FieldValue>{2.5, std::string("b")}));
-  EXPECT_EQ(summary.group_rows[5].keys, (std::vector<FieldValue>{3.5, std::string("b")}));
+  EXPECT_EQ(summary.group_rows[0].keys, (std::vector<TableValue>{2.5, std::string("a")}));
+  EXPECT_EQ(summary.group_rows[1].keys, (std::vector<TableValue>{2.5, std::string("b")}));
+  EXPECT_EQ(summary.group_rows[5].keys, (std::vector<TableValue>{3.5, std::string("b")}));
   for (std::size_t i = 0; i < 6; ++i) {
     const GroupRow& row = summary.group_rows[i];
     EXPECT_EQ(row.map_count, 1);
@@ -124,7 +124,7 @@ TEST(Grouping, CutsARangeIntoGroupsOfEqualMapCount) {
     maps += row.map_count;
   }
   EXPECT_EQ(maps, 7);
-  EXPECT_EQ(summary.group_rows.front().keys.front(), FieldValue(std::string("2.500–3.500")));
+  EXPECT_EQ(summary.group_rows.front().keys.front(), TableValue(std::string("2.500–3.500")));
   const ReportQuery of_text{
       .metrics = {}, .group_by = {{.field = "planner", .bin_count = 3}}, .where = {}};
   EXPECT_THROW(summarize(with_fields(2, 2), of_text), InputError);

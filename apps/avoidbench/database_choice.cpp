@@ -1,0 +1,58 @@
+#include "database_choice.hpp"
+
+#include <algorithm>
+#include <iostream>
+#include <utility>
+
+#include "base/input_error.hpp"
+#include "config/sweep_file.hpp"
+
+namespace avoidbench {
+
+std::filesystem::path database_of(const std::string& given) {
+  std::error_code error;
+  const std::filesystem::path path = given;
+  const auto of_sweep = [](const std::string& name) {
+    return std::filesystem::path("results") / (name + ".db");
+  };
+  if (path.extension() == ".yaml" || path.extension() == ".yml") {
+    const std::filesystem::path database = of_sweep(read_sweep(path).name);
+    if (!std::filesystem::exists(database, error)) {
+      throw InputError({.file = database.string(),
+                        .message = "no such file: fly the sweep first (avoidbench run " + given +
+                                   "), or name the database"});
+    }
+    return database;
+  }
+  if (!std::filesystem::exists(path, error) && std::filesystem::exists(of_sweep(given), error)) {
+    return of_sweep(given);
+  }
+  return path;
+}
+
+std::filesystem::path newest_database(const std::string& purpose) {
+  std::filesystem::path newest;
+  std::filesystem::file_time_type newest_time{};
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator("results", error)) {
+    if (entry.path().extension() != ".db") continue;
+    std::filesystem::file_time_type time = std::filesystem::last_write_time(entry.path(), error);
+    // What a run has just committed may be in the file beside it.
+    const std::filesystem::path log = entry.path().string() + "-wal";
+    const bool has_log =
+        std::filesystem::exists(log, error) && std::filesystem::file_size(log, error) > 0;
+    if (has_log) time = std::max(time, std::filesystem::last_write_time(log, error));
+    const bool is_newer =
+        newest.empty() || std::pair(time, entry.path()) > std::pair(newest_time, newest);
+    if (!is_newer) continue;
+    newest = entry.path();
+    newest_time = time;
+  }
+  if (newest.empty()) {
+    throw InputError("no database given and none in results/: run a sweep first, or name the file");
+  }
+  std::cerr << purpose << " of " << newest.string() << "\n";
+  return newest;
+}
+
+}  // namespace avoidbench

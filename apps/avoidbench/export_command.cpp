@@ -1,0 +1,298 @@
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <memory>
+
+#include "base/input_error.hpp"
+#include "commands.hpp"
+#include "database_choice.hpp"
+#include "reference_table.hpp"
+#include "report/export_trajectory.hpp"
+#include "report/export_trials.hpp"
+#include "report/ompl_log.hpp"
+#include "report/sweep_choice.hpp"
+#include "trial_list.hpp"
+
+namespace avoidbench {
+namespace {
+
+struct ExportOptions {
+  std::vector<std::string> words;  // databases, or a database and trials
+  std::string sweep, format, output = "-";
+  double progress_period_s = 0.0;
+};
+
+template <class Format>
+Format format_of(const ExportOptions& options) {
+  const auto format = enum_from_text<Format>(options.format);
+  if (format) return *format;
+  std::string all;
+  for (const std::string& text : enum_texts<Format>()) all += (all.empty() ? "" : ", ") + text;
+  throw InputError("--format " + options.format + ": unknown" +
+                   did_you_mean(options.format, enum_texts<Format>()) + "; it is one of " + all);
+}
+
+/// A file, or standard output for "-", that is written piece by piece.
+class Output {
+ public:
+  explicit Output(const std::string& path) : path_(path) {
+    if (path == "-") return;
+    file_.open(path, std::ios::binary);
+    if (!file_) fail();
+  }
+  void write(const std::string& text) {
+    (path_ == "-" ? std::cout : file_) << text;
+    if (path_ == "-" ? !std::cout : !file_) fail();
+  }
+  void close() {
+    if (path_ == "-") {
+      std::cout.flush();
+    } else {
+      file_.close();
+    }
+    if (path_ == "-" ? !std::cout : !file_) fail();
+  }
+
+ private:
+  [[noreturn]] void fail() const {
+    if (path_ == "-") throw InputError("standard output can't be written");
+    throw InputError(InputProblem{.file = path_, .message = "can't be written"});
+  }
+  std::string path_;
+  std::ofstream file_;
+};
+
+/// The folder, made where there is none.
+std::filesystem::path made_folder(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!std::filesystem::is_directory(folder, error)) {
+    throw InputError({.file = folder, .message = "is no folder and can't be made one"});
+  }
+  return folder;
+}
+
+std::vector<Database> opened(const std::vector<std::string>& files) {
+  std::vector<Database> databases;
+  for (const std::string& file : files) {
+    databases.push_back(Database::open_for_reading(database_of(file)));
+  }
+  if (files.empty()) databases.push_back(Database::open_for_reading(newest_database("trials")));
+  return databases;
+}
+
+void write_trials(const ExportOptions& options) {
+  const auto format = format_of<TrialFormat>(options);
+  const std::vector<Database> databases = opened(options.words);
+  chosen_sweeps(databases, options.sweep);  // before the file is made
+  Output output(options.output);
+  export_trials(databases, options.sweep, format,
+                [&](const std::string& line) { output.write(line); });
+  output.close();
+}
+
+/// Whether the word names a database, not a trial.
+bool is_database(const std::string& word) {
+  std::error_code error;
+  const std::filesystem::path path = word;
+  return path.extension() == ".db" || path.extension() == ".yaml" || path.extension() == ".yml" ||
+         word.find('/') != std::string::npos || std::filesystem::exists(path, error) ||
+         std::filesystem::exists(std::filesystem::path("results") / (word + ".db"), error);
+}
+
+/// The database and the trials that "[DB] TRIAL…" mean.
+struct ChosenTrials {
+  Database database;
+  std::vector<TrialListing> trials;
+};
+
+ChosenTrials chosen(const std::vector<std::string>& words) {
+  const bool has_database = is_database(words.front());
+  if (has_database && words.size() == 1) {
+    throw InputError("no trial given: an id or the beginning of a key; avoidbench replay " +
+                     words.front() + " --list shows them");
+  }
+  ChosenTrials chosen{.database = Database::open_for_reading(
+                          has_database ? database_of(words.front()) : newest_database("trials")),
+                      .trials = {}};
+  const std::vector<TrialListing> all = chosen.database.list_trials();
+  for (std::size_t i = has_database ? 1 : 0; i < words.size(); ++i) {
+    chosen.trials.push_back(the_trial(all, {.trial = words[i],
+                                            .planner = {},
+                                            .outcome = {},
+                                            .map_seed = {},
+                                            .mission = {},
+                                            .radius_m = {}}));
+  }
+  return chosen;
+}
+
+/// Writes `text_of` each chosen trial: one to the output, several as files of a folder.
+template <class TextOf>
+void write_each(const ExportOptions& options, const std::string& extension, TextOf text_of) {
+  constexpr std::size_t kKeyLetters = 12;
+  const auto [database, trials] = chosen(options.words);
+  std::error_code error;
+  const bool is_one = trials.size() == 1 && !options.output.ends_with('/') &&
+                      !std::filesystem::is_directory(options.output, error);
+  if (!is_one && options.output == "-") {
+    throw InputError("several trials need --output FOLDER: a file each is written there");
+  }
+  const std::filesystem::path folder = is_one ? "" : made_folder(options.output);
+  for (const TrialListing& trial : trials) {
+    const std::optional<TrialRow> row = database.read_trial(trial.key);
+    if (!row) continue;
+    if (row->record.samples.empty()) {
+      std::cerr << "warning: trial " << trial.id << " (" << trial.key.substr(0, kKeyLetters)
+                << ") has no trajectory: " << text(trial.outcome) << '\n';
+    }
+    const std::string file =
+        is_one ? options.output
+               : (folder / (trial.key.substr(0, kKeyLetters) + "." + extension)).string();
+    write_text(text_of(row->record), file);
+    if (!is_one) std::cerr << "wrote " << file << ": " << trial_text(trial) << '\n';
+  }
+}
+
+void write_trajectories(const ExportOptions& options) {
+  const auto format = format_of<TrajectoryFormat>(options);
+  write_each(options, std::string(text(format)), [&](const TrialRecord& record) {
+    return trajectory_text(record.samples, format);
+  });
+}
+
+void write_calls(const ExportOptions& options) {
+  write_each(options, "csv",
+             [](const TrialRecord& record) { return plan_calls_csv(record.plan_calls); });
+}
+
+void write_ompl(const ExportOptions& options) {
+  if (options.words.size() > 1) {
+    throw InputError("one database at a time: put several into one with avoidbench merge");
+  }
+  const std::vector<Database> databases = opened(options.words);
+  const std::vector<std::vector<SweepInfo>> sweeps = chosen_sweeps(databases, options.sweep);
+  std::vector<OmplExperiment> experiments;
+  for (const SweepInfo& sweep : sweeps.front()) {
+    for (OmplExperiment& one : ompl_experiments(databases.front(), sweep)) {
+      experiments.push_back(std::move(one));
+    }
+  }
+  const bool is_file = options.output == "-" || options.output.ends_with(".log");
+  if (is_file && experiments.size() > 1) {
+    throw InputError("--output " + options.output + ": a log holds one map, and these are " +
+                     std::to_string(experiments.size()) + ": name a folder");
+  }
+  const std::filesystem::path folder = is_file ? "" : made_folder(options.output);
+  for (const OmplExperiment& experiment : experiments) {
+    Output output(is_file ? options.output : (folder / (experiment.name + ".log")).string());
+    write_ompl_log(databases.front(), experiment, options.progress_period_s,
+                   [&](const std::string& text) { output.write(text); });
+    output.close();
+  }
+  if (!is_file) {
+    std::cerr << "wrote " << experiments.size() << (experiments.size() == 1 ? " log" : " logs")
+              << " to " << folder.string() << '\n';
+  }
+}
+
+CLI::Option* add_output(CLI::App& command, ExportOptions& options, const std::string& doc) {
+  return command.add_option("--output", options.output, doc)->type_name("PATH");
+}
+
+void add_sweep(CLI::App& command, ExportOptions& options) {
+  command.add_option(
+      "--sweep", options.sweep,
+      "Only this sweep; NAME@2 for its revision 2 (default: the latest revision of every sweep)");
+}
+
+void add_trials(CLI::App& app) {
+  const auto options = std::make_shared<ExportOptions>();
+  options->format = "csv";
+  CLI::App* command = app.add_subcommand(
+      "trials", "Every trial with its map, mission and metrics: one flat table");
+  command->add_option("DB", options->words,
+                      "Databases; a trial that several hold is written once (default: the newest "
+                      "results/*.db)");
+  add_sweep(*command, *options);
+  command->add_option("--format", options->format, "csv (RFC 4180) or jsonl (JSON lines)")
+      ->capture_default_str();
+  add_output(*command, *options, "File to write, - for standard output")->capture_default_str();
+  command->footer(
+      "The columns are those of the view trial_table; names carry units, numbers all their "
+      "digits.\n\n"
+      "Example:\n"
+      "  avoidbench export trials results/quick.db --output quick.csv");
+  command->callback([options] { write_trials(*options); });
+}
+
+CLI::App* add_of_trials(CLI::App& app, const std::string& name, const std::string& doc,
+                        const std::shared_ptr<ExportOptions>& options) {
+  CLI::App* command = app.add_subcommand(name, doc);
+  command
+      ->add_option("[DB] TRIAL", options->words,
+                   "Database (default: the newest results/*.db), then ids of trials or the "
+                   "beginnings of their keys")
+      ->required();
+  add_output(*command, *options,
+             "File to write, - for standard output; of several trials a folder, with a file each")
+      ->capture_default_str();
+  return command;
+}
+
+void add_trajectory(CLI::App& app) {
+  const auto options = std::make_shared<ExportOptions>();
+  options->format = "csv";
+  CLI::App* command = add_of_trials(app, "trajectory", "The flown path of trials", options);
+  command
+      ->add_option("--format", options->format,
+                   "csv (all that is stored), or tum (timestamp tx ty tz qx qy qz qw: for evo)")
+      ->capture_default_str();
+  command->footer(
+      "Example:\n"
+      "  avoidbench export trajectory results/quick.db 3 7 --format tum --output paths");
+  command->callback([options] { write_trajectories(*options); });
+}
+
+void add_calls(CLI::App& app) {
+  const auto options = std::make_shared<ExportOptions>();
+  CLI::App* command =
+      add_of_trials(app, "calls", "The planner's calls in trials, as CSV", options);
+  command->footer("Example:\n  avoidbench export calls results/quick.db 3 --output calls.csv");
+  command->callback([options] { write_calls(*options); });
+}
+
+void add_ompl(CLI::App& app) {
+  const auto options = std::make_shared<ExportOptions>();
+  CLI::App* command = app.add_subcommand(
+      "ompl", "Benchmark logs of OMPL, one a map, for ompl_benchmark_statistics and Planner Arena");
+  command->add_option("DB", options->words, "Database (default: the newest results/*.db)");
+  add_sweep(*command, *options);
+  add_output(*command, *options,
+             "Folder for the logs; of a single map also a file *.log, or - for standard output")
+      ->required();
+  command
+      ->add_option("--progress", options->progress_period_s,
+                   "Also how each flight went on, every so many seconds (default: not)")
+      ->check(CLI::PositiveNumber)
+      ->type_name("SECONDS");
+  command->footer(
+      "Example:\n"
+      "  avoidbench export ompl results/quick.db --output logs\n"
+      "  ompl_benchmark_statistics logs/*.log -d arena.db       # then upload to plannerarena.org");
+  command->callback([options] { write_ompl(*options); });
+}
+
+}  // namespace
+
+void add_export_command(CLI::App& app) {
+  CLI::App* command = app.add_subcommand(
+      "export", "Results for other programs: flat tables, flown paths, planner calls, OMPL logs");
+  command->require_subcommand(0, 1);
+  add_trials(*command);
+  add_trajectory(*command);
+  add_calls(*command);
+  add_ompl(*command);
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,93 @@
+#include "store/trial_table.hpp"
+
+#include <algorithm>
+#include <bit>
+
+#include "base/check.hpp"
+#include "store/statement.hpp"
+
+namespace avoidbench {
+namespace {
+
+std::string trial_query(std::size_t sweep_count, bool is_of_one_map) {
+  std::string places;
+  for (std::size_t i = 0; i < sweep_count; ++i) places += i == 0 ? "(?,?)" : ",(?,?)";
+  return "SELECT * FROM trial_table WHERE (sweep, revision) IN (VALUES " + places + ")" +
+         (is_of_one_map ? " AND map_key = ?" : "") +
+         " ORDER BY sweep, revision, planner, planner_key, map_key, mission_index, trial_key";
+}
+
+}  // namespace
+
+TrialTableReader::TrialTableReader(const Database& database, std::span<const SweepInfo> sweeps,
+                                   std::string_view map_key) {
+  AB_CHECK(!sweeps.empty(), sweeps.size());
+  statement_ = std::make_unique<Statement>(database.handle(), database.path(),
+                                           trial_query(sweeps.size(), !map_key.empty()));
+  for (const SweepInfo& sweep : sweeps) {
+    statement_->bind_text(sweep.name).bind_integer(sweep.revision);
+  }
+  if (!map_key.empty()) statement_->bind_text(map_key);
+  for (int i = 0; i < statement_->column_count(); ++i) {
+    columns_.push_back(statement_->column_name(i));
+  }
+  row_.resize(columns_.size());
+  const auto seed = std::find(columns_.begin(), columns_.end(), "map_seed");
+  seed_column_ = static_cast<std::size_t>(seed - columns_.begin());
+}
+
+TrialTableReader::~TrialTableReader() = default;
+TrialTableReader::TrialTableReader(TrialTableReader&& other) noexcept = default;
+TrialTableReader& TrialTableReader::operator=(TrialTableReader&& other) noexcept = default;
+
+bool TrialTableReader::next() {
+  if (!statement_->step()) return false;
+  for (std::size_t i = 0; i < row_.size(); ++i) row_[i] = statement_->value(static_cast<int>(i));
+  if (seed_column_ < row_.size()) {
+    TableValue& seed = row_[seed_column_];
+    if (const auto* bits = std::get_if<std::int64_t>(&seed)) {
+      seed = std::bit_cast<std::uint64_t>(*bits);
+    }
+  }
+  return true;
+}
+
+std::vector<MapFlights> read_map_flights(const Database& database, const SweepInfo& sweep) {
+  std::vector<MapFlights> flights;
+  Statement maps(database.handle(), database.path(),
+                 "SELECT t.map_key, max(json_extract(t.spec_json, '$.mission.time_limit_s')), "
+                 "coalesce(sum(t.wall_time_s), 0), m.generator, m.map_seed FROM sweep_trials s "
+                 "JOIN trials t USING (trial_key) JOIN maps m ON m.map_key = t.map_key WHERE "
+                 "s.sweep = ? AND s.revision = ? GROUP BY t.map_key ORDER BY 4, 5, 1");
+  maps.bind_text(sweep.name).bind_integer(sweep.revision);
+  while (maps.step()) {
+    flights.push_back({.map_key = maps.text(0),
+                       .first_run = {},
+                       .time_limit_s = maps.real(1),
+                       .wall_time_s = maps.real(2)});
+  }
+  Statement run(database.handle(), database.path(),
+                "SELECT r.started_at, r.program_version, r.git_hash, r.compiler, r.flags, r.host, "
+                "r.cpu, r.isa, r.command_line, r.shard FROM trials t JOIN sweep_trials s USING "
+                "(trial_key) JOIN runs r USING (run_id) WHERE t.map_key = ? AND s.sweep = ? AND "
+                "s.revision = ? ORDER BY r.started_at, r.run_id LIMIT 1");
+  for (MapFlights& map : flights) {
+    run.bind_text(map.map_key).bind_text(sweep.name).bind_integer(sweep.revision);
+    if (run.step()) {
+      map.first_run = {.started_at = run.text(0),
+                       .program_version = run.text(1),
+                       .git_hash = run.text(2),
+                       .compiler = run.text(3),
+                       .flags = run.text(4),
+                       .host = run.text(5),
+                       .cpu = run.text(6),
+                       .isa = run.text(7),
+                       .command_line = run.text(8),
+                       .shard = run.text(9)};
+    }
+    run.run();
+  }
+  return flights;
+}
+
+}  // namespace avoidbench

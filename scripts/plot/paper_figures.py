@@ -1,0 +1,99 @@
+#!/usr/bin/env python3
+"""Draws the figures of the AvoidBench paper (arXiv 2301.07430, figures 6 and 7) from databases of results.
+
+usage: paper_figures.py DB… --output FOLDER [--sweep NAME] [--program avoidbench] [--formats pdf,png] [--figures NAME,…]
+
+Every number comes from the program: rates, means and intervals from `avoidbench report --format json`, single trials and
+maps from `avoidbench export trials`. Of each sweep, FOLDER/SWEEP/ gets these figures, one column (3.5 in) wide, as PDF and
+PNG; the same results give the same bytes:
+
+  success_by_traversability    6a: success rate by group of maps, with Wilson's 95 % intervals
+  contrast_factors             6b: contrast factors of pairs of planners, with their intervals
+  traversability_by_gap_size   6c: each map's traversability against its relative gap size
+  path_optimality, energy_optimality, goal_velocity, mission_progress, processing_time
+                               7: a metric against traversability: means of maps (small) and of groups (line)
+  metrics                      all of these and the success rate, two columns (7.16 in) wide
+"""
+import argparse
+import io
+import json
+import pathlib
+import subprocess
+import sys
+
+try:
+    import matplotlib
+    matplotlib.use("Agg")
+    import pandas
+except ImportError as error:
+    sys.exit(f"figures need Python with matplotlib and pandas ({error}): apt-get install python3-matplotlib python3-pandas")
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+import figures  # noqa: E402
+import style  # noqa: E402
+
+
+def output_of(command):
+    """What the program writes on standard output. Its messages go on to ours, and end this program where it fails."""
+    try:
+        done = subprocess.run(command, stdout=subprocess.PIPE, check=False)
+    except OSError as error:
+        sys.exit(f"{command[0]}: {error.strerror}; name the program with --program")
+    if done.returncode != 0:
+        sys.exit(done.returncode)
+    return done.stdout.decode("utf-8")
+
+
+def read_results(arguments):
+    """The report's sections, and one table of all trials."""
+    choice = ["--sweep", arguments.sweep] if arguments.sweep else []
+    databases = [str(file) for file in arguments.databases]
+    report = output_of([arguments.program, "report", *databases, *choice, "--format", "json", "--metrics",
+                        ",".join(figures.REPORTED)])
+    trials = output_of([arguments.program, "export", "trials", *databases, *choice])
+    return json.loads(report), pandas.read_csv(io.StringIO(trials), dtype={"planner": str, "sweep": str})
+
+
+def with_report_labels(trials):
+    """The trials with planners named as the report names them: two that share a label have the start of their key."""
+    key_count = trials.groupby("planner")["planner_key"].transform("nunique")
+    is_shared = key_count > 1
+    trials = trials.copy()
+    trials.loc[is_shared, "planner"] = trials["planner"] + "@" + trials["planner_key"].str[:6]
+    return trials
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("databases", nargs="+", type=pathlib.Path, metavar="DB")
+    parser.add_argument("--output", required=True, type=pathlib.Path, metavar="FOLDER")
+    parser.add_argument("--sweep", default="", help="only this sweep; NAME@2 for its revision 2 (default: all, the latest revisions)")
+    parser.add_argument("--program", default="avoidbench", help="avoidbench itself (default: the one on the PATH)")
+    parser.add_argument("--formats", default="pdf,png", help="pdf, png or svg, separated by commas (default: pdf,png)")
+    parser.add_argument("--figures", default=",".join(figures.names()), help="only these, separated by commas")
+    arguments = parser.parse_args()
+    wanted = arguments.figures.split(",")
+    unknown = sorted(set(wanted) - set(figures.names()))
+    if unknown:
+        parser.error(f"no figure {unknown[0]}; there are: {', '.join(figures.names())}")
+
+    sections, trials = read_results(arguments)
+    style.apply()
+    names = [section["sweep"] for section in sections]
+    for section in sections:
+        if names.count(section["sweep"]) > 1:
+            sys.exit(f"these databases hold different sweeps under the name {section['sweep']}: draw them one by one")
+        of_sweep = with_report_labels(trials[trials["sweep"] == section["sweep"]])
+        folder = arguments.output / section["sweep"]
+        folder.mkdir(parents=True, exist_ok=True)
+        for name, figure in figures.draw(section, of_sweep, wanted):
+            for extension in arguments.formats.split(","):
+                style.save(figure, folder / f"{name}.{extension}")
+            matplotlib.pyplot.close(figure)
+            print(f"wrote {folder / name}.{{{arguments.formats}}}", file=sys.stderr)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
