@@ -220,7 +220,8 @@ std::string common_properties(const PlannerRow& planner) {
       "planner_version = " + as_word(planner.version),
       "file_sha256 = " + as_word(planner.file_digest),
       "is_privileged = " + std::to_string(planner.is_privileged ? 1 : 0)};
-  for (const auto& [name, value] : parsed(planner.parameters_json).items()) {
+  const nlohmann::json parameters = parsed(planner.parameters_json);
+  for (const auto& [name, value] : parameters.items()) {
     const std::string word = value.is_string()         ? value.get<std::string>()
                              : value.is_number_float() ? shortest(value.get<double>())
                                                        : value.dump();
