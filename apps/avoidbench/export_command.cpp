@@ -156,9 +156,8 @@ void write_each(const ExportOptions& options, const std::string& extension, Text
 
 void write_trajectories(const ExportOptions& options) {
   const auto format = format_of<TrajectoryFormat>(options);
-  write_each(options, std::string(text(format)), [&](const TrialRecord& record) {
-    return trajectory_text(record.samples, format);
-  });
+  write_each(options, std::string(text(format)),
+             [&](const TrialRecord& record) { return trajectory_text(record.samples, format); });
 }
 
 void write_calls(const ExportOptions& options) {
@@ -209,8 +208,8 @@ void add_sweep(CLI::App& command, ExportOptions& options) {
 void add_trials(CLI::App& app) {
   const auto options = std::make_shared<ExportOptions>();
   options->format = "csv";
-  CLI::App* command = app.add_subcommand(
-      "trials", "Every trial with its map, mission and metrics: one flat table");
+  CLI::App* command =
+      app.add_subcommand("trials", "Every trial with its map, mission and metrics: one flat table");
   command->add_option("DB", options->words,
                       "Databases; a trial that several hold is written once (default: the newest "
                       "results/*.db)");
@@ -256,8 +255,7 @@ void add_trajectory(CLI::App& app) {
 
 void add_calls(CLI::App& app) {
   const auto options = std::make_shared<ExportOptions>();
-  CLI::App* command =
-      add_of_trials(app, "calls", "The planner's calls in trials, as CSV", options);
+  CLI::App* command = add_of_trials(app, "calls", "The planner's calls in trials, as CSV", options);
   command->footer("Example:\n  avoidbench export calls results/quick.db 3 --output calls.csv");
   command->callback([options] { write_calls(*options); });
 }

@@ -15,7 +15,8 @@ namespace {
 
 constexpr const char* kScript = "paper_figures.py";
 
-/// Runs the program (looked for on the PATH) to its end; its exit code, or -1 where it can't be run.
+/// Runs the program (looked for on the PATH) to its end; its exit code, or -1 where it can't be
+/// run.
 int exit_code_of(const std::vector<std::string>& command, bool is_silent) {
   std::vector<std::string> words = command;
   std::vector<char*> arguments;
@@ -56,8 +57,9 @@ std::filesystem::path script_file(const std::filesystem::path& program) {
 std::string python() {
   const char* chosen = std::getenv("AVOIDBENCH_PYTHON");
   const std::vector<std::string> candidates =
-      chosen != nullptr && *chosen != '\0' ? std::vector<std::string>{chosen}
-                                           : std::vector<std::string>{"python3", "/usr/bin/python3"};
+      chosen != nullptr && *chosen != '\0'
+          ? std::vector<std::string>{chosen}
+          : std::vector<std::string>{"python3", "/usr/bin/python3"};
   for (const std::string& candidate : candidates) {
     const bool is_good = exit_code_of({candidate, "-c",
                                        "import importlib.util as u, sys; sys.exit(not all("
@@ -78,8 +80,9 @@ void draw_plots(const std::vector<std::string>& databases, const std::string& sw
                 const std::filesystem::path& folder) {
   std::error_code error;
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
-  std::vector<std::string> command = {python(), script_file(program).string(), "--program",
-                                      program.string(), "--output", folder.string()};
+  std::vector<std::string> command = {python(),    script_file(program).string(),
+                                      "--program", program.string(),
+                                      "--output",  folder.string()};
   if (!sweep.empty()) command.insert(command.end(), {"--sweep", sweep});
   command.emplace_back("--");
   command.insert(command.end(), databases.begin(), databases.end());

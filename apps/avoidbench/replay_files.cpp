@@ -47,14 +47,14 @@ std::string commands_csv(const std::vector<CommandLine>& calls) {
     row.add(call.time_s).add(call.effect_s).add(status_text(call.status));
     row.add(1000.0 * call.cpu_time_s).add(is_command ? command_kind_text(kind) : "");
     row.add_vector(first != nullptr              ? first->position_world_m
-            : kind == AB_COMMAND_POSITION ? c.position_world_m
-                                          : nullptr);
+                   : kind == AB_COMMAND_POSITION ? c.position_world_m
+                                                 : nullptr);
     row.add_vector(first != nullptr ? first->velocity_world_mps
-            : has_velocity   ? c.velocity_world_mps
-                             : nullptr);
+                   : has_velocity   ? c.velocity_world_mps
+                                    : nullptr);
     row.add_vector(first != nullptr                  ? first->acceleration_world_mps2
-            : kind == AB_COMMAND_ACCELERATION ? c.acceleration_world_mps2
-                                              : nullptr);
+                   : kind == AB_COMMAND_ACCELERATION ? c.acceleration_world_mps2
+                                                     : nullptr);
     const double nothing = std::nan("");
     const bool has_yaw = is_command && kind != AB_COMMAND_RATES;
     row.add(!has_yaw ? nothing : first != nullptr ? first->yaw_rad : c.yaw_rad);

@@ -16,8 +16,8 @@ struct EnumText<TrajectoryFormat> {
       {TrajectoryFormat::csv, "csv"}, {TrajectoryFormat::tum, "tum"}};
 };
 
-/// The flown path as CSV (RFC 4180), a row a sample, all that is stored of it and the yaw. Position,
-/// velocity and acceleration in the world frame (ENU, z up); q turns body (FLU) to world
+/// The flown path as CSV (RFC 4180), a row a sample, all that is stored of it and the yaw.
+/// Position, velocity and acceleration in the world frame (ENU, z up); q turns body (FLU) to world
 /// coordinates; body rates in the body frame; the reference is the commanded position, empty where
 /// the command has none.
 std::string trajectory_csv(std::span<const Sample> samples);

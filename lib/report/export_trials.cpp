@@ -108,10 +108,10 @@ void export_trials(std::span<const Database> databases, std::string_view wanted,
   std::erase_if(readers, [](TrialTableReader& reader) { return !reader.next(); });
   Row last;
   while (!readers.empty()) {
-    const auto least = std::min_element(
-        readers.begin(), readers.end(), [&](const TrialTableReader& a, const TrialTableReader& b) {
-          return compared(a.row(), b.row(), order) < 0;
-        });
+    const auto least = std::min_element(readers.begin(), readers.end(),
+                                        [&](const TrialTableReader& a, const TrialTableReader& b) {
+                                          return compared(a.row(), b.row(), order) < 0;
+                                        });
     const Row& row = least->row();
     if (last.empty() || compared(last, row, order) != 0) {
       write(format == TrialFormat::csv ? csv_line(row) : json_line(columns, row));

@@ -23,7 +23,7 @@ struct EnumText<TrialFormat> {
 /// is null, too. Order: sweep, revision, planner, planner_key, map_key, mission_index, trial_key,
 /// whatever the order of files and flights; a trial that several files have is written once. Rows
 /// are held one a file. Throws InputError where the files have different columns.
-void export_trials(std::span<const Database> databases, std::string_view wanted,
-                   TrialFormat format, const std::function<void(const std::string&)>& write);
+void export_trials(std::span<const Database> databases, std::string_view wanted, TrialFormat format,
+                   const std::function<void(const std::string&)>& write);
 
 }  // namespace avoidbench

@@ -216,8 +216,7 @@ std::string preamble(const OmplExperiment& experiment, const std::vector<Planner
 
 std::string common_properties(const PlannerRow& planner) {
   std::vector<std::string> lines = {
-      "planner_name = " + as_word(planner.name),
-      "planner_version = " + as_word(planner.version),
+      "planner_name = " + as_word(planner.name), "planner_version = " + as_word(planner.version),
       "file_sha256 = " + as_word(planner.file_digest),
       "is_privileged = " + std::to_string(planner.is_privileged ? 1 : 0)};
   const nlohmann::json parameters = parsed(planner.parameters_json);
@@ -242,9 +241,8 @@ std::string progress_line(std::span<const Sample> samples, const Eigen::Vector3d
     const bool is_due = sample.time_s >= next_s || &sample == &samples.back();
     if (!is_due) continue;
     next_s = (std::floor(sample.time_s / period_s) + 1.0) * period_s;
-    line += shortest(sample.time_s) + "," +
-            shortest((sample.position_world - goal_world).norm()) + "," +
-            shortest(sample.velocity_world.norm()) + "," + number(sample.clearance_m) + ",;";
+    line += shortest(sample.time_s) + "," + shortest((sample.position_world - goal_world).norm()) +
+            "," + shortest(sample.velocity_world.norm()) + "," + number(sample.clearance_m) + ",;";
   }
   return line + "\n";
 }

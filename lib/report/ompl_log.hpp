@@ -23,7 +23,8 @@ std::vector<OmplExperiment> ompl_experiments(const Database& database, const Swe
 /// logfile format"), for ompl_benchmark_statistics.py and Planner Arena:
 /// - planners by label (with the beginning of the key where two share one), white space and | as _;
 ///   common properties are version, file digest and parameters;
-/// - run properties: `time` is the planner's CPU time in all its calls, s, as OMPL means it; `solved`
+/// - run properties: `time` is the planner's CPU time in all its calls, s, as OMPL means it;
+/// `solved`
 ///   the goal was reached; `status` the outcome as ENUM; `solution_length` the flown path, m, of
 ///   finished trials; then mission_index, reference_length_m and every metric under its own name.
 ///   What is not defined is empty;
@@ -31,7 +32,6 @@ std::vector<OmplExperiment> ompl_experiments(const Database& database, const Swe
 ///   speed_mps and clearance_m.
 /// The date is that of the first run in the database, so that equal databases give equal logs.
 void write_ompl_log(const Database& database, const OmplExperiment& experiment,
-                    double progress_period_s,
-                    const std::function<void(const std::string&)>& write);
+                    double progress_period_s, const std::function<void(const std::string&)>& write);
 
 }  // namespace avoidbench

@@ -50,7 +50,7 @@ def draw(section, trials, wanted):
         return
     for metric in METRICS:
         if metric.file in wanted:
-            figure, axes = style.column_figure(2.3)
+            figure, axes = style.column_figure(2.3, planners)
             metric_by_traversability(axes, metric, groups, trials, planners)
             style.planner_legend(axes, planners, style.COLUMN_IN)
             yield metric.file, figure
@@ -78,7 +78,7 @@ def rows_of(groups, planner):
 
 def success_by_group(groups, planners):
     """6a: the rate of each planner in each group, side by side, with its interval."""
-    figure, axes = style.column_figure(2.4)
+    figure, axes = style.column_figure(2.4, planners)
     bounds = group_bounds(groups)
     spread = min(0.16, 0.64 / len(planners))  # between the planners of a group; 1 between groups
     for i, planner in enumerate(planners):
@@ -120,10 +120,17 @@ def log_ticks(axis, low, high):
     axis.set_minor_formatter(NullFormatter())
 
 
+def pair_label(row):
+    first, second = style.shortened(row["planner"]), style.shortened(row["other_planner"])
+    return f"{first} / {second}" if len(first) + len(second) <= 26 else f"{first} /\n{second}"
+
+
 def contrast_factors(pairs):
     """6b: each pair's factor: filled the smoothed one with its interval, hollow the plain one where it is defined."""
     known = [row for row in pairs if row["contrast_factor_smoothed"] is not None]
-    figure, axes = style.column_figure(0.75 + 0.24 * len(known))
+    labels = [pair_label(row) for row in known]
+    line_count = sum(label.count("\n") + 1 for label in labels)
+    figure, axes = style.column_figure(0.75 + 0.12 * (len(known) + line_count))
     values = []
     for i, row in enumerate(known):
         y = len(known) - 1 - i
@@ -141,7 +148,7 @@ def contrast_factors(pairs):
                   markersize=5.5, markeredgewidth=0.9, zorder=3, label="as defined")
         values += [value for _, value in plain]
     values = [value for value in values if value > 0] + [1.0]
-    low, high = min(values) / 1.25, max(values) * 1.25
+    low, high = min(0.4, min(values) / 1.25), max(2.5, max(values) * 1.25)
     axes.axvline(1.0, color="black", linewidth=0.7)
     axes.set_xscale("log")
     axes.set_xlim(low, high)
@@ -149,11 +156,10 @@ def contrast_factors(pairs):
     axes.grid(False, axis="y")
     axes.grid(True, axis="x")
     axes.set_ylim(-0.6, len(known) - 0.4)
-    axes.set_yticks(range(len(known)), [f"{style.shortened(row['planner'], 18)} / {style.shortened(row['other_planner'], 18)}"
-                                        for row in reversed(known)])
+    axes.set_yticks(range(len(known)), labels[::-1])
     axes.tick_params(axis="y", length=0)
     figure.supxlabel("contrast factor (below 1: the first planner fails less)", fontsize=style.FONT_PT)
-    axes.legend(loc="lower right", ncol=2, bbox_to_anchor=(1.0, 1.01))
+    axes.legend(loc="lower right", ncol=2, bbox_to_anchor=(1.0, 1.01), handlelength=1.0)
     return figure
 
 

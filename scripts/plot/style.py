@@ -36,7 +36,6 @@ _SETTINGS = {
     "ytick.minor.size": 1.5,
     "legend.fontsize": SMALL_PT,
     "legend.frameon": False,
-    "legend.handlelength": 2.4,
     "legend.columnspacing": 1.2,
     "legend.borderaxespad": 0.0,
     "lines.linewidth": 1.2,
@@ -70,11 +69,16 @@ def looks(planners):
 
 
 def shortened(label, most=24):
-    return label if len(label) <= most else label[:most - 1] + "…"
+    """The label with its middle cut out where it is longer: planners of a sweep often differ at the end."""
+    if len(label) <= most:
+        return label
+    head = (most - 1) // 2
+    return label[:head] + "…" + label[len(label) - (most - 1 - head):]
 
 
-def column_figure(height_in):
-    return pyplot.subplots(figsize=(COLUMN_IN, height_in))
+def column_figure(height_in, planners=()):
+    """A figure one column wide; higher where the legend of `planners` takes more than one line."""
+    return pyplot.subplots(figsize=(COLUMN_IN, height_in + 0.14 * (legend_shape(planners, COLUMN_IN)[0] - 1)))
 
 
 def page_figure(rows, columns, height_in):
@@ -83,17 +87,25 @@ def page_figure(rows, columns, height_in):
     return figure, axes
 
 
+def legend_shape(planners, width_in, has_lines=True):
+    """Rows and columns of a legend that is at most so wide."""
+    if not planners:
+        return 1, 0
+    longest = max(len(shortened(name)) for name in planners)
+    columns = max(1, min(len(planners), int(width_in / (0.062 * longest + (0.55 if has_lines else 0.4)))))
+    rows = -(-len(planners) // columns)
+    return rows, -(-len(planners) // rows)  # as even as they go
+
+
 def planner_legend(target, planners, width_in, has_lines=True):
     """A legend above the plot, in as many columns as the width takes. `target` is the axes, or the figure of several."""
     look = looks(planners)
     handles = [matplotlib.lines.Line2D([], [], label=shortened(name), **(look[name] if has_lines else
                                        {**look[name], "linestyle": "none"})) for name in planners]
-    longest = max(len(shortened(name)) for name in planners)
-    columns = max(1, min(len(planners), int(width_in / (0.062 * longest + 0.55))))
-    rows = -(-len(planners) // columns)
-    columns = -(-len(planners) // rows)  # as even as they go
+    rows, columns = legend_shape(planners, width_in, has_lines)
+    options = {"handles": handles, "ncol": columns, "handlelength": 2.4 if has_lines else 1.0}
     if isinstance(target, matplotlib.figure.Figure):
         # constrained_layout keeps no room for a figure's legend: an empty title does.
         target.suptitle("\n" * (rows - 1) + " ", fontsize=1.3 * FONT_PT)
-        return target.legend(handles=handles, loc="upper center", ncol=columns, bbox_to_anchor=(0.5, 0.995))
-    return target.legend(handles=handles, loc="lower center", ncol=columns, bbox_to_anchor=(0.5, 1.02))
+        return target.legend(loc="upper center", bbox_to_anchor=(0.5, 0.995), **options)
+    return target.legend(loc="lower center", bbox_to_anchor=(0.5, 1.02), **options)

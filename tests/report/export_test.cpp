@@ -233,8 +233,9 @@ TEST(ExportTrajectory, TumHasEightNumbersALineWithTheScalarLast) {
     std::istringstream words(line);
     std::vector<double> values;
     for (std::string word; words >> word;) values.push_back(std::strtod(word.c_str(), nullptr));
-    const std::vector<double> truth = {s.time_s, s.position_world.x(), s.position_world.y(),
-                                       s.position_world.z(), -0.5, 0.5, -0.5, 0.5};
+    const std::vector<double> truth = {
+        s.time_s, s.position_world.x(), s.position_world.y(), s.position_world.z(), -0.5, 0.5, -0.5,
+        0.5};
     EXPECT_EQ(values, truth);
   }
   EXPECT_FALSE(std::getline(lines, line));
