@@ -87,11 +87,13 @@ def main():
         of_sweep = with_report_labels(trials[trials["sweep"] == section["sweep"]])
         folder = arguments.output / section["sweep"]
         folder.mkdir(parents=True, exist_ok=True)
+        count = 0
         for name, figure in figures.draw(section, of_sweep, wanted):
+            count += 1
             for extension in arguments.formats.split(","):
                 style.save(figure, folder / f"{name}.{extension}")
             matplotlib.pyplot.close(figure)
-            print(f"wrote {folder / name}.{{{arguments.formats}}}", file=sys.stderr)
+        print(f"drew {count} figure{'' if count == 1 else 's'} in {folder}", file=sys.stderr)
     return 0
 
 
