@@ -166,14 +166,32 @@ Rerun rerun_from(const std::string& text) {
                    ": expected failed, all, or a trial's key (its first six digits or more)");
 }
 
+/// Whether times of this machine decide about flights.
+bool measures_latency(const SweepSpec& sweep) {
+  bool is_swept = false;
+  for (const Axis& axis : sweep.axes) {
+    if (axis.path != "latency.mode") continue;
+    is_swept = true;
+    for (const nlohmann::json& mode : axis.values) {
+      if (mode == text(LatencyMode::measured)) return true;
+    }
+  }
+  return !is_swept && sweep.base.latency.mode == LatencyMode::measured;
+}
+
 void warn(const RunCommand& command, const SweepSpec& sweep, int jobs) {
+  if (measures_latency(sweep)) {
+    std::cerr << "warning: latency is measured: results depend on this machine and its load\n";
+  }
   if (sweep.trials < 10) {
     std::cerr << "warning: " << sweep.trials
               << " trials a map: success rates of single maps are too coarse to compare\n";
   }
   if (jobs > allowed_cpus()) {
-    std::cerr << "warning: " << jobs << " workers on " << allowed_cpus()
-              << " CPUs: processing times will be too long (results do not change)\n";
+    std::cerr
+        << "warning: " << jobs << " workers on " << allowed_cpus()
+        << " CPUs: processing times will be too long (results do not change, but for measured "
+           "latency)\n";
   }
   if (command.in_process) {
     std::cerr << "warning: --in-process: a planner's crash ends the run\n";

@@ -107,6 +107,9 @@ std::vector<Contradiction> contradictions(const TrialSpec& spec) {
   check_not_faster("imu.rate_hz", spec.imu.rate_hz, spec.rates.physics_hz, found);
   check_not_faster("odometry.rate_hz", spec.odometry.rate_hz, spec.rates.physics_hz, found);
   check_sensor(spec.sensor, found);
+  if (spec.latency.mode == LatencyMode::replay && spec.latency.database.empty()) {
+    found.push_back({"latency.database", "is needed by mode replay: the measured run's"});
+  }
   try {
     check_map(spec.map);
   } catch (const InputError& error) {

@@ -130,4 +130,18 @@ void resolve_wind_file(const YamlNode& root, SweepSpec& sweep, Reading& reading)
                                         "wind.field.file_digest: can't be that of several files"));
 }
 
+void resolve_latency_file(const YamlNode& root, SweepSpec& sweep, Reading& reading) {
+  const std::string path = "latency.database";
+  const YamlNode& place = place_of(root, path);
+  const auto resolve = [&](const std::string& file) {
+    return file.empty() ? file : absolute(path, file, place, reading);
+  };
+  sweep.base.latency.database = resolve(sweep.base.latency.database);
+  for (Axis& axis : sweep.axes) {
+    if (axis.path != path) continue;
+    for (nlohmann::json& value : axis.values) value = resolve(value.get<std::string>());
+    sweep.base.latency.database = axis.values.front().get<std::string>();
+  }
+}
+
 }  // namespace avoidbench

@@ -15,4 +15,8 @@ void resolve_map_files(const YamlNode& root, SweepSpec& sweep, Reading& reading)
 /// have "" among its values for no field.
 void resolve_wind_file(const YamlNode& root, SweepSpec& sweep, Reading& reading);
 
+/// Makes the path of the database of replayed latencies absolute, and adds a problem where it is
+/// not there.
+void resolve_latency_file(const YamlNode& root, SweepSpec& sweep, Reading& reading);
+
 }  // namespace avoidbench

@@ -37,6 +37,7 @@ std::string path_problem(const std::string& path, const TrialSpec& base) {
   }
   if (first == "mission_index" || first == "trials")
     return "'trials' says how many missions there are";
+  if (first == "latency_digest") return "the program fills it";
   if (path.find('[') != std::string::npos)
     return "elements of lists can't be axes; give whole lists";
   if (path.empty() || path.front() == '.' || path.back() == '.' ||

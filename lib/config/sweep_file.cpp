@@ -173,6 +173,7 @@ SweepSpec read_sweep(const fs::path& file, const std::vector<std::string>& overr
   if (const YamlNode* node = reader.take("axes")) read_axes(*node, sweep, reading);
   resolve_map_files(root, sweep, reading);
   resolve_wind_file(root, sweep, reading);
+  resolve_latency_file(root, sweep, reading);
   const YamlNode* planners = reader.take("planners");
   const YamlNode* max_speed = reader.take("max_speed_mps");
   if (planners != nullptr) {
@@ -237,6 +238,7 @@ MapChoice read_map(const std::string& file_or_generator,
   sweep.base = choice.trial;
   resolve_map_files(root, sweep, reading);
   resolve_wind_file(root, sweep, reading);
+  resolve_latency_file(root, sweep, reading);
   round_rates(root, sweep);
   choice.trial = sweep.base;
   choice.warnings = sweep.warnings;

@@ -60,7 +60,8 @@ FieldTree sweep_tree() {
   seeds.name = "seeds";
   seeds.doc = "Map seeds as a list, or how many of them, from 1; each is a map.";
   for (const FieldTree& field : trial.fields) {
-    if (field.name == "map_seed" || field.name == "mission_index" || field.name == "planner") {
+    if (field.name == "map_seed" || field.name == "mission_index" || field.name == "planner" ||
+        field.name == "latency_digest") {
       continue;
     }
     FieldTree& key = sweep.fields.emplace_back(field);

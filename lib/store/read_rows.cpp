@@ -122,6 +122,18 @@ void read_flight(const Database& db, std::string_view key, TrialRecord& record) 
   record.collisions = read_collisions(db, key);
 }
 
+/// By the sweep's latency.mode or the axis of it.
+bool has_measured_latency(const Database& db, std::string_view name, std::int64_t revision) {
+  Statement s(db.handle(), db.path(),
+              "SELECT EXISTS (SELECT 1 FROM sweeps s WHERE s.sweep = ? AND s.revision = ? AND ("
+              "json_extract(s.spec_json, '$.base.latency.mode') IN ('measured', 'replay') OR "
+              "EXISTS (SELECT 1 FROM json_each(s.spec_json, '$.axes') a, "
+              "json_each(a.value, '$.values') v WHERE json_extract(a.value, '$.path') = "
+              "'latency.mode' AND v.value IN ('measured', 'replay'))))");
+  s.bind_text(name).bind_integer(revision).step();
+  return s.integer(0) != 0;
+}
+
 }  // namespace
 
 std::map<std::string, Outcome> Database::finished_trials() const {
@@ -246,7 +258,8 @@ SweepResult Database::read_sweep(std::string_view name, std::int64_t revision,
                      .trials = {},
                      .program_versions = {},
                      .spec_json = {},
-                     .fields = fields};
+                     .fields = fields,
+                     .has_measured_latency = false};
   const auto query = [&](std::string_view sql) {
     auto statement = std::make_unique<Statement>(handle(), path(), sql);
     statement->bind_text(name).bind_integer(revision);
@@ -305,6 +318,7 @@ SweepResult Database::read_sweep(std::string_view name, std::int64_t revision,
       "JOIN trials t USING (trial_key) JOIN runs r USING (run_id)" +
       of_sweep + "ORDER BY 1");
   while (versions->step()) result.program_versions.push_back(versions->text(0));
+  result.has_measured_latency = has_measured_latency(*this, name, revision);
   return result;
 }
 

@@ -121,6 +121,7 @@ std::string plan_calls_json(std::span<const PlanCall> calls) {
     row.push_back(json_number(call.wall_time_s));
     row.push_back(call.status);
     row.push_back(call.command_kind);
+    if (call.latency_s == call.latency_s) row.push_back(call.latency_s);
     rows.push_back(std::move(row));
   }
   return rows.dump();
@@ -133,7 +134,8 @@ std::vector<PlanCall> plan_calls_from_json(std::string_view json) {
                      .cpu_time_s = number_of(row.at(1)),
                      .wall_time_s = number_of(row.at(2)),
                      .status = row.at(3).get<std::int32_t>(),
-                     .command_kind = row.at(4).get<std::uint32_t>()});
+                     .command_kind = row.at(4).get<std::uint32_t>(),
+                     .latency_s = row.size() > 5 ? number_of(row.at(5)) : number_of(nullptr)});
   }
   return calls;
 }

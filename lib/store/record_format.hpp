@@ -23,8 +23,8 @@ std::vector<std::byte> packed_samples(std::span<const std::byte> bytes);
 /// Reverse of packed_samples() for so many samples; empty where `packed` is damaged.
 std::vector<std::byte> unpacked_samples(std::span<const std::byte> packed, std::size_t count);
 
-/// Calls as stored: a JSON array of [time_s, cpu_time_s, wall_time_s, status, command_kind],
-/// numbers with the fewest digits that read back to the same bits.
+/// Calls as stored: a JSON array of [time_s, cpu_time_s, wall_time_s, status, command_kind] and,
+/// where it is not NaN, latency_s; numbers with the fewest digits that read back to the same bits.
 std::string plan_calls_json(std::span<const PlanCall> calls);
 std::vector<PlanCall> plan_calls_from_json(std::string_view json);
 

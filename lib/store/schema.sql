@@ -145,7 +145,8 @@ CREATE TABLE trajectories (
 
 CREATE TABLE plan_calls (
   -- The planner's calls in a trial, as one JSON array a trial since there are thousands: [[time_s, cpu_time_s,
-  -- wall_time_s, status, command_kind], …]. The view plan_call_table has one row a call.
+  -- wall_time_s, status, command_kind], …]; where latency is measured or replayed, each with a sixth number latency_s,
+  -- after which the command took effect. The view plan_call_table has one row a call.
   trial_key TEXT PRIMARY KEY REFERENCES trials,
   call_count INTEGER NOT NULL,
   calls_digest TEXT NOT NULL,     -- SHA-256 of time, status and command kind: what does not differ from run to run

@@ -56,5 +56,6 @@ CREATE VIEW plan_call_table AS
          json_extract(j.value, '$[1]') AS cpu_time_s,
          json_extract(j.value, '$[2]') AS wall_time_s,
          json_extract(j.value, '$[3]') AS status,
-         json_extract(j.value, '$[4]') AS command_kind
+         json_extract(j.value, '$[4]') AS command_kind,
+         json_extract(j.value, '$[5]') AS latency_s  -- NULL: as latency of the trial's spec_json says
   FROM plan_calls c, json_each(c.calls_json) j;

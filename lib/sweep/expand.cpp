@@ -4,6 +4,7 @@
 #include "base/check.hpp"
 #include "base/digest.hpp"
 #include "base/spec_json.hpp"
+#include "sweep/recorded_latency.hpp"
 #include "sweep/sweep_spec.hpp"
 
 namespace avoidbench {
@@ -14,6 +15,17 @@ using nlohmann::json;
 json::json_pointer pointer(std::string path) {
   std::replace(path.begin(), path.end(), '.', '/');
   return json::json_pointer("/" + path);
+}
+
+/// Fills the digests of the latencies that trials replay.
+void fill_latencies(std::vector<TrialSpec>& trials) {
+  RecordedLatencies recorded;
+  for (TrialSpec& trial : trials) {
+    if (trial.latency.mode != LatencyMode::replay) continue;
+    if (const auto latencies_s = recorded.of(trial)) {
+      trial.latency_digest = latency_digest(*latencies_s);
+    }
+  }
 }
 
 /// `digests` are those of maps' and winds' files, by path.
@@ -53,6 +65,7 @@ std::vector<TrialSpec> expand(const SweepSpec& sweep) {
   std::vector<TrialSpec> trials;
   std::map<std::string, std::string> digests;
   expand_axes(sweep, 0, spec_to_json(sweep.base), digests, trials);
+  fill_latencies(trials);
   return trials;
 }
 
@@ -62,6 +75,7 @@ std::string trial_key(const TrialSpec& spec) {
   canonical["wind"]["field"].erase("file");
   canonical["planner"].erase("file");
   canonical["planner"].erase("plugin");
+  forget_unused_latency(canonical);
   return Digest().add(canonical.dump()).add(std::uint64_t{kResultVersion}).hex();
 }
 

@@ -112,13 +112,17 @@ Message job_message(const Job& job) {
   message.json["spec"] = spec_to_json(job.spec);
   message.json["mission_count"] = job.mission_count;
   if (job.mission) message.json["mission"] = mission_to_json(*job.mission);
+  if (job.recorded_latency_s) message.json["recorded_latency_s"] = *job.recorded_latency_s;
   return message;
 }
 
 Job job_from(const Message& message) {
   Job job{.spec = spec_from_json<TrialSpec>(message.json.at("spec")),
           .mission_count = message.json.at("mission_count"),
-          .mission = std::nullopt};
+          .mission = std::nullopt,
+          .recorded_latency_s = std::nullopt};
+  if (const auto recorded = message.json.find("recorded_latency_s"); recorded != message.json.end())
+    job.recorded_latency_s = recorded->get<std::vector<double>>();
   if (message.json.contains("mission")) job.mission = mission_from_json(message.json.at("mission"));
   return job;
 }

@@ -15,8 +15,9 @@ namespace avoidbench {
 /// Measure a map and lay out its missions, or, with a mission, fly one trial.
 struct Job {
   TrialSpec spec;
-  std::int64_t mission_count = 0;        ///< of a map job
-  std::optional<MissionRecord> mission;  ///< of a trial job
+  std::int64_t mission_count = 0;                              ///< of a map job
+  std::optional<MissionRecord> mission;                        ///< of a trial job
+  std::optional<std::vector<double>> recorded_latency_s = {};  ///< of one that replays
 };
 
 /// The answer: a map, a flown trial with its metrics, or why neither could be had.

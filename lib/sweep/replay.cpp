@@ -9,6 +9,7 @@
 #include "base/input_error.hpp"
 #include "base/spec_json.hpp"
 #include "store/record_format.hpp"
+#include "sweep/recorded_latency.hpp"
 #include "sweep/sweep_spec.hpp"
 #include "trial/planner_view.hpp"
 
@@ -112,6 +113,7 @@ StoredTrial read_stored_trial(const Database& database, const std::string& key) 
   try {
     nlohmann::json json = nlohmann::json::parse(stored.row.spec_json);
     json.at("planner").emplace("file", "");  // databases keep no paths
+    restore_latency(json);
     stored.spec = spec_from_json<TrialSpec>(json);
   } catch (const nlohmann::json::exception& error) {
     throw InputError({.file = database.path().string(),
@@ -182,7 +184,9 @@ TrialRecord Replay::fly(const TrialObserver& observer, std::vector<std::string>&
   }
   log = planner->take_log();
   planner->want_drawings(true);
-  TrialRecord record = run_trial(stored_.spec, scene_, stored_.mission, *planner, observer);
+  const auto recorded_s = recorded_latencies(stored_.spec, stored_.row.record);
+  TrialRecord record = run_trial(stored_.spec, scene_, stored_.mission, *planner, observer,
+                                 recorded_s ? &*recorded_s : nullptr);
   for (std::string& line : planner->take_log()) log.push_back(std::move(line));
   return record;
 }

@@ -48,8 +48,8 @@ class Replay {
   /// another version of the program.
   const std::vector<std::string>& warnings() const { return warnings_; }
 
-  /// Flies it, with drawings wanted. `log` gets what the planner logged before its first and after
-  /// its last call.
+  /// Flies it, with drawings wanted; measured latencies are those of the stored flight. `log` gets
+  /// what the planner logged before its first and after its last call.
   TrialRecord fly(const TrialObserver& observer, std::vector<std::string>& log) const;
 
  private:

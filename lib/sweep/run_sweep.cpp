@@ -15,6 +15,7 @@
 #include "base/spec_json.hpp"
 #include "sweep/crash_report.hpp"
 #include "sweep/job.hpp"
+#include "sweep/recorded_latency.hpp"
 #include "sweep/schedule.hpp"
 #include "sweep/sweep_rows.hpp"
 #include "sweep/worker.hpp"
@@ -33,6 +34,7 @@ struct Run {
   Database& database;
   Schedule schedule;
   Progress progress;
+  RecordedLatencies recorded;
   /// Jobs whose worker was killed from outside.
   std::set<std::pair<std::size_t, std::optional<std::size_t>>> killed_once;
   bool has_begun = false;  ///< the database knows of this run
@@ -86,14 +88,29 @@ void recall_maps(Run& run) {
   }
 }
 
-Job job_of(const Run& run, const Assignment& assignment) {
+/// The latencies that the trial replays, if it does.
+std::optional<std::vector<double>> latencies_of(Run& run, const TrialSpec& spec) {
+  if (spec.latency.mode != LatencyMode::replay) return std::nullopt;
+  auto latencies_s = run.recorded.of(spec);
+  if (!latencies_s || latency_digest(*latencies_s) != spec.latency_digest) {
+    throw InputError(
+        {.file = spec.latency.database, .message = "the replayed trials changed during the run"});
+  }
+  return latencies_s;
+}
+
+Job job_of(Run& run, const Assignment& assignment) {
   const MapPlan& map = run.schedule.maps[assignment.map];
   if (!assignment.trial)
-    return {.spec = map.spec, .mission_count = run.sweep.trials, .mission = {}};
+    return {.spec = map.spec,
+            .mission_count = run.sweep.trials,
+            .mission = {},
+            .recorded_latency_s = {}};
   const TrialSpec& spec = run.schedule.trials[*assignment.trial];
   return {.spec = spec,
           .mission_count = 0,
-          .mission = map.record->missions[static_cast<std::size_t>(spec.mission_index)]};
+          .mission = map.record->missions[static_cast<std::size_t>(spec.mission_index)],
+          .recorded_latency_s = latencies_of(run, spec)};
 }
 
 void commit_map(Run& run, MapPlan& map, MapRecord record) {
@@ -117,6 +134,7 @@ void commit_trial(Run& run, const Assignment& assignment, TrialRecord record,
   nlohmann::json canonical = spec_to_json(spec);
   canonical["planner"].erase("file");
   forget_folders(canonical);
+  forget_unused_latency(canonical);
   run.database.add_trial({.key = run.schedule.keys[*assignment.trial],
                           .sweep = run.sweep.name,
                           .map_key = run.schedule.maps[assignment.map].key,
@@ -389,11 +407,13 @@ RunSummary run_sweep(const SweepSpec& sweep, const RunRow& provenance, Database&
           .database = database,
           .schedule = {},
           .progress = {},
+          .recorded = {},
           .killed_once = {}};
   std::set<std::string> skip = keys_to_skip(database, options);
-  database.add_sweep({.name = sweep.name, .spec_json = sweep_json(sweep)});
+  std::vector<TrialSpec> trials = expand(sweep);
+  database.add_sweep({.name = sweep.name, .spec_json = sweep_json(sweep, trials)});
+  trials = trials_of(options.shard, std::move(trials));
   for (const PlannerChoice& planner : sweep.planners) database.add_planner(planner_row(planner));
-  std::vector<TrialSpec> trials = trials_of(options.shard, expand(sweep));
   if (sweep.until.is_set()) {
     fly_until(run, trials, skip);
   } else {

@@ -1,13 +1,19 @@
 #include "sweep/sweep_rows.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "base/digest.hpp"
 #include "base/spec_json.hpp"
 #include "plugin/planner_library.hpp"
+#include "sweep/recorded_latency.hpp"
 
 namespace avoidbench {
 namespace {
+
+std::string file_name(const nlohmann::json& path) {
+  return std::filesystem::path(path.get<std::string>()).filename().string();
+}
 
 nlohmann::json axis_json(const Axis& axis) {
   nlohmann::json values = axis.values;
@@ -18,14 +24,35 @@ nlohmann::json axis_json(const Axis& axis) {
       forget_folder(value);
     }
   }
+  if (axis.path == "latency.database") {
+    for (nlohmann::json& value : values) value = file_name(value);
+  }
   return {{"path", axis.path}, {"values", values}};
+}
+
+/// Replayed latencies as one digest; nothing of what the mode of latency has no use for.
+void write_latency(nlohmann::json& base, const SweepSpec& sweep,
+                   const std::vector<TrialSpec>& trials) {
+  Digest digest;
+  bool is_replay = false;
+  for (const TrialSpec& trial : trials) {
+    is_replay = is_replay || trial.latency.mode == LatencyMode::replay;
+    digest.add(trial.latency_digest);
+  }
+  const bool is_swept = std::any_of(sweep.axes.begin(), sweep.axes.end(), [](const Axis& axis) {
+    return axis.path.starts_with("latency.");
+  });
+  base["latency"]["database"] = file_name(base["latency"]["database"]);
+  if (!is_swept) forget_unused_latency(base);
+  base.erase("latency_digest");
+  if (is_replay) base["latency_digest"] = digest.hex();
 }
 
 }  // namespace
 
 void forget_folder(nlohmann::json& block) {
   if (!block.contains("file")) return;
-  block["file"] = std::filesystem::path(block["file"].get<std::string>()).filename().string();
+  block["file"] = file_name(block["file"]);
 }
 
 void forget_folders(nlohmann::json& trial) {
@@ -33,7 +60,7 @@ void forget_folders(nlohmann::json& trial) {
   forget_folder(trial["wind"]["field"]);
 }
 
-std::string sweep_json(const SweepSpec& sweep) {
+std::string sweep_json(const SweepSpec& sweep, const std::vector<TrialSpec>& trials) {
   nlohmann::json axes = nlohmann::json::array(), planners = nlohmann::json::array();
   for (const Axis& axis : sweep.axes) axes.push_back(axis_json(axis));
   for (const PlannerChoice& planner : sweep.planners) {
@@ -44,6 +71,7 @@ std::string sweep_json(const SweepSpec& sweep) {
   nlohmann::json base = spec_to_json(sweep.base);
   base.erase("planner");
   forget_folders(base);
+  write_latency(base, sweep, trials);
   nlohmann::json resolved{{"name", sweep.name},
                           {"base", base},
                           {"axes", axes},

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "store/rows.hpp"
 #include "sweep/sweep_spec.hpp"
@@ -15,8 +16,8 @@ void forget_folder(nlohmann::json& block);
 /// The same for all blocks of a TrialSpec.
 void forget_folders(nlohmann::json& trial);
 
-/// The resolved sweep.
-std::string sweep_json(const SweepSpec& sweep);
+/// The resolved sweep; `trials` are all of it, of which replayed latencies are noted as a digest.
+std::string sweep_json(const SweepSpec& sweep, const std::vector<TrialSpec>& trials);
 
 /// Throws InputError where the planner's library can't be loaded.
 PlannerRow planner_row(const PlannerChoice& choice);

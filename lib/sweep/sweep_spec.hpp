@@ -32,12 +32,13 @@ struct SweepSpec {
 inline constexpr int kResultVersion = 2;
 
 /// The sweep's trials, in order of axes (first slowest), mission index, planner. Fills the
-/// file_digest of maps and winds from files that lack it; throws InputError where such a file can't
-/// be read.
+/// file_digest of maps and winds from files that lack it, and the latency_digest of trials that
+/// replay; throws InputError where such a file can't be read or lacks what is replayed.
 std::vector<TrialSpec> expand(const SweepSpec& sweep);
 
 /// A trial's key, 64 hexadecimal digits: digest of its canonical spec (with the digests of
-/// the planner and of the map's and the wind's file, without their paths) and kResultVersion.
+/// the planner, of the map's and the wind's file and of replayed latencies, without paths) and
+/// kResultVersion.
 std::string trial_key(const TrialSpec& spec);
 
 /// The key of the map as this trial flies it (map, its seed, the sweep's seed, mission rules, body,

@@ -116,7 +116,9 @@ TrialRecord Worker::Internals::fly(const Job& job, const Scene& scene) {
     record.reason = error.what();
     return record;
   }
-  return run_trial(job.spec, scene, job.mission->mission, *planner);
+  const std::vector<double>* recorded_s =
+      job.recorded_latency_s ? &*job.recorded_latency_s : nullptr;
+  return run_trial(job.spec, scene, job.mission->mission, *planner, {}, recorded_s);
 }
 
 Worker::Worker() : internals_(std::make_unique<Internals>()) {}

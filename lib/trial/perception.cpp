@@ -150,12 +150,16 @@ PlannerView planner_view(Perception& p, const VehicleState& truth) {
   return view;
 }
 
-void forget_seen(Perception& p, Tick now) {
+void forget_images(Perception& p, Tick tick) {
   const auto first = p.exposures.begin();
   const auto last = first + static_cast<std::ptrdiff_t>(p.exposure_count);
-  const auto unseen = std::find_if(first, last, [now](const auto& e) { return e.ready > now; });
+  const auto unseen = std::find_if(first, last, [tick](const auto& e) { return e.ready > tick; });
   p.exposure_count = static_cast<std::size_t>(last - unseen);
   std::rotate(first, unseen, last);  // the seen ones' buffers are used again
+}
+
+void forget_seen(Perception& p, Tick now) {
+  forget_images(p, now);
   p.imu_samples.clear();
 }
 

@@ -67,6 +67,9 @@ VehicleState believed_state(const Perception& perception, const VehicleState& tr
 /// What the planner sees now. Pixels stay the perception's until forget_seen().
 PlannerView planner_view(Perception& perception, const VehicleState& truth);
 
+/// Frees the images that the planner might have had at `tick`.
+void forget_images(Perception& perception, Tick tick);
+
 /// Frees what the last planner_view() showed.
 void forget_seen(Perception& perception, Tick now);
 

@@ -33,6 +33,7 @@ struct Flight {
   const Mission& mission;
   PlannerInstance& planner;
   const TrialObserver& observer;
+  const std::vector<double>* recorded_latency_s = nullptr;
   Scene* moving = nullptr;          ///< the scene, where things move in it
   double obstacle_speed_mps = 0.0;  ///< of the fastest
 
@@ -43,7 +44,8 @@ struct Flight {
   Tracker tracker;
   CollisionCheck collision_check;
   Perception perception;
-  Tick physics_period = 0, plan_period = 0, sample_period = 0, latency = 0;
+  Tick physics_period = 0, plan_period = 0, sample_period = 0;
+  Tick busy_until = 0;  ///< the planner, where latency is measured
 
   std::deque<Pending> pending;  ///< by due tick
   bool was_touching = false;
@@ -65,28 +67,28 @@ Flight make_flight(const TrialSpec& spec, const Scene& scene, const Mission& mis
   VehicleModel model = make_model(spec.vehicle);
   const VehicleState start = hovering_at(spec.vehicle, mission.start_world, mission.start_yaw_rad);
   Tracker tracker = make_tracker(model, start);
-  return Flight{
-      .spec = spec,
-      .scene = scene,
-      .mission = mission,
-      .planner = planner,
-      .observer = observer,
-      .moving = nullptr,
-      .obstacle_speed_mps = 0.0,
-      .model = std::move(model),
-      .wind = make_wind(spec.wind, noise_seed(spec, "wind"), spec.mission.time_limit_s),
-      .environment = {},
-      .state = start,
-      .tracker = std::move(tracker),
-      .collision_check = {.body_size_m = to_eigen(spec.vehicle.body_size_m)},
-      .perception = make_perception(spec, planner.needs(), start),
-      .physics_period = required_period(spec.rates.physics_hz),
-      .plan_period = required_period(spec.rates.plan_hz),
-      .sample_period = required_period(spec.rates.sample_hz),
-      .latency = spec.latency.mode == LatencyMode::fixed ? ticks(spec.latency.ms / 1000.0) : 0,
-      .pending = {},
-      .planner_end = {},
-      .record = {}};
+  return Flight{.spec = spec,
+                .scene = scene,
+                .mission = mission,
+                .planner = planner,
+                .observer = observer,
+                .recorded_latency_s = nullptr,
+                .moving = nullptr,
+                .obstacle_speed_mps = 0.0,
+                .model = std::move(model),
+                .wind = make_wind(spec.wind, noise_seed(spec, "wind"), spec.mission.time_limit_s),
+                .environment = {},
+                .state = start,
+                .tracker = std::move(tracker),
+                .collision_check = {.body_size_m = to_eigen(spec.vehicle.body_size_m)},
+                .perception = make_perception(spec, planner.needs(), start),
+                .physics_period = required_period(spec.rates.physics_hz),
+                .plan_period = required_period(spec.rates.plan_hz),
+                .sample_period = required_period(spec.rates.sample_hz),
+                .busy_until = 0,
+                .pending = {},
+                .planner_end = {},
+                .record = {}};
 }
 
 /// Tells the observer, where there is one.
@@ -105,16 +107,42 @@ void tell_planned(const Flight& flight, const PlannerView& view, const PlanResul
                            .log = flight.planner.take_log()});
 }
 
+/// Of the call that just came back after `wall_time_s`.
+Tick latency_of_call(const Flight& flight, double wall_time_s) {
+  const LatencySpec& latency = flight.spec.latency;
+  if (latency.mode == LatencyMode::zero) return 0;
+  if (latency.mode == LatencyMode::fixed) return ticks(latency.ms / 1000.0);
+  if (flight.recorded_latency_s == nullptr) return ticks(latency.scale * wall_time_s);
+  const std::size_t call = flight.record.plan_calls.size();
+  const std::vector<double>& recorded_s = *flight.recorded_latency_s;
+  return call < recorded_s.size() ? ticks(recorded_s[call]) : 0;
+}
+
+/// Whether the planner is called now. Of the images that come while it is busy, those of the last
+/// second wait for it.
+bool is_plan_due(Flight& flight) {
+  const Tick now = flight.state.tick;
+  if (now % flight.plan_period != 0) return false;
+  if (now >= flight.busy_until) return true;
+  forget_images(flight.perception, now - kTicksPerSecond);
+  return false;
+}
+
 /// Shows the planner what was seen since the last call and queues its answer.
 void plan(Flight& flight) {
   const PlannerView view = planner_view(flight.perception, flight.state);
   const PlanResult result = flight.planner.plan(view);
-  const Tick due = flight.state.tick + flight.latency;
+  const Tick latency = latency_of_call(flight, result.wall_time_s);
+  const Tick due = flight.state.tick + latency;
   tell_planned(flight, view, result, due);
   forget_seen(flight.perception, flight.state.tick);
   PlanCall call{.time_s = seconds(flight.state.tick),
                 .cpu_time_s = result.cpu_time_s,
                 .wall_time_s = result.wall_time_s};
+  if (is_measured(flight.spec.latency)) {
+    call.latency_s = seconds(latency);
+    flight.busy_until = due;
+  }
   switch (result.status) {
     case PlanStatus::command:
       call.status = AB_OK;
@@ -248,12 +276,15 @@ Tick next_tick(const Flight& flight) {
 }  // namespace
 
 TrialRecord run_trial(const TrialSpec& spec, const Scene& scene, const Mission& mission,
-                      PlannerInstance& planner, const TrialObserver& observer) {
+                      PlannerInstance& planner, const TrialObserver& observer,
+                      const std::vector<double>* recorded_latency_s) {
+  AB_CHECK(spec.latency.mode != LatencyMode::replay || recorded_latency_s != nullptr);
   const std::vector<Motion>& motions = scene.world().motions;
   std::optional<Scene> own;  // with its own time
   if (!motions.empty()) own.emplace(scene.world());
   Flight flight = make_flight(spec, own ? *own : scene, mission, planner, observer);
   flight.moving = own ? &*own : nullptr;
+  flight.recorded_latency_s = recorded_latency_s;
   for (const Motion& motion : motions) {
     flight.obstacle_speed_mps = std::max(flight.obstacle_speed_mps, greatest_speed_mps(motion));
   }
@@ -268,7 +299,7 @@ TrialRecord run_trial(const TrialSpec& spec, const Scene& scene, const Mission& 
     const Tick now = flight.state.tick;
     flight.environment = environment_at(flight.wind, now, flight.state.position_world);
     sense(flight.perception, flight.scene, flight.model, flight.state, flight.environment);
-    if (now % flight.plan_period == 0) plan(flight);
+    if (is_plan_due(flight)) plan(flight);
     apply_due_commands(flight);
     if (now % flight.sample_period == 0) sample(flight);
     if (!flight.planner_end) {

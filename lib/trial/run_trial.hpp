@@ -11,7 +11,13 @@ namespace avoidbench {
 /// `scene`. A pure function of its arguments but for the measured times in `plan_calls`. Everything
 /// that can go wrong in flight is an Outcome, never an exception. One thread; the scene may be
 /// shared with other trials. `observer` sees each call of the planner.
+///
+/// Measured latency: a call that took w of wall time acts w × scale later, rounded to the tick, and
+/// until then the planner is busy: it is not called. `recorded_latency_s` (one a call, those of an
+/// earlier flight) stand for the measured ones, and the flight is that one again; calls beyond
+/// their end act at once. The mode `replay` needs them, `zero` and `fixed` do not look at them.
 TrialRecord run_trial(const TrialSpec& spec, const Scene& scene, const Mission& mission,
-                      PlannerInstance& planner, const TrialObserver& observer = {});
+                      PlannerInstance& planner, const TrialObserver& observer = {},
+                      const std::vector<double>* recorded_latency_s = nullptr);
 
 }  // namespace avoidbench

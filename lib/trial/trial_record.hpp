@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,8 @@ struct PlanCall {
   double wall_time_s = 0.0;
   std::int32_t status = 0;  ///< AB_OK, AB_NO_PLAN, …
   std::uint32_t command_kind = 0;
+  /// That its command took effect after what it saw, whole ticks; NaN where the spec says it.
+  double latency_s = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// A touch with a surface.

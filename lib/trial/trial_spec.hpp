@@ -50,24 +50,42 @@ void visit(Visitor& v, RatesSpec& s) {
           "Samples of the recorded trajectory a second.");
 }
 
-enum class LatencyMode { zero, fixed };
+enum class LatencyMode { zero, fixed, measured, replay };
 
 template <>
 struct EnumText<LatencyMode> {
   static constexpr std::pair<LatencyMode, std::string_view> entries[] = {
-      {LatencyMode::zero, "zero"}, {LatencyMode::fixed, "fixed"}};
+      {LatencyMode::zero, "zero"},
+      {LatencyMode::fixed, "fixed"},
+      {LatencyMode::measured, "measured"},
+      {LatencyMode::replay, "replay"}};
 };
 
 /// When a command takes effect: what the planner sees at time t acts at t + latency.
 struct LatencySpec {
   LatencyMode mode = LatencyMode::fixed;
-  double ms = 33.0;
+  double ms = 33.0;      ///< of `fixed`
+  double scale = 1.0;    ///< of `measured`, and of the measured run that `replay` repeats
+  std::string database;  ///< of that run; not part of a trial's key: see TrialSpec::latency_digest
 };
+
+/// Whether latencies are times that some machine took.
+inline bool is_measured(const LatencySpec& latency) {
+  return latency.mode == LatencyMode::measured || latency.mode == LatencyMode::replay;
+}
 
 template <class Visitor>
 void visit(Visitor& v, LatencySpec& s) {
-  v.field("mode", s.mode, "zero: at once; fixed: after `ms`, the same on every machine.");
-  v.field("ms", s.ms, Range{0, 10000}, "Time from what is seen to the command that answers it.");
+  v.field("mode", s.mode,
+          "zero: at once; fixed: after `ms`, the same on every machine; measured: after the wall "
+          "time that the call took on this machine, times `scale`; replay: after the times of the "
+          "measured run in `database`.");
+  v.field("ms", s.ms, Range{0, 10000},
+          "Time from what is seen to the command that answers it (fixed).");
+  v.field("scale", s.scale, Range{0.001, 1000},
+          "The planner's computer is so many times slower than this machine (measured); of the run "
+          "that is repeated (replay).");
+  v.field("database", s.database, "Database of the measured run that is repeated (replay).");
 }
 
 /// One configured parameter of a planner: a number, or a text.
@@ -118,6 +136,7 @@ struct TrialSpec {
   PlannerChoice planner;
   RatesSpec rates;
   LatencySpec latency;
+  std::string latency_digest;  ///< of the times that a replay takes; the program fills it
   WindSpec wind;
 };
 
@@ -135,6 +154,7 @@ void visit(Visitor& v, TrialSpec& s) {
   v.field("planner", s.planner, "The planner.");
   v.field("rates", s.rates, "How often things happen.");
   v.field("latency", s.latency, "When commands take effect.");
+  v.field("latency_digest", s.latency_digest, "SHA-256 of the latencies that are replayed.");
   v.field("wind", s.wind, "Wind and disturbances.");
 }
 

@@ -279,12 +279,12 @@ def check_fields(checker, document):
         return -1e300 if is_number and path[0] not in kept else None
 
     def wrong_type(path, value):
-        if path[0] in kept or path[-1] in ("name", "file", "file_digest", "generator", "kind"):
+        if path[0] in kept or path[-1] in ("name", "file", "file_digest", "database", "generator", "kind"):
             return None
         return {"no": "such thing"}
 
     def wrong_word(path, value):
-        if path[0] in kept or path[-1] in ("name", "file", "file_digest", "generator", "kind"):
+        if path[0] in kept or path[-1] in ("name", "file", "file_digest", "database", "generator", "kind"):
             return None
         return "no_such_word"
 

@@ -38,7 +38,7 @@ TEST_F(SweepFiles, EveryKeyIsExplainedAndItsExamplesAreGood) {
   int examples = 0, axes = 0;
   for (const std::string& path : paths) {
     // Files, or a period that leaves room for a gust.
-    const std::set<std::string> others{"include", "planners", "wind.field.file",
+    const std::set<std::string> others{"include", "planners", "wind.field.file", "latency.database",
                                        "wind.gust.period_s"};
     const bool needs_more = others.contains(path);
     for (const Explanation& about : explain(path, {})) {
@@ -80,13 +80,13 @@ TEST_F(SweepFiles, AFieldIsToldWithRangeDefaultAndUnit) {
   EXPECT_EQ(fact(found[0], "default"), "0.4");
   EXPECT_EQ(fact(found[0], "example"), "maps: {generator: forest, bush_ratio: 0.8}");
   EXPECT_EQ(fact(explain("rates.plan_hz", {})[0], "type"), "number, Hz");
-  EXPECT_EQ(fact(explain("latency.mode", {})[0], "type"), "one of zero, fixed");
+  EXPECT_EQ(fact(explain("latency.mode", {})[0], "type"), "one of zero, fixed, measured, replay");
   EXPECT_EQ(fact(explain("wind.mean_world_mps", {})[0], "type"), "list of 3 numbers, m/s");
   EXPECT_GT(explain("maps.poisson_radius_m", {}).size(), 1U);  // generators differ
 }
 
 TEST_F(SweepFiles, BlocksKindsAndPlannersAreToldWithTheirKeys) {
-  EXPECT_EQ(explain("latency", {})[0].keys.size(), 2U);
+  EXPECT_EQ(explain("latency", {})[0].keys.size(), 4U);
   EXPECT_EQ(explain("maps.hall", {})[0].keys.front().front(), "area_m");
   EXPECT_EQ(explain("sensor", {}).size(), 2U);  // its keys, and its kinds
   EXPECT_GT(explain("", {})[0].keys.size(), 10U);

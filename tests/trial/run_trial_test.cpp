@@ -183,7 +183,7 @@ TEST(RunTrial, APlannersFailureIsAnOutcomeWithItsReason) {
 
 TEST(RunTrial, LatencyDelaysWhatIsSeenFirst) {
   TrialSpec spec = spec_of("straight_line");
-  spec.latency = {.mode = LatencyMode::fixed, .ms = 200.0};
+  spec.latency.ms = 200.0;  // fixed
   const TrialRecord late = fly(spec, test::flight_world(), test::straight_mission());
   spec.latency.mode = LatencyMode::zero;
   const TrialRecord prompt = fly(spec, test::flight_world(), test::straight_mission());

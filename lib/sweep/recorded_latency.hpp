@@ -1,0 +1,41 @@
+#pragma once
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "store/database.hpp"
+#include "trial/trial_spec.hpp"
+
+/// Latencies that an earlier run measured, for trials that fly it again.
+namespace avoidbench {
+
+/// Reads the latencies of measured trials; keeps databases open.
+class RecordedLatencies {
+ public:
+  /// Of each call, s, that the trial was flown with which is `spec` but for `measured` latency of
+  /// the same scale; none of one whose worker crashed. Nothing where the database says that its
+  /// mission can't be flown. Throws InputError where it lacks the trial.
+  std::optional<std::vector<double>> of(const TrialSpec& spec);
+
+ private:
+  std::map<std::string, Database> databases_;  // by file
+};
+
+/// Of a stored flight: those that it was flown with; nothing where its spec says them already.
+std::optional<std::vector<double>> recorded_latencies(const TrialSpec& spec,
+                                                      const TrialRecord& record);
+
+/// SHA-256 of them, as TrialSpec::latency_digest.
+std::string latency_digest(const std::vector<double>& latencies_s);
+
+/// Takes out of a TrialSpec's JSON what has no meaning in its mode of latency, so that trials which
+/// fly alike have one key; of the database only the digest of what it says stays.
+void forget_unused_latency(nlohmann::json& trial);
+
+/// Reverse of forget_unused_latency(), with defaults.
+void restore_latency(nlohmann::json& trial);
+
+}  // namespace avoidbench
