@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# install_packages.sh build|test|plot: installs the Debian/Ubuntu packages that a build, the tests or the figures of
-# `report --plots` need, and says which. Does nothing, and needs no root, where they are all there.
+# install_packages.sh build|test|slow|plot: installs the Debian/Ubuntu packages that a build, the tests, the tests labelled slow too, or
+# the figures of `report --plots` need, and says which. Does nothing, and needs no root, where they are all there.
 set -euo pipefail
 
 build_packages=(
@@ -10,12 +10,15 @@ build_packages=(
 )
 plot_packages=(python3 python3-matplotlib python3-pandas)  # scripts/plot
 test_packages=("${plot_packages[@]}" clang clang-format clang-tidy libclang-rt-14-dev libgtest-dev python3-jsonschema python3-yaml valgrind)
+# A Slurm of one node, for the test of scripts/slurm; the system's own services play no part.
+slow_packages=(munge slurmctld slurmd slurm-client)
 
 case "${1:-build}" in
   build) packages=("${build_packages[@]}") ;;
   test) packages=("${build_packages[@]}" "${test_packages[@]}") ;;
+  slow) packages=("${build_packages[@]}" "${test_packages[@]}" "${slow_packages[@]}") ;;
   plot) packages=("${plot_packages[@]}") ;;
-  *) echo "usage: $0 build|test|plot" >&2; exit 2 ;;
+  *) echo "usage: $0 build|test|slow|plot" >&2; exit 2 ;;
 esac
 
 is_installed() { dpkg-query -W -f '${Status}' "$1" 2>/dev/null | grep -q '^install ok installed'; }

@@ -7,12 +7,12 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 case "${1:-}" in
-  '') exclude=(-LE slow) all=() ;;
-  --all) exclude=() all=(--all) ;;
+  '') exclude=(-LE slow) all=() packages=test ;;
+  --all) exclude=() all=(--all) packages=slow ;;
   *) echo "usage: $0 [--all]" >&2; exit 2 ;;
 esac
 
-scripts/install_packages.sh test
+scripts/install_packages.sh "$packages"
 jobs=$(nproc)
 # Compiled files are found again from a checkout elsewhere.
 export CCACHE_NOHASHDIR=1 CCACHE_BASEDIR=$PWD CTEST_PARALLEL_LEVEL=$jobs

@@ -26,9 +26,11 @@ std::optional<std::int64_t> number_of(const char* variable) {
   throw InputError("--shard " + text + ": " + reason);
 }
 
-/// This task's place in its array, from 1.
-std::int64_t task_index(const std::string& text) {
+/// This task's place among `count` shards, from 1.
+std::int64_t task_index(const std::string& text, std::optional<std::int64_t> count) {
   if (const auto task = number_of("SLURM_ARRAY_TASK_ID")) {
+    // An array of fewer tasks flies some of the shards again: they keep their numbers.
+    if (count && number_of("SLURM_ARRAY_TASK_COUNT").value_or(*count) != *count) return *task;
     return *task - number_of("SLURM_ARRAY_TASK_MIN").value_or(1) + 1;
   }
   if (const auto task = number_of("PBS_ARRAY_INDEX")) return *task;
@@ -46,7 +48,7 @@ Shard shard_from(const std::string& text) {
   if (has_count && (!given || *given < 1)) fail(text, "expected I/N, auto or auto/N");
   Shard shard;
   if (first == "auto") {
-    shard.index = task_index(text);
+    shard.index = task_index(text, given);
     const auto count = has_count ? given : number_of("SLURM_ARRAY_TASK_COUNT");
     if (!count) fail(text, "how many there are is not known: write auto/N");
     shard.count = *count;
