@@ -24,6 +24,7 @@
 #include "shard_option.hpp"
 #include "store/database.hpp"
 #include "sweep/allowance.hpp"
+#include "sweep/key_maker.hpp"
 #include "sweep/run_sweep.hpp"
 #include "version.hpp"
 
@@ -117,10 +118,11 @@ void print_estimate(const std::vector<TrialSpec>& trials, const std::filesystem:
   const Database database = Database::open_for_reading(file);
   const std::map<std::string, TrialCost> costs = database.mean_costs();
   const std::set<std::string> finished = database.finished_keys();
+  KeyMaker keys;
   double wall_s = 0.0, bytes = 0.0;
   std::size_t missing = 0, unknown = 0;
   for (const TrialSpec& trial : trials) {
-    if (finished.contains(trial_key(trial))) continue;
+    if (finished.contains(keys.trial_key(trial))) continue;
     ++missing;
     const auto cost = costs.find(trial.planner.label);
     if (cost == costs.end()) {
@@ -137,10 +139,11 @@ void print_estimate(const std::vector<TrialSpec>& trials, const std::filesystem:
 }
 
 void print_trials(const std::vector<TrialSpec>& trials) {
+  KeyMaker keys;
   for (const TrialSpec& trial : trials) {
-    std::cout << trial_key(trial).substr(0, 12) << "  map " << map_key(trial).substr(0, 12)
-              << " seed " << trial.map_seed << "  mission " << trial.mission_index << "  "
-              << trial.planner.label << '\n';
+    std::cout << keys.trial_key(trial).substr(0, 12) << "  map "
+              << keys.map_key(trial).substr(0, 12) << " seed " << trial.map_seed << "  mission "
+              << trial.mission_index << "  " << trial.planner.label << '\n';
   }
   std::cerr << trials.size() << " trials\n";
 }

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <bit>
+#include <limits>
+#include <set>
 
 #include "base/input_error.hpp"
 #include "store/database.hpp"
@@ -120,6 +122,39 @@ void read_flight(const Database& db, std::string_view key, TrialRecord& record) 
     record.plan_calls = plan_calls_from_json(s.text(3));
   }
   record.collisions = read_collisions(db, key);
+}
+
+/// NaN where the map lacks the mission.
+double reference_length_m(const MapRow& map, std::int64_t mission_index) {
+  const std::vector<MissionRecord>& missions = map.record.missions;  // by index
+  const auto found = std::lower_bound(
+      missions.begin(), missions.end(), mission_index,
+      [](const MissionRecord& mission, std::int64_t index) { return mission.index < index; });
+  if (found == missions.end() || found->index != mission_index) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  return found->reference_length_m;
+}
+
+std::vector<PlannerRow> planners_of(const Database& db, const std::set<std::string>& keys) {
+  Statement s(db.handle(), db.path(),
+              "SELECT " + std::string(kPlannerColumns) +
+                  ", p.planner_key FROM planners p ORDER BY p.label, p.planner_key");
+  std::vector<PlannerRow> planners;
+  while (s.step()) {
+    if (keys.contains(s.text(6))) planners.push_back(planner_of(s));
+  }
+  return planners;
+}
+
+std::vector<std::string> versions_of(const Database& db, const std::set<std::int64_t>& runs) {
+  Statement s(db.handle(), db.path(),
+              "SELECT run_id, program_version || ' ' || git_hash FROM runs");
+  std::set<std::string> versions;
+  while (s.step()) {
+    if (runs.contains(s.integer(0))) versions.insert(s.text(1));
+  }
+  return {versions.begin(), versions.end()};
 }
 
 /// By the sweep's latency.mode or the axis of it.
@@ -270,13 +305,6 @@ SweepResult Database::read_sweep(std::string_view name, std::int64_t revision,
   auto spec = query("SELECT s.spec_json FROM sweeps s" + of_sweep);
   if (spec->step()) result.spec_json = spec->text(0);
 
-  auto planners =
-      query("SELECT DISTINCT " + std::string(kPlannerColumns) +
-            ", p.planner_key FROM sweep_trials s JOIN trials t USING (trial_key) JOIN planners p "
-            "USING (planner_key)" +
-            of_sweep + "ORDER BY p.label, p.planner_key");
-  while (planners->step()) result.planners.push_back(planner_of(*planners));
-
   auto maps =
       query("SELECT DISTINCT " + std::string(kMapColumns) +
             " FROM sweep_missions s JOIN maps m USING (map_key)" + of_sweep + "ORDER BY m.map_key");
@@ -292,32 +320,40 @@ SweepResult Database::read_sweep(std::string_view name, std::int64_t revision,
     result.maps[map_indices.at(missions->text(0))].record.missions.push_back(mission_of(*missions));
   }
 
+  // Once over the trials, which are most of the file; what they refer to is few and looked up here,
+  // unless a field asks for it.
+  const std::string_view tables =
+      fields.empty() ? " FROM sweep_trials s JOIN trials t USING (trial_key)" : kTrialTables;
   auto trials = query(
-      "SELECT t.trial_key, t.planner_key, t.map_key, t.mission_index, t.outcome, "
-      "i.reference_length_m, t.end_time_s" +
-      metric_columns(*this) + field_columns(*this, fields) + std::string(kTrialTables) + of_sweep +
-      "ORDER BY t.trial_key");
+      "SELECT t.trial_key, t.planner_key, t.map_key, t.mission_index, t.outcome, t.run_id, "
+      "t.end_time_s" +
+      metric_columns(*this) + field_columns(*this, fields) + std::string(tables) + of_sweep +
+      "ORDER BY s.trial_key");
   const int first_field = 7 + static_cast<int>(metrics_.size());
+  std::set<std::string> planner_keys;
+  std::set<std::int64_t> runs;
   while (trials->step()) {
-    result.trials.push_back({.key = trials->text(0),
-                             .planner_key = trials->text(1),
-                             .map_key = trials->text(2),
-                             .mission_index = trials->integer(3),
-                             .outcome = outcome_of(*this, trials->text(4)),
-                             .reference_length_m = trials->real(5),
-                             .end_time_s = trials->real(6),
-                             .metrics = metrics_of(*this, *trials, 7)});
+    TrialSummary trial{.key = trials->text(0),
+                       .planner_key = trials->text(1),
+                       .map_key = trials->text(2),
+                       .mission_index = trials->integer(3),
+                       .outcome = outcome_of(*this, trials->text(4)),
+                       .reference_length_m = 0.0,
+                       .end_time_s = trials->real(6),
+                       .metrics = metrics_of(*this, *trials, 7)};
+    const auto map = map_indices.find(trial.map_key);
+    if (map == map_indices.end()) continue;
+    trial.reference_length_m = reference_length_m(result.maps[map->second], trial.mission_index);
+    if (!planner_keys.contains(trial.planner_key)) planner_keys.insert(trial.planner_key);
+    runs.insert(trials->integer(5));
     for (std::size_t i = 0; i < fields.size(); ++i) {
-      result.trials.back().fields.push_back(trials->value(first_field + static_cast<int>(i)));
+      trial.fields.push_back(trials->value(first_field + static_cast<int>(i)));
     }
+    result.trials.push_back(std::move(trial));
   }
   for (std::size_t i = 0; i < fields.size(); ++i) refuse_empty_field(*this, result, i);
-
-  auto versions = query(
-      "SELECT DISTINCT r.program_version || ' ' || r.git_hash FROM sweep_trials s "
-      "JOIN trials t USING (trial_key) JOIN runs r USING (run_id)" +
-      of_sweep + "ORDER BY 1");
-  while (versions->step()) result.program_versions.push_back(versions->text(0));
+  result.planners = planners_of(*this, planner_keys);
+  result.program_versions = versions_of(*this, runs);
   result.has_measured_latency = has_measured_latency(*this, name, revision);
   return result;
 }

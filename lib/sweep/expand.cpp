@@ -69,24 +69,4 @@ std::vector<TrialSpec> expand(const SweepSpec& sweep) {
   return trials;
 }
 
-std::string trial_key(const TrialSpec& spec) {
-  json canonical = spec_to_json(spec);
-  canonical["map"].erase("file");  // its file_digest stays
-  canonical["wind"]["field"].erase("file");
-  canonical["planner"].erase("file");
-  canonical["planner"].erase("plugin");
-  forget_unused_latency(canonical);
-  return Digest().add(canonical.dump()).add(std::uint64_t{kResultVersion}).hex();
-}
-
-std::string map_key(const TrialSpec& spec) {
-  json canonical = {{"map", spec_to_json(spec.map)},
-                    {"map_seed", spec.map_seed},
-                    {"seed", spec.seed},
-                    {"mission", spec_to_json(spec.mission)},
-                    {"body_size_m", spec.vehicle.body_size_m}};
-  canonical["map"].erase("file");
-  return Digest().add(canonical.dump()).add(std::uint64_t{kResultVersion}).hex();
-}
-
 }  // namespace avoidbench

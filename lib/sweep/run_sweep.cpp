@@ -131,17 +131,13 @@ void commit_trial(Run& run, const Assignment& assignment, TrialRecord record,
   PlannerProgress& planner = run.progress.planners[spec.planner.label];
   ++planner.flown;
   if (record.outcome == Outcome::reached_goal) ++planner.reached_goal;
-  nlohmann::json canonical = spec_to_json(spec);
-  canonical["planner"].erase("file");
-  forget_folders(canonical);
-  forget_unused_latency(canonical);
   run.database.add_trial({.key = run.schedule.keys[*assignment.trial],
                           .sweep = run.sweep.name,
                           .map_key = run.schedule.maps[assignment.map].key,
                           .planner_label = spec.planner.label,
                           .planner_file_digest = spec.planner.file_digest,
                           .mission_index = spec.mission_index,
-                          .spec_json = canonical.dump(),
+                          .spec_json = trial_json(spec),
                           .record = std::move(record),
                           .metrics = std::move(metrics),
                           .wall_time_s = wall_time_s});

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <unordered_map>
+#include <unordered_set>
 
 #include "base/digest.hpp"
+#include "sweep/key_maker.hpp"
 
 namespace avoidbench {
 namespace {
@@ -47,13 +50,15 @@ Assignment taken(std::size_t map, TrialGroup& group) {
 std::vector<TrialSpec> trials_of(const Shard& shard, std::vector<TrialSpec> trials) {
   if (shard.count <= 1) return trials;
   constexpr std::size_t kLeastGroups = 4;  // a shard, so that shards are of about one size
+  KeyMaker keys;
   std::vector<std::string> units;
   for (const TrialSpec& trial : trials) {
-    units.push_back(Digest().add(map_key(trial)).add(trial.planner.label).hex());
+    units.push_back(Digest().add(keys.map_key(trial)).add(trial.planner.label).hex());
   }
   const auto count = static_cast<std::size_t>(shard.count);
   if (std::set<std::string>(units.begin(), units.end()).size() < kLeastGroups * count) {
-    std::transform(trials.begin(), trials.end(), units.begin(), trial_key);
+    std::transform(trials.begin(), trials.end(), units.begin(),
+                   [&](const TrialSpec& trial) { return keys.trial_key(trial); });
   }
   std::map<std::string, std::size_t> rank;
   for (const std::string& unit : units) rank[unit] = 0;
@@ -76,12 +81,15 @@ std::size_t waiting_count(const MapPlan& map) {
 Schedule make_schedule(std::vector<TrialSpec> trials, const std::set<std::string>& finished_keys) {
   Schedule schedule;
   schedule.trials = std::move(trials);
-  std::map<std::string, std::size_t> map_by_key;
-  std::set<std::string> seen;
+  KeyMaker keys;
+  std::unordered_map<std::string, std::size_t> map_by_key;
+  std::unordered_set<std::string_view> seen;
+  schedule.keys.reserve(schedule.trials.size());  // `seen` looks into it
+  schedule.map_of.reserve(schedule.trials.size());
   for (std::size_t i = 0; i < schedule.trials.size(); ++i) {
     const TrialSpec& spec = schedule.trials[i];
-    schedule.keys.push_back(trial_key(spec));
-    const auto [entry, is_new] = map_by_key.emplace(map_key(spec), schedule.maps.size());
+    schedule.keys.push_back(keys.trial_key(spec));
+    const auto [entry, is_new] = map_by_key.emplace(keys.map_key(spec), schedule.maps.size());
     if (is_new) {
       MapPlan plan;
       plan.key = entry->first;

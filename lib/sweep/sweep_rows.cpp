@@ -60,6 +60,14 @@ void forget_folders(nlohmann::json& trial) {
   forget_folder(trial["wind"]["field"]);
 }
 
+std::string trial_json(const TrialSpec& spec) {
+  nlohmann::json canonical = spec_to_json(spec);
+  canonical["planner"].erase("file");
+  forget_folders(canonical);
+  forget_unused_latency(canonical);
+  return canonical.dump();
+}
+
 std::string sweep_json(const SweepSpec& sweep, const std::vector<TrialSpec>& trials) {
   nlohmann::json axes = nlohmann::json::array(), planners = nlohmann::json::array();
   for (const Axis& axis : sweep.axes) axes.push_back(axis_json(axis));

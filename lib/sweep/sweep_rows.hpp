@@ -16,6 +16,9 @@ void forget_folder(nlohmann::json& block);
 /// The same for all blocks of a TrialSpec.
 void forget_folders(nlohmann::json& trial);
 
+/// All that determines a trial: TrialRow::spec_json.
+std::string trial_json(const TrialSpec& spec);
+
 /// The resolved sweep; `trials` are all of it, of which replayed latencies are noted as a digest.
 std::string sweep_json(const SweepSpec& sweep, const std::vector<TrialSpec>& trials);
 

@@ -9,6 +9,7 @@
 #include "base/input_error.hpp"
 #include "small_sweep.hpp"
 #include "sweep/job.hpp"
+#include "sweep/key_maker.hpp"
 #include "sweep/schedule.hpp"
 #include "sweep/worker_process.hpp"
 
@@ -119,6 +120,32 @@ TEST(TrialKey, FollowsTheSpecAndNotThePath) {
   TrialSpec wide = spec;
   wide.vehicle.body_size_m[0] = 0.6;
   EXPECT_NE(map_key(spec), map_key(wide));
+}
+
+TEST(KeyMaker, GivesTheSameKeysAsOneByOne) {
+  SweepSpec sweep = small_sweep();
+  sweep.axes.push_back({.path = "wind.mean_world_mps", .values = {{0, 0, 0}, {1e-9, 0.1, -3}}});
+  sweep.axes.push_back({.path = "latency.mode", .values = {"zero", "fixed", "measured"}});
+  sweep.axes.push_back({.path = "vehicle.body_size_m", .values = {{0.5, 0.5, 0.1}, {1, 1, 1}}});
+  sweep.trials = 300;  // more than it keeps of one field
+  std::vector<TrialSpec> trials = expand(sweep);
+  trials.resize(3000);
+  trials.push_back(trials.front());
+  trials.back().map = ForestSpec{};
+  trials.push_back(trials.back());
+  trials.back().sensor.method = StereoSgmSpec{};
+  trials.push_back(trials.back());
+  trials.back().latency.mode = LatencyMode::replay;
+  trials.back().latency_digest = "ab";
+  trials.push_back(trials.front());
+  KeyMaker keys;
+  std::set<std::string> all;
+  for (const TrialSpec& trial : trials) {
+    ASSERT_EQ(keys.trial_key(trial), trial_key(trial));
+    ASSERT_EQ(keys.map_key(trial), map_key(trial));
+    all.insert(trial_key(trial));
+  }
+  EXPECT_EQ(all.size(), trials.size() - 1);
 }
 
 TEST(Schedule, HandsOutEveryTrialOnceAfterItsMap) {
