@@ -179,11 +179,17 @@ void Database::check_identity() const {
 }
 
 void Database::check_integrity(bool whole) const {
-  // When only reading, the tables that reports read: the trajectories may be gigabytes.
+  // When only reading, or in a large file, the tables that decide: trajectories and plan calls may
+  // be gigabytes, and damage in them is seen when they are read.
+  constexpr std::uintmax_t kLargeBytes = std::uintmax_t{1} << 28U;
+  std::error_code error;
+  const std::uintmax_t bytes = std::filesystem::file_size(path(), error);
+  const bool is_large = !error && bytes > kLargeBytes;
   const std::vector<std::string> checks =
-      whole ? std::vector<std::string>{"PRAGMA quick_check(1)"}
-            : std::vector<std::string>{"PRAGMA quick_check(trials)", "PRAGMA quick_check(missions)",
-                                       "PRAGMA quick_check(sweep_trials)"};
+      whole && !is_large
+          ? std::vector<std::string>{"PRAGMA quick_check(1)"}
+          : std::vector<std::string>{"PRAGMA quick_check(trials)", "PRAGMA quick_check(missions)",
+                                     "PRAGMA quick_check(sweep_trials)"};
   for (const std::string& check : checks) {
     Statement statement(handle(), path(), check);
     statement.step();

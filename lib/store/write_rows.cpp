@@ -74,10 +74,11 @@ void insert_missions(const Database& db, const MapRow& row) {
 
 void check_same_map(const Database& db, const MapRow& stored, const MapRow& row) {
   bool agrees = same(stored.record, row.record);
+  std::map<std::int64_t, const MissionRecord*> missions;
+  for (const MissionRecord& mission : stored.record.missions) missions[mission.index] = &mission;
   for (const MissionRecord& mission : row.record.missions) {
-    for (const MissionRecord& other : stored.record.missions) {
-      agrees = agrees && (other.index != mission.index || same(other, mission));
-    }
+    const auto other = missions.find(mission.index);
+    agrees = agrees && (other == missions.end() || same(*other->second, mission));
   }
   if (!agrees) {
     throw InputError(InputProblem{
@@ -261,8 +262,20 @@ void Database::add_trial(const TrialRow& row) {
 
 void Database::add_to_sweep(std::string_view sweep, std::span<const std::string> keys) {
   const std::int64_t revision = revision_of(sweep);
+  std::set<std::string> others;  // finished, and not of the sweep: mostly few or none
+  {
+    Statement s(handle(), path(),
+                "SELECT trial_key FROM trials t WHERE NOT EXISTS (SELECT 1 FROM sweep_trials s "
+                "WHERE s.sweep = ? AND s.revision = ? AND s.trial_key = t.trial_key)");
+    s.bind_text(sweep).bind_integer(revision);
+    while (s.step()) others.insert(s.text(0));
+  }
+  std::vector<std::string> added;
+  for (const std::string& key : keys) {
+    if (!others.empty() && others.contains(key)) added.push_back(key);
+  }
   Transaction transaction(handle(), path());
-  insert_sweep_trials(*this, sweep, revision, keys);
+  insert_sweep_trials(*this, sweep, revision, added);
   transaction.commit();
 }
 

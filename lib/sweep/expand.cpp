@@ -63,6 +63,9 @@ void expand_axes(const SweepSpec& sweep, std::size_t axis, const json& spec,
 
 std::vector<TrialSpec> expand(const SweepSpec& sweep) {
   std::vector<TrialSpec> trials;
+  std::size_t count = sweep.planners.size() * static_cast<std::size_t>(sweep.trials);
+  for (const Axis& axis : sweep.axes) count *= axis.values.size();
+  trials.reserve(count);
   std::map<std::string, std::string> digests;
   expand_axes(sweep, 0, spec_to_json(sweep.base), digests, trials);
   fill_latencies(trials);

@@ -2,7 +2,6 @@
 
 #include <map>
 #include <string>
-#include <unordered_map>
 
 #include "trial/trial_spec.hpp"
 
@@ -17,8 +16,8 @@ class KeyMaker {
 
   /// Canonical text of one field of TrialSpec; for the visitor in key_maker.cpp.
   struct Block {
-    std::unordered_map<std::string, std::string> texts;  // by the field's bytes
-    const std::string* text = nullptr;                   // of the trial at hand
+    std::map<std::string, std::string> texts;  // by the field's bytes
+    const std::string* text = nullptr;         // of the trial at hand
   };
 
  private:

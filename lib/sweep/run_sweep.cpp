@@ -76,10 +76,12 @@ void settle_map(Run& run, MapPlan& map, MapRecord record) {
   report_progress(run);
 }
 
-/// Takes from the database the maps that an earlier run measured with at least as many missions.
+/// Takes from the database the maps that an earlier run measured with at least as many missions,
+/// where trials are left to be flown on them.
 void recall_maps(Run& run) {
   const auto mission_count = static_cast<std::size_t>(run.sweep.trials);
   for (MapPlan& map : run.schedule.maps) {
+    if (waiting_count(map) == 0) continue;
     auto known = run.database.read_map(map.key);
     if (!known || known->record.missions.size() < mission_count) continue;
     known->record.missions.resize(mission_count);

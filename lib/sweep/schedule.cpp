@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <set>
-#include <unordered_map>
-#include <unordered_set>
 
 #include "base/digest.hpp"
 #include "sweep/key_maker.hpp"
@@ -19,6 +18,21 @@ TrialGroup& group_of(MapPlan& map, const std::string& label) {
   if (found != map.groups.end()) return *found;
   map.groups.push_back({.planner_label = label, .waiting = {}});
   return map.groups.back();
+}
+
+/// Whether each of the keys has been there before.
+std::vector<bool> repeated(const std::vector<std::string>& keys) {
+  std::vector<std::size_t> order(keys.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    const int compared = keys[a].compare(keys[b]);
+    return compared != 0 ? compared < 0 : a < b;
+  });
+  std::vector<bool> is_repeated(keys.size(), false);
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    is_repeated[order[i]] = keys[order[i]] == keys[order[i - 1]];
+  }
+  return is_repeated;
 }
 
 bool is_ready(const MapPlan& map) { return map.record.has_value() && waiting_count(map) > 0; }
@@ -82,9 +96,8 @@ Schedule make_schedule(std::vector<TrialSpec> trials, const std::set<std::string
   Schedule schedule;
   schedule.trials = std::move(trials);
   KeyMaker keys;
-  std::unordered_map<std::string, std::size_t> map_by_key;
-  std::unordered_set<std::string_view> seen;
-  schedule.keys.reserve(schedule.trials.size());  // `seen` looks into it
+  std::map<std::string, std::size_t> map_by_key;
+  schedule.keys.reserve(schedule.trials.size());
   schedule.map_of.reserve(schedule.trials.size());
   for (std::size_t i = 0; i < schedule.trials.size(); ++i) {
     const TrialSpec& spec = schedule.trials[i];
@@ -97,11 +110,15 @@ Schedule make_schedule(std::vector<TrialSpec> trials, const std::set<std::string
       schedule.maps.push_back(std::move(plan));
     }
     schedule.map_of.push_back(entry->second);
-    const bool is_twice = !seen.insert(schedule.keys[i]).second;
-    const bool is_done = finished_keys.contains(schedule.keys[i]);
-    if (is_done || is_twice) ++schedule.done_before;
-    if (is_done || is_twice) continue;
-    group_of(schedule.maps[entry->second], spec.planner.label).waiting.push_back(i);
+  }
+  const std::vector<bool> is_twice = repeated(schedule.keys);
+  for (std::size_t i = 0; i < schedule.trials.size(); ++i) {
+    if (is_twice[i] || finished_keys.contains(schedule.keys[i])) {
+      ++schedule.done_before;
+      continue;
+    }
+    const std::string& label = schedule.trials[i].planner.label;
+    group_of(schedule.maps[schedule.map_of[i]], label).waiting.push_back(i);
   }
   for (MapPlan& map : schedule.maps) {
     for (TrialGroup& group : map.groups) std::reverse(group.waiting.begin(), group.waiting.end());
