@@ -11,6 +11,7 @@ void add_run_command(CLI::App& app);
 void add_report_command(CLI::App& app);
 void add_power_command(CLI::App& app);
 void add_export_command(CLI::App& app);
+void add_compare_command(CLI::App& app);
 void add_replay_command(CLI::App& app);
 void add_merge_command(CLI::App& app);
 void add_verify_command(CLI::App& app);

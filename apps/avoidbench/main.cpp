@@ -82,6 +82,7 @@ void add_commands(CLI::App& app) {
   add_report_command(app);
   add_power_command(app);
   add_export_command(app);
+  add_compare_command(app);
   add_replay_command(app);
   add_merge_command(app);
   add_verify_command(app);

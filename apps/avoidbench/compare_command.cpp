@@ -1,0 +1,149 @@
+#include <iostream>
+#include <memory>
+
+#include "base/input_error.hpp"
+#include "commands.hpp"
+#include "config/tolerances.hpp"
+#include "reference_table.hpp"
+#include "report/compare_formats.hpp"
+
+namespace avoidbench {
+namespace {
+
+constexpr int kExitRegression = 1;
+
+struct CompareCommand {
+  std::string base, now;
+  std::string sweep;
+  std::string format = "table";
+  std::string output = "-";
+  std::string min_effect;
+  std::string tolerances_file;
+  std::string bless_file;
+  bool is_exact = false;
+  bool must_be_complete = false;
+  CompareSettings settings;
+};
+
+CompareFormat format_from(const std::string& name) {
+  const auto format = enum_from_text<CompareFormat>(name);
+  if (format) return *format;
+  throw InputError("--format " + name + ": unknown" +
+                   did_you_mean(name, enum_texts<CompareFormat>()) +
+                   "; it is one of table, markdown, json, junit, bencher, github, github_bigger");
+}
+
+void bless(const CompareCommand& command) {
+  if (!command.now.empty()) {
+    throw InputError("--bless writes the table of one database: give no second one");
+  }
+  const TrialTable table = read_table(command.base, command.sweep);
+  write_text(csv_of_table(table), command.bless_file);
+  std::cerr << command.bless_file << ": " << table.trials.size() << " trials of sweep "
+            << table.sweep << "\n";
+}
+
+/// Whether the exit code is that of a failed gate.
+bool compare_bits(const CompareCommand& command, const TablePair& tables, CompareFormat format) {
+  const ExactComparison comparison = compare_exactly(tables.base, tables.now);
+  write_text(format_comparison(comparison, format), command.output);
+  return !comparison.differences.empty();
+}
+
+bool compare_figures(const CompareCommand& command, const TablePair& tables, CompareFormat format) {
+  CompareSettings settings = command.settings;
+  if (!command.tolerances_file.empty()) {
+    std::vector<std::string> names;
+    for (const MetricRow& metric : tables.now.metrics) names.push_back(metric.name);
+    read_tolerances(command.tolerances_file, names, settings);
+  }
+  if (!command.min_effect.empty()) settings.tolerance = min_effect_from(command.min_effect);
+  const Comparison comparison = compare_tables(tables.base, tables.now, settings);
+  write_text(format_comparison(comparison, format), command.output);
+  const bool is_for_people = format == CompareFormat::table || format == CompareFormat::markdown;
+  if (!is_for_people) {
+    for (const std::string& warning : comparison.warnings) std::cerr << warning << "\n";
+  }
+  bool has_gap = false;
+  for (const PlannerPairs& planner : comparison.planners) {
+    has_gap = has_gap || planner.only_base_count > 0;
+  }
+  return count_of(comparison, Verdict::regression) > 0 || (command.must_be_complete && has_gap);
+}
+
+void compare(const CompareCommand& command) {
+  const CompareFormat format = format_from(command.format);
+  if (!command.bless_file.empty()) return bless(command);
+  if (command.now.empty()) throw InputError("NEW is required: compare BASE NEW");
+  const TablePair tables = read_tables(command.base, command.now, command.sweep);
+  const bool failed = command.is_exact ? compare_bits(command, tables, format)
+                                       : compare_figures(command, tables, format);
+  if (failed) throw CLI::RuntimeError(kExitRegression);
+}
+
+void add_options(CLI::App& command, CompareCommand& options) {
+  command.add_option("BASE", options.base, "Database, or table of trials that --bless wrote")
+      ->required();
+  command.add_option("NEW", options.now, "The same, of the results to judge");
+  command.add_option("--sweep", options.sweep,
+                     "Sweep to compare: NAME, NAME@2 for its revision 2, or BASE:NEW where the two "
+                     "sides differ (default: the latest revision of the one that both have)");
+  command
+      .add_option("--metrics", options.settings.metrics,
+                  "Metrics beside the success rate, separated by commas, or all (default: path "
+                  "and energy optimality, average goal velocity, mission progress, least "
+                  "clearance, processing time)")
+      ->delimiter(',');
+  command
+      .add_option("--alpha", options.settings.alpha,
+                  "Statistical limit: the chance of any false alarm in the comparison")
+      ->check(CLI::Range(1e-6, 0.5))
+      ->capture_default_str();
+  command.add_option("--min-effect", options.min_effect,
+                     "Practical limit: the least change that matters, as share of the base's mean "
+                     "(default: 5%)");
+  command.add_option("--tolerances", options.tolerances_file,
+                     "YAML file with practical limits by metric: 10%, a number in the metric's "
+                     "unit, or ignore; `default` for the others");
+  command.add_flag("--gate-measured", options.settings.gates_measured,
+                   "Let metrics from the host's clock fail the comparison too");
+  command.add_flag("--complete", options.must_be_complete,
+                   "Exit code 1 also where NEW lacks trials of BASE");
+  command.add_flag("--exact", options.is_exact,
+                   "No statistics: outcomes and deterministic metrics must be equal to the last "
+                   "bit, and no trial may be missing");
+  command.add_option("--bless", options.bless_file,
+                     "Write BASE's trials to this table, to be committed, and compare nothing");
+  command
+      .add_option("--format", options.format,
+                  "table, markdown, json, junit, bencher (Bencher Metric Format), github or "
+                  "github_bigger (github-action-benchmark, metrics of which less or more is "
+                  "better)")
+      ->capture_default_str();
+  command.add_option("--output", options.output, "File to write, - for standard output")
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& app) {
+  const auto options = std::make_shared<CompareCommand>();
+  CLI::App* command = app.add_subcommand(
+      "compare", "Judge new results against a base: what got worse, and surely so");
+  add_options(*command, *options);
+  command->footer(
+      "Trials are paired by planner label, map and mission. A regression is a change for the worse "
+      "that is beyond chance\n"
+      "(--alpha, corrected over all tests) and beyond the tolerance (--min-effect, --tolerances). "
+      "Exit codes: 0 no\n"
+      "regression, 1 a regression (--exact: a difference), 2 bad input.\n\n"
+      "Examples:\n"
+      "  avoidbench compare main.db branch.db\n"
+      "  avoidbench compare main.db branch.db --format junit --output compare.xml\n"
+      "  avoidbench compare main.db --bless baseline.csv         # a table to commit\n"
+      "  avoidbench compare baseline.csv branch.db --exact\n"
+      "  avoidbench compare r.db r.db --sweep forest@1:forest@2  # two revisions of one sweep");
+  command->callback([options] { compare(*options); });
+}
+
+}  // namespace avoidbench
