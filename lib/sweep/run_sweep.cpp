@@ -328,8 +328,8 @@ std::set<std::string> keys_to_skip(const Database& database, const RunOptions& o
   return keys;
 }
 
-/// Flies those of `trials` that are not in `skip`, and adds all of them to it.
-void fly(Run& run, std::vector<TrialSpec> trials, std::set<std::string>& skip) {
+/// Flies those of `trials` that are not in `skip`.
+void fly(Run& run, std::vector<TrialSpec> trials, const std::set<std::string>& skip) {
   const std::int64_t flown = run.progress.done - run.progress.done_before;
   run.schedule = make_schedule(std::move(trials), skip);
   run.progress.total = static_cast<std::int64_t>(run.schedule.trials.size());
@@ -348,7 +348,6 @@ void fly(Run& run, std::vector<TrialSpec> trials, std::set<std::string>& skip) {
   } else if (has_work) {
     run_in_workers(run);
   }
-  skip.insert(run.schedule.keys.begin(), run.schedule.keys.end());
 }
 
 /// Those planners of the last schedule that have flown enough.
@@ -384,6 +383,7 @@ void fly_until(Run& run, const std::vector<TrialSpec>& trials, std::set<std::str
     }
     fly(run, std::move(round), skip);
     if (run.is_stopped()) return;
+    skip.insert(run.schedule.keys.begin(), run.schedule.keys.end());
     for (const std::string& label : planners_with_enough(run)) {
       last_mission.emplace(label, mission_count);
     }
