@@ -153,8 +153,7 @@ void report(ReportOptions options) {
 
   std::vector<SweepSummary> summaries;
   for (auto& [sweep, parts] : found.by_sweep) {
-    summaries.push_back(summarize(combined(parts), query));
-    parts.clear();
+    summaries.push_back(summarize(combined(std::move(parts)), query));
   }
   std::vector<Section> sections;
   if (summaries.size() > 1 && options.tables.empty()) sections.push_back(side_by_side(summaries));

@@ -266,9 +266,9 @@ SweepSummary summarize(SweepResult result, const ReportQuery& query) {
   return summary;
 }
 
-SweepResult combined(std::span<const SweepResult> parts) {
+SweepResult combined(std::vector<SweepResult> parts) {
+  if (parts.size() == 1) return std::move(parts.front());
   SweepResult all = parts.front();
-  if (parts.size() == 1) return all;
   std::map<std::string, PlannerRow> planners;
   std::map<std::string, MapRow> maps;
   std::map<std::string, TrialSummary> trials;
@@ -285,6 +285,7 @@ SweepResult combined(std::span<const SweepResult> parts) {
       planners.emplace(row.label + '\0' + planner_key(row), row);
     for (const TrialSummary& row : part.trials) trials.emplace(row.key, row);
     versions.insert(part.program_versions.begin(), part.program_versions.end());
+    all.has_measured_latency = all.has_measured_latency || part.has_measured_latency;
     for (const MapRow& row : part.maps) {
       const auto [entry, is_new] = maps.emplace(row.record.key, row);
       if (is_new) continue;

@@ -71,7 +71,7 @@ SweepSummary summarize(SweepResult result, const ReportQuery& query = {});
 
 /// One sweep's trials out of several databases (shards); a trial that several have counts once.
 /// Throws InputError when they define metrics differently.
-SweepResult combined(std::span<const SweepResult> parts);
+SweepResult combined(std::vector<SweepResult> parts);
 
 /// Warnings of what `summary` of `result` can't carry: few trials, rates that can't be told apart,
 /// trials of different programs or latencies that were measured, trials that are still to fly.

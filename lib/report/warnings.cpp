@@ -121,31 +121,21 @@ void warn_of_mixtures(const SweepSummary& summary, const SweepResult& result,
     }
   }
   if (!summary.group_rows.empty()) return;
-  std::set<std::tuple<std::string_view, std::string_view, std::int64_t>> flights;
+  using Flight = std::tuple<std::string_view, std::string_view, std::int64_t>;
+  std::vector<Flight> flights;
+  flights.reserve(result.trials.size());
   for (const TrialSummary& trial : result.trials) {
-    if (!flights.emplace(trial.planner_key, trial.map_key, trial.mission_index).second) {
-      std::vector<std::string> axes;
-      for (const auto& [path, size] : axes_of(spec, [](const auto& p) { return !makes_maps(p); })) {
-        axes.push_back(path);
-      }
-      warnings.push_back(
-          "trials differ in more than planner, map and mission; this report takes them together" +
-          (axes.empty() ? "" : " (--group-by planner," + joined(axes, ",") + " tells them apart)"));
-      break;
-    }
+    flights.emplace_back(trial.planner_key, trial.map_key, trial.mission_index);
   }
-}
-
-bool has_measured_latency(const nlohmann::json& spec) {
-  const nlohmann::json base = spec.value("base", nlohmann::json::object());
-  const nlohmann::json latency = base.value("latency", nlohmann::json::object());
-  if (latency.value("mode", "") == "measured") return true;
-  const nlohmann::json axes = spec.value("axes", nlohmann::json::array());
-  return std::any_of(axes.begin(), axes.end(), [](const nlohmann::json& axis) {
-    const nlohmann::json values = axis.value("values", nlohmann::json::array());
-    return axis.value("path", "") == "latency.mode" &&
-           std::find(values.begin(), values.end(), "measured") != values.end();
-  });
+  std::sort(flights.begin(), flights.end());
+  if (std::adjacent_find(flights.begin(), flights.end()) == flights.end()) return;
+  std::vector<std::string> axes;
+  for (const auto& [path, size] : axes_of(spec, [](const auto& p) { return !makes_maps(p); })) {
+    axes.push_back(path);
+  }
+  warnings.push_back(
+      "trials differ in more than planner, map and mission; this report takes them together" +
+      (axes.empty() ? "" : " (--group-by planner," + joined(axes, ",") + " tells them apart)"));
 }
 
 /// Missions a map that the planner's trials reach up to.
@@ -210,7 +200,7 @@ std::vector<std::string> warnings_of(const SweepSummary& summary, const SweepRes
   warn_of_few_trials(summary, warnings);
   warn_of_unclear_differences(summary, warnings);
   warn_of_mixtures(summary, result, spec, warnings);
-  if (has_measured_latency(spec)) {
+  if (result.has_measured_latency) {
     warnings.push_back(
         "latency was measured on the host: these results depend on the machine and can't be "
         "repeated bit for bit but with latency mode replay");
