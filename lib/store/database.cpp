@@ -155,7 +155,7 @@ Database Database::open_for_reading(const std::filesystem::path& path) {
   database.check_integrity(false);
   // Rows are spread over the whole of a large file: what is mapped into memory is read without a
   // system call each.
-  execute(database.handle(), path, "PRAGMA mmap_size = 268435456");
+  execute(database.handle(), path, "PRAGMA mmap_size = 134217728");
   database.read_metrics();
   return database;
 }

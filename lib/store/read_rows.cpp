@@ -180,8 +180,8 @@ std::map<std::string, Outcome> Database::finished_trials() const {
 
 std::set<std::string> Database::finished_keys() const {
   std::set<std::string> keys;
-  Statement s(handle(), path(), "SELECT trial_key FROM trials");
-  while (s.step()) keys.insert(s.text(0));
+  Statement s(handle(), path(), "SELECT trial_key FROM trials ORDER BY trial_key");
+  while (s.step()) keys.insert(keys.end(), s.text(0));  // in order: each at the end
   return keys;
 }
 
