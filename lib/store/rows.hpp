@@ -116,7 +116,7 @@ struct SweepResult {
       program_versions;                  ///< `version git_hash` of the runs that made the trials
   std::string spec_json = {};            ///< of the sweep
   std::vector<std::string> fields = {};  ///< that were asked for
-  bool has_measured_latency = false;  ///< times that some machine took decide about its flights
+  bool has_measured_latency = false;     ///< times that some machine took decide about its flights
 };
 
 }  // namespace avoidbench
