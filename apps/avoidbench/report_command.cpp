@@ -11,6 +11,7 @@
 
 #include "base/input_error.hpp"
 #include "commands.hpp"
+#include "database_choice.hpp"
 #include "plots.hpp"
 #include "report/summary.hpp"
 #include "report/sweep_tables.hpp"
@@ -59,32 +60,6 @@ ReportQuery query_of(const ReportOptions& options) {
     }
   }
   return query;
-}
-
-/// The results/*.db that was written to last.
-std::filesystem::path newest_database() {
-  std::filesystem::path newest;
-  std::filesystem::file_time_type newest_time{};
-  std::error_code error;
-  for (const auto& entry : std::filesystem::directory_iterator("results", error)) {
-    if (entry.path().extension() != ".db") continue;
-    std::filesystem::file_time_type time = std::filesystem::last_write_time(entry.path(), error);
-    // What a run has just committed may be in the file beside it.
-    const std::filesystem::path log = entry.path().string() + "-wal";
-    const bool has_log =
-        std::filesystem::exists(log, error) && std::filesystem::file_size(log, error) > 0;
-    if (has_log) time = std::max(time, std::filesystem::last_write_time(log, error));
-    const bool is_newer =
-        newest.empty() || std::pair(time, entry.path()) > std::pair(newest_time, newest);
-    if (!is_newer) continue;
-    newest = entry.path();
-    newest_time = time;
-  }
-  if (newest.empty()) {
-    throw InputError("no database given and none in results/: run a sweep first, or name the file");
-  }
-  std::cerr << "report of " << newest.string() << "\n";
-  return newest;
 }
 
 /// Whether `wanted` means this sweep: "" all, NAME the latest revision of that name, NAME@2
@@ -139,7 +114,7 @@ void report(ReportOptions options) {
                      "; it is one of table, csv, json, markdown, latex");
   }
   const ReportQuery query = query_of(options);
-  if (options.files.empty()) options.files.push_back(newest_database().string());
+  if (options.files.empty()) options.files.push_back(newest_database("report").string());
   Candidates found;
   for (const std::string& file : options.files) {
     add_sweeps_of(Database::open_for_reading(file), options.sweep, query.fields(), found);
