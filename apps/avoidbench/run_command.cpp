@@ -108,7 +108,7 @@ std::vector<std::string> worker_command(const RunCommand& command, int jobs) {
 }
 
 /// What the trials that are missing will take, by those of the same planners that the file has.
-void print_estimate(const std::vector<TrialSpec>& trials, const std::filesystem::path& file,
+void print_estimate(const std::vector<PlannedTrial>& trials, const std::filesystem::path& file,
                     int jobs) {
   std::error_code error;
   if (!std::filesystem::exists(file, error)) {
@@ -121,10 +121,10 @@ void print_estimate(const std::vector<TrialSpec>& trials, const std::filesystem:
   KeyMaker keys;
   double wall_s = 0.0, bytes = 0.0;
   std::size_t missing = 0, unknown = 0;
-  for (const TrialSpec& trial : trials) {
+  for (const PlannedTrial& trial : trials) {
     if (finished.contains(keys.trial_key(trial))) continue;
     ++missing;
-    const auto cost = costs.find(trial.planner.label);
+    const auto cost = costs.find(trial.planner_label());
     if (cost == costs.end()) {
       ++unknown;
       continue;
@@ -138,12 +138,12 @@ void print_estimate(const std::vector<TrialSpec>& trials, const std::filesystem:
   std::cerr << '\n';
 }
 
-void print_trials(const std::vector<TrialSpec>& trials) {
+void print_trials(const std::vector<PlannedTrial>& trials) {
   KeyMaker keys;
-  for (const TrialSpec& trial : trials) {
+  for (const PlannedTrial& trial : trials) {
     std::cout << keys.trial_key(trial).substr(0, 12) << "  map "
-              << keys.map_key(trial).substr(0, 12) << " seed " << trial.map_seed << "  mission "
-              << trial.mission_index << "  " << trial.planner.label << '\n';
+              << keys.map_key(trial).substr(0, 12) << " seed " << trial.setting->map_seed
+              << "  mission " << trial.mission_index << "  " << trial.planner_label() << '\n';
   }
   std::cerr << trials.size() << " trials\n";
 }
@@ -211,7 +211,7 @@ void run(const RunCommand& command) {
   const Rerun rerun = rerun_from(command.rerun);
   const std::filesystem::path file = database_file(command, sweep, shard);
   if (command.dry_run) {
-    const std::vector<TrialSpec> trials = trials_of(shard, expand(sweep));
+    const std::vector<PlannedTrial> trials = trials_of(shard, expand(sweep));
     print_trials(trials);
     return print_estimate(trials, file, jobs);
   }

@@ -18,11 +18,11 @@ json::json_pointer pointer(std::string path) {
 }
 
 /// Fills the digests of the latencies that trials replay.
-void fill_latencies(std::vector<TrialSpec>& trials) {
+void fill_latencies(std::vector<PlannedTrial>& trials) {
   RecordedLatencies recorded;
-  for (TrialSpec& trial : trials) {
-    if (trial.latency.mode != LatencyMode::replay) continue;
-    if (const auto latencies_s = recorded.of(trial)) {
+  for (PlannedTrial& trial : trials) {
+    if (trial.setting->latency.mode != LatencyMode::replay) continue;
+    if (const auto latencies_s = recorded.of(trial.spec())) {
       trial.latency_digest = latency_digest(*latencies_s);
     }
   }
@@ -30,7 +30,7 @@ void fill_latencies(std::vector<TrialSpec>& trials) {
 
 /// `digests` are those of maps' and winds' files, by path.
 void expand_axes(const SweepSpec& sweep, std::size_t axis, const json& spec,
-                 std::map<std::string, std::string>& digests, std::vector<TrialSpec>& trials) {
+                 std::map<std::string, std::string>& digests, std::vector<PlannedTrial>& trials) {
   if (axis < sweep.axes.size()) {
     const json::json_pointer place = pointer(sweep.axes[axis].path);
     AB_CHECK(spec.contains(place), sweep.axes[axis].path);
@@ -51,18 +51,29 @@ void expand_axes(const SweepSpec& sweep, std::size_t axis, const json& spec,
   const FileOfMap map = file_of(trial.map);
   if (map.file != nullptr) fill_digest(*map.file, *map.digest);
   fill_digest(trial.wind.field.file, trial.wind.field.file_digest);
-  for (trial.mission_index = 0; trial.mission_index < sweep.trials; ++trial.mission_index) {
-    for (const PlannerChoice& planner : sweep.planners) {
-      trial.planner = planner;
-      trials.push_back(trial);
+  std::vector<std::shared_ptr<const TrialSpec>> settings;  // one a planner
+  for (const PlannerChoice& planner : sweep.planners) {
+    trial.planner = planner;
+    settings.push_back(std::make_shared<const TrialSpec>(trial));
+  }
+  for (std::int64_t mission = 0; mission < sweep.trials; ++mission) {
+    for (const auto& setting : settings) {
+      trials.push_back({.setting = setting, .mission_index = mission, .latency_digest = {}});
     }
   }
 }
 
 }  // namespace
 
-std::vector<TrialSpec> expand(const SweepSpec& sweep) {
-  std::vector<TrialSpec> trials;
+TrialSpec PlannedTrial::spec() const {
+  TrialSpec spec = *setting;
+  spec.mission_index = mission_index;
+  spec.latency_digest = latency_digest;
+  return spec;
+}
+
+std::vector<PlannedTrial> expand(const SweepSpec& sweep) {
+  std::vector<PlannedTrial> trials;
   std::size_t count = sweep.planners.size() * static_cast<std::size_t>(sweep.trials);
   for (const Axis& axis : sweep.axes) count *= axis.values.size();
   trials.reserve(count);

@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "trial/trial_spec.hpp"
+#include "sweep/sweep_spec.hpp"
 
 namespace avoidbench {
 
@@ -11,7 +11,9 @@ namespace avoidbench {
 /// itself: blocks of the spec that were seen before are not made into text again.
 class KeyMaker {
  public:
+  std::string trial_key(const PlannedTrial& trial) { return trial_key(trial.spec()); }
   std::string trial_key(const TrialSpec& spec);
+  std::string map_key(const PlannedTrial& trial) { return map_key(*trial.setting); }
   std::string map_key(const TrialSpec& spec);
 
   /// Canonical text of one field of TrialSpec; for the visitor in key_maker.cpp.

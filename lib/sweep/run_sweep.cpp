@@ -6,11 +6,13 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <set>
 #include <utility>
 
+#include "base/digest.hpp"
 #include "base/input_error.hpp"
 #include "base/spec_json.hpp"
 #include "sweep/crash_report.hpp"
@@ -37,6 +39,7 @@ struct Run {
   RecordedLatencies recorded;
   /// Jobs whose worker was killed from outside.
   std::set<std::pair<std::size_t, std::optional<std::size_t>>> killed_once;
+  std::map<std::string, std::filesystem::file_time_type> planner_written;  ///< by file
   bool has_begun = false;  ///< the database knows of this run
 
   bool is_stopped() const { return options.stop != nullptr && options.stop->load(); }
@@ -58,7 +61,7 @@ void report_progress(const Run& run) {
 Memory memory_after(const Run& run, const Assignment& assignment) {
   if (!assignment.trial) return {.map = assignment.map, .planner_label = {}};
   return {.map = assignment.map,
-          .planner_label = run.schedule.trials[*assignment.trial].planner.label};
+          .planner_label = run.schedule.trials[*assignment.trial].planner_label()};
 }
 
 /// The map is known: missions that can't be flown leave the schedule.
@@ -108,7 +111,7 @@ Job job_of(Run& run, const Assignment& assignment) {
             .mission_count = run.sweep.trials,
             .mission = {},
             .recorded_latency_s = {}};
-  const TrialSpec& spec = run.schedule.trials[*assignment.trial];
+  const TrialSpec spec = run.schedule.trials[*assignment.trial].spec();
   return {.spec = spec,
           .mission_count = 0,
           .mission = map.record->missions[static_cast<std::size_t>(spec.mission_index)],
@@ -127,9 +130,24 @@ void commit_map(Run& run, MapPlan& map, MapRecord record) {
   settle_map(run, map, std::move(record));
 }
 
+std::filesystem::file_time_type time_written(const std::string& file) {
+  std::error_code none;
+  return std::filesystem::last_write_time(file, none);
+}
+
+/// A library that is written over while it is flown flies neither the old planner nor the new one,
+/// or crashes: such a trial is nobody's.
+void require_unchanged(const Run& run, const PlannerChoice& planner) {
+  const auto written = run.planner_written.find(planner.file);
+  if (written == run.planner_written.end() || written->second == time_written(planner.file)) return;
+  if (file_digest(planner.file) == planner.file_digest) return;
+  throw InputError({.file = planner.file, .message = "the planner's file changed during the run"});
+}
+
 void commit_trial(Run& run, const Assignment& assignment, TrialRecord record,
                   std::vector<double> metrics, double wall_time_s) {
-  const TrialSpec& spec = run.schedule.trials[*assignment.trial];
+  const TrialSpec spec = run.schedule.trials[*assignment.trial].spec();
+  require_unchanged(run, spec.planner);
   PlannerProgress& planner = run.progress.planners[spec.planner.label];
   ++planner.flown;
   if (record.outcome == Outcome::reached_goal) ++planner.reached_goal;
@@ -247,7 +265,7 @@ void take_from(Run& run, Seat& seat) {
     give_back(run.schedule, assignment);  // once; a planner may have done it itself
     return replace_process(run, seat);
   }
-  const PlannerChoice& planner = run.schedule.trials[assignment.trial.value_or(0)].planner;
+  const PlannerChoice& planner = run.schedule.trials[assignment.trial.value_or(0)].setting->planner;
   take_death(run, assignment, death_of(end, seat.process.notes(), planner));
   replace_process(run, seat);
 }
@@ -329,7 +347,7 @@ std::set<std::string> keys_to_skip(const Database& database, const RunOptions& o
 }
 
 /// Flies those of `trials` that are not in `skip`.
-void fly(Run& run, std::vector<TrialSpec> trials, const std::set<std::string>& skip) {
+void fly(Run& run, std::vector<PlannedTrial> trials, const std::set<std::string>& skip) {
   const std::int64_t flown = run.progress.done - run.progress.done_before;
   run.schedule = make_schedule(std::move(trials), skip);
   run.progress.total = static_cast<std::int64_t>(run.schedule.trials.size());
@@ -360,7 +378,7 @@ std::set<std::string> planners_with_enough(const Run& run) {
   for (std::size_t i = 0; i < run.schedule.trials.size(); ++i) {
     const auto outcome = outcomes.find(run.schedule.keys[i]);
     if (outcome == outcomes.end()) continue;  // an invalid mission
-    Counts& counts = planners[run.schedule.trials[i].planner.label];
+    Counts& counts = planners[run.schedule.trials[i].planner_label()];
     counts.trials += 1;
     counts.finished += outcome->second == Outcome::reached_goal ? 1 : 0;
   }
@@ -372,12 +390,12 @@ std::set<std::string> planners_with_enough(const Run& run) {
 }
 
 /// Flies the sweep's missions in rounds; a planner whose rule is met stays out of further ones.
-void fly_until(Run& run, const std::vector<TrialSpec>& trials, std::set<std::string>& skip) {
+void fly_until(Run& run, const std::vector<PlannedTrial>& trials, std::set<std::string>& skip) {
   std::map<std::string, std::int64_t> last_mission;  // of the planners that have flown enough
   for (const std::int64_t mission_count : looks(run.sweep.trials)) {
-    std::vector<TrialSpec> round;
-    for (const TrialSpec& trial : trials) {
-      const auto end = last_mission.find(trial.planner.label);
+    std::vector<PlannedTrial> round;
+    for (const PlannedTrial& trial : trials) {
+      const auto end = last_mission.find(trial.planner_label());
       const std::int64_t count = end == last_mission.end() ? mission_count : end->second;
       if (trial.mission_index < count) round.push_back(trial);
     }
@@ -406,9 +424,13 @@ RunSummary run_sweep(const SweepSpec& sweep, const RunRow& provenance, Database&
           .schedule = {},
           .progress = {},
           .recorded = {},
-          .killed_once = {}};
+          .killed_once = {},
+          .planner_written = {}};
+  for (const PlannerChoice& planner : sweep.planners) {
+    run.planner_written[planner.file] = time_written(planner.file);
+  }
   std::set<std::string> skip = keys_to_skip(database, options);
-  std::vector<TrialSpec> trials = expand(sweep);
+  std::vector<PlannedTrial> trials = expand(sweep);
   database.add_sweep({.name = sweep.name, .spec_json = sweep_json(sweep, trials)});
   trials = trials_of(options.shard, std::move(trials));
   for (const PlannerChoice& planner : sweep.planners) database.add_planner(planner_row(planner));

@@ -54,7 +54,7 @@ struct RunSummary {
 /// it ends, one transaction a trial. The rows do not depend on the number of workers nor on the
 /// order in which trials end. A worker that dies costs the trial it flew (planner_crashed,
 /// planner_hung) and is replaced. Throws InputError for what stops the sweep as a whole: a map that
-/// can't be made, a database that can't be written.
+/// can't be made, a database that can't be written, a planner's file that changes under way.
 RunSummary run_sweep(const SweepSpec& sweep, const RunRow& provenance, Database& database,
                      const RunOptions& options);
 

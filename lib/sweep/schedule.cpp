@@ -61,24 +61,24 @@ Assignment taken(std::size_t map, TrialGroup& group) {
 
 }  // namespace
 
-std::vector<TrialSpec> trials_of(const Shard& shard, std::vector<TrialSpec> trials) {
+std::vector<PlannedTrial> trials_of(const Shard& shard, std::vector<PlannedTrial> trials) {
   if (shard.count <= 1) return trials;
   constexpr std::size_t kLeastGroups = 4;  // a shard, so that shards are of about one size
   KeyMaker keys;
   std::vector<std::string> units;
-  for (const TrialSpec& trial : trials) {
-    units.push_back(Digest().add(keys.map_key(trial)).add(trial.planner.label).hex());
+  for (const PlannedTrial& trial : trials) {
+    units.push_back(Digest().add(keys.map_key(trial)).add(trial.planner_label()).hex());
   }
   const auto count = static_cast<std::size_t>(shard.count);
   if (std::set<std::string>(units.begin(), units.end()).size() < kLeastGroups * count) {
     std::transform(trials.begin(), trials.end(), units.begin(),
-                   [&](const TrialSpec& trial) { return keys.trial_key(trial); });
+                   [&](const PlannedTrial& trial) { return keys.trial_key(trial); });
   }
   std::map<std::string, std::size_t> rank;
   for (const std::string& unit : units) rank[unit] = 0;
   std::size_t next = 0;
   for (auto& [unit, number] : rank) number = next++;
-  std::vector<TrialSpec> kept;
+  std::vector<PlannedTrial> kept;
   for (std::size_t i = 0; i < trials.size(); ++i) {
     const bool is_ours = rank[units[i]] % count == static_cast<std::size_t>(shard.index - 1);
     if (is_ours) kept.push_back(std::move(trials[i]));
@@ -92,7 +92,8 @@ std::size_t waiting_count(const MapPlan& map) {
   return count;
 }
 
-Schedule make_schedule(std::vector<TrialSpec> trials, const std::set<std::string>& finished_keys) {
+Schedule make_schedule(std::vector<PlannedTrial> trials,
+                       const std::set<std::string>& finished_keys) {
   Schedule schedule;
   schedule.trials = std::move(trials);
   KeyMaker keys;
@@ -100,13 +101,13 @@ Schedule make_schedule(std::vector<TrialSpec> trials, const std::set<std::string
   schedule.keys.reserve(schedule.trials.size());
   schedule.map_of.reserve(schedule.trials.size());
   for (std::size_t i = 0; i < schedule.trials.size(); ++i) {
-    const TrialSpec& spec = schedule.trials[i];
-    schedule.keys.push_back(keys.trial_key(spec));
-    const auto [entry, is_new] = map_by_key.emplace(keys.map_key(spec), schedule.maps.size());
+    const PlannedTrial& trial = schedule.trials[i];
+    schedule.keys.push_back(keys.trial_key(trial));
+    const auto [entry, is_new] = map_by_key.emplace(keys.map_key(trial), schedule.maps.size());
     if (is_new) {
       MapPlan plan;
       plan.key = entry->first;
-      plan.spec = spec;
+      plan.spec = trial.spec();
       schedule.maps.push_back(std::move(plan));
     }
     schedule.map_of.push_back(entry->second);
@@ -117,7 +118,7 @@ Schedule make_schedule(std::vector<TrialSpec> trials, const std::set<std::string
       ++schedule.done_before;
       continue;
     }
-    const std::string& label = schedule.trials[i].planner.label;
+    const std::string& label = schedule.trials[i].planner_label();
     group_of(schedule.maps[schedule.map_of[i]], label).waiting.push_back(i);
   }
   for (MapPlan& map : schedule.maps) {
@@ -154,7 +155,7 @@ void give_back(Schedule& schedule, const Assignment& assignment) {
     map.is_requested = false;
     return;
   }
-  const std::string& label = schedule.trials[*assignment.trial].planner.label;
+  const std::string& label = schedule.trials[*assignment.trial].planner_label();
   group_of(map, label).waiting.push_back(*assignment.trial);
 }
 

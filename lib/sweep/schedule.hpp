@@ -19,7 +19,7 @@ struct Shard {
 /// The trials of this part: whole groups of a planner on a map, dealt in the order of their
 /// digests, or single trials where there are too few groups. The same for whoever asks, whatever is
 /// flown.
-std::vector<TrialSpec> trials_of(const Shard& shard, std::vector<TrialSpec> trials);
+std::vector<PlannedTrial> trials_of(const Shard& shard, std::vector<PlannedTrial> trials);
 
 /// The trials of one planner on one map that are still to be flown: what one worker process flies,
 /// since a process flies one planner only.
@@ -42,14 +42,15 @@ std::size_t waiting_count(const MapPlan& map);
 
 /// What there is to do, and what of it is done. Plain data; the functions below change it.
 struct Schedule {
-  std::vector<TrialSpec> trials;
+  std::vector<PlannedTrial> trials;
   std::vector<std::string> keys;    ///< of the trials
   std::vector<std::size_t> map_of;  ///< the trials' maps
   std::vector<MapPlan> maps;
   std::size_t done_before = 0;  ///< finished in the database when the run began
 };
 
-Schedule make_schedule(std::vector<TrialSpec> trials, const std::set<std::string>& finished_keys);
+Schedule make_schedule(std::vector<PlannedTrial> trials,
+                       const std::set<std::string>& finished_keys);
 
 /// One job: measure `map`, or fly `trial` on it.
 struct Assignment {

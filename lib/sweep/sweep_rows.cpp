@@ -32,11 +32,11 @@ nlohmann::json axis_json(const Axis& axis) {
 
 /// Replayed latencies as one digest; nothing of what the mode of latency has no use for.
 void write_latency(nlohmann::json& base, const SweepSpec& sweep,
-                   const std::vector<TrialSpec>& trials) {
+                   const std::vector<PlannedTrial>& trials) {
   Digest digest;
   bool is_replay = false;
-  for (const TrialSpec& trial : trials) {
-    is_replay = is_replay || trial.latency.mode == LatencyMode::replay;
+  for (const PlannedTrial& trial : trials) {
+    is_replay = is_replay || trial.setting->latency.mode == LatencyMode::replay;
     digest.add(trial.latency_digest);
   }
   const bool is_swept = std::any_of(sweep.axes.begin(), sweep.axes.end(), [](const Axis& axis) {
@@ -68,7 +68,7 @@ std::string trial_json(const TrialSpec& spec) {
   return canonical.dump();
 }
 
-std::string sweep_json(const SweepSpec& sweep, const std::vector<TrialSpec>& trials) {
+std::string sweep_json(const SweepSpec& sweep, const std::vector<PlannedTrial>& trials) {
   nlohmann::json axes = nlohmann::json::array(), planners = nlohmann::json::array();
   for (const Axis& axis : sweep.axes) axes.push_back(axis_json(axis));
   for (const PlannerChoice& planner : sweep.planners) {

@@ -20,7 +20,7 @@ void forget_folders(nlohmann::json& trial);
 std::string trial_json(const TrialSpec& spec);
 
 /// The resolved sweep; `trials` are all of it, of which replayed latencies are noted as a digest.
-std::string sweep_json(const SweepSpec& sweep, const std::vector<TrialSpec>& trials);
+std::string sweep_json(const SweepSpec& sweep, const std::vector<PlannedTrial>& trials);
 
 /// Throws InputError where the planner's library can't be loaded.
 PlannerRow planner_row(const PlannerChoice& choice);

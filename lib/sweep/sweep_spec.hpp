@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -27,6 +28,17 @@ struct SweepSpec {
   std::vector<std::string> warnings;    ///< for people: what was read otherwise than written
 };
 
+/// One trial of a sweep: a setting and a mission of it. Sweeps of many trials hold few settings, so
+/// that one takes a hundred bytes instead of a whole spec.
+struct PlannedTrial {
+  std::shared_ptr<const TrialSpec> setting;  ///< everything but the mission; never null
+  std::int64_t mission_index = 0;
+  std::string latency_digest;  ///< of the times that a replay takes
+
+  const std::string& planner_label() const { return setting->planner.label; }
+  TrialSpec spec() const;
+};
+
 /// Version of everything that results follow from: part of every key. Raised with each change
 /// announced as "Results change" in CHANGELOG.md.
 inline constexpr int kResultVersion = 2;
@@ -34,7 +46,7 @@ inline constexpr int kResultVersion = 2;
 /// The sweep's trials, in order of axes (first slowest), mission index, planner. Fills the
 /// file_digest of maps and winds from files that lack it, and the latency_digest of trials that
 /// replay; throws InputError where such a file can't be read or lacks what is replayed.
-std::vector<TrialSpec> expand(const SweepSpec& sweep);
+std::vector<PlannedTrial> expand(const SweepSpec& sweep);
 
 /// A trial's key, 64 hexadecimal digits: digest of its canonical spec (with the digests of
 /// the planner, of the map's and the wind's file and of replayed latencies, without paths) and

@@ -24,16 +24,17 @@ struct Sample {
   std::map<std::string, JobResult> flights;  // by label
 };
 
-Sample fly(const SweepSpec& sweep, const std::vector<TrialSpec>& trials) {
+Sample fly(const SweepSpec& sweep, const std::vector<PlannedTrial>& trials) {
   Worker worker;
   Sample sample;
   sample.map =
-      *worker.work({.spec = trials.front(), .mission_count = sweep.trials, .mission = {}}).map;
+      *worker.work({.spec = trials.front().spec(), .mission_count = sweep.trials, .mission = {}})
+           .map;
   for (const MissionRecord& mission : sample.map.missions) {
     if (!mission.is_valid) continue;
     for (std::size_t i = 0; i < sweep.planners.size(); ++i) {
-      sample.flights[trials[i].planner.label] =
-          worker.work({.spec = trials[i], .mission_count = 0, .mission = mission});
+      sample.flights[trials[i].planner_label()] =
+          worker.work({.spec = trials[i].spec(), .mission_count = 0, .mission = mission});
     }
     return sample;
   }
@@ -56,7 +57,7 @@ void add_maps(const SweepSpec& sweep, const Schedule& schedule, const MapRecord&
 
 void fill(const std::string& sweep_file, const std::string& file, bool has_samples) {
   const SweepSpec sweep = read_sweep(sweep_file);
-  const std::vector<TrialSpec> trials = expand(sweep);
+  const std::vector<PlannedTrial> trials = expand(sweep);
   const std::string spec_json = sweep_json(sweep, trials);
   const Sample sample = fly(sweep, trials);
   const Schedule schedule = make_schedule(trials, {});
@@ -68,7 +69,7 @@ void fill(const std::string& sweep_file, const std::string& file, bool has_sampl
   database.add_run(run);
   add_maps(sweep, schedule, sample.map, database);
   for (std::size_t i = 0; i < trials.size(); ++i) {
-    const TrialSpec& spec = trials[i];
+    const TrialSpec spec = trials[i].spec();
     const JobResult& flight = sample.flights.at(spec.planner.label);
     TrialRow row{.key = schedule.keys[i],
                  .sweep = sweep.name,

@@ -73,11 +73,11 @@ TEST_F(SweepFiles, EveryFieldCanBeAnAxisByItsPath) {
     if (is_map_file) value = (folder_ / value.get<std::string>()).string();
     EXPECT_EQ(sweep.axes[0].values, std::vector<Json>{value});
     if (path.field->name.starts_with("file")) continue;  // the maps are none
-    const std::vector<TrialSpec> trials = expand(sweep);
+    const std::vector<PlannedTrial> trials = expand(sweep);
     ASSERT_EQ(trials.size(), 10U);
     TrialSpec expected = sweep.base;
     expected.planner = sweep.planners.front();
-    EXPECT_EQ(spec_to_json(trials.front()), spec_to_json(expected));
+    EXPECT_EQ(spec_to_json(trials.front().spec()), spec_to_json(expected));
   }
 }
 
@@ -102,7 +102,7 @@ TEST_F(SweepFiles, SeedsOfMissionsCanBeAnAxis) {
     ASSERT_EQ(sweep.axes.size(), 1U);
     EXPECT_EQ(sweep.axes[0].path, "seed");
     EXPECT_EQ(Json(sweep.axes[0].values).dump(), "[1,2]");
-    EXPECT_EQ(expand(sweep).back().seed, 2U);
+    EXPECT_EQ(expand(sweep).back().spec().seed, 2U);
   }
 }
 
@@ -142,7 +142,7 @@ TEST_F(SweepFiles, EveryKindOfPlannerParameterCanBeAnAxis) {
             "mine[horizon_m=5,steps_count=1,mode=safe,note=x,max_speed_mps=2]");
   // Every trial of theirs is another one.
   std::set<std::string> keys;
-  for (const TrialSpec& trial : expand(sweep)) keys.insert(trial_key(trial));
+  for (const PlannedTrial& trial : expand(sweep)) keys.insert(trial_key(trial.spec()));
   EXPECT_EQ(keys.size(), 320U);
 }
 

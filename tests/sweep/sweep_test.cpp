@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -72,14 +73,14 @@ TEST_F(SweepTest, APlannerThatCrashesOrHangsCostsItsOwnTrials) {
 TEST(Expand, AxesAreSlowestAndPlannersFastest) {
   const auto trials = expand(small_sweep());
   ASSERT_EQ(trials.size(), 8U);
-  EXPECT_EQ(trials[0].map_seed, 1U);
-  EXPECT_EQ(trials[0].planner.label, "straight_line");
-  EXPECT_EQ(trials[1].planner.label, "reactive");
+  EXPECT_EQ(trials[0].setting->map_seed, 1U);
+  EXPECT_EQ(trials[0].planner_label(), "straight_line");
+  EXPECT_EQ(trials[1].planner_label(), "reactive");
   EXPECT_EQ(trials[1].mission_index, 0);
   EXPECT_EQ(trials[2].mission_index, 1);
-  EXPECT_EQ(trials[4].map_seed, 2U);
+  EXPECT_EQ(trials[4].setting->map_seed, 2U);
   std::set<std::string> keys;
-  for (const TrialSpec& trial : trials) keys.insert(trial_key(trial));
+  for (const PlannedTrial& trial : trials) keys.insert(trial_key(trial.spec()));
   EXPECT_EQ(keys.size(), 8U);
 }
 
@@ -90,15 +91,39 @@ TEST(Expand, FillsTheDigestsOfWindFields) {
   SweepSpec sweep = small_sweep();
   sweep.axes = {{.path = "wind.field.file", .values = {"", file.string()}}};
   const auto trials = expand(sweep);
-  EXPECT_EQ(trials.front().wind.field.file_digest, "");
-  EXPECT_EQ(trials.back().wind.field.file_digest, file_digest(file));
-  EXPECT_NE(trial_key(trials.front()), trial_key(trials.back()));
+  EXPECT_EQ(trials.front().setting->wind.field.file_digest, "");
+  EXPECT_EQ(trials.back().setting->wind.field.file_digest, file_digest(file));
+  EXPECT_NE(trial_key(trials.front().spec()), trial_key(trials.back().spec()));
   std::filesystem::remove(file);
   EXPECT_THROW(expand(sweep), InputError);
 }
 
+/// As by a build into the same place: what it flew from then on is no planner's result.
+TEST_F(SweepTest, APlannerWrittenOverUnderWayStopsTheRunAndKeepsWhatWasFlown) {
+  SweepSpec sweep = small_sweep();
+  sweep.planners.resize(1);
+  const std::filesystem::path copy = folder_ / "copy.so";
+  std::filesystem::copy_file(sweep.planners[0].file, copy);
+  sweep.planners[0].file = copy.string();
+  options_.on_progress = [&](const Progress& progress) {
+    if (progress.done != 1 || file_digest(copy) != sweep.planners[0].file_digest) return;
+    std::ofstream(copy, std::ios::app) << "more";
+    std::filesystem::last_write_time(
+        copy, std::filesystem::last_write_time(copy) + std::chrono::seconds(1));
+  };
+  try {
+    run(sweep, "changed.db", 1);
+    ADD_FAILURE() << "it went on";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("copy.so: the planner's file changed"),
+              std::string::npos)
+        << error.what();
+  }
+  EXPECT_EQ(Database::open_for_reading(folder_ / "changed.db").list_trials().size(), 1U);
+}
+
 TEST(TrialKey, FollowsTheSpecAndNotThePath) {
-  const TrialSpec spec = expand(small_sweep())[0];
+  const TrialSpec spec = expand(small_sweep())[0].spec();
   TrialSpec moved = spec;
   moved.planner.file = "/elsewhere/straight_line.so";
   EXPECT_EQ(trial_key(spec), trial_key(moved));
@@ -128,7 +153,8 @@ TEST(KeyMaker, GivesTheSameKeysAsOneByOne) {
   sweep.axes.push_back({.path = "latency.mode", .values = {"zero", "fixed", "measured"}});
   sweep.axes.push_back({.path = "vehicle.body_size_m", .values = {{0.5, 0.5, 0.1}, {1, 1, 1}}});
   sweep.trials = 300;  // more than it keeps of one field
-  std::vector<TrialSpec> trials = expand(sweep);
+  std::vector<TrialSpec> trials;
+  for (const PlannedTrial& trial : expand(sweep)) trials.push_back(trial.spec());
   trials.resize(3000);
   trials.push_back(trials.front());
   trials.back().map = ForestSpec{};
@@ -171,7 +197,8 @@ TEST(Schedule, HandsOutEveryTrialOnceAfterItsMap) {
 
 TEST(Schedule, LeavesOutWhatIsFinished) {
   const auto trials = expand(small_sweep());
-  const Schedule schedule = make_schedule(trials, {trial_key(trials[0]), trial_key(trials[7])});
+  const Schedule schedule =
+      make_schedule(trials, {trial_key(trials[0].spec()), trial_key(trials[7].spec())});
   EXPECT_EQ(schedule.done_before, 2U);
   EXPECT_EQ(waiting_count(schedule.maps[0]), 3U);
   EXPECT_EQ(waiting_count(schedule.maps[1]), 3U);
