@@ -175,7 +175,7 @@ void Flight::leave_dead_end() {
   std::optional<Vector3d> place;
   if (surroundings_.is_blocked(now_.position)) {
     constexpr double kReach_m = 1.0;
-    place = nearest_free(surroundings_, now_.position, kReach_m);
+    place = nearest_free(surroundings_, now_.position, kReach_m, Reach::straight);
   }
   constexpr int kTries = 60;
   for (int i = 0; i < kTries && !place; ++i) {

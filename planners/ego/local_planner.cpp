@@ -121,7 +121,14 @@ Motion local_target(const Surroundings& surroundings, const Settings& settings,
   const double length_m = line.norm();
   Motion target;
   target.position = goal;
-  if (length_m < kTooNear_m || (goal - position).norm() <= settings.horizon_m) return target;
+  if (length_m < kTooNear_m || (goal - position).norm() <= settings.horizon_m) {
+    // A curve can't end where the map, rightly or not, has something: it ends beside it.
+    constexpr double kBeside_m = 1.5;
+    if (surroundings.is_blocked(goal)) {
+      target.position = nearest_free(surroundings, goal, kBeside_m, Reach::any).value_or(goal);
+    }
+    return target;
+  }
   const Vector3d along = line / length_m;
   const double beside_m = std::clamp((position - line_start).dot(along), 0.0, length_m);
   const Vector3d foot = line_start + beside_m * along;

@@ -29,7 +29,7 @@ planning::Bspline slowed(const planning::Bspline& curve, double ratio,
                          const planning::Motion& start, const planning::Motion& target);
 
 /// Where to fly to next: a free place on the line from start to goal, a horizon away, and the
-/// velocity there.
+/// velocity there; nearer than that the goal, or a free place beside it.
 planning::Motion local_target(const Surroundings& surroundings, const Settings& settings,
                               const Eigen::Vector3d& line_start, const Eigen::Vector3d& goal,
                               const Eigen::Vector3d& position);

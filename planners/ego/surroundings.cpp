@@ -43,9 +43,9 @@ std::optional<double> first_blocked_s(const Surroundings& surroundings,
 }
 
 std::optional<Vector3d> nearest_free(const Surroundings& surroundings,
-                                     const Vector3d& position_world, double within_m) {
+                                     const Vector3d& position_world, double within_m, Reach reach) {
   const double cell_m = surroundings.grid.spec().resolution_m;
-  const int reach = static_cast<int>(std::ceil(within_m / cell_m));
+  const int cells = static_cast<int>(std::ceil(within_m / cell_m));
   const Cell middle = surroundings.grid.cell_of(position_world);
   const auto is_reached = [&](const Vector3d& place) {
     const int steps = static_cast<int>(std::ceil((place - position_world).norm() / cell_m));
@@ -57,12 +57,13 @@ std::optional<Vector3d> nearest_free(const Surroundings& surroundings,
   };
   std::optional<Vector3d> nearest;
   double least_m = within_m;
-  for (int x = -reach; x <= reach; ++x) {
-    for (int y = -reach; y <= reach; ++y) {
-      for (int z = -reach; z <= reach; ++z) {
+  for (int x = -cells; x <= cells; ++x) {
+    for (int y = -cells; y <= cells; ++y) {
+      for (int z = -cells; z <= cells; ++z) {
         const Vector3d place = surroundings.grid.center_of(middle + Cell(x, y, z));
         const double distance_m = (place - position_world).norm();
-        if (distance_m >= least_m || surroundings.is_blocked(place) || !is_reached(place)) continue;
+        if (distance_m >= least_m || surroundings.is_blocked(place)) continue;
+        if (reach == Reach::straight && !is_reached(place)) continue;
         least_m = distance_m;
         nearest = place;
       }

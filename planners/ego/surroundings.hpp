@@ -31,8 +31,12 @@ std::optional<double> first_blocked_s(const Surroundings& surroundings,
                                       const std::function<Eigen::Vector3d(double)>& position_at,
                                       double from_s, double to_s, double step_s);
 
-/// The free place nearest to a blocked one, among those a straight line reaches without a touch.
+/// How a free place is to be reached: by whatever way there is, or straight without a touch.
+enum class Reach { any, straight };
+
+/// The free place nearest to a blocked one.
 std::optional<Eigen::Vector3d> nearest_free(const Surroundings& surroundings,
-                                            const Eigen::Vector3d& position_world, double within_m);
+                                            const Eigen::Vector3d& position_world, double within_m,
+                                            Reach reach);
 
 }  // namespace ego

@@ -200,17 +200,12 @@ bool Pilot::is_resting(double time_s) const { return phase_s(time_s) >= course_.
 Space Pilot::space(int relaxation) const {
   Space space;
   space.grid = &grid_;
-  // The whole box, one that the body can turn in, and the body with little around it.
-  const double turning_m = 1.45 * settings_.body_length_m;
-  double length_m = settings_.robot_length_m, height_m = settings_.robot_height_m;
-  if (relaxation == 1) {
-    length_m = std::min(length_m, turning_m);
-    height_m = std::min(height_m, settings_.body_height_m + 0.28);
-  }
-  if (relaxation >= 2) {
-    length_m = std::min(length_m, settings_.body_length_m + 0.15);
-    height_m = std::min(height_m, settings_.body_height_m + 0.15);
-  }
+  // The whole box, one that the body can just turn in, and one half-way between.
+  const double turning_m = std::min(settings_.robot_length_m, 1.45 * settings_.body_length_m);
+  const double low_m = std::min(settings_.robot_height_m, settings_.body_height_m + 0.28);
+  const double part = 0.5 * relaxation;
+  const double length_m = std::lerp(settings_.robot_length_m, turning_m, part);
+  const double height_m = std::lerp(settings_.robot_height_m, low_m, part);
   space.box_m = {length_m, length_m, height_m};
   space.lowest_m = lowest_m_;
   space.highest_m = highest_m_;
@@ -285,6 +280,15 @@ void Pilot::decide(double time_s) {
   }
 }
 
+/// The tightest box that may be tried: the slower the vehicle, the tighter; at full speed only
+/// where something is in the way, and never one that it could only creep through.
+int Pilot::most_relaxed(double speed_mps, bool is_in_the_way) const {
+  const double share = speed_mps / settings_.speed_mps;
+  int loosest = is_in_the_way || share < 0.5 ? 1 : 0;
+  if (share < 0.35) loosest = 2;
+  return std::min(loosest, settings_.relaxations);
+}
+
 /// `is_blocked_now`: an obstacle is on the course; `is_tight`: in the whole box along it.
 bool Pilot::find_path(double time_s, bool is_blocked_now, bool is_tight) {
   const double phase = phase_s(time_s);
@@ -297,8 +301,7 @@ bool Pilot::find_path(double time_s, bool is_blocked_now, bool is_tight) {
   if (course_.kind == Kind::path && !is_blocked_now) {
     flown = knots_left(phase);
   }
-  const bool is_slow = task.root.velocity.norm() < 0.5 * settings_.speed_mps;
-  const int loosest = is_slow || is_blocked_now || is_tight ? settings_.relaxations : 0;
+  const int loosest = most_relaxed(task.root.velocity.norm(), is_blocked_now || is_tight);
   for (int relaxation = 0; relaxation <= loosest; ++relaxation) {
     task.limits = limits(relaxation);
     task.space = space(relaxation);

@@ -61,6 +61,7 @@ class Pilot {
   std::vector<Motion> knots_left(double phase_s) const;
 
   void decide(double time_s);
+  int most_relaxed(double speed_mps, bool is_in_the_way) const;
   bool find_path(double time_s, bool is_blocked_now, bool is_tight);
   void brake(double time_s);
   void search(double time_s);

@@ -8,13 +8,24 @@ namespace {
 
 /// mbplanner_config.yaml and planner_control_interface_sim_config.yaml of the authors' repository,
 /// where they differ from ours.
-constexpr std::array<planning::PublishedValue, 19> kPublished{{
-    {"max_speed_mps", 1.75},     {"follower_speed_mps", 1.0}, {"max_acceleration_mps2", 2.0},
-    {"max_climb_mps2", 0.3},     {"braking_mps2", 2.0},       {"robot_length_m", 1.4},
-    {"relaxations", 0.0},        {"primitive_s", 1.5},        {"substep_s", 0.25},
-    {"max_tries", 90.0},         {"goal_bias", 0.0},          {"time_weight", 0.0},
-    {"clearance_weight_m", 0.0}, {"deviation_weight", 0.0},   {"replan_period_s", 60.0},
-    {"yaw_rate_radps", 0.5},     {"resolution_m", 0.2},       {"range_m", 20.0},
+constexpr std::array<planning::PublishedValue, 18> kPublished{{
+    {"max_speed_mps", 1.75},
+    {"follower_speed_mps", 1.0},
+    {"max_acceleration_mps2", 2.0},
+    {"max_climb_mps2", 0.3},
+    {"braking_mps2", 2.0},
+    {"robot_length_m", 1.4},
+    {"relaxations", 0.0},
+    {"primitive_s", 1.5},
+    {"substep_s", 0.25},
+    {"goal_bias", 0.0},
+    {"time_weight", 0.0},
+    {"clearance_weight_m", 0.0},
+    {"deviation_weight", 0.0},
+    {"replan_period_s", 60.0},
+    {"yaw_rate_radps", 0.5},
+    {"resolution_m", 0.2},
+    {"range_m", 20.0},
     {"max_departure_m", 3.0},
 }};
 

@@ -24,7 +24,7 @@ inline constexpr std::array kParameters{
     avoidbench::parameter("robot_length_m", "m", 1.2, 0.1, 5.0,
                           "Side of the box that must be free, along x and y."),
     avoidbench::parameter("robot_height_m", "m", 0.8, 0.1, 5.0, "Its height."),
-    avoidbench::integer_parameter("relaxations", "", 1, 0, 2,
+    avoidbench::integer_parameter("relaxations", "", 2, 0, 2,
                                   "How many tighter boxes, flown more slowly, are tried where the "
                                   "whole one leaves no way."),
     avoidbench::parameter("primitive_s", "s", 0.9, 0.2, 5.0, "Duration of a primitive."),
@@ -37,7 +37,7 @@ inline constexpr std::array kParameters{
                                   "after them it has one."),
     avoidbench::integer_parameter("root_samples", "", 15, 1, 200, "Children of the root."),
     avoidbench::integer_parameter("child_samples", "", 2, 1, 10, "Children of the next levels."),
-    avoidbench::integer_parameter("max_tries", "", 30, 1, 500,
+    avoidbench::integer_parameter("max_tries", "", 90, 1, 500,
                                   "Samples a vertex before it gives up; four times that at the "
                                   "root."),
     avoidbench::parameter("cone_rad", "rad", 1.7, 0.1, 3.2,
@@ -60,7 +60,7 @@ inline constexpr std::array kParameters{
                           "Paths nearer to the best than this compete by clearance alone."),
     avoidbench::parameter("max_traverse_m", "m", 10.0, 1.0, 50.0,
                           "Vertices farther along a path get no children."),
-    avoidbench::parameter("replan_period_s", "s", 0.25, 0.03, 60.0,
+    avoidbench::parameter("replan_period_s", "s", 0.2, 0.03, 60.0,
                           "A new tree is grown this often."),
     avoidbench::parameter("lead_s", "s", 0.8, 0.0, 5.0, "… and this long before a path's end."),
     avoidbench::parameter("yaw_rate_radps", "rad/s", 2.0, 0.1, 10.0, "Greatest yaw rate."),

@@ -2,7 +2,7 @@
 """What a planner that misbehaves in every way costs the others: wall time of a sweep with and without it, and whether the others' flights
 stay the same.
 
-    tests/bench/torture_time.py [BUILD FOLDER, build/release] [--rounds 3] [--trials 48] [--jobs 2] [--plan-timeout 10]
+    tests/bench/torture_time.py [BUILD FOLDER, build/release] [--rounds 1] [--trials 32] [--jobs 2] [--plan-timeout 10]
 
 The torture planner (tests/sweep/planners/torture.cpp) misbehaves as the mission's seed decides: crashes, exits, exceptions, endless loops,
 memory, stack, closed descriptors, NaN, threads. A hang costs a whole plan timeout of one worker. Fails where a trial lacks its row or a
@@ -61,8 +61,8 @@ def check(without, with_it, given):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", nargs="?", default="build/release", type=pathlib.Path)
-    parser.add_argument("--rounds", type=int, default=3)
-    parser.add_argument("--trials", type=int, default=48)
+    parser.add_argument("--rounds", type=int, default=1)
+    parser.add_argument("--trials", type=int, default=32)
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--plan-timeout", type=float, default=10.0)
     given = parser.parse_args()

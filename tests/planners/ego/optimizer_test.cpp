@@ -199,6 +199,17 @@ TEST(LocalTarget, IsAHorizonAwayOnTheLineAndFree) {
   EXPECT_FALSE(with_tree.is_blocked(beside.position));
 }
 
+TEST(LocalTarget, IsBesideAGoalThatSeemsBlocked) {
+  const Settings settings;
+  Surroundings surroundings = seen(tree(), kEye);
+  const Vector3d start(0, 0, 2), goal(-0.1, 3.5 - 0.4 - 0.3, 2.0);
+  ASSERT_TRUE(surroundings.is_blocked(goal));
+  const Motion target = local_target(surroundings, settings, start, goal, start);
+  EXPECT_FALSE(surroundings.is_blocked(target.position));
+  EXPECT_LT((target.position - goal).norm(), 0.5);
+  EXPECT_EQ(target.velocity.norm(), 0.0);
+}
+
 TEST(FirstBlocked, LetsACurveLeaveWhereItIsBlocked) {
   Surroundings surroundings = seen(tree(), kEye);
   const Vector3d near(-0.1, 3.5 - 0.4 - 0.3, 2.0);
@@ -209,7 +220,7 @@ TEST(FirstBlocked, LetsACurveLeaveWhereItIsBlocked) {
   const auto hit = first_blocked_s(surroundings, on, 0.0, 2.0, 0.02);
   ASSERT_TRUE(hit);
   EXPECT_LT(*hit, 0.4);
-  const auto place = nearest_free(surroundings, near, 1.0);
+  const auto place = nearest_free(surroundings, near, 1.0, Reach::straight);
   ASSERT_TRUE(place);
   EXPECT_FALSE(surroundings.is_blocked(*place));
   EXPECT_LT((*place - near).norm(), 0.5);

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "planners/support/conformance_expectation.hpp"
 #include "planners/support/trajectory_flight.hpp"
 
@@ -43,6 +45,22 @@ TEST(Mbplanner, FindsTheGapInAWall) {
   add_hedge(course, {4.5, 15.0}, {8.0, 15.0});
   const TrajectoryResult result = kinematic::fly_trajectories(planner, course);
   EXPECT_EQ(result.flight.ending, Ending::reached_goal) << result.flight.reason;
+}
+
+/// Through a gap that only its tightest box fits in it creeps: a stop before it is free.
+TEST(Mbplanner, SqueezesThroughANarrowGapSlowly) {
+  PlannerInstance planner = kinematic::instance_of(PLANNER_FILE);
+  Course course = kinematic::meadow();
+  add_hedge(course, {-8.275, 15.0}, {-0.775, 15.0});
+  add_hedge(course, {0.775, 15.0}, {8.275, 15.0});
+  const TrajectoryResult result = kinematic::fly_trajectories(planner, course);
+  EXPECT_EQ(result.flight.ending, Ending::reached_goal) << result.flight.reason;
+  const std::vector<Eigen::Vector3d>& places = result.flight.positions;
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    const bool is_in_gap = std::abs(places[i].y() - 15.0) < 0.3 && std::abs(places[i].x()) < 0.8;
+    const double speed_mps = 30.0 * (places[i] - places[i - 1]).norm();
+    EXPECT_TRUE(!is_in_gap || speed_mps < 1.2) << speed_mps << " m/s at " << places[i].transpose();
+  }
 }
 
 TEST(Mbplanner, GetsOutOfADeadEnd) {
