@@ -40,7 +40,7 @@ def fly(build, folder, name, planners, given):
 
 
 def trials_of(database):
-    """Rows by planner and mission: outcome, reason, digest of the flight, plan calls."""
+    """By planner and mission: outcome, reason, end time, path length, digest of the flight."""
     query = """SELECT planner, mission_index, outcome, reason, end_time_s, path_length_m, samples_digest
                FROM trial_table LEFT JOIN trajectories USING (trial_key)"""
     with sqlite3.connect(f"file:{database}?mode=ro", uri=True) as connection:
