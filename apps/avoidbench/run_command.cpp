@@ -201,6 +201,17 @@ void warn(const RunCommand& command, const SweepSpec& sweep, int jobs) {
   }
 }
 
+/// The command that shows this revision of a sweep, which need not be the latest one.
+std::string command_that_reports(const Database& database, const std::string& sweep,
+                                 std::int64_t revision) {
+  std::string line = "avoidbench report " + database.path().string();
+  for (const SweepInfo& other : database.read_sweeps()) {
+    if (other.name != sweep || other.revision <= revision) continue;
+    return line + " --sweep " + sweep + "@" + std::to_string(revision);
+  }
+  return line;
+}
+
 void run(const RunCommand& command) {
   std::vector<std::string> overrides = command.overrides;
   if (!command.until.empty()) overrides.push_back("until=" + command.until);
@@ -250,8 +261,9 @@ void run(const RunCommand& command) {
     std::cerr << "stopped; run the same command again to go on\n";
     throw CLI::RuntimeError(stop_signal == SIGINT ? kExitInterrupted : kExitStopped);
   }
-  std::cerr << "results are in " << file.string() << "; to see them: avoidbench report "
-            << file.string() << '\n';
+  std::cerr << "results are in " << file.string()
+            << "; to see them: " << command_that_reports(database, sweep.name, summary.revision)
+            << '\n';
 }
 
 }  // namespace

@@ -431,7 +431,8 @@ RunSummary run_sweep(const SweepSpec& sweep, const RunRow& provenance, Database&
   }
   std::set<std::string> skip = keys_to_skip(database, options);
   std::vector<PlannedTrial> trials = expand(sweep);
-  database.add_sweep({.name = sweep.name, .spec_json = sweep_json(sweep, trials)});
+  const std::int64_t revision =
+      database.add_sweep({.name = sweep.name, .spec_json = sweep_json(sweep, trials)});
   trials = trials_of(options.shard, std::move(trials));
   for (const PlannerChoice& planner : sweep.planners) database.add_planner(planner_row(planner));
   if (sweep.until.is_set()) {
@@ -439,7 +440,7 @@ RunSummary run_sweep(const SweepSpec& sweep, const RunRow& provenance, Database&
   } else {
     fly(run, std::move(trials), skip);
   }
-  return {.progress = run.progress, .is_stopped = run.is_stopped()};
+  return {.progress = run.progress, .revision = revision, .is_stopped = run.is_stopped()};
 }
 
 }  // namespace avoidbench

@@ -47,6 +47,7 @@ struct RunOptions {
 
 struct RunSummary {
   Progress progress;
+  std::int64_t revision = 0;  ///< of the sweep, in the database
   bool is_stopped = false;
 };
 

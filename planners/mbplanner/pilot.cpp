@@ -284,9 +284,9 @@ void Pilot::decide(double time_s) {
 /// where something is in the way, and never one that it could only creep through.
 int Pilot::most_relaxed(double speed_mps, bool is_in_the_way) const {
   const double share = speed_mps / settings_.speed_mps;
-  int loosest = is_in_the_way || share < 0.5 ? 1 : 0;
-  if (share < 0.35) loosest = 2;
-  return std::min(loosest, settings_.relaxations);
+  int tightest = is_in_the_way || share < 0.5 ? 1 : 0;
+  if (share < 0.35) tightest = 2;
+  return std::min(tightest, settings_.relaxations);
 }
 
 /// `is_blocked_now`: an obstacle is on the course; `is_tight`: in the whole box along it.
@@ -301,8 +301,8 @@ bool Pilot::find_path(double time_s, bool is_blocked_now, bool is_tight) {
   if (course_.kind == Kind::path && !is_blocked_now) {
     flown = knots_left(phase);
   }
-  const int loosest = most_relaxed(task.root.velocity.norm(), is_blocked_now || is_tight);
-  for (int relaxation = 0; relaxation <= loosest; ++relaxation) {
+  const int tightest = most_relaxed(task.root.velocity.norm(), is_blocked_now || is_tight);
+  for (int relaxation = 0; relaxation <= tightest; ++relaxation) {
     task.limits = limits(relaxation);
     task.space = space(relaxation);
     task.space.lowest_m = std::min(task.space.lowest_m, task.root.position.z() - 0.05);
