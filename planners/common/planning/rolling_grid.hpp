@@ -18,7 +18,9 @@ struct RollingGridSpec {
   double hit = 0.85, miss = -0.62;          ///< added to a cell's log odds, once an image
   double lowest_log_odds = -2.0, highest_log_odds = 2.2;
   double occupied_above = 1.39;  ///< probability 0.8: two images with a hit, from unknown
-  double least_ray_m = 0.1, longest_ray_m = 5.0;
+  double least_ray_m =
+      0.1;  ///< nearer surfaces say nothing, and cells that near keep what they are
+  double longest_ray_m = 5.0;
   int pixel_step = 2;  ///< of a block of so many by so many pixels, the nearest is taken
   double inflation_m = 0.3;
 };
@@ -132,6 +134,7 @@ class RollingGrid {
   void find_windows(View& view);
   void count_ends(const View& view);
   void miss_cells_in_view(const View& view);
+  void miss_between(const View& view, Column column, double from_m, double to_m);
   void miss_column(const View& view, const Column& column);
   std::uint64_t passed_cells(const View& view, const Column& column, int word,
                              std::uint64_t cells) const;

@@ -426,7 +426,19 @@ void RollingGrid::miss_column(const View& view, const Column& column) {
   if (is_changed) mark_changed(first_x_ + column.x, first_y_ + column.y);
 }
 
-/// All columns that reach into the view: the pyramid of the image up to the longest ray.
+/// The cells of the column whose centres lie between these heights above the eye.
+void RollingGrid::miss_between(const View& view, Column column, double from_m, double to_m) {
+  const double below = view.eye_cells.z() - 0.5;
+  const double from = std::max(std::ceil(from_m / spec_.resolution_m + below), 0.0);
+  const double to = std::min(std::floor(to_m / spec_.resolution_m + below), height_ - 1.0);
+  if (!(from <= to)) return;
+  column.from = static_cast<int>(from);
+  column.to = static_cast<int>(to);
+  miss_column(view, column);
+}
+
+/// All columns that reach into the view: the pyramid of the image up to the longest ray, without
+/// what is nearer than the least one.
 void RollingGrid::miss_cells_in_view(const View& view) {
   const double cell_m = spec_.resolution_m, longest_m = spec_.longest_ray_m;
   const double left = (-0.5 - view.cx_px) / view.fx_px, top = (-0.5 - view.cy_px) / view.fy_px;
@@ -438,6 +450,8 @@ void RollingGrid::miss_cells_in_view(const View& view) {
                                         R * Vector3d(0, 1, -top), R * Vector3d(0, -1, bottom),
                                         R * Vector3d(0, 0, 1)};
   const double least_depth_m = 0.5 * cell_m;
+  const double half_diagonal_m = 0.5 * std::sqrt(3.0) * cell_m;
+  const double least_m = spec_.least_ray_m + half_diagonal_m;
   Vector3d low = Vector3d::Zero(), high = Vector3d::Zero();
   for (const double x : {left, right}) {
     for (const double y : {top, bottom}) {
@@ -473,16 +487,13 @@ void RollingGrid::miss_cells_in_view(const View& view) {
           to_m = std::min(to_m, lacks / n.z());
         }
       }
-      const double below = view.eye_cells.z() - 0.5;
-      const double from = std::max(std::ceil(from_m / cell_m + below), 0.0);
-      const double to = std::min(std::floor(to_m / cell_m + below), height_ - 1.0);
-      if (!(from <= to)) continue;
-      column.from = static_cast<int>(from);
-      column.to = static_cast<int>(to);
       column.start = column_start(first_x_ + column.x, first_y_ + column.y);
       const Vector3d lowest(x_m, y_m, (0.5 - view.eye_cells.z()) * cell_m);
       column.lowest_in_camera = (R_camera_world * lowest).cast<float>();
-      miss_column(view, column);
+      // Where a surface would say nothing, for being too near, nothing is missed either.
+      const double near_m = std::sqrt(std::max(least_m * least_m - x_m * x_m - y_m * y_m, 0.0));
+      miss_between(view, column, from_m, near_m > 0.0 ? std::min(to_m, -near_m) : to_m);
+      if (near_m > 0.0) miss_between(view, column, std::max(from_m, near_m), to_m);
     }
   }
 }

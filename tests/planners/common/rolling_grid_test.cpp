@@ -55,7 +55,7 @@ TEST(RollingGrid, AWallIsOccupiedAfterTwoImagesAndWhatIsBeforeItFree) {
   EXPECT_EQ(grid.state(wall), CellState::free);
   grid.integrate(camera.seen());
   EXPECT_EQ(grid.state(wall), CellState::occupied);
-  for (double x = 0.15; x < 2.9; x += 0.1) {
+  for (double x = 0.25; x < 2.9; x += 0.1) {  // from the least ray on
     EXPECT_EQ(grid.state(grid.cell_of({x, 0.05, 2.05})), CellState::free) << x;
   }
   EXPECT_EQ(grid.state(grid.cell_of({3.5, 0.05, 2.05})), CellState::unknown);
@@ -257,6 +257,25 @@ TEST(RollingGridImages, APoleOfAPixelOrTwoIsKept) {
         EXPECT_TRUE(is_kept) << width_px << " pixels at " << left_m << " m, cell " << z;
       }
     }
+  }
+}
+
+/// The rays beside a twig go on behind its cells when it is too near to be seen itself.
+TEST(RollingGridImages, ATwigIsNotForgottenOnTheWayPastIt) {
+  RollingGridSpec spec;
+  spec.resolution_m = 0.15;
+  spec.least_ray_m = 0.8;
+  RollingGrid grid(spec);
+  grid.reset({0.0, 0.0, 2.0});
+  for (double x = 0.0; x < 1.9; x += 0.05) {
+    const double away_m = 2.02 - x;
+    Camera camera = forest_camera({x, 0.0, 2.0}, [&](double left, double up) {
+      const bool is_twig = std::abs(up * away_m - 0.07) < 0.01 && std::abs(left * away_m) < 0.3;
+      return is_twig ? away_m : static_cast<double>(kInfinity);
+    });
+    grid.integrate(camera.seen());
+    if (x < 0.1) continue;  // two images make it occupied
+    EXPECT_EQ(grid.state(grid.cell_of({2.02, 0.05, 2.07})), CellState::occupied) << x;
   }
 }
 
