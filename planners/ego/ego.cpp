@@ -26,7 +26,8 @@ class Ego {
 
   std::optional<ab_command> plan(const ab_observation& seen) {
     const ab_state& state = *seen.state;
-    if (!avoidbench::as_vector(state.position_world_m).allFinite() ||
+    if (!flight_.has_mission() ||
+        !planning::is_place(avoidbench::as_vector(state.position_world_m)) ||
         !avoidbench::as_vector(state.velocity_world_mps).allFinite() ||
         !std::isfinite(state.time_s)) {
       return std::nullopt;

@@ -45,7 +45,8 @@ Flight::Flight(const Settings& settings)
 void Flight::reset(const ab_mission& mission) {
   line_start_ = avoidbench::as_vector(mission.start_world_m);
   goal_ = avoidbench::as_vector(mission.goal_world_m);
-  start_yaw_rad_ = mission.start_yaw_rad;
+  has_mission_ = planning::is_place(line_start_) && planning::is_place(goal_);
+  start_yaw_rad_ = std::isfinite(mission.start_yaw_rad) ? mission.start_yaw_rad : 0.0;
   random_ = planning::Random(mission.seed);
   surroundings_.grid.reset(line_start_);
   const double low = std::min(line_start_.z(), goal_.z());

@@ -21,12 +21,15 @@ class Flight {
 
   void reset(const ab_mission& mission);
 
+  /// Whether the mission's start and goal are places; without, there is nothing to plan.
+  bool has_mission() const { return has_mission_; }
+
   /// Takes an image into the map.
   void see(const ab_depth_image& image) {
     surroundings_.grid.integrate(planning::without_border(image, settings_.image_border_ratio));
   }
 
-  /// What to fly from now on; valid until the next call.
+  /// What to fly from now on; valid until the next call. Only where has_mission().
   const std::vector<ab_point>& plan(const ab_state& state);
 
   const Surroundings& surroundings() const { return surroundings_; }
@@ -64,7 +67,7 @@ class Flight {
   planning::Random random_;
   Eigen::Vector3d line_start_ = Eigen::Vector3d::Zero(), goal_ = Eigen::Vector3d::Zero();
   double start_yaw_rad_ = 0.0;
-  bool is_first_ = true;
+  bool has_mission_ = false, is_first_ = true;
 
   double now_s_ = 0.0;
   planning::Motion now_;  ///< of the trajectory under way

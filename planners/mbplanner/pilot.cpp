@@ -93,9 +93,8 @@ std::optional<std::vector<ab_point>> Pilot::plan(const ab_observation& seen) {
   const Vector3d position = avoidbench::as_vector(seen.state->position_world_m);
   const Vector3d velocity = avoidbench::as_vector(seen.state->velocity_world_mps);
   const double time_s = seen.state->time_s;
-  constexpr double kFarthest_m = 1e6;
-  if (!position.allFinite() || !velocity.allFinite() || !std::isfinite(time_s) ||
-      !potential_.goal.allFinite() || position.cwiseAbs().maxCoeff() > kFarthest_m) {
+  if (!planning::is_place(position) || !velocity.allFinite() || !std::isfinite(time_s) ||
+      !planning::is_place(potential_.goal)) {
     return std::nullopt;
   }
   look(seen, position);

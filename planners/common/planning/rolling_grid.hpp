@@ -31,6 +31,12 @@ enum class CellState { unknown, free, occupied };
 /// matchers err most. Shares its pixels.
 ab_depth_image without_border(const ab_depth_image& image, double share);
 
+/// Whether these are coordinates to plan with: finite, and within 1,000 km of the origin.
+inline bool is_place(const Eigen::Vector3d& place_world) {
+  constexpr double kFarthest_m = 1e6;
+  return place_world.allFinite() && place_world.cwiseAbs().maxCoeff() <= kFarthest_m;
+}
+
 /// Cells of the world: floor(position / resolution).
 using Cell = Eigen::Vector3i;
 

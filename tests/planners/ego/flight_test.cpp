@@ -17,6 +17,11 @@ constexpr double kSpeed_mps = 3.3;  // its limit and the tolerance of its feasib
 
 TEST(Ego, KeepsEveryRule) { expect_conformance(PLANNER_FILE); }
 
+TEST(Ego, HasNoPlanToNowhere) {
+  PlannerInstance planner = kinematic::instance_of(PLANNER_FILE);
+  kinematic::expect_no_plan_to_nowhere(planner);
+}
+
 TEST(Ego, FliesStraightWhereNothingIsInTheWay) {
   PlannerInstance planner = kinematic::instance_of(PLANNER_FILE);
   const Course course = kinematic::meadow();

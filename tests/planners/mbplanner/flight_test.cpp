@@ -17,6 +17,11 @@ using kinematic::TrajectoryResult;
 
 TEST(Mbplanner, KeepsEveryRule) { expect_conformance(PLANNER_FILE); }
 
+TEST(Mbplanner, HasNoPlanToNowhere) {
+  PlannerInstance planner = kinematic::instance_of(PLANNER_FILE);
+  kinematic::expect_no_plan_to_nowhere(planner);
+}
+
 constexpr double kSpeed_mps = 3.003;
 
 TEST(Mbplanner, FliesNearlyStraightWhereNothingIsInTheWay) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <thread>
 
 #include "geometry/pose.hpp"
@@ -221,6 +222,24 @@ std::size_t resident_bytes() {
   std::size_t total = 0, resident = 0;
   file >> total >> resident;
   return resident * 4096;
+}
+
+void expect_no_plan_to_nowhere(PlannerInstance& planner) {
+  using Limits = std::numeric_limits<double>;
+  for (const double nowhere : {Limits::quiet_NaN(), Limits::infinity(), 1e300}) {
+    PlannerMission mission;
+    mission.start_world = {0.0, 0.0, 2.0};
+    mission.goal_world = {20.0, nowhere, 2.0};
+    mission.goal_radius_m = 0.8;
+    mission.time_limit_s = 60.0;
+    EXPECT_EQ(planner.reset(mission), "");
+    PlannerView view;
+    view.position_world = mission.start_world;
+    view.velocity_world.setZero();
+    view.rates_body.setZero();
+    view.q_world_body.setIdentity();
+    EXPECT_EQ(planner.plan(view).status, PlanStatus::no_plan) << nowhere;
+  }
 }
 
 void expect_no_growth(PlannerInstance& planner, int count) {

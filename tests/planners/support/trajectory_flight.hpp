@@ -36,6 +36,9 @@ int reached_count(PlannerInstance& planner, double poisson_radius_m, std::uint64
 /// Expects that instances in several threads fly as one alone does.
 void expect_same_in_threads(const std::string& file);
 
+/// Expects no plan, and no failure, for goals that are nowhere: NaN, infinite, beyond all numbers.
+void expect_no_plan_to_nowhere(PlannerInstance& planner);
+
 /// Expects that this process is no larger after `count` short missions than after the first ten.
 void expect_no_growth(PlannerInstance& planner, int count);
 
