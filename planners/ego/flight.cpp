@@ -59,6 +59,7 @@ void Flight::reset(const ab_mission& mission) {
   now_ = target_ = {};
   executed_ = {};
   failures_ = 0;
+  has_come_out_ = false;
   tried_s_ = -std::numeric_limits<double>::infinity();
   candidates_.clear();
   points_.clear();
@@ -139,6 +140,7 @@ bool Flight::replan(double phase_s) {
     return false;
   }
   failures_ = 0;
+  has_come_out_ = false;
   executed_.kind = Kind::curve;
   executed_.curve = std::move(found);
   executed_.start_s = now_s_;
@@ -171,13 +173,17 @@ void Flight::hover() {
   resting_since_s_ = now_s_;
 }
 
-/// From rest to a free place near by: out of an obstacle's reach, or to another point of view.
+/// From rest to a free place near by: out of an obstacle's reach, or to another point of view. Both
+/// in turn, since what a stereo matcher makes up goes along with the camera.
 void Flight::leave_dead_end() {
+  constexpr double kReach_m = 2.0;  // a stop may have ended so far below the least height
+  const bool is_blocked = surroundings_.is_blocked(now_.position);
+  const auto out_of_reach = [&] {
+    return nearest_free(surroundings_, now_.position, kReach_m, Reach::straight);
+  };
   std::optional<Vector3d> place;
-  if (surroundings_.is_blocked(now_.position)) {
-    constexpr double kReach_m = 1.0;
-    place = nearest_free(surroundings_, now_.position, kReach_m, Reach::straight);
-  }
+  if (is_blocked && !has_come_out_) place = out_of_reach();
+  has_come_out_ = place.has_value();
   constexpr int kTries = 60;
   for (int i = 0; i < kTries && !place; ++i) {
     const double azimuth = random_.uniform(-portable::kPi, portable::kPi);
@@ -192,6 +198,7 @@ void Flight::leave_dead_end() {
         surroundings_.grid.state(surroundings_.grid.cell_of(tried)) != planning::CellState::unknown;
     if (is_known && !ego::first_blocked_s(surroundings_, at, 0.0, 1.0, kStep)) place = tried;
   }
+  if (!place && is_blocked) place = out_of_reach();
   if (!place) return;
   constexpr double kPeak = 1.875;  // of a quintic's speed over its mean
   const double distance_m = (*place - now_.position).norm();

@@ -76,6 +76,7 @@ class Flight {
   std::vector<planning::Bspline> candidates_;
   Executed executed_;
   int failures_ = 0;
+  bool has_come_out_ = false;  ///< of an obstacle's reach, when it last left a dead end
   double tried_s_ = 0.0, resting_since_s_ = 0.0;
   std::vector<ab_point> points_;
   double points_s_ = 0.0;  ///< when the first of them is

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "avoidbench/planner.h"
@@ -132,15 +133,17 @@ class RollingGrid {
 
   bool look(const ab_depth_image& image, View& view);
   void take_nearest(const ab_depth_image& image, const View& view);
-  float nearest_far_enough(const ab_depth_image& image, const View& view, int left, int top) const;
+  float nearest_far_enough(const ab_depth_image& image, const View& view, int left, int top);
   double distance_m2(int u, int v, float depth_m) const;
   void end_ray(const ab_depth_image& image, const View& view, int left, int top, float depth_m);
   void find_rays(const View& view);
+  Eigen::Vector3d end_of_ray(const View& view, int u, int v, float depth_m) const;
+  std::optional<End> end_at(const Eigen::Vector3d& place) const;
   void add_end(const Eigen::Vector3d& place);
+  void keep_cell(const Eigen::Vector3d& place);
   void find_windows(View& view);
   void count_ends(const View& view);
   void miss_cells_in_view(const View& view);
-  void miss_between(const View& view, Column column, double from_m, double to_m);
   void miss_column(const View& view, const Column& column);
   std::uint64_t passed_cells(const View& view, const Column& column, int word,
                              std::uint64_t cells) const;
@@ -165,10 +168,11 @@ class RollingGrid {
   std::vector<std::uint64_t> swept_bits_;
 
   // Of the image under way.
-  std::vector<std::uint64_t> has_ends_;
-  std::vector<std::uint8_t> ends_in_;  ///< how many rays end in each cell, up to 255
+  std::vector<std::uint64_t> not_missed_;  ///< cells with ends, and kept ones
+  std::vector<std::uint8_t> ends_in_;      ///< how many rays end in each cell, up to 255
   std::vector<End> ends_;
-  std::vector<float> nearest_m_;  ///< of each block of pixels; 0: says nothing
+  std::vector<std::uint32_t> kept_;  ///< cells of pixels nearer than the least ray
+  std::vector<float> nearest_m_;     ///< of each block of pixels; 0: says nothing
   std::array<std::vector<float>, kWindows> windows_m_;  ///< the least around each block
   std::vector<Ray> rays_u_, rays_v_;
   std::vector<float> row_m_, known_m_, shrunk_m_, no_window_m_;

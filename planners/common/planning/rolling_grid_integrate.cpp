@@ -184,18 +184,22 @@ void RollingGrid::take_nearest(const ab_depth_image& image, const View& view) {
   }
 }
 
-/// The nearest of the block at these pixels, but for those nearer than the least ray.
+/// The nearest of the block at these pixels, but for those nearer than the least ray: they only
+/// keep the cells that they end in from being missed by rays beside them.
 float RollingGrid::nearest_far_enough(const ab_depth_image& image, const View& view, int left,
-                                      int top) const {
+                                      int top) {
   float nearest = kNothing;
   for (int v = top; v < std::min(top + view.step, view.height_px); ++v) {
     for (int u = left; u < std::min(left + view.step, view.width_px); ++u) {
       const float depth =
           image.depth_m[static_cast<std::size_t>(v) * static_cast<std::size_t>(view.width_px) +
                         static_cast<std::size_t>(u)];
-      if (!(depth > 0.0F) || !(distance_m2(u, v, depth) >= spec_.least_ray_m * spec_.least_ray_m))
-        continue;
-      nearest = std::min({nearest, depth, kFarthest});
+      if (!(depth > 0.0F)) continue;
+      if (distance_m2(u, v, depth) < spec_.least_ray_m * spec_.least_ray_m) {
+        keep_cell(end_of_ray(view, u, v, depth));
+      } else {
+        nearest = std::min({nearest, depth, kFarthest});
+      }
     }
   }
   return nearest;
@@ -217,9 +221,7 @@ void RollingGrid::end_ray(const ab_depth_image& image, const View& view, int lef
     for (int u = left; u < std::min(left + view.step, view.width_px); ++u) {
       if (depths[u] != depth_m) continue;
       if (distance_m2(u, v, depth_m) > spec_.longest_ray_m * spec_.longest_ray_m) return;
-      const Vector3d way = rays_u_[static_cast<std::size_t>(u)].way_cells +
-                           rays_v_[static_cast<std::size_t>(v)].way_cells;
-      add_end(view.eye_cells + static_cast<double>(depth_m) * way);
+      add_end(end_of_ray(view, u, v, depth_m));
       return;
     }
   }
@@ -240,20 +242,42 @@ void RollingGrid::find_rays(const View& view) {
   }
 }
 
-/// `place` is in cells from the least corner of the grid.
-void RollingGrid::add_end(const Vector3d& place) {
-  if (!(place.x() >= 0.0 && place.y() >= 0.0 && place.z() >= 0.0)) return;
+/// Where a pixel of this depth lies, in cells from the least corner of the grid.
+Vector3d RollingGrid::end_of_ray(const View& view, int u, int v, float depth_m) const {
+  const Vector3d way = rays_u_[static_cast<std::size_t>(u)].way_cells +
+                       rays_v_[static_cast<std::size_t>(v)].way_cells;
+  return view.eye_cells + static_cast<double>(depth_m) * way;
+}
+
+/// The cell of a place that is given in cells from the least corner of the grid.
+std::optional<RollingGrid::End> RollingGrid::end_at(const Vector3d& place) const {
+  if (!(place.x() >= 0.0 && place.y() >= 0.0 && place.z() >= 0.0)) return std::nullopt;
   const int x = static_cast<int>(place.x()), y = static_cast<int>(place.y());
   const int z = static_cast<int>(place.z());
-  if (x >= side_ || y >= side_ || z >= height_) return;
+  if (x >= side_ || y >= side_ || z >= height_) return std::nullopt;
   const std::size_t index = column_start(first_x_ + x, first_y_ + y) + static_cast<std::size_t>(z);
-  std::uint8_t& ends = ends_in_[index];
+  return End{static_cast<std::uint32_t>(index), static_cast<std::int16_t>(x),
+             static_cast<std::int16_t>(y), static_cast<std::int16_t>(z)};
+}
+
+void RollingGrid::add_end(const Vector3d& place) {
+  const std::optional<End> end = end_at(place);
+  if (!end) return;
+  std::uint8_t& ends = ends_in_[end->index];
   if (ends == 0) {
-    has_ends_[index / 64] |= std::uint64_t{1} << (index % 64);
-    ends_.push_back({static_cast<std::uint32_t>(index), static_cast<std::int16_t>(x),
-                     static_cast<std::int16_t>(y), static_cast<std::int16_t>(z)});
+    not_missed_[end->index / 64] |= std::uint64_t{1} << (end->index % 64);
+    ends_.push_back(*end);
   }
   if (ends < 255) ++ends;
+}
+
+void RollingGrid::keep_cell(const Vector3d& place) {
+  const std::optional<End> end = end_at(place);
+  if (!end) return;
+  std::uint64_t& word = not_missed_[end->index / 64];
+  const std::uint64_t mask = std::uint64_t{1} << (end->index % 64);
+  if ((word & mask) == 0) kept_.push_back(end->index);
+  word |= mask;
 }
 
 /// For some sizes of windows, the least depth in the window around each block: what is nearer has
@@ -406,7 +430,7 @@ void RollingGrid::miss_column(const View& view, const Column& column) {
     const int low = std::max(column.from - 64 * word, 0);
     const int high = std::min(column.to - 64 * word, 63);
     const std::uint64_t inside = (~std::uint64_t{0} << low) & (~std::uint64_t{0} >> (63 - high));
-    const std::uint64_t cells = inside & ~settled_[at] & ~has_ends_[at];
+    const std::uint64_t cells = inside & ~settled_[at] & ~not_missed_[at];
     const std::uint64_t missed = passed_cells(view, column, word, cells);
     std::uint64_t settled = 0, freed = 0;
     std::int16_t* log_odds = &log_odds_[64 * at];
@@ -426,19 +450,7 @@ void RollingGrid::miss_column(const View& view, const Column& column) {
   if (is_changed) mark_changed(first_x_ + column.x, first_y_ + column.y);
 }
 
-/// The cells of the column whose centres lie between these heights above the eye.
-void RollingGrid::miss_between(const View& view, Column column, double from_m, double to_m) {
-  const double below = view.eye_cells.z() - 0.5;
-  const double from = std::max(std::ceil(from_m / spec_.resolution_m + below), 0.0);
-  const double to = std::min(std::floor(to_m / spec_.resolution_m + below), height_ - 1.0);
-  if (!(from <= to)) return;
-  column.from = static_cast<int>(from);
-  column.to = static_cast<int>(to);
-  miss_column(view, column);
-}
-
-/// All columns that reach into the view: the pyramid of the image up to the longest ray, without
-/// what is nearer than the least one.
+/// All columns that reach into the view: the pyramid of the image up to the longest ray.
 void RollingGrid::miss_cells_in_view(const View& view) {
   const double cell_m = spec_.resolution_m, longest_m = spec_.longest_ray_m;
   const double left = (-0.5 - view.cx_px) / view.fx_px, top = (-0.5 - view.cy_px) / view.fy_px;
@@ -450,8 +462,6 @@ void RollingGrid::miss_cells_in_view(const View& view) {
                                         R * Vector3d(0, 1, -top), R * Vector3d(0, -1, bottom),
                                         R * Vector3d(0, 0, 1)};
   const double least_depth_m = 0.5 * cell_m;
-  const double half_diagonal_m = 0.5 * std::sqrt(3.0) * cell_m;
-  const double least_m = spec_.least_ray_m + half_diagonal_m;
   Vector3d low = Vector3d::Zero(), high = Vector3d::Zero();
   for (const double x : {left, right}) {
     for (const double y : {top, bottom}) {
@@ -487,13 +497,16 @@ void RollingGrid::miss_cells_in_view(const View& view) {
           to_m = std::min(to_m, lacks / n.z());
         }
       }
+      const double below = view.eye_cells.z() - 0.5;
+      const double from = std::max(std::ceil(from_m / cell_m + below), 0.0);
+      const double to = std::min(std::floor(to_m / cell_m + below), height_ - 1.0);
+      if (!(from <= to)) continue;
+      column.from = static_cast<int>(from);
+      column.to = static_cast<int>(to);
       column.start = column_start(first_x_ + column.x, first_y_ + column.y);
       const Vector3d lowest(x_m, y_m, (0.5 - view.eye_cells.z()) * cell_m);
       column.lowest_in_camera = (R_camera_world * lowest).cast<float>();
-      // Where a surface would say nothing, for being too near, nothing is missed either.
-      const double near_m = std::sqrt(std::max(least_m * least_m - x_m * x_m - y_m * y_m, 0.0));
-      miss_between(view, column, from_m, near_m > 0.0 ? std::min(to_m, -near_m) : to_m);
-      if (near_m > 0.0) miss_between(view, column, std::max(from_m, near_m), to_m);
+      miss_column(view, column);
     }
   }
 }
@@ -507,9 +520,11 @@ void RollingGrid::integrate(const ab_depth_image& image) {
   count_ends(view);
   for (const End& end : ends_) {
     ends_in_[end.index] = 0;
-    has_ends_[end.index / 64] = 0;
+    not_missed_[end.index / 64] = 0;
   }
+  for (const std::uint32_t index : kept_) not_missed_[index / 64] = 0;
   ends_.clear();
+  kept_.clear();
   inflate_changes();
 }
 

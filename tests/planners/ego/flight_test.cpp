@@ -51,6 +51,32 @@ TEST(Ego, FindsTheGapInAWall) {
   expect_flyable(result.demands, kSpeed_mps);
 }
 
+/// An emergency stop may end far below the heights that it plans in.
+TEST(Ego, ClimbsBackIntoItsHeights) {
+  PlannerInstance planner = kinematic::instance_of(PLANNER_FILE);
+  PlannerMission mission;
+  mission.start_world = {0.0, 0.0, 2.0};
+  mission.goal_world = {20.0, 0.0, 2.0};
+  mission.goal_radius_m = 0.8;
+  mission.time_limit_s = 60.0;
+  ASSERT_EQ(planner.reset(mission), "");
+  PlannerView view;
+  view.position_world = {0.0, 0.0, -0.4};
+  view.velocity_world.setZero();
+  view.rates_body.setZero();
+  view.q_world_body.setIdentity();
+  double highest_m = view.position_world.z();
+  for (int i = 0; i < 90; ++i) {
+    view.time_s = i / 30.0;
+    const PlanResult result = planner.plan(view);
+    ASSERT_EQ(result.status, PlanStatus::command) << result.reason;
+    for (const ab_point& point : result.points) {
+      highest_m = std::max(highest_m, point.position_world_m[2]);
+    }
+  }
+  EXPECT_GT(highest_m, 1.0);
+}
+
 TEST(Ego, StopsBeforeAWallWithoutAGapAndGoesOnTrying) {
   PlannerInstance planner = kinematic::instance_of(PLANNER_FILE);
   Course course = kinematic::meadow();
