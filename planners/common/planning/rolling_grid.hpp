@@ -19,8 +19,7 @@ struct RollingGridSpec {
   double hit = 0.85, miss = -0.62;          ///< added to a cell's log odds, once an image
   double lowest_log_odds = -2.0, highest_log_odds = 2.2;
   double occupied_above = 1.39;  ///< probability 0.8: two images with a hit, from unknown
-  double least_ray_m =
-      0.1;  ///< nearer surfaces say nothing, and cells that near keep what they are
+  double least_ray_m = 0.1;      ///< nearer surfaces are not hit, nor are their cells missed
   double longest_ray_m = 5.0;
   int pixel_step = 2;  ///< of a block of so many by so many pixels, the nearest is taken
   double inflation_m = 0.3;
