@@ -2,7 +2,6 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <csignal>
@@ -16,12 +15,14 @@
 #include <set>
 
 #include "base/input_error.hpp"
+#include "base/sandbox.hpp"
 #include "commands.hpp"
 #include "config/sweep_file.hpp"
 #include "metrics/metric_table.hpp"
 #include "render/device.hpp"
 #include "run_progress.hpp"
 #include "shard_option.hpp"
+#include "stop_signals.hpp"
 #include "store/database.hpp"
 #include "sweep/allowance.hpp"
 #include "sweep/key_maker.hpp"
@@ -31,26 +32,18 @@
 namespace avoidbench {
 namespace {
 
-constexpr int kExitStopped = 75, kExitInterrupted = 130;
+constexpr int kExitUnflown = 1, kExitStopped = 75, kExitInterrupted = 130;
 
 struct RunCommand {
   std::string sweep_file;
   std::vector<std::string> overrides;
   std::string database_file;
   int jobs = 0;
-  double plan_timeout_s = 10.0, grace_s = 30.0;
+  double plan_timeout_s = 10.0, trial_timeout_s = 3600.0, grace_s = 30.0;
   double memory_limit_mib = 0.0;
-  bool dry_run = false, in_process = false, quiet = false;
+  bool dry_run = false, in_process = false, quiet = false, no_sandbox = false;
   std::string shard = "1/1", rerun, until, progress = "line", heartbeat;
 };
-
-std::atomic<bool> stop_requested{false};
-std::atomic<int> stop_signal{0};
-
-void request_stop(int signal_number) {
-  if (stop_requested.exchange(true)) ::_exit(128 + signal_number);  // asked twice: at once
-  stop_signal = signal_number;
-}
 
 std::string cpu_model() {
   std::ifstream file("/proc/cpuinfo");
@@ -196,6 +189,9 @@ void warn(const RunCommand& command, const SweepSpec& sweep, int jobs) {
         << " CPUs: processing times will be too long (results do not change, but for measured "
            "latency)\n";
   }
+  if (!command.in_process && text(sandbox_support()).empty()) {
+    std::cerr << "warning: this kernel has no sandbox: planners can do all that you can\n";
+  }
   if (command.in_process) {
     std::cerr << "warning: --in-process: a planner's crash ends the run\n";
   }
@@ -210,6 +206,40 @@ std::string command_that_reports(const Database& database, const std::string& sw
     return line + " --sweep " + sweep + "@" + std::to_string(revision);
   }
   return line;
+}
+
+/// What workers enter; "" for none.
+std::string sandbox_of(const RunCommand& command) {
+  return command.no_sandbox || command.in_process ? "" : text(sandbox_support());
+}
+
+void print_summary(const RunSummary& summary, int ignored_signals) {
+  const Progress& progress = summary.progress;
+  if (progress.done_before > 0) {
+    std::cerr << progress.done_before << " trials were there already\n";
+  }
+  if (progress.invalid_missions > 0) {
+    std::cerr << progress.invalid_missions
+              << " trials have an invalid mission (no free start or goal, or no way between them) "
+                 "and are not flown\n";
+  }
+  for (const auto& [label, count] : summary.left_behind) {
+    std::cerr << "warning: planner " << label << " left " << count
+              << " processes behind; they were ended\n";
+  }
+  if (ignored_signals > 0) {
+    std::cerr << "warning: " << ignored_signals
+              << " signals to stop came from a planner; they were ignored\n";
+  }
+  if (summary.unflown.empty()) return;
+  for (const UnflownTrial& trial : summary.unflown) {
+    std::cerr << "warning: trial " << trial.key.substr(0, 8) << " of " << trial.planner_label
+              << " is not stored: its worker was killed twice, by " << trial.reason << '\n';
+  }
+  std::cerr << summary.unflown.size()
+            << " trials were not flown: somebody, or the kernel short of memory, killed their "
+               "workers. Run the same command\nagain, with fewer --jobs or a lower --memory-limit "
+               "if memory is short\n";
 }
 
 void run(const RunCommand& command) {
@@ -229,9 +259,7 @@ void run(const RunCommand& command) {
   if (command.database_file.empty()) std::filesystem::create_directories("results");
   Database database = Database::open_for_run(file, metric_table());
   warn(command, sweep, jobs);
-  std::signal(SIGINT, request_stop);
-  std::signal(SIGTERM, request_stop);
-  std::signal(SIGUSR1, request_stop);
+  const StopSignals& signals = watch_stop_signals();
   const ProgressStyle style = command.quiet                ? ProgressStyle::none
                               : command.progress == "json" ? ProgressStyle::json
                                                            : ProgressStyle::line;
@@ -244,26 +272,23 @@ void run(const RunCommand& command) {
                  .rerun_key = command.rerun,
                  .in_process = command.in_process,
                  .worker_command = worker_command(command, jobs),
+                 .sandbox = sandbox_of(command),
                  .silence_s = command.plan_timeout_s + 20.0,
+                 .trial_timeout_s = command.trial_timeout_s,
                  .grace_s = command.grace_s,
                  .on_progress = [&shown](const Progress& progress) { shown.show(progress); },
-                 .stop = &stop_requested});
-  const Progress& progress = summary.progress;
-  if (progress.done_before > 0) {
-    std::cerr << progress.done_before << " trials were there already\n";
-  }
-  if (progress.invalid_missions > 0) {
-    std::cerr << progress.invalid_missions
-              << " trials have an invalid mission (no free start or goal, or no way between them) "
-                 "and are not flown\n";
-  }
+                 .stop = &signals.stop,
+                 .stop_now = &signals.stop_now});
+  print_summary(summary, signals.ignored);
+  if (signals.stop_now) throw CLI::RuntimeError(128 + signals.number);
   if (summary.is_stopped) {
     std::cerr << "stopped; run the same command again to go on\n";
-    throw CLI::RuntimeError(stop_signal == SIGINT ? kExitInterrupted : kExitStopped);
+    throw CLI::RuntimeError(signals.number == SIGINT ? kExitInterrupted : kExitStopped);
   }
   std::cerr << "results are in " << file.string()
             << "; to see them: " << command_that_reports(database, sweep.name, summary.revision)
             << '\n';
+  if (!summary.unflown.empty()) throw CLI::RuntimeError(kExitUnflown);
 }
 
 }  // namespace
@@ -289,6 +314,11 @@ void add_run_command(CLI::App& app) {
   command
       ->add_option("--plan-timeout", options->plan_timeout_s,
                    "Wall time after which a plan call counts as hung, s")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command
+      ->add_option("--trial-timeout", options->trial_timeout_s,
+                   "Wall time after which a whole trial counts as hung, s")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   command
@@ -327,6 +357,8 @@ void add_run_command(CLI::App& app) {
   command->add_flag("--dry-run", options->dry_run,
                     "Print the trials and fly none; what they will take, where some were flown");
   command->add_flag("--in-process", options->in_process, "Fly in this process, for debuggers");
+  command->add_flag("--no-sandbox", options->no_sandbox,
+                    "Let planners write files, start programs and use the network (docs/trust.md)");
   command->add_flag("-q,--quiet", options->quiet, "No progress on stderr");
   command->footer(
       "The same sweep gives the same rows for any number of workers. Trials that the database has "
@@ -336,7 +368,8 @@ void add_run_command(CLI::App& app) {
       "  avoidbench run configs/sweeps/quick.yaml\n"
       "  avoidbench run configs/sweeps/forest_small.yaml --set trials=20 --db forest.db --jobs "
       "2\n\n"
-      "Exit codes: 0 done, 2 usage or input, 75 stopped by SIGTERM or SIGUSR1, 130 interrupted");
+      "Exit codes: 0 done, 1 done except trials whose worker was killed from outside, 2 usage or "
+      "input, 75 stopped by SIGTERM or SIGUSR1, 130 interrupted");
   command->callback([options] { run(*options); });
 }
 

@@ -12,6 +12,8 @@ void add_worker_command(CLI::App& app) {
   command->group("");  // started by `run` only
   command->add_option("--plan-timeout", options->plan_timeout_s);
   command->add_option("--memory-limit", options->memory_limit_mib);
+  command->add_option("--sandbox", options->sandbox);
+  command->add_option("--allow", options->allowed);
   command->add_option("in_fd", options->in_fd)->required();
   command->add_option("out_fd", options->out_fd)->required();
   command->add_option("notes_fd", options->notes_fd)->required();

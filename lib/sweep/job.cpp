@@ -1,13 +1,23 @@
 #include "sweep/job.hpp"
 
+#include <sys/random.h>
+
+#include <array>
+#include <cerrno>
+#include <string_view>
+
 #include "base/check.hpp"
+#include "base/input_error.hpp"
 #include "base/spec_json.hpp"
+#include "metrics/metric_table.hpp"
 #include "store/record_format.hpp"
 
 namespace avoidbench {
 namespace {
 
 using nlohmann::json;
+
+constexpr std::size_t kSampleBytes = kSampleDoubles * sizeof(double);
 
 json vector_to_json(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
@@ -89,8 +99,7 @@ json trial_to_json(const TrialRecord& record) {
 
 TrialRecord trial_from_json(const json& from) {
   const auto outcome = enum_from_text<Outcome>(from.at("outcome").get<std::string>());
-  AB_CHECK(outcome.has_value(), from.at("outcome"));
-  TrialRecord record{.outcome = *outcome,
+  TrialRecord record{.outcome = outcome.value(),
                      .reason = from.at("reason"),
                      .end_time_s = from.at("end_time_s"),
                      .samples = {},
@@ -105,10 +114,41 @@ TrialRecord trial_from_json(const json& from) {
   return record;
 }
 
+/// Whether the answer has what the job asks for, and as much of it.
+bool answers(const JobResult& result, const Job& job) {
+  if (result.token != job.token) return false;
+  if (!result.error.empty()) return true;
+  if (job.mission) return result.trial && result.metrics.size() == metric_table().size();
+  const auto count = static_cast<std::size_t>(job.mission_count);
+  if (!result.map || result.map->missions.size() != count) return false;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (result.map->missions[i].index != static_cast<std::int64_t>(i)) return false;
+  }
+  return true;
+}
+
+JobResult parsed(const Message& message) {
+  JobResult result;
+  result.token = message.json.at("token");
+  result.error = message.json.at("error");
+  result.wall_time_s = message.json.at("wall_time_s");
+  result.is_out_of_memory = message.json.at("is_out_of_memory");
+  if (message.json.contains("map")) result.map = map_from_json(message.json.at("map"));
+  if (message.json.contains("trial")) {
+    result.trial = trial_from_json(message.json.at("trial"));
+    result.trial->samples = samples_from_bytes(message.bytes);
+    for (const json& value : message.json.at("metrics")) {
+      result.metrics.push_back(number_from_json(value));
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 Message job_message(const Job& job) {
   Message message;
+  message.json["token"] = job.token;
   message.json["spec"] = spec_to_json(job.spec);
   message.json["mission_count"] = job.mission_count;
   if (job.mission) message.json["mission"] = mission_to_json(*job.mission);
@@ -117,7 +157,8 @@ Message job_message(const Job& job) {
 }
 
 Job job_from(const Message& message) {
-  Job job{.spec = spec_from_json<TrialSpec>(message.json.at("spec")),
+  Job job{.token = message.json.at("token"),
+          .spec = spec_from_json<TrialSpec>(message.json.at("spec")),
           .mission_count = message.json.at("mission_count"),
           .mission = std::nullopt,
           .recorded_latency_s = std::nullopt};
@@ -129,6 +170,7 @@ Job job_from(const Message& message) {
 
 Message result_message(const JobResult& result) {
   Message message;
+  message.json["token"] = result.token;
   message.json["error"] = result.error;
   message.json["wall_time_s"] = result.wall_time_s;
   message.json["is_out_of_memory"] = result.is_out_of_memory;
@@ -143,20 +185,38 @@ Message result_message(const JobResult& result) {
   return message;
 }
 
-JobResult result_from(const Message& message) {
-  JobResult result;
-  result.error = message.json.at("error");
-  result.wall_time_s = message.json.at("wall_time_s");
-  result.is_out_of_memory = message.json.at("is_out_of_memory");
-  if (message.json.contains("map")) result.map = map_from_json(message.json.at("map"));
-  if (message.json.contains("trial")) {
-    result.trial = trial_from_json(message.json.at("trial"));
-    result.trial->samples = samples_from_bytes(message.bytes);
-    for (const json& value : message.json.at("metrics")) {
-      result.metrics.push_back(number_from_json(value));
-    }
+std::optional<JobResult> result_from(const Message& message, const Job& job) {
+  if (message.bytes.size() % kSampleBytes != 0) return std::nullopt;
+  try {
+    JobResult result = parsed(message);
+    if (answers(result, job)) return result;
+  } catch (const nlohmann::json::exception&) {  // a part is missing or of another type
+  } catch (const std::bad_optional_access&) {   // no outcome of ours
+  } catch (const InputError&) {                 // calls that can't be read
   }
-  return result;
+  return std::nullopt;
+}
+
+std::size_t most_result_bytes(const Job& job) {
+  constexpr double kRest = 16.0 * 1024 * 1024;  // reasons, collisions, a map
+  constexpr double kMission = 2000.0, kPlanCall = 300.0, kSpare = 1.1;
+  const double time_s = job.spec.mission.time_limit_s;
+  const double of_flight = time_s * (job.spec.rates.sample_hz * static_cast<double>(kSampleBytes) +
+                                     job.spec.rates.plan_hz * kPlanCall);
+  const double of_map = static_cast<double>(job.mission_count) * kMission;
+  return static_cast<std::size_t>(kRest + kSpare * (of_flight + of_map));
+}
+
+std::string make_token() {
+  std::array<unsigned char, 16> drawn{};
+  AB_CHECK(::getrandom(drawn.data(), drawn.size(), 0) == static_cast<ssize_t>(drawn.size()), errno);
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string token;
+  for (const unsigned char byte : drawn) {
+    token += kDigits[byte >> 4U];
+    token += kDigits[byte & 15U];
+  }
+  return token;
 }
 
 }  // namespace avoidbench

@@ -14,6 +14,9 @@ namespace avoidbench {
 
 /// Measure a map and lay out its missions, or, with a mission, fly one trial.
 struct Job {
+  /// Drawn for this job; the answer repeats it, so that an older one, or one that somebody else
+  /// writes, is none.
+  std::string token = {};
   TrialSpec spec;
   std::int64_t mission_count = 0;                              ///< of a map job
   std::optional<MissionRecord> mission;                        ///< of a trial job
@@ -22,6 +25,7 @@ struct Job {
 
 /// The answer: a map, a flown trial with its metrics, or why neither could be had.
 struct JobResult {
+  std::string token = {};
   std::optional<MapRecord> map;
   std::optional<TrialRecord> trial;
   std::vector<double> metrics;
@@ -33,6 +37,14 @@ struct JobResult {
 Message job_message(const Job& job);
 Job job_from(const Message& message);
 Message result_message(const JobResult& result);
-JobResult result_from(const Message& message);
+/// Nothing where the message is no answer to this job: another token, a part that is missing, of
+/// another type or of another size than asked for.
+std::optional<JobResult> result_from(const Message& message, const Job& job);
+
+/// No answer to this job is longer.
+std::size_t most_result_bytes(const Job& job);
+
+/// 32 digits from the system's random numbers: a token, no part of any result.
+std::string make_token();
 
 }  // namespace avoidbench

@@ -2,12 +2,12 @@
 
 #include <unistd.h>
 
-#include <array>
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
-#include <span>
 #include <string>
 
 namespace avoidbench {
@@ -16,6 +16,16 @@ namespace {
 constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 32U;
 constexpr std::uint64_t kMagic =
     0x6176426e4d736731;  ///< begins a message: a planner may write here
+
+/// How a message begins.
+struct Header {
+  std::uint64_t magic = 0, text_bytes = 0, other_bytes = 0;
+
+  bool is_sound() const {
+    return magic == kMagic && text_bytes <= kMaxBytes && other_bytes <= kMaxBytes;
+  }
+  std::uint64_t message_bytes() const { return sizeof(Header) + text_bytes + other_bytes; }
+};
 
 bool write_all(int fd, std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
@@ -37,27 +47,69 @@ bool read_all(int fd, std::span<std::byte> bytes) {
   return true;
 }
 
-}  // namespace
-
-bool send_message(int fd, const Message& message) {
-  const std::string text = message.json.dump();
-  const std::array<std::uint64_t, 3> sizes{kMagic, text.size(), message.bytes.size()};
-  return write_all(fd, std::as_bytes(std::span(sizes))) &&
-         write_all(fd, std::as_bytes(std::span(text))) && write_all(fd, message.bytes);
-}
-
-std::optional<Message> receive_message(int fd) {
-  std::array<std::uint64_t, 3> sizes{};
-  if (!read_all(fd, std::as_writable_bytes(std::span(sizes)))) return std::nullopt;
-  if (sizes[0] != kMagic || sizes[1] > kMaxBytes || sizes[2] > kMaxBytes) return std::nullopt;
-  std::string text(sizes[1], '\0');
-  Message message;
-  message.bytes.resize(sizes[2]);
-  if (!read_all(fd, std::as_writable_bytes(std::span(text)))) return std::nullopt;
-  if (!read_all(fd, message.bytes)) return std::nullopt;
-  message.json = nlohmann::json::parse(text, nullptr, false);
+/// The message after its header.
+std::optional<Message> message_of(const Header& header, std::span<const std::byte> body) {
+  const auto text = body.first(header.text_bytes);
+  const auto bytes = body.subspan(header.text_bytes);
+  const char* begin = reinterpret_cast<const char*>(text.data());
+  Message message{.json = nlohmann::json::parse(begin, begin + text.size(), nullptr, false),
+                  .bytes = {bytes.begin(), bytes.end()}};
   if (!message.json.is_object()) return std::nullopt;
   return message;
+}
+
+}  // namespace
+
+std::vector<std::byte> message_bytes(const Message& message) {
+  const std::string text =
+      message.json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  const Header header{kMagic, text.size(), message.bytes.size()};
+  std::vector<std::byte> all;
+  all.reserve(header.message_bytes());
+  const auto add = [&all](std::span<const std::byte> part) {
+    all.insert(all.end(), part.begin(), part.end());
+  };
+  add(std::as_bytes(std::span(&header, 1)));
+  add(std::as_bytes(std::span(text)));
+  add(message.bytes);
+  return all;
+}
+
+bool send_message(int fd, const Message& message) { return write_all(fd, message_bytes(message)); }
+
+std::optional<Message> receive_message(int fd) {
+  Header header;
+  if (!read_all(fd, std::as_writable_bytes(std::span(&header, 1)))) return std::nullopt;
+  if (!header.is_sound()) return std::nullopt;
+  std::vector<std::byte> body(header.message_bytes() - sizeof header);
+  if (!read_all(fd, body)) return std::nullopt;
+  return message_of(header, body);
+}
+
+void MessageInbox::expect(std::size_t most_bytes) {
+  bytes_.clear();
+  most_bytes_ = most_bytes;
+}
+
+MessageInbox::State MessageInbox::add(std::span<const std::byte> bytes) {
+  bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
+  Header header;
+  const std::size_t known = std::min(bytes_.size(), sizeof header);
+  std::memcpy(&header, bytes_.data(), known);
+  if (known < sizeof header) {
+    // What differs from the first byte on need not be waited for.
+    const bool begins = std::memcmp(&header, &kMagic, std::min(known, sizeof kMagic)) == 0;
+    return begins ? State::incomplete : State::malformed;
+  }
+  if (!header.is_sound() || header.message_bytes() > most_bytes_) return State::malformed;
+  if (bytes_.size() < header.message_bytes()) return State::incomplete;
+  return bytes_.size() == header.message_bytes() ? State::whole : State::malformed;
+}
+
+std::optional<Message> MessageInbox::take() {
+  Header header;
+  std::memcpy(&header, bytes_.data(), sizeof header);
+  return message_of(header, std::span(bytes_).subspan(sizeof header));
 }
 
 nlohmann::json number_to_json(double value) {
@@ -71,7 +123,8 @@ double number_from_json(const nlohmann::json& json) {
   const std::string text = json.get<std::string>();
   if (text == "inf") return std::numeric_limits<double>::infinity();
   if (text == "-inf") return -std::numeric_limits<double>::infinity();
-  return std::numeric_limits<double>::quiet_NaN();
+  if (text == "nan") return std::numeric_limits<double>::quiet_NaN();
+  throw nlohmann::json::type_error::create(302, "no number: " + text, &json);
 }
 
 }  // namespace avoidbench

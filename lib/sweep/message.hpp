@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace avoidbench {
@@ -15,11 +16,33 @@ struct Message {
   std::vector<std::byte> bytes;
 };
 
-/// Writes the whole message. False when the other side is gone.
+/// The message as it goes through a pipe. Text that is no UTF-8 is replaced.
+std::vector<std::byte> message_bytes(const Message& message);
+
+/// Writes the whole message; waits for the reader. False when the other side is gone.
 bool send_message(int fd, const Message& message);
 
 /// Waits for a whole message. Nothing when the other side is gone or what came is no message.
 std::optional<Message> receive_message(int fd);
+
+/// What has come of one message through a pipe that anything may have been written to. Memory is
+/// taken for what came, not for what its beginning announces.
+class MessageInbox {
+ public:
+  enum class State { incomplete, whole, malformed };
+
+  /// Forgets what came; the next message has at most this many bytes.
+  void expect(std::size_t most_bytes);
+  /// Malformed: no message, a longer one, or more than one.
+  State add(std::span<const std::byte> bytes);
+  std::size_t size() const { return bytes_.size(); }  ///< bytes that came
+  /// The message that is whole; nothing where its text is no JSON object.
+  std::optional<Message> take();
+
+ private:
+  std::vector<std::byte> bytes_;
+  std::size_t most_bytes_ = 0;
+};
 
 /// A double as JSON that reads back to the same bits; JSON itself has no NaN and no infinity.
 nlohmann::json number_to_json(double value);

@@ -38,17 +38,28 @@ struct RunOptions {
   bool in_process = false;
   std::vector<std::string>
       worker_command;       ///< starts a worker; three file descriptors are appended
+  std::string sandbox;      ///< that workers enter, as text(SandboxSupport) has it; "": none
   double silence_s = 30.0;  ///< a worker that says for so long not even that it lives is ended
-  double grace_s = 30.0;    ///< after `stop`, for the trials that fly
+  double trial_timeout_s = 3600.0;  ///< wall time after which a trial ends as planner_hung
+  double grace_s = 30.0;            ///< after `stop`, for the trials that fly
   std::function<void(const Progress&)> on_progress;  ///< at each change, and each second
   const std::atomic<bool>* stop =
       nullptr;  ///< set: hand out nothing more, commit what ends within grace_s, return
+  const std::atomic<bool>* stop_now = nullptr;  ///< set: end what flies, return
+};
+
+/// A trial that is not in the database, since its worker was killed from outside more than once.
+struct UnflownTrial {
+  std::string key, planner_label;
+  std::string reason;  ///< "signal 9 (Killed)"
 };
 
 struct RunSummary {
   Progress progress;
   std::int64_t revision = 0;  ///< of the sweep, in the database
   bool is_stopped = false;
+  std::vector<UnflownTrial> unflown;
+  std::map<std::string, int> left_behind;  ///< processes that were ended, by label of the planner
 };
 
 /// Flies every trial of the sweep that the database lacks, in worker processes, and commits each as

@@ -1,21 +1,26 @@
 #include "sweep/worker.hpp"
 
+#include <fcntl.h>
+#include <pthread.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <fstream>
 #include <map>
 #include <thread>
 
 #include "base/input_error.hpp"
+#include "base/sandbox.hpp"
 #include "base/spec_json.hpp"
 #include "metrics/metric_table.hpp"
 #include "sweep/crash_report.hpp"
+#include "sweep/process_tree.hpp"
 #include "sweep/sweep_spec.hpp"
 #include "trial/planner_view.hpp"
 #include "trial/run_trial.hpp"
@@ -31,15 +36,6 @@ struct Place {
   Scene scene;
 };
 
-/// Memory of this process that is in use now.
-double resident_mib() {
-  constexpr double kMib = 1024.0 * 1024.0;
-  std::ifstream file("/proc/self/statm");
-  double size = 0.0, resident = 0.0;
-  file >> size >> resident;
-  return resident * static_cast<double>(::sysconf(_SC_PAGESIZE)) / kMib;
-}
-
 /// Which file a descriptor led to.
 class FileIdentity {
  public:
@@ -54,6 +50,20 @@ class FileIdentity {
   struct stat file_ {};
   bool is_known_ = false;
 };
+
+/// What a process that a planner forks does first: it lets go of the worker's pipes, and ends with
+/// the worker.
+std::array<int, 3> pipes{-1, -1, -1};
+void leave_worker() {
+  for (const int fd : pipes) ::close(fd);
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+}
+
+void keep_from_children(const std::array<int, 3>& fds) {
+  pipes = fds;
+  for (const int fd : fds) ::fcntl(fd, F_SETFD, FD_CLOEXEC);
+  ::pthread_atfork(nullptr, nullptr, leave_worker);
+}
 
 std::string place_key(const TrialSpec& spec) {
   return spec_to_json(spec.map).dump() + std::to_string(spec.map_seed);
@@ -129,6 +139,7 @@ Worker& Worker::operator=(Worker&&) noexcept = default;
 JobResult Worker::work(const Job& job) {
   const auto began = std::chrono::steady_clock::now();
   JobResult result;
+  result.token = job.token;
   try {
     const Place& place = internals_->place_of(job.spec);
     if (!job.mission) {
@@ -150,12 +161,14 @@ JobResult Worker::work(const Job& job) {
 
 void Worker::watch(const WorkerOptions& options) {
   const CallClock* clock = &internals_->clock;
-  internals_->watchdog = std::jthread([clock, options](const std::stop_token& stop) {
+  const pid_t parent = ::getppid();
+  internals_->watchdog = std::jthread([clock, options, parent](const std::stop_token& stop) {
     constexpr int kLooksASecond = 10;
     for (int look = 0; !stop.stop_requested(); ++look) {
       std::this_thread::sleep_for(std::chrono::milliseconds(1000 / kLooksASecond));
+      if (::getppid() != parent) ::_exit(1);  // a planner may have switched the death signal off
       if (clock->running_s() > options.plan_timeout_s) ::_exit(kHungExitCode);
-      if (options.memory_limit_mib > 0.0 && resident_mib() > options.memory_limit_mib) {
+      if (options.memory_limit_mib > 0.0 && resident_mib_of_family() > options.memory_limit_mib) {
         ::_exit(kMemoryExitCode);
       }
       if (look % kLooksASecond == 0 && ::write(options.notes_fd, "", 1) < 0 && errno == EBADF) {
@@ -170,13 +183,24 @@ int run_worker(const WorkerOptions& options) {
   for (const int number : {SIGINT, SIGTERM, SIGUSR1}) std::signal(number, SIG_IGN);
   std::signal(SIGPIPE, SIG_IGN);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  adopt_orphans();                       // so that what a planner starts is found below its worker
   ::dup2(STDERR_FILENO, STDOUT_FILENO);  // what a planner prints is not a result
+  constexpr rlimit kNone{0, 0};
+  ::setrlimit(RLIMIT_CORE, &kNone);
+  keep_from_children({options.in_fd, options.out_fd, options.notes_fd});
   report_crashes(options.notes_fd);
+  if (!options.sandbox.empty() && text(enter_sandbox(sandbox_rules_from(options.allowed),
+                                                     sandbox_support())) != options.sandbox) {
+    return kSandboxExitCode;
+  }
   const FileIdentity results(options.out_fd), jobs(options.in_fd);
+  const pid_t self = ::getpid();
   Worker worker;
   worker.watch(options);
   while (const auto message = receive_message(options.in_fd)) {
     const JobResult result = worker.work(job_from(*message));
+    // A child that a planner forked and that went on as if it were its parent: it has no say.
+    if (::getpid() != self) ::_exit(kPipesExitCode);
     // A planner may have closed them, and opened files of its own that took their numbers.
     if (!results.is_still(options.out_fd) || !jobs.is_still(options.in_fd)) return kPipesExitCode;
     if (!send_message(options.out_fd, result_message(result))) return 1;

@@ -8,8 +8,9 @@
 namespace avoidbench {
 
 /// Exit codes of a worker that ends itself: a planner's call did not come back in time, the process
-/// grew beyond its limit, or its pipes are not its own any more.
-inline constexpr int kHungExitCode = 86, kMemoryExitCode = 87, kPipesExitCode = 88;
+/// grew beyond its limit, its pipes are not its own any more, or it could not enter its sandbox.
+inline constexpr int kHungExitCode = 86, kMemoryExitCode = 87, kPipesExitCode = 88,
+                     kSandboxExitCode = 89;
 
 /// How a worker process talks to its parent, and what it may use.
 struct WorkerOptions {
@@ -17,7 +18,9 @@ struct WorkerOptions {
   int out_fd = -1;    ///< results
   int notes_fd = -1;  ///< a zero byte a second while it lives, and the stack where it crashes
   double plan_timeout_s = 10.0;
-  double memory_limit_mib = 0.0;  ///< of resident memory; 0: none
+  double memory_limit_mib = 0.0;  ///< of resident memory, that of its children included; 0: none
+  std::string sandbox;            ///< as text(SandboxSupport) has it; "": none
+  std::string allowed;            ///< in the sandbox, as text(SandboxRules) has it
 };
 
 /// Does jobs in this process and keeps what the next one may need again: the last map with its BVH,

@@ -11,10 +11,12 @@
 #include <chrono>
 #include <cstring>
 #include <fstream>
+#include <span>
 #include <thread>
 #include <utility>
 
 #include "base/input_error.hpp"
+#include "sweep/process_tree.hpp"
 #include "sweep/worker.hpp"
 
 extern char** environ;  // NOLINT(readability-identifier-naming): POSIX's name
@@ -89,7 +91,7 @@ WorkerProcess::WorkerProcess(const std::vector<std::string>& command) {
   job_fd_ = jobs.take_write_end();
   result_fd_ = results.take_read_end();
   notes_fd_ = notes.take_read_end();
-  ::fcntl(notes_fd_, F_SETFL, O_NONBLOCK);
+  for (const int fd : {job_fd_, result_fd_, notes_fd_}) ::fcntl(fd, F_SETFL, O_NONBLOCK);
   ::fcntl(notes.write_end, F_SETFL, O_NONBLOCK);
 
   posix_spawn_file_actions_t actions;
@@ -97,6 +99,13 @@ WorkerProcess::WorkerProcess(const std::vector<std::string>& command) {
   posix_spawn_file_actions_adddup2(&actions, jobs.read_end, kJobFd);
   posix_spawn_file_actions_adddup2(&actions, results.write_end, kResultFd);
   posix_spawn_file_actions_adddup2(&actions, notes.write_end, kNotesFd);
+  // A mask of signals is inherited, and so is what is ignored.
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  sigset_t none;
+  ::sigemptyset(&none);
+  posix_spawnattr_setsigmask(&attributes, &none);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
   std::vector<std::string> words = command;
   for (const int fd : {kJobFd, kResultFd, kNotesFd}) words.push_back(std::to_string(fd));
   std::vector<char*> arguments;
@@ -104,7 +113,8 @@ WorkerProcess::WorkerProcess(const std::vector<std::string>& command) {
   arguments.push_back(nullptr);
   std::vector<char*> variables = child_environment();
   const int error =
-      ::posix_spawn(&pid_, arguments[0], &actions, nullptr, arguments.data(), variables.data());
+      ::posix_spawn(&pid_, arguments[0], &actions, &attributes, arguments.data(), variables.data());
+  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
   if (error != 0) {
     pid_ = -1;
@@ -123,6 +133,8 @@ WorkerProcess::WorkerProcess(WorkerProcess&& other) noexcept
       job_fd_(std::exchange(other.job_fd_, -1)),
       result_fd_(std::exchange(other.result_fd_, -1)),
       notes_fd_(std::exchange(other.notes_fd_, -1)),
+      unsent_(std::move(other.unsent_)),
+      inbox_(std::move(other.inbox_)),
       notes_(std::move(other.notes_)) {}
 
 WorkerProcess& WorkerProcess::operator=(WorkerProcess&& other) noexcept {
@@ -130,27 +142,72 @@ WorkerProcess& WorkerProcess::operator=(WorkerProcess&& other) noexcept {
   std::swap(job_fd_, other.job_fd_);
   std::swap(result_fd_, other.result_fd_);
   std::swap(notes_fd_, other.notes_fd_);
+  std::swap(unsent_, other.unsent_);
+  std::swap(inbox_, other.inbox_);
   std::swap(notes_, other.notes_);
   return *this;
 }
 
-bool WorkerProcess::send(const Message& message) { return send_message(job_fd_, message); }
+bool WorkerProcess::send(const Message& job, std::size_t most_answer_bytes) {
+  unsent_ = message_bytes(job);
+  inbox_.expect(most_answer_bytes);
+  return send_more();
+}
 
-std::optional<Message> WorkerProcess::receive() { return receive_message(result_fd_); }
+bool WorkerProcess::send_more() {
+  std::size_t done = 0;
+  while (done < unsent_.size()) {
+    const ssize_t written = ::write(job_fd_, unsent_.data() + done, unsent_.size() - done);
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0 && errno == EAGAIN) break;
+    if (written <= 0) return false;
+    done += static_cast<std::size_t>(written);
+  }
+  unsent_.erase(unsent_.begin(), unsent_.begin() + static_cast<std::ptrdiff_t>(done));
+  return true;
+}
 
-bool WorkerProcess::listen() {
-  constexpr std::size_t kMostNotes = 65536;
-  std::array<char, 4096> bytes{};
-  bool heard = false;
+WorkerProcess::Answer WorkerProcess::receive() {
+  std::array<std::byte, 65536> bytes;
   while (true) {
-    const ssize_t got = ::read(notes_fd_, bytes.data(), bytes.size());
-    if (got <= 0) return heard;
-    heard = true;
-    for (ssize_t i = 0; i < got && notes_.size() < kMostNotes; ++i) {
-      if (bytes[static_cast<std::size_t>(i)] != 0) notes_ += bytes[static_cast<std::size_t>(i)];
+    const ssize_t got = ::read(result_fd_, bytes.data(), bytes.size());
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0 && errno == EAGAIN) return Answer::incomplete;
+    if (got <= 0) return Answer::gone;
+    switch (inbox_.add(std::span(bytes).first(static_cast<std::size_t>(got)))) {
+      case MessageInbox::State::whole:
+        return Answer::whole;
+      case MessageInbox::State::malformed:
+        return Answer::malformed;
+      case MessageInbox::State::incomplete:
+        break;
     }
   }
 }
+
+bool WorkerProcess::listen() {
+  constexpr std::size_t kMostNotes = 65536;
+  constexpr int kMostReads = 16;  // a planner may write here faster than this process reads
+  std::array<char, 4096> bytes{};
+  bool heard = false;
+  for (int i = 0; i < kMostReads; ++i) {
+    const ssize_t got = ::read(notes_fd_, bytes.data(), bytes.size());
+    if (got <= 0) return heard;
+    heard = true;
+    for (const char byte : std::span(bytes).first(static_cast<std::size_t>(got))) {
+      if (byte != 0 && notes_.size() < kMostNotes) notes_ += byte;
+    }
+  }
+  return heard;
+}
+
+bool WorkerProcess::has_ended() const {
+  siginfo_t info{};
+  return ::waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+         info.si_pid == pid_;
+}
+
+bool WorkerProcess::go_on() { return is_stopped_process(pid_) && ::kill(pid_, SIGCONT) == 0; }
 
 int WorkerProcess::ended_within(double seconds) {
   constexpr int kLook_ms = 5;

@@ -35,18 +35,40 @@ class WorkerProcess {
   WorkerProcess(WorkerProcess&& other) noexcept;
   WorkerProcess& operator=(WorkerProcess&& other) noexcept;
 
-  bool send(const Message& message);            ///< false: it is gone
-  std::optional<Message> receive();             ///< waits; nothing: it is gone
-  int result_fd() const { return result_fd_; }  ///< for poll()
+  pid_t pid() const { return pid_; }
+
+  /// Begins to send a job, whose answer has at most so many bytes; never waits. False: it is gone.
+  bool send(const Message& job, std::size_t most_answer_bytes);
+  /// Sends more of the job. False: it is gone.
+  bool send_more();
+  bool has_more_to_send() const { return !unsent_.empty(); }
+
+  /// What has come of an answer.
+  enum class Answer { incomplete, whole, malformed, gone };
+  /// Takes what there is; never waits.
+  Answer receive();
+  /// The whole answer; nothing where its text is no JSON object.
+  std::optional<Message> answer() { return inbox_.take(); }
+  /// How much of an answer has come.
+  std::size_t answer_bytes() const { return inbox_.size(); }
+
+  int job_fd() const { return job_fd_; }  ///< for poll(), both
+  int result_fd() const { return result_fd_; }
 
   /// Reads the notes made since the last call; whether there were any, as there are every second
   /// from a child that lives. Keeps those that are text.
   bool listen();
   const std::string& notes() const { return notes_; }
 
+  /// Whether the child has ended, though what it started may hold its pipes open.
+  bool has_ended() const;
+
   /// How a child ended whose results do not come any more. One that lives on, since a planner broke
   /// its pipes, is killed after a second: with the exit code of a worker that sees so itself.
   ProcessEnd wait();
+
+  /// Lets a child go on that a signal has stopped. False where none has.
+  bool go_on();
 
   void kill();
 
@@ -56,6 +78,8 @@ class WorkerProcess {
 
   pid_t pid_ = -1;
   int job_fd_ = -1, result_fd_ = -1, notes_fd_ = -1;
+  std::vector<std::byte> unsent_;
+  MessageInbox inbox_;
   std::string notes_;
 };
 

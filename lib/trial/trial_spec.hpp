@@ -111,6 +111,7 @@ struct PlannerChoice {
   std::string file;                         ///< the library found for it; not part of a trial's key
   std::string file_digest;                  ///< SHA-256 of the library; part of a trial's key
   std::vector<ParameterChoice> parameters;  ///< every declared parameter, in the planner's order
+  std::uint32_t needs = 0;                  ///< AB_… bits that it declares; follow from the file
 };
 
 template <class Visitor>

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <set>
+#include <thread>
 
 #include "base/digest.hpp"
 #include "base/input_error.hpp"
@@ -223,8 +224,10 @@ TEST(Job, MessagesKeepEveryBit) {
   result.trial->collisions = {
       {.time_s = 0.3, .speed_mps = 1.0 / 7.0, .obstacle = 3, .kind = "tree"}};
   result.metrics = {std::nan(""), HUGE_VAL, -0.0, 1.0 / 3.0};
-  const JobResult back = result_from(result_message(result));
-  ASSERT_TRUE(back.trial.has_value());
+  result.metrics.resize(metric_table().size());
+  const auto taken = result_from(result_message(result), {.spec = {}, .mission = MissionRecord{}});
+  ASSERT_TRUE(taken.has_value());
+  const JobResult& back = *taken;
   EXPECT_EQ(back.trial->end_time_s, result.trial->end_time_s);
   EXPECT_EQ(back.trial->samples[1].position_world, sample.position_world);
   EXPECT_TRUE(std::isnan(back.trial->samples[1].reference_world.x()));
@@ -236,13 +239,23 @@ TEST(Job, MessagesKeepEveryBit) {
   EXPECT_TRUE(std::signbit(back.metrics[2]));
 }
 
+/// What a process has to say in the end.
+WorkerProcess::Answer last_answer(WorkerProcess& process) {
+  auto answer = process.receive();
+  while (answer == WorkerProcess::Answer::incomplete) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    answer = process.receive();
+  }
+  return answer;
+}
+
 TEST(WorkerProcess, SaysHowItEnded) {
   WorkerProcess gone({"/bin/sh", "-c", "exit 7"});
-  EXPECT_FALSE(gone.receive().has_value());
+  EXPECT_EQ(last_answer(gone), WorkerProcess::Answer::gone);
   const ProcessEnd end = gone.wait();
   EXPECT_EQ(end.exit_code, 7);
   WorkerProcess killed({"/bin/sh", "-c", "kill -11 $$"});
-  EXPECT_FALSE(killed.receive().has_value());
+  EXPECT_EQ(last_answer(killed), WorkerProcess::Answer::gone);
   EXPECT_NE(killed.wait().text.find("signal 11"), std::string::npos);
 }
 

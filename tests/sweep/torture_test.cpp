@@ -3,8 +3,10 @@
 #include <map>
 #include <sstream>
 
+#include "base/sandbox.hpp"
 #include "small_sweep.hpp"
 #include "sweep/crash_report.hpp"
+#include "sweep/process_tree.hpp"
 
 /// Planners that misbehave in every way there is: each costs its own trial, and nothing else.
 namespace avoidbench {
@@ -44,6 +46,7 @@ TEST_F(TortureTest, EveryWayBecomesTheOutcomeOfItsTrial) {
   sweep.axes[0].values = {1};
   sweep.trials = 1;
   options_.silence_s = 3.0;
+  options_.trial_timeout_s = 20.0;
   const std::map<std::string, std::pair<Outcome, std::string>> expected{
       {"segfault", {Outcome::planner_crashed, "signal 11 (Segmentation fault) in "}},
       {"abort", {Outcome::planner_crashed, "signal 6 (Aborted) in "}},
@@ -56,8 +59,11 @@ TEST_F(TortureTest, EveryWayBecomesTheOutcomeOfItsTrial) {
       {"scribble", {Outcome::planner_crashed, "pipes were closed or written to"}},
       {"nan", {Outcome::planner_error, ""}},
       {"terminate", {Outcome::planner_crashed, "signal 6 (Aborted) in "}},
-      {"kill", {Outcome::planner_crashed, "signal 9 (Killed)"}},
-      {"stop", {Outcome::planner_hung, "did not answer"}}};
+      {"keep stopping", {Outcome::planner_hung, "did not answer"}},
+      {"half a header", {Outcome::planner_crashed, "closed or written to"}},
+      {"huge header", {Outcome::planner_crashed, "closed or written to"}},
+      {"empty result", {Outcome::planner_crashed, "closed or written to"}},
+      {"slow", {Outcome::planner_hung, "longer than --trial-timeout"}}};
   sweep.planners.clear();
   for (const auto& [way, ends] : expected) sweep.planners.push_back(torture_choice(way));
   EXPECT_EQ(run(sweep, "ways.db", 2).progress.done, static_cast<std::int64_t>(expected.size()));
@@ -106,6 +112,85 @@ TEST_F(TortureTest, ATrialWhoseWorkerIsKilledIsFlownAgainOnce) {
   const auto trials = Database::open_for_reading(folder_ / "once.db").list_trials();
   ASSERT_EQ(trials.size(), 1U);
   EXPECT_NE(trials[0].outcome, Outcome::planner_crashed) << trials[0].reason;
+}
+
+/// Nobody knows who did it: the trial is not stored, and flown by the next run.
+TEST_F(TortureTest, ATrialWhoseWorkerIsKilledAgainStaysUnflown) {
+  SweepSpec sweep = test::small_sweep();
+  sweep.axes[0].values = {1};
+  sweep.trials = 1;
+  sweep.planners.push_back(torture_choice("kill"));
+  const RunSummary summary = run(sweep, "twice.db", 2);
+  ASSERT_EQ(summary.unflown.size(), 1U);
+  EXPECT_EQ(summary.unflown[0].planner_label, "torture kill");
+  EXPECT_NE(summary.unflown[0].reason.find("signal 9"), std::string::npos);
+  EXPECT_EQ(summary.progress.done, 2);
+  EXPECT_EQ(Database::open_for_reading(folder_ / "twice.db").list_trials().size(), 2U);
+  sweep.planners.back() = torture_choice("nothing");
+  EXPECT_EQ(run(sweep, "twice.db", 2).unflown.size(), 0U);
+}
+
+TEST_F(TortureTest, AWorkerStoppedOnceGoesOn) {
+  SweepSpec sweep = test::small_sweep();
+  sweep.trials = 1;
+  options_.silence_s = 1.5;
+  sweep.planners = {torture_choice("nothing")};
+  run(sweep, "nothing.db", 1);
+  const auto flown = Database::open_for_reading(folder_ / "nothing.db").list_trials();
+  sweep.planners = {torture_choice("stop")};
+  run(sweep, "stop.db", 1);
+  const auto stopped = Database::open_for_reading(folder_ / "stop.db").list_trials();
+  ASSERT_EQ(stopped.size(), flown.size());
+  for (std::size_t i = 0; i < flown.size(); ++i) {
+    EXPECT_EQ(stopped[i].outcome, flown[i].outcome);
+    EXPECT_EQ(stopped[i].end_time_s, flown[i].end_time_s);
+  }
+}
+
+/// The child of a fork goes on as if it were the worker, and a daemon stays: neither changes what
+/// is stored, and neither is there when the run is over.
+TEST_F(TortureTest, ForkedProcessesHaveNoSayAndDoNotStay) {
+  SweepSpec sweep = test::small_sweep();
+  sweep.trials = 2;
+  std::map<std::string, std::string> flights;
+  for (const std::string way : {"nothing", "fork and return", "leave a daemon"}) {
+    sweep.planners = {torture_choice(way)};
+    const RunSummary summary = run(sweep, way.substr(0, 4) + ".db", 1);
+    EXPECT_EQ(summary.left_behind.contains("torture leave a daemon"), way == "leave a daemon");
+    const Database database = Database::open_for_reading(folder_ / (way.substr(0, 4) + ".db"));
+    for (const TrialListing& trial : database.list_trials()) {
+      flights[way] += std::to_string(trial.mission_index) + " " + std::to_string(trial.end_time_s) +
+                      trial.reason + "\n";
+    }
+    EXPECT_FALSE(has_children());
+  }
+  EXPECT_EQ(flights["fork and return"], flights["nothing"]);
+  EXPECT_EQ(flights["leave a daemon"], flights["nothing"]);
+}
+
+/// In the sandbox what it tries fails, and it flies on.
+TEST_F(TortureTest, TheSandboxRefusesWhatHarmsOthers) {
+  options_.sandbox = text(sandbox_support());
+  if (options_.sandbox.empty()) GTEST_SKIP() << "this kernel has none";
+  SweepSpec sweep = test::small_sweep();
+  sweep.axes[0].values = {1};
+  sweep.trials = 1;
+  sweep.planners = {test::preset_choice("straight_line")};
+  const std::string file = (folder_ / "killed").string();
+  for (const std::string& way : {std::string("kill"), std::string("stop"),
+                                 std::string("leave a daemon"), "kill once, " + file}) {
+    sweep.planners.push_back(torture_choice(way));
+  }
+  const RunSummary summary = run(sweep, "sandbox.db", 2);
+  EXPECT_TRUE(summary.unflown.empty());
+  EXPECT_TRUE(summary.left_behind.empty());
+  EXPECT_FALSE(std::filesystem::exists(file));
+  const auto trials = Database::open_for_reading(folder_ / "sandbox.db").list_trials();
+  ASSERT_EQ(trials.size(), 5U);
+  for (const TrialListing& trial : trials) {
+    EXPECT_NE(trial.outcome, Outcome::planner_crashed) << trial.planner_label << trial.reason;
+    EXPECT_NE(trial.outcome, Outcome::planner_hung) << trial.planner_label << trial.reason;
+  }
 }
 
 TEST_F(TortureTest, RoundingAndOutputOfAPlannerChangeNothing) {

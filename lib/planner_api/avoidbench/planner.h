@@ -49,6 +49,12 @@ typedef int32_t ab_status;
 #define AB_SEES_COLOR 8u  /* left, RGB, 8 bits */
 #define AB_SEES_IMU 16u
 #define AB_SEES_WORLD 32u /* privileged: reported apart in every table */
+/* Also ab_planner.needs: what it does beside computing and reading files. Planners fly in a sandbox
+ * that refuses the rest; without these flags fork() and socket() fail, as writing to files always
+ * does. */
+#define AB_USES_PROCESSES 256u /* starts programs and signals them */
+#define AB_USES_DEVICES 512u   /* writes to files in /dev, as GPU drivers do */
+#define AB_USES_NETWORK 1024u  /* opens sockets */
 
 /* ab_planner.commands: what the planner may return, and ab_command.kind: what it did return. */
 #define AB_COMMAND_POSITION 1u     /* position_world_m, yaw */

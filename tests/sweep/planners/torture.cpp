@@ -1,5 +1,6 @@
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/prctl.h>
 #include <unistd.h>
 
 #include <cfenv>
@@ -52,6 +53,20 @@ void close_descriptors() {
   for (int fd = 3; fd < 1024; ++fd) ::close(fd);
 }
 
+/// Into the pipe of the results: numbers that begin a message, or seem to.
+void write_header(std::uint64_t text_bytes, std::uint64_t other_bytes, std::size_t bytes) {
+  const std::uint64_t header[3] = {0x6176426e4d736731, text_bytes, other_bytes};
+  (void)!::write(4, header, bytes);
+}
+
+/// A process of its own session that does not end with its parent.
+void leave_daemon() {
+  if (::fork() != 0) return;
+  ::setsid();
+  ::prctl(PR_SET_PDEATHSIG, 0);
+  while (true) ::pause();
+}
+
 void misbehave(const std::string& way) {
   if (way == "segfault") ::raise(SIGSEGV);
   if (way == "abort") std::abort();
@@ -79,6 +94,14 @@ void misbehave(const std::string& way) {
   }
   if (way == "terminate") std::terminate();
   if (way == "stop") ::raise(SIGSTOP);
+  if (way == "fork and return") (void)!::fork();
+  if (way == "leave a daemon") leave_daemon();
+  if (way == "half a header") write_header(2, 0, 12);
+  if (way == "huge header") write_header(1ULL << 32U, 1ULL << 32U, 24);
+  if (way == "empty result") {
+    write_header(2, 0, 24);
+    (void)!::write(4, "{}", 2);
+  }
   if (way == "kill") ::raise(SIGKILL);
   if (way.starts_with("kill once, ")) {  // and a file that says so
     const int fd = ::open(way.substr(11).c_str(), O_CREAT | O_EXCL | O_WRONLY, 0600);
@@ -106,6 +129,8 @@ class Torture {
   std::optional<ab_command> plan(const ab_observation& seen) {
     constexpr int kGoodCalls = 15;
     if (++calls_ == kGoodCalls) misbehave(way_);
+    if (calls_ > kGoodCalls && way_ == "keep stopping") ::raise(SIGSTOP);
+    if (calls_ > kGoodCalls && way_ == "slow") std::this_thread::sleep_for(std::chrono::seconds(1));
     ab_command command = avoidbench::make_command(AB_COMMAND_VELOCITY);
     double away_m[3], distance_m = 0.0;
     for (int i = 0; i < 3; ++i) {

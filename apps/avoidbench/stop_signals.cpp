@@ -1,0 +1,39 @@
+#include "stop_signals.hpp"
+
+#include <signal.h>
+#include <unistd.h>
+
+#include <cerrno>
+
+#include "sweep/process_tree.hpp"
+
+namespace avoidbench {
+namespace {
+
+StopSignals signals;
+
+/// Runs at any moment: nothing here allocates or takes a lock.
+void note_signal(int number, siginfo_t* info, void*) {
+  const int error = errno;
+  const bool is_sent = info->si_code <= 0 && info->si_pid > 0;  // by a process, not the kernel
+  if (is_sent && descends_from(info->si_pid, ::getpid())) {
+    ++signals.ignored;
+  } else if (!signals.stop.exchange(true)) {
+    signals.number = number;
+  } else if (signals.stop_now.exchange(true)) {
+    ::_exit(128 + number);
+  }
+  errno = error;
+}
+
+}  // namespace
+
+const StopSignals& watch_stop_signals() {
+  struct sigaction action {};
+  action.sa_sigaction = note_signal;
+  action.sa_flags = SA_SIGINFO;
+  for (const int number : {SIGINT, SIGTERM, SIGUSR1}) ::sigaction(number, &action, nullptr);
+  return signals;
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <atomic>
+
+/// Signals that end a run.
+namespace avoidbench {
+
+struct StopSignals {
+  std::atomic<bool> stop{false};      ///< the first one came: what flies may end
+  std::atomic<bool> stop_now{false};  ///< a second one: nothing is waited for
+  std::atomic<int> number{0};         ///< of the first one
+  std::atomic<int> ignored{0};        ///< that a planner sent
+};
+
+/// From now on SIGINT, SIGTERM and SIGUSR1 are noted there and end the process by themselves only
+/// the third time. Those that a process sends which descends from this one are ignored: a planner
+/// may not stop its run.
+const StopSignals& watch_stop_signals();
+
+}  // namespace avoidbench

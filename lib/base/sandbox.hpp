@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+
+/// What shuts a process in that runs code of others: Landlock for files, signals and debugging,
+/// seccomp for the rest. Needs no privileges; threads and children inherit it; it can't be left.
+namespace avoidbench {
+
+/// What the kernel offers for it.
+struct SandboxSupport {
+  int landlock_abi = 0;  ///< 0: none
+  bool has_seccomp = false;
+};
+
+/// What a sandboxed process may do beside computing, starting threads, reading files and using the
+/// descriptors it has.
+struct SandboxRules {
+  bool processes = false;  ///< start programs and signal them
+  bool devices = false;    ///< write to and control files in /dev, as GPU drivers do
+  bool network = false;    ///< open sockets
+  bool operator==(const SandboxRules&) const = default;
+};
+
+SandboxSupport sandbox_support();
+
+/// "landlock 7, seccomp"; "seccomp"; "" for none.
+std::string text(const SandboxSupport& support);
+
+/// "processes,devices"; "" for none. The way back ignores words it does not know.
+std::string text(const SandboxRules& rules);
+SandboxRules sandbox_rules_from(const std::string& text);
+
+/// Shuts this process in for good; call it while it has one thread. Returns what took effect,
+/// which is less than `support` where the kernel refused.
+SandboxSupport enter_sandbox(const SandboxRules& rules, const SandboxSupport& support);
+
+}  // namespace avoidbench

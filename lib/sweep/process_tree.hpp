@@ -1,0 +1,34 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <set>
+
+/// Processes that planners start, seen from the process that they descend from.
+namespace avoidbench {
+
+/// Descendants that lose their parent become children of this process, not of the system's first
+/// one, so that they can be found.
+void adopt_orphans();
+
+/// Whether `pid` was started by `ancestor` or by what it started. May be called in a signal
+/// handler.
+bool descends_from(pid_t pid, pid_t ancestor);
+
+/// Whether this process has a child, one that ended and was not waited for included. Cheap.
+bool has_children();
+
+/// The children of this process.
+std::set<pid_t> own_children();
+
+/// Ends all children of this process but `spared`, and what these leave behind in turn. How many
+/// processes were running still.
+int end_orphans(const std::set<pid_t>& spared);
+
+/// Whether a signal has stopped the process.
+bool is_stopped_process(pid_t pid);
+
+/// Memory in use by this process and by all that descend from it; what several share counts once.
+double resident_mib_of_family();
+
+}  // namespace avoidbench

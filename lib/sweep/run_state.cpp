@@ -1,0 +1,142 @@
+#include "sweep/run_state.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/digest.hpp"
+#include "base/input_error.hpp"
+#include "base/spec_json.hpp"
+#include "metrics/metric_table.hpp"
+#include "sweep/sweep_rows.hpp"
+
+namespace avoidbench {
+namespace {
+
+/// The map is known: missions that can't be flown leave the schedule.
+void settle_map(Run& run, MapPlan& map, MapRecord record) {
+  record.key = map.key;
+  map.record = std::move(record);
+  const std::size_t before = waiting_count(map);
+  for (TrialGroup& group : map.groups) {
+    std::erase_if(group.waiting, [&](std::size_t trial) {
+      const auto index = static_cast<std::size_t>(run.schedule.trials[trial].mission_index);
+      return !map.record->missions[index].is_valid;
+    });
+  }
+  run.progress.invalid_missions += static_cast<std::int64_t>(before - waiting_count(map));
+  report_progress(run);
+}
+
+/// The latencies that the trial replays, if it does.
+std::optional<std::vector<double>> latencies_of(Run& run, const TrialSpec& spec) {
+  if (spec.latency.mode != LatencyMode::replay) return std::nullopt;
+  auto latencies_s = run.recorded.of(spec);
+  if (!latencies_s || latency_digest(*latencies_s) != spec.latency_digest) {
+    throw InputError(
+        {.file = spec.latency.database, .message = "the replayed trials changed during the run"});
+  }
+  return latencies_s;
+}
+
+void commit_map(Run& run, MapPlan& map, MapRecord record) {
+  record.key = map.key;
+  nlohmann::json spec = spec_to_json(map.spec.map);
+  forget_folder(spec);
+  run.database.add_map({.record = record,
+                        .generator = std::string(kind(map.spec.map)),
+                        .spec_json = spec.dump(),
+                        .map_seed = map.spec.map_seed},
+                       run.sweep.name);
+  settle_map(run, map, std::move(record));
+}
+
+/// A library that is written over while it is flown flies neither the old planner nor the new one,
+/// or crashes: such a trial is nobody's.
+void require_unchanged(const Run& run, const PlannerChoice& planner) {
+  const auto known = run.planner_files.find(planner.file);
+  if (known == run.planner_files.end() || known->second == file_state(planner.file)) return;
+  if (file_digest(planner.file) == planner.file_digest) return;
+  throw InputError({.file = planner.file, .message = "the planner's file changed during the run"});
+}
+
+void commit_trial(Run& run, const Assignment& assignment, TrialRecord record,
+                  std::vector<double> metrics, double wall_time_s) {
+  const TrialSpec spec = run.schedule.trials[*assignment.trial].spec();
+  require_unchanged(run, spec.planner);
+  PlannerProgress& planner = run.progress.planners[spec.planner.label];
+  ++planner.flown;
+  if (record.outcome == Outcome::reached_goal) ++planner.reached_goal;
+  run.database.add_trial({.key = run.schedule.keys[*assignment.trial],
+                          .sweep = run.sweep.name,
+                          .map_key = run.schedule.maps[assignment.map].key,
+                          .planner_label = spec.planner.label,
+                          .planner_file_digest = spec.planner.file_digest,
+                          .mission_index = spec.mission_index,
+                          .spec_json = trial_json(spec),
+                          .record = std::move(record),
+                          .metrics = std::move(metrics),
+                          .wall_time_s = wall_time_s});
+  ++run.progress.done;
+  report_progress(run);
+}
+
+}  // namespace
+
+void report_progress(const Run& run) {
+  if (run.options.on_progress) run.options.on_progress(run.progress);
+}
+
+void recall_maps(Run& run) {
+  const auto mission_count = static_cast<std::size_t>(run.sweep.trials);
+  for (MapPlan& map : run.schedule.maps) {
+    if (waiting_count(map) == 0) continue;
+    auto known = run.database.read_map(map.key);
+    if (!known || known->record.missions.size() < mission_count) continue;
+    known->record.missions.resize(mission_count);
+    run.database.add_map(*known, run.sweep.name);
+    settle_map(run, map, std::move(known->record));
+  }
+}
+
+Job job_of(Run& run, const Assignment& assignment) {
+  const MapPlan& map = run.schedule.maps[assignment.map];
+  if (!assignment.trial) {
+    return {.token = make_token(),
+            .spec = map.spec,
+            .mission_count = run.sweep.trials,
+            .mission = {},
+            .recorded_latency_s = {}};
+  }
+  const TrialSpec spec = run.schedule.trials[*assignment.trial].spec();
+  return {.token = make_token(),
+          .spec = spec,
+          .mission_count = 0,
+          .mission = map.record->missions[static_cast<std::size_t>(spec.mission_index)],
+          .recorded_latency_s = latencies_of(run, spec)};
+}
+
+void take_result(Run& run, const Assignment& assignment, JobResult result) {
+  MapPlan& map = run.schedule.maps[assignment.map];
+  if (!result.error.empty()) throw InputError(run.sweep.name + ": " + result.error);
+  if (assignment.trial) {
+    commit_trial(run, assignment, std::move(*result.trial), std::move(result.metrics),
+                 result.wall_time_s);
+  } else {
+    commit_map(run, map, std::move(*result.map));
+  }
+}
+
+void take_death(Run& run, const Assignment& assignment, const Job& job, const Death& death) {
+  if (!assignment.trial) {
+    throw InputError("the worker that measured a map of " + run.sweep.name +
+                     " ended: " + death.reason);
+  }
+  TrialRecord record;
+  record.outcome = death.outcome;
+  record.reason = death.reason;
+  std::vector<double> metrics = compute_metrics({job.spec, *job.mission, record});
+  commit_trial(run, assignment, std::move(record), std::move(metrics), std::nan(""));
+}
+
+}  // namespace avoidbench

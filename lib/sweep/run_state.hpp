@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/sandbox.hpp"
+#include "store/database.hpp"
+#include "sweep/file_state.hpp"
+#include "sweep/job.hpp"
+#include "sweep/recorded_latency.hpp"
+#include "sweep/run_sweep.hpp"
+#include "sweep/schedule.hpp"
+
+/// A run as its parent process sees it, and what becomes of jobs.
+namespace avoidbench {
+
+struct Run {
+  const SweepSpec& sweep;
+  const RunOptions& options;
+  const RunRow& provenance;
+  Database& database;
+  Schedule schedule;
+  Progress progress;
+  RecordedLatencies recorded;
+  std::map<std::string, FileState> planner_files;     ///< by path, as they were at the beginning
+  std::map<std::string, SandboxRules> sandbox_rules;  ///< by planner label
+  std::vector<UnflownTrial> unflown;
+  std::map<std::string, int> left_behind;  ///< processes, by label of the planner that left them
+  bool has_begun = false;                  ///< the database knows of this run
+
+  bool is_stopped() const { return options.stop != nullptr && options.stop->load(); }
+  bool must_end_now() const { return options.stop_now != nullptr && options.stop_now->load(); }
+};
+
+void report_progress(const Run& run);
+
+/// The job to be done; a new token each time.
+Job job_of(Run& run, const Assignment& assignment);
+
+/// Takes from the database the maps that an earlier run measured with at least as many missions,
+/// where trials are left to be flown on them.
+void recall_maps(Run& run);
+
+/// Commits what a worker answered. Throws InputError for what stops the sweep as a whole.
+void take_result(Run& run, const Assignment& assignment, JobResult result);
+
+/// Why a job has no answer: what that makes of the trial.
+struct Death {
+  Outcome outcome = Outcome::planner_crashed;
+  std::string reason;
+};
+
+/// Commits a trial whose worker is gone: it has an outcome all the same. A map without one throws
+/// InputError.
+void take_death(Run& run, const Assignment& assignment, const Job& job, const Death& death);
+
+}  // namespace avoidbench
