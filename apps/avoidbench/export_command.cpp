@@ -229,9 +229,10 @@ CLI::App* add_of_trials(CLI::App& app, const std::string& name, const std::strin
                         const std::shared_ptr<ExportOptions>& options) {
   CLI::App* command = app.add_subcommand(name, doc);
   command
-      ->add_option("[DB] TRIAL", options->words,
-                   "Database (default: the newest results/*.db), then ids of trials or the "
-                   "beginnings of their keys")
+      ->add_option(
+          "TRIAL", options->words,
+          "Ids of trials or the beginnings of their keys; before them a database (default: "
+          "the newest results/*.db)")
       ->required();
   add_output(*command, *options,
              "File to write, - for standard output; of several trials a folder, with a file each")

@@ -19,7 +19,7 @@
 #include "commands.hpp"
 #include "config/sweep_file.hpp"
 #include "metrics/metric_table.hpp"
-#include "render/device.hpp"
+#include "render/ray_tracing_isa.hpp"
 #include "run_progress.hpp"
 #include "shard_option.hpp"
 #include "stop_signals.hpp"
@@ -82,7 +82,7 @@ RunRow provenance(const Shard& shard) {
           .flags = kCompilerFlags,
           .host = system.nodename,
           .cpu = cpu_model(),
-          .isa = embree::ray_tracing_isa(),
+          .isa = ray_tracing_isa(),
           .command_line = command_line(),
           .shard = shard_text(shard)};
 }

@@ -83,7 +83,7 @@ std::vector<Json> other_values(const FieldTree& field) {
       break;
     case FieldKind::choice:
       for (const std::string& choice : field.choices) {
-        if (choice != field.preset) others.emplace_back(choice);
+        if (field.preset != choice) others.emplace_back(choice);
       }
       break;
     case FieldKind::list:

@@ -31,7 +31,7 @@ nlohmann::json json_below(const FieldTree& block, const std::string& prefix,
       if (said.path == path) json[field.name] = said.kind;
     }
     for (const FieldTree& of_kind : field.fields) {
-      if (of_kind.name == json[field.name]) json.update(json_below(of_kind, prefix, kinds));
+      if (json[field.name] == of_kind.name) json.update(json_below(of_kind, prefix, kinds));
     }
   }
   return json;

@@ -111,7 +111,7 @@ Schema SchemaWriter::block(const std::vector<FieldTree>& fields, const std::stri
                      {"required", {variant->name}}};
     rules.push_back({{"if", std::move(says_kind)}, {"then", reference(definition)}});
     of_any.insert(of_any.end(), kind.fields.begin(), kind.fields.end());
-    if (kind.name == variant->preset) is_preset = reference(definition);
+    if (variant->preset == kind.name) is_preset = reference(definition);
   }
   Schema then = is_preset;
   if (unsaid.may_be_any || !unsaid.any_with.empty()) {

@@ -1,9 +1,20 @@
 #include "render/device.hpp"
 
+#include <string>
+
 #include "base/check.hpp"
 #include "base/input_error.hpp"
+#include "render/ray_tracing_isa.hpp"
 
-namespace avoidbench::embree {
+namespace avoidbench {
+
+std::string ray_tracing_isa() {
+  __builtin_cpu_init();
+  const bool has_avx2 = __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
+  return has_avx2 ? "avx2" : "sse4.2";
+}
+
+namespace embree {
 namespace {
 
 DeviceHandle new_device() {
@@ -14,12 +25,6 @@ DeviceHandle new_device() {
 }
 
 }  // namespace
-
-std::string ray_tracing_isa() {
-  __builtin_cpu_init();
-  const bool has_avx2 = __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
-  return has_avx2 ? "avx2" : "sse4.2";
-}
 
 RTCDevice device() {
   static const DeviceHandle handle = new_device();
@@ -35,4 +40,5 @@ void check_errors(const char* doing) {
   AB_CHECK(error == RTC_ERROR_NONE, doing, static_cast<int>(error));
 }
 
-}  // namespace avoidbench::embree
+}  // namespace embree
+}  // namespace avoidbench

@@ -1,6 +1,8 @@
 #pragma once
 
-#if AVOIDBENCH_EMBREE_MAJOR >= 4
+#ifndef AVOIDBENCH_EMBREE_MAJOR
+#error "Embree's headers are seen in the room render only: link avoidbench_embree, or include less"
+#elif AVOIDBENCH_EMBREE_MAJOR >= 4
 #include <embree4/rtcore.h>
 #else
 #include <embree3/rtcore.h>
