@@ -10,8 +10,8 @@ build_packages=(
 )
 plot_packages=(python3 python3-matplotlib python3-pandas)  # scripts/plot
 test_packages=("${plot_packages[@]}" clang clang-format clang-tidy libclang-rt-14-dev libgtest-dev libgmock-dev python3-jsonschema python3-yaml valgrind)
-# A Slurm of one node, for the test of scripts/slurm; the system's own services play no part.
-slow_packages=(munge slurmctld slurmd slurm-client)
+# A Slurm of one node, for the test of scripts/slurm (the system's own services play no part), and what scripts/fresh_system.sh needs.
+slow_packages=(munge slurmctld slurmd slurm-client debootstrap)
 
 case "${1:-build}" in
   build) packages=("${build_packages[@]}") ;;
@@ -23,13 +23,16 @@ esac
 
 is_installed() { dpkg-query -W -f '${Status}' "$1" 2>/dev/null | grep -q '^install ok installed'; }
 
-missing=()
-for package in "${packages[@]}"; do
-  if [ "$package" = libclang-rt-14-dev ] && ! apt-cache show "$package" >/dev/null 2>&1; then
-    package=libclang-rt-dev  # newer systems name it without the version
-  fi
-  is_installed "$package" || missing+=("$package")
-done
+find_missing() {
+  missing=()
+  for package in "${packages[@]}"; do
+    if [ "$package" = libclang-rt-14-dev ] && ! apt-cache show "$package" >/dev/null 2>&1; then
+      package=libclang-rt-dev  # newer systems name it without the version
+    fi
+    is_installed "$package" || missing+=("$package")
+  done
+}
+find_missing
 [ ${#missing[@]} -eq 0 ] && exit 0
 
 as_root=()
@@ -37,6 +40,7 @@ if [ "$(id -u)" -ne 0 ]; then
   command -v sudo >/dev/null || { echo "these packages are missing, and there is no sudo to install them: ${missing[*]}" >&2; exit 2; }
   as_root=(sudo)
 fi
-echo "installing packages: ${missing[*]}" >&2
 "${as_root[@]}" apt-get update -qq
+find_missing  # once more, now that apt knows what this system has
+echo "installing packages: ${missing[*]}" >&2
 "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # sanitize.sh [ROOM…|--all]: builds the tests of these rooms, or planners (planners/ego), with address and undefined-behaviour sanitizers
 # (build/asan) and runs them; of planners without the longest flights. Without arguments: what changed (changed_files.sh), of more than
-# two rooms those with the most changed files.
+# two rooms those with the most changed files, and a rotating eighth of all rooms.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -21,10 +21,11 @@ case "${1:-}" in
   --all) chosen=("${tested[@]}") ;;
   '')
     changed=$(scripts/changed_files.sh)
-    mapfile -t chosen < <(for room in "${tested[@]}"; do
+    most_changed=$(for room in "${tested[@]}"; do
         count=$(grep -cE "^(lib/|tests/)?$room/.*\.(cpp|hpp|h|c|sql)$" <<<"$changed" || true)
-        [ "$count" -gt 0 ] && echo "$count $room"
-      done | sort -rn | head -2 | cut -d' ' -f2)
+        [ "$count" -eq 0 ] || echo "$count $room"
+      done | sort -rn | head -n 2 | cut -d' ' -f2)
+    mapfile -t chosen < <({ echo "$most_changed"; printf '%s\n' "${tested[@]}" | scripts/rotating_eighth.sh; } | grep . | sort -u || true)
     ;;
   *) chosen=("$@") ;;
 esac

@@ -1,0 +1,72 @@
+#!/usr/bin/env bash
+# fresh_system.sh [SUITE [COMMAND…]]: do the package lists name all that is needed? In a Debian with only its base system (SUITE: bookworm,
+# trixie) installs the list `build` and configures as quickstart.sh does, installs the list `test` and configures the builds of test.sh;
+# then runs COMMAND there in a copy of this working tree: `scripts/fresh_system.sh trixie scripts/test.sh`.
+# Needs root, debootstrap, Debian's mirror, 5 GB in TMPDIR (/var/tmp) and some five minutes; exit code 77 where one of these is missing.
+# What it makes is removed at the end; with FRESH_SYSTEM_FOLDER=FOLDER the base system and the compilers' cache are kept there for the next call.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+suite=${1:-bookworm}
+shift || true
+cannot() { echo "fresh_system: not run: $*" >&2; exit 77; }
+[ "$(id -u)" = 0 ] || cannot "needs root"
+command -v debootstrap >/dev/null || cannot "needs debootstrap: scripts/install_packages.sh slow"
+# Mounts and processes in namespaces of their own end with this script, however it ends.
+if [ "${FRESH_SYSTEM_INSIDE:-}" != yes ]; then
+  unshare --mount --pid --fork true 2>/dev/null || cannot "may not mount"
+  FRESH_SYSTEM_INSIDE=yes exec unshare --mount --propagation private --pid --fork --kill-child "scripts/$(basename "$0")" "$suite" "$@"
+fi
+
+mirror=$(cat /etc/apt/sources.list /etc/apt/sources.list.d/* 2>/dev/null | grep -v '^#' | grep -oE 'https?://[^ ]+/debian/?( |$)' | head -n 1 | tr -d ' ' || true)
+mirror=${mirror:-http://deb.debian.org/debian}
+work=$(mktemp -d "${TMPDIR:-/var/tmp}/fresh_system.XXXXXX")
+kept=${FRESH_SYSTEM_FOLDER:-$work}
+base=$kept/$suite.base cache=$kept/$suite.ccache root=$work/$suite
+finish() {
+  umount --recursive "$root/dev" "$root/proc" "$root/ccache" 2>/dev/null || true
+  rm -rf --one-file-system "$work"
+}
+trap finish EXIT
+trap 'exit 130' INT TERM
+mkdir -p "$kept" "$cache"
+
+if [ ! -d "$base" ]; then
+  echo "== the base system of $suite from $mirror"
+  rm -rf --one-file-system "$base.part"
+  if ! debootstrap --variant=minbase "$suite" "$base.part" "$mirror" >"$work/debootstrap.log" 2>&1; then
+    tail -n 5 "$work/debootstrap.log" >&2
+    ! grep -q 'Failed getting release file' "$work/debootstrap.log" || cannot "the mirror can't be reached"
+    exit 1
+  fi
+  # No service of a package is started, and apt reaches the mirror as it does outside.
+  printf '#!/bin/sh\nexit 101\n' >"$base.part/usr/sbin/policy-rc.d" && chmod +x "$base.part/usr/sbin/policy-rc.d"
+  apt-config dump | grep -E '^Acquire::(https?|ftp|Check-|Retries)' >"$base.part/etc/apt/apt.conf.d/99outside" || true
+  mv "$base.part" "$base"
+fi
+cp -a "$base" "$root"
+cp /etc/resolv.conf /etc/hosts "$root/etc/"
+mkdir "$root/ccache" "$root/src"
+mount -t proc proc "$root/proc"
+mount --rbind /dev "$root/dev"
+mount --bind "$cache" "$root/ccache"
+tar c --exclude=./build --exclude=./results/*.db* . | tar x --no-same-owner -C "$root/src"
+
+inside() { chroot "$root" env -C /src HOME=/root LC_ALL=C.UTF-8 TMPDIR=/tmp CCACHE_DIR=/ccache "$@"; }
+configured() {
+  echo "== configured: $*"
+  inside cmake "$@" -DAVOIDBENCH_WERROR=ON >"$work/configure.log" 2>&1 || { tail -n 30 "$work/configure.log" >&2; exit 1; }
+}
+echo "== the packages of quickstart.sh"
+inside scripts/install_packages.sh build
+configured --preset release -DAVOIDBENCH_TESTS=OFF -DAVOIDBENCH_BENCH=OFF
+echo "== the packages of test.sh"
+inside scripts/install_packages.sh test
+configured --preset release -DAVOIDBENCH_TESTS=ON -DAVOIDBENCH_BENCH=ON
+configured --preset clang
+for program in clang-format clang-tidy clang++ ctest git python3 valgrind; do
+  inside which "$program" >/dev/null || { echo "no list names $program" >&2; exit 1; }
+done
+inside scripts/install_packages.sh test 2>&1 | grep . && { echo "install_packages.sh: the second time it should have nothing to do" >&2; exit 1; }
+echo "nothing is missing on $suite"
+[ $# -eq 0 ] || inside "$@"
