@@ -75,12 +75,13 @@ void resolve_map_files(const YamlNode& root, SweepSpec& sweep, Reading& reading)
   const FileOfMap map = file_of(sweep.base.map);
   if (map.file == nullptr || map.file->empty()) return;
   const std::size_t before = reading.problems.size();
-  const YamlNode& place = place_of(root, "map.file");
-  *map.file = absolute("map.file", *map.file, place, reading);
+  const std::string path = "map.file";
+  const YamlNode& place = place_of(root, path);
+  *map.file = absolute(path, *map.file, place, reading);
   for (Axis& axis : sweep.axes) {
-    if (axis.path != "map.file") continue;
+    if (axis.path != path) continue;
     for (nlohmann::json& value : axis.values) {
-      value = absolute("map.file", value.get<std::string>(), place, reading);
+      value = absolute(path, value.get<std::string>(), place, reading);
     }
   }
   if (axis_of(sweep, "map_seed") != nullptr) {

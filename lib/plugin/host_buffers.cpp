@@ -125,8 +125,8 @@ std::vector<std::string> HostSide::take_log() {
 
 std::vector<Drawing> HostSide::take_drawings() {
   if (board_.is_full()) {
-    log_.push_back("warning: drawings beyond " + std::to_string(kMostDrawnPoints) +
-                   " points in one call are left out");
+    std::string& warning = log_.emplace_back("warning: drawings beyond ");
+    warning.append(std::to_string(kMostDrawnPoints)).append(" points in one call are left out");
   }
   return board_.take();
 }
