@@ -12,7 +12,7 @@ struct BodyMeasure {
 
 BodyMeasure body_measure(const Eigen::Vector3d& body_size_m);
 
-/// Traversability and its norm (AvoidBench, arXiv 2301.07430, eq. 1 and 8).
+/// Traversability and its norm (AvoidBench, arXiv 2301.07430, eq. (1) and (8)).
 struct Traversability {
   double value = 0.0;             ///< mean free flight over d_drone
   double normalized_ratio = 0.0;  ///< over the same with no obstacle
@@ -39,8 +39,8 @@ double free_volume_ratio(const Scene& scene, ClearanceGrid& grid, const BodyMeas
 double obstacle_density_1pm2(const World& world);
 std::int64_t obstacle_count(const World& world);
 
-/// (r_poisson − ŵ_obstacle)/d_drone (eq. 7 as the text has it); NaN where the map is not a
-/// Poisson-disc field.
+/// (r_poisson − ŵ_obstacle)/d_drone (AvoidBench eq. (2), as its text has it); NaN where the map is
+/// not a Poisson-disc field.
 double relative_gap_size(const World& world, const BodyMeasure& body);
 
 }  // namespace avoidbench

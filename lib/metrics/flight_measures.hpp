@@ -31,7 +31,7 @@ double tracking_rmse_m(const std::vector<Sample>& samples);
 
 double rotor_energy_j(const std::vector<Sample>& samples);  ///< ∫ rotor power dt
 
-/// Progress along start → goal, 100 at the goal and 0 at the start, less than 0 behind it: eq. (5)
+/// Progress along start → goal, 100 at the goal and 0 at the start, less than 0 behind it: eq. (7)
 /// of AvoidBench.
 double progress_pct(const Eigen::Vector3d& start, const Eigen::Vector3d& goal,
                     const Eigen::Vector3d& end);

@@ -77,30 +77,30 @@ constexpr MetricDef kTable[] = {
      [](In in) { return finished(in) ? 1.0 : 0.0; }},
     {"path_optimality_pct", 1, "%", "Excess of the flown path over the shortest possible one",
      "(L - d_min)/d_min * 100",
-     "AvoidBench eq. (2); d_min ends at the goal region, see reference_path.hpp", kLess, kFinished,
+     "AvoidBench eq. (4); d_min ends at the goal region, see reference_path.hpp", kLess, kFinished,
      false,
      [](In in) {
        const double d_min = in.mission.reference_length_m;
        return over(100.0 * (flown_length_m(in.record.samples) - d_min), d_min);
      }},
     {"energy_optimality", 1, "m/s^2", "Integral of the jerk: how much the flight was jolted",
-     "integral |jerk| dt", "AvoidBench eq. (4)", kLess, kFinished, false,
+     "integral |jerk| dt", "AvoidBench eq. (5)", kLess, kFinished, false,
      [](In in) { return jerk_integral_mps2(in.record.samples); }},
     {"energy_optimality_per_m", 1, "1/s^2",
      "Energy optimality over the length of the shortest path", "integral |jerk| dt / d_min",
-     "after AvoidBench eq. (4)", kLess, kFinished, false,
+     "after AvoidBench eq. (5)", kLess, kFinished, false,
      [](In in) {
        return over(jerk_integral_mps2(in.record.samples), in.mission.reference_length_m);
      }},
     {"average_goal_velocity_mps", 1, "m/s", "Speed of approach to the goal along the shortest path",
-     "d_min / T", "AvoidBench eq. (3), over finished flights only", kMore, kFinished, false,
+     "d_min / T", "AvoidBench eq. (6), over finished flights only", kMore, kFinished, false,
      [](In in) { return over(in.mission.reference_length_m, in.record.end_time_s); }},
     {"average_goal_velocity_mps_all", 1, "m/s",
      "The same over all trials, as the original's code: crashing early scores high", "d_min / T",
-     "AvoidBench eq. (3)", kNeither, kAll, false,
+     "AvoidBench eq. (6)", kNeither, kAll, false,
      [](In in) { return over(in.mission.reference_length_m, in.record.end_time_s); }},
     {"mission_progress_pct", 1, "%", "Share of the way from start to goal; 100 when finished",
-     "(1 - |a.c/|a|^2|) * 100, a = goal - start, c = goal - end", "AvoidBench eq. (5)", kMore, kAll,
+     "(1 - |a.c/|a|^2|) * 100, a = goal - start, c = goal - end", "AvoidBench eq. (7)", kMore, kAll,
      false,
      [](In in) {
        if (finished(in)) return 100.0;
@@ -125,7 +125,7 @@ constexpr MetricDef kTable[] = {
      kLess, kAll, true, [](In in) { return mean(sorted_times_ms(in, &PlanCall::wall_time_s)); }},
     {"relative_end_distance_ratio", 1, "",
      "Distance left to the goal over that at the start; 0 when finished",
-     "|end - goal| / |goal - start|", "after AvoidBench eq. (5)", kLess, kAll, false,
+     "|end - goal| / |goal - start|", "after AvoidBench eq. (7)", kLess, kAll, false,
      [](In in) {
        const Mission& mission = in.mission.mission;
        if (finished(in)) return 0.0;
@@ -196,7 +196,7 @@ constexpr MapMetricDef kMapTable[] = {
      [](const MapRecord& map) { return map.traversability_normalized_ratio; }},
     {"relative_gap_size", "",
      "Mean gap between obstacles over the drone's diameter; below 1: not traversable",
-     "(r_poisson - mean obstacle width) / d_drone", "AvoidBench eq. (7), as its text has it",
+     "(r_poisson - mean obstacle width) / d_drone", "AvoidBench eq. (2), as its text has it",
      [](const MapRecord& map) { return map.relative_gap_size; }},
     {"obstacle_density_1pm2", "1/m^2", "Obstacles a square metre", "count / area", "",
      [](const MapRecord& map) { return map.obstacle_density_1pm2; }},
@@ -209,7 +209,7 @@ constexpr MapMetricDef kMapTable[] = {
 
 constexpr MissionMetricDef kMissionTable[] = {
     {"reference_length_m", "m", "Shortest collision-free path of the body to the goal region",
-     "d_min: Lazy Theta* on exact clearances, pulled taut", "AvoidBench, d_min of eq. (2) and (3)",
+     "d_min: Lazy Theta* on exact clearances, pulled taut", "AvoidBench, d_min of eq. (4) and (6)",
      [](const MissionRecord& mission) { return mission.reference_length_m; }},
     {"traversability_obstruction", "", "How narrow the free space along the reference path is",
      "4 m / (2 N) * sum(1/r) over the smaller half r of a corridor's N spheres", kFlightBench,

@@ -14,9 +14,9 @@ namespace avoidbench::sample_rows {
 inline double no_value(const MetricInput&) { return 0.0; }
 
 inline constexpr MetricDef kMetrics[] = {
-    {"path_optimality_pct", 1, "%", "Excess of the flown path.", "(L - d_min) / d_min", "eq. (2)",
+    {"path_optimality_pct", 1, "%", "Excess of the flown path.", "(L - d_min) / d_min", "eq. (4)",
      Better::less, Population::finished, false, no_value},
-    {"mission_progress_pct", 1, "%", "Progress toward the goal.", "eq. (5)", "eq. (5)",
+    {"mission_progress_pct", 1, "%", "Progress toward the goal.", "eq. (7)", "eq. (7)",
      Better::more, Population::all, false, no_value},
     {"processing_time_ms", 2, "ms", "Mean time of a plan call.", "mean", "host", Better::less,
      Population::all, true, no_value}};
