@@ -21,7 +21,7 @@ Eigen::Vector3i grid_size(const Aabb& region, double cell_m) {
 }  // namespace
 
 ClearanceGrid::ClearanceGrid(const Scene& scene, const Aabb& region, double cell_m)
-    : scene_(&scene), origin_(region.min()), cell_m_(cell_m) {
+    : scene_(&scene), region_(region), origin_(region.min()), cell_m_(cell_m) {
   while (region.sizes().prod() / (cell_m_ * cell_m_ * cell_m_) > kMaxCells) cell_m_ *= 1.1;
   size_ = grid_size(region, cell_m_);
   clearance_m_.assign(static_cast<std::size_t>(cell_count()), -1.0F);
@@ -134,12 +134,13 @@ double ClearanceGrid::free_distance_m(const Eigen::Vector3d& from, const Eigen::
   return limit_m;
 }
 
-bool ClearanceGrid::is_segment_free(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
-                                    double radius_m) {
+std::optional<Eigen::Vector3d> ClearanceGrid::obstruction(const Eigen::Vector3d& from,
+                                                          const Eigen::Vector3d& to,
+                                                          double radius_m) {
   const double length_m = (to - from).norm();
   const double least_m = radius_m - kSightTolerance_m;
-  if (!is_free(to, least_m)) return false;
-  if (length_m < 1e-9) return true;
+  if (!is_free(to, least_m)) return to;
+  if (length_m < 1e-9) return std::nullopt;
   const Eigen::Vector3d direction = (to - from) / length_m;
   // A clearance at s covers as much before s as after it: look ahead by what the last one left.
   double covered_m = 0.0, ahead_m = 0.0;
@@ -148,8 +149,9 @@ bool ClearanceGrid::is_segment_free(const Eigen::Vector3d& from, const Eigen::Ve
     const double behind_m = s_m - covered_m;
     const double enough_m =
         least_m + std::max(kSightTolerance_m, std::min(behind_m, kWorthAStep * cell_m_));
-    const double margin_m = lower_bound_m(from + s_m * direction, enough_m) - least_m;
-    if (margin_m < 0.0) return false;
+    const Eigen::Vector3d place = from + s_m * direction;
+    const double margin_m = lower_bound_m(place, enough_m) - least_m;
+    if (margin_m < 0.0) return place;
     if (margin_m >= behind_m || ahead_m <= kSightTolerance_m) {
       covered_m = s_m + margin_m;
       ahead_m = std::max(margin_m, kSightTolerance_m);
@@ -157,7 +159,12 @@ bool ClearanceGrid::is_segment_free(const Eigen::Vector3d& from, const Eigen::Ve
       ahead_m = std::max(std::min(margin_m, 0.5 * behind_m), kSightTolerance_m);
     }
   }
-  return true;
+  return std::nullopt;
+}
+
+Eigen::Vector3d ClearanceGrid::nearest_surface(const Eigen::Vector3d& point) const {
+  const NearestPoint found = scene_->nearest(point, kFar_m);
+  return found.distance_m <= kFar_m ? found.point_world : point;
 }
 
 bool is_inside(const Scene& scene, const Eigen::Vector3d& point_world) {

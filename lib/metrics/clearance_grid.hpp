@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "render/scene.hpp"
@@ -16,6 +17,7 @@ class ClearanceGrid {
   /// Cells of `cell_m`, larger where `region` would have more than 8 million of them.
   ClearanceGrid(const Scene& scene, const Aabb& region, double cell_m);
 
+  const Aabb& region() const { return region_; }
   const Eigen::Vector3i& size() const { return size_; }
   double cell_m() const { return cell_m_; }
   std::int64_t cell_count() const { return std::int64_t{size_.x()} * size_.y() * size_.z(); }
@@ -36,8 +38,18 @@ class ClearanceGrid {
   double free_distance_m(const Eigen::Vector3d& from, const Eigen::Vector3d& direction,
                          double limit_m, double radius_m);
 
-  /// Whether a ball can be moved from `from` to `to`, but for kSightTolerance_m of its radius.
-  bool is_segment_free(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius_m);
+  /// Whether a ball can be moved from `from` to `to`, except for kSightTolerance_m of its radius.
+  bool is_segment_free(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius_m) {
+    return !obstruction(from, to, radius_m);
+  }
+
+  /// A place on the way from `from` to `to` where the ball does not fit, except for
+  /// kSightTolerance_m of its radius; nothing where the way is free.
+  std::optional<Eigen::Vector3d> obstruction(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                                             double radius_m);
+
+  /// The surface point nearest to `point`, within kFar_m; `point` itself if none is.
+  Eigen::Vector3d nearest_surface(const Eigen::Vector3d& point) const;
 
   static constexpr double kFar_m = 2.5;
   static constexpr double kTolerance_m = 0.005;
@@ -54,6 +66,7 @@ class ClearanceGrid {
   double lower_bound_m(const Eigen::Vector3d& point, double enough_m);
 
   const Scene* scene_;
+  Aabb region_;
   Eigen::Vector3d origin_;
   Eigen::Vector3i size_;
   double cell_m_;

@@ -4,7 +4,7 @@
 #include <limits>
 #include <queue>
 
-#include "base/math.hpp"
+#include "metrics/taut_path.hpp"
 
 namespace avoidbench {
 namespace {
@@ -17,7 +17,8 @@ using Path = std::vector<Vector3d>;
 struct Search {
   ClearanceGrid& grid;
   double radius_m;
-  Vector3d start, goal;
+  Vector3d start;
+  GoalRegion goal;
   std::int64_t start_index, goal_index;
   std::vector<double> cost_m;        ///< +inf: not reached
   std::vector<std::int32_t> parent;  ///< of reached cells
@@ -25,10 +26,16 @@ struct Search {
 
   Vector3d place(std::int64_t index) const {
     if (index == start_index) return start;
-    if (index == goal_index) return goal;
+    if (index == goal_index) return goal.center_world;
     return grid.centre(grid.cell(index));
   }
-  double heuristic_m(std::int64_t index) const { return (goal - place(index)).norm(); }
+  /// No way to the goal region is shorter: it is reached at any height.
+  double heuristic_m(std::int64_t index) const {
+    return std::max(0.0, (goal.center_world - place(index)).head<2>().norm() - goal.radius_m);
+  }
+  bool is_free(const Vector3d& point) const {
+    return grid.region().contains(point) && grid.is_free(point, radius_m);
+  }
 };
 
 /// An entry of the open list. Ties go to the longer way behind, then to the lower index, so that
@@ -79,7 +86,17 @@ bool settle_parent(Search& search, std::int64_t index) {
   return best_m < std::numeric_limits<double>::infinity();
 }
 
-/// Cells of the path from start to goal, or empty.
+Path path_to(const Search& search, std::int64_t index) {
+  Path path{search.place(index)};
+  for (std::int64_t i = index; i != search.start_index;) {
+    i = search.parent[static_cast<std::size_t>(i)];
+    path.push_back(search.place(i));
+  }
+  std::reverse(path.begin(), path.end());
+  return path;
+}
+
+/// Cells of the path from start to the first one settled in the goal region, or empty.
 Path any_angle_search(Search& search) {
   const auto at = [](std::int64_t i) { return static_cast<std::size_t>(i); };
   std::priority_queue<Open> open;
@@ -95,106 +112,20 @@ Path any_angle_search(Search& search) {
       continue;
     }
     search.closed[at(index)] = true;
-    if (index == search.goal_index) break;
+    if (search.goal.contains(search.place(index))) return path_to(search, index);
     const std::int64_t parent = search.parent[at(index)];
     const Vector3d from = search.place(parent);
     for_each_neighbour(search, index, [&](std::int64_t next) {
       if (search.closed[at(next)]) return;
       const Vector3d there = search.place(next);
       const double cost_m = search.cost_m[at(parent)] + (there - from).norm();
-      if (cost_m >= search.cost_m[at(next)] || !search.grid.is_free(there, search.radius_m)) return;
+      if (cost_m >= search.cost_m[at(next)] || !search.is_free(there)) return;
       search.cost_m[at(next)] = cost_m;
       search.parent[at(next)] = static_cast<std::int32_t>(parent);
       open.push({cost_m + search.heuristic_m(next), cost_m, next});
     });
   }
-  if (!search.closed[at(search.goal_index)]) return {};
-  Path path{search.goal};
-  for (std::int64_t i = search.goal_index; i != search.start_index; i = search.parent[at(i)]) {
-    path.push_back(search.place(search.parent[at(i)]));
-  }
-  std::reverse(path.begin(), path.end());
-  return path;
-}
-
-/// The point of the goal region nearest to `from`: horizontally within the radius, at any height.
-Vector3d goal_region_point(const Vector3d& from, const Vector3d& goal, double goal_radius_m) {
-  const Vector3d out(from.x() - goal.x(), from.y() - goal.y(), 0.0);
-  const double distance_m = out.norm();
-  const double kept = distance_m > goal_radius_m ? goal_radius_m / distance_m : 1.0;
-  return {goal.x() + kept * out.x(), goal.y() + kept * out.y(), from.z()};
-}
-
-/// Moves `vertex` toward the line between its neighbours as far as both segments stay free.
-Vector3d pulled(ClearanceGrid& grid, double radius_m, const Vector3d& before,
-                const Vector3d& vertex, const Vector3d& after) {
-  const Vector3d line = after - before;
-  const double length = line.squaredNorm();
-  const double along =
-      length > 0.0 ? std::clamp((vertex - before).dot(line) / length, 0.0, 1.0) : 0.0;
-  const Vector3d target = before + along * line;
-  const auto is_free = [&](const Vector3d& place) {
-    return grid.is_segment_free(before, place, radius_m) &&
-           grid.is_segment_free(place, after, radius_m);
-  };
-  double kept = 0.0, refused = 1.0;
-  for (int i = 0; i < 7; ++i) {
-    const double tried = 0.5 * (kept + refused);
-    (is_free(vertex + tried * (target - vertex)) ? kept : refused) = tried;
-  }
-  return vertex + kept * (target - vertex);
-}
-
-/// Drops each vertex whose neighbours see each other.
-void drop_idle_vertices(ClearanceGrid& grid, double radius_m, Path& path) {
-  for (std::size_t i = 1; i + 1 < path.size();) {
-    if (grid.is_segment_free(path[i - 1], path[i + 1], radius_m)) {
-      path.erase(path.begin() + static_cast<std::ptrdiff_t>(i));
-    } else {
-      ++i;
-    }
-  }
-}
-
-/// Adds a vertex on both sides of each bend, so that the path can lie against a round surface.
-Path with_bends_split(const Path& path) {
-  constexpr double kReach_m = 0.6;
-  Path split{path.front()};
-  for (std::size_t i = 1; i + 1 < path.size(); ++i) {
-    for (const std::size_t other : {i - 1, i + 1}) {
-      const Vector3d toward = path[other] - path[i];
-      const double length = toward.norm();
-      const Vector3d beside =
-          path[i] + toward * (std::min(kReach_m, 0.4 * length) / std::max(length, 1e-9));
-      if (other > i) split.push_back(path[i]);
-      split.push_back(beside);
-    }
-  }
-  split.push_back(path.back());
-  return split;
-}
-
-/// Pulls the path taut: shorter with every round, until a round wins less than 0.01 %.
-void pull_taut(ClearanceGrid& grid, double radius_m, const Vector3d& goal, double goal_radius_m,
-               Path& path) {
-  double length_m = path_length_m(path);
-  for (int round = 0; round < 60; ++round) {
-    drop_idle_vertices(grid, radius_m, path);
-    for (std::size_t i = 1; i + 1 < path.size(); ++i) {
-      path[i] = pulled(grid, radius_m, path[i - 1], path[i], path[i + 1]);
-    }
-    const Vector3d& last_but_one = path[path.size() - 2];
-    Vector3d end = goal_region_point(last_but_one, goal, goal_radius_m);
-    if (!grid.is_segment_free(last_but_one, end, radius_m)) {
-      end = goal_region_point(Vector3d(last_but_one.x(), last_but_one.y(), goal.z()), goal,
-                              goal_radius_m);
-    }
-    if (grid.is_segment_free(last_but_one, end, radius_m)) path.back() = end;
-    const double now_m = path_length_m(path);
-    if (round == 2 || round == 6 || round == 12) path = with_bends_split(path);
-    if (round > 14 && length_m - now_m < 1e-4 * now_m) break;
-    length_m = now_m;
-  }
+  return {};
 }
 
 }  // namespace
@@ -208,27 +139,22 @@ double path_length_m(const std::vector<Vector3d>& path) {
 std::optional<Path> reference_path(ClearanceGrid& grid, const Mission& mission,
                                    double goal_radius_m, double radius_m) {
   const Vector3d& start = mission.start_world;
-  const Vector3d& goal = mission.goal_world;
-  const Vector3d end = goal_region_point(start, goal, goal_radius_m);
+  const GoalRegion goal{mission.goal_world, goal_radius_m};
+  const Vector3d end = nearest_of(goal, start);
   if (grid.is_segment_free(start, end, radius_m)) return Path{start, end};
-  Path path;
-  if (grid.is_segment_free(start, goal, radius_m)) {
-    path = {start, goal};
-  } else {
-    const auto count = static_cast<std::size_t>(grid.cell_count());
-    Search search{.grid = grid,
-                  .radius_m = radius_m,
-                  .start = start,
-                  .goal = goal,
-                  .start_index = grid.index(grid.cell_of(start)),
-                  .goal_index = grid.index(grid.cell_of(goal)),
-                  .cost_m = std::vector<double>(count, std::numeric_limits<double>::infinity()),
-                  .parent = std::vector<std::int32_t>(count, -1),
-                  .closed = std::vector<bool>(count, false)};
-    path = any_angle_search(search);
-    if (path.empty()) return std::nullopt;
-  }
-  pull_taut(grid, radius_m, goal, goal_radius_m, path);
+  const auto count = static_cast<std::size_t>(grid.cell_count());
+  Search search{.grid = grid,
+                .radius_m = radius_m,
+                .start = start,
+                .goal = goal,
+                .start_index = grid.index(grid.cell_of(start)),
+                .goal_index = grid.index(grid.cell_of(mission.goal_world)),
+                .cost_m = std::vector<double>(count, std::numeric_limits<double>::infinity()),
+                .parent = std::vector<std::int32_t>(count, -1),
+                .closed = std::vector<bool>(count, false)};
+  Path path = any_angle_search(search);
+  if (path.empty()) return std::nullopt;
+  pull_taut(grid, radius_m, goal, path);
   return path;
 }
 

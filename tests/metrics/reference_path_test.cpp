@@ -24,7 +24,7 @@ double reference_length(const World& world, const Mission& mission) {
   for (std::size_t i = 1; i < path->size(); ++i) {  // free all along, asked of the scene itself
     for (int k = 0; k <= 50; ++k) {
       const Vector3d place = (*path)[i - 1] + k / 50.0 * ((*path)[i] - (*path)[i - 1]);
-      EXPECT_GE(scene.nearest(place).distance_m, kRadius_m - 2.0 * ClearanceGrid::kTolerance_m);
+      XX
     }
   }
   return path_length_m(*path);

@@ -1,0 +1,185 @@
+#include "metrics/taut_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/math.hpp"
+#include "metrics/reference_path.hpp"
+
+namespace avoidbench {
+namespace {
+
+using Eigen::Vector3d;
+using Path = std::vector<Vector3d>;
+
+constexpr double kLongestStep_m = 0.3, kShortestStep_m = 0.002;
+
+/// What the ball can't pass, from `before` by `place` to `after`.
+std::optional<Vector3d> obstruction(ClearanceGrid& grid, double radius_m, const Vector3d& before,
+                                    const Vector3d& place, const Vector3d& after) {
+  const auto found = grid.obstruction(before, place, radius_m);
+  return found ? found : grid.obstruction(place, after, radius_m);
+}
+
+double way_m(const Vector3d& before, const Vector3d& place, const Vector3d& after) {
+  return (place - before).norm() + (after - place).norm();
+}
+
+/// Moves `vertex` toward the line between its neighbours as far as both segments stay free.
+Vector3d pulled(ClearanceGrid& grid, double radius_m, const Vector3d& before,
+                const Vector3d& vertex, const Vector3d& after) {
+  const Vector3d line = after - before;
+  const double length = line.squaredNorm();
+  const double along =
+      length > 0.0 ? std::clamp((vertex - before).dot(line) / length, 0.0, 1.0) : 0.0;
+  const Vector3d target = before + along * line;
+  double kept = 0.0, refused = 1.0;
+  for (int i = 0; i < 7; ++i) {
+    const double tried = 0.5 * (kept + refused);
+    const Vector3d place = vertex + tried * (target - vertex);
+    (obstruction(grid, radius_m, before, place, after) ? refused : kept) = tried;
+  }
+  return vertex + kept * (target - vertex);
+}
+
+/// `pull` without what presses against the surfaces: along one, or along the line where two meet.
+Vector3d along_surfaces(const Vector3d& pull, const std::vector<Vector3d>& normals) {
+  if (normals.size() == 1) return pull - std::min(0.0, pull.dot(normals[0])) * normals[0];
+  const Vector3d line = normals[0].cross(normals[1]);
+  return line.squaredNorm() > 1e-6 ? Vector3d(line * (pull.dot(line) / line.squaredNorm()))
+                                   : Vector3d(Vector3d::Zero());
+}
+
+/// Slides `vertex` along the surfaces that it is pulled against.
+Vector3d slid(ClearanceGrid& grid, double radius_m, const Vector3d& before, Vector3d vertex,
+              const Vector3d& after) {
+  for (double step_m = kLongestStep_m; step_m > kShortestStep_m; step_m *= 0.4) {
+    const Vector3d pull = (before - vertex).normalized() + (after - vertex).normalized();
+    std::vector<Vector3d> normals;
+    Vector3d direction = pull;
+    while (direction.norm() > 1e-3 * pull.norm()) {
+      const Vector3d place = vertex + step_m * direction.normalized();
+      const bool is_shorter = way_m(before, place, after) < way_m(before, vertex, after);
+      if (!grid.region().contains(place) || (!is_shorter && !normals.empty())) break;
+      const auto blocked = obstruction(grid, radius_m, before, place, after);
+      if (!blocked) {
+        if (is_shorter) vertex = place;
+        break;
+      }
+      if (normals.size() == 2) break;
+      normals.push_back((*blocked - grid.nearest_surface(*blocked)).normalized());
+      direction = along_surfaces(pull, normals);
+    }
+  }
+  return vertex;
+}
+
+/// Moves the path's end along the rim of the region to where it is nearest to the point before it.
+void pull_end(ClearanceGrid& grid, double radius_m, const GoalRegion& goal, Path& path) {
+  const Vector3d& before = path[path.size() - 2];
+  Vector3d& end = path.back();
+  const auto offer = [&](const Vector3d& place) {
+    const Vector3d entered = first_entry(goal, before, place).value_or(place);
+    const bool is_shorter = (entered - before).norm() < (end - before).norm();
+    if (!is_shorter || !goal.contains(entered) || !grid.region().contains(entered)) return;
+    if (!grid.obstruction(before, entered, radius_m)) end = entered;
+  };
+  offer(nearest_of(goal, before));
+  for (double step_m = kLongestStep_m; step_m > kShortestStep_m; step_m *= 0.4) {
+    for (const double side : {-1.0, 1.0}) {
+      const Vector3d out = end - goal.center_world;
+      const double turn = side * std::min(0.5, step_m / goal.radius_m);
+      const double c = math::cos(turn), s = math::sin(turn);
+      Vector3d turned(c * out.x() - s * out.y(), s * out.x() + c * out.y(), 0.0);
+      turned *= goal.radius_m / std::max(1e-9, turned.norm());
+      offer({goal.center_world.x() + turned.x(), goal.center_world.y() + turned.y(), end.z()});
+      offer(end + side * step_m * Vector3d::UnitZ());
+    }
+  }
+}
+
+/// Drops each vertex whose neighbours see each other.
+void drop_idle_vertices(ClearanceGrid& grid, double radius_m, Path& path) {
+  for (std::size_t i = 1; i + 1 < path.size();) {
+    if (!grid.obstruction(path[i - 1], path[i + 1], radius_m)) {
+      path.erase(path.begin() + static_cast<std::ptrdiff_t>(i));
+    } else {
+      ++i;
+    }
+  }
+}
+
+/// Adds a vertex on both sides of each bend, so that the path can lie against a round surface.
+Path with_bends_split(const Path& path) {
+  constexpr double kReach_m = 0.6;
+  Path split{path.front()};
+  for (std::size_t i = 1; i + 1 < path.size(); ++i) {
+    for (const std::size_t other : {i - 1, i + 1}) {
+      const Vector3d toward = path[other] - path[i];
+      const double length = toward.norm();
+      const Vector3d beside =
+          path[i] + toward * (std::min(kReach_m, 0.4 * length) / std::max(length, 1e-9));
+      if (other > i) split.push_back(path[i]);
+      split.push_back(beside);
+    }
+  }
+  split.push_back(path.back());
+  return split;
+}
+
+}  // namespace
+
+Vector3d nearest_of(const GoalRegion& goal, const Vector3d& from) {
+  const Eigen::Vector2d out = (from - goal.center_world).head<2>();
+  const double distance_m = out.norm();
+  // A hair inside the rim, so that rounding does not leave the point outside.
+  const double kept = distance_m > goal.radius_m ? goal.radius_m * (1.0 - 1e-12) / distance_m : 1.0;
+  return {goal.center_world.x() + kept * out.x(), goal.center_world.y() + kept * out.y(), from.z()};
+}
+
+std::optional<Vector3d> first_entry(const GoalRegion& goal, const Vector3d& from,
+                                    const Vector3d& to) {
+  if (goal.contains(from)) return from;
+  const Eigen::Vector2d start = (from - goal.center_world).head<2>();
+  const Eigen::Vector2d way = (to - from).head<2>();
+  const double radius_m = goal.radius_m * (1.0 - 1e-12);
+  const double a = way.squaredNorm(), b = start.dot(way);
+  const double c = start.squaredNorm() - radius_m * radius_m;
+  const double root = b * b - a * c;
+  if (a <= 0.0 || b >= 0.0 || root < 0.0) return std::nullopt;
+  const double share = c / (-b + std::sqrt(root));
+  if (share > 1.0) return std::nullopt;
+  return from + share * (to - from);
+}
+
+void cut_at_goal(const GoalRegion& goal, Path& path) {
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const auto entered = first_entry(goal, path[i - 1], path[i]);
+    if (!entered) continue;
+    path[i] = *entered;
+    path.resize(i + 1);
+  }
+}
+
+void pull_taut(ClearanceGrid& grid, double radius_m, const GoalRegion& goal, Path& path) {
+  constexpr int kSplits = 3, kMostRounds = 20;
+  constexpr double kWorthARound = 1e-4;
+  cut_at_goal(goal, path);
+  for (int split = 0; split <= kSplits; ++split) {
+    drop_idle_vertices(grid, radius_m, path);
+    if (split > 0) path = with_bends_split(path);
+    for (int round = 0; round < kMostRounds; ++round) {
+      const double before_m = path_length_m(path);
+      for (std::size_t i = 1; i + 1 < path.size(); ++i) {
+        path[i] = pulled(grid, radius_m, path[i - 1], path[i], path[i + 1]);
+        path[i] = slid(grid, radius_m, path[i - 1], path[i], path[i + 1]);
+      }
+      pull_end(grid, radius_m, goal, path);
+      cut_at_goal(goal, path);
+      if (before_m - path_length_m(path) < kWorthARound * before_m) break;
+    }
+  }
+  drop_idle_vertices(grid, radius_m, path);
+}
+
+}  // namespace avoidbench
