@@ -52,7 +52,7 @@ class ClearanceGrid {
   Eigen::Vector3d nearest_surface(const Eigen::Vector3d& point) const;
 
   static constexpr double kFar_m = 2.5;
-  static constexpr double kTolerance_m = 0.005;
+  static constexpr double kTolerance_m = 0.0005;
   static constexpr double kSightTolerance_m = 0.01;
 
  private:
