@@ -3,13 +3,11 @@
 #include <nettle/sha2.h>
 
 #include <bit>
-#include <cstring>
-#include <fstream>
 #include <new>
 #include <vector>
 
 #include "base/check.hpp"
-#include "base/input_error.hpp"
+#include "base/input_file.hpp"
 
 namespace avoidbench {
 namespace {
@@ -53,17 +51,13 @@ std::string Digest::hex() {
 }
 
 std::string file_digest(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) {
-    throw InputError(
-        {.file = path.string(), .message = std::string("can't be read: ") + std::strerror(errno)});
-  }
+  constexpr std::uint64_t kMostBytes = 64'000'000'000;  // far above any library or map
+  InputFile file(path, kMostBytes);
   Digest digest;
   std::vector<char> buffer(1 << 16);
-  while (file.read(buffer.data(), static_cast<std::streamsize>(buffer.size())) ||
-         file.gcount() > 0) {
-    digest.add_bytes(
-        std::as_bytes(std::span(buffer.data(), static_cast<std::size_t>(file.gcount()))));
+  for (std::size_t count = buffer.size(); count == buffer.size();) {
+    count = file.read(buffer);
+    digest.add_bytes(std::as_bytes(std::span(buffer.data(), count)));
   }
   return digest.hex();
 }

@@ -33,7 +33,7 @@ class Digest {
   alignas(16) std::array<std::byte, 128> state_{};
 };
 
-/// SHA-256 of a file's bytes. Throws InputError when it can't be read.
+/// SHA-256 of a regular file's bytes. Throws InputError when it can't be read.
 std::string file_digest(const std::filesystem::path& path);
 
 }  // namespace avoidbench

@@ -5,21 +5,29 @@
 #include <yaml-cpp/parser.h>
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <optional>
 #include <sstream>
+
+#include "base/input_file.hpp"
 
 namespace avoidbench {
 namespace {
 
 constexpr std::size_t kMostValues = 100'000;
 constexpr std::size_t kMostLevels = 64;
-constexpr std::uintmax_t kMostBytes = 4'000'000;
+constexpr std::size_t kMostLetters = 20'000'000;  ///< of texts, aliases expanded
 
 std::size_t value_count(const YamlNode& node) {
   std::size_t count = 1 + node.keys.size();
   for (const YamlNode& item : node.items) count += value_count(item);
+  return count;
+}
+
+std::size_t letter_count(const YamlNode& node) {
+  std::size_t count = node.scalar.size();
+  for (const YamlNode& key : node.keys) count += key.scalar.size();
+  for (const YamlNode& item : node.items) count += letter_count(item);
   return count;
 }
 
@@ -49,6 +57,7 @@ class TreeBuilder : public YAML::EventHandler {
     YamlNode place = make(YamlNode::Kind::null, mark);
     if (found == anchored_.end()) fail(place, "an alias within what it stands for");
     charge(place, value_count(found->second));
+    charge_letters(place, letter_count(found->second));
     if (open_.size() + level_count(found->second) > kMostLevels) fail_levels(place);
     YamlNode copy = found->second;
     copy.line = place.line;
@@ -106,6 +115,11 @@ class TreeBuilder : public YAML::EventHandler {
     }
   }
 
+  void charge_letters(const YamlNode& place, std::size_t count) {
+    letters_ += count;
+    if (letters_ > kMostLetters) fail(place, "more than 20 MB of text, aliases expanded");
+  }
+
   void begin(YamlNode node, YAML::anchor_t anchor) {
     if (open_.size() >= kMostLevels) fail_levels(node);
     open_.push_back({std::move(node), anchor});
@@ -121,6 +135,7 @@ class TreeBuilder : public YAML::EventHandler {
     charge(node, 1);
     if (anchor != 0) {
       charge(node, value_count(node));
+      charge_letters(node, letter_count(node));
       anchored_[anchor] = node;
     }
     if (open_.empty()) {
@@ -152,7 +167,7 @@ class TreeBuilder : public YAML::EventHandler {
   std::shared_ptr<const std::string> source_;
   std::vector<Open> open_;
   std::map<YAML::anchor_t, YamlNode> anchored_;
-  std::size_t values_ = 0;
+  std::size_t values_ = 0, letters_ = 0;
 };
 
 }  // namespace
@@ -215,23 +230,8 @@ YamlNode parse_yaml(const std::string& text, const std::string& source) {
 }
 
 YamlNode read_yaml(const std::filesystem::path& file) {
-  const auto fail = [&](const std::string& message) {
-    throw InputError(InputProblem{file.string(), 0, 0, message});
-  };
-  std::error_code error;
-  if (!std::filesystem::exists(file, error)) fail("no such file");
-  if (std::filesystem::is_directory(file, error)) fail("is a folder; a YAML file is expected");
-  const std::uintmax_t size = std::filesystem::file_size(file, error);
-  if (!error && size > kMostBytes) {
-    fail("is larger than " + std::to_string(kMostBytes / 1'000'000) +
-         " MB; not a configuration file");
-  }
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) fail("can't be opened for reading");
-  std::ostringstream text;
-  text << stream.rdbuf();
-  if (stream.bad()) fail("can't be read");
-  return parse_yaml(text.str(), file.string());
+  constexpr std::uint64_t kMostBytes = 4'000'000;
+  return parse_yaml(read_input_file(file, kMostBytes), file.string());
 }
 
 }  // namespace avoidbench

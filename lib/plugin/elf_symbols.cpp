@@ -3,21 +3,19 @@
 #include <elf.h>
 
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <optional>
+
+#include "base/input_error.hpp"
+#include "base/input_file.hpp"
 
 namespace avoidbench {
 namespace {
 
-std::vector<char> bytes_of(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
+constexpr std::uint64_t kMostBytes = 4'000'000'000;  ///< of a library
 
 /// The struct at `offset`, or nothing where the file ends before.
 template <class Struct>
-std::optional<Struct> struct_at(const std::vector<char>& bytes, std::uint64_t offset) {
+std::optional<Struct> struct_at(const std::string& bytes, std::uint64_t offset) {
   if (offset > bytes.size() || bytes.size() - offset < sizeof(Struct)) return std::nullopt;
   Struct value;
   std::memcpy(&value, bytes.data() + offset, sizeof(Struct));
@@ -25,7 +23,7 @@ std::optional<Struct> struct_at(const std::vector<char>& bytes, std::uint64_t of
 }
 
 /// The text that begins `index` bytes into the string table, or "" outside of it.
-std::string text_at(const std::vector<char>& bytes, const Elf64_Shdr& table, std::uint64_t index) {
+std::string text_at(const std::string& bytes, const Elf64_Shdr& table, std::uint64_t index) {
   if (table.sh_offset > bytes.size() || table.sh_size > bytes.size() - table.sh_offset) return "";
   if (index >= table.sh_size) return "";
   const char* begin = bytes.data() + table.sh_offset + index;
@@ -42,11 +40,12 @@ bool is_exported(const Elf64_Sym& symbol) {
 }  // namespace
 
 std::string shared_library_problem(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return "can't be read";
-  std::vector<char> bytes(sizeof(Elf64_Ehdr));
-  in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  bytes.resize(static_cast<std::size_t>(in.gcount()));
+  std::string bytes(sizeof(Elf64_Ehdr), '\0');
+  try {
+    bytes.resize(InputFile(file, kMostBytes).read(bytes));
+  } catch (const InputError& error) {
+    return error.problems().front().message;
+  }
   if (bytes.size() < SELFMAG || std::memcmp(bytes.data(), ELFMAG, SELFMAG) != 0) {
     return "is not a shared library (no ELF header)";
   }
@@ -61,7 +60,7 @@ std::string shared_library_problem(const std::filesystem::path& file) {
 
 std::vector<std::string> exported_symbols(const std::filesystem::path& file) {
   if (!shared_library_problem(file).empty()) return {};
-  const std::vector<char> bytes = bytes_of(file);
+  const std::string bytes = read_input_file(file, kMostBytes);
   const auto header = struct_at<Elf64_Ehdr>(bytes, 0);
   std::vector<std::string> names;
   if (!header) return names;

@@ -1,10 +1,10 @@
 #include <algorithm>
-#include <fstream>
-#include <iterator>
+#include <limits>
 #include <optional>
 #include <utility>
 
 #include "base/input_error.hpp"
+#include "base/input_file.hpp"
 #include "report/trial_table.hpp"
 #include "store/visit_trials.hpp"
 
@@ -19,14 +19,18 @@ struct Source {
   TrialTable table;
 };
 
+/// Whether the file begins as databases do, or is too short for a table.
+bool may_be_database(const std::filesystem::path& path) {
+  InputFile file(path, std::numeric_limits<std::uint64_t>::max());
+  std::string start(16, '\0');
+  const std::size_t count = file.read(start);
+  return count < start.size() || start.starts_with("SQLite format 3");
+}
+
 Source open_source(const std::filesystem::path& path) {
   Source source{
       .file = path.string(), .database = std::nullopt, .sweeps = {}, .table = TrialTable{}};
-  std::ifstream file(path, std::ios::binary);
-  std::string start(16, '\0');
-  file.read(start.data(), static_cast<std::streamsize>(start.size()));
-  // A file that is missing or can't be read is left to the database, which tells why.
-  if (!file || start.starts_with("SQLite format 3")) {
+  if (may_be_database(path)) {
     source.database = Database::open_for_reading(path);
     for (SweepInfo& sweep : source.database->read_sweeps()) {
       if (sweep.trial_count > 0) source.sweeps.push_back(std::move(sweep));
@@ -36,9 +40,8 @@ Source open_source(const std::filesystem::path& path) {
     }
     return source;
   }
-  file.seekg(0);
-  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  source.table = table_of_csv(text, source.file);
+  constexpr std::uint64_t kMostBytes = 2'000'000'000;
+  source.table = table_of_csv(read_input_file(path, kMostBytes), source.file);
   return source;
 }
 

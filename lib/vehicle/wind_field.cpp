@@ -4,13 +4,12 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <optional>
-#include <sstream>
 
 #include "base/digest.hpp"
 #include "base/input_error.hpp"
+#include "base/input_file.hpp"
 
 namespace avoidbench {
 namespace {
@@ -191,11 +190,8 @@ WindField read_wind_field(const std::string& file, const std::string& digest) {
     throw InputError(
         InputProblem{.file = file, .message = "has another SHA-256 than " + digest + ": " + found});
   }
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  if (!stream) throw InputError(InputProblem{.file = file, .message = "can't be read to its end"});
-  return parse_wind_field(text.str(), file);
+  constexpr std::uint64_t kMostBytes = 1'000'000'000;
+  return parse_wind_field(read_input_file(file, kMostBytes), file);
 }
 
 Vector3d wind_at(const WindField& field, const Vector3d& position_world) {

@@ -133,7 +133,7 @@ TEST_F(Includes, WhatCannotBeIncludedIsToldAtTheIncludeLine) {
             "s.yaml:2:11: include: none.yaml: no such file\n"
             "s.yaml:2:22: include: sub: no such file");
   EXPECT_EQ(problems("include: .\n"),
-            "s.yaml:1:10: include: : is a folder; a YAML file is expected");
+            "s.yaml:1:10: include: : is a folder, not a file");
   EXPECT_EQ(problems("include: []\n"),
             "s.yaml:1:10: include: expected a file or a list of files, found an empty list");
   EXPECT_EQ(problems("include: {a: b}\n"),

@@ -68,12 +68,19 @@ TEST(YamlTree, RefusesWhatIsTooDeepOrTooLarge) {
   }
   EXPECT_NE(parse_problems(laughs).find("more than 100000 values, aliases expanded"),
             std::string::npos);
+  // 2 MB of text that few aliases would make 100 GB.
+  std::string long_text = "a: &a " + std::string(2'000'000, 'x') + "\nb: [*a";
+  for (int i = 0; i < 49'000; ++i) long_text += ", *a";
+  EXPECT_NE(parse_problems(long_text + "]\n").find("more than 20 MB of text, aliases expanded"),
+            std::string::npos);
   EXPECT_EQ(parse_problems("a: &a [*a]\n"), "f.yaml:1:8: an alias within what it stands for");
 }
 
 TEST(YamlTree, UnreadableFiles) {
   EXPECT_EQ(problems_of([] { read_yaml("/nowhere/f.yaml"); }), "/nowhere/f.yaml: no such file");
-  EXPECT_EQ(problems_of([] { read_yaml("/tmp"); }), "/tmp: is a folder; a YAML file is expected");
+  EXPECT_EQ(problems_of([] { read_yaml("/tmp"); }), "/tmp: is a folder, not a file");
+  EXPECT_EQ(problems_of([] { read_yaml("/dev/zero"); }),
+            "/dev/zero: is a device, not a regular file: write what it gives to a file first");
 }
 
 /// Bytes of a good document changed, removed, repeated at random: an answer or an InputError,
