@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 
+#include "base/file_name.hpp"
 #include "base/input_error.hpp"
 #include "commands.hpp"
 #include "database_choice.hpp"
@@ -148,7 +149,8 @@ void write_each(const ExportOptions& options, const std::string& extension, Text
     }
     const std::string file =
         is_one ? options.output
-               : (folder / (trial.key.substr(0, kKeyLetters) + "." + extension)).string();
+               : (folder / (safe_file_name(trial.key.substr(0, kKeyLetters)) + "." + extension))
+                     .string();
     write_text(text_of(row->record), file);
     if (!is_one) std::cerr << "wrote " << file << ": " << trial_text(trial) << '\n';
   }
@@ -184,7 +186,8 @@ void write_ompl(const ExportOptions& options) {
   }
   const std::filesystem::path folder = is_file ? "" : made_folder(options.output);
   for (const OmplExperiment& experiment : experiments) {
-    Output output(is_file ? options.output : (folder / (experiment.name + ".log")).string());
+    Output output(is_file ? options.output
+                          : (folder / (safe_file_name(experiment.name) + ".log")).string());
     write_ompl_log(databases.front(), experiment, options.progress_period_s,
                    [&](const std::string& text) { output.write(text); });
     output.close();

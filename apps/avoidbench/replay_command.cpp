@@ -234,7 +234,8 @@ void add_replay_command(CLI::App& app) {
       ->capture_default_str();
   command
       ->add_option("--library", options->planner_file,
-                   "Fly this planner library (default: what the sweep's name of it leads to)")
+                   "Fly this planner library (default: what the sweep's name of it leads to, if "
+                   "that is the file that was flown)")
       ->type_name("NAME|FILE");
   command
       ->add_option("--map-file", options->map_file,

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <set>
 
 #include "base/input_error.hpp"
 #include "commands.hpp"
@@ -18,6 +19,7 @@ constexpr int kExitDiffers = 1;
 struct VerifyCommand {
   std::string database_file;
   std::string sample = "100%";
+  std::string planner, library;
 };
 
 /// A share from "1%", "0.01" or "1".
@@ -49,10 +51,12 @@ bool ended_worker(Outcome outcome) {
 }
 
 /// Flies it again; whether it is the same.
-bool is_repeated(const Database& database, const TrialListing& listing) {
+bool is_repeated(const Database& database, const TrialListing& listing,
+                 const std::string& library) {
   const std::filesystem::path folder = database.path().parent_path();
   ReplayFiles files;
   files.folders = {".", folder};
+  files.planner = library;
   const Replay replay(read_stored_trial(database, listing.key), files);
   std::vector<std::string> log;
   const TrialRecord flown = replay.fly({}, log);
@@ -65,19 +69,36 @@ bool is_repeated(const Database& database, const TrialListing& listing) {
   return false;
 }
 
+void check_planner(const VerifyCommand& command, const std::vector<TrialListing>& trials) {
+  std::set<std::string> labels;
+  for (const TrialListing& trial : trials) labels.insert(trial.planner_label);
+  const std::vector<std::string> known(labels.begin(), labels.end());
+  if (!command.planner.empty() && !labels.contains(command.planner)) {
+    throw InputError("--planner " + command.planner + ": no trial has it" +
+                     did_you_mean(command.planner, known));
+  }
+  if (!command.library.empty() && command.planner.empty() && labels.size() > 1) {
+    throw InputError("--library " + command.library +
+                     ": the trials are of several planners: choose one by --planner");
+  }
+}
+
 void verify(const VerifyCommand& command) {
   enter_worker_environment();
   const double share = share_from(command.sample);
   const Database database = Database::open_for_reading(command.database_file);
   std::int64_t flown = 0, different = 0, passed_over = 0;
-  for (const TrialListing& trial : database.list_trials()) {
+  const std::vector<TrialListing> trials = database.list_trials();
+  check_planner(command, trials);
+  for (const TrialListing& trial : trials) {
+    if (!command.planner.empty() && trial.planner_label != command.planner) continue;
     if (!is_sampled(trial.key, share)) continue;
     if (ended_worker(trial.outcome)) {
       ++passed_over;
       continue;
     }
     ++flown;
-    different += is_repeated(database, trial) ? 0 : 1;
+    different += is_repeated(database, trial, command.library) ? 0 : 1;
   }
   std::cout << flown << " trials flown again, " << different << " different\n";
   if (passed_over > 0) {
@@ -96,6 +117,11 @@ void add_verify_command(CLI::App& app) {
   command->add_option("DB", options->database_file, "Database")->required();
   command->add_option("--sample", options->sample, "Share of the trials, chosen by their keys")
       ->capture_default_str();
+  command->add_option("--planner", options->planner, "Only trials of this planner, by its label");
+  command
+      ->add_option("--library", options->library,
+                   "Fly this planner library, also where it is another file than the trials'")
+      ->type_name("NAME|FILE");
   command->footer(
       "Exit code 1 where a flight differs from the stored one. Planners and map files are looked "
       "for as `avoidbench\n"

@@ -82,7 +82,8 @@ Schema planners_schema(const FieldTree& key) {
 }
 
 Schema name_of_sweep(const FieldTree& key) {
-  Schema schema{{"type", {"string", "number", "boolean"}}, {"pattern", "^[A-Za-z0-9_.-]{1,100}$"}};
+  Schema schema{{"type", {"string", "number", "boolean"}},
+                {"pattern", "^[A-Za-z0-9_][A-Za-z0-9_.-]{0,99}$"}};
   describe(key, schema);
   return schema;
 }

@@ -6,6 +6,7 @@
 #include <set>
 #include <tuple>
 
+#include "base/file_name.hpp"
 #include "config/cross_checks.hpp"
 #include "config/map_files.hpp"
 #include "config/named_specs.hpp"
@@ -21,13 +22,6 @@ namespace fs = std::filesystem;
 
 constexpr double kMostTrials = 10'000'000;
 
-bool is_good_name(const std::string& name) {
-  return !name.empty() && name.size() <= 100 && std::all_of(name.begin(), name.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-           c == '.' || c == '-';
-  });
-}
-
 void read_name(const YamlNode& root, const YamlNode* node, std::string& name, Reading& reading) {
   if (node == nullptr) {
     reading.problems.push_back(problem_at(root, "lacks 'sweep', the name of the result set"));
@@ -35,9 +29,10 @@ void read_name(const YamlNode& root, const YamlNode* node, std::string& name, Re
   }
   const std::size_t before = reading.problems.size();
   read_scalar(*node, "sweep", name, Range{}, reading.problems);
-  if (reading.problems.size() == before && !is_good_name(name)) {
-    reading.problems.push_back(
-        problem_at(*node, "sweep: " + found_text(*node) + " is no name of A-Z a-z 0-9 _ . -"));
+  if (reading.problems.size() == before && safe_file_name(name) != name) {
+    reading.problems.push_back(problem_at(
+        *node, "sweep: " + found_text(*node) +
+                   " is no name of A-Z a-z 0-9 _ . - that begins with a letter, digit or _"));
   }
 }
 

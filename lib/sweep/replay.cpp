@@ -16,23 +16,35 @@
 namespace avoidbench {
 namespace {
 
-/// The library to fly with. Of one that was named by a path its bare name is tried, too.
+/// The library to fly with. Of one that was named by a path its bare name is tried, too. What a
+/// database names is loaded, and with that run, only where it is the file that the trial was flown
+/// with; what the user names, in any case.
 PlannerLibrary load_planner(const PlannerChoice& choice, const ReplayFiles& files) {
   if (!files.planner.empty()) return PlannerLibrary::load(find_planner(files.planner, "."));
   std::vector<std::string> problems;
   std::vector<std::string> names{choice.plugin};
   const std::string bare = std::filesystem::path(choice.plugin).stem().string();
   if (bare != choice.plugin) names.push_back(bare);
+  std::filesystem::path other;
   for (const std::string& name : names) {
     for (const std::filesystem::path& folder : files.folders) {
       try {
-        return PlannerLibrary::load(find_planner(name, folder));
+        const std::filesystem::path file = find_planner(name, folder);
+        if (file_digest(file) == choice.file_digest) return PlannerLibrary::load(file);
+        if (other.empty()) other = file;
       } catch (const InputError& error) {
         problems.emplace_back(error.what());
       }
     }
   }
-  throw InputError(problems.front() + "; --library names another place");
+  if (other.empty()) throw InputError(problems.front() + "; --library names another place");
+  throw InputError({.file = other.string(),
+                    .message = "is not the library that the trial was flown with (SHA-256 " +
+                               file_digest(other).substr(0, 12) + "…, in the database " +
+                               choice.file_digest.substr(0, 12) +
+                               "…), so it is not loaded; --library " +
+                               (other.has_parent_path() ? "" : "./") + other.string() +
+                               " flies it all the same"});
 }
 
 /// The place of the file of this name and digest: as `given`, or in the folders or their
@@ -146,7 +158,7 @@ Replay::Replay(StoredTrial stored, const ReplayFiles& files)
     warnings_.push_back(
         "the trial was flown by a program whose results differ: see CHANGELOG.md, Results change");
   }
-  if (planner.file_digest != stored_.spec.planner.file_digest) {
+  if (planner.file_digest != stored_.spec.planner.file_digest) {  // by --library only
     warnings_.push_back("the planner's file is another one than in the stored trial: " +
                         planner.file.string());
   }

@@ -22,7 +22,7 @@ struct StoredTrial {
 
 /// Where to look for files, which a database does not name.
 struct ReplayFiles {
-  std::string planner;  ///< name or file of a library; "": as the sweep named it
+  std::string planner;  ///< name or file of a library; "": as the sweep named it, if it is the same
   std::string map;      ///< of a map from a file; "": its name in `folders` and in maps/
   std::string wind;     ///< of a wind field; "": its name in `folders` and in configs/wind/
   std::vector<std::filesystem::path> folders{"."};  ///< the sweep's, the database's, …
@@ -36,7 +36,8 @@ StoredTrial read_stored_trial(const Database& database, const std::string& key);
 class Replay {
  public:
   /// Loads map and planner. Parameters that the library no longer declares are left out. Throws
-  /// InputError where map or planner can't be had.
+  /// InputError where map or planner can't be had, and where the planner that the database names is
+  /// another file than the stored trial's: code is not run on a database's word alone.
   explicit Replay(StoredTrial stored, const ReplayFiles& files = {});
   Replay(const Replay&) = delete;
   Replay& operator=(const Replay&) = delete;

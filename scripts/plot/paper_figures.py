@@ -15,9 +15,11 @@ PNG; the same results give the same bytes:
   metrics                      all of these and the success rate, two columns (7.16 in) wide
 """
 import argparse
+import hashlib
 import io
 import json
 import pathlib
+import re
 import subprocess
 import sys
 
@@ -64,6 +66,14 @@ def with_report_labels(trials):
     return trials
 
 
+def safe_file_name(text):
+    """A folder's name made of a sweep's: never a path, hidden, or an option. As safe_file_name of lib/base/file_name.hpp."""
+    name = re.sub(r"^[.-]", "_", re.sub(r"[^A-Za-z0-9_.-]", "_", text))
+    if name == text and 0 < len(name) <= 100:
+        return name
+    return name[:80] + "-" + hashlib.sha256(text.encode("utf-8")).hexdigest()[:8]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("databases", nargs="+", type=pathlib.Path, metavar="DB")
@@ -85,7 +95,7 @@ def main():
         if names.count(section["sweep"]) > 1:
             sys.exit(f"these databases hold different sweeps under the name {section['sweep']}: draw them one by one")
         of_sweep = with_report_labels(trials[trials["sweep"] == section["sweep"]])
-        folder = arguments.output / section["sweep"]
+        folder = arguments.output / safe_file_name(section["sweep"])
         folder.mkdir(parents=True, exist_ok=True)
         count = 0
         for name, figure in figures.draw(section, of_sweep, wanted):

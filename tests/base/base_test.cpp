@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "base/digest.hpp"
+#include "base/file_name.hpp"
 #include "base/input_error.hpp"
 #include "base/spec_json.hpp"
 #include "base/ticks.hpp"
@@ -45,6 +46,28 @@ TEST(Digest, OfAFileIsThatOfItsBytes) {
   EXPECT_EQ(file_digest(path), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
   std::filesystem::remove(path);
   EXPECT_THROW(file_digest(path), InputError);
+}
+
+TEST(SafeFileName, IsNeverAPath) {
+  EXPECT_EQ(safe_file_name("dense_forest-2.v1"), "dense_forest-2.v1");
+  EXPECT_EQ(safe_file_name("../../x"), "_._.._x-9cdf6a50");
+  for (const std::string& bad :
+       {std::string(""), std::string("."), std::string(".."), std::string("/etc/x"),
+        std::string("a/b"), std::string("-rf"), std::string(".hidden"), std::string("a\0b", 3),
+        std::string("\n"), std::string("\x1b[2J"), std::string("ü"), std::string(300, 'a')}) {
+    const std::string name = safe_file_name(bad);
+    EXPECT_NE(name, bad);
+    EXPECT_LE(name.size(), 100U);
+    EXPECT_EQ(name.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
+                                     "0123456789_.-"),
+              std::string::npos)
+        << name;
+    EXPECT_NE(name.front(), '.');
+    EXPECT_EQ(std::filesystem::path("folder") / name,
+              (std::filesystem::path("folder") / name).lexically_normal());
+  }
+  EXPECT_NE(safe_file_name("a/b"), safe_file_name("a:b"));
+  EXPECT_NE(safe_file_name(std::string(300, 'a')), safe_file_name(std::string(301, 'a')));
 }
 
 TEST(InputError, NamesEveryPlace) {

@@ -76,6 +76,15 @@ def main():
             if file.read_bytes() != (folder / "first" / "tiny" / file.name).read_bytes():
                 sys.exit(f"{file.name} differs from one time to the next")
 
+        # A sweep's name in a database of somebody else's may be a path: its figures stay in the folder.
+        (folder / "foreign").write_text(f"#!/bin/sh\n'{program}' \"$@\" | sed 's|\\btiny\\b|../../escaped|g'\n")
+        (folder / "foreign").chmod(0o755)
+        run([python(), str(script), "results/tiny.db", "--output", "deep/third", "--program", str(folder / "foreign"),
+             "--figures", TWICE[0]], cwd=folder)
+        made = [made.name for made in (folder / "deep" / "third").iterdir()]
+        if len(made) != 1 or not made[0].startswith("_._.._escaped-") or (folder / "escaped").exists():
+            sys.exit(f"figures of the sweep ../../escaped are in {made}")
+
         # Without matplotlib it says what is missing.
         bare = dict(os.environ, AVOIDBENCH_PYTHON="/bin/false")
         done = subprocess.run([program, "report", "results/tiny.db", "--output", "report.txt", "--plots", "third"], cwd=folder,

@@ -258,7 +258,12 @@ TEST_F(SweepFiles, ProblemsOfTheHead) {
             "s.yaml:1:1: lacks 'sweep', the name of the result set\n"
             "s.yaml:1:1: lacks 'planners', the list of planners to compare");
   EXPECT_EQ(problems("sweep: a/b\nplanners: tunable\n"),
-            "s.yaml:1:8: sweep: \"a/b\" is no name of A-Z a-z 0-9 _ . -");
+            "s.yaml:1:8: sweep: \"a/b\" is no name of A-Z a-z 0-9 _ . - that begins with a letter, "
+            "digit or _");
+  for (const std::string name : {"..", ".hidden", "-o", "\"a\\eb\"", "\"a\\nb\"", "ü"}) {
+    const std::string found = problems("sweep: " + name + "\nplanners: tunable\n");
+    EXPECT_NE(found.find(" is no name of A-Z"), std::string::npos) << found;
+  }
   EXPECT_EQ(problems("- 1\n"), "s.yaml:1:1: expected a mapping (name: value), found a list");
   EXPECT_EQ(problems("sweep: a\nplanners: []\n"),
             "s.yaml:2:11: planners: expected at least one planner");

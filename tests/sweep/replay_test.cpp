@@ -75,7 +75,8 @@ TEST_F(ReplayTest, TellsWhatDiffers) {
   StoredTrial stored = read_stored_trial(database, database.list_trials().front().key);
   stored.spec.planner.file_digest = "of another day";
   stored.spec.planner.parameters.push_back({.name = "no_more", .number = 1.0, .text = {}});
-  const Replay replay(stored);
+  const Replay replay(stored,
+                      {.planner = test::built_planner("straight_line"), .map = {}, .wind = {}});
   EXPECT_EQ(replay.warnings().size(), 3U);  // key, file, parameter
   const TrialRecord& same = stored.row.record;
   EXPECT_TRUE(differences(same, same).empty());
@@ -88,6 +89,34 @@ TEST_F(ReplayTest, TellsWhatDiffers) {
   const std::vector<std::string> found = differences(same, other);
   ASSERT_EQ(found.size(), 4U);
   EXPECT_NE(found[2].find("differ from t = 0.1000 s on"), std::string::npos) << found[2];
+}
+
+/// A library that says so in a file when it is loaded: dlopen alone runs its code.
+TEST_F(ReplayTest, LoadsNoLibraryOnADatabasesWord) {
+  const Database database = Database::open_for_reading(file_);
+  StoredTrial stored = read_stored_trial(database, database.list_trials().front().key);
+  const std::filesystem::path mark = file_.string() + ".loaded";
+  ::setenv("AVOIDBENCH_TEST_MARK", mark.c_str(), 1);
+  for (const std::string& plugin :
+       {std::string(AVOIDBENCH_MARKING_PLANNER),
+        "./" + std::filesystem::relative(AVOIDBENCH_MARKING_PLANNER).string()}) {
+    stored.spec.planner.plugin = plugin;
+    try {
+      const Replay replay(stored);
+      FAIL() << "another library than the stored one";
+    } catch (const InputError& error) {
+      const std::string message = error.what();
+      EXPECT_NE(message.find("is not the library that the trial was flown with"), std::string::npos)
+          << message;
+      EXPECT_NE(message.find("--library"), std::string::npos) << message;
+    }
+    EXPECT_FALSE(std::filesystem::exists(mark)) << "its code has run";
+  }
+  // Named by the user it is loaded; only then does it turn out to be no planner.
+  EXPECT_THROW(Replay(stored, {.planner = AVOIDBENCH_MARKING_PLANNER, .map = {}, .wind = {}}),
+               InputError);
+  EXPECT_TRUE(std::filesystem::exists(mark));
+  std::filesystem::remove(mark);
 }
 
 TEST_F(ReplayTest, SaysWhatIsMissing) {
