@@ -1,4 +1,7 @@
+#include <unistd.h>
+
 #include <algorithm>
+#include <cstdio>
 #include <exception>
 #include <iostream>
 #include <string>
@@ -6,6 +9,7 @@
 
 #include "base/input_error.hpp"
 #include "commands.hpp"
+#include "plugin/planner_library.hpp"
 #include "version.hpp"
 
 namespace avoidbench {
@@ -123,21 +127,29 @@ int run_program(int argc, const char* const* argv) {
   return 0;
 }
 
+/// Runs the program, prints what is wrong with its input, and returns the exit code.
+int guarded_program(int argc, const char* const* argv) {
+  try {
+    return run_program(argc, argv);
+  } catch (const InputError& error) {
+    for (const InputProblem& problem : error.problems()) std::cerr << text(problem) << '\n';
+    return kUsageError;
+  } catch (const std::exception& error) {
+    std::cerr << "avoidbench: an error of this program, not of its input: " << error.what() << '\n';
+    return kOurError;
+  }
+}
+
 }  // namespace
 }  // namespace avoidbench
 
 int main(int argc, char** argv) {
-  try {
-    const int code = avoidbench::run_program(argc, argv);
-    std::cout.flush();
-    return code;
-  } catch (const avoidbench::InputError& error) {
-    for (const avoidbench::InputProblem& problem : error.problems()) {
-      std::cerr << text(problem) << '\n';
-    }
-    return avoidbench::kUsageError;
-  } catch (const std::exception& error) {
-    std::cerr << "avoidbench: an error of this program, not of its input: " << error.what() << '\n';
-    return avoidbench::kOurError;
+  const int code = avoidbench::guarded_program(argc, argv);
+  std::cout.flush();
+  if (avoidbench::PlannerLibrary::is_any_loaded()) {  // their destructors may change the code, or
+                                                      // hang
+    std::fflush(nullptr);
+    ::_exit(code);
   }
+  return code;
 }

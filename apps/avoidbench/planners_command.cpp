@@ -65,7 +65,7 @@ std::string values_of(const ParameterDef& def) {
 }
 
 PlannerDescription load(const std::string& plugin) {
-  return PlannerLibrary::load(find_planner(plugin, ".")).description();
+  return describe_planner(find_planner(plugin, "."));
 }
 
 void describe(const std::string& plugin, const TableOptions& options) {

@@ -39,7 +39,7 @@ std::optional<PlannerDescription> load(const YamlNode& node, const std::string& 
   // Relative to the file that says so; what the command line gives, to where it was typed.
   const fs::path folder = folder_of(node, ".");
   try {
-    return PlannerLibrary::load(find_planner(node.scalar, folder)).description();
+    return describe_planner(find_planner(node.scalar, folder));
   } catch (const InputError& error) {
     for (const InputProblem& problem : error.problems()) {
       reading.problems.push_back(problem_at(node, path + ": " + text(problem)));

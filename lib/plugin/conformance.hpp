@@ -20,9 +20,8 @@ struct ConformanceResult {
 /// that crashes ends it, see below. Loading is the first rule; where it fails, no other is tried.
 std::vector<ConformanceResult> check_conformance(const std::filesystem::path& file);
 
-/// As check_conformance, in a child process that has `time_limit_s` of wall time: a crash or a hang
-/// fails the rule that was being tried and ends the check there. Forks, so call it before this
-/// process starts threads.
+/// As check_conformance, by run_isolated with `time_limit_s` of wall time: a crash or a hang fails
+/// the rule that was being tried and ends the check there.
 std::vector<ConformanceResult> check_conformance_isolated(const std::filesystem::path& file,
                                                           double time_limit_s = 120.0);
 

@@ -18,28 +18,12 @@ double clock_s(clockid_t clock) {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// Starts the clock, where there is one, and stops it when the call is over.
-class TimedCall {
- public:
-  explicit TimedCall(CallClock* clock) : clock_(clock) {
-    if (clock_ != nullptr) clock_->begin();
-  }
-  ~TimedCall() {
-    if (clock_ != nullptr) clock_->end();
-  }
-  TimedCall(const TimedCall&) = delete;
-  TimedCall& operator=(const TimedCall&) = delete;
-
- private:
-  CallClock* clock_;
-  FloatGuard guard_;
-};
-
 /// Runs `call`; "" or what escaped from it. No exception may cross the interface: one that does is
 /// the planner's error.
 template <class Call>
 std::string escaped_exception(CallClock* clock, Call&& call) {
   const TimedCall timed(clock);
+  const FloatGuard guard;
   try {
     call();
   } catch (const std::exception& error) {
@@ -56,15 +40,6 @@ std::string error_text(const char* function, HostSide& host) {
 }
 
 }  // namespace
-
-void CallClock::begin() { began_ns_ = static_cast<std::int64_t>(1e9 * clock_s(CLOCK_MONOTONIC)); }
-
-void CallClock::end() { began_ns_ = 0; }
-
-double CallClock::running_s() const {
-  const std::int64_t began_ns = began_ns_;
-  return began_ns == 0 ? 0.0 : clock_s(CLOCK_MONOTONIC) - 1e-9 * static_cast<double>(began_ns);
-}
 
 struct PlannerInstance::Internals {
   const ab_planner* table = nullptr;

@@ -1,13 +1,13 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "plugin/call_clock.hpp"
 #include "plugin/drawings.hpp"
 #include "plugin/planner_library.hpp"
 
@@ -78,17 +78,6 @@ struct PlanResult {
   std::vector<ab_point> points;
   double cpu_time_s = 0;  ///< thread CPU time of the call, measured by the host
   double wall_time_s = 0;
-};
-
-/// When the planner's call that runs now began, for a watchdog in another thread.
-class CallClock {
- public:
-  void begin();
-  void end();
-  double running_s() const;  ///< wall time of the call under way; 0 between calls
-
- private:
-  std::atomic<std::int64_t> began_ns_{0};
 };
 
 /// One planner instance. Move-only; destroys itself. Not for two threads at once.

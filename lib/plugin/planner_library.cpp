@@ -3,6 +3,7 @@
 #include <dlfcn.h>
 
 #include <algorithm>
+#include <atomic>
 #include <exception>
 
 #include "base/digest.hpp"
@@ -15,6 +16,8 @@ namespace avoidbench {
 namespace {
 
 using TableFunction = const ab_planner* (*)(std::uint32_t);
+
+std::atomic<bool> any_loaded{false};
 
 const std::string kSymbolPrefix = "avoidbench_planner_v";
 
@@ -77,12 +80,26 @@ const ab_planner* table_from(const std::filesystem::path& file, TableFunction fu
 
 }  // namespace
 
-PlannerLibrary PlannerLibrary::load(const std::filesystem::path& file) {
+void PlannerLibrary::check(const std::filesystem::path& file) {
   check_file(file);
   check_symbol(file);
+}
+
+bool PlannerLibrary::is_any_loaded() { return any_loaded; }
+
+PlannerLibrary PlannerLibrary::load(const std::filesystem::path& file, CallClock* clock) {
+  check(file);
+  PlannerLibrary library = load_checked(file, clock);
+  library.description_.file_digest = file_digest(file);
+  return library;
+}
+
+PlannerLibrary PlannerLibrary::load_checked(const std::filesystem::path& file, CallClock* clock) {
   // An absolute path: dlopen would look a bare name up in the system's folders.
   const std::string path = std::filesystem::absolute(file).string();
   const FloatGuard guard;
+  const TimedCall timed(clock);
+  any_loaded = true;
   void* handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr) {
     const char* reason = dlerror();
@@ -101,7 +118,6 @@ PlannerLibrary PlannerLibrary::load(const std::filesystem::path& file) {
   }
   library.description_ = describe_table(*library.table_);
   library.description_.file = file;
-  library.description_.file_digest = file_digest(file);
   return library;
 }
 

@@ -1,40 +1,34 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "avoidbench/planner.h"
+#include "plugin/call_clock.hpp"
+#include "plugin/planner_description.hpp"
 
 namespace avoidbench {
-
-/// What a planner's library says of itself.
-struct ParameterDef {
-  std::string name, unit, doc;
-  std::int32_t kind = AB_NUMBER;  ///< AB_NUMBER …
-  double lowest = 0.0, highest = 0.0, preset = 0.0;
-  std::vector<std::string> choices;
-  std::string preset_text;
-};
-
-struct PlannerDescription {
-  std::string name, version, summary;
-  std::uint32_t needs = 0, commands = 0;  ///< AB_SEES_… and AB_COMMAND_… bits
-  std::vector<ParameterDef> parameters;
-  std::filesystem::path file;
-  std::string file_digest;  ///< SHA-256 of the library
-};
 
 /// A loaded planner library, checked: symbol, ABI number, sizes, names, ranges, function pointers.
 /// It stays loaded until the process ends (never dlclose: a planner may have left threads or
 /// thread-local destructors behind).
 class PlannerLibrary {
  public:
-  /// Throws InputError that says which file and what is wrong with it.
-  static PlannerLibrary load(const std::filesystem::path& file);
+  /// Loads it into this process, which runs its constructors here; see describe_planner. They count
+  /// as a call of `clock`, where given. Throws InputError that says which file and what is wrong
+  /// with it.
+  static PlannerLibrary load(const std::filesystem::path& file, CallClock* clock = nullptr);
+
+  /// What load looks at before it runs code of the library. Throws InputError as it does.
+  static void check(const std::filesystem::path& file);
+
+  /// As load, of a file that was checked, without its digest.
+  static PlannerLibrary load_checked(const std::filesystem::path& file, CallClock* clock = nullptr);
+
+  /// Whether code of any library was run in this process.
+  static bool is_any_loaded();
 
   const PlannerDescription& description() const { return description_; }
   const ab_planner& table() const { return *table_; }
@@ -54,8 +48,8 @@ std::vector<std::filesystem::path> planner_search_path();
 std::filesystem::path find_planner(const std::string& plugin,
                                    const std::filesystem::path& base_folder);
 
-/// Every planner library on the search path, sorted by name; files that don't load are left out and
-/// named in `problems`.
+/// Every planner library on the search path, described and sorted by name; files that don't load
+/// are left out and named in `problems`.
 std::vector<PlannerDescription> list_planners(std::vector<std::string>& problems);
 
 /// A parameter's value as configured: numbers for AB_NUMBER and AB_INTEGER, text for the rest.

@@ -110,7 +110,7 @@ std::vector<PlannerDescription> list_planners(std::vector<std::string>& problems
   std::vector<PlannerDescription> planners;
   for (const std::string& name : names_in(folders)) {
     try {
-      planners.push_back(PlannerLibrary::load(find_planner(name, ".")).description());
+      planners.push_back(describe_planner(find_planner(name, ".")));
     } catch (const InputError& error) {
       problems.emplace_back(error.what());
     }

@@ -4,8 +4,9 @@
 #include <filesystem>
 
 #include "base/digest.hpp"
+#include "base/input_error.hpp"
 #include "base/spec_json.hpp"
-#include "plugin/planner_library.hpp"
+#include "plugin/planner_description.hpp"
 #include "sweep/recorded_latency.hpp"
 
 namespace avoidbench {
@@ -90,7 +91,10 @@ std::string sweep_json(const SweepSpec& sweep, const std::vector<PlannedTrial>& 
 }
 
 PlannerRow planner_row(const PlannerChoice& choice) {
-  const PlannerDescription planner = PlannerLibrary::load(choice.file).description();
+  const PlannerDescription planner = describe_planner(choice.file);
+  if (planner.file_digest != choice.file_digest) {
+    throw InputError({.file = choice.file, .message = "changed since the sweep was read"});
+  }
   nlohmann::json parameters = nlohmann::json::object();
   for (const ParameterChoice& parameter : choice.parameters) {
     if (parameter.is_text) {

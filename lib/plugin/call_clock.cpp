@@ -1,0 +1,24 @@
+#include "plugin/call_clock.hpp"
+
+#include <chrono>
+
+namespace avoidbench {
+namespace {
+
+std::int64_t monotonic_ns() {
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(now).count();
+}
+
+}  // namespace
+
+void CallClock::begin() { began_ns_ = monotonic_ns(); }
+
+void CallClock::end() { began_ns_ = 0; }
+
+double CallClock::running_s() const {
+  const std::int64_t began_ns = began_ns_;
+  return began_ns == 0 ? 0.0 : 1e-9 * static_cast<double>(monotonic_ns() - began_ns);
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "avoidbench/planner.h"
+
+namespace avoidbench {
+
+/// What a planner's library says of itself.
+struct ParameterDef {
+  std::string name, unit, doc;
+  std::int32_t kind = AB_NUMBER;  ///< AB_NUMBER …
+  double lowest = 0.0, highest = 0.0, preset = 0.0;
+  std::vector<std::string> choices;
+  std::string preset_text;
+};
+
+struct PlannerDescription {
+  std::string name, version, summary;
+  std::uint32_t needs = 0, commands = 0;  ///< AB_SEES_… and AB_COMMAND_… bits
+  std::vector<ParameterDef> parameters;
+  std::filesystem::path file;
+  std::string file_digest;  ///< SHA-256 of the library
+};
+
+/// What the library in `file` says of itself. To ask it is to run its constructors, which can do
+/// anything: they run in a process of their own (run_isolated), which is killed with all that it
+/// started after `time_limit_s`. Throws InputError that names the file and says what is wrong with
+/// it, as PlannerLibrary::load does, or how that process ended.
+PlannerDescription describe_planner(const std::filesystem::path& file, double time_limit_s);
+
+/// The same within the time limit of the environment's AVOIDBENCH_LOAD_LIMIT_S, else 10 s. Asks
+/// again only for a file that changed since this process asked for it.
+PlannerDescription describe_planner(const std::filesystem::path& file);
+
+}  // namespace avoidbench
