@@ -2,6 +2,7 @@
 
 #include "base/digest.hpp"
 #include "store/record_format.hpp"
+#include "store/schema_check.hpp"
 #include "store/statement.hpp"
 
 namespace avoidbench {
@@ -36,7 +37,7 @@ Listing trial_listing(const Database& db) {
   int count = 2;
   for (const MetricRow& metric : db.metrics()) {
     if (metric.is_measured) continue;
-    metrics += ", t." + metric.name;
+    metrics += ", t." + sql_name(metric.name);
     ++count;
   }
   return {

@@ -2,16 +2,19 @@
 
 #include <algorithm>
 #include <cctype>
+#include <thread>
 
 #include "base/check.hpp"
 #include "base/input_error.hpp"
+#include "store/run_lock.hpp"
+#include "store/schema_check.hpp"
 #include "store/sql_text.hpp"
 #include "store/statement.hpp"
 
 namespace avoidbench {
 namespace {
 
-constexpr int kLockTimeout_ms = 10000;
+constexpr double kLockTimeout_s = 10.0;
 
 [[noreturn]] void fail(const std::filesystem::path& path, std::string message) {
   throw InputError(InputProblem{.file = path.string(), .message = std::move(message)});
@@ -43,12 +46,6 @@ void check_is_plain_file(const std::filesystem::path& path) {
   }
 }
 
-bool is_column_name(std::string_view name) {
-  return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
-  });
-}
-
 MetricRow metric_row(const MetricDef& def) {
   return {.name = std::string(def.name),
           .version = def.version,
@@ -72,48 +69,94 @@ std::string with_replaced(std::string text, std::string_view mark, std::string_v
 std::string views_sql(std::span<const MetricRow> metrics) {
   std::string columns, means;
   for (const MetricRow& metric : metrics) {
-    columns += ",\n         t." + metric.name;
-    means += ",\n         avg(t." + metric.name + ") AS mean_" + metric.name;
+    columns += ",\n         t." + sql_name(metric.name);
+    means +=
+        ",\n         avg(t." + sql_name(metric.name) + ") AS " + sql_name("mean_" + metric.name);
   }
   return with_replaced(with_replaced(std::string(kViewsSql), "{metrics}", columns),
                        "{metric_means}", means);
+}
+
+/// Nothing that a file says may run code, write elsewhere or reach another file.
+void harden(sqlite3* handle) {
+  sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+  sqlite3_db_config(handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+  sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
+  sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_LOAD_EXTENSION, 0, nullptr);
+  sqlite3_db_config(handle, SQLITE_DBCONFIG_DQS_DDL, 0, nullptr);
+  sqlite3_db_config(handle, SQLITE_DBCONFIG_DQS_DML, 0, nullptr);
+  sqlite3_limit(handle, SQLITE_LIMIT_ATTACHED, 0);
+  sqlite3_exec(handle, "PRAGMA cell_size_check = ON; PRAGMA temp_store = MEMORY", nullptr, nullptr,
+               nullptr);
 }
 
 }  // namespace
 
 void Database::Close::operator()(sqlite3* handle) const {
   // A finished database is one file: it can be copied, and read in a folder that can't be written.
-  // Where somebody still reads it, it stays in WAL mode, which does no harm.
+  // Where somebody still reads it, it stays in WAL mode, which does no harm; what is committed is
+  // in the file as far as readers let it.
   if (is_writer) {
-    sqlite3_busy_timeout(handle, 0);
+    sqlite3_busy_handler(handle, nullptr, nullptr);
+    sqlite3_exec(handle, "ROLLBACK", nullptr, nullptr, nullptr);  // what an exception left open
     sqlite3_exec(handle, "PRAGMA journal_mode = DELETE", nullptr, nullptr, nullptr);
+    sqlite3_wal_checkpoint_v2(handle, "main", SQLITE_CHECKPOINT_PASSIVE, nullptr, nullptr);
   }
   sqlite3_close_v2(handle);
 }
 
 Database::Database(std::filesystem::path path, std::unique_ptr<sqlite3, Close> handle)
     : path_(std::make_unique<const std::filesystem::path>(std::move(path))),
+      wait_(std::make_unique<Wait>()),
       handle_(std::move(handle)) {}
 
-Database Database::connect(const std::filesystem::path& path, int flags, bool is_immutable) {
+Database::Database(Database&& other) noexcept = default;
+Database& Database::operator=(Database&& other) noexcept = default;
+Database::~Database() = default;
+
+void Database::close() {
+  handle_.reset();
+  lock_.reset();
+}
+
+int Database::wait_for_lock(void* context, int count) {
+  constexpr int kLongestPause_ms = 100;
+  auto& wait = *static_cast<Wait*>(context);
+  const auto now = std::chrono::steady_clock::now();
+  if (count == 0) wait.began = now;
+  const double waited_s = std::chrono::duration<double>(now - wait.began).count();
+  wait.has_given_up = wait.on_wait ? !wait.on_wait(waited_s) : waited_s >= kLockTimeout_s;
+  if (wait.has_given_up) return 0;
+  std::this_thread::sleep_for(std::chrono::milliseconds(count < 6 ? 1 << count : kLongestPause_ms));
+  return 1;
+}
+
+Database Database::connect(const std::filesystem::path& path, int flags, bool is_immutable,
+                           OnWait on_wait) {
   sqlite3* handle = nullptr;
-  const int code = sqlite3_open_v2(file_uri(path, is_immutable).c_str(), &handle,
-                                   flags | SQLITE_OPEN_URI, nullptr);
+  const std::string uri = file_uri(path, is_immutable);
+  const int code = sqlite3_open_v2(uri.c_str(), &handle, flags | SQLITE_OPEN_URI, nullptr);
   Database database(path, std::unique_ptr<sqlite3, Close>(handle, Close{.is_writer = false}));
   if (code != SQLITE_OK) throw_sqlite_error(handle, code, path);
-  sqlite3_busy_timeout(handle, kLockTimeout_ms);
+  harden(handle);
+  database.uri_ = uri;
+  database.wait_->on_wait = std::move(on_wait);
+  sqlite3_busy_handler(handle, wait_for_lock, database.wait_.get());
   return database;
 }
 
 Database Database::open_for_run(const std::filesystem::path& path,
-                                std::span<const MetricDef> metrics) {
+                                std::span<const MetricDef> metrics, OnWait on_wait) {
   check_is_plain_file(path);
-  Database database = connect(path, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, false);
+  Database database =
+      connect(path, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, false, std::move(on_wait));
   sqlite3* handle = database.handle();
   database.check_identity();
   if (sqlite3_db_readonly(handle, "main") == 1) {
     throw_sqlite_error(nullptr, SQLITE_READONLY, path);
   }
+  database.lock_ = std::make_unique<RunLock>(path);
+  check_objects(handle, path, "main", Extras::only_apart);
   database.check_integrity(true);
   // Readers may look while a run writes. FULL: a power cut loses no committed trial either; one
   // fsync a trial is nothing beside its flight.
@@ -121,8 +164,10 @@ Database Database::open_for_run(const std::filesystem::path& path,
           "PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON;");
   Transaction transaction(handle, path);
   database.create_schema();
+  check_columns(handle, path, "main");
   database.bring_metrics(metrics);
   transaction.commit();
+  database.use_own_views();
   database.handle_.get_deleter().is_writer = true;
   return database;
 }
@@ -131,7 +176,7 @@ Database Database::open_for_reading(const std::filesystem::path& path) {
   check_is_plain_file(path);
   std::error_code error;
   if (!std::filesystem::exists(path, error)) fail(path, "no such file");
-  Database database = connect(path, SQLITE_OPEN_READONLY, false);
+  Database database = connect(path, SQLITE_OPEN_READONLY, false, {});
   // A database in WAL mode needs files beside it even for reading. Where the folder can't be
   // written and no writer has left any, the file is complete and can be read alone.
   const int code = sqlite3_exec(database.handle(), "SELECT count(*) FROM sqlite_schema", nullptr,
@@ -139,7 +184,7 @@ Database Database::open_for_reading(const std::filesystem::path& path) {
   const int primary_code = code & 0xff;
   if ((primary_code == SQLITE_CANTOPEN || primary_code == SQLITE_READONLY) &&
       !std::filesystem::exists(path.string() + "-wal", error)) {
-    database = connect(path, SQLITE_OPEN_READONLY, true);
+    database = connect(path, SQLITE_OPEN_READONLY, true, {});
   } else if (code != SQLITE_OK) {
     throw_sqlite_error(database.handle(), code, path);
   }
@@ -152,12 +197,77 @@ Database Database::open_for_reading(const std::filesystem::path& path) {
                    ", this avoidbench reads version " + std::to_string(kSchemaVersion) +
                    ": `avoidbench run` with this --db brings it up");
   }
+  check_objects(database.handle(), path, "main", Extras::only_apart);
+  check_columns(database.handle(), path, "main");
   database.check_integrity(false);
   // Rows are spread over the whole of a large file: what is mapped into memory is read without a
   // system call each.
   execute(database.handle(), path, "PRAGMA mmap_size = 134217728");
   database.read_metrics();
+  database.use_own_views();
   return database;
+}
+
+void Database::checkpoint() {
+  if (lock_ == nullptr) return;
+  sqlite3_wal_checkpoint_v2(handle(), "main", SQLITE_CHECKPOINT_PASSIVE, nullptr, nullptr);
+  require_in_place();
+}
+
+void Database::require_in_place() {
+  if (lock_ == nullptr || lock_->is_in_place()) return;
+  std::error_code error;
+  const std::string what =
+      std::filesystem::exists(*path_, error) ? "replaced by another file" : "deleted or moved";
+  const std::string began =
+      "was " + what + " while it was being written to. All that was committed is ";
+  const std::filesystem::path place = lock_->place_now();
+  if (!place.empty()) {
+    // The log is still found under the old name: it belongs into the file.
+    sqlite3_wal_checkpoint_v2(handle(), "main", SQLITE_CHECKPOINT_TRUNCATE, nullptr, nullptr);
+    fail(*path_, began + "in " + place.string() +
+                     ": move it back, or name it by --db, and run the same command again");
+  }
+  const std::string copy = rescued_copy();
+  if (copy.empty()) {
+    fail(*path_, "was " + what +
+                     " while it was being written to, and what was committed could not be saved "
+                     "elsewhere: " +
+                     sqlite3_errmsg(handle()));
+  }
+  fail(*path_, began + "saved in " + copy + ": name it by --db and run the same command again");
+}
+
+std::string Database::rescued_copy() {
+  constexpr int kMostCopies = 100;
+  std::filesystem::path folder = std::filesystem::absolute(*path_).parent_path();
+  sqlite3_limit(handle(), SQLITE_LIMIT_ATTACHED, 1);  // VACUUM attaches what it writes
+  for (const std::filesystem::path& place :
+       {folder, std::filesystem::current_path(), std::filesystem::temp_directory_path()}) {
+    for (int i = 1; i <= kMostCopies; ++i) {
+      std::filesystem::path copy = place / path_->stem();
+      copy += i == 1 ? ".rescued.db" : ".rescued" + std::to_string(i) + ".db";
+      std::error_code error;
+      if (std::filesystem::exists(copy, error)) continue;
+      Statement vacuum(handle(), path(), "VACUUM INTO ?");
+      vacuum.bind_text(copy.string());
+      try {
+        vacuum.run();
+        return copy.string();
+      } catch (const InputError&) {
+        std::filesystem::remove(copy, error);  // half a copy
+        break;
+      }
+    }
+  }
+  return "";
+}
+
+void Database::use_own_views() {
+  // What a file's views say is up to who wrote it, or an older program.
+  std::string views = with_replaced(views_sql(metrics_), "CREATE VIEW ", "CREATE TEMP VIEW ");
+  execute(handle(), path(), views);
+  sqlite3_db_config(handle(), SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);  // but for temporary ones
 }
 
 void Database::check_identity() const {
@@ -271,13 +381,18 @@ void Database::bring_metrics(std::span<const MetricDef> metrics) {
     const bool is_new =
         std::none_of(metrics_.begin(), metrics_.end(),
                      [&](const MetricRow& stored) { return stored.name == row.name; });
-    if (is_new) execute(handle(), path(), "ALTER TABLE trials ADD COLUMN " + row.name + " REAL");
+    if (is_new) {
+      execute(handle(), path(), "ALTER TABLE trials ADD COLUMN " + sql_name(row.name) + " REAL");
+    }
     define.bind_text(row.name).bind_integer(static_cast<std::int64_t>(i)).bind_integer(row.version);
     define.bind_text(row.unit).bind_text(row.doc).bind_text(row.formula).bind_text(row.source);
     define.bind_text(text(row.better)).bind_text(text(row.population));
     define.bind_integer(row.is_measured ? 1 : 0).run();
   }
   metrics_ = wanted;
+  for (const std::string_view view : kViews) {
+    execute(handle(), path(), "DROP VIEW IF EXISTS " + sql_name(view));
+  }
   execute(handle(), path(), views_sql(metrics_));
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -21,6 +23,12 @@ namespace avoidbench {
 inline constexpr int kApplicationId = 0x6176426e;  ///< "avBn", in the SQLite header of our files
 inline constexpr int kSchemaVersion = 3;
 
+class RunLock;
+
+/// Called about ten times a second while another program's lock is in the way, with the time waited
+/// so far; false gives up, which is an InputError. Must not throw.
+using OnWait = std::function<bool(double waited_s)>;
+
 /// One database file of results. The schema, and with it the meaning of every column, is in
 /// schema.sql. A handle serves one thread. All functions throw InputError, naming the file, when
 /// the disk or another program stands in the way; what was committed before stays.
@@ -29,15 +37,39 @@ class Database {
   /// Opens `path` for writing; makes it when it doesn't exist or is empty (its folder has to
   /// exist). `metrics` are the program's: a metric that the file lacks becomes a new column, NULL
   /// in trials that are already there. Throws InputError when the file is no database of ours, is
-  /// damaged, is locked, can't be written, was made by a newer program, or defines a metric in
-  /// another version than `metrics` do.
+  /// damaged, is locked, can't be written, was made by a newer program, holds triggers or tables of
+  /// other columns than ours, is being written to by another run or merge, or defines a metric in
+  /// another version than `metrics` do. Without `on_wait`, locks of other programs are waited for
+  /// ten seconds.
   static Database open_for_run(const std::filesystem::path& path,
-                               std::span<const MetricDef> metrics);
+                               std::span<const MetricDef> metrics, OnWait on_wait = {});
 
   /// Opens an existing file, also one that can't be written. Throws InputError as open_for_run().
+  /// The file's own views are not used.
   static Database open_for_reading(const std::filesystem::path& path);
 
+  Database(Database&& other) noexcept;
+  Database& operator=(Database&& other) noexcept;
+  ~Database();
+
   const std::filesystem::path& path() const { return *path_; }
+
+  /// Ends the connection, as the destructor does. A database that was opened for a run is one file
+  /// afterwards if nobody reads it. Nothing but path() may be called afterwards.
+  void close();
+
+  /// Moves what was committed from the log beside the file into the file, as far as readers let it,
+  /// without waiting. SQLite does it by itself every 1000 pages of log (4 MiB). Throws as
+  /// require_in_place().
+  void checkpoint();
+
+  /// Throws InputError where the file of a run was deleted, moved or replaced since it was opened;
+  /// it says where all committed rows are: under the file's new name, or in a new file
+  /// `NAME.rescued.db` beside the deleted one. Each of the functions that write ends with it.
+  void require_in_place();
+
+  /// Whether OnWait gave up waiting for a lock.
+  bool has_given_up() const { return wait_->has_given_up; }
 
   /// The metrics, in the order of TrialRow::metrics.
   const std::vector<MetricRow>& metrics() const { return metrics_; }
@@ -82,6 +114,8 @@ class Database {
 
   /// SQLite's handle, for this room only.
   sqlite3* handle() const { return handle_.get(); }
+  /// The file as SQLite opened it, for this room only.
+  const std::string& uri() const { return uri_; }
 
  private:
   struct Close {
@@ -89,18 +123,32 @@ class Database {
     void operator()(sqlite3* handle) const;
   };
 
+  /// While a lock is waited for.
+  struct Wait {
+    OnWait on_wait;
+    std::chrono::steady_clock::time_point began;
+    bool has_given_up = false;
+  };
+
   Database(std::filesystem::path path, std::unique_ptr<sqlite3, Close> handle);
-  static Database connect(const std::filesystem::path& path, int flags, bool is_immutable);
+  static Database connect(const std::filesystem::path& path, int flags, bool is_immutable,
+                          OnWait on_wait);
+  static int wait_for_lock(void* wait, int count);
   void check_identity() const;
   void check_integrity(bool whole) const;
   int schema_version() const;
   void create_schema();  ///< or brings an older one up
   void bring_metrics(std::span<const MetricDef> metrics);
   void read_metrics();
+  void use_own_views();
+  std::string rescued_copy();
   std::int64_t revision_of(std::string_view sweep) const;
 
   std::unique_ptr<const std::filesystem::path>
       path_;  // behind a pointer: statements keep a reference while we may move
+  std::string uri_;
+  std::unique_ptr<Wait> wait_;     // at an address that stays: SQLite keeps it
+  std::unique_ptr<RunLock> lock_;  // before the handle: closed after it (see RunLock)
   std::unique_ptr<sqlite3, Close> handle_;
   std::vector<MetricRow> metrics_;
   std::int64_t run_id_ = 0;

@@ -5,35 +5,46 @@
 #include <set>
 
 #include "base/input_error.hpp"
+#include "store/schema_check.hpp"
 #include "store/statement.hpp"
 
 namespace avoidbench {
 namespace {
 
-/// Keeps a file attached as `shard`.
+/// Keeps a file attached as `shard`, for reading only. No other file can be attached meanwhile.
 class Attached {
  public:
-  Attached(const Database& database, const std::filesystem::path& file) : database_(database) {
-    Statement attach(database.handle(), database.path(), "ATTACH ? AS shard");
-    attach.bind_text(file.string()).run();
+  Attached(const Database& into, const Database& from) : handle_(into.handle()) {
+    sqlite3_limit(handle_, SQLITE_LIMIT_ATTACHED, 1);
+    Statement attach(handle_, into.path(), "ATTACH ? AS shard");
+    const bool has_options = from.uri().find('?') != std::string::npos;
+    attach.bind_text(from.uri() + (has_options ? "&mode=ro" : "?mode=ro")).run();
   }
-  ~Attached() { sqlite3_exec(database_.handle(), "DETACH shard", nullptr, nullptr, nullptr); }
+  ~Attached() {
+    sqlite3_exec(handle_, "DETACH shard", nullptr, nullptr, nullptr);
+    sqlite3_limit(handle_, SQLITE_LIMIT_ATTACHED, 0);
+  }
   Attached(const Attached&) = delete;
   Attached& operator=(const Attached&) = delete;
 
  private:
-  const Database& database_;
+  sqlite3* handle_;
 };
 
 [[noreturn]] void refuse(const std::filesystem::path& file, std::string message) {
   throw InputError(InputProblem{.file = file.string(), .message = std::move(message)});
 }
 
+bool is_same_quantity(const MetricRow& a, const MetricRow& b) {
+  return a.version == b.version && a.unit == b.unit && a.better == b.better &&
+         a.population == b.population && a.is_measured == b.is_measured;
+}
+
 void check_metrics(const Database& into, const Database& from) {
   for (const MetricRow& metric : from.metrics()) {
     const auto same = std::find_if(into.metrics().begin(), into.metrics().end(),
                                    [&](const MetricRow& row) { return row.name == metric.name; });
-    if (same == into.metrics().end() || same->version != metric.version) {
+    if (same == into.metrics().end() || !is_same_quantity(*same, metric)) {
       refuse(from.path(), "holds metric " + metric.name + " in version " +
                               std::to_string(metric.version) + ", which " + into.path().string() +
                               " does not: databases of two versions can't be merged");
@@ -41,70 +52,104 @@ void check_metrics(const Database& into, const Database& from) {
   }
 }
 
-/// " OR m.a IS NOT s.a …" for the columns named.
+/// The columns, quoted, with commas.
+std::string list_of(const std::vector<std::string>& columns) {
+  std::string list;
+  for (const std::string& column : columns) list += (list.empty() ? "" : ", ") + sql_name(column);
+  return list;
+}
+
+/// "m.a IS NOT s.a OR …" for the columns named.
 std::string differs(const std::vector<std::string>& columns, const std::string& ours,
                     const std::string& theirs) {
   std::string text;
   for (const std::string& column : columns) {
     text += text.empty() ? "" : " OR ";
-    text += ours + "." + column + " IS NOT " + theirs + "." + column;
+    text += ours + "." + sql_name(column) + " IS NOT " + theirs + "." + sql_name(column);
   }
   return text;
 }
 
-const std::vector<std::string>& map_columns() {
-  static const std::vector<std::string> columns{
-      "world_digest",          "obstacle_count",    "triangle_count",
-      "traversability",        "relative_gap_size", "traversability_normalized_ratio",
-      "obstacle_density_1pm2", "free_volume_ratio"};
+/// The specs differ in more than the names of files, of which keys hold the digests.
+std::string specs_differ(const std::string& file_paths) {
+  return "(m.spec_json IS NOT s.spec_json AND json_remove(m.spec_json, " + file_paths +
+         ") IS NOT json_remove(s.spec_json, " + file_paths + "))";
+}
+
+/// Our columns of the table without these.
+std::vector<std::string> columns_without(const std::string& table,
+                                         const std::set<std::string>& left_out) {
+  std::vector<std::string> columns = columns_of(table);
+  std::erase_if(columns, [&](const std::string& column) { return left_out.contains(column); });
   return columns;
 }
 
-const std::vector<std::string>& mission_columns() {
-  static const std::vector<std::string> columns{
-      "start_x_m", "start_y_m", "start_z_m",      "goal_x_m",      "goal_y_m",
-      "goal_z_m",  "is_valid",  "invalid_reason", "start_yaw_rad", "reference_length_m"};
-  return columns;
+/// A query of the keys of rows of `table` that both files have, with other values.
+std::string differing_rows(const std::string& table, const std::string& keys,
+                           const std::string& condition) {
+  return "SELECT m." + keys.substr(0, keys.find(',')) + " FROM main." + table + " m JOIN shard." +
+         table + " s USING (" + keys + ") WHERE " + condition;
 }
 
-void check_agreement(const Database& into, const std::filesystem::path& from) {
-  std::vector<std::string> results{"outcome", "reason", "end_time_s"};
-  for (const MetricRow& metric : into.metrics()) {
+/// A query of the trials that both have, with events that one of them lacks.
+std::string differing_events(const std::string& one, const std::string& other) {
+  const std::string columns = list_of(columns_of("events"));
+  return "SELECT trial_key FROM (SELECT " + columns + " FROM " + one + ".events EXCEPT SELECT " +
+         columns + " FROM " + other +
+         ".events) WHERE trial_key IN (SELECT trial_key FROM main.trials INTERSECT SELECT "
+         "trial_key "
+         "FROM shard.trials)";
+}
+
+/// Refuses a file that holds a row of ours with other values. What a clock measured may differ, and
+/// so may runs, attempts and how samples are packed.
+void check_agreement(const Database& into, const Database& from) {
+  std::vector<std::string> results =
+      columns_without("trials", {"trial_key", "attempt", "run_id", "wall_time_s", "spec_json"});
+  for (const MetricRow& metric : from.metrics()) {
     if (!metric.is_measured) results.push_back(metric.name);
   }
+  const auto all_of = [](const std::string& table, const std::set<std::string>& left_out) {
+    return differs(columns_without(table, left_out), "m", "s");
+  };
   const std::pair<std::string, std::string> checks[] = {
-      {"map", "SELECT m.map_key FROM main.maps m JOIN shard.maps s USING (map_key) WHERE " +
-                  differs(map_columns(), "m", "s")},
-      {"a mission of map",
-       "SELECT m.map_key FROM main.missions m JOIN shard.missions s USING (map_key, "
-       "mission_index) WHERE " +
-           differs(mission_columns(), "m", "s")},
+      {"planner", differing_rows("planners", "planner_key", all_of("planners", {"planner_key"}))},
+      {"map", differing_rows(
+                  "maps", "map_key",
+                  all_of("maps", {"map_key", "spec_json"}) + " OR " + specs_differ("'$.file'"))},
+      {"a mission of map", differing_rows("missions", "map_key, mission_index",
+                                          all_of("missions", {"map_key", "mission_index"}))},
+      {"trial", differing_rows("trials", "trial_key",
+                               differs(results, "m", "s") + " OR " +
+                                   specs_differ("'$.map.file', '$.wind.field.file', "
+                                                "'$.planner.plugin'"))},
+      {"the flight of trial",
+       differing_rows("trajectories", "trial_key",
+                      all_of("trajectories", {"trial_key", "samples", "is_packed"}))},
+      {"the calls of trial", differing_rows("plan_calls", "trial_key",
+                                            all_of("plan_calls", {"trial_key", "calls_json"}))},
+      {"an event of trial", differing_events("main", "shard")},
+      {"an event of trial", differing_events("shard", "main")},
       {"trial",
-       "SELECT m.trial_key FROM main.trials m JOIN shard.trials s USING (trial_key) "
-       "LEFT JOIN main.trajectories mt ON mt.trial_key = m.trial_key "
-       "LEFT JOIN shard.trajectories st ON st.trial_key = m.trial_key "
-       "LEFT JOIN main.plan_calls mc ON mc.trial_key = m.trial_key "
-       "LEFT JOIN shard.plan_calls sc ON sc.trial_key = m.trial_key WHERE " +
-           differs(results, "m", "s") +
-           " OR mt.samples_digest IS NOT st.samples_digest OR mc.calls_digest IS NOT "
-           "sc.calls_digest"}};
+       "SELECT trial_key FROM main.trials JOIN shard.trials USING (trial_key) WHERE "
+       "(trial_key IN (SELECT trial_key FROM main.trajectories)) IS NOT "
+       "(trial_key IN (SELECT trial_key FROM shard.trajectories)) OR "
+       "(trial_key IN (SELECT trial_key FROM main.plan_calls)) IS NOT "
+       "(trial_key IN (SELECT trial_key FROM shard.plan_calls))"}};
   for (const auto& [what, sql] : checks) {
     Statement statement(into.handle(), into.path(), sql + " LIMIT 1");
     if (!statement.step()) continue;
-    refuse(from, "holds " + what + " " + statement.text(0).substr(0, 12) +
-                     " with other values than " + into.path().string() +
-                     ": they come from other programs or files, or times were measured; nothing "
-                     "was merged");
+    refuse(from.path(), "holds " + what + " " + statement.text(0).substr(0, 12) +
+                            " with other values than " + into.path().string() +
+                            ": they come from other programs or files, or times were measured; "
+                            "nothing was merged");
   }
 }
 
 /// Runs that are not there yet, and temp.run_of: their number here.
 void take_runs(const Database& into) {
-  const std::vector<std::string> columns{
-      "started_at", "program_version", "git_hash", "compiler", "flags", "host", "cpu",
-      "isa",        "command_line",    "shard"};
-  std::string list;
-  for (const std::string& column : columns) list += (list.empty() ? "" : ", ") + column;
+  const std::vector<std::string> columns = columns_without("runs", {"run_id"});
+  const std::string list = list_of(columns);
   const std::string same = "NOT (" + differs(columns, "m", "s") + ")";
   execute(into.handle(), into.path(),
           "INSERT INTO main.runs (" + list + ") SELECT " + list +
@@ -128,50 +173,36 @@ void take_sweeps(const Database& into) {
           "s.spec_json;");
 }
 
-/// The columns of a table of the attached file that we have too.
-std::string columns_of(const Database& database, const std::string& table) {
-  Statement statement(database.handle(), database.path(),
-                      "SELECT name FROM pragma_table_info(?, 'shard')");
-  statement.bind_text(table);
-  std::string columns;
-  while (statement.step()) columns += (columns.empty() ? "" : ", ") + statement.text(0);
-  return columns;
+/// Adds the rows of the attached file's table that `condition` chooses and that are not there yet.
+std::string taking(const std::string& table, const std::string& condition) {
+  const std::string columns = list_of(columns_of(table));
+  return "INSERT INTO main." + table + " (" + columns + ") SELECT " + columns + " FROM shard." +
+         table + " WHERE " + condition + " ON CONFLICT DO NOTHING;";
 }
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  if (const std::size_t at = text.find(from); at != std::string::npos) {
-    text.replace(at, from.size(), to);
-  }
-  return text;
-}
-
-void take_rows(const Database& into) {
+void take_rows(const Database& into, const Database& from) {
   std::string sql;
-  for (const std::string table : {"planners", "maps", "missions"}) {
-    const std::string columns = columns_of(into, table);
-    sql += "INSERT OR IGNORE INTO main." + table + " (" + columns + ") SELECT " + columns +
-           " FROM shard." + table + ";";
-  }
-  const std::string trials = columns_of(into, "trials");
+  for (const std::string table : {"planners", "maps", "missions"}) sql += taking(table, "true");
+  std::vector<std::string> own = columns_without("trials", {"run_id"});
+  for (const MetricRow& metric : from.metrics()) own.push_back(metric.name);
+  const std::string trials = list_of(own);
   sql +=
       "CREATE TEMP TABLE added AS SELECT trial_key FROM shard.trials WHERE trial_key NOT IN "
       "(SELECT trial_key FROM main.trials);"
       "INSERT INTO main.trials (" +
-      trials + ") SELECT " +
-      replaced(trials, "run_id", "(SELECT ours FROM temp.run_of WHERE theirs = run_id)") +
-      " FROM shard.trials WHERE trial_key IN (SELECT trial_key FROM temp.added) ORDER BY rowid;";
+      trials + ", run_id) SELECT " + trials +
+      ", (SELECT ours FROM temp.run_of WHERE theirs = run_id) FROM shard.trials WHERE trial_key IN "
+      "(SELECT trial_key FROM temp.added) ORDER BY rowid;";
   for (const std::string table : {"trajectories", "plan_calls", "events"}) {
-    const std::string columns = columns_of(into, table);
-    sql += "INSERT INTO main." + table + " (" + columns + ") SELECT " + columns + " FROM shard." +
-           table + " WHERE trial_key IN (SELECT trial_key FROM temp.added);";
+    sql += taking(table, "trial_key IN (SELECT trial_key FROM temp.added)");
   }
   sql +=
-      "INSERT OR IGNORE INTO main.sweep_missions (sweep, revision, map_key, mission_index) SELECT "
+      "INSERT INTO main.sweep_missions (sweep, revision, map_key, mission_index) SELECT "
       "s.sweep, o.ours, s.map_key, s.mission_index FROM shard.sweep_missions s JOIN temp.sweep_of "
-      "o ON o.sweep = s.sweep AND o.theirs = s.revision;"
-      "INSERT OR IGNORE INTO main.sweep_trials (sweep, revision, trial_key) SELECT s.sweep, "
+      "o ON o.sweep = s.sweep AND o.theirs = s.revision WHERE true ON CONFLICT DO NOTHING;"
+      "INSERT INTO main.sweep_trials (sweep, revision, trial_key) SELECT s.sweep, "
       "o.ours, s.trial_key FROM shard.sweep_trials s JOIN temp.sweep_of o ON o.sweep = s.sweep "
-      "AND o.theirs = s.revision;";
+      "AND o.theirs = s.revision WHERE true ON CONFLICT DO NOTHING;";
   execute(into.handle(), into.path(), sql);
 }
 
@@ -205,26 +236,35 @@ std::vector<std::string> lost_of(const std::set<std::string>& seen) {
 }  // namespace
 
 MergeResult merge_database(Database& into, const std::filesystem::path& from) {
+  const Database checked = Database::open_for_reading(from);
+  std::error_code error;
+  if (std::filesystem::equivalent(from, into.path(), error))
+    refuse(from, "is the file to merge into");
+  check_metrics(into, checked);
+  MergeResult result;
   {
-    const Database checked = Database::open_for_reading(from);
-    std::error_code error;
-    if (std::filesystem::equivalent(from, into.path(), error)) {
-      refuse(from, "is the file to merge into");
+    const Attached attached(into, checked);
+    Transaction transaction(into.handle(), into.path());
+    // Again, for the file as it is attached now: another one may have taken its place.
+    check_objects(into.handle(), from, "shard", Extras::none);
+    check_columns(into.handle(), from, "shard");
+    check_agreement(into, checked);
+    try {
+      take_runs(into);
+      take_sweeps(into);
+      take_rows(into, checked);
+    } catch (const InputError&) {
+      if ((sqlite3_errcode(into.handle()) & 0xff) != SQLITE_CONSTRAINT) throw;
+      refuse(from, std::string("damaged: its rows contradict each other (") +
+                       sqlite3_errmsg(into.handle()) + "); nothing was merged");
     }
-    check_metrics(into, checked);
+    result.trials = count_of(into, "SELECT count(*) FROM shard.trials");
+    result.new_trials = count_of(into, "SELECT count(*) FROM temp.added");
+    execute(into.handle(), into.path(),
+            "DROP TABLE temp.added; DROP TABLE temp.run_of; DROP TABLE temp.sweep_of;");
+    transaction.commit();
   }
-  const Attached attached(into, from);
-  MergeResult result{.trials = count_of(into, "SELECT count(*) FROM shard.trials"),
-                     .new_trials = 0};
-  Transaction transaction(into.handle(), into.path());
-  check_agreement(into, from);
-  take_runs(into);
-  take_sweeps(into);
-  take_rows(into);
-  result.new_trials = count_of(into, "SELECT count(*) FROM temp.added");
-  execute(into.handle(), into.path(),
-          "DROP TABLE temp.added; DROP TABLE temp.run_of; DROP TABLE temp.sweep_of;");
-  transaction.commit();
+  into.require_in_place();
   return result;
 }
 

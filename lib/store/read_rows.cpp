@@ -6,6 +6,7 @@
 #include "base/input_error.hpp"
 #include "store/database.hpp"
 #include "store/record_format.hpp"
+#include "store/schema_check.hpp"
 #include "store/statement.hpp"
 #include "store/trial_fields.hpp"
 
@@ -77,7 +78,7 @@ Outcome outcome_of(const Database& db, const std::string& name) {
 /// `, t.a, t.b` for the metrics a and b.
 std::string metric_columns(const Database& db) {
   std::string columns;
-  for (const MetricRow& metric : db.metrics()) columns += ", t." + metric.name;
+  for (const MetricRow& metric : db.metrics()) columns += ", t." + sql_name(metric.name);
   return columns;
 }
 

@@ -32,6 +32,8 @@ std::string meaning(int primary_code, const std::string& message) {
       return "not a database of avoidbench: it is no SQLite file";
     case SQLITE_CORRUPT:
       return "damaged (" + message + "); `sqlite3 FILE .recover` saves what can be read";
+    case SQLITE_CONSTRAINT:
+      return "damaged: its rows contradict each other (" + message + ")";
     default:
       return message;
   }
@@ -42,7 +44,7 @@ std::string meaning(int primary_code, const std::string& message) {
 void throw_sqlite_error(sqlite3* handle, int code, const std::filesystem::path& path) {
   const std::string message = handle != nullptr ? sqlite3_errmsg(handle) : sqlite3_errstr(code);
   const int primary_code = code & 0xff;
-  AB_CHECK(primary_code != SQLITE_CONSTRAINT && primary_code != SQLITE_MISUSE, path, message);
+  AB_CHECK(primary_code != SQLITE_MISUSE, path, message);
   throw InputError(InputProblem{.file = path.string(), .message = meaning(primary_code, message)});
 }
 

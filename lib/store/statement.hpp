@@ -13,8 +13,8 @@
 
 namespace avoidbench {
 
-/// Throws what SQLite's error code `code` means to a user as InputError naming the file; a broken
-/// constraint is our bug and aborts.
+/// Throws what SQLite's error code `code` means to a user as InputError naming the file. A broken
+/// constraint is a file whose rows contradict each other; misuse of SQLite is our bug and aborts.
 [[noreturn]] void throw_sqlite_error(sqlite3* handle, int code, const std::filesystem::path& path);
 
 /// Runs statements that return nothing.

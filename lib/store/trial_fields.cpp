@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/input_error.hpp"
+#include "store/schema_check.hpp"
 #include "store/statement.hpp"
 
 namespace avoidbench {
@@ -75,7 +76,7 @@ std::string sql_of(const Database& db, const std::string& field) {
     if (named.name == field) return std::string(named.sql);
   }
   for (const MetricRow& metric : db.metrics()) {
-    if (metric.name == field) return "t." + field;
+    if (metric.name == field) return "t." + sql_name(field);
   }
   if (field.starts_with(kParameterPrefix)) {
     const std::string name = field.substr(kParameterPrefix.size());

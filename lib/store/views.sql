@@ -1,6 +1,5 @@
 -- Views for people, made anew whenever the program opens the file for writing. A name in braces stands for the columns
 -- of metric_definitions.
-DROP VIEW IF EXISTS trial_table;
 CREATE VIEW trial_table AS
   -- One row a trial and sweep, flat: for pandas, DuckDB, R or a spreadsheet.
   SELECT s.sweep, s.revision, p.label AS planner, m.generator, m.map_seed,
@@ -18,7 +17,6 @@ CREATE VIEW trial_table AS
   JOIN missions i ON i.map_key = t.map_key AND i.mission_index = t.mission_index
   JOIN runs r USING (run_id);
 
-DROP VIEW IF EXISTS planner_summary;
 CREATE VIEW planner_summary AS
   -- One row a planner and sweep: rates over all trials, means over the trials each metric speaks of.
   SELECT s.sweep, s.revision, p.label AS planner, count(*) AS trial_count,
@@ -31,7 +29,6 @@ CREATE VIEW planner_summary AS
   GROUP BY s.sweep, s.revision, t.planner_key
   ORDER BY s.sweep, s.revision, p.label;
 
-DROP VIEW IF EXISTS map_summary;
 CREATE VIEW map_summary AS
   -- One row a map: its environment metrics, missions, and how all planners together fared.
   SELECT m.generator, json_extract(m.spec_json, '$.poisson_radius_m') AS poisson_radius_m, m.map_seed,
@@ -48,7 +45,6 @@ CREATE VIEW map_summary AS
   GROUP BY m.map_key
   ORDER BY m.traversability_normalized_ratio, m.map_key;
 
-DROP VIEW IF EXISTS plan_call_table;
 CREATE VIEW plan_call_table AS
   -- One row a call of a planner. Times are seconds; cpu_time_s and wall_time_s were measured on the host.
   SELECT c.trial_key, j.key AS call_index,

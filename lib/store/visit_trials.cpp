@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/input_error.hpp"
+#include "store/schema_check.hpp"
 #include "store/statement.hpp"
 
 namespace avoidbench {
@@ -41,7 +42,7 @@ void visit_trials(const Database& database, std::string_view sweep, std::int64_t
   execute(database.handle(), database.path(), "PRAGMA cache_size = -65536");  // KiB
   std::string columns;
   for (std::size_t i = 0; i < paths.size(); ++i) columns += ", t.spec_json -> ?";
-  for (const MetricRow& metric : database.metrics()) columns += ", t." + metric.name;
+  for (const MetricRow& metric : database.metrics()) columns += ", t." + sql_name(metric.name);
   Statement s(database.handle(), database.path(),
               "SELECT t.planner_key, t.map_key, t.mission_index, t.outcome" + columns +
                   " FROM sweep_trials s JOIN trials t USING (trial_key) WHERE s.sweep = ? AND "

@@ -5,6 +5,7 @@
 #include "base/input_error.hpp"
 #include "store/database.hpp"
 #include "store/record_format.hpp"
+#include "store/schema_check.hpp"
 #include "store/statement.hpp"
 
 namespace avoidbench {
@@ -92,9 +93,10 @@ void check_same_map(const Database& db, const MapRow& stored, const MapRow& row)
 std::string insert_trial_sql(const Database& db) {
   std::string columns, marks, updates;
   for (const MetricRow& metric : db.metrics()) {
-    columns += ", " + metric.name;
+    const std::string name = sql_name(metric.name);
+    columns += ", " + name;
     marks += ",?";
-    updates += ", " + metric.name + " = excluded." + metric.name;
+    updates += ", " + name + " = excluded." + name;
   }
   return "INSERT INTO trials (trial_key, map_key, mission_index, planner_key, outcome, reason, "
          "end_time_s, attempt, run_id, spec_json, wall_time_s" +
@@ -189,12 +191,14 @@ std::int64_t Database::add_run(const RunRow& row) {
 
 std::int64_t Database::add_sweep(const SweepRow& row) {
   Transaction transaction(handle(), path());
-  Statement find(handle(), path(), "SELECT revision FROM sweeps WHERE sweep = ? AND spec_json = ?");
-  find.bind_text(row.name).bind_text(row.spec_json);
   std::int64_t revision = 0;
-  if (find.step()) {
-    revision = find.integer(0);
-  } else {
+  {
+    Statement find(handle(), path(),
+                   "SELECT revision FROM sweeps WHERE sweep = ? AND spec_json = ?");
+    find.bind_text(row.name).bind_text(row.spec_json);
+    if (find.step()) revision = find.integer(0);
+  }
+  if (revision == 0) {
     Statement insert(handle(), path(),
                      "INSERT INTO sweeps (sweep, revision, spec_json) SELECT ?1, "
                      "1 + coalesce(max(revision), 0), ?2 FROM sweeps WHERE sweep = ?1 "
@@ -204,6 +208,7 @@ std::int64_t Database::add_sweep(const SweepRow& row) {
     insert.run();
   }
   transaction.commit();
+  require_in_place();
   revisions_[row.name] = revision;
   return revision;
 }
@@ -236,6 +241,7 @@ void Database::add_map(const MapRow& row, std::string_view sweep) {
     insert.bind_integer(mission.index).run();
   }
   transaction.commit();
+  require_in_place();
 }
 
 void Database::add_trial(const TrialRow& row) {
@@ -258,6 +264,7 @@ void Database::add_trial(const TrialRow& row) {
   write_record(*this, row);
   insert_sweep_trials(*this, row.sweep, revision, std::span(&row.key, 1));
   transaction.commit();
+  require_in_place();
 }
 
 void Database::add_to_sweep(std::string_view sweep, std::span<const std::string> keys) {
@@ -277,6 +284,7 @@ void Database::add_to_sweep(std::string_view sweep, std::span<const std::string>
   Transaction transaction(handle(), path());
   insert_sweep_trials(*this, sweep, revision, added);
   transaction.commit();
+  require_in_place();
 }
 
 }  // namespace avoidbench

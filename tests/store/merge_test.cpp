@@ -1,6 +1,7 @@
 #include "store/merge.hpp"
 
 #include <gtest/gtest.h>
+#include <sqlite3.h>
 
 #include "base/input_error.hpp"
 #include "sample_rows.hpp"
@@ -110,6 +111,105 @@ TEST(Merge, RefusesAnotherTrajectoryAndItself) {
   EXPECT_THROW(merge_database(db, folder / "2.db"), InputError);
   EXPECT_THROW(merge_database(db, folder / "1.db"), InputError);
   EXPECT_THROW(merge_database(db, folder / "none.db"), InputError);
+}
+
+/// What merging says where `change` was done to the second of two equal files.
+std::string refusal_after(const std::string& change) {
+  static const TemporaryFolder samples;
+  if (!std::filesystem::exists(samples / "s.db")) {
+    std::vector<TrialRow> trials = trials_of("a");
+    trials.push_back(trial_row("b", 0, 0, Outcome::collided));
+    write_part(samples / "s.db", "", trials);
+  }
+  const TemporaryFolder folder;
+  for (const char* file : {"1.db", "2.db"}) copy_file(samples / "s.db", folder / file);
+  sqlite3* handle = nullptr;
+  EXPECT_EQ(sqlite3_open((folder / "2.db").c_str(), &handle), SQLITE_OK);
+  EXPECT_EQ(sqlite3_exec(handle, change.c_str(), nullptr, nullptr, nullptr), SQLITE_OK)
+      << sqlite3_errmsg(handle);
+  sqlite3_close(handle);
+  Database db = Database::open_for_run(folder / "1.db", kMetrics);
+  const std::string before = canonical_rows(db);
+  std::string message;
+  try {
+    merge_database(db, folder / "2.db");
+  } catch (const InputError& error) {
+    message = error.what();
+  }
+  EXPECT_EQ(canonical_rows(db), before);
+  return message;
+}
+
+TEST(Merge, RefusesAnyColumnThatDiffers) {
+  for (const std::string change : {"planners SET name = 'x'",
+                                   "planners SET is_privileged = 1",
+                                   "maps SET generator = 'hall'",
+                                   "maps SET map_seed = 3",
+                                   "maps SET spec_json = '{\"a\":1}'",
+                                   "maps SET obstacle_count = 1",
+                                   "missions SET traversability_obstruction = 9.0",
+                                   "missions SET view_occlusion = 9.0",
+                                   "missions SET angle_over_length_1pm = NULL",
+                                   "missions SET reference_length_m = 1.0",
+                                   "trials SET outcome = 'timed_out'",
+                                   "trials SET spec_json = '{\"seed\":2}'",
+                                   "trials SET mission_progress_pct = 1.0",
+                                   "trials SET reason = 'x'",
+                                   "trajectories SET samples_digest = 'x'",
+                                   "trajectories SET sample_count = 3",
+                                   "plan_calls SET calls_digest = 'x'",
+                                   "plan_calls SET call_count = 3",
+                                   "events SET speed_mps = 1.0",
+                                   "events SET obstacle_kind = 'rock'"}) {
+    EXPECT_NE(refusal_after("UPDATE " + change), "") << change;
+  }
+  for (const std::string table : {"events", "trajectories", "plan_calls"}) {
+    EXPECT_NE(refusal_after("DELETE FROM " + table), "") << table;
+  }
+}
+
+TEST(Merge, TakesWhatAClockMeasuredAsItIs) {
+  EXPECT_EQ(refusal_after("UPDATE trials SET wall_time_s = 99.0, processing_time_ms = 99.0, "
+                          "attempt = 3; UPDATE runs SET host = 'other'"),
+            "");
+}
+
+TEST(Merge, AFileWithFewerMetricsIsMerged) {
+  const TemporaryFolder folder;
+  {
+    Database db = Database::open_for_run(folder / "fewer.db", std::span(kMetrics).first(2));
+    db.add_run(run_row());
+    db.add_sweep(sweep_row(kSweepJson));
+    for (const char* label : {"a", "b"}) db.add_planner(planner_row(label));
+    for (int map = 0; map < 2; ++map) db.add_map(map_row(map, 2), "forest");
+    for (TrialRow trial : trials_of("a")) {
+      trial.metrics.resize(2);
+      db.add_trial(trial);
+    }
+  }
+  write_part(folder / "1.db", "", trials_of("b"));
+  Database db = Database::open_for_run(folder / "1.db", kMetrics);
+  EXPECT_EQ(merge_database(db, folder / "fewer.db").new_trials, 4);
+  EXPECT_EQ(merge_database(db, folder / "fewer.db").new_trials, 0);
+}
+
+TEST(Merge, RowsThatContradictEachOtherAreRefused) {
+  const TemporaryFolder folder;
+  write_part(folder / "part.db", "", trials_of("a"));
+  Database db = Database::open_for_run(folder / "1.db", kMetrics);
+  const std::string before = canonical_rows(db);
+  for (const std::string change :
+       {"DELETE FROM planners", "DELETE FROM maps", "DELETE FROM missions", "DELETE FROM runs",
+        "UPDATE trials SET run_id = 77", "UPDATE sweep_trials SET trial_key = 'x' || trial_key"}) {
+    copy_file(folder / "part.db", folder / "2.db",
+              std::filesystem::copy_options::overwrite_existing);
+    sqlite3* handle = nullptr;
+    ASSERT_EQ(sqlite3_open((folder / "2.db").c_str(), &handle), SQLITE_OK);
+    ASSERT_EQ(sqlite3_exec(handle, change.c_str(), nullptr, nullptr, nullptr), SQLITE_OK);
+    sqlite3_close(handle);
+    EXPECT_THROW(merge_database(db, folder / "2.db"), InputError) << change;
+    EXPECT_EQ(canonical_rows(db), before) << change;
+  }
 }
 
 TEST(Merge, ASweepOfAnotherContentIsARevision) {

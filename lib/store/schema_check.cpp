@@ -1,0 +1,243 @@
+#include "store/schema_check.hpp"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <set>
+
+#include "base/check.hpp"
+#include "base/input_error.hpp"
+#include "store/sql_text.hpp"
+#include "store/statement.hpp"
+
+namespace avoidbench {
+namespace {
+
+struct Column {
+  std::string name, type, default_value;
+  std::int64_t is_required = 0, key_position = 0;
+  std::int64_t hidden = 0;  ///< other than 0: generated
+
+  bool operator==(const Column&) const = default;
+};
+
+struct Table {
+  bool is_strict = false, is_without_rowid = false;
+  std::vector<Column> columns;
+  std::vector<std::string> names;  ///< of the columns
+};
+
+/// What schema.sql makes.
+struct Expected {
+  std::map<std::string, Table, std::less<>> tables;
+  std::map<std::string, std::string, std::less<>> indices;  ///< the SQL of each
+};
+
+Table read_table(sqlite3* handle, const std::filesystem::path& path, std::string_view schema,
+                 std::string_view name) {
+  Table table;
+  Statement kind(handle, path,
+                 "SELECT strict, wr FROM pragma_table_list WHERE schema = ? AND name = ?");
+  kind.bind_text(schema).bind_text(name);
+  if (kind.step()) {
+    table.is_strict = kind.integer(0) != 0;
+    table.is_without_rowid = kind.integer(1) != 0;
+  }
+  Statement columns(handle, path,
+                    "SELECT name, type, dflt_value, \"notnull\", pk, hidden FROM "
+                    "pragma_table_xinfo(?, ?) ORDER BY cid");
+  columns.bind_text(name).bind_text(schema);
+  while (columns.step()) {
+    table.columns.push_back({.name = columns.text(0),
+                             .type = columns.text(1),
+                             .default_value = columns.text(2),
+                             .is_required = columns.integer(3),
+                             .key_position = columns.integer(4),
+                             .hidden = columns.integer(5)});
+    table.names.push_back(table.columns.back().name);
+  }
+  return table;
+}
+
+Expected made_by_schema() {
+  sqlite3* opened = nullptr;
+  AB_CHECK(sqlite3_open(":memory:", &opened) == SQLITE_OK);
+  const std::unique_ptr<sqlite3, decltype(&sqlite3_close)> handle(opened, sqlite3_close);
+  const std::filesystem::path path = ":memory:";
+  execute(opened, path, std::string(kSchemaSql));
+  Expected expected;
+  Statement objects(opened, path, "SELECT type, name, sql FROM sqlite_schema WHERE sql NOT NULL");
+  while (objects.step()) {
+    const std::string name = objects.text(1);
+    if (objects.text(0) == "table") {
+      expected.tables.emplace(name, read_table(opened, path, "main", name));
+    } else if (objects.text(0) == "index") {
+      expected.indices.emplace(name, objects.text(2));
+    }
+  }
+  return expected;
+}
+
+const Expected& expected() {
+  static const Expected made = made_by_schema();
+  return made;
+}
+
+[[noreturn]] void refuse(const std::filesystem::path& path, std::string message) {
+  throw InputError(InputProblem{.file = path.string(), .message = std::move(message)});
+}
+
+/// A foreign name in a message: not longer than people read.
+std::string shown(const std::string& name) {
+  constexpr std::size_t kMost = 60;
+  std::string text(name, 0, kMost);
+  if (name.size() > kMost) text.append("…");
+  return text;
+}
+
+[[noreturn]] void refuse_object(const std::filesystem::path& path, const std::string& kind,
+                                const std::string& name) {
+  refuse(path, "holds the " + kind + " '" + shown(name) +
+                   "', which avoidbench does not make; it is left as it is. If you made it, drop "
+                   "it (DROP " +
+                   (kind == "table"  ? "TABLE"
+                    : kind == "view" ? "VIEW"
+                                     : "INDEX or TRIGGER") +
+                   ") and try again; else don't trust this file");
+}
+
+bool is_view(std::string_view name) {
+  return std::find(std::begin(kViews), std::end(kViews), name) != std::end(kViews);
+}
+
+/// One row of sqlite_schema.
+struct Object {
+  std::string type, name, table, sql;
+  std::int64_t root_page = 0;
+};
+
+bool is_ours(const Object& object) {
+  const auto& [tables, indices] = expected();
+  if (object.type == "table") {
+    return tables.contains(object.name) && object.root_page > 0;  // not a virtual one
+  }
+  if (object.type == "view") return is_view(object.name);
+  if (object.type != "index" || !tables.contains(object.table)) return false;
+  const auto index = indices.find(object.name);
+  if (index != indices.end()) return index->second == object.sql;
+  return object.sql.empty() && object.name.starts_with("sqlite_autoindex_");
+}
+
+/// What ANALYZE leaves, and what SQLite keeps for itself.
+bool is_of_sqlite(const Object& object) {
+  return object.type == "table" && object.root_page > 0 && object.name.starts_with("sqlite_stat");
+}
+
+bool is_apart(const Object& object) {
+  const auto& tables = expected().tables;
+  if (object.type == "index") return !tables.contains(object.table);
+  return (object.type == "table" || object.type == "view") && !tables.contains(object.name) &&
+         !is_view(object.name);
+}
+
+/// What is wrong with the table, or "".
+std::string fault_of(const Table& found, const Table& wanted,
+                     const std::set<std::string>& metrics) {
+  if (!found.is_strict || found.is_without_rowid != wanted.is_without_rowid) {
+    return "is of another kind than avoidbench makes it";
+  }
+  std::set<std::string> seen;
+  for (const Column& column : found.columns) {
+    const auto same = std::find_if(wanted.columns.begin(), wanted.columns.end(),
+                                   [&](const Column& other) { return other.name == column.name; });
+    const Column metric{.name = column.name, .type = "REAL", .default_value = {}};
+    const bool is_expected = same != wanted.columns.end()
+                                 ? column == *same
+                                 : metrics.contains(column.name) && column == metric;
+    if (!is_expected || !seen.insert(column.name).second) {
+      return "has the column '" + shown(column.name) + "', which avoidbench does not make so";
+    }
+  }
+  for (const Column& column : wanted.columns) {
+    if (!seen.contains(column.name)) return "lacks the column " + column.name;
+  }
+  for (const std::string& metric : metrics) {
+    if (!seen.contains(metric)) return "lacks the column of metric " + shown(metric);
+  }
+  return "";
+}
+
+void check_table(sqlite3* handle, const std::filesystem::path& path, std::string_view schema,
+                 const std::string& name, const std::set<std::string>& metrics) {
+  const Table& wanted = expected().tables.find(name)->second;
+  const Table found = read_table(handle, path, schema, name);
+  if (found.columns.empty()) refuse(path, "damaged: it lacks the table " + name);
+  const std::string fault = fault_of(found, wanted, metrics);
+  if (!fault.empty()) refuse(path, "damaged: its table " + name + " " + fault);
+}
+
+/// The names in metric_definitions, none of which is a column of `trials` otherwise.
+std::set<std::string> metric_names(sqlite3* handle, const std::filesystem::path& path,
+                                   std::string_view schema) {
+  Statement s(handle, path, "SELECT name FROM " + sql_name(schema) + ".metric_definitions");
+  std::set<std::string> names;
+  const std::vector<std::string>& own = columns_of("trials");
+  while (s.step()) {
+    const std::string name = s.text(0);
+    if (!is_column_name(name) || std::find(own.begin(), own.end(), name) != own.end()) {
+      refuse(path,
+             "damaged: table metric_definitions, row '" + shown(name) + "': no name of a metric");
+    }
+    names.insert(name);
+  }
+  return names;
+}
+
+}  // namespace
+
+bool is_column_name(std::string_view name) {
+  return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
+  });
+}
+
+std::string sql_name(std::string_view name) {
+  std::string text = "\"";
+  for (const char c : name) {
+    if (c == '"') text += '"';
+    text += c;
+  }
+  return text + '"';
+}
+
+const std::vector<std::string>& columns_of(std::string_view table) {
+  const auto found = expected().tables.find(table);
+  AB_CHECK(found != expected().tables.end(), table);
+  return found->second.names;
+}
+
+void check_objects(sqlite3* handle, const std::filesystem::path& path, std::string_view schema,
+                   Extras extras) {
+  Statement s(
+      handle, path,
+      "SELECT type, name, tbl_name, sql, rootpage FROM " + sql_name(schema) + ".sqlite_schema");
+  while (s.step()) {
+    const Object object{.type = s.text(0),
+                        .name = s.text(1),
+                        .table = s.text(2),
+                        .sql = s.text(3),
+                        .root_page = s.integer(4)};
+    if (is_ours(object) || is_of_sqlite(object)) continue;
+    if (extras == Extras::only_apart && is_apart(object)) continue;
+    refuse_object(path, object.type, object.name);
+  }
+}
+
+void check_columns(sqlite3* handle, const std::filesystem::path& path, std::string_view schema) {
+  for (const auto& [name, table] : expected().tables) {
+    if (name != "trials") check_table(handle, path, schema, name, {});
+  }
+  check_table(handle, path, schema, "trials", metric_names(handle, path, schema));
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <sqlite3.h>
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace avoidbench {
+
+/// The views of views.sql.
+inline constexpr std::string_view kViews[] = {"trial_table", "planner_summary", "map_summary",
+                                              "plan_call_table"};
+
+/// What a file may hold beside the tables, indices and views of this program.
+enum class Extras {
+  only_apart,  ///< tables and views of other names; nothing that acts on ours
+  none         ///< nothing
+};
+
+/// Throws InputError where `schema` ("main" or an attached file's) holds a table, index or view of
+/// one of our names that is of another kind, a trigger, or what `extras` does not let it hold.
+void check_objects(sqlite3* handle, const std::filesystem::path& path, std::string_view schema,
+                   Extras extras);
+
+/// Throws InputError unless each of our tables is there with exactly the columns of schema.sql, in
+/// `trials` also one for each name in metric_definitions.
+void check_columns(sqlite3* handle, const std::filesystem::path& path, std::string_view schema);
+
+/// The columns of our table `table`, in the order of schema.sql; without those of metrics.
+const std::vector<std::string>& columns_of(std::string_view table);
+
+/// Whether metrics may be called so: a to z, 0 to 9, _.
+bool is_column_name(std::string_view name);
+
+/// `name` as an identifier in SQL.
+std::string sql_name(std::string_view name);
+
+}  // namespace avoidbench
