@@ -216,26 +216,28 @@ void Database::checkpoint() {
 
 void Database::require_in_place() {
   if (lock_ == nullptr || lock_->is_in_place()) return;
+  // The log is still found under the old name: what it holds belongs into the file.
+  sqlite3_wal_checkpoint_v2(handle(), "main", SQLITE_CHECKPOINT_TRUNCATE, nullptr, nullptr);
   std::error_code error;
-  const std::string what =
-      std::filesystem::exists(*path_, error) ? "replaced by another file" : "deleted or moved";
-  const std::string began =
-      "was " + what + " while it was being written to. All that was committed is ";
-  const std::filesystem::path place = lock_->place_now();
+  const bool is_replaced = std::filesystem::exists(*path_, error);
+  if (is_replaced) {  // the log's name belongs to the other file now
+    sqlite3_db_config(handle(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
+    handle_.get_deleter().is_writer = false;
+  }
+  const std::string began = std::string("was ") +
+                            (is_replaced ? "replaced by another file" : "deleted or moved") +
+                            " while it was being written to";
+  const std::string place = lock_->place_now().string();
   if (!place.empty()) {
-    // The log is still found under the old name: it belongs into the file.
-    sqlite3_wal_checkpoint_v2(handle(), "main", SQLITE_CHECKPOINT_TRUNCATE, nullptr, nullptr);
-    fail(*path_, began + "in " + place.string() +
+    fail(*path_, began + ". All that was committed is in " + place +
                      ": move it back, or name it by --db, and run the same command again");
   }
   const std::string copy = rescued_copy();
   if (copy.empty()) {
-    fail(*path_, "was " + what +
-                     " while it was being written to, and what was committed could not be saved "
-                     "elsewhere: " +
-                     sqlite3_errmsg(handle()));
+    fail(*path_, began + ", and what was committed could not be saved elsewhere");
   }
-  fail(*path_, began + "saved in " + copy + ": name it by --db and run the same command again");
+  fail(*path_, began + ". All that was committed is saved in " + copy +
+                   ": name it by --db and run the same command again");
 }
 
 std::string Database::rescued_copy() {
