@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Flies planners that attack the program, one way at a time, beside good ones, and looks at what that did.
 
-    hostile_runs.py PROGRAM --planners FOLDER [--good FOLDER] [--ways a,b] [--part I/N] [--parallel N] [--run-option=--no-sandbox] [--keep FOLDER]
+    hostile_runs.py PROGRAM --planners FOLDER [--good FOLDER] [--ways a,b] [--part I/N] [--parallel N] [--run-option=--no-sandbox] [--before WORDS]
+                    [--keep FOLDER]
 
 FOLDER has the libraries of tests/sweep/hostile. For each way a small sweep is flown by two workers. After it, the good planners' rows are
 those of a run without the hostile one, to the bit; its own rows are those of the flight that it would have had, or say how it failed,
@@ -19,6 +20,7 @@ import os
 import pathlib
 import pty
 import re
+import shlex
 import shutil
 import signal
 import sqlite3
@@ -75,9 +77,10 @@ def descendants():
     return {pid: command for pid, command in found.items() if comes_from_here(pid)}
 
 
-def wait_for(pid, deadline):
-    """Its exit code; or None where it did not end in time and was killed. Gathers whatever else ends."""
+def wait_for(pid, deadline, look):
+    """Its exit code; or None where it did not end in time and was killed. Gathers whatever else ends, and looks at each turn."""
     while True:
+        look()
         ended, status = os.waitpid(-1, os.WNOHANG)
         if ended == pid:
             return os.waitstatus_to_exitcode(status)
@@ -116,14 +119,21 @@ def inside(file):
     pid = os.fork()
     if pid == 0:
         os.setsid()
-        fcntl.ioctl(terminal, termios.TIOCSCTTY, 0)
+        if given["has_terminal"]:  # else what is left is not hung up when the run ends
+            fcntl.ioctl(terminal, termios.TIOCSCTTY, 0)
         for number, name in [(1, "stdout"), (2, "stderr")]:
             os.dup2(os.open(folder.parent / name, os.O_CREAT | os.O_WRONLY | os.O_TRUNC, 0o600), number)
         os.dup2(terminal, 0)
         os.closerange(3, 64)
         os.chdir(folder)
         os.execve(given["command"][0], given["command"], given["environment"])
-    code = wait_for(pid, began + given["deadline_s"])
+    foreground = set()
+
+    def look():
+        with contextlib.suppress(OSError):
+            foreground.add(os.tcgetpgrp(control))
+
+    code = wait_for(pid, began + given["deadline_s"], look)
     found = {"code": code, "took_s": time.monotonic() - began}
     time.sleep(0.1)  # what was killed at the end may take a moment to be gone
     gather()
@@ -131,7 +141,7 @@ def inside(file):
     for left in descendants():
         os.kill(left, signal.SIGKILL)
     found["typed"] = typed_into(terminal)
-    found["foreground_is_run"] = os.tcgetpgrp(control) in (pid, 0)
+    found["foreground_is_run"] = foreground <= {0, pid}
     (folder.parent / "found.json").write_text(json.dumps(found))
 
 
@@ -195,9 +205,10 @@ class Runs:
         home = folder.parent
         environment = {name: value for name, value in os.environ.items() if name in ("PATH", "LANG", "LD_LIBRARY_PATH")}
         environment |= {"HOME": str(home / "home"), "TMPDIR": str(home / "temporary"), "LOCPATH": str(self.locales)}
-        command = [self.program, "run", "sweep.yaml", "--db", "results.db", *self.options]
+        command = [*self.given.before, self.program, "run", "sweep.yaml", "--db", "results.db", *self.options]
         (home / "given.json").write_text(json.dumps({"folder": str(folder), "command": command, "environment": environment,
-                                                     "deadline_s": deadline_s}))
+                                                     "deadline_s": deadline_s,
+                                                     "has_terminal": home.name.removesuffix("_again") in TERMINAL}))
         made = subprocess.run([*self.before, sys.executable, __file__, "--inside", str(home / "given.json")], capture_output=True, text=True)
         if not (home / "found.json").exists():
             return {"code": "none: what started it was ended, too", "took_s": 0.0, "left": [], "typed": "", "foreground_is_run": True,
@@ -225,25 +236,34 @@ class Runs:
             sys.exit("the good planners fly differently beside one that does nothing")
 
     def fly(self, name):
-        """The problems that a way makes, and a line about it."""
+        """The problems that a way makes, and a line about it. Once more, with limits measured again, where it took too long: others may
+        have used this machine, too."""
+        problems, line = self.fly_once(name, name)
+        if any(problem.startswith("took") for problem in problems):
+            calm = self.run(self.prepare(f"{name}_calm", "nothing", "hostile"), 120.0)
+            self.honest_s = max(self.honest_s, calm["took_s"])
+            problems, line = self.fly_once(name, f"{name}_again")
+        return problems, line
+
+    def fly_once(self, name, folder_name):
         expected = EXPECTED[name]
         library = LIBRARIES.get(name, "hostile")
-        folder = self.prepare(name, "nothing" if name in LIBRARIES else name, library)
+        folder = self.prepare(folder_name, "nothing" if name in LIBRARIES else name, library)
         before = files_of(folder.parent)
-        hits = self.given.missions
-        limit_s = {"call": PLAN_TIMEOUT_S, "trial": self.trial_limit_s}.get(expected.limit, PLAN_TIMEOUT_S)
-        limits_s = self.honest_s + hits * limit_s
+        limit_s = self.trial_limit_s if expected.limit == "trial" else PLAN_TIMEOUT_S
+        limits_s = self.honest_s + self.given.missions * limit_s
         found = self.run(folder, 1.5 * limits_s + 5.0)
         problems = ["it did not end" if found["code"] is None else f"exit code {found['code']}"] if found["code"] not in expected.codes else []
         if found["code"] in expected.codes and found["code"] != 0 and not re.search(expected.message, found["stderr"]):
             problems.append("nothing that says what to do")
         if found["took_s"] > 1.5 * limits_s:
             problems.append(f"took {found['took_s']:.1f} s, its limits are {limits_s:.1f} s")
-        problems += after_processes(found, name)
+        problems += after_processes(found)
         problems += self.check_files(folder, before)
         problems += self.check_database(folder / "results.db", expected, found["code"])
         outcome = self.outcome(folder / "results.db")
-        shutil.rmtree(folder.parent, ignore_errors=True) if not self.given.keep else None
+        if not self.given.keep:
+            shutil.rmtree(folder.parent, ignore_errors=True)
         last = found["stderr"].strip().splitlines()[-1:] if problems or found["code"] != 0 else []
         return problems, f"{found['took_s']:5.1f} s  {name}: {outcome}" + "".join(f"\n      | {line[:200]}" for line in last)
 
@@ -253,7 +273,7 @@ class Runs:
         problems = [f"left {name}" for name in after if name not in before and name not in made]
         problems += [f"changed {name}" for name in before if after.get(name) != before[name]]
         for place in MARKS:
-            file = pathlib.Path(place) / f"{MARK}{folder.parent.name}"
+            file = pathlib.Path(place) / f"{MARK}{folder.parent.name.removesuffix('_again')}"
             if file.exists():
                 problems.append(f"left {file}")
                 file.unlink()
@@ -308,15 +328,15 @@ class Runs:
         return "no rows"
 
 
-def after_processes(found, name):
+def after_processes(found):
     problems = [f"{len(found['left'])} processes left: {found['left'][0][:60]}"] if found["left"] else []
     if found["stdout"]:
         problems.append(f"on the standard output: {found['stdout'][:60]!r}")
     if "\033" in found["stderr"]:
         problems.append("control characters on the standard error")
-    if name in TERMINAL and found["typed"]:
+    if found["typed"]:
         problems.append(f"typed into the terminal: {found['typed'][:40]!r}")
-    if name in TERMINAL and not found["foreground_is_run"]:
+    if not found["foreground_is_run"]:
         problems.append("took the terminal")
     return problems
 
@@ -365,6 +385,7 @@ def main():
     parser.add_argument("--missions", type=int, default=3)
     parser.add_argument("--parallel", type=int, default=1)
     parser.add_argument("--run-option", action="append", default=[])
+    parser.add_argument("--before", type=shlex.split, default=[], help="what stands before the program on its command line")
     parser.add_argument("--keep", type=pathlib.Path, help="where the runs' folders stay")
     given = parser.parse_args()
     given.good = given.good or pathlib.Path(given.program).resolve().parent / "planners"

@@ -31,8 +31,8 @@ CRASHED, HUNG, ERROR = "^planner_crashed: ", "^planner_hung: ", "^planner_error:
 
 MEMORY = (
     fails(CRASHED + ".*(memory|signal)", "fill_heap", "map_terabyte", "fill_children") |
-    either("fill_memfd", "fill_shared_memory", "lock_memory", "write_observation", "write_later", "break_heap") |
-    fails(CRASHED + ".*signal 11", "overflow_stack", "write_null", "call_null", "unmap_stack", "unmap_itself") |
+    either("fill_memfd", "fill_shared_memory", "lock_memory", "write_observation", "write_later", "break_heap", "unmap_itself") |
+    fails(CRASHED + ".*signal 11", "overflow_stack", "write_null", "call_null", "unmap_stack") |
     fails(CRASHED + ".*signal 6", "free_twice") |
     fails(CRASHED + ".*signal", "write_code"))
 
@@ -65,8 +65,8 @@ PARENT = honest("interrupt_parent", "terminate_parent", "warn_parent", "kill_par
 DESCRIPTORS = (
     fails(CRASHED, "close_pipes", "close_and_open", "cover_pipes", "write_everywhere", "write_a_byte", "flood_pipes", "cover_with_full_pipe",
           "exchange_pipes") |
-    either("close_all", "close_all_at_create", "flood_notes", "read_jobs", "use_up_descriptors", limit="trial") |
-    honest("do_not_wait", "shrink_pipes", "print_results", "flood_errors", "flood_log"))
+    either("close_all", "close_all_at_create", "flood_notes", "read_jobs", "use_up_descriptors", "do_not_wait", "flood_errors", limit="trial") |
+    honest("shrink_pipes", "print_results", "flood_log"))
 
 FILES = (
     honest("overwrite_database", "truncate_database", "truncate_log", "remove_database", "remove_log", "remove_index", "rename_database",

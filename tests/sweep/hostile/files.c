@@ -25,10 +25,10 @@ static void scribble(const char* path, off_t at, size_t size) {
   close(fd);
 }
 
-/* Garbage over the second page of the database, and of its log. */
+/* Garbage over all of the database, and over the first 64 KiB of its log. */
 static void overwrite_database(struct Attack* attack) {
-  scribble(in_folder(attack, "results.db"), 4096, 4096);
-  scribble(in_folder(attack, "results.db-wal"), 32, 4096);
+  scribble(in_folder(attack, "results.db"), 0, 1 << 18);
+  scribble(in_folder(attack, "results.db-wal"), 0, 1 << 16);
 }
 
 /* Nothing is left of the database; of its log. */

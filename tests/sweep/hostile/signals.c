@@ -34,7 +34,7 @@ RAISES(raise_kill, SIGKILL)
 RAISES(raise_stop, SIGSTOP)
 
 static void crash(void) {
-  int* volatile nowhere = NULL;
+  volatile int* volatile nowhere = NULL;
   *nowhere = 1;
 }
 

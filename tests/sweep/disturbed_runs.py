@@ -1,0 +1,314 @@
+#!/usr/bin/env python3
+"""Runs that are disturbed at random (seeded) moments, again and again, until they end, give the rows of one that was left alone.
+
+    disturbed_runs.py PROGRAM [--count 300] [--databases 40] [--seed 1] [--long-locks 2]
+
+Each database is flown by the same command until that has ended well and its share of disturbances is used up: signals to the run (KILL,
+TERM, INT, USR1 and then TERM, STOP and CONT) and to its workers, a full disk, a lock on the database, the database moved, deleted, replaced.
+Then its rows are those of the undisturbed run. A run that ends otherwise says what to do, unless SIGKILL ended it; it never says that all
+is well while trials are missing from the file that it names; the file is sound at all times; no process is left."""
+import argparse
+import contextlib
+import os
+import pathlib
+import random
+import re
+import resource
+import signal
+import sqlite3
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+
+from interrupted_runs import Runs
+from same_bits import rows
+
+MARK = "AVOIDBENCH_DISTURBED_RUN"  # in the environment of a run and of all that it starts
+WHAT_TO_DO = re.compile(r"again|free|make room|move it|elsewhere|another|--db|see ", re.IGNORECASE)
+LONG_LOCK_S = 35.0
+DISK_KIB = 65536
+
+
+def children(pid):
+    with contextlib.suppress(OSError):
+        return [int(word) for word in pathlib.Path(f"/proc/{pid}/task/{pid}/children").read_text().split()]
+    return []
+
+
+def marked():
+    """Live processes that come from a run of ours; zombies have no environment."""
+    found = []
+    for folder in pathlib.Path("/proc").glob("[0-9]*"):
+        with contextlib.suppress(OSError):
+            if f"{MARK}={os.getpid()}".encode() in (folder / "environ").read_bytes():
+                found.append(int(folder.name))
+    return found
+
+
+def send(pid, number):
+    with contextlib.suppress(ProcessLookupError):
+        os.kill(pid, number)
+
+
+class Disturbed:
+    """One database, its run, and what is done to it."""
+
+    def __init__(self, runs, name, draws, whole_s):
+        self.runs, self.name, self.draws, self.whole_s = runs, name, draws, whole_s
+        self.file = runs.folder / name
+        self.done = []           # what was done, for messages
+        self.process = None
+        self.undo = []           # to be done when the run has ended
+        self.must_fail = False   # the run can't end well any more
+        self.locks = []          # threads that hold one
+
+    def problem(self, text):
+        print(f"PROBLEM  {self.name}, after {', '.join(self.done) or 'nothing'}: {text}", flush=True)
+        self.runs.problems += 1
+
+    def start(self):
+        environment = os.environ | {MARK: str(os.getpid())}
+        self.must_fail = False
+        self.process = subprocess.Popen(self.runs.command(self.name, "--jobs", "2", "--grace", "2"), stdout=subprocess.DEVNULL,
+                                        stderr=subprocess.PIPE, text=True, env=environment)
+
+    def wait(self, seconds):
+        """Whether it has ended after that time."""
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            self.process.wait(timeout=seconds)
+        return self.process.poll() is not None
+
+    def missing(self):
+        """Whether trials are missing from the database; True where there is none yet."""
+        try:
+            with contextlib.closing(sqlite3.connect(f"file:{self.file}?mode=ro", uri=True, timeout=5.0)) as db:
+                return db.execute("SELECT count(*) FROM trials").fetchone()[0] < len(self.runs.whole["trial"])
+        except sqlite3.Error:
+            return True
+
+    # What is done to it. Each leaves the run alone after that.
+
+    def kill(self):
+        send(self.process.pid, signal.SIGKILL)
+
+    def terminate(self):
+        send(self.process.pid, signal.SIGTERM)
+
+    def interrupt(self):
+        send(self.process.pid, signal.SIGINT)
+
+    def interrupt_twice(self):
+        send(self.process.pid, signal.SIGINT)
+        time.sleep(self.draws.uniform(0.0, 0.05))
+        send(self.process.pid, signal.SIGINT)
+
+    def warn_and_terminate(self):
+        send(self.process.pid, signal.SIGUSR1)
+        time.sleep(self.draws.uniform(0.0, 0.1))
+        send(self.process.pid, signal.SIGTERM)
+
+    def stop_and_continue(self):
+        send(self.process.pid, signal.SIGSTOP)
+        time.sleep(self.draws.uniform(0.05, 0.5))
+        send(self.process.pid, signal.SIGCONT)
+
+    def to_worker(self, number):
+        workers = children(self.process.pid)
+        if workers:
+            send(self.draws.choice(workers), number)
+
+    def kill_worker(self):
+        self.to_worker(signal.SIGKILL)
+
+    def kill_workers_often(self):
+        for _ in range(6):
+            self.to_worker(signal.SIGKILL)
+            time.sleep(0.02)
+
+    def terminate_worker(self):
+        self.to_worker(signal.SIGTERM)
+
+    def interrupt_worker(self):
+        self.to_worker(signal.SIGINT)
+
+    def stop_worker(self):
+        workers = children(self.process.pid)
+        for pid in workers:
+            send(pid, signal.SIGSTOP)
+        time.sleep(self.draws.uniform(0.05, 1.0))
+        for pid in workers:
+            send(pid, signal.SIGCONT)
+
+    def fill_disk(self):
+        """Few pages are left of the disk: where one of its own can be mounted for it, else by a limit of files."""
+        pages = self.draws.randrange(8)
+        if not os.path.ismount(self.file.parent):
+            with contextlib.suppress(OSError, ProcessLookupError):
+                size = self.file.stat().st_size + 4096 * pages
+                resource.prlimit(self.process.pid, resource.RLIMIT_FSIZE, (size, size))
+            return
+        filler = self.file.parent / "filler"
+        with contextlib.suppress(OSError), open(filler, "wb", buffering=0) as file:
+            while True:
+                file.write(bytes(4096))
+        os.truncate(filler, max(0, filler.stat().st_size - 4096 * pages))
+        self.undo.append(lambda: filler.unlink(missing_ok=True))
+
+    def lock(self, seconds=None):
+        seconds = seconds or self.draws.uniform(0.1, 2.0)
+        kind = self.draws.choice(["BEGIN EXCLUSIVE", "BEGIN IMMEDIATE"])
+        taken = threading.Event()
+
+        def hold():
+            with contextlib.suppress(sqlite3.Error), contextlib.closing(sqlite3.connect(self.file, timeout=5.0, isolation_level=None)) as db:
+                db.execute(kind)
+                taken.set()
+                time.sleep(seconds)
+                db.rollback()
+            taken.set()
+
+        if self.file.exists() and self.file.stat().st_size > 0:
+            self.locks.append(threading.Thread(target=hold))
+            self.locks[-1].start()
+            taken.wait()
+
+    def lock_for_long(self):
+        self.lock(LONG_LOCK_S)
+
+    def move(self):
+        if not self.file.exists():
+            return
+        elsewhere = self.file.with_suffix(".moved")
+        self.must_fail = self.missing()
+        self.file.rename(elsewhere)
+
+        def move_back():
+            if not self.file.exists():
+                elsewhere.rename(self.file)
+        self.undo.append(move_back)
+
+    def delete(self):
+        if self.file.exists():
+            self.must_fail = self.missing()
+            self.file.unlink(missing_ok=True)
+
+    def replace(self):
+        if self.file.exists():
+            self.must_fail = self.missing()
+            new = self.file.with_suffix(".new")
+            new.write_bytes(b"")
+            new.rename(self.file)
+
+    KINDS = (kill, terminate, interrupt, interrupt_twice, warn_and_terminate, stop_and_continue, kill_worker, kill_workers_often,
+             terminate_worker, interrupt_worker, stop_worker, fill_disk, lock, move, delete, replace)
+
+    def disturb(self, kind):
+        """Does it, unless the run has ended; whether it did."""
+        if self.process.poll() is not None:
+            return False
+        self.done.append(kind.__name__)
+        kind(self)
+        return True
+
+    def end(self, limit_s):
+        """Waits for the run's end and judges how it ended; whether it ended well."""
+        try:
+            _, text = self.process.communicate(timeout=limit_s)
+        except subprocess.TimeoutExpired:
+            self.problem(f"the run did not end within {limit_s:.0f} s")
+            self.process.kill()
+            _, text = self.process.communicate()
+        for thread in self.locks:
+            thread.join()
+        self.locks = []
+        code = self.process.returncode
+        if code == 0 and self.must_fail:
+            self.problem("exit code 0, but trials were missing when its file went away")
+        if code in (-signal.SIGINT, -signal.SIGTERM, -signal.SIGUSR1) and text == "":
+            code = -signal.SIGKILL  # before it could say anything
+        if code not in (0, 2, 75, 130, -signal.SIGKILL, 128 + signal.SIGINT, 128 + signal.SIGTERM):
+            self.problem(f"exit code {code}: {text[-300:]}")
+        elif code not in (0, -signal.SIGKILL) and not WHAT_TO_DO.search(text):
+            self.problem(f"exit code {code} and nothing about what to do: {text[-300:]!r}")
+        if code == 2 and "locked" in text and "lock" in " ".join(self.done):
+            self.problem(f"did not wait for the lock: {text[-200:]!r}")
+        time.sleep(0.05)
+        if marked():
+            time.sleep(1.0)
+        if left := marked():
+            self.problem(f"{len(left)} processes left")
+            for pid in left:
+                send(pid, signal.SIGKILL)
+        for undo in self.undo:
+            undo()
+        self.undo = []
+        self.runs.check_file(self.name)
+        return code == 0
+
+
+def fly(runs, name, draws, whole_s, kinds):
+    """One database, disturbed in these ways one after the other, then left alone until it is whole; how many were used."""
+    one = Disturbed(runs, name, draws, whole_s)
+    kinds, used = list(kinds), 0
+    ended_well = False
+    while kinds and not ended_well:
+        one.start()
+        while kinds and not one.wait(draws.uniform(0.05, 0.3 * whole_s)):
+            used += 1 if one.disturb(kinds.pop()) else 0
+        ended_well = one.end(LONG_LOCK_S + 60.0)
+    for _ in range(4):
+        if ended_well:
+            break
+        one.done.append("left alone")
+        one.start()
+        ended_well = one.end(120.0)
+    if not ended_well:
+        one.problem("does not end well, even left alone")
+        return used
+    runs.expect(f"{name}: {', '.join(one.done)}", rows(runs.folder / name), runs.whole)
+    return used
+
+
+@contextlib.contextmanager
+def small_disk(folder):
+    """A folder on a small disk of its own, where one can be mounted."""
+    folder.mkdir()
+    mounted = subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={DISK_KIB}k", "tmpfs", folder], capture_output=True).returncode == 0
+    try:
+        yield
+    finally:
+        if mounted:
+            subprocess.run(["umount", "--lazy", folder], check=True)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program")
+    parser.add_argument("--count", type=int, default=300)
+    parser.add_argument("--databases", type=int, default=40)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--long-locks", type=int, default=2)
+    given = parser.parse_args()
+    draws = random.Random(given.seed)
+    with tempfile.TemporaryDirectory() as folder, small_disk(pathlib.Path(folder) / "disk"):
+        runs = Runs(given.program, folder)
+        began = time.monotonic()
+        runs.whole = runs.run("whole.db", "--jobs", "2")
+        whole_s = time.monotonic() - began
+        print(f"{len(runs.whole['trial'])} trials undisturbed in {whole_s:.1f} s", flush=True)
+        done = database = 0
+        while done < given.count or database < given.databases:
+            kinds = draws.choices(Disturbed.KINDS, k=max(1, round(given.count / given.databases)))
+            if database < given.long_locks:
+                kinds = [Disturbed.lock_for_long]
+            name = f"disturbed{database}.db"
+            done += fly(runs, f"disk/{name}" if database % 2 == 0 else name, draws, whole_s, kinds)
+            database += 1
+    print(f"{done} disturbances of {database} databases, {runs.problems} problems, {time.monotonic() - began:.0f} s")
+    sys.exit(1 if runs.problems else 0)
+
+
+if __name__ == "__main__":
+    main()
