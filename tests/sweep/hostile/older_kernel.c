@@ -4,16 +4,23 @@
  * as such a kernel, or a container that forbids them, does. Without rights of its own: it gives up
  * those of set-user-id programs first. */
 #include <errno.h>
+#include <fcntl.h>
 #include <linux/audit.h>
 #include <linux/filter.h>
+#include <linux/landlock.h>
 #include <linux/seccomp.h>
+#include <poll.h>
 #include <sched.h>
+#include <signal.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include <sys/ioctl.h>
 #include <sys/prctl.h>
 #include <sys/syscall.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 enum { kLandlockFirst = 444, kLandlockLast = 446, kClone3 = 435, kMostRules = 64 };
@@ -21,6 +28,7 @@ enum { kLandlockFirst = 444, kLandlockLast = 446, kClone3 = 435, kMostRules = 64
 struct Filter {
   struct sock_filter rules[kMostRules];
   unsigned short count;
+  int landlock_version; /* 0: the kernel's own */
 };
 
 static void add(struct Filter* filter, struct sock_filter rule) {
@@ -52,7 +60,22 @@ static void refuse_with(struct Filter* filter, uint32_t call, uint32_t bits, int
   load(filter, offsetof(struct seccomp_data, nr));
 }
 
+/* Whoever asks which version of Landlock there is, is answered by `answer_for`. */
+static void ask_about_landlock(struct Filter* filter) {
+  add(filter, (struct sock_filter)BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, kLandlockFirst, 0, 4));
+  load(filter, offsetof(struct seccomp_data, args[2]));
+  add(filter, (struct sock_filter)BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K,
+                                           LANDLOCK_CREATE_RULESET_VERSION, 0, 1));
+  add(filter, (struct sock_filter)BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_USER_NOTIF));
+  load(filter, offsetof(struct seccomp_data, nr));
+}
+
 static int build(struct Filter* filter, const char* word) {
+  if (strncmp(word, "--landlock-version=", 19) == 0) {
+    filter->landlock_version = atoi(word + 19);
+    ask_about_landlock(filter);
+    return 1;
+  }
   if (strcmp(word, "--no-landlock") == 0) {
     for (uint32_t call = kLandlockFirst; call <= kLandlockLast; ++call)
       refuse(filter, call, ENOSYS);
@@ -76,19 +99,59 @@ static int build(struct Filter* filter, const char* word) {
   return 0;
 }
 
+static _Noreturn void fail(void) {
+  perror("older_kernel");
+  exit(1);
+}
+
+/* Installs it for this process and all that come from it; the descriptor of what it asks. */
+static int install(const struct Filter* filter) {
+  const struct sock_fprog program = {.len = filter->count,
+                                     .filter = (struct sock_filter*)(uintptr_t)filter->rules};
+  const unsigned flags = filter->landlock_version > 0 ? SECCOMP_FILTER_FLAG_NEW_LISTENER : 0;
+  if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) fail();
+  const int questions = (int)syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, flags, &program);
+  if (questions < 0) fail();
+  return questions;
+}
+
+/* Answers questions until the child has ended; its exit code. */
+static int answer_for(pid_t child, int questions, int version) {
+  int status = 0;
+  while (waitpid(child, &status, WNOHANG) == 0) {
+    struct pollfd waiting = {.fd = questions, .events = POLLIN};
+    if (poll(&waiting, 1, 20) <= 0 || (waiting.revents & POLLIN) == 0) continue;
+    struct seccomp_notif question;
+    memset(&question, 0, sizeof question);
+    if (ioctl(questions, SECCOMP_IOCTL_NOTIF_RECV, &question) != 0) continue;
+    struct seccomp_notif_resp response = {.id = question.id, .val = version};
+    ioctl(questions, SECCOMP_IOCTL_NOTIF_SEND, &response);
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
 int main(int count, char** words) {
   struct Filter filter = {.count = 0};
   load(&filter, offsetof(struct seccomp_data, nr));
   int first = 1;
   while (first < count && build(&filter, words[first])) ++first;
   add(&filter, (struct sock_filter)BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW));
-  const struct sock_fprog program = {.len = filter.count, .filter = filter.rules};
-  if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0 ||
-      prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) != 0) {
-    perror("older_kernel");
-    return 1;
+  if (first >= count) fail();
+  int number[2];
+  if (pipe2(number, O_CLOEXEC) != 0) fail();
+  /* With its parent's descriptors, so that the one of the questions is there, too; until it starts
+   * the program. */
+  const pid_t child = filter.landlock_version > 0
+                          ? (pid_t)syscall(SYS_clone, CLONE_FILES | SIGCHLD, NULL, NULL, NULL, 0)
+                          : 0;
+  if (child < 0) fail();
+  if (child == 0) {
+    const int questions = install(&filter);
+    (void)!write(number[1], &questions, sizeof questions);
+    execvp(words[first], words + first);
+    fail();
   }
-  if (first < count) execvp(words[first], words + first);
-  perror("older_kernel");
-  return 1;
+  int questions = -1;
+  if (read(number[0], &questions, sizeof questions) != sizeof questions) fail();
+  return answer_for(child, questions, filter.landlock_version);
 }
