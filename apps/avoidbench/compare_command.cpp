@@ -33,11 +33,16 @@ CompareFormat format_from(const std::string& name) {
                    "; it is one of table, markdown, json, junit, bencher, github, github_bigger");
 }
 
+void warn(const TrialTable& table) {
+  if (!table.warning.empty()) std::cerr << "warning: " << table.warning << '\n';
+}
+
 void bless(const CompareCommand& command) {
   if (!command.now.empty()) {
     throw InputError("--bless writes the table of one database: give no second one");
   }
   const TrialTable table = read_table(command.base, command.sweep);
+  warn(table);
   write_text(csv_of_table(table), command.bless_file);
   std::cerr << command.bless_file << ": " << table.trials.size() << " trials of sweep "
             << table.sweep << "\n";
@@ -76,6 +81,8 @@ void compare(const CompareCommand& command) {
   if (!command.bless_file.empty()) return bless(command);
   if (command.now.empty()) throw InputError("NEW is required: compare BASE NEW");
   const TablePair tables = read_tables(command.base, command.now, command.sweep);
+  warn(tables.base);
+  if (command.now != command.base) warn(tables.now);
   const bool failed = command.is_exact ? compare_bits(command, tables, format)
                                        : compare_figures(command, tables, format);
   if (failed) throw CLI::RuntimeError(kExitRegression);

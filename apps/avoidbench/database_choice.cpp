@@ -6,6 +6,7 @@
 
 #include "base/input_error.hpp"
 #include "config/sweep_file.hpp"
+#include "store/row_digest.hpp"
 
 namespace avoidbench {
 
@@ -53,6 +54,13 @@ std::filesystem::path newest_database(const std::string& purpose) {
   }
   std::cerr << purpose << " of " << newest.string() << "\n";
   return newest;
+}
+
+Database open_checked(const std::filesystem::path& path) {
+  Database database = Database::open_for_reading(path);
+  const std::string warning = undigested_text(database, check_digests(database, false));
+  if (!warning.empty()) std::cerr << "warning: " << warning << '\n';
+  return database;
 }
 
 }  // namespace avoidbench

@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <string>
 
+#include "store/database.hpp"
+
 namespace avoidbench {
 
 /// The database itself, or that of a sweep by its file or name: results/NAME.db.
@@ -11,5 +13,9 @@ std::filesystem::path database_of(const std::string& given);
 /// The results/*.db that was written to last; says on stderr that `purpose` takes it. Throws
 /// InputError where there is none.
 std::filesystem::path newest_database(const std::string& purpose);
+
+/// Opens a database for reading after checking the digests of all its trials' rows. Says on stderr
+/// how many have none.
+Database open_checked(const std::filesystem::path& path);
 
 }  // namespace avoidbench

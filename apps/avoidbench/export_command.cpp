@@ -76,9 +76,9 @@ std::filesystem::path made_folder(const std::string& folder) {
 std::vector<Database> opened(const std::vector<std::string>& files) {
   std::vector<Database> databases;
   for (const std::string& file : files) {
-    databases.push_back(Database::open_for_reading(database_of(file)));
+    databases.push_back(open_checked(database_of(file)));
   }
-  if (files.empty()) databases.push_back(Database::open_for_reading(newest_database("trials")));
+  if (files.empty()) databases.push_back(open_checked(newest_database("trials")));
   return databases;
 }
 

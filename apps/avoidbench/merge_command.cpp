@@ -44,6 +44,10 @@ void merge(const MergeCommand& command) {
   for (const std::string& file : command.from) {
     const MergeResult result = merge_database(into, file);
     std::cout << file << ": " << result.trials << " trials, " << result.new_trials << " new\n";
+    if (result.undigested_trials > 0) {
+      std::cerr << "warning: " << file << ": " << result.undigested_trials
+                << " trials have no digest to be checked by: an older avoidbench flew them\n";
+    }
   }
   const bool is_complete = print_completeness(into);
   if (!is_complete) {

@@ -117,7 +117,7 @@ void report(ReportOptions options) {
   if (options.files.empty()) options.files.push_back(newest_database("report").string());
   Candidates found;
   for (const std::string& file : options.files) {
-    add_sweeps_of(Database::open_for_reading(file), options.sweep, query.fields(), found);
+    add_sweeps_of(open_checked(file), options.sweep, query.fields(), found);
   }
   const bool is_known =
       std::find(found.names.begin(), found.names.end(), options.sweep) != found.names.end();

@@ -6,6 +6,7 @@
 #include "base/input_error.hpp"
 #include "base/input_file.hpp"
 #include "report/trial_table.hpp"
+#include "store/row_digest.hpp"
 #include "store/visit_trials.hpp"
 
 namespace avoidbench {
@@ -17,6 +18,7 @@ struct Source {
   std::optional<Database> database;
   std::vector<SweepInfo> sweeps;  ///< with trials, the latest revision of a name last
   TrialTable table;
+  std::string warning = {};  ///< of trials that can't be checked by digests
 };
 
 /// Whether the file begins as databases do, or is too short for a table.
@@ -32,6 +34,7 @@ Source open_source(const std::filesystem::path& path) {
       .file = path.string(), .database = std::nullopt, .sweeps = {}, .table = TrialTable{}};
   if (may_be_database(path)) {
     source.database = Database::open_for_reading(path);
+    source.warning = undigested_text(*source.database, check_digests(*source.database, false));
     for (SweepInfo& sweep : source.database->read_sweeps()) {
       if (sweep.trial_count > 0) source.sweeps.push_back(std::move(sweep));
     }
@@ -82,7 +85,11 @@ const SweepInfo& sweep_of(const Source& source, const std::string& wanted) {
 
 /// The table of sweep `wanted`, whose trials are told apart by `axes` too.
 TrialTable take(Source& source, const std::string& wanted, const std::vector<std::string>& axes) {
-  if (source.database) return table_of_sweep(*source.database, sweep_of(source, wanted), axes);
+  if (source.database) {
+    TrialTable table = table_of_sweep(*source.database, sweep_of(source, wanted), axes);
+    table.warning = source.warning;
+    return table;
+  }
   const bool is_wanted = wanted == source.table.sweep || wanted == source.table.sweep + "@1";
   if (!is_wanted) {
     throw InputError(InputProblem{

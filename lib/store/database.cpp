@@ -204,6 +204,7 @@ Database Database::open_for_reading(const std::filesystem::path& path) {
   // system call each.
   execute(database.handle(), path, "PRAGMA mmap_size = 134217728");
   database.read_metrics();
+  database.check_references();
   database.use_own_views();
   return database;
 }
@@ -297,22 +298,44 @@ void Database::check_integrity(bool whole) const {
   // When only reading, or in a large file, the tables that decide: trajectories and plan calls may
   // be gigabytes, and damage in them is seen when they are read.
   constexpr std::uintmax_t kLargeBytes = std::uintmax_t{1} << 28U;
+  constexpr std::string_view kThatDecide[] = {"trials",         "missions", "sweep_trials",
+                                              "maps",           "planners", "sweeps",
+                                              "sweep_missions", "runs",     "metric_definitions"};
   std::error_code error;
   const std::uintmax_t bytes = std::filesystem::file_size(path(), error);
   const bool is_large = !error && bytes > kLargeBytes;
-  const std::vector<std::string> checks =
-      whole && !is_large
-          ? std::vector<std::string>{"PRAGMA quick_check(1)"}
-          : std::vector<std::string>{"PRAGMA quick_check(trials)", "PRAGMA quick_check(missions)",
-                                     "PRAGMA quick_check(sweep_trials)"};
+  std::vector<std::string> checks;
+  if (whole && !is_large) {
+    checks.emplace_back("PRAGMA quick_check(1)");
+  } else {
+    for (const std::string_view table : kThatDecide) {
+      checks.push_back("PRAGMA quick_check(" + std::string(table) + ")");
+    }
+  }
   for (const std::string& check : checks) {
     Statement statement(handle(), path(), check);
     statement.step();
-    const std::string answer = statement.text(0);
+    const std::string answer = statement.free_text(0);
     if (answer != "ok") {
       fail(path(), "damaged (" + answer.substr(0, answer.find('\n')) +
                        "); `sqlite3 FILE .recover` saves what can be read");
     }
+  }
+}
+
+void Database::check_references() const {
+  // Every row that readers look up from another one is there.
+  for (const std::string table : {"trials", "missions", "sweep_trials", "sweep_missions"}) {
+    Statement lost(handle(), path(), "PRAGMA foreign_key_check(" + table + ")");
+    if (!lost.step()) continue;
+    const std::string parent = lost.text(2);
+    std::string key = "(of a sweep)";
+    if (!lost.is_null(1)) {
+      Statement row(handle(), path(), "SELECT trial_key FROM " + table + " WHERE rowid = ?");
+      row.bind_integer(lost.integer(1));
+      if (row.step()) key = row.free_text(0);
+    }
+    throw_damaged(path(), table, key, "its row in " + parent + " is not there");
   }
 }
 
@@ -337,6 +360,13 @@ void Database::create_schema() {
             "ALTER TABLE trajectories ADD COLUMN is_packed INTEGER NOT NULL DEFAULT 0 "
             "CHECK (is_packed IN (0, 1));"
             "PRAGMA user_version = 3;");
+  }
+  if (schema_version() < 4) {
+    execute(handle(), path(),
+            "ALTER TABLE runs ADD COLUMN sandbox TEXT NOT NULL DEFAULT '';"
+            "ALTER TABLE trials ADD COLUMN flight_digest TEXT;"
+            "ALTER TABLE trials ADD COLUMN row_digest TEXT;"
+            "PRAGMA user_version = 4;");
   }
 }
 
@@ -403,11 +433,12 @@ void Database::read_metrics() {
   Statement statement(handle(), path(),
                       "SELECT name, version, unit, doc, formula, source, better, population, "
                       "is_measured FROM metric_definitions ORDER BY position, name");
+  statement.rows_of("metric_definitions");
   while (statement.step()) {
     const auto better = enum_from_text<Better>(statement.text(6));
     const auto population = enum_from_text<Population>(statement.text(7));
     if (!is_column_name(statement.text(0)) || !better || !population) {
-      fail(path(), "damaged (metric_definitions)");
+      statement.damaged("this avoidbench does not know such a metric");
     }
     metrics_.push_back({.name = statement.text(0),
                         .version = static_cast<int>(statement.integer(1)),

@@ -21,7 +21,7 @@ struct sqlite3;
 namespace avoidbench {
 
 inline constexpr int kApplicationId = 0x6176426e;  ///< "avBn", in the SQLite header of our files
-inline constexpr int kSchemaVersion = 3;
+inline constexpr int kSchemaVersion = 4;
 
 class RunLock;
 
@@ -136,6 +136,7 @@ class Database {
   static int wait_for_lock(void* wait, int count);
   void check_identity() const;
   void check_integrity(bool whole) const;
+  void check_references() const;
   int schema_version() const;
   void create_schema();  ///< or brings an older one up
   void bring_metrics(std::span<const MetricDef> metrics);

@@ -1,12 +1,15 @@
 #include "store/merge.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "base/input_error.hpp"
+#include "store/row_digest.hpp"
 #include "store/schema_check.hpp"
 #include "store/statement.hpp"
+#include "store/stored_text.hpp"
 
 namespace avoidbench {
 namespace {
@@ -105,7 +108,8 @@ std::string differing_events(const std::string& one, const std::string& other) {
 /// so may runs, attempts and how samples are packed.
 void check_agreement(const Database& into, const Database& from) {
   std::vector<std::string> results =
-      columns_without("trials", {"trial_key", "attempt", "run_id", "wall_time_s", "spec_json"});
+      columns_without("trials", {"trial_key", "attempt", "run_id", "wall_time_s", "spec_json",
+                                 "row_digest", "flight_digest"});
   for (const MetricRow& metric : from.metrics()) {
     if (!metric.is_measured) results.push_back(metric.name);
   }
@@ -218,15 +222,18 @@ bool changes_map(const std::string& path) {
          path == "vehicle.body_size_m";
 }
 
-/// The shards that a set of "2/3", "" … lacks.
+/// The shards that a set of "2/3", "" … lacks; not more than a thousand.
 std::vector<std::string> lost_of(const std::set<std::string>& seen) {
+  constexpr std::size_t kMost = 1000;
   std::vector<std::string> lost;
   if (seen.contains("")) return lost;
   std::set<std::string> counts;
   for (const std::string& shard : seen) counts.insert(shard.substr(shard.find('/') + 1));
-  for (const std::string& count : counts) {
-    for (int i = 1; i <= std::atoi(count.c_str()); ++i) {
-      const std::string shard = std::to_string(i) + "/" + count;
+  for (const std::string& text : counts) {
+    int count = 0;
+    std::from_chars(text.data(), text.data() + text.size(), count);
+    for (int i = 1; i <= count && lost.size() < kMost; ++i) {
+      const std::string shard = std::to_string(i) + "/" + text;
       if (!seen.contains(shard)) lost.push_back(shard);
     }
   }
@@ -242,6 +249,7 @@ MergeResult merge_database(Database& into, const std::filesystem::path& from) {
     refuse(from, "is the file to merge into");
   check_metrics(into, checked);
   MergeResult result;
+  result.undigested_trials = check_digests(checked, true);
   {
     const Attached attached(into, checked);
     Transaction transaction(into.handle(), into.path());
@@ -271,21 +279,23 @@ MergeResult merge_database(Database& into, const std::filesystem::path& from) {
 std::vector<SweepCompleteness> sweep_completeness(const Database& database) {
   std::vector<SweepCompleteness> all;
   for (const SweepInfo& sweep : database.read_sweeps()) {
-    const nlohmann::json spec = nlohmann::json::parse(sweep.spec_json);
+    const nlohmann::json spec = stored_sweep(sweep.spec_json);  // as read_sweeps() checked it
+    const nlohmann::json axes = spec.value("axes", nlohmann::json::array());
     SweepCompleteness one{.name = sweep.name,
                           .revision = sweep.revision,
                           .wanted = 0,
                           .flown = sweep.trial_count,
                           .shards = {},
                           .lost_shards = {}};
-    const auto planners = static_cast<std::int64_t>(spec.at("planners").size());
-    one.wanted = planners * spec.at("trials").get<std::int64_t>();
-    for (const nlohmann::json& axis : spec.at("axes")) {
+    const auto planners =
+        static_cast<std::int64_t>(spec.value("planners", nlohmann::json::array()).size());
+    one.wanted = planners * spec.value("trials", std::int64_t{0});
+    for (const nlohmann::json& axis : axes) {
       one.wanted *= static_cast<std::int64_t>(axis.at("values").size());
     }
     // An invalid mission of a map is one of every combination of the axes that leave the map alone.
     std::int64_t per_mission = planners;
-    for (const nlohmann::json& axis : spec.at("axes")) {
+    for (const nlohmann::json& axis : axes) {
       if (!changes_map(axis.at("path"))) {
         per_mission *= static_cast<std::int64_t>(axis.at("values").size());
       }

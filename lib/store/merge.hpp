@@ -10,8 +10,9 @@
 namespace avoidbench {
 
 struct MergeResult {
-  std::int64_t trials = 0;      ///< that the file has
-  std::int64_t new_trials = 0;  ///< of them: that were not there before
+  std::int64_t trials = 0;             ///< that the file has
+  std::int64_t new_trials = 0;         ///< of them: that were not there before
+  std::int64_t undigested_trials = 0;  ///< of them: that an older program flew (row_digest.hpp)
 };
 
 /// Takes all rows of the database at `from` into `into`, in one transaction. Rows that are there

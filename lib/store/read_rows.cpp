@@ -1,13 +1,16 @@
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <limits>
 #include <set>
 
-#include "base/input_error.hpp"
+#include "base/digest.hpp"
 #include "store/database.hpp"
 #include "store/record_format.hpp"
+#include "store/row_digest.hpp"
 #include "store/schema_check.hpp"
 #include "store/statement.hpp"
+#include "store/stored_text.hpp"
 #include "store/trial_fields.hpp"
 
 namespace avoidbench {
@@ -21,8 +24,15 @@ constexpr std::string_view kMissionColumns =
     "i.map_key, i.mission_index, i.start_x_m, i.start_y_m, i.start_z_m, i.goal_x_m, i.goal_y_m, "
     "i.goal_z_m, i.start_yaw_rad, i.reference_length_m, i.traversability_obstruction, "
     "i.view_occlusion, i.angle_over_length_1pm, i.is_valid, i.invalid_reason";
-constexpr std::string_view kPlannerColumns =
-    "p.label, p.name, p.version, p.file_digest, p.parameters_json, p.is_privileged";
+/// Throws that the row is damaged where `parse` does not take its JSON.
+template <class Parse>
+void check_json(const Statement& s, const std::string& text, Parse parse) {
+  try {
+    parse(text);
+  } catch (const BadText& bad) {
+    s.damaged(std::string("its JSON is ") + bad.what());
+  }
+}
 
 MapRow map_of(const Statement& s) {
   MapRow row;
@@ -30,6 +40,7 @@ MapRow map_of(const Statement& s) {
   row.generator = s.text(1);
   row.map_seed = std::bit_cast<std::uint64_t>(s.integer(2));
   row.spec_json = s.text(3);
+  check_json(s, row.spec_json, stored_object);
   row.record.world_digest = s.text(4);
   row.record.obstacle_count = s.integer(5);
   row.record.triangle_count = s.integer(6);
@@ -38,7 +49,24 @@ MapRow map_of(const Statement& s) {
   row.record.relative_gap_size = s.real(9);
   row.record.obstacle_density_1pm2 = s.real(10);
   row.record.free_volume_ratio = s.real(11);
+  const bool is_possible = row.record.obstacle_count >= 0 && row.record.triangle_count >= 0;
+  if (!is_possible) s.damaged("a count is negative");
   return row;
+}
+
+/// Whether a mission's numbers are what the program stores: finite, and there where it is valid.
+bool is_possible(const MissionRecord& record) {
+  constexpr std::int64_t kMostMissions = 1'000'000'000;
+  const Mission& mission = record.mission;
+  const double numbers[] = {mission.start_world.x(), mission.start_world.y(),
+                            mission.start_world.z(), mission.goal_world.x(),
+                            mission.goal_world.y(),  mission.goal_world.z(),
+                            mission.start_yaw_rad,   record.reference_length_m};
+  for (const double number : numbers) {
+    if (std::isinf(number) || (record.is_valid && std::isnan(number))) return false;
+  }
+  const bool has_length = !(record.reference_length_m < 0.0);
+  return has_length && record.index >= 0 && record.index < kMostMissions;
 }
 
 MissionRecord mission_of(const Statement& s) {
@@ -52,27 +80,35 @@ MissionRecord mission_of(const Statement& s) {
                        .view_occlusion = s.real(11),
                        .angle_over_length_1pm = s.real(12)};
   record.is_valid = s.integer(13) != 0;
-  record.invalid_reason = s.text(14);
+  record.invalid_reason = s.free_text(14);
+  if (!is_possible(record)) {
+    s.damaged("mission " + std::to_string(record.index) + " has impossible numbers");
+  }
   return record;
 }
 
 PlannerRow planner_of(const Statement& s) {
-  return {.label = s.text(0),
-          .name = s.text(1),
-          .version = s.text(2),
-          .file_digest = s.text(3),
-          .parameters_json = s.text(4),
-          .is_privileged = s.integer(5) != 0};
+  PlannerRow row{.label = s.text(0),
+                 .name = s.text(1),
+                 .version = s.text(2),
+                 .file_digest = s.text(3),
+                 .parameters_json = s.text(4),
+                 .is_privileged = s.integer(5) != 0};
+  check_json(s, row.parameters_json, stored_object);
+  if (planner_key(row) != s.text(6))
+    s.damaged("planner_key is not the digest of the other columns");
+  return row;
 }
 
-Outcome outcome_of(const Database& db, const std::string& name) {
-  const auto outcome = enum_from_text<Outcome>(name);
-  if (!outcome) {
-    throw InputError(
-        InputProblem{.file = db.path().string(),
-                     .message = "holds an outcome that this avoidbench does not know: " + name});
-  }
-  return *outcome;
+/// All planners, by label, then key.
+std::vector<PlannerRow> planner_rows(const Database& db) {
+  Statement s(db.handle(), db.path(),
+              "SELECT p.label, p.name, p.version, p.file_digest, p.parameters_json, "
+              "p.is_privileged, p.planner_key FROM planners p ORDER BY p.label, p.planner_key");
+  s.rows_of("planners", 6);
+  std::vector<PlannerRow> planners;
+  while (s.step()) planners.push_back(planner_of(s));
+  return planners;
 }
 
 /// `, t.a, t.b` for the metrics a and b.
@@ -92,58 +128,79 @@ std::vector<double> metrics_of(const Database& db, const Statement& s, int first
 
 std::vector<Collision> read_collisions(const Database& db, std::string_view key) {
   Statement s(db.handle(), db.path(),
-              "SELECT time_s, speed_mps, obstacle_index, obstacle_kind FROM events "
+              "SELECT time_s, speed_mps, obstacle_index, obstacle_kind, trial_key FROM events "
               "WHERE trial_key = ? AND kind = 'collision' ORDER BY event_index");
-  s.bind_text(key);
+  s.rows_of("events", 4).bind_text(key);
   std::vector<Collision> collisions;
   while (s.step()) {
-    collisions.push_back(
-        {.time_s = s.real(0), .speed_mps = s.real(1), .obstacle = s.integer(2), .kind = s.text(3)});
+    collisions.push_back({.time_s = s.real(0),
+                          .speed_mps = s.real(1),
+                          .obstacle = s.integer(2),
+                          .kind = s.free_text(3)});
   }
   return collisions;
 }
 
-void read_flight(const Database& db, std::string_view key, TrialRecord& record) {
+std::vector<Sample> read_samples(const Database& db, std::string_view key) {
   Statement s(db.handle(), db.path(),
-              "SELECT r.samples, r.is_packed, r.sample_count, c.calls_json FROM trajectories r "
-              "JOIN plan_calls c USING (trial_key) "
-              "WHERE trial_key = ?");
-  s.bind_text(key);
-  if (s.step()) {
-    const auto count = static_cast<std::size_t>(std::max<std::int64_t>(0, s.integer(2)));
-    const auto bytes = s.integer(1) != 0
-                           ? unpacked_samples(s.blob(0), count)
-                           : std::vector<std::byte>(s.blob(0).begin(), s.blob(0).end());
-    if (bytes.size() != count * kSampleDoubles * sizeof(double)) {
-      throw InputError(InputProblem{
-          .file = db.path().string(),
-          .message = "damaged (trajectory of trial " + std::string(key.substr(0, 12)) + ")"});
-    }
-    record.samples = samples_from_bytes(bytes);
-    record.plan_calls = plan_calls_from_json(s.text(3));
+              "SELECT trial_key, samples, is_packed, sample_count, samples_digest FROM "
+              "trajectories WHERE trial_key = ?");
+  s.rows_of("trajectories").bind_text(key);
+  if (!s.step()) return {};
+  const auto count = static_cast<std::size_t>(std::max<std::int64_t>(0, s.integer(3)));
+  const auto bytes = s.integer(2) != 0 ? unpacked_samples(s.blob(1), count)
+                                       : std::vector<std::byte>(s.blob(1).begin(), s.blob(1).end());
+  const bool has_size = bytes.size() % (kSampleDoubles * sizeof(double)) == 0 &&
+                        bytes.size() / (kSampleDoubles * sizeof(double)) == count;
+  if (!has_size) s.damaged("its samples can't be unpacked");
+  if (Digest().add_bytes(bytes).hex() != s.text(4)) {
+    s.damaged("its samples are not those that were stored (samples_digest)");
   }
+  return samples_from_bytes(bytes);
+}
+
+std::vector<PlanCall> read_plan_calls(const Database& db, std::string_view key) {
+  Statement s(db.handle(), db.path(),
+              "SELECT trial_key, call_count, calls_digest, calls_json FROM plan_calls WHERE "
+              "trial_key = ?");
+  s.rows_of("plan_calls").bind_text(key);
+  if (!s.step()) return {};
+  std::vector<PlanCall> calls;
+  try {
+    calls = plan_calls_from_json(s.text(3));
+  } catch (const nlohmann::json::exception&) {
+    s.damaged("calls_json is no list of plan calls");
+  }
+  const bool has_count = s.integer(1) == static_cast<std::int64_t>(calls.size());
+  if (!has_count || plan_calls_digest(calls) != s.text(2)) {
+    s.damaged("its calls are not those that were stored (calls_digest)");
+  }
+  return calls;
+}
+
+void read_flight(const Database& db, std::string_view key, TrialRecord& record) {
+  record.samples = read_samples(db, key);
+  record.plan_calls = read_plan_calls(db, key);
   record.collisions = read_collisions(db, key);
 }
 
-/// NaN where the map lacks the mission.
-double reference_length_m(const MapRow& map, std::int64_t mission_index) {
+/// The mission's; nothing where the map lacks it.
+std::optional<double> reference_length_m(const MapRow& map, std::int64_t mission_index) {
   const std::vector<MissionRecord>& missions = map.record.missions;  // by index
   const auto found = std::lower_bound(
       missions.begin(), missions.end(), mission_index,
       [](const MissionRecord& mission, std::int64_t index) { return mission.index < index; });
-  if (found == missions.end() || found->index != mission_index) {
-    return std::numeric_limits<double>::quiet_NaN();
-  }
+  if (found == missions.end() || found->index != mission_index) return std::nullopt;
   return found->reference_length_m;
 }
 
-std::vector<PlannerRow> planners_of(const Database& db, const std::set<std::string>& keys) {
-  Statement s(db.handle(), db.path(),
-              "SELECT " + std::string(kPlannerColumns) +
-                  ", p.planner_key FROM planners p ORDER BY p.label, p.planner_key");
-  std::vector<PlannerRow> planners;
-  while (s.step()) {
-    if (keys.contains(s.text(6))) planners.push_back(planner_of(s));
+/// Of these keys, by label; each must be there.
+std::vector<PlannerRow> planners_of(const Database& db, std::set<std::string> keys) {
+  std::vector<PlannerRow> planners = planner_rows(db);
+  std::erase_if(planners,
+                [&](const PlannerRow& planner) { return keys.erase(planner_key(planner)) == 0; });
+  if (!keys.empty()) {
+    throw_damaged(db.path(), "planners", *keys.begin(), "it is not there, but has trials");
   }
   return planners;
 }
@@ -175,7 +232,8 @@ bool has_measured_latency(const Database& db, std::string_view name, std::int64_
 std::map<std::string, Outcome> Database::finished_trials() const {
   std::map<std::string, Outcome> trials;
   Statement s(handle(), path(), "SELECT trial_key, outcome FROM trials");
-  while (s.step()) trials.emplace(s.text(0), outcome_of(*this, s.text(1)));
+  s.rows_of("trials");
+  while (s.step()) trials.emplace(s.text(0), outcome_of(s, 1));
   return trials;
 }
 
@@ -189,14 +247,19 @@ std::set<std::string> Database::finished_keys() const {
 std::optional<MapRow> Database::read_map(std::string_view key) const {
   Statement s(handle(), path(),
               "SELECT " + std::string(kMapColumns) + " FROM maps m WHERE m.map_key = ?");
-  s.bind_text(key);
+  s.rows_of("maps").bind_text(key);
   if (!s.step()) return std::nullopt;
   MapRow row = map_of(s);
   Statement missions(handle(), path(),
                      "SELECT " + std::string(kMissionColumns) +
                          " FROM missions i WHERE i.map_key = ? ORDER BY i.mission_index");
-  missions.bind_text(key);
-  while (missions.step()) row.record.missions.push_back(mission_of(missions));
+  missions.rows_of("missions").bind_text(key);
+  while (missions.step()) {
+    row.record.missions.push_back(mission_of(missions));
+    const bool is_next = row.record.missions.back().index + 1 ==
+                         static_cast<std::int64_t>(row.record.missions.size());
+    if (!is_next) missions.damaged("a mission before this one is missing");
+  }
   return row;
 }
 
@@ -207,7 +270,7 @@ std::optional<TrialRow> Database::read_trial(std::string_view key) const {
               "t.outcome, t.reason, t.end_time_s, t.wall_time_s" +
                   metric_columns(*this) +
                   " FROM trials t JOIN planners p USING (planner_key) WHERE t.trial_key = ?");
-  s.bind_text(key);
+  s.rows_of("trials").bind_text(key);
   if (!s.step()) return std::nullopt;
   TrialRow row;
   row.key = s.text(0);
@@ -217,11 +280,12 @@ std::optional<TrialRow> Database::read_trial(std::string_view key) const {
   row.planner_file_digest = s.text(4);
   row.mission_index = s.integer(5);
   row.spec_json = s.text(6);
-  row.record.outcome = outcome_of(*this, s.text(7));
-  row.record.reason = s.text(8);
+  row.record.outcome = outcome_of(s, 7);
+  row.record.reason = s.free_text(8);
   row.record.end_time_s = s.real(9);
   row.wall_time_s = s.real(10);
   row.metrics = metrics_of(*this, s, 11);
+  check_digests_of(*this, key);
   read_flight(*this, key, row.record);
   return row;
 }
@@ -232,6 +296,7 @@ std::vector<TrialListing> Database::list_trials() const {
               "json_extract(m.spec_json, '$.poisson_radius_m'), t.mission_index, t.outcome, "
               "t.reason, t.end_time_s FROM trials t JOIN planners p USING (planner_key) "
               "JOIN maps m USING (map_key) ORDER BY t.rowid");
+  s.rows_of("trials", 1);
   std::vector<TrialListing> trials;
   while (s.step()) {
     trials.push_back({.id = s.integer(0),
@@ -241,8 +306,8 @@ std::vector<TrialListing> Database::list_trials() const {
                       .map_seed = std::bit_cast<std::uint64_t>(s.integer(4)),
                       .poisson_radius_m = s.real(5),
                       .mission_index = s.integer(6),
-                      .outcome = outcome_of(*this, s.text(7)),
-                      .reason = s.text(8),
+                      .outcome = outcome_of(s, 7),
+                      .reason = s.free_text(8),
                       .end_time_s = s.real(9)});
   }
   return trials;
@@ -260,22 +325,17 @@ std::map<std::string, TrialCost> Database::mean_costs() const {
   return costs;
 }
 
-std::vector<PlannerRow> Database::read_planners() const {
-  Statement s(handle(), path(),
-              "SELECT " + std::string(kPlannerColumns) +
-                  " FROM planners p ORDER BY p.label, p.planner_key");
-  std::vector<PlannerRow> planners;
-  while (s.step()) planners.push_back(planner_of(s));
-  return planners;
-}
+std::vector<PlannerRow> Database::read_planners() const { return planner_rows(*this); }
 
 std::vector<SweepInfo> Database::read_sweeps() const {
   Statement s(
       handle(), path(),
       "SELECT s.sweep, s.revision, s.spec_json, (SELECT count(*) FROM sweep_trials t WHERE "
       "t.sweep = s.sweep AND t.revision = s.revision) FROM sweeps s ORDER BY s.sweep, s.revision");
+  s.rows_of("sweeps");
   std::vector<SweepInfo> sweeps;
   while (s.step()) {
+    check_json(s, s.text(2), stored_sweep);
     sweeps.push_back({.name = s.text(0),
                       .revision = s.integer(1),
                       .spec_json = s.text(2),
@@ -303,12 +363,17 @@ SweepResult Database::read_sweep(std::string_view name, std::int64_t revision,
   };
   const std::string of_sweep = " WHERE s.sweep = ? AND s.revision = ? ";
 
-  auto spec = query("SELECT s.spec_json FROM sweeps s" + of_sweep);
-  if (spec->step()) result.spec_json = spec->text(0);
+  auto spec = query("SELECT s.spec_json, s.sweep FROM sweeps s" + of_sweep);
+  spec->rows_of("sweeps", 1);
+  if (spec->step()) {
+    result.spec_json = spec->text(0);
+    check_json(*spec, result.spec_json, stored_sweep);
+  }
 
   auto maps =
       query("SELECT DISTINCT " + std::string(kMapColumns) +
             " FROM sweep_missions s JOIN maps m USING (map_key)" + of_sweep + "ORDER BY m.map_key");
+  maps->rows_of("maps");
   std::map<std::string, std::size_t> map_indices;
   while (maps->step()) {
     result.maps.push_back(map_of(*maps));
@@ -317,8 +382,11 @@ SweepResult Database::read_sweep(std::string_view name, std::int64_t revision,
   auto missions = query("SELECT " + std::string(kMissionColumns) +
                         " FROM sweep_missions s JOIN missions i USING (map_key, mission_index)" +
                         of_sweep + "ORDER BY i.map_key, i.mission_index");
+  missions->rows_of("missions");
   while (missions->step()) {
-    result.maps[map_indices.at(missions->text(0))].record.missions.push_back(mission_of(*missions));
+    const auto map = map_indices.find(missions->text(0));
+    if (map == map_indices.end()) missions->damaged("its map is not there");
+    result.maps[map->second].record.missions.push_back(mission_of(*missions));
   }
 
   // Once over the trials, which are most of the file; what they refer to is few and looked up here,
@@ -331,6 +399,7 @@ SweepResult Database::read_sweep(std::string_view name, std::int64_t revision,
       metric_columns(*this) + field_columns(*this, fields) + std::string(tables) + of_sweep +
       "ORDER BY s.trial_key");
   const int first_field = 7 + static_cast<int>(metrics_.size());
+  trials->rows_of("trials");
   std::set<std::string> planner_keys;
   std::set<std::int64_t> runs;
   while (trials->step()) {
@@ -338,13 +407,15 @@ SweepResult Database::read_sweep(std::string_view name, std::int64_t revision,
                        .planner_key = trials->text(1),
                        .map_key = trials->text(2),
                        .mission_index = trials->integer(3),
-                       .outcome = outcome_of(*this, trials->text(4)),
+                       .outcome = outcome_of(*trials, 4),
                        .reference_length_m = 0.0,
                        .end_time_s = trials->real(6),
                        .metrics = metrics_of(*this, *trials, 7)};
     const auto map = map_indices.find(trial.map_key);
-    if (map == map_indices.end()) continue;
-    trial.reference_length_m = reference_length_m(result.maps[map->second], trial.mission_index);
+    if (map == map_indices.end()) trials->damaged("its map is not there");
+    const auto length_m = reference_length_m(result.maps[map->second], trial.mission_index);
+    if (!length_m) trials->damaged("its mission is not there");
+    trial.reference_length_m = *length_m;
     if (!planner_keys.contains(trial.planner_key)) planner_keys.insert(trial.planner_key);
     runs.insert(trials->integer(5));
     for (std::size_t i = 0; i < fields.size(); ++i) {

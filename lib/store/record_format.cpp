@@ -55,6 +55,8 @@ double number_of(const nlohmann::json& json) {
   return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
 }
 
+std::int64_t whole(const nlohmann::json& json) { return json.get_ref<const std::int64_t&>(); }
+
 }  // namespace
 
 std::vector<std::byte> sample_bytes(std::span<const Sample> samples) {
@@ -133,8 +135,8 @@ std::vector<PlanCall> plan_calls_from_json(std::string_view json) {
     calls.push_back({.time_s = number_of(row.at(0)),
                      .cpu_time_s = number_of(row.at(1)),
                      .wall_time_s = number_of(row.at(2)),
-                     .status = row.at(3).get<std::int32_t>(),
-                     .command_kind = row.at(4).get<std::uint32_t>(),
+                     .status = static_cast<std::int32_t>(whole(row.at(3))),
+                     .command_kind = static_cast<std::uint32_t>(whole(row.at(4))),
                      .latency_s = row.size() > 5 ? number_of(row.at(5)) : number_of(nullptr)});
   }
   return calls;

@@ -26,6 +26,7 @@ std::vector<std::byte> unpacked_samples(std::span<const std::byte> packed, std::
 /// Calls as stored: a JSON array of [time_s, cpu_time_s, wall_time_s, status, command_kind] and,
 /// where it is not NaN, latency_s; numbers with the fewest digits that read back to the same bits.
 std::string plan_calls_json(std::span<const PlanCall> calls);
+/// Reverse of plan_calls_json(). Throws nlohmann::json::exception for any other text.
 std::vector<PlanCall> plan_calls_from_json(std::string_view json);
 
 /// SHA-256 of what does not differ from run to run: time, status and command kind of each call.

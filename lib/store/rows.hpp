@@ -16,7 +16,8 @@ namespace avoidbench {
 struct RunRow {
   std::string started_at;  ///< ISO 8601, UTC; provenance only
   std::string program_version, git_hash, compiler, flags, host, cpu, isa, command_line;
-  std::string shard;  ///< "2/3": of its sweep it flew the second third only
+  std::string shard;         ///< "2/3": of its sweep it flew the second third only
+  std::string sandbox = {};  ///< what shut the planners in: "landlock 4, seccomp", "none: reason"
 };
 
 struct SweepRow {

@@ -2,7 +2,7 @@
 -- and the program; NULL is "not defined" (a metric of the finished trials, in a trial that failed). Start with the views
 -- trial_table, planner_summary, map_summary and plan_call_table of views.sql.
 PRAGMA application_id = 1635140206;  -- "avBn"
-PRAGMA user_version = 3;             -- of this schema
+PRAGMA user_version = 4;             -- of this schema
 
 CREATE TABLE runs (
   -- One row an invocation of `avoidbench run`: where trials come from. Nothing here is part of a result.
@@ -16,7 +16,8 @@ CREATE TABLE runs (
   cpu TEXT NOT NULL,
   isa TEXT NOT NULL,
   command_line TEXT NOT NULL,
-  shard TEXT NOT NULL DEFAULT ''  -- "2/3" where it flew the second third of its sweep only
+  shard TEXT NOT NULL DEFAULT '',  -- "2/3" where it flew the second third of its sweep only
+  sandbox TEXT NOT NULL DEFAULT ''  -- what shut the planners in; '' where an older program flew it
 ) STRICT;
 
 CREATE TABLE sweeps (
@@ -116,6 +117,9 @@ CREATE TABLE trials (
   run_id INTEGER NOT NULL REFERENCES runs,
   spec_json TEXT NOT NULL,        -- all that determines the trial: enough to fly it again
   wall_time_s REAL,               -- it took on the host; NULL where a worker died or an older program flew it
+  flight_digest TEXT,             -- SHA-256 of the counts and digests in trajectories and plan_calls and of all events
+  row_digest TEXT,                -- SHA-256 of the columns that have a value, with their names; without attempt and
+                                  -- run_id. Both are NULL where an older program flew it
   FOREIGN KEY (map_key, mission_index) REFERENCES missions
 ) STRICT;
 

@@ -5,6 +5,7 @@
 
 #include "base/check.hpp"
 #include "base/input_error.hpp"
+#include "store/stored_text.hpp"
 
 namespace avoidbench {
 namespace {
@@ -39,13 +40,42 @@ std::string meaning(int primary_code, const std::string& message) {
   }
 }
 
+/// Throws where a text that SQL took for JSON is none.
+void find_bad_json(sqlite3* handle, const std::filesystem::path& path) {
+  struct Place {
+    const char *table, *key, *column;
+  };
+  constexpr Place kPlaces[] = {{"trials", "trial_key", "spec_json"},
+                               {"maps", "map_key", "spec_json"},
+                               {"sweeps", "sweep", "spec_json"},
+                               {"planners", "planner_key", "parameters_json"},
+                               {"plan_calls", "trial_key", "calls_json"}};
+  for (const Place& place : kPlaces) {
+    Statement s(handle, path,
+                std::string("SELECT ") + place.key + " FROM " + place.table +
+                    " WHERE NOT json_valid(" + place.column + ") LIMIT 1");
+    if (s.step())
+      throw_damaged(path, place.table, s.free_text(0), std::string(place.column) + " is no JSON");
+  }
+}
+
 }  // namespace
 
 void throw_sqlite_error(sqlite3* handle, int code, const std::filesystem::path& path) {
   const std::string message = handle != nullptr ? sqlite3_errmsg(handle) : sqlite3_errstr(code);
   const int primary_code = code & 0xff;
   AB_CHECK(primary_code != SQLITE_MISUSE, path, message);
+  if (handle != nullptr && message == "malformed JSON") find_bad_json(handle, path);
   throw InputError(InputProblem{.file = path.string(), .message = meaning(primary_code, message)});
+}
+
+void throw_damaged(const std::filesystem::path& path, std::string_view table, std::string_view key,
+                   std::string_view what) {
+  constexpr std::size_t kMost = 40;
+  throw InputError(InputProblem{.file = path.string(),
+                                .message = "damaged: table " + std::string(table) + ", row " +
+                                           as_utf8(key.substr(0, key.size() == 64 ? 12 : kMost)) +
+                                           ": " + std::string(what)});
 }
 
 void execute(sqlite3* handle, const std::filesystem::path& path, const std::string& sql) {
@@ -64,7 +94,22 @@ void Statement::check(int code) const {
   if (code != SQLITE_OK) throw_sqlite_error(handle_, code, path_);
 }
 
+Statement& Statement::rows_of(std::string_view table, int key_column) {
+  table_ = table;
+  key_column_ = key_column;
+  return *this;
+}
+
+void Statement::damaged(std::string_view what) const {
+  throw_damaged(path_, table_.empty() ? "of a query" : table_, free_text(key_column_), what);
+}
+
+void Statement::wrong_type(int column, std::string_view wanted) const {
+  damaged(as_utf8(column_name(column)) + " is not " + std::string(wanted));
+}
+
 Statement& Statement::bind_text(std::string_view value) {
+  if (!is_utf8(value)) return bind_text(as_utf8(value));
   const char* data = value.empty() ? "" : value.data();
   check(sqlite3_bind_text64(statement_, ++bound_count_, data, value.size(), SQLITE_TRANSIENT,
                             SQLITE_UTF8));
@@ -107,21 +152,36 @@ void Statement::run() {
 }
 
 std::string Statement::text(int column) const {
+  const int type = sqlite3_column_type(statement_, column);
+  if (type == SQLITE_NULL) return "";
+  if (type != SQLITE_TEXT) wrong_type(column, "text");
   const std::span<const std::byte> bytes = blob(column);  // text as bytes: no zero ends it early
-  std::string value(bytes.size(), '\0');
-  for (std::size_t i = 0; i < bytes.size(); ++i) value[i] = static_cast<char>(bytes[i]);
-  return value;
+  const std::string_view value(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  if (!is_utf8(value)) wrong_type(column, "UTF-8");
+  return std::string(value);
+}
+
+std::string Statement::free_text(int column) const {
+  const std::span<const std::byte> bytes = blob(column);
+  return as_utf8({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 std::int64_t Statement::integer(int column) const {
+  if (sqlite3_column_type(statement_, column) != SQLITE_INTEGER) {
+    wrong_type(column, "a whole number");
+  }
   return sqlite3_column_int64(statement_, column);
 }
 
 double Statement::real(int column) const {
-  if (sqlite3_column_type(statement_, column) == SQLITE_NULL) {
-    return std::numeric_limits<double>::quiet_NaN();
-  }
+  const int type = sqlite3_column_type(statement_, column);
+  if (type == SQLITE_NULL) return std::numeric_limits<double>::quiet_NaN();
+  if (type != SQLITE_FLOAT && type != SQLITE_INTEGER) wrong_type(column, "a number");
   return sqlite3_column_double(statement_, column);
+}
+
+bool Statement::is_null(int column) const {
+  return sqlite3_column_type(statement_, column) == SQLITE_NULL;
 }
 
 std::span<const std::byte> Statement::blob(int column) const {
@@ -144,9 +204,31 @@ TableValue Statement::value(int column) const {
     case SQLITE_FLOAT:
       return real(column);
     case SQLITE_TEXT:
-      return text(column);
+      return free_text(column);
     default:
       return std::monostate{};
+  }
+}
+
+void Statement::append_value(std::string_view name, int column, std::string& bytes) const {
+  const auto append = [&bytes](const auto& number) {
+    bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
+  };
+  const auto append_text = [&](std::string_view text) {
+    append(static_cast<std::uint64_t>(text.size()));
+    bytes += text;
+  };
+  const int type = sqlite3_column_type(statement_, column);
+  if (type == SQLITE_NULL) return;
+  append_text(name);
+  append(static_cast<std::uint64_t>(type));
+  if (type == SQLITE_INTEGER) {
+    append(static_cast<std::int64_t>(sqlite3_column_int64(statement_, column)));
+  } else if (type == SQLITE_FLOAT) {
+    append(sqlite3_column_double(statement_, column));
+  } else {
+    const std::span<const std::byte> value = blob(column);
+    append_text({reinterpret_cast<const char*>(value.data()), value.size()});
   }
 }
 

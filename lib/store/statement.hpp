@@ -17,10 +17,15 @@ namespace avoidbench {
 /// constraint is a file whose rows contradict each other; misuse of SQLite is our bug and aborts.
 [[noreturn]] void throw_sqlite_error(sqlite3* handle, int code, const std::filesystem::path& path);
 
+/// Throws InputError: "FILE: damaged: table TABLE, row KEY: what".
+[[noreturn]] void throw_damaged(const std::filesystem::path& path, std::string_view table,
+                                std::string_view key, std::string_view what);
+
 /// Runs statements that return nothing.
 void execute(sqlite3* handle, const std::filesystem::path& path, const std::string& sql);
 
-/// One prepared statement. Parameters are bound in order, columns count from 0.
+/// One prepared statement. Parameters are bound in order, columns count from 0. A value of another
+/// type than the function returns, and text that is not UTF-8, is damage: InputError.
 class Statement {
  public:
   Statement(sqlite3* handle, const std::filesystem::path& path, std::string_view sql);
@@ -28,7 +33,12 @@ class Statement {
   Statement(const Statement&) = delete;
   Statement& operator=(const Statement&) = delete;
 
-  Statement& bind_text(std::string_view value);
+  /// For messages about damage: rows are of `table`, and this column is their key.
+  Statement& rows_of(std::string_view table, int key_column = 0);
+  /// Throws that the present row is damaged.
+  [[noreturn]] void damaged(std::string_view what) const;
+
+  Statement& bind_text(std::string_view value);  ///< what is no UTF-8 is replaced
   Statement& bind_integer(std::int64_t value);
   Statement& bind_real(double value);  ///< NaN becomes NULL
   Statement& bind_blob(std::span<const std::byte> value);
@@ -37,21 +47,29 @@ class Statement {
   void
   run();  ///< to the end; bindings are cleared, so that the statement can be bound and run again
 
-  std::string text(int column) const;
+  std::string text(int column) const;  ///< NULL becomes ""
+  std::string free_text(
+      int column) const;  ///< of people and planners: what is no UTF-8 is replaced
   std::int64_t integer(int column) const;
-  double real(int column) const;                      ///< NULL becomes NaN
+  double real(int column) const;  ///< NULL becomes NaN
+  bool is_null(int column) const;
   std::span<const std::byte> blob(int column) const;  ///< valid until the next step
   int column_count() const;
   std::string column_name(int column) const;
   TableValue value(int column) const;  ///< a blob becomes nothing
+  /// Appends name, type and bytes of a value; nothing for NULL. For digests.
+  void append_value(std::string_view name, int column, std::string& bytes) const;
 
  private:
   void check(int code) const;
+  [[noreturn]] void wrong_type(int column, std::string_view wanted) const;
 
   sqlite3* handle_;
   const std::filesystem::path& path_;
   sqlite3_stmt* statement_ = nullptr;
   int bound_count_ = 0;
+  std::string_view table_;
+  int key_column_ = 0;
 };
 
 /// All or nothing: what was not committed when it goes out of scope is rolled back.

@@ -6,6 +6,7 @@
 #include "base/input_error.hpp"
 #include "store/schema_check.hpp"
 #include "store/statement.hpp"
+#include "store/stored_text.hpp"
 
 namespace avoidbench {
 namespace {
@@ -112,20 +113,35 @@ void append_paths(const nlohmann::json& object, const std::string& prefix,
 
 /// Every path of a trial's spec and its planner's parameters.
 std::vector<std::string> paths_of(const Database& db, const std::string& trial_key) {
-  Statement s(db.handle(), db.path(), "SELECT spec_json FROM trials WHERE trial_key = ?");
-  s.bind_text(trial_key);
+  Statement s(db.handle(), db.path(),
+              "SELECT spec_json, trial_key FROM trials WHERE trial_key = ?");
+  s.rows_of("trials", 1).bind_text(trial_key);
   std::vector<std::string> paths;
   if (!s.step()) return paths;
-  const nlohmann::json spec = nlohmann::json::parse(s.text(0), nullptr, false);
-  append_paths(spec, "", paths);
-  if (!spec.contains("planner")) return paths;
-  for (const auto& parameter : spec["planner"].value("parameters", nlohmann::json::array())) {
-    paths.push_back(std::string(kParameterPrefix) + parameter.value("name", ""));
+  try {
+    const nlohmann::json spec = stored_object(s.text(0));
+    append_paths(spec, "", paths);
+    if (!spec.contains("planner")) return paths;
+    for (const auto& parameter : spec["planner"].value("parameters", nlohmann::json::array())) {
+      paths.push_back(std::string(kParameterPrefix) + parameter.value("name", ""));
+    }
+  } catch (const nlohmann::json::exception&) {
+    s.damaged("spec_json is no spec of a trial");
+  } catch (const BadText& bad) {
+    s.damaged(std::string("spec_json is ") + bad.what());
   }
   return paths;
 }
 
 }  // namespace
+
+Outcome outcome_of(const Statement& row, int column) {
+  const std::string name = row.text(column);
+  const auto outcome = enum_from_text<Outcome>(name);
+  if (!outcome)
+    row.damaged("outcome '" + name.substr(0, 40) + "' is none that this avoidbench knows");
+  return *outcome;
+}
 
 std::string field_columns(const Database& db, const std::vector<std::string>& fields) {
   std::string columns;

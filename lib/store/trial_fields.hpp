@@ -8,6 +8,11 @@
 
 namespace avoidbench {
 
+class Statement;
+
+/// The outcome in a column of the present row. Throws InputError for one that there is not.
+Outcome outcome_of(const Statement& row, int column);
+
 /// The tables that a field's expression may name: trials t, planners p, maps m, missions i, runs r.
 inline constexpr std::string_view kTrialTables =
     " FROM sweep_trials s JOIN trials t USING (trial_key) JOIN planners p USING (planner_key) "

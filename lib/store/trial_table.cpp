@@ -24,6 +24,13 @@ TrialTableReader::TrialTableReader(const Database& database, std::span<const Swe
   AB_CHECK(!sweeps.empty(), sweeps.size());
   statement_ = std::make_unique<Statement>(database.handle(), database.path(),
                                            trial_query(sweeps.size(), !map_key.empty()));
+  const auto key = [&] {
+    for (int i = statement_->column_count(); i-- > 0;) {
+      if (statement_->column_name(i) == "trial_key") return i;
+    }
+    return 0;
+  };
+  statement_->rows_of("trials", key());
   for (const SweepInfo& sweep : sweeps) {
     statement_->bind_text(sweep.name).bind_integer(sweep.revision);
   }
@@ -59,31 +66,33 @@ std::vector<MapFlights> read_map_flights(const Database& database, const SweepIn
                  "coalesce(sum(t.wall_time_s), 0), m.generator, m.map_seed FROM sweep_trials s "
                  "JOIN trials t USING (trial_key) JOIN maps m ON m.map_key = t.map_key WHERE "
                  "s.sweep = ? AND s.revision = ? GROUP BY t.map_key ORDER BY 4, 5, 1");
-  maps.bind_text(sweep.name).bind_integer(sweep.revision);
+  maps.rows_of("maps").bind_text(sweep.name).bind_integer(sweep.revision);
   while (maps.step()) {
     flights.push_back({.map_key = maps.text(0),
                        .first_run = {},
                        .time_limit_s = maps.real(1),
                        .wall_time_s = maps.real(2)});
   }
-  Statement run(database.handle(), database.path(),
-                "SELECT r.started_at, r.program_version, r.git_hash, r.compiler, r.flags, r.host, "
-                "r.cpu, r.isa, r.command_line, r.shard FROM trials t JOIN sweep_trials s USING "
-                "(trial_key) JOIN runs r USING (run_id) WHERE t.map_key = ? AND s.sweep = ? AND "
-                "s.revision = ? ORDER BY r.started_at, r.run_id LIMIT 1");
+  Statement run(
+      database.handle(), database.path(),
+      "SELECT r.started_at, r.program_version, r.git_hash, r.compiler, r.flags, r.host, "
+      "r.cpu, r.isa, r.command_line, r.shard, r.sandbox FROM trials t JOIN sweep_trials s USING "
+      "(trial_key) JOIN runs r USING (run_id) WHERE t.map_key = ? AND s.sweep = ? AND "
+      "s.revision = ? ORDER BY r.started_at, r.run_id LIMIT 1");
   for (MapFlights& map : flights) {
     run.bind_text(map.map_key).bind_text(sweep.name).bind_integer(sweep.revision);
     if (run.step()) {
-      map.first_run = {.started_at = run.text(0),
-                       .program_version = run.text(1),
-                       .git_hash = run.text(2),
-                       .compiler = run.text(3),
-                       .flags = run.text(4),
-                       .host = run.text(5),
-                       .cpu = run.text(6),
-                       .isa = run.text(7),
-                       .command_line = run.text(8),
-                       .shard = run.text(9)};
+      map.first_run = {.started_at = run.free_text(0),
+                       .program_version = run.free_text(1),
+                       .git_hash = run.free_text(2),
+                       .compiler = run.free_text(3),
+                       .flags = run.free_text(4),
+                       .host = run.free_text(5),
+                       .cpu = run.free_text(6),
+                       .isa = run.free_text(7),
+                       .command_line = run.free_text(8),
+                       .shard = run.free_text(9),
+                       .sandbox = run.free_text(10)};
     }
     run.run();
   }

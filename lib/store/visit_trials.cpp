@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "base/input_error.hpp"
 #include "store/schema_check.hpp"
 #include "store/statement.hpp"
+#include "store/trial_fields.hpp"
 
 namespace avoidbench {
 namespace {
@@ -45,8 +45,10 @@ void visit_trials(const Database& database, std::string_view sweep, std::int64_t
   for (const MetricRow& metric : database.metrics()) columns += ", t." + sql_name(metric.name);
   Statement s(database.handle(), database.path(),
               "SELECT t.planner_key, t.map_key, t.mission_index, t.outcome" + columns +
+                  ", t.trial_key" +
                   " FROM sweep_trials s JOIN trials t USING (trial_key) WHERE s.sweep = ? AND "
                   "s.revision = ?");
+  s.rows_of("trials", 4 + static_cast<int>(paths.size() + database.metrics().size()));
   for (const std::string& path : paths) s.bind_text(sqlite_path(path));
   s.bind_text(sweep).bind_integer(revision);
   while (s.step()) {
@@ -54,16 +56,9 @@ void visit_trials(const Database& database, std::string_view sweep, std::int64_t
     trial.planner_key = s.text(0);
     trial.map_key = s.text(1);
     trial.mission_index = s.integer(2);
-    const std::string outcome = s.text(3);
-    const auto known = enum_from_text<Outcome>(outcome);
-    if (!known) {
-      throw InputError(InputProblem{
-          .file = database.path().string(),
-          .message = "holds an outcome that this avoidbench does not know: " + outcome});
-    }
-    trial.outcome = *known;
+    trial.outcome = outcome_of(s, 3);
     int column = 4;
-    for (std::size_t i = 0; i < paths.size(); ++i) trial.settings.push_back(s.text(column++));
+    for (std::size_t i = 0; i < paths.size(); ++i) trial.settings.push_back(s.free_text(column++));
     trial.metrics.reserve(database.metrics().size());
     for (std::size_t i = 0; i < database.metrics().size(); ++i) {
       trial.metrics.push_back(s.real(column++));

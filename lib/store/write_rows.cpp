@@ -5,8 +5,10 @@
 #include "base/input_error.hpp"
 #include "store/database.hpp"
 #include "store/record_format.hpp"
+#include "store/row_digest.hpp"
 #include "store/schema_check.hpp"
 #include "store/statement.hpp"
+#include "store/stored_text.hpp"
 
 namespace avoidbench {
 namespace {
@@ -180,10 +182,11 @@ std::int64_t Database::add_run(const RunRow& row) {
   Statement insert(
       handle(), path(),
       "INSERT INTO runs (started_at, program_version, git_hash, compiler, flags, host, "
-      "cpu, isa, command_line, shard) VALUES (?,?,?,?,?,?,?,?,?,?) RETURNING run_id");
+      "cpu, isa, command_line, shard, sandbox) VALUES (?,?,?,?,?,?,?,?,?,?,?) RETURNING run_id");
   insert.bind_text(row.started_at).bind_text(row.program_version).bind_text(row.git_hash);
   insert.bind_text(row.compiler).bind_text(row.flags).bind_text(row.host).bind_text(row.cpu);
-  insert.bind_text(row.isa).bind_text(row.command_line).bind_text(row.shard).step();
+  insert.bind_text(row.isa).bind_text(row.command_line).bind_text(row.shard);
+  insert.bind_text(row.sandbox).step();
   run_id_ = insert.integer(0);
   insert.run();
   return run_id_;
@@ -213,7 +216,11 @@ std::int64_t Database::add_sweep(const SweepRow& row) {
   return revision;
 }
 
-void Database::add_planner(const PlannerRow& row) {
+void Database::add_planner(const PlannerRow& given) {
+  PlannerRow row = given;  // as it can be stored: its key is checked against what is read
+  for (std::string* text : {&row.label, &row.name, &row.version, &row.parameters_json}) {
+    *text = as_utf8(*text);
+  }
   const std::string key = planner_key(row);
   Statement insert(handle(), path(),
                    "INSERT INTO planners (planner_key, label, name, version, file_digest, "
@@ -221,7 +228,7 @@ void Database::add_planner(const PlannerRow& row) {
   insert.bind_text(key).bind_text(row.label).bind_text(row.name).bind_text(row.version);
   insert.bind_text(row.file_digest).bind_text(row.parameters_json);
   insert.bind_integer(row.is_privileged ? 1 : 0).run();
-  planners_[{row.label, row.file_digest}] = key;
+  planners_[{given.label, given.file_digest}] = key;
 }
 
 void Database::add_map(const MapRow& row, std::string_view sweep) {
@@ -262,6 +269,7 @@ void Database::add_trial(const TrialRow& row) {
   for (const double value : row.metrics) insert.bind_real(value);
   insert.run();
   write_record(*this, row);
+  write_digests(*this, row.key);
   insert_sweep_trials(*this, row.sweep, revision, std::span(&row.key, 1));
   transaction.commit();
   require_in_place();

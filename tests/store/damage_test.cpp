@@ -87,11 +87,14 @@ TEST(Damage, AnOlderSchemaIsBroughtUpByTheNextRun) {
     run_sql(folder / "o.db", std::string("ALTER TABLE missions DROP COLUMN ") + column);
   }
   run_sql(folder / "o.db", "ALTER TABLE runs DROP COLUMN shard");
+  run_sql(folder / "o.db", "ALTER TABLE runs DROP COLUMN sandbox");
+  run_sql(folder / "o.db", "ALTER TABLE trials DROP COLUMN row_digest");
+  run_sql(folder / "o.db", "ALTER TABLE trials DROP COLUMN flight_digest");
   run_sql(folder / "o.db", "ALTER TABLE trials DROP COLUMN wall_time_s");
   run_sql(folder / "o.db", "ALTER TABLE trajectories DROP COLUMN is_packed");
   run_sql(folder / "o.db", "PRAGMA user_version = 1");
   EXPECT_TRUE(has(message_of([&] { Database::open_for_reading(folder / "o.db"); }),
-                  "has schema version 1, this avoidbench reads version 3"));
+                  "has schema version 1, this avoidbench reads version 4"));
   { Database::open_for_run(folder / "o.db", kMetrics); }
   const Database db = Database::open_for_reading(folder / "o.db");
   Statement columns(db.handle(), folder / "o.db",

@@ -1,0 +1,153 @@
+#include "store/row_digest.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "base/digest.hpp"
+#include "store/schema_check.hpp"
+#include "store/statement.hpp"
+
+namespace avoidbench {
+namespace {
+
+constexpr std::string_view kOfTheFile[] = {"attempt", "run_id", "row_digest"};
+
+/// Our columns of trials and those of metrics that the digest covers, by name.
+std::vector<std::string> digested_columns(const Database& db) {
+  std::vector<std::string> columns = columns_of("trials");
+  for (const MetricRow& metric : db.metrics()) columns.push_back(metric.name);
+  std::erase_if(columns, [](const std::string& column) {
+    return std::find(std::begin(kOfTheFile), std::end(kOfTheFile), column) != std::end(kOfTheFile);
+  });
+  std::sort(columns.begin(), columns.end());
+  return columns;
+}
+
+/// The trials, or one: row_digest and flight_digest, then what row_digest covers.
+std::string row_query(const std::vector<std::string>& columns, bool is_of_one) {
+  std::string sql = "SELECT trial_key, row_digest, flight_digest";
+  for (const std::string& column : columns) sql += ", " + sql_name(column);
+  return sql + " FROM trials" + (is_of_one ? " WHERE trial_key = ?" : "");
+}
+
+constexpr int kFirstColumn = 3;
+
+std::string row_digest(const Statement& row, const std::vector<std::string>& columns,
+                       std::string& bytes) {
+  bytes.clear();
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    row.append_value(columns[i], kFirstColumn + static_cast<int>(i), bytes);
+  }
+  return Digest().add(bytes).hex();
+}
+
+/// What flight_digest covers of each trial, or of one: the counts and digests, then its events.
+class FlightDigests {
+ public:
+  FlightDigests(const Database& db, bool is_of_one)
+      : flights_(db.handle(), db.path(),
+                 std::string("SELECT t.trial_key, r.sample_count, r.samples_digest, c.call_count, "
+                             "c.calls_digest FROM trials t LEFT JOIN trajectories r USING "
+                             "(trial_key) LEFT JOIN plan_calls c USING (trial_key)") +
+                     (is_of_one ? " WHERE t.trial_key = ?" : " ORDER BY t.rowid")),
+        events_(db.handle(), db.path(),
+                "SELECT event_index, kind, time_s, speed_mps, obstacle_index, obstacle_kind FROM "
+                "events WHERE trial_key = ? ORDER BY event_index") {}
+
+  FlightDigests& of(std::string_view key) {
+    flights_.bind_text(key);
+    return *this;
+  }
+
+  /// The digest of the next trial, and its key; false after the last.
+  bool next(std::string& key, std::string& digest) {
+    if (!flights_.step()) return false;
+    key = flights_.text(0);
+    bytes_.clear();
+    for (int i = 1; i < flights_.column_count(); ++i) {
+      flights_.append_value(flights_.column_name(i), i, bytes_);
+    }
+    events_.bind_text(key);
+    while (events_.step()) {
+      for (int i = 0; i < events_.column_count(); ++i) {
+        events_.append_value(events_.column_name(i), i, bytes_);
+      }
+    }
+    events_.run();
+    digest = Digest().add(bytes_).hex();
+    return true;
+  }
+
+ private:
+  Statement flights_, events_;
+  std::string bytes_;
+};
+
+void check_row(const Statement& row, const std::vector<std::string>& columns, std::string& bytes) {
+  if (row.text(1) == row_digest(row, columns, bytes)) return;
+  row.damaged("its values are not those that were stored (row_digest)");
+}
+
+void check_flight(const Statement& row, const std::string& digest) {
+  if (row.text(2) == digest) return;
+  row.damaged(
+      "its trajectory, plan calls or events are not those that were stored "
+      "(flight_digest)");
+}
+
+}  // namespace
+
+void write_digests(const Database& db, std::string_view trial_key) {
+  std::string key, digest, bytes;
+  FlightDigests(db, true).of(trial_key).next(key, digest);
+  Statement flight(db.handle(), db.path(),
+                   "UPDATE trials SET flight_digest = ? WHERE trial_key = ?");
+  flight.bind_text(digest).bind_text(trial_key).run();
+  const std::vector<std::string> columns = digested_columns(db);
+  {
+    Statement row(db.handle(), db.path(), row_query(columns, true));
+    row.bind_text(trial_key).step();
+    digest = row_digest(row, columns, bytes);
+  }
+  Statement write(db.handle(), db.path(), "UPDATE trials SET row_digest = ? WHERE trial_key = ?");
+  write.bind_text(digest).bind_text(trial_key).run();
+}
+
+std::int64_t check_digests(const Database& db, bool flights) {
+  const std::vector<std::string> columns = digested_columns(db);
+  Statement row(db.handle(), db.path(),
+                row_query(columns, false) + (flights ? " ORDER BY rowid" : ""));
+  row.rows_of("trials");
+  FlightDigests flight_digests(db, false);
+  std::string bytes, key, digest;
+  std::int64_t without = 0;
+  while (row.step()) {
+    if (flights && !flight_digests.next(key, digest)) row.damaged("it is there twice");
+    if (row.is_null(1)) {
+      ++without;
+      continue;
+    }
+    check_row(row, columns, bytes);
+    if (flights) check_flight(row, digest);
+  }
+  return without;
+}
+
+void check_digests_of(const Database& db, std::string_view trial_key) {
+  const std::vector<std::string> columns = digested_columns(db);
+  Statement row(db.handle(), db.path(), row_query(columns, true));
+  row.rows_of("trials").bind_text(trial_key);
+  if (!row.step() || row.is_null(1)) return;
+  std::string bytes, key, digest;
+  check_row(row, columns, bytes);
+  FlightDigests(db, true).of(trial_key).next(key, digest);
+  check_flight(row, digest);
+}
+
+std::string undigested_text(const Database& db, std::int64_t count) {
+  if (count == 0) return "";
+  return db.path().string() + ": " + std::to_string(count) +
+         " trials have no digest to be checked by: an older avoidbench flew them";
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "store/database.hpp"
+
+/// Digests over what is stored of each trial, against accidents and edits by hand. They are no
+/// signature: who means to deceive can make them as well.
+///
+/// - `flight_digest`, of the trajectory's and the plan calls' counts and digests and of all events;
+/// - `row_digest`, of the trial's other columns that have a value, each with its name, so that
+///   metrics that are added later change nothing. Left out are attempt and run_id, which follow
+///   from the file that the trial is in.
+namespace avoidbench {
+
+/// Writes both digests into the trial's row; for this room.
+void write_digests(const Database& database, std::string_view trial_key);
+
+/// Checks the rows of all trials against their row_digest, and with `flights` what is beside them
+/// against flight_digest. Throws InputError that names the first row that differs. Returns how many
+/// trials have no digest: an older program flew them.
+std::int64_t check_digests(const Database& database, bool flights);
+
+/// Checks one trial as check_digests() with flights.
+void check_digests_of(const Database& database, std::string_view trial_key);
+
+/// Says of a database what has no digest to be checked by; "" where all trials have one.
+std::string undigested_text(const Database& database, std::int64_t count);
+
+}  // namespace avoidbench

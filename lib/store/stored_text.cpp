@@ -1,0 +1,116 @@
+#include "store/stored_text.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace avoidbench {
+namespace {
+
+using nlohmann::json;
+
+/// Bytes of the character at the beginning of `text`; 0 where that is no UTF-8.
+std::size_t character_size(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned first = byte(0);
+  if (first < 0x80) return 1;
+  const std::size_t size = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+  if (first < 0xC2 || first > 0xF4 || size > text.size()) return 0;
+  for (std::size_t i = 1; i < size; ++i) {
+    if ((byte(i) & 0xC0U) != 0x80U) return 0;
+  }
+  const bool is_overlong = (first == 0xE0 && byte(1) < 0xA0) || (first == 0xF0 && byte(1) < 0x90);
+  const bool is_no_character =
+      (first == 0xED && byte(1) > 0x9F) || (first == 0xF4 && byte(1) > 0x8F);
+  return is_overlong || is_no_character ? 0 : size;
+}
+
+/// The deepest nesting of brackets and braces outside strings.
+std::size_t depth_of(std::string_view text) {
+  std::size_t depth = 0, deepest = 0;
+  bool is_in_string = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (is_in_string) {
+      if (c == '\\') ++i;
+      if (c == '"') is_in_string = false;
+    } else if (c == '"') {
+      is_in_string = true;
+    } else if (c == '[' || c == '{') {
+      deepest = std::max(deepest, ++depth);
+    } else if ((c == ']' || c == '}') && depth > 0) {
+      --depth;
+    }
+  }
+  return deepest;
+}
+
+bool is_path(const json& path) {
+  if (!path.is_string()) return false;
+  const std::string& text = path.get_ref<const std::string&>();
+  return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '.' || c == '-';
+  });
+}
+
+/// The element of this name; null where there is none.
+json element(const json& object, const char* name) {
+  const auto found = object.find(name);
+  return found == object.end() ? json() : *found;
+}
+
+}  // namespace
+
+bool is_utf8(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t size = character_size(text);
+    if (size == 0) return false;
+    text.remove_prefix(size);
+  }
+  return true;
+}
+
+std::string as_utf8(std::string_view text) {
+  std::string clean;
+  while (!text.empty()) {
+    const std::size_t size = character_size(text);
+    clean += size == 0 ? std::string_view("\uFFFD") : text.substr(0, size);
+    text.remove_prefix(std::max<std::size_t>(size, 1));
+  }
+  return clean;
+}
+
+json stored_object(const std::string& text) {
+  constexpr std::size_t kMostDepth = 64;
+  if (depth_of(text) > kMostDepth) throw BadText("JSON that is nested too deep");
+  json object = json::parse(text, nullptr, false);
+  if (!object.is_object()) throw BadText("no JSON object");
+  return object;
+}
+
+json stored_sweep(const std::string& text) {
+  constexpr double kMostTrials = 1e15;
+  json spec = stored_object(text);
+  const json trials = element(spec, "trials"), planners = element(spec, "planners");
+  const json axes = element(spec, "axes"), until = element(spec, "until");
+  const bool has_types = (trials.is_null() || trials.is_number_integer()) &&
+                         (planners.is_null() || planners.is_array()) &&
+                         (axes.is_null() || axes.is_array()) &&
+                         (until.is_null() || until.is_string());
+  if (!has_types) throw BadText("that of a sweep whose parts have other types");
+  double count = 1.0;  // an axis without values counts as one with one: no part is too large
+  if (!trials.is_null()) count *= std::max(1.0, trials.get<double>());
+  count *= static_cast<double>(std::max<std::size_t>(1, planners.size()));
+  for (const json& axis : axes) {
+    const json values = axis.is_object() ? element(axis, "values") : json();
+    if (!values.is_array() || !is_path(element(axis, "path"))) {
+      throw BadText("that of a sweep with an axis that is none");
+    }
+    count *= static_cast<double>(std::max<std::size_t>(1, values.size()));
+  }
+  const bool is_negative = !trials.is_null() && trials.get<double>() < 0.0;
+  if (is_negative || count > kMostTrials) throw BadText("that of a sweep of too many trials");
+  return spec;
+}
+
+}  // namespace avoidbench
