@@ -33,10 +33,35 @@ double flown_length_m(const Samples& samples) {
   });
 }
 
+std::optional<std::vector<Eigen::Vector3d>> accelerations_world(const Samples& samples) {
+  constexpr double kSameMoment_s = 1e-9;  // ticks are 28 µs
+  std::vector<Eigen::Vector3d> accelerations;
+  if (samples.empty()) return accelerations;
+  accelerations.push_back(samples.front().acceleration_world);
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    const Sample &before = samples[i - 1], &after = samples[i];
+    const double step_s = after.time_s - before.time_s;
+    if (step_s > 1.0 / kJerkRate_hz + kSameMoment_s) return std::nullopt;
+    const double next_s =
+        samples.front().time_s + static_cast<double>(accelerations.size()) / kJerkRate_hz;
+    if (after.time_s < next_s - kSameMoment_s) continue;
+    const bool is_same = after.time_s <= next_s + kSameMoment_s;
+    const double share = is_same ? 1.0 : (next_s - before.time_s) / step_s;
+    accelerations.push_back(is_same ? after.acceleration_world
+                                    : Eigen::Vector3d((1.0 - share) * before.acceleration_world +
+                                                      share * after.acceleration_world));
+  }
+  return accelerations;
+}
+
 double jerk_integral_mps2(const Samples& samples) {
-  return sum_of_steps(samples, [](const Sample& a, const Sample& b) {
-    return (b.acceleration_world - a.acceleration_world).norm();
-  });
+  const auto accelerations = accelerations_world(samples);
+  if (!accelerations) return std::numeric_limits<double>::quiet_NaN();
+  double sum = 0.0;
+  for (std::size_t i = 1; i < accelerations->size(); ++i) {
+    sum += ((*accelerations)[i] - (*accelerations)[i - 1]).norm();
+  }
+  return sum;
 }
 
 double mean_speed_mps(const Samples& samples) {
@@ -92,10 +117,13 @@ double acceleration_effort(const Samples& samples) {
 }
 
 double jerk_effort(const Samples& samples) {
-  const double integral = sum_of_steps(samples, [](const Sample& a, const Sample& b) {
-    return ratio((b.acceleration_world - a.acceleration_world).squaredNorm(), b.time_s - a.time_s);
-  });
-  return ratio(integral, flown_length_m(samples));
+  const auto accelerations = accelerations_world(samples);
+  if (!accelerations) return std::numeric_limits<double>::quiet_NaN();
+  double sum = 0.0;
+  for (std::size_t i = 1; i < accelerations->size(); ++i) {
+    sum += ((*accelerations)[i] - (*accelerations)[i - 1]).squaredNorm() * kJerkRate_hz;
+  }
+  return ratio(sum, flown_length_m(samples));
 }
 
 double tracking_rmse_m(const Samples& samples) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "trial/trial_record.hpp"
@@ -9,7 +10,17 @@ namespace avoidbench {
 
 double flown_length_m(const std::vector<Sample>& samples);  ///< Σ‖p_{i+1} − p_i‖
 
-/// ∫‖jerk‖dt = Σ‖a_{i+1} − a_i‖, from the simulated acceleration.
+/// The rate that jerks are taken at, whatever that of the samples: rotors and controllers jerk the
+/// vehicle at all time scales, so that finer differences only grow. The original records its
+/// flights at this rate.
+inline constexpr double kJerkRate_hz = 50.0;
+
+/// The simulated acceleration at kJerkRate_hz from the first sample on, between samples by
+/// proportion; what is left after the last such moment is left out. Nothing where samples are
+/// farther apart than that.
+std::optional<std::vector<Eigen::Vector3d>> accelerations_world(const std::vector<Sample>& samples);
+
+/// ∫‖jerk‖dt = Σ‖a_{i+1} − a_i‖ of accelerations_world(); NaN without them.
 double jerk_integral_mps2(const std::vector<Sample>& samples);
 
 double mean_speed_mps(const std::vector<Sample>& samples);  ///< flown length over time
@@ -23,7 +34,9 @@ double mean_clearance_m(const std::vector<Sample>& samples);  ///< over time
 double mean_curvature_1pm(const std::vector<Sample>& samples);
 
 double acceleration_effort(const std::vector<Sample>& samples);  ///< ∫‖a‖²dt/L
-double jerk_effort(const std::vector<Sample>& samples);          ///< ∫‖j‖²dt/L
+
+/// ∫‖j‖²dt/L = Σ‖a_{i+1} − a_i‖² · kJerkRate_hz/L of accelerations_world(); NaN without them.
+double jerk_effort(const std::vector<Sample>& samples);
 
 /// Root mean square distance between commanded and flown position where there is a commanded one;
 /// NaN without any.

@@ -75,7 +75,7 @@ constexpr MetricDef kTable[] = {
      "1 when the goal was reached in time without a collision; its mean is the success rate",
      "outcome = reached_goal", kPaper, kMore, kAll, false,
      [](In in) { return finished(in) ? 1.0 : 0.0; }},
-    {"path_optimality_pct", 1, "%", "Excess of the flown path over the shortest possible one",
+    {"path_optimality_pct", 2, "%", "Excess of the flown path over the shortest possible one",
      "(L - d_min)/d_min * 100",
      "AvoidBench eq. (4); d_min ends at the goal region, see reference_path.hpp", kLess, kFinished,
      false,
@@ -83,19 +83,21 @@ constexpr MetricDef kTable[] = {
        const double d_min = in.mission.reference_length_m;
        return over(100.0 * (flown_length_m(in.record.samples) - d_min), d_min);
      }},
-    {"energy_optimality", 1, "m/s^2", "Integral of the jerk: how much the flight was jolted",
-     "integral |jerk| dt", "AvoidBench eq. (5)", kLess, kFinished, false,
+    {"energy_optimality", 2, "m/s^2", "Integral of the jerk: how much the flight was jolted",
+     "integral |jerk| dt = sum |a(i+1) - a(i)| at 50 Hz whatever the sample rate; none below it",
+     "AvoidBench eq. (5), at the rate of its code", kLess, kFinished, false,
      [](In in) { return jerk_integral_mps2(in.record.samples); }},
-    {"energy_optimality_per_m", 1, "1/s^2",
-     "Energy optimality over the length of the shortest path", "integral |jerk| dt / d_min",
-     "after AvoidBench eq. (5)", kLess, kFinished, false,
+    {"energy_optimality_per_m", 2, "1/s^2",
+     "Energy optimality over the length of the shortest path",
+     "integral |jerk| dt / d_min, as energy_optimality", "after AvoidBench eq. (5)", kLess,
+     kFinished, false,
      [](In in) {
        return over(jerk_integral_mps2(in.record.samples), in.mission.reference_length_m);
      }},
-    {"average_goal_velocity_mps", 1, "m/s", "Speed of approach to the goal along the shortest path",
+    {"average_goal_velocity_mps", 2, "m/s", "Speed of approach to the goal along the shortest path",
      "d_min / T", "AvoidBench eq. (6), over finished flights only", kMore, kFinished, false,
      [](In in) { return over(in.mission.reference_length_m, in.record.end_time_s); }},
-    {"average_goal_velocity_mps_all", 1, "m/s",
+    {"average_goal_velocity_mps_all", 2, "m/s",
      "The same over all trials, as the original's code: crashing early scores high", "d_min / T",
      "AvoidBench eq. (6)", kNeither, kAll, false,
      [](In in) { return over(in.mission.reference_length_m, in.record.end_time_s); }},
@@ -160,7 +162,8 @@ constexpr MetricDef kTable[] = {
     {"acceleration_effort", 1, "m/s^3", "Squared acceleration over the way",
      "integral |a|^2 dt / L", kFlightBench, kLess, kFinished, false,
      [](In in) { return acceleration_effort(in.record.samples); }},
-    {"jerk_effort", 1, "m/s^5", "Squared jerk over the way", "integral |j|^2 dt / L",
+    {"jerk_effort", 2, "m/s^5", "Squared jerk over the way",
+     "integral |j|^2 dt / L = 50 Hz * sum |a(i+1) - a(i)|^2 / L at 50 Hz; none below it",
      "FlightBench, arXiv 2406.05687; its code's stencil gives 1.25 times the true jerk, this one "
      "the true",
      kLess, kFinished, false, [](In in) { return jerk_effort(in.record.samples); }},
@@ -209,7 +212,8 @@ constexpr MapMetricDef kMapTable[] = {
 
 constexpr MissionMetricDef kMissionTable[] = {
     {"reference_length_m", "m", "Shortest collision-free path of the body to the goal region",
-     "d_min: Lazy Theta* on exact clearances, pulled taut", "AvoidBench, d_min of eq. (4) and (6)",
+     "d_min: Lazy Theta* on exact clearances, pulled taut, to its first entry into the goal circle",
+     "AvoidBench, d_min of eq. (4) and (6)",
      [](const MissionRecord& mission) { return mission.reference_length_m; }},
     {"traversability_obstruction", "", "How narrow the free space along the reference path is",
      "4 m / (2 N) * sum(1/r) over the smaller half r of a corridor's N spheres", kFlightBench,

@@ -38,11 +38,11 @@ std::vector<Sample> straight_flight() {
 }
 
 /// A circle of 3 m radius at 1.5 m/s, once around.
-std::vector<Sample> circular_flight() {
+std::vector<Sample> circular_flight(int count = 1200) {
   std::vector<Sample> samples;
   const double period_s = math::kTau * 3.0 / 1.5;
-  for (int i = 0; i <= 1200; ++i) {
-    const double time_s = period_s * i / 1200.0, angle = math::kTau * i / 1200.0;
+  for (int i = 0; i <= count; ++i) {
+    const double time_s = period_s * i / count, angle = math::kTau * i / count;
     const Vector3d out(math::cos(angle), math::sin(angle), 0.0);
     samples.push_back(sample_at(time_s, 3.0 * out));
     samples.back().acceleration_world = -0.75 * out;  // v²/r
@@ -69,17 +69,60 @@ TEST(FlightMeasures, OfACircle) {
   EXPECT_NEAR(mean_curvature_1pm(samples), 1.0 / 3.0, 1e-4);
   // |a| = v²/r all the way; |jerk| = v³/r² all the way.
   EXPECT_NEAR(acceleration_effort(samples), 0.75 * 0.75 / 1.5, 1e-4);
-  EXPECT_NEAR(jerk_integral_mps2(samples), 0.75 * math::kTau, 1e-4);
-  EXPECT_NEAR(jerk_effort(samples), 0.375 * 0.375 / 1.5, 1e-4);
+  // Less what follows the last whole 20 ms.
+  EXPECT_NEAR(jerk_integral_mps2(samples), 0.75 * math::kTau, 0.02 * 0.375);
+  EXPECT_NEAR(jerk_effort(samples), 0.375 * 0.375 / 1.5, 2e-4);
 }
 
 TEST(FlightMeasures, ResamplingInTimeKeepsThem) {
-  const auto fine = circular_flight();
+  const auto fine = circular_flight(4800);
   std::vector<Sample> coarse;
   for (std::size_t i = 0; i < fine.size(); i += 4) coarse.push_back(fine[i]);
   EXPECT_NEAR(flown_length_m(coarse), flown_length_m(fine), 1e-3);
   EXPECT_NEAR(jerk_integral_mps2(coarse), jerk_integral_mps2(fine), 1e-3);
   EXPECT_NEAR(mean_curvature_1pm(coarse), mean_curvature_1pm(fine), 1e-3);
+}
+
+/// Three seconds and a bit of flight with rotors' ripple on the acceleration, sampled at a rate.
+std::vector<Sample> rippled_flight(int rate_hz, double ripple_mps2) {
+  constexpr int kTicksASecond = 36000, kEnd = 3 * kTicksASecond + 345;
+  std::vector<Sample> samples;
+  const auto add = [&](int tick) {
+    const double time_s = static_cast<double>(tick) / kTicksASecond;
+    samples.push_back(sample_at(time_s, Vector3d(2.0 * time_s, 0, 1)));
+    samples.back().acceleration_world =
+        Vector3d(3.0 * math::sin(2.0 * time_s), math::cos(3.0 * time_s),
+                 ripple_mps2 * math::sin(math::kTau * 137.0 * time_s));
+  };
+  for (int tick = 0; tick < kEnd; tick += kTicksASecond / rate_hz) add(tick);
+  add(kEnd);
+  return samples;
+}
+
+TEST(FlightMeasures, JerksAreThoseOfOneRateWhateverTheSamples) {
+  const auto at_50_hz = rippled_flight(50, 0.8);
+  EXPECT_GT(jerk_integral_mps2(at_50_hz), 50.0);  // the ripple's, not the flight's
+  for (const int rate_hz : {100, 200, 250, 500, 1000}) {
+    const auto samples = rippled_flight(rate_hz, 0.8);
+    EXPECT_EQ(jerk_integral_mps2(samples), jerk_integral_mps2(at_50_hz)) << rate_hz;
+    EXPECT_NEAR(jerk_effort(samples), jerk_effort(at_50_hz), 1e-9 * jerk_effort(at_50_hz));
+  }
+}
+
+TEST(FlightMeasures, JerksBetweenSamplesAreByProportion) {
+  const auto at_50_hz = rippled_flight(50, 0.0);
+  for (const int rate_hz : {60, 90, 120}) {
+    const auto samples = rippled_flight(rate_hz, 0.0);
+    EXPECT_NEAR(jerk_integral_mps2(samples), jerk_integral_mps2(at_50_hz), 0.01) << rate_hz;
+    EXPECT_NEAR(jerk_effort(samples), jerk_effort(at_50_hz), 0.01 * jerk_effort(at_50_hz));
+  }
+}
+
+TEST(FlightMeasures, JerksAreNoneBelowTheirRate) {
+  for (const int rate_hz : {10, 25, 48}) {
+    EXPECT_TRUE(std::isnan(jerk_integral_mps2(rippled_flight(rate_hz, 0.0)))) << rate_hz;
+    EXPECT_TRUE(std::isnan(jerk_effort(rippled_flight(rate_hz, 0.0)))) << rate_hz;
+  }
 }
 
 TEST(FlightMeasures, TrackingErrorOverSamplesWithAReference) {
