@@ -31,6 +31,12 @@ std::string sees(const PlannerDescription& planner) {
                                    {AB_SEES_WORLD, "world (privileged)"}});
 }
 
+std::string uses(const PlannerDescription& planner) {
+  return bit_names(planner.needs, {{AB_USES_PROCESSES, "processes"},
+                                   {AB_USES_DEVICES, "devices"},
+                                   {AB_USES_NETWORK, "network"}});
+}
+
 std::string commands(const PlannerDescription& planner) {
   return bit_names(planner.commands, {{AB_COMMAND_POSITION, "position"},
                                       {AB_COMMAND_VELOCITY, "velocity"},
@@ -79,6 +85,7 @@ void describe(const std::string& plugin, const TableOptions& options) {
   if (options.format != "table") return write_table(table, options);
   std::string text = planner.name + " " + planner.version + ": " + planner.summary + "\n";
   text += "  sees      " + sees(planner) + "\n";
+  if (!uses(planner).empty()) text += "  uses      " + uses(planner) + " (beyond the sandbox)\n";
   text += "  commands  " + commands(planner) + "\n";
   text += "  file      " + planner.file.string() + "\n";
   text += "  sha256    " + planner.file_digest + "\n";

@@ -67,7 +67,20 @@ std::string command_line() {
   return line;
 }
 
-RunRow provenance(const Shard& shard) {
+/// What workers enter; "" for none.
+std::string sandbox_of(const RunCommand& command) {
+  return command.no_sandbox || command.in_process ? "" : text(sandbox_support());
+}
+
+/// The same for people: "landlock 7, seccomp", "none: --no-sandbox".
+std::string sandbox_text(const RunCommand& command) {
+  const std::string sandbox = sandbox_of(command);
+  if (!sandbox.empty()) return sandbox;
+  if (command.in_process) return "none: --in-process";
+  return command.no_sandbox ? "none: --no-sandbox" : "none: the kernel has none";
+}
+
+RunRow provenance(const RunCommand& command, const Shard& shard) {
   utsname system{};
   ::uname(&system);
   const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
@@ -84,7 +97,8 @@ RunRow provenance(const Shard& shard) {
           .cpu = cpu_model(),
           .isa = ray_tracing_isa(),
           .command_line = command_line(),
-          .shard = shard_text(shard)};
+          .shard = shard_text(shard),
+          .sandbox = sandbox_text(command)};
 }
 
 std::string program_file() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
@@ -208,9 +222,27 @@ std::string command_that_reports(const Database& database, const std::string& sw
   return line;
 }
 
-/// What workers enter; "" for none.
-std::string sandbox_of(const RunCommand& command) {
-  return command.no_sandbox || command.in_process ? "" : text(sandbox_support());
+/// Waits for as long as another program locks the database, and says so; less long once the run is
+/// told to stop.
+OnWait patience(const RunCommand& command, const StopSignals& signals,
+                const std::filesystem::path& file) {
+  constexpr double kFirst_s = 3.0, kNext_s = 30.0;
+  const auto next_s = std::make_shared<double>(kFirst_s);
+  return [grace_s = command.grace_s, &signals, file, next_s](double waited_s) {
+    if (waited_s < kFirst_s) *next_s = kFirst_s;
+    if (waited_s >= *next_s) {
+      std::cerr << "another program holds a lock on " << file.string() << ": waiting for it, "
+                << duration_text(waited_s) << " so far\n";
+      *next_s = waited_s + kNext_s;
+    }
+    return !signals.stop_now && !(signals.stop && waited_s > grace_s);
+  };
+}
+
+[[noreturn]] void end_stopped(const StopSignals& signals) {
+  if (signals.stop_now) throw CLI::RuntimeError(128 + signals.number);
+  std::cerr << "stopped; run the same command again to go on\n";
+  throw CLI::RuntimeError(signals.number == SIGINT ? kExitInterrupted : kExitStopped);
 }
 
 void print_summary(const RunSummary& summary, int ignored_signals) {
@@ -257,34 +289,37 @@ void run(const RunCommand& command) {
     return print_estimate(trials, file, jobs);
   }
   if (command.database_file.empty()) std::filesystem::create_directories("results");
-  Database database = Database::open_for_run(file, metric_table());
-  warn(command, sweep, jobs);
   const StopSignals& signals = watch_stop_signals();
+  Database database =
+      Database::open_for_run(file, metric_table(), patience(command, signals, file));
+  warn(command, sweep, jobs);
   const ProgressStyle style = command.quiet                ? ProgressStyle::none
                               : command.progress == "json" ? ProgressStyle::json
                                                            : ProgressStyle::line;
   RunProgress shown(style, command.heartbeat);
-  const RunSummary summary =
-      run_sweep(sweep, provenance(shard), database,
-                {.jobs = jobs,
-                 .shard = shard,
-                 .rerun = rerun,
-                 .rerun_key = command.rerun,
-                 .in_process = command.in_process,
-                 .worker_command = worker_command(command, jobs),
-                 .sandbox = sandbox_of(command),
-                 .silence_s = command.plan_timeout_s + 20.0,
-                 .trial_timeout_s = command.trial_timeout_s,
-                 .grace_s = command.grace_s,
-                 .on_progress = [&shown](const Progress& progress) { shown.show(progress); },
-                 .stop = &signals.stop,
-                 .stop_now = &signals.stop_now});
-  print_summary(summary, signals.ignored);
-  if (signals.stop_now) throw CLI::RuntimeError(128 + signals.number);
-  if (summary.is_stopped) {
-    std::cerr << "stopped; run the same command again to go on\n";
-    throw CLI::RuntimeError(signals.number == SIGINT ? kExitInterrupted : kExitStopped);
+  const RunOptions options{
+      .jobs = jobs,
+      .shard = shard,
+      .rerun = rerun,
+      .rerun_key = command.rerun,
+      .in_process = command.in_process,
+      .worker_command = worker_command(command, jobs),
+      .sandbox = sandbox_of(command),
+      .silence_s = command.plan_timeout_s + 20.0,
+      .trial_timeout_s = command.trial_timeout_s,
+      .grace_s = command.grace_s,
+      .on_progress = [&shown](const Progress& progress) { shown.show(progress); },
+      .stop = &signals.stop,
+      .stop_now = &signals.stop_now};
+  RunSummary summary;
+  try {
+    summary = run_sweep(sweep, provenance(command, shard), database, options);
+  } catch (const InputError&) {
+    if (!database.has_given_up()) throw;
+    summary.is_stopped = true;  // it was told to while it waited for a lock
   }
+  print_summary(summary, signals.ignored);
+  if (summary.is_stopped) end_stopped(signals);
   std::cerr << "results are in " << file.string()
             << "; to see them: " << command_that_reports(database, sweep.name, summary.revision)
             << '\n';

@@ -184,6 +184,7 @@ PlannerChoice make_choice(const Entry& entry, const std::vector<std::size_t>& ch
   if (!swept.empty()) result.label += "[" + swept + "]";
   result.file = fs::absolute(planner.file).lexically_normal().string();
   result.file_digest = planner.file_digest;
+  result.needs = planner.needs;
   const std::vector<ParameterValue> values = resolve_parameters(planner, given);
   for (std::size_t i = 0; i < values.size(); ++i) {
     const ParameterDef& def = planner.parameters[i];

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <sys/types.h>
+
 #include <atomic>
 #include <cstdint>
 
@@ -9,11 +11,14 @@ namespace avoidbench {
 class CallClock {
  public:
   void begin();
+  /// Ends the process where it is not the one that began the call: a child that the planner forked
+  /// came back from the call as well, and would go on as its parent does.
   void end();
   double running_s() const;  ///< wall time of the call under way; 0 between calls
 
  private:
   std::atomic<std::int64_t> began_ns_{0};
+  pid_t process_ = 0;
 };
 
 /// A call under way for as long as it lives. `clock` may be null.

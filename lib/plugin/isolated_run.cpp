@@ -135,7 +135,6 @@ void cut_off(int words_fd) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != watcher) ::_exit(1);
   cut_off(words_fd);
-  // Whatever else shuts the worker in belongs here: all of a planner's code runs below.
   output.claim();
   work(output);
   output.finish();

@@ -73,6 +73,7 @@ double time_limit_s() {
 /// The child's part. In CBOR doubles keep their bits and texts may be of any encoding.
 void describe(const std::filesystem::path& file, IsolatedOutput& output) {
   Json answer = Json::object();
+  enter_sandbox({}, sandbox_support());  // what it needs is not known before it was loaded
   try {
     answer["planner"] = spec_to_json(PlannerLibrary::load_checked(file).description());
   } catch (const InputError& error) {
@@ -136,6 +137,12 @@ PlannerDescription description_from(const Answer& answer, const std::filesystem:
 }
 
 }  // namespace
+
+SandboxRules sandbox_rules(std::uint32_t needs) {
+  return {.processes = (needs & AB_USES_PROCESSES) != 0,
+          .devices = (needs & AB_USES_DEVICES) != 0,
+          .network = (needs & AB_USES_NETWORK) != 0};
+}
 
 PlannerDescription describe_planner(const std::filesystem::path& file, double time_limit_s) {
   PlannerLibrary::check(file);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "avoidbench/planner.h"
+#include "base/sandbox.hpp"
 
 namespace avoidbench {
 
@@ -26,10 +27,14 @@ struct PlannerDescription {
   std::string file_digest;  ///< SHA-256 of the library
 };
 
+/// What the sandbox grants a planner that declares these needs (AB_USES_… bits).
+SandboxRules sandbox_rules(std::uint32_t needs);
+
 /// What the library in `file` says of itself. To ask it is to run its constructors, which can do
-/// anything: they run in a process of their own (run_isolated), which is killed with all that it
-/// started after `time_limit_s`. Throws InputError that names the file and says what is wrong with
-/// it, as PlannerLibrary::load does, or how that process ended.
+/// anything: they run in a process of their own (run_isolated) and in the sandbox, as far as the
+/// kernel has one; it is killed with all that it started after `time_limit_s`. Throws InputError
+/// that names the file and says what is wrong with it, as PlannerLibrary::load does, or how that
+/// process ended.
 PlannerDescription describe_planner(const std::filesystem::path& file, double time_limit_s);
 
 /// The same within the time limit of the environment's AVOIDBENCH_LOAD_LIMIT_S, else 10 s. Asks

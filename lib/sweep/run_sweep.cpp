@@ -5,8 +5,8 @@
 #include <set>
 #include <utility>
 
-#include "avoidbench/planner.h"
 #include "base/input_error.hpp"
+#include "plugin/planner_description.hpp"
 #include "sweep/run_state.hpp"
 #include "sweep/seats.hpp"
 #include "sweep/sweep_rows.hpp"
@@ -126,9 +126,7 @@ RunSummary run_sweep(const SweepSpec& sweep, const RunRow& provenance, Database&
           .left_behind = {}};
   for (const PlannerChoice& planner : sweep.planners) {
     run.planner_files[planner.file] = file_state(planner.file);
-    run.sandbox_rules[planner.label] = {.processes = (planner.needs & AB_USES_PROCESSES) != 0,
-                                        .devices = (planner.needs & AB_USES_DEVICES) != 0,
-                                        .network = (planner.needs & AB_USES_NETWORK) != 0};
+    run.sandbox_rules[planner.label] = sandbox_rules(planner.needs);
   }
   std::set<std::string> skip = keys_to_skip(database, options);
   std::vector<PlannedTrial> trials = expand(sweep);

@@ -250,8 +250,11 @@ void take_next_results(Desk& desk) {
 
 /// Hands out jobs and takes their answers until all is done or the run is to stop.
 void fly_in(Desk& desk) {
-  const Run& run = desk.run;
+  constexpr auto kSaving =
+      std::chrono::seconds(5);  // so that a copy of the file alone has nearly all
+  Run& run = desk.run;
   std::optional<Clock::time_point> stopped;
+  Clock::time_point saved = Clock::now();
   while (!run.must_end_now()) {
     bool is_busy = false;
     for (Seat& seat : desk.seats) {
@@ -263,6 +266,10 @@ void fly_in(Desk& desk) {
     const std::chrono::duration<double> grace(run.options.grace_s);
     if (stopped && Clock::now() - *stopped > grace) return;
     take_next_results(desk);
+    if (Clock::now() - saved > kSaving) {
+      run.database.checkpoint();
+      saved = Clock::now();
+    }
     report_progress(run);
   }
 }

@@ -7,6 +7,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
@@ -49,6 +50,26 @@ class FileIdentity {
  private:
   struct stat file_ {};
   bool is_known_ = false;
+};
+
+/// How long a call's process was stopped, by a signal or with its machine: no time of the
+/// planner's.
+class StoppedTime {
+ public:
+  /// Of a call that has lasted for `call_s`. To be asked ten times a second.
+  double in_call_s(double call_s) {
+    constexpr double kLongestLook_s = 1.0;
+    const auto now = std::chrono::steady_clock::now();
+    const double look_s = std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+    if (call_s < look_s) stopped_s_ = 0.0;  // it began since
+    if (look_s > kLongestLook_s) stopped_s_ += std::min(look_s, call_s);
+    return stopped_s_;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+  double stopped_s_ = 0.0;
 };
 
 /// What a process that a planner forks does first: it lets go of the worker's pipes, and ends with
@@ -105,7 +126,8 @@ PlannerInstance& Worker::Internals::instance_of(const TrialSpec& spec) {
   if (const auto kept = instances.find(key); kept != instances.end()) return kept->second;
   auto library = libraries.find(spec.planner.file);
   if (library == libraries.end()) {
-    library = libraries.emplace(spec.planner.file, PlannerLibrary::load(spec.planner.file)).first;
+    library =
+        libraries.emplace(spec.planner.file, PlannerLibrary::load(spec.planner.file, &clock)).first;
   }
   if (library->second.description().file_digest != spec.planner.file_digest) {
     throw InputError(
@@ -164,10 +186,12 @@ void Worker::watch(const WorkerOptions& options) {
   const pid_t parent = ::getppid();
   internals_->watchdog = std::jthread([clock, options, parent](const std::stop_token& stop) {
     constexpr int kLooksASecond = 10;
+    StoppedTime stopped;
     for (int look = 0; !stop.stop_requested(); ++look) {
       std::this_thread::sleep_for(std::chrono::milliseconds(1000 / kLooksASecond));
       if (::getppid() != parent) ::_exit(1);  // a planner may have switched the death signal off
-      if (clock->running_s() > options.plan_timeout_s) ::_exit(kHungExitCode);
+      const double call_s = clock->running_s();
+      if (call_s - stopped.in_call_s(call_s) > options.plan_timeout_s) ::_exit(kHungExitCode);
       if (options.memory_limit_mib > 0.0 && resident_mib_of_family() > options.memory_limit_mib) {
         ::_exit(kMemoryExitCode);
       }

@@ -59,7 +59,7 @@ TEST_F(TortureTest, EveryWayBecomesTheOutcomeOfItsTrial) {
       {"scribble", {Outcome::planner_crashed, "pipes were closed or written to"}},
       {"nan", {Outcome::planner_error, ""}},
       {"terminate", {Outcome::planner_crashed, "signal 6 (Aborted) in "}},
-      {"keep stopping", {Outcome::planner_hung, "did not answer"}},
+      {"keep stopping", {Outcome::planner_hung, "did not answer any more"}},
       {"half a header", {Outcome::planner_crashed, "closed or written to"}},
       {"huge header", {Outcome::planner_crashed, "closed or written to"}},
       {"empty result", {Outcome::planner_crashed, "closed or written to"}},
