@@ -12,23 +12,23 @@ shift || true
 cannot() { echo "fresh_system: not run: $*" >&2; exit 77; }
 [ "$(id -u)" = 0 ] || cannot "needs root"
 command -v debootstrap >/dev/null || cannot "needs debootstrap: scripts/install_packages.sh slow"
-# Mounts and processes in namespaces of their own end with this script, however it ends.
-if [ "${FRESH_SYSTEM_INSIDE:-}" != yes ]; then
+# Mounts and processes live in namespaces of their own and end with them, so that nothing but a folder is to be removed here.
+if [ -z "${FRESH_SYSTEM_WORK:-}" ]; then
   unshare --mount --pid --fork true 2>/dev/null || cannot "may not mount"
-  FRESH_SYSTEM_INSIDE=yes exec unshare --mount --propagation private --pid --fork --kill-child "scripts/$(basename "$0")" "$suite" "$@"
+  work=$(mktemp -d "${TMPDIR:-/var/tmp}/fresh_system.XXXXXX")
+  trap '{ kill -KILL "$inside" && wait "$inside"; } 2>/dev/null || true; rm -rf --one-file-system "$work"' EXIT
+  trap 'exit 130' INT TERM
+  FRESH_SYSTEM_WORK=$work unshare --mount --propagation private --pid --fork --kill-child "scripts/$(basename "$0")" "$suite" "$@" &
+  inside=$!
+  wait "$inside"
+  exit
 fi
 
 mirror=$(cat /etc/apt/sources.list /etc/apt/sources.list.d/* 2>/dev/null | grep -v '^#' | grep -oE 'https?://[^ ]+/debian/?( |$)' | head -n 1 | tr -d ' ' || true)
 mirror=${mirror:-http://deb.debian.org/debian}
-work=$(mktemp -d "${TMPDIR:-/var/tmp}/fresh_system.XXXXXX")
+work=$FRESH_SYSTEM_WORK
 kept=${FRESH_SYSTEM_FOLDER:-$work}
 base=$kept/$suite.base cache=$kept/$suite.ccache root=$work/$suite
-finish() {
-  umount --recursive "$root/dev" "$root/proc" "$root/ccache" 2>/dev/null || true
-  rm -rf --one-file-system "$work"
-}
-trap finish EXIT
-trap 'exit 130' INT TERM
 mkdir -p "$kept" "$cache"
 
 if [ ! -d "$base" ]; then
