@@ -9,7 +9,7 @@ build_packages=(
   nlohmann-json3-dev libsqlite3-dev libpng-dev zlib1g-dev nettle-dev libassimp-dev libbenchmark-dev sqlite3
 )
 plot_packages=(python3 python3-matplotlib python3-pandas)  # scripts/plot
-test_packages=("${plot_packages[@]}" clang clang-format clang-tidy libclang-rt-14-dev libgtest-dev libgmock-dev python3-jsonschema python3-yaml valgrind)
+test_packages=("${plot_packages[@]}" clang clang-format clang-tidy libclang-rt-14-dev libgtest-dev libgmock-dev python3-jsonschema python3-yaml valgrind locales)
 # A Slurm of one node, for the test of scripts/slurm (the system's own services play no part), and what scripts/fresh_system.sh needs.
 slow_packages=(munge slurmctld slurmd slurm-client debootstrap)
 

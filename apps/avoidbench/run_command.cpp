@@ -15,6 +15,7 @@
 #include <set>
 
 #include "base/input_error.hpp"
+#include "base/number_text.hpp"
 #include "base/sandbox.hpp"
 #include "commands.hpp"
 #include "config/sweep_file.hpp"
@@ -108,10 +109,8 @@ std::string program_file() { return std::filesystem::read_symlink("/proc/self/ex
 std::vector<std::string> worker_command(const RunCommand& command, int jobs) {
   const double limit_mib =
       command.memory_limit_mib > 0.0 ? command.memory_limit_mib : 0.9 * allowed_memory_mib() / jobs;
-  char timeout[32], limit[32];
-  std::snprintf(timeout, sizeof timeout, "%.17g", command.plan_timeout_s);
-  std::snprintf(limit, sizeof limit, "%.17g", limit_mib);
-  return {program_file(), "worker", "--plan-timeout", timeout, "--memory-limit", limit};
+  return {program_file(),   "worker",           "--plan-timeout", shortest(command.plan_timeout_s),
+          "--memory-limit", shortest(limit_mib)};
 }
 
 /// What the trials that are missing will take, by those of the same planners that the file has.

@@ -1,10 +1,10 @@
 #include "metrics/find_maps.hpp"
 
 #include <cmath>
-#include <sstream>
 
 #include "base/check.hpp"
 #include "base/input_error.hpp"
+#include "base/number_text.hpp"
 
 namespace avoidbench {
 namespace {
@@ -35,10 +35,10 @@ double fitting_parameter(const MapTarget& target, MapsFound& found) {
   const double at_low = mean_at(target, low, found), at_high = mean_at(target, high, found);
   const double least = std::min(at_low, at_high), greatest = std::max(at_low, at_high);
   if (!(target.wanted >= least - target.within && target.wanted <= greatest + target.within)) {
-    std::ostringstream message;
-    message << "no maps of " << target.wanted << " ± " << target.within << ": the measure is "
-            << at_low << " at " << low << " and " << at_high << " at " << high;
-    throw InputError(message.str());
+    const auto number = [](double value) { return significant_digits(value, 6); };
+    throw InputError("no maps of " + number(target.wanted) + " ± " + number(target.within) +
+                     ": the measure is " + number(at_low) + " at " + number(low) + " and " +
+                     number(at_high) + " at " + number(high));
   }
   double best = std::abs(at_low - target.wanted) < std::abs(at_high - target.wanted) ? low : high;
   double best_error = std::min(std::abs(at_low - target.wanted), std::abs(at_high - target.wanted));

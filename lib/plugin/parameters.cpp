@@ -1,20 +1,15 @@
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "base/check.hpp"
 #include "base/input_error.hpp"
+#include "base/number_text.hpp"
 #include "plugin/planner_library.hpp"
 
 namespace avoidbench {
 namespace {
 
-std::string number_text(double value) {
-  std::ostringstream out;
-  out.precision(12);
-  out << value;
-  return out.str();
-}
+std::string number_text(double value) { return significant_digits(value, 12); }
 
 std::string value_problem(const ParameterDef& def, const ParameterValue& value) {
   if (def.kind == AB_CHOICE) {

@@ -8,6 +8,7 @@
 #include "plugin/command_check.hpp"
 #include "plugin/float_guard.hpp"
 #include "plugin/host_buffers.hpp"
+#include "plugin/locale_guard.hpp"
 
 namespace avoidbench {
 namespace {
@@ -23,7 +24,8 @@ double clock_s(clockid_t clock) {
 template <class Call>
 std::string escaped_exception(CallClock* clock, Call&& call) {
   const TimedCall timed(clock);
-  const FloatGuard guard;
+  const FloatGuard float_guard;
+  const LocaleGuard locale_guard;
   try {
     call();
   } catch (const std::exception& error) {

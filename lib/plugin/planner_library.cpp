@@ -10,6 +10,7 @@
 #include "base/input_error.hpp"
 #include "plugin/elf_symbols.hpp"
 #include "plugin/float_guard.hpp"
+#include "plugin/locale_guard.hpp"
 #include "plugin/planner_table.hpp"
 
 namespace avoidbench {
@@ -97,7 +98,8 @@ PlannerLibrary PlannerLibrary::load(const std::filesystem::path& file, CallClock
 PlannerLibrary PlannerLibrary::load_checked(const std::filesystem::path& file, CallClock* clock) {
   // An absolute path: dlopen would look a bare name up in the system's folders.
   const std::string path = std::filesystem::absolute(file).string();
-  const FloatGuard guard;
+  const FloatGuard float_guard;
+  const LocaleGuard locale_guard;
   const TimedCall timed(clock);
   any_loaded = true;
   void* handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);

@@ -1,6 +1,7 @@
 #include "store/canonical_rows.hpp"
 
 #include "base/digest.hpp"
+#include "base/number_text.hpp"
 #include "store/record_format.hpp"
 #include "store/schema_check.hpp"
 #include "store/statement.hpp"

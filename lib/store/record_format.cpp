@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <charconv>
 #include <cstring>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -150,14 +149,6 @@ std::string plan_calls_digest(std::span<const PlanCall> calls) {
     digest.add(std::uint64_t{call.command_kind});
   }
   return digest.hex();
-}
-
-std::string shortest(double value) {
-  if (value != value) return "nan";  // of either sign
-  std::array<char, 32> buffer{};
-  const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-  AB_CHECK(error == std::errc{});
-  return {buffer.data(), end};
 }
 
 }  // namespace avoidbench

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/number_text.hpp"
 #include "trial/trial_record.hpp"
 
 namespace avoidbench {
@@ -31,8 +32,5 @@ std::vector<PlanCall> plan_calls_from_json(std::string_view json);
 
 /// SHA-256 of what does not differ from run to run: time, status and command kind of each call.
 std::string plan_calls_digest(std::span<const PlanCall> calls);
-
-/// The number with the fewest digits that read back to the same bits; `nan`, `inf`, `-inf`.
-std::string shortest(double value);
 
 }  // namespace avoidbench

@@ -14,10 +14,8 @@ namespace {
 /// CPUs of the cgroup's quota (version 2, as a container sees its own), or 0 where there is none.
 double cgroup_quota() {
   std::ifstream file("/sys/fs/cgroup/cpu.max");
-  std::string quota;
-  double period = 0.0;
-  if (!(file >> quota >> period) || quota == "max" || period <= 0.0) return 0.0;
-  return std::strtod(quota.c_str(), nullptr) / period;
+  double quota = 0.0, period = 0.0;  // "max" is no number: no limit
+  return file >> quota >> period && period > 0.0 ? quota / period : 0.0;
 }
 
 constexpr double kMib = 1024.0 * 1024.0;

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
 
 #include "base/digest.hpp"
 #include "base/input_error.hpp"
+#include "base/number_text.hpp"
 #include "base/spec_json.hpp"
 #include "store/record_format.hpp"
 #include "sweep/recorded_latency.hpp"
@@ -80,11 +80,7 @@ StoredTrial with_files(StoredTrial stored, const ReplayFiles& files) {
   return stored;
 }
 
-std::string seconds_text(double time_s) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4f s", time_s);
-  return text;
-}
+std::string seconds_text(double time_s) { return fixed_digits(time_s, 4) + " s"; }
 
 /// The first of two runs of elements that differs, or nothing.
 template <class Element, class Equal>

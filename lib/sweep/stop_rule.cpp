@@ -5,6 +5,7 @@
 #include <charconv>
 
 #include "base/input_error.hpp"
+#include "base/number_text.hpp"
 #include "statistics/rates.hpp"
 
 namespace avoidbench {
@@ -28,10 +29,8 @@ bool take(std::string_view& text, std::string_view word) {
 
 std::string StopRule::text() const {
   if (!is_set()) return "";
-  std::array<char, 32> buffer{};
-  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), half_width);
   return std::string(kMeasure) + " " + std::string(kInterval) + std::string(kSign) +
-         std::string(buffer.data(), result.ptr);
+         shortest(half_width);
 }
 
 StopRule parse_stop_rule(const std::string& text) {

@@ -1,13 +1,12 @@
 #include "trial/run_trial.hpp"
 
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
 #include <deque>
 #include <limits>
 #include <optional>
 
 #include "base/check.hpp"
+#include "base/number_text.hpp"
 #include "trial/collision_check.hpp"
 #include "trial/noise_seed.hpp"
 #include "trial/perception.hpp"
@@ -53,13 +52,10 @@ struct Flight {
   TrialRecord record;
 };
 
-__attribute__((format(printf, 1, 2))) std::string formatted(const char* format, ...) {
-  char line[256];
-  va_list arguments;
-  va_start(arguments, format);
-  std::vsnprintf(line, sizeof line, format, arguments);
-  va_end(arguments);
-  return line;
+/// "(1.00, -2.50, 3.00) m"
+std::string place_text(const Eigen::Vector3d& place_world) {
+  return "(" + fixed_digits(place_world.x(), 2) + ", " + fixed_digits(place_world.y(), 2) + ", " +
+         fixed_digits(place_world.z(), 2) + ") m";
 }
 
 Flight make_flight(const TrialSpec& spec, const Scene& scene, const Mission& mission,
@@ -234,9 +230,8 @@ bool collided(Flight& flight) {
                                       .kind = obstacle_kind});
   const auto survivable = static_cast<std::size_t>(flight.spec.mission.max_collisions);
   if (flight.record.collisions.size() <= survivable) return false;
-  flight.record.reason =
-      formatted("touched %s %u at (%.2f, %.2f, %.2f) m, %.2f m/s", obstacle_kind.c_str(), obstacle,
-                place.x(), place.y(), place.z(), speed_mps);
+  flight.record.reason = "touched " + obstacle_kind + " " + std::to_string(obstacle) + " at " +
+                         place_text(place) + ", " + fixed_digits(speed_mps, 2) + " m/s";
   return true;
 }
 
@@ -246,17 +241,17 @@ std::optional<Outcome> ended(Flight& flight) {
   const Eigen::Vector3d& place = flight.state.position_world;
   if (collided(flight)) return Outcome::collided;
   if (!flight.scene.world().bounds.contains(place)) {
-    flight.record.reason =
-        formatted("left the map at (%.2f, %.2f, %.2f) m", place.x(), place.y(), place.z());
+    flight.record.reason = "left the map at " + place_text(place);
     return Outcome::left_bounds;
   }
   const double to_goal_m = (flight.mission.goal_world - place).head<2>().norm();
   if (to_goal_m <= flight.spec.mission.goal_radius_m) {
-    flight.record.reason = formatted("reached the goal after %.2f s", seconds(flight.state.tick));
+    flight.record.reason =
+        "reached the goal after " + fixed_digits(seconds(flight.state.tick), 2) + " s";
     return Outcome::reached_goal;
   }
   if (seconds(flight.state.tick) >= flight.spec.mission.time_limit_s) {
-    flight.record.reason = formatted("%.2f m from the goal at the time limit", to_goal_m);
+    flight.record.reason = fixed_digits(to_goal_m, 2) + " m from the goal at the time limit";
     return Outcome::timed_out;
   }
   return std::nullopt;

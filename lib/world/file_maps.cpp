@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <sstream>
 
+#include "base/number_text.hpp"
 #include "world/map_file.hpp"
 #include "world/mesh_file.hpp"
 #include "world/point_cloud_file.hpp"
@@ -21,11 +21,7 @@ constexpr double kMostExtent_m = 2000.0, kLeastExtent_m = 1.0;
 constexpr double kMostCoordinate_m = 10'000.0;  // single precision is finer than 1 mm up to there
 constexpr double kLeastBounds_m = 1.0;
 
-std::string number(double value) {
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
+std::string number(double value) { return significant_digits(value, 6); }
 
 std::string text_of(const Eigen::Vector3d& v) {
   return "[" + number(v.x()) + ", " + number(v.y()) + ", " + number(v.z()) + "]";
@@ -147,11 +143,11 @@ void check_extent(const std::string& file, const Aabb& box, const std::string& h
       std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
   if (farthest_m > kMostCoordinate_m) {
     const Eigen::Vector3d whole = box.min().array().floor();
-    std::ostringstream origin;
-    origin.precision(12);
-    origin << "[" << whole.x() << ", " << whole.y() << ", " << whole.z() << "]";
-    fail_file(file, "lies more than 10 km from its origin, at " + origin.str() +
-                        ": set origin_m near there");
+    const std::string origin = "[" + significant_digits(whole.x(), 12) + ", " +
+                               significant_digits(whole.y(), 12) + ", " +
+                               significant_digits(whole.z(), 12) + "]";
+    fail_file(file,
+              "lies more than 10 km from its origin, at " + origin + ": set origin_m near there");
   }
 }
 

@@ -1,16 +1,18 @@
 #include "world/map_spec.hpp"
 
 #include <algorithm>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "base/input_error.hpp"
+#include "base/number_text.hpp"
 #include "world/generators.hpp"
 
 namespace avoidbench {
 namespace {
+
+std::string number_text(double value) { return significant_digits(value, 6); }
 
 InputProblem problem(std::string message) {
   InputProblem found;
@@ -26,10 +28,11 @@ struct RangeCheck {
   void field(std::string_view name, const Number& value, Range range, std::string_view) {
     const auto number = static_cast<double>(value);
     if (number >= range.lowest && number <= range.highest) return;
-    std::ostringstream message;
-    message << name << ": " << value << " is outside [" << range.lowest << ", " << range.highest
-            << ']';
-    problems.push_back(problem(message.str()));
+    std::string shown = number_text(number);
+    if constexpr (std::is_integral_v<Number>) shown = std::to_string(value);
+    problems.push_back(problem(std::string(name) + ": " + shown + " is outside [" +
+                               number_text(range.lowest) + ", " + number_text(range.highest) +
+                               "]"));
   }
   template <std::size_t count>
   void field(std::string_view name, const std::array<double, count>& values, Range range,
@@ -48,9 +51,8 @@ void check_order(std::string_view name, const std::array<double, 2>& ends,
 void check_below(std::string_view name, double value, std::string_view limit_name, double limit,
                  std::vector<InputProblem>& problems) {
   if (value < limit) return;
-  std::ostringstream message;
-  message << name << ": " << value << " is not below " << limit_name << ", " << limit;
-  problems.push_back(problem(message.str()));
+  problems.push_back(problem(std::string(name) + ": " + number_text(value) + " is not below " +
+                             std::string(limit_name) + ", " + number_text(limit)));
 }
 
 void check_room(std::string_view name, const std::array<double, 2>& area_m,
@@ -58,10 +60,9 @@ void check_room(std::string_view name, const std::array<double, 2>& area_m,
                 std::vector<InputProblem>& problems) {
   const double least_side_m = std::min(area_m[0], area_m[1]);
   if (least_side_m >= 2.0 * radius_m) return;
-  std::ostringstream message;
-  message << name << ": its shorter side, " << least_side_m << ", is less than twice "
-          << radius_name << ", " << radius_m;
-  problems.push_back(problem(message.str()));
+  problems.push_back(problem(std::string(name) + ": its shorter side, " +
+                             number_text(least_side_m) + ", is less than twice " +
+                             std::string(radius_name) + ", " + number_text(radius_m)));
 }
 
 void check_contradictions(const ForestSpec& spec, std::vector<InputProblem>& problems) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/input_error.hpp"
+#include "base/number_text.hpp"
 #include "geometry/box_triangle.hpp"
 
 namespace avoidbench {
@@ -52,7 +53,7 @@ VoxelGrid surface_voxels(const World& world, double size_m) {
   const Eigen::Vector3d sizes = world.bounds.sizes();
   const Eigen::Vector3d counts = (sizes / size_m).array().ceil().max(1.0);
   if (counts.prod() > kMostCells) {
-    throw InputError("a resolution of " + std::to_string(size_m) +
+    throw InputError("a resolution of " + significant_digits(size_m, 6) +
                      " m makes more than 500 million cells of this map; choose a coarser one");
   }
   VoxelGrid grid{.lowest_world = world.bounds.min(),

@@ -3,7 +3,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <locale.h>
+
+#include <array>
+#include <clocale>
+#include <cstdio>
+#include <cstdlib>
 #include <limits>
+#include <locale>
 
 #include "plugin/bad_planners.hpp"
 #include "plugin/command_check.hpp"
@@ -140,6 +147,34 @@ TEST(CommandCheck, EveryKindMustBeFinite) {
   EXPECT_EQ(command_problem(turning, AB_COMMAND_VELOCITY), "yaw_rate_radps is not finite");
   turning.flags = 4;
   EXPECT_THAT(command_problem(turning, AB_COMMAND_VELOCITY), HasSubstr("unknown flags"));
+}
+
+/// The locale of a planner is its own: the host writes numbers with a point before, between and
+/// after its calls, also where a thread of the planner sets the locale again and again.
+TEST(Instance, KeepsItsLocaleToItself) {
+  ::setenv("LOCPATH", LOCALES, 1);
+  ::uselocale(LC_GLOBAL_LOCALE);  // as in a thread that has called no planner yet
+  const auto host_text = [] {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.1f", 0.5);
+    return std::string(text.data());
+  };
+  ASSERT_NE(std::setlocale(LC_ALL, "de_DE.UTF-8"), nullptr) << "no German locale in " << LOCALES;
+  EXPECT_EQ(std::string(std::localeconv()->decimal_point), ",");
+  std::setlocale(LC_ALL, "C");
+  for (const std::string how : {"setlocale", "uselocale", "global", "thread"}) {
+    PlannerInstance instance = instance_of("sets_locale", {{"how", {0.0, how}}});
+    EXPECT_EQ(host_text(), "0.5") << how;
+    EXPECT_EQ(instance.reset(mission()), "");
+    for (int call = 0; call < (how == "thread" ? 2000 : 3); ++call) {
+      const PlanResult result = instance.plan(view());
+      ASSERT_EQ(result.status, PlanStatus::command) << how << ": " << result.reason;
+      ASSERT_EQ(host_text(), "0.5") << how;
+    }
+    std::locale::global(std::locale::classic());
+    std::setlocale(LC_ALL, "C");
+  }
+  ::unsetenv("LOCPATH");
 }
 
 }  // namespace
