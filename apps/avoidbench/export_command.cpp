@@ -13,6 +13,7 @@
 #include "report/ompl_log.hpp"
 #include "report/sweep_choice.hpp"
 #include "trial_list.hpp"
+#include "visible_streams.hpp"
 
 namespace avoidbench {
 namespace {
@@ -42,16 +43,16 @@ class Output {
     if (!file_) fail();
   }
   void write(const std::string& text) {
-    (path_ == "-" ? std::cout : file_) << text;
-    if (path_ == "-" ? !std::cout : !file_) fail();
+    (path_ == "-" ? data_output() : file_) << text;
+    if (path_ == "-" ? !data_output() : !file_) fail();
   }
   void close() {
     if (path_ == "-") {
-      std::cout.flush();
+      data_output().flush();
     } else {
       file_.close();
     }
-    if (path_ == "-" ? !std::cout : !file_) fail();
+    if (path_ == "-" ? !data_output() : !file_) fail();
   }
 
  private:

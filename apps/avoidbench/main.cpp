@@ -8,9 +8,11 @@
 #include <vector>
 
 #include "base/input_error.hpp"
+#include "base/visible_text.hpp"
 #include "commands.hpp"
 #include "plugin/planner_library.hpp"
 #include "version.hpp"
+#include "visible_streams.hpp"
 
 namespace avoidbench {
 namespace {
@@ -144,6 +146,7 @@ int guarded_program(int argc, const char* const* argv) {
 }  // namespace avoidbench
 
 int main(int argc, char** argv) {
+  avoidbench::make_streams_visible();
   const int code = avoidbench::guarded_program(argc, argv);
   std::cout.flush();
   if (avoidbench::PlannerLibrary::is_any_loaded()) {  // their destructors may change the code, or

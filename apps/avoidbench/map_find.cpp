@@ -13,6 +13,7 @@
 #include "metrics/environment.hpp"
 #include "metrics/find_maps.hpp"
 #include "metrics/metric_table.hpp"
+#include "visible_streams.hpp"
 
 namespace avoidbench {
 namespace {
@@ -78,7 +79,7 @@ void print_found(const FindOptions& options, const MapsFound& found) {
   for (std::size_t i = 0; i < found.seeds.size(); ++i) {
     text += (i > 0 ? ", " : "") + std::to_string(found.seeds[i]);
   }
-  std::cout << text << "]\n";
+  data_output() << text << "]\n" << std::flush;
 }
 
 void find(const FindOptions& options) {

@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 
+#include "base/visible_text.hpp"
 #include "commands.hpp"
 #include "metrics/metric_table.hpp"
 #include "store/merge.hpp"
@@ -22,7 +23,7 @@ struct MergeCommand {
 bool print_completeness(const Database& database) {
   bool is_complete = true;
   for (const SweepCompleteness& sweep : sweep_completeness(database)) {
-    std::cout << "sweep " << sweep.name;
+    std::cout << "sweep " << visible_line(sweep.name);
     if (sweep.revision > 1) std::cout << " (revision " << sweep.revision << ")";
     std::cout << ": " << sweep.flown << " of " << sweep.wanted << " trials";
     if (sweep.flown < sweep.wanted) {

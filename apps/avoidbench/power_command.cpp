@@ -1,9 +1,9 @@
-#include <iostream>
 #include <memory>
 
 #include "base/input_error.hpp"
 #include "commands.hpp"
 #include "report/power_table.hpp"
+#include "visible_streams.hpp"
 
 namespace avoidbench {
 
@@ -40,7 +40,7 @@ void add_power_command(CLI::App& app) {
                        did_you_mean(options->format, enum_texts<TableFormat>()));
     }
     const Section section = power_section(options->question);
-    std::cout << format_sections({&section, 1}, *format) << std::flush;
+    data_output() << format_sections({&section, 1}, *format) << std::flush;
   });
 }
 

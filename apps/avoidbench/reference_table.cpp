@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <fstream>
-#include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "base/input_error.hpp"
+#include "base/visible_text.hpp"
+#include "report/csv.hpp"
 #include "report/table_text.hpp"
+#include "visible_streams.hpp"
 
 namespace avoidbench {
 
@@ -27,6 +29,14 @@ constexpr std::size_t kWidth = 100, kGap = 2;
 std::string padded(const std::string& word, std::size_t width) {
   const std::size_t used = display_width(word);
   return word + std::string(width > used ? width - used : 0, ' ');
+}
+
+/// The table without control characters, each word on one line.
+ReferenceTable visible_table(ReferenceTable table) {
+  for (auto& row : table.rows) {
+    for (std::string& word : row) word = visible_line(word);
+  }
+  return table;
 }
 
 std::string for_people(const ReferenceTable& table) {
@@ -57,17 +67,10 @@ std::string for_people(const ReferenceTable& table) {
   return text;
 }
 
-std::string csv_word(const std::string& word) {
-  if (word.find_first_of(",\"\r\n") == std::string::npos) return word;
-  std::string quoted = "\"";
-  for (const char c : word) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
 std::string csv(const ReferenceTable& table) {
   const auto line = [](const std::vector<std::string>& row) {
     std::string text;
-    for (std::size_t i = 0; i < row.size(); ++i) text += (i > 0 ? "," : "") + csv_word(row[i]);
+    for (std::size_t i = 0; i < row.size(); ++i) text += (i > 0 ? "," : "") + csv_field(row[i]);
     return text + "\r\n";
   };
   std::string text = line(table.columns);
@@ -82,7 +85,7 @@ std::string json(const ReferenceTable& table) {
     for (std::size_t i = 0; i < row.size(); ++i) object[table.columns[i]] = row[i];
     all.push_back(std::move(object));
   }
-  return all.dump(2) + "\n";
+  return all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 std::string markdown(const ReferenceTable& table) {
@@ -124,17 +127,17 @@ std::string table_text(const ReferenceTable& table, const std::string& format) {
     case ReferenceFormat::json:
       return json(table);
     case ReferenceFormat::markdown:
-      return markdown(table);
+      return markdown(visible_table(table));
     case ReferenceFormat::table:
       break;
   }
-  return for_people(table);
+  return for_people(visible_table(table));
 }
 
 void write_text(const std::string& text, const std::string& output) {
   if (output == "-") {
-    std::cout << text << std::flush;
-    if (!std::cout) throw InputError("standard output can't be written");
+    data_output() << text << std::flush;
+    if (!data_output()) throw InputError("standard output can't be written");
     return;
   }
   std::ofstream file(output, std::ios::binary);

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "base/input_error.hpp"
+#include "base/visible_text.hpp"
 #include "commands.hpp"
 #include "database_choice.hpp"
 #include "replay_files.hpp"
@@ -72,7 +73,7 @@ Flown fly(const Replay& replay, const StoredTrial& stored, const ReplayOptions& 
 std::string outcome_line(const TrialRecord& record) {
   std::string line = std::string(text(record.outcome));
   if (!std::isnan(record.end_time_s)) line += formatted(" at %.3f s", record.end_time_s);
-  return record.reason.empty() ? line : line + ": " + record.reason;
+  return record.reason.empty() ? line : line + ": " + visible_line(record.reason);
 }
 
 std::string calls_line(const std::vector<CommandLine>& calls) {
@@ -99,7 +100,7 @@ void print_log(const std::vector<LogLine>& log, std::size_t most) {
   for (std::size_t i = skipped; i < log.size(); ++i) {
     const std::string time =
         std::isnan(log[i].time_s) ? std::string(9, ' ') : formatted("%8.3f s", log[i].time_s);
-    std::cout << time << "  " << log[i].text << "\n";
+    std::cout << time << "  " << visible_line(log[i].text) << "\n";
   }
 }
 
@@ -111,7 +112,7 @@ bool print_comparison(const StoredTrial& stored, const Replay& replay, const Tri
     return true;
   }
   std::cout << "replay    differs from the stored trial\n" << std::flush;
-  for (const std::string& line : found) std::cerr << "warning: " << line << '\n';
+  for (const std::string& line : found) std::cerr << "warning: " << visible_line(line) << '\n';
   return !replay.warnings().empty();
 }
 

@@ -16,6 +16,7 @@
 #include "report/summary.hpp"
 #include "report/sweep_tables.hpp"
 #include "store/database.hpp"
+#include "visible_streams.hpp"
 
 namespace avoidbench {
 namespace {
@@ -96,8 +97,8 @@ void add_sweeps_of(const Database& database, const std::string& wanted,
 
 void write_output(const std::string& path, const std::string& text) {
   if (path == "-") {
-    std::cout << text << std::flush;
-    if (!std::cout) throw InputError("standard output can't be written");
+    data_output() << text << std::flush;
+    if (!data_output()) throw InputError("standard output can't be written");
     return;
   }
   std::ofstream file(path, std::ios::binary);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/input_error.hpp"
+#include "base/visible_text.hpp"
 
 namespace avoidbench {
 namespace {
@@ -88,7 +89,7 @@ void RunProgress::draw_line(const Progress& progress) {
     line += ", " + duration_text(left) + " left";
   }
   for (const auto& [label, planner] : progress.planners) {
-    line += " | " + label + " " + std::to_string(planner.reached_goal) + "/" +
+    line += " | " + visible_line(label) + " " + std::to_string(planner.reached_goal) + "/" +
             std::to_string(planner.flown);
   }
   std::fprintf(stderr, is_live_ ? "\r\033[K%s%s" : "%s%s", line.c_str(),

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 
 #include "base/input_error.hpp"
-#include "store/record_format.hpp"
+#include "base/number_text.hpp"
+#include "base/visible_text.hpp"
 
 namespace avoidbench {
 namespace {
@@ -17,9 +17,7 @@ std::string radius_text(const TrialListing& trial) {
 
 std::string end_text(const TrialListing& trial) {
   if (std::isnan(trial.end_time_s)) return "";
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2f", trial.end_time_s);
-  return text;
+  return fixed_digits(trial.end_time_s, 2);
 }
 
 /// The ids of some trials: "3, 7, 12, …".
@@ -136,9 +134,10 @@ ReferenceTable trial_table(const std::vector<TrialListing>& trials, const std::s
 
 std::string trial_text(const TrialListing& trial) {
   const std::string radius = radius_text(trial);
-  return trial.planner_label + ", " + trial.generator + " seed " + std::to_string(trial.map_seed) +
-         (radius.empty() ? "" : ", radius " + radius + " m") + ", mission " +
-         std::to_string(trial.mission_index);
+  return visible_line(trial.planner_label + ", " + trial.generator + " seed " +
+                      std::to_string(trial.map_seed) +
+                      (radius.empty() ? "" : ", radius " + radius + " m") + ", mission " +
+                      std::to_string(trial.mission_index));
 }
 
 }  // namespace avoidbench

@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
@@ -6,6 +7,7 @@
 #include <set>
 
 #include "base/input_error.hpp"
+#include "base/visible_text.hpp"
 #include "commands.hpp"
 #include "store/database.hpp"
 #include "sweep/replay.hpp"
@@ -24,15 +26,13 @@ struct VerifyCommand {
 
 /// A share from "1%", "0.01" or "1".
 double share_from(const std::string& text) {
-  std::size_t end = 0;
   double share = -1.0;
-  try {
-    share = std::stod(text, &end);
-  } catch (const std::exception&) {
-    end = 0;
-  }
-  if (end + 1 == text.size() && text.back() == '%') share /= 100.0;
-  if (end == 0 || share <= 0.0 || share > 1.0) {
+  const char* const last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), last, share);
+  const std::string_view rest(end, static_cast<std::size_t>(last - end));
+  if (rest == "%") share /= 100.0;
+  const bool is_number = error == std::errc() && (rest.empty() || rest == "%");
+  if (!is_number || !(share > 0.0 && share <= 1.0)) {
     throw InputError("--sample " + text + ": expected a share such as 1% or 0.01");
   }
   return share;
@@ -63,8 +63,8 @@ bool is_repeated(const Database& database, const TrialListing& listing,
   const std::vector<std::string> found = differences(replay.stored().row.record, flown);
   if (found.empty()) return true;
   std::cout << "trial " << listing.id << " (" << listing.key.substr(0, 8) << ", "
-            << listing.planner_label << ") differs:\n";
-  for (const std::string& line : found) std::cout << "  " << line << '\n';
+            << visible_line(listing.planner_label) << ") differs:\n";
+  for (const std::string& line : found) std::cout << "  " << visible_line(line) << '\n';
   for (const std::string& line : replay.warnings()) std::cout << "  note: " << line << '\n';
   return false;
 }

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 
+#include "base/visible_text.hpp"
 #include "config/includes.hpp"
 #include "plugin/planner_library.hpp"
 
@@ -94,11 +95,8 @@ void read_parameters(const YamlNode& node, Entry& entry, Reading& reading) {
 
 bool is_good_label(const std::string& label) {
   constexpr std::size_t kMostBytes = 100;
-  const bool is_plain = std::all_of(label.begin(), label.end(), [](char c) {
-    return static_cast<unsigned char>(c) >= 0x20 && c != 0x7f;
-  });
-  return is_plain && !label.empty() && label.size() <= kMostBytes && label.front() != ' ' &&
-         label.back() != ' ';
+  return visible_line(label) == label && !label.empty() && label.size() <= kMostBytes &&
+         label.front() != ' ' && label.back() != ' ';
 }
 
 /// A mapping's entry, or nothing where its library could not be loaded.

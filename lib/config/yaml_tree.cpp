@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "base/input_file.hpp"
+#include "base/visible_text.hpp"
 
 namespace avoidbench {
 namespace {
@@ -200,11 +201,9 @@ std::string found_text(const YamlNode& node) {
       break;
   }
   constexpr std::size_t kMostShown = 40;
-  std::string shown;
-  for (const char c : node.scalar.substr(0, kMostShown)) {
-    shown += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-  }
-  return '"' + shown + (node.scalar.size() > kMostShown ? "…\"" : "\"");
+  if (node.scalar.size() <= kMostShown) return '"' + visible_line(node.scalar) + '"';
+  const std::string_view start = std::string_view(node.scalar).substr(0, kMostShown);
+  return '"' + visible_line(start.substr(0, kMostShown - unfinished_bytes(start))) + "…\"";
 }
 
 YamlNode parse_yaml(const std::string& text, const std::string& source) {

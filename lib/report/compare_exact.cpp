@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "base/number_text.hpp"
 #include "report/compare.hpp"
 #include "store/record_format.hpp"
 

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/input_error.hpp"
+#include "base/visible_text.hpp"
 #include "report/compare_tables.hpp"
 
 namespace avoidbench {
@@ -100,11 +101,10 @@ std::string json_text(const ExactComparison& comparison) {
                  {"differences", differences}});
 }
 
-/// Text for XML: what has a meaning there is escaped, what XML 1.0 can't hold is left out.
+/// Text for XML: what has a meaning there is escaped, what XML 1.0 can't hold is shown.
 std::string in_xml(std::string_view text) {
   std::string escaped;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
+  for (const char c : visible_line(text)) {
     if (c == '&') {
       escaped += "&amp;";
     } else if (c == '<') {
@@ -113,9 +113,7 @@ std::string in_xml(std::string_view text) {
       escaped += "&gt;";
     } else if (c == '"') {
       escaped += "&quot;";
-    } else if (c == '\n' || c == '\t' || c == '\r') {
-      escaped += ' ';
-    } else if (byte >= 0x20) {
+    } else {
       escaped += c;
     }
   }

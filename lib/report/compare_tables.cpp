@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/visible_text.hpp"
 #include "report/table_text.hpp"
 
 namespace avoidbench {
@@ -260,9 +261,9 @@ Section comparison_section(const ExactComparison& comparison) {
 
 std::string exact_text(const ExactComparison& comparison) {
   constexpr std::size_t kWidth = 100, kShownValues = 3;
-  std::string out = wrapped(exact_title(comparison), kWidth, 2) + "\n";
+  std::string out = wrapped(visible_line(exact_title(comparison)), kWidth, 2) + "\n";
   for (const std::string& warning : comparison.warnings) {
-    out += wrapped("Warning: " + warning, kWidth, 9) + "\n";
+    out += wrapped(visible_line("Warning: " + warning), kWidth, 9) + "\n";
   }
   std::size_t trial_count = 0;
   for (std::size_t i = 0; i < comparison.differences.size(); ++trial_count) {
@@ -280,8 +281,9 @@ std::string exact_text(const ExactComparison& comparison) {
     if (end - i > kShownValues) line += ", and " + std::to_string(end - i - kShownValues) + " more";
     if (trial_count < kShownTrials) {
       out += (trial_count == 0 ? "\n" : "");
-      out += wrapped("  " + identity.planner + ", " + place_text(identity), kWidth, 6) + "\n" +
-             wrapped(line, kWidth, 8) + "\n";
+      const std::string head = "  " + identity.planner + ", " + place_text(identity);
+      out += wrapped(visible_line(head), kWidth, 6) + "\n" +
+             wrapped(visible_line(line), kWidth, 8) + "\n";
     }
     i = end;
   }

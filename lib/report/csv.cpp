@@ -1,10 +1,47 @@
 #include "report/csv.hpp"
 
+#include <charconv>
 #include <cmath>
 
+#include "base/number_text.hpp"
 #include "store/record_format.hpp"
 
 namespace avoidbench {
+namespace {
+
+bool is_number(std::string_view word) {
+  if (word.starts_with('+')) word.remove_prefix(1);
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  return error == std::errc() && end == word.data() + word.size();
+}
+
+/// Whether a spreadsheet would take the word, or what follows its apostrophes, for a formula.
+bool may_be_formula(std::string_view word) {
+  const std::size_t start = word.find_first_not_of('\'');
+  if (start == std::string_view::npos) return false;
+  word.remove_prefix(start);
+  return std::string_view("=+-@\t\r").find(word.front()) != std::string_view::npos &&
+         !is_number(word);
+}
+
+}  // namespace
+
+std::string csv_field(std::string_view word) {
+  const std::string mark = may_be_formula(word) ? "'" : "";
+  if (word.find_first_of(",\"\r\n") == std::string_view::npos) return mark + std::string(word);
+  std::string quoted = "\"" + mark;
+  for (const char c : word) {
+    if (c == '"') quoted += '"';
+    quoted += c;
+  }
+  return quoted + "\"";
+}
+
+std::string_view text_of_csv_field(std::string_view field) {
+  const bool is_marked = field.starts_with('\'') && may_be_formula(field);
+  return is_marked ? field.substr(1) : field;
+}
 
 void CsvRow::begin_field() {
   if (!is_first_) text_ += ',';
@@ -19,16 +56,7 @@ CsvRow& CsvRow::add(double value) {
 
 CsvRow& CsvRow::add(std::string_view word) {
   begin_field();
-  if (word.find_first_of(",\"\r\n") == std::string_view::npos) {
-    text_ += word;
-    return *this;
-  }
-  text_ += '"';
-  for (const char c : word) {
-    if (c == '"') text_ += '"';
-    text_ += c;
-  }
-  text_ += '"';
+  text_ += csv_field(word);
   return *this;
 }
 

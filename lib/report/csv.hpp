@@ -8,12 +8,21 @@
 
 namespace avoidbench {
 
+/// A word as a field of a CSV file: in quotes where it needs them (RFC 4180). A spreadsheet takes a
+/// text that begins with = + - @, a tab or CR for a formula, which may do anything; such a text,
+/// but no number, gets an apostrophe before it, as OWASP advises. So does one that looks like that
+/// with apostrophes already before it, so that text_of_csv_field() gives back every word.
+std::string csv_field(std::string_view word);
+
+/// The word that csv_field() made this of, its quotes already taken off.
+std::string_view text_of_csv_field(std::string_view field);
+
 /// One line of a CSV file after RFC 4180. Numbers have the fewest digits that read back to the same
 /// bits; NaN and nothing are empty fields, infinity is `inf`.
 class CsvRow {
  public:
   CsvRow& add(double value);
-  CsvRow& add(std::string_view word);  ///< in quotes where it needs them
+  CsvRow& add(std::string_view word);  ///< as csv_field()
   CsvRow& add_value(const TableValue& value);
   CsvRow& add_vector(const double* xyz);  ///< three fields, empty where `xyz` is null
   CsvRow& add(const Eigen::Vector3d& v) { return add_vector(v.data()); }

@@ -1,6 +1,7 @@
 #include "report/export_trajectory.hpp"
 
 #include "avoidbench/planner.h"
+#include "base/number_text.hpp"
 #include "geometry/pose.hpp"
 #include "plugin/command_check.hpp"
 #include "report/csv.hpp"

@@ -7,6 +7,7 @@
 
 #include "base/check.hpp"
 #include "base/input_error.hpp"
+#include "base/number_text.hpp"
 #include "report/csv.hpp"
 #include "report/sweep_choice.hpp"
 #include "store/record_format.hpp"

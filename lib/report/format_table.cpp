@@ -1,9 +1,10 @@
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/number_text.hpp"
+#include "base/visible_text.hpp"
+#include "report/csv.hpp"
 #include "report/section_text.hpp"
 #include "report/table.hpp"
 
@@ -16,19 +17,7 @@ std::string exact(const Cell& cell) {
   if (const auto* seed = std::get_if<std::uint64_t>(&cell.value)) return std::to_string(*seed);
   const auto* value = std::get_if<double>(&cell.value);
   if (value == nullptr || std::isnan(*value)) return "";
-  std::array<char, 32> buffer{};
-  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), *value);
-  return {buffer.data(), result.ptr};
-}
-
-std::string in_csv(const std::string& field) {
-  if (field.find_first_of(",\"\r\n") == std::string::npos) return field;
-  std::string quoted = "\"";
-  for (const char c : field) {
-    if (c == '"') quoted += '"';
-    quoted += c;
-  }
-  return quoted + "\"";
+  return shortest(*value);
 }
 
 std::vector<std::string> key_names(std::span<const Section> sections) {
@@ -48,23 +37,23 @@ std::vector<std::string> key_names(std::span<const Section> sections) {
 std::string csv_of(std::span<const Section> sections) {
   const std::vector<std::string> keys = key_names(sections);
   std::string out = "sweep,table";
-  for (const std::string& key : keys) out += "," + in_csv(key);
+  for (const std::string& key : keys) out += "," + csv_field(key);
   out += ",name,unit,value\n";
   for (const Section& section : sections) {
     for (const Table& table : section.tables) {
       for (const std::vector<Cell>& row : table.rows) {
-        std::string start = in_csv(section.name) + "," + in_csv(table.name);
+        std::string start = csv_field(section.name) + "," + csv_field(table.name);
         for (const std::string& key : keys) {
           start += ",";
           for (std::size_t i = 0; i < row.size(); ++i) {
-            if (table.columns[i].name == key) start += in_csv(exact(row[i]));
+            if (table.columns[i].name == key) start += csv_field(exact(row[i]));
           }
         }
         for (std::size_t i = 0; i < row.size(); ++i) {
           const Column& column = table.columns[i];
           if (column.place == Place::key) continue;
-          out += start + "," + in_csv(column.name) + "," + in_csv(column.unit) + "," +
-                 in_csv(exact(row[i])) + "\n";
+          out += start + "," + csv_field(column.name) + "," + csv_field(column.unit) + "," +
+                 csv_field(exact(row[i])) + "\n";
         }
       }
     }
@@ -103,6 +92,31 @@ nlohmann::ordered_json json_of(const Section& section) {
           {"columns", columns}};
 }
 
+/// The section as people may see it: each text on one line, without control characters.
+Section visible_section(Section section) {
+  section.name = visible_line(section.name);
+  section.title = visible_line(section.title);
+  for (std::string& warning : section.warnings) warning = visible_line(warning);
+  for (auto& [sign, meaning] : section.notes) {
+    sign = visible_line(sign);
+    meaning = visible_line(meaning);
+  }
+  for (Table& table : section.tables) {
+    table.title = visible_line(table.title);
+    for (Column& column : table.columns) {
+      column.header = visible_line(column.header);
+      column.unit = visible_line(column.unit);
+      column.doc = visible_line(column.doc);
+    }
+    for (std::vector<Cell>& row : table.rows) {
+      for (Cell& cell : row) {
+        if (auto* words = std::get_if<std::string>(&cell.value)) *words = visible_line(*words);
+      }
+    }
+  }
+  return section;
+}
+
 }  // namespace
 
 std::string format_sections(std::span<const Section> sections, TableFormat format,
@@ -114,7 +128,8 @@ std::string format_sections(std::span<const Section> sections, TableFormat forma
     for (const Section& section : sections) all.push_back(json_of(section));
     return all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
   }
-  for (const Section& section : sections) {
+  for (const Section& given : sections) {
+    const Section section = visible_section(given);
     if (!out.empty()) out += "\n";
     if (format == TableFormat::table) out += terminal_text(section, style);
     if (format == TableFormat::markdown) out += markdown_text(section);

@@ -49,7 +49,7 @@ std::string in_latex(std::string_view text) {
       break;
     }
     if (is_sign) continue;
-    escaped += text.front() == '\n' ? ' ' : text.front();
+    escaped += text.front();
     text.remove_prefix(1);
   }
   return escaped;

@@ -9,8 +9,10 @@ namespace {
 std::string in_markdown(const std::string& text) {
   std::string escaped;
   for (const char c : text) {
-    if (c == '|' || c == '*' || c == '_' || c == '<' || c == '\\') escaped += '\\';
-    escaped += c == '\n' ? ' ' : c;
+    const bool ends_link_text = c == '(' && escaped.ends_with(']');
+    const bool is_mark = c == '|' || c == '*' || c == '_' || c == '<' || c == '`' || c == '\\';
+    if (is_mark || ends_link_text) escaped += '\\';
+    escaped += c;
   }
   return escaped;
 }

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/check.hpp"
+#include "base/number_text.hpp"
 #include "store/record_format.hpp"
 
 namespace avoidbench {

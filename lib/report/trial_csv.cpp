@@ -5,6 +5,8 @@
 #include <limits>
 
 #include "base/input_error.hpp"
+#include "base/number_text.hpp"
+#include "report/csv.hpp"
 #include "report/trial_table.hpp"
 #include "store/record_format.hpp"
 
@@ -14,16 +16,6 @@ namespace {
 constexpr std::string_view kTitle = "# avoidbench trials, format 1";
 constexpr std::array<std::string_view, 8> kColumns{
     "planner", "generator", "map_seed", "setting", "mission_index", "map", "mission", "outcome"};
-
-std::string in_csv(const std::string& field) {
-  if (field.find_first_of(",\"") == std::string::npos) return field;
-  std::string quoted = "\"";
-  for (const char c : field) {
-    if (c == '"') quoted += '"';
-    quoted += c;
-  }
-  return quoted + "\"";
-}
 
 std::string in_hex(std::uint64_t value) {
   std::array<char, 24> buffer{};
@@ -130,10 +122,10 @@ TableTrial trial_of(const CsvReader& reader, const std::vector<std::string>& fie
                 std::to_string(kColumns.size() + metric_count));
   }
   TableTrial trial;
-  trial.identity = {.planner = fields[0],
-                    .generator = fields[1],
+  trial.identity = {.planner = std::string(text_of_csv_field(fields[0])),
+                    .generator = std::string(text_of_csv_field(fields[1])),
                     .map_seed = reader.number<std::uint64_t>(fields[2], "map_seed"),
-                    .setting = fields[3],
+                    .setting = std::string(text_of_csv_field(fields[3])),
                     .mission_index = reader.number<std::int64_t>(fields[4], "mission_index")};
   trial.map = reader.number<std::uint64_t>(fields[5], "map", 16);
   trial.mission = reader.number<std::uint64_t>(fields[6], "mission", 16);
@@ -173,9 +165,10 @@ std::string csv_of_table(const TrialTable& table) {
   out += header + "\n";
   for (const TableTrial& trial : table.trials) {
     const TrialIdentity& id = trial.identity;
-    out += in_csv(id.planner) + "," + in_csv(id.generator) + "," + std::to_string(id.map_seed) +
-           "," + in_csv(id.setting) + "," + std::to_string(id.mission_index) + "," +
-           in_hex(trial.map) + "," + in_hex(trial.mission) + "," + std::string(text(trial.outcome));
+    out += csv_field(id.planner) + "," + csv_field(id.generator) + "," +
+           std::to_string(id.map_seed) + "," + csv_field(id.setting) + "," +
+           std::to_string(id.mission_index) + "," + in_hex(trial.map) + "," +
+           in_hex(trial.mission) + "," + std::string(text(trial.outcome));
     for (std::size_t i = 0; i < table.metrics.size(); ++i) {
       if (table.metrics[i].is_measured) continue;
       out += ",";

@@ -6,6 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "base/random.hpp"
+#include "base/visible_text.hpp"
+#include "report/csv.hpp"
 #include "report/table_text.hpp"
 
 namespace avoidbench {
@@ -212,6 +215,62 @@ TEST(Table, WidthsAreThoseOfATerminal) {
   EXPECT_EQ(cut_to_width("short", 6), "short");
   EXPECT_EQ(wrapped("one two three", 7, 2), "one two\n  three");
   EXPECT_EQ(wrapped("PO   a b", 6, 5), "PO   a\n     b");
+}
+
+/// A database of somebody else's may hold anything as a label.
+TEST(Table, ShowsControlCharactersToPeopleAndKeepsThemForPrograms) {
+  const std::string hostile = "\033]0;x\a=1+2\u202e\n\\input{/etc/passwd} ![p](http://h/p)`";
+  Section section = ::avoidbench::section();
+  section.title = section.name = hostile;
+  section.warnings = {hostile};
+  section.notes = {{hostile, hostile}};
+  section.tables[0].title = hostile;
+  section.tables[0].rows[0][0].value = hostile;
+  for (const TableFormat format : {TableFormat::table, TableFormat::markdown, TableFormat::latex}) {
+    const std::string text = format_sections({&section, 1}, format);
+    EXPECT_EQ(visible_text(text), text) << text;
+    EXPECT_EQ(text.find("\n\\input"), std::string::npos) << text;
+    EXPECT_EQ(text.find("![p](http"),
+              format == TableFormat::markdown ? std::string::npos : text.find("![p](http"));
+  }
+  const std::string json = format_sections({&section, 1}, TableFormat::json);
+  EXPECT_EQ(nlohmann::json::parse(json)[0]["tables"]["planners"][0]["planner"], hostile);
+  section.tables[0].rows[0][0].value = "no UTF-8: \xff";
+  EXPECT_TRUE(nlohmann::json::accept(format_sections({&section, 1}, TableFormat::json)));
+}
+
+/// RFC 4180, read back.
+std::string unquoted(std::string_view field) {
+  const std::vector<std::vector<std::string>> rows = parsed_csv(std::string(field) + "\n");
+  return rows.at(0).at(0);
+}
+
+TEST(Csv, NoFieldIsAFormula) {
+  EXPECT_EQ(csv_field("=1+2"), "'=1+2");
+  EXPECT_EQ(csv_field("@SUM(A1)"), "'@SUM(A1)");
+  EXPECT_EQ(csv_field("+cmd|' /C calc'!A0"), "'+cmd|' /C calc'!A0");
+  EXPECT_EQ(csv_field("-a,b"), "\"'-a,b\"");
+  EXPECT_EQ(csv_field("\t=1"), "'\t=1");
+  EXPECT_EQ(csv_field("\r=1"), "\"'\r=1\"");
+  EXPECT_EQ(csv_field("'=1"), "''=1");
+  for (const std::string word : {"-5", "+5", "-0.25", "-1e-300", "-inf", "a=b", "ego", "'quoted'",
+                                 "O'Neill", "'", "", "1-2"}) {
+    EXPECT_EQ(csv_field(word), word);
+  }
+}
+
+TEST(Csv, EveryWordReadsBack) {
+  const std::string letters = "'=+-@\t\r\n\",a5. ";
+  RandomStream random = stream(1, "csv words");
+  for (int round = 0; round < 20000; ++round) {
+    std::string word(random.below(6), ' ');
+    for (char& c : word) c = letters[random.below(letters.size())];
+    const std::string field = csv_field(word), bare = unquoted(field);
+    EXPECT_EQ(text_of_csv_field(bare), word) << field;
+    if (bare.find_first_of("=+-@\t\r") == 0) {
+      EXPECT_NO_THROW(static_cast<void>(std::stod(bare))) << bare;
+    }
+  }
 }
 
 }  // namespace

@@ -74,6 +74,7 @@ TEST(TrialTable, CsvKeepsEveryBit) {
   table.trials[1].metrics[0] = std::numeric_limits<double>::quiet_NaN();
   table.trials[2].metrics[0] = std::numeric_limits<double>::denorm_min();
   table.trials[3].identity.planner = "a, \"quoted\"";
+  table.trials[2].identity.planner = "=a formula";
   compare_samples::sort(table);
   const std::string csv = csv_of_table(table);
   const TrialTable read = table_of_csv(csv, "t.csv");

@@ -1,0 +1,97 @@
+#include "visible_streams.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <iostream>
+#include <streambuf>
+#include <string>
+#include <string_view>
+
+#include "base/visible_text.hpp"
+
+namespace avoidbench {
+namespace {
+
+// What terminal_text() paints with.
+constexpr std::array<std::string_view, 5> kOwnColours{"\033[0m", "\033[1m", "\033[2m", "\033[32m",
+                                                      "\033[33m"};
+
+/// Length of the colour at the start of `text`, or 0.
+std::size_t colour_length(std::string_view text) {
+  for (const std::string_view colour : kOwnColours) {
+    if (text.starts_with(colour)) return colour.size();
+  }
+  return 0;
+}
+
+/// Hands on to another buffer what visible_text() makes of the text.
+class VisibleBuffer : public std::streambuf {
+ public:
+  explicit VisibleBuffer(std::streambuf* target) : target_(target) {}
+
+ protected:
+  int_type overflow(int_type c) override {
+    if (traits_type::eq_int_type(c, traits_type::eof())) return traits_type::not_eof(c);
+    const char letter = traits_type::to_char_type(c);
+    return xsputn(&letter, 1) == 1 ? c : traits_type::eof();
+  }
+
+  std::streamsize xsputn(const char* text, std::streamsize count) override {
+    held_.append(text, static_cast<std::size_t>(count));
+    const std::size_t length = held_.size() - unfinished_bytes(held_);
+    const bool is_written = put(std::string_view(held_).substr(0, length));
+    held_.erase(0, length);
+    return is_written ? count : 0;
+  }
+
+  int sync() override {
+    const bool is_written = put(held_);
+    held_.clear();
+    return is_written && target_->pubsync() == 0 ? 0 : -1;
+  }
+
+ private:
+  bool put(std::string_view text) {
+    std::string shown;
+    while (!text.empty()) {
+      const std::size_t colour = colour_length(text);
+      shown += text.substr(0, colour);
+      text.remove_prefix(colour);
+      const std::size_t next = text.find('\033', colour == 0 && text.starts_with('\033') ? 1 : 0);
+      shown += visible_text(text.substr(0, next));
+      text.remove_prefix(std::min(text.size(), next));
+    }
+    const auto size = static_cast<std::streamsize>(shown.size());
+    return target_->sputn(shown.data(), size) == size;
+  }
+
+  std::streambuf* target_;
+  std::string held_;  ///< the beginning of a character whose rest is still to come
+};
+
+/// std::cout's own buffer, before make_streams_visible().
+std::streambuf* plain_output() {
+  static std::streambuf* const buffer = std::cout.rdbuf();
+  return buffer;
+}
+
+}  // namespace
+
+void make_streams_visible() {
+  // Never destroyed: streams are written to until the very end of the program.
+  plain_output();
+  std::cout.rdbuf(new VisibleBuffer(std::cout.rdbuf()));
+  std::cerr.rdbuf(new VisibleBuffer(std::cerr.rdbuf()));
+}
+
+std::ostream& data_output() {
+  static const bool is_terminal = ::isatty(STDOUT_FILENO) == 1;
+  if (is_terminal) return std::cout;
+  static std::ostream plain(plain_output());
+  std::cout.flush();  // what was said before stands before
+  return plain;
+}
+
+}  // namespace avoidbench
