@@ -6,6 +6,7 @@
 #include "base/check.hpp"
 #include "base/input_error.hpp"
 #include "plugin/command_check.hpp"
+#include "plugin/cpu_meter.hpp"
 #include "plugin/float_guard.hpp"
 #include "plugin/host_buffers.hpp"
 #include "plugin/locale_guard.hpp"
@@ -13,9 +14,9 @@
 namespace avoidbench {
 namespace {
 
-double clock_s(clockid_t clock) {
+double wall_clock_s() {
   timespec now{};
-  clock_gettime(clock, &now);
+  clock_gettime(CLOCK_MONOTONIC, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
@@ -44,26 +45,32 @@ std::string error_text(const char* function, HostSide& host) {
 }  // namespace
 
 struct PlannerInstance::Internals {
+  explicit Internals(ThreadOwner library) : meter(library) {}
+
   const ab_planner* table = nullptr;
   std::vector<CameraSetup> cameras;
   HostSide host;
   ObservationBuffers observation;
   void* instance = nullptr;
   CallClock* clock = nullptr;
+  CpuMeter meter;
 
   ~Internals() {
-    if (instance != nullptr) escaped_exception(clock, [this] { table->destroy(instance); });
+    if (instance == nullptr) return;
+    meter.begin_call();
+    escaped_exception(clock, [this] { table->destroy(instance); });
   }
 };
 
 PlannerInstance::PlannerInstance(const PlannerLibrary& library, const PlannerSetup& setup,
                                  const std::vector<ParameterValue>& values, CallClock* clock)
-    : internals_(std::make_unique<Internals>()) {
+    : internals_(std::make_unique<Internals>(library.thread_owner())) {
   AB_CHECK(values.size() == library.description().parameters.size(), values.size());
   internals_->table = &library.table();
   internals_->cameras = setup.cameras;
   internals_->clock = clock;
   const SetupBuffers buffers(setup, values, internals_->table->needs);
+  internals_->meter.begin_call();
   std::string problem = escaped_exception(clock, [&] {
     internals_->instance = internals_->table->create(&internals_->host.table(), &buffers.setup());
   });
@@ -86,8 +93,10 @@ std::string PlannerInstance::reset(const PlannerMission& mission) {
   const ab_mission given = to_mission(mission);
   ab_status status = AB_ERROR;
   self.host.take_error();
+  self.meter.begin_call();
   const std::string escaped =
       escaped_exception(self.clock, [&] { status = self.table->reset(self.instance, &given); });
+  self.meter.settle();
   if (!escaped.empty()) return escaped;
   return status == AB_OK ? "" : error_text("reset", self.host);
 }
@@ -100,12 +109,12 @@ PlanResult PlannerInstance::plan(const PlannerView& view) {
   ab_status status = AB_ERROR;
   self.host.take_error();
 
-  const double wall_before_s = clock_s(CLOCK_MONOTONIC);
-  const double cpu_before_s = clock_s(CLOCK_THREAD_CPUTIME_ID);
+  self.meter.begin_call();
+  const double wall_before_s = wall_clock_s();
   std::string problem = escaped_exception(
       self.clock, [&] { status = self.table->plan(self.instance, &observation, &result.command); });
-  result.cpu_time_s = clock_s(CLOCK_THREAD_CPUTIME_ID) - cpu_before_s;
-  result.wall_time_s = clock_s(CLOCK_MONOTONIC) - wall_before_s;
+  result.wall_time_s = wall_clock_s() - wall_before_s;
+  result.cpu_time_s = self.meter.end_call();
 
   if (problem.empty() && status == AB_OK) {
     problem = command_problem(result.command, self.table->commands);

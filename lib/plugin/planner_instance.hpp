@@ -76,7 +76,9 @@ struct PlanResult {
   std::string reason;    ///< of an error, or why it gave up
   ab_command command{};  ///< valid for PlanStatus::command; its `points` member is null, see below
   std::vector<ab_point> points;
-  double cpu_time_s = 0;  ///< thread CPU time of the call, measured by the host
+  /// CPU time of the calling thread in the call, and of the planner's other threads in it and since
+  /// its last call; see CpuMeter.
+  double cpu_time_s = 0;
   double wall_time_s = 0;
 };
 

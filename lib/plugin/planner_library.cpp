@@ -47,6 +47,15 @@ void check_file(const std::filesystem::path& file) {
   if (!problem.empty()) fail(file, problem);
 }
 
+/// Threads that start for as long as it lives are the library's.
+class LoadingThreads {
+ public:
+  explicit LoadingThreads(ThreadOwner owner) { threads_belong_to(owner); }
+  ~LoadingThreads() { threads_belong_to(kHostThreads); }
+  LoadingThreads(const LoadingThreads&) = delete;
+  LoadingThreads& operator=(const LoadingThreads&) = delete;
+};
+
 /// Looked at before loading, since to load a library is to run its constructors.
 void check_symbol(const std::filesystem::path& file) {
   const std::vector<std::string> symbols = exported_symbols(file);
@@ -102,6 +111,8 @@ PlannerLibrary PlannerLibrary::load_checked(const std::filesystem::path& file, C
   const LocaleGuard locale_guard;
   const TimedCall timed(clock);
   any_loaded = true;
+  const ThreadOwner owner = new_thread_owner();
+  const LoadingThreads threads(owner);
   void* handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr) {
     const char* reason = dlerror();
@@ -120,6 +131,7 @@ PlannerLibrary PlannerLibrary::load_checked(const std::filesystem::path& file, C
   }
   library.description_ = describe_table(*library.table_);
   library.description_.file = file;
+  library.thread_owner_ = owner;
   return library;
 }
 

@@ -7,6 +7,7 @@
 
 #include "avoidbench/planner.h"
 #include "plugin/call_clock.hpp"
+#include "plugin/cpu_meter.hpp"
 #include "plugin/planner_description.hpp"
 
 namespace avoidbench {
@@ -32,10 +33,12 @@ class PlannerLibrary {
 
   const PlannerDescription& description() const { return description_; }
   const ab_planner& table() const { return *table_; }
+  ThreadOwner thread_owner() const { return thread_owner_; }  ///< of threads that loading started
 
  private:
   PlannerDescription description_;
   const ab_planner* table_ = nullptr;
+  ThreadOwner thread_owner_ = kHostThreads;
 };
 
 /// Where bare names are looked up, in order: AVOIDBENCH_PLANNER_PATH (colon-separated), the build

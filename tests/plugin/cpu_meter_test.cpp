@@ -1,0 +1,94 @@
+#include "plugin/cpu_meter.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+
+#include "plugin/bad_planners.hpp"
+#include "plugin/conformance_flight.hpp"
+#include "plugin/planner_instance.hpp"
+
+namespace avoidbench {
+namespace {
+
+PlannerInstance threads_planner(const std::string& how) {
+  const PlannerLibrary library = PlannerLibrary::load(bad_planner("threads"));
+  PlannerInstance planner(library, conformance_setup(),
+                          resolve_parameters(library.description(), {{"how", {0.0, how}}}));
+  EXPECT_EQ(planner.reset({}), "");
+  return planner;
+}
+
+/// CPU time that so many calls are charged.
+double used_s(PlannerInstance& planner, int calls) {
+  PlannerView view;
+  view.position_world = view.velocity_world = view.rates_body = Eigen::Vector3d::Zero();
+  view.q_world_body.setIdentity();
+  double total_s = 0.0;
+  for (int i = 0; i < calls; ++i) {
+    const PlanResult result = planner.plan(view);
+    EXPECT_EQ(result.status, PlanStatus::command) << result.reason;
+    total_s += result.cpu_time_s;
+  }
+  return total_s;
+}
+
+TEST(CpuMeter, CountsTheCallingThread) {
+  PlannerInstance planner = threads_planner("calling");
+  const double calls_s = used_s(planner, 2);
+  EXPECT_GE(calls_s, 0.12);
+  EXPECT_LT(calls_s, 0.13);
+}
+
+TEST(CpuMeter, CountsThreadsThatCallsStartAndEnd) {
+  PlannerInstance planner = threads_planner("three");
+  const double calls_s = used_s(planner, 2);
+  EXPECT_GE(calls_s, 0.36);
+  EXPECT_LT(calls_s, 0.42);
+}
+
+TEST(CpuMeter, CountsAThreadThatGoesOnBehindTheCalls) {
+  PlannerInstance planner = threads_planner("behind");
+  const double calls_s = used_s(planner, 4);  // two times 60 ms
+  EXPECT_GE(calls_s, 0.11);                   // what the kernel has not added up yet is missing
+  EXPECT_LT(calls_s, 0.15);
+}
+
+TEST(CpuMeter, ChargesNobodyForTheHostsAndOtherPlannersThreads) {
+  const auto spin = [](const std::stop_token& stop) {
+    while (!stop.stop_requested()) {
+    }
+  };
+  threads_belong_to(kHostThreads);
+  const std::jthread host(spin);
+  PlannerInstance busy = threads_planner("spin");
+  PlannerInstance planner = threads_planner("calling");
+  const double calls_s = used_s(planner, 3);
+  EXPECT_GE(calls_s, 0.18);
+  EXPECT_LT(calls_s, 0.195);
+  // The other one is charged for its thread from its reset on.
+  EXPECT_EQ(busy.reset({}), "");
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  EXPECT_GT(used_s(busy, 1), 0.01);
+}
+
+TEST(CpuMeter, CostsLittle) {
+  constexpr int kCalls = 20'000;
+  PlannerInstance planner = threads_planner("calling");
+  CpuMeter meter(new_thread_owner());
+  meter.begin_call();
+  meter.settle();
+  double total_s = 0.0;
+  const auto began = std::chrono::steady_clock::now();
+  for (int i = 0; i < kCalls; ++i) {
+    meter.begin_call();
+    total_s += meter.end_call();
+  }
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
+  RecordProperty("microseconds_a_call", std::to_string(1e6 * took.count() / kCalls));
+  EXPECT_LT(total_s / kCalls, 5e-6);  // charged for doing nothing
+}
+
+}  // namespace
+}  // namespace avoidbench
