@@ -2,7 +2,7 @@
 """Flies planners that attack the program, one way at a time, beside good ones, and looks at what that did.
 
     hostile_runs.py PROGRAM --planners FOLDER [--good FOLDER] [--ways a,b] [--part I/N] [--parallel N] [--run-option=--no-sandbox] [--before WORDS]
-                    [--keep FOLDER]
+                    [--as-user UID] [--keep FOLDER]
 
 FOLDER has the libraries of tests/sweep/hostile. For each way a small sweep is flown by two workers. After it, the good planners' rows are
 those of a run without the hostile one, to the bit; its own rows are those of the flight that it would have had, or say how it failed,
@@ -126,7 +126,7 @@ def inside(file):
         os.dup2(terminal, 0)
         os.closerange(3, 64)
         os.chdir(folder)
-        os.execve(given["command"][0], given["command"], given["environment"])
+        os.execvpe(given["command"][0], given["command"], given["environment"])
     foreground = set()
 
     def look():
@@ -171,6 +171,11 @@ class Runs:
         self.given, self.folder = given, folder
         self.program = str(pathlib.Path(given.program).resolve())
         self.before = namespaces()
+        self.words = list(given.before)
+        if given.as_user:
+            self.words[:0] = ["setpriv", f"--reuid={given.as_user}", f"--regid={given.as_user}", "--clear-groups"]
+            folder.chmod(0o755)
+            self.program = str(shutil.copy(self.program, folder))  # its own folder need not be open to that user
         options = subprocess.run([self.program, "run", "--help"], capture_output=True, text=True).stdout
         self.options = ["--jobs", "2", "--quiet", "--plan-timeout", str(PLAN_TIMEOUT_S), "--memory-limit", str(MEMORY_MIB), *given.run_option]
         self.trial_limit_s = SILENCE_S
@@ -185,7 +190,7 @@ class Runs:
             print("no locale with a decimal comma can be made here: its ways change nothing")
         self.metrics = 0
         self.honest = self.schema = None
-        self.honest_s = 0.0
+        self.honest_s, self.honest_text = 0.0, ""
 
     def prepare(self, name, way, library):
         """A folder with the sweep and the planners, and an empty home beside it."""
@@ -198,6 +203,9 @@ class Runs:
         shutil.copy(pathlib.Path(self.given.planners) / f"{library}.so", folder / "planners")
         hostile = PLANNER.format(library=library, way=way, folder=folder, metrics=self.metrics) if way else ""
         (folder / "sweep.yaml").write_text(SWEEP.format(missions=self.given.missions, hostile=hostile))
+        if self.given.as_user:
+            for path in [folder, *folder.rglob("*"), folder.parent / "home", folder.parent / "temporary"]:
+                os.chown(path, self.given.as_user, self.given.as_user)
         return folder
 
     def run(self, folder, deadline_s):
@@ -205,7 +213,7 @@ class Runs:
         home = folder.parent
         environment = {name: value for name, value in os.environ.items() if name in ("PATH", "LANG", "LD_LIBRARY_PATH")}
         environment |= {"HOME": str(home / "home"), "TMPDIR": str(home / "temporary"), "LOCPATH": str(self.locales)}
-        command = [*self.given.before, self.program, "run", "sweep.yaml", "--db", "results.db", *self.options]
+        command = [*self.words, self.program, "run", "sweep.yaml", "--db", "results.db", *self.options]
         (home / "given.json").write_text(json.dumps({"folder": str(folder), "command": command, "environment": environment,
                                                      "deadline_s": deadline_s,
                                                      "has_terminal": home.name.removesuffix("_again") in TERMINAL}))
@@ -230,7 +238,7 @@ class Runs:
         found = self.run(folder, 120.0)
         if found["code"] != 0:
             sys.exit(f"the sweep itself does not fly: exit code {found['code']}, {found['stderr']}")
-        self.honest, self.honest_s = rows(folder / "results.db"), found["took_s"]
+        self.honest, self.honest_s, self.honest_text = rows(folder / "results.db"), found["took_s"], found["stderr"]
         self.schema = schema_of(folder / "results.db")
         if good_of(self.honest) != good_of(alone) or len(good_of(alone)) != 2 * self.given.missions:
             sys.exit("the good planners fly differently beside one that does nothing")
@@ -375,7 +383,7 @@ def chosen(given, has_namespaces):
     return [name for name in names if name not in dangerous]
 
 
-def main():
+def arguments(words):
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program")
     parser.add_argument("--planners", required=True, type=pathlib.Path)
@@ -386,9 +394,15 @@ def main():
     parser.add_argument("--parallel", type=int, default=1)
     parser.add_argument("--run-option", action="append", default=[])
     parser.add_argument("--before", type=shlex.split, default=[], help="what stands before the program on its command line")
+    parser.add_argument("--as-user", type=int, default=0, help="for root: runs as this user")
     parser.add_argument("--keep", type=pathlib.Path, help="where the runs' folders stay")
-    given = parser.parse_args()
+    given = parser.parse_args(words)
     given.good = given.good or pathlib.Path(given.program).resolve().parent / "planners"
+    return given
+
+
+def main():
+    given = arguments(sys.argv[1:])
     began = time.monotonic()
     with tempfile.TemporaryDirectory(dir=given.keep) as name:
         runs = Runs(given, pathlib.Path(tempfile.mkdtemp(dir=given.keep)) if given.keep else pathlib.Path(name))

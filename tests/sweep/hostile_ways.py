@@ -84,10 +84,10 @@ RESULTS = either(
 TIMES = (
     fails(HUNG, "spin", "spin_at_reset", "spin_at_create", "sleep_in_call", "wait_for_itself") |
     either("sleep_in_each_call", limit="trial") |
-    honest("spin_at_destroy", "hang_at_exit", "leave_at_exit", "abort_at_exit", "limit_memory", "limit_files", "limit_stack", "move_clock") |
+    honest("spin_at_destroy", "hang_at_exit", "leave_at_exit", "abort_at_exit", "limit_files", "limit_stack", "move_clock") |
     fails(CRASHED + ".*exit code 0", "exit_well", "exit_at_create", "exit_at_reset", "exit_at_once", "exit_quickly") |
     fails(CRASHED + ".*exit code 75", "exit_as_stopped") |
-    either("exit_as_hung", "limit_descriptors") |
+    either("exit_as_hung", "limit_descriptors", "limit_memory") |
     fails("^planner_(hung|crashed): ", "hang_at_exit_now", "limit_time") |
     fails(CRASHED + ".*signal 6", "dump_core"))
 
@@ -100,8 +100,9 @@ ENVIRONMENT = (
 
 COMMANDS = (
     fails(ERROR, "give_nan", "give_infinity", "give_nan_horizon", "give_no_kind", "give_undeclared_kind", "give_all_kinds", "give_points_nowhere",
-          "give_one_point", "give_points_backward", "answer_77", "fail_without_text", "fail_at_length", "fail_with_controls",
+          "give_one_point", "give_points_backward", "answer_77", "fail_without_text", "fail_with_controls",
           "fail_with_broken_text", "fail_with_null", "fail_with_formats", "fail_at_reset") |
+    fails("^planner_(error|crashed): ", "fail_at_length") |
     either("give_flags", "give_size_zero", "give_size_huge", "give_endless_points", "give_points_not_aligned",
            "give_points_freed", "give_points_at_code", "log_null", "log_without_context", "ask_for_extension", "set_error_in_thread",
            "draw_endlessly") |
