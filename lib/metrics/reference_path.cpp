@@ -1,8 +1,10 @@
 #include "metrics/reference_path.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <queue>
+#include <unordered_map>
 
 #include "metrics/taut_path.hpp"
 
@@ -22,21 +24,40 @@ struct Search {
   std::int64_t start_index, goal_index;
   std::vector<double> cost_m;        ///< +inf: not reached
   std::vector<std::int32_t> parent;  ///< of reached cells
+  std::vector<bool> is_sighted;      ///< whether the way from the parent is known to be free
   std::vector<bool> closed;
+  std::unordered_map<std::int64_t, Vector3d> beside_surface;  ///< places of such cells, once asked
 
-  Vector3d place(std::int64_t index) const {
-    if (index == start_index) return start;
-    if (index == goal_index) return goal.center_world;
-    return grid.centre(grid.cell(index));
-  }
-  /// No way to the goal region is shorter: it is reached at any height.
-  double heuristic_m(std::int64_t index) const {
-    return std::max(0.0, (goal.center_world - place(index)).head<2>().norm() - goal.radius_m);
-  }
-  bool is_free(const Vector3d& point) const {
+  bool is_free(const Vector3d& point) {
     return grid.region().contains(point) && grid.is_free(point, radius_m);
   }
+  Vector3d place(std::int64_t index);
 };
+
+/// Where the ball stands in a cell: at its centre, or, where a surface is about the ball's radius
+/// from there, touching it. So paths can lie against surfaces, and their lengths are true enough to
+/// choose by which side of an obstacle to pass.
+Vector3d Search::place(std::int64_t index) {
+  if (index == start_index) return start;
+  if (index == goal_index) return goal.center_world;
+  const Vector3i cell = grid.cell(index);
+  const Vector3d centre = grid.centre(cell);
+  const double lacking_m = radius_m - grid.clearance_m(cell);
+  if (lacking_m <= 0.0 || lacking_m > 0.5 * grid.cell_m()) return centre;
+  const auto [found, is_new] = beside_surface.try_emplace(index, centre);
+  if (is_new) {
+    constexpr double kSpare_m = 1e-5;
+    const Vector3d away = centre - grid.nearest_surface(centre);
+    const Vector3d touching = centre + away.normalized() * (radius_m + kSpare_m - away.norm());
+    if (is_free(touching)) found->second = touching;
+  }
+  return found->second;
+}
+
+/// No way from `place` to the goal region is shorter: it is reached at any height.
+double heuristic_m(const Search& search, const Vector3d& place) {
+  return std::max(0.0, (search.goal.center_world - place).head<2>().norm() - search.goal.radius_m);
+}
 
 /// An entry of the open list. Ties go to the longer way behind, then to the lower index, so that
 /// the order is fixed.
@@ -86,7 +107,7 @@ bool settle_parent(Search& search, std::int64_t index) {
   return best_m < std::numeric_limits<double>::infinity();
 }
 
-Path path_to(const Search& search, std::int64_t index) {
+Path path_to(Search& search, std::int64_t index) {
   Path path{search.place(index)};
   for (std::int64_t i = index; i != search.start_index;) {
     i = search.parent[static_cast<std::size_t>(i)];
@@ -102,14 +123,21 @@ Path any_angle_search(Search& search) {
   std::priority_queue<Open> open;
   search.cost_m[at(search.start_index)] = 0.0;
   search.parent[at(search.start_index)] = static_cast<std::int32_t>(search.start_index);
-  open.push({search.heuristic_m(search.start_index), 0.0, search.start_index});
+  search.is_sighted[at(search.start_index)] = true;
+  open.push({heuristic_m(search, search.start), 0.0, search.start_index});
   while (!open.empty()) {
     const std::int64_t index = open.top().index;
     open.pop();
     if (search.closed[at(index)]) continue;
-    if (index != search.start_index && !settle_parent(search, index)) {
-      search.cost_m[at(index)] = std::numeric_limits<double>::infinity();
-      continue;
+    if (!search.is_sighted[at(index)]) {
+      const double hoped_m = search.cost_m[at(index)];
+      if (!settle_parent(search, index)) continue;
+      search.is_sighted[at(index)] = true;
+      const double cost_m = search.cost_m[at(index)];
+      if (cost_m > hoped_m) {  // others may come first now
+        open.push({cost_m + heuristic_m(search, search.place(index)), cost_m, index});
+        continue;
+      }
     }
     search.closed[at(index)] = true;
     if (search.goal.contains(search.place(index))) return path_to(search, index);
@@ -122,7 +150,8 @@ Path any_angle_search(Search& search) {
       if (cost_m >= search.cost_m[at(next)] || !search.is_free(there)) return;
       search.cost_m[at(next)] = cost_m;
       search.parent[at(next)] = static_cast<std::int32_t>(parent);
-      open.push({cost_m + search.heuristic_m(next), cost_m, next});
+      search.is_sighted[at(next)] = false;
+      open.push({cost_m + heuristic_m(search, there), cost_m, next});
     });
   }
   return {};
@@ -151,7 +180,9 @@ std::optional<Path> reference_path(ClearanceGrid& grid, const Mission& mission,
                 .goal_index = grid.index(grid.cell_of(mission.goal_world)),
                 .cost_m = std::vector<double>(count, std::numeric_limits<double>::infinity()),
                 .parent = std::vector<std::int32_t>(count, -1),
-                .closed = std::vector<bool>(count, false)};
+                .is_sighted = std::vector<bool>(count, false),
+                .closed = std::vector<bool>(count, false),
+                .beside_surface = {}};
   Path path = any_angle_search(search);
   if (path.empty()) return std::nullopt;
   pull_taut(grid, radius_m, goal, path);

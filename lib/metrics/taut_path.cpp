@@ -127,6 +127,17 @@ Path with_bends_split(const Path& path) {
   return split;
 }
 
+/// Adds a vertex beside what stands between the last one and the nearest point of the region, so
+/// that the path can bend there and its end slide on.
+void split_before_goal(ClearanceGrid& grid, double radius_m, const GoalRegion& goal, Path& path) {
+  const Vector3d before = path[path.size() - 2], end = path.back();
+  const auto blocked = grid.obstruction(before, nearest_of(goal, before), radius_m);
+  if (!blocked || (end - before).squaredNorm() < 1e-6) return;
+  const double along = (*blocked - before).dot(end - before) / (end - before).squaredNorm();
+  path.back() = before + std::clamp(along, 0.05, 0.95) * (end - before);
+  path.push_back(end);
+}
+
 }  // namespace
 
 Vector3d nearest_of(const GoalRegion& goal, const Vector3d& from) {
@@ -168,6 +179,7 @@ void pull_taut(ClearanceGrid& grid, double radius_m, const GoalRegion& goal, Pat
   for (int split = 0; split <= kSplits; ++split) {
     drop_idle_vertices(grid, radius_m, path);
     if (split > 0) path = with_bends_split(path);
+    split_before_goal(grid, radius_m, goal, path);
     for (int round = 0; round < kMostRounds; ++round) {
       const double before_m = path_length_m(path);
       for (std::size_t i = 1; i + 1 < path.size(); ++i) {
