@@ -30,20 +30,22 @@ def fails(message, *names, **more):
 CRASHED, HUNG, ERROR = "^planner_crashed: ", "^planner_hung: ", "^planner_error: "
 
 MEMORY = (
-    fails(CRASHED + ".*(memory|signal)", "fill_heap", "map_terabyte", "fill_children") |
-    either("fill_memfd", "fill_shared_memory", "lock_memory", "write_observation", "write_later", "break_heap", "unmap_itself") |
+    fails(CRASHED + ".*(memory|signal)", "fill_heap", "map_terabyte") |
+    fails("^planner_(crashed|hung)", "fill_children") |
+    either("fill_memfd", "fill_shared_memory", "lock_memory", "write_observation", "write_later", "unmap_itself") |
     fails(CRASHED + ".*signal 11", "overflow_stack", "write_null", "call_null", "unmap_stack") |
-    fails(CRASHED + ".*signal 6", "free_twice") |
+    fails(CRASHED + ".*signal 6", "free_twice", "break_heap") |
     fails(CRASHED + ".*signal", "write_code"))
 
 SIGNALS = (
     fails(CRASHED + ".*signal", "raise_segv", "raise_bus", "raise_fpe", "raise_ill", "raise_trap", "raise_xcpu", "raise_sys", "raise_abort",
-          "raise_hangup", "raise_quit", "raise_alarm", "raise_realtime", "crash_ignored", "ring_later", "overflow_without_stack",
+          "raise_quit", "raise_alarm", "raise_realtime", "crash_ignored", "ring_later", "overflow_without_stack",
           "jump_into_past", "trap_floats") |
     {name: Expectation(ANY) for name in ("jump_into_past", "trap_floats", "ring_later")} |
     honest("raise_pipe", "raise_term", "raise_interrupt", "leave_signals_blocked", "interrupt_often") |
-    fails(CRASHED + ".*signal 9", "raise_kill") |
-    fails(HUNG, "raise_stop", "hold_watchdog", "cancel_watchdog", "hold_watchdog_and_beat", limit="trial") |
+    honest("raise_kill", "raise_stop") |
+    either("raise_hangup", "end_by_term", "end_by_timer", "end_by_pipe") |
+    fails(HUNG, "hold_watchdog", "cancel_watchdog", "hold_watchdog_and_beat", limit="trial") |
     fails(HUNG, "crash_handled", "block_signals") |
     fails(CRASHED + ".*exit code 0", "crash_as_success"))
 

@@ -110,8 +110,9 @@ static void call_null(struct Attack* attack) {
 /* Overwrites what the allocator keeps before a block, then frees it. */
 static void break_heap(struct Attack* attack) {
   (void)attack;
-  char* volatile block = malloc(2000);
-  memset((char*)block - 16, 0x5a, 32);
+  char* block = malloc(2000);
+  volatile char* before = block - 16;
+  for (int i = 0; i < 32; ++i) before[i] = 0x5a;
   free(block);
 }
 

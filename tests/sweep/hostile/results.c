@@ -48,12 +48,12 @@ static const char* metrics_of(const struct Attack* attack, const char* value) {
 static const char* forged_trial(const struct Attack* attack, const char* end_time,
                                 const char* metric) {
   static char text[20000];
-  snprintf(
-      text, sizeof text,
-      "{\"error\":\"\",\"is_out_of_memory\":false,\"wall_time_s\":0.5,\"metrics\":%s,\"trial\":{"
-      "\"collisions\":[],\"end_time_s\":%s,\"outcome\":\"reached_goal\",\"plan_calls\":\"[]\","
-      "\"reason\":\"forged\"}}",
-      metrics_of(attack, metric), end_time);
+  snprintf(text, sizeof text,
+           "{\"token\":\"00000000000000000000000000000000\",\"error\":\"\",\"is_out_of_memory\":"
+           "false,\"wall_time_s\":0.5,\"metrics\":%s,\"trial\":{"
+           "\"collisions\":[],\"end_time_s\":%s,\"outcome\":\"reached_goal\",\"plan_calls\":\"[]\","
+           "\"reason\":\"forged\"}}",
+           metrics_of(attack, metric), end_time);
   return text;
 }
 
@@ -96,28 +96,44 @@ static void forge_null(struct Attack* attack) {
 SENDS(forge_empty, "{}", 0)
 SENDS(forge_list, "[1,2,3]", 0)
 SENDS(forge_text, "this is not JSON", 0)
-SENDS(forge_half, "{\"error\":\"\",\"is_out_of_memory\":false,\"wall_time_s\":0.5,\"trial\":{}}", 0)
+SENDS(forge_half,
+      "{\"token\":\"00000000000000000000000000000000\",\"error\":\"\",\"is_out_of_memory\":false,"
+      "\"wall_time_s\":0.5,\"trial\":{}}",
+      0)
 SENDS(forge_kinds,
-      "{\"error\":7,\"is_out_of_memory\":\"no\",\"wall_time_s\":[],\"trial\":7,\"metrics\":{}}", 0)
+      "{\"token\":\"00000000000000000000000000000000\",\"error\":7,\"is_out_of_memory\":\"no\","
+      "\"wall_time_s\":[],\"trial\":7,\"metrics\":{}}",
+      0)
 SENDS(
     forge_outcome,
-    "{\"error\":\"\",\"is_out_of_memory\":false,\"wall_time_s\":0.5,\"metrics\":[],\"trial\":{"
+    "{\"token\":\"00000000000000000000000000000000\",\"error\":\"\",\"is_out_of_memory\":false,"
+    "\"wall_time_s\":0.5,\"metrics\":[],\"trial\":{"
     "\"collisions\":[],"
     "\"end_time_s\":0.125,\"outcome\":\"won\",\"plan_calls\":\"not JSON\",\"reason\":\"forged\"}}",
     0)
 /* The map, in place of a trial. */
 SENDS(
     forge_map,
-    "{\"error\":\"\",\"is_out_of_memory\":false,\"wall_time_s\":0.5,\"map\":{\"world_digest\":"
+    "{\"token\":\"00000000000000000000000000000000\",\"error\":\"\",\"is_out_of_memory\":false,"
+    "\"wall_time_s\":0.5,\"map\":{\"world_digest\":"
     "\"forged\","
     "\"obstacle_count\":0,\"triangle_count\":0,\"traversability\":1,\"traversability_normalized_"
     "ratio\":1,"
     "\"relative_gap_size\":1,\"obstacle_density_1pm2\":0,\"free_volume_ratio\":1,\"missions\":[]}}",
     0)
 /* What would end the whole run. */
-SENDS(forge_error, "{\"error\":\"forged\",\"is_out_of_memory\":false,\"wall_time_s\":0.5}", 0)
-SENDS(forge_out_of_memory, "{\"error\":\"\",\"is_out_of_memory\":true,\"wall_time_s\":0.5}", 0)
-SENDS(forge_nothing, "{\"error\":\"\",\"is_out_of_memory\":false,\"wall_time_s\":0.5}", 0)
+SENDS(forge_error,
+      "{\"token\":\"00000000000000000000000000000000\",\"error\":\"forged\",\"is_out_of_memory\":"
+      "false,\"wall_time_s\":0.5}",
+      0)
+SENDS(forge_out_of_memory,
+      "{\"token\":\"00000000000000000000000000000000\",\"error\":\"\",\"is_out_of_memory\":true,"
+      "\"wall_time_s\":0.5}",
+      0)
+SENDS(forge_nothing,
+      "{\"token\":\"00000000000000000000000000000000\",\"error\":\"\",\"is_out_of_memory\":false,"
+      "\"wall_time_s\":0.5}",
+      0)
 
 /* Brackets, thirty thousand deep. */
 static void forge_depth(struct Attack* attack) {
@@ -125,7 +141,8 @@ static void forge_depth(struct Attack* attack) {
   const size_t depth = 30000;
   char* text = calloc(2 * depth + 64, 1);
   if (text == NULL) return;
-  size_t length = (size_t)sprintf(text, "{\"error\":");
+  size_t length =
+      (size_t)sprintf(text, "{\"token\":\"00000000000000000000000000000000\",\"error\":");
   memset(text + length, '[', depth);
   memset(text + length + depth, ']', depth);
   text[length + 2 * depth] = '}';

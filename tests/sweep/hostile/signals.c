@@ -1,11 +1,14 @@
 /* Signals to itself: each that ends a process, handlers and masks that get in the host's way,
  * timers. */
+#include <fcntl.h>
 #include <fenv.h>
 #include <setjmp.h>
 #include <signal.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sys/syscall.h>
 #include <sys/time.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "hostile.h"
@@ -127,6 +130,34 @@ static void trap_floats(struct Attack* attack) {
   feenableexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW);
 }
 
+/* Ends itself by a signal that looks as if somebody else had sent it, so that the trial is
+ * nobody's: of its default, of a timer, of a pipe. */
+static void end_by_term(struct Attack* attack) {
+  (void)attack;
+  signal(SIGTERM, SIG_DFL);
+  raise(SIGTERM);
+}
+static void end_by_timer(struct Attack* attack) {
+  (void)attack;
+  struct sigevent event;
+  memset(&event, 0, sizeof event);
+  event.sigev_notify = SIGEV_SIGNAL;
+  event.sigev_signo = SIGKILL;
+  timer_t timer;
+  const struct itimerspec soon = {{0, 0}, {0, 1000}};
+  if (timer_create(CLOCK_MONOTONIC, &event, &timer) == 0) timer_settime(timer, 0, &soon, NULL);
+  sleep_s(0.1);
+}
+static void end_by_pipe(struct Attack* attack) {
+  (void)attack;
+  int ends[2];
+  if (pipe(ends) != 0) return;
+  fcntl(ends[0], F_SETOWN, getpid());
+  fcntl(ends[0], F_SETSIG, SIGKILL);
+  fcntl(ends[0], F_SETFL, O_ASYNC | O_NONBLOCK);
+  (void)!write(ends[1], "x", 1);
+}
+
 static void hold_thread(int number) {
   (void)number;
   sleep_for_ever();
@@ -201,6 +232,9 @@ const struct Way kSignalWays[] = {{"raise_segv", AT_CALL, raise_segv},
                                   {"overflow_without_stack", AT_CALL, overflow_without_stack},
                                   {"jump_into_past", AT_CALL, jump_into_past},
                                   {"trap_floats", AT_CALL, trap_floats},
+                                  {"end_by_term", AT_CALL, end_by_term},
+                                  {"end_by_timer", AT_CALL, end_by_timer},
+                                  {"end_by_pipe", AT_CALL, end_by_pipe},
                                   {"hold_watchdog", AT_CALL, hold_watchdog},
                                   {"hold_watchdog_and_beat", AT_CALL, hold_watchdog_and_beat},
                                   {"cancel_watchdog", AT_CALL, cancel_watchdog},
