@@ -134,7 +134,9 @@ int guarded_program(int argc, const char* const* argv) {
   try {
     return run_program(argc, argv);
   } catch (const InputError& error) {
-    for (const InputProblem& problem : error.problems()) std::cerr << text(problem) << '\n';
+    for (const InputProblem& problem : error.problems()) {
+      std::cerr << visible_line(text(problem)) << '\n';
+    }
     return kUsageError;
   } catch (const std::exception& error) {
     std::cerr << "avoidbench: an error of this program, not of its input: " << error.what() << '\n';

@@ -93,7 +93,7 @@ def main():
     names = [section["sweep"] for section in sections]
     for section in sections:
         if names.count(section["sweep"]) > 1:
-            sys.exit(f"these databases hold different sweeps under the name {section['sweep']}: draw them one by one")
+            sys.exit(f"these databases hold different sweeps under the name {section['sweep']!a}: draw them one by one")
         of_sweep = with_report_labels(trials[trials["sweep"] == section["sweep"]])
         folder = arguments.output / safe_file_name(section["sweep"])
         folder.mkdir(parents=True, exist_ok=True)
