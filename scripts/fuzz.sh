@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# fuzz.sh [SECONDS [TARGET…]]: builds the fuzz targets (point_cloud, mesh) with address and undefined-behaviour sanitizers
+# fuzz.sh [SECONDS [TARGET…]]: builds the fuzz targets (point_cloud, mesh, database, database_edits) with address and undefined-behaviour sanitizers
 # (build/fuzz) and feeds each for SECONDS (default 60), one after the other. What they find interesting stays in
 # build/fuzz/corpus, a finding in build/fuzz/findings.
 set -euo pipefail
@@ -8,13 +8,13 @@ cd "$(dirname "$0")/.."
 seconds=${1:-60}
 shift || true
 targets=("$@")
-[ ${#targets[@]} -gt 0 ] || targets=(point_cloud mesh)
+[ ${#targets[@]} -gt 0 ] || targets=(point_cloud mesh database database_edits)
 cmake --preset fuzz -DAVOIDBENCH_TESTS=ON -DAVOIDBENCH_BENCH=OFF >/dev/null
 cmake --build build/fuzz --parallel "${JOBS:-$(nproc)}" --target fuzz_seeds "${targets[@]/%/_fuzz}"
 build/fuzz/tests/fuzz/fuzz_seeds build/fuzz/corpus
 mkdir -p build/fuzz/findings
 for target in "${targets[@]}"; do
   echo "== $target"
-  "build/fuzz/tests/fuzz/${target}_fuzz" -max_total_time="$seconds" -max_len=8192 -timeout=20 -rss_limit_mb=4096 \
+  "build/fuzz/tests/fuzz/${target}_fuzz" -max_total_time="$seconds" -max_len=65536 -timeout=20 -rss_limit_mb=4096 \
     -print_final_stats=1 -artifact_prefix="build/fuzz/findings/${target}_" "build/fuzz/corpus/$target"
 done

@@ -99,7 +99,7 @@ std::string canonical_rows(const Database& db) {
     Statement statement(db.handle(), db.path(), listing.sql);
     while (statement.step()) {
       rows += listing.name;
-      for (int i = 0; i < listing.text_count; ++i) rows += '\t' + escaped(statement.text(i));
+      for (int i = 0; i < listing.text_count; ++i) rows += '\t' + escaped(statement.free_text(i));
       for (int i = 0; i < listing.number_count; ++i) {
         rows += '\t' + shortest(statement.real(listing.text_count + i));
       }

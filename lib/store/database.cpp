@@ -10,6 +10,7 @@
 #include "store/schema_check.hpp"
 #include "store/sql_text.hpp"
 #include "store/statement.hpp"
+#include "store/stored_text.hpp"
 
 namespace avoidbench {
 namespace {
@@ -88,6 +89,20 @@ void harden(sqlite3* handle) {
   sqlite3_limit(handle, SQLITE_LIMIT_ATTACHED, 0);
   sqlite3_exec(handle, "PRAGMA cell_size_check = ON; PRAGMA temp_store = MEMORY", nullptr, nullptr,
                nullptr);
+}
+
+/// A copy of the database in memory.
+sqlite3* copy_in_memory(sqlite3* handle, const std::filesystem::path& path) {
+  sqlite3* memory = nullptr;
+  AB_CHECK(sqlite3_open(":memory:", &memory) == SQLITE_OK);
+  harden(memory);
+  sqlite3_backup* backup = sqlite3_backup_init(memory, "main", handle, "main");
+  AB_CHECK(backup != nullptr);
+  sqlite3_backup_step(backup, -1);
+  const int code = sqlite3_backup_finish(backup);
+  if (code == SQLITE_OK) return memory;
+  sqlite3_close(memory);
+  throw_sqlite_error(handle, code, path);
 }
 
 }  // namespace
@@ -192,12 +207,14 @@ Database Database::open_for_reading(const std::filesystem::path& path) {
   Statement tables(database.handle(), path, "SELECT count(*) FROM sqlite_schema");
   tables.step();
   if (tables.integer(0) == 0) fail(path, "an empty file: it holds no results");
-  if (database.schema_version() < kSchemaVersion) {
-    fail(path, "has schema version " + std::to_string(database.schema_version()) +
-                   ", this avoidbench reads version " + std::to_string(kSchemaVersion) +
-                   ": `avoidbench run` with this --db brings it up");
-  }
   check_objects(database.handle(), path, "main", Extras::only_apart);
+  if (database.schema_version() < kSchemaVersion) {
+    // Of an older program: brought up in memory, the file stays as it is. There is no uri() then.
+    sqlite3* memory = copy_in_memory(database.handle(), path);
+    database.handle_ = std::unique_ptr<sqlite3, Close>(memory, Close{.is_writer = false});
+    database.uri_.clear();
+    database.create_schema();
+  }
   check_columns(database.handle(), path, "main");
   database.check_integrity(false);
   // Rows are spread over the whole of a large file: what is mapped into memory is read without a

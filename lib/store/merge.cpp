@@ -247,6 +247,11 @@ MergeResult merge_database(Database& into, const std::filesystem::path& from) {
   std::error_code error;
   if (std::filesystem::equivalent(from, into.path(), error))
     refuse(from, "is the file to merge into");
+  if (checked.uri().empty()) {
+    refuse(from,
+           "is of an older avoidbench with another schema: `avoidbench run` with this --db "
+           "brings it up");
+  }
   check_metrics(into, checked);
   MergeResult result;
   result.undigested_trials = check_digests(checked, true);

@@ -69,15 +69,6 @@ void throw_sqlite_error(sqlite3* handle, int code, const std::filesystem::path& 
   throw InputError(InputProblem{.file = path.string(), .message = meaning(primary_code, message)});
 }
 
-void throw_damaged(const std::filesystem::path& path, std::string_view table, std::string_view key,
-                   std::string_view what) {
-  constexpr std::size_t kMost = 40;
-  throw InputError(InputProblem{.file = path.string(),
-                                .message = "damaged: table " + std::string(table) + ", row " +
-                                           as_utf8(key.substr(0, key.size() == 64 ? 12 : kMost)) +
-                                           ": " + std::string(what)});
-}
-
 void execute(sqlite3* handle, const std::filesystem::path& path, const std::string& sql) {
   const int code = sqlite3_exec(handle, sql.c_str(), nullptr, nullptr, nullptr);
   if (code != SQLITE_OK) throw_sqlite_error(handle, code, path);

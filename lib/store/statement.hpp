@@ -17,10 +17,6 @@ namespace avoidbench {
 /// constraint is a file whose rows contradict each other; misuse of SQLite is our bug and aborts.
 [[noreturn]] void throw_sqlite_error(sqlite3* handle, int code, const std::filesystem::path& path);
 
-/// Throws InputError: "FILE: damaged: table TABLE, row KEY: what".
-[[noreturn]] void throw_damaged(const std::filesystem::path& path, std::string_view table,
-                                std::string_view key, std::string_view what);
-
 /// Runs statements that return nothing.
 void execute(sqlite3* handle, const std::filesystem::path& path, const std::string& sql);
 

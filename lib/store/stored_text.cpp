@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "base/input_error.hpp"
+
 namespace avoidbench {
 namespace {
 
@@ -60,6 +62,15 @@ json element(const json& object, const char* name) {
 }
 
 }  // namespace
+
+void throw_damaged(const std::filesystem::path& path, std::string_view table, std::string_view key,
+                   std::string_view what) {
+  constexpr std::size_t kMost = 40;
+  throw InputError(InputProblem{.file = path.string(),
+                                .message = "damaged: table " + std::string(table) + ", row " +
+                                           as_utf8(key.substr(0, key.size() == 64 ? 12 : kMost)) +
+                                           ": " + std::string(what)});
+}
 
 bool is_utf8(std::string_view text) {
   while (!text.empty()) {

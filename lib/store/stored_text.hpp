@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
@@ -11,6 +12,10 @@ namespace avoidbench {
 struct BadText : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
+
+/// Throws InputError: "FILE: damaged: table TABLE, row KEY: what".
+[[noreturn]] void throw_damaged(const std::filesystem::path& path, std::string_view table,
+                                std::string_view key, std::string_view what);
 
 bool is_utf8(std::string_view text);
 

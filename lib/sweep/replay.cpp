@@ -9,7 +9,9 @@
 #include "base/number_text.hpp"
 #include "base/spec_json.hpp"
 #include "store/record_format.hpp"
+#include "store/stored_text.hpp"
 #include "sweep/recorded_latency.hpp"
+#include "sweep/stored_spec.hpp"
 #include "sweep/sweep_spec.hpp"
 #include "trial/planner_view.hpp"
 
@@ -119,26 +121,22 @@ StoredTrial read_stored_trial(const Database& database, const std::string& key) 
   StoredTrial stored;
   stored.row = std::move(*row);
   try {
-    nlohmann::json json = nlohmann::json::parse(stored.row.spec_json);
-    json.at("planner").emplace("file", "");  // databases keep no paths
-    restore_latency(json);
-    stored.spec = spec_from_json<TrialSpec>(json);
-  } catch (const nlohmann::json::exception& error) {
-    throw InputError({.file = database.path().string(),
-                      .message = "trial " + key.substr(0, 8) +
-                                 " was stored by another version of avoidbench, which this one "
-                                 "can't fly again: " +
-                                 error.what()});
+    stored.spec = stored_spec(stored.row.spec_json);
+  } catch (const BadText& bad) {
+    throw_damaged(database.path(), "trials", key, std::string("spec_json: ") + bad.what());
+  }
+  if (stored.spec.mission_index != stored.row.mission_index) {
+    throw_damaged(database.path(), "trials", key, "spec_json is of another mission");
   }
   const std::optional<MapRow> map = database.read_map(stored.row.map_key);
   for (const MissionRecord& mission : map ? map->record.missions : std::vector<MissionRecord>{}) {
     if (mission.index != stored.row.mission_index) continue;
+    if (!mission.is_valid) break;
     stored.mission = mission.mission;
     stored.world_digest = map->record.world_digest;
     return stored;
   }
-  throw InputError({.file = database.path().string(),
-                    .message = "lacks the mission of trial " + key.substr(0, 8)});
+  throw_damaged(database.path(), "trials", key, "its mission is not there or can't be flown");
 }
 
 Replay::Replay(StoredTrial stored, const ReplayFiles& files)

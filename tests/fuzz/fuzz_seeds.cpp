@@ -1,9 +1,11 @@
-// fuzz_seeds FOLDER: writes the first inputs of the fuzz targets, FOLDER/point_cloud and
-// FOLDER/mesh: each kind of file, as the tests write them.
+// fuzz_seeds FOLDER: writes the first inputs of the fuzz targets: FOLDER/point_cloud and
+// FOLDER/mesh, each kind of file as the tests write them; FOLDER/database, a small real one;
+// FOLDER/database_edits, an edit of each kind.
 #include <array>
 #include <cstdio>
 #include <filesystem>
 
+#include "fuzz/read_database.hpp"
 #include "support/map_files.hpp"
 #include "world/solids.hpp"
 
@@ -38,6 +40,19 @@ int main(int argc, char** argv) {
       if (extension_of(name) == kinds[kind]) {
         write(meshes / name, static_cast<char>(kind) + bytes);
       }
+    }
+  }
+  const fs::path databases = fs::path(argv[1]) / "database";
+  const fs::path edits = fs::path(argv[1]) / "database_edits";
+  fs::create_directories(databases);
+  fs::create_directories(edits);
+  const fs::path sample = databases / "sample.db";
+  fs::remove(sample);
+  fuzz::write_sample_database(sample);
+  for (char column = 0; column < 100; ++column) {
+    for (char kind = 0; kind < 8; ++kind) {
+      const std::string bytes{1, 1, column, 7, kind, 5, 40, 3, '1', '}', '9', '-'};
+      write(edits / (std::to_string(column) + "_" + std::to_string(kind)), bytes);
     }
   }
   return 0;

@@ -1,0 +1,181 @@
+#include "fuzz/read_database.hpp"
+
+#include <sqlite3.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+
+#include "base/input_error.hpp"
+#include "report/compare_formats.hpp"
+#include "report/export_trials.hpp"
+#include "report/ompl_log.hpp"
+#include "report/summary.hpp"
+#include "report/sweep_tables.hpp"
+#include "report/trial_table.hpp"
+#include "store/canonical_rows.hpp"
+#include "store/merge.hpp"
+#include "store/row_digest.hpp"
+#include "store/sample_rows.hpp"
+#include "sweep/replay.hpp"
+#include "sweep/sweep_rows.hpp"
+
+namespace avoidbench::fuzz {
+namespace {
+
+using namespace sample_rows;
+
+constexpr const char* kSweepSpec =
+    R"({"trials":2,"planners":[{},{}],"axes":[{"path":"map_seed","values":[1,2]},)"
+    R"({"path":"map.poisson_radius_m","values":[2.5]}],"base":{"latency":{"mode":"fixed"}}})";
+
+template <class Action>
+void pass_over_input_errors(Action action) {
+  try {
+    action();
+  } catch (const InputError&) {
+  }
+}
+
+void ignore(const std::string&) {}
+
+void report(const Database& db) {
+  for (const SweepInfo& sweep : db.read_sweeps()) {
+    pass_over_input_errors([&] {
+      ReportQuery query;
+      const SweepResult result = db.read_sweep(
+          sweep.name, sweep.revision, {"planner", "reason", "poisson_radius_m", "sensor.width_px"});
+      const SweepSummary summary = summarize(result, query);
+      const Section section = sweep_section(summary);
+      for (const auto& [format, name] : EnumText<TableFormat>::entries) {
+        format_sections({&section, 1}, format);
+      }
+    });
+    pass_over_input_errors([&] {
+      const TrialTable table = table_of_sweep(db, sweep, {"map_seed", "sensor.width_px"});
+      CompareSettings settings;
+      settings.replicate_count = 20;
+      const Comparison comparison = compare_tables(table, table, settings);
+      for (const auto& [format, name] : EnumText<CompareFormat>::entries) {
+        format_comparison(comparison, format);
+      }
+      table_of_csv(csv_of_table(table), "again");
+    });
+    pass_over_input_errors([&] {
+      for (const OmplExperiment& experiment : ompl_experiments(db, sweep)) {
+        write_ompl_log(db, experiment, 0.1, ignore);
+      }
+    });
+  }
+}
+
+void replay(const Database& db) {
+  for (const TrialListing& trial : db.list_trials()) {
+    pass_over_input_errors([&] { read_stored_trial(db, trial.key); });
+  }
+}
+
+void merge(const std::filesystem::path& file) {
+  const std::filesystem::path into = scratch_folder() / "into.db";
+  static const bool is_made = [&] {
+    write_sample_database(scratch_folder() / "merged.db");
+    return true;
+  }();
+  static_cast<void>(is_made);
+  for (const bool is_empty : {true, false}) {
+    for (const char* suffix : {"", "-wal", "-shm", "-journal"}) {
+      std::filesystem::remove(into.string() + suffix);
+    }
+    if (!is_empty) std::filesystem::copy_file(scratch_folder() / "merged.db", into);
+    pass_over_input_errors([&] {
+      Database db = Database::open_for_run(into, kMetrics);
+      merge_database(db, file);
+      sweep_completeness(db);
+    });
+  }
+}
+
+void resume(const std::filesystem::path& file) {
+  Database db = Database::open_for_run(file, kMetrics);
+  db.finished_trials();
+  for (int map = 0; map < 2; ++map) db.read_map(map_row(map, 0).record.key);
+  db.add_run(run_row());
+  db.add_sweep(sweep_row(kSweepSpec));
+  db.add_planner(planner_row("a"));
+  db.add_map(map_row(0, 2), "forest");
+  db.add_trial(trial_row("a", 0, 1, Outcome::collided));
+  db.mean_costs();
+}
+
+}  // namespace
+
+std::filesystem::path scratch_folder() {
+  static const std::filesystem::path folder = [] {
+    std::error_code error;
+    const bool has_memory = std::filesystem::is_directory("/dev/shm", error);
+    std::string name = ((has_memory ? "/dev/shm" : std::filesystem::temp_directory_path()) /
+                        "database_fuzz_XXXXXX")
+                           .string();
+    if (mkdtemp(name.data()) == nullptr) std::abort();
+    std::atexit([] {
+      std::error_code none;
+      std::filesystem::remove_all(scratch_folder(), none);
+    });
+    return std::filesystem::path(name);
+  }();
+  return folder;
+}
+
+void write_bytes(const std::filesystem::path& file, std::span<const std::uint8_t> bytes) {
+  for (const char* suffix : {"-wal", "-shm", "-journal"}) {
+    std::filesystem::remove(file.string() + suffix);
+  }
+  std::ofstream(file, std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()),
+             static_cast<std::streamsize>(bytes.size()));
+}
+
+void write_sample_database(const std::filesystem::path& file) {
+  {
+    Database db = Database::open_for_run(file, kMetrics);
+    db.add_run(run_row());
+    db.add_sweep(sweep_row(kSweepSpec));
+    for (const char* label : {"a", "b"}) db.add_planner(planner_row(label));
+    for (int map = 0; map < 2; ++map) db.add_map(map_row(map, 2), "forest");
+    for (const char* label : {"a", "b"}) {
+      for (int place = 0; place < 4; ++place) {
+        const bool collides = place == 3;
+        TrialRow row = trial_row(label, place / 2, place % 2,
+                                 collides ? Outcome::collided : Outcome::reached_goal);
+        TrialSpec spec;
+        spec.mission_index = row.mission_index;
+        spec.planner.label = label;
+        row.spec_json = trial_json(spec);
+        row.record.samples.resize(4);
+        db.add_trial(row);
+      }
+    }
+  }
+  // Small pages: more of the bytes mean something.
+  sqlite3* handle = nullptr;
+  if (sqlite3_open(file.c_str(), &handle) != SQLITE_OK) std::abort();
+  sqlite3_exec(handle, "PRAGMA page_size = 512; VACUUM", nullptr, nullptr, nullptr);
+  sqlite3_close(handle);
+}
+
+void read_as_commands_do(const std::filesystem::path& file) {
+  pass_over_input_errors([&] {
+    const Database db = Database::open_for_reading(file);
+    pass_over_input_errors([&] { check_digests(db, true); });
+    pass_over_input_errors([&] { report(db); });
+    pass_over_input_errors([&] { export_trials({&db, 1}, "", TrialFormat::jsonl, ignore); });
+    pass_over_input_errors([&] { replay(db); });
+    pass_over_input_errors([&] { canonical_rows(db); });
+    pass_over_input_errors([&] { sweep_completeness(db); });
+    pass_over_input_errors([&] { db.mean_costs(); });
+  });
+  pass_over_input_errors([&] { merge(file); });
+  pass_over_input_errors([&] { resume(file); });
+}
+
+}  // namespace avoidbench::fuzz
