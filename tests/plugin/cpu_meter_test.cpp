@@ -64,13 +64,17 @@ TEST(CpuMeter, ChargesNobodyForTheHostsAndOtherPlannersThreads) {
   const std::jthread host(spin);
   PlannerInstance busy = threads_planner("spin");
   PlannerInstance planner = threads_planner("calling");
-  const double calls_s = used_s(planner, 3);
-  EXPECT_GE(calls_s, 0.18);
-  EXPECT_LT(calls_s, 0.195);
+  const double calls_s = used_s(planner, 1);
+  EXPECT_GE(calls_s, 0.06);
+  EXPECT_LT(calls_s, 0.065);
   // The other one is charged for its thread from its reset on.
   EXPECT_EQ(busy.reset({}), "");
-  std::this_thread::sleep_for(std::chrono::milliseconds(100));
-  EXPECT_GT(used_s(busy, 1), 0.01);
+  double busy_s = 0.0;
+  for (int i = 0; i < 1000 && busy_s < 0.02; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    busy_s += used_s(busy, 1);
+  }
+  EXPECT_GE(busy_s, 0.02);
 }
 
 TEST(CpuMeter, CostsLittle) {
