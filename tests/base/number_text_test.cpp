@@ -38,8 +38,9 @@ TEST(NumberText, IsAsPrintfsInItsOwnLocale) {
   }
   const double most = std::numeric_limits<double>::max();
   EXPECT_EQ(fixed_digits(-most, 60), printed("%.*f", 60, -most));
-  EXPECT_EQ(fixed_digits(INFINITY, 2), "inf");
-  EXPECT_EQ(significant_digits(-INFINITY, 2), "-inf");
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(fixed_digits(infinity, 2), "inf");
+  EXPECT_EQ(significant_digits(-infinity, 2), "-inf");
   EXPECT_EQ(fixed_digits(-std::nan(""), 2), "nan");
 }
 
