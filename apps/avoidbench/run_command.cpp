@@ -239,7 +239,10 @@ OnWait patience(const RunCommand& command, const StopSignals& signals,
 }
 
 [[noreturn]] void end_stopped(const StopSignals& signals) {
-  if (signals.stop_now) throw CLI::RuntimeError(128 + signals.number);
+  if (signals.stop_now) {
+    std::cerr << "ended at once; run the same command again to go on\n";
+    throw CLI::RuntimeError(128 + signals.number);
+  }
   std::cerr << "stopped; run the same command again to go on\n";
   throw CLI::RuntimeError(signals.number == SIGINT ? kExitInterrupted : kExitStopped);
 }

@@ -5,7 +5,7 @@
 
 #include <cerrno>
 
-#include "sweep/process_tree.hpp"
+#include "base/process_tree.hpp"
 
 namespace avoidbench {
 namespace {
@@ -20,7 +20,9 @@ void note_signal(int number, siginfo_t* info, void*) {
     ++signals.ignored;
   } else if (!signals.stop.exchange(true)) {
     signals.number = number;
-  } else if (signals.stop_now.exchange(true)) {
+  } else if (!signals.stop_now.exchange(true)) {
+    signals.number = number;
+  } else {
     ::_exit(128 + number);
   }
   errno = error;

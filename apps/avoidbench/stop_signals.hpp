@@ -8,7 +8,7 @@ namespace avoidbench {
 struct StopSignals {
   std::atomic<bool> stop{false};      ///< the first one came: what flies may end
   std::atomic<bool> stop_now{false};  ///< a second one: nothing is waited for
-  std::atomic<int> number{0};         ///< of the first one
+  std::atomic<int> number{0};         ///< of the last one that counted
   std::atomic<int> ignored{0};        ///< that a planner sent
 };
 

@@ -23,6 +23,7 @@
 
 #include "base/check.hpp"
 #include "base/input_error.hpp"
+#include "base/process_tree.hpp"
 
 // Three processes: the parent, which waits; the watcher, which adopts and kills all that the worker
 // leaves behind; and the worker, which does the work.
@@ -141,46 +142,15 @@ void cut_off(int words_fd) {
   ::_exit(0);
 }
 
-/// Kills the children of the calling process, as far as the kernel names them.
-void kill_children() {
-  char path[64];
-  std::snprintf(path, sizeof path, "/proc/self/task/%d/children", static_cast<int>(::getpid()));
-  const int file = ::open(path, O_RDONLY | O_CLOEXEC);
-  if (file < 0) return;
-  std::array<char, 4096> bytes{};
-  const ssize_t count = ::read(file, bytes.data(), bytes.size() - 1);
-  ::close(file);
-  const std::string_view text(bytes.data(), count > 0 ? static_cast<std::size_t>(count) : 0);
-  pid_t child = 0;
-  for (const char c : text) {  // each number has a space behind it; the last one may be cut off
-    if (c >= '0' && c <= '9') {
-      child = 10 * child + (c - '0');
-    } else {
-      if (child > 0) ::kill(child, SIGKILL);
-      child = 0;
-    }
-  }
-}
-
 /// Kills the worker, which was not waited for yet, and all its descendants, which are the watcher's
 /// children as soon as their own parents are gone. Returns the worker's status.
 int kill_all(pid_t worker) {
-  ::kill(-worker, SIGKILL);
   ::kill(worker, SIGKILL);
-  int worker_status = 0;
-  const Clock::time_point end = after(kKilling_s);
-  while (seconds_until(end) > 0.0) {
-    kill_children();
-    int status = 0;
-    pid_t reaped = 0;
-    while ((reaped = ::waitpid(-1, &status, WNOHANG)) > 0) {
-      if (reaped == worker) worker_status = status;
-    }
-    if (reaped < 0 && errno == ECHILD) break;
-    const timespec pause{0, 200'000};
-    ::nanosleep(&pause, nullptr);
+  int status = 0;
+  while (::waitpid(worker, &status, 0) < 0 && errno == EINTR) {
   }
-  return worker_status;
+  end_orphans({}, kKilling_s);
+  return status;
 }
 
 bool has_ended(pid_t worker) {
@@ -195,7 +165,7 @@ bool has_ended(pid_t worker) {
   const Clock::time_point end = after(time_limit_s);
   ::signal(SIGCHLD, SIG_DFL);
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);
-  ::prctl(PR_SET_CHILD_SUBREAPER, 1);
+  adopt_orphans();
   if (::getppid() != parent) ::_exit(1);
   const pid_t watcher = ::getpid();
   const pid_t worker = ::fork();

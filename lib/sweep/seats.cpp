@@ -14,7 +14,7 @@
 
 #include "base/input_error.hpp"
 #include "sweep/crash_report.hpp"
-#include "sweep/process_tree.hpp"
+#include "base/process_tree.hpp"
 #include "sweep/worker.hpp"
 #include "sweep/worker_process.hpp"
 

@@ -16,7 +16,7 @@
 #include <utility>
 
 #include "base/input_error.hpp"
-#include "sweep/process_tree.hpp"
+#include "base/process_tree.hpp"
 #include "sweep/worker.hpp"
 
 extern char** environ;  // NOLINT(readability-identifier-naming): POSIX's name

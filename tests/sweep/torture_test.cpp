@@ -3,10 +3,10 @@
 #include <map>
 #include <sstream>
 
+#include "base/process_tree.hpp"
 #include "base/sandbox.hpp"
 #include "small_sweep.hpp"
 #include "sweep/crash_report.hpp"
-#include "sweep/process_tree.hpp"
 
 /// Planners that misbehave in every way there is: each costs its own trial, and nothing else.
 namespace avoidbench {

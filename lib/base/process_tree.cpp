@@ -1,4 +1,4 @@
-#include "sweep/process_tree.hpp"
+#include "base/process_tree.hpp"
 
 #include <dirent.h>
 #include <fcntl.h>
@@ -122,13 +122,13 @@ std::set<pid_t> own_children() {
   return children;
 }
 
-int end_orphans(const std::set<pid_t>& spared) {
-  constexpr auto kMostTime = std::chrono::seconds(5);
+int end_orphans(const std::set<pid_t>& spared, double time_limit_s) {
+  const std::chrono::duration<double> time_limit(time_limit_s);
   constexpr int kMostLooks =
       8;  // at those that do not stop, as in a call that can't be interrupted
   const auto began = std::chrono::steady_clock::now();
   std::set<pid_t> ended;
-  for (int look = 1; std::chrono::steady_clock::now() - began < kMostTime; ++look) {
+  for (int look = 1; std::chrono::steady_clock::now() - began < time_limit; ++look) {
     const std::map<pid_t, ProcessState> orphans = descendants(spared);
     if (orphans.empty()) break;
     // Stopped first, all of them: what starts processes without end would else go on between looks.

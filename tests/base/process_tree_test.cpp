@@ -1,4 +1,4 @@
-#include "sweep/process_tree.hpp"
+#include "base/process_tree.hpp"
 
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -6,11 +6,7 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <filesystem>
-#include <fstream>
 #include <thread>
-
-#include "sweep/file_state.hpp"
 
 namespace avoidbench {
 namespace {
@@ -92,22 +88,6 @@ TEST(ProcessTree, MemoryOfChildrenCounts) {
   EXPECT_TRUE(comes_true([&] { return resident_mib_of_family() > alone_mib + 150.0; }));
   end_orphans({});
   EXPECT_LT(resident_mib_of_family(), alone_mib + 100.0);
-}
-
-TEST(FileState, SeesAFileWrittenAnewWithItsOldTime) {
-  const std::filesystem::path file =
-      std::filesystem::temp_directory_path() / ("state_" + std::to_string(::getpid()));
-  std::ofstream(file) << "one";
-  const FileState before = file_state(file);
-  EXPECT_EQ(file_state(file), before);
-  const auto written = std::filesystem::last_write_time(file);
-  std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  std::ofstream(file) << "two";
-  std::filesystem::last_write_time(file, written);
-  EXPECT_EQ(std::filesystem::last_write_time(file), written);
-  EXPECT_NE(file_state(file), before);
-  std::filesystem::remove(file);
-  EXPECT_EQ(file_state(file), FileState{});
 }
 
 }  // namespace

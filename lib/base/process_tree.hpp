@@ -21,9 +21,10 @@ bool has_children();
 /// The children of this process.
 std::set<pid_t> own_children();
 
-/// Ends all children of this process but `spared`, and what these leave behind in turn. How many
-/// processes were running still.
-int end_orphans(const std::set<pid_t>& spared);
+/// Ends all that descend from this process except `spared` and their descendants, and waits for
+/// those that are its own children. How many processes were running. Gives up on what multiplies
+/// faster for longer than `time_limit_s`.
+int end_orphans(const std::set<pid_t>& spared, double time_limit_s = 5.0);
 
 /// Whether a signal has stopped the process.
 bool is_stopped_process(pid_t pid);
