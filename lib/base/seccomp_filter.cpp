@@ -8,6 +8,7 @@
 #include <signal.h>
 #include <sys/ioctl.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -24,6 +25,9 @@ namespace {
 constexpr std::uint32_t kPidfdSendSignal = 424, kIoUringSetup = 425, kClone3 = 435, kOpenat2 = 437;
 constexpr std::uint32_t kPidfdGetfd = 438, kFchmodat2 = 452, kSetxattrat = 463,
                         kRemovexattrat = 466;
+constexpr std::uint32_t kSetOwnEx = 15;                                       // F_SETOWN_EX
+constexpr std::uint32_t kSetFlags = 0x40086602, kSetAttributes = 0x401C5820;  // FS_IOC_SETFLAGS, …
+constexpr std::uint32_t kFreeze = 0xC0045877;                                 // FIFREEZE
 constexpr std::uint32_t kX32Bit =
     0x40000000;  // calls of the x32 interface: the same by other numbers
 
@@ -113,12 +117,18 @@ void leave_others_alone(Filter& filter, const SandboxRules& rules, int landlock_
   filter.never({SYS_setpriority, SYS_ioprio_set, SYS_sched_setscheduler, SYS_sched_setattr,
                 SYS_sched_setparam});
   filter.not_where(SYS_sched_setaffinity, 0, {parent});
+  filter.not_where(SYS_fcntl, 1, {F_SETOWN, kSetOwnEx, F_SETSIG});  // signals by way of a pipe
   if (!rules.processes) {
-    // Whoever ends itself by KILL or STOP looks like one that somebody else ended.
+    // Whoever ends itself by these looks like one that somebody else ended, whose trial is
+    // nobody's.
     filter.only_where(SYS_kill, 0, {self});
     filter.only_where(SYS_tgkill, 0, {self});
-    filter.not_where(SYS_kill, 1, {SIGKILL, SIGSTOP});
-    filter.not_where(SYS_tgkill, 2, {SIGKILL, SIGSTOP});
+    filter.not_where(SYS_kill, 1, {SIGKILL, SIGSTOP, SIGTERM, SIGHUP});
+    filter.not_where(SYS_tgkill, 2, {SIGKILL, SIGSTOP, SIGTERM, SIGHUP});
+    filter.never({SYS_timer_create});  // whose signal is named in memory
+    filter.not_where(SYS_setrlimit, 0, {RLIMIT_CPU});
+    filter.not_where(SYS_prlimit64, 1, {RLIMIT_CPU});
+    filter.never({SYS_shmget, SYS_semget, SYS_msgget, SYS_mq_open});  // they outlive the process
     filter.never({SYS_tkill, SYS_rt_sigqueueinfo, SYS_rt_tgsigqueueinfo, kPidfdSendSignal});
     filter.only_with(SYS_clone, 0, CLONE_THREAD);
     filter.never({kClone3},
@@ -147,6 +157,8 @@ void leave_files_alone(Filter& filter, int landlock_abi) {
   filter.not_where(SYS_fcntl, 1, {F_SETLK, F_SETLKW, F_OFD_SETLK, F_OFD_SETLKW, F_SETLEASE});
   filter.never({SYS_mount, SYS_umount2, SYS_pivot_root, SYS_chroot, SYS_unshare, SYS_setns, 428,
                 429, 430, 431, 432, 433, 442});  // the calls of the newer mount interface
+  filter.not_where(SYS_ioctl, 1, {kSetFlags, kSetAttributes, kFreeze});
+  filter.never({SYS_open_by_handle_at});
   if (landlock_abi < 3) filter.never({SYS_truncate});
   if (landlock_abi > 0) return;
   constexpr auto kWrites = static_cast<std::uint32_t>(O_WRONLY | O_RDWR | O_CREAT | O_TRUNC);
@@ -159,17 +171,21 @@ void leave_files_alone(Filter& filter, int landlock_abi) {
                EACCES);
 }
 
-/// The machine: its clock, its kernel, and the terminal, into which keystrokes could be put.
+/// The machine: its clock, its kernel, and the terminal: its settings, who reads from it, and
+/// keystrokes put into it.
 void leave_machine_alone(Filter& filter) {
   filter.never({SYS_settimeofday, SYS_clock_settime,   SYS_adjtimex,     SYS_clock_adjtime,
                 SYS_sethostname,  SYS_setdomainname,   SYS_reboot,       SYS_swapon,
                 SYS_swapoff,      SYS_init_module,     SYS_finit_module, SYS_delete_module,
                 SYS_kexec_load,   SYS_kexec_file_load, SYS_acct,         SYS_quotactl,
                 SYS_bpf,          SYS_perf_event_open, SYS_add_key,      SYS_request_key,
-                SYS_keyctl,       SYS_userfaultfd});
+                SYS_keyctl,       SYS_userfaultfd,     SYS_vhangup,      SYS_iopl,
+                SYS_ioperm,       SYS_syslog,          SYS_fanotify_init});
   filter.never({kIoUringSetup}, ENOSYS);                 // does calls that no filter sees
   constexpr std::uint32_t kSelectionOfConsole = 0x541C;  // TIOCLINUX
-  filter.not_where(SYS_ioctl, 1, {TIOCSTI, kSelectionOfConsole});
+  filter.not_where(SYS_ioctl, 1,
+                   {TIOCSTI, kSelectionOfConsole, TIOCSPGRP, TIOCSCTTY, TIOCNOTTY, TCSETS, TCSETSW,
+                    TCSETSF, TCSETA, TCSETAW, TCSETAF, TIOCSWINSZ, TIOCSETD});
 }
 
 }  // namespace

@@ -2,12 +2,17 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <linux/fs.h>
 #include <signal.h>
+#include <sys/ioctl.h>
+#include <sys/ipc.h>
 #include <sys/ptrace.h>
 #include <sys/resource.h>
+#include <sys/shm.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -157,6 +162,50 @@ TEST_P(SandboxTest, ThreadsAndSignalsToItselfGoOn) {
   EXPECT_FALSE(is_refused([] { return ::raise(SIGURG) == 0; }));
   if (!support_.has_seccomp) return;
   EXPECT_TRUE(is_refused([] { return ::kill(::getpid(), SIGSTOP) == 0; }));
+}
+
+/// A planner that could end itself as others end it would take the trials that it fails out of the
+/// count.
+TEST_P(SandboxTest, NobodyEndsItselfAsOthersWould) {
+  if (!support_.has_seccomp) return;
+  for (const int number : {SIGKILL, SIGSTOP, SIGTERM, SIGHUP}) {
+    std::signal(number, SIG_IGN);  // so that the child lives where it is not refused
+    EXPECT_TRUE(is_refused([&] { return ::raise(number) == 0; })) << number;
+    EXPECT_TRUE(is_refused([&] { return ::kill(::getpid(), number) == 0; })) << number;
+    std::signal(number, SIG_DFL);
+  }
+  EXPECT_TRUE(is_refused([] {
+    sigevent event{};
+    event.sigev_notify = SIGEV_SIGNAL;
+    event.sigev_signo = SIGKILL;
+    timer_t timer{};
+    return ::timer_create(CLOCK_MONOTONIC, &event, &timer) == 0;
+  }));
+  EXPECT_TRUE(is_refused([] {
+    int ends[2];
+    return ::pipe(ends) == 0 && ::fcntl(ends[0], F_SETSIG, SIGKILL) == 0;
+  }));
+  EXPECT_TRUE(is_refused([] {
+    const rlimit none{0, 0};
+    return ::setrlimit(RLIMIT_CPU, &none) == 0;
+  }));
+}
+
+/// What opening for reading is enough for, and what outlives a process.
+TEST_P(SandboxTest, AttributesAndSharedObjectsAreLeftAlone) {
+  if (!support_.has_seccomp) return;
+  EXPECT_TRUE(is_refused([&] {
+    const int fd = ::open(file_.c_str(), O_RDONLY);
+    int flags = 0;
+    return ::ioctl(fd, FS_IOC_SETFLAGS, &flags) == 0 || errno != EPERM;
+  }));
+  const auto makes_memory = [] {
+    const int memory = ::shmget(IPC_PRIVATE, 4096, IPC_CREAT | 0600);
+    if (memory >= 0) ::shmctl(memory, IPC_RMID, nullptr);
+    return memory >= 0;
+  };
+  EXPECT_TRUE(is_refused(makes_memory));
+  EXPECT_FALSE(is_refused(makes_memory, {.processes = true}));
 }
 
 TEST(Sandbox, RulesAreReadAsTheyAreWritten) {

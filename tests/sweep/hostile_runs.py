@@ -99,6 +99,11 @@ def gather():
             pass
 
 
+def shared_objects():
+    """How many shared memories, semaphores and queues there are in this namespace."""
+    return sum(len(file.read_text().splitlines()) - 1 for file in pathlib.Path("/proc/sysvipc").glob("*"))
+
+
 def typed_into(terminal):
     """What stands to be read in a terminal."""
     os.set_blocking(terminal, False)
@@ -140,6 +145,7 @@ def inside(file):
     found["left"] = list(descendants().values())
     for left in descendants():
         os.kill(left, signal.SIGKILL)
+    found["shared"] = shared_objects()
     found["typed"] = typed_into(terminal)
     found["foreground_is_run"] = foreground <= {0, pid}
     (folder.parent / "found.json").write_text(json.dumps(found))
@@ -149,7 +155,7 @@ def inside(file):
 
 def namespaces():
     """The words before a command that give it processes and mounts of its own: (words, has them)."""
-    words = ["unshare", "--pid", "--fork", "--mount-proc", "--kill-child", "--mount"]
+    words = ["unshare", "--pid", "--fork", "--mount-proc", "--kill-child", "--mount", "--ipc"]
     for attempt in [words, [*words[:1], "--user", "--map-root-user", *words[1:]]]:
         with contextlib.suppress(OSError):
             if subprocess.run([*attempt, "true"], capture_output=True).returncode == 0:
@@ -216,10 +222,10 @@ class Runs:
         command = [*self.words, self.program, "run", "sweep.yaml", "--db", "results.db", *self.options]
         (home / "given.json").write_text(json.dumps({"folder": str(folder), "command": command, "environment": environment,
                                                      "deadline_s": deadline_s,
-                                                     "has_terminal": home.name.removesuffix("_again") in TERMINAL}))
+                                                     "has_terminal": bool({home.name, home.name.removesuffix("_again")} & set(TERMINAL))}))
         made = subprocess.run([*self.before, sys.executable, __file__, "--inside", str(home / "given.json")], capture_output=True, text=True)
         if not (home / "found.json").exists():
-            return {"code": "none: what started it was ended, too", "took_s": 0.0, "left": [], "typed": "", "foreground_is_run": True,
+            return {"code": "none: what started it was ended, too", "took_s": 0.0, "left": [], "typed": "", "shared": 0, "foreground_is_run": True,
                     "stdout": "", "stderr": made.stderr}
         found = json.loads((home / "found.json").read_text())
         for name in ("stdout", "stderr"):
@@ -255,8 +261,9 @@ class Runs:
 
     def fly_once(self, name, folder_name):
         expected = EXPECTED[name]
-        library = LIBRARIES.get(name, "hostile")
-        folder = self.prepare(folder_name, "nothing" if name in LIBRARIES else name, library)
+        way, _, uses = name.partition("+")
+        library = LIBRARIES.get(way, f"hostile_{uses}" if uses else "hostile")
+        folder = self.prepare(folder_name, "nothing" if way in LIBRARIES else way, library)
         before = files_of(folder.parent)
         limit_s = self.trial_limit_s if expected.limit == "trial" else PLAN_TIMEOUT_S
         limits_s = self.honest_s + self.given.missions * limit_s
@@ -281,7 +288,7 @@ class Runs:
         problems = [f"left {name}" for name in after if name not in before and name not in made]
         problems += [f"changed {name}" for name in before if after.get(name) != before[name]]
         for place in MARKS:
-            file = pathlib.Path(place) / f"{MARK}{folder.parent.name.removesuffix('_again')}"
+            file = pathlib.Path(place) / f"{MARK}{re.split('[+]|_again', folder.parent.name)[0]}"
             if file.exists():
                 problems.append(f"left {file}")
                 file.unlink()
@@ -338,6 +345,8 @@ class Runs:
 
 def after_processes(found):
     problems = [f"{len(found['left'])} processes left: {found['left'][0][:60]}"] if found["left"] else []
+    if found["shared"]:
+        problems.append(f"{found['shared']} shared objects left")
     if found["stdout"]:
         problems.append(f"on the standard output: {found['stdout'][:60]!r}")
     if "\033" in found["stderr"]:
@@ -368,7 +377,7 @@ def compare_ways(program, folder):
     told = subprocess.run([program, "config", "explain", "hostile.way"], capture_output=True, text=True, env=environment).stdout
     listed = re.search(r"one of nothing, (.*)", told)
     names = set(listed[1].split(", ")) if listed else set()
-    missing, unknown = sorted(set(EXPECTED) - set(LIBRARIES) - names), sorted(names - set(EXPECTED))
+    missing, unknown = sorted({name for name in EXPECTED if '+' not in name} - set(LIBRARIES) - names), sorted(names - set(EXPECTED))
     if missing or unknown:
         sys.exit(f"not in the library: {missing}; not expected: {unknown}")
 

@@ -49,20 +49,28 @@ SIGNALS = (
     fails(HUNG, "crash_handled", "block_signals") |
     fails(CRASHED + ".*exit code 0", "crash_as_success"))
 
-PROCESSES = (
+# Where the planner says that it uses processes; else the sandbox lets it have none, and nothing comes of these.
+FORKS = (
     either("fork_and_return", "fork_and_fail_to_exec", "fork_at_create", "fork_at_reset", "let_the_child_answer", "fork_two_hundred", "fork_chain",
            "leave_daemon", "leave_child_that_writes", "leave_child_that_spins", "leave_child_that_ignores", "leave_child_stopped",
            "leave_child_that_returns", "leave_sibling", "leave_sibling_that_exits", "leave_process_in_same_memory", "become_reaper",
-           "unshare_all", "run_again", "start_thread_that_crashes", "start_five_hundred_threads") |
+           "unshare_all", "run_again", "leave_server") |
     fails(CRASHED, "leave_child_with_pipes", "leave_daemon_with_pipes", "become_true") |
-    fails("^planner_(hung|crashed): ", "become_sleep", "exit_thread", limit="trial") |
+    fails("^planner_(hung|crashed): ", "become_sleep", limit="trial") |
+    fails(CRASHED + ".*memory", "fill_children"))
+
+PROCESSES = (
+    {name: dataclasses.replace(FORKS[name], kind=HONEST) for name in FORKS if name not in ("run_again", "fill_children", "leave_server")} |
+    fails(CRASHED, "leave_child_with_pipes", "leave_daemon_with_pipes") |
+    either("run_again", "start_thread_that_crashes", "start_five_hundred_threads") |
+    fails("^planner_(hung|crashed): ", "exit_thread", limit="trial") |
     honest("leave_session", "leave_group", "hide", "start_threads_that_spin"))
 
 PARENT = honest("interrupt_parent", "terminate_parent", "warn_parent", "kill_parent", "stop_parent", "kill_everyone", "kill_siblings", "stop_siblings",
                 "crash_siblings", "kill_parent_by_descriptor", "kill_parent_otherwise", "kill_parent_by_pipe", "trace_parent",
                 "write_parent_memory", "write_parent_memory_by_call", "limit_parents_files", "limit_parents_descriptors",
                 "limit_parents_time", "slow_parent", "offer_parent_to_the_kernel", "write_parents_files", "steal_parents_files",
-                "write_siblings_pipes", "type_into_terminal", "take_terminal", "interrupt_group") | either("kill_group")
+                "write_siblings_pipes", "type_into_terminal", "take_terminal", "hang_up_terminal", "interrupt_group", "kill_group")
 
 DESCRIPTORS = (
     fails(CRASHED, "close_pipes", "close_and_open", "cover_pipes", "write_everywhere", "write_a_byte", "flood_pipes", "cover_with_full_pipe",
@@ -75,7 +83,7 @@ FILES = (
            "replace_database", "forbid_database", "forbid_folder", "update_rows", "delete_rows", "leave_trigger", "keep_write_lock",
            "keep_read_lock", "lock_files", "lock_files_for_writing", "remove_sweep", "change_itself", "change_good_planner", "remove_itself",
            "remove_good_planner", "replace_good_planner", "leave_files", "leave_others", "fill_disk", "fill_disk_unnamed", "write_by_ring",
-           "mount_over"))
+           "make_immutable", "leave_shared_objects", "mount_over"))
 
 RESULTS = either(
     "forge_result", "forge_result_and_exit", "forge_result_and_hang", "forge_three_results", "forge_result_at_create", "forge_nan", "forge_null",
@@ -120,9 +128,12 @@ LOADS = (
     {name: Expectation(ANY, "hostile_" + name, codes=(0, 2), flies=False) for name in ("load_fork", "load_close", "load_kill_parent")} |
     honest("load_child", "load_folder", "load_print", "load_signals", "load_round", "load_limit", "unload_exit", "unload_abort", "unload_sleep"))
 
-EXPECTED = (MEMORY | SIGNALS | PROCESSES | PARENT | DESCRIPTORS | FILES | RESULTS | TIMES | ENVIRONMENT | COMMANDS | LOADS)
+# A planner that says that it uses processes: "way+processes".
+USES_PROCESSES = {f"{name}+processes": FORKS.get(name, PARENT.get(name)) for name in [*FORKS, *PARENT]}
+
+EXPECTED = (MEMORY | SIGNALS | PROCESSES | PARENT | DESCRIPTORS | FILES | RESULTS | TIMES | ENVIRONMENT | COMMANDS | LOADS | USES_PROCESSES)
 
 # What would reach other processes or mounts of the machine if nothing stopped it.
-NEED_PROCESSES = ["kill_everyone"]
+NEED_PROCESSES = ["kill_everyone", "kill_everyone+processes", "kill_group", "kill_group+processes"]
 NEED_MOUNTS = ["mount_over"]
-TERMINAL = ["type_into_terminal", "take_terminal"]
+TERMINAL = ["type_into_terminal", "take_terminal", "hang_up_terminal"]

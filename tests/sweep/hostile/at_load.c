@@ -11,6 +11,11 @@
 
 #include "hostile.h"
 
+#ifndef HOSTILE_USES
+#define HOSTILE_USES 0u
+#endif
+const uint32_t kHostileUses = HOSTILE_USES;
+
 #ifdef HOSTILE_LOAD
 __attribute__((constructor)) static void load(void) { HOSTILE_LOAD; }
 #endif

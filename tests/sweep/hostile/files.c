@@ -2,14 +2,19 @@
  * asked for. */
 #include <dlfcn.h>
 #include <fcntl.h>
+#include <linux/fs.h>
 #include <linux/io_uring.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/file.h>
+#include <sys/ioctl.h>
+#include <sys/ipc.h>
 #include <sys/mman.h>
-#include <sys/mount.h>
+#include <sys/msg.h>
+#include <sys/sem.h>
+#include <sys/shm.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <unistd.h>
@@ -224,8 +229,30 @@ static void write_by_ring(struct Attack* attack) {
   syscall(SYS_io_uring_enter, ring, 1, 1, IORING_ENTER_GETEVENTS, NULL, 0);
 }
 
+/* Opened for reading, the database is made immutable by its attributes. */
+static void make_immutable(struct Attack* attack) {
+  const int fd = open(in_folder(attack, "results.db"), O_RDONLY);
+  int flags = 0;
+  if (fd < 0 || ioctl(fd, FS_IOC_GETFLAGS, &flags) != 0) return;
+  flags |= FS_IMMUTABLE_FL;
+  ioctl(fd, FS_IOC_SETFLAGS, &flags);
+  close(fd);
+}
+
+/* Shared memory, semaphores and queues, which live on when nobody has them open. */
+static void leave_shared_objects(struct Attack* attack) {
+  (void)attack;
+  const int memory = shmget(IPC_PRIVATE, 1 << 24, IPC_CREAT | 0600);
+  char* bytes = memory >= 0 ? shmat(memory, NULL, 0) : NULL;
+  if (memory >= 0 && bytes != (void*)-1) memset(bytes, 1, 1 << 24);
+  semget(IPC_PRIVATE, 8, IPC_CREAT | 0600);
+  msgget(IPC_PRIVATE, IPC_CREAT | 0600);
+}
+
 /* Mounts an empty file system over the run's folder. */
-static void mount_over(struct Attack* attack) { mount("none", attack->folder, "tmpfs", 0, NULL); }
+static void mount_over(struct Attack* attack) {
+  syscall(SYS_mount, "none", attack->folder, "tmpfs", 0UL, NULL);
+}
 
 const struct Way kFileWays[] = {{"overwrite_database", AT_CALL, overwrite_database},
                                 {"truncate_database", AT_CALL, truncate_database},
@@ -255,5 +282,7 @@ const struct Way kFileWays[] = {{"overwrite_database", AT_CALL, overwrite_databa
                                 {"fill_disk", AT_CALL, fill_disk},
                                 {"fill_disk_unnamed", AT_CALL, fill_disk_unnamed},
                                 {"write_by_ring", AT_CALL, write_by_ring},
+                                {"make_immutable", AT_CALL, make_immutable},
+                                {"leave_shared_objects", AT_CALL, leave_shared_objects},
                                 {"mount_over", AT_CALL, mount_over},
                                 {NULL, AT_CALL, NULL}};

@@ -37,6 +37,9 @@ struct Way {
 extern const struct Way kMemoryWays[], kSignalWays[], kProcessWays[], kParentWays[],
     kDescriptorWays[], kFileWays[], kResultWays[], kTimeWays[], kEnvironmentWays[], kCommandWays[];
 
+/* What the planner says that it uses, so that the sandbox leaves it that. */
+extern const uint32_t kHostileUses;
+
 /* Path of `name` in the run's folder; valid until the next call. */
 const char* in_folder(const struct Attack* attack, const char* name);
 

@@ -240,14 +240,18 @@ static void write_siblings_pipes(struct Attack* attack) {
   }
 }
 
+/* The terminal, where the process has one: opened, or the standard input. */
+static int terminal(void) {
+  const int fd = open("/dev/tty", O_RDONLY | O_NOCTTY);
+  return fd >= 0 ? fd : STDIN_FILENO;
+}
+
 /* Types into the terminal. */
 static void type_into_terminal(struct Attack* attack) {
   (void)attack;
-  const int fd = open("/dev/tty", O_RDWR);
   for (const char* letter = "echo typed\n"; *letter != '\0'; ++letter) {
-    if (ioctl(fd >= 0 ? fd : STDERR_FILENO, TIOCSTI, letter) != 0) break;
+    if (ioctl(terminal(), TIOCSTI, letter) != 0) break;
   }
-  if (fd >= 0) close(fd);
 }
 
 /* Makes itself the terminal's foreground. */
@@ -255,7 +259,13 @@ static void take_terminal(struct Attack* attack) {
   (void)attack;
   signal(SIGTTOU, SIG_IGN);
   setpgid(0, 0);
-  tcsetpgrp(open("/dev/tty", O_RDWR), getpid());
+  tcsetpgrp(terminal(), getpid());
+}
+
+/* Hangs the terminal up. */
+static void hang_up_terminal(struct Attack* attack) {
+  (void)attack;
+  syscall(SYS_vhangup);
 }
 
 const struct Way kParentWays[] = {
@@ -286,4 +296,5 @@ const struct Way kParentWays[] = {
     {"write_siblings_pipes", AT_CALL, write_siblings_pipes},
     {"type_into_terminal", AT_CALL, type_into_terminal},
     {"take_terminal", AT_CALL, take_terminal},
+    {"hang_up_terminal", AT_CALL, hang_up_terminal},
     {NULL, AT_CALL, NULL}};

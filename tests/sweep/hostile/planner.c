@@ -169,21 +169,22 @@ static const ab_parameter kMetrics = {.struct_size = sizeof(ab_parameter),
                                       .highest = 1000.0};
 static const ab_parameter* const kParameters[] = {&way, &kFolder, &kMetrics};
 
-static const ab_planner kTable = {.struct_size = sizeof(ab_planner),
-                                  .abi_version = AVOIDBENCH_ABI_VERSION,
-                                  .name = "hostile",
-                                  .version = "1.0",
-                                  .summary = "Flies straight to the goal and attacks the program.",
-                                  .needs = AB_SEES_STATE,
-                                  .commands = AB_COMMAND_VELOCITY | AB_COMMAND_TRAJECTORY,
-                                  .parameter_count = 3,
-                                  .parameters = kParameters,
-                                  .create = create,
-                                  .destroy = destroy,
-                                  .reset = reset,
-                                  .plan = plan};
+static ab_planner table = {.struct_size = sizeof(ab_planner),
+                           .abi_version = AVOIDBENCH_ABI_VERSION,
+                           .name = "hostile",
+                           .version = "1.0",
+                           .summary = "Flies straight to the goal and attacks the program.",
+                           .needs = AB_SEES_STATE,
+                           .commands = AB_COMMAND_VELOCITY | AB_COMMAND_TRAJECTORY,
+                           .parameter_count = 3,
+                           .parameters = kParameters,
+                           .create = create,
+                           .destroy = destroy,
+                           .reset = reset,
+                           .plan = plan};
 
 AB_EXPORT const ab_planner* avoidbench_planner_v1(uint32_t host_api) {
   way.choices = way_names();
-  return host_api == AVOIDBENCH_ABI_VERSION ? &kTable : NULL;
+  table.needs = AB_SEES_STATE | kHostileUses;
+  return host_api == AVOIDBENCH_ABI_VERSION ? &table : NULL;
 }
