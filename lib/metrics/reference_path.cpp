@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <queue>
-#include <unordered_map>
 
 #include "metrics/taut_path.hpp"
 
@@ -26,7 +26,7 @@ struct Search {
   std::vector<std::int32_t> parent;  ///< of reached cells
   std::vector<bool> is_sighted;      ///< whether the way from the parent is known to be free
   std::vector<bool> closed;
-  std::unordered_map<std::int64_t, Vector3d> beside_surface;  ///< places of such cells, once asked
+  std::map<std::int64_t, Vector3d> beside_surface;  ///< places of such cells, once asked
 
   bool is_free(const Vector3d& point) {
     return grid.region().contains(point) && grid.is_free(point, radius_m);
