@@ -132,7 +132,10 @@ void add_planners_command(CLI::App& app) {
   command->footer(
       "Planners are looked up in AVOIDBENCH_PLANNER_PATH (folders separated by colons), the build "
       "tree's planners/\n"
-      "and the install's plugin folder; a name with a slash is a file.\n\n"
+      "and the install's plugin folder; a name with a slash is a file. Each is loaded by a process "
+      "of "
+      "its own, which\n"
+      "has 10 s to answer, or AVOIDBENCH_LOAD_LIMIT_S.\n\n"
       "Examples:\n"
       "  avoidbench planners list\n"
       "  avoidbench planners describe reactive\n"
