@@ -169,10 +169,10 @@ TEST_P(SandboxTest, ThreadsAndSignalsToItselfGoOn) {
 TEST_P(SandboxTest, NobodyEndsItselfAsOthersWould) {
   if (!support_.has_seccomp) return;
   for (const int number : {SIGKILL, SIGSTOP, SIGTERM, SIGHUP}) {
-    std::signal(number, SIG_IGN);  // so that the child lives where it is not refused
+    ::signal(number, SIG_IGN);  // so that the child lives where it is not refused
     EXPECT_TRUE(is_refused([&] { return ::raise(number) == 0; })) << number;
     EXPECT_TRUE(is_refused([&] { return ::kill(::getpid(), number) == 0; })) << number;
-    std::signal(number, SIG_DFL);
+    ::signal(number, SIG_DFL);
   }
   EXPECT_TRUE(is_refused([] {
     sigevent event{};
