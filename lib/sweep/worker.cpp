@@ -17,11 +17,11 @@
 #include <thread>
 
 #include "base/input_error.hpp"
+#include "base/process_tree.hpp"
 #include "base/sandbox.hpp"
 #include "base/spec_json.hpp"
 #include "metrics/metric_table.hpp"
 #include "sweep/crash_report.hpp"
-#include "base/process_tree.hpp"
 #include "sweep/sweep_spec.hpp"
 #include "trial/planner_view.hpp"
 #include "trial/run_trial.hpp"
@@ -99,12 +99,12 @@ std::string instance_key(const TrialSpec& spec) {
 }  // namespace
 
 struct Worker::Internals {
+  CallClock clock;
+  std::jthread watchdog;  // ends after the instances, whose destruction may hang
   std::string place_key;
   std::unique_ptr<Place> place;
   std::map<std::string, PlannerLibrary> libraries;   // by file
   std::map<std::string, PlannerInstance> instances;  // by instance_key
-  CallClock clock;
-  std::jthread watchdog;
 
   const Place& place_of(const TrialSpec& spec);
   PlannerInstance& instance_of(const TrialSpec& spec);
