@@ -1,12 +1,14 @@
 #include "metrics/difficulty.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
 #include "base/check.hpp"
 #include "base/math.hpp"
 #include "base/random.hpp"
+#include "geometry/cone_triangle.hpp"
 #include "metrics/reference_path.hpp"
 
 namespace avoidbench {
@@ -132,22 +134,39 @@ std::vector<double> corridor_radii(const Scene& scene, const Path& path, double 
   return radii;
 }
 
-/// Directions of one ring of the field of view, in a frame whose x looks ahead.
-std::vector<Vector3d> ring_directions(double inner_rad, double outer_rad) {
-  constexpr double kSpacing = 2.5 * math::kDegree;
-  std::vector<Vector3d> directions;
-  const int circles = static_cast<int>(std::ceil((outer_rad - inner_rad) / kSpacing));
-  for (int i = 0; i < circles; ++i) {
-    const double polar = inner_rad + (i + 0.5) * (outer_rad - inner_rad) / circles;
-    const int count =
-        std::max(4, static_cast<int>(std::ceil(math::kTau * math::sin(polar) / kSpacing)));
-    for (int k = 0; k < count; ++k) {
-      const double azimuth = math::kTau * k / count;
-      directions.emplace_back(math::cos(polar), math::sin(polar) * math::cos(azimuth),
-                              math::sin(polar) * math::sin(azimuth));
-    }
+/// One ring of the field of view.
+struct Ring {
+  double inner_deg, outer_deg, weight;
+};
+constexpr std::array<Ring, 4> kRings{
+    {{0.0, 15.0, 0.55}, {15.0, 22.5, 0.3}, {22.5, 30.0, 0.1}, {30.0, 36.0, 0.05}}};
+
+/// The nearest surface in each ring of the view along `at.direction`; +inf beyond the sensing
+/// range.
+std::array<double, kRings.size()> nearest_in_rings(const Scene& scene, const Station& at) {
+  std::array<ConeShell, kRings.size()> shells;
+  std::array<double, kRings.size()> nearest_m;
+  nearest_m.fill(std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i < kRings.size(); ++i) {
+    shells[i] = {.axis = at.direction,
+                 .cos_inner = math::cos(kRings[i].inner_deg * math::kDegree),
+                 .cos_outer = math::cos(kRings[i].outer_deg * math::kDegree)};
   }
-  return directions;
+  // The ball through the apex and the rim of the view's cap holds all of the view.
+  const double reach_m = 0.5 * kSensing_m / shells.back().cos_outer;
+  const Vector3d middle = at.place + reach_m * at.direction;
+  scene.visit_triangles(middle, reach_m, [&](const Triangle& corners_world) {
+    Triangle corners = corners_world;
+    for (Vector3d& corner : corners) corner -= at.place;
+    const double least_m = closest_point(Vector3d::Zero(), corners).norm();
+    for (std::size_t i = 0; i < kRings.size(); ++i) {
+      if (least_m >= std::min(nearest_m[i], kSensing_m)) continue;
+      const double found_m = distance(shells[i], corners);
+      if (found_m <= kSensing_m) nearest_m[i] = std::min(nearest_m[i], found_m);
+    }
+    return reach_m;
+  });
+  return nearest_m;
 }
 
 }  // namespace
@@ -170,29 +189,15 @@ double traversability_obstruction(const Scene& scene, const Path& path, double r
 }
 
 double view_occlusion(const Scene& scene, const Path& path) {
-  struct Ring {
-    double inner_deg, outer_deg, weight;
-  };
-  constexpr Ring kRings[] = {
-      {0.0, 15.0, 0.55}, {15.0, 22.5, 0.3}, {22.5, 30.0, 0.1}, {30.0, 36.0, 0.05}};
   constexpr double kStep_m = 0.1 * kSensing_m;
   AB_CHECK(path.size() >= 2, path.size());
   const double length_m = path_length_m(path);
   const int count = std::max(1, static_cast<int>(std::floor(length_m / kStep_m)));
   double sum = 0.0;
-  for (const Ring& ring : kRings) {
-    const std::vector<Vector3d> directions =
-        ring_directions(ring.inner_deg * math::kDegree, ring.outer_deg * math::kDegree);
-    for (int i = 0; i < count; ++i) {
-      const Station at = station(path, (i + 0.5) * length_m / count);
-      const auto [left, up] = sideways(at.direction);
-      double nearest_m = std::numeric_limits<double>::infinity();
-      for (const Vector3d& d : directions) {
-        const Vector3d direction = d.x() * at.direction + d.y() * left + d.z() * up;
-        nearest_m =
-            std::min(nearest_m, scene.first_hit(at.place, direction, kSensing_m).distance_m);
-      }
-      sum += ring.weight * kSensing_m / nearest_m;  // 0 where nothing is seen
+  for (int i = 0; i < count; ++i) {
+    const auto nearest_m = nearest_in_rings(scene, station(path, (i + 0.5) * length_m / count));
+    for (std::size_t k = 0; k < kRings.size(); ++k) {
+      sum += kRings[k].weight * kSensing_m / nearest_m[k];  // 0 where nothing is seen
     }
   }
   return sum / count;

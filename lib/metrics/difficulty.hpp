@@ -29,7 +29,8 @@ double traversability_obstruction(const Scene& scene, const std::vector<Eigen::V
 
 /// VO: every 0.4 m of the path, looking along it, the nearest surface seen within 4 m in four rings
 /// of the field of view (half angles 15°, 22.5°, 30°, 36°): Σ w · 4 m/distance with w = 0.55, 0.3,
-/// 0.1, 0.05 from the middle out; the mean over the path.
+/// 0.1, 0.05 from the middle out; the mean over the path. Distances are those of the triangles
+/// themselves, in closed form.
 double view_occlusion(const Scene& scene, const std::vector<Eigen::Vector3d>& path);
 
 /// AOL: Σ (exp(2θ/π) − 1)/length over the path's bends θ [1/m].

@@ -155,6 +155,16 @@ NearestPoint Scene::nearest(const Vector3d& point_world, double limit_m) const {
   return best;
 }
 
+void Scene::visit_triangles(const Vector3d& center_world, double radius_m,
+                            const std::function<double(const Triangle&)>& visit) const {
+  AB_CHECK(center_world.allFinite() && radius_m >= 0.0, center_world.transpose(), radius_m);
+  Search search(*internals_, center_world, radius_m);
+  for_triangles_within(search, [&](std::uint32_t instance, std::uint32_t triangle) {
+    search.radius_m =
+        std::min(search.radius_m, visit(world_triangle(*internals_, instance, triangle)));
+  });
+}
+
 std::optional<BodyContact> Scene::touch(const Vector3d& size_m, const Pose& T_world_body) const {
   const Vector3d half = 0.5 * size_m;
   const Vector3d center = T_world_body.translation();

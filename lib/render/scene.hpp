@@ -3,10 +3,12 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
 
+#include "geometry/box_triangle.hpp"
 #include "geometry/pose.hpp"
 #include "world/world.hpp"
 
@@ -65,6 +67,12 @@ class Scene {
   /// The nearest surface point within `limit_m`, exact to double rounding of float vertices.
   NearestPoint nearest(const Eigen::Vector3d& point_world,
                        double limit_m = std::numeric_limits<double>::infinity()) const;
+
+  /// Offers `visit` every triangle, with its corners in the world, that has a point within
+  /// `radius_m` of `center_world`, and perhaps some beyond, in no order to rely on. It returns the
+  /// radius that is of interest from then on.
+  void visit_triangles(const Eigen::Vector3d& center_world, double radius_m,
+                       const std::function<double(const Triangle& corners_world)>& visit) const;
 
   /// A triangle that touches the box of `size_m` (body FLU, centred) posed at T_world_body, or
   /// nothing; of several, that of the lowest instance and triangle.
