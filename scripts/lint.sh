@@ -2,11 +2,11 @@
 # lint.sh [FILE…]: clang-format and clang-tidy over the given sources, or over those that changed (changed_files.sh) and a rotating
 # eighth of the others. --all: over all. --format-only: no clang-tidy. Uses the compile commands of build/clang.
 # Both of version 14 only: others format otherwise and have other checks. Without it nothing is checked, which is said.
-# Of very many changed files clang-tidy looks at the thirty changed last, so that a test run stays short.
+# Of very many changed files clang-tidy looks at the twenty changed last, so that a test run stays short.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-version=14 most_changed=30
+version=14 most_changed=20
 format_only=0 all=0 rotating=0 files=()
 for argument in "$@"; do
   case "$argument" in
