@@ -109,8 +109,11 @@ constexpr MetricDef kTable[] = {
        return progress_pct(in.mission.mission.start_world, in.mission.mission.goal_world,
                            end_position(in));
      }},
-    {"processing_time_ms", 1, "ms", "Mean CPU time of a plan call, measured by the host",
-     "mean thread CPU time", kPaper, kLess, kAll, true,
+    {"processing_time_ms", 1, "ms",
+     "Mean CPU time of a plan call, of all threads of the planner, measured by the host",
+     "mean of the calling thread's CPU time in the call plus that of the planner's other threads "
+     "since the last call",
+     kPaper, kLess, kAll, true,
      [](In in) { return mean(sorted_times_ms(in, &PlanCall::cpu_time_s)); }},
     {"processing_time_std_ms", 1, "ms", "Standard deviation of the plan calls' CPU time",
      "standard deviation", "", kLess, kAll, true,
