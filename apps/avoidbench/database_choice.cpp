@@ -5,8 +5,10 @@
 #include <utility>
 
 #include "base/input_error.hpp"
+#include "config/cross_checks.hpp"
 #include "config/sweep_file.hpp"
 #include "store/row_digest.hpp"
+#include "store/stored_text.hpp"
 
 namespace avoidbench {
 
@@ -61,6 +63,16 @@ Database open_checked(const std::filesystem::path& path) {
   const std::string warning = undigested_text(database, check_digests(database, false));
   if (!warning.empty()) std::cerr << "warning: " << warning << '\n';
   return database;
+}
+
+StoredTrial possible_trial(const Database& database, const std::string& key) {
+  StoredTrial stored = read_stored_trial(database, key);
+  for (const Contradiction& found : contradictions(stored.spec)) {
+    if (found.path == "latency.database") continue;  // which databases do not name
+    throw_damaged(database.path(), "trials", key,
+                  "spec_json: " + found.path + ": " + found.message);
+  }
+  return stored;
 }
 
 }  // namespace avoidbench

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "store/database.hpp"
+#include "sweep/replay.hpp"
 
 namespace avoidbench {
 
@@ -17,5 +18,9 @@ std::filesystem::path newest_database(const std::string& purpose);
 /// Opens a database for reading after checking the digests of all its trials' rows. Says on stderr
 /// how many have none.
 Database open_checked(const std::filesystem::path& path);
+
+/// The stored trial, ready to be flown. Throws InputError as read_stored_trial() does, and where
+/// its spec contradicts itself as no sweep file may.
+StoredTrial possible_trial(const Database& database, const std::string& key);
 
 }  // namespace avoidbench

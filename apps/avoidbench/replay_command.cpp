@@ -151,7 +151,7 @@ void replay(const ReplayOptions& options) {
   }
   const TrialListing listing = the_trial(all, options.choice);
   enter_worker_environment();
-  const StoredTrial stored = read_stored_trial(database, listing.key);
+  const StoredTrial stored = possible_trial(database, listing.key);
   const bool may_crash =
       listing.outcome == Outcome::planner_crashed || listing.outcome == Outcome::planner_hung;
   if (may_crash) {

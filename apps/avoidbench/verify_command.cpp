@@ -9,6 +9,7 @@
 #include "base/input_error.hpp"
 #include "base/visible_text.hpp"
 #include "commands.hpp"
+#include "database_choice.hpp"
 #include "store/database.hpp"
 #include "sweep/replay.hpp"
 #include "sweep/worker_process.hpp"
@@ -57,7 +58,7 @@ bool is_repeated(const Database& database, const TrialListing& listing,
   ReplayFiles files;
   files.folders = {".", folder};
   files.planner = library;
-  const Replay replay(read_stored_trial(database, listing.key), files);
+  const Replay replay(possible_trial(database, listing.key), files);
   std::vector<std::string> log;
   const TrialRecord flown = replay.fly({}, log);
   const std::vector<std::string> found = differences(replay.stored().row.record, flown);

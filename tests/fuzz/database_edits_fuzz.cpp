@@ -1,6 +1,6 @@
 // A real database in which values of any type stand in any column, rows are missing or twice, and
 // texts are cut and patched: each command reads it or says InputError. The bytes choose the edits.
-// The first one decides whether digests of rows are left in place.
+// The first one decides which command reads it and whether digests of rows are left in place.
 #include <sqlite3.h>
 
 #include <algorithm>
@@ -180,7 +180,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       "PRAGMA synchronous = OFF; PRAGMA journal_mode = MEMORY; PRAGMA "
       "ignore_check_constraints = ON; PRAGMA foreign_keys = OFF");
   Bytes bytes{data, size};
-  const bool keeps_digests = bytes.next() % 4 == 0;
+  const std::uint8_t first = bytes.next();
+  const bool keeps_digests = first / 4 % 4 == 0;
   while (bytes.size > 0) edit(handle, base, bytes);
   if (!keeps_digests) run(handle, "UPDATE trials SET row_digest = NULL, flight_digest = NULL");
   run(handle,
@@ -188,6 +189,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       "W', "
       "') STRICT, W'), ') /*S*/', ') STRICT') WHERE type = 'table'");
   sqlite3_close(handle);
-  read_as_commands_do(file);
+  read_as_command_does(first % 4, file);
   return 0;
 }

@@ -51,6 +51,11 @@ void report(const Database& db) {
         format_sections({&section, 1}, format);
       }
     });
+  }
+}
+
+void compare_and_export(const Database& db) {
+  for (const SweepInfo& sweep : db.read_sweeps()) {
     pass_over_input_errors([&] {
       const TrialTable table = table_of_sweep(db, sweep, {"map_seed", "sensor.width_px"});
       CompareSettings settings;
@@ -67,6 +72,7 @@ void report(const Database& db) {
       }
     });
   }
+  pass_over_input_errors([&] { export_trials({&db, 1}, "", TrialFormat::jsonl, ignore); });
 }
 
 void replay(const Database& db) {
@@ -163,19 +169,23 @@ void write_sample_database(const std::filesystem::path& file) {
   sqlite3_close(handle);
 }
 
-void read_as_commands_do(const std::filesystem::path& file) {
+void read_as_command_does(int command, const std::filesystem::path& file) {
+  if (command == 3) {
+    pass_over_input_errors([&] { merge(file); });
+    pass_over_input_errors([&] { resume(file); });
+    return;
+  }
   pass_over_input_errors([&] {
     const Database db = Database::open_for_reading(file);
-    pass_over_input_errors([&] { check_digests(db, true); });
-    pass_over_input_errors([&] { report(db); });
-    pass_over_input_errors([&] { export_trials({&db, 1}, "", TrialFormat::jsonl, ignore); });
+    if (command == 0) report(db);
+    if (command == 1) compare_and_export(db);
+    if (command != 2) return;
     pass_over_input_errors([&] { replay(db); });
+    pass_over_input_errors([&] { check_digests(db, true); });
     pass_over_input_errors([&] { canonical_rows(db); });
     pass_over_input_errors([&] { sweep_completeness(db); });
     pass_over_input_errors([&] { db.mean_costs(); });
   });
-  pass_over_input_errors([&] { merge(file); });
-  pass_over_input_errors([&] { resume(file); });
 }
 
 }  // namespace avoidbench::fuzz

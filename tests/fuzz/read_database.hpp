@@ -11,9 +11,10 @@ namespace avoidbench::fuzz {
 /// be flown again, trajectories, plan calls and events.
 void write_sample_database(const std::filesystem::path& file);
 
-/// Reads the file as `report`, `compare`, `export`, `merge`, `replay`, `verify` and `run` do. Each
-/// may throw InputError, which is passed over; nothing else may happen.
-void read_as_commands_do(const std::filesystem::path& file);
+/// Reads the file as some commands do: 0 `report`; 1 `compare` and `export`; 2 `replay`, `verify`
+/// and what digests check; 3 `merge` and `run`. Each may throw InputError, which is passed over;
+/// nothing else may happen.
+void read_as_command_does(int command, const std::filesystem::path& file);
 
 /// A folder in memory for this process's files, where the system has one.
 std::filesystem::path scratch_folder();
