@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# fuzz.sh [SECONDS [TARGET…]]: builds the fuzz targets (point_cloud, mesh, database, database_edits) with address and undefined-behaviour sanitizers
-# (build/fuzz) and feeds each for SECONDS (default 60), one after the other. What they find interesting stays in
-# build/fuzz/corpus, a finding in build/fuzz/findings.
+# fuzz.sh [SECONDS [TARGET…]]: builds the fuzz targets (point_cloud, mesh, database, database_edits) with address and
+# undefined-behaviour sanitizers (build/fuzz) and feeds each for SECONDS (default 60), one after the other. What they find
+# interesting stays in build/fuzz/corpus, a finding in build/fuzz/findings.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -15,6 +15,6 @@ build/fuzz/tests/fuzz/fuzz_seeds build/fuzz/corpus
 mkdir -p build/fuzz/findings
 for target in "${targets[@]}"; do
   echo "== $target"
-  "build/fuzz/tests/fuzz/${target}_fuzz" -max_total_time="$seconds" -max_len=65536 -timeout=20 -rss_limit_mb=4096 \
+  "build/fuzz/tests/fuzz/${target}_fuzz" -max_total_time="$seconds" -max_len=98304 -timeout=20 -rss_limit_mb=4096 \
     -print_final_stats=1 -artifact_prefix="build/fuzz/findings/${target}_" "build/fuzz/corpus/$target"
 done

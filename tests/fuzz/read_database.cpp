@@ -116,20 +116,20 @@ void resume(const std::filesystem::path& file) {
 }  // namespace
 
 std::filesystem::path scratch_folder() {
-  static const std::filesystem::path folder = [] {
+  static const auto* const folder = [] {  // never destroyed: it is asked for at the end
     std::error_code error;
     const bool has_memory = std::filesystem::is_directory("/dev/shm", error);
-    std::string name = ((has_memory ? "/dev/shm" : std::filesystem::temp_directory_path()) /
-                        "database_fuzz_XXXXXX")
-                           .string();
+    const std::filesystem::path parent =
+        has_memory ? "/dev/shm" : std::filesystem::temp_directory_path();
+    std::string name = (parent / "database_fuzz_XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr) std::abort();
     std::atexit([] {
       std::error_code none;
       std::filesystem::remove_all(scratch_folder(), none);
     });
-    return std::filesystem::path(name);
+    return new std::filesystem::path(name);
   }();
-  return folder;
+  return *folder;
 }
 
 void write_bytes(const std::filesystem::path& file, std::span<const std::uint8_t> bytes) {
