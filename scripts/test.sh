@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds everything with both compilers and runs all tests. The last lines are the test runner's summary.
-# clang-tidy and the sanitizers look at what changed (scripts/changed_files.sh).
+# clang-tidy and the sanitizers look at what changed (scripts/changed_files.sh) and at a rotating eighth of the rest.
 #   --all    the tests labelled slow too, clang-tidy and the sanitizers over everything, and the fuzz targets for a minute each
 #            (an hour): for every night
 set -euo pipefail
