@@ -255,7 +255,7 @@ def fly(runs, name, draws, whole_s, kinds):
     ended_well = False
     while kinds and not ended_well:
         one.start()
-        while kinds and not one.wait(draws.uniform(0.05, 0.3 * whole_s)):
+        while kinds and not one.wait(draws.uniform(0.05, min(0.3 * whole_s, 2.0))):
             used += 1 if one.disturb(kinds.pop()) else 0
         ended_well = one.end(LONG_LOCK_S + 60.0)
     for _ in range(4):

@@ -87,7 +87,7 @@ static void fail_at_length(struct Attack* attack) {
   free(text);
 }
 static void fail_with_controls(struct Attack* attack) {
-  fail_with(attack, "\033[2J\033]0;owned\007\r\n\x01\x7f\u202eforged\u202c reason");
+  fail_with(attack, "\033[2J\033]0;owned\007\r\n\x01\x7f\u202eturned\u202c reason");
 }
 static void fail_with_broken_text(struct Attack* attack) {
   fail_with(attack, "\xff\xfe\xc0\xaf\xed\xa0\x80 text \xf0\x9f");
