@@ -228,7 +228,7 @@ class Disturbed:
             self.problem("exit code 0, but trials were missing when its file went away")
         if code in (-signal.SIGINT, -signal.SIGTERM, -signal.SIGUSR1) and text == "":
             code = -signal.SIGKILL  # before it could say anything
-        if code not in (0, 2, 75, 130, -signal.SIGKILL, 128 + signal.SIGINT, 128 + signal.SIGTERM):
+        if code not in (0, 1, 2, 75, 130, -signal.SIGKILL, 128 + signal.SIGINT, 128 + signal.SIGTERM):
             self.problem(f"exit code {code}: {text[-300:]}")
         elif code not in (0, -signal.SIGKILL) and not WHAT_TO_DO.search(text):
             self.problem(f"exit code {code} and nothing about what to do: {text[-300:]!r}")
