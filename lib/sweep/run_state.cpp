@@ -130,7 +130,8 @@ void take_result(Run& run, const Assignment& assignment, JobResult result) {
 void take_death(Run& run, const Assignment& assignment, const Job& job, const Death& death) {
   if (!assignment.trial) {
     throw InputError("the worker that measured a map of " + run.sweep.name +
-                     " ended: " + death.reason);
+                     " ended: " + death.reason +
+                     "; run the same command again, with fewer --jobs if memory is short");
   }
   TrialRecord record;
   record.outcome = death.outcome;
