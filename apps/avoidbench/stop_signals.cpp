@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <string_view>
 
 #include "base/process_tree.hpp"
 
@@ -23,6 +24,8 @@ void note_signal(int number, siginfo_t* info, void*) {
   } else if (!signals.stop_now.exchange(true)) {
     signals.number = number;
   } else {
+    constexpr std::string_view kText = "ended at once; run the same command again to go on\n";
+    (void)!::write(STDERR_FILENO, kText.data(), kText.size());
     ::_exit(128 + number);
   }
   errno = error;
@@ -35,6 +38,7 @@ const StopSignals& watch_stop_signals() {
   action.sa_sigaction = note_signal;
   action.sa_flags = SA_SIGINFO;
   for (const int number : {SIGINT, SIGTERM, SIGUSR1}) ::sigaction(number, &action, nullptr);
+  ::signal(SIGXFSZ, SIG_IGN);  // where `ulimit -f` ends a file, the write fails and says so
   return signals;
 }
 

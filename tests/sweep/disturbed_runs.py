@@ -81,7 +81,11 @@ class Disturbed:
         return self.process.poll() is not None
 
     def missing(self):
-        """Whether trials are missing from the database; True where there is none yet."""
+        """Whether the run has the database open and trials are missing from it."""
+        with contextlib.suppress(OSError):
+            files = [os.readlink(fd) for fd in pathlib.Path(f"/proc/{self.process.pid}/fd").iterdir()]
+            if str(self.file) not in files:
+                return False
         try:
             with contextlib.closing(sqlite3.connect(f"file:{self.file}?mode=ro", uri=True, timeout=5.0)) as db:
                 return db.execute("SELECT count(*) FROM trials").fetchone()[0] < len(self.runs.whole["trial"])
@@ -228,7 +232,7 @@ class Disturbed:
             self.problem("exit code 0, but trials were missing when its file went away")
         if code in (-signal.SIGINT, -signal.SIGTERM, -signal.SIGUSR1) and text == "":
             code = -signal.SIGKILL  # before it could say anything
-        if code not in (0, 1, 2, 75, 130, -signal.SIGKILL, 128 + signal.SIGINT, 128 + signal.SIGTERM):
+        if code not in (0, 1, 2, 75, 130, -signal.SIGKILL, 128 + signal.SIGINT, 128 + signal.SIGTERM, 128 + signal.SIGUSR1):
             self.problem(f"exit code {code}: {text[-300:]}")
         elif code not in (0, -signal.SIGKILL) and not WHAT_TO_DO.search(text):
             self.problem(f"exit code {code} and nothing about what to do: {text[-300:]!r}")
