@@ -132,8 +132,7 @@ TEST_F(Includes, WhatCannotBeIncludedIsToldAtTheIncludeLine) {
   EXPECT_EQ(problems("sweep: a\ninclude: [none.yaml, sub]\n"),
             "s.yaml:2:11: include: none.yaml: no such file\n"
             "s.yaml:2:22: include: sub: no such file");
-  EXPECT_EQ(problems("include: .\n"),
-            "s.yaml:1:10: include: : is a folder, not a file");
+  EXPECT_EQ(problems("include: .\n"), "s.yaml:1:10: include: : is a folder, not a file");
   EXPECT_EQ(problems("include: []\n"),
             "s.yaml:1:10: include: expected a file or a list of files, found an empty list");
   EXPECT_EQ(problems("include: {a: b}\n"),
@@ -230,6 +229,15 @@ TEST_F(Includes, MutatedFilesNeverCrash) {
   }
   EXPECT_GT(accepted, 5);
   EXPECT_GT(refused, 20);
+}
+
+TEST_F(Includes, RatesForLearningComeAlong) {
+  const std::string file = std::string(AVOIDBENCH_SOURCE_DIR) + "/configs/rates/learning.yaml";
+  const SweepSpec sweep = read("include: " + file + "\nsweep: mine\nplanners: [tunable]\n");
+  EXPECT_EQ(sweep.base.rates.physics_hz, 250.0);
+  EXPECT_EQ(sweep.base.rates.sample_hz, 50.0);
+  EXPECT_EQ(sweep.base.rates.plan_hz, RatesSpec{}.plan_hz);
+  EXPECT_EQ(RatesSpec{}.physics_hz, 1000.0);
 }
 
 }  // namespace
