@@ -415,6 +415,11 @@ SweepResult Database::read_sweep(std::string_view name, std::int64_t revision,
     if (map == map_indices.end()) trials->damaged("its map is not there");
     const auto length_m = reference_length_m(result.maps[map->second], trial.mission_index);
     if (!length_m) trials->damaged("its mission is not there");
+    const double end_s = trial.end_time_s;
+    const bool must_have_end = trial.outcome == Outcome::reached_goal;
+    if (std::isinf(end_s) || end_s < 0.0 || (must_have_end && std::isnan(end_s))) {
+      trials->damaged("end_time_s is no time");
+    }
     trial.reference_length_m = *length_m;
     if (!planner_keys.contains(trial.planner_key)) planner_keys.insert(trial.planner_key);
     runs.insert(trials->integer(5));

@@ -95,6 +95,9 @@ TEST(DamagedRows, AreNamedByTableAndRow) {
   for (const auto& [sql, expected] :
        {std::pair<std::string, std::string>{"UPDATE trials SET outcome = 'flew'", trial},
         {"UPDATE trials SET mission_index = -3", trial},
+        {"UPDATE trials SET end_time_s = NULL", trial},
+        {"UPDATE trials SET end_time_s = -1.0", trial},
+        {"UPDATE trials SET end_time_s = 9e999", trial},
         {"DELETE FROM missions WHERE mission_index = 1", trial},
         {"UPDATE missions SET mission_index = mission_index - 5; UPDATE trials SET mission_index = "
          "mission_index - 5; UPDATE sweep_missions SET mission_index = mission_index - 5",
