@@ -215,6 +215,24 @@ std::vector<std::string> versions_of(const Database& db, const std::set<std::int
   return {versions.begin(), versions.end()};
 }
 
+/// Of a row of key, planner, map, mission, outcome, run, end and metrics.
+TrialSummary summary_of(const Database& db, const Statement& row) {
+  TrialSummary trial{.key = row.text(0),
+                     .planner_key = row.text(1),
+                     .map_key = row.text(2),
+                     .mission_index = row.integer(3),
+                     .outcome = outcome_of(row, 4),
+                     .reference_length_m = 0.0,
+                     .end_time_s = row.real(6),
+                     .metrics = metrics_of(db, row, 7)};
+  const double end_s = trial.end_time_s;
+  const bool must_have_end = trial.outcome == Outcome::reached_goal;
+  if (std::isinf(end_s) || end_s < 0.0 || (must_have_end && std::isnan(end_s))) {
+    row.damaged("end_time_s is no time");
+  }
+  return trial;
+}
+
 /// By the sweep's latency.mode or the axis of it.
 bool has_measured_latency(const Database& db, std::string_view name, std::int64_t revision) {
   Statement s(db.handle(), db.path(),
@@ -403,23 +421,11 @@ SweepResult Database::read_sweep(std::string_view name, std::int64_t revision,
   std::set<std::string> planner_keys;
   std::set<std::int64_t> runs;
   while (trials->step()) {
-    TrialSummary trial{.key = trials->text(0),
-                       .planner_key = trials->text(1),
-                       .map_key = trials->text(2),
-                       .mission_index = trials->integer(3),
-                       .outcome = outcome_of(*trials, 4),
-                       .reference_length_m = 0.0,
-                       .end_time_s = trials->real(6),
-                       .metrics = metrics_of(*this, *trials, 7)};
+    TrialSummary trial = summary_of(*this, *trials);
     const auto map = map_indices.find(trial.map_key);
     if (map == map_indices.end()) trials->damaged("its map is not there");
     const auto length_m = reference_length_m(result.maps[map->second], trial.mission_index);
     if (!length_m) trials->damaged("its mission is not there");
-    const double end_s = trial.end_time_s;
-    const bool must_have_end = trial.outcome == Outcome::reached_goal;
-    if (std::isinf(end_s) || end_s < 0.0 || (must_have_end && std::isnan(end_s))) {
-      trials->damaged("end_time_s is no time");
-    }
     trial.reference_length_m = *length_m;
     if (!planner_keys.contains(trial.planner_key)) planner_keys.insert(trial.planner_key);
     runs.insert(trials->integer(5));
