@@ -322,6 +322,7 @@ void run(const RunCommand& command) {
   }
   print_summary(summary, signals.ignored);
   if (summary.is_stopped) end_stopped(signals);
+  database.require_in_place();
   std::cerr << "results are in " << file.string()
             << "; to see them: " << command_that_reports(database, sweep.name, summary.revision)
             << '\n';
