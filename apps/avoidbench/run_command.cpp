@@ -20,6 +20,7 @@
 #include "commands.hpp"
 #include "config/sweep_file.hpp"
 #include "metrics/metric_table.hpp"
+#include "plugin/planner_description.hpp"
 #include "render/ray_tracing_isa.hpp"
 #include "run_progress.hpp"
 #include "shard_option.hpp"
@@ -73,15 +74,22 @@ std::string sandbox_of(const RunCommand& command) {
   return command.no_sandbox || command.in_process ? "" : text(sandbox_support());
 }
 
-/// The same for people: "landlock 7, seccomp", "none: --no-sandbox".
-std::string sandbox_text(const RunCommand& command) {
-  const std::string sandbox = sandbox_of(command);
-  if (!sandbox.empty()) return sandbox;
+/// The same for people: "landlock 7, seccomp", "none: --no-sandbox"; with what is granted to
+/// planners that declare needs: "landlock 7, seccomp; mine: processes".
+std::string sandbox_text(const RunCommand& command, const SweepSpec& sweep) {
+  std::string sandbox = sandbox_of(command);
+  if (!sandbox.empty()) {
+    for (const PlannerChoice& planner : sweep.planners) {
+      const std::string granted = text(sandbox_rules(planner.needs));
+      if (!granted.empty()) sandbox += "; " + planner.label + ": " + granted;
+    }
+    return sandbox;
+  }
   if (command.in_process) return "none: --in-process";
   return command.no_sandbox ? "none: --no-sandbox" : "none: the kernel has none";
 }
 
-RunRow provenance(const RunCommand& command, const Shard& shard) {
+RunRow provenance(const RunCommand& command, const SweepSpec& sweep, const Shard& shard) {
   utsname system{};
   ::uname(&system);
   const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
@@ -99,7 +107,7 @@ RunRow provenance(const RunCommand& command, const Shard& shard) {
           .isa = ray_tracing_isa(),
           .command_line = command_line(),
           .shard = shard_text(shard),
-          .sandbox = sandbox_text(command)};
+          .sandbox = sandbox_text(command, sweep)};
 }
 
 std::string program_file() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
@@ -202,6 +210,12 @@ void warn(const RunCommand& command, const SweepSpec& sweep, int jobs) {
         << " CPUs: processing times will be too long (results do not change, but for measured "
            "latency)\n";
   }
+  for (const PlannerChoice& planner : sweep.planners) {
+    const std::string granted = text(sandbox_rules(planner.needs));
+    if (granted.empty() || sandbox_of(command).empty()) continue;
+    std::cerr << "warning: planner " << planner.label << " declares that it needs " << granted
+              << ": its sandbox lets it\n";
+  }
   if (!command.in_process && text(sandbox_support()).empty()) {
     std::cerr << "warning: this kernel has no sandbox: planners can do all that you can\n";
   }
@@ -245,6 +259,16 @@ OnWait patience(const RunCommand& command, const StopSignals& signals,
   }
   std::cerr << "stopped; run the same command again to go on\n";
   throw CLI::RuntimeError(signals.number == SIGINT ? kExitInterrupted : kExitStopped);
+}
+
+Database open_database(const RunCommand& command, const StopSignals& signals,
+                       const std::filesystem::path& file) {
+  try {
+    return Database::open_for_run(file, metric_table(), patience(command, signals, file));
+  } catch (const InputError&) {
+    if (!signals.stop) throw;
+    end_stopped(signals);  // it was told to while it waited for a lock
+  }
 }
 
 void print_summary(const RunSummary& summary, int ignored_signals) {
@@ -293,7 +317,7 @@ void run(const RunCommand& command) {
   if (command.database_file.empty()) std::filesystem::create_directories("results");
   const StopSignals& signals = watch_stop_signals();
   Database database =
-      Database::open_for_run(file, metric_table(), patience(command, signals, file));
+      open_database(command, signals, file);
   warn(command, sweep, jobs);
   const ProgressStyle style = command.quiet                ? ProgressStyle::none
                               : command.progress == "json" ? ProgressStyle::json
@@ -315,7 +339,7 @@ void run(const RunCommand& command) {
       .stop_now = &signals.stop_now};
   RunSummary summary;
   try {
-    summary = run_sweep(sweep, provenance(command, shard), database, options);
+    summary = run_sweep(sweep, provenance(command, sweep, shard), database, options);
   } catch (const InputError&) {
     if (!database.has_given_up()) throw;
     summary.is_stopped = true;  // it was told to while it waited for a lock

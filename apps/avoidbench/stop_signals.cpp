@@ -38,6 +38,8 @@ const StopSignals& watch_stop_signals() {
   action.sa_sigaction = note_signal;
   action.sa_flags = SA_SIGINFO;
   for (const int number : {SIGINT, SIGTERM, SIGUSR1}) ::sigaction(number, &action, nullptr);
+  ::signal(SIGIO, SIG_IGN);    // older kernels let planners send it
+  ::signal(SIGIO, SIG_IGN);    // where a kernel's sandbox is too old to keep planners from it
   ::signal(SIGXFSZ, SIG_IGN);  // where `ulimit -f` ends a file, the write fails and says so
   return signals;
 }

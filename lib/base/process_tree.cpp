@@ -124,13 +124,17 @@ std::set<pid_t> own_children() {
 
 int end_orphans(const std::set<pid_t>& spared, double time_limit_s) {
   const std::chrono::duration<double> time_limit(time_limit_s);
-  constexpr int kMostLooks =
-      8;  // at those that do not stop, as in a call that can't be interrupted
+  // At those that do not stop, as in a call that can't be interrupted.
+  constexpr int kMostLooks = 8, kEmptyLooks = 3;
   const auto began = std::chrono::steady_clock::now();
   std::set<pid_t> ended;
+  int empty_looks = 0;
   for (int look = 1; std::chrono::steady_clock::now() - began < time_limit; ++look) {
+    if (!has_children()) break;  // then there are no descendants: orphans come to this process
     const std::map<pid_t, ProcessState> orphans = descendants(spared);
-    if (orphans.empty()) break;
+    // What goes on in ever new processes may be missed by one look.
+    empty_looks = orphans.empty() ? empty_looks + 1 : 0;
+    if (empty_looks == kEmptyLooks) break;
     // Stopped first, all of them: what starts processes without end would else go on between looks.
     bool are_still = true;
     for (const auto& [pid, process] : orphans) {
@@ -153,9 +157,14 @@ int end_orphans(const std::set<pid_t>& spared, double time_limit_s) {
 
 bool is_stopped_process(pid_t pid) { return state_of(pid).state == 'T'; }
 
-double resident_mib_of_family() {
-  if (!has_children()) return resident_mib();
+double resident_mib_of_family(double enough_mib) {
+  const bool is_alone = !has_children();
+  if (is_alone) {
+    const double own_mib = resident_mib();
+    if (own_mib <= enough_mib) return own_mib;  // the exact answer takes a hundred times as long
+  }
   double sum_mib = proportional_mib("self");
+  if (is_alone) return sum_mib;
   for (const auto& [pid, process] : descendants({}))
     sum_mib += proportional_mib(std::to_string(pid));
   return sum_mib;

@@ -29,7 +29,8 @@ int end_orphans(const std::set<pid_t>& spared, double time_limit_s = 5.0);
 /// Whether a signal has stopped the process.
 bool is_stopped_process(pid_t pid);
 
-/// Memory in use by this process and by all that descend from it; what several share counts once.
-double resident_mib_of_family();
+/// Memory in use by this process and by all that descend from it. What is more than `enough_mib` is
+/// told exactly: what several processes share counts once, by shares.
+double resident_mib_of_family(double enough_mib = 0.0);
 
 }  // namespace avoidbench

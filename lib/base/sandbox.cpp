@@ -27,10 +27,11 @@ struct [[gnu::packed]] PathBeneath {
 };
 constexpr std::uint64_t kWriteFile = 1U << 1U;
 constexpr std::uint64_t kRemoveDirToMakeSym = 0x1FF0;  // bits 4 to 12: remove and make anything
-constexpr std::uint64_t kRefer = 1U << 13U;            // from version 2
-constexpr std::uint64_t kTruncate = 1U << 14U;         // from version 3
-constexpr std::uint64_t kControlDevice = 1U << 15U;    // from version 5
-constexpr std::uint64_t kBindAndConnect = 3;           // TCP, from version 4
+constexpr std::uint64_t kRemoveFile = 1U << 5U, kMakeRegular = 1U << 8U;
+constexpr std::uint64_t kRefer = 1U << 13U;                  // from version 2
+constexpr std::uint64_t kTruncate = 1U << 14U;               // from version 3
+constexpr std::uint64_t kControlDevice = 1U << 15U;          // from version 5
+constexpr std::uint64_t kBindAndConnect = 3;                 // TCP, from version 4
 constexpr std::uint64_t kAbstractSockets = 1, kSignals = 2;  // from version 6
 
 long landlock_version() { return ::syscall(kCreateRuleset, nullptr, std::size_t{0}, kAskVersion); }
@@ -64,6 +65,10 @@ bool enter_landlock(const SandboxRules& rules, int abi) {
   const std::uint64_t of_devices = of_files | (attributes.handled_access_fs & kControlDevice);
   allow(ruleset, "/dev/null", of_files);
   if (rules.devices) allow(ruleset, "/dev", of_devices);
+  // Shared memory of such planners: GPU libraries, thread libraries, Python's multiprocessing.
+  if (rules.devices || rules.processes) {
+    allow(ruleset, "/dev/shm", of_files | kRemoveFile | kMakeRegular);
+  }
   const bool is_in = ::syscall(kRestrictSelf, ruleset, 0U) == 0;
   ::close(ruleset);
   return is_in;

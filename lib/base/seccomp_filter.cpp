@@ -9,6 +9,7 @@
 #include <sys/ioctl.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/socket.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -25,7 +26,8 @@ namespace {
 constexpr std::uint32_t kPidfdSendSignal = 424, kIoUringSetup = 425, kClone3 = 435, kOpenat2 = 437;
 constexpr std::uint32_t kPidfdGetfd = 438, kFchmodat2 = 452, kSetxattrat = 463,
                         kRemovexattrat = 466;
-constexpr std::uint32_t kSetOwnEx = 15;                                       // F_SETOWN_EX
+constexpr std::uint32_t kSetOwner = 0x8901, kSetGroup = 0x8902;  // FIOSETOWN, SIOCSPGRP
+constexpr std::uint32_t kSetOwnEx = 15;                          // F_SETOWN_EX
 constexpr std::uint32_t kSetFlags = 0x40086602, kSetAttributes = 0x401C5820;  // FS_IOC_SETFLAGS, …
 constexpr std::uint32_t kFreeze = 0xC0045877;                                 // FIFREEZE
 constexpr std::uint32_t kX32Bit =
@@ -67,6 +69,19 @@ class Filter {
   /// Not with any of these bits set in an argument; `error` as what it is refused.
   void not_with(std::uint32_t call, int argument, std::uint32_t bits, std::uint32_t error = EPERM) {
     of_argument(call, argument, {{BPF_JMP | BPF_JSET | BPF_K, 0, 1, bits}}, error);
+  }
+  /// Not these signals to this process.
+  void not_to(std::uint32_t call, std::uint32_t pid, int signal_argument,
+              std::initializer_list<std::uint32_t> signals) {
+    constexpr int kPidArgument = 0;
+    for (const std::uint32_t signal : signals) {
+      const auto offset = offsetof(seccomp_data, args) +
+                          sizeof(std::uint64_t) * static_cast<std::size_t>(signal_argument);
+      of_argument(call, kPidArgument,
+                  {{BPF_JMP | BPF_JEQ | BPF_K, 0, 3, pid},
+                   {BPF_LD | BPF_W | BPF_ABS, 0, 0, static_cast<std::uint32_t>(offset)},
+                   {BPF_JMP | BPF_JEQ | BPF_K, 0, 1, signal}});
+    }
   }
   /// Only with these bits set.
   void only_with(std::uint32_t call, int argument, std::uint32_t bits) {
@@ -117,14 +132,15 @@ void leave_others_alone(Filter& filter, const SandboxRules& rules, int landlock_
   filter.never({SYS_setpriority, SYS_ioprio_set, SYS_sched_setscheduler, SYS_sched_setattr,
                 SYS_sched_setparam});
   filter.not_where(SYS_sched_setaffinity, 0, {parent});
-  filter.not_where(SYS_fcntl, 1, {F_SETOWN, kSetOwnEx, F_SETSIG});  // signals by way of a pipe
+  // Signals by way of a pipe or socket.
+  filter.not_where(SYS_fcntl, 1, {F_SETOWN, kSetOwnEx, F_SETSIG});
+  filter.not_where(SYS_ioctl, 1, {kSetOwner, kSetGroup, FIOASYNC});
+  // Whoever ends itself by these looks like one that somebody else ended, whose trial is nobody's.
+  filter.not_to(SYS_kill, self, 1, {SIGKILL, SIGSTOP, SIGTERM, SIGHUP});
+  filter.not_to(SYS_tgkill, self, 2, {SIGKILL, SIGSTOP, SIGTERM, SIGHUP});
   if (!rules.processes) {
-    // Whoever ends itself by these looks like one that somebody else ended, whose trial is
-    // nobody's.
     filter.only_where(SYS_kill, 0, {self});
     filter.only_where(SYS_tgkill, 0, {self});
-    filter.not_where(SYS_kill, 1, {SIGKILL, SIGSTOP, SIGTERM, SIGHUP});
-    filter.not_where(SYS_tgkill, 2, {SIGKILL, SIGSTOP, SIGTERM, SIGHUP});
     filter.never({SYS_timer_create});  // whose signal is named in memory
     filter.not_where(SYS_setrlimit, 0, {RLIMIT_CPU});
     filter.not_where(SYS_prlimit64, 1, {RLIMIT_CPU});
@@ -146,25 +162,31 @@ void leave_others_alone(Filter& filter, const SandboxRules& rules, int landlock_
 }
 
 /// Files: what Landlock does not cover, and all that writes where there is no Landlock.
-void leave_files_alone(Filter& filter, int landlock_abi) {
+void leave_files_alone(Filter& filter, const SandboxRules& rules, int landlock_abi) {
   filter.never({SYS_chmod,        SYS_fchmod,       SYS_fchmodat,  kFchmodat2,
                 SYS_chown,        SYS_fchown,       SYS_lchown,    SYS_fchownat,
                 SYS_utime,        SYS_utimes,       SYS_utimensat, SYS_futimesat,
                 SYS_setxattr,     SYS_lsetxattr,    SYS_fsetxattr, SYS_removexattr,
                 SYS_lremovexattr, SYS_fremovexattr, kSetxattrat,   kRemovexattrat});
-  // A lock on the database would hold the run up.
-  filter.never({SYS_flock});
+  // A lock on the database would hold the run up. Libraries that lock what they read (HDF5) go on
+  // where there are no such locks.
+  filter.never({SYS_flock}, ENOSYS);
   filter.not_where(SYS_fcntl, 1, {F_SETLK, F_SETLKW, F_OFD_SETLK, F_OFD_SETLKW, F_SETLEASE});
   filter.never({SYS_mount, SYS_umount2, SYS_pivot_root, SYS_chroot, SYS_unshare, SYS_setns, 428,
                 429, 430, 431, 432, 433, 442});  // the calls of the newer mount interface
   filter.not_where(SYS_ioctl, 1, {kSetFlags, kSetAttributes, kFreeze});
   filter.never({SYS_open_by_handle_at});
-  if (landlock_abi < 3) filter.never({SYS_truncate});
-  if (landlock_abi > 0) return;
+  if (landlock_abi < 3) {  // which does not know of files that are cut off
+    filter.never({SYS_truncate});
+    filter.not_with(SYS_open, 1, O_TRUNC, EACCES);
+    filter.not_with(SYS_openat, 2, O_TRUNC, EACCES);
+    filter.never({kOpenat2}, ENOSYS);
+  }
+  // Paths can't be seen here: what needs devices, or programs that write to /dev/null, may write.
+  if (landlock_abi > 0 || rules.devices || rules.processes) return;
   constexpr auto kWrites = static_cast<std::uint32_t>(O_WRONLY | O_RDWR | O_CREAT | O_TRUNC);
   filter.not_with(SYS_open, 1, kWrites, EACCES);
   filter.not_with(SYS_openat, 2, kWrites, EACCES);
-  filter.never({kOpenat2}, ENOSYS);
   filter.never({SYS_creat, SYS_unlink, SYS_unlinkat, SYS_rename, SYS_renameat, SYS_renameat2,
                 SYS_mkdir, SYS_mkdirat, SYS_rmdir, SYS_mknod, SYS_mknodat, SYS_link, SYS_linkat,
                 SYS_symlink, SYS_symlinkat},
@@ -198,9 +220,13 @@ bool can_filter_calls() {
 bool filter_calls(const SandboxRules& rules, int landlock_abi) {
   Filter filter;
   leave_others_alone(filter, rules, landlock_abi);
-  leave_files_alone(filter, landlock_abi);
+  leave_files_alone(filter, rules, landlock_abi);
   leave_machine_alone(filter);
-  if (!rules.network) filter.never({SYS_socket}, EACCES);
+  if (rules.network) {  // not AF_UNIX: services of the user would start anything for it
+    filter.only_where(SYS_socket, 0, {AF_INET, AF_INET6, AF_NETLINK});
+  } else {
+    filter.never({SYS_socket}, EACCES);
+  }
   return filter.install();
 }
 

@@ -235,7 +235,8 @@ void Database::checkpoint() {
 void Database::require_in_place() {
   if (lock_ == nullptr || lock_->is_in_place()) return;
   // The log is still found under the old name: what it holds belongs into the file.
-  sqlite3_wal_checkpoint_v2(handle(), "main", SQLITE_CHECKPOINT_TRUNCATE, nullptr, nullptr);
+  const int moved =
+      sqlite3_wal_checkpoint_v2(handle(), "main", SQLITE_CHECKPOINT_TRUNCATE, nullptr, nullptr);
   std::error_code error;
   const bool is_replaced = std::filesystem::exists(*path_, error);
   if (is_replaced) {  // the log's name belongs to the other file now
@@ -246,7 +247,7 @@ void Database::require_in_place() {
                             (is_replaced ? "replaced by another file" : "deleted or moved") +
                             " while it was being written to";
   const std::string place = lock_->place_now().string();
-  if (!place.empty()) {
+  if (!place.empty() && moved == SQLITE_OK) {
     fail(*path_, began + ". All that was committed is in " + place +
                      ": move it back, or name it by --db, and run the same command again");
   }

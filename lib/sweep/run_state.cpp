@@ -53,10 +53,14 @@ void commit_map(Run& run, MapPlan& map, MapRecord record) {
 
 /// A library that is written over while it is flown flies neither the old planner nor the new one,
 /// or crashes: such a trial is nobody's.
-void require_unchanged(const Run& run, const PlannerChoice& planner) {
+void require_unchanged(Run& run, const PlannerChoice& planner) {
   const auto known = run.planner_files.find(planner.file);
-  if (known == run.planner_files.end() || known->second == file_state(planner.file)) return;
-  if (file_digest(planner.file) == planner.file_digest) return;
+  const FileState now = file_state(planner.file);
+  if (known == run.planner_files.end() || known->second == now) return;
+  if (file_digest(planner.file) == planner.file_digest) {  // touched only
+    known->second = now;
+    return;
+  }
   throw InputError({.file = planner.file, .message = "the planner's file changed during the run"});
 }
 

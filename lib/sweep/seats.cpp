@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "base/input_error.hpp"
-#include "sweep/crash_report.hpp"
 #include "base/process_tree.hpp"
+#include "sweep/crash_report.hpp"
 #include "sweep/worker.hpp"
 #include "sweep/worker_process.hpp"
 
@@ -110,7 +110,11 @@ void hand_out(Desk& desk, Seat& seat) {
 
 /// Whether somebody else ended the worker: a person, the kernel out of memory, a cluster.
 bool is_from_outside(const ProcessEnd& end) {
-  return end.signal == SIGKILL || end.signal == SIGTERM || end.signal == SIGHUP;
+  // The last three are ignored by a worker, but not in its first moments.
+  for (const int number : {SIGKILL, SIGHUP, SIGTERM, SIGINT, SIGUSR1}) {
+    if (end.signal == number) return true;
+  }
+  return false;
 }
 
 Death broken_pipes() { return {.reason = "the worker's own pipes were closed or written to"}; }

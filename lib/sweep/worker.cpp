@@ -16,6 +16,7 @@
 #include <map>
 #include <thread>
 
+#include "base/digest.hpp"
 #include "base/input_error.hpp"
 #include "base/process_tree.hpp"
 #include "base/sandbox.hpp"
@@ -96,6 +97,13 @@ std::string instance_key(const TrialSpec& spec) {
          spec_to_json(spec.sensor).dump() + spec_to_json(spec.rates).dump();
 }
 
+constexpr const char* kFileChanged = "the planner's file changed during the run";
+
+void require_unchanged(const PlannerChoice& planner) {
+  if (file_digest(planner.file) == planner.file_digest) return;
+  throw InputError({.file = planner.file, .message = kFileChanged});
+}
+
 }  // namespace
 
 struct Worker::Internals {
@@ -130,8 +138,7 @@ PlannerInstance& Worker::Internals::instance_of(const TrialSpec& spec) {
         libraries.emplace(spec.planner.file, PlannerLibrary::load(spec.planner.file, &clock)).first;
   }
   if (library->second.description().file_digest != spec.planner.file_digest) {
-    throw InputError(
-        {.file = spec.planner.file, .message = "the planner's file changed during the run"});
+    throw InputError({.file = spec.planner.file, .message = kFileChanged});
   }
   PlannerInstance made(library->second, planner_setup(spec), parameter_values(spec.planner),
                        &clock);
@@ -143,6 +150,7 @@ TrialRecord Worker::Internals::fly(const Job& job, const Scene& scene) {
   try {
     planner = &instance_of(job.spec);
   } catch (const InputError& error) {
+    require_unchanged(job.spec.planner);  // else it is no error of this planner
     TrialRecord record;
     record.outcome = Outcome::planner_error;
     record.reason = error.what();
@@ -192,7 +200,8 @@ void Worker::watch(const WorkerOptions& options) {
       if (::getppid() != parent) ::_exit(1);  // a planner may have switched the death signal off
       const double call_s = clock->running_s();
       if (call_s - stopped.in_call_s(call_s) > options.plan_timeout_s) ::_exit(kHungExitCode);
-      if (options.memory_limit_mib > 0.0 && resident_mib_of_family() > options.memory_limit_mib) {
+      if (options.memory_limit_mib > 0.0 &&
+          resident_mib_of_family(options.memory_limit_mib) > options.memory_limit_mib) {
         ::_exit(kMemoryExitCode);
       }
       if (look % kLooksASecond == 0 && ::write(options.notes_fd, "", 1) < 0 && errno == EBADF) {
