@@ -48,6 +48,7 @@ PLANNER = """  - {{plugin: planners/{library}.so, label: hostile,
      parameters: {{way: {way}, folder: {folder}, metric_count: {metrics}}}}}"""
 
 PLAN_TIMEOUT_S, TRIAL_TIMEOUT_S, SILENCE_S, MEMORY_MIB = 1.0, 6.0, 21.0, 300
+DESCRIBE_TIMEOUT_S = 10.0  # that a planner has to say what it is
 PR_SET_CHILD_SUBREAPER = 36
 MARKS = ["/tmp", "/var/tmp", "/dev/shm"]  # folders in which ways leave files of this name
 MARK = "avoidbench_hostile_"
@@ -265,8 +266,8 @@ class Runs:
         library = LIBRARIES.get(way, f"hostile_{uses}" if uses else "hostile")
         folder = self.prepare(folder_name, "nothing" if way in LIBRARIES else way, library)
         before = files_of(folder.parent)
-        limit_s = self.trial_limit_s if expected.limit == "trial" else PLAN_TIMEOUT_S
-        limits_s = self.honest_s + self.given.missions * limit_s
+        limit_s = {"call": PLAN_TIMEOUT_S, "trial": self.trial_limit_s, "load": 0.0}[expected.limit] * self.given.missions
+        limits_s = self.honest_s + limit_s + (DESCRIBE_TIMEOUT_S if expected.limit == "load" else 0.0)
         found = self.run(folder, 1.5 * limits_s + 5.0)
         problems = ["it did not end" if found["code"] is None else f"exit code {found['code']}"] if found["code"] not in expected.codes else []
         if found["code"] in expected.codes and found["code"] != 0 and not re.search(expected.message, found["stderr"]):

@@ -10,7 +10,7 @@ HONEST, FAILS, ANY, OWN, ENDS = "honest", "fails", "any", "own", "ends"
 class Expectation:
     kind: str
     message: str = ""      # FAILS: pattern of "outcome: reason"; ENDS: of what stands on the standard error
-    limit: str = "call"    # what ends it: the limit of a call, of a trial
+    limit: str = "call"    # what ends it: the limit of a call, of a trial, or that of a library's loading ("load")
     codes: tuple = (0,)    # of the program
     flies: bool = True     # there is a database after it
 
@@ -123,10 +123,11 @@ LIBRARIES = {name: f"hostile_{name}" for name in (
     "load_exit", "load_exit_at_once", "load_abort", "load_sleep", "load_spin", "load_stop", "load_fork", "load_child", "load_close", "load_folder",
     "load_print", "load_signals", "load_round", "load_limit", "load_kill_parent", "unload_exit", "unload_abort", "unload_sleep")}
 LOADS = (
-    {name: Expectation(ENDS, "hostile_" + name, codes=(2,), flies=False)
+    {name: Expectation(ENDS, "hostile_" + name, limit="load", codes=(2,), flies=False)
      for name in ("load_exit", "load_exit_at_once", "load_abort", "load_sleep", "load_spin")} |
-    {name: Expectation(ANY, "hostile_" + name, codes=(0, 2), flies=False) for name in ("load_fork", "load_close", "load_kill_parent")} |
-    honest("load_stop", "load_child", "load_folder", "load_print", "load_signals", "load_round", "load_limit", "unload_exit", "unload_abort", "unload_sleep"))
+    {name: Expectation(ANY, "hostile_" + name, limit="load", codes=(0, 2), flies=False) for name in ("load_fork", "load_close", "load_kill_parent")} |
+    {name: Expectation(HONEST, limit="load") for name in ("unload_exit", "unload_abort", "unload_sleep")} |
+    honest("load_stop", "load_child", "load_folder", "load_print", "load_signals", "load_round", "load_limit"))
 
 # A planner that says that it uses processes: "way+processes".
 USES_PROCESSES = {f"{name}+processes": FORKS.get(name, PARENT.get(name)) for name in [*FORKS, *PARENT]}
