@@ -261,7 +261,7 @@ def fly(runs, name, draws, whole_s, kinds):
         one.start()
         while kinds and not one.wait(draws.uniform(0.05, min(0.3 * whole_s, 2.0))):
             used += 1 if one.disturb(kinds.pop()) else 0
-        ended_well = one.end(LONG_LOCK_S + 60.0)
+        ended_well = one.end(LONG_LOCK_S + 60.0 + 5.0 * whole_s)
     for _ in range(4):
         if ended_well:
             break
