@@ -316,8 +316,7 @@ void run(const RunCommand& command) {
   }
   if (command.database_file.empty()) std::filesystem::create_directories("results");
   const StopSignals& signals = watch_stop_signals();
-  Database database =
-      open_database(command, signals, file);
+  Database database = open_database(command, signals, file);
   warn(command, sweep, jobs);
   const ProgressStyle style = command.quiet                ? ProgressStyle::none
                               : command.progress == "json" ? ProgressStyle::json

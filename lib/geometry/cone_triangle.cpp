@@ -1,5 +1,7 @@
 #include "geometry/cone_triangle.hpp"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -364,6 +364,7 @@ std::vector<SweepInfo> Database::read_sweeps() const {
 
 SweepResult Database::read_sweep(std::string_view name, std::int64_t revision,
                                  const std::vector<std::string>& fields) const {
+  const OneMoment moment(handle());
   SweepResult result{.name = std::string(name),
                      .revision = revision,
                      .metrics = metrics_,

@@ -239,4 +239,13 @@ void Transaction::commit() {
   is_open_ = false;
 }
 
+OneMoment::OneMoment(sqlite3* handle)
+    : handle_(sqlite3_get_autocommit(handle) != 0 ? handle : nullptr) {
+  if (handle_ != nullptr) sqlite3_exec(handle_, "BEGIN", nullptr, nullptr, nullptr);
+}
+
+OneMoment::~OneMoment() {
+  if (handle_ != nullptr) sqlite3_exec(handle_, "COMMIT", nullptr, nullptr, nullptr);
+}
+
 }  // namespace avoidbench

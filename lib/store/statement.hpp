@@ -83,4 +83,16 @@ class Transaction {
   bool is_open_ = true;
 };
 
+/// For as long as it lives all that is read is of one moment, whatever a run commits meanwhile.
+class OneMoment {
+ public:
+  explicit OneMoment(sqlite3* handle);
+  ~OneMoment();
+  OneMoment(const OneMoment&) = delete;
+  OneMoment& operator=(const OneMoment&) = delete;
+
+ private:
+  sqlite3* handle_;  ///< null: it is within a transaction already
+};
+
 }  // namespace avoidbench
