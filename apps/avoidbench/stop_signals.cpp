@@ -19,9 +19,7 @@ void note_signal(int number, siginfo_t* info, void*) {
   const bool is_sent = info->si_code <= 0 && info->si_pid > 0;  // by a process, not the kernel
   if (is_sent && descends_from(info->si_pid, ::getpid())) {
     ++signals.ignored;
-  } else if (!signals.stop.exchange(true)) {
-    signals.number = number;
-  } else if (!signals.stop_now.exchange(true)) {
+  } else if (!signals.stop.exchange(true) || !signals.stop_now.exchange(true)) {
     signals.number = number;
   } else {
     constexpr std::string_view kText = "ended at once; run the same command again to go on\n";

@@ -74,7 +74,7 @@ Schema scalar_axis(const FieldTree& field, const Schema& value) {
     return {{"anyOf", {value, list}}};
   }
   Schema schema = value;
-  const Schema types = value.at("type");
+  const Schema& types = value.at("type");
   schema["type"] = types.is_array() ? types : Schema::array({types});
   schema["type"].push_back("array");
   add_values(value, schema);

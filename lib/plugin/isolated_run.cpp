@@ -298,7 +298,7 @@ IsolatedEnd run_isolated(const std::function<void(IsolatedOutput&)>& work, doubl
   }
   IsolatedEnd result{.output = output.bytes(), .problem = "", .last_words = ""};
   if (is_over && !is_reported) {
-    result.problem = "ended the process that watches it";
+    result.problem = "ended the process that watches it (or somebody else did: run it again)";
   } else if (!verdict.in_time || verdict.status != 0 || !output.is_finished()) {
     result.problem = ending(verdict, time_limit_s);
   }

@@ -34,7 +34,7 @@ inline double length_m(const Line& line) {
   return sum_m;
 }
 
-/// Whether the ball fits all along, but for a millimetre of its radius.
+/// Whether the ball fits all along, except for a millimetre of its radius.
 inline bool fits_along(const SecondSearch& s, const Eigen::Vector3d& from,
                        const Eigen::Vector3d& to) {
   constexpr double kSpare_m = 0.001, kFar_m = 3.0;

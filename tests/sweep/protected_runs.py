@@ -70,11 +70,11 @@ def main():
     parser.add_argument("program", type=pathlib.Path)
     parser.add_argument("--planners", required=True, type=pathlib.Path)
     parser.add_argument("--short", action="store_true", help="two ways a case")
-    parser.add_argument("--cases", default="", help="names, separated by semicolons [all]")
+    parser.add_argument("--cases", default="", help="names, separated by | [all]")
     given = parser.parse_args()
     given.planners = given.planners.resolve()
     first, broken = None, 0
-    for name in given.cases.split(";") if given.cases else CASES:
+    for name in given.cases.split("|") if given.cases else CASES:
         if CASES[name][1] and os.getuid() != 0:
             print(f"passed over: {name} (only root can become another user)")
             continue
