@@ -218,6 +218,8 @@ void warn(const RunCommand& command, const SweepSpec& sweep, int jobs) {
   }
   if (!command.in_process && text(sandbox_support()).empty()) {
     std::cerr << "warning: this kernel has no sandbox: planners can do all that you can\n";
+  } else if (!sandbox_of(command).empty() && sandbox_support().landlock_abi == 0) {
+    std::cerr << "warning: this kernel has no Landlock: a planner can write all files that you can\n";
   }
   if (command.in_process) {
     std::cerr << "warning: --in-process: a planner's crash ends the run\n";
@@ -430,7 +432,8 @@ void add_run_command(CLI::App& app) {
       "  avoidbench run configs/sweeps/forest_small.yaml --set trials=20 --db forest.db --jobs "
       "2\n\n"
       "Exit codes: 0 done, 1 done except trials whose worker was killed from outside, 2 usage or "
-      "input, 75 stopped by SIGTERM or SIGUSR1, 130 interrupted");
+      "input, 75 stopped by SIGTERM or SIGUSR1, 130 interrupted, "
+      "128 + N ended at once by a second signal N");
   command->callback([options] { run(*options); });
 }
 

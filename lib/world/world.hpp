@@ -74,7 +74,7 @@ struct World {
   std::vector<Obstacle> obstacles;
   HeightField ground;
   Aabb bounds;         ///< a vehicle's centre that leaves it ends the trial with left_bounds
-  Aabb flight_bounds;  ///< within bounds: what reference paths and map metrics use
+  Aabb flight_bounds;  ///< within bounds: where missions start and end, and what map metrics use
   Region start_region, goal_region;  ///< z is above the ground where `heights_above_ground`
   bool heights_above_ground = false;
   double poisson_radius_m = 0.0;       ///< 0 where obstacles are not a Poisson-disc field

@@ -58,6 +58,8 @@ def check(given, folder, name, first):
     said = sandbox_of(folder / "nothing/run/results.db")
     if len(said) != 1 or not re.search(pattern, said[0][0], re.IGNORECASE):
         problems.append(f"runs.sandbox says {said}")
+    if "no Landlock" in name and "no Landlock" not in runs.honest_text:
+        problems.append(f"no warning that files can be written: {runs.honest_text!r}")
     if name == "nothing" and "no sandbox" not in runs.honest_text:
         problems.append(f"no warning that nothing protects it: {runs.honest_text!r}")
     for way in ways[:1] + ways[-1:] if given.short else ways:
