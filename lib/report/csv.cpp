@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "base/number_text.hpp"
-#include "store/record_format.hpp"
 
 namespace avoidbench {
 namespace {

@@ -8,7 +8,6 @@
 #include "base/input_error.hpp"
 #include "store/run_lock.hpp"
 #include "store/schema_check.hpp"
-#include "store/sql_text.hpp"
 #include "store/statement.hpp"
 #include "store/stored_text.hpp"
 

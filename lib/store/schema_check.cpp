@@ -7,7 +7,6 @@
 
 #include "base/check.hpp"
 #include "base/input_error.hpp"
-#include "store/sql_text.hpp"
 #include "store/statement.hpp"
 
 namespace avoidbench {

@@ -9,6 +9,9 @@
 
 namespace avoidbench {
 
+extern const std::string_view kSchemaSql;  ///< schema.sql
+extern const std::string_view kViewsSql;   ///< views.sql
+
 /// The views of views.sql.
 inline constexpr std::string_view kViews[] = {"trial_table", "planner_summary", "map_summary",
                                               "plan_call_table"};

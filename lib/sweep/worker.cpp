@@ -23,7 +23,6 @@
 #include "base/spec_json.hpp"
 #include "metrics/metric_table.hpp"
 #include "sweep/crash_report.hpp"
-#include "sweep/sweep_spec.hpp"
 #include "trial/planner_view.hpp"
 #include "trial/run_trial.hpp"
 

@@ -23,14 +23,6 @@ struct EnumText<UpAxis> {
       {UpAxis::z, "z"}, {UpAxis::y, "y"}, {UpAxis::x, "x"}};
 };
 
-template <>
-struct EnumText<Material> {
-  static constexpr std::pair<Material, std::string_view> entries[] = {
-      {Material::soil, "soil"},         {Material::bark, "bark"},
-      {Material::leaf, "leaf"},         {Material::brick, "brick"},
-      {Material::concrete, "concrete"}, {Material::painted_metal, "painted_metal"}};
-};
-
 /// An upright box; both corners empty where the user leaves it to the program.
 struct BoxSpec {
   std::vector<double> lowest_m, highest_m;  ///< 3 numbers or none

@@ -10,7 +10,6 @@
 #include <assimp/Importer.hpp>
 #include <cmath>
 
-#include "world/file_maps.hpp"
 #include "world/plain_mesh.hpp"
 
 namespace avoidbench {

@@ -14,6 +14,15 @@ namespace avoidbench {
 /// What a surface is made of: chooses its procedural texture in shaded images (render/shading.hpp).
 enum class Material : std::uint8_t { soil, bark, leaf, brick, concrete, painted_metal, lamp };
 
+/// Those that a spec may name: lamps belong to generators.
+template <>
+struct EnumText<Material> {
+  static constexpr std::pair<Material, std::string_view> entries[] = {
+      {Material::soil, "soil"},         {Material::bark, "bark"},
+      {Material::leaf, "leaf"},         {Material::brick, "brick"},
+      {Material::concrete, "concrete"}, {Material::painted_metal, "painted_metal"}};
+};
+
 /// A mesh that may stand in many places. Every triangle has a material.
 struct Prototype {
   std::string name;

@@ -9,7 +9,7 @@
 #include "store/canonical_rows.hpp"
 #include "store/record_format.hpp"
 #include "store/sample_rows.hpp"
-#include "store/sql_text.hpp"
+#include "store/schema_check.hpp"
 #include "store/statement.hpp"
 
 namespace avoidbench {
