@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # install_packages.sh build|test|slow|plot: installs the Debian/Ubuntu packages that a build, the tests, the tests labelled slow too, or
-# the figures of `report --plots` need, and says which. Does nothing, and needs no root, where they are all there.
+# the pictures of `report --plots` need, and says which. Does nothing, and needs no root, if they are all there.
 set -euo pipefail
 
 build_packages=(

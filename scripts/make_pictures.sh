@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# make_pictures.sh: draws the pictures of README.md, docs/maps.md and docs/sensors.md anew with build/release/avoidbench.
+# make_pictures.sh: draws the pictures of README.md, docs/maps.md and docs/sensors.md again with build/release/avoidbench.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 program=build/release/avoidbench out=docs/images
