@@ -138,7 +138,7 @@ void write_each(const ExportOptions& options, const std::string& extension, Text
   const bool is_one = trials.size() == 1 && !options.output.ends_with('/') &&
                       !std::filesystem::is_directory(options.output, error);
   if (!is_one && options.output == "-") {
-    throw InputError("several trials need --output FOLDER: a file each is written there");
+    throw InputError("several trials need --output FOLDER: one file each is written there");
   }
   const std::filesystem::path folder = is_one ? "" : made_folder(options.output);
   for (const TrialListing& trial : trials) {
@@ -268,7 +268,8 @@ void add_calls(CLI::App& app) {
 void add_ompl(CLI::App& app) {
   const auto options = std::make_shared<ExportOptions>();
   CLI::App* command = app.add_subcommand(
-      "ompl", "Benchmark logs of OMPL, one a map, for ompl_benchmark_statistics and Planner Arena");
+      "ompl",
+      "Benchmark logs of OMPL, one per map, for ompl_benchmark_statistics and Planner Arena");
   command->add_option("DB", options->words, "Database (default: the newest results/*.db)");
   add_sweep(*command, *options);
   add_output(*command, *options,

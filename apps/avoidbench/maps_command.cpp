@@ -186,8 +186,7 @@ void add_map_options(CLI::App& command, MapOptions& options) {
 
 void add_maps_command(CLI::App& app) {
   const auto options = std::make_shared<MapOptions>();
-  CLI::App* command =
-      app.add_subcommand("maps", "The maps there are, pictures and figures of them");
+  CLI::App* command = app.add_subcommand("maps", "List generators; draw, measure and export maps");
   command->footer(
       "Of a sweep's several maps the first is taken; --set and --seed choose another.\n\n"
       "Examples:\n"
@@ -215,7 +214,7 @@ void add_maps_command(CLI::App& app) {
   show_command->add_option("--height", options->view.height_px, "Height, pixels")
       ->check(CLI::Range(64, 8192))
       ->capture_default_str();
-  show_command->add_option("--samples", options->view.samples, "Rays a side of each pixel")
+  show_command->add_option("--samples", options->view.samples, "Rays per side of each pixel")
       ->check(CLI::Range(1, 8))
       ->capture_default_str();
   show_command->callback([options] { show(*options); });

@@ -62,7 +62,7 @@ void merge(const MergeCommand& command) {
 void add_merge_command(CLI::App& app) {
   const auto options = std::make_shared<MergeCommand>();
   CLI::App* command = app.add_subcommand("merge", "Put databases, of shards say, into one");
-  command->add_option("OUT", options->into, "Database to merge into; made where there is none")
+  command->add_option("OUT", options->into, "Database to merge into; made if there is none")
       ->required();
   command->add_option("DB", options->from, "Databases to take from; they stay as they are")
       ->required();

@@ -26,7 +26,8 @@ void add_power_command(CLI::App& app) {
   command->add_option("--discordance", question.discordance,
                       "Share of missions on which two planners end differently, for paired tests "
                       "[that of independent planners]");
-  command->add_option("--trials", question.trials, "Trials a planner: what can be found with them");
+  command->add_option("--trials", question.trials,
+                      "Trials per planner: what can be found with them");
   command->add_option("--format", options->format, "table, csv, json, markdown or latex")
       ->capture_default_str();
   command->footer(

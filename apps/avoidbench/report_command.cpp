@@ -160,7 +160,7 @@ void add_report_command(CLI::App& app) {
       "Only this sweep; NAME@2 for its revision 2 (default: the latest revision of every sweep)");
   command
       ->add_option("--plots", options->plots,
-                   "Folder for the figures of papers, too, as PDF and PNG; takes Python with "
+                   "Folder for the pictures of the paper, too, as PDF and PNG; needs Python with "
                    "matplotlib and pandas")
       ->type_name("FOLDER");
   command

@@ -202,13 +202,12 @@ void warn(const RunCommand& command, const SweepSpec& sweep, int jobs) {
   }
   if (sweep.trials < 10) {
     std::cerr << "warning: " << sweep.trials
-              << " trials a map: success rates of single maps are too coarse to compare\n";
+              << " trials per map: success rates of single maps are too coarse to compare\n";
   }
   if (jobs > allowed_cpus()) {
-    std::cerr
-        << "warning: " << jobs << " workers on " << allowed_cpus()
-        << " CPUs: processing times will be too long (results do not change, but for measured "
-           "latency)\n";
+    std::cerr << "warning: " << jobs << " workers on " << allowed_cpus()
+              << " CPUs: processing times will be too long (results do not change, except with "
+                 "measured latency)\n";
   }
   for (const PlannerChoice& planner : sweep.planners) {
     const std::string granted = text(sandbox_rules(planner.needs));
@@ -219,7 +218,8 @@ void warn(const RunCommand& command, const SweepSpec& sweep, int jobs) {
   if (!command.in_process && text(sandbox_support()).empty()) {
     std::cerr << "warning: this kernel has no sandbox: planners can do all that you can\n";
   } else if (!sandbox_of(command).empty() && sandbox_support().landlock_abi == 0) {
-    std::cerr << "warning: this kernel has no Landlock: a planner can write all files that you can\n";
+    std::cerr
+        << "warning: this kernel has no Landlock: a planner can write all files that you can\n";
   }
   if (command.in_process) {
     std::cerr << "warning: --in-process: a planner's crash ends the run\n";
@@ -415,7 +415,7 @@ void add_run_command(CLI::App& app) {
       ->capture_default_str();
   command
       ->add_option("--heartbeat", options->heartbeat,
-                   "File that is written anew every five seconds with the progress as JSON")
+                   "File that gets the progress as JSON every five seconds")
       ->type_name("FILE");
   command->add_flag("--dry-run", options->dry_run,
                     "Print the trials and fly none; what they will take, where some were flown");

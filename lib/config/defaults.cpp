@@ -187,12 +187,11 @@ std::string sweep_defaults_yaml() {
       "# each combination of such values is flown. avoidbench run FILE --set "
       "maps.poisson_radius_m=3 changes keys.\n"
       "# include: FILE.yaml takes what this file does not say from another; config explain KEY "
-      "tells "
-      "more of a key.\n";
+      "says more about a key.\n";
   BlockPrinter top("");
   top.line("sweep: my_sweep", "Name of the result set: A-Z a-z 0-9 _ . -");
   top.line("seed: " + std::to_string(trial.seed), "Seed of missions and noise.");
-  top.line("trials: 10", "Missions a map, the same for every planner. [1, 1000000]");
+  top.line("trials: 10", "Missions per map, the same for every planner. [1, 1000000]");
   text += top.text +
           "# until: success_rate ci<0.05     # A planner stops when its success rate is known to "
           "± 0.05. Left out: all are flown.\n"

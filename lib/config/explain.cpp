@@ -269,7 +269,7 @@ std::vector<Explanation> about_kind(const FieldTree& sweep, const std::string& p
 
 std::vector<Explanation> about_top(const FieldTree& sweep) {
   Explanation about;
-  about.title = "The keys of a sweep file; avoidbench config explain KEY tells more of one.";
+  about.title = "The keys of a sweep file; avoidbench config explain KEY says more about one.";
   about.columns = {"key", "doc"};
   for (const FieldTree& key : sweep.fields) about.keys.push_back({key.name, key.doc});
   return {std::move(about)};

@@ -24,7 +24,7 @@ std::vector<FieldTree> head() {
                          "A file, or a list of them, whose keys hold where this file says nothing; "
                          "relative to this file's folder."));
   keys.push_back(
-      own_key("trials", FieldKind::whole, "Missions a map, the same for every planner.", 10));
+      own_key("trials", FieldKind::whole, "Missions per map, the same for every planner.", 10));
   keys.back().range = Range{1, 1e6};
   keys.push_back(
       own_key("until", FieldKind::text,

@@ -204,12 +204,12 @@ constexpr MapMetricDef kMapTable[] = {
      "Mean gap between obstacles over the drone's diameter; below 1: not traversable",
      "(r_poisson - mean obstacle width) / d_drone", "AvoidBench eq. (2), as its text has it",
      [](const MapRecord& map) { return map.relative_gap_size; }},
-    {"obstacle_density_1pm2", "1/m^2", "Obstacles a square metre", "count / area", "",
+    {"obstacle_density_1pm2", "1/m^2", "Obstacles per square metre", "count / area", "",
      [](const MapRecord& map) { return map.obstacle_density_1pm2; }},
     {"free_volume_ratio", "", "Share of the flight space where the body's ball is free",
      "free points / points of a 1 m x 1 m x 0.5 m grid", "",
      [](const MapRecord& map) { return map.free_volume_ratio; }},
-    {"obstacle_count", "", "Obstacles but for ground, walls, ceiling and lamps", "count", "",
+    {"obstacle_count", "", "Obstacles except ground, walls, ceiling and lamps", "count", "",
      [](const MapRecord& map) { return static_cast<double>(map.obstacle_count); }},
 };
 

@@ -50,7 +50,7 @@ std::string joined(const std::vector<std::string>& words) {
   for (const fs::path& folder : folders) tried.push_back(folder.string());
   std::string message = "no planner '" + plugin + "'" + did_you_mean(plugin, names);
   message += "; looked in " + (tried.empty() ? std::string("no folder") : joined(tried));
-  message += names.empty() ? ", where there is none" : ", where there are " + joined(names);
+  message += names.empty() ? " and found none" : " and found " + joined(names);
   if (plugin.ends_with(".so")) message += "; write ./" + plugin + " for a file in this folder";
   throw InputError(message);
 }

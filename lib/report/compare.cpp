@@ -262,7 +262,7 @@ void tell_few_pairs(Comparison& comparison) {
   }
   if (few.empty()) return;
   comparison.warnings.push_back("too few trials of " + few +
-                                " for any regression to be told from chance: fly more missions, "
+                                " to distinguish a regression from chance: fly more missions, "
                                 "or compare with --exact");
 }
 
@@ -307,7 +307,7 @@ Pair common_metric(const TrialTable& base, const TrialTable& now, const std::str
   if (before != after) {
     throw InputError(name + " is defined in version " + std::to_string(before) + " in " +
                      base.source + " and in version " + std::to_string(after) + " in " +
-                     now.source + ": values of the two can't be compared; make the base anew");
+                     now.source + ": values of the two can't be compared; make the base again");
   }
   return columns;
 }

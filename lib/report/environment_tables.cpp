@@ -77,7 +77,7 @@ Table map_table(const SweepSummary& summary) {
 
 Table correlation_table(const SweepSummary& summary) {
   Table table{.name = "environment",
-              .title = "How measures of maps go with their traversability",
+              .title = "How measures of maps correlate with their traversability",
               .columns = {},
               .rows = {},
               .is_for_people = false};

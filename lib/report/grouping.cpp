@@ -80,7 +80,7 @@ GroupColumn parse_group_column(const std::string& text) {
   const char* end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data() + slash + 1, end, column.bin_count);
   if (error != std::errc{} || rest != end || column.bin_count < 2 || column.bin_count > 100) {
-    throw InputError("--group-by " + text + ": behind / stands a number of groups from 2 to 100");
+    throw InputError("--group-by " + text + ": after / comes a number of groups from 2 to 100");
   }
   return column;
 }

@@ -37,10 +37,9 @@ void check(const PowerQuestion& question) {
 }
 
 Table needed_table(const PowerQuestion& question, double lower_rate, double discordance) {
-  Table table{.name = "trials", .title = "Trials a planner", .columns = {}, .rows = {}};
-  table.columns = {
-      {.name = "test", .header = "to be told by", .unit = "", .doc = "", .place = Place::key},
-      {.name = "trial_count", .header = "trials", .unit = "", .doc = ""}};
+  Table table{.name = "trials", .title = "Trials per planner", .columns = {}, .rows = {}};
+  table.columns = {{.name = "test", .header = "by", .unit = "", .doc = "", .place = Place::key},
+                   {.name = "trial_count", .header = "trials", .unit = "", .doc = ""}};
   const auto add = [&](const std::string& test, double trials) {
     std::vector<Cell> row;
     append(row, test);
@@ -63,7 +62,7 @@ Table needed_table(const PowerQuestion& question, double lower_rate, double disc
 
 Table found_table(const PowerQuestion& question, double lower_rate) {
   Table table{.name = "found",
-              .title = "With " + std::to_string(*question.trials) + " trials a planner",
+              .title = "With " + std::to_string(*question.trials) + " trials per planner",
               .columns = {},
               .rows = {}};
   table.columns = {
@@ -117,7 +116,7 @@ Section power_section(const PowerQuestion& question) {
                                   "fail on the same ones (--discordance)"));
   section.notes.emplace_back("maps",
                              "all this is for trials that are alike: where maps differ much, more "
-                             "maps help, more missions a map hardly");
+                             "maps help, more missions per map hardly");
   return section;
 }
 

@@ -24,7 +24,7 @@ Table difficulty_table(const SweepSummary& summary) {
        .header = "ρ",
        .unit = "",
        .doc = "success_spearman: rank correlation of the maps' success rates with their "
-              "normalised traversability, with a 95 % interval; – where all maps have one rate"});
+              "normalised traversability, with a 95 % interval; – if all maps have one rate"});
   append_bounds(table.columns, "success_spearman");
   table.columns.push_back(
       {.name = "midpoint_ratio",
@@ -36,7 +36,7 @@ Table difficulty_table(const SweepSummary& summary) {
   table.columns.push_back({.name = "logistic_slope",
                            .header = "slope",
                            .unit = "",
-                           .doc = "logistic_slope: log odds of success a unit of P_τ"});
+                           .doc = "logistic_slope: log odds of success per unit of P_τ"});
   table.columns.push_back(machine_column("logistic_intercept"));
   table.columns.push_back({.name = "fit", .header = "fit", .unit = "", .doc = ""});
   for (const DifficultyResponse& response : summary.difficulty) {

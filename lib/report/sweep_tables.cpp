@@ -178,8 +178,8 @@ Table pair_table(const SweepSummary& summary) {
       {.name = "contrast_factor",
        .header = "CF",
        .unit = "",
-       .doc = "contrast factor: failures a metre of the first planner over those of the other, 1 "
-              "is equal; – where undefined (a success rate is 0 or 1)"});
+       .doc = "contrast factor: failures per metre of the first planner over those of the other, 1 "
+              "is equal; – if undefined (a success rate is 0 or 1)"});
   table.columns.push_back(
       {.name = "contrast_factor_smoothed",
        .header = "CF smoothed",

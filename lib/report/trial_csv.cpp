@@ -205,7 +205,7 @@ TrialTable table_of_csv(const std::string& text, const std::string& source) {
       table.trials.push_back(trial_of(reader, reader.fields(line), table.metrics.size()));
       const std::size_t count = table.trials.size();
       if (count > 1 && !(table.trials[count - 2].identity < table.trials[count - 1].identity)) {
-        reader.fail("trials are not in order, or this one stands there twice");
+        reader.fail("trials are not in order, or this one is there twice");
       }
     }
   }

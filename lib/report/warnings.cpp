@@ -167,7 +167,7 @@ std::int64_t warn_of_stops(const SweepSummary& summary, const SweepResult& resul
     warnings.push_back(summary.planners[planner.planner] + " stopped after " +
                        std::to_string(mission_count_of(result, label)) + " of " +
                        std::to_string(spec.value("trials", std::int64_t{0})) +
-                       " missions a map, as the sweep's rule says (until " + text + ")");
+                       " missions per map, as the sweep's rule says (until " + text + ")");
   }
   return left_out;
 }
@@ -202,8 +202,8 @@ std::vector<std::string> warnings_of(const SweepSummary& summary, const SweepRes
   warn_of_mixtures(summary, result, spec, warnings);
   if (result.has_measured_latency) {
     warnings.push_back(
-        "latency was measured on the host: these results depend on the machine and can't be "
-        "repeated bit for bit but with latency mode replay");
+        "latency was measured on the host: these results depend on the machine; only latency mode "
+        "replay repeats them bit for bit");
   }
   return warnings;
 }

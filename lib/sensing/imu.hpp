@@ -43,7 +43,7 @@ void visit(Visitor& v, ImuSpec& s) {
           "Correlation time of the bias.");
   v.field("accelerometer_turn_on_bias_mps2", s.accelerometer_turn_on_bias_mps2, Range{0, 10},
           "Standard deviation of the constant bias.");
-  v.field("rate_hz", s.rate_hz, Range{1, 4000}, "Samples a second.");
+  v.field("rate_hz", s.rate_hz, Range{1, 4000}, "Samples per second.");
   v.field("position_body_m", s.position_body_m, Range{-1, 1},
           "Where it sits, from the centre of gravity, body frame (FLU).");
 }

@@ -24,7 +24,7 @@ struct OdometrySpec {
 
 template <class Visitor>
 void visit(Visitor& v, OdometrySpec& s) {
-  v.field("rate_hz", s.rate_hz, Range{1, 4000}, "New noise so many times a second.");
+  v.field("rate_hz", s.rate_hz, Range{1, 4000}, "New noise so many times per second.");
   v.field("delay_ms", s.delay_ms, Range{0, 1000},
           "Age of the state that the planner gets. The vehicle's own controller has no delay.");
   v.field("position_sigma_m", s.position_sigma_m, Range{0, 10}, "White noise on each axis.");
@@ -34,7 +34,7 @@ void visit(Visitor& v, OdometrySpec& s) {
   v.field("rates_sigma_radps", s.rates_sigma_radps, Range{0, 10}, "White noise on each axis.");
   v.field("position_drift_ratio", s.position_drift_ratio, Range{0, 1},
           "Random walk of the position: its standard deviation on each axis after 1 m of way; it "
-          "grows with the root of the way.");
+          "grows with the square root of the way.");
   v.field("yaw_drift_deg_per_sqrt_s", s.yaw_drift_deg_per_sqrt_s, Range{0, 45},
           "Random walk of the yaw: its standard deviation after 1 s.");
 }

@@ -56,7 +56,7 @@ void visit(Visitor& v, DepthNoisySpec& s) {
           "Standard deviation of the disparity in such patches.");
   v.field("hole_ratio", s.hole_ratio, Range{0, 1}, "Share of invalid patches.");
   v.field("bland_hole_ratio", s.bland_hole_ratio, Range{0, 1},
-          "The same on surfaces without texture, and where there is nothing in range.");
+          "The same on surfaces without texture, and if nothing is in range.");
   v.field("hole_size_px", s.hole_size_px, Range{1, 200}, "About the size of patches.");
   v.field("dropout_ratio", s.dropout_ratio, Range{0, 1}, "Share of single invalid pixels.");
   v.field("fattening_px", s.fattening_px, Range{0, 16},
@@ -174,7 +174,7 @@ void visit(Visitor& v, ImageSpec& s) {
   v.field("vignetting", s.vignetting, Range{0, 1},
           "Share of the lens's cos⁴ loss of light toward the corners that is left; 0: none.");
   v.field("samples", s.samples, Range{1, 8},
-          "Rays a side of each pixel. Textures are filtered for one; more smooth the outlines.");
+          "Rays per side of each pixel. Textures are filtered for one; more smooth the outlines.");
   v.field("blur_samples", s.blur_samples, Range{1, 64},
           "Pictures averaged over the exposure; 1: no motion blur.");
   v.field("shadows", s.shadows, "Whether the sun casts shadows.");
@@ -205,7 +205,7 @@ void visit(Visitor& v, SensorSpec& s) {
   v.field("fov_x_deg", s.fov_x_deg, Range{10, 170},
           "Horizontal field of view of the pinhole, below 180; pixels are square.");
   v.field("rate_hz", s.rate_hz, Range{1, 1000},
-          "Images a second; a whole number of 1/36000 s ticks each.");
+          "Images per second; a whole number of 1/36000 s ticks each.");
   v.field("exposure_ms", s.exposure_ms, Range{0, 1000},
           "Exposure time, around the image's time; blurs where image.blur_samples > 1.");
   v.field("delay_ms", s.delay_ms, Range{0, 1000},

@@ -110,8 +110,8 @@ RunSummary run_sweep(const SweepSpec& sweep, const RunRow& provenance, Database&
                      const RunOptions& options) {
   if (sweep.until.is_set() && options.shard.count > 1) {
     throw InputError(
-        "until: whether a planner has flown enough is seen from all of its trials, a shard has "
-        "only some: fly the sweep on one machine, or without 'until'");
+        "until: a shard has only some of a planner's trials, and all of them decide whether it has "
+        "flown enough: fly the sweep on one machine, or without 'until'");
   }
   Run run{.sweep = sweep,
           .options = options,

@@ -44,10 +44,10 @@ struct RatesSpec {
 template <class Visitor>
 void visit(Visitor& v, RatesSpec& s) {
   v.field("physics_hz", s.physics_hz, Range{250, 4000},
-          "Steps of the vehicle's dynamics and collision tests a second.");
-  v.field("plan_hz", s.plan_hz, Range{0.5, 1000}, "Calls of the planner a second.");
+          "Steps of the vehicle's dynamics and collision tests per second.");
+  v.field("plan_hz", s.plan_hz, Range{0.5, 1000}, "Calls of the planner per second.");
   v.field("sample_hz", s.sample_hz, Range{10, 1000},
-          "Samples of the recorded trajectory a second.");
+          "Samples of the recorded trajectory per second.");
 }
 
 enum class LatencyMode { zero, fixed, measured, replay };

@@ -122,13 +122,13 @@ void visit(Visitor& v, TurbulenceSpec& s) {
   v.field(
       "airspeed_mps", s.airspeed_mps, Range{0.1, 100},
       "Speed at which the turbulence passes by, fixed: the wind is the same for every planner.");
-  v.field("rate_hz", s.rate_hz, Range{10, 4000}, "New values a second, held between.");
+  v.field("rate_hz", s.rate_hz, Range{10, 4000}, "New values per second, held between.");
 }
 
 template <class Visitor>
 void visit(Visitor& v, KickSpec& s) {
   v.field("rate_per_min", s.rate_per_min, Range{0, 6000},
-          "Mean number a minute, Poisson; 0: none.");
+          "Mean number per minute, Poisson; 0: none.");
   v.field("force_n", s.force_n, Range{0, 1000}, "Force of a kick, in a random direction.");
   v.field("torque_nm", s.torque_nm, Range{0, 100}, "Torque of a kick, about a random axis.");
   v.field("duration_s", s.duration_s, Range{0.001, 60}, "How long a kick lasts.");

@@ -121,7 +121,7 @@ TEST(Compare, WhatCantBeComparedIsRefused) {
   now.metrics[0].version = 2;
   EXPECT_EQ(error_of([&] { compare_tables(base, now, {}); }),
             "path_optimality_pct is defined in version 1 in a.db and in version 2 in b.db: values "
-            "of the two can't be compared; make the base anew");
+            "of the two can't be compared; make the base again");
   EXPECT_NE(error_of([&] { compare_exactly(base, now); }).find("version"), std::string::npos);
   const TrialTable others = finished_table("c.db", 3, 4, "reactive");
   EXPECT_NE(error_of([&] { compare_tables(base, others, {}); }).find("no trial of a.db is in c.db"),

@@ -107,7 +107,7 @@ TEST(TrialTable, DamagedCsvIsToldWithItsLine) {
   EXPECT_NE(error_with("%,less", "%,fewer").find("t.csv:4: a metric is"), std::string::npos);
   EXPECT_NE(error_of([&] {
               table_of_csv(csv + csv.substr(csv.rfind('\n', csv.size() - 2) + 1), "t.csv");
-            }).find("stands there twice"),
+            }).find("is there twice"),
             std::string::npos);
   EXPECT_NE(error_of([&] {
               table_of_csv(csv.substr(0, csv.find("\na,")), "t.csv");
