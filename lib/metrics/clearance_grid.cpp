@@ -6,9 +6,11 @@
 namespace avoidbench {
 namespace {
 
+// 32 MB of distances, and three times that in a search over them.
 constexpr double kMaxCells = 8e6;
 constexpr double kWorthAStep =
     0.25;  ///< of a cell: the scene is asked where a step would be shorter
+// Distances are kept as floats; bounds made of them give way by this.
 constexpr double kFloatRounding_m = 1e-6;
 
 Eigen::Vector3i grid_size(const Aabb& region, double cell_m) {
@@ -54,6 +56,8 @@ Eigen::Vector3i ClearanceGrid::cell(std::int64_t index) const {
 double ClearanceGrid::clearance_m(const Eigen::Vector3i& cell) {
   float& kept = clearance_m_[static_cast<std::size_t>(index(cell))];
   if (kept < 0.0F) {
+    // A query within a known bound visits few triangles. Neighbours are mostly known: callers walk
+    // from cell to cell.
     const double limit_m = upper_bound_m(cell);
     kept = static_cast<float>(std::min(kFar_m, scene_->nearest(centre(cell), limit_m).distance_m));
   }
@@ -96,6 +100,8 @@ double ClearanceGrid::interpolated_bound_m(const Eigen::Vector3d& point) {
   // |c − x|²/2d(x), so that mean ≤ d + S/2d, S the mean of |c − x|². Of the two ranges of d that
   // this leaves, the lower is out where mean − √S ≤ d is above it.
   const double spread_m2 = cell_m_ * cell_m_ * (share.array() * (1.0 - share.array())).sum();
+  // The lower range is out from mean² = 2.25 S on; the limit is a little above that, and 2 S, where
+  // the root ends, is well below it.
   if (mean_m * mean_m < 2.62 * spread_m2) return 0.0;
   return 0.5 * (mean_m + std::sqrt(mean_m * mean_m - 2.0 * spread_m2)) - kFloatRounding_m;
 }
@@ -105,7 +111,9 @@ double ClearanceGrid::lower_bound_m(const Eigen::Vector3d& point, double enough_
   const double offset_m = (point - centre(cell)).norm() + kFloatRounding_m;
   const double at_centre_m = clearance_m(cell);
   if (at_centre_m - offset_m >= enough_m) return at_centre_m - offset_m;
+  // The point is the centre.
   if (offset_m <= 2.0 * kFloatRounding_m) return at_centre_m;
+  // Else no bound can reach what is asked for, and the scene has to say.
   if (at_centre_m + offset_m >= enough_m) {
     const double bound_m = interpolated_bound_m(point);
     if (bound_m >= enough_m) return bound_m;
@@ -129,6 +137,8 @@ double ClearanceGrid::free_distance_m(const Eigen::Vector3d& from, const Eigen::
   while (travelled_m < limit_m) {
     const double clearance = lower_bound_m(from + travelled_m * direction, enough_m);
     if (clearance < radius_m - kTolerance_m) return travelled_m;
+    // Sphere tracing: nothing is nearer than the clearance. The least step keeps a flight along a
+    // wall from creeping.
     travelled_m += std::max(clearance - radius_m, kTolerance_m);
   }
   return limit_m;
@@ -139,6 +149,7 @@ std::optional<Eigen::Vector3d> ClearanceGrid::obstruction(const Eigen::Vector3d&
                                                           double radius_m) {
   const double length_m = (to - from).norm();
   const double least_m = radius_m - kSightTolerance_m;
+  // The end first: one look that may spare the walk.
   if (!is_free(to, least_m)) return to;
   if (length_m < 1e-9) return std::nullopt;
   const Eigen::Vector3d direction = (to - from) / length_m;
@@ -152,6 +163,8 @@ std::optional<Eigen::Vector3d> ClearanceGrid::obstruction(const Eigen::Vector3d&
     const Eigen::Vector3d place = from + s_m * direction;
     const double margin_m = lower_bound_m(place, enough_m) - least_m;
     if (margin_m < 0.0) return place;
+    // The free ball reaches back to what is covered, or the look ahead is as short as the tolerance
+    // allows: go on from its far side. Else look nearer.
     if (margin_m >= behind_m || ahead_m <= kSightTolerance_m) {
       covered_m = s_m + margin_m;
       ahead_m = std::max(margin_m, kSightTolerance_m);
@@ -168,6 +181,9 @@ Eigen::Vector3d ClearanceGrid::nearest_surface(const Eigen::Vector3d& point) con
 }
 
 bool is_inside(const Scene& scene, const Eigen::Vector3d& point_world) {
+  // Rays that are askew to all axes: walls and boxes stand along the axes, and a ray along one
+  // meets their edges. One of three may slip through a crack of a mesh or be undecided at an edge;
+  // two are believed.
   int behind = 0;
   for (const Eigen::Vector3d& direction :
        {Eigen::Vector3d(1, 0.013, 0.007), Eigen::Vector3d(-0.51, 0.86, 0.011),

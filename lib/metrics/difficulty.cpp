@@ -17,6 +17,7 @@ namespace {
 using Eigen::Vector3d;
 using Path = std::vector<Vector3d>;
 
+// The sensing range of all three measures, as in FlightBench.
 constexpr double kSensing_m = 4.0;
 
 /// A place of the path and the direction there.
@@ -40,6 +41,7 @@ Station station(const Path& path, double along_m) {
 /// Two directions that complete `forward` to a right-handed frame.
 std::pair<Vector3d, Vector3d> sideways(const Vector3d& forward) {
   const Vector3d helper =
+      // Any helper that is not nearly parallel to `forward` will do.
       std::abs(forward.z()) < 0.9 ? Vector3d(Vector3d::UnitZ()) : Vector3d(Vector3d::UnitX());
   const Vector3d left = helper.cross(forward).normalized();
   return {left, forward.cross(left)};
@@ -68,6 +70,8 @@ std::optional<double> shared_volume(const Sphere& a, const Sphere& b) {
   const auto cap = [](double radius, double height) {
     return std::numbers::pi / 3.0 * height * height * (3.0 * radius - height);
   };
+  // The plane of the circle in which the spheres cut each other, from the small one's centre; each
+  // side of it is a cap.
   const double to_plane = (small * small + d * d - large * large) / (2.0 * d);
   return cap(small, small - to_plane) + cap(large, large - (d - to_plane));
 }
@@ -180,6 +184,7 @@ double traversability_obstruction(const Scene& scene, const Path& path, double r
   for (int i = 0; i < kCorridors; ++i) {
     std::vector<double> radii = corridor_radii(scene, path, radius_m, draws);
     std::sort(radii.begin(), radii.end());
+    // Narrow places make a mission hard; wide ones beside them do not make it easier.
     const std::size_t half = std::max<std::size_t>(1, radii.size() / 2);
     double sum = 0.0;
     for (std::size_t k = 0; k < half; ++k) sum += 1.0 / radii[k];

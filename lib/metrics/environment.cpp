@@ -63,6 +63,7 @@ bool has_point_near(const VoxelGrid& points, const Eigen::Vector3d& point) {
 
 /// Mean of the original's free distances from one position [m].
 double stepped_distance_m(const VoxelGrid& points, const Aabb& box, const Eigen::Vector3d& from) {
+  // As the original's code has them.
   constexpr int kHeadings = 8;
   if (has_point_near(points, from)) return 0.0;
   double sum_m = 0.0;
@@ -99,6 +100,7 @@ Traversability traversability(const Scene& scene, ClearanceGrid& grid, const Bod
   for_each_position(world.flight_bounds, kStep_m, [&](double x, double y) {
     Eigen::Vector3d from(x, y, height_m);
     if (world.heights_above_ground) from.z() += ground_height_m(world, x, y);
+    // Inside a closed obstacle the nearest surface may be far: distances alone would call it free.
     const bool is_blocked = is_inside(scene, from) || !grid.is_free(from, body.radius_m);
     for (int i = 0; i < kHeadings; ++i) {
       const double heading_rad = math::kTau * i / kHeadings;

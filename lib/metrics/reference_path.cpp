@@ -22,7 +22,8 @@ struct Search {
   Vector3d start;
   GoalRegion goal;
   std::int64_t start_index, goal_index;
-  std::vector<double> cost_m;        ///< +inf: not reached
+  std::vector<double> cost_m;  ///< +inf: not reached
+  // 32 bits hold the grid's 8 million cells.
   std::vector<std::int32_t> parent;  ///< of reached cells
   std::vector<bool> is_sighted;      ///< whether the way from the parent is known to be free
   std::vector<bool> closed;
@@ -43,9 +44,11 @@ Vector3d Search::place(std::int64_t index) {
   const Vector3i cell = grid.cell(index);
   const Vector3d centre = grid.centre(cell);
   const double lacking_m = radius_m - grid.clearance_m(cell);
+  // A push of more than half a cell would end in the next cell, which has a place of its own.
   if (lacking_m <= 0.0 || lacking_m > 0.5 * grid.cell_m()) return centre;
   const auto [found, is_new] = beside_surface.try_emplace(index, centre);
   if (is_new) {
+    // More than the rounding of float vertices, so that the ball is free where it touches.
     constexpr double kSpare_m = 1e-5;
     const Vector3d away = centre - grid.nearest_surface(centre);
     const Vector3d touching = centre + away.normalized() * (radius_m + kSpare_m - away.norm());
@@ -134,12 +137,15 @@ Path any_angle_search(Search& search) {
       if (!settle_parent(search, index)) continue;
       search.is_sighted[at(index)] = true;
       const double cost_m = search.cost_m[at(index)];
+      // The way around is longer than the straight one that was hoped for.
       if (cost_m > hoped_m) {  // others may come first now
         open.push({cost_m + heuristic_m(search, search.place(index)), cost_m, index});
         continue;
       }
     }
     search.closed[at(index)] = true;
+    // Every cell of the region ends the search, not the goal's centre alone: the nearest entry
+    // counts.
     if (search.goal.contains(search.place(index))) return path_to(search, index);
     const std::int64_t parent = search.parent[at(index)];
     const Vector3d from = search.place(parent);
@@ -170,6 +176,7 @@ std::optional<Path> reference_path(ClearanceGrid& grid, const Mission& mission,
   const Vector3d& start = mission.start_world;
   const GoalRegion goal{mission.goal_world, goal_radius_m};
   const Vector3d end = nearest_of(goal, start);
+  // Most missions on open maps need no search.
   if (grid.is_segment_free(start, end, radius_m)) return Path{start, end};
   const auto count = static_cast<std::size_t>(grid.cell_count());
   Search search{.grid = grid,

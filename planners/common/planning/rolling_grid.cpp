@@ -16,6 +16,7 @@ int floored(double value) {
   constexpr double kFar = 1e9;
   if (!(value > -kFar)) return -static_cast<int>(kFar);
   if (value > kFar) return static_cast<int>(kFar);
+  // The cast cuts toward zero, which is one cell too high below zero.
   const int cut = static_cast<int>(value);
   return cut - (static_cast<double>(cut) > value ? 1 : 0);
 }
@@ -26,6 +27,8 @@ int wrapped(int value, int size) {
 }
 
 std::int16_t thousandths(double log_odds) {
+  // Whole numbers: sums of log odds then depend neither on their order nor on the compiler. ±16
+  // keeps two of them within 16 bits.
   return static_cast<std::int16_t>(std::lround(1000.0 * std::clamp(log_odds, -16.0, 16.0)));
 }
 
@@ -58,6 +61,7 @@ RollingGrid::RollingGrid(const RollingGridSpec& spec) : spec_(spec) {
   lowest_z_ = floored(spec.lowest_m / spec.resolution_m);
   height_ = floored(spec.highest_m / spec.resolution_m) - lowest_z_ + 1;
   words_ = (height_ + 63) / 64;
+  // Less a hair, so that 0.3 m of cells of 0.1 m are three of them, not four.
   reach_ = static_cast<int>(std::ceil(spec.inflation_m / spec.resolution_m - 1e-9));
   const auto columns = static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_);
   const std::size_t words = columns * static_cast<std::size_t>(words_);
@@ -73,6 +77,8 @@ RollingGrid::RollingGrid(const RollingGridSpec& spec) : spec_(spec) {
 void RollingGrid::center_at(const Cell& center) {
   first_x_ = center.x() - side_ / 2;
   first_y_ = center.y() - side_ / 2;
+  // The first column's place in the ring is its own number modulo the side, so that a column keeps
+  // its place as long as it is inside.
   ring_x_ = wrapped(first_x_, side_);
   ring_y_ = wrapped(first_y_, side_);
 }
@@ -89,8 +95,10 @@ void RollingGrid::move_to(const Vector3d& center_world) {
   if (!center_world.allFinite()) return;
   const int old_x = first_x_, old_y = first_y_;
   const Cell center = cell_of(center_world);
+  // In 64 bits: a centre beyond all cells must not overflow the difference.
   const std::int64_t far_x = std::int64_t{center.x()} - side_ / 2 - old_x;
   const std::int64_t far_y = std::int64_t{center.y()} - side_ / 2 - old_y;
+  // Nothing of the old place is left: quicker than to forget it column by column.
   if (std::abs(far_x) >= side_ || std::abs(far_y) >= side_) {
     reset(center_world);
     return;
@@ -108,6 +116,7 @@ void RollingGrid::move_to(const Vector3d& center_world) {
   }
   center_at(center);
   for (const Eigen::Vector2i& at : left_behind) {
+    // Those columns are gone; what they inflated is next to them, inside.
     mark_changed(std::clamp(at.x(), first_x_, first_x_ + side_ - 1),
                  std::clamp(at.y(), first_y_, first_y_ + side_ - 1));
   }
@@ -177,6 +186,7 @@ CellState RollingGrid::box_state(const Vector3d& center_world, const Vector3d& s
     }
   }
   if (occupied != 0) return CellState::occupied;
+  // The part inside may all be free, but what lies beyond the grid is unknown.
   const bool is_inside = contains(from) && contains(to);
   return unknown == 0 && is_inside ? CellState::free : CellState::unknown;
 }
@@ -218,6 +228,10 @@ void RollingGrid::inflate_changes() {
     flags |= flag;
     list.emplace_back(x, y);
   };
+  // A box is grown one axis after the other: a cell is inflated if an occupied one lies within
+  // reach along y, then along x, then along z. So each pass costs the reach, not its cube. The list
+  // grows while it is walked, by columns within reach along y; its first `count` are those that
+  // changed.
   for (std::size_t i = 0, count = changed_.size(); i < count; ++i) {
     const Eigen::Vector2i at = changed_[i];
     for (int y = first_of(at.y(), first_y_); y <= last_of(at.y(), first_y_); ++y) {
@@ -266,6 +280,8 @@ void RollingGrid::grow_along_z(std::uint64_t* column) const {
     std::uint64_t below = 0;
     for (std::size_t w = 0; w < words; ++w) {
       const std::uint64_t at = column[w], above = w + 1 < words ? column[w + 1] : 0;
+      // The neighbours of a word's first and last cell are in the words before and behind; `below`
+      // is the word before as it was.
       column[w] = at | at << 1U | at >> 1U | below >> 63U | above << 63U;
       below = at;
     }

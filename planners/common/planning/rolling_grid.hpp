@@ -42,6 +42,12 @@ using Cell = Eigen::Vector3i;
 
 /// Depth images gathered around the vehicle. x and y roll with the centre: what comes in is
 /// unknown, what goes out is forgotten. Beyond the grid everything is unknown.
+/// A column (x, y) lies where x and y modulo the side say, wherever the grid is: moving it forgets
+/// the columns that go out and copies none. Between calls occupied_ holds the known cells above
+/// occupied_above, settled_ those at the least log odds, and inflated_ is occupied_ grown by reach_
+/// cells along each axis. All that belongs to an image (ends, kept cells, flags of columns) is
+/// empty again. A column's last word may have bits above the grid; contains() comes before every
+/// look.
 class RollingGrid {
  public:
   explicit RollingGrid(const RollingGridSpec& spec);

@@ -20,11 +20,14 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr float kNothing = kInfinity;                           ///< no pixel says anything
 constexpr float kFarthest = std::numeric_limits<float>::max();  ///< stands for +inf
 constexpr int kGrazedParts = 5;  ///< a cell is not missed where more than one ray in five grazes it
+// Floats that one loop compares at once: two SSE vectors or one of AVX.
 constexpr int kLanes = 8;
 constexpr int kDepthSteps = 64;  ///< of the table that has a window for each depth
 
 /// How many blocks around the one where a cell's centre lies may see part of the cell.
 int blocks_around(float half_cell_blocks_m, float depth_m) {
+  // Half a cell in blocks, a fifth more since a cell seen askew is wider, and half a block since
+  // its centre lies anywhere in a block.
   return static_cast<int>(std::ceil(1.2F * half_cell_blocks_m / depth_m + 0.5F));
 }
 
@@ -65,6 +68,8 @@ struct Strides {
 Counts count_row_by_row(const float* depths_m, Strides along, Strides down, float before_m,
                         float behind_m) {
   std::array<std::int32_t, kLanes> near{}, all{}, is_inside{};
+  // Large windows are thinned out by a stride and counted one by one; the usual small ones in
+  // lanes, where those beyond the window are masked instead of left out.
   if (along.stride != 1 || along.count > kLanes) {
     Counts counts{0, 0};
     for (int row = 0; row < down.count; ++row, depths_m += down.stride) {
@@ -116,9 +121,11 @@ bool RollingGrid::look(const ab_depth_image& image, View& view) {
   const Vector3d eye = avoidbench::as_vector(image.position_world_m);
   const Eigen::Quaterniond q = avoidbench::as_quaternion(image.q_world_camera);
   const double norm = q.norm();
+  // A planner may be shown anything by the conformance suite: such an image says nothing.
   const auto is_focal = [](double length_px) { return length_px > 1e-2 && length_px < 1e6; };
   const bool has_lens = is_focal(image.fx_px) && is_focal(image.fy_px) &&
                         std::abs(image.cx_px) < 1e6 && std::abs(image.cy_px) < 1e6;
+  // A quaternion that is only badly normalised is taken; one far from unit length is no rotation.
   if (!has_lens || !eye.allFinite() || !(norm > 0.5 && norm < 2.0)) return false;
   if (image.width_px <= 0 || image.height_px <= 0 || image.depth_m == nullptr) return false;
   const double cell_m = spec_.resolution_m;
@@ -126,6 +133,7 @@ bool RollingGrid::look(const ab_depth_image& image, View& view) {
   view.eye_cells = eye / cell_m - Cell(first_x_, first_y_, lowest_z_).cast<double>();
   const double reach = spec_.longest_ray_m / cell_m + 1.0;
   const Eigen::Array3d size = Cell(side_, side_, height_).cast<double>();
+  // From so far outside no ray reaches the grid.
   if ((view.eye_cells.array() < -reach).any()) return false;
   if ((view.eye_cells.array() > size + reach).any()) return false;
   view.R_world_camera = q.normalized().toRotationMatrix();
@@ -140,6 +148,7 @@ bool RollingGrid::look(const ab_depth_image& image, View& view) {
   view.height = (image.height_px + view.step - 1) / view.step;
   view.fu = static_cast<float>(image.fx_px / view.step);
   view.fv = static_cast<float>(image.fy_px / view.step);
+  // A pixel's centre is at its whole number, a block's edge is too: hence the half.
   view.cu = static_cast<float>((image.cx_px + 0.5) / view.step);
   view.cv = static_cast<float>((image.cy_px + 0.5) / view.step);
   view.resolution_m = static_cast<float>(cell_m);
@@ -164,6 +173,8 @@ void RollingGrid::take_nearest(const ab_depth_image& image, const View& view) {
       const float* depths = image.depth_m + static_cast<std::size_t>(v) * width_px;
       float* row = row_m_.data();
       for (std::size_t u = 0; u < width_px; ++u) {
+        // +inf is a ray that frees its cells, while kNothing, also +inf, is a block without any: so
+        // the former becomes the greatest finite number. NaN fails the comparison and says nothing.
         const float far = std::min(depths[u], kFarthest);
         row[u] = std::min(row[u], depths[u] > 0.0F ? far : kNothing);
       }
@@ -219,6 +230,7 @@ void RollingGrid::end_ray(const ab_depth_image& image, const View& view, int lef
     const float* depths =
         image.depth_m + static_cast<std::size_t>(v) * static_cast<std::size_t>(view.width_px);
     for (int u = left; u < std::min(left + view.step, view.width_px); ++u) {
+      // The value was copied, so that equality finds the very pixel.
       if (depths[u] != depth_m) continue;
       if (distance_m2(u, v, depth_m) > spec_.longest_ray_m * spec_.longest_ray_m) return;
       add_end(end_of_ray(view, u, v, depth_m));
@@ -268,6 +280,7 @@ void RollingGrid::add_end(const Vector3d& place) {
     not_missed_[end->index / 64] |= std::uint64_t{1} << (end->index % 64);
     ends_.push_back(*end);
   }
+  // Full bytes stay full: is_hit() asks about far fewer.
   if (ends < 255) ++ends;
 }
 
@@ -286,6 +299,8 @@ void RollingGrid::find_windows(View& view) {
   const float half = std::max(view.half_u, view.half_v);
   const auto longest_m = static_cast<float>(spec_.longest_ray_m);
   const int least = blocks_around(half, longest_m);
+  // Windows of the far cells, which are most, differ by one block; each is made from the one
+  // before.
   std::array<int, kWindows> reach{least, least + 1, least + 2, least + 4};
   known_m_.assign(nearest_m_.begin(), nearest_m_.end() - kLanes);
   for (float& depth : known_m_) depth = depth > 0.0F ? depth : kInfinity;
@@ -315,8 +330,12 @@ bool RollingGrid::is_grazed(const View& view, const Vector3f& in_camera, int par
   const float depth = in_camera.z();
   const float u = in_camera.x() / depth * view.fu + view.cu;
   const float v = in_camera.y() / depth * view.fv + view.cv;
+  // With this stride at most eight places a side are looked at, however near the cell.
   const int reach_u = blocks_around(view.half_u, depth), stride_u = reach_u / 4 + 1;
   const int reach_v = blocks_around(view.half_v, depth), stride_v = reach_v / 4 + 1;
+  // A hundredth of a cell against rounding: a surface on the far face is still in the cell. Two
+  // cells before it, or a tenth of the depth, count as the same surface, so that a floor seen flat
+  // is one.
   const float behind = depth + view.half_depth_m - 0.01F * view.resolution_m;
   const float before = depth - std::max(2.0F * view.resolution_m, 0.1F * depth);
   const int middle_u = static_cast<int>(u), middle_v = static_cast<int>(v);
@@ -336,6 +355,7 @@ bool RollingGrid::is_grazed(const View& view, const Vector3f& in_camera, int par
 /// behind it are as good as more.
 bool RollingGrid::is_hit(const View& view, const Vector3f& in_camera, int ends) const {
   constexpr int kEnough = 4;
+  // More than a third of the rays end here, even if all four behind were found.
   if (2 * ends > kEnough) return true;
   const float depth = in_camera.z();
   if (!(depth > view.half_depth_m)) return true;  // too near to look
@@ -362,6 +382,8 @@ void RollingGrid::count_ends(const View& view) {
   for (const End& end : ends_) {
     const Vector3d from_eye = Vector3d(end.x + 0.5, end.y + 0.5, end.z + 0.5) - view.eye_cells;
     const Vector3f in_camera = (R_camera_world * from_eye * spec_.resolution_m).cast<float>();
+    // A cell counts once an image, whatever the number of its rays: log odds then measure images,
+    // which differ, not pixels, which err together.
     const bool hits = is_hit(view, in_camera, ends_in_[end.index]);
     if (!hits && is_grazed(view, in_camera, kGrazedParts)) continue;
     const bool was_occupied = ((occupied_[end.index / 64] >> (end.index % 64)) & 1U) != 0;
@@ -408,6 +430,8 @@ std::uint64_t RollingGrid::passed_cells(const View& view, const Column& column, 
     const auto block = static_cast<std::size_t>(place);
     const float behind = depth + half_depth_m;
     const int at = std::min(static_cast<int>(depth * steps_per_m), kDepthSteps - 1);
+    // Most free cells have nothing before or in them over the whole window: one look into a table.
+    // Only the rest are counted.
     const std::uint64_t is_clear = window_at_m[at][block] > behind ? 1 : 0;
     const std::uint64_t is_passed = nearest_m[block] > behind ? 1 : 0;
     passed |= (is_passed & is_clear) << z;
@@ -461,6 +485,7 @@ void RollingGrid::miss_cells_in_view(const View& view) {
   const std::array<Vector3d, 5> normals{R * Vector3d(1, 0, -left), R * Vector3d(-1, 0, right),
                                         R * Vector3d(0, 1, -top), R * Vector3d(0, -1, bottom),
                                         R * Vector3d(0, 0, 1)};
+  // A cell around the eye itself has no direction.
   const double least_depth_m = 0.5 * cell_m;
   Vector3d low = Vector3d::Zero(), high = Vector3d::Zero();
   for (const double x : {left, right}) {
@@ -490,6 +515,7 @@ void RollingGrid::miss_cells_in_view(const View& view) {
         const Vector3d& n = normals[k];
         const double lacks = (k == 4 ? least_depth_m : 0.0) - n.x() * x_m - n.y() * y_m;
         if (std::abs(n.z()) < 1e-9) {
+          // The side is upright: all of the column is inside it, or nothing.
           if (lacks > 0.0) to_m = -static_cast<double>(kInfinity);
         } else if (n.z() > 0.0) {
           from_m = std::max(from_m, lacks / n.z());
