@@ -31,6 +31,7 @@ struct Row {
   Row(const unsigned* geometry, const unsigned* instance, const unsigned* triangle)
       : triangles(_mm_load_si128(reinterpret_cast<const __m128i*>(triangle))),
         instances(_mm_load_si128(reinterpret_cast<const __m128i*>(instance))) {
+    // Embree leaves the geometry of a ray that meets nothing at -1.
     const __m128i missed = _mm_cmpeq_epi32(
         _mm_load_si128(reinterpret_cast<const __m128i*>(geometry)), _mm_set1_epi32(-1));
     hit = _mm_castsi128_ps(_mm_xor_si128(missed, _mm_set1_epi32(-1)));
@@ -74,6 +75,7 @@ struct Row {
     const __m128 agrees = _mm_cmple_ps(difference, _mm_mul_ps(_mm_set1_ps(1e-3F), embree));
     const __m128 settled = _mm_or_ps(_mm_and_ps(agrees, depth), _mm_andnot_ps(agrees, embree));
     const __m128i too_near = _mm_castps_si128(_mm_cmplt_ps(settled, range.nearest));
+    // All bits but the sign: a NaN that an `or` with any depth leaves a NaN.
     const __m128 nan_below = _mm_castsi128_ps(_mm_srli_epi32(too_near, 1));
     const __m128 in_range = _mm_or_ps(_mm_min_ps(settled, range.farthest), nan_below);
     return _mm_or_ps(_mm_and_ps(hit, in_range), _mm_andnot_ps(hit, _mm_set1_ps(kInfinity)));
@@ -156,6 +158,7 @@ void render_depth(const Scene& scene, const Pinhole& camera, const Pose& T_world
   const auto height = static_cast<std::size_t>(camera.height_px);
   AB_CHECK(depth_m.size() == width * height, depth_m.size(), width, height);
   AB_CHECK(instances.empty() || instances.size() == depth_m.size(), instances.size());
+  // Embree recommends it: denormal numbers would cost hundreds of cycles each.
   const ScopedFlushToZero flush;
   PrimaryRays rays(scene.internals(), camera, T_world_camera);
   const DepthRange range{_mm_set1_ps(static_cast<float>(camera.min_range_m)),

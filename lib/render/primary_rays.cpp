@@ -42,6 +42,9 @@ PrimaryRays::PrimaryRays(const Scene::Internals& scene, const Pinhole& camera,
     columns_[k].resize(u_.size());
     rows_[k].resize(v_.size());
     for (std::size_t i = 0; i < u_.size(); ++i) {
+      // A ray's direction is the sum of its column's part and its row's: two tables instead of a
+      // product for each pixel. They are not unit vectors: with z = 1 in the camera's frame,
+      // Embree's distance is the depth.
       columns_[k][i] = static_cast<float>(axes(k, 0) * u_[i]);
     }
     for (std::size_t i = 0; i < v_.size(); ++i) {
@@ -50,6 +53,7 @@ PrimaryRays::PrimaryRays(const Scene::Internals& scene, const Pinhole& camera,
   }
 
   const auto camera_axes = [&](const Eigen::Matrix3d& linear, const Eigen::Vector3d& origin) {
+    // The camera in each instance's frame, so that depths need no triangle in the world's frame.
     const Eigen::Matrix3d turned = linear * axes;
     const Eigen::Vector3d moved = linear * (position - origin);
     CameraAxes result{};
@@ -70,6 +74,7 @@ PrimaryRays::PrimaryRays(const Scene::Internals& scene, const Pinhole& camera,
     }
   }
 
+  // What never changes between blocks is written once.
   std::memset(static_cast<void*>(packets_), 0, sizeof(packets_));
   for (RTCRayHit8& packet : packets_) {
     std::fill_n(packet.ray.org_x, 8, static_cast<float>(position.x()));

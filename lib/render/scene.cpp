@@ -65,6 +65,8 @@ RayHit Scene::first_hit(const Vector3d& origin_world, const Vector3d& direction_
   if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return hit;
   hit.instance = internals_->flattened ? ray.hit.geomID : ray.hit.instID[0];
   hit.triangle = ray.hit.primID;
+  // Embree only names the triangle. The distance is that to its plane in double, which no
+  // instruction set changes.
   const Triangle triangle = world_triangle(*internals_, hit.instance, hit.triangle);
   const double embree_distance = static_cast<double>(ray.ray.tfar);
   hit.distance_m =

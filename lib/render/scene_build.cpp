@@ -38,6 +38,7 @@ Eigen::Matrix3d inverse(const Eigen::Matrix3d& m) {
   result.row(1) = c.cross(a);
   result.row(2) = a.cross(b);
   const double determinant = a.dot(b.cross(c));
+  // An instance squeezed to a plane has no inverse. 1e-12 is the determinant of a scale of 0.0001.
   AB_CHECK(std::abs(determinant) > 1e-12, determinant);
   return result / determinant;
 }
@@ -145,6 +146,7 @@ RTCBounds instance_bounds(const TriangleMesh& mesh, const Placement& placement) 
     return {kInfinity, kInfinity, kInfinity, 0.0F, -kInfinity, -kInfinity, -kInfinity, 0.0F};
   }
   const double slack = 1e-5 + 1e-6 * box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
+  // The cast rounds to the nearest float, which may be inside the box: hence the slack.
   const Vector3f low = (box.min().array() - slack).matrix().cast<float>();
   const Vector3f high = (box.max().array() + slack).matrix().cast<float>();
   return {low.x(), low.y(), low.z(), 0.0F, high.x(), high.y(), high.z(), 0.0F};
@@ -178,6 +180,7 @@ double lowest_ceiling_m(const Scene::Internals& scene) {
     const Instance& instance = world.instances[i];
     if (instance.obstacle >= world.obstacles.size()) continue;
     const std::string& kind = world.obstacles[instance.obstacle].kind;
+    // Of the whole map, not of the place: one height is enough for the sun's rays to end at.
     if (kind != "ceiling" && kind != "lamp") continue;
     const Placement& placement = scene.placements[i];
     for (const Vector3f& vertex : world.prototypes[instance.prototype].mesh.vertices) {
@@ -218,6 +221,7 @@ std::unique_ptr<Scene::Internals> build_internals(const World& world,
   scene->top = make_scene();
   if (!world.motions.empty()) {
     rtcSetSceneFlags(scene->top.get(), RTC_SCENE_FLAG_DYNAMIC);
+    // Built again at each physics step: a quick build over few instances beats a good one.
     rtcSetSceneBuildQuality(scene->top.get(), RTC_BUILD_QUALITY_LOW);
   }
   for (const Instance& instance : world.instances) {

@@ -36,6 +36,9 @@ struct Placement {
 };
 
 /// In Embree's scene an instance's index is the hit's geomID where flattened, else its instID.
+/// Invariants: placements has one entry an instance, and its `planes` points into this object's;
+/// where anything moves, `flattened` is false; `top`, instance_boxes and bounds stand at the same
+/// time, that of the last set_time().
 struct Scene::Internals {
   const World* world = nullptr;
   bool flattened = true;

@@ -26,6 +26,8 @@ static_assert(kBlockPackets == embree::kStreamPackets);
 static_assert(kMaterialCount == static_cast<int>(Material::lamp) + 1);
 
 std::uint32_t mixed_seed(std::uint32_t number) {
+  // Constants of MurmurHash3 and of the golden ratio, then a mixer with two rounds: neighbouring
+  // numbers get unlike seeds.
   std::uint32_t h = number * 0x85ebca6bU + 0x9e3779b9U;
   h = (h ^ (h >> 15U)) * 0x2c1b3c6dU;
   h = (h ^ (h >> 12U)) * 0x297a2d39U;
@@ -270,6 +272,7 @@ void store_block(const Image& image, const Block& block, std::size_t x, std::siz
 
 FrameLight frame_light(const Scene::Internals& scene, const Pinhole& camera,
                        const Pose& T_world_camera, const Light& light, int samples) {
+  // Farther than any map; squares of it are still good floats.
   constexpr double kHugeLength_m = 1e6;
   const Vector3d to_sun = light.to_sun_world.normalized();
   FrameLight frame{};
@@ -279,6 +282,7 @@ FrameLight frame_light(const Scene::Internals& scene, const Pinhole& camera,
   frame.sky = static_cast<float>(light.sky);
   frame.haze_per_m = static_cast<float>(1.0 / light.haze_range_m);
   frame.pixel_slope = static_cast<float>(1.0 / (camera.fx_px * samples));
+  // Below that the sun is at the horizon and would reach no ceiling within a map.
   const bool is_above = to_sun.z() > 1e-3;
   frame.ceiling_z_m = static_cast<float>(is_above ? scene.lowest_ceiling_m : kHugeLength_m);
   frame.sun_distance_per_m = static_cast<float>(is_above ? 1.0 / to_sun.z() : 1.0);
@@ -288,6 +292,8 @@ FrameLight frame_light(const Scene::Internals& scene, const Pinhole& camera,
 
 /// Keeps the middle and bends the highlights: x below 0.6, toward 1 beyond.
 float soft_highlights(float x) {
+  // For people's pictures only: cameras have their own exposure, see sensing/image_model.cpp. The
+  // curve and its slope are continuous at the knee.
   constexpr float kKnee = 0.6F;
   if (x <= kKnee) return std::max(x, 0.0F);
   const float over = (x - kKnee) / (1.0F - kKnee);
@@ -297,6 +303,7 @@ float soft_highlights(float x) {
 }  // namespace
 
 const ShadingKernel& shading_kernel() {
+  // Needed before __builtin_cpu_supports() where a constructor may run first.
   __builtin_cpu_init();
   return __builtin_cpu_supports("avx2") != 0 ? kAvx2Shading : kPortableShading;
 }

@@ -16,6 +16,8 @@ void transform(const PaddedImage& image, std::uint8_t* planes, std::ptrdiff_t pl
   std::ptrdiff_t offsets[31];
   int count = 0;
   for (int dy = -kMarginY_px; dy <= 0; ++dy) {
+    // Half of the window; each pixel of it has its mirror in the other half: (9 · 7 - 1) / 2 = 31
+    // pairs.
     for (int dx = -kMarginX_px; dx <= (dy < 0 ? kMarginX_px : -1); ++dx) {
       offsets[count++] = dy * image.stride + (image.mirrored ? -dx : dx);
     }
@@ -30,6 +32,7 @@ void transform(const PaddedImage& image, std::uint8_t* planes, std::ptrdiff_t pl
         for (int i = 8 * k; i < end; ++i) {
           const Bytes pixel = load(row + x + offsets[i]);
           const Bytes is_set = equal(max(pixel, load(row + x - offsets[i])), pixel);
+          // Shifts the bits by one and adds the new one.
           bits = subtract(add(bits, bits), is_set);  // a mask is −1
         }
         store(plane + x, bits);
@@ -76,6 +79,8 @@ struct Penalties {
                                                  Bytes least, const Penalties& penalties,
                                                  Bytes cost) {
   const Bytes stepped = add_saturated(min(nearer, farther), penalties.small);
+  // As Hirschmüller's (2008): the least of the row before is taken off at once, so that values stay
+  // below cost + large penalty and within a byte.
   const Bytes before = min(subtract(min(same, stepped), least), penalties.large);
   return add_saturated(before, cost);
 }
@@ -164,6 +169,7 @@ inline int refine(const std::uint16_t* keys, int d, int disparities) {
   const int before = keys[d - 1] >> 6;
   const int after = keys[d + 1] >> 6;
   const int slope = (before > after ? before : after) - (keys[d] >> 6);
+  // Three equal sums: anywhere between is as good.
   if (slope == 0) return 16 * d;
   // d + (before − after) / (2 slope), which is within half a pixel, to the nearest 1/16
   return 16 * d - 8 + (16 * (before - after) + 17 * slope) / (2 * slope);
@@ -204,6 +210,7 @@ template <int kVectors, int kPaths>
     if (!chunk_ends) continue;
     const int chunk_key = least_word(lowest);
     const int chunk = j * kBytes / kChunk;
+    // Between chunks only sums compare, and the first, nearer to zero, wins ties.
     if ((chunk_key >> 6) < (best_key >> 6)) {
       best_key = chunk_key;
       best_d = chunk * kChunk + (chunk_key & (kChunk - 1));
@@ -255,6 +262,7 @@ void sweep(const Frame& given) {
     int behind = (width - step % width) % width;  // (column − step) mod width
     int ahead = step % width;                     // (column + step) mod width
     if constexpr (kPaths == 8) {
+      // The diagonals that enter the image in this row begin with nothing behind them.
       clear_slot(frame, 1, behind);
       clear_slot(frame, 2, (ahead + width - 1) % width);
     }

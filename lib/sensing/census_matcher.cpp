@@ -69,6 +69,8 @@ Buffers carve(const CensusSettings& settings, int width_px, int height_px, Carve
   frame.volume = carver.take<std::uint8_t>(width * height * frame.padded * (settings.paths / 4));
   for (int path = 0; path < 3; ++path) {
     // The first guard ends where a slot may start.
+    // Guards of 255 stand before the first slot and behind each: a step from beyond the disparities
+    // never wins.
     frame.slots[path] = carver.take<std::uint8_t>(kGuard + width * (frame.padded + kGuard), kGuard);
     frame.least[path] = carver.take<std::uint8_t>(width);
   }
@@ -87,6 +89,7 @@ Buffers carve(const CensusSettings& settings, int width_px, int height_px, Carve
 
 Buffers prepare(const CensusSettings& settings, int width_px, int height_px,
                 CensusWorkspace& workspace) {
+  // The same code counts and hands out, so that the two can't disagree.
   Carver counter(nullptr);
   carve(settings, width_px, height_px, counter);
   const auto needed = static_cast<std::size_t>(counter.used_bytes() + kAlignment);
@@ -130,6 +133,7 @@ void transform_both(const Kernels& kernels, const Buffers& buffers,
   for (std::ptrdiff_t row = 0; row < static_cast<std::ptrdiff_t>(frame.height_px) * kPlanes;
        ++row) {
     std::uint8_t* end = buffers.right_planes + row * frame.plane_stride + frame.width_px;
+    // Beyond the right image's border its last column goes on.
     std::fill_n(end, frame.padded, end[-1]);
   }
 }
@@ -165,6 +169,7 @@ void finish(const Kernels& kernels, const Buffers& buffers, int tolerance_px,
     }
     median_row(kernels, frame, frame.right_disparity, y, buffers.right_median);
     for (int x = 0; x < frame.width_px; ++x) {
+      // 1/16 px to the nearest whole one, as the right image's are.
       const int d = (buffers.left_median[x] + 8) >> 4;
       const bool valid =
           d <= x && std::abs(d - buffers.right_median[x - std::min(d, x)]) <= tolerance_px;
@@ -175,10 +180,13 @@ void finish(const Kernels& kernels, const Buffers& buffers, int tolerance_px,
 
 void check(const CensusSettings& settings) {
   AB_CHECK(
+      // Eight times kDisparityStep: sweep_padded() has one loop for each.
       settings.disparities >= 16 && settings.disparities <= 256 && settings.disparities % 16 == 0,
       settings.disparities);
   AB_CHECK(settings.paths == 4 || settings.paths == 8, settings.paths);
   AB_CHECK(settings.small_penalty >= 0 && settings.small_penalty <= settings.large_penalty &&
+               // A path's value is at most a cost of 31 plus this, 127: two fit a byte, and eight
+               // times 64 (of pick_winner's keys) fit 16 bits.
                settings.large_penalty <= 96,
            settings.small_penalty, settings.large_penalty);
   AB_CHECK(settings.left_right_tolerance_px >= -1, settings.left_right_tolerance_px);

@@ -22,6 +22,8 @@ void larger_of(const float* from, std::size_t count, float* to) {
 
 /// out[i] = greatest of in[i - reach … i + reach], as far as there are such.
 void running_max(const float* in, std::size_t count, std::size_t reach, float* out) {
+  // One shift after the other over whole rows, which compilers make vectors of; the reach is a few
+  // pixels.
   std::copy_n(in, count, out);
   for (std::size_t shift = 1; shift <= reach && shift < count; ++shift) {
     larger_of(in, count - shift, out + shift);
@@ -46,6 +48,7 @@ std::pair<float, float> even_weights(double t) {
 
 void NormalField::draw(std::size_t width_px, std::size_t height_px, RandomStream& random) {
   const auto cells = [&](std::size_t size) {
+    // A cell beyond the last pixel for interpolation, and one for rounding.
     return static_cast<std::size_t>(static_cast<double>(size) / size_px_) + 2;
   };
   cells_across_ = cells(width_px);
@@ -141,11 +144,14 @@ void DepthNoise::occlude_row(const std::vector<float>& patches, float* disparity
     const float here = exact < 0.0F ? kInfinity : column;  // a dropped pixel covers nothing
     leftmost = here < leftmost ? here : leftmost;
     const bool is_hidden = is_covered | (column <= -0.5F);
+    // Bitwise on purpose: without branches the loop runs at one speed on any image.
     disparity[x] = is_hidden ? -1.0F : exact;
   }
 }
 
 DepthNoise::Texture DepthNoise::texture_of(float opacity) const {
+  // Fitted, see results/README.md and docs/sensors.md: errors rise late, when little texture is
+  // left.
   const auto lack = static_cast<double>((1.0F - opacity) * (1.0F - opacity));
   const auto between = [lack](double textured, double bland) {
     return textured + (bland - textured) * lack;
@@ -211,6 +217,7 @@ void DepthNoise::drop_pixels(RandomStream& random) {
   const double log_kept = math::log(std::max(1.0 - spec_.dropout_ratio, 1e-300));
   const auto count = static_cast<double>(disparity_.size());
   for (double at = -1.0;;) {
+    // A draw for each dropped pixel instead of one for each pixel.
     at += 1.0 + std::floor(math::log(1.0 - random.uniform()) / log_kept);
     if (!(at < count)) return;
     disparity_[static_cast<std::size_t>(at)] = -1.0F;

@@ -16,7 +16,9 @@ namespace avoidbench {
 namespace {
 
 constexpr std::array kCrashes{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
+// Deep recursion is cut off; the places that name the fault are the innermost.
 constexpr int kMostFrames = 64;
+// Enough to know the call path, short enough for a line in a table.
 constexpr std::size_t kMostPlaces = 4;
 
 volatile int report_fd = -1;
@@ -52,6 +54,7 @@ void report_crashes(int fd) {
   report_fd = fd;
   std::array<void*, 1> first{};
   ::backtrace(first.data(), 1);  // loads what it needs while that can still be loaded
+  // A stack of its own: an overflown one is among the crashes to be reported.
   static std::vector<std::byte> stack(std::size_t{1} << 16U);
   stack_t other{};
   other.ss_sp = stack.data();

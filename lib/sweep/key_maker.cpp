@@ -65,6 +65,8 @@ struct BlockTexts {
 
   template <class T>
   void field(std::string_view name, T& value, Range, std::string_view) {
+    // A sweep varies few blocks over few values; an axis of thousands would only fill memory, so
+    // that the texts are then made again.
     constexpr std::size_t kMostTexts = 256;
     bytes.clear();
     FieldBytes{bytes}.append(value);
@@ -103,6 +105,8 @@ std::string KeyMaker::trial_key(const TrialSpec& spec) {
   visit(texts, readable(spec));
   canonical_.clear();
   for (const auto& [name, block] : blocks_) {
+    // As forget_unused_latency() does for a whole spec: keys must not depend on which of the two
+    // ways made them.
     if (name == "latency_digest" && spec.latency.mode != LatencyMode::replay) continue;
     canonical_ += canonical_.empty() ? '{' : ',';
     canonical_ += '"';

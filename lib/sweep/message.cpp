@@ -13,6 +13,7 @@
 namespace avoidbench {
 namespace {
 
+// So that sums of sizes can't overflow; the true limit is the inbox's, of each job's answer.
 constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 32U;
 constexpr std::uint64_t kMagic =
     0x6176426e4d736731;  ///< begins a message: a planner may write here
@@ -62,6 +63,7 @@ std::optional<Message> message_of(const Header& header, std::span<const std::byt
 
 std::vector<std::byte> message_bytes(const Message& message) {
   const std::string text =
+      // A planner's reason may be no UTF-8; the default handler would throw.
       message.json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   const Header header{kMagic, text.size(), message.bytes.size()};
   std::vector<std::byte> all;
@@ -103,6 +105,7 @@ MessageInbox::State MessageInbox::add(std::span<const std::byte> bytes) {
   }
   if (!header.is_sound() || header.message_bytes() > most_bytes_) return State::malformed;
   if (bytes_.size() < header.message_bytes()) return State::incomplete;
+  // More than the message has came after it: a worker sends one answer a job, so that is no answer.
   return bytes_.size() == header.message_bytes() ? State::whole : State::malformed;
 }
 

@@ -37,6 +37,7 @@ std::optional<std::vector<double>> RecordedLatencies::of(const TrialSpec& spec) 
     known = databases_.emplace(file, Database::open_for_reading(file)).first;
   }
   const std::optional<TrialRow> row = known->second.read_trial(trial_key(replayed(spec)));
+  // By the key of the measured trial, not by numbers: only the same flight's times are taken.
   if (row) return recorded_latencies(replayed(spec), row->record);
   if (is_known_invalid(known->second, spec)) return std::nullopt;
   throw InputError(

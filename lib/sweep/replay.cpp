@@ -94,10 +94,12 @@ std::optional<std::size_t> first_difference(const std::vector<Element>& a,
 }
 
 bool same_bits(const Sample& a, const Sample& b) {
+  // By bytes: NaN is equal to itself there, and -0 differs from 0.
   return sample_bytes({&a, 1}) == sample_bytes({&b, 1});
 }
 
 bool same_answer(const PlanCall& a, const PlanCall& b) {
+  // Not CPU and wall times, which the host measures.
   return a.time_s == b.time_s && a.status == b.status && a.command_kind == b.command_kind;
 }
 

@@ -17,6 +17,7 @@ namespace {
 void settle_map(Run& run, MapPlan& map, MapRecord record) {
   record.key = map.key;
   map.record = std::move(record);
+  // Only what waits is counted: trials that the database has stay done.
   const std::size_t before = waiting_count(map);
   for (TrialGroup& group : map.groups) {
     std::erase_if(group.waiting, [&](std::size_t trial) {
@@ -32,6 +33,7 @@ void settle_map(Run& run, MapPlan& map, MapRecord record) {
 std::optional<std::vector<double>> latencies_of(Run& run, const TrialSpec& spec) {
   if (spec.latency.mode != LatencyMode::replay) return std::nullopt;
   auto latencies_s = run.recorded.of(spec);
+  // The key of this trial was made of the digest: other times would be stored under it.
   if (!latencies_s || latency_digest(*latencies_s) != spec.latency_digest) {
     throw InputError(
         {.file = spec.latency.database, .message = "the replayed trials changed during the run"});
@@ -56,6 +58,8 @@ void commit_map(Run& run, MapPlan& map, MapRecord record) {
 void require_unchanged(Run& run, const PlannerChoice& planner) {
   const auto known = run.planner_files.find(planner.file);
   const FileState now = file_state(planner.file);
+  // Size, inode and times first: a digest of the file for each trial would cost more than short
+  // flights do.
   if (known == run.planner_files.end() || known->second == now) return;
   if (file_digest(planner.file) == planner.file_digest) {  // touched only
     known->second = now;
@@ -96,6 +100,8 @@ void recall_maps(Run& run) {
   for (MapPlan& map : run.schedule.maps) {
     if (waiting_count(map) == 0) continue;
     auto known = run.database.read_map(map.key);
+    // A sweep of more missions measures the map again: the missions that are there come out the
+    // same.
     if (!known || known->record.missions.size() < mission_count) continue;
     known->record.missions.resize(mission_count);
     run.database.add_map(*known, run.sweep.name);
@@ -138,6 +144,7 @@ void take_death(Run& run, const Assignment& assignment, const Job& job, const De
                      "; run the same command again, with fewer --jobs if memory is short");
   }
   TrialRecord record;
+  // No samples and no calls: what a dead process had flown is not known for sure.
   record.outcome = death.outcome;
   record.reason = death.reason;
   std::vector<double> metrics = compute_metrics({job.spec, *job.mission, record});

@@ -17,11 +17,16 @@
 /// A run as its parent process sees it, and what becomes of jobs.
 namespace avoidbench {
 
+/// What the parent process knows of a run. It alone writes the database. Each trial of the schedule
+/// comes to exactly one end: it was there before, its mission is invalid, it is committed by
+/// take_result() or take_death(), or it is in `unflown`, which is not stored. So progress.done
+/// counts what the database has.
 struct Run {
   const SweepSpec& sweep;
   const RunOptions& options;
   const RunRow& provenance;
   Database& database;
+  /// Of the round under way, where the sweep has a rule to stop by; else of the whole sweep.
   Schedule schedule;
   Progress progress;
   RecordedLatencies recorded;
@@ -31,6 +36,8 @@ struct Run {
   std::map<std::string, int> left_behind;  ///< processes, by label of the planner that left them
   bool has_begun = false;                  ///< the database knows of this run
 
+  // Two stages: no further job is handed out; what is in flight is ended, too. Signal handlers set
+  // both, so that they are atomics of the caller's.
   bool is_stopped() const { return options.stop != nullptr && options.stop->load(); }
   bool must_end_now() const { return options.stop_now != nullptr && options.stop_now->load(); }
 };

@@ -15,6 +15,7 @@
 namespace avoidbench {
 namespace {
 
+/// One job after the other, without sandbox and without time limits: for debuggers and tests.
 void run_in_process(Run& run) {
   Worker worker;
   Memory memory;
@@ -45,14 +46,17 @@ std::set<std::string> keys_to_skip(const Database& database, const RunOptions& o
 
 /// Flies those of `trials` that are not in `skip`.
 void fly(Run& run, std::vector<PlannedTrial> trials, const std::set<std::string>& skip) {
+  // In a later round the progress goes on: what earlier rounds flew stays flown, not found.
   const std::int64_t flown = run.progress.done - run.progress.done_before;
   run.schedule = make_schedule(std::move(trials), skip);
   run.progress.total = static_cast<std::int64_t>(run.schedule.trials.size());
   run.progress.done = static_cast<std::int64_t>(run.schedule.done_before);
   run.progress.done_before = run.progress.done - flown;
   run.progress.invalid_missions = 0;
+  // Trials that another sweep flew belong to this one, too.
   run.database.add_to_sweep(run.sweep.name, run.schedule.keys);
   const bool has_work = run.progress.done < run.progress.total;
+  // A run that finds everything done leaves no row.
   if (has_work && !run.has_begun) run.database.add_run(run.provenance);
   run.has_begun = run.has_begun || has_work;
   recall_maps(run);
@@ -87,6 +91,8 @@ std::set<std::string> planners_with_enough(const Run& run) {
 
 /// Flies the sweep's missions in rounds; a planner whose rule is met stays out of further ones.
 void fly_until(Run& run, const std::vector<PlannedTrial>& trials, std::set<std::string>& skip) {
+  // A planner with enough keeps the missions of its last round in later ones: they are skipped as
+  // done, and stay part of the schedule that is counted.
   std::map<std::string, std::int64_t> last_mission;  // of the planners that have flown enough
   for (const std::int64_t mission_count : looks(run.sweep.trials)) {
     std::vector<PlannedTrial> round;
@@ -108,6 +114,8 @@ void fly_until(Run& run, const std::vector<PlannedTrial>& trials, std::set<std::
 
 RunSummary run_sweep(const SweepSpec& sweep, const RunRow& provenance, Database& database,
                      const RunOptions& options) {
+  // Shards do not know each other's results, and the rule must give the same trials wherever they
+  // are flown.
   if (sweep.until.is_set() && options.shard.count > 1) {
     throw InputError(
         "until: a shard has only some of a planner's trials, and all of them decide whether it has "
@@ -125,6 +133,7 @@ RunSummary run_sweep(const SweepSpec& sweep, const RunRow& provenance, Database&
           .unflown = {},
           .left_behind = {}};
   for (const PlannerChoice& planner : sweep.planners) {
+    // From here on a changed file ends the run, see require_unchanged().
     run.planner_files[planner.file] = file_state(planner.file);
     run.sandbox_rules[planner.label] = sandbox_rules(planner.needs);
   }
@@ -132,6 +141,7 @@ RunSummary run_sweep(const SweepSpec& sweep, const RunRow& provenance, Database&
   std::vector<PlannedTrial> trials = expand(sweep);
   const std::int64_t revision =
       database.add_sweep({.name = sweep.name, .spec_json = sweep_json(sweep, trials)});
+  // After add_sweep(): every shard stores the whole sweep, so that merge knows what is missing.
   trials = trials_of(options.shard, std::move(trials));
   for (const PlannerChoice& planner : sweep.planners) database.add_planner(planner_row(planner));
   if (sweep.until.is_set()) {

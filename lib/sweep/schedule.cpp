@@ -25,6 +25,7 @@ std::vector<bool> repeated(const std::vector<std::string>& keys) {
   std::vector<std::size_t> order(keys.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    // Equal keys in the order of the trials: the first one is flown, later ones are its repeats.
     const int compared = keys[a].compare(keys[b]);
     return compared != 0 ? compared < 0 : a < b;
   });
@@ -45,6 +46,7 @@ struct Largest {
   void look_at(Schedule& schedule, std::size_t index) {
     if (!is_ready(schedule.maps[index])) return;
     for (TrialGroup& candidate : schedule.maps[index].groups) {
+      // The largest first, so that the end of a run is not one long group on one worker.
       const std::size_t most = group != nullptr ? group->waiting.size() : 0;
       if (candidate.waiting.size() <= most) continue;
       map = index;
@@ -63,6 +65,7 @@ Assignment taken(std::size_t map, TrialGroup& group) {
 
 std::vector<PlannedTrial> trials_of(const Shard& shard, std::vector<PlannedTrial> trials) {
   if (shard.count <= 1) return trials;
+  // Groups differ in time, by planner and by map; four or more of them even that out.
   constexpr std::size_t kLeastGroups = 4;  // a shard, so that shards are of about one size
   KeyMaker keys;
   std::vector<std::string> units;
@@ -122,6 +125,7 @@ Schedule make_schedule(std::vector<PlannedTrial> trials,
     group_of(schedule.maps[schedule.map_of[i]], label).waiting.push_back(i);
   }
   for (MapPlan& map : schedule.maps) {
+    // Taken from the back: reversed, missions are flown in their order.
     for (TrialGroup& group : map.groups) std::reverse(group.waiting.begin(), group.waiting.end());
   }
   return schedule;
@@ -133,6 +137,7 @@ std::optional<Assignment> next_assignment(Schedule& schedule, const Memory& memo
       const bool is_own = group.planner_label == memory.planner_label;
       if (is_own && !group.waiting.empty()) return taken(*memory.map, group);
     }
+    // A worker that has only measured the map need not make it again.
     Largest there;
     there.look_at(schedule, *memory.map);
     if (there.group != nullptr) return taken(there.map, *there.group);
@@ -140,6 +145,7 @@ std::optional<Assignment> next_assignment(Schedule& schedule, const Memory& memo
   for (std::size_t i = 0; i < schedule.maps.size(); ++i) {
     MapPlan& map = schedule.maps[i];
     if (map.record || map.is_requested || waiting_count(map) == 0) continue;
+    // Maps before trials elsewhere: each one measured makes work for another worker.
     map.is_requested = true;
     return Assignment{i, std::nullopt};
   }

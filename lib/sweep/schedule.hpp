@@ -41,6 +41,8 @@ struct MapPlan {
 std::size_t waiting_count(const MapPlan& map);
 
 /// What there is to do, and what of it is done. Plain data; the functions below change it.
+/// Invariant: a trial is in one `waiting` list, handed out, or settled; next_assignment() takes it
+/// out and give_back() returns it. Trials of a map without a record are never handed out.
 struct Schedule {
   std::vector<PlannedTrial> trials;
   std::vector<std::string> keys;    ///< of the trials

@@ -33,6 +33,9 @@ struct Task {
 };
 
 /// A worker process, what it is doing and what it has in memory.
+/// Invariants: a seat with a task has sent its job, or is sending it; `memory` is what the process
+/// will have in memory after its task, and is empty after the process was replaced; the process
+/// lives in the sandbox of `rules`.
 struct Seat {
   WorkerProcess process;
   SandboxRules rules;  ///< that the process lives by
@@ -45,6 +48,7 @@ struct Seat {
 struct Desk {
   Run& run;
   std::vector<Seat> seats = {};
+  // The caller may have children of its own; end_orphans() must spare them.
   std::set<pid_t> others = own_children();  ///< before the run: not ours to end
   /// Jobs whose worker was killed from outside.
   std::set<std::pair<std::size_t, std::optional<std::size_t>>> killed_once = {};
@@ -94,12 +98,16 @@ void hand_out(Desk& desk, Seat& seat) {
   const auto known = run.sandbox_rules.find(next.planner_label);
   const SandboxRules rules = known == run.sandbox_rules.end() ? SandboxRules{} : known->second;
   const bool is_other_planner = !flown.empty() && flown != next.planner_label;
+  // A sandbox can't be changed from within: another planner's needs take another process.
   if (is_other_planner || rules != seat.rules) replace_process(desk, seat, rules);
   seat.task = Task{.assignment = *assignment, .job = job_of(run, *assignment)};
   seat.memory = next;
   seat.silent_s = 0.0;
   const Message message = job_message(seat.task->job);
   const std::size_t most_bytes = most_result_bytes(seat.task->job);
+  // A worker may have ended after its last answer, through what its planner left there. That is no
+  // fault of this job's: it gets a new process. If that one takes no job either, the fault is not a
+  // planner's.
   if (seat.process.send(message, most_bytes)) return;
   replace_process(desk, seat, rules);
   seat.memory = next;
@@ -125,6 +133,8 @@ Death too_much_memory() {
 
 Death death_of(const ProcessEnd& end, const std::string& notes, const PlannerChoice& planner) {
   switch (end.exit_code) {
+    // The worker ends itself with these codes, see worker.hpp; any other end is the planner's
+    // doing.
     case kHungExitCode:
       return {Outcome::planner_hung, "a planner call lasted longer than the plan timeout"};
     case kMemoryExitCode:
@@ -150,6 +160,8 @@ Task end_task(Seat& seat) { return *std::exchange(seat.task, std::nullopt); }
 void take_kill(Desk& desk, Seat& seat, const ProcessEnd& end) {
   const Task task = end_task(seat);
   const auto [map, trial] = task.assignment;
+  // Once may be chance, such as memory that another process took; the second time would go on for
+  // ever.
   if (desk.killed_once.insert({map, trial}).second) {
     give_back(desk.run.schedule, task.assignment);
   } else if (!trial) {
@@ -181,12 +193,15 @@ void take_answer(Desk& desk, Seat& seat) {
   auto result = message ? result_from(*message, seat.task->job) : std::nullopt;
   if (!result) return take_end(desk, seat, broken_pipes());
   const bool is_trial = seat.task->assignment.trial.has_value();
+  // A planner's bad_alloc is a crash like others. Without a planner, in a map job, it is the run's
+  // problem.
   if (is_trial && result->is_out_of_memory) return take_end(desk, seat, too_much_memory());
   take_result(desk.run, end_task(seat).assignment, std::move(*result));
 }
 
 /// Takes what a busy seat has to say, if anything.
 void listen_to(Desk& desk, Seat& seat) {
+  // Asked first: what the process sent before it ended is then all in the pipe when it is read.
   const bool has_ended = seat.process.has_ended();  // before the last look at what it has sent
   const bool can_send = !seat.process.has_more_to_send() || seat.process.send_more();
   const std::size_t known_bytes = seat.process.answer_bytes();
@@ -206,6 +221,8 @@ void listen_to(Desk& desk, Seat& seat) {
 
 /// Ends what takes too long. A worker that a signal has stopped goes on, a few times.
 void look_at_time(Desk& desk, Seat& seat) {
+  // A debugger or a terminal stops a worker once or twice. A planner that stops its own process
+  // whenever it goes on would hold the seat for ever.
   constexpr int kMostStops = 3;
   const RunOptions& options = desk.run.options;
   Task& task = *seat.task;
@@ -227,6 +244,8 @@ void look_at_time(Desk& desk, Seat& seat) {
 
 /// Waits a second at most until busy seats have something to say, and takes it.
 void take_next_results(Desk& desk) {
+  // Long enough to cost nothing, short enough for time limits, which are of seconds, and for the
+  // progress line.
   constexpr int kWait_ms = 1000;
   std::vector<pollfd> waiting;
   std::vector<Seat*> busy;
@@ -239,6 +258,7 @@ void take_next_results(Desk& desk) {
   }
   const Clock::time_point began = Clock::now();
   // A signal ends the wait, too: the caller looks at `stop`.
+  // Only busy seats are waited for: an idle worker's pipe says nothing until the next job.
   const bool has_news = ::poll(waiting.data(), waiting.size(), kWait_ms) >= 0;
   // No wait counts for longer: what stops this process stops its workers, too.
   const std::chrono::duration<double> waited = Clock::now() - began;
@@ -267,6 +287,7 @@ void fly_in(Desk& desk) {
     }
     if (!is_busy) return;
     if (run.is_stopped() && !stopped) stopped = Clock::now();
+    // What is still in flight then is not stored: the next run flies it.
     const std::chrono::duration<double> grace(run.options.grace_s);
     if (stopped && Clock::now() - *stopped > grace) return;
     take_next_results(desk);
@@ -290,6 +311,7 @@ void clear(Desk& desk) {
 
 void run_in_workers(Run& run) {
   std::signal(SIGPIPE, SIG_IGN);  // a dead worker is seen by its result
+  // Before the first worker: what a planner detaches then comes to this process, not to init.
   adopt_orphans();
   Desk desk{.run = run};
   for (int i = 0; i < run.options.jobs; ++i) {

@@ -12,6 +12,8 @@ namespace avoidbench {
 namespace {
 
 constexpr std::string_view kMeasure = "success_rate", kInterval = "ci", kSign = "<";
+// Each look makes the interval a little too sure, and few looks stop late: ten are a compromise,
+// and part of the rule, since they decide which trials are flown.
 constexpr std::int64_t kLooks = 10;
 
 void skip_spaces(std::string_view& text) {

@@ -40,6 +40,8 @@ struct Place {
 /// Which file a descriptor led to.
 class FileIdentity {
  public:
+  // A number alone says nothing: a planner may close it and open another file that gets the same
+  // one.
   explicit FileIdentity(int fd) { is_known_ = ::fstat(fd, &file_) == 0; }
   bool is_still(int fd) const {
     struct stat now {};
@@ -58,10 +60,13 @@ class StoppedTime {
  public:
   /// Of a call that has lasted for `call_s`. To be asked ten times a second.
   double in_call_s(double call_s) {
+    // Looks are a tenth of a second apart. A gap of a second or more means that the whole process
+    // stood still; a busy machine alone makes shorter ones.
     constexpr double kLongestLook_s = 1.0;
     const auto now = std::chrono::steady_clock::now();
     const double look_s = std::chrono::duration<double>(now - last_).count();
     last_ = now;
+    // A call shorter than the time since the last look is a new one.
     if (call_s < look_s) stopped_s_ = 0.0;  // it began since
     if (look_s > kLongestLook_s) stopped_s_ += std::min(look_s, call_s);
     return stopped_s_;
@@ -74,6 +79,7 @@ class StoppedTime {
 
 /// What a process that a planner forks does first: it lets go of the worker's pipes, and ends with
 /// the worker.
+// A global, since what pthread_atfork() calls takes no argument.
 std::array<int, 3> pipes{-1, -1, -1};
 void leave_worker() {
   for (const int fd : pipes) ::close(fd);
@@ -82,6 +88,8 @@ void leave_worker() {
 
 void keep_from_children(const std::array<int, 3>& fds) {
   pipes = fds;
+  // fork() and exec() each need a door closed: a program that the planner starts must not hold the
+  // pipes, or the parent waits for their end.
   for (const int fd : fds) ::fcntl(fd, F_SETFD, FD_CLOEXEC);
   ::pthread_atfork(nullptr, nullptr, leave_worker);
 }
@@ -92,6 +100,7 @@ std::string place_key(const TrialSpec& spec) {
 
 /// All that a planner's instance is made from.
 std::string instance_key(const TrialSpec& spec) {
+  // Not latency, wind or mission: a planner is not told of them at creation.
   return spec_to_json(spec.planner).dump() + spec_to_json(spec.vehicle).dump() +
          spec_to_json(spec.sensor).dump() + spec_to_json(spec.rates).dump();
 }
@@ -136,6 +145,7 @@ PlannerInstance& Worker::Internals::instance_of(const TrialSpec& spec) {
     library =
         libraries.emplace(spec.planner.file, PlannerLibrary::load(spec.planner.file, &clock)).first;
   }
+  // Loaded now, flown under the sweep's digest: they must be the same file.
   if (library->second.description().file_digest != spec.planner.file_digest) {
     throw InputError({.file = spec.planner.file, .message = kFileChanged});
   }
@@ -192,6 +202,8 @@ void Worker::watch(const WorkerOptions& options) {
   const CallClock* clock = &internals_->clock;
   const pid_t parent = ::getppid();
   internals_->watchdog = std::jthread([clock, options, parent](const std::stop_token& stop) {
+    // Often enough that a planner which grows by 1 GiB/s passes its limit by a tenth of that, and
+    // cheap beside any flight.
     constexpr int kLooksASecond = 10;
     StoppedTime stopped;
     for (int look = 0; !stop.stop_requested(); ++look) {
@@ -203,6 +215,7 @@ void Worker::watch(const WorkerOptions& options) {
           resident_mib_of_family(options.memory_limit_mib) > options.memory_limit_mib) {
         ::_exit(kMemoryExitCode);
       }
+      // A byte each second tells the parent that the process lives, whatever its planner does.
       if (look % kLooksASecond == 0 && ::write(options.notes_fd, "", 1) < 0 && errno == EBADF) {
         ::_exit(kPipesExitCode);
       }
@@ -217,10 +230,13 @@ int run_worker(const WorkerOptions& options) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   adopt_orphans();                       // so that what a planner starts is found below its worker
   ::dup2(STDERR_FILENO, STDOUT_FILENO);  // what a planner prints is not a result
+  // No core files: a sweep may have thousands of crashes.
   constexpr rlimit kNone{0, 0};
   ::setrlimit(RLIMIT_CORE, &kNone);
   keep_from_children({options.in_fd, options.out_fd, options.notes_fd});
   report_crashes(options.notes_fd);
+  // Before the watchdog's thread starts and before any planner is loaded: Landlock and seccomp hold
+  // for the thread that enters them and what it starts.
   if (!options.sandbox.empty() && text(enter_sandbox(sandbox_rules_from(options.allowed),
                                                      sandbox_support())) != options.sandbox) {
     return kSandboxExitCode;

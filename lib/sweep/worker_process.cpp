@@ -24,6 +24,8 @@ extern char** environ;  // NOLINT(readability-identifier-naming): POSIX's name
 namespace avoidbench {
 namespace {
 
+// The first numbers after the standard streams. posix_spawn duplicates the pipes to them in the
+// child, so that the child needs to be told nothing else.
 constexpr int kJobFd = 3, kResultFd = 4, kNotesFd = 5;
 
 /// The C library picks variants of sin, exp, … by the processor; those with fused multiply-add
@@ -52,6 +54,7 @@ struct Pipe {
   Pipe() {
     int ends[2];
     if (::pipe2(ends, O_CLOEXEC) != 0) fail("pipe", errno);
+    // Else dup2() in the child could overwrite an end that it has yet to duplicate.
     read_end = ::fcntl(ends[0], F_DUPFD_CLOEXEC, kNotesFd + 5);
     write_end = ::fcntl(ends[1], F_DUPFD_CLOEXEC, kNotesFd + 5);
     ::close(ends[0]);
@@ -74,6 +77,8 @@ struct Pipe {
 
 void enter_worker_environment() {
   for (char** variable = environ; *variable != nullptr; ++variable) {
+    // The mark that this is the second beginning: without it the program would start itself for
+    // ever.
     if (std::strcmp(*variable, kTunables) == 0) return;
   }
   std::ifstream file("/proc/self/cmdline", std::ios::binary);
@@ -83,6 +88,8 @@ void enter_worker_environment() {
   std::vector<char*> pointers;
   for (std::string& word : arguments) pointers.push_back(word.data());
   pointers.push_back(nullptr);
+  // Returns only on failure; then the program goes on as it is, with a result that may differ in
+  // the last bit.
   ::execve("/proc/self/exe", pointers.data(), child_environment().data());
 }
 
@@ -92,6 +99,7 @@ WorkerProcess::WorkerProcess(const std::vector<std::string>& command) {
   result_fd_ = results.take_read_end();
   notes_fd_ = notes.take_read_end();
   for (const int fd : {job_fd_, result_fd_, notes_fd_}) ::fcntl(fd, F_SETFL, O_NONBLOCK);
+  // The child must not hang on a parent that is busy: a lost sign of life is no harm.
   ::fcntl(notes.write_end, F_SETFL, O_NONBLOCK);
 
   posix_spawn_file_actions_t actions;
@@ -107,6 +115,7 @@ WorkerProcess::WorkerProcess(const std::vector<std::string>& command) {
   posix_spawnattr_setsigmask(&attributes, &none);
   sigset_t ignored_here;
   ::sigemptyset(&ignored_here);
+  // This process ignores them; planners start with the system's defaults.
   for (const int number : {SIGPIPE, SIGIO, SIGXFSZ}) ::sigaddset(&ignored_here, number);
   posix_spawnattr_setsigdefault(&attributes, &ignored_here);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
@@ -190,6 +199,8 @@ WorkerProcess::Answer WorkerProcess::receive() {
 }
 
 bool WorkerProcess::listen() {
+  // A crash report has some kilobytes. A planner that floods the pipe must not fill the parent's
+  // memory.
   constexpr std::size_t kMostNotes = 65536;
   constexpr int kMostReads = 16;  // a planner may write here faster than this process reads
   std::array<char, 4096> bytes{};
@@ -206,6 +217,7 @@ bool WorkerProcess::listen() {
 }
 
 bool WorkerProcess::has_ended() const {
+  // WNOWAIT leaves the status for wait().
   siginfo_t info{};
   return ::waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
          info.si_pid == pid_;
@@ -214,6 +226,7 @@ bool WorkerProcess::has_ended() const {
 bool WorkerProcess::go_on() { return is_stopped_process(pid_) && ::kill(pid_, SIGCONT) == 0; }
 
 int WorkerProcess::ended_within(double seconds) {
+  // waitpid() has no time limit of its own.
   constexpr int kLook_ms = 5;
   int status = 0;
   for (int waited_ms = 0; ::waitpid(pid_, &status, WNOHANG) == 0; waited_ms += kLook_ms) {
@@ -225,6 +238,7 @@ int WorkerProcess::ended_within(double seconds) {
 }
 
 ProcessEnd WorkerProcess::wait() {
+  // Its pipe is closed but it lives: a second for a process that is just about to end.
   const int status = ended_within(1.0);
   if (status < 0) {
     kill();

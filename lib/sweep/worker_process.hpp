@@ -25,6 +25,9 @@ struct ProcessEnd {
 /// A child process that speaks Message over two pipes and makes notes on a third one, started by
 /// posix_spawn (threads of libraries do not survive a fork). Move-only; kills the child when
 /// destroyed.
+/// Nothing here waits for the child except wait() and kill(): it may send half an answer, nothing
+/// or rubbish, and the parent has other children. All descriptors are non-blocking and closed on
+/// exec. After a failure of send() or receive() only wait(), notes() and kill() make sense.
 class WorkerProcess {
  public:
   /// Starts `command` with the file descriptors 3 (jobs), 4 (results) and 5 (notes) appended as

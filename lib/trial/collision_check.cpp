@@ -12,6 +12,8 @@ std::optional<BodyContact> contact(CollisionCheck& check, const Scene& scene,
                                      ball_radius_m + kHorizon_m);
   check.asked_at_world = centre;
   check.free_radius_m = distance_m - ball_radius_m;
+  // The ball around the body's box is free, and so is every box whose centre moves less than what
+  // is left of it, however it turns.
   if (check.free_radius_m > 0.0) return std::nullopt;
   return scene.touch(check.body_size_m, T_world_body);
 }

@@ -14,6 +14,7 @@ CameraMotion motion_of(const VehicleState& truth, const Pose& T_body_camera) {
   CameraMotion motion;
   motion.rates_world_radps = R_world_body * truth.rates_body;
   const Eigen::Vector3d arm = R_world_body * T_body_camera.translation();
+  // A camera off the centre of gravity moves with the body's turning, too.
   motion.velocity_world = truth.velocity_world + motion.rates_world_radps.cross(arm);
   return motion;
 }
@@ -31,6 +32,8 @@ void expose(Perception& p, const Scene& scene, const VehicleState& truth) {
     exposure.camera = static_cast<std::uint32_t>(i);
     exposure.T_world_camera = T_believed_body * p.T_body_cameras[i];
     const std::uint64_t seed =
+        // By number, not drawn one after the other: an image's noise does not depend on which
+        // images were asked for before.
         stream_seed(stream_seed(p.image_seed, static_cast<std::uint64_t>(p.image_index)), i);
     p.camera.expose(scene, T_world_body * p.T_body_cameras[i],
                     motion_of(truth, p.T_body_cameras[i]), p.image_needs, seed, exposure.images);
@@ -91,6 +94,8 @@ Perception make_perception(const TrialSpec& spec, std::uint32_t needs, const Veh
 Tick next_sensing(const Perception& p, Tick now) {
   const auto after = [now](Tick period) { return (now / period + 1) * period; };
   Tick next = std::min(p.next_exposure > now ? p.next_exposure : now + 1, after(p.imu_period));
+  // Without noise and delay the state is the truth at any tick, and flights need no ticks of
+  // odometry.
   if (p.is_perfect) return next;
   next = std::min(next, after(p.odometry_period));
   return std::min(next,
@@ -117,6 +122,7 @@ VehicleState believed_state(const Perception& p, const VehicleState& truth) {
 }
 
 PlannerView planner_view(Perception& p, const VehicleState& truth) {
+  // The newest state that is as old as the delay.
   while (p.past.size() > 1 && p.past[1].tick <= truth.tick - p.state_delay) p.past.pop_front();
   const VehicleState& state = p.is_perfect ? truth : p.past.front();
   PlannerView view{.time_s = seconds(state.tick),

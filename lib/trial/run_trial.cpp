@@ -26,6 +26,9 @@ struct Pending {
 };
 
 /// Everything that changes during a trial.
+/// Invariants: state.tick is now and only step() moves it; `pending` is in the order of its due
+/// ticks, since latencies never overtake (fixed, or the planner was busy); what is due at a tick is
+/// done in the order of run_trial()'s loop.
 struct Flight {
   const TrialSpec& spec;
   const Scene& scene;
@@ -111,6 +114,7 @@ Tick latency_of_call(const Flight& flight, double wall_time_s) {
   if (flight.recorded_latency_s == nullptr) return ticks(latency.scale * wall_time_s);
   const std::size_t call = flight.record.plan_calls.size();
   const std::vector<double>& recorded_s = *flight.recorded_latency_s;
+  // A crash leaves no times; what then flies past them acts at once.
   return call < recorded_s.size() ? ticks(recorded_s[call]) : 0;
 }
 
@@ -120,6 +124,7 @@ bool is_plan_due(Flight& flight) {
   const Tick now = flight.state.tick;
   if (now % flight.plan_period != 0) return false;
   if (now >= flight.busy_until) return true;
+  // A planner that computes for a minute would otherwise be shown a minute of images.
   forget_images(flight.perception, now - kTicksPerSecond);
   return false;
 }
@@ -187,6 +192,7 @@ Eigen::Vector3d commanded_position(const Flight& flight) {
 
 void sample(Flight& flight) {
   const VehicleState& state = flight.state;
+  // The end of a flight may be a sample's own tick.
   if (!flight.record.samples.empty() && flight.record.samples.back().time_s == seconds(state.tick))
     return;
   const Pose T_world_body = pose_of(state);
@@ -210,12 +216,14 @@ void sample(Flight& flight) {
 void move_obstacles(Flight& flight, Tick dt) {
   if (flight.moving == nullptr) return;
   flight.moving->set_time(seconds(flight.state.tick));
+  // What was free around the last query shrinks by how far the fastest obstacle came.
   flight.collision_check.free_radius_m -= flight.obstacle_speed_mps * seconds(dt);
 }
 
 /// Records a contact that begins now. True when it is one more than a flight may survive.
 bool collided(Flight& flight) {
   const auto touched = contact(flight.collision_check, flight.scene, pose_of(flight.state));
+  // A touch that lasts is one contact.
   const bool begins = touched.has_value() && !flight.was_touching;
   flight.was_touching = touched.has_value();
   if (!begins) return false;
@@ -239,11 +247,14 @@ bool collided(Flight& flight) {
 std::optional<Outcome> ended(Flight& flight) {
   if (flight.planner_end) return flight.planner_end;
   const Eigen::Vector3d& place = flight.state.position_world;
+  // First of all: a vehicle that touches something as it enters the goal or leaves the map has
+  // collided.
   if (collided(flight)) return Outcome::collided;
   if (!flight.scene.world().bounds.contains(place)) {
     flight.record.reason = "left the map at " + place_text(place);
     return Outcome::left_bounds;
   }
+  // Horizontally: the region is a circle, at any height.
   const double to_goal_m = (flight.mission.goal_world - place).head<2>().norm();
   if (to_goal_m <= flight.spec.mission.goal_radius_m) {
     flight.record.reason =
@@ -276,6 +287,7 @@ TrialRecord run_trial(const TrialSpec& spec, const Scene& scene, const Mission& 
   AB_CHECK(spec.latency.mode != LatencyMode::replay || recorded_latency_s != nullptr);
   const std::vector<Motion>& motions = scene.world().motions;
   std::optional<Scene> own;  // with its own time
+  // Its time is set at each step; the caller's scene stays at 0 for other trials.
   if (!motions.empty()) own.emplace(scene.world());
   Flight flight = make_flight(spec, own ? *own : scene, mission, planner, observer);
   flight.moving = own ? &*own : nullptr;
@@ -289,13 +301,16 @@ TrialRecord run_trial(const TrialSpec& spec, const Scene& scene, const Mission& 
     flight.planner_end = Outcome::planner_error;
     flight.record.reason = "reset: " + error;
   }
+  // A start may be at the goal or touch something already.
   std::optional<Outcome> outcome = ended(flight);
   while (!outcome) {
     const Tick now = flight.state.tick;
     flight.environment = environment_at(flight.wind, now, flight.state.position_world);
     sense(flight.perception, flight.scene, flight.model, flight.state, flight.environment);
+    // Before commands take effect: with zero latency what is planned now acts now.
     if (is_plan_due(flight)) plan(flight);
     apply_due_commands(flight);
+    // After commands: the sample's reference is the one that is followed from now on.
     if (now % flight.sample_period == 0) sample(flight);
     if (!flight.planner_end) {
       const VehicleState believed = believed_state(flight.perception, flight.state);
