@@ -38,6 +38,7 @@ long landlock_version() { return ::syscall(kCreateRuleset, nullptr, std::size_t{
 
 void allow(int ruleset, const char* path, std::uint64_t access) {
   const int folder = ::open(path, O_PATH | O_CLOEXEC);
+  // A container may lack /dev/shm; what is not there needs no permission.
   if (folder < 0) return;
   const PathBeneath rule{.allowed_access = access, .parent_fd = folder};
   ::syscall(kAddRule, ruleset, kRulePathBeneath, &rule, 0U);
@@ -46,6 +47,7 @@ void allow(int ruleset, const char* path, std::uint64_t access) {
 
 bool enter_landlock(const SandboxRules& rules, int abi) {
   RulesetAttributes attributes{.handled_access_fs = kWriteFile | kRemoveDirToMakeSym};
+  // Older kernels refuse a struct that is longer than the one they know.
   std::size_t size = sizeof attributes.handled_access_fs;
   if (abi >= 2) attributes.handled_access_fs |= kRefer;
   if (abi >= 3) attributes.handled_access_fs |= kTruncate;
@@ -114,6 +116,7 @@ SandboxRules sandbox_rules_from(const std::string& text) {
 
 SandboxSupport enter_sandbox(const SandboxRules& rules, const SandboxSupport& support) {
   SandboxSupport entered;
+  // The kernel's condition for filters without root: no program that is started gains rights.
   if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return entered;
   if (support.landlock_abi > 0 && enter_landlock(rules, support.landlock_abi)) {
     entered.landlock_abi = support.landlock_abi;

@@ -38,6 +38,7 @@ class Filter {
  public:
   Filter() {
     load(offsetof(seccomp_data, arch));
+    // 32-bit calls have other numbers: refused as a whole, else each rule could be passed by.
     add(BPF_JMP | BPF_JEQ | BPF_K, AUDIT_ARCH_X86_64, 1, 0);
     refuse(EPERM);
     load(offsetof(seccomp_data, nr));
@@ -60,6 +61,7 @@ class Filter {
   /// Only with one of these values of an argument.
   void only_where(std::uint32_t call, int argument, std::initializer_list<std::uint32_t> values) {
     std::vector<sock_filter> tests;
+    // A value that fits jumps over the tests that are left and the refusal.
     auto left = static_cast<std::uint8_t>(values.size());
     for (const std::uint32_t value : values) {
       tests.push_back({BPF_JMP | BPF_JEQ | BPF_K, left--, 0, value});

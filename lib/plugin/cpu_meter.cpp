@@ -38,6 +38,8 @@ struct KnownThread {
 };
 
 /// The threads of this process and whose they are.
+/// One for the process, since threads are. Each thread has one owner for its life; one that ended
+/// keeps the time that was last seen, so that totals never fall.
 class ThreadLedger {
  public:
   /// Threads that are not known yet become those of the owner that was given last.
@@ -64,6 +66,7 @@ class ThreadLedger {
       if (thread.owner == one || thread.owner == other) continue;
       if (!thread.has_ended) {
         const double now_s = cpu_time_s(thread_clock(thread.id));
+        // A clock that went back is that of another thread with the same number.
         thread.has_ended = now_s < thread.used_s;  // or its number is another thread's
         if (!thread.has_ended) thread.used_s = now_s;
       }
@@ -116,6 +119,7 @@ CpuMeter::CpuMeter(ThreadOwner library) : library_(library), self_(new_thread_ow
 CpuMeter::~CpuMeter() { threads_belong_to(kHostThreads); }
 
 void CpuMeter::begin_call() {
+  // Once a thread: asking the ledger at each call would cost more than short calls do.
   static thread_local const bool is_known = (ledger().add_calling_thread(), true);
   static_cast<void>(is_known);
   threads_belong_to(self_);
@@ -125,6 +129,7 @@ void CpuMeter::begin_call() {
 double CpuMeter::end_call() {
   double used_s = cpu_time_s(CLOCK_THREAD_CPUTIME_ID) - call_began_s_;
   const double others_s = this->others_s();
+  // Less is kept for a later call, not lost.
   if (others_s - charged_s_ > kLeastCharge_s) {
     used_s += others_s - charged_s_;
     charged_s_ = others_s;

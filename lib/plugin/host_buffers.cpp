@@ -150,6 +150,8 @@ SetupBuffers::SetupBuffers(const PlannerSetup& setup, const std::vector<Paramete
   setup_.max_acceleration_mps2 = setup.max_acceleration_mps2;
   setup_.max_yaw_rate_radps = setup.max_yaw_rate_radps;
   copy(setup.body_size_m, setup_.body_size_m);
+  // Of the ball around the body, however it is turned: larger than the reference path's, which is
+  // inside the outline.
   setup_.body_radius_m = 0.5 * setup.body_size_m.norm();
   setup_.plan_period_s = setup.plan_period_s;
   setup_.gravity_mps2 = setup.gravity_mps2;
@@ -161,6 +163,8 @@ SetupBuffers::SetupBuffers(const PlannerSetup& setup, const std::vector<Paramete
   setup_.cameras = camera_pointers_.data();
 }
 
+// After a call, in the conformance suite: a planner that kept a pointer reads rubbish and answers
+// otherwise than the one whose inputs stayed.
 void SetupBuffers::poison() {
   fill_with_rubbish(setup_);
   fill_with_rubbish(cameras_);

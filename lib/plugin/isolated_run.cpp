@@ -95,6 +95,7 @@ class SignalsBlocked {
 
 void close_from(int first) {
   if (::syscall(SYS_close_range, first, ~0U, 0) == 0) return;
+  // Before Linux 5.9. A limit may be in the millions; this program never has so many open.
   rlimit limit{};
   ::getrlimit(RLIMIT_NOFILE, &limit);
   const int most = static_cast<int>(std::min<rlim_t>(limit.rlim_cur, 1 << 20));
@@ -114,6 +115,8 @@ void leave_at_once(int code, void*) { ::_exit(code); }
 /// Cuts the calling process off from its parent's session, files, streams and signal handlers. What
 /// it prints goes to `words_fd`.
 void cut_off(int words_fd) {
+  // Out of the terminal's foreground group: Ctrl-C reaches the parent only, which then ends the
+  // rest.
   ::setsid();
   const int nothing = ::open("/dev/null", O_RDONLY);
   ::dup2(nothing, STDIN_FILENO);
@@ -134,6 +137,7 @@ void cut_off(int words_fd) {
 [[noreturn]] void be_worker(const std::function<void(IsolatedOutput&)>& work,
                             IsolatedOutput& output, int words_fd, pid_t watcher) noexcept {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  // The parent may have ended before the death signal was set.
   if (::getppid() != watcher) ::_exit(1);
   cut_off(words_fd);
   output.claim();
@@ -182,6 +186,7 @@ bool has_ended(pid_t worker) {
     if (left_s <= 0.0) break;
     const double whole_s = std::floor(left_s);
     const timespec left{static_cast<time_t>(whole_s), static_cast<long>(1e9 * (left_s - whole_s))};
+    // Signals were blocked before the fork, so that none is lost between looks.
     const int signal = ::sigtimedwait(&awaited, nullptr, &left);
     if (signal > 0 && signal != SIGCHLD) break;
     verdict.in_time = has_ended(worker);
@@ -207,6 +212,7 @@ std::string ending(const Verdict& verdict, double time_limit_s) {
 /// The last line in what was printed that has anything to read.
 std::string last_line(int words_fd) {
   constexpr std::size_t kMostBytes = 65536, kMostShown = 200;
+  // What a full pipe holds; the rest was lost when the pipe did not take it.
   std::string words(kMostBytes, '\0');
   const ssize_t count = ::read(words_fd, words.data(), words.size());
   words.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
@@ -238,6 +244,7 @@ IsolatedOutput::IsolatedOutput() {
 IsolatedOutput::~IsolatedOutput() { ::munmap(shared_, sizeof(Shared)); }
 
 void IsolatedOutput::claim() {
+  // Closed while planner code runs: a stray write then crashes instead of changing the answer.
   owner_ = ::getpid();
   ::mprotect(shared_, sizeof(Shared), PROT_NONE);
 }
@@ -294,6 +301,7 @@ IsolatedEnd run_isolated(const std::function<void(IsolatedOutput&)>& work, doubl
     is_reported = ::read(verdicts.read_end, &verdict, sizeof verdict) == sizeof verdict;
   }
   if (!is_reported) ::kill(watcher, SIGKILL);
+  // Always waited for: a caller may fork again at once, and must find no zombie of ours.
   while (::waitpid(watcher, nullptr, 0) < 0 && errno == EINTR) {
   }
   IsolatedEnd result{.output = output.bytes(), .problem = "", .last_words = ""};

@@ -152,6 +152,8 @@ PlannerDescription describe_planner(const std::filesystem::path& file, double ti
 
 PlannerDescription describe_planner(const std::filesystem::path& file) {
   static std::mutex mutex;
+  // By path and digest: a planner is asked once a run, again when its file changes. Failures are
+  // kept, too, since a hang costs the whole time limit.
   static std::map<std::pair<std::filesystem::path, std::string>, Answer> known;
   PlannerLibrary::check(file);
   const std::string digest = file_digest(file);

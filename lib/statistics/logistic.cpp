@@ -70,6 +70,8 @@ bool step(std::span<const Point> points, double& intercept, double& slope,
       determinant;
   const double before = log_likelihood(points, intercept, slope);
   double length = 1.0;
+  // Newton's step can overshoot far from the maximum; the likelihood is concave, so that some part
+  // of the step never lowers it. 1e-13: its own rounding.
   while (length > 1e-6 &&
          !(log_likelihood(points, intercept + length * to_intercept, slope + length * to_slope) >=
            before - 1e-13 * std::abs(before))) {
@@ -106,11 +108,13 @@ LogisticFit logistic_fit(std::span<const double> x, std::span<const std::int64_t
   const bool is_one_kind =
       with_success.least > with_success.greatest || with_failure.least > with_failure.greatest;
   if (!is_one_kind && !(all.least < all.greatest)) return fit;
+  // The likelihood then grows for ever with the slope: there is no finite maximum to converge to.
   fit.is_separated = is_one_kind || with_success.greatest <= with_failure.least ||
                      with_failure.greatest <= with_success.least;
   if (fit.is_separated) return fit;
 
   // In units in which x goes from -1 to 1.
+  // The equations are then well conditioned whatever the unit of x.
   const double centre = 0.5 * (all.least + all.greatest);
   const double scale = 0.5 * (all.greatest - all.least);
   for (Point& point : points) point.x = (point.x - centre) / scale;
@@ -141,6 +145,7 @@ Interval logistic_midpoint_interval(const LogisticFit& fit, double confidence) {
   const double a = fit.slope * fit.slope - z * z * fit.covariance[2];
   const double b = fit.intercept * fit.slope - z * z * fit.covariance[1];
   const double c = fit.intercept * fit.intercept - z * z * fit.covariance[0];
+  // The slope does not differ from 0: Fieller's set has no bounds.
   if (!(a > 0.0)) return {-kInfinity, kInfinity};
   const double root = std::sqrt(std::max(0.0, b * b - a * c));
   return {(-b - root) / a, (-b + root) / a};

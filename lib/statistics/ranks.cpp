@@ -56,6 +56,7 @@ double exact_rank_sum_p(std::span<const double> ranks, std::size_t chosen, doubl
   std::vector<std::vector<double>> counts(chosen + 1, std::vector<double>(width, 0.0));
   counts[0][0] = 1.0;
   for (const std::size_t rank : whole) {
+    // Downwards, so that a rank is taken once only.
     for (std::size_t taken = chosen; taken >= 1; --taken) {
       for (std::size_t sum = rank; sum < width; ++sum) {
         counts[taken][sum] += counts[taken - 1][sum - rank];
@@ -87,6 +88,7 @@ RankTest wilcoxon_signed_rank(std::span<const double> differences) {
   std::vector<double> sizes;
   std::vector<bool> is_positive;
   for (const double difference : differences) {
+    // Wilcoxon's way: what does not differ says nothing about the direction.
     if (difference == 0.0 || difference != difference) continue;
     sizes.push_back(std::abs(difference));
     is_positive.push_back(difference > 0.0);
@@ -142,6 +144,7 @@ std::vector<double> holm_adjusted(std::span<const double> p) {
   double greatest = 0.0;
   for (std::size_t i = 0; i < order.size(); ++i) {
     const auto left = static_cast<double>(order.size() - i);
+    // Never below that of a smaller p: the order of the tests is kept.
     greatest = std::max(greatest, std::min(1.0, left * p[order[i]]));
     adjusted[order[i]] = greatest;
   }

@@ -21,6 +21,7 @@ Interval score_interval(double rate, double trials, double z) {
   const double centre = scale * (rate + 0.5 * z * z / trials);
   const double half =
       scale * z * std::sqrt(rate * (1.0 - rate) / trials + 0.25 * z * z / (trials * trials));
+  // Exactly 0 and 1 at the ends, which the formula misses by rounding.
   return {rate <= 0.0 ? 0.0 : std::max(0.0, centre - half),
           rate >= 1.0 ? 1.0 : std::min(1.0, centre + half)};
 }
@@ -81,6 +82,8 @@ Interval clustered_wilson_interval(std::span<const std::int64_t> successes,
       squares += residual * residual;
     }
     const double variance = clusters / (clusters - 1.0) * squares / (n * n);
+    // The design effect: how much larger the variance between clusters is than that of independent
+    // trials. Never below 1, since that is chance.
     effective = n / std::max(1.0, variance / (rate * (1.0 - rate) / n));
   }
   return score_interval(rate, effective,
@@ -115,6 +118,7 @@ double fisher_exact_p(std::int64_t successes_1, std::int64_t trials_1, std::int6
   for (std::int64_t k = std::max<std::int64_t>(0, successes - trials_2);
        k <= std::min(trials_1, successes); ++k) {
     const double other = probability(k);
+    // Tables as likely as the one seen count; the factor covers their rounding, as in R.
     if (other <= seen * (1.0 + 1e-7)) p += other;
   }
   return std::min(1.0, p);

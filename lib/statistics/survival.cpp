@@ -17,6 +17,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// S^exp(±z s / |log S|), with s² Greenwood's sum.
 Interval log_log_interval(double survival, double greenwood, double z) {
+  // log(-log S) has no value at 0. Bounds in this scale stay within 0 and 1.
   if (!(survival > 0.0)) return {kNaN, kNaN};
   const double log_survival = math::log(survival);
   const double factor = math::exp(z * std::sqrt(greenwood) / -log_survival);

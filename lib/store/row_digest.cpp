@@ -10,6 +10,7 @@
 namespace avoidbench {
 namespace {
 
+// These say where and how often a trial was flown, not what came of it: merge renumbers runs.
 constexpr std::string_view kOfTheFile[] = {"attempt", "run_id", "row_digest"};
 
 /// Our columns of trials and those of metrics that the digest covers, by name.
@@ -19,6 +20,7 @@ std::vector<std::string> digested_columns(const Database& db) {
   std::erase_if(columns, [](const std::string& column) {
     return std::find(std::begin(kOfTheFile), std::end(kOfTheFile), column) != std::end(kOfTheFile);
   });
+  // By name, since files that grew by ALTER TABLE have them in another order.
   std::sort(columns.begin(), columns.end());
   return columns;
 }

@@ -81,6 +81,8 @@ std::string began_at(const std::string& pid) {
   if (end_of_name == std::string::npos) return "";
   std::istringstream fields(stat.substr(end_of_name + 1));
   std::string skipped;
+  // Field 22 of stat(5) is the start time; the name, field 2, may hold spaces, so that counting
+  // begins behind its bracket.
   for (int i = 0; i < 19; ++i) fields >> skipped;  // up to field 21
   long long ticks = 0, boot_s = 0;
   fields >> ticks;
@@ -115,6 +117,7 @@ RunLock::RunLock(const std::filesystem::path& file)
       descriptor_(::open(file.c_str(), O_RDWR | O_CLOEXEC | O_NOCTTY)) {
   if (descriptor_ < 0) fail(file, std::string("can't be opened: ") + std::strerror(errno));
   // One that was just killed may need a moment to be gone.
+  // A second in all.
   constexpr int kTries = 20;
   constexpr std::chrono::milliseconds kPause{50};
   int error = try_lock(descriptor_);

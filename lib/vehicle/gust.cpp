@@ -26,6 +26,7 @@ Eigen::Vector3d gust_velocity_world(const GustSpec& gust, std::uint64_t seed, do
     start_s += number * gust.period_s;
   }
   if (gust.start_jitter_s > 0.0 || gust.random_heading) {
+    // A stream for each gust by its number: any time can be asked for, in any order.
     RandomStream random(stream_seed(seed, static_cast<std::uint64_t>(number)));
     start_s += gust.start_jitter_s * random.uniform();
     const double turn_rad = math::kTau * random.uniform();

@@ -28,12 +28,15 @@ double tilt_that_fits(const VehicleModel& model, const Rotors& tilt) {
 RotorVector saturated(const VehicleModel& model, double thrust_n, const Rotors& tilt,
                       const Rotors& yaw) {
   const double highest = model.max_rotor_thrust_n;
+  // In this order, as autopilots do: roll and pitch keep the vehicle upright and come first, then
+  // collective thrust, then yaw, which takes what is left.
   const double part = tilt_that_fits(model, tilt);
   double least_n = 0.0, greatest_n = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < static_cast<std::size_t>(model.rotor_count); ++i) {
     least_n = std::max(least_n, -part * tilt[i] / model.mixing[i][0]);
     greatest_n = std::min(greatest_n, (highest - part * tilt[i]) / model.mixing[i][0]);
   }
+  // Thrust moves to where the tilt fits before the tilt gives way.
   const double collective_n = std::min(std::max(thrust_n, least_n), greatest_n);
   double yaw_part = 1.0;
   Rotors base{};

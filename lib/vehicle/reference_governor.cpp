@@ -22,6 +22,7 @@ Vector3d with_norm_at_most(const Vector3d& v, double most) {
 /// jerk, then in proportion.
 double closing_acceleration(const VehicleModel& model, double error) {
   const double gain = model.acceleration_gain, jerk = model.acceleration_jerk;
+  // Where the root's slope equals the gain: both value and slope go on without a step.
   const double root_from = jerk / (gain * gain);
   const double value =
       error < root_from ? gain * error : std::sqrt(2.0 * jerk * (error - 0.5 * root_from));
@@ -64,6 +65,8 @@ WantedVelocity wanted_velocity(const VehicleModel& model, const Reference& refer
   const Vector3d direction = way / distance;
   const double towards = direction.dot(v);
   const double ratio = speed.value / distance;
+  // The derivative of the wanted velocity as the reference moves on: fed forward, so that the
+  // reference stays on the braking curve instead of lagging it.
   return {speed.value * direction, -ratio * v - ((speed.slope - ratio) * towards) * direction};
 }
 
@@ -100,6 +103,8 @@ Speed allowed_speed(const BrakingCurve& curve, double distance) {
   // Time t since the ramp of deceleration began: cap_from - distance = max_speed t - jerk t³/6.
   const double gone = curve.cap_from - distance;
   double t = gone / curve.max_speed;
+  // Newton's method from a close start: the cubic term is small where the ramp begins. A fixed
+  // number of steps, so that no test of convergence decides.
   for (int i = 0; i < 4; ++i) {
     const double speed = curve.max_speed - 0.5 * curve.jerk * t * t;
     t -= (curve.max_speed * t - curve.jerk * t * t * t / 6.0 - gone) / speed;
@@ -118,10 +123,13 @@ Reference governed(const VehicleModel& model, const Reference& reference,
   Vector3d acceleration = wanted.change;
   if (size > 0.0) acceleration += (closing_acceleration(model, size) / size) * error;
   acceleration = with_norm_at_most(acceleration, model.spec.max_acceleration_mps2);
+  // Not faster than one step: a longer step would overshoot the wanted acceleration.
   const double loop = std::min(kAccelerationLoop, 1.0 / dt_s);
   const Vector3d jerk = with_norm_at_most(loop * (acceleration - a), model.spec.max_jerk_mps3);
 
   Reference next = reference;
+  // Exact for a constant jerk: position, velocity and acceleration stay consistent, as controllers
+  // that feed them forward need.
   next.position_world += dt_s * (v + (0.5 * dt_s) * (a + (dt_s / 3.0) * jerk));
   next.velocity_world += dt_s * (a + (0.5 * dt_s) * jerk);
   next.acceleration_world += dt_s * jerk;

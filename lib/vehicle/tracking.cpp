@@ -23,6 +23,7 @@ Reference reference_from(const VehicleModel& model, const VehicleState& state) {
   Reference reference;
   reference.position_world = state.position_world;
   reference.velocity_world = state.velocity_world;
+  // Without wind, which the vehicle does not know.
   const Vector3d acceleration = acceleration_world(model, state, Environment{});
   const double most = model.spec.max_acceleration_mps2;
   const double size = acceleration.norm();
@@ -80,6 +81,7 @@ void follow_trajectory(Tracker& tracker) {
   std::vector<TrajectoryPoint>& points = tracker.command.trajectory;
   if (points.front().time_s > 0.0) {
     const Reference& now = tracker.reference;
+    // A trajectory that begins later is joined by a piece from the present reference.
     const TrajectoryPoint first{0.0,
                                 now.position_world,
                                 now.velocity_world,
@@ -95,6 +97,7 @@ void follow_trajectory(Tracker& tracker) {
 void advance_reference(Tracker& tracker, const VehicleModel& model, const VehicleState& state) {
   const double dt_s = seconds(state.tick - tracker.reference_tick);
   tracker.reference_tick = state.tick;
+  // A planner that falls silent leaves a vehicle that brakes, not one that flies on.
   if (tracker.horizon_tick > 0 && state.tick >= tracker.horizon_tick) hold(tracker, model, state);
   if (tracker.following_rates) {
     tracker.reference = reference_from(model, state);
@@ -112,6 +115,7 @@ void advance_reference(Tracker& tracker, const VehicleModel& model, const Vehicl
   }
   if (dt_s <= 0.0) return;
   tracker.reference = governed(model, tracker.reference, tracker.target, dt_s);
+  // A position command has its own place to come back to; velocity and acceleration have none.
   if (tracker.target.goal != GovernorGoal::position) {
     const Vector3d lead = tracker.reference.position_world - state.position_world;
     const double distance = lead.norm();
@@ -126,6 +130,7 @@ void track_by_lee(Tracker& tracker, const VehicleModel& model, const VehicleStat
   const ThrustAndTorque wanted = lee_control(model, state, tracker.reference);
   tracker.rotor_command_radps = mix(model, wanted.thrust_n, wanted.torque_body_nm);
   tracker.next_position_tick =
+      // From the tick when it was due, so that the rate holds on the mean; never twice at one tick.
       std::max(tracker.next_position_tick + model.lee_period, state.tick + 1);
 }
 
@@ -145,6 +150,8 @@ Tracker make_tracker(const VehicleModel& model, const VehicleState& initial) {
 
 void accept(Tracker& tracker, const VehicleModel& model, const Command& command,
             const VehicleState& state) {
+  // The plugin room refused what is wrong with a planner's command; here it would be a fault of
+  // ours.
   AB_CHECK(command_problem(command).empty(), command_problem(command));
   AB_CHECK(state.tick >= tracker.reference_tick, state.tick, tracker.reference_tick);
   advance_reference(tracker, model, state);

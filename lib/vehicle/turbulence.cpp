@@ -20,6 +20,7 @@ double moment(int n, double d) {
   }
   double power = d, sum = 0.0;  // (-2)^k d^(n+k+1) / k!
   for (int i = 0; i < n; ++i) power *= d;
+  // At d = 1 the last term is below 1e-20.
   constexpr int kTerms = 28;
   for (int k = 0; k < kTerms; ++k) {
     sum += power / (n + k + 1);
@@ -35,6 +36,8 @@ LateralFilter lateral_filter(double d) {
   filter.feed = d * filter.keep;
   filter.noise_11 = std::sqrt(moment(0, d));
   filter.noise_21 = moment(1, d) / filter.noise_11;
+  // The Cholesky factor of the two states' covariance; its last entry is positive, except for
+  // rounding in very short steps.
   filter.noise_22 = std::sqrt(std::max(0.0, moment(2, d) - filter.noise_21 * filter.noise_21));
   return filter;
 }
@@ -71,6 +74,7 @@ DrydenFilter make_dryden(const std::array<double, 3>& length_m, double airspeed_
 }
 
 DrydenState stationary(RandomStream& random) {
+  // exp(-100) is nothing beside 1: the stationary state.
   constexpr double kLongAgo = 100.0;  // time constants
   const LateralFilter from_nothing = lateral_filter(kLongAgo);
   DrydenState state;

@@ -19,6 +19,7 @@ void start_turbulence(Wind& wind, std::uint64_t seed) {
   wind.sigma_mps = spec.intensity_ratio * to_eigen(scales.sigma_mps);
   wind.is_turbulent = wind.sigma_mps.maxCoeff() > 0.0;
   if (!wind.is_turbulent) return;
+  // Dryden's u is along the mean wind; without one, along x.
   const Vector3d across(wind.steady.wind_world_mps.x(), wind.steady.wind_world_mps.y(), 0.0);
   if (across.norm() > 0.0) wind.along_world = across / across.norm();
   wind.turbulence_period = *period_ticks(spec.rate_hz);
@@ -78,7 +79,9 @@ Wind make_wind(const WindSpec& spec, std::uint64_t seed, double until_s) {
 }
 
 Environment environment_at(Wind& wind, Tick tick, const Vector3d& position_world) {
+  // Most trials have no wind, and this is asked at each physics step.
   if (wind.is_steady) return wind.steady;
+  // Turbulence and kicks only go forward.
   AB_CHECK(tick >= wind.tick, tick, wind.tick);
   wind.tick = tick;
   Environment now = wind.steady;
