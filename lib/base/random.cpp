@@ -21,6 +21,8 @@ std::uint64_t split_mix(std::uint64_t& state) {
   return z ^ (z >> 31U);
 }
 
+// A table of 16 KiB stays in the first cache; five draws of 12 bits come from one number of 64. The
+// farthest of 4096 quantiles is at 3.7 deviations.
 constexpr unsigned kCoarseBits = 12;
 constexpr std::size_t kCoarseLevels = std::size_t{1} << kCoarseBits;
 
@@ -58,6 +60,7 @@ std::uint64_t RandomStream::bits() {
   return result;
 }
 
+// 53 bits: what a double in [0, 1) holds.
 double RandomStream::uniform() { return static_cast<double>(bits() >> 11U) * 0x1.0p-53; }
 
 double RandomStream::uniform(double lowest, double highest) {

@@ -12,7 +12,11 @@
 namespace avoidbench {
 namespace {
 
+// The wall stands half-way to the goal, 12 m off; the gap beside the line is wide enough for the
+// body, and the wall behind it is still within the camera's 15 m, so that the gap shows as depth,
+// not as nothing.
 constexpr double kWall_m = 6.0, kFarWall_m = 14.0, kGapFrom_m = 0.5, kGapTo_m = 2.5;
+// Longer than any vector that a compiler writes at once. The value is one that no depth has.
 constexpr std::size_t kFenceLength = 64;
 constexpr float kFence = -12345.678F;
 
@@ -91,11 +95,13 @@ PlannerSetup conformance_setup() {
 Flight wall_flight() {
   const PlannerSetup setup = conformance_setup();
   Flight flight;
+  // Any seed: the rules only compare calls with each other.
   flight.mission.seed = 7;
   flight.mission.start_world = {0.0, 0.0, 2.0};
   flight.mission.goal_world = {12.0, 0.0, 2.0};
   flight.mission.goal_radius_m = 0.8;
   flight.mission.time_limit_s = 60.0;
+  // Two thirds of a second at 30 Hz: a planner that maps has seen enough by then to give a command.
   for (int i = 0; i < 20; ++i) {
     Frame frame;
     frame.time_s = i * setup.plan_period_s;

@@ -82,11 +82,14 @@ std::vector<std::byte> packed_samples(std::span<const std::byte> bytes) {
   std::vector<std::byte> planes(count * sizeof(SampleNumbers));
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t k = 0; k < sizeof(SampleNumbers); ++k) {
+      // Byte by byte of each number, all samples of it together: exponents and signs hardly change
+      // along a flight and pack well.
       planes[k * count + i] = bytes[i * sizeof(SampleNumbers) + k];
     }
   }
   uLongf size = ::compressBound(planes.size());
   std::vector<std::byte> packed(size);
+  // zlib's usual level; part of the format in that equal flights are equal bytes.
   constexpr int kLevel = 6;
   const int code =
       ::compress2(reinterpret_cast<Bytef*>(packed.data()), &size,

@@ -78,6 +78,8 @@ void Pilot::prepare_grid(const ab_mission& mission) {
   if (!std::isfinite(start_m) || !std::isfinite(goal_m)) return;
   lowest_m_ = std::min(start_m, goal_m) - settings_.max_departure_m;
   highest_m_ = std::max(start_m, goal_m) + settings_.max_departure_m;
+  // A metre more than is flown, for boxes around the vehicle; and a bound, since a mission's
+  // heights may be anything.
   constexpr double kBeyond_m = 1.0, kTallest_m = 30.0;
   const double floor_m = std::floor(lowest_m_ - kBeyond_m);
   const double ceiling_m = std::min(std::ceil(highest_m_ + kBeyond_m), floor_m + kTallest_m);
@@ -103,6 +105,7 @@ std::optional<std::vector<ab_point>> Pilot::plan(const ab_observation& seen) {
     hover(position, time_s);
     heading_ = {start_yaw_rad_, 0.0};
     points_began_s_ = planned_s_ = braked_s_ = closest_s_ = time_s;
+    // So that the first tree is due at once.
     planned_s_ -= settings_.replan_period_s;
     closest_m_ = potential_.at(position);
   }
@@ -120,6 +123,8 @@ void Pilot::look(const ab_observation& seen, const Vector3d& position) {
     grid_.integrate(planning::without_border(*seen.depth[i], kBorder));
     has_seen_ = true;
   }
+  // More at the start, where nothing was seen yet: the missions' starts have free space around
+  // them.
   const double more_m = flown_.places().size() < 2 ? 0.8 : 0.4;
   clear_around(position,
                Vector3d(settings_.robot_length_m + more_m, settings_.robot_length_m + more_m,
@@ -133,6 +138,7 @@ void Pilot::look(const ab_observation& seen, const Vector3d& position) {
 void Pilot::clear_around(const Vector3d& position, const Vector3d& size_m) {
   const planning::Cell from = grid_.cell_of(position - 0.5 * size_m);
   const planning::Cell to = grid_.cell_of(position + 0.5 * size_m);
+  // A box around the centre that touches this one cell.
   const Vector3d within = Vector3d::Constant(0.01 * settings_.resolution_m);
   for (int x = from.x(); x <= to.x(); ++x) {
     for (int y = from.y(); y <= to.y(); ++y) {
@@ -347,6 +353,8 @@ void Pilot::brake(double time_s) {
 void Pilot::search(double time_s) {
   const Vector3d here = course_.at(phase_s(time_s)).position;
   if (course_.kind != Kind::hover) hover(here, time_s);
+  // Toward the goal first, then to both sides by a radian more each: with 90° of view every
+  // direction is seen, also behind.
   constexpr double kLooks_rad[] = {0.0, 1.0, -1.0, 2.0, -2.0, portable::kPi};
   constexpr int kLooks = 6;
   constexpr double kClose_rad = 0.1;
@@ -380,6 +388,8 @@ void Pilot::search(double time_s) {
 
 /// A new trap, or a stronger and wider one where there was one: dead ends may be large.
 void Pilot::set_trap(const Vector3d& place) {
+  // A trap's slope, weight over radius, is 1 at first: as steep as the way to the goal, so that it
+  // cancels the pull into a dead end. It grows while it is not enough, up to the size of the map.
   constexpr double kWeight_m = 3.0, kRadius_m = 3.0, kGrowth = 1.5, kGreatest_m = 8.0;
   for (Trap& trap : potential_.traps) {
     if ((trap.place - place).norm() > 0.5 * trap.radius_m) continue;
@@ -393,6 +403,7 @@ void Pilot::set_trap(const Vector3d& place) {
 
 /// Where nothing was gained for long, the place becomes a trap and the search goes elsewhere.
 void Pilot::watch_progress(const Vector3d& position, double time_s) {
+  // Longer than looking all around takes; a gain of half a metre is more than drift at a hover.
   constexpr double kPatience_s = 6.0, kGain_m = 0.5;
   const double left_m = potential_.at(position);
   if (left_m < closest_m_ - kGain_m) {

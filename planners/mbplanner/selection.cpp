@@ -100,6 +100,8 @@ struct Chooser {
     choice.clearance = clearance_of(choice.path, task->space);
     choice.gain_m = choice.progress_m - cost_m(static_cast<double>(choice.path.size()) * kStep_s) +
                     settings->clearance_weight_m * choice.clearance;
+    // Two seconds of knots, half a second at least: only near paths can be told from the present
+    // one by their distance.
     const std::size_t common = std::min<std::size_t>({flown->size(), choice.path.size(), 40});
     if (common < 10) return;
     double apart_m = 0.0;
@@ -151,6 +153,7 @@ std::size_t best_of(const std::vector<Choice>& choices, double similarity_m) {
   std::size_t roomiest = best;
   for (std::size_t i = 0; i < choices.size(); ++i) {
     if (choices[i].clearance <= choices[roomiest].clearance + 1e-3) continue;
+    // Room may cost a little gain, in metres as the similarity, but not more.
     if (choices[i].gain_m < choices[best].gain_m - 2.0 * similarity_m) continue;
     if (dissimilarity_m(choices[i].path, choices[best].path) <= similarity_m) roomiest = i;
   }
@@ -160,6 +163,7 @@ std::size_t best_of(const std::vector<Choice>& choices, double similarity_m) {
 }  // namespace
 
 double Potential::at(const Vector3d& position) const {
+  // Half as much again for height: it is to be won on the way, not at the end.
   constexpr double kHeightWeight = 0.5;
   double left_m = (goal - position).norm() + kHeightWeight * std::abs(goal.z() - position.z());
   for (const Trap& trap : traps) {
@@ -187,6 +191,7 @@ std::optional<std::vector<Motion>> safe_path(const Motion& from, const Space& sp
                                              const Limits& limits, const Settings& settings) {
   std::vector<Motion> brake = stop_from(from, settings.braking_mps2, greatest(limits, settings));
   if (are_free(brake, space)) return brake;
+  // At rest an arc has no direction to turn from.
   if (from.velocity.head<2>().norm() < 0.1) return std::nullopt;
   for (int arc = 0; arc < settings.evasive_arcs; ++arc) {
     std::vector<Motion> knots = evasive_arc(from, arc_turn_rad(arc), limits, settings);
@@ -199,6 +204,7 @@ std::vector<Motion> least_bad_stop(const Motion& from, const std::vector<Motion>
                                    const Space& space, const Space& body, const Limits& limits,
                                    const Settings& settings) {
   Settings hard = settings;
+  // A tenth is left for the controller to correct with.
   hard.braking_mps2 = 0.9 * settings.greatest_acceleration_mps2;
   Limits sharp = limits;
   sharp.acceleration_mps2 = hard.braking_mps2;
@@ -274,6 +280,8 @@ std::optional<Choice> choose(const Tree& tree, const Task& task, const Potential
   int stops_left = kMostStops;
   for (const Prospect& prospect : chooser.prospects()) {
     if (choices.size() >= kMostCandidates || stops_left <= 0) break;
+    // Prospects come best first: when the rest can't win with all the room there is, it is not
+    // looked at.
     const double most_m = prospect.gain_m + settings.clearance_weight_m;
     if (most_m < best_m) break;
     auto choice = chooser.safe_end(prospect.vertex, stops_left);

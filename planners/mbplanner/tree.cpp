@@ -74,10 +74,15 @@ Vector3d Tree::sample(const Vertex& parent, int child, planning::Random& random)
   const double greatest = task_.limits.acceleration_mps2, climb = settings_.climb_mps2;
   const int level = parent.level + 1;
   constexpr double kFan_rad = 10.0 / 180.0 * portable::kPi;
+  // One in five of the root's children flies at the goal: straight and 10° to each side. Random
+  // ones alone leave it out now and then.
   if (level == 0 && child < settings_.root_samples / 5) {
     return steering(parent.motion, kFan_rad * (child - 1));
   }
+  // A first child goes on as its parent, so that long even curves are among the paths.
   if (level > 0 && level <= settings_.branch_levels && child == 0) return parent.pull;
+  // All four are drawn, whatever becomes of them: the sequence of numbers must not depend on what
+  // is chosen.
   const double lot = random.uniform();
   const bool steers = lot < settings_.goal_bias;
   const double turn = random.uniform(-1.0, 1.0);
@@ -100,6 +105,7 @@ Vector3d Tree::steering(const Motion& from, double turn_rad) const {
   double direction = turn_rad;
   if (way.head<2>().norm() > 1e-6) direction += portable::atan2(way.y(), way.x());
   const Vector3d wanted = level_pull(direction, task_.limits.speed_mps, 0.0);
+  // Full speed in half a second, as far as the greatest pull allows.
   Vector3d pull = (wanted - from.velocity) / 0.5;
   pull.z() = 0.0;
   const double size = pull.norm(), greatest = task_.limits.acceleration_mps2;
@@ -113,6 +119,8 @@ Vector3d Tree::steering(const Motion& from, double turn_rad) const {
 /// The vertical pull back to the goal's height.
 double Tree::holding_height(const Motion& from) const {
   const double error_m = task_.goal.z() - from.position.z();
+  // Back to the goal's height at half a metre a second at most: climbing is slow and costs room to
+  // the sides.
   const double wanted = std::clamp(0.8 * error_m, -0.5, 0.5) - from.velocity.z();
   return std::clamp(1.5 * wanted, -settings_.climb_mps2, settings_.climb_mps2);
 }
@@ -141,6 +149,7 @@ bool Tree::add(int parent, const Vector3d& pull, int steps) {
     checked = now.motion.position;
     if (is_check) kept = now;
     const bool is_near =
+        // Well inside the goal's circle: the vehicle follows its path with an error.
         (now.motion.position - task_.goal).head<2>().norm() < 0.8 * task_.goal_radius_m;
     if (is_near) {
       kept = now;

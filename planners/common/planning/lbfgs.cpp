@@ -44,6 +44,7 @@ struct Point {
 /// Moves `at` along the direction; false where no step descends enough.
 bool line_search(const CostFunction& cost, const LbfgsSpec& spec, const VectorXd& direction,
                  double first_step, Point& at, LbfgsResult& result) {
+  // The usual constants of the weak Wolfe conditions (Nocedal and Wright).
   constexpr double kDecrease = 1e-4, kCurvature = 0.9;
   const double slope = at.gradient.dot(direction);
   if (!(slope < 0.0)) return false;
@@ -61,6 +62,8 @@ bool line_search(const CostFunction& cost, const LbfgsSpec& spec, const VectorXd
       at = std::move(tried);
       return true;
     }
+    // Lewis and Overton's bisection: it needs no smooth second derivative, which costs in pieces
+    // lack.
     step = std::isfinite(high) ? 0.5 * (low + high) : 2.0 * low;
   }
   if (tried.cost < at.cost) {  // it descends, if not by the rule
@@ -87,6 +90,8 @@ LbfgsResult minimize(const CostFunction& cost, const LbfgsSpec& spec, VectorXd& 
     }
     const Point before = at;
     const VectorXd direction = direction_of(pairs, at.gradient);
+    // Without a memory of curvature the gradient's length says nothing: a first step of unit length
+    // at most.
     const double first_step = pairs.empty() ? 1.0 / std::max(1.0, at.gradient.norm()) : 1.0;
     if (!line_search(cost, spec, direction, first_step, at, result)) {
       if (!pairs.empty()) {  // once more, straight down
@@ -103,6 +108,8 @@ LbfgsResult minimize(const CostFunction& cost, const LbfgsSpec& spec, VectorXd& 
     }
     Pair pair{at.x - before.x, at.gradient - before.gradient, 0.0};
     const double product = pair.step.dot(pair.change);
+    // Else the step says nothing of a positive curvature, and the directions could cease to
+    // descend.
     if (product > 1e-12 * pair.change.squaredNorm()) {
       pair.inverse_product = 1.0 / product;
       pairs.push_back(std::move(pair));
