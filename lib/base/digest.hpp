@@ -26,7 +26,7 @@ class Digest {
     return add_bytes(std::as_bytes(values));
   }
 
-  /// 64 lower-case hexadecimal digits. The digest starts anew afterwards.
+  /// 64 lower-case hexadecimal digits. The digest starts again afterwards.
   std::string hex();
 
  private:

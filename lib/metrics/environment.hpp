@@ -34,7 +34,7 @@ Traversability traversability_pointcloud(const World& world, double resolution_m
 /// m.
 double free_volume_ratio(const Scene& scene, ClearanceGrid& grid, const BodyMeasure& body);
 
-/// Obstacles that stand inside the flight bounds, but for ground, walls and ceiling, per square
+/// Obstacles that stand inside the flight bounds, except ground, walls and ceiling, per square
 /// metre of them.
 double obstacle_density_1pm2(const World& world);
 std::int64_t obstacle_count(const World& world);

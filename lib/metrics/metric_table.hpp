@@ -51,7 +51,7 @@ struct MetricDef {
 /// Every metric, in the order of the database's columns and of reports.
 std::span<const MetricDef> metric_table();
 
-/// One value a row of metric_table(), NaN where the trial is not in the metric's population or it
+/// One value per row of metric_table(), NaN where the trial is not in the metric's population or it
 /// isn't defined.
 std::vector<double> compute_metrics(const MetricInput& input);
 

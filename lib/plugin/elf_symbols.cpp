@@ -16,6 +16,7 @@ constexpr std::uint64_t kMostBytes = 4'000'000'000;  ///< of a library
 /// The struct at `offset`, or nothing where the file ends before.
 template <class Struct>
 std::optional<Struct> struct_at(const std::string& bytes, std::uint64_t offset) {
+  // In this order, so that no sum can overflow: offsets come from the file.
   if (offset > bytes.size() || bytes.size() - offset < sizeof(Struct)) return std::nullopt;
   Struct value;
   std::memcpy(&value, bytes.data() + offset, sizeof(Struct));
@@ -40,6 +41,7 @@ bool is_exported(const Elf64_Sym& symbol) {
 }  // namespace
 
 std::string shared_library_problem(const std::filesystem::path& file) {
+  // The header alone: what is no library may be a huge file of another kind.
   std::string bytes(sizeof(Elf64_Ehdr), '\0');
   try {
     bytes.resize(InputFile(file, kMostBytes).read(bytes));

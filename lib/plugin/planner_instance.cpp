@@ -24,6 +24,7 @@ double wall_clock_s() {
 /// the planner's error.
 template <class Call>
 std::string escaped_exception(CallClock* clock, Call&& call) {
+  // Guards outside the try block: they are taken down after whatever escapes.
   const TimedCall timed(clock);
   const FloatGuard float_guard;
   const LocaleGuard locale_guard;
@@ -56,6 +57,7 @@ struct PlannerInstance::Internals {
   CpuMeter meter;
 
   ~Internals() {
+    // create() may have failed; a planner is destroyed only if there is one.
     if (instance == nullptr) return;
     meter.begin_call();
     escaped_exception(clock, [this] { table->destroy(instance); });
@@ -96,6 +98,7 @@ std::string PlannerInstance::reset(const PlannerMission& mission) {
   self.meter.begin_call();
   const std::string escaped =
       escaped_exception(self.clock, [&] { status = self.table->reset(self.instance, &given); });
+  // What reset() used is charged to no call.
   self.meter.settle();
   if (!escaped.empty()) return escaped;
   return status == AB_OK ? "" : error_text("reset", self.host);
@@ -135,6 +138,7 @@ PlanResult PlannerInstance::plan(const PlannerView& view) {
   }
   result.status = status == AB_NO_PLAN ? PlanStatus::no_plan : PlanStatus::command;
   if (status == AB_OK && result.command.kind == AB_COMMAND_TRAJECTORY) {
+    // Copied at once: the planner's array is its own again after the next call.
     result.points.assign(result.command.points, result.command.points + result.command.point_count);
   }
   result.command.points = nullptr;

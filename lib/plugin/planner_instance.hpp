@@ -24,7 +24,7 @@ struct PlannerSetup {
   double max_speed_mps = 0, max_acceleration_mps2 = 0, max_yaw_rate_radps = 0;
   Eigen::Vector3d body_size_m = Eigen::Vector3d::Zero();
   double plan_period_s = 0, gravity_mps2 = 0;
-  std::vector<CameraSetup> cameras;  ///< at least one; alike but for where they are mounted
+  std::vector<CameraSetup> cameras;  ///< at least one; alike except for where they are mounted
 };
 struct PlannerMission {
   std::uint64_t seed = 0;

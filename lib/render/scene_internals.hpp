@@ -16,7 +16,7 @@ namespace avoidbench {
 
 /// Maps of at most this many triangles, counted over all instances, are flattened into one
 /// hierarchy: a forest's depth image then takes 0.6 of the time of the instanced one, for 0.9 µs of
-/// building and 105 bytes a triangle. Larger maps keep one hierarchy a prototype.
+/// building and 105 bytes per triangle. Larger maps keep one hierarchy per prototype.
 inline constexpr std::size_t kFlattenTriangles = 1'000'000;
 
 /// normal · p = offset on the triangle; the normal is a unit vector, or zero where the triangle has
@@ -28,7 +28,7 @@ struct TrianglePlane {
 /// How one instance stands in the world, in double.
 struct Placement {
   const TrianglePlane* planes =
-      nullptr;  ///< one a triangle; in the world's frame where flattened, else in the prototype's
+      nullptr;  ///< one per triangle; in the world's frame where flattened, else in the prototype's
   Eigen::Matrix3d linear_world_prototype = Eigen::Matrix3d::Identity();
   Eigen::Vector3d position_world = Eigen::Vector3d::Zero();
   Eigen::Matrix3d linear_prototype_world = Eigen::Matrix3d::Identity();

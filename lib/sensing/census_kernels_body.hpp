@@ -246,7 +246,7 @@ void write_right_row(const Frame& frame, int y) {
 /// left: the path along the row and those from the row before. A diagonal keeps its slot, so the
 /// slots of the two diagonals turn by one a row, and a slot is free again where its diagonal has
 /// left the image. (The original's diagonals wrap around to the other border's column; ours start
-/// anew.)
+/// again.)
 template <int kVectors, int kPaths, bool kUp>
 void sweep(const Frame& given) {
   const Frame frame = given;  // a copy, which stores of bytes cannot alias

@@ -24,7 +24,7 @@ void visit(Visitor&, DepthIdealSpec&) {}
 
 /// True depth made as wrong as that of a stereo pair matched by SGM, for a tenth of its cost. The
 /// defaults are fitted to stereo_sgm; see docs/sensors.md and `avoidbench sensors measure`. What
-/// differs between fully textured and bland surfaces goes with the square of the lack of opacity.
+/// differs between fully textured and bland surfaces grows with the square of the lack of opacity.
 struct DepthNoisySpec {
   static constexpr std::string_view kind = "depth_noisy";
   double disparity_sigma_px = 0.26, bland_disparity_sigma_px = 0.36;

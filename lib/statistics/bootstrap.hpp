@@ -12,8 +12,8 @@ namespace avoidbench {
 /// The `ratio` quantile, linear between the values' order statistics; NaN without values.
 double quantile(std::span<const double> values, double ratio);
 
-/// CF = (d_2 ln SR_1) / (d_1 ln SR_2), AvoidBench (arXiv 2301.07430) eq. (10): failures a metre of
-/// 1 over those of 2. NaN where a rate is 0 or 1.
+/// CF = (d_2 ln SR_1) / (d_1 ln SR_2), AvoidBench (arXiv 2301.07430) eq. (10): failures per metre
+/// of 1 over those of 2. NaN where a rate is 0 or 1.
 double contrast_factor(double success_rate_1, double reference_length_1_m, double success_rate_2,
                        double reference_length_2_m);
 

@@ -8,7 +8,7 @@
 namespace avoidbench {
 
 /// Interval for a rate (Wilson 1927): keeps its confidence for few trials and at rates 0 and 1. NaN
-/// without trials. It is for trials that know nothing of each other: for many trials a map, it is
+/// without trials. It is for trials that know nothing of each other: for many trials per map, it is
 /// the interval of the rate on these maps; for the rate on maps of their kind, see
 /// clustered_wilson_interval.
 Interval wilson_interval(std::int64_t successes, std::int64_t trials, double confidence = 0.95);
@@ -30,8 +30,8 @@ Interval jeffreys_interval(std::int64_t successes, std::int64_t trials, double c
 /// never narrower than Wilson's. Where all trials succeed or all fail nothing is known of the maps'
 /// differences, and the design effect is 1. Maps without trials are left out; NaN for fewer than 2.
 ///
-/// What 95 % covers, in 4,000 synthetic sweeps of 10 trials a map whose logits are normal: 94 to 98
-/// % for 15 and 30 maps with standard deviations of 0 to 2 and rates of 0.5 to 0.9; where maps
+/// What 95 % covers, in 4,000 synthetic sweeps of 10 trials per map whose logits are normal: 94 to
+/// 98 % for 15 and 30 maps with standard deviations of 0 to 2 and rates of 0.5 to 0.9; where maps
 /// differ by 2 and nearly all flights succeed (0.93 to 0.98) only 91 to 93 %, as few maps have the
 /// failures. Wilson's of the same covers 95, 89, 79 and 64 % at 0, 0.5, 1 and 2.
 Interval clustered_wilson_interval(std::span<const std::int64_t> successes,

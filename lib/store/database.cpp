@@ -14,6 +14,7 @@
 namespace avoidbench {
 namespace {
 
+// Where the caller has no patience of its own: a run has, since hours of flights hang on it.
 constexpr double kLockTimeout_s = 10.0;
 
 [[noreturn]] void fail(const std::filesystem::path& path, std::string message) {
@@ -85,6 +86,8 @@ void harden(sqlite3* handle) {
   sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_LOAD_EXTENSION, 0, nullptr);
   sqlite3_db_config(handle, SQLITE_DBCONFIG_DQS_DDL, 0, nullptr);
   sqlite3_db_config(handle, SQLITE_DBCONFIG_DQS_DML, 0, nullptr);
+  // No statement of ours attaches another file, except merge and the rescue, which raise this for
+  // their own.
   sqlite3_limit(handle, SQLITE_LIMIT_ATTACHED, 0);
   sqlite3_exec(handle, "PRAGMA cell_size_check = ON; PRAGMA temp_store = MEMORY", nullptr, nullptr,
                nullptr);
@@ -141,6 +144,7 @@ int Database::wait_for_lock(void* context, int count) {
   const double waited_s = std::chrono::duration<double>(now - wait.began).count();
   wait.has_given_up = wait.on_wait ? !wait.on_wait(waited_s) : waited_s >= kLockTimeout_s;
   if (wait.has_given_up) return 0;
+  // 1, 2, 4, … 32 ms, then tenths of a second: short locks cost little time, long ones little CPU.
   std::this_thread::sleep_for(std::chrono::milliseconds(count < 6 ? 1 << count : kLongestPause_ms));
   return 1;
 }
@@ -166,9 +170,11 @@ Database Database::open_for_run(const std::filesystem::path& path,
       connect(path, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, false, std::move(on_wait));
   sqlite3* handle = database.handle();
   database.check_identity();
+  // SQLite opens what it may only read without a word, and fails at the first write.
   if (sqlite3_db_readonly(handle, "main") == 1) {
     throw_sqlite_error(nullptr, SQLITE_READONLY, path);
   }
+  // Before anything is looked at closely: nobody else writes from here on.
   database.lock_ = std::make_unique<RunLock>(path);
   check_objects(handle, path, "main", Extras::only_apart);
   database.check_integrity(true);
@@ -259,6 +265,7 @@ void Database::require_in_place() {
 }
 
 std::string Database::rescued_copy() {
+  // Earlier rescues stay; a hundred of them are a fault that more copies don't mend.
   constexpr int kMostCopies = 100;
   std::filesystem::path folder = std::filesystem::absolute(*path_).parent_path();
   sqlite3_limit(handle(), SQLITE_LIMIT_ATTACHED, 1);  // VACUUM attaches what it writes
@@ -314,6 +321,7 @@ void Database::check_identity() const {
 void Database::check_integrity(bool whole) const {
   // When only reading, or in a large file, the tables that decide: trajectories and plan calls may
   // be gigabytes, and damage in them is seen when they are read.
+  // 256 MiB: reading all of a larger file would be felt at each start.
   constexpr std::uintmax_t kLargeBytes = std::uintmax_t{1} << 28U;
   constexpr std::string_view kThatDecide[] = {"trials",         "missions", "sweep_trials",
                                               "maps",           "planners", "sweeps",

@@ -20,6 +20,7 @@ class Attached {
   Attached(const Database& into, const Database& from) : handle_(into.handle()) {
     sqlite3_limit(handle_, SQLITE_LIMIT_ATTACHED, 1);
     Statement attach(handle_, into.path(), "ATTACH ? AS shard");
+    // Read-only, even if the file could be written: what is merged from stays as it is.
     const bool has_options = from.uri().find('?') != std::string::npos;
     attach.bind_text(from.uri() + (has_options ? "&mode=ro" : "?mode=ro")).run();
   }
@@ -198,6 +199,7 @@ void take_rows(const Database& into, const Database& from) {
       ", (SELECT ours FROM temp.run_of WHERE theirs = run_id) FROM shard.trials WHERE trial_key IN "
       "(SELECT trial_key FROM temp.added) ORDER BY rowid;";
   for (const std::string table : {"trajectories", "plan_calls", "events"}) {
+    // Only those of trials that are new here: rows that are there stay as they are.
     sql += taking(table, "trial_key IN (SELECT trial_key FROM temp.added)");
   }
   sql +=
@@ -224,6 +226,7 @@ bool changes_map(const std::string& path) {
 
 /// The shards that a set of "2/3", "" … lacks; not more than a thousand.
 std::vector<std::string> lost_of(const std::set<std::string>& seen) {
+  // A file may say that it is one of a billion shards.
   constexpr std::size_t kMost = 1000;
   std::vector<std::string> lost;
   if (seen.contains("")) return lost;
@@ -254,6 +257,7 @@ MergeResult merge_database(Database& into, const std::filesystem::path& from) {
   }
   check_metrics(into, checked);
   MergeResult result;
+  // With the flights: what is taken over is never looked at again so closely.
   result.undigested_trials = check_digests(checked, true);
   {
     const Attached attached(into, checked);

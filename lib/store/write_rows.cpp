@@ -13,6 +13,7 @@
 namespace avoidbench {
 namespace {
 
+// NaN, a value that is not defined, is equal to itself here.
 bool same(double a, double b) { return a == b || (a != a && b != b); }
 
 bool same(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
@@ -48,6 +49,7 @@ void insert_map(const Database& db, const MapRow& row) {
       "relative_gap_size, obstacle_density_1pm2, free_volume_ratio) "
       "VALUES (?,?,?,?,?,?,?,?,?,?,?,?)");
   insert.bind_text(r.key).bind_text(row.generator);
+  // SQLite's integers have a sign: the same 64 bits.
   insert.bind_integer(std::bit_cast<std::int64_t>(row.map_seed));
   insert.bind_text(row.spec_json).bind_text(r.world_digest);
   insert.bind_integer(r.obstacle_count).bind_integer(r.triangle_count);
@@ -127,6 +129,7 @@ void write_record(const Database& db, const TrialRow& row) {
   calls.bind_text(plan_calls_digest(row.record.plan_calls));
   calls.bind_text(plan_calls_json(row.record.plan_calls)).run();
 
+  // A trial that is flown again may have fewer events.
   Statement(db.handle(), db.path(), "DELETE FROM events WHERE trial_key = ?")
       .bind_text(row.key)
       .run();
@@ -269,6 +272,7 @@ void Database::add_trial(const TrialRow& row) {
   for (const double value : row.metrics) insert.bind_real(value);
   insert.run();
   write_record(*this, row);
+  // Within the transaction: a row without its digests is never seen.
   write_digests(*this, row.key);
   insert_sweep_trials(*this, row.sweep, revision, std::span(&row.key, 1));
   transaction.commit();
@@ -277,6 +281,7 @@ void Database::add_trial(const TrialRow& row) {
 
 void Database::add_to_sweep(std::string_view sweep, std::span<const std::string> keys) {
   const std::int64_t revision = revision_of(sweep);
+  // The usual case, a second run of a whole sweep, then looks at no single key in the file.
   std::set<std::string> others;  // finished, and not of the sweep: mostly few or none
   {
     Statement s(handle(), path(),

@@ -29,7 +29,7 @@ void run_in_process(Run& run) {
   }
 }
 
-/// The finished trials, but for those that are wanted again.
+/// The finished trials, except those that are wanted again.
 std::set<std::string> keys_to_skip(const Database& database, const RunOptions& options) {
   if (options.rerun == Rerun::none) return database.finished_keys();
   std::set<std::string> keys;

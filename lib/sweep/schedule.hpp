@@ -34,7 +34,7 @@ struct MapPlan {
   TrialSpec spec;  ///< of one of its trials: map, seeds, rules and body are the same in all
   std::optional<MapRecord> record;  ///< once measured
   bool is_requested = false;        ///< a worker is measuring it
-  std::vector<TrialGroup> groups;   ///< one a planner, in the sweep's order
+  std::vector<TrialGroup> groups;   ///< one per planner, in the sweep's order
 };
 
 /// Trials of this map that are not handed out yet.

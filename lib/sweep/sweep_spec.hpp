@@ -22,7 +22,7 @@ struct SweepSpec {
   std::string name;
   TrialSpec base;  ///< base.planner is not used
   std::vector<Axis> axes;
-  std::int64_t trials = 10;             ///< missions a map; the same ones for every planner
+  std::int64_t trials = 10;             ///< missions per map; the same ones for every planner
   std::vector<PlannerChoice> planners;  ///< resolved and checked; labels are unique
   StopRule until;                       ///< when a planner has flown enough
   std::vector<std::string> warnings;    ///< for people: what was read otherwise than written

@@ -10,7 +10,7 @@
 
 namespace avoidbench {
 
-/// Begins this program anew with its own arguments in the environment that worker processes have,
+/// Begins this program again with its own arguments in the environment that worker processes have,
 /// so that planners give the same bits here as in a sweep; returns where it is in it already, or
 /// where that can't be done. Call it before anything was done that must not be done twice.
 void enter_worker_environment();

@@ -58,7 +58,7 @@ RotorLoads rotor_loads(const VehicleModel& model, const Rotors& speed) {
   return sum;
 }
 
-/// What RK4 integrates, but for the rotors.
+/// What RK4 integrates, except the rotors.
 struct Motion {
   Vector3d position, velocity;
   double w, x, y, z;  ///< quaternion body to world, of about unit length
@@ -185,6 +185,8 @@ VehicleState step_by(const VehicleModel& model, const VehicleState& state,
            state.rotor_speed_radps.size(), command_radps.size(), model.rotor_count);
   const VehicleSpec& spec = model.spec;
   const double half = 0.5 * dt_s;
+  // Nearly all steps have the physics period, whose exponentials are kept; others are split by an
+  // event.
   const bool common_step = dt_s == model.lag_step_s;
   const double keep_up = common_step ? model.lag_up : math::exp(-half / spec.time_constant_up_s);
   const double keep_down =
@@ -206,6 +208,7 @@ VehicleState step_by(const VehicleModel& model, const VehicleState& state,
   const RotorLoads at_start = rotor_loads(model, start);
   const RotorLoads at_middle = rotor_loads(model, middle);
   const RotorLoads at_end = rotor_loads(model, end);
+  // The rotors' momentum changes only about z: their axes are the body's.
   double reaction_start = 0.0, reaction_middle = 0.0, reaction_end = 0.0;
   if (spec.motor_reaction_torque) {
     reaction_start = reaction_torque(model, start, target, inverse_lag);
@@ -220,6 +223,7 @@ VehicleState step_by(const VehicleModel& model, const VehicleState& state,
   const Motion k4 = derivative(model, moved(y, k3, dt_s), at_end, reaction_end, environment);
   const double sixth = dt_s / 6.0;
   const auto mean = [sixth](double a, double b, double c, double d) {
+    // Brackets fix the order of the sums, and with it the last bit.
     return sixth * ((a + d) + 2.0 * (b + c));
   };
 
@@ -234,6 +238,7 @@ VehicleState step_by(const VehicleModel& model, const VehicleState& state,
   const double qx = y.x + mean(k1.x, k2.x, k3.x, k4.x);
   const double qy = y.y + mean(k1.y, k2.y, k3.y, k4.y);
   const double qz = y.z + mean(k1.z, k2.z, k3.z, k4.z);
+  // RK4 leaves the unit sphere by its error of fifth order; each step comes back.
   const double scale = 1.0 / std::sqrt((w * w + qx * qx) + (qy * qy + qz * qz));
   next.q_world_body = Eigen::Quaterniond(scale * w, scale * qx, scale * qy, scale * qz);
   next.rotor_speed_radps.resize(model.rotor_count);

@@ -71,6 +71,7 @@ class FieldReader {
   }
 
   std::size_t whole(const std::string& key) const {
+    // So that n_x · n_y · n_z fits: the numbers themselves are bounded by the file's size.
     constexpr double kMost = 10000.0;
     const Entry& one = entry(key, 1);
     const double value = one.numbers[0];
@@ -186,6 +187,7 @@ WindField parse_wind_field(std::string_view text, const std::string& file) {
 
 WindField read_wind_field(const std::string& file, const std::string& digest) {
   const std::string found = file_digest(file);
+  // A replay must fly in the wind that was flown in.
   if (!digest.empty() && found != digest) {
     throw InputError(
         InputProblem{.file = file, .message = "has another SHA-256 than " + digest + ": " + found});

@@ -13,7 +13,9 @@ namespace avoidbench {
 namespace {
 
 constexpr double kOutside_m = 3.0;  // how far a vehicle may swing out of the area
+// The bounds reach below the ground, which undulates: who is under it has collided already.
 constexpr double kDepthBelowGround_m = 1.0;
+// Starts and goals keep off the forest's sides, where there is nothing to avoid.
 constexpr double kBandSideMargin_m = 2.0;
 
 /// Which plants are bushes: the wanted number of them, those of the least draws.
@@ -75,6 +77,7 @@ void add_plants(std::span<const Eigen::Vector2d> feet, const PlantRules& rules, 
   RandomStream poses = stream(seed, "poses");
   double width_sum_m = 0.0, count = 0.0;
   for (std::size_t i = 0; i < feet.size(); ++i) {
+    // Drawn for plants that are left out, too: a kept plant does not depend on what is kept.
     const double choice = choices.uniform();
     const PlantPose pose = draw_pose(poses);
     if (!rules.kept.contains(feet[i])) continue;

@@ -10,6 +10,7 @@ namespace avoidbench {
 namespace {
 
 constexpr double kCell_m = 1.0;
+// Two or three hills across a forest of 40 m; no multiple of the cell, whose lattice would show.
 constexpr double kWavelength_m = 17.0;
 constexpr int kOctaves = 4;
 
@@ -29,12 +30,15 @@ HeightField make_ground(double width_m, double depth_m, double margin_m, double 
   for (std::uint32_t row = 0; row < ground.rows; ++row) {
     for (std::uint32_t column = 0; column < ground.columns; ++column) {
       const Eigen::Vector3d point(ground.low_x_m + column * kCell_m, ground.low_y_m + row * kCell_m,
+                                  // Off the planes of the noise's lattice, on which it is 0 at each
+                                  // lattice point.
                                   0.37 * kWavelength_m);
       raw.push_back(fractal_noise(point / kWavelength_m, kOctaves, seed));
     }
   }
   const auto [lowest, highest] = std::minmax_element(raw.begin(), raw.end());
   const double low = *lowest;
+  // Scaled to the relief exactly, so that the flight ceiling above it is known.
   const double span = *highest - low;
   AB_CHECK(span > 0.0);
   ground.heights_m.reserve(raw.size());

@@ -27,6 +27,7 @@ void add_motions(const HallSpec& spec, std::uint64_t seed, World& world) {
   for (std::uint32_t i = 0; i < world.instances.size(); ++i) {
     if (world.obstacles[world.instances[i].obstacle].kind != "cylinder") continue;
     const bool is_moving = draws.uniform() < spec.moving_ratio;
+    // Drawn for all cylinders: a higher ratio lets more of them move, and the others' ways stay.
     const double heading_rad = draws.uniform(0.0, math::kTau);
     const double speed_mps = draws.uniform(spec.moving_speed_mps[0], spec.moving_speed_mps[1]);
     const double phase = draws.uniform();

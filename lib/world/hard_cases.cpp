@@ -91,7 +91,7 @@ void carve(Labyrinth& maze, RandomStream& draws) {
   }
 }
 
-/// Opens each wall that is left, but for the outer ones, with this probability.
+/// Opens each wall that is left, except the outer ones, with this probability.
 void open_loops(Labyrinth& maze, double ratio, RandomStream& draws) {
   for (std::size_t row = 0; row < maze.rows; ++row) {
     for (std::size_t column = 0; column < maze.columns; ++column) {

@@ -24,6 +24,7 @@ double gradient_product(std::uint64_t hash, const Eigen::Vector3d& offset) {
   return ((edge & 1U) != 0U ? -a : a) + ((edge & 2U) != 0U ? -b : b);
 }
 
+/// Perlin's (2002): first and second derivative are 0 at the ends.
 double fade(double t) { return t * t * t * (t * (t * 6.0 - 15.0) + 10.0); }
 
 double mix(double a, double b, double t) { return a + t * (b - a); }

@@ -10,7 +10,9 @@
 namespace avoidbench {
 namespace {
 
+// Bridson's own number. What is left open is filled by fill_gaps().
 constexpr int kCandidatesPerPoint = 30;
+// Of the radius: smaller gaps stay, in which no plant would stand.
 constexpr double kSmallestGapRatio = 1e-9;
 
 constexpr std::int64_t kBorder = 2;  // empty cells around the grid
@@ -23,6 +25,7 @@ class SampleGrid {
   SampleGrid(const Eigen::Vector2d& size_m, double radius_m)
       : size_m_(size_m),
         squared_radius_(radius_m * radius_m),
+        // Less a hair, so that rounding never puts two samples into one cell.
         cell_m_(radius_m * std::sqrt(0.5) * (1.0 - 1e-9)),
         columns_(static_cast<std::int64_t>(std::ceil(size_m.x() / cell_m_))),
         rows_(static_cast<std::int64_t>(std::ceil(size_m.y() / cell_m_))),

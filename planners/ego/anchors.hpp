@@ -17,7 +17,7 @@ struct Segment {
 };
 
 /// The blocked parts between the third control point and the last checked one, in order. Their ends
-/// are free, but for the third, which can't be moved, and the last of all.
+/// are free, except the third, which can't be moved, and the last of all.
 std::vector<Segment> blocked_segments(const Surroundings& surroundings,
                                       const Eigen::Matrix3Xd& points);
 

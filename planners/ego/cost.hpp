@@ -18,7 +18,7 @@ using Anchors = std::vector<std::vector<Anchor>>;
 /// `weight` and adds its gradient, likewise weighted, to `gradient` (3 x n). Equations as in
 /// README.md.
 
-/// Σ |third difference|²: jerk, but for the interval.
+/// Σ |third difference|²: jerk, except for the interval.
 double add_smoothness(const Eigen::Matrix3Xd& points, double weight, Eigen::Matrix3Xd& gradient);
 
 /// Over all anchors, with c = safety distance - (Q - p)·v: nothing below 0, then c³, then a

@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 using planning::CellState;
 namespace portable = avoidbench::portable;
 
-constexpr double kLost_m = 0.5;        ///< from the course: then it begins anew from the state
+constexpr double kLost_m = 0.5;        ///< from the course: then it begins again from the state
 constexpr double kLateness_s = 0.15;   ///< that a vehicle may be behind its course
 constexpr double kLeastPath_m = 0.15;  ///< the authors' least length of a path
 constexpr double kLeastSqueeze_m = 1.0;
@@ -177,7 +177,7 @@ void Pilot::hover(const Vector3d& position, double time_s) {
   begin(std::move(course), time_s);
 }
 
-/// Where the vehicle is not near its course, the course begins anew from where it is.
+/// Where the vehicle is not near its course, the course begins again from where it is.
 void Pilot::rejoin(const Vector3d& position, const Vector3d& velocity, double time_s) {
   double apart_m = kLost_m;
   constexpr double kLateStep_s = 0.05;

@@ -206,7 +206,7 @@ bool RollingGrid::forget_column(int x, int y) {
   return occupied != 0;
 }
 
-/// The inflation of this column and its neighbours is to be found anew.
+/// The inflation of this column and its neighbours is to be found again.
 void RollingGrid::mark_changed(int x, int y) {
   std::uint8_t& flags = column_flags_[column_of(x, y)];
   if ((flags & kChanged) != 0) return;
@@ -214,8 +214,8 @@ void RollingGrid::mark_changed(int x, int y) {
   changed_.emplace_back(x, y);
 }
 
-/// The inflation of columns within reach of a change is found anew, first along y, then along x and
-/// z.
+/// The inflation of columns within reach of a change is found again, first along y, then along x
+/// and z.
 void RollingGrid::inflate_changes() {
   const auto words = static_cast<std::size_t>(words_);
   const auto first_of = [&](int value, int first) { return std::max(value - reach_, first); };

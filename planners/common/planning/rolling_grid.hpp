@@ -10,8 +10,8 @@
 
 namespace planning {
 
-/// An occupancy grid that goes with the vehicle, log odds a cell (Moravec and Elfes 1985). The
-/// presets are EGO-Planner's, but for the weight of a hit.
+/// An occupancy grid that moves with the vehicle, log odds per cell (Moravec and Elfes 1985). The
+/// presets are EGO-Planner's, except the weight of a hit.
 struct RollingGridSpec {
   double resolution_m = 0.1;
   double half_size_m = 6.0;                 ///< along x and y, around the centre

@@ -195,7 +195,7 @@ void RollingGrid::take_nearest(const ab_depth_image& image, const View& view) {
   }
 }
 
-/// The nearest of the block at these pixels, but for those nearer than the least ray: they only
+/// The nearest of the block at these pixels, except those nearer than the least ray: they only
 /// keep the cells that they end in from being missed by rays beside them.
 float RollingGrid::nearest_far_enough(const ab_depth_image& image, const View& view, int left,
                                       int top) {
