@@ -29,6 +29,7 @@ Digest& Digest::add_bytes(std::span<const std::byte> bytes) {
 }
 
 Digest& Digest::add(std::string_view text) {
+  // The length first: "ab", "c" and "a", "bc" are different.
   add(static_cast<std::uint64_t>(text.size()));
   return add_bytes(std::as_bytes(std::span(text)));
 }

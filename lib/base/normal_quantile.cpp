@@ -60,6 +60,7 @@ double normal_quantile(double p) {
   AB_CHECK(p > 0.0 && p < 1.0, p);
   const double q = p - 0.5;
   if (std::abs(q) <= 0.425) {
+    // 0.425²: Wichura's split into middle, tails and far tails.
     const double r = 0.180625 - q * q;
     return q * polynomial(kMiddleTop, r) / polynomial(kMiddleBottom, r);
   }

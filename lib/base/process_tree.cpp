@@ -68,6 +68,8 @@ std::map<pid_t, ProcessState> descendants(const std::set<pid_t>& spared) {
   std::map<pid_t, ProcessState> ours;
   for (const auto& [pid, process] : all) {
     pid_t at = pid;
+    // At most as many steps as processes: the list was not taken at one moment, and may hold a
+    // circle.
     for (std::size_t i = 0; at != self && i < all.size() && !spared.contains(at); ++i) {
       const auto found = all.find(at);
       at = found == all.end() ? 0 : found->second.parent;
@@ -99,6 +101,7 @@ double resident_mib() {
 void adopt_orphans() { ::prctl(PR_SET_CHILD_SUBREAPER, 1); }
 
 bool descends_from(pid_t pid, pid_t ancestor) {
+  // A parent's number may be used again while it is followed.
   constexpr int kMostGenerations = 10000;
   for (int i = 0; pid > 1 && i < kMostGenerations; ++i) {
     pid = state_of(pid).parent;
@@ -138,6 +141,7 @@ int end_orphans(const std::set<pid_t>& spared, double time_limit_s) {
     // Stopped first, all of them: what starts processes without end would else go on between looks.
     bool are_still = true;
     for (const auto& [pid, process] : orphans) {
+      // Dead already; somebody has yet to wait for it.
       if (process.state == 'Z') continue;
       ended.insert(pid);
       if (process.state == 'T') continue;

@@ -24,6 +24,7 @@ double squared_segment_distance(const Vector3d& p0, const Vector3d& p1, const Ve
                                 const Vector3d& q1) {
   const Vector3d d1 = p1 - p0, d2 = q1 - q0, r = p0 - q0;
   const double a = d1.squaredNorm(), e = d2.squaredNorm(), f = d2.dot(r);
+  // Squares of lengths below a picometre: such a segment is a point.
   constexpr double kTiny = 1e-24;
   double s = 0.0, t = 0.0;
   if (a <= kTiny && e <= kTiny) return r.squaredNorm();

@@ -59,6 +59,7 @@ std::string flight_problem(const PlannerLibrary& library, const Flight& flight,
 std::string exports_one_symbol(const PlannerLibrary& library) {
   std::string others;
   for (const std::string& symbol : exported_symbols(library.description().file)) {
+    // A planner's own symbols are its own affair; those of the SDK must not be shared.
     if (symbol.find("avoidbench") == std::string::npos) continue;
     if (symbol.starts_with("avoidbench_planner_v")) continue;
     others += (others.empty() ? "" : ", ") + symbol;
@@ -127,6 +128,7 @@ std::string reset_forgets(const PlannerLibrary& library) {
   const Flight flight = wall_flight();
   const std::vector<Reply> first = probe.fly(flight);
   Flight other = flight;
+  // Another goal, aside: what is remembered of it turns the next flight.
   other.mission.goal_world.y() += 5.0;
   probe.fly(other);
   return with_context(first_difference(first, probe.fly(flight)),
@@ -161,6 +163,7 @@ std::string instances_may_run_at_once(const PlannerLibrary& library) {
   const Flight flight = wall_flight();
   const std::vector<Reply> expected = alone(library, flight);
   std::vector<Reply> a, b;
+  // Races are found by chance only; what they break most often, shared buffers, breaks soon.
   std::thread other([&] { a = alone(library, flight); });
   b = alone(library, flight);
   other.join();

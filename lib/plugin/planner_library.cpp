@@ -110,9 +110,12 @@ PlannerLibrary PlannerLibrary::load_checked(const std::filesystem::path& file, C
   const FloatGuard float_guard;
   const LocaleGuard locale_guard;
   const TimedCall timed(clock);
+  // Before dlopen(): constructors run in it.
   any_loaded = true;
   const ThreadOwner owner = new_thread_owner();
   const LoadingThreads threads(owner);
+  // NOW: a missing symbol shows here, not in the middle of a flight. LOCAL: two planners' symbols
+  // never meet. It is never closed: what a library registered would point into nothing.
   void* handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr) {
     const char* reason = dlerror();

@@ -30,6 +30,7 @@ AB_LANE void store(float (&to)[3][kPacketLanes], const Triple& v) {
 
 /// exp(x), x <= 0: relative error below 2e-6.
 AB_LANE Floats falling_exp(Floats x) {
+  // 2^x of x log₂ e; below 2^-126 floats lose bits, and haze is complete.
   const Split power = split(greatest(x * 1.44269504F, -126.0F));
   const Floats f = power.rest;
   Floats sum = 0.0018775767F * f + 0.0089893397F;
@@ -106,6 +107,7 @@ void locate(const FrameLight& frame, const PacketHits& hits, PacketSurface& surf
   const unsigned facing_sun = lane_bits(all_lanes(0.0F) < facing) & hits.hit;
   const unsigned needed = facing_sun | hits.material_lanes[kLeafMaterial];
   surface.facing_sun = needed;
+  // Off the surface by more than float rounding at that distance, or a surface would shade itself.
   const Floats off = turned(1e-3F + 1e-4F * depth, facing);
   const Triple ray{load(hits.ray_x), load(hits.ray_y), load(hits.ray_z)};
   const Triple from = of(frame.camera_world) + ray * depth + normal_world * off;
@@ -120,6 +122,7 @@ AB_LANE Triple sky(const FrameLight& frame, const Triple& direction) {
   const Floats near_sun = greatest(dot(direction, of(frame.to_sun_world)), 0.0F);
   const Floats squared = near_sun * near_sun;
   const Floats fourth = squared * squared;
+  // Products give the same bits everywhere, which pow() does not.
   const Floats glow = fourth * fourth;
   return zenithward + all_lanes(kSunColor) * (0.35F * glow * glow);
 }
@@ -180,6 +183,7 @@ AB_LANE Triple surface_light(const FrameLight& frame, const PacketHits& hits,
   const Floats front = sun * greatest(facing, 0.0F);
   const Floats through = sun * look.translucency * greatest(0.0F - facing, 0.0F);
   const Floats above = frame.sky * look.crevice * (0.5F + 0.5F * dot(normal, up));
+  // Light from the sky that the ground throws back.
   const Floats below = 0.45F * (frame.sky * look.crevice - above);
   // Light that a leaf lets through comes out yellower.
   const auto channel = [&](Floats albedo, float sun_color, float sky_color, float bounce,

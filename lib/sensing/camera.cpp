@@ -90,6 +90,7 @@ const std::vector<float>& Camera::Internals::gather_light(const Scene& scene, co
   slice.resize(size);
   const float share = 1.0F / static_cast<float>(moments);
   for (int i = 0; i < moments; ++i) {
+    // Middles of equal parts of the exposure, about the image's own time.
     const double part = (i + 0.5) / moments - 0.5;
     const Pose now = moved(pose, motion, part * 1e-3 * sensor.exposure_ms);
     render_radiance(scene, shaded, now, sun, samples, channels, slice);
@@ -106,6 +107,7 @@ void Camera::Internals::expose_pair(const Scene& scene, const Pose& pose,
   const double gain = exposure_gain(sensor.image, mean_light(light));
   RandomStream left_random = stream(seed, "left");
   images.left.resize(pixel_count());
+  // One gain for both eyes, as in real rigs: a matcher compares grey values.
   develop(sensor.image, light, shares, gain, left_random, images.left);
 
   const Vector3d to_right = pose.linear().col(0) * sensor.baseline_m;
@@ -138,6 +140,7 @@ void Camera::Internals::match(CameraImages& images) {
   const auto step = static_cast<float>(census != nullptr ? census->depth_step_m : 0.0);
   for (std::size_t i = 0; i < images.depth_m.size(); ++i) {
     float depth = at_1m / images.disparity_px[i];
+    // Depth of disparity 0 is infinite and has no whole number of steps.
     if (step > 0.0F && depth < 1e6F) {
       depth = static_cast<float>(static_cast<std::int64_t>(depth / step)) * step;
     }
@@ -149,6 +152,7 @@ void Camera::Internals::match(CameraImages& images) {
 void Camera::Internals::render_noisy_depth(const Scene& scene, const Pose& pose, std::uint64_t seed,
                                            CameraImages& images) {
   Pinhole ideal = pinhole;
+  // A near thing must hide what is behind it before it becomes invalid itself.
   ideal.min_range_m = 0.0;
   instances.resize(pixel_count());
   render_depth(scene, ideal, pose, images.depth_m, instances);
@@ -160,6 +164,7 @@ void Camera::Internals::render_noisy_depth(const Scene& scene, const Pose& pose,
     instance_opacity[i] =
         is_known ? static_cast<float>(world.obstacles[obstacle].texture_opacity) : 1.0F;
   }
+  // A stream for each product: asking for colour, too, leaves the depth as it is.
   RandomStream random = stream(seed, "depth");
   noise->apply({.width_px = static_cast<std::size_t>(pinhole.width_px),
                 .height_px = static_cast<std::size_t>(pinhole.height_px),

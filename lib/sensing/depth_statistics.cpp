@@ -68,6 +68,7 @@ double error_size_px(std::span<const float> truth_m, std::span<const float> meas
     count += 1.0;
   }
   mean /= count;
+  // Errors alike over more than that are a shift of the whole, not patches.
   constexpr std::size_t kMost = 40;
   double variance = 0.0, last = 1.0;
   for (std::size_t lag = 0; lag < std::min(kMost, width); ++lag) {
@@ -84,6 +85,7 @@ double error_size_px(std::span<const float> truth_m, std::span<const float> meas
     if (lag == 0) variance = covariance;
     const double correlation = covariance / variance;
     if (correlation < 0.5) {
+      // Between the lags by proportion.
       return static_cast<double>(lag) - (0.5 - correlation) / (last - correlation);
     }
     last = correlation;

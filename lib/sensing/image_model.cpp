@@ -18,6 +18,7 @@ std::vector<float> vignette(const ImageSpec& image, const Pinhole& camera) {
       const double u = (x - camera.cx_px) / camera.fx_px;
       const double v = (y - camera.cy_px) / camera.fy_px;
       const double cosine_squared = 1.0 / (1.0 + u * u + v * v);
+      // Natural vignetting, cos⁴ of the angle off the axis.
       const double loss = 1.0 - cosine_squared * cosine_squared;
       shares.push_back(static_cast<float>(1.0 - image.vignetting * loss));
     }
@@ -27,6 +28,7 @@ std::vector<float> vignette(const ImageSpec& image, const Pinhole& camera) {
 
 double exposure_gain(const ImageSpec& image, double mean_light) {
   if (image.brightness == 0.0) return 1.0;
+  // The limits of the automatic exposure: four stops up and down.
   return std::clamp(image.brightness / std::max(mean_light, 1e-9), 1.0 / 16.0, 16.0);
 }
 
@@ -47,6 +49,7 @@ void develop(const ImageSpec& image, std::span<const float> light, std::span<con
   const double read_sigma = image.read_noise_e * per_electron;
   const auto read_variance = static_cast<float>(read_sigma * read_sigma);
   const auto factor = static_cast<float>(gain);
+  // Normals for so many pixels at a time stay in the first cache.
   constexpr std::size_t kChunk = 1024;
   std::array<float, kChunk> normals{};
   for (std::size_t begin = 0; begin < light.size(); begin += kChunk) {
@@ -56,6 +59,7 @@ void develop(const ImageSpec& image, std::span<const float> light, std::span<con
       const std::size_t at = begin + i;
       const std::size_t pixel = channels == 1 ? at : at / channels;
       float level = light[at] * factor * vignette[pixel];
+      // Poisson noise as a normal: a full well has thousands of electrons.
       level += std::sqrt(level * shot_variance + read_variance) * normals[i];
       level = std::min(std::max(level, 0.0F), 1.0F);
       const float half_up = level * static_cast<float>(srgb.size() - 1) + 0.5F;

@@ -36,6 +36,7 @@ ImuState make_imu(const ImuSpec& imu, RandomStream& random) {
 
 ImuSample add_imu_noise(const ImuSpec& imu, ImuState& state, const ImuSample& truth, double dt_s,
                         RandomStream& random) {
+  // A density over the bandwidth of a sample: the shorter it is, the noisier.
   const double white = 1.0 / std::sqrt(dt_s);
   state.gyro_bias =
       wandered(state.gyro_bias, imu.gyro_random_walk, imu.gyro_bias_time_s, dt_s, random);
@@ -60,6 +61,8 @@ ImuSample true_imu(const ImuSpec& imu, const VehicleModel& model, const VehicleS
   sample.tick = vehicle.tick;
   sample.rates_body_radps = rates;
   sample.specific_force_body_mps2 = vehicle.q_world_body.conjugate() * felt_world +
+                                    // Off the centre of gravity it also feels angular acceleration
+                                    // and the centripetal one.
                                     turning.cross(arm) + rates.cross(rates.cross(arm));
   return sample;
 }

@@ -51,8 +51,11 @@ OdometryState make_odometry(const OdometrySpec& odometry, const VehicleState& tr
 
 void advance(OdometryState& state, const OdometrySpec& odometry, const VehicleState& truth,
              double dt_s, RandomStream& random) {
+  // The drift hangs on the way, not on time: who hovers does not drift.
   const Vector3d way = truth.position_world - state.anchor_true_world;
   const double drift_m = odometry.position_drift_ratio * std::sqrt(way.norm());
+  // The way is added as it was believed, turned by the drift of the yaw: errors of heading become
+  // errors of position, as in real odometry.
   state.anchor_world += yaw_rotation(state.yaw_drift_rad) * way + normals(drift_m, random);
   state.anchor_true_world = truth.position_world;
   state.yaw_drift_rad +=

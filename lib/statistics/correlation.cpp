@@ -77,6 +77,7 @@ Interval correlation_interval(double r, std::size_t count, bool is_spearman, dou
   if (count < 4 || !(std::abs(r) < 1.0)) return {kNaN, kNaN};
   const double centre = 0.5 * math::log((1.0 + r) / (1.0 - r));
   const double variance =
+      // Bonett and Wright (2000): ranks are a little less certain than values.
       (is_spearman ? 1.0 + 0.5 * r * r : 1.0) / (static_cast<double>(count) - 3.0);
   const double half = normal_quantile(0.5 + 0.5 * confidence) * std::sqrt(variance);
   return {tanh_of(centre - half), tanh_of(centre + half)};

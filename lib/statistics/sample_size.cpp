@@ -14,6 +14,7 @@
 namespace avoidbench {
 namespace {
 
+// A thousand such terms are still below a double's last bit beside 1.
 constexpr double kNegligible = 1e-18;
 
 void check_ratio(double value, const char* name) {
@@ -98,6 +99,8 @@ std::int64_t smallest_from_which(double guess, double power,
                                  const std::function<double(std::int64_t)>& power_of) {
   const auto around = static_cast<std::int64_t>(std::ceil(guess));
   const auto swing = static_cast<std::int64_t>(10.0 + 3.0 * std::sqrt(guess));  // of the sawtooth
+  // Exact power jumps up and down with n, since tests of counts are discrete: it is not enough to
+  // find one n that suffices.
   std::int64_t above = around + swing;
   while (power_of(above) < power) above += swing;
   std::int64_t last_bad = above;
@@ -155,6 +158,7 @@ std::int64_t two_rates_trials_exact(double rate_1, double rate_2, double power, 
   const double normal = two_rates_trials(rate_1, rate_2, power, alpha);
   const double root = 1.0 + std::sqrt(1.0 + 4.0 / (normal * std::abs(rate_1 - rate_2)));
   const double corrected = 0.25 * normal * root * root;
+  // Exact counts of so many take long, and the corrected normal one is as good.
   if (corrected > 5000.0) return static_cast<std::int64_t>(std::ceil(corrected));
   return smallest_from_which(corrected, power, [&](std::int64_t n) {
     return two_rates_power_exact(rate_1, rate_2, n, alpha);

@@ -22,6 +22,7 @@ Prototype crate_stack(double side_m, double height_m, RandomStream& draws) {
     const double half_m = 0.5 * side_m * draws.uniform(0.85, 1.0);
     const double room_m = 0.5 * side_m - half_m;
     const double x = draws.uniform(-room_m, room_m), y = draws.uniform(-room_m, room_m);
+    // A millimetre into the one below: faces that coincide would flicker between the two.
     const double low = i == 0 ? -kSink_m : i * crate_m - 0.001;
     add_box(stack, {x - half_m, y - half_m, low}, {x + half_m, y + half_m, (i + 1) * crate_m},
             Material::painted_metal);
@@ -31,6 +32,7 @@ Prototype crate_stack(double side_m, double height_m, RandomStream& draws) {
 
 /// An open rack of boards on four posts, with some crates on the boards.
 Prototype shelf(double length_m, double height_m, RandomStream& draws) {
+  // The body, 0.12 m high, fits between two empty boards.
   constexpr double kPost_m = 0.06, kBoard_m = 0.04, kStorey_m = 0.6;
   Prototype rack;
   rack.name = "shelf";

@@ -28,6 +28,7 @@ std::size_t bytes(const std::vector<T>& values) {
 std::string world_digest(const World& world) {
   static_assert(sizeof(Eigen::Vector3f) == 12 && sizeof(Material) == 1);
   Digest digest;
+  // A name for what is digested: other contents need another one.
   digest.add(std::string_view("avoidbench world 1"));
   digest.add(static_cast<std::uint64_t>(world.prototypes.size()));
   for (const Prototype& prototype : world.prototypes) {
@@ -71,6 +72,7 @@ std::string world_digest(const World& world) {
 
 Eigen::Vector3d displacement_world(const Motion& motion, double time_s) {
   const double turns = time_s / motion.period_s + motion.phase;
+  // Whole turns are taken off first: a large argument would lose digits of its fraction.
   return motion.amplitude_world * math::sin(math::kTau * (turns - std::floor(turns)));
 }
 
