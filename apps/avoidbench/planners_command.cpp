@@ -1,6 +1,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <utility>
 
 #include "base/input_error.hpp"
 #include "commands.hpp"
@@ -87,6 +88,14 @@ void describe(const std::string& plugin, const TableOptions& options) {
   text += "  sees      " + sees(planner) + "\n";
   if (!uses(planner).empty()) text += "  uses      " + uses(planner) + " (beyond the sandbox)\n";
   text += "  commands  " + commands(planner) + "\n";
+  for (const ProfileDef& profile : planner.profiles) {
+    text += "  defaults  with " + profile.choice + ": " + profile.word + ":";
+    std::string separator = " ";
+    for (const auto& [name, number] : profile.numbers) {
+      text += std::exchange(separator, ", ") + name + " " + number_text(number);
+    }
+    text += "\n";
+  }
   text += "  file      " + planner.file.string() + "\n";
   text += "  sha256    " + planner.file_digest + "\n";
   if (!table.rows.empty()) text += "\n" + table_text(table, "table");

@@ -93,8 +93,7 @@ std::string creates_with_presets(const PlannerLibrary& library) {
 
 std::string creates_over_its_ranges(const PlannerLibrary& library) {
   const PlannerDescription& planner = library.description();
-  for (std::size_t i = 0; i < planner.parameters.size(); ++i) {
-    const ParameterDef& def = planner.parameters[i];
+  for (const ParameterDef& def : planner.parameters) {
     std::vector<ParameterValue> tried;
     for (const std::string& word : def.choices) tried.push_back({0.0, word});
     if (def.kind == AB_NUMBER || def.kind == AB_INTEGER) {
@@ -102,9 +101,7 @@ std::string creates_over_its_ranges(const PlannerLibrary& library) {
       tried.push_back({def.highest, ""});
     }
     for (const ParameterValue& value : tried) {
-      std::vector<ParameterValue> values = presets(library);
-      values[i] = value;
-      const Probe probe(library.table(), values);
+      const Probe probe(library.table(), resolve_parameters(planner, {{def.name, value}}));
       const std::string given = value.text.empty() ? std::to_string(value.number) : value.text;
       if (!probe.is_created()) return "with " + def.name + " = " + given + ": " + probe.problem();
     }

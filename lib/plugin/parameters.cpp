@@ -55,11 +55,20 @@ std::vector<ParameterValue> resolve_parameters(const PlannerDescription& planner
                                                const ParameterValues& given) {
   const std::vector<std::string> problems = check_parameters(planner, given);
   AB_CHECK(problems.empty(), problems.front());
+  ParameterValues all = given;
+  for (const ParameterDef& def : planner.parameters) {
+    if (!def.preset_text.empty()) all.try_emplace(def.name, ParameterValue{0.0, def.preset_text});
+  }
+  for (const ProfileDef& profile : planner.profiles) {  // before the numbers' own defaults
+    const auto choice = all.find(profile.choice);
+    if (choice == all.end() || choice->second.text != profile.word) continue;
+    for (const auto& [name, number] : profile.numbers) {
+      all.try_emplace(name, ParameterValue{number, ""});
+    }
+  }
   std::vector<ParameterValue> values;
   for (const ParameterDef& def : planner.parameters) {
-    const auto found = given.find(def.name);
-    values.push_back(found != given.end() ? found->second
-                                          : ParameterValue{def.preset, def.preset_text});
+    values.push_back(all.try_emplace(def.name, ParameterValue{def.preset, ""}).first->second);
   }
   return values;
 }

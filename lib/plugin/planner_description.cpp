@@ -43,6 +43,19 @@ void visit(Visitor& v, ParameterDef& p) {
 }
 
 template <class Visitor>
+void visit(Visitor& v, ProfileDef::Number& p) {
+  v.field("name", p.name, "");
+  v.field("number", p.number, "");
+}
+
+template <class Visitor>
+void visit(Visitor& v, ProfileDef& p) {
+  v.field("choice", p.choice, "");
+  v.field("word", p.word, "");
+  v.field("numbers", p.numbers, "");
+}
+
+template <class Visitor>
 void visit(Visitor& v, PlannerDescription& p) {
   v.field("name", p.name, "");
   v.field("version", p.version, "");
@@ -50,6 +63,7 @@ void visit(Visitor& v, PlannerDescription& p) {
   v.field("needs", p.needs, "");
   v.field("commands", p.commands, "");
   v.field("parameters", p.parameters, "");
+  v.field("profiles", p.profiles, "");
 }
 
 namespace {

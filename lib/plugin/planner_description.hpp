@@ -19,10 +19,21 @@ struct ParameterDef {
   std::string preset_text;
 };
 
+/// Defaults of other parameters while `choice` has the word `word`; see ab_profile.
+struct ProfileDef {
+  struct Number {
+    std::string name;
+    double number = 0.0;
+  };
+  std::string choice, word;
+  std::vector<Number> numbers;
+};
+
 struct PlannerDescription {
   std::string name, version, summary;
   std::uint32_t needs = 0, commands = 0;  ///< AB_SEES_… and AB_COMMAND_… bits
   std::vector<ParameterDef> parameters;
+  std::vector<ProfileDef> profiles;
   std::filesystem::path file;
   std::string file_digest;  ///< SHA-256 of the library
 };

@@ -62,11 +62,13 @@ struct ParameterValue {
 };
 using ParameterValues = std::map<std::string, ParameterValue>;
 
-/// One value for each declared parameter, in order: `given` where there is one, else the preset.
-/// Returns what is wrong with `given` (unknown names with a suggestion, out of range, not whole, no
-/// such choice), one line each.
+/// What is wrong with `given` (unknown names with a suggestion, out of range, not whole, no such
+/// choice), one line each.
 std::vector<std::string> check_parameters(const PlannerDescription& planner,
                                           const ParameterValues& given);
+
+/// One value for each declared parameter, in order: `given` where there is one, else that of the
+/// profile which the choices choose, else the default.
 std::vector<ParameterValue> resolve_parameters(const PlannerDescription& planner,
                                                const ParameterValues& given);
 

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <cstddef>
 #include <set>
+#include <span>
 #include <string_view>
+#include <utility>
 
 namespace avoidbench {
 namespace {
@@ -13,6 +15,8 @@ namespace {
 // that this host doesn't know.
 constexpr std::size_t kLeastTableSize = offsetof(ab_planner, get_extension) + sizeof(void*);
 constexpr std::size_t kLeastParameterSize = offsetof(ab_parameter, preset_text) + sizeof(char*);
+constexpr std::size_t kProfilesEnd = offsetof(ab_planner, profiles) + sizeof(void*);
+constexpr std::size_t kLeastProfileSize = offsetof(ab_profile, numbers) + sizeof(void*);
 constexpr std::uint32_t kMostParameters = 1000;
 constexpr std::uint32_t kKnownNeeds = AB_SEES_STATE | AB_SEES_DEPTH | AB_SEES_STEREO |
                                       AB_SEES_COLOR | AB_SEES_IMU | AB_SEES_WORLD |
@@ -103,6 +107,70 @@ void add_parameter_problems(const ab_planner& table, std::vector<std::string>& p
   }
 }
 
+/// The table's profiles; none in tables that were made before there were any.
+std::span<const ab_profile* const> profiles_of(const ab_planner& table) {
+  if (table.struct_size < kProfilesEnd || table.profiles == nullptr) return {};
+  return {table.profiles, table.profile_count};
+}
+
+const ab_parameter* parameter_of(const ab_planner& table, const char* name) {
+  if (name == nullptr) return nullptr;
+  for (std::uint32_t i = 0; i < table.parameter_count; ++i) {
+    if (std::string_view(table.parameters[i]->name) == name) return table.parameters[i];
+  }
+  return nullptr;
+}
+
+std::string profile_problem(const ab_planner& table, const ab_profile* profile) {
+  if (profile == nullptr) return "is null";
+  if (profile->struct_size < kLeastProfileSize) {
+    return "has struct_size " + std::to_string(profile->struct_size) + ", less than " +
+           std::to_string(kLeastProfileSize);
+  }
+  const ab_parameter* choice = parameter_of(table, profile->choice);
+  if (choice == nullptr || choice->kind != AB_CHOICE) {
+    return "is of " + in_quotes(profile->choice) + ", which is no choice parameter";
+  }
+  const std::vector<std::string> words = choice_words(choice->choices);
+  if (profile->word == nullptr ||
+      std::find(words.begin(), words.end(), profile->word) == words.end()) {
+    return "is of the word " + in_quotes(profile->word) + ", which is no choice of '" +
+           choice->name + "'";
+  }
+  if (profile->number_count > table.parameter_count) return "has more numbers than parameters";
+  if (profile->number_count > 0 && profile->numbers == nullptr) return "has null for its numbers";
+  for (std::uint32_t i = 0; i < profile->number_count; ++i) {
+    const auto& [name, number] = profile->numbers[i];
+    const ab_parameter* parameter = parameter_of(table, name);
+    const bool is_number =
+        parameter != nullptr && (parameter->kind == AB_NUMBER || parameter->kind == AB_INTEGER);
+    if (!is_number) return "has " + in_quotes(name) + ", which is no parameter of numbers";
+    const bool is_whole = parameter->kind == AB_NUMBER || std::floor(number) == number;
+    if (!(number >= parameter->lowest && number <= parameter->highest) || !is_whole) {
+      return "has a number for '" + std::string(name) + "' that the parameter can't have";
+    }
+  }
+  return "";
+}
+
+void add_profile_problems(const ab_planner& table, std::vector<std::string>& problems) {
+  if (table.struct_size < kProfilesEnd || table.profile_count == 0) return;
+  if (table.profiles == nullptr || table.profile_count > kMostParameters) {
+    problems.emplace_back("profiles is null, or there are more than " +
+                          std::to_string(kMostParameters));
+    return;
+  }
+  std::set<std::pair<std::string, std::string>> words;
+  for (std::uint32_t i = 0; i < table.profile_count; ++i) {
+    std::string problem = profile_problem(table, table.profiles[i]);
+    if (problem.empty() &&
+        !words.emplace(table.profiles[i]->choice, table.profiles[i]->word).second) {
+      problem = "is the second of its word";
+    }
+    if (!problem.empty()) problems.push_back("profile " + std::to_string(i) + " " + problem);
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> choice_words(const std::string& choices) {
@@ -149,7 +217,9 @@ std::vector<std::string> table_problems(const ab_planner& table) {
   check_function("destroy", table.destroy != nullptr);
   check_function("reset", table.reset != nullptr);
   check_function("plan", table.plan != nullptr);
+  const std::size_t before = problems.size();
   add_parameter_problems(table, problems);
+  if (problems.size() == before) add_profile_problems(table, problems);
   return problems;
 }
 
@@ -173,6 +243,12 @@ PlannerDescription describe_table(const ab_planner& table) {
     if (p.kind == AB_CHOICE) def.choices = choice_words(p.choices);
     if (p.preset_text != nullptr) def.preset_text = p.preset_text;
     planner.parameters.push_back(std::move(def));
+  }
+  for (const ab_profile* profile : profiles_of(table)) {
+    ProfileDef& def = planner.profiles.emplace_back(ProfileDef{profile->choice, profile->word, {}});
+    for (std::uint32_t i = 0; i < profile->number_count; ++i) {
+      def.numbers.push_back({profile->numbers[i].name, profile->numbers[i].number});
+    }
   }
   return planner;
 }

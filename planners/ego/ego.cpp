@@ -17,7 +17,8 @@ class Ego {
       "Optimises B-splines against anchors on obstacles, after EGO-Planner.";
   static constexpr std::uint32_t needs = AB_SEES_STATE | AB_SEES_DEPTH;
   static constexpr std::uint32_t commands = AB_COMMAND_TRAJECTORY;
-  static constexpr auto parameters = ego::Declared::parameters;
+  static constexpr const auto& parameters = ego::kParameters;
+  static constexpr std::array profiles{planning::published(ego::kPublished)};
 
   Ego(const ab_setup& setup, const ab_host& host)
       : flight_(ego::settings_from(setup)), canvas_(host) {}

@@ -4,7 +4,7 @@
 
 #include "avoidbench/planner.hpp"
 #include "planning/heading.hpp"
-#include "planning/published_values.hpp"
+#include "planning/preset.hpp"
 #include "planning/rolling_grid.hpp"
 
 namespace ego {
@@ -39,65 +39,88 @@ struct Settings {
 };
 
 /// What a sweep may set.
-struct Declared {
-  static constexpr std::array parameters{
-      planning::kPreset,
-      avoidbench::parameter("max_speed_mps", "m/s", 3.0, 0.2, 15.0, "Greatest speed."),
-      avoidbench::parameter("max_acceleration_mps2", "m/s^2", 4.0, 0.5, 20.0,
-                            "Greatest acceleration it plans with."),
-      avoidbench::parameter(
-          "max_jerk_mps3", "m/s^3", 40.0, 1.0, 1000.0,
-          "Greatest jerk it plans with: over 9.8 m/s^2 the body rate it asks for."),
-      avoidbench::parameter("resolution_m", "m", 0.1, 0.05, 0.5, "Edge of the map's cells."),
-      avoidbench::parameter("map_range_m", "m", 6.0, 2.0, 15.0,
-                            "Half the map's side; beyond it nothing is known."),
-      avoidbench::parameter("ray_length_m", "m", 5.5, 1.0, 15.0,
-                            "Depth beyond this only frees the cells up to there."),
-      avoidbench::parameter("least_depth_m", "m", 0.5, 0.0, 5.0,
-                            "Nearer depth is left out: a stereo matcher's mistakes, mostly."),
-      avoidbench::parameter("image_border_ratio", "", 0.05, 0.0, 0.4,
-                            "Share of an image's rows left out at its upper and at its lower edge, "
-                            "for the same reason."),
-      avoidbench::integer_parameter("pixel_step", "px", 2, 1, 16,
-                                    "Every so many-th pixel and row goes into the map."),
-      avoidbench::parameter("hit_log_odds", "", 1.0, 0.05, 10.0,
-                            "What an image adds to a cell in which it sees a surface."),
-      avoidbench::parameter("miss_log_odds", "", -0.4, -10.0, -0.05,
-                            "What it adds to a cell that it sees through."),
-      avoidbench::parameter("least_log_odds", "", -1.2, -20.0, 0.0,
-                            "A cell gets no freer than this: the nearer to 0, the sooner something "
-                            "that was missed before counts."),
-      avoidbench::parameter("inflation_m", "m", 0.5, 0.0, 2.0,
-                            "How far from an occupied cell along each axis the way counts as "
-                            "blocked for the vehicle's centre."),
-      avoidbench::parameter("departure_m", "m", 1.0, 0.0, 50.0,
-                            "How far it climbs above or sinks below start and goal."),
-      avoidbench::parameter("horizon_m", "m", 7.5, 2.0, 30.0,
-                            "Distance of the local target along the way to the goal."),
-      avoidbench::parameter("replan_distance_m", "m", 1.5, 0.1, 20.0,
-                            "It plans anew after so much way."),
-      avoidbench::parameter("keep_distance_m", "m", 2.0, 0.0, 20.0,
-                            "So near the goal it keeps a trajectory that ends there."),
-      avoidbench::parameter("replan_period_s", "s", 0.2, 0.0, 10.0,
-                            "It plans anew after so much time; 0: only by way and collision."),
-      avoidbench::parameter(
-          "emergency_s", "s", 1.0, 0.1, 5.0,
-          "It brakes where a collision is nearer than this and no plan is found."),
-      avoidbench::parameter("control_point_spacing_m", "m", 0.4, 0.1, 2.0,
-                            "Between control points at full speed; their interval is 1.2 times the "
-                            "time for it."),
-      avoidbench::parameter("safety_distance_m", "m", 1.0, 0.05, 3.0,
-                            "How far the collision cost pushes control points off an obstacle."),
-      avoidbench::parameter("weight_smoothness", "", 1.0, 0.0, 1000.0, "Of squared jerk."),
-      avoidbench::parameter("weight_collision", "", 0.5, 0.0, 1000.0,
-                            "Of penetration, doubled at each new try."),
-      avoidbench::parameter("weight_feasibility", "", 0.1, 0.0, 1000.0,
-                            "Of velocity and acceleration beyond the limits."),
-      avoidbench::parameter("weight_fitness", "", 1.0, 0.0, 1000.0,
-                            "Of distance from the curve that is made slower."),
-      avoidbench::parameter("look_ahead_s", "s", 1.0, 0.05, 5.0,
-                            "It looks at the place where it will be so much later.")};
-};
+inline constexpr std::array kParameters{
+    avoidbench::Setting<Settings>{planning::kPreset, nullptr},
+    avoidbench::parameter<&Settings::max_speed_mps>("max_speed_mps", "m/s", 3.0, 0.2, 15.0,
+                                                    "Greatest speed."),
+    avoidbench::parameter<&Settings::max_acceleration_mps2>(
+        "max_acceleration_mps2", "m/s^2", 4.0, 0.5, 20.0, "Greatest acceleration it plans with."),
+    avoidbench::parameter<&Settings::max_jerk_mps3>(
+        "max_jerk_mps3", "m/s^3", 40.0, 1.0, 1000.0,
+        "Greatest jerk it plans with: over 9.8 m/s^2 the body rate it asks for."),
+    avoidbench::parameter<&Settings::grid, &planning::RollingGridSpec::resolution_m>(
+        "resolution_m", "m", 0.1, 0.05, 0.5, "Edge of the map's cells."),
+    avoidbench::parameter<&Settings::grid, &planning::RollingGridSpec::half_size_m>(
+        "map_range_m", "m", 6.0, 2.0, 15.0, "Half the map's side; beyond it nothing is known."),
+    avoidbench::parameter<&Settings::grid, &planning::RollingGridSpec::longest_ray_m>(
+        "ray_length_m", "m", 5.5, 1.0, 15.0, "Depth beyond this only frees the cells up to there."),
+    avoidbench::parameter<&Settings::grid, &planning::RollingGridSpec::least_ray_m>(
+        "least_depth_m", "m", 0.5, 0.0, 5.0,
+        "Nearer depth is left out: a stereo matcher's mistakes, mostly."),
+    avoidbench::parameter<&Settings::image_border_ratio>(
+        "image_border_ratio", "", 0.05, 0.0, 0.4,
+        "Share of an image's rows left out at its upper and at its lower edge, "
+        "for the same reason."),
+    avoidbench::integer_parameter<&Settings::grid, &planning::RollingGridSpec::pixel_step>(
+        "pixel_step", "px", 2, 1, 16, "Every so many-th pixel and row goes into the map."),
+    avoidbench::parameter<&Settings::grid, &planning::RollingGridSpec::hit>(
+        "hit_log_odds", "", 1.0, 0.05, 10.0,
+        "What an image adds to a cell in which it sees a surface."),
+    avoidbench::parameter<&Settings::grid, &planning::RollingGridSpec::miss>(
+        "miss_log_odds", "", -0.4, -10.0, -0.05, "What it adds to a cell that it sees through."),
+    avoidbench::parameter<&Settings::grid, &planning::RollingGridSpec::lowest_log_odds>(
+        "least_log_odds", "", -1.2, -20.0, 0.0,
+        "A cell gets no freer than this: the nearer to 0, the sooner something "
+        "that was missed before counts."),
+    avoidbench::parameter<&Settings::grid, &planning::RollingGridSpec::inflation_m>(
+        "inflation_m", "m", 0.5, 0.0, 2.0,
+        "How far from an occupied cell along each axis the way counts as "
+        "blocked for the vehicle's centre."),
+    avoidbench::parameter<&Settings::departure_m>(
+        "departure_m", "m", 1.0, 0.0, 50.0,
+        "How far it climbs above or sinks below start and goal."),
+    avoidbench::parameter<&Settings::horizon_m>(
+        "horizon_m", "m", 7.5, 2.0, 30.0,
+        "Distance of the local target along the way to the goal."),
+    avoidbench::parameter<&Settings::replan_distance_m>("replan_distance_m", "m", 1.5, 0.1, 20.0,
+                                                        "It plans anew after so much way."),
+    avoidbench::parameter<&Settings::keep_distance_m>(
+        "keep_distance_m", "m", 2.0, 0.0, 20.0,
+        "So near the goal it keeps a trajectory that ends there."),
+    avoidbench::parameter<&Settings::replan_period_s>(
+        "replan_period_s", "s", 0.2, 0.0, 10.0,
+        "It plans anew after so much time; 0: only by way and collision."),
+    avoidbench::parameter<&Settings::emergency_s>(
+        "emergency_s", "s", 1.0, 0.1, 5.0,
+        "It brakes where a collision is nearer than this and no plan is found."),
+    avoidbench::parameter<&Settings::spacing_m>(
+        "control_point_spacing_m", "m", 0.4, 0.1, 2.0,
+        "Between control points at full speed; their interval is 1.2 times the "
+        "time for it."),
+    avoidbench::parameter<&Settings::safety_distance_m>(
+        "safety_distance_m", "m", 1.0, 0.05, 3.0,
+        "How far the collision cost pushes control points off an obstacle."),
+    avoidbench::parameter<&Settings::weights, &Weights::smoothness>(
+        "weight_smoothness", "", 1.0, 0.0, 1000.0, "Of squared jerk."),
+    avoidbench::parameter<&Settings::weights, &Weights::collision>(
+        "weight_collision", "", 0.5, 0.0, 1000.0, "Of penetration, doubled at each new try."),
+    avoidbench::parameter<&Settings::weights, &Weights::feasibility>(
+        "weight_feasibility", "", 0.1, 0.0, 1000.0,
+        "Of velocity and acceleration beyond the limits."),
+    avoidbench::parameter<&Settings::weights, &Weights::fitness>(
+        "weight_fitness", "", 1.0, 0.0, 1000.0, "Of distance from the curve that is made slower."),
+    avoidbench::parameter<&Settings::look_ahead_s>(
+        "look_ahead_s", "s", 1.0, 0.05, 5.0,
+        "It looks at the place where it will be so much later.")};
+
+/// What its authors' launch files say (README.md).
+inline constexpr std::array kPublished{
+    ab_named_number{"max_speed_mps", 2.0},     ab_named_number{"max_acceleration_mps2", 3.0},
+    ab_named_number{"map_range_m", 5.5},       ab_named_number{"ray_length_m", 4.5},
+    ab_named_number{"hit_log_odds", 0.619},    ab_named_number{"miss_log_odds", -0.619},
+    ab_named_number{"least_depth_m", 0.2},     ab_named_number{"image_border_ratio", 0.0},
+    ab_named_number{"least_log_odds", -1.992}, ab_named_number{"safety_distance_m", 0.5},
+    ab_named_number{"inflation_m", 0.099},     ab_named_number{"replan_period_s", 0.0}};
 
 /// Never beyond what the vehicle of `setup` can do.
 Settings settings_from(const ab_setup& setup);

@@ -13,6 +13,7 @@ class Mbplanner {
   static constexpr std::uint32_t needs = AB_SEES_STATE | AB_SEES_DEPTH;
   static constexpr std::uint32_t commands = AB_COMMAND_TRAJECTORY;
   static constexpr const auto& parameters = mbplanner::kParameters;
+  static constexpr std::array profiles{planning::published(mbplanner::kPublished)};
 
   Mbplanner(const ab_setup& setup, const ab_host& host)
       : canvas_(host), pilot_(mbplanner::settings_from(setup)) {}

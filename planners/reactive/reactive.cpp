@@ -11,7 +11,13 @@ struct avoidbench::IsThreeDoubles<reactive::Vector3> : std::true_type {};
 
 namespace {
 
+using reactive::SteeringSettings;
 using reactive::Vector3;
+
+struct Settings {
+  SteeringSettings steering;
+  double memory_s = 0.0;
+};
 
 /// Local and map-free: a polar histogram of what the depth camera sees and saw a moment ago; see
 /// README.md.
@@ -24,23 +30,25 @@ class Reactive {
   static constexpr std::uint32_t needs = AB_SEES_STATE | AB_SEES_DEPTH;
   static constexpr std::uint32_t commands = AB_COMMAND_VELOCITY;
   static constexpr std::array parameters{
-      avoidbench::parameter("max_speed_mps", "m/s", 2.5, 0.2, 15.0, "Speed where the way is free."),
-      avoidbench::parameter("braking_mps2", "m/s^2", 3.0, 0.5, 20.0,
-                            "Deceleration it counts on: it never flies faster than it could stop "
-                            "in what it sees free."),
-      avoidbench::parameter("margin_m", "m", 0.3, 0.0, 2.0,
-                            "Distance kept between body and surfaces where there is room."),
-      avoidbench::parameter("lookahead_m", "m", 6.0, 1.0, 30.0,
-                            "Obstacles farther than this don't count."),
-      avoidbench::parameter("memory_s", "s", 15.0, 0.0, 60.0,
-                            "How long an obstacle counts after it left the view."),
-      avoidbench::parameter("max_departure_m", "m", 1.0, 0.0, 20.0,
-                            "How far it climbs or sinks from the line between start and goal.")};
+      avoidbench::parameter<&Settings::steering, &SteeringSettings::max_speed_mps>(
+          "max_speed_mps", "m/s", 2.5, 0.2, 15.0, "Speed where the way is free."),
+      avoidbench::parameter<&Settings::steering, &SteeringSettings::braking_mps2>(
+          "braking_mps2", "m/s^2", 3.0, 0.5, 20.0,
+          "Deceleration it counts on: it never flies faster than it could stop "
+          "in what it sees free."),
+      avoidbench::parameter<&Settings::steering, &SteeringSettings::margin_m>(
+          "margin_m", "m", 0.3, 0.0, 2.0,
+          "Distance kept between body and surfaces where there is room."),
+      avoidbench::parameter<&Settings::steering, &SteeringSettings::lookahead_m>(
+          "lookahead_m", "m", 6.0, 1.0, 30.0, "Obstacles farther than this don't count."),
+      avoidbench::parameter<&Settings::memory_s>(
+          "memory_s", "s", 15.0, 0.0, 60.0, "How long an obstacle counts after it left the view."),
+      avoidbench::parameter<&Settings::steering, &SteeringSettings::max_departure_m>(
+          "max_departure_m", "m", 1.0, 0.0, 20.0,
+          "How far it climbs or sinks from the line between start and goal.")};
 
   Reactive(const ab_setup& setup, const ab_host& host)
-      : settings_(settings_from(setup)), steerer_(settings_), canvas_(host) {
-    memory_s_ = avoidbench::Parameters<Reactive>(setup).number("memory_s");
-  }
+      : settings_(settings_from(setup)), steerer_(settings_.steering), canvas_(host) {}
 
   void reset(const ab_mission& mission) {
     start_ = reactive::vector3(mission.start_world_m);
@@ -75,19 +83,14 @@ class Reactive {
   }
 
  private:
-  static reactive::SteeringSettings settings_from(const ab_setup& setup) {
-    const avoidbench::Parameters<Reactive> values(setup);
-    reactive::SteeringSettings settings;
-    settings.max_speed_mps = values.number("max_speed_mps");
-    settings.braking_mps2 = values.number("braking_mps2");
-    settings.margin_m = values.number("margin_m");
-    settings.lookahead_m = values.number("lookahead_m");
-    settings.max_departure_m = values.number("max_departure_m");
-    settings.body_radius_m = setup.body_radius_m;
-    settings.response.acceleration_mps2 = settings.braking_mps2;
-    settings.response.latency_s = 0.05 + setup.plan_period_s;
+  static Settings settings_from(const ab_setup& setup) {
+    Settings settings = avoidbench::settings_from(parameters, setup);
+    SteeringSettings& steering = settings.steering;
+    steering.body_radius_m = setup.body_radius_m;
+    steering.response.acceleration_mps2 = steering.braking_mps2;
+    steering.response.latency_s = 0.05 + setup.plan_period_s;
     if (setup.max_speed_mps > 0.0) {
-      settings.max_speed_mps = std::min(settings.max_speed_mps, setup.max_speed_mps);
+      steering.max_speed_mps = std::min(steering.max_speed_mps, setup.max_speed_mps);
     }
     return settings;
   }
@@ -98,8 +101,8 @@ class Reactive {
     points_.clear();
     const ab_depth_image* image = avoidbench::newest_depth(seen);
     if (image != nullptr) view_.take(*image);
-    memory_.prune(position, kMemoryRange_m, time_s, memory_s_, view_);
-    view_.append_points(settings_.lookahead_m + 1.0, points_);
+    memory_.prune(position, kMemoryRange_m, time_s, settings_.memory_s, view_);
+    view_.append_points(settings_.steering.lookahead_m + 1.0, points_);
     seen_count_ = points_.size();
     if (image != nullptr) {
       for (const Vector3& point : points_) {
@@ -147,7 +150,7 @@ class Reactive {
   static constexpr double kDrawnCourse_s = 3.0;
   static constexpr double kMemoryRange_m = 8.0, kMemoryHeight_m = 1.5;
 
-  reactive::SteeringSettings settings_;
+  Settings settings_;
   reactive::Steerer steerer_;
   reactive::DepthView view_;
   reactive::ObstacleMemory memory_;
@@ -155,7 +158,6 @@ class Reactive {
   std::vector<Vector3> points_;  ///< relative to the vehicle
   std::size_t seen_count_ = 0;   ///< of them, that the newest image shows
   Vector3 start_, goal_;
-  double memory_s_ = 0.0;
   double yaw_rad_ = 0.0;
 };
 

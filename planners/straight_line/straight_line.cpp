@@ -7,6 +7,10 @@ namespace {
 
 using avoidbench::Vec3;
 
+struct Settings {
+  double max_speed_mps = 0.0, line_gain_hz = 0.0;
+};
+
 /// Flies along the line from start to goal without looking: the share of missions that need no
 /// avoidance at all.
 class StraightLine {
@@ -17,16 +21,17 @@ class StraightLine {
   static constexpr std::uint32_t needs = AB_SEES_STATE;
   static constexpr std::uint32_t commands = AB_COMMAND_VELOCITY;
   static constexpr std::array parameters{
-      avoidbench::parameter("max_speed_mps", "m/s", 3.0, 0.1, 20.0,
-                            "Speed held until the goal is near."),
-      avoidbench::parameter("line_gain_hz", "1/s", 1.0, 0.0, 5.0,
-                            "Speed back toward the line for each metre beside it.")};
+      avoidbench::parameter<&Settings::max_speed_mps>("max_speed_mps", "m/s", 3.0, 0.1, 20.0,
+                                                      "Speed held until the goal is near."),
+      avoidbench::parameter<&Settings::line_gain_hz>(
+          "line_gain_hz", "1/s", 1.0, 0.0, 5.0,
+          "Speed back toward the line for each metre beside it.")};
 
-  explicit StraightLine(const ab_setup& setup) {
-    const avoidbench::Parameters<StraightLine> values(setup);
-    max_speed_mps_ = values.number("max_speed_mps");
-    if (setup.max_speed_mps > 0.0) max_speed_mps_ = std::min(max_speed_mps_, setup.max_speed_mps);
-    line_gain_hz_ = values.number("line_gain_hz");
+  explicit StraightLine(const ab_setup& setup)
+      : settings_(avoidbench::settings_from(parameters, setup)) {
+    if (setup.max_speed_mps > 0.0) {
+      settings_.max_speed_mps = std::min(settings_.max_speed_mps, setup.max_speed_mps);
+    }
     braking_mps2_ = setup.max_acceleration_mps2 > 0.0 ? 0.3 * setup.max_acceleration_mps2 : 1.0;
   }
 
@@ -53,13 +58,14 @@ class StraightLine {
       left_m += (goal_world_m_[i] - seen.state->position_world_m[i]) * course_[i];
     }
     // As fast as it can still stop from within the way that is left, and back to the line.
-    double speed_mps = std::min(max_speed_mps_, std::sqrt(2.0 * braking_mps2_ * std::abs(left_m)));
+    double speed_mps =
+        std::min(settings_.max_speed_mps, std::sqrt(2.0 * braking_mps2_ * std::abs(left_m)));
     speed_mps = std::copysign(std::min(speed_mps, 2.0 * std::abs(left_m)), left_m);
     Vec3 velocity_world_mps{};
     for (std::size_t i = 0; i < 3; ++i) {
       const double on_line_m = goal_world_m_[i] - left_m * course_[i];
       const double aside_m = on_line_m - seen.state->position_world_m[i];
-      velocity_world_mps[i] = speed_mps * course_[i] + line_gain_hz_ * aside_m;
+      velocity_world_mps[i] = speed_mps * course_[i] + settings_.line_gain_hz * aside_m;
     }
     for (const double v : velocity_world_mps) {
       if (!std::isfinite(v)) return std::nullopt;
@@ -68,7 +74,8 @@ class StraightLine {
   }
 
  private:
-  double max_speed_mps_ = 0.0, line_gain_hz_ = 0.0, braking_mps2_ = 0.0;
+  Settings settings_;
+  double braking_mps2_ = 0.0;
   Vec3 start_world_m_{}, goal_world_m_{}, course_{};
   double yaw_rad_ = 0.0;
 };

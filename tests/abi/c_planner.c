@@ -82,6 +82,9 @@ static const ab_planner table = {sizeof(ab_planner),
                                  destroy,
                                  reset,
                                  plan,
+                                 NULL,
+                                 0,
+                                 0,
                                  NULL};
 
 const ab_planner* avoidbench_planner_v1(uint32_t host_api) {

@@ -93,6 +93,37 @@ TEST_F(SweepFiles, PlannersAreLoadedAndTheirParametersFilledIn) {
   EXPECT_EQ(second.file, std::string(CONFIG_TEST_PLANNERS) + "/tunable.so");
 }
 
+/// What is given holds before a profile's numbers, also where it is the default.
+TEST_F(SweepFiles, AProfileFillsInOnlyWhatIsNotGiven) {
+  const auto planner = [&](const std::string& entry, const std::vector<std::string>& overrides) {
+    const SweepSpec sweep = read("sweep: a\nplanners:\n  - " + entry + "\n", overrides);
+    return expand(sweep).front().spec();
+  };
+  const auto numbers = [](const TrialSpec& spec) {  // horizon_m and max_speed_mps
+    return std::pair(spec.planner.parameters[0].number, spec.planner.parameters[4].number);
+  };
+  const TrialSpec fast = planner("{plugin: tunable, parameters: {mode: fast}}", {});
+  const TrialSpec given =
+      planner("{plugin: tunable, parameters: {mode: fast, max_speed_mps: 3}}", {});
+  const TrialSpec of_entry =
+      planner("{plugin: tunable, max_speed_mps: 3, parameters: {mode: fast}}", {});
+  const TrialSpec of_sweep =
+      planner("{plugin: tunable, parameters: {mode: fast}}", {"max_speed_mps=3"});
+  EXPECT_EQ(numbers(planner("tunable", {})), std::pair(5.0, 3.0));
+  EXPECT_EQ(numbers(fast), std::pair(9.0, 6.0));
+  EXPECT_EQ(numbers(given), std::pair(9.0, 3.0));
+  EXPECT_EQ(numbers(of_entry), std::pair(9.0, 3.0));
+  EXPECT_EQ(numbers(of_sweep), std::pair(9.0, 3.0));
+  // Two flights, two keys; one flight, one key, however it was written.
+  EXPECT_NE(trial_key(fast), trial_key(given));
+  EXPECT_EQ(trial_key(given), trial_key(of_entry));
+  EXPECT_EQ(trial_key(given), trial_key(of_sweep));
+  EXPECT_EQ(trial_key(fast),
+            trial_key(planner("{plugin: tunable, parameters: {mode: fast, horizon_m: 9, "
+                              "max_speed_mps: 6}}",
+                              {})));
+}
+
 TEST_F(SweepFiles, OneSpeedLimitHoldsForAllPlannersThatAreGivenNone) {
   const SweepSpec sweep = read(
       "sweep: a\nmax_speed_mps: [2, 4]\nplanners:\n  - tunable\n"

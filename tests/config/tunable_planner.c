@@ -60,6 +60,11 @@ static const ab_parameter kSpeed = {sizeof(ab_parameter),
                                     NULL};
 static const ab_parameter* const kParameters[] = {&kHorizon, &kSteps, &kMode, &kMap, &kSpeed};
 
+/* What it has in mode fast where nothing else is given. */
+static const ab_named_number kFastNumbers[] = {{"horizon_m", 9.0}, {"max_speed_mps", 6.0}};
+static const ab_profile kFast = {sizeof(ab_profile), 2, "mode", "fast", kFastNumbers};
+static const ab_profile* const kProfiles[] = {&kFast};
+
 static const ab_planner kTable = {sizeof(ab_planner),
                                   AVOIDBENCH_ABI_VERSION,
                                   "tunable",
@@ -74,7 +79,10 @@ static const ab_planner kTable = {sizeof(ab_planner),
                                   destroy,
                                   reset,
                                   plan,
-                                  NULL};
+                                  NULL,
+                                  1,
+                                  0,
+                                  kProfiles};
 
 AB_EXPORT const ab_planner* avoidbench_planner_v1(uint32_t host_api) {
   return host_api == AVOIDBENCH_ABI_VERSION ? &kTable : NULL;

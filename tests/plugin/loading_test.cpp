@@ -57,6 +57,24 @@ TEST(Loading, NamesTheFileAndWhatIsWrong) {
                     HasSubstr("two parameters are named 'gain'")));
 }
 
+TEST(Loading, SaysWhatIsWrongWithProfiles) {
+  EXPECT_THAT(
+      load_error(bad_planner("bad_profiles")),
+      AllOf(HasSubstr("profile 0 has a number for 'speed_mps' that the parameter can't have"),
+            HasSubstr("profile 1 has a number for 'rays' that the parameter can't have"),
+            HasSubstr("profile 2 has 'speed', which is no parameter of numbers"),
+            HasSubstr("profile 3 has 'mode', which is no parameter of numbers"),
+            HasSubstr("profile 4 is of 'rays', which is no choice parameter"),
+            HasSubstr("profile 5 is of the word 'slow', which is no choice of 'mode'"),
+            Not(HasSubstr("profile 6")), HasSubstr("profile 7 is the second of its word"),
+            HasSubstr("profile 8 is null")));
+}
+
+TEST(Loading, TakesATableOfBeforeProfiles) {
+  const PlannerLibrary library = PlannerLibrary::load(bad_planner("before_profiles"));
+  EXPECT_TRUE(library.description().profiles.empty());
+}
+
 TEST(Loading, RefusesWhatIsNoLibrary) {
   const auto folder = scratch_folder("no_library");
   std::ofstream(folder / "text.so") << "planner: yes\n";

@@ -247,6 +247,23 @@ typedef struct ab_command {
                        0: for ever */
 } ab_command;
 
+/* Numbers lie in an array, so this struct never grows within ABI 1. */
+typedef struct ab_named_number {
+  const char* name; /* a parameter of kind AB_NUMBER or AB_INTEGER */
+  double number;    /* within its range */
+} ab_named_number;
+
+/* Another set of defaults, as that of a planner's authors: while the parameter `choice` has the
+ * word `word`, the parameters named here have these numbers where the sweep gives them no value.
+ * The host puts them into ab_setup.values; the planner need not look at `choice` for them. */
+typedef struct ab_profile {
+  uint32_t struct_size;
+  uint32_t number_count;
+  const char* choice; /* a parameter of kind AB_CHOICE: "preset" */
+  const char* word;   /* one of its words: "published" */
+  const ab_named_number* numbers;
+} ab_profile;
+
 /* The planner's table. Instances are opaque. */
 typedef struct ab_planner {
   uint32_t struct_size;
@@ -266,6 +283,9 @@ typedef struct ab_planner {
   ab_status (*plan)(void* instance, const ab_observation* observation, ab_command* command);
   /* A further table of the planner by its name and version, or null. May be null itself. */
   const void* (*get_extension)(void* instance, const char* id);
+  /* Added later: older hosts and planners end before this. */
+  uint32_t profile_count, reserved2;
+  const ab_profile* const* profiles; /* profile_count pointers; at most one for each word */
 } ab_planner;
 
 /* ---------------------------------------------------------------------------------------------

@@ -18,10 +18,11 @@
  *   };
  *   AVOIDBENCH_PLANNER(Drift)
  *
- * Also understood: `static constexpr const char* version` and `summary`; a constructor (const
- * ab_setup&, const ab_host&); a class without `parameters`. An exception that leaves the class
- * becomes AB_ERROR with its text; GiveUp, thrown by give_up("reason"), ends the trial with
- * planner_gave_up. What ab_command.points refers to must live until the next call.
+ * Also understood: `static constexpr const char* version` and `summary`; `profiles`, other sets of
+ * defaults (see profile()); a constructor (const ab_setup&, const ab_host&); a class without
+ * `parameters`. Where parameters name members, settings_from() fills in all of them. An exception
+ * that leaves the class becomes AB_ERROR with its text; GiveUp, thrown by give_up("reason"), ends
+ * the trial with planner_gave_up. What ab_command.points refers to must live until the next call.
  */
 #ifndef AVOIDBENCH_PLANNER_HPP
 #define AVOIDBENCH_PLANNER_HPP
@@ -41,6 +42,12 @@
 #include <vector>
 
 #include "avoidbench/planner.h"
+
+#if defined(__GNUC__)
+#define AB_HIDDEN __attribute__((visibility("hidden")))
+#else
+#define AB_HIDDEN
+#endif
 
 namespace avoidbench {
 
@@ -97,6 +104,109 @@ constexpr ab_parameter choice_parameter(const char* name, const char* preset, co
 /// Any text, e.g. the path of a file.
 constexpr ab_parameter text_parameter(const char* name, const char* preset, const char* doc) {
   return {struct_size_of<ab_parameter>(), AB_TEXT, name, "", doc, 0.0, 0.0, 0.0, nullptr, preset};
+}
+
+/// While the choice parameter `choice` has the word `word`, the parameters in `numbers`, a static
+/// array, have these numbers where a sweep gives them no value:
+///
+///   static constexpr std::array published{ab_named_number{"speed_mps", 2.0}};
+///   static constexpr std::array profiles{avoidbench::profile("preset", "published", published)};
+template <std::size_t count>
+constexpr ab_profile profile(const char* choice, const char* word,
+                             const std::array<ab_named_number, count>& numbers) {
+  return {struct_size_of<ab_profile>(), static_cast<std::uint32_t>(count), choice, word,
+          numbers.data()};
+}
+
+/// A parameter with the member of a planner's settings that takes its value; see settings_from.
+template <class Settings>
+struct Setting {
+  ab_parameter parameter;
+  void (*assign)(Settings& settings, const ab_value& value);  ///< null where no member takes it
+};
+
+namespace detail AB_HIDDEN {
+
+template <class Settings, class First, class... Rest>
+constexpr auto& member_of(Settings& settings, First first, Rest... rest) {
+  if constexpr (sizeof...(rest) == 0) {
+    return settings.*first;
+  } else {
+    return member_of(settings.*first, rest...);
+  }
+}
+
+template <class Pointer>
+struct OwnerOf;
+template <class Owner, class Member>
+struct OwnerOf<Member Owner::*> {
+  using Type = Owner;
+};
+
+/// The member at the end of a way of member pointers, from the settings inward.
+template <auto first, auto... inner>
+struct MemberAt {
+  using Settings = typename OwnerOf<decltype(first)>::Type;
+  using Value =
+      std::remove_reference_t<decltype(member_of(std::declval<Settings&>(), first, inner...))>;
+
+  static void assign(Settings& settings, const ab_value& value) {
+    Value& member = member_of(settings, first, inner...);
+    if constexpr (std::is_arithmetic_v<Value>) {
+      member = static_cast<Value>(value.number);
+    } else {
+      member = value.text != nullptr ? value.text : "";
+    }
+  }
+
+  /// In a constant the throw is an error of the compiler.
+  static constexpr Setting<Settings> setting(const ab_parameter& parameter) {
+    const bool fits = std::is_floating_point_v<Value> ? parameter.kind == AB_NUMBER
+                      : std::is_integral_v<Value>
+                          ? parameter.kind == AB_INTEGER
+                          : parameter.kind == AB_CHOICE || parameter.kind == AB_TEXT;
+    if (!fits) throw std::logic_error("a parameter of another kind than its member");
+    return {parameter, &assign};
+  }
+};
+
+}  // namespace AB_HIDDEN
+
+/// The same declarations, each with the member that takes the value, a double, an int or a string:
+/// `parameter<&Settings::speed_mps>("speed_mps", …)`. A member of a member is named by the way to
+/// it: `parameter<&Settings::grid, &Grid::resolution_m>("resolution_m", …)`.
+template <auto first, auto... inner>
+constexpr auto parameter(const char* name, const char* unit, double preset, double lowest,
+                         double highest, const char* doc) {
+  return detail::MemberAt<first, inner...>::setting(
+      parameter(name, unit, preset, lowest, highest, doc));
+}
+template <auto first, auto... inner>
+constexpr auto integer_parameter(const char* name, const char* unit, std::int32_t preset,
+                                 std::int32_t lowest, std::int32_t highest, const char* doc) {
+  return detail::MemberAt<first, inner...>::setting(
+      integer_parameter(name, unit, preset, lowest, highest, doc));
+}
+template <auto first, auto... inner>
+constexpr auto choice_parameter(const char* name, const char* preset, const char* choices,
+                                const char* doc) {
+  return detail::MemberAt<first, inner...>::setting(choice_parameter(name, preset, choices, doc));
+}
+template <auto first, auto... inner>
+constexpr auto text_parameter(const char* name, const char* preset, const char* doc) {
+  return detail::MemberAt<first, inner...>::setting(text_parameter(name, preset, doc));
+}
+
+/// The settings with the values that `setup` has for `parameters`, all that the planner declares.
+template <class Settings, std::size_t count>
+Settings settings_from(const std::array<Setting<Settings>, count>& parameters,
+                       const ab_setup& setup) {
+  if (setup.value_count < count) throw std::logic_error("the host gave too few values");
+  Settings settings{};
+  for (std::size_t i = 0; i < count; ++i) {
+    if (parameters[i].assign != nullptr) parameters[i].assign(settings, *setup.values[i]);
+  }
+  return settings;
 }
 
 // ---------------------------------------------------------------------------------------------------------
@@ -287,12 +397,6 @@ class Canvas {
   const ab_debug* debug_ = nullptr;
 };
 
-#if defined(__GNUC__)
-#define AB_HIDDEN __attribute__((visibility("hidden")))
-#else
-#define AB_HIDDEN
-#endif
-
 // ------------------------------------------------------------------------------------------------------
 // class to table
 
@@ -317,6 +421,12 @@ struct Summary<Planner, std::void_t<decltype(Planner::summary)>> {
   static constexpr const char* text = Planner::summary;
 };
 
+constexpr const ab_parameter* declared(const ab_parameter& parameter) { return &parameter; }
+template <class Settings>
+constexpr const ab_parameter* declared(const Setting<Settings>& setting) {
+  return &setting.parameter;
+}
+
 template <class Planner, class = void>
 struct Declared {
   static constexpr std::size_t count = 0;
@@ -328,11 +438,28 @@ struct Declared<Planner, std::void_t<decltype(Planner::parameters)>> {
   template <std::size_t... index>
   static constexpr std::array<const ab_parameter*, count> pointers_to(
       std::index_sequence<index...>) {
-    return {&Planner::parameters[index]...};
+    return {declared(Planner::parameters[index])...};
   }
   static constexpr std::array<const ab_parameter*, count> array =
       pointers_to(std::make_index_sequence<count>());
   static constexpr const ab_parameter* const* pointers = array.data();
+};
+
+template <class Planner, class = void>
+struct Profiles {
+  static constexpr std::size_t count = 0;
+  static constexpr const ab_profile* const* pointers = nullptr;
+};
+template <class Planner>
+struct Profiles<Planner, std::void_t<decltype(Planner::profiles)>> {
+  static constexpr std::size_t count = Planner::profiles.size();
+  template <std::size_t... index>
+  static constexpr std::array<const ab_profile*, count> pointers_to(std::index_sequence<index...>) {
+    return {&Planner::profiles[index]...};
+  }
+  static constexpr std::array<const ab_profile*, count> array =
+      pointers_to(std::make_index_sequence<count>());
+  static constexpr const ab_profile* const* pointers = array.data();
 };
 
 template <class Planner>
@@ -424,7 +551,10 @@ struct Table {
                                     &destroy<Planner>,
                                     &reset<Planner>,
                                     &plan<Planner>,
-                                    nullptr};
+                                    nullptr,
+                                    static_cast<std::uint32_t>(Profiles<Planner>::count),
+                                    0,
+                                    Profiles<Planner>::pointers};
 };
 
 }  // namespace AB_HIDDEN

@@ -94,6 +94,14 @@ TEST(Ego, FliesThePublishedPreset) {
   expect_flyable(result.demands, 2.2);
 }
 
+TEST(Ego, FliesASpeedThatIsGivenBesideThePublishedPreset) {
+  PlannerInstance planner = kinematic::instance_of(
+      PLANNER_FILE, {{"preset", ParameterValue{0.0, "published"}}, {"max_speed_mps", {3.0, ""}}});
+  const TrajectoryResult result = kinematic::fly_trajectories(planner, kinematic::meadow());
+  EXPECT_EQ(result.flight.ending, Ending::reached_goal) << result.flight.reason;
+  EXPECT_GT(result.demands.speed_mps, 2.5);  // the published limit is 2
+}
+
 TEST(Ego, DoesNotGrowOverFiftyMissions) {
   PlannerInstance planner = kinematic::instance_of(PLANNER_FILE);
   kinematic::expect_no_growth(planner, 50);

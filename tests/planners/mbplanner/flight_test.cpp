@@ -87,6 +87,15 @@ TEST(Mbplanner, FliesThePublishedPreset) {
   expect_flyable(result.demands, 1.001);
 }
 
+TEST(Mbplanner, FliesASpeedThatIsGivenBesideThePublishedPreset) {
+  PlannerInstance planner = kinematic::instance_of(
+      PLANNER_FILE,
+      {{"preset", ParameterValue{0.0, "published"}}, {"follower_speed_mps", {20.0, ""}}});
+  const TrajectoryResult result = kinematic::fly_trajectories(planner, kinematic::meadow(), 90.0);
+  EXPECT_EQ(result.flight.ending, Ending::reached_goal) << result.flight.reason;
+  EXPECT_GT(result.demands.speed_mps, 1.5);  // the published limit is 1
+}
+
 TEST(Mbplanner, DoesNotGrowOverFiftyMissions) {
   PlannerInstance planner = kinematic::instance_of(PLANNER_FILE);
   kinematic::expect_no_growth(planner, 50);
