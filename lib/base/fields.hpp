@@ -1,5 +1,6 @@
 #pragma once
 
+#include <concepts>
 #include <limits>
 #include <string_view>
 #include <type_traits>
@@ -15,14 +16,16 @@ struct Range {
 
 /// Each spec struct has one free function beside it,
 ///
-///     template <class Visitor> void visit(Visitor& v, ForestSpec& s) {
-///       v.field("poisson_radius_m", s.poisson_radius_m, Range{0.5, 50}, "Least distance between
-///       two plants."); …
+///     template <class Visitor, ConstOr<ForestSpec> Spec>
+///     void visit(Visitor& v, Spec& s) {
+///       v.field("poisson_radius_m", s.poisson_radius_m, Range{0.5, 50}, "Least distance.");
+///       …
 ///     }
 ///
-/// which names every field once, with its range and doc. The YAML reader, the printer of defaults,
-/// the canonical JSON and with it the trial's key are visitors. A name is the YAML key, the C++
-/// member and the column, with its unit.
+/// which names every field once, with its range and doc. The YAML reader, the tree of fields that
+/// help and schemas are made from, the canonical JSON and with it the trial's key are visitors;
+/// those that only read take a const spec. A name is the YAML key, the C++ member and the column,
+/// with its unit.
 ///
 /// A field is a double, an integer, a bool, a std::string, an enum with EnumText, a std::array or
 /// std::vector of these, another spec struct, or a std::variant of spec structs, of which each has
@@ -31,6 +34,9 @@ struct Range {
 ///     v.variant("generator", s.map, "What makes the map.");
 ///
 /// which reads the key `generator` first and then the fields of that kind, on the same level.
+template <class T, class Spec>
+concept ConstOr = std::same_as<std::remove_const_t<T>, Spec>;
+
 template <class T, class Visitor>
 concept Visitable = requires(Visitor& visitor, T& value) {
   visit(visitor, value);

@@ -31,17 +31,17 @@ struct JsonWriter {
   nlohmann::json& json;
 
   template <class T>
-  void field(std::string_view name, T& value, Range, std::string_view) {
+  void field(std::string_view name, const T& value, Range, std::string_view) {
     json[std::string(name)] = value_to_json(value);
   }
   template <class T>
-  void field(std::string_view name, T& value, std::string_view doc) {
+  void field(std::string_view name, const T& value, std::string_view doc) {
     field(name, value, Range{}, doc);
   }
   template <class Variant>
-  void variant(std::string_view name, Variant& value, std::string_view) {
+  void variant(std::string_view name, const Variant& value, std::string_view) {
     json[std::string(name)] = std::string(kind(value));
-    std::visit([this](auto& held) { visit(*this, held); }, value);
+    std::visit([this](const auto& held) { visit(*this, held); }, value);
   }
 };
 
@@ -95,7 +95,7 @@ nlohmann::json value_to_json(const T& value) {
     nlohmann::json array = nlohmann::json::array();
     for (const auto& element : value) array.push_back(value_to_json(element));
     return array;
-  } else if constexpr (Visitable<T, JsonWriter>) {
+  } else if constexpr (Visitable<const T, JsonWriter>) {
     return spec_to_json(value);
   } else {
     return value;
@@ -125,9 +125,7 @@ template <class Spec>
 nlohmann::json spec_to_json(const Spec& spec) {
   nlohmann::json json = nlohmann::json::object();
   detail::JsonWriter writer{json};
-  Spec copy =
-      spec;  // visit() takes a mutable spec, so that one function serves readers and writers
-  visit(writer, copy);
+  visit(writer, spec);
   return json;
 }
 

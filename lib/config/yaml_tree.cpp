@@ -171,19 +171,18 @@ class TreeBuilder : public YAML::EventHandler {
   std::size_t values_ = 0, letters_ = 0;
 };
 
-}  // namespace
-
-const YamlNode* YamlNode::find(std::string_view key) const {
-  if (kind != Kind::mapping) return nullptr;
-  for (std::size_t i = 0; i < keys.size(); ++i) {
-    if (keys[i].scalar == key) return &items[i];
+template <class Node>
+Node* found(Node& mapping, std::string_view key) {
+  for (std::size_t i = 0; i < mapping.keys.size(); ++i) {  // none unless it is a mapping
+    if (mapping.keys[i].scalar == key) return &mapping.items[i];
   }
   return nullptr;
 }
 
-YamlNode* YamlNode::find(std::string_view key) {
-  return const_cast<YamlNode*>(std::as_const(*this).find(key));
-}
+}  // namespace
+
+const YamlNode* YamlNode::find(std::string_view key) const { return found(*this, key); }
+YamlNode* YamlNode::find(std::string_view key) { return found(*this, key); }
 
 InputProblem problem_at(const YamlNode& node, std::string message) {
   return {node.source ? *node.source : "", node.line, node.column, std::move(message)};

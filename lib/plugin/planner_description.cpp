@@ -29,8 +29,8 @@ struct Answer {
 
 }  // namespace
 
-template <class Visitor>
-void visit(Visitor& v, ParameterDef& p) {
+template <class Visitor, ConstOr<ParameterDef> Spec>
+void visit(Visitor& v, Spec& p) {
   v.field("name", p.name, "");
   v.field("unit", p.unit, "");
   v.field("doc", p.doc, "");
@@ -42,21 +42,21 @@ void visit(Visitor& v, ParameterDef& p) {
   v.field("preset_text", p.preset_text, "");
 }
 
-template <class Visitor>
-void visit(Visitor& v, ProfileDef::Number& p) {
+template <class Visitor, ConstOr<ProfileDef::Number> Spec>
+void visit(Visitor& v, Spec& p) {
   v.field("name", p.name, "");
   v.field("number", p.number, "");
 }
 
-template <class Visitor>
-void visit(Visitor& v, ProfileDef& p) {
+template <class Visitor, ConstOr<ProfileDef> Spec>
+void visit(Visitor& v, Spec& p) {
   v.field("choice", p.choice, "");
   v.field("word", p.word, "");
   v.field("numbers", p.numbers, "");
 }
 
-template <class Visitor>
-void visit(Visitor& v, PlannerDescription& p) {
+template <class Visitor, ConstOr<PlannerDescription> Spec>
+void visit(Visitor& v, Spec& p) {
   v.field("name", p.name, "");
   v.field("version", p.version, "");
   v.field("summary", p.summary, "");

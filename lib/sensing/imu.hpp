@@ -26,8 +26,8 @@ struct ImuSpec {
   double rate_hz = 200.0;
 };
 
-template <class Visitor>
-void visit(Visitor& v, ImuSpec& s) {
+template <class Visitor, ConstOr<ImuSpec> Spec>
+void visit(Visitor& v, Spec& s) {
   v.field("gyro_noise_density", s.gyro_noise_density, Range{0, 1}, "White noise, rad/s/√Hz.");
   v.field("gyro_random_walk", s.gyro_random_walk, Range{0, 1},
           "Noise that drives the bias, rad/s²/√Hz.");

@@ -22,8 +22,8 @@ struct OdometrySpec {
   double yaw_drift_deg_per_sqrt_s = 0.0;
 };
 
-template <class Visitor>
-void visit(Visitor& v, OdometrySpec& s) {
+template <class Visitor, ConstOr<OdometrySpec> Spec>
+void visit(Visitor& v, Spec& s) {
   v.field("rate_hz", s.rate_hz, Range{1, 4000}, "New noise so many times per second.");
   v.field("delay_ms", s.delay_ms, Range{0, 1000},
           "Age of the state that the planner gets. The vehicle's own controller has no delay.");

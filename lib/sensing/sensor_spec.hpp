@@ -19,8 +19,8 @@ struct DepthIdealSpec {
   static constexpr std::string_view kind = "depth_ideal";
 };
 
-template <class Visitor>
-void visit(Visitor&, DepthIdealSpec&) {}
+template <class Visitor, ConstOr<DepthIdealSpec> Spec>
+void visit(Visitor&, Spec&) {}
 
 /// True depth made as wrong as that of a stereo pair matched by SGM, for a tenth of its cost. The
 /// defaults are fitted to stereo_sgm; see docs/sensors.md and `avoidbench sensors measure`. What
@@ -39,8 +39,8 @@ struct DepthNoisySpec {
   double half_occlusion_ratio = 0.5;
 };
 
-template <class Visitor>
-void visit(Visitor& v, DepthNoisySpec& s) {
+template <class Visitor, ConstOr<DepthNoisySpec> Spec>
+void visit(Visitor& v, Spec& s) {
   v.field("disparity_sigma_px", s.disparity_sigma_px, Range{0, 5},
           "Standard deviation of the disparity; depth errs by Z²/(baseline · focal length) of it.");
   v.field("bland_disparity_sigma_px", s.bland_disparity_sigma_px, Range{0, 5},
@@ -88,8 +88,8 @@ struct StereoSgmSpec {
   std::int64_t left_right_px = 1;
 };
 
-template <class Visitor>
-void visit(Visitor& v, StereoSgmSpec& s) {
+template <class Visitor, ConstOr<StereoSgmSpec> Spec>
+void visit(Visitor& v, Spec& s) {
   v.field("mode", s.mode, "The matcher's paths: 5, 3, 8 or 4 of them.");
   v.field("disparities", s.disparities, Range{16, 512},
           "Disparities that are tried, from 0; a multiple of 16.");
@@ -119,8 +119,8 @@ struct StereoCensusSpec {
   double depth_step_m = 0.001;
 };
 
-template <class Visitor>
-void visit(Visitor& v, StereoCensusSpec& s) {
+template <class Visitor, ConstOr<StereoCensusSpec> Spec>
+void visit(Visitor& v, Spec& s) {
   v.field("disparities", s.disparities, Range{16, 256},
           "Disparities that are tried, from 0; a multiple of 16.");
   v.field("paths", s.paths, Range{4, 8}, "Aggregated paths: 4 or 8.");
@@ -141,8 +141,8 @@ struct MountingSpec {
   double yaw_deg = 0.0, pitch_deg = 0.0, roll_deg = 0.0;
 };
 
-template <class Visitor>
-void visit(Visitor& v, MountingSpec& s) {
+template <class Visitor, ConstOr<MountingSpec> Spec>
+void visit(Visitor& v, Spec& s) {
   v.field("position_body_m", s.position_body_m, Range{-5, 5},
           "Centre of the (left) camera in the body frame (FLU).");
   v.field("yaw_deg", s.yaw_deg, Range{-180, 180}, "Direction, positive looks to the left.");
@@ -162,8 +162,8 @@ struct ImageSpec {
   bool shadows = true;
 };
 
-template <class Visitor>
-void visit(Visitor& v, ImageSpec& s) {
+template <class Visitor, ConstOr<ImageSpec> Spec>
+void visit(Visitor& v, Spec& s) {
   v.field("brightness", s.brightness, Range{0, 1},
           "Mean of the left image that automatic exposure aims at, as a share of white in linear "
           "light; 0: fixed exposure.");
@@ -196,8 +196,8 @@ struct SensorSpec {
   ImageSpec image;
 };
 
-template <class Visitor>
-void visit(Visitor& v, SensorSpec& s) {
+template <class Visitor, ConstOr<SensorSpec> Spec>
+void visit(Visitor& v, Spec& s) {
   v.field("name", s.name, "Name in reports.");
   v.variant("kind", s.method, "How depth comes about.");
   v.field("width_px", s.width_px, Range{8, 4096}, "Image width.");

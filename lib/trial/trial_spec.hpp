@@ -23,8 +23,8 @@ struct MissionSpec {
   std::int64_t max_collisions = 0;
 };
 
-template <class Visitor>
-void visit(Visitor& v, MissionSpec& s) {
+template <class Visitor, ConstOr<MissionSpec> Spec>
+void visit(Visitor& v, Spec& s) {
   v.field("goal_radius_m", s.goal_radius_m, Range{0.05, 20},
           "The goal is reached within this horizontal distance.");
   v.field("time_limit_s", s.time_limit_s, Range{1, 3600}, "A longer flight ends with timed_out.");
@@ -41,8 +41,8 @@ struct RatesSpec {
   double sample_hz = 100.0;
 };
 
-template <class Visitor>
-void visit(Visitor& v, RatesSpec& s) {
+template <class Visitor, ConstOr<RatesSpec> Spec>
+void visit(Visitor& v, Spec& s) {
   v.field("physics_hz", s.physics_hz, Range{250, 4000},
           "Steps of the vehicle's dynamics and collision tests per second.");
   v.field("plan_hz", s.plan_hz, Range{0.5, 1000}, "Calls of the planner per second.");
@@ -74,8 +74,8 @@ inline bool is_measured(const LatencySpec& latency) {
   return latency.mode == LatencyMode::measured || latency.mode == LatencyMode::replay;
 }
 
-template <class Visitor>
-void visit(Visitor& v, LatencySpec& s) {
+template <class Visitor, ConstOr<LatencySpec> Spec>
+void visit(Visitor& v, Spec& s) {
   v.field("mode", s.mode,
           "zero: at once; fixed: after `ms`, the same on every machine; measured: after the wall "
           "time that the call took on this machine, times `scale`; replay: after the times of the "
@@ -96,8 +96,8 @@ struct ParameterChoice {
   bool is_text = false;
 };
 
-template <class Visitor>
-void visit(Visitor& v, ParameterChoice& s) {
+template <class Visitor, ConstOr<ParameterChoice> Spec>
+void visit(Visitor& v, Spec& s) {
   v.field("name", s.name, "Name, as the planner declares it.");
   v.field("number", s.number, "Value of a numeric parameter.");
   v.field("text", s.text, "Value of a choice or text parameter.");
@@ -114,8 +114,8 @@ struct PlannerChoice {
   std::uint32_t needs = 0;                  ///< AB_… bits that it declares; follow from the file
 };
 
-template <class Visitor>
-void visit(Visitor& v, PlannerChoice& s) {
+template <class Visitor, ConstOr<PlannerChoice> Spec>
+void visit(Visitor& v, Spec& s) {
   v.field("plugin", s.plugin, "Bare name, or path of a library.");
   v.field("label", s.label, "Name in reports; unique in a sweep.");
   v.field("file", s.file, "The library found.");
@@ -141,8 +141,8 @@ struct TrialSpec {
   WindSpec wind;
 };
 
-template <class Visitor>
-void visit(Visitor& v, TrialSpec& s) {
+template <class Visitor, ConstOr<TrialSpec> Spec>
+void visit(Visitor& v, Spec& s) {
   v.field("map", s.map, "The map.");
   v.field("map_seed", s.map_seed, "Seed of the map.");
   v.field("seed", s.seed, "Seed of missions and noise.");

@@ -116,15 +116,15 @@ VehicleSpec firefly_spec();
 /// to hover or for its acceleration limit.
 void check_vehicle(const VehicleSpec& vehicle);
 
-template <class Visitor>
-void visit(Visitor& v, RotorSpec& s) {
+template <class Visitor, ConstOr<RotorSpec> Spec>
+void visit(Visitor& v, Spec& s) {
   v.field("position_body_m", s.position_body_m, Range{-3, 3},
           "Hub from the centre of gravity, body frame (FLU).");
   v.field("spin", s.spin, Range{-1, 1}, "+1 counter-clockwise seen from above, -1 clockwise.");
 }
 
-template <class Visitor>
-void visit(Visitor& v, PositionControllerSpec& s) {
+template <class Visitor, ConstOr<PositionControllerSpec> Spec>
+void visit(Visitor& v, Spec& s) {
   v.field("rate_hz", s.rate_hz, Range{10, 36000},
           "How often it runs; each physics step where that is longer.");
   v.field("kp_xy", s.kp_xy, Range{0, 100}, "Position gain, horizontal, 1/s².");
@@ -147,8 +147,8 @@ void visit(Visitor& v, PositionControllerSpec& s) {
           "Whether the rotors' drag enters the feed-forward (Faessler et al. 2018).");
 }
 
-template <class Visitor>
-void visit(Visitor& v, RateControllerSpec& s) {
+template <class Visitor, ConstOr<RateControllerSpec> Spec>
+void visit(Visitor& v, Spec& s) {
   v.field(
       "rate_hz", s.rate_hz, Range{10, 36000},
       "How often it runs, rotor commands held between; each physics step where that is longer.");
@@ -156,8 +156,8 @@ void visit(Visitor& v, RateControllerSpec& s) {
   v.field("d_ratio", s.d_ratio, Range{0, 10}, "Gain on the torque error, x y z.");
 }
 
-template <class Visitor>
-void visit(Visitor& v, LeeControllerSpec& s) {
+template <class Visitor, ConstOr<LeeControllerSpec> Spec>
+void visit(Visitor& v, Spec& s) {
   v.field(
       "rate_hz", s.rate_hz, Range{10, 36000},
       "How often it runs, rotor commands held between; each physics step where that is longer.");
@@ -177,8 +177,8 @@ void visit(Visitor& v, LeeControllerSpec& s) {
           "2010); RotorS has the yaw rate alone.");
 }
 
-template <class Visitor>
-void visit(Visitor& v, VehicleSpec& s) {
+template <class Visitor, ConstOr<VehicleSpec> Spec>
+void visit(Visitor& v, Spec& s) {
   v.field("name", s.name, "What the tables call it.");
   v.field("mass_kg", s.mass_kg, Range{0.01, 1000}, "Total mass.");
   v.field("inertia_kgm2", s.inertia_kgm2, Range{1e-7, 1000},

@@ -82,8 +82,8 @@ struct WindSpec {
 /// contradicts itself. Does not look at files.
 void check_wind(const WindSpec& wind);
 
-template <class Visitor>
-void visit(Visitor& v, GustSpec& s) {
+template <class Visitor, ConstOr<GustSpec> Spec>
+void visit(Visitor& v, Spec& s) {
   v.field("amplitude_world_mps", s.amplitude_world_mps, Range{-40, 40},
           "Greatest velocity that a gust adds to the wind, ENU.");
   v.field("start_s", s.start_s, Range{0, 3600}, "When the first gust begins.");
@@ -97,16 +97,16 @@ void visit(Visitor& v, GustSpec& s) {
           "Whether each gust is turned about the vertical by a random angle.");
 }
 
-template <class Visitor>
-void visit(Visitor& v, ForceGustSpec& s) {
+template <class Visitor, ConstOr<ForceGustSpec> Spec>
+void visit(Visitor& v, Spec& s) {
   v.field("force_world_n", s.force_world_n, Range{-100, 100},
           "Force at the centre of gravity, ENU.");
   v.field("start_s", s.start_s, Range{0, 3600}, "When it begins.");
   v.field("duration_s", s.duration_s, Range{0, 3600}, "How long it lasts.");
 }
 
-template <class Visitor>
-void visit(Visitor& v, TurbulenceSpec& s) {
+template <class Visitor, ConstOr<TurbulenceSpec> Spec>
+void visit(Visitor& v, Spec& s) {
   v.field("model", s.model,
           "none; mil_f_8785c: strength and lengths from wind_6m_mps and height_m; given: from "
           "sigma_mps and length_m.");
@@ -125,8 +125,8 @@ void visit(Visitor& v, TurbulenceSpec& s) {
   v.field("rate_hz", s.rate_hz, Range{10, 4000}, "New values per second, held between.");
 }
 
-template <class Visitor>
-void visit(Visitor& v, KickSpec& s) {
+template <class Visitor, ConstOr<KickSpec> Spec>
+void visit(Visitor& v, Spec& s) {
   v.field("rate_per_min", s.rate_per_min, Range{0, 6000},
           "Mean number per minute, Poisson; 0: none.");
   v.field("force_n", s.force_n, Range{0, 1000}, "Force of a kick, in a random direction.");
@@ -134,8 +134,8 @@ void visit(Visitor& v, KickSpec& s) {
   v.field("duration_s", s.duration_s, Range{0.001, 60}, "How long a kick lasts.");
 }
 
-template <class Visitor>
-void visit(Visitor& v, WindFieldSpec& s) {
+template <class Visitor, ConstOr<WindFieldSpec> Spec>
+void visit(Visitor& v, Spec& s) {
   v.field("file", s.file,
           "Grid of velocities, added to the mean; format in docs/wind.md; relative to the sweep "
           "file's folder. \"\": none.");
@@ -144,8 +144,8 @@ void visit(Visitor& v, WindFieldSpec& s) {
   v.field("scale", s.scale, Range{-100, 100}, "The file's velocities are multiplied by this.");
 }
 
-template <class Visitor>
-void visit(Visitor& v, WindSpec& s) {
+template <class Visitor, ConstOr<WindSpec> Spec>
+void visit(Visitor& v, Spec& s) {
   v.field("mean_world_mps", s.mean_world_mps, Range{-30, 30}, "Velocity of the air, ENU.");
   v.field("force_world_n", s.force_world_n, Range{-100, 100},
           "Constant force on the vehicle at its centre of gravity, ENU.");

@@ -29,8 +29,8 @@ struct BoxSpec {
   bool is_given() const { return !lowest_m.empty() || !highest_m.empty(); }
 };
 
-template <class Visitor>
-void visit(Visitor& v, BoxSpec& s) {
+template <class Visitor, ConstOr<BoxSpec> Spec>
+void visit(Visitor& v, Spec& s) {
   v.field("lowest_m", s.lowest_m, Range{-10000, 10000}, "Corner [x, y, z]; []: found for you.");
   v.field("highest_m", s.highest_m, Range{-10000, 10000}, "Corner [x, y, z]; []: found for you.");
 }
@@ -81,15 +81,15 @@ void visit_file_fields(Visitor& v, FileSpec& s) {
           "Height of starts and goals above the bounds' floor where no region is given.");
 }
 
-template <class Visitor>
-void visit(Visitor& v, MeshSpec& s) {
+template <class Visitor, ConstOr<MeshSpec> Spec>
+void visit(Visitor& v, Spec& s) {
   v.field("file", s.file, "OBJ, PLY, STL, GLB or glTF file; relative to the sweep file's folder.");
   visit_file_fields(v, s);
   v.field("material", s.material, "Look of surfaces whose material in the file is none of these.");
 }
 
-template <class Visitor>
-void visit(Visitor& v, PointCloudSpec& s) {
+template <class Visitor, ConstOr<PointCloudSpec> Spec>
+void visit(Visitor& v, Spec& s) {
   v.field("file", s.file, "PLY or PCD file; relative to the sweep file's folder.");
   v.field("resolution_m", s.resolution_m, Range{0.01, 10},
           "Side of a voxel: solid where it holds a point.");

@@ -88,8 +88,8 @@ void visit_heights(Visitor& v, Spec& s) {
 
 }  // namespace detail
 
-template <class Visitor>
-void visit(Visitor& v, MazeSpec& s) {
+template <class Visitor, ConstOr<MazeSpec> Spec>
+void visit(Visitor& v, Spec& s) {
   detail::visit_area(v, s);
   v.field("corridor_m", s.corridor_m, Range{0.8, 10},
           "Free width of the corridors; narrower is harder.");
@@ -98,8 +98,8 @@ void visit(Visitor& v, MazeSpec& s) {
   detail::visit_heights(v, s);
 }
 
-template <class Visitor>
-void visit(Visitor& v, GapWallsSpec& s) {
+template <class Visitor, ConstOr<GapWallsSpec> Spec>
+void visit(Visitor& v, Spec& s) {
   detail::visit_area(v, s);
   v.field("wall_count", s.wall_count, Range{1, 20}, "Walls across the hall.");
   v.field("gaps_per_wall", s.gaps_per_wall, Range{1, 20}, "Openings in each wall.");
@@ -111,8 +111,8 @@ void visit(Visitor& v, GapWallsSpec& s) {
   detail::visit_heights(v, s);
 }
 
-template <class Visitor>
-void visit(Visitor& v, DeadEndsSpec& s) {
+template <class Visitor, ConstOr<DeadEndsSpec> Spec>
+void visit(Visitor& v, Spec& s) {
   detail::visit_area(v, s);
   v.field("trap_width_m", s.trap_width_m, Range{1, 20}, "Free width of a trap.");
   v.field("trap_depth_m", s.trap_depth_m, Range{0.5, 20},
@@ -122,8 +122,8 @@ void visit(Visitor& v, DeadEndsSpec& s) {
   detail::visit_heights(v, s);
 }
 
-template <class Visitor>
-void visit(Visitor& v, PolesSpec& s) {
+template <class Visitor, ConstOr<PolesSpec> Spec>
+void visit(Visitor& v, Spec& s) {
   detail::visit_area(v, s);
   v.field("poisson_radius_m", s.poisson_radius_m, Range{0.8, 20},
           "Least distance between two poles' feet (Bridson 2007); smaller is harder.");
@@ -134,8 +134,8 @@ void visit(Visitor& v, PolesSpec& s) {
   detail::visit_heights(v, s);
 }
 
-template <class Visitor>
-void visit(Visitor& v, OverhangsSpec& s) {
+template <class Visitor, ConstOr<OverhangsSpec> Spec>
+void visit(Visitor& v, Spec& s) {
   detail::visit_area(v, s);
   v.field("barrier_count", s.barrier_count, Range{1, 20}, "Barriers across the hall.");
   v.field("slot_height_m", s.slot_height_m, Range{0.4, 10},

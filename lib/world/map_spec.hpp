@@ -98,8 +98,8 @@ using MapSpec =
 
 /// The start and goal bands are at the ends of y, as in the original suites: a flight crosses the
 /// map along +y.
-template <class Visitor>
-void visit(Visitor& v, ForestSpec& s) {
+template <class Visitor, ConstOr<ForestSpec> Spec>
+void visit(Visitor& v, Spec& s) {
   v.field("area_m", s.area_m, Range{15, 200}, "Size in x and y; flights cross it along y.");
   v.field("poisson_radius_m", s.poisson_radius_m, Range{1.0, 20},
           "Least distance between two plants' feet (Bridson 2007); smaller is harder.");
@@ -111,8 +111,8 @@ void visit(Visitor& v, ForestSpec& s) {
           "Height of starts and goals above the ground.");
 }
 
-template <class Visitor>
-void visit(Visitor& v, HallSpec& s) {
+template <class Visitor, ConstOr<HallSpec> Spec>
+void visit(Visitor& v, Spec& s) {
   v.field("area_m", s.area_m, Range{10, 200}, "Size in x and y; flights cross it along y.");
   v.field("poisson_radius_m", s.poisson_radius_m, Range{1.0, 20},
           "Least distance between two cylinders' axes (Bridson 2007); smaller is harder.");
@@ -157,8 +157,8 @@ void visit_suite(Visitor& v, Spec& s, std::string_view range_origin_doc) {
           "Least and greatest height of goals above the ground.");
 }
 
-template <class Visitor>
-void visit(Visitor& v, AvoidbenchForestSpec& s) {
+template <class Visitor, ConstOr<AvoidbenchForestSpec> Spec>
+void visit(Visitor& v, Spec& s) {
   visit_suite(v, s,
               "Low corner of the flight space in the field, which begins at (0, 0). The original "
               "centres it across x; where it is along y is not published: here the middle too.");
@@ -167,8 +167,8 @@ void visit(Visitor& v, AvoidbenchForestSpec& s) {
           "Height between the lowest and the highest ground.");
 }
 
-template <class Visitor>
-void visit(Visitor& v, AvoidbenchIndoorSpec& s) {
+template <class Visitor, ConstOr<AvoidbenchIndoorSpec> Spec>
+void visit(Visitor& v, Spec& s) {
   visit_suite(v, s,
               "Low corner of the flight space in the field, which begins at (0, 0); the original's "
               "field begins 0.8 m behind the flight space's edge.");
@@ -181,8 +181,8 @@ void visit(Visitor& v, AvoidbenchIndoorSpec& s) {
           "Strength of the cylinders' painted pattern: low is bland. Does not move any obstacle.");
 }
 
-template <class Visitor>
-void visit(Visitor& v, MapSpec& s) {
+template <class Visitor, ConstOr<MapSpec> Spec>
+void visit(Visitor& v, Spec& s) {
   v.variant("generator", s, "What makes the map.");
 }
 

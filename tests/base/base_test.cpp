@@ -105,21 +105,21 @@ struct Outer {
   std::vector<Inner> inner{{}, {}};
   std::variant<Round, Square> shape = Square{};
 };
-template <class V>
-void visit(V& v, Inner& s) {
+template <class V, ConstOr<Inner> Spec>
+void visit(V& v, Spec& s) {
   v.field("width_m", s.width_m, Range{0, 5}, "Width.");
   v.field("colour", s.colour, "Colour.");
 }
-template <class V>
-void visit(V& v, Round& s) {
+template <class V, ConstOr<Round> Spec>
+void visit(V& v, Spec& s) {
   v.field("radius_m", s.radius_m, "Radius.");
 }
-template <class V>
-void visit(V& v, Square& s) {
+template <class V, ConstOr<Square> Spec>
+void visit(V& v, Spec& s) {
   v.field("side_m", s.side_m, "Sides.");
 }
-template <class V>
-void visit(V& v, Outer& s) {
+template <class V, ConstOr<Outer> Spec>
+void visit(V& v, Spec& s) {
   v.field("seed", s.seed, "Seed.");
   v.field("name", s.name, "Name.");
   v.field("is_on", s.is_on, "On.");

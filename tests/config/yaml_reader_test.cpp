@@ -35,25 +35,25 @@ struct Camera {
   std::variant<Round, Square> shape;
 };
 
-template <class Visitor>
-void visit(Visitor& v, Lens& s) {
+template <class Visitor, ConstOr<Lens> Spec>
+void visit(Visitor& v, Spec& s) {
   v.field("focal_m", s.focal_m, Range{0.01, 1}, "Focal length.");
   v.field("offset_m", s.offset_m, Range{-5, 5}, "Offset.");
 }
-template <class Visitor>
-void visit(Visitor& v, Round& s) {
+template <class Visitor, ConstOr<Round> Spec>
+void visit(Visitor& v, Spec& s) {
   v.field("radius_m", s.radius_m, Range{0, 10}, "Radius.");
 }
-template <class Visitor>
-void visit(Visitor& v, Square& s) {
+template <class Visitor, ConstOr<Square> Spec>
+void visit(Visitor& v, Spec& s) {
   v.field("side_m", s.side_m, Range{0, 10}, "Side.");
 }
-template <class Visitor>
-void visit(Visitor& v, std::variant<Round, Square>& s) {
+template <class Visitor, ConstOr<std::variant<Round, Square>> Spec>
+void visit(Visitor& v, Spec& s) {
   v.variant("outline", s, "Outline.");
 }
-template <class Visitor>
-void visit(Visitor& v, Camera& s) {
+template <class Visitor, ConstOr<Camera> Spec>
+void visit(Visitor& v, Spec& s) {
   v.field("fov_x_deg", s.fov_x_deg, Range{10, 170}, "Field of view.");
   v.field("width_px", s.width_px, Range{8, 4096}, "Width.");
   v.field("seed", s.seed, "Seed.");
