@@ -1,30 +1,41 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 
 #include "sweep/sweep_spec.hpp"
 
 namespace avoidbench {
 
-/// The trial_key() and map_key() of many trials, much faster one after the other than each by
-/// itself: blocks of the spec that were seen before are not made into text again.
-class KeyMaker {
+/// A setting as canonical text, open where its trials differ: a trial's key is the digest of all of
+/// it. Canonical JSON has its keys sorted, so that latency_digest comes before mission_index.
+class KeyText {
  public:
-  std::string trial_key(const PlannedTrial& trial) { return trial_key(trial.spec()); }
-  std::string trial_key(const TrialSpec& spec);
-  std::string map_key(const PlannedTrial& trial) { return map_key(*trial.setting); }
-  std::string map_key(const TrialSpec& spec);
-
-  /// Canonical text of one field of TrialSpec; for the visitor in key_maker.cpp.
-  struct Block {
-    std::map<std::string, std::string> texts;  // by the field's bytes
-    const std::string* text = nullptr;         // of the trial at hand
-  };
+  explicit KeyText(const TrialSpec& setting);
+  std::string trial_key(std::int64_t mission_index, const std::string& latency_digest) const;
 
  private:
-  std::map<std::string, Block, std::less<>> blocks_;  // by name: the order of canonical JSON
-  std::string canonical_, map_bytes_, map_key_;       // of the last trial
+  std::string before_digest_, before_index_, after_index_;
+  bool has_digest_ = false;
+};
+
+/// The trial_key() and map_key() of many trials: what they follow from is made into text once for
+/// each setting.
+class KeyMaker {
+ public:
+  std::string trial_key(const PlannedTrial& trial);
+  std::string map_key(const PlannedTrial& trial);
+
+ private:
+  struct Setting {
+    std::shared_ptr<const TrialSpec> spec;  ///< kept, so that no other spec gets its address
+    KeyText text;
+    std::string map_key;  ///< "" until it was asked for
+  };
+  Setting& of(const PlannedTrial& trial);
+
+  std::map<const TrialSpec*, Setting> settings_;
 };
 
 }  // namespace avoidbench

@@ -9,9 +9,11 @@
 
 #include "base/digest.hpp"
 #include "base/input_error.hpp"
+#include "base/spec_json.hpp"
 #include "small_sweep.hpp"
 #include "sweep/job.hpp"
 #include "sweep/key_maker.hpp"
+#include "sweep/recorded_latency.hpp"
 #include "sweep/schedule.hpp"
 #include "sweep/worker_process.hpp"
 
@@ -150,29 +152,50 @@ TEST(TrialKey, FollowsTheSpecAndNotThePath) {
   EXPECT_NE(map_key(spec), map_key(wide));
 }
 
+/// The key as it is defined: the digest of all the spec as one canonical text.
+std::string defined_key(const TrialSpec& spec) {
+  nlohmann::json fields = spec_to_json(spec);
+  fields["map"].erase("file");
+  fields["wind"]["field"].erase("file");
+  fields["planner"].erase("file");
+  fields["planner"].erase("plugin");
+  forget_unused_latency(fields);
+  return Digest().add(fields.dump()).add(std::uint64_t{kResultVersion}).hex();
+}
+
 TEST(KeyMaker, GivesTheSameKeysAsOneByOne) {
   SweepSpec sweep = small_sweep();
   sweep.axes.push_back({.path = "wind.mean_world_mps", .values = {{0, 0, 0}, {1e-9, 0.1, -3}}});
   sweep.axes.push_back({.path = "latency.mode", .values = {"zero", "fixed", "measured"}});
   sweep.axes.push_back({.path = "vehicle.body_size_m", .values = {{0.5, 0.5, 0.1}, {1, 1, 1}}});
-  sweep.trials = 300;  // more than it keeps of one field
-  std::vector<TrialSpec> trials;
-  for (const PlannedTrial& trial : expand(sweep)) trials.push_back(trial.spec());
-  trials.resize(3000);
-  trials.push_back(trials.front());
-  trials.back().map = ForestSpec{};
-  trials.push_back(trials.back());
-  trials.back().sensor.method = StereoSgmSpec{};
-  trials.push_back(trials.back());
-  trials.back().latency.mode = LatencyMode::replay;
-  trials.back().latency_digest = "ab";
+  sweep.trials = 30;
+  std::vector<PlannedTrial> trials = expand(sweep);
+  const auto add = [&](const auto& change) {
+    TrialSpec spec = *trials.back().setting;
+    change(spec);
+    trials.push_back({.setting = std::make_shared<const TrialSpec>(spec),
+                      .mission_index = 7,
+                      .latency_digest = {}});
+  };
+  add([](TrialSpec& spec) { spec.map = ForestSpec{}; });
+  add([](TrialSpec& spec) { spec.sensor.method = StereoSgmSpec{}; });
+  for (int i = 0; i < 1100; ++i) {  // more settings than it keeps
+    add([&](TrialSpec& spec) { spec.wind.mean_world_mps[2] = i; });
+  }
+  add([](TrialSpec& spec) { spec.latency.mode = LatencyMode::replay; });
+  for (const char* digest : {"ab", "cd", "\"\u00e9\n"}) {
+    trials.push_back(trials.back());
+    trials.back().latency_digest = digest;
+  }
   trials.push_back(trials.front());
   KeyMaker keys;
   std::set<std::string> all;
-  for (const TrialSpec& trial : trials) {
-    ASSERT_EQ(keys.trial_key(trial), trial_key(trial));
-    ASSERT_EQ(keys.map_key(trial), map_key(trial));
-    all.insert(trial_key(trial));
+  for (const PlannedTrial& trial : trials) {
+    const TrialSpec spec = trial.spec();
+    ASSERT_EQ(keys.trial_key(trial), defined_key(spec));
+    ASSERT_EQ(trial_key(spec), defined_key(spec));
+    ASSERT_EQ(keys.map_key(trial), map_key(spec));
+    all.insert(trial_key(spec));
   }
   EXPECT_EQ(all.size(), trials.size() - 1);
 }
