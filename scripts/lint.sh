@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # lint.sh [FILE…]: clang-format and clang-tidy over the given sources, or over those that changed (changed_files.sh) and a rotating
 # eighth of the others. --all: over all. --format-only: no clang-tidy. Uses the compile commands of build/clang.
-# Both of version 14 only: others format otherwise and have other checks. Without it nothing is checked, which is said.
+# Both of version 14 only: others format otherwise and have other checks. Without it only torn comments are found, which is said.
 # Of very many changed files clang-tidy looks at the twenty changed last, so that a test run stays short.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -36,6 +36,18 @@ if [ $all = 1 ]; then
 elif [ ${#files[@]} -eq 0 ]; then
   mapfile -t files < <(scripts/changed_files.sh | grep -E '^(apps|lib|planners|tests)/.*\.(cpp|hpp|h|c)$' || true)
   rotating=1
+fi
+
+# torn FILE…: comments behind code that go on in the next line, as clang-format leaves those that do not fit.
+torn() {
+  awk 'FNR == 1 { column = 0 }
+       /^ *\/\/\/</ || (match($0, /^ +\/\//) && RLENGTH - 1 == column) { print FILENAME ":" FNR ": " $0; any = 1 }
+       { column = match($0, /[^ \/] +\/\//) ? RSTART + RLENGTH - 2 : 0 }
+       END { exit any }' "$@"
+}
+
+if [ ${#files[@]} -gt 0 ]; then
+  torn "${files[@]}" || { echo "a comment that does not fit behind its code goes on the line above it" >&2; exit 1; }
 fi
 format=$(of_version clang-format)
 if [ -n "$format" ] && [ ${#files[@]} -gt 0 ]; then

@@ -151,8 +151,8 @@ int main(int argc, char** argv) {
   avoidbench::make_streams_visible();
   const int code = avoidbench::guarded_program(argc, argv);
   std::cout.flush();
-  if (avoidbench::PlannerLibrary::is_any_loaded()) {  // their destructors may change the code, or
-                                                      // hang
+  // Planners' destructors may change the code, or hang.
+  if (avoidbench::PlannerLibrary::is_any_loaded()) {
     std::fflush(nullptr);
     ::_exit(code);
   }

@@ -16,9 +16,10 @@ struct Range {
 
 /// Each spec struct has one free function beside it,
 ///
-///     template <class Visitor, ConstOr<ForestSpec> Spec>
-///     void visit(Visitor& v, Spec& s) {
-///       v.field("poisson_radius_m", s.poisson_radius_m, Range{0.5, 50}, "Least distance.");
+///     template <class Visitor>
+///     void visit(Visitor& v, ForestSpec& s) {
+///       v.field("poisson_radius_m", s.poisson_radius_m, Range{0.5, 50},
+///               "Least distance between two plants.");
 ///       …
 ///     }
 ///

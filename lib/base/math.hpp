@@ -21,9 +21,9 @@ double asin(double x);  ///< by atan2: 3 ulp; NaN outside [-1, 1]
 double acos(double x);  ///< by atan2: 3 ulp; NaN outside [-1, 1]
 double exp(double x);
 double log(double x);
-double pow(double base, double exponent);  ///< base > 0; exp(exponent log(base)): relative error
-                                           ///< 1e-13 for |result| near 1
-double hypot(double x, double y);          ///< sqrt(x² + y²) without care for overflow
+/// For base > 0: exp(exponent log(base)), with a relative error of 1e-13 for |result| near 1.
+double pow(double base, double exponent);
+double hypot(double x, double y);  ///< sqrt(x² + y²) without care for overflow
 
 /// The angle in (-π, π] that differs from `angle_rad` by whole turns.
 double wrapped_angle(double angle_rad);

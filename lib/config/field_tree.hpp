@@ -35,8 +35,8 @@ struct FieldTree {
   std::vector<std::string> choices;  ///< of a choice; of a variant its kinds
   std::optional<std::size_t> count;  ///< of a list, where it is fixed
   nlohmann::json preset;             ///< what it is where nothing is said; null for blocks
-  std::vector<FieldTree> fields;     ///< of a block; of a list one, its element; of a variant a
-                                     ///< block for each kind
+  /// Of a block; of a list one, its element; of a variant a block for each kind.
+  std::vector<FieldTree> fields;
 
   /// The field of this name in a block, or null. Looks not into variants.
   const FieldTree* find(std::string_view field) const;

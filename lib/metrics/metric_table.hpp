@@ -43,8 +43,8 @@ struct MetricDef {
   std::string_view source;
   Better better;
   Population population;
-  bool is_measured;  ///< taken from the host's clock: differs from run to run, left out of exact
-                     ///< comparisons
+  /// Taken from the host's clock: differs from run to run, left out of exact comparisons.
+  bool is_measured;
   double (*compute)(const MetricInput&);
 };
 

@@ -11,8 +11,9 @@ struct Contrast {
   double smoothed_factor = 0.0;  ///< with Jeffreys-smoothed rates
   Interval smoothed_interval;    ///< BCa bootstrap over maps, 95 %; NaN for fewer than kLeastMaps
   double fisher_p = 1.0;         ///< that the success rates are equal, on missions like these
-  double map_p = 1.0;  ///< the same on maps like these: Wilcoxon's test of the maps' rates; NaN
-                       ///< for fewer than kLeastMapsToTest
+  /// The same on maps like these: Wilcoxon's test of the maps' rates; NaN for fewer than
+  /// kLeastMapsToTest.
+  double map_p = 1.0;
 
   bool is_clear() const { return fisher_p < kAlpha && !(map_p >= kAlpha); }
 };

@@ -20,8 +20,8 @@ struct Cell {
 enum class Place {
   key,    ///< names the row: left-aligned
   value,  ///< a number or text
-  bound,  ///< lower, then upper end of the interval of the value column before: in brackets beside
-          ///< it
+  /// Lower, then upper end of the interval of the value column before: in brackets beside it.
+  bound,
   machine,  ///< left out of what people read
 };
 

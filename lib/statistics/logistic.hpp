@@ -14,8 +14,9 @@ struct LogisticFit {
   double intercept = std::numeric_limits<double>::quiet_NaN();
   double slope = std::numeric_limits<double>::quiet_NaN();
   std::array<double, 3> covariance{};  ///< variance of the intercept, covariance, of the slope
-  bool is_separated = false;  ///< some x has all failures on one side and all successes on the
-                              ///< other, so that no finite slope is likeliest; all equal, too
+  /// Some x has all failures on one side and all successes on the other, so that no finite slope is
+  /// likeliest; all equal, too.
+  bool is_separated = false;
   bool is_converged = false;  ///< the numbers are there; else they are NaN
 
   double midpoint() const;  ///< the x of probability 1/2; NaN where there is none

@@ -12,8 +12,9 @@ namespace avoidbench {
 struct CollisionCheck {
   Eigen::Vector3d body_size_m = Eigen::Vector3d::Zero();
   Eigen::Vector3d asked_at_world = Eigen::Vector3d::Zero();
-  double free_radius_m = -1.0;  ///< the centre may move this far from asked_at_world without a
-                                ///< contact; < 0: unknown. Less what obstacles may have moved since
+  /// The centre may move this far from asked_at_world without a contact; < 0: unknown. Less what
+  /// obstacles may have moved since.
+  double free_radius_m = -1.0;
 };
 
 /// The triangle that the body at `T_world_body` touches, exactly, or nothing.

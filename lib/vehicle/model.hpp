@@ -36,8 +36,8 @@ struct VehicleModel {
   std::array<std::array<double, 4>, kMaxRotors> mixing{};
 
   RotorVector hover_speed_radps;
-  Eigen::Vector3d drag_per_s;  ///< drag over mass and velocity at hover, body axes: what the
-                               ///< controller compensates
+  /// Drag over mass and velocity at hover, body axes: what the controller compensates.
+  Eigen::Vector3d drag_per_s;
 
   BrakingCurve speed_curve, yaw_curve;
   double acceleration_gain = 0.0, acceleration_jerk = 0.0;  ///< the governor's velocity loop
