@@ -13,8 +13,9 @@ A file is a list of steps, run in a new empty folder:
     ~~~ bad.yaml                            a file to write, up to the closing ~~~
     ~~~
 
-An expected line `...` stands for any number of lines, and `...` within a line for any text. In commands and expected lines
-@SOURCE@ the source tree, @PLUGINS@ the folder of bad planners.
+An expected line `...` stands for any number of lines, and `...` within a line for any text. A backslash at the beginning of an
+expected line is left out, so that what would begin something else can be expected: `\\# a heading`, `\\$ a command`, `\\~~~ text`. In
+commands and expected lines @SOURCE@ is the source tree, @PLUGINS@ the folder of bad planners. A file without a command fails.
 """
 import argparse
 import os
@@ -52,9 +53,11 @@ def parse(text):
         elif line.startswith("# "):
             stream = None
         elif stream is not None:
-            current[stream].append(line)
+            current[stream].append(line.removeprefix("\\"))
         elif line.strip():
             raise SystemExit(f"line {i}: what is this? {line}")
+    if not any(step[0] == "run" for step in steps):
+        raise SystemExit("no command to run")
     return steps
 
 
