@@ -37,12 +37,4 @@ void run_conformance(const std::filesystem::path& file,
   }
 }
 
-std::vector<ConformanceResult> check_conformance(const std::filesystem::path& file) {
-  std::vector<ConformanceResult> results;
-  run_conformance(
-      file, [](const ConformanceResult&) {},
-      [&](const ConformanceResult& result) { results.push_back(result); });
-  return results;
-}
-
 }  // namespace avoidbench

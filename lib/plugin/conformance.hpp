@@ -16,12 +16,9 @@ struct ConformanceResult {
   std::string finding;  ///< empty when passed
 };
 
-/// Runs every rule of the planner interface on the library at `file`, in this process: a planner
-/// that crashes ends it, see below. Loading is the first rule; where it fails, no other is tried.
-std::vector<ConformanceResult> check_conformance(const std::filesystem::path& file);
-
-/// As check_conformance, by run_isolated with `time_limit_s` of wall time: a crash or a hang fails
-/// the rule that was being tried and ends the check there.
+/// Runs every rule of the planner interface on the library at `file`, by run_isolated with
+/// `time_limit_s` of wall time: a crash or a hang fails the rule that was being tried and ends the
+/// check there. Loading is the first rule; if it fails, no other is tried.
 std::vector<ConformanceResult> check_conformance_isolated(const std::filesystem::path& file,
                                                           double time_limit_s = 120.0);
 

@@ -7,7 +7,8 @@
 
 namespace avoidbench {
 
-/// Runs the rules on `file`; `begin` hears each rule before it is tried, `end` after.
+/// Runs the rules on `file` in this process: a planner that crashes ends it. `begin` hears each
+/// rule before it is tried, `end` after.
 void run_conformance(const std::filesystem::path& file,
                      const std::function<void(const ConformanceResult&)>& begin,
                      const std::function<void(const ConformanceResult&)>& end);

@@ -169,14 +169,6 @@ RotorLoads loads_now(const VehicleModel& model, const VehicleState& state) {
 
 }  // namespace
 
-double rotor_speed_after(const VehicleModel& model, double speed_radps, double command_radps,
-                         double dt_s) {
-  const double target = std::clamp(command_radps, 0.0, model.spec.max_rotor_speed_radps);
-  const double lag_s =
-      target > speed_radps ? model.spec.time_constant_up_s : model.spec.time_constant_down_s;
-  return target + (speed_radps - target) * math::exp(-dt_s / lag_s);
-}
-
 VehicleState step_by(const VehicleModel& model, const VehicleState& state,
                      const RotorVector& command_radps, const Environment& environment,
                      double dt_s) {

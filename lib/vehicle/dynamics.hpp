@@ -8,18 +8,14 @@
 
 namespace avoidbench {
 
-/// A rotor's speed `dt_s` after a constant command: first-order lag towards it with the up or the
-/// down time constant, solved exactly for any dt. The command is limited to zero to the greatest
-/// speed.
-double rotor_speed_after(const VehicleModel& model, double speed_radps, double command_radps,
-                         double dt_s);
-
 /// The state one step later, under constant rotor commands and environment.
 ///
 /// Equations and coefficients are those of RotorS (gazebo_motor_model.cpp) on one rigid body: per
 /// rotor thrust k_f Ω², drag and rolling moment linear in Ω times the hub's air speed across the
 /// axis, drag torque k_m times thrust; the rotors' spin as a gyroscopic torque; optionally their
-/// reaction torque and drag of the body. Integrated by classic RK4 with the exact rotor speeds at
+/// reaction torque and drag of the body. Rotor speeds lag behind the commands, limited to zero to
+/// the greatest speed, to first order with the up or the down time constant, solved exactly for any
+/// length of step. The body's motion is integrated by classic RK4 with these speeds at
 /// the stages, so of fourth order whichever way each rotor goes; the quaternion is normalised after
 /// each step.
 VehicleState step(const VehicleModel& model, const VehicleState& state,

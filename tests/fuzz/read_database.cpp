@@ -13,10 +13,10 @@
 #include "report/summary.hpp"
 #include "report/sweep_tables.hpp"
 #include "report/trial_table.hpp"
-#include "store/canonical_rows.hpp"
 #include "store/merge.hpp"
 #include "store/row_digest.hpp"
 #include "store/sample_rows.hpp"
+#include "support/canonical_rows.hpp"
 #include "sweep/replay.hpp"
 #include "sweep/sweep_rows.hpp"
 
@@ -182,7 +182,7 @@ void read_as_command_does(int command, const std::filesystem::path& file) {
     if (command != 2) return;
     pass_over_input_errors([&] { replay(db); });
     pass_over_input_errors([&] { check_digests(db, true); });
-    pass_over_input_errors([&] { canonical_rows(db); });
+    pass_over_input_errors([&] { test::canonical_rows(db); });
     pass_over_input_errors([&] { sweep_completeness(db); });
     pass_over_input_errors([&] { db.mean_costs(); });
   });

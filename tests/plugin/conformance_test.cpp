@@ -4,10 +4,12 @@
 #include <ostream>
 
 #include "plugin/bad_planners.hpp"
+#include "support/conformance.hpp"
 
 namespace avoidbench {
 namespace {
 
+using test::check_conformance;
 using testing::HasSubstr;
 
 TEST(Conformance, HonestPlannersPassEveryRule) {

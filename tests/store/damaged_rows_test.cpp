@@ -2,19 +2,20 @@
 #include <sqlite3.h>
 
 #include "base/input_error.hpp"
-#include "store/canonical_rows.hpp"
 #include "store/merge.hpp"
 #include "store/row_digest.hpp"
 #include "store/sample_rows.hpp"
 #include "store/stored_text.hpp"
 #include "store/trial_table.hpp"
 #include "store/visit_trials.hpp"
+#include "support/canonical_rows.hpp"
 
 /// Rows that the program never writes: found and named, whoever reads them.
 namespace avoidbench {
 namespace {
 
 using namespace sample_rows;
+using test::canonical_rows;
 
 constexpr const char* kSweepJson =
     R"({"trials":2,"planners":[{},{}],"axes":[{"path":"map_seed","values":[1,2]}]})";

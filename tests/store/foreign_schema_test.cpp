@@ -4,16 +4,17 @@
 #include <set>
 
 #include "base/input_error.hpp"
-#include "store/canonical_rows.hpp"
 #include "store/merge.hpp"
 #include "store/sample_rows.hpp"
 #include "store/trial_table.hpp"
+#include "support/canonical_rows.hpp"
 
 /// Files whose schema is not what the program makes: by another hand, or on purpose.
 namespace avoidbench {
 namespace {
 
 using namespace sample_rows;
+using test::canonical_rows;
 
 void run_sql(const std::filesystem::path& path, const std::string& sql) {
   sqlite3* handle = nullptr;

@@ -5,13 +5,14 @@
 
 #include "base/input_error.hpp"
 #include "sample_rows.hpp"
-#include "store/canonical_rows.hpp"
 #include "store/record_format.hpp"
+#include "support/canonical_rows.hpp"
 
 namespace avoidbench {
 namespace {
 
 using namespace sample_rows;  // NOLINT(google-build-using-namespace): a test's own rows
+using test::canonical_rows;
 
 constexpr const char* kSweepJson =
     R"({"trials":2,"planners":[{},{}],"axes":[{"path":"map_seed","values":[1,2]}]})";

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "metrics/metric_table.hpp"
-#include "store/canonical_rows.hpp"
+#include "support/canonical_rows.hpp"
 #include "support/planner_files.hpp"
 #include "sweep/run_sweep.hpp"
 

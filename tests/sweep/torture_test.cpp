@@ -28,7 +28,7 @@ std::string good_rows(const Database& database) {
   for (const TrialListing& trial : database.list_trials()) {
     if (trial.planner_label.starts_with("torture")) planners[trial.key] = trial.planner_label;
   }
-  std::istringstream lines(canonical_rows(database));
+  std::istringstream lines(test::canonical_rows(database));
   for (std::string line; std::getline(lines, line);) {
     bool is_bad = line.starts_with("sweep\t") || line.find("torture") != std::string::npos;
     for (const auto& [key, label] : planners) {

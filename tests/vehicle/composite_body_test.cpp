@@ -1,15 +1,52 @@
-#include "vehicle/composite_body.hpp"
-
 #include <gtest/gtest.h>
 
+#include <Eigen/Core>
+#include <span>
 #include <vector>
 
 #include "vehicle/vehicle_spec.hpp"
 
+/// The vehicles' masses, inertias and rotor heights are those of RotorS' parts, lumped.
 namespace avoidbench {
 namespace {
 
 using Eigen::Vector3d;
+
+/// One rigid part: its mass, where its centre of gravity is, and its moments about that along the
+/// common axes.
+struct BodyPart {
+  double mass_kg = 0.0;
+  Vector3d position_m = Vector3d::Zero();
+  Vector3d inertia_kgm2 = Vector3d::Zero();
+};
+
+/// The one rigid body that `parts` make: mass, common centre of gravity, moments about it (parallel
+/// axes). Products of inertia are left out; they cancel where the parts are symmetric.
+BodyPart composite_body(std::span<const BodyPart> parts) {
+  BodyPart body;
+  Vector3d first_moment = Vector3d::Zero();
+  for (const BodyPart& part : parts) {
+    body.mass_kg += part.mass_kg;
+    first_moment += part.mass_kg * part.position_m;
+  }
+  body.position_m = first_moment / body.mass_kg;
+  for (const BodyPart& part : parts) {
+    const Vector3d r = part.position_m - body.position_m;
+    const Vector3d squares = r.cwiseProduct(r);
+    body.inertia_kgm2 += part.inertia_kgm2 + part.mass_kg * Vector3d(squares.y() + squares.z(),
+                                                                     squares.x() + squares.z(),
+                                                                     squares.x() + squares.y());
+  }
+  return body;
+}
+
+/// A freely spinning rotor with these moments as a part: about its axis it carries none of the
+/// body's turning, across it the mean of its two moments.
+BodyPart spinning_rotor(double mass_kg, const Vector3d& position_m,
+                        const Vector3d& rotor_inertia_kgm2) {
+  const double across = 0.5 * (rotor_inertia_kgm2.x() + rotor_inertia_kgm2.y());
+  return {mass_kg, position_m, {across, across, 0.0}};
+}
 
 /// RotorS' parts: base, rotors, the IMU and three virtual sensors at the base's origin.
 BodyPart lumped(double base_kg, const Vector3d& base_inertia, const VehicleSpec& layout,

@@ -42,17 +42,24 @@ TEST(Rotor, ThrustToWeight) {
   EXPECT_NEAR(6 * hexa.max_rotor_thrust_n / (1.54503 * 9.8), 2.37887, 1e-5);
 }
 
+/// A rotor's speed `dt_s` after a constant command, in one step of that length.
+double speed_after(const VehicleModel& model, double speed_radps, double command_radps,
+                   double dt_s) {
+  return step_by(model, still(model, speed_radps), all_rotors(model, command_radps), {}, dt_s)
+      .rotor_speed_radps[0];
+}
+
 TEST(Rotor, LagIsExactForAnyStep) {
   const VehicleModel model = make_model(hummingbird_spec());
   const double e = std::exp(-1.0);
-  EXPECT_NEAR(rotor_speed_after(model, 0.0, 838.0, 0.0125), 529.717028, 1e-6);
-  EXPECT_NEAR(std::pow(rotor_speed_after(model, 0.0, 838.0, 0.0125) / 838.0, 2), 0.399576, 1e-6);
-  EXPECT_NEAR(rotor_speed_after(model, 838.0, 0.0, 0.025), 838.0 * e, 1e-9 * 838);
+  EXPECT_NEAR(speed_after(model, 0.0, 838.0, 0.0125), 529.717028, 1e-6);
+  EXPECT_NEAR(std::pow(speed_after(model, 0.0, 838.0, 0.0125) / 838.0, 2), 0.399576, 1e-6);
+  EXPECT_NEAR(speed_after(model, 838.0, 0.0, 0.025), 838.0 * e, 1e-9 * 838);
   // The time from 10 to 90 % is τ ln 9.
-  EXPECT_NEAR(rotor_speed_after(model, 83.8, 838.0, 0.027465307), 754.2, 1e-5);
-  EXPECT_NEAR(rotor_speed_after(model, 754.2, 0.0, 0.054930614), 83.8, 1e-5);
-  EXPECT_EQ(rotor_speed_after(model, 838.0, 1e9, 0.1), 838.0);
-  EXPECT_NEAR(rotor_speed_after(model, 100.0, -50.0, 10.0), 0.0, 1e-12);
+  EXPECT_NEAR(speed_after(model, 83.8, 838.0, 0.027465307), 754.2, 1e-5);
+  EXPECT_NEAR(speed_after(model, 754.2, 0.0, 0.054930614), 83.8, 1e-5);
+  EXPECT_EQ(speed_after(model, 838.0, 1e9, 0.1), 838.0);
+  EXPECT_NEAR(speed_after(model, 100.0, -50.0, 10.0), 0.0, 1e-12);
 }
 
 TEST(Rotor, StepFollowsTheExactLag) {

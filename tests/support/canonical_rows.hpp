@@ -4,7 +4,7 @@
 
 #include "store/database.hpp"
 
-namespace avoidbench {
+namespace avoidbench::test {
 
 /// Every deterministic value of the database as text, one row a line, in an order that does not
 /// depend on insertion: equal sweeps give equal texts on every machine. Trajectories and plan calls
@@ -12,7 +12,4 @@ namespace avoidbench {
 /// name paths (the keys are their digests).
 std::string canonical_rows(const Database& database);
 
-/// SHA-256 of canonical_rows().
-std::string table_digest(const Database& database);
-
-}  // namespace avoidbench
+}  // namespace avoidbench::test

@@ -1,12 +1,11 @@
-#include "store/canonical_rows.hpp"
+#include "support/canonical_rows.hpp"
 
-#include "base/digest.hpp"
 #include "base/number_text.hpp"
 #include "store/record_format.hpp"
 #include "store/schema_check.hpp"
 #include "store/statement.hpp"
 
-namespace avoidbench {
+namespace avoidbench::test {
 namespace {
 
 /// One table: a query of the text columns first, then of the numbers.
@@ -109,6 +108,4 @@ std::string canonical_rows(const Database& db) {
   return rows;
 }
 
-std::string table_digest(const Database& db) { return Digest().add(canonical_rows(db)).hex(); }
-
-}  // namespace avoidbench
+}  // namespace avoidbench::test
