@@ -71,7 +71,7 @@ TEST_F(SweepFiles, EveryKeyIsExplainedAndItsExamplesAreGood) {
   EXPECT_GT(axes, 180);
 }
 
-TEST_F(SweepFiles, AFieldIsToldWithRangeDefaultAndUnit) {
+TEST_F(SweepFiles, AFieldIsReportedWithRangeDefaultAndUnit) {
   const std::vector<Explanation> found = explain("maps.bush_ratio", {});
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].title, "maps.bush_ratio: Fraction of the plants that are bushes.");
@@ -85,7 +85,7 @@ TEST_F(SweepFiles, AFieldIsToldWithRangeDefaultAndUnit) {
   EXPECT_GT(explain("maps.poisson_radius_m", {}).size(), 1U);  // generators differ
 }
 
-TEST_F(SweepFiles, BlocksKindsAndPlannersAreToldWithTheirKeys) {
+TEST_F(SweepFiles, BlocksKindsAndPlannersAreReportedWithTheirKeys) {
   EXPECT_EQ(explain("latency", {})[0].keys.size(), 4U);
   EXPECT_EQ(explain("maps.hall", {})[0].keys.front().front(), "area_m");
   EXPECT_EQ(explain("sensor", {}).size(), 2U);  // its keys, and its kinds

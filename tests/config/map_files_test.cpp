@@ -11,7 +11,7 @@ std::string sweep_of(const std::string& map) {
   return "sweep: own\nplanners: [tunable]\nmaps:\n  generator: mesh\n" + map;
 }
 
-TEST_F(MapFiles, a_path_is_relative_to_the_sweeps_folder_and_its_digest_is_filled_in) {
+TEST_F(MapFiles, APathIsRelativeToTheSweepsFolderAndItsDigestIsFilledIn) {
   const std::filesystem::path obj = write("maps/a.obj", "v 0 0 0\n");
   const std::filesystem::path yaml = write("sweeps/s.yaml", sweep_of("  file: ../maps/a.obj\n"));
   const SweepSpec sweep = read_sweep(yaml, {});
@@ -22,7 +22,7 @@ TEST_F(MapFiles, a_path_is_relative_to_the_sweeps_folder_and_its_digest_is_fille
   EXPECT_NE(std::get<MeshSpec>(read_sweep(yaml, {}).base.map).file_digest, spec.file_digest);
 }
 
-TEST_F(MapFiles, several_files_are_an_axis) {
+TEST_F(MapFiles, SeveralFilesAreAnAxis) {
   write("a.obj", "v 0 0 0\n");
   write("b.obj", "v 1 0 0\n");
   const SweepSpec sweep = read(sweep_of("  file: [a.obj, b.obj]\n"));
@@ -34,7 +34,7 @@ TEST_F(MapFiles, several_files_are_an_axis) {
             "s.yaml:6:16: maps.file_digest: can't be that of several files");
 }
 
-TEST_F(MapFiles, what_is_wrong_is_told_with_its_place) {
+TEST_F(MapFiles, WhatIsWrongIsReportedWithItsPlace) {
   const std::string digest = file_digest(write("a.obj", "v 0 0 0\n").string());
   EXPECT_EQ(problems(sweep_of("  file: none.obj\n")), "s.yaml:5:9: maps.file: no file none.obj");
   EXPECT_EQ(problems(sweep_of("  file: .\n")),

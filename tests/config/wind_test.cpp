@@ -30,7 +30,7 @@ TEST_F(WindBlock, AnyScalarIsAnAxis) {
   EXPECT_EQ(sweep.axes[5].values[1], "given");
 }
 
-TEST_F(WindBlock, WhatIsWrongIsToldWithItsPlace) {
+TEST_F(WindBlock, WhatIsWrongIsReportedWithItsPlace) {
   EXPECT_EQ(
       problems(kSweep + "wind: {gust: {period_s: 1}}\n"),
       "s.yaml:3:25: wind.gust.period_s: shorter than a gust with its jitter (2 rise_s + hold_s "

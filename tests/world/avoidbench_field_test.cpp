@@ -20,7 +20,7 @@ std::vector<std::int32_t> glibc(std::uint32_t seed) {
 }
 
 // Printed by glibc 2.36.
-TEST(GlibcRandom, draws_what_glibc_does) {
+TEST(GlibcRandom, DrawsWhatGlibcDoes) {
   using Values = std::vector<std::int32_t>;
   EXPECT_EQ(glibc(1), (Values{1804289383, 846930886, 1681692777, 1714636915, 1957747793}));
   EXPECT_EQ(glibc(0), glibc(1));
@@ -30,7 +30,7 @@ TEST(GlibcRandom, draws_what_glibc_does) {
   EXPECT_EQ(glibc(2147483648U), (Values{1336741213, 1210407648, 1447044896, 337392383, 82502902}));
 }
 
-TEST(GlibcRandom, keeps_to_the_recurrence_without_its_lowest_bit) {
+TEST(GlibcRandom, KeepsToTheRecurrenceWithoutItsLowestBit) {
   GlibcRandom random(7);
   std::vector<std::uint32_t> values;
   for (int i = 0; i < 2000; ++i) values.push_back(static_cast<std::uint32_t>(random.next()));
@@ -41,7 +41,7 @@ TEST(GlibcRandom, keeps_to_the_recurrence_without_its_lowest_bit) {
   }
 }
 
-TEST(DotnetRandom, draws_what_dotnet_does) {
+TEST(DotnetRandom, DrawsWhatDotnetDoes) {
   EXPECT_EQ(DotnetRandom(0).next(), 1559595546);
   EXPECT_EQ(DotnetRandom(42).next(), 1434747710);
   EXPECT_DOUBLE_EQ(DotnetRandom(0).next_double(), 0.7262432699679598);
@@ -49,7 +49,7 @@ TEST(DotnetRandom, draws_what_dotnet_does) {
   EXPECT_EQ(DotnetRandom(INT32_MIN).next(), DotnetRandom(INT32_MAX).next());
 }
 
-TEST(DotnetRandom, whole_numbers_are_the_fractions_scaled) {
+TEST(DotnetRandom, WholeNumbersAreTheFractionsScaled) {
   DotnetRandom whole(5), fractions(5);
   for (int i = 0; i < 1000; ++i) {
     const int value = whole.next(-3, 100);
@@ -86,21 +86,21 @@ constexpr Golden kIndoor[] = {{1, "3.4600 143 35 (0.000,21.699) (0.644,16.180) (
                               {3, "2.8450 7 49 (0.000,19.828) (5.393,21.301) (2.671,16.384)"},
                               {4, "3.4000 99 38 (0.000,29.035) (3.086,26.884) (0.301,23.084)"}};
 
-TEST(AvoidbenchField, outdoor_fields_are_the_originals) {
+TEST(AvoidbenchField, OutdoorFieldsAreTheOriginals) {
   for (const Golden& golden : kOutdoor) {
     EXPECT_EQ(line(make_avoidbench_field(field_suite(AvoidbenchForestSpec{}), golden.map)),
               golden.line);
   }
 }
 
-TEST(AvoidbenchField, indoor_fields_are_the_originals) {
+TEST(AvoidbenchField, IndoorFieldsAreTheOriginals) {
   for (const Golden& golden : kIndoor) {
     EXPECT_EQ(line(make_avoidbench_field(field_suite(AvoidbenchIndoorSpec{}), golden.map)),
               golden.line);
   }
 }
 
-TEST(AvoidbenchField, no_two_places_are_nearer_than_the_radius) {
+TEST(AvoidbenchField, NoTwoPlacesAreNearerThanTheRadius) {
   for (std::uint64_t map = 5; map < 15; ++map) {
     const auto field = make_avoidbench_field(field_suite(AvoidbenchIndoorSpec{}), map);
     const auto& places = field.positions_m;

@@ -26,7 +26,7 @@ std::string error_of(const MapSpec& spec) {
   return {};
 }
 
-TEST(AvoidbenchForest, has_the_plants_within_20_m_of_the_flight_space) {
+TEST(AvoidbenchForest, HasThePlantsWithinTwentyMetresOfTheFlightSpace) {
   const AvoidbenchForestSpec spec;
   const World world = make_world(spec, 1);
   std::vector<Eigen::Vector2d> expected;
@@ -45,7 +45,7 @@ TEST(AvoidbenchForest, has_the_plants_within_20_m_of_the_flight_space) {
   EXPECT_GT(world.mean_obstacle_width_m, 0.1);
 }
 
-TEST(AvoidbenchForest, bands_and_bounds_are_those_of_the_original) {
+TEST(AvoidbenchForest, BandsAndBoundsAreThoseOfTheOriginal) {
   const World world = make_world(AvoidbenchForestSpec{}, 2);
   EXPECT_EQ(world.start_region.lowest, Eigen::Vector3d(0.0, 0.0, 2.0));
   EXPECT_EQ(world.start_region.highest, Eigen::Vector3d(40.0, 6.0, 2.0));
@@ -56,7 +56,7 @@ TEST(AvoidbenchForest, bands_and_bounds_are_those_of_the_original) {
   EXPECT_TRUE(world.heights_above_ground);
 }
 
-TEST(AvoidbenchForest, a_plant_stays_what_it_is_where_the_flight_space_moves) {
+TEST(AvoidbenchForest, APlantStaysWhatItIsWhereTheFlightSpaceMoves) {
   AvoidbenchForestSpec here, there;
   there.range_origin_m = {55.0, 62.0};
   const World a = make_world(here, 3);
@@ -75,13 +75,13 @@ TEST(AvoidbenchForest, a_plant_stays_what_it_is_where_the_flight_space_moves) {
   EXPECT_GT(same, a.obstacles.size() * 3 / 4);
 }
 
-TEST(AvoidbenchForest, about_two_fifths_are_bushes) {
+TEST(AvoidbenchForest, AboutTwoFifthsAreBushes) {
   const std::map<std::string, int> kinds = counts(make_world(AvoidbenchForestSpec{}, 4));
   const double bushes = kinds.at("bush");
   EXPECT_NEAR(bushes / (bushes + kinds.at("tree")), 0.4, 0.05);
 }
 
-TEST(AvoidbenchIndoor, cylinders_are_the_originals) {
+TEST(AvoidbenchIndoor, CylindersAreTheOriginals) {
   const AvoidbenchIndoorSpec spec;
   const World world = make_world(spec, 3);
   const auto field = make_avoidbench_field(field_suite(spec), 3);
@@ -103,7 +103,7 @@ TEST(AvoidbenchIndoor, cylinders_are_the_originals) {
   }
 }
 
-TEST(AvoidbenchIndoor, hall_ends_behind_the_cylinders) {
+TEST(AvoidbenchIndoor, HallEndsBehindTheCylinders) {
   const World world = make_world(AvoidbenchIndoorSpec{}, 1);
   EXPECT_EQ(counts(world)["wall"], 4);
   EXPECT_EQ(world.flight_bounds.max(), Eigen::Vector3d(20.0, 30.0, 4.0));
@@ -115,7 +115,7 @@ TEST(AvoidbenchIndoor, hall_ends_behind_the_cylinders) {
   EXPECT_EQ(world.goal_region.highest, Eigen::Vector3d(18.0, 28.0, 3.0));
 }
 
-TEST(AvoidbenchIndoor, texture_opacity_moves_no_cylinder) {
+TEST(AvoidbenchIndoor, TextureOpacityMovesNoCylinder) {
   AvoidbenchIndoorSpec bold, bland;
   bland.texture_opacity = 0.25;
   const World a = make_world(bold, 2);
@@ -127,7 +127,7 @@ TEST(AvoidbenchIndoor, texture_opacity_moves_no_cylinder) {
   EXPECT_NE(a.digest, b.digest);
 }
 
-TEST(AvoidbenchWorlds, contradictions_are_the_users_errors) {
+TEST(AvoidbenchWorlds, ContradictionsAreTheUsersErrors) {
   EXPECT_EQ(error_of(AvoidbenchForestSpec{}), "");
   EXPECT_EQ(error_of(AvoidbenchIndoorSpec{}), "");
   AvoidbenchForestSpec forest;

@@ -16,7 +16,7 @@ std::vector<const Obstacle*> plants(const World& world) {
   return found;
 }
 
-TEST(Forest, ground_is_the_mesh_and_has_the_relief) {
+TEST(Forest, GroundIsTheMeshAndHasTheRelief) {
   ForestSpec spec;
   spec.ground_relief_m = 1.5;
   const World world = make_world(spec, 4);
@@ -38,7 +38,7 @@ TEST(Forest, ground_is_the_mesh_and_has_the_relief) {
   EXPECT_EQ(high, 1.5);
 }
 
-TEST(Forest, ground_is_continuous_and_undulates_gently) {
+TEST(Forest, GroundIsContinuousAndUndulatesGently) {
   const World world = make_world(ForestSpec{}, 5);
   constexpr double kStep_m = 0.01;
   double steepest = 0.0;
@@ -54,14 +54,14 @@ TEST(Forest, ground_is_continuous_and_undulates_gently) {
   EXPECT_EQ(ground_height_m(world, -1e4, 5.0), ground_height_m(world, -20.0, 5.0));
 }
 
-TEST(Forest, flat_where_no_relief_is_wanted) {
+TEST(Forest, FlatWhereNoReliefIsWanted) {
   ForestSpec spec;
   spec.ground_relief_m = 0.0;
   const World world = make_world(spec, 6);
   EXPECT_EQ(ground_height_m(world, 12.3, 4.5), 0.0);
 }
 
-TEST(Forest, plants_stand_on_the_ground_inside_the_area) {
+TEST(Forest, PlantsStandOnTheGroundInsideTheArea) {
   const World world = make_world(ForestSpec{}, 7);
   ASSERT_EQ(world.instances.size(), world.obstacles.size());
   for (std::size_t i = 1; i < world.instances.size(); ++i) {
@@ -82,7 +82,7 @@ TEST(Forest, plants_stand_on_the_ground_inside_the_area) {
   }
 }
 
-TEST(Forest, bush_ratio_is_met_and_moves_no_plant) {
+TEST(Forest, BushRatioIsMetAndMovesNoPlant) {
   ForestSpec few, many;
   few.bush_ratio = 0.2;
   many.bush_ratio = 0.6;
@@ -104,7 +104,7 @@ TEST(Forest, bush_ratio_is_met_and_moves_no_plant) {
   EXPECT_NEAR(bushes_b, 0.6 * count, 0.5);
 }
 
-TEST(Forest, relief_moves_no_plant_sideways) {
+TEST(Forest, ReliefMovesNoPlantSideways) {
   ForestSpec flat, hilly;
   flat.ground_relief_m = 0.0;
   hilly.ground_relief_m = 2.0;
@@ -116,7 +116,7 @@ TEST(Forest, relief_moves_no_plant_sideways) {
   }
 }
 
-TEST(Forest, bands_and_bounds_are_those_of_the_original) {
+TEST(Forest, BandsAndBoundsAreThoseOfTheOriginal) {
   const World world = make_world(ForestSpec{}, 10);
   EXPECT_EQ(world.start_region.lowest, Eigen::Vector3d(2.0, 0.0, 2.0));
   EXPECT_EQ(world.start_region.highest, Eigen::Vector3d(38.0, 6.0, 2.0));
@@ -129,7 +129,7 @@ TEST(Forest, bands_and_bounds_are_those_of_the_original) {
   EXPECT_EQ(world.bounds.max() - world.flight_bounds.max(), Eigen::Vector3d(3.0, 3.0, 0.0));
 }
 
-TEST(Forest, mean_width_is_that_of_the_plants) {
+TEST(Forest, MeanWidthIsThatOfThePlants) {
   const World world = make_world(ForestSpec{}, 11);
   double sum_m = 0.0;
   for (const Obstacle* plant : plants(world)) sum_m += plant->width_m;
@@ -137,7 +137,7 @@ TEST(Forest, mean_width_is_that_of_the_plants) {
               1e-12);
 }
 
-TEST(Forest, is_sparser_where_the_radius_is_larger) {
+TEST(Forest, IsSparserWhereTheRadiusIsLarger) {
   std::size_t before = 100000;
   for (const double radius_m : {2.3, 3.0, 4.0, 5.8}) {
     ForestSpec spec;
@@ -148,7 +148,7 @@ TEST(Forest, is_sparser_where_the_radius_is_larger) {
   }
 }
 
-TEST(Forest, large_map_shares_its_prototypes) {
+TEST(Forest, LargeMapSharesItsPrototypes) {
   ForestSpec spec;
   spec.area_m = {160.0, 160.0};
   spec.poisson_radius_m = 2.3;

@@ -9,7 +9,7 @@
 namespace avoidbench {
 namespace {
 
-TEST(Hall, has_a_shell_and_cylinders) {
+TEST(Hall, HasAShellAndCylinders) {
   std::map<std::string, int> counts;
   const World world = make_world(HallSpec{}, 1);
   for (const Obstacle& obstacle : world.obstacles) ++counts[obstacle.kind];
@@ -24,7 +24,7 @@ TEST(Hall, has_a_shell_and_cylinders) {
   EXPECT_FALSE(world.heights_above_ground);
 }
 
-TEST(Hall, shell_is_around_the_flight_space) {
+TEST(Hall, ShellIsAroundTheFlightSpace) {
   const World world = make_world(HallSpec{}, 2);
   const Aabb inside = world.flight_bounds;
   EXPECT_EQ(inside.max(), Eigen::Vector3d(20.0, 30.0, 5.0));
@@ -42,7 +42,7 @@ TEST(Hall, shell_is_around_the_flight_space) {
   EXPECT_TRUE(whole.contains(inside));
 }
 
-TEST(Hall, cylinders_reach_from_floor_to_ceiling_inside_the_walls) {
+TEST(Hall, CylindersReachFromFloorToCeilingInsideTheWalls) {
   const HallSpec spec;
   const World world = make_world(spec, 3);
   double sum_m = 0.0, count = 0.0;
@@ -70,7 +70,7 @@ TEST(Hall, cylinders_reach_from_floor_to_ceiling_inside_the_walls) {
   EXPECT_NEAR(world.mean_obstacle_width_m, sum_m / count, 1e-12);
 }
 
-TEST(Hall, texture_opacity_moves_nothing_but_changes_the_digest) {
+TEST(Hall, TextureOpacityMovesNothingButChangesTheDigest) {
   HallSpec bold, bland;
   bland.texture_opacity = 0.25;
   const World a = make_world(bold, 4);
@@ -87,7 +87,7 @@ TEST(Hall, texture_opacity_moves_nothing_but_changes_the_digest) {
   EXPECT_NE(a.digest, b.digest);
 }
 
-TEST(Hall, diameters_move_no_axis_but_by_the_wall_margin) {
+TEST(Hall, DiametersMoveNoAxisButByTheWallMargin) {
   HallSpec thin = {}, thick = {};
   thin.cylinder_diameter_m = {0.5, 1.0};
   thick.cylinder_diameter_m = {0.9, 1.0};
@@ -99,7 +99,7 @@ TEST(Hall, diameters_move_no_axis_but_by_the_wall_margin) {
   }
 }
 
-TEST(Hall, bands_are_at_the_ends_of_y) {
+TEST(Hall, BandsAreAtTheEndsOfY) {
   const World world = make_world(HallSpec{}, 6);
   EXPECT_EQ(world.start_region.lowest, Eigen::Vector3d(2.0, 1.0, 2.0));
   EXPECT_EQ(world.start_region.highest, Eigen::Vector3d(18.0, 4.5, 2.0));
@@ -107,7 +107,7 @@ TEST(Hall, bands_are_at_the_ends_of_y) {
   EXPECT_EQ(world.goal_region.highest, Eigen::Vector3d(18.0, 29.0, 2.0));
 }
 
-TEST(Hall, furniture_takes_its_share_of_the_places) {
+TEST(Hall, FurnitureTakesItsShareOfThePlaces) {
   const HallSpec plain{.area_m = {60.0, 60.0}};
   HallSpec spec = plain;
   spec.crates_ratio = 0.3;
@@ -148,13 +148,13 @@ TEST(Hall, furniture_takes_its_share_of_the_places) {
   EXPECT_NEAR(counts["pillar"] / places, 0.1, 0.08);
 }
 
-TEST(Hall, too_much_or_too_long_furniture_is_refused) {
+TEST(Hall, TooMuchOrTooLongFurnitureIsRefused) {
   EXPECT_THROW(make_world(HallSpec{.crates_ratio = 0.7, .pillar_ratio = 0.7}, 1), InputError);
   EXPECT_THROW(make_world(HallSpec{.poisson_radius_m = 1.9, .shelf_ratio = 0.1}, 1), InputError);
   EXPECT_THROW(make_world(HallSpec{.cylinder_height_m = {3.0, 2.0}}, 1), InputError);
 }
 
-TEST(Hall, moving_cylinders_keep_to_their_half_of_the_gap) {
+TEST(Hall, MovingCylindersKeepToTheirHalfOfTheGap) {
   const HallSpec spec{.poisson_radius_m = 3.0, .moving_ratio = 0.5, .moving_speed_mps = {0.5, 2.0}};
   const World world = make_world(spec, 5);
   EXPECT_GT(world.motions.size(), 10U);

@@ -30,7 +30,7 @@ std::string error_of(const MapSpec& spec) {
   return {};
 }
 
-TEST(MapSpec, digests_are_those_of_every_machine) {
+TEST(MapSpec, DigestsAreThoseOfEveryMachine) {
   EXPECT_EQ(make_world(ForestSpec{}, 42).digest, kForestDigest);
   EXPECT_EQ(make_world(HallSpec{}, 42).digest, kHallDigest);
   EXPECT_EQ(make_world(AvoidbenchForestSpec{}, 42).digest, kAvoidbenchForestDigest);
@@ -48,14 +48,14 @@ TEST(MapSpec, digests_are_those_of_every_machine) {
   }
 }
 
-TEST(MapSpec, other_seeds_give_other_maps_and_the_same_seed_the_same) {
+TEST(MapSpec, OtherSeedsGiveOtherMapsAndTheSameSeedTheSame) {
   for (const MapSpec& spec : {MapSpec(ForestSpec{}), MapSpec(HallSpec{})}) {
     EXPECT_EQ(make_world(spec, 1).digest, make_world(spec, 1).digest);
     EXPECT_NE(make_world(spec, 1).digest, make_world(spec, 2).digest);
   }
 }
 
-TEST(MapSpec, digest_sees_every_part) {
+TEST(MapSpec, DigestSeesEveryPart) {
   const World world = make_world(HallSpec{}, 1);
   const auto changed = [&](auto change) {
     World other = world;
@@ -79,7 +79,7 @@ TEST(MapSpec, digest_sees_every_part) {
   EXPECT_TRUE(changed([](World& w) { w.ground.heights_m.push_back(0.0F); }));
 }
 
-TEST(MapSpec, triangles_are_counted_per_instance) {
+TEST(MapSpec, TrianglesAreCountedPerInstance) {
   World world = make_world(HallSpec{}, 1);
   const std::size_t before = triangle_count(world);
   world.instances.push_back(world.instances[0]);
@@ -87,7 +87,7 @@ TEST(MapSpec, triangles_are_counted_per_instance) {
   EXPECT_GT(memory_bytes(world), 1000U);
 }
 
-TEST(MapSpec, contradictions_are_the_users_errors) {
+TEST(MapSpec, ContradictionsAreTheUsersErrors) {
   ForestSpec high;
   high.flight_height_m = 6.0;
   EXPECT_NE(error_of(high).find("flight_height_m"), std::string::npos);
@@ -105,7 +105,7 @@ TEST(MapSpec, contradictions_are_the_users_errors) {
   EXPECT_NE(error_of(crowded).find("cylinder_diameter_m"), std::string::npos);
 }
 
-TEST(MapSpec, numbers_outside_their_ranges_are_the_users_errors) {
+TEST(MapSpec, NumbersOutsideTheirRangesAreTheUsersErrors) {
   ForestSpec tiny;
   tiny.area_m = {40.0, 1.0};
   EXPECT_NE(error_of(tiny).find("area_m: 1 is outside [15, 200]"), std::string::npos);

@@ -73,7 +73,7 @@ std::string message_of(const MapSpec& spec) {
   return "no error";
 }
 
-TEST(MeshMap, every_format_gives_the_same_triangles) {
+TEST(MeshMap, EveryFormatGivesTheSameTriangles) {
   const TemporaryFolder folder;
   std::vector<Corners> first;
   for (const auto& [name, bytes] : test::all_meshes(brick_mesh())) {
@@ -91,7 +91,7 @@ TEST(MeshMap, every_format_gives_the_same_triangles) {
   }
 }
 
-TEST(MeshMap, names_become_kinds_and_materials) {
+TEST(MeshMap, NamesBecomeKindsAndMaterials) {
   const TemporaryFolder folder;
   for (const std::string name : {"a.obj", "a.glb"}) {
     const TriangleMesh mesh = brick_mesh();
@@ -110,7 +110,7 @@ TEST(MeshMap, names_become_kinds_and_materials) {
   EXPECT_EQ(obstacle_kind("  \xe5\xa2\x99 12"), "mesh");
 }
 
-TEST(MeshMap, up_axes_turn_and_scale_grows_without_mirroring) {
+TEST(MeshMap, UpAxesTurnAndScaleGrowsWithoutMirroring) {
   const TemporaryFolder folder;
   MeshSpec spec = spec_of(folder.write("a.obj", test::obj_bytes(brick_mesh())));
   spec.scale = 0.5;
@@ -128,7 +128,7 @@ TEST(MeshMap, up_axes_turn_and_scale_grows_without_mirroring) {
   EXPECT_EQ(volume_m3(world), 192.0);
 }
 
-TEST(MeshMap, node_transforms_are_applied_and_mirrored_nodes_are_not_inside_out) {
+TEST(MeshMap, NodeTransformsAreAppliedAndMirroredNodesAreNotInsideOut) {
   const TemporaryFolder folder;
   const std::string node = ",\"translation\":[10,0,-1],\"scale\":[-1,1,2]";
   const World world =
@@ -138,7 +138,7 @@ TEST(MeshMap, node_transforms_are_applied_and_mirrored_nodes_are_not_inside_out)
   EXPECT_EQ(volume_m3(world), 48.0);
 }
 
-TEST(MeshMap, polygons_are_cut_and_flat_triangles_left_out) {
+TEST(MeshMap, PolygonsAreCutAndFlatTrianglesLeftOut) {
   const TemporaryFolder folder;
   const std::string text =
       "o slab\nv 0 0 0\nv 6 0 0\nv 6 4 0\nv 0 4 0\nv 0 0 2\nv 3 0 0\nf 1 2 3 4\nf 1 2 5\n"
@@ -148,7 +148,7 @@ TEST(MeshMap, polygons_are_cut_and_flat_triangles_left_out) {
   EXPECT_EQ(world.obstacles.size(), 1U);
 }
 
-TEST(MeshMap, regions_are_bands_or_as_given) {
+TEST(MeshMap, RegionsAreBandsOrAsGiven) {
   const TemporaryFolder folder;
   MeshSpec spec = spec_of(folder.write("a.stl", test::binary_stl_bytes(brick_mesh())));
   spec.bounds = {{0, 0, 0}, {20, 40, 8}};
@@ -171,7 +171,7 @@ std::string message_of_file(const std::string& name, const std::string& bytes) {
   return at == std::string::npos ? text : text.replace(at, file.size(), "FILE");
 }
 
-TEST(MeshMap, wrong_obj_files_are_told_with_their_line) {
+TEST(MeshMap, WrongObjFilesAreReportedWithTheirLine) {
   const auto message = [](const std::string& text) { return message_of_file("a.obj", text); };
   const std::string triangle = "v 0 0 0\nv 5 0 0\nv 0 5 0\n";
   EXPECT_EQ(message(""), "FILE: is empty");
@@ -197,7 +197,7 @@ TEST(MeshMap, wrong_obj_files_are_told_with_their_line) {
             "FILE:4: a face of more than 1000 corners; cut it to triangles before");
 }
 
-TEST(MeshMap, maps_that_are_none_in_metres_are_told_with_what_to_set) {
+TEST(MeshMap, MapsThatAreNoneInMetresAreReportedWithWhatToSet) {
   const auto message = [](const std::string& second, const std::string& third) {
     return message_of_file("a.obj", "v 0 0 0\nv " + second + "\nv " + third + "\nf 1 2 3\n");
   };
@@ -214,7 +214,7 @@ TEST(MeshMap, maps_that_are_none_in_metres_are_told_with_what_to_set) {
             "there");
 }
 
-TEST(MeshMap, wrong_stl_files) {
+TEST(MeshMap, WrongStlFiles) {
   const auto message = [](const std::string& bytes) { return message_of_file("a.stl", bytes); };
   const std::string binary = test::binary_stl_bytes(brick_mesh());
   EXPECT_EQ(message(binary.substr(0, binary.size() - 100)),
@@ -235,7 +235,7 @@ TEST(MeshMap, wrong_stl_files) {
   EXPECT_EQ(message("solid a\ncube 3\n"), "FILE:2: 'cube' is no word of an STL file");
 }
 
-TEST(MeshMap, wrong_ply_files) {
+TEST(MeshMap, WrongPlyFiles) {
   const auto message = [](const std::string& bytes) { return message_of_file("a.ply", bytes); };
   const auto head = [](const std::string& vertices, const std::string& faces) {
     return "ply\nformat ascii 1.0\nelement vertex " + vertices +
@@ -264,7 +264,7 @@ TEST(MeshMap, wrong_ply_files) {
             "FILE: is truncated: the header promises 12 of 'face', there are 11");
 }
 
-TEST(MeshMap, wrong_gltf_files) {
+TEST(MeshMap, WrongGltfFiles) {
   const TriangleMesh mesh = brick_mesh();
   const std::string good = test::gltf_bytes(mesh, false);
   const auto with = [&](const std::string& from, const std::string& to) {
@@ -316,7 +316,7 @@ TEST(MeshMap, wrong_gltf_files) {
             "FILE: accessors[0]: vertex 3 is not finite");
 }
 
-TEST(MeshMap, wrong_specs) {
+TEST(MeshMap, WrongSpecs) {
   const TemporaryFolder folder;
   const std::string file = folder.write("a.obj", test::obj_bytes(brick_mesh()));
   const auto message = [&](auto&& change) {
@@ -357,7 +357,7 @@ TEST(MeshMap, wrong_specs) {
       "FILE: is not the file it was: its SHA-256 is not file_digest, " + std::string(64, '0'));
 }
 
-TEST(MeshMap, map_coordinates_keep_their_decimals) {
+TEST(MeshMap, MapCoordinatesKeepTheirDecimals) {
   const TemporaryFolder folder;
   const std::string text =
       "v 500000.125 5900000.25 0\nv 500010.375 5900000.25 0\nv 500000.125 5900012.5 8\nf 1 2 3\n";
@@ -368,7 +368,7 @@ TEST(MeshMap, map_coordinates_keep_their_decimals) {
   EXPECT_EQ(world.bounds.max(), Eigen::Vector3d(10.375, 12.5, 8.0));
 }
 
-TEST(MeshMap, strips_fans_and_lists_without_indices) {
+TEST(MeshMap, StripsFansAndListsWithoutIndices) {
   const TemporaryFolder folder;
   TriangleMesh mesh;  // a square's corners: 0 1 / 3 2
   mesh.vertices = {{0, 0, 0}, {4, 0, 0}, {4, 4, 2}, {0, 4, 2}};
@@ -391,7 +391,7 @@ TEST(MeshMap, strips_fans_and_lists_without_indices) {
   EXPECT_EQ(area_of("6", {0, 1, 2, 3, 3, 3}), whole);
 }
 
-TEST(MeshMap, too_much_is_refused_before_it_is_kept) {
+TEST(MeshMap, TooMuchIsRefusedBeforeItIsKept) {
   const auto message = [](const std::string& name, const std::string& bytes) {
     try {
       parse_mesh(bytes, name, Material::concrete, 11);
@@ -410,7 +410,7 @@ TEST(MeshMap, too_much_is_refused_before_it_is_kept) {
             "before");
 }
 
-TEST(MeshMap, names_without_a_face_are_no_obstacles) {
+TEST(MeshMap, NamesWithoutAFaceAreNoObstacles) {
   const TemporaryFolder folder;
   std::string text = "v 0 0 0\nv 6 0 0\nv 6 4 0\nv 0 4 3\n";
   for (int i = 0; i < 1000; ++i) text += "o none\ng none\nusemtl none\n";
@@ -420,7 +420,7 @@ TEST(MeshMap, names_without_a_face_are_no_obstacles) {
   EXPECT_EQ(world.prototypes[1].triangle_materials[0], Material::bark);
 }
 
-TEST(MeshMap, what_is_exported_comes_back) {
+TEST(MeshMap, WhatIsExportedComesBack) {
   const TemporaryFolder folder;
   const World world = make_world(GapWallsSpec{}, 1);
   for (const std::string name : {"a.obj", "a.ply", "a.stl", "a.glb"}) {
@@ -434,7 +434,7 @@ TEST(MeshMap, what_is_exported_comes_back) {
   }
 }
 
-TEST(MeshMap, damaged_files_end_in_an_error_or_a_world) {
+TEST(MeshMap, DamagedFilesEndInAnErrorOrAWorld) {
   for (const auto& [name, bytes] : test::all_meshes(brick_mesh())) {
     for (std::size_t size = 0; size < bytes.size(); size += 7) {
       const std::string message = message_of_file(name, bytes.substr(0, size));

@@ -80,28 +80,28 @@ void expect_closed_and_outward(const Prototype& prototype) {
   for (const auto& [vertex, volume] : volumes) EXPECT_GT(volume, 0.0) << vertex;
 }
 
-TEST(Plants, are_sane_closed_and_outward) {
+TEST(Plants, AreSaneClosedAndOutward) {
   for (const PlantModel& model : all_models()) {
     expect_sane(model.prototype);
     expect_closed_and_outward(model.prototype);
   }
 }
 
-TEST(Plants, hall_prototypes_are_sane_closed_and_outward) {
+TEST(Plants, HallPrototypesAreSaneClosedAndOutward) {
   for (const Prototype& prototype : make_world(HallSpec{}, 3).prototypes) {
     expect_sane(prototype);
     expect_closed_and_outward(prototype);
   }
 }
 
-TEST(Plants, keep_the_triangle_budget) {
+TEST(Plants, KeepTheTriangleBudget) {
   for (const PlantModel& model : all_models()) {
     EXPECT_GE(model.prototype.mesh.triangles.size(), 1000U) << model.prototype.name;
     EXPECT_LE(model.prototype.mesh.triangles.size(), 3000U) << model.prototype.name;
   }
 }
 
-TEST(Plants, there_are_six_trees_and_four_bushes_all_different) {
+TEST(Plants, ThereAreSixTreesAndFourBushesAllDifferent) {
   EXPECT_EQ(tree_models().size(), 6U);
   EXPECT_EQ(bush_models().size(), 4U);
   std::set<std::string> names;
@@ -109,7 +109,7 @@ TEST(Plants, there_are_six_trees_and_four_bushes_all_different) {
   EXPECT_EQ(names.size(), 10U);
 }
 
-TEST(Plants, trees_have_boughs_and_foliage_where_vehicles_fly) {
+TEST(Plants, TreesHaveBoughsAndFoliageWhereVehiclesFly) {
   for (const PlantModel& model : tree_models()) {
     bool bark_beside_trunk = false, leaves = false;
     for (std::size_t i = 0; i < model.prototype.mesh.triangles.size(); ++i) {
@@ -125,7 +125,7 @@ TEST(Plants, trees_have_boughs_and_foliage_where_vehicles_fly) {
   }
 }
 
-TEST(Plants, bushes_are_as_high_as_said) {
+TEST(Plants, BushesAreAsHighAsSaid) {
   float tallest_m = 0.0F;
   for (const PlantModel& model : bush_models()) {
     float top_m = 0.0F;
@@ -137,7 +137,7 @@ TEST(Plants, bushes_are_as_high_as_said) {
   EXPECT_GT(tallest_m * 1.18F, 2.0F);
 }
 
-TEST(Plants, a_tree_is_as_wide_as_its_trunk) {
+TEST(Plants, ATreeIsAsWideAsItsTrunk) {
   for (const PlantModel& model : tree_models()) {
     // The trunk's corners near one of its rings lie on a circle of that diameter, less for a
     // flat-sided trunk.
@@ -149,7 +149,7 @@ TEST(Plants, a_tree_is_as_wide_as_its_trunk) {
   }
 }
 
-TEST(Plants, a_bush_is_as_wide_as_its_mesh_below_flight) {
+TEST(Plants, ABushIsAsWideAsItsMeshBelowFlight) {
   PlantModel cube;
   for (const float z : {0.0F, 3.0F}) {
     const float half = z > 0.0F ? 5.0F : 1.0F;

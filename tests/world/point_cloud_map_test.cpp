@@ -50,7 +50,7 @@ std::string message_of(const std::function<void()>& act) {
   return "no error";
 }
 
-TEST(PointCloud, every_format_gives_the_same_points_and_world) {
+TEST(PointCloud, EveryFormatGivesTheSamePointsAndWorld) {
   const TemporaryFolder folder;
   const FilePoints points = random_points();
   std::string digest;
@@ -62,7 +62,7 @@ TEST(PointCloud, every_format_gives_the_same_points_and_world) {
   }
 }
 
-TEST(PointCloud, points_that_are_not_finite_are_left_out) {
+TEST(PointCloud, PointsThatAreNotFiniteAreLeftOut) {
   const std::string header =
       "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty "
       "float z\nend_header\n";
@@ -89,7 +89,7 @@ double volume_m3(const TriangleMesh& mesh) {
   return volume / 6.0;
 }
 
-TEST(Voxels, one_voxel_is_a_cube_and_a_row_is_merged) {
+TEST(Voxels, OneVoxelIsACubeAndARowIsMerged) {
   VoxelSurface surface = voxel_surface({{0.3, -0.2, 1.1}}, 0.5, 1000);
   EXPECT_EQ(surface.triangle_count, 12U);
   EXPECT_EQ(area_m2(surface.mesh), 1.5);
@@ -101,7 +101,7 @@ TEST(Voxels, one_voxel_is_a_cube_and_a_row_is_merged) {
   EXPECT_EQ(volume_m3(surface.mesh), 0.375);
 }
 
-TEST(Voxels, faces_are_those_of_brute_force) {
+TEST(Voxels, FacesAreThoseOfBruteForce) {
   const FilePoints points = random_points();
   constexpr double kSide = 0.5;
   const auto is_full = [&](const Eigen::Vector3i& cell) {
@@ -135,7 +135,7 @@ TEST(Voxels, faces_are_those_of_brute_force) {
   EXPECT_EQ(voxel_surface(reversed, kSide, 1'000'000).mesh.vertices, surface.mesh.vertices);
 }
 
-TEST(PointCloud, scale_axes_origin_and_bounds) {
+TEST(PointCloud, ScaleAxesOriginAndBounds) {
   const TemporaryFolder folder;
   PointCloudSpec spec = spec_of(folder.write("a.pcd", pcd(random_points(), "binary")));
   spec.scale = 2.0;
@@ -154,7 +154,7 @@ TEST(PointCloud, scale_axes_origin_and_bounds) {
   }
 }
 
-TEST(PointCloud, what_is_wrong_is_told_with_file_and_line) {
+TEST(PointCloud, WhatIsWrongIsReportedWithFileAndLine) {
   const auto parse = [](const std::string& bytes) {
     return message_of([&] { parse_point_cloud(bytes, "c"); });
   };
@@ -213,7 +213,7 @@ TEST(PointCloud, what_is_wrong_is_told_with_file_and_line) {
       << text;
 }
 
-TEST(PointCloud, damaged_files_end_in_an_error_or_points) {
+TEST(PointCloud, DamagedFilesEndInAnErrorOrPoints) {
   FilePoints points = random_points();
   points.resize(20);
   const auto read = [](const std::string& bytes) {
@@ -236,7 +236,7 @@ TEST(PointCloud, damaged_files_end_in_an_error_or_points) {
   }
 }
 
-TEST(Lzf, copies_and_refuses) {
+TEST(Lzf, CopiesAndRefuses) {
   EXPECT_EQ(lzf_decompressed(std::string("\x02"
                                          "abc"
                                          "\x20\x02",

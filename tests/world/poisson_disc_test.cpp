@@ -30,7 +30,7 @@ class PoissonDisc : public testing::TestWithParam<Field> {
   }
 };
 
-TEST_P(PoissonDisc, keeps_the_least_distance_inside_the_area) {
+TEST_P(PoissonDisc, KeepsTheLeastDistanceInsideTheArea) {
   const Field& field = GetParam();
   const auto points = sample();
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -42,7 +42,7 @@ TEST_P(PoissonDisc, keeps_the_least_distance_inside_the_area) {
   }
 }
 
-TEST_P(PoissonDisc, has_no_room_for_one_more_point) {
+TEST_P(PoissonDisc, HasNoRoomForOneMorePoint) {
   const Field& field = GetParam();
   const auto points = sample();
   constexpr int kSteps = 400;
@@ -57,14 +57,14 @@ TEST_P(PoissonDisc, has_no_room_for_one_more_point) {
   }
 }
 
-TEST_P(PoissonDisc, is_the_same_again) { EXPECT_EQ(sample(), sample()); }
+TEST_P(PoissonDisc, IsTheSameAgain) { EXPECT_EQ(sample(), sample()); }
 
 INSTANTIATE_TEST_SUITE_P(Fields, PoissonDisc,
                          testing::Values(Field{{40.0, 40.0}, 3.5, 1}, Field{{40.0, 40.0}, 2.3, 2},
                                          Field{{19.0, 29.0}, 1.7, 3}, Field{{15.0, 60.0}, 6.0, 4},
                                          Field{{3.0, 1.0}, 5.0, 5}));
 
-TEST(PoissonDiscDensity, is_that_of_a_maximal_field) {
+TEST(PoissonDiscDensity, IsThatOfAMaximalField) {
   // Maximal random fields hold 0.63–0.76 points per radius² (hexagonal packing: 1.15); edges add a
   // little.
   RandomStream random(7);
@@ -74,7 +74,7 @@ TEST(PoissonDiscDensity, is_that_of_a_maximal_field) {
   EXPECT_LT(count, 0.78);
 }
 
-TEST(PoissonDiscDensity, is_even_over_the_area) {
+TEST(PoissonDiscDensity, IsEvenOverTheArea) {
   RandomStream random(8);
   const auto points = poisson_disc({160.0, 160.0}, 2.3, random);
   std::array<int, 4> quarters{};
