@@ -17,10 +17,17 @@ function(avoidbench_room name)
   add_library(avoidbench::${name} ALIAS ${target})
 endfunction()
 
-# avoidbench_test(room [USES room …] [PRIVATE target …]): every *_test.cpp beside the caller as one test binary. Test suites
-# whose names end in Slow are labelled so.
+# avoidbench_test(room [USES room …] [PRIVATE target …] [LABEL label] [TIMEOUT seconds]): every *_test.cpp beside the caller as one
+# test binary. In ctest each test is labelled with the room, or LABEL; those of suites whose names end in Slow are `slow` too and have
+# half an hour. The others have TIMEOUT, by default five minutes: for machines with other work to do, and so that a hang ends.
 function(avoidbench_test name)
-  cmake_parse_arguments(TEST "" "" "USES;PRIVATE" ${ARGN})
+  cmake_parse_arguments(TEST "" "LABEL;TIMEOUT" "USES;PRIVATE" ${ARGN})
+  if(NOT TEST_LABEL)
+    set(TEST_LABEL ${name})
+  endif()
+  if(NOT TEST_TIMEOUT)
+    set(TEST_TIMEOUT 300)
+  endif()
   list(TRANSFORM TEST_USES PREPEND avoidbench::)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*_test.cpp)
   add_executable(${name}_tests ${sources})
@@ -29,7 +36,32 @@ function(avoidbench_test name)
   target_compile_definitions(${name}_tests PRIVATE AVOIDBENCH_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
                              AVOIDBENCH_BINARY_DIR="${PROJECT_BINARY_DIR}")
   avoidbench_precompiled(${name}_tests test)
-  gtest_discover_tests(${name}_tests TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60 NO_PRETTY_VALUES TEST_FILTER -*Slow.*)
-  gtest_discover_tests(${name}_tests TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60 NO_PRETTY_VALUES TEST_FILTER *Slow.*
-                       TEST_LIST ${name}_slow_tests PROPERTIES LABELS slow)
+  gtest_discover_tests(${name}_tests TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60 NO_PRETTY_VALUES)
+  # ctest reads this after the tests were found. gtest_discover_tests' own PROPERTIES keep only the first of several labels.
+  set(properties ${CMAKE_CURRENT_BINARY_DIR}/${name}_test_properties.cmake)
+  file(CONFIGURE OUTPUT ${properties} @ONLY CONTENT [[
+foreach(test IN LISTS @name@_tests_TESTS)
+  if(test MATCHES "Slow\\.")
+    set_tests_properties("${test}" PROPERTIES TIMEOUT 1800 LABELS "@TEST_LABEL@;slow")
+  else()
+    set_tests_properties("${test}" PROPERTIES TIMEOUT @TEST_TIMEOUT@ LABELS @TEST_LABEL@)
+  endif()
+endforeach()
+]])
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${properties})
+endfunction()
+
+# avoidbench_script_test(label name [SLOW] [SERIAL] [CAN_SKIP] TIMEOUT seconds COMMAND word …): the test label.name. SLOW: run by
+# scripts/test.sh --all only. SERIAL: nothing else runs beside it. CAN_SKIP: exit code 77 says that it can't run here.
+function(avoidbench_script_test label name)
+  cmake_parse_arguments(TEST "SLOW;SERIAL;CAN_SKIP" "TIMEOUT" "COMMAND" ${ARGN})
+  add_test(NAME ${label}.${name} COMMAND ${TEST_COMMAND})
+  set(labels ${label})
+  if(TEST_SLOW)
+    list(APPEND labels slow)
+  endif()
+  set_tests_properties(${label}.${name} PROPERTIES TIMEOUT ${TEST_TIMEOUT} RUN_SERIAL ${TEST_SERIAL} LABELS "${labels}")
+  if(TEST_CAN_SKIP)
+    set_tests_properties(${label}.${name} PROPERTIES SKIP_RETURN_CODE 77)
+  endif()
 endfunction()

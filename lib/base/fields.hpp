@@ -14,10 +14,14 @@ struct Range {
   double highest = std::numeric_limits<double>::infinity();
 };
 
+/// `T` is Spec, const or not: what readers fill in and the others look at.
+template <class T, class Spec>
+concept ConstOr = std::same_as<std::remove_const_t<T>, Spec>;
+
 /// Each spec struct has one free function beside it,
 ///
-///     template <class Visitor>
-///     void visit(Visitor& v, ForestSpec& s) {
+///     template <class Visitor, ConstOr<ForestSpec> Spec>
+///     void visit(Visitor& v, Spec& s) {
 ///       v.field("poisson_radius_m", s.poisson_radius_m, Range{0.5, 50},
 ///               "Least distance between two plants.");
 ///       …
@@ -35,9 +39,6 @@ struct Range {
 ///     v.variant("generator", s.map, "What makes the map.");
 ///
 /// which reads the key `generator` first and then the fields of that kind, on the same level.
-template <class T, class Spec>
-concept ConstOr = std::same_as<std::remove_const_t<T>, Spec>;
-
 template <class T, class Visitor>
 concept Visitable = requires(Visitor& visitor, T& value) {
   visit(visitor, value);
