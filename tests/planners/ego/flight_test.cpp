@@ -1,59 +1,25 @@
 #include <gtest/gtest.h>
 
-#include "planners/support/conformance_expectation.hpp"
 #include "planners/support/trajectory_flight.hpp"
+#include "planners/support/trajectory_suite.hpp"
 
-namespace avoidbench {
+namespace avoidbench::kinematic {
 namespace {
 
-using kinematic::add_hedge;
-using kinematic::Course;
-using kinematic::Ending;
-using kinematic::expect_flyable;
-using kinematic::reached_count;
-using kinematic::TrajectoryResult;
+const TrajectoryPlanner kEgo{.name = "ego",
+                             .file = PLANNER_FILE,
+                             .speed_limit_mps = 3.3,
+                             .detour = 1.01,
+                             .height_band_m = 0.1,
+                             .published_speed_limit_mps = 2.2,
+                             .is_random = false};
 
-constexpr double kSpeed_mps = 3.3;  // its limit and the tolerance of its feasibility check
-
-TEST(Ego, KeepsEveryRule) { expect_conformance(PLANNER_FILE); }
-
-TEST(Ego, HasNoPlanToNowhere) {
-  PlannerInstance planner = kinematic::instance_of(PLANNER_FILE);
-  kinematic::expect_no_plan_to_nowhere(planner);
-}
-
-TEST(Ego, FliesStraightWhereNothingIsInTheWay) {
-  PlannerInstance planner = kinematic::instance_of(PLANNER_FILE);
-  const Course course = kinematic::meadow();
-  const TrajectoryResult result = kinematic::fly_trajectories(planner, course);
-  ASSERT_EQ(result.flight.ending, Ending::reached_goal) << result.flight.reason;
-  const double straight_m = (course.goal_world - course.start_world).norm() - 0.8;
-  EXPECT_LT(result.flight.path_m, 1.01 * straight_m);
-  EXPECT_LT(result.flight.time_s, straight_m / 2.5 + 2.0);
-  EXPECT_GT(result.flight.lowest_m, 1.9);
-  EXPECT_LT(result.flight.highest_m, 2.1);
-  expect_flyable(result.demands, kSpeed_mps);
-}
-
-TEST(Ego, ClearsSparseForestsAndMostDenseOnes) {
-  PlannerInstance planner = kinematic::instance_of(PLANNER_FILE);
-  EXPECT_GE(reached_count(planner, 5.0, 6, kSpeed_mps), 6);
-  EXPECT_GE(reached_count(planner, 2.8, 4, kSpeed_mps), 3);
-}
-
-TEST(Ego, FindsTheGapInAWall) {
-  PlannerInstance planner = kinematic::instance_of(PLANNER_FILE);
-  Course course = kinematic::meadow();
-  add_hedge(course, {-8.0, 15.0}, {2.0, 15.0});
-  add_hedge(course, {4.5, 15.0}, {8.0, 15.0});
-  const TrajectoryResult result = kinematic::fly_trajectories(planner, course);
-  EXPECT_EQ(result.flight.ending, Ending::reached_goal) << result.flight.reason;
-  expect_flyable(result.demands, kSpeed_mps);
-}
+INSTANTIATE_TEST_SUITE_P(Each, TrajectoryFlight, testing::Values(kEgo), name_of);
+INSTANTIATE_TEST_SUITE_P(Each, TrajectoryFlightSlow, testing::Values(kEgo), name_of);
 
 /// An emergency stop may end far below the heights that it plans in.
 TEST(Ego, ClimbsBackIntoItsHeights) {
-  PlannerInstance planner = kinematic::instance_of(PLANNER_FILE);
+  PlannerInstance planner = instance_of(PLANNER_FILE);
   PlannerMission mission;
   mission.start_world = {0.0, 0.0, 2.0};
   mission.goal_world = {20.0, 0.0, 2.0};
@@ -78,48 +44,13 @@ TEST(Ego, ClimbsBackIntoItsHeights) {
 }
 
 TEST(Ego, StopsBeforeAWallWithoutAGapAndGoesOnTrying) {
-  PlannerInstance planner = kinematic::instance_of(PLANNER_FILE);
-  Course course = kinematic::meadow();
+  PlannerInstance planner = instance_of(PLANNER_FILE);
+  Course course = meadow();
   add_hedge(course, {-25.0, 15.0}, {25.0, 15.0});
-  const TrajectoryResult result = kinematic::fly_trajectories(planner, course, 25.0);
+  const TrajectoryResult result = fly_trajectories(planner, course, 25.0);
   EXPECT_EQ(result.flight.ending, Ending::timed_out) << result.flight.reason;
-  expect_flyable(result.demands, kSpeed_mps);
-}
-
-TEST(Ego, FliesThePublishedPreset) {
-  PlannerInstance planner =
-      kinematic::instance_of(PLANNER_FILE, {{"preset", ParameterValue{0.0, "published"}}});
-  const TrajectoryResult result = kinematic::fly_trajectories(planner, kinematic::meadow());
-  EXPECT_EQ(result.flight.ending, Ending::reached_goal) << result.flight.reason;
-  expect_flyable(result.demands, 2.2);
-}
-
-TEST(Ego, FliesASpeedThatIsGivenBesideThePublishedPreset) {
-  PlannerInstance planner = kinematic::instance_of(
-      PLANNER_FILE, {{"preset", ParameterValue{0.0, "published"}}, {"max_speed_mps", {3.0, ""}}});
-  const TrajectoryResult result = kinematic::fly_trajectories(planner, kinematic::meadow());
-  EXPECT_EQ(result.flight.ending, Ending::reached_goal) << result.flight.reason;
-  EXPECT_GT(result.demands.speed_mps, 2.5);  // the published limit is 2
-}
-
-TEST(Ego, DoesNotGrowOverFiftyMissions) {
-  PlannerInstance planner = kinematic::instance_of(PLANNER_FILE);
-  kinematic::expect_no_growth(planner, 50);
-}
-
-TEST(EgoSlow, DoesNotGrowOverAThousandMissions) {
-  PlannerInstance planner = kinematic::instance_of(PLANNER_FILE);
-  kinematic::expect_no_growth(planner, 1000);
-}
-
-TEST(Ego, FliesTheSameInSeveralThreads) { kinematic::expect_same_in_threads(PLANNER_FILE); }
-
-TEST(Ego, GivesTheSameFlightAgain) {
-  const Course course = kinematic::forest(3.0, 3);
-  PlannerInstance planner = kinematic::instance_of(PLANNER_FILE);
-  const auto first = kinematic::fly_trajectories(planner, course, 6.0).flight.positions;
-  EXPECT_EQ(first, kinematic::fly_trajectories(planner, course, 6.0).flight.positions);
+  expect_flyable(result.demands, kEgo.speed_limit_mps);
 }
 
 }  // namespace
-}  // namespace avoidbench
+}  // namespace avoidbench::kinematic
