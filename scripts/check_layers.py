@@ -14,7 +14,7 @@ for line in (root / "lib/ORDER").read_text().splitlines():
         allowed[room] = set(third_parties.split())
 
 # The first part of an angle-bracket include -> the third party it belongs to. Others are the language's or the system's.
-THIRD_PARTIES = {"Eigen": "Eigen", "assimp": "assimp", "embree3": "embree3", "embree4": "embree4", "opencv2": "opencv2",
+THIRD_PARTIES = {"Eigen": "Eigen", "embree3": "embree3", "embree4": "embree4", "opencv2": "opencv2",
                  "png.h": "png", "zlib.h": "zlib", "sqlite3.h": "sqlite3", "yaml-cpp": "yaml-cpp", "nlohmann": "nlohmann", "nettle": "nettle",
                  "dlfcn.h": "dlfcn", "CLI": "CLI", "gtest": "gtest", "benchmark": "benchmark"}
 UNREPEATABLE = [

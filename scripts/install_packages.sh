@@ -6,7 +6,7 @@ set -euo pipefail
 build_packages=(
   g++ cmake ninja-build ccache pkg-config git ca-certificates
   libeigen3-dev libembree-dev libopencv-core-dev libopencv-imgproc-dev libopencv-calib3d-dev libyaml-cpp-dev libcli11-dev
-  nlohmann-json3-dev libsqlite3-dev libpng-dev zlib1g-dev nettle-dev libassimp-dev libbenchmark-dev sqlite3
+  nlohmann-json3-dev libsqlite3-dev libpng-dev zlib1g-dev nettle-dev libbenchmark-dev sqlite3
 )
 plot_packages=(python3 python3-matplotlib python3-pandas)  # scripts/plot
 test_packages=("${plot_packages[@]}" clang clang-format clang-tidy libclang-rt-14-dev libgtest-dev libgmock-dev python3-jsonschema python3-yaml valgrind locales)

@@ -1,25 +1,24 @@
 #include "world/export_map.hpp"
 
-#include <assimp/material.h>
-#include <assimp/scene.h>
-
 #include <algorithm>
 #include <array>
-#include <assimp/Exporter.hpp>
 #include <bit>
+#include <charconv>
 #include <cstring>
 #include <fstream>
-#include <memory>
+#include <limits>
+#include <nlohmann/json.hpp>
 #include <string>
+#include <tuple>
 #include <vector>
 
-#include "base/enum_text.hpp"
 #include "base/input_error.hpp"
 
 namespace avoidbench {
 namespace {
 
 namespace fs = std::filesystem;
+using nlohmann::json;
 
 constexpr std::size_t kMaterials = 7;
 constexpr std::array<const char*, kMaterials> kMaterialNames{
@@ -32,25 +31,16 @@ constexpr std::array<std::array<float, 3>, kMaterials> kMaterialColours{{{0.36F,
                                                                          {0.75F, 0.72F, 0.20F},
                                                                          {1.00F, 0.98F, 0.92F}}};
 
-struct MeshFormat {
-  std::string_view ending, assimp_id;
-  bool keeps_instances;
-};
-constexpr std::array<MeshFormat, 4> kMeshFormats{{{".glb", "glb2", true},
-                                                  {".obj", "obj", false},
-                                                  {".ply", "plyb", false},
-                                                  {".stl", "stlb", false}}};
-
-/// Triangles of one material, ready for assimp.
+/// Triangles of one material.
 struct Part {
   Material material = Material::soil;
   std::vector<Eigen::Vector3f> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
+using Parts = std::array<Part, kMaterials>;
 
 /// Adds the mesh's triangles, each to the part of its material.
-void add_to_parts(const Prototype& prototype, const Eigen::Affine3f& place,
-                  std::array<Part, kMaterials>& parts) {
+void add_to_parts(const Prototype& prototype, const Eigen::Affine3f& place, Parts& parts) {
   constexpr std::uint32_t kNone = ~0U;
   std::array<std::vector<std::uint32_t>, kMaterials> numbers;  // of a vertex within a part
   for (std::size_t i = 0; i < prototype.mesh.triangles.size(); ++i) {
@@ -72,109 +62,27 @@ void add_to_parts(const Prototype& prototype, const Eigen::Affine3f& place,
   }
 }
 
-aiMesh* assimp_mesh(const Part& part) {
-  auto mesh = std::make_unique<aiMesh>();
-  mesh->mPrimitiveTypes = aiPrimitiveType_TRIANGLE;
-  mesh->mMaterialIndex = static_cast<unsigned>(part.material);
-  mesh->mNumVertices = static_cast<unsigned>(part.vertices.size());
-  mesh->mVertices = new aiVector3D[part.vertices.size()];
-  for (std::size_t i = 0; i < part.vertices.size(); ++i) {
-    mesh->mVertices[i] = {part.vertices[i].x(), part.vertices[i].y(), part.vertices[i].z()};
-  }
-  mesh->mNumFaces = static_cast<unsigned>(part.triangles.size());
-  mesh->mFaces = new aiFace[part.triangles.size()];
-  for (std::size_t i = 0; i < part.triangles.size(); ++i) {
-    mesh->mFaces[i].mNumIndices = 3;
-    mesh->mFaces[i].mIndices = new unsigned[3];
-    std::copy_n(part.triangles[i].begin(), 3, mesh->mFaces[i].mIndices);
-  }
-  return mesh.release();
-}
-
-template <class Object>
-Object** array_of(const std::vector<Object*>& objects) {
-  auto** array = new Object*[objects.size()];
-  std::copy(objects.begin(), objects.end(), array);
-  return array;
-}
-
-/// Adds the filled parts to the meshes; their numbers.
-std::vector<unsigned> take_parts(const std::array<Part, kMaterials>& parts,
-                                 std::vector<aiMesh*>& meshes) {
-  std::vector<unsigned> numbers;
-  for (const Part& part : parts) {
-    if (part.triangles.empty()) continue;
-    numbers.push_back(static_cast<unsigned>(meshes.size()));
-    meshes.push_back(assimp_mesh(part));
-  }
-  return numbers;
-}
-
-void set_meshes(aiNode& node, const std::vector<unsigned>& meshes) {
-  node.mNumMeshes = static_cast<unsigned>(meshes.size());
-  node.mMeshes = new unsigned[meshes.size()];
-  std::copy(meshes.begin(), meshes.end(), node.mMeshes);
-}
-
-aiMatrix4x4 assimp_matrix(const Eigen::Matrix4f& m) {
-  return {m(0, 0), m(0, 1), m(0, 2), m(0, 3), m(1, 0), m(1, 1), m(1, 2), m(1, 3),
-          m(2, 0), m(2, 1), m(2, 2), m(2, 3), m(3, 0), m(3, 1), m(3, 2), m(3, 3)};
-}
-
-/// One node an instance under a root that turns z up to y up.
-void add_instanced(const World& world, aiNode& root, std::vector<aiMesh*>& meshes) {
-  std::vector<std::vector<unsigned>> numbers;
-  for (const Prototype& prototype : world.prototypes) {
-    std::array<Part, kMaterials> parts;
-    add_to_parts(prototype, Eigen::Affine3f::Identity(), parts);
-    numbers.push_back(take_parts(parts, meshes));
-  }
-  std::vector<aiNode*> nodes;
-  for (const Instance& instance : world.instances) {
-    auto* node = new aiNode(world.obstacles[instance.obstacle].kind + '_' +
-                            std::to_string(instance.obstacle));
-    node->mTransformation = assimp_matrix(instance.T_world_prototype.matrix());
-    node->mParent = &root;
-    set_meshes(*node, numbers[instance.prototype]);
-    nodes.push_back(node);
-  }
-  Eigen::Matrix4f y_up = Eigen::Matrix4f::Zero();
-  y_up(0, 0) = y_up(1, 2) = y_up(3, 3) = 1.0F;
-  y_up(2, 1) = -1.0F;
-  root.mTransformation = assimp_matrix(y_up);
-  root.mNumChildren = static_cast<unsigned>(nodes.size());
-  root.mChildren = array_of(nodes);
-}
-
-void add_flattened(const World& world, aiNode& root, std::vector<aiMesh*>& meshes) {
-  std::array<Part, kMaterials> parts;
+Parts flattened(const World& world) {
+  Parts parts;
   for (const Instance& instance : world.instances) {
     add_to_parts(world.prototypes[instance.prototype], instance.T_world_prototype, parts);
   }
-  set_meshes(root, take_parts(parts, meshes));
+  return parts;
 }
 
-std::unique_ptr<aiScene> assimp_scene(const World& world, bool keeps_instances) {
-  auto scene = std::make_unique<aiScene>();
-  std::vector<aiMaterial*> materials;
-  for (std::size_t i = 0; i < kMaterials; ++i) {
-    auto* material = new aiMaterial;
-    const aiString name(kMaterialNames[i]);
-    const auto& [r, g, b] = kMaterialColours[i];
-    const aiColor4D colour(r, g, b, 1.0F);
-    material->AddProperty(&name, AI_MATKEY_NAME);
-    material->AddProperty(&colour, 1, AI_MATKEY_COLOR_DIFFUSE);
-    material->AddProperty(&colour, 1, AI_MATKEY_BASE_COLOR);
-    materials.push_back(material);
-  }
-  scene->mNumMaterials = static_cast<unsigned>(materials.size());
-  scene->mMaterials = array_of(materials);
-  scene->mRootNode = new aiNode("map");
-  std::vector<aiMesh*> meshes;
-  (keeps_instances ? add_instanced : add_flattened)(world, *scene->mRootNode, meshes);
-  scene->mNumMeshes = static_cast<unsigned>(meshes.size());
-  scene->mMeshes = array_of(meshes);
-  return scene;
+template <class T>
+void add_raw(const T& value, std::string& bytes) {
+  bytes.append(reinterpret_cast<const char*>(&value), sizeof(T));
+}
+
+void add_raw(const Eigen::Vector3f& v, std::string& bytes) {
+  for (const float value : v) add_raw(value, bytes);
+}
+
+/// As short as says the same number again.
+void add_text(float value, std::string& text) {
+  std::array<char, 32> digits{};
+  text.append(digits.begin(), std::to_chars(digits.begin(), digits.end(), value).ptr);
 }
 
 std::ofstream opened(const fs::path& file) {
@@ -194,6 +102,200 @@ void check_ending(const fs::path& file, std::string_view ending, std::string_vie
                    std::string(ending));
 }
 
+/// Gathers the buffer of a .glb file and the JSON that says what is in it.
+struct GlbWriter {
+  std::string buffer = {};
+  json out = {{"asset", {{"version", "2.0"}, {"generator", "avoidbench"}}},
+              {"scene", 0},
+              {"scenes", json::array({{{"nodes", json::array({0})}}})}};
+
+  /// The accessor of what was added to the buffer from `begin` on.
+  json& add_accessor(std::size_t begin, std::size_t count, const char* type, int component,
+                     int target) {
+    out["bufferViews"].push_back({{"buffer", 0},
+                                  {"byteOffset", begin},
+                                  {"byteLength", buffer.size() - begin},
+                                  {"target", target}});
+    out["accessors"].push_back({{"bufferView", out["bufferViews"].size() - 1},
+                                {"componentType", component},
+                                {"count", count},
+                                {"type", type}});
+    return out["accessors"].back();
+  }
+
+  json primitive_of(const Part& part) {
+    constexpr int kFloat = 5126, kUnsignedInt = 5125, kVertices = 34962, kIndices = 34963;
+    std::size_t begin = buffer.size();
+    Eigen::AlignedBox3f box;
+    for (const Eigen::Vector3f& vertex : part.vertices) {
+      add_raw(vertex, buffer);
+      box.extend(vertex);
+    }
+    json& positions = add_accessor(begin, part.vertices.size(), "VEC3", kFloat, kVertices);
+    positions["min"] = {box.min().x(), box.min().y(), box.min().z()};
+    positions["max"] = {box.max().x(), box.max().y(), box.max().z()};
+    begin = buffer.size();
+    for (const auto& triangle : part.triangles) add_raw(triangle, buffer);
+    add_accessor(begin, 3 * part.triangles.size(), "SCALAR", kUnsignedInt, kIndices);
+    const std::size_t last = out["accessors"].size() - 1;
+    return {{"attributes", {{"POSITION", last - 1}}},
+            {"indices", last},
+            {"material", static_cast<std::size_t>(part.material)}};
+  }
+
+  void add_materials() {
+    for (std::size_t i = 0; i < kMaterials; ++i) {
+      const auto& [r, g, b] = kMaterialColours[i];
+      out["materials"].push_back(
+          {{"name", kMaterialNames[i]},
+           {"pbrMetallicRoughness", {{"baseColorFactor", {r, g, b, 1.0}}, {"metallicFactor", 0}}}});
+    }
+  }
+
+  void add_meshes(const World& world) {
+    for (const Prototype& prototype : world.prototypes) {
+      Parts parts;
+      add_to_parts(prototype, Eigen::Affine3f::Identity(), parts);
+      json primitives = json::array();
+      for (const Part& part : parts) {
+        if (!part.triangles.empty()) primitives.push_back(primitive_of(part));
+      }
+      out["meshes"].push_back({{"name", prototype.name}, {"primitives", primitives}});
+    }
+  }
+
+  /// One node an instance under a root that turns z up to y up.
+  void add_nodes(const World& world) {
+    out["nodes"].push_back({{"name", "map"},
+                            {"matrix", {1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1}},
+                            {"children", json::array()}});
+    for (const Instance& instance : world.instances) {
+      const std::string name =
+          world.obstacles[instance.obstacle].kind + '_' + std::to_string(instance.obstacle);
+      json matrix = json::array();
+      for (const float number : instance.T_world_prototype.matrix().reshaped()) {
+        matrix.push_back(number);
+      }
+      out["nodes"][0]["children"].push_back(out["nodes"].size());
+      out["nodes"].push_back(
+          {{"name", name}, {"mesh", instance.prototype}, {"matrix", std::move(matrix)}});
+    }
+  }
+
+  std::string bytes() {
+    out["buffers"] = json::array({{{"byteLength", buffer.size()}}});
+    std::string text = out.dump();
+    text.resize((text.size() + 3) / 4 * 4, ' ');
+    const std::size_t size = 28 + text.size() + buffer.size();
+    if (size > std::numeric_limits<std::uint32_t>::max()) {
+      throw InputError("the map is too large for .glb, which holds 4 GiB; write .ply");
+    }
+    const auto add_word = [](std::size_t value, std::string& to) {
+      add_raw(static_cast<std::uint32_t>(value), to);
+    };
+    std::string all = "glTF";
+    add_word(2, all);
+    add_word(size, all);
+    add_word(text.size(), all);
+    all += "JSON" + text;
+    add_word(buffer.size(), all);
+    return all + std::string("BIN\0", 4) + buffer;
+  }
+};
+
+void write_glb(const World& world, const fs::path& file) {
+  GlbWriter writer;
+  writer.add_materials();
+  writer.add_meshes(world);
+  writer.add_nodes(world);
+  const std::string bytes = writer.bytes();
+  std::ofstream out = opened(file);
+  out << bytes;
+  finish(out, file);
+}
+
+/// With a library of the materials' colours beside it.
+void write_obj(const World& world, const fs::path& file) {
+  fs::path library = file;
+  library.replace_extension(".mtl");
+  std::ofstream out = opened(file), materials = opened(library);
+  out << "# avoidbench map, metres, z up\nmtllib " << library.filename().string() << "\no map\n";
+  std::size_t first = 1;  // OBJ numbers vertices over the whole file
+  for (const Part& part : flattened(world)) {
+    if (part.triangles.empty()) continue;
+    const auto material = static_cast<std::size_t>(part.material);
+    const auto& [r, g, b] = kMaterialColours[material];
+    materials << "newmtl " << kMaterialNames[material] << "\nKd " << r << ' ' << g << ' ' << b
+              << '\n';
+    std::string text = std::string("usemtl ") + kMaterialNames[material] + '\n';
+    for (const Eigen::Vector3f& vertex : part.vertices) {
+      text += 'v';
+      for (const float value : vertex) add_text(value, text += ' ');
+      text += '\n';
+    }
+    for (const auto& triangle : part.triangles) {
+      text += 'f';
+      for (const std::uint32_t corner : triangle) text += ' ' + std::to_string(first + corner);
+      text += '\n';
+    }
+    out << text;
+    first += part.vertices.size();
+  }
+  finish(out, file);
+  finish(materials, library);
+}
+
+void write_ply(const World& world, const fs::path& file) {
+  std::string vertices, faces;
+  std::uint32_t first = 0;
+  std::size_t triangles = 0;
+  for (const Part& part : flattened(world)) {
+    for (const Eigen::Vector3f& vertex : part.vertices) add_raw(vertex, vertices);
+    for (const auto& triangle : part.triangles) {
+      faces += '\3';
+      for (const std::uint32_t corner : triangle) add_raw(first + corner, faces);
+    }
+    first += static_cast<std::uint32_t>(part.vertices.size());
+    triangles += part.triangles.size();
+  }
+  std::ofstream out = opened(file);
+  out << "ply\nformat binary_little_endian 1.0\ncomment avoidbench map, metres, z up\n"
+      << "element vertex " << first
+      << "\nproperty float x\nproperty float y\nproperty float z\nelement face " << triangles
+      << "\nproperty list uchar uint vertex_indices\nend_header\n"
+      << vertices << faces;
+  finish(out, file);
+}
+
+void write_stl(const World& world, const fs::path& file) {
+  constexpr std::size_t kHeader = 80;
+  std::string bytes = "avoidbench map, metres, z up";
+  bytes.resize(kHeader, ' ');
+  std::uint32_t triangles = 0;
+  const Parts parts = flattened(world);
+  for (const Part& part : parts) triangles += static_cast<std::uint32_t>(part.triangles.size());
+  add_raw(triangles, bytes);
+  for (const Part& part : parts) {
+    for (const auto& [a, b, c] : part.triangles) {
+      const auto& [from, left, right] =
+          std::tie(part.vertices[a], part.vertices[b], part.vertices[c]);
+      add_raw((left - from).cross(right - from).normalized().eval(), bytes);
+      for (const Eigen::Vector3f* corner : {&from, &left, &right}) add_raw(*corner, bytes);
+      bytes.append(2, '\0');
+    }
+  }
+  std::ofstream out = opened(file);
+  out << bytes;
+  finish(out, file);
+}
+
+struct MeshFormat {
+  std::string_view ending;
+  void (*write)(const World&, const fs::path&);
+};
+constexpr std::array<MeshFormat, 4> kMeshFormats{
+    {{".glb", write_glb}, {".obj", write_obj}, {".ply", write_ply}, {".stl", write_stl}}};
+
 static_assert(std::endian::native == std::endian::little);
 
 }  // namespace
@@ -205,12 +307,7 @@ void export_mesh(const World& world, const fs::path& file) {
   if (format == kMeshFormats.end()) {
     throw InputError(file.string() + ": the name of a mesh has to end in .glb, .obj, .ply or .stl");
   }
-  const std::unique_ptr<aiScene> scene = assimp_scene(world, format->keeps_instances);
-  Assimp::Exporter exporter;
-  if (exporter.Export(scene.get(), std::string(format->assimp_id), file.string()) !=
-      aiReturn_SUCCESS) {
-    throw InputError(file.string() + ": can't be written: " + exporter.GetErrorString());
-  }
+  format->write(world, file);
 }
 
 void export_point_cloud(const VoxelGrid& grid, const fs::path& file) {

@@ -1,144 +1,12 @@
 #include "world/mesh_file.hpp"
 
-#include <assimp/MemoryIOWrapper.h>
-#include <assimp/postprocess.h>
-#include <assimp/scene.h>
-
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <assimp/IOSystem.hpp>
-#include <assimp/Importer.hpp>
 #include <cmath>
 
-#include "world/plain_mesh.hpp"
+#include "base/enum_text.hpp"
+#include "world/cloud_bytes.hpp"
+#include "world/mesh_readers.hpp"
 
 namespace avoidbench {
-namespace {
-
-/// The one file that the importer may see.
-class OneFile : public Assimp::IOSystem {
- public:
-  OneFile(std::string name, std::string_view bytes) : name_(std::move(name)), bytes_(bytes) {}
-  bool Exists(const char* file) const override { return file == name_; }
-  char getOsSeparator() const override { return '/'; }
-  Assimp::IOStream* Open(const char* file, const char*) override {
-    if (file != name_) return nullptr;
-    const auto* bytes = reinterpret_cast<const std::uint8_t*>(bytes_.data());
-    return new Assimp::MemoryIOStream(bytes, bytes_.size());
-  }
-  void Close(Assimp::IOStream* stream) override { delete stream; }
-
- private:
-  std::string name_;
-  std::string_view bytes_;
-};
-
-std::string_view text_of(const aiString& string) { return {string.data, string.length}; }
-
-/// A message of the importer's, on one line of plain characters.
-std::string plain_text(std::string_view message) {
-  constexpr std::size_t kMost = 200;
-  std::string text;
-  for (const char c : message.substr(0, kMost)) text += c >= ' ' && c <= '~' ? c : ' ';
-  return text;
-}
-
-Material material_of(const aiScene& scene, const aiMesh& mesh, Material fallback) {
-  aiString name;
-  if (mesh.mMaterialIndex >= scene.mNumMaterials) return fallback;
-  if (scene.mMaterials[mesh.mMaterialIndex]->Get(AI_MATKEY_NAME, name) != AI_SUCCESS) {
-    return fallback;
-  }
-  return enum_from_text<Material>(obstacle_kind(text_of(name))).value_or(fallback);
-}
-
-Eigen::Affine3d affine(const aiMatrix4x4& m) {
-  Eigen::Affine3d T = Eigen::Affine3d::Identity();
-  for (unsigned row = 0; row < 3; ++row) {
-    for (unsigned column = 0; column < 4; ++column) {
-      T.matrix()(row, column) = static_cast<double>(m[row][column]);
-    }
-  }
-  return T;
-}
-
-/// Gathers the parts from the tree of nodes.
-struct Gatherer {
-  const aiScene& scene;
-  const std::string& file;
-  Material fallback;
-  std::uint64_t most_triangles;
-  bool is_gltf;
-  Eigen::Vector3d offset;  ///< to be added to positions
-  std::uint64_t triangle_count = 0;
-  std::vector<MeshPart> parts = {};
-
-  void add_mesh(const aiMesh& mesh, const Eigen::Affine3d& T_file_mesh, MeshPart& part) {
-    const auto first = static_cast<std::uint32_t>(part.vertices.size());
-    const bool is_mirrored = T_file_mesh.linear().determinant() < 0.0;
-    const Material material = material_of(scene, mesh, fallback);
-    const std::size_t triangles_before = part.triangles.size();
-    for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
-      const aiFace& face = mesh.mFaces[i];
-      if (face.mNumIndices != 3) continue;  // points and lines
-      std::array<std::uint32_t, 3> corners{face.mIndices[0], face.mIndices[1], face.mIndices[2]};
-      for (std::uint32_t& corner : corners) {
-        if (corner >= mesh.mNumVertices) fail_file(file, "a face names a vertex that is not there");
-        corner += first;
-      }
-      if (is_mirrored) std::swap(corners[1], corners[2]);
-      part.triangles.push_back(corners);
-      part.materials.push_back(material);
-    }
-    if (part.triangles.size() == triangles_before) return;
-    triangle_count += part.triangles.size() - triangles_before;
-    if (triangle_count > most_triangles) fail_triangles(file, most_triangles);
-    for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
-      const aiVector3D& v = mesh.mVertices[i];
-      const Eigen::Vector3d vertex =
-          T_file_mesh * Eigen::Vector3d(static_cast<double>(v.x), static_cast<double>(v.y),
-                                        static_cast<double>(v.z));
-      if (!vertex.allFinite()) {
-        fail_file(file, "vertex " + std::to_string(i) + " of '" +
-                            obstacle_kind(text_of(mesh.mName)) + "' is not finite");
-      }
-      part.vertices.push_back(vertex + offset);
-    }
-  }
-
-  /// Whether the node is no node of the file: assimp puts what has none below one of its own.
-  bool is_assimps(const aiNode& node) const { return node.mParent == nullptr && !is_gltf; }
-
-  void add_node(const aiNode& node, const Eigen::Affine3d& T_file_parent, int depth) {
-    constexpr int kMostDepth = 1000;
-    if (depth > kMostDepth) fail_file(file, "its nodes are nested too deep");
-    const Eigen::Affine3d T_file_node = T_file_parent * affine(node.mTransformation);
-    MeshPart part;
-    for (unsigned i = 0; i < node.mNumMeshes; ++i) {
-      const aiMesh& mesh = *scene.mMeshes[node.mMeshes[i]];
-      if (part.kind.empty()) {
-        part.kind = obstacle_kind(text_of(is_assimps(node) ? mesh.mName : node.mName));
-      }
-      if (part.kind == "mesh") part.kind = obstacle_kind(text_of(mesh.mName));
-      add_mesh(mesh, T_file_node, part);
-    }
-    if (!part.triangles.empty()) parts.push_back(std::move(part));
-    for (unsigned i = 0; i < node.mNumChildren; ++i) {
-      add_node(*node.mChildren[i], T_file_node, depth + 1);
-    }
-  }
-};
-
-PlainMesh plain_mesh(std::string_view bytes, const std::string& file,
-                     std::uint64_t most_triangles) {
-  const std::string extension = extension_of(file);
-  if (extension == "obj") return plain_obj(bytes, file, most_triangles);
-  if (extension == "ply") return plain_ply(bytes, file, most_triangles);
-  if (extension == "stl") return plain_stl(bytes, file, most_triangles);
-  return plain_gltf(bytes, file, most_triangles);
-}
-
-}  // namespace
 
 std::string obstacle_kind(std::string_view name) {
   constexpr std::size_t kMost = 40;
@@ -160,26 +28,68 @@ std::string obstacle_kind(std::string_view name) {
   return kind == "roof" ? "ceiling" : kind;
 }
 
+Material material_named(std::string_view name, Material fallback) {
+  return enum_from_text<Material>(obstacle_kind(name)).value_or(fallback);
+}
+
+Eigen::Vector3d offset_near(const Eigen::Vector3d& vertex) {
+  constexpr double kNear = 4096.0, kLimit = 1e12;
+  Eigen::Vector3d offset = Eigen::Vector3d::Zero();
+  for (int axis = 0; axis < 3; ++axis) {
+    const double value = vertex[axis];
+    if (std::abs(value) > kNear && std::abs(value) < kLimit) offset[axis] = std::floor(value);
+  }
+  return offset;
+}
+
+Eigen::Vector3d take_position(std::string_view& words, const std::string& file, int line) {
+  Eigen::Vector3d position;
+  for (double& value : position) {
+    const std::string_view word = take_word(words);
+    const auto number = number_in<double>(word);
+    if (!number) {
+      fail_file(file, word.empty() ? "too few numbers" : in_quotes(word) + " is no number", line);
+    }
+    if (!std::isfinite(static_cast<float>(*number))) {
+      fail_file(file, "vertex: " + in_quotes(word) + " is not finite", line);
+    }
+    value = *number;
+  }
+  return position;
+}
+
+void fail_corners(const std::string& file, int line) {
+  fail_file(file,
+            "a face of more than " + std::to_string(kMostCorners) +
+                " corners; cut it to triangles before",
+            line);
+}
+
+void fail_crossing(const std::string& file, const std::string& face, int line) {
+  fail_file(file, face + " has edges that cross; cut it to triangles before", line);
+}
+
+void fail_triangles(const MeshSource& source) {
+  fail_file(source.file, "has more than " + std::to_string(source.most_triangles) +
+                             " triangles; decimate it before");
+}
+
+void fail_vertices(const MeshSource& source) {
+  fail_file(source.file, "has more than " + std::to_string(3 * source.most_triangles) +
+                             " vertices, three for each of the most triangles; decimate it before");
+}
+
 std::vector<MeshPart> parse_mesh(std::string_view bytes, const std::string& file, Material fallback,
                                  std::uint64_t most_triangles) {
-  const PlainMesh plain = plain_mesh(bytes, file, most_triangles);
-  Assimp::Importer importer;
-  importer.SetIOHandler(new OneFile(plain.name, plain.bytes));  // the importer owns it
-  const aiScene* scene = nullptr;
-  std::string reason;
-  try {
-    scene = importer.ReadFile(plain.name, aiProcess_Triangulate);
-    if (scene == nullptr) reason = importer.GetErrorString();
-  } catch (const std::exception& error) {
-    reason = error.what();
-  }
-  if (scene == nullptr || scene->mRootNode == nullptr) {
-    fail_file(file, "can't be read as a mesh: " + plain_text(reason));
-  }
-  Gatherer gatherer{*scene, file, fallback, most_triangles, plain.name == "map.glb", plain.offset};
-  gatherer.add_node(*scene->mRootNode, Eigen::Affine3d::Identity(), 0);
-  if (gatherer.parts.empty()) fail_file(file, "has no triangles");
-  return std::move(gatherer.parts);
+  const MeshSource source{bytes, file, fallback, most_triangles};
+  const std::string extension = extension_of(file);
+  std::vector<MeshPart> parts = extension == "obj"   ? parse_obj(source)
+                                : extension == "ply" ? parse_ply_mesh(source)
+                                : extension == "stl" ? parse_stl(source)
+                                                     : parse_gltf(source);
+  std::erase_if(parts, [](const MeshPart& part) { return part.triangles.empty(); });
+  if (parts.empty()) fail_file(file, "has no triangles");
+  return parts;
 }
 
 }  // namespace avoidbench

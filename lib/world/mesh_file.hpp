@@ -27,9 +27,9 @@ std::string obstacle_kind(std::string_view name);
 /// The parts of an OBJ, PLY, STL, GLB or glTF file (by the extension of `file`), in the order of
 /// the file's nodes; polygons are cut to triangles, points and lines left out. A surface whose
 /// material is named as one of ours has that, others have `fallback`. Other files that this one
-/// names are not read, so that its bytes say everything. Assimp sees only what plain_mesh.hpp made
-/// of them. Throws InputError, with the line where there is one, where the file is damaged, has a
-/// vertex that is not finite, no triangle or more than `most_triangles`.
+/// names are not read, so that its bytes say everything. Throws InputError, with the line or the
+/// byte where there is one, where the file is damaged, has a vertex that is not finite, a polygon
+/// whose edges cross, no triangle or more than `most_triangles`.
 std::vector<MeshPart> parse_mesh(std::string_view bytes, const std::string& file, Material fallback,
                                  std::uint64_t most_triangles);
 

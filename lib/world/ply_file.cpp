@@ -2,8 +2,9 @@
 #include <array>
 
 #include "world/cloud_bytes.hpp"
-#include "world/plain_mesh.hpp"
+#include "world/mesh_readers.hpp"
 #include "world/point_cloud_file.hpp"
+#include "world/polygon.hpp"
 
 namespace avoidbench {
 namespace {
@@ -292,83 +293,93 @@ bool for_each_number(const Header& header, const Element& element, LineCursor& l
 
 /// Gathers the elements of a mesh.
 struct MeshReader {
+  const MeshSource& source;
   const Header& header;
-  const std::string& file;
-  std::uint64_t most_triangles;
   LineCursor lines;
-  std::uint64_t vertices = 0, faces = 0, triangles = 0;
-  std::string vertex_bytes = {}, face_bytes = {};
-  PlainMesh plain = {.name = "map.ply", .bytes = {}};
+  Eigen::Vector3d offset = Eigen::Vector3d::Zero();
+  std::vector<Eigen::Vector3f> vertices = {};  ///< from the offset
+  MeshPart part = {.kind = obstacle_kind(""), .vertices = {}, .triangles = {}, .materials = {}};
+  std::uint64_t triangle_count = 0;
+  const char* begin = lines.rest.data();  ///< of the element that is read
+  std::vector<std::uint32_t> face = {};
+  std::vector<Eigen::Vector3f> corners = {};
+  std::vector<CornerTriple> cuts = {};
 
-  int line() const { return header.encoding == Encoding::ascii ? lines.line : 0; }
+  bool is_text() const { return header.encoding == Encoding::ascii; }
+  int line() const { return is_text() ? lines.line : 0; }
+
+  /// "face 7", with its place in binary files, which have no lines.
+  std::string name_of(const char* element, std::uint64_t index) const {
+    const std::string name = std::string(element) + ' ' + std::to_string(index);
+    return is_text() ? name : name + " at byte " + std::to_string(begin - source.bytes.data());
+  }
+
+  /// Calls `act(property, k, value)` for each number of the element's next one, the index-th.
+  template <class Act>
+  void take(const Element& element, std::uint64_t index, Act&& act) {
+    begin = lines.rest.data();
+    if (for_each_number(header, element, lines, source.file, act)) return;
+    fail_short(source.file, element, index, line());
+  }
 
   void add_vertices(const Element& element) {
-    const std::array<std::size_t, 3> xyz = xyz_of(element, file);
-    for (; vertices < element.count; ++vertices) {
+    const std::array<std::size_t, 3> xyz = xyz_of(element, source.file);
+    for (std::uint64_t i = 0; i < element.count; ++i) {
       Eigen::Vector3d position;
-      const auto keep = [&](std::size_t property, std::size_t, double value) {
+      take(element, i, [&](std::size_t property, std::size_t, double value) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
           if (xyz[axis] == property) position[static_cast<Eigen::Index>(axis)] = value;
         }
-      };
-      if (!for_each_number(header, element, lines, file, keep)) {
-        fail_short(file, element, vertices, line());
-      }
+      });
       if (!position.cast<float>().allFinite()) {
-        fail_file(file, "vertex " + std::to_string(vertices) + " is not finite", line());
+        fail_file(source.file, name_of("vertex", i) + " is not finite", line());
       }
-      if (vertices == 0) plain.offset = offset_near(position);
-      position -= plain.offset;
-      vertex_bytes.append(reinterpret_cast<const char*>(position.data()), 3 * sizeof(double));
+      if (i == 0) offset = offset_near(position);
+      vertices.emplace_back((position - offset).cast<float>());
+      part.vertices.push_back(vertices.back().cast<double>() + offset);
     }
   }
 
-  void add_face(const std::vector<std::uint32_t>& corners) {
-    if (corners.size() < 3) return;
-    if (corners.size() > kMostCorners) fail_corners(file, line());
-    ++faces;
-    triangles += corners.size() - 2;
-    if (triangles > most_triangles) fail_triangles(file, most_triangles);
-    const auto count = static_cast<std::uint32_t>(corners.size());
-    face_bytes.append(reinterpret_cast<const char*>(&count), 4);
-    face_bytes.append(reinterpret_cast<const char*>(corners.data()), 4 * corners.size());
+  void add_face(std::uint64_t index) {
+    if (face.size() < 3) return;
+    if (face.size() > kMostCorners) fail_corners(source.file, line());
+    triangle_count += face.size() - 2;
+    if (triangle_count > source.most_triangles) fail_triangles(source);
+    corners.clear();
+    for (const std::uint32_t vertex : face) corners.push_back(vertices[vertex]);
+    if (!cut_polygon(corners, cuts)) fail_crossing(source.file, name_of("face", index), line());
+    for (const auto& [a, b, c] : cuts) {
+      part.triangles.push_back({face[a], face[b], face[c]});
+      part.materials.push_back(source.fallback);
+    }
   }
 
-  void add_faces(const Element& element, std::uint64_t vertex_count) {
+  void add_faces(const Element& element) {
     std::size_t list = 0;
     const auto is_list = [&](const Property& p) {
       return p.is_list && (p.name == "vertex_indices" || p.name == "vertex_index");
     };
     while (list < element.properties.size() && !is_list(element.properties[list])) ++list;
     if (list == element.properties.size()) {
-      fail_file(file, "the element face lacks the list vertex_indices");
+      fail_file(source.file, "the element face lacks the list vertex_indices");
     }
-    std::vector<std::uint32_t> corners;
     for (std::uint64_t i = 0; i < element.count; ++i) {
-      corners.clear();
-      const auto keep = [&](std::size_t property, std::size_t, double value) {
+      face.clear();
+      take(element, i, [&](std::size_t property, std::size_t, double value) {
         if (property != list) return;
-        if (!(value >= 0.0 && value < static_cast<double>(vertex_count))) {
-          fail_file(file, "face " + std::to_string(i) + " names a vertex that is not there",
-                    line());
+        if (!(value >= 0.0 && value < static_cast<double>(vertices.size()))) {
+          fail_file(source.file, name_of("face", i) + " names a vertex that is not there", line());
         }
-        corners.push_back(static_cast<std::uint32_t>(value));
-      };
-      if (!for_each_number(header, element, lines, file, keep)) {
-        fail_short(file, element, i, line());
-      }
-      add_face(corners);
+        face.push_back(static_cast<std::uint32_t>(value));
+      });
+      add_face(i);
     }
   }
 
   void skip(const Element& element) {
-    if (element.properties.empty() && header.encoding != Encoding::ascii) return;
+    if (element.properties.empty() && !is_text()) return;
     const auto ignore = [](std::size_t, std::size_t, double) {};
-    for (std::uint64_t i = 0; i < element.count; ++i) {
-      if (!for_each_number(header, element, lines, file, ignore)) {
-        fail_short(file, element, i, line());
-      }
-    }
+    for (std::uint64_t i = 0; i < element.count; ++i) take(element, i, ignore);
   }
 };
 
@@ -404,10 +415,11 @@ FilePoints parse_ply_points(std::string_view bytes, const std::string& file) {
   fail_file(file, "the header lacks 'element vertex'");
 }
 
-PlainMesh plain_ply(std::string_view bytes, const std::string& file, std::uint64_t most_triangles) {
-  LineCursor lines{bytes};
+std::vector<MeshPart> parse_ply_mesh(const MeshSource& source) {
+  const std::string& file = source.file;
+  LineCursor lines{source.bytes};
   if (lines.next() != "ply") fail_file(file, "does not begin as a PLY file ('ply')", 1);
-  lines = {bytes};
+  lines = {source.bytes};
   const Header header = read_header(lines, file);
   const Element* vertex = the_element(header, "vertex", file);
   const Element* face = the_element(header, "face", file);
@@ -415,24 +427,24 @@ PlainMesh plain_ply(std::string_view bytes, const std::string& file, std::uint64
   if (face == nullptr || face->count == 0) {
     fail_file(file, "has no triangles; for a cloud of points use generator: point_cloud");
   }
-  if (vertex->count > 3 * most_triangles) fail_vertices(file, most_triangles);
-  MeshReader reader{header, file, most_triangles, lines};
+  if (vertex->count > 3 * source.most_triangles) fail_vertices(source);
+  MeshReader reader{.source = source, .header = header, .lines = lines};
+  std::optional<LineCursor> faces;  // where they begin, if before the vertices
   for (const Element& element : header.elements) {
     if (&element == vertex) {
       reader.add_vertices(element);
-    } else if (&element == face) {
-      reader.add_faces(element, vertex->count);
+    } else if (&element == face && vertex < face) {
+      reader.add_faces(element);
     } else {
+      if (&element == face) faces = reader.lines;
       reader.skip(element);
     }
   }
-  if (reader.triangles == 0) fail_file(file, "has no triangles");
-  reader.plain.bytes =
-      "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(reader.vertices) +
-      "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
-      std::to_string(reader.faces) + "\nproperty list uint uint vertex_indices\nend_header\n" +
-      reader.vertex_bytes + reader.face_bytes;
-  return std::move(reader.plain);
+  if (faces) {
+    reader.lines = *faces;
+    reader.add_faces(*face);
+  }
+  return {std::move(reader.part)};
 }
 
 }  // namespace avoidbench

@@ -61,7 +61,7 @@ def kind_of(sample, parent, work, overhead):
         return "overhead: loading of programs"
     if "/planners/" in dso:
         return "planner"
-    if dso.startswith(("libembree", "libopencv", "libtbb", "libm.so", "libpng", "libassimp")):
+    if dso.startswith(("libembree", "libopencv", "libtbb", "libm.so", "libpng")):
         return "render and sense (libraries)"
     if dso.startswith(("libsqlite3", "libz.so")):
         return "overhead: database"

@@ -1,3 +1,4 @@
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -6,7 +7,7 @@
 #include <optional>
 
 #include "world/cloud_bytes.hpp"
-#include "world/plain_mesh.hpp"
+#include "world/mesh_readers.hpp"
 
 namespace avoidbench {
 namespace {
@@ -214,27 +215,76 @@ std::vector<std::uint64_t> triangle_list(const std::vector<std::uint64_t>& corne
   return list;
 }
 
-/// Writes the plain file: a .glb whose every primitive has positions and indices of its own.
-struct GlbWriter {
-  Gltf& from;
-  std::uint64_t most_triangles;
-  std::uint64_t triangles = 0;
-  std::string buffer = {};
-  json out = {{"asset", {{"version", "2.0"}}}};
-  std::vector<std::optional<std::uint64_t>> new_mesh = {};  ///< of a mesh with triangles
+/// The product of a node's translation, rotation and scale, or its matrix, column by column.
+Eigen::Affine3d transform_of(const Gltf& from, const json& node) {
+  const auto numbers = [&]<std::size_t count>(const char* key, std::array<float, count> usual) {
+    const auto found = node.find(key);
+    if (found == node.end()) return usual;
+    bool is_right = found->is_array() && found->size() == count;
+    for (std::size_t k = 0; is_right && k < count; ++k) {
+      const json& number = (*found)[k];
+      is_right = number.is_number() && std::isfinite(number.get<float>());
+      if (is_right) usual[k] = number.get<float>();
+    }
+    if (!is_right) from.fail(std::string("a node's ") + key + " is wrong");
+    return usual;
+  };
+  const auto matrix = numbers("matrix", std::array<float, 16>{});
+  const auto t = numbers("translation", std::array{0.0F, 0.0F, 0.0F});
+  const auto [x, y, z, w] = numbers("rotation", std::array{0.0F, 0.0F, 0.0F, 1.0F});
+  const auto s = numbers("scale", std::array{1.0F, 1.0F, 1.0F});
+  Eigen::Affine3d T = Eigen::Affine3d::Identity();
+  if (node.contains("matrix")) {
+    T.matrix() = Eigen::Map<const Eigen::Matrix4f>(matrix.data()).cast<double>();
+    T.makeAffine();
+    return T;
+  }
+  // In single precision, from which maps have their digests.
+  Eigen::Matrix3f linear;
+  linear << 1.0F - 2.0F * (y * y + z * z), 2.0F * (x * y - z * w), 2.0F * (x * z + y * w),
+      2.0F * (x * y + z * w), 1.0F - 2.0F * (x * x + z * z), 2.0F * (y * z - x * w),
+      2.0F * (x * z - y * w), 2.0F * (y * z + x * w), 1.0F - 2.0F * (x * x + y * y);
+  for (Eigen::Index k = 0; k < 3; ++k) linear.col(k) *= s[static_cast<std::size_t>(k)];
+  T.linear() = linear.cast<double>();
+  T.translation() = Eigen::Vector3f(t[0], t[1], t[2]).cast<double>();
+  return T;
+}
 
-  std::uint64_t add_accessor(std::uint64_t count, const char* type, int component,
-                             std::size_t begin) {
-    out["bufferViews"].push_back(
-        {{"buffer", 0}, {"byteOffset", begin}, {"byteLength", buffer.size() - begin}});
-    out["accessors"].push_back({{"bufferView", out["bufferViews"].size() - 1},
-                                {"componentType", component},
-                                {"count", count},
-                                {"type", type}});
-    return out["accessors"].size() - 1;
+std::string_view name_of(const json& object) {
+  const auto name = object.find("name");
+  const bool is_text = name != object.end() && name->is_string();
+  return is_text ? std::string_view(name->get_ref<const std::string&>()) : std::string_view();
+}
+
+/// Gathers the parts: one a node with triangles, so that a mesh of several nodes stands in several
+/// parts.
+struct Gatherer {
+  Gltf& from;
+  const MeshSource& source;
+
+  /// The triangles of one material of a mesh.
+  struct Surface {
+    std::vector<Eigen::Vector3f> vertices;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    Material material;
+  };
+  std::vector<std::vector<Surface>> meshes = {};
+  std::uint64_t triangle_count = 0;
+  std::vector<bool> is_there = {};  ///< which nodes
+  std::vector<MeshPart> parts = {};
+
+  void count(std::uint64_t triangles) {
+    triangle_count += triangles;
+    if (triangle_count > source.most_triangles) fail_triangles(source);
   }
 
-  void add_primitive(const json& primitive, const std::string& name, json& to) {
+  Material material_of(const json& primitive) const {
+    const auto index = from.whole(primitive, "material");
+    if (!index) return source.fallback;
+    return material_named(name_of(from.element("materials", *index)), source.fallback);
+  }
+
+  void add_primitive(const json& primitive, const std::string& name, std::vector<Surface>& to) {
     if (!primitive.is_object()) from.fail(name + ": a primitive is no object");
     const std::uint64_t mode = from.whole(primitive, "mode").value_or(4);
     if (mode < 4) return;  // points and lines
@@ -253,135 +303,95 @@ struct GlbWriter {
     if (const auto index = from.whole(primitive, "indices")) corners = from.indices(*index);
     corners = triangle_list(corners, mode);
     if (corners.empty()) return;
-    triangles += corners.size() / 3;
-    if (triangles > most_triangles) fail_triangles(from.file, most_triangles);
+    count(corners.size() / 3);
     std::vector<std::uint64_t> used = corners;
     std::sort(used.begin(), used.end());
     used.erase(std::unique(used.begin(), used.end()), used.end());
     if (used.back() >= vertices.size()) from.fail(name + ": an index names no vertex");
-    json plain;
-    std::size_t begin = buffer.size();
-    for (const std::uint64_t i : used) {
-      buffer.append(reinterpret_cast<const char*>(vertices[i].data()), 12);
+    Surface surface{.vertices = {}, .triangles = {}, .material = material_of(primitive)};
+    for (const std::uint64_t i : used) surface.vertices.push_back(vertices[i]);
+    const auto index_of = [&](std::uint64_t corner) {
+      const auto at = std::lower_bound(used.begin(), used.end(), corner);
+      return static_cast<std::uint32_t>(at - used.begin());
+    };
+    for (std::size_t i = 0; i < corners.size(); i += 3) {
+      surface.triangles.push_back(
+          {index_of(corners[i]), index_of(corners[i + 1]), index_of(corners[i + 2])});
     }
-    plain["attributes"]["POSITION"] = add_accessor(used.size(), "VEC3", 5126, begin);
-    begin = buffer.size();
-    for (const std::uint64_t corner : corners) {
-      const auto index = static_cast<std::uint32_t>(
-          std::lower_bound(used.begin(), used.end(), corner) - used.begin());
-      buffer.append(reinterpret_cast<const char*>(&index), 4);
-    }
-    plain["indices"] = add_accessor(corners.size(), "SCALAR", 5125, begin);
-    if (const auto material = from.whole(primitive, "material")) {
-      from.element("materials", *material);
-      plain["material"] = *material;
-    }
-    to.push_back(std::move(plain));
-  }
-
-  /// Assimp makes up names where there are none.
-  static std::string name_of(const json& object) {
-    const auto name = object.find("name");
-    const bool is_text = name != object.end() && name->is_string();
-    const std::string plain = is_text ? plain_name(name->get_ref<const std::string&>()) : "";
-    return plain.empty() ? "mesh" : plain;
+    to.push_back(std::move(surface));
   }
 
   void add_meshes() {
-    for (std::uint64_t i = 0; i < from.count("materials"); ++i) {
-      out["materials"].push_back({{"name", name_of(from.element("materials", i))}});
-    }
     for (std::uint64_t i = 0; i < from.count("meshes"); ++i) {
       const json& mesh = from.element("meshes", i);
-      json primitives = json::array();
+      meshes.emplace_back();
       const auto found = mesh.find("primitives");
-      if (found != mesh.end() && found->is_array()) {
-        for (const json& primitive : *found) {
-          add_primitive(primitive, place("meshes", i), primitives);
-        }
+      if (found == mesh.end() || !found->is_array()) continue;
+      for (const json& primitive : *found) {
+        add_primitive(primitive, place("meshes", i), meshes.back());
       }
-      new_mesh.emplace_back();
-      if (primitives.empty()) continue;
-      out["meshes"].push_back({{"name", name_of(mesh)}, {"primitives", std::move(primitives)}});
-      new_mesh.back() = out["meshes"].size() - 1;
     }
   }
 
-  /// Copies the numbers of a node's transform.
-  void copy_numbers(const json& node, const char* key, std::size_t count, json& to) const {
-    const auto found = node.find(key);
-    if (found == node.end()) return;
-    bool is_right = found->is_array() && found->size() == count;
-    for (std::size_t k = 0; is_right && k < count; ++k) {
-      const json& number = (*found)[k];
-      is_right = number.is_number() && std::isfinite(number.get<float>());
-      if (is_right) to[key].push_back(number.get<float>());
+  void add_surface(const Surface& surface, const Eigen::Affine3d& T_file_mesh, MeshPart& part) {
+    count(surface.triangles.size());
+    const auto first = static_cast<std::uint32_t>(part.vertices.size());
+    const bool is_mirrored = T_file_mesh.linear().determinant() < 0.0;
+    for (auto [a, b, c] : surface.triangles) {
+      if (is_mirrored) std::swap(b, c);
+      part.triangles.push_back({first + a, first + b, first + c});
+      part.materials.push_back(surface.material);
     }
-    if (!is_right) from.fail(std::string("a node's ") + key + " is wrong");
+    for (std::size_t i = 0; i < surface.vertices.size(); ++i) {
+      const Eigen::Vector3d vertex = T_file_mesh * surface.vertices[i].cast<double>();
+      if (!vertex.allFinite()) {
+        from.fail("vertex " + std::to_string(i) + " of '" + part.kind + "' is not finite");
+      }
+      part.vertices.push_back(vertex + Eigen::Vector3d::Zero());  // -0 becomes 0
+    }
   }
 
   /// Adds the node and those below; each may be there once, so that they are a tree.
-  void add_node(std::uint64_t index, int depth, std::vector<bool>& is_there) {
+  void add_node(std::uint64_t index, const Eigen::Affine3d& T_file_parent, int depth) {
     constexpr int kMostDepth = 200;
     const json& node = from.element("nodes", index);
     const std::string name = place("nodes", index);
     if (is_there[index]) from.fail(name + " is below two others or below itself");
     if (depth > kMostDepth) from.fail("its nodes are nested deeper than 200");
     is_there[index] = true;
-    json plain = {{"name", name_of(node)}};
-    copy_numbers(node, "matrix", 16, plain);
-    copy_numbers(node, "translation", 3, plain);
-    copy_numbers(node, "rotation", 4, plain);
-    copy_numbers(node, "scale", 3, plain);
-    if (const auto mesh = from.whole(node, "mesh")) {
-      from.element("meshes", *mesh);
-      if (new_mesh[*mesh]) plain["mesh"] = *new_mesh[*mesh];
+    const Eigen::Affine3d T_file_node = T_file_parent * transform_of(from, node);
+    const auto extensions = node.find("extensions");
+    if (extensions != node.end() && extensions->contains("EXT_mesh_gpu_instancing")) {
+      from.fail(name +
+                " stands in several places by EXT_mesh_gpu_instancing, which is not read; export "
+                "a node for each");
+    }
+    if (const auto index_of_mesh = from.whole(node, "mesh")) {
+      const json& mesh = from.element("meshes", *index_of_mesh);
+      MeshPart part;
+      part.kind = obstacle_kind(name_of(node));
+      if (part.kind == "mesh") part.kind = obstacle_kind(name_of(mesh));
+      for (const Surface& surface : meshes[*index_of_mesh]) add_surface(surface, T_file_node, part);
+      parts.push_back(std::move(part));
     }
     const auto children = node.find("children");
-    if (children != node.end() && children->is_array()) {
-      for (const json& child : *children) {
-        const std::uint64_t below = from.whole_number(child, "a node's child");
-        add_node(below, depth + 1, is_there);
-        plain["children"].push_back(below);
-      }
+    if (children == node.end() || !children->is_array()) return;
+    for (const json& child : *children) {
+      add_node(from.whole_number(child, "a node's child"), T_file_node, depth + 1);
     }
-    out["nodes"][index] = std::move(plain);
   }
 
   void add_scene() {
-    const std::uint64_t nodes = from.count("nodes");
-    out["nodes"] = json::array();
-    for (std::uint64_t i = 0; i < nodes; ++i) out["nodes"].push_back(json::object());
-    std::vector<bool> is_there(nodes, false);
-    json roots = json::array();
+    is_there.assign(from.count("nodes"), false);
+    triangle_count = 0;  // from here on those of nodes, not of meshes
     const json& scene = from.element("scenes", from.whole(from.root, "scene").value_or(0));
     const auto found = scene.find("nodes");
     if (found == scene.end() || !found->is_array() || found->empty()) {
       from.fail("its scene has no nodes");
     }
     for (const json& root : *found) {
-      const std::uint64_t index = from.whole_number(root, "a scene's node");
-      add_node(index, 0, is_there);
-      roots.push_back(index);
+      add_node(from.whole_number(root, "a scene's node"), Eigen::Affine3d::Identity(), 0);
     }
-    out["scene"] = 0;
-    out["scenes"] = json::array({{{"nodes", roots}}});
-  }
-
-  std::string glb() {
-    constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 31U;
-    out["buffers"] = json::array({{{"byteLength", buffer.size()}}});
-    std::string text = out.dump();
-    text.resize((text.size() + 3) / 4 * 4, ' ');
-    if (text.size() + buffer.size() > kMostBytes) from.fail("is too large");
-    const auto word = [](std::uint64_t value) {
-      const auto number = static_cast<std::uint32_t>(value);
-      return std::string(reinterpret_cast<const char*>(&number), 4);
-    };
-    std::string bytes = "glTF" + word(2) + word(28 + text.size() + buffer.size());
-    bytes += word(text.size()) + "JSON" + text;
-    bytes += word(buffer.size()) + std::string("BIN\0", 4) + buffer;
-    return bytes;
   }
 };
 
@@ -413,8 +423,9 @@ std::string_view take_chunks(std::string_view bytes, const std::string& file,
 
 }  // namespace
 
-PlainMesh plain_gltf(std::string_view bytes, const std::string& file,
-                     std::uint64_t most_triangles) {
+std::vector<MeshPart> parse_gltf(const MeshSource& source) {
+  const std::string& file = source.file;
+  std::string_view bytes = source.bytes;
   Gltf gltf{.file = file, .root = {}, .binary = {}};
   if (bytes.starts_with("glTF")) bytes = take_chunks(bytes, file, gltf.binary);
   try {
@@ -432,11 +443,11 @@ PlainMesh plain_gltf(std::string_view bytes, const std::string& file,
       !version->get_ref<const std::string&>().starts_with("2.")) {
     fail_file(file, "is no glTF of version 2");
   }
-  GlbWriter writer{gltf, most_triangles};
-  writer.add_meshes();
-  if (writer.triangles == 0) fail_file(file, "has no triangles");
-  writer.add_scene();
-  return {.name = "map.glb", .bytes = writer.glb()};
+  Gatherer gatherer{.from = gltf, .source = source};
+  gatherer.add_meshes();
+  if (gatherer.triangle_count == 0) fail_file(file, "has no triangles");
+  gatherer.add_scene();
+  return std::move(gatherer.parts);
 }
 
 }  // namespace avoidbench
