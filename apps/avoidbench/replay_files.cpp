@@ -34,9 +34,9 @@ CommandLine command_line(const PlanStep& step) {
 }
 
 std::string commands_csv(const std::vector<CommandLine>& calls) {
-  std::string csv =
-      "time_s,effect_s,status,cpu_ms,kind,x_m,y_m,z_m,vx_mps,vy_mps,vz_mps,ax_mps2,ay_mps2,az_mps2,"
-      "yaw_rad,yaw_rate_radps,point_count,duration_s,end_x_m,end_y_m,end_z_m,horizon_s\r\n";
+  std::string csv = csv_header(
+      "time_s effect_s status cpu_ms kind x_m y_m z_m vx_mps vy_mps vz_mps ax_mps2 ay_mps2 az_mps2 "
+      "yaw_rad yaw_rate_radps point_count duration_s end_x_m end_y_m end_z_m horizon_s");
   for (const CommandLine& call : calls) {
     const bool is_command = call.status == PlanStatus::command;
     const std::uint32_t kind = is_command ? call.command.kind : 0;

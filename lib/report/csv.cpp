@@ -1,5 +1,6 @@
 #include "report/csv.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -59,6 +60,11 @@ CsvRow& CsvRow::add(std::string_view word) {
   return *this;
 }
 
+CsvRow& CsvRow::add_words(std::initializer_list<std::string_view> words) {
+  for (const std::string_view word : words) add(word);
+  return *this;
+}
+
 CsvRow& CsvRow::add_value(const TableValue& value) {
   if (const auto* number = std::get_if<double>(&value)) return add(*number);
   if (const auto* word = std::get_if<std::string>(&value)) return add(std::string_view(*word));
@@ -71,6 +77,16 @@ CsvRow& CsvRow::add_value(const TableValue& value) {
 CsvRow& CsvRow::add_vector(const double* xyz) {
   for (int i = 0; i < 3; ++i) xyz == nullptr ? begin_field() : static_cast<void>(add(xyz[i]));
   return *this;
+}
+
+std::string csv_header(std::string_view names) {
+  CsvRow row;
+  while (!names.empty()) {
+    const std::string_view name = names.substr(0, names.find(' '));
+    row.add(name);
+    names.remove_prefix(std::min(names.size(), name.size() + 1));
+  }
+  return row.line();
 }
 
 }  // namespace avoidbench

@@ -10,10 +10,10 @@
 namespace avoidbench {
 
 std::string trajectory_csv(std::span<const Sample> samples) {
-  std::string csv =
-      "time_s,x_m,y_m,z_m,vx_mps,vy_mps,vz_mps,ax_mps2,ay_mps2,az_mps2,qw,qx,qy,qz,yaw_rad,"
-      "rate_x_body_radps,rate_y_body_radps,rate_z_body_radps,reference_x_m,reference_y_m,"
-      "reference_z_m,rotor_power_w,clearance_m\r\n";
+  std::string csv = csv_header(
+      "time_s x_m y_m z_m vx_mps vy_mps vz_mps ax_mps2 ay_mps2 az_mps2 qw qx qy qz yaw_rad "
+      "rate_x_body_radps rate_y_body_radps rate_z_body_radps reference_x_m reference_y_m "
+      "reference_z_m rotor_power_w clearance_m");
   for (const Sample& s : samples) {
     const Eigen::Quaterniond& q = s.q_world_body;
     CsvRow row;
@@ -57,7 +57,7 @@ std::string_view plan_status_text(std::int32_t status) {
 }
 
 std::string plan_calls_csv(std::span<const PlanCall> calls) {
-  std::string csv = "call_index,time_s,status,command_kind,cpu_time_s,wall_time_s\r\n";
+  std::string csv = csv_header("call_index time_s status command_kind cpu_time_s wall_time_s");
   for (std::size_t i = 0; i < calls.size(); ++i) {
     const PlanCall& call = calls[i];
     const std::string kind = call.status == AB_OK ? command_kind_text(call.command_kind) : "";

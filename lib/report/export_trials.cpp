@@ -86,7 +86,7 @@ std::string json_line(const std::vector<std::string>& columns, const Row& row) {
 
 std::string header(const std::vector<std::string>& columns) {
   CsvRow line;
-  for (const std::string& name : columns) line.add(std::string_view(name));
+  for (const std::string& name : columns) line.add(name);
   return line.line();
 }
 

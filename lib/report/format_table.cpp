@@ -2,7 +2,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "base/number_text.hpp"
 #include "base/visible_text.hpp"
 #include "report/csv.hpp"
 #include "report/section_text.hpp"
@@ -10,15 +9,6 @@
 
 namespace avoidbench {
 namespace {
-
-std::string exact(const Cell& cell) {
-  if (const auto* words = std::get_if<std::string>(&cell.value)) return *words;
-  if (const auto* count = std::get_if<std::int64_t>(&cell.value)) return std::to_string(*count);
-  if (const auto* seed = std::get_if<std::uint64_t>(&cell.value)) return std::to_string(*seed);
-  const auto* value = std::get_if<double>(&cell.value);
-  if (value == nullptr || std::isnan(*value)) return "";
-  return shortest(*value);
-}
 
 std::vector<std::string> key_names(std::span<const Section> sections) {
   std::vector<std::string> names;
@@ -36,24 +26,25 @@ std::vector<std::string> key_names(std::span<const Section> sections) {
 
 std::string csv_of(std::span<const Section> sections) {
   const std::vector<std::string> keys = key_names(sections);
-  std::string out = "sweep,table";
-  for (const std::string& key : keys) out += "," + csv_field(key);
-  out += ",name,unit,value\n";
+  CsvRow header;
+  header.add_words({"sweep", "table"});
+  for (const std::string& key : keys) header.add(key);
+  std::string out = header.add_words({"name", "unit", "value"}).line();
   for (const Section& section : sections) {
     for (const Table& table : section.tables) {
       for (const std::vector<Cell>& row : table.rows) {
-        std::string start = csv_field(section.name) + "," + csv_field(table.name);
+        CsvRow start;
+        start.add_words({section.name, table.name});
         for (const std::string& key : keys) {
-          start += ",";
-          for (std::size_t i = 0; i < row.size(); ++i) {
-            if (table.columns[i].name == key) start += csv_field(exact(row[i]));
-          }
+          const auto column = std::find_if(table.columns.begin(), table.columns.end(),
+                                           [&](const Column& one) { return one.name == key; });
+          const auto i = static_cast<std::size_t>(column - table.columns.begin());
+          start.add_value(i < row.size() ? row[i].value : TableValue{});
         }
         for (std::size_t i = 0; i < row.size(); ++i) {
           const Column& column = table.columns[i];
           if (column.place == Place::key) continue;
-          out += start + "," + csv_field(column.name) + "," + csv_field(column.unit) + "," +
-                 csv_field(exact(row[i])) + "\n";
+          out += CsvRow(start).add_words({column.name, column.unit}).add_value(row[i].value).line();
         }
       }
     }

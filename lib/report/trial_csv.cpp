@@ -1,14 +1,11 @@
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <cstdio>
 #include <limits>
 
 #include "base/input_error.hpp"
-#include "base/number_text.hpp"
 #include "report/csv.hpp"
 #include "report/trial_table.hpp"
-#include "store/record_format.hpp"
 
 namespace avoidbench {
 namespace {
@@ -22,6 +19,9 @@ std::string in_hex(std::uint64_t value) {
   std::snprintf(buffer.data(), buffer.size(), "%016llx", static_cast<unsigned long long>(value));
   return buffer.data();
 }
+
+/// A line before the rows that is no row, with their end of line.
+std::string comment_line(const std::string& text) { return text + "\r\n"; }
 
 /// The text and where it stands, so that what is wrong can be told with its line.
 class CsvReader {
@@ -144,37 +144,34 @@ TableTrial trial_of(const CsvReader& reader, const std::vector<std::string>& fie
 }  // namespace
 
 std::string csv_of_table(const TrialTable& table) {
-  std::string out(kTitle);
-  out +=
+  std::string axes = "# axes:";
+  for (const std::string& path : table.axes) axes += " " + path;
+  std::string out = comment_line(
+      std::string(kTitle) +
       ": what `avoidbench compare` needs of each trial; `avoidbench compare DB --bless FILE` wrote "
-      "it\n";
-  out += "# sweep: " + table.sweep.substr(0, table.sweep.find('@')) + "\n# axes:";
-  for (const std::string& path : table.axes) out += " " + path;
-  out += "\n";
-  std::string header;
-  for (const std::string_view column : kColumns) {
-    header += (header.empty() ? "" : ",") + std::string(column);
-  }
+      "it");
+  out += comment_line("# sweep: " + table.sweep.substr(0, table.sweep.find('@')));
+  out += comment_line(axes);
+  CsvRow header;
+  for (const std::string_view column : kColumns) header.add(column);
   for (const MetricRow& metric : table.metrics) {
     if (metric.is_measured) continue;
-    out += "# metric," + metric.name + "," + std::to_string(metric.version) + "," + metric.unit +
-           "," + std::string(text(metric.better)) + "," + std::string(text(metric.population)) +
-           "\n";
-    header += "," + metric.name;
+    CsvRow definition;
+    definition.add_words({"# metric", metric.name, std::to_string(metric.version), metric.unit});
+    out += definition.add_words({text(metric.better), text(metric.population)}).line();
+    header.add(metric.name);
   }
-  out += header + "\n";
+  out += header.line();
   for (const TableTrial& trial : table.trials) {
     const TrialIdentity& id = trial.identity;
-    out += csv_field(id.planner) + "," + csv_field(id.generator) + "," +
-           std::to_string(id.map_seed) + "," + csv_field(id.setting) + "," +
-           std::to_string(id.mission_index) + "," + in_hex(trial.map) + "," +
-           in_hex(trial.mission) + "," + std::string(text(trial.outcome));
+    CsvRow row;
+    row.add_words({id.planner, id.generator, std::to_string(id.map_seed), id.setting});
+    row.add_words({std::to_string(id.mission_index), in_hex(trial.map), in_hex(trial.mission)});
+    row.add(text(trial.outcome));
     for (std::size_t i = 0; i < table.metrics.size(); ++i) {
-      if (table.metrics[i].is_measured) continue;
-      out += ",";
-      if (!std::isnan(trial.metrics[i])) out += shortest(trial.metrics[i]);
+      if (!table.metrics[i].is_measured) row.add(trial.metrics[i]);
     }
-    out += "\n";
+    out += row.line();
   }
   return out;
 }

@@ -9,6 +9,7 @@
 #include "base/random.hpp"
 #include "base/visible_text.hpp"
 #include "report/csv.hpp"
+#include "report/parsed_csv.hpp"
 #include "report/table_text.hpp"
 
 namespace avoidbench {
@@ -51,28 +52,6 @@ Section section() {
           .tables = {table},
           .notes = {{"*", "best"}},
           .warnings = {"few trials"}};
-}
-
-std::vector<std::vector<std::string>> parsed_csv(const std::string& text) {
-  std::vector<std::vector<std::string>> rows{{""}};
-  bool is_quoted = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    std::string& field = rows.back().back();
-    if (is_quoted && text[i] == '"' && i + 1 < text.size() && text[i + 1] == '"') {
-      field += '"';
-      ++i;
-    } else if (text[i] == '"') {
-      is_quoted = !is_quoted;
-    } else if (!is_quoted && text[i] == ',') {
-      rows.back().emplace_back();
-    } else if (!is_quoted && text[i] == '\n') {
-      rows.push_back({""});
-    } else {
-      field += text[i];
-    }
-  }
-  rows.pop_back();
-  return rows;
 }
 
 TEST(Table, IsAlignedForPeople) {
@@ -241,7 +220,7 @@ TEST(Table, ShowsControlCharactersToPeopleAndKeepsThemForPrograms) {
 
 /// RFC 4180, read back.
 std::string unquoted(std::string_view field) {
-  const std::vector<std::vector<std::string>> rows = parsed_csv(std::string(field) + "\n");
+  const std::vector<std::vector<std::string>> rows = parsed_csv(std::string(field) + "\r\n");
   return rows.at(0).at(0);
 }
 
