@@ -1,12 +1,17 @@
 #!/usr/bin/env python3
 """Checks that each room of lib/ includes only itself, rooms before it in lib/ORDER and the third parties named there,
-that planners include only the SDK, and that no code uses what would make results differ between machines."""
+that no room has more than 25 files, that planners include only the SDK, that no code uses what would make results differ between
+machines, and that the drawing in lib/README.md shows the includes as they are.
+
+    check_layers.py [FOLDER] [--draw]    --draw: writes the drawing again"""
 import pathlib
 import re
 import sys
 
-root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".").resolve()
-order, allowed = [], {}
+arguments = [word for word in sys.argv[1:] if word != "--draw"]
+root = pathlib.Path(arguments[0] if arguments else ".").resolve()
+MOST_FILES = 25
+order, allowed, includes = [], {}, {}
 for line in (root / "lib/ORDER").read_text().splitlines():
     if line and not line.startswith("#"):
         room, _, third_parties = line.partition(":")
@@ -43,7 +48,9 @@ def check_include(file, number, kind, path, room):
         return
     if first not in order:
         problem(file, number, f'"{path}" is no room of lib/ORDER')
-    elif order.index(first) > order.index(room):
+    elif first != room and order.index(first) < order.index(room):
+        includes.setdefault(room, set()).add(first)
+    elif first != room:
         problem(file, number, f"room {room} includes {path}, but {first} comes after it in lib/ORDER")
 
 
@@ -73,6 +80,39 @@ for folder in [root / "lib", root / "planners"]:
             for pattern, advice in UNREPEATABLE:
                 if re.search(pattern, code):
                     problem(file, number, f"not repeatable: {advice}")
+
+for room in order:
+    count = sum(file.suffix in {".cpp", ".hpp", ".h"} for file in (root / "lib" / room).rglob("*"))
+    if count > MOST_FILES:
+        problem(root / "lib/ORDER", order.index(room) + 1, f"room {room} has {count} files: more than {MOST_FILES}")
+
+
+def below(room):
+    """All rooms that a room includes, itself or through others."""
+    found = set()
+    for other in includes.get(room, ()):
+        found |= {other} | below(other)
+    return found
+
+
+def drawing():
+    """The includes as Mermaid, without those that follow from others."""
+    lines = ["```mermaid", "graph BT"]
+    for room in order:
+        direct = includes.get(room, set())
+        shown = [other for other in order if other in direct and not any(other in below(third) for third in direct)]
+        lines += [f"  {room} --> {other}" for other in shown]
+    return "\n".join(lines + ["```"])
+
+
+readme = root / "lib/README.md"
+if readme.exists():
+    text = readme.read_text()
+    drawn = re.sub(r"```mermaid\n.*?```", lambda _: drawing(), text, flags=re.DOTALL)
+    if "--draw" in sys.argv:
+        readme.write_text(drawn)
+    elif drawn != text:
+        problem(readme, text[:text.find("```mermaid")].count("\n") + 1, "the drawing is not of these includes: scripts/check_layers.py --draw")
 
 print("\n".join(problems) if problems else f"{len(order)} rooms in order")
 sys.exit(1 if problems else 0)

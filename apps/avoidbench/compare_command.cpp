@@ -3,9 +3,9 @@
 
 #include "base/input_error.hpp"
 #include "commands.hpp"
-#include "config/tolerances.hpp"
+#include "compare/compare_formats.hpp"
+#include "compare/tolerances.hpp"
 #include "reference_table.hpp"
-#include "report/compare_formats.hpp"
 
 namespace avoidbench {
 namespace {

@@ -5,10 +5,10 @@
 #include "commands.hpp"
 #include "config/defaults.hpp"
 #include "config/explain.hpp"
-#include "config/includes.hpp"
 #include "config/json_schema.hpp"
 #include "config/sweep_file.hpp"
 #include "reference_table.hpp"
+#include "yaml/includes.hpp"
 
 namespace avoidbench {
 namespace {

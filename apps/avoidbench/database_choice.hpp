@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <string>
 
+#include "replay/replay.hpp"
 #include "store/database.hpp"
-#include "sweep/replay.hpp"
 
 namespace avoidbench {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "sensing/picture.hpp"
+#include "drawing/picture.hpp"
 
 namespace avoidbench {
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "base/input_error.hpp"
-#include "base/visible_text.hpp"
 #include "commands.hpp"
 #include "plugin/planner_library.hpp"
+#include "text/visible_text.hpp"
 #include "version.hpp"
 #include "visible_streams.hpp"
 

@@ -9,11 +9,11 @@
 
 #include "base/input_error.hpp"
 #include "config/sweep_file.hpp"
-#include "config/yaml_values.hpp"
 #include "metrics/environment.hpp"
 #include "metrics/find_maps.hpp"
 #include "metrics/metric_table.hpp"
 #include "visible_streams.hpp"
+#include "yaml/yaml_values.hpp"
 
 namespace avoidbench {
 namespace {

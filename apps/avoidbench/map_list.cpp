@@ -4,10 +4,10 @@
 #include <memory>
 
 #include "base/input_error.hpp"
+#include "maps/generators.hpp"
 #include "metrics/environment.hpp"
 #include "reference_table.hpp"
 #include "trial/trial_spec.hpp"
-#include "world/generators.hpp"
 
 namespace avoidbench {
 namespace {

@@ -9,15 +9,15 @@
 #include "base/input_error.hpp"
 #include "commands.hpp"
 #include "config/sweep_file.hpp"
-#include "config/yaml_values.hpp"
+#include "map_file/export_map.hpp"
 #include "map_find.hpp"
 #include "map_list.hpp"
-#include "map_views.hpp"
 #include "metrics/environment.hpp"
 #include "metrics/metric_table.hpp"
 #include "reference_table.hpp"
-#include "world/export_map.hpp"
+#include "view/map_views.hpp"
 #include "world/voxels.hpp"
+#include "yaml/yaml_values.hpp"
 
 namespace avoidbench {
 namespace {

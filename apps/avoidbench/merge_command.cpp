@@ -3,10 +3,10 @@
 #include <iostream>
 #include <memory>
 
-#include "base/visible_text.hpp"
 #include "commands.hpp"
 #include "metrics/metric_table.hpp"
 #include "store/merge.hpp"
+#include "text/visible_text.hpp"
 
 namespace avoidbench {
 namespace {

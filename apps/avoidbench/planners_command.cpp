@@ -5,10 +5,10 @@
 
 #include "base/input_error.hpp"
 #include "commands.hpp"
-#include "config/yaml_values.hpp"
-#include "plugin/conformance.hpp"
+#include "conformance/conformance.hpp"
 #include "plugin/planner_library.hpp"
 #include "reference_table.hpp"
+#include "yaml/yaml_values.hpp"
 
 namespace avoidbench {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "base/input_error.hpp"
 #include "commands.hpp"
-#include "report/power_table.hpp"
+#include "compare/power_table.hpp"
 #include "visible_streams.hpp"
 
 namespace avoidbench {

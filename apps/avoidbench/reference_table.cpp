@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "base/input_error.hpp"
-#include "base/visible_text.hpp"
-#include "report/csv.hpp"
-#include "report/table_text.hpp"
+#include "table/csv.hpp"
+#include "table/table_text.hpp"
+#include "text/visible_text.hpp"
 #include "visible_streams.hpp"
 
 namespace avoidbench {

@@ -7,14 +7,14 @@
 #include <memory>
 
 #include "base/input_error.hpp"
-#include "base/visible_text.hpp"
 #include "commands.hpp"
 #include "database_choice.hpp"
-#include "replay_files.hpp"
-#include "replay_sheet.hpp"
-#include "report/export_trajectory.hpp"
-#include "sweep/worker_process.hpp"
+#include "export/export_trajectory.hpp"
+#include "export/replay_files.hpp"
+#include "text/visible_text.hpp"
 #include "trial_list.hpp"
+#include "view/replay_sheet.hpp"
+#include "worker/worker_process.hpp"
 
 namespace avoidbench {
 namespace {

@@ -15,12 +15,11 @@
 #include <set>
 
 #include "base/input_error.hpp"
-#include "base/number_text.hpp"
-#include "base/sandbox.hpp"
 #include "commands.hpp"
 #include "config/sweep_file.hpp"
 #include "metrics/metric_table.hpp"
 #include "plugin/planner_description.hpp"
+#include "process/sandbox.hpp"
 #include "render/ray_tracing_isa.hpp"
 #include "run_progress.hpp"
 #include "shard_option.hpp"
@@ -29,6 +28,7 @@
 #include "sweep/allowance.hpp"
 #include "sweep/key_maker.hpp"
 #include "sweep/run_sweep.hpp"
+#include "text/number_text.hpp"
 #include "version.hpp"
 
 namespace avoidbench {

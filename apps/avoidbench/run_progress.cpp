@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/input_error.hpp"
-#include "base/visible_text.hpp"
+#include "text/visible_text.hpp"
 
 namespace avoidbench {
 namespace {

@@ -12,14 +12,14 @@
 #include "base/random.hpp"
 #include "commands.hpp"
 #include "config/sweep_file.hpp"
-#include "config/yaml_values.hpp"
 #include "line_chart.hpp"
 #include "reference_table.hpp"
 #include "render/depth.hpp"
 #include "sensing/camera.hpp"
 #include "sensing/depth_statistics.hpp"
-#include "sensor_sheet.hpp"
 #include "trial/mission.hpp"
+#include "view/sensor_sheet.hpp"
+#include "yaml/yaml_values.hpp"
 
 namespace avoidbench {
 namespace {

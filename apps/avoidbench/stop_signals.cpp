@@ -6,7 +6,7 @@
 #include <cerrno>
 #include <string_view>
 
-#include "base/process_tree.hpp"
+#include "process/process_tree.hpp"
 
 namespace avoidbench {
 namespace {

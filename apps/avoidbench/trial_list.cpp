@@ -5,8 +5,8 @@
 #include <cstdlib>
 
 #include "base/input_error.hpp"
-#include "base/number_text.hpp"
-#include "base/visible_text.hpp"
+#include "text/number_text.hpp"
+#include "text/visible_text.hpp"
 
 namespace avoidbench {
 namespace {

@@ -7,12 +7,12 @@
 #include <set>
 
 #include "base/input_error.hpp"
-#include "base/visible_text.hpp"
 #include "commands.hpp"
 #include "database_choice.hpp"
+#include "replay/replay.hpp"
 #include "store/database.hpp"
-#include "sweep/replay.hpp"
-#include "sweep/worker_process.hpp"
+#include "text/visible_text.hpp"
+#include "worker/worker_process.hpp"
 
 namespace avoidbench {
 namespace {

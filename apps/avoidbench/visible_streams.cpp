@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/visible_text.hpp"
+#include "text/visible_text.hpp"
 
 namespace avoidbench {
 namespace {

@@ -2,7 +2,7 @@
 #include <memory>
 
 #include "commands.hpp"
-#include "sweep/worker.hpp"
+#include "worker/worker.hpp"
 
 namespace avoidbench {
 

@@ -4,7 +4,7 @@
 
 #include "base/input_error.hpp"
 #include "base/ticks.hpp"
-#include "config/yaml_values.hpp"
+#include "yaml/yaml_values.hpp"
 
 namespace avoidbench {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "config/yaml_reader.hpp"
 #include "trial/trial_spec.hpp"
+#include "yaml/yaml_reader.hpp"
 
 namespace avoidbench {
 namespace {

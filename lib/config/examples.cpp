@@ -6,7 +6,7 @@
 
 #include "config/cross_checks.hpp"
 #include "config/sweep_keys.hpp"
-#include "config/yaml_values.hpp"
+#include "yaml/yaml_values.hpp"
 
 namespace avoidbench {
 namespace {

@@ -7,7 +7,7 @@
 #include "base/input_error.hpp"
 #include "config/examples.hpp"
 #include "config/sweep_keys.hpp"
-#include "config/yaml_values.hpp"
+#include "yaml/yaml_values.hpp"
 
 namespace avoidbench {
 namespace {

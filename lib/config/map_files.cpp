@@ -1,10 +1,10 @@
 #include "config/map_files.hpp"
 
 #include "base/digest.hpp"
-#include "config/includes.hpp"
-#include "config/overrides.hpp"
 #include "config/sweep_axes.hpp"
-#include "vehicle/wind_field.hpp"
+#include "wind/wind_field.hpp"
+#include "yaml/includes.hpp"
+#include "yaml/overrides.hpp"
 
 namespace avoidbench {
 namespace {

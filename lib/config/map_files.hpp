@@ -1,7 +1,7 @@
 #pragma once
 
-#include "config/yaml_reader.hpp"
 #include "sweep/sweep_spec.hpp"
+#include "yaml/yaml_reader.hpp"
 
 namespace avoidbench {
 

@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "config/includes.hpp"
+#include "yaml/includes.hpp"
 
 namespace avoidbench {
 namespace {

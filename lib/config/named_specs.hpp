@@ -2,9 +2,9 @@
 
 #include <filesystem>
 
-#include "config/yaml_reader.hpp"
 #include "sensing/sensor_spec.hpp"
 #include "vehicle/vehicle_spec.hpp"
+#include "yaml/yaml_reader.hpp"
 
 namespace avoidbench {
 

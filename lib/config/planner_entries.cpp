@@ -4,9 +4,9 @@
 #include <map>
 #include <optional>
 
-#include "base/visible_text.hpp"
-#include "config/includes.hpp"
 #include "plugin/planner_library.hpp"
+#include "text/visible_text.hpp"
+#include "yaml/includes.hpp"
 
 namespace avoidbench {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "config/yaml_reader.hpp"
 #include "trial/trial_spec.hpp"
+#include "yaml/yaml_reader.hpp"
 
 namespace avoidbench {
 

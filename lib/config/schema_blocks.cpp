@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "config/yaml_values.hpp"
+#include "yaml/yaml_values.hpp"
 
 namespace avoidbench {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "config/yaml_reader.hpp"
 #include "sweep/sweep_spec.hpp"
+#include "yaml/yaml_reader.hpp"
 
 namespace avoidbench {
 

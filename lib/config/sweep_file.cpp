@@ -10,10 +10,10 @@
 #include "config/cross_checks.hpp"
 #include "config/map_files.hpp"
 #include "config/named_specs.hpp"
-#include "config/overrides.hpp"
 #include "config/planner_entries.hpp"
 #include "config/sweep_axes.hpp"
-#include "config/yaml_reader.hpp"
+#include "yaml/overrides.hpp"
+#include "yaml/yaml_reader.hpp"
 
 namespace avoidbench {
 namespace {

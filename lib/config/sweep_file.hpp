@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "config/includes.hpp"
 #include "sweep/sweep_spec.hpp"
+#include "yaml/includes.hpp"
 
 namespace avoidbench {
 

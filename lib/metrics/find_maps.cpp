@@ -4,7 +4,7 @@
 
 #include "base/check.hpp"
 #include "base/input_error.hpp"
-#include "base/number_text.hpp"
+#include "text/number_text.hpp"
 
 namespace avoidbench {
 namespace {

@@ -3,8 +3,8 @@
 
 #include "base/check.hpp"
 #include "base/input_error.hpp"
-#include "base/number_text.hpp"
 #include "plugin/planner_library.hpp"
+#include "text/number_text.hpp"
 
 namespace avoidbench {
 namespace {

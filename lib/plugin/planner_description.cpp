@@ -13,8 +13,8 @@
 #include "base/digest.hpp"
 #include "base/input_error.hpp"
 #include "base/spec_json.hpp"
-#include "plugin/isolated_run.hpp"
 #include "plugin/planner_library.hpp"
+#include "process/isolated_run.hpp"
 
 namespace avoidbench {
 namespace {

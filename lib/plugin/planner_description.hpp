@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "avoidbench/planner.h"
-#include "base/sandbox.hpp"
+#include "process/sandbox.hpp"
 
 namespace avoidbench {
 

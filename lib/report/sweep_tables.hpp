@@ -1,7 +1,7 @@
 #pragma once
 
 #include "report/summary.hpp"
-#include "report/table.hpp"
+#include "table/table.hpp"
 
 namespace avoidbench {
 

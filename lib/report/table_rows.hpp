@@ -3,7 +3,7 @@
 // What the tables of a sweep are put together from, and their parts.
 
 #include "report/summary.hpp"
-#include "report/table.hpp"
+#include "table/table.hpp"
 
 namespace avoidbench {
 

@@ -8,10 +8,10 @@
 #include "base/check.hpp"
 #include "base/random.hpp"
 #include "render/depth.hpp"
-#include "render/shading.hpp"
 #include "sensing/depth_noise.hpp"
 #include "sensing/image_model.hpp"
 #include "sensing/stereo_matcher.hpp"
+#include "shading/shading.hpp"
 
 namespace avoidbench {
 namespace {

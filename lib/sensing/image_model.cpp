@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/check.hpp"
-#include "render/srgb.hpp"
+#include "shading/srgb.hpp"
 
 namespace avoidbench {
 

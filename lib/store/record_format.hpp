@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/number_text.hpp"
+#include "text/number_text.hpp"
 #include "trial/trial_record.hpp"
 
 namespace avoidbench {

@@ -7,7 +7,7 @@
 
 #include "metrics/map_record.hpp"
 #include "metrics/metric_table.hpp"
-#include "store/table_value.hpp"
+#include "table/table_value.hpp"
 #include "trial/trial_record.hpp"
 
 namespace avoidbench {

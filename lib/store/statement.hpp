@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "store/table_value.hpp"
+#include "table/table_value.hpp"
 
 namespace avoidbench {
 

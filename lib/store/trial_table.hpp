@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "store/database.hpp"
-#include "store/table_value.hpp"
+#include "table/table_value.hpp"
 
 namespace avoidbench {
 

@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "base/sandbox.hpp"
+#include "process/sandbox.hpp"
 #include "store/database.hpp"
 #include "sweep/file_state.hpp"
-#include "sweep/job.hpp"
 #include "sweep/recorded_latency.hpp"
 #include "sweep/run_sweep.hpp"
 #include "sweep/schedule.hpp"
+#include "worker/job.hpp"
 
 /// A run as its parent process sees it, and what becomes of jobs.
 namespace avoidbench {

@@ -10,7 +10,7 @@
 #include "sweep/run_state.hpp"
 #include "sweep/seats.hpp"
 #include "sweep/sweep_rows.hpp"
-#include "sweep/worker.hpp"
+#include "worker/worker.hpp"
 
 namespace avoidbench {
 namespace {

@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "base/input_error.hpp"
-#include "base/process_tree.hpp"
-#include "sweep/crash_report.hpp"
-#include "sweep/worker.hpp"
-#include "sweep/worker_process.hpp"
+#include "process/process_tree.hpp"
+#include "worker/crash_report.hpp"
+#include "worker/worker.hpp"
+#include "worker/worker_process.hpp"
 
 namespace avoidbench {
 namespace {

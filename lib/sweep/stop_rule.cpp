@@ -5,8 +5,8 @@
 #include <charconv>
 
 #include "base/input_error.hpp"
-#include "base/number_text.hpp"
 #include "statistics/rates.hpp"
+#include "text/number_text.hpp"
 
 namespace avoidbench {
 namespace {

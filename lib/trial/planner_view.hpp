@@ -1,9 +1,9 @@
 #pragma once
 
+#include "control/command.hpp"
 #include "plugin/planner_instance.hpp"
 #include "trial/mission.hpp"
 #include "trial/trial_spec.hpp"
-#include "vehicle/command.hpp"
 #include "vehicle/state.hpp"
 
 /// The trial's types as the planner interface has them, and back.

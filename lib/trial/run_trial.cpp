@@ -6,15 +6,15 @@
 #include <optional>
 
 #include "base/check.hpp"
-#include "base/number_text.hpp"
+#include "control/tracking.hpp"
+#include "text/number_text.hpp"
 #include "trial/collision_check.hpp"
 #include "trial/noise_seed.hpp"
 #include "trial/perception.hpp"
 #include "trial/periods.hpp"
 #include "trial/planner_view.hpp"
 #include "vehicle/dynamics.hpp"
-#include "vehicle/tracking.hpp"
-#include "vehicle/wind.hpp"
+#include "wind/wind.hpp"
 
 namespace avoidbench {
 namespace {

@@ -6,12 +6,12 @@
 
 #include "base/enum_text.hpp"
 #include "base/fields.hpp"
+#include "maps/map_spec.hpp"
 #include "sensing/imu.hpp"
 #include "sensing/odometry.hpp"
 #include "sensing/sensor_spec.hpp"
 #include "vehicle/vehicle_spec.hpp"
-#include "vehicle/wind_spec.hpp"
-#include "world/map_spec.hpp"
+#include "wind/wind_spec.hpp"
 
 namespace avoidbench {
 

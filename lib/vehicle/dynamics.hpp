@@ -2,9 +2,9 @@
 
 #include <Eigen/Core>
 
-#include "vehicle/environment.hpp"
 #include "vehicle/model.hpp"
 #include "vehicle/state.hpp"
+#include "wind/environment.hpp"
 
 namespace avoidbench {
 

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "base/input_error.hpp"
-#include "base/number_text.hpp"
 #include "geometry/box_triangle.hpp"
+#include "text/number_text.hpp"
 
 namespace avoidbench {
 namespace {

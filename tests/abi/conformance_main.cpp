@@ -1,6 +1,6 @@
 #include <iostream>
 
-#include "plugin/conformance.hpp"
+#include "conformance/conformance.hpp"
 
 /// Exit 0 when the planner library given keeps every rule of the interface; else says which it
 /// breaks.

@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "bare_loop.hpp"
+#include "maps/map_spec.hpp"
 #include "render/depth.hpp"
 #include "render/scene.hpp"
 #include "sensing/camera.hpp"
-#include "world/map_spec.hpp"
 
 // One image of each built-in sensor beside the true depth of the same view, measured in turns.
 namespace avoidbench {

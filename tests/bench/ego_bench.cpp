@@ -9,9 +9,9 @@
 #include "bare_loop.hpp"
 #include "base/math.hpp"
 #include "flight.hpp"
+#include "maps/map_spec.hpp"
 #include "render/depth.hpp"
 #include "render/scene.hpp"
-#include "world/map_spec.hpp"
 
 // What a call of `ego` costs in flight, its map and its planning apart: across a rendered forest,
 // the vehicle being where it was told to be. Beside it, in turns, a Cholesky factorisation of 200 ×

@@ -8,10 +8,10 @@
 #include "bare_loop.hpp"
 #include "base/math.hpp"
 #include "base/random.hpp"
+#include "maps/map_spec.hpp"
 #include "planning/rolling_grid.hpp"
 #include "render/depth.hpp"
 #include "render/scene.hpp"
-#include "world/map_spec.hpp"
 
 // The planners' occupancy grid over rendered images of a forest. Beside integrate(), in turns with
 // it, stands the textbook's way: every ray walked to its end, one count a cell in a flat array.

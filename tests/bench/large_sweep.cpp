@@ -11,7 +11,7 @@
 #include "sweep/recorded_latency.hpp"
 #include "sweep/schedule.hpp"
 #include "sweep/sweep_rows.hpp"
-#include "sweep/worker.hpp"
+#include "worker/worker.hpp"
 
 /// Fills a database as if a large sweep had been flown: every trial has its own key and spec, and
 /// the map and record of one real flight a planner. tests/bench/large_sweep.py measures with it.

@@ -12,13 +12,13 @@
 #include "bare_loop.hpp"
 #include "base/math.hpp"
 #include "base/random.hpp"
+#include "maps/map_spec.hpp"
 #include "render/depth.hpp"
 #include "render/flush_to_zero.hpp"
 #include "render/primary_rays.hpp"
 #include "render/scene.hpp"
 #include "render/scene_internals.hpp"
-#include "render/shading.hpp"
-#include "world/map_spec.hpp"
+#include "shading/shading.hpp"
 
 // Each figure stands beside the same work by a bare Embree loop, measured in turns with it.
 namespace avoidbench {

@@ -1,7 +1,7 @@
 #include <benchmark/benchmark.h>
 
+#include "control/tracking.hpp"
 #include "vehicle/dynamics.hpp"
-#include "vehicle/tracking.hpp"
 
 namespace avoidbench {
 namespace {

@@ -1,5 +1,5 @@
 // Sweep files that include others.
-#include "config/includes.hpp"
+#include "yaml/includes.hpp"
 
 #include "base/random.hpp"
 #include "config/sweep_fixture.hpp"

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "base/spec_json.hpp"
-#include "config/problems.hpp"
 #include "config/sweep_file.hpp"
+#include "support/problems.hpp"
 
 namespace avoidbench {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "base/input_error.hpp"
-#include "world/mesh_file.hpp"
+#include "map_file/mesh_file.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   constexpr std::array<const char*, 5> kFiles{"f.obj", "f.ply", "f.stl", "f.gltf", "f.glb"};

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "base/input_error.hpp"
-#include "world/point_cloud_file.hpp"
+#include "map_file/point_cloud_file.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {

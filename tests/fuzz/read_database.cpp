@@ -7,17 +7,17 @@
 #include <fstream>
 
 #include "base/input_error.hpp"
-#include "report/compare_formats.hpp"
-#include "report/export_trials.hpp"
-#include "report/ompl_log.hpp"
+#include "compare/compare_formats.hpp"
+#include "compare/trial_table.hpp"
+#include "export/export_trials.hpp"
+#include "export/ompl_log.hpp"
+#include "replay/replay.hpp"
 #include "report/summary.hpp"
 #include "report/sweep_tables.hpp"
-#include "report/trial_table.hpp"
 #include "store/merge.hpp"
 #include "store/row_digest.hpp"
-#include "store/sample_rows.hpp"
 #include "support/canonical_rows.hpp"
-#include "sweep/replay.hpp"
+#include "support/sample_rows.hpp"
 #include "sweep/sweep_rows.hpp"
 
 namespace avoidbench::fuzz {

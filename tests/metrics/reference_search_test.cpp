@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 
+#include "maps/map_spec.hpp"
 #include "metrics/environment.hpp"
 #include "metrics/fast_marching.hpp"
 #include "metrics/map_record.hpp"
 #include "metrics/reference_path.hpp"
 #include "metrics/taut_path.hpp"
-#include "world/map_spec.hpp"
 
 /// Reference paths on maps of every generator, against a second search by other means.
 namespace avoidbench {

@@ -14,7 +14,7 @@
 #include <thread>
 
 #include "plugin/bad_planners.hpp"
-#include "plugin/isolated_run.hpp"
+#include "process/isolated_run.hpp"
 
 /// Libraries that do harm as soon as they are loaded: whoever describes them comes to none.
 namespace avoidbench {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "base/input_error.hpp"
-#include "plugin/conformance.hpp"
+#include "conformance/conformance.hpp"
 #include "plugin/planner_library.hpp"
 
 namespace avoidbench {

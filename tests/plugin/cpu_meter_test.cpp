@@ -5,8 +5,8 @@
 #include <chrono>
 #include <thread>
 
+#include "conformance/conformance_flight.hpp"
 #include "plugin/bad_planners.hpp"
-#include "plugin/conformance_flight.hpp"
 #include "plugin/planner_instance.hpp"
 
 namespace avoidbench {

@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "avoidbench/planner_eigen.hpp"
+#include "conformance/conformance_flight.hpp"
 #include "plugin/bad_planners.hpp"
-#include "plugin/conformance_flight.hpp"
 #include "plugin/host_buffers.hpp"
 
 namespace avoidbench {

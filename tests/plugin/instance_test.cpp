@@ -12,9 +12,9 @@
 #include <limits>
 #include <locale>
 
+#include "conformance/conformance_flight.hpp"
 #include "plugin/bad_planners.hpp"
 #include "plugin/command_check.hpp"
-#include "plugin/conformance_flight.hpp"
 
 namespace avoidbench {
 namespace {

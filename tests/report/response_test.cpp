@@ -3,10 +3,10 @@
 #include <cmath>
 #include <limits>
 
-#include "report/power_table.hpp"
+#include "compare/power_table.hpp"
 #include "report/summary.hpp"
 #include "report/sweep_tables.hpp"
-#include "sample_sweep.hpp"
+#include "support/sample_sweep.hpp"
 
 namespace avoidbench {
 namespace {

@@ -5,7 +5,7 @@
 #include "base/input_error.hpp"
 #include "report/grouping.hpp"
 #include "report/summary.hpp"
-#include "sample_sweep.hpp"
+#include "support/sample_sweep.hpp"
 
 namespace avoidbench {
 namespace {

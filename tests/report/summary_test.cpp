@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "base/input_error.hpp"
-#include "sample_sweep.hpp"
 #include "statistics/rates.hpp"
+#include "support/sample_sweep.hpp"
 
 namespace avoidbench {
 namespace {

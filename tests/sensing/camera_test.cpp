@@ -7,10 +7,10 @@
 #include <cstring>
 #include <limits>
 
+#include "maps/map_spec.hpp"
 #include "render/depth.hpp"
 #include "sensing/depth_statistics.hpp"
 #include "support/test_worlds.hpp"
-#include "world/map_spec.hpp"
 
 namespace avoidbench {
 namespace {

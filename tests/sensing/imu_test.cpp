@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/spec_json.hpp"
-#include "vehicle/tracking.hpp"
+#include "control/tracking.hpp"
 
 namespace avoidbench {
 namespace {

@@ -12,8 +12,8 @@
 #include "store/database.hpp"
 #include "store/merge.hpp"
 #include "store/row_digest.hpp"
-#include "store/sample_rows.hpp"
 #include "store/statement.hpp"
+#include "support/sample_rows.hpp"
 
 /// What may be wrong with a file or its disk, and what survives.
 namespace avoidbench {

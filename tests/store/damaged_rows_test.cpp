@@ -4,11 +4,11 @@
 #include "base/input_error.hpp"
 #include "store/merge.hpp"
 #include "store/row_digest.hpp"
-#include "store/sample_rows.hpp"
 #include "store/stored_text.hpp"
 #include "store/trial_table.hpp"
 #include "store/visit_trials.hpp"
 #include "support/canonical_rows.hpp"
+#include "support/sample_rows.hpp"
 
 /// Rows that the program never writes: found and named, whoever reads them.
 namespace avoidbench {

@@ -7,10 +7,10 @@
 
 #include "base/input_error.hpp"
 #include "store/record_format.hpp"
-#include "store/sample_rows.hpp"
 #include "store/schema_check.hpp"
 #include "store/statement.hpp"
 #include "support/canonical_rows.hpp"
+#include "support/sample_rows.hpp"
 
 namespace avoidbench {
 namespace {

@@ -5,9 +5,9 @@
 
 #include "base/input_error.hpp"
 #include "store/merge.hpp"
-#include "store/sample_rows.hpp"
 #include "store/trial_table.hpp"
 #include "support/canonical_rows.hpp"
+#include "support/sample_rows.hpp"
 
 /// Files whose schema is not what the program makes: by another hand, or on purpose.
 namespace avoidbench {

@@ -4,9 +4,9 @@
 #include <sqlite3.h>
 
 #include "base/input_error.hpp"
-#include "sample_rows.hpp"
 #include "store/record_format.hpp"
 #include "support/canonical_rows.hpp"
+#include "support/sample_rows.hpp"
 
 namespace avoidbench {
 namespace {

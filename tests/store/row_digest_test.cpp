@@ -5,8 +5,8 @@
 
 #include "base/input_error.hpp"
 #include "store/merge.hpp"
-#include "store/sample_rows.hpp"
 #include "store/statement.hpp"
+#include "support/sample_rows.hpp"
 
 namespace avoidbench {
 namespace {

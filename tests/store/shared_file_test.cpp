@@ -11,7 +11,7 @@
 #include "base/input_error.hpp"
 #include "store/database.hpp"
 #include "store/merge.hpp"
-#include "store/sample_rows.hpp"
+#include "support/sample_rows.hpp"
 
 /// What other programs do to a file while a run writes to it.
 namespace avoidbench {

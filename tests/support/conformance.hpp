@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "plugin/conformance.hpp"
-#include "plugin/conformance_run.hpp"
+#include "conformance/conformance.hpp"
+#include "conformance/conformance_run.hpp"
 
 namespace avoidbench::test {
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "geometry/triangle_mesh.hpp"
-#include "world/map_file.hpp"
+#include "map_file/map_file.hpp"
 
 /// Map files to read, written by the test itself.
 namespace avoidbench::test {

@@ -4,9 +4,9 @@
 
 #include "base/input_error.hpp"
 #include "base/spec_json.hpp"
-#include "small_sweep.hpp"
+#include "replay/replay.hpp"
+#include "support/small_sweep.hpp"
 #include "sweep/recorded_latency.hpp"
-#include "sweep/replay.hpp"
 
 /// Sweeps whose latencies are measured, and sweeps that fly them again.
 namespace avoidbench {

@@ -10,12 +10,12 @@
 #include "base/digest.hpp"
 #include "base/input_error.hpp"
 #include "base/spec_json.hpp"
-#include "small_sweep.hpp"
-#include "sweep/job.hpp"
+#include "support/small_sweep.hpp"
 #include "sweep/key_maker.hpp"
 #include "sweep/recorded_latency.hpp"
 #include "sweep/schedule.hpp"
-#include "sweep/worker_process.hpp"
+#include "worker/job.hpp"
+#include "worker/worker_process.hpp"
 
 namespace avoidbench {
 namespace {

@@ -3,10 +3,10 @@
 #include <map>
 #include <sstream>
 
-#include "base/process_tree.hpp"
-#include "base/sandbox.hpp"
-#include "small_sweep.hpp"
-#include "sweep/crash_report.hpp"
+#include "process/process_tree.hpp"
+#include "process/sandbox.hpp"
+#include "support/small_sweep.hpp"
+#include "worker/crash_report.hpp"
 
 /// Planners that misbehave in every way there is: each costs its own trial, and nothing else.
 namespace avoidbench {

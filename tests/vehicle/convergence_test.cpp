@@ -3,8 +3,8 @@
 #include <cmath>
 #include <vector>
 
-#include "plain_rk4.hpp"
-#include "vehicles.hpp"
+#include "support/plain_rk4.hpp"
+#include "support/vehicles.hpp"
 
 namespace avoidbench {
 namespace {

@@ -1,8 +1,8 @@
 // Steps of 4 ms, those of configs/rates/learning.yaml.
 #include <gtest/gtest.h>
 
-#include "flights.hpp"
-#include "plain_rk4.hpp"
+#include "support/flights.hpp"
+#include "support/plain_rk4.hpp"
 
 namespace avoidbench {
 namespace {

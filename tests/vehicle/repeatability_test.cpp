@@ -6,8 +6,8 @@
 
 #include "base/math.hpp"
 #include "base/random.hpp"
-#include "flights.hpp"
 #include "geometry/pose.hpp"
+#include "support/flights.hpp"
 
 namespace avoidbench {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "vehicles.hpp"
+#include "support/vehicles.hpp"
 
 namespace avoidbench {
 namespace {

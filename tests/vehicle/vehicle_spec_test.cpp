@@ -4,7 +4,7 @@
 
 #include "base/input_error.hpp"
 #include "base/spec_json.hpp"
-#include "vehicle/wind_spec.hpp"
+#include "wind/wind_spec.hpp"
 
 namespace avoidbench {
 namespace {

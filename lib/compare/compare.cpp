@@ -1,0 +1,379 @@
+#include "compare/compare.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "base/input_error.hpp"
+#include "base/normal_quantile.hpp"
+#include "statistics/bootstrap.hpp"
+#include "statistics/ranks.hpp"
+#include "statistics/rates.hpp"
+
+namespace avoidbench {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr std::string_view kSuccessRate = "success_rate";
+constexpr std::array<std::string_view, 6> kUsualMetrics{
+    "path_optimality_pct",  "energy_optimality", "average_goal_velocity_mps",
+    "mission_progress_pct", "min_clearance_m",   "processing_time_ms"};
+/// Metrics that no failure improves: they are at their best in every finished trial.
+constexpr std::array<std::string_view, 3> kOfFailuresToo{
+    "mission_progress_pct", "relative_end_distance_ratio", "collision_count"};
+/// Above it the normal interval, whose error falls with the number of maps, is as good as the
+/// bootstrap's, and the jackknife in that one would take long.
+constexpr std::size_t kMostBootstrapMaps = 300;
+
+using Pair = std::pair<std::size_t, std::size_t>;
+
+bool finished(const TableTrial& trial) { return trial.outcome == Outcome::reached_goal; }
+
+/// A pair of values and the map that they are from.
+struct PairValue {
+  std::uint64_t map;
+  double before, after;
+};
+
+/// Sums of one map.
+struct MapSums {
+  double count = 0.0, before = 0.0, after = 0.0;
+};
+
+std::vector<MapSums> sums_by_map(const std::vector<PairValue>& values) {
+  std::map<std::uint64_t, MapSums> by_map;
+  for (const PairValue& value : values) {
+    MapSums& sums = by_map[value.map];
+    sums.count += 1.0;
+    sums.before += value.before;
+    sums.after += value.after;
+  }
+  std::vector<MapSums> maps;
+  for (const auto& [map, sums] : by_map) maps.push_back(sums);
+  return maps;
+}
+
+/// The interval of a mean of all values, given each map's sum of them and count.
+Interval mean_interval(const std::vector<double>& sums, const std::vector<double>& counts,
+                       std::string_view name, std::size_t replicate_count) {
+  if (sums.size() < 2) return {kNaN, kNaN};
+  const auto mean_of = [&](std::span<const std::size_t> drawn) {
+    double sum = 0.0, count = 0.0;
+    for (const std::size_t map : drawn) {
+      sum += sums[map];
+      count += counts[map];
+    }
+    return sum / count;
+  };
+  if (sums.size() <= kMostBootstrapMaps) {
+    return bca_interval(sums.size(), mean_of, stream(1, name), replicate_count);
+  }
+  double sum = 0.0, count = 0.0, squares = 0.0;
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    sum += sums[i];
+    count += counts[i];
+  }
+  const double mean = sum / count;
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    const double residual = sums[i] - mean * counts[i];
+    squares += residual * residual;
+  }
+  const double half_width = normal_quantile(0.975) * std::sqrt(squares) / count;
+  return {mean - half_width, mean + half_width};
+}
+
+double limit_of(const CompareSettings& settings, const std::string& metric, double base_mean,
+                bool& is_ignored) {
+  const auto own = settings.tolerances.find(metric);
+  const Tolerance& tolerance = own == settings.tolerances.end() ? settings.tolerance : own->second;
+  is_ignored = tolerance.kind == Tolerance::Kind::ignored;
+  if (tolerance.kind == Tolerance::Kind::relative) return tolerance.value * std::abs(base_mean);
+  return tolerance.value;
+}
+
+/// Fills in means, change, intervals and p from the values of the pairs.
+void fill_figures(const std::vector<PairValue>& values, std::size_t replicate_count,
+                  MetricComparison& row) {
+  row.pair_count = static_cast<std::int64_t>(values.size());
+  row.base_mean = row.new_mean = row.change = row.p = row.adjusted_p = kNaN;
+  row.change_interval = row.new_interval = {kNaN, kNaN};
+  if (values.empty()) return;
+  std::vector<double> differences, changes, sums, counts;
+  double before = 0.0, after = 0.0;
+  for (const MapSums& map : sums_by_map(values)) {
+    before += map.before;
+    after += map.after;
+    changes.push_back(map.after - map.before);
+    sums.push_back(map.after);
+    counts.push_back(map.count);
+  }
+  std::int64_t lost = 0, gained = 0;
+  bool is_equal = true;
+  for (const PairValue& value : values) {
+    differences.push_back(value.after - value.before);
+    lost += value.before > value.after ? 1 : 0;
+    gained += value.after > value.before ? 1 : 0;
+    is_equal = is_equal && value.after == value.before;
+  }
+  const auto count = static_cast<double>(values.size());
+  row.base_mean = before / count;
+  row.new_mean = after / count;
+  // Rounding of the sums is no change.
+  row.change = is_equal ? 0.0 : row.new_mean - row.base_mean;
+  row.change_interval = mean_interval(changes, counts, "compare change", replicate_count);
+  row.new_interval = mean_interval(sums, counts, "compare new", replicate_count);
+  if (row.metric == kSuccessRate) {
+    row.p = mcnemar_exact_p(lost, gained);
+  } else {
+    row.p = is_equal ? 1.0 : wilcoxon_signed_rank(differences).p;
+  }
+}
+
+std::vector<PairValue> values_of(const TrialTable& base, const TrialTable& now,
+                                 const std::vector<Pair>& pairs, const std::string& metric) {
+  std::vector<PairValue> values;
+  if (metric == kSuccessRate) {
+    for (const auto& [i, k] : pairs) {
+      values.push_back({.map = base.trials[i].map,
+                        .before = finished(base.trials[i]) ? 1.0 : 0.0,
+                        .after = finished(now.trials[k]) ? 1.0 : 0.0});
+    }
+    return values;
+  }
+  const auto [base_column, new_column] = common_metric(base, now, metric);
+  const bool takes_failures =
+      std::find(kOfFailuresToo.begin(), kOfFailuresToo.end(), metric) != kOfFailuresToo.end();
+  for (const auto& [i, k] : pairs) {
+    const TableTrial& before = base.trials[i];
+    const TableTrial& after = now.trials[k];
+    if (!takes_failures && !(finished(before) && finished(after))) continue;
+    const double old_value = before.metrics[base_column], new_value = after.metrics[new_column];
+    if (!std::isfinite(old_value) || !std::isfinite(new_value)) continue;
+    values.push_back({.map = before.map, .before = old_value, .after = new_value});
+  }
+  return values;
+}
+
+MetricComparison row_of(const TrialTable& base, const TrialTable& now,
+                        const std::vector<Pair>& pairs, std::size_t planner,
+                        const std::string& metric, std::size_t replicate_count) {
+  MetricComparison row;
+  row.planner = planner;
+  row.metric = metric;
+  row.better = Better::more;
+  if (metric != kSuccessRate) {
+    const MetricRow& definition = now.metrics[common_metric(base, now, metric).second];
+    row.unit = definition.unit;
+    row.better = definition.better;
+    row.is_measured = definition.is_measured;
+  }
+  fill_figures(values_of(base, now, pairs, metric), replicate_count, row);
+  return row;
+}
+
+/// Corrects the p of what may fail the comparison, and judges.
+void judge(const CompareSettings& settings, Comparison& comparison) {
+  std::vector<double> p;
+  std::vector<std::size_t> gated;
+  for (std::size_t i = 0; i < comparison.rows.size(); ++i) {
+    MetricComparison& row = comparison.rows[i];
+    bool is_ignored = false;
+    row.limit = limit_of(settings, row.metric, row.base_mean, is_ignored);
+    const bool is_gated = !is_ignored && row.better != Better::neither && !std::isnan(row.p) &&
+                          (!row.is_measured || settings.gates_measured);
+    row.verdict = Verdict::not_gated;
+    if (!is_gated) continue;
+    gated.push_back(i);
+    p.push_back(row.p);
+  }
+  const std::vector<double> adjusted = holm_adjusted(p);
+  comparison.test_count = static_cast<std::int64_t>(gated.size());
+  for (std::size_t i = 0; i < gated.size(); ++i) {
+    MetricComparison& row = comparison.rows[gated[i]];
+    row.adjusted_p = adjusted[i];
+    const bool is_sure = row.adjusted_p < settings.alpha && row.change != 0.0;
+    const bool is_large = std::abs(row.change) > 0.0 && std::abs(row.change) >= row.limit;
+    const bool is_worse = (row.better == Better::less) == (row.change > 0.0);
+    row.verdict = Verdict::same;
+    if (is_large) row.verdict = Verdict::unclear;
+    if (is_sure) row.verdict = Verdict::small;
+    if (is_sure && is_large) row.verdict = is_worse ? Verdict::regression : Verdict::improvement;
+  }
+}
+
+std::vector<std::string> wanted_metrics(const TrialTable& base, const TrialTable& now,
+                                        const CompareSettings& settings) {
+  const auto has = [](const TrialTable& table, std::string_view name) {
+    return std::any_of(table.metrics.begin(), table.metrics.end(),
+                       [&](const MetricRow& metric) { return metric.name == name; });
+  };
+  std::vector<std::string> names{std::string(kSuccessRate)};
+  const bool wants_all = settings.metrics == std::vector<std::string>{"all"};
+  if (wants_all) {
+    for (const MetricRow& metric : now.metrics) {
+      if (metric.name != "finished" && has(base, metric.name)) names.push_back(metric.name);
+    }
+    return names;
+  }
+  if (settings.metrics.empty()) {
+    for (const std::string_view name : kUsualMetrics) {
+      if (has(base, name) && has(now, name)) names.emplace_back(name);
+    }
+    return names;
+  }
+  for (const std::string& name : settings.metrics) {
+    const bool is_known = std::find(names.begin(), names.end(), name) != names.end();
+    if (!is_known && name != "finished") names.push_back(name);
+  }
+  return names;
+}
+
+std::string counted(std::int64_t count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+/// Counts trials that one side lacks, and says so.
+void tell_unpaired(Comparison& comparison) {
+  for (const PlannerPairs& planner : comparison.planners) {
+    if (planner.only_base_count == 0 && planner.only_new_count == 0) continue;
+    std::string line = planner.planner + ": ";
+    if (planner.only_base_count > 0) {
+      line += counted(planner.only_base_count, "trial") + " only in the base";
+    }
+    if (planner.only_new_count > 0) {
+      line += (planner.only_base_count > 0 ? ", " : "") + counted(planner.only_new_count, "trial") +
+              " only in the new results";
+    }
+    comparison.warnings.push_back(
+        line + (planner.pair_count == 0 ? "; none is compared" : "; these are not compared"));
+  }
+}
+
+/// Says where so few missions are paired that not even losing them all could be told from chance.
+void tell_few_pairs(Comparison& comparison) {
+  std::string few;
+  for (const PlannerPairs& planner : comparison.planners) {
+    const double least_p = mcnemar_exact_p(planner.pair_count, 0);
+    const auto tests = static_cast<double>(comparison.test_count);
+    if (planner.pair_count == 0 || least_p * tests < comparison.alpha) continue;
+    few += (few.empty() ? "" : ", ") + planner.planner;
+  }
+  if (few.empty()) return;
+  comparison.warnings.push_back("too few trials of " + few +
+                                " to distinguish a regression from chance: fly more missions, "
+                                "or compare with --exact");
+}
+
+void tell_other_missions(const TrialTable& base, const TrialTable& now,
+                         const std::vector<Pair>& pairs, Comparison& comparison) {
+  const auto others = std::count_if(pairs.begin(), pairs.end(), [&](const Pair& pair) {
+    return base.trials[pair.first].mission != now.trials[pair.second].mission;
+  });
+  if (others == 0) return;
+  comparison.warnings.push_back(
+      counted(others, "pair") + " of " + std::to_string(pairs.size()) +
+      " flew in another world or between other places: generator, missions or their seed changed, "
+      "and the pairing says less");
+}
+
+}  // namespace
+
+std::vector<Pair> paired_trials(const TrialTable& base, const TrialTable& now) {
+  std::vector<Pair> pairs;
+  for (std::size_t i = 0, k = 0; i < base.trials.size() && k < now.trials.size();) {
+    const auto order = base.trials[i].identity <=> now.trials[k].identity;
+    if (order == 0) pairs.emplace_back(i, k);
+    i += order <= 0 ? 1U : 0U;
+    k += order >= 0 ? 1U : 0U;
+  }
+  return pairs;
+}
+
+Pair common_metric(const TrialTable& base, const TrialTable& now, const std::string& name) {
+  const auto position = [&](const TrialTable& table) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < table.metrics.size(); ++i) {
+      if (table.metrics[i].name == name) return i;
+      names.push_back(table.metrics[i].name);
+    }
+    throw InputError(InputProblem{.file = table.source,
+                                  .message = "has no metric " + name + did_you_mean(name, names)});
+  };
+  const Pair columns{position(base), position(now)};
+  const int before = base.metrics[columns.first].version;
+  const int after = now.metrics[columns.second].version;
+  if (before != after) {
+    throw InputError(name + " is defined in version " + std::to_string(before) + " in " +
+                     base.source + " and in version " + std::to_string(after) + " in " +
+                     now.source + ": values of the two can't be compared; make the base again");
+  }
+  return columns;
+}
+
+std::int64_t count_of(const Comparison& comparison, Verdict verdict) {
+  return std::count_if(comparison.rows.begin(), comparison.rows.end(),
+                       [&](const MetricComparison& row) { return row.verdict == verdict; });
+}
+
+Comparison compare_tables(const TrialTable& base, const TrialTable& now,
+                          const CompareSettings& settings) {
+  Comparison comparison;
+  comparison.base = base.source;
+  comparison.now = now.source;
+  comparison.base_sweep = base.sweep;
+  comparison.new_sweep = now.sweep;
+  comparison.alpha = settings.alpha;
+  const std::vector<std::string> metrics = wanted_metrics(base, now, settings);
+  for (const std::string& name : metrics) {
+    if (name != kSuccessRate) common_metric(base, now, name);
+  }
+
+  std::map<std::string, PlannerPairs> counts;
+  std::map<std::string, std::vector<Pair>> trials;
+  for (const TableTrial& trial : base.trials) ++counts[trial.identity.planner].only_base_count;
+  for (const TableTrial& trial : now.trials) ++counts[trial.identity.planner].only_new_count;
+  const std::vector<Pair> pairs = paired_trials(base, now);
+  if (pairs.empty()) {
+    throw InputError("no trial of " + base.source + " is in " + now.source +
+                     ": planner labels, maps, missions or axes differ");
+  }
+  for (const Pair& pair : pairs) {
+    const TableTrial& before = base.trials[pair.first];
+    const TableTrial& after = now.trials[pair.second];
+    PlannerPairs& count = counts[before.identity.planner];
+    ++count.pair_count;
+    --count.only_base_count;
+    --count.only_new_count;
+    count.lost_count += finished(before) && !finished(after) ? 1 : 0;
+    count.gained_count += finished(after) && !finished(before) ? 1 : 0;
+    trials[before.identity.planner].push_back(pair);
+    if (before.outcome != after.outcome) {
+      comparison.flips.push_back(
+          {.identity = before.identity, .before = before.outcome, .after = after.outcome});
+    }
+  }
+  const auto rank = [](const Flip& flip) {
+    if (flip.before == Outcome::reached_goal) return 0;
+    return flip.after == Outcome::reached_goal ? 1 : 2;
+  };
+  std::stable_sort(comparison.flips.begin(), comparison.flips.end(),
+                   [&](const Flip& a, const Flip& b) { return rank(a) < rank(b); });
+  for (auto& [planner, count] : counts) {
+    count.planner = planner;
+    comparison.planners.push_back(count);
+    if (count.pair_count == 0) continue;
+    for (const std::string& metric : metrics) {
+      comparison.rows.push_back(row_of(base, now, trials[planner], comparison.planners.size() - 1,
+                                       metric, settings.replicate_count));
+    }
+  }
+  judge(settings, comparison);
+  tell_unpaired(comparison);
+  tell_few_pairs(comparison);
+  tell_other_missions(base, now, pairs, comparison);
+  return comparison;
+}
+
+}  // namespace avoidbench

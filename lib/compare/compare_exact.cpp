@@ -1,0 +1,108 @@
+#include "compare/compare_exact.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <set>
+
+#include "compare/compare.hpp"
+#include "store/record_format.hpp"
+#include "text/number_text.hpp"
+
+namespace avoidbench {
+namespace {
+
+struct Column {
+  std::string name;
+  std::size_t base, now;
+};
+
+bool same_bits(double a, double b) {
+  return (std::isnan(a) && std::isnan(b)) ||
+         std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+std::string value_text(double value) { return std::isnan(value) ? "none" : shortest(value); }
+
+/// The deterministic metrics of both tables; a warning for each that one of them lacks.
+std::vector<Column> columns_of(const TrialTable& base, const TrialTable& now,
+                               std::vector<std::string>& warnings) {
+  std::vector<Column> columns;
+  const auto has = [](const TrialTable& table, const std::string& name) {
+    return std::any_of(table.metrics.begin(), table.metrics.end(),
+                       [&](const MetricRow& metric) { return metric.name == name; });
+  };
+  for (const MetricRow& metric : now.metrics) {
+    if (metric.is_measured) continue;
+    if (!has(base, metric.name)) {
+      warnings.push_back(metric.name + " is not in " + base.source + ": not compared");
+      continue;
+    }
+    const auto [i, k] = common_metric(base, now, metric.name);
+    columns.push_back({.name = metric.name, .base = i, .now = k});
+  }
+  for (const MetricRow& metric : base.metrics) {
+    if (metric.is_measured || has(now, metric.name)) continue;
+    warnings.push_back(metric.name + " is not in " + now.source + ": not compared");
+  }
+  return columns;
+}
+
+void compare_pair(const TableTrial& before, const TableTrial& after,
+                  const std::vector<Column>& columns, std::vector<Difference>& differences) {
+  const auto add = [&](const std::string& what, std::string old_text, std::string new_text) {
+    differences.push_back({.identity = before.identity,
+                           .what = what,
+                           .before = std::move(old_text),
+                           .after = std::move(new_text)});
+  };
+  if (before.mission != after.mission) add("mission", "", "another world, start or goal");
+  if (before.outcome != after.outcome) {
+    add("outcome", std::string(text(before.outcome)), std::string(text(after.outcome)));
+  }
+  for (const Column& column : columns) {
+    const double old_value = before.metrics[column.base], new_value = after.metrics[column.now];
+    if (same_bits(old_value, new_value)) continue;
+    add(column.name, value_text(old_value), value_text(new_value));
+  }
+}
+
+}  // namespace
+
+ExactComparison compare_exactly(const TrialTable& base, const TrialTable& now) {
+  ExactComparison result{.base = base.source,
+                         .now = now.source,
+                         .base_sweep = base.sweep,
+                         .new_sweep = now.sweep,
+                         .planners = {},
+                         .metrics = {},
+                         .differences = {},
+                         .warnings = {}};
+  const std::vector<Column> columns = columns_of(base, now, result.warnings);
+  for (const Column& column : columns) result.metrics.push_back(column.name);
+  std::set<std::string> planners;
+  for (const TableTrial& trial : base.trials) planners.insert(trial.identity.planner);
+  for (const TableTrial& trial : now.trials) planners.insert(trial.identity.planner);
+  result.planners.assign(planners.begin(), planners.end());
+  const auto add_missing = [&](const TableTrial& trial, const char* before, const char* after) {
+    result.differences.push_back(
+        {.identity = trial.identity, .what = "trial", .before = before, .after = after});
+  };
+  std::size_t i = 0, k = 0;
+  while (i < base.trials.size() || k < now.trials.size()) {
+    const bool has_base = i < base.trials.size(), has_new = k < now.trials.size();
+    if (has_base && (!has_new || base.trials[i].identity < now.trials[k].identity)) {
+      add_missing(base.trials[i++], "there", "missing");
+    } else if (has_new && (!has_base || now.trials[k].identity < base.trials[i].identity)) {
+      add_missing(now.trials[k++], "missing", "there");
+    } else {
+      const std::size_t so_far = result.differences.size();
+      compare_pair(base.trials[i++], now.trials[k++], columns, result.differences);
+      ++result.pair_count;
+      result.equal_count += result.differences.size() == so_far ? 1 : 0;
+    }
+  }
+  return result;
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,294 @@
+#include "compare/compare_formats.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "base/input_error.hpp"
+#include "compare/compare_tables.hpp"
+#include "text/visible_text.hpp"
+
+namespace avoidbench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+std::string dumped(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Json json_of(const TrialIdentity& identity) {
+  return {{"planner", identity.planner},
+          {"generator", identity.generator},
+          {"map_seed", identity.map_seed},
+          {"setting", identity.setting},
+          {"mission_index", identity.mission_index}};
+}
+
+Json json_of(const MetricComparison& row, const std::string& planner) {
+  return {{"planner", planner},
+          {"metric", row.metric},
+          {"unit", row.unit},
+          {"better", text(row.better)},
+          {"is_measured", row.is_measured},
+          {"pair_count", row.pair_count},
+          {"base_mean", number(row.base_mean)},
+          {"new_mean", number(row.new_mean)},
+          {"change", number(row.change)},
+          {"change_lower", number(row.change_interval.lower)},
+          {"change_upper", number(row.change_interval.upper)},
+          {"limit", number(row.limit)},
+          {"p", number(row.p)},
+          {"adjusted_p", number(row.adjusted_p)},
+          {"verdict", text(row.verdict)}};
+}
+
+std::string json_text(const Comparison& comparison) {
+  Json planners = Json::array(), rows = Json::array(), flips = Json::array();
+  for (const PlannerPairs& planner : comparison.planners) {
+    planners.push_back({{"planner", planner.planner},
+                        {"pair_count", planner.pair_count},
+                        {"only_base_count", planner.only_base_count},
+                        {"only_new_count", planner.only_new_count},
+                        {"lost_count", planner.lost_count},
+                        {"gained_count", planner.gained_count}});
+  }
+  for (const MetricComparison& row : comparison.rows) {
+    rows.push_back(json_of(row, comparison.planners[row.planner].planner));
+  }
+  for (const Flip& flip : comparison.flips) {
+    Json entry = json_of(flip.identity);
+    entry["before"] = text(flip.before);
+    entry["after"] = text(flip.after);
+    flips.push_back(std::move(entry));
+  }
+  return dumped({{"base", comparison.base},
+                 {"new", comparison.now},
+                 {"base_sweep", comparison.base_sweep},
+                 {"new_sweep", comparison.new_sweep},
+                 {"alpha", comparison.alpha},
+                 {"test_count", comparison.test_count},
+                 {"regression_count", count_of(comparison, Verdict::regression)},
+                 {"improvement_count", count_of(comparison, Verdict::improvement)},
+                 {"warnings", comparison.warnings},
+                 {"planners", planners},
+                 {"metrics", rows},
+                 {"flips", flips}});
+}
+
+std::string json_text(const ExactComparison& comparison) {
+  Json differences = Json::array();
+  for (const Difference& difference : comparison.differences) {
+    Json entry = json_of(difference.identity);
+    entry["what"] = difference.what;
+    entry["before"] = difference.before;
+    entry["after"] = difference.after;
+    differences.push_back(std::move(entry));
+  }
+  return dumped({{"base", comparison.base},
+                 {"new", comparison.now},
+                 {"base_sweep", comparison.base_sweep},
+                 {"new_sweep", comparison.new_sweep},
+                 {"pair_count", comparison.pair_count},
+                 {"equal_count", comparison.equal_count},
+                 {"metrics", comparison.metrics},
+                 {"warnings", comparison.warnings},
+                 {"differences", differences}});
+}
+
+/// Text for XML: what has a meaning there is escaped, what XML 1.0 can't hold is shown.
+std::string in_xml(std::string_view text) {
+  std::string escaped;
+  for (const char c : visible_line(text)) {
+    if (c == '&') {
+      escaped += "&amp;";
+    } else if (c == '<') {
+      escaped += "&lt;";
+    } else if (c == '>') {
+      escaped += "&gt;";
+    } else if (c == '"') {
+      escaped += "&quot;";
+    } else {
+      escaped += c;
+    }
+  }
+  return escaped;
+}
+
+struct TestCase {
+  std::string planner, metric;
+  std::string failure;  ///< "" where it passed
+  std::string skipped;  ///< why; "" where it was not
+  std::string details;
+};
+
+std::string junit_of(const std::string& suite, const std::vector<TestCase>& cases) {
+  const auto failures = std::count_if(cases.begin(), cases.end(),
+                                      [](const TestCase& test) { return !test.failure.empty(); });
+  const auto skipped = std::count_if(cases.begin(), cases.end(),
+                                     [](const TestCase& test) { return !test.skipped.empty(); });
+  const std::string counts = "tests=\"" + std::to_string(cases.size()) + "\" failures=\"" +
+                             std::to_string(failures) + "\" errors=\"0\" skipped=\"" +
+                             std::to_string(skipped) + "\"";
+  std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites " + counts +
+                    ">\n  <testsuite name=\"" + in_xml(suite) + "\" " + counts + ">\n";
+  for (const TestCase& test : cases) {
+    out += "    <testcase classname=\"" + in_xml(test.planner) + "\" name=\"" +
+           in_xml(test.metric) + "\">\n";
+    if (!test.failure.empty()) {
+      out += "      <failure type=\"regression\" message=\"" + in_xml(test.failure) + "\">" +
+             in_xml(test.details) + "</failure>\n";
+    } else if (!test.skipped.empty()) {
+      out += "      <skipped message=\"" + in_xml(test.skipped) + "\"/>\n";
+    }
+    if (test.failure.empty() && !test.details.empty()) {
+      out += "      <system-out>" + in_xml(test.details) + "</system-out>\n";
+    }
+    out += "    </testcase>\n";
+  }
+  return out + "  </testsuite>\n</testsuites>\n";
+}
+
+std::string rounded(double value) {
+  std::array<char, 32> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "%.5g", value);
+  return buffer.data();
+}
+
+std::string figures(const MetricComparison& row) {
+  const std::string unit = row.unit.empty() ? "" : " " + row.unit;
+  if (row.pair_count == 0) return "no pair of trials";
+  std::string line = rounded(row.base_mean) + " -> " + rounded(row.new_mean) + unit + ", change " +
+                     rounded(row.change);
+  if (!std::isnan(row.change_interval.lower)) {
+    line +=
+        " [" + rounded(row.change_interval.lower) + ", " + rounded(row.change_interval.upper) + "]";
+  }
+  line += ", tolerance " + rounded(row.limit);
+  if (!std::isnan(row.adjusted_p)) line += ", p " + rounded(row.adjusted_p);
+  return line + ", " + std::to_string(row.pair_count) + " pairs";
+}
+
+std::string junit_text(const Comparison& comparison) {
+  std::vector<TestCase> cases;
+  for (const MetricComparison& row : comparison.rows) {
+    TestCase test{.planner = comparison.planners[row.planner].planner,
+                  .metric = row.metric,
+                  .failure = {},
+                  .skipped = {},
+                  .details = figures(row)};
+    if (row.verdict == Verdict::regression) test.failure = row.metric + " is worse";
+    if (row.verdict == Verdict::not_gated) test.skipped = "may not fail the comparison";
+    cases.push_back(std::move(test));
+  }
+  return junit_of("avoidbench compare " + comparison.new_sweep, cases);
+}
+
+std::string junit_text(const ExactComparison& comparison) {
+  std::map<std::pair<std::string, std::string>, std::vector<const Difference*>> found;
+  for (const Difference& difference : comparison.differences) {
+    found[{difference.identity.planner, difference.what}].push_back(&difference);
+  }
+  std::vector<std::string> names = comparison.metrics;
+  names.insert(names.begin(), {"trial", "mission", "outcome"});
+  std::vector<TestCase> cases;
+  for (const std::string& planner : comparison.planners) {
+    for (const std::string& name : names) {
+      TestCase test{
+          .planner = planner, .metric = name, .failure = {}, .skipped = {}, .details = {}};
+      for (const Difference* difference : found[{planner, name}]) {
+        if (!test.details.empty()) test.details += "; ";
+        test.details += place_text(difference->identity) + ": " + difference->before + " -> " +
+                        difference->after;
+      }
+      const std::size_t count = found[{planner, name}].size();
+      if (count > 0) test.failure = name + " differs in " + std::to_string(count) + " trials";
+      cases.push_back(std::move(test));
+    }
+  }
+  return junit_of("avoidbench compare --exact " + comparison.new_sweep, cases);
+}
+
+std::string bencher_text(const Comparison& comparison) {
+  Json all = Json::object();
+  for (const MetricComparison& row : comparison.rows) {
+    if (std::isnan(row.new_mean)) continue;
+    Json measure{{"value", row.new_mean}};
+    if (std::isfinite(row.new_interval.lower) && std::isfinite(row.new_interval.upper)) {
+      measure["lower_value"] = row.new_interval.lower;
+      measure["upper_value"] = row.new_interval.upper;
+    }
+    all[comparison.planners[row.planner].planner][row.metric] = std::move(measure);
+  }
+  return dumped(all);
+}
+
+/// The metrics of which `better` is better; the success rate is turned to the failure rate for
+/// `less`.
+std::string github_text(const Comparison& comparison, Better better) {
+  Json all = Json::array();
+  for (const MetricComparison& row : comparison.rows) {
+    const bool is_turned = row.metric == "success_rate" && better == Better::less;
+    if (std::isnan(row.new_mean) || (row.better != better && !is_turned)) continue;
+    Json entry{{"name", comparison.planners[row.planner].planner + " / " +
+                            (is_turned ? "failure_rate" : row.metric)},
+               {"unit", row.unit.empty() ? "ratio" : row.unit},
+               {"value", is_turned ? 1.0 - row.new_mean : row.new_mean}};
+    if (std::isfinite(row.new_interval.lower) && std::isfinite(row.new_interval.upper)) {
+      entry["range"] = "± " + rounded(0.5 * (row.new_interval.upper - row.new_interval.lower));
+    }
+    entry["extra"] = figures(row) + ": " + std::string(text(row.verdict));
+    all.push_back(std::move(entry));
+  }
+  return dumped(all);
+}
+
+std::string section_text(const Section& section, TableFormat format) {
+  return format_sections(std::span(&section, 1), format);
+}
+
+}  // namespace
+
+std::string format_comparison(const Comparison& comparison, CompareFormat format) {
+  switch (format) {
+    case CompareFormat::table:
+      return section_text(comparison_section(comparison), TableFormat::table);
+    case CompareFormat::markdown:
+      return section_text(comparison_section(comparison), TableFormat::markdown);
+    case CompareFormat::json:
+      return json_text(comparison);
+    case CompareFormat::junit:
+      return junit_text(comparison);
+    case CompareFormat::bencher:
+      return bencher_text(comparison);
+    case CompareFormat::github:
+      return github_text(comparison, Better::less);
+    case CompareFormat::github_bigger:
+      return github_text(comparison, Better::more);
+  }
+  return {};
+}
+
+std::string format_comparison(const ExactComparison& comparison, CompareFormat format) {
+  switch (format) {
+    case CompareFormat::table:
+      return exact_text(comparison);
+    case CompareFormat::markdown:
+      return section_text(comparison_section(comparison), TableFormat::markdown);
+    case CompareFormat::json:
+      return json_text(comparison);
+    case CompareFormat::junit:
+      return junit_text(comparison);
+    default:
+      throw InputError(
+          "--exact compares trials, not means: its formats are table, markdown, json "
+          "and junit");
+  }
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,148 @@
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "base/input_error.hpp"
+#include "base/input_file.hpp"
+#include "compare/trial_table.hpp"
+#include "store/row_digest.hpp"
+#include "store/visit_trials.hpp"
+
+namespace avoidbench {
+namespace {
+
+/// One file, opened: a database with its sweeps, or the table of a CSV.
+struct Source {
+  std::string file;
+  std::optional<Database> database;
+  std::vector<SweepInfo> sweeps;  ///< with trials, the latest revision of a name last
+  TrialTable table;
+  std::string warning = {};  ///< of trials that can't be checked by digests
+};
+
+/// Whether the file begins as databases do, or is too short for a table.
+bool may_be_database(const std::filesystem::path& path) {
+  InputFile file(path, std::numeric_limits<std::uint64_t>::max());
+  std::string start(16, '\0');
+  const std::size_t count = file.read(start);
+  return count < start.size() || start.starts_with("SQLite format 3");
+}
+
+Source open_source(const std::filesystem::path& path) {
+  Source source{
+      .file = path.string(), .database = std::nullopt, .sweeps = {}, .table = TrialTable{}};
+  if (may_be_database(path)) {
+    source.database = Database::open_for_reading(path);
+    source.warning = undigested_text(*source.database, check_digests(*source.database, false));
+    for (SweepInfo& sweep : source.database->read_sweeps()) {
+      if (sweep.trial_count > 0) source.sweeps.push_back(std::move(sweep));
+    }
+    if (source.sweeps.empty()) {
+      throw InputError(InputProblem{.file = source.file, .message = "has no finished trial"});
+    }
+    return source;
+  }
+  constexpr std::uint64_t kMostBytes = 2'000'000'000;
+  source.table = table_of_csv(read_input_file(path, kMostBytes), source.file);
+  return source;
+}
+
+/// The names of its sweeps, each once.
+std::vector<std::string> names_of(const Source& source) {
+  std::vector<std::string> names;
+  if (!source.database) names.push_back(source.table.sweep);
+  for (const SweepInfo& sweep : source.sweeps) {
+    if (names.empty() || names.back() != sweep.name) names.push_back(sweep.name);
+  }
+  return names;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string line;
+  for (const std::string& word : words) line += (line.empty() ? "" : ", ") + word;
+  return line;
+}
+
+/// The sweep that NAME or NAME@REVISION means in a database, the latest revision where it says
+/// none.
+const SweepInfo& sweep_of(const Source& source, const std::string& wanted) {
+  const SweepInfo* found = nullptr;
+  for (const SweepInfo& sweep : source.sweeps) {
+    const bool is_wanted =
+        wanted == sweep.name || wanted == sweep.name + "@" + std::to_string(sweep.revision);
+    if (is_wanted) found = &sweep;
+  }
+  if (found == nullptr) {
+    const std::vector<std::string> names = names_of(source);
+    throw InputError(InputProblem{.file = source.file,
+                                  .message = "has no trials of a sweep " + wanted +
+                                             did_you_mean(wanted, names) +
+                                             "; there are: " + joined(names)});
+  }
+  return *found;
+}
+
+/// The table of sweep `wanted`, whose trials are told apart by `axes` too.
+TrialTable take(Source& source, const std::string& wanted, const std::vector<std::string>& axes) {
+  if (source.database) {
+    TrialTable table = table_of_sweep(*source.database, sweep_of(source, wanted), axes);
+    table.warning = source.warning;
+    return table;
+  }
+  const bool is_wanted = wanted == source.table.sweep || wanted == source.table.sweep + "@1";
+  if (!is_wanted) {
+    throw InputError(InputProblem{
+        .file = source.file,
+        .message = "is a table of sweep " + source.table.sweep + ", not of " + wanted});
+  }
+  return std::move(source.table);
+}
+
+std::vector<std::string> axes_of(const Source& source, const std::string& wanted) {
+  return source.database ? axis_paths(sweep_of(source, wanted).spec_json) : source.table.axes;
+}
+
+/// The names of the sweeps to compare, where none was asked for.
+std::pair<std::string, std::string> only_sweeps(const Source& base, const Source& now) {
+  const std::vector<std::string> names = names_of(base), others = names_of(now);
+  if (names.size() == 1 && others.size() == 1) return {names.front(), others.front()};
+  std::vector<std::string> common;
+  for (const std::string& name : names) {
+    if (std::find(others.begin(), others.end(), name) != others.end()) common.push_back(name);
+  }
+  if (common.size() == 1) return {common.front(), common.front()};
+  throw InputError("which sweep? " + base.file + " has " + joined(names) + "; " + now.file +
+                   " has " + joined(others) + ": give --sweep NAME, or --sweep BASE:NEW");
+}
+
+}  // namespace
+
+TablePair read_tables(const std::filesystem::path& base, const std::filesystem::path& now,
+                      const std::string& sweep) {
+  Source first = open_source(base), second = open_source(now);
+  std::pair<std::string, std::string> wanted{sweep, sweep};
+  if (sweep.empty()) {
+    wanted = only_sweeps(first, second);
+  } else if (const std::size_t colon = sweep.find(':'); colon != std::string::npos) {
+    wanted = {sweep.substr(0, colon), sweep.substr(colon + 1)};
+  }
+  // What is an axis in one of them tells trials apart in both.
+  std::vector<std::string> axes = axes_of(first, wanted.first);
+  for (std::string& path : axes_of(second, wanted.second)) axes.push_back(std::move(path));
+  return {.base = take(first, wanted.first, axes), .now = take(second, wanted.second, axes)};
+}
+
+TrialTable read_table(const std::filesystem::path& file, const std::string& sweep) {
+  Source source = open_source(file);
+  const std::vector<std::string> names = names_of(source);
+  if (sweep.empty() && names.size() > 1) {
+    throw InputError("which sweep? " + source.file + " has " + joined(names) +
+                     ": give --sweep NAME");
+  }
+  const std::string wanted = sweep.empty() ? names.front() : sweep;
+  const std::vector<std::string> axes = axes_of(source, wanted);
+  return take(source, wanted, axes);
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,86 @@
+#include "compare/tolerances.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "yaml/yaml_tree.hpp"
+#include "yaml/yaml_values.hpp"
+
+namespace avoidbench {
+namespace {
+
+std::optional<double> number_from(std::string_view text) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool is_number = error == std::errc() && end == text.data() + text.size();
+  if (!is_number || !std::isfinite(value) || value < 0.0) return std::nullopt;
+  return value;
+}
+
+/// The share that `12%` says.
+std::optional<double> percent_from(std::string_view text) {
+  if (!text.ends_with('%')) return std::nullopt;
+  text.remove_suffix(1);
+  while (text.ends_with(' ')) text.remove_suffix(1);
+  const std::optional<double> value = number_from(text);
+  return value ? std::optional(*value / 100.0) : std::nullopt;
+}
+
+std::optional<Tolerance> tolerance_from(const YamlNode& node) {
+  if (node.kind != YamlNode::Kind::scalar) return std::nullopt;
+  if (node.scalar == "ignore") return Tolerance{Tolerance::Kind::ignored, 0.0};
+  if (const auto share = percent_from(node.scalar)) {
+    return Tolerance{Tolerance::Kind::relative, *share};
+  }
+  const std::optional<double> number = number_of(node);
+  if (!number || *number < 0.0) return std::nullopt;
+  return Tolerance{Tolerance::Kind::absolute, *number};
+}
+
+}  // namespace
+
+Tolerance min_effect_from(std::string_view text) {
+  std::optional<double> share = percent_from(text);
+  if (!share) share = number_from(text);
+  if (!share) {
+    throw InputError("--min-effect " + std::string(text) +
+                     ": expected a share of the base's mean such as 5% or 0.05");
+  }
+  return {Tolerance::Kind::relative, *share};
+}
+
+void read_tolerances(const std::filesystem::path& file, const std::vector<std::string>& metrics,
+                     CompareSettings& settings) {
+  const YamlNode root = read_yaml(file);
+  std::vector<InputProblem> problems;
+  if (root.kind != YamlNode::Kind::mapping) {
+    throw InputError(
+        problem_at(root, "expected a mapping (metric: tolerance), found " + found_text(root)));
+  }
+  std::vector<std::string> known = metrics;
+  known.insert(known.end(), {"default", "success_rate"});
+  for (std::size_t i = 0; i < root.keys.size(); ++i) {
+    const std::string& name = root.keys[i].scalar;
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      problems.push_back(
+          problem_at(root.keys[i], name + ": no such metric" + did_you_mean(name, known)));
+    }
+    const std::optional<Tolerance> tolerance = tolerance_from(root.items[i]);
+    if (!tolerance) {
+      problems.push_back(
+          problem_at(root.items[i], name +
+                                        ": expected a share of the base's mean (5%), a number "
+                                        "in the metric's unit, or ignore; found " +
+                                        found_text(root.items[i])));
+    } else if (name == "default") {
+      settings.tolerance = *tolerance;
+    } else {
+      settings.tolerances[name] = *tolerance;
+    }
+  }
+  if (!problems.empty()) throw InputError(std::move(problems));
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,263 @@
+#include "conformance/conformance_flight.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <exception>
+#include <iterator>
+#include <limits>
+
+#include "plugin/command_check.hpp"
+
+namespace avoidbench {
+namespace {
+
+// The wall stands half-way to the goal, 12 m off; the gap beside the line is wide enough for the
+// body, and the wall behind it is still within the camera's 15 m, so that the gap shows as depth,
+// not as nothing.
+constexpr double kWall_m = 6.0, kFarWall_m = 14.0, kGapFrom_m = 0.5, kGapTo_m = 2.5;
+// Longer than any vector that a compiler writes at once. The value is one that no depth has.
+constexpr std::size_t kFenceLength = 64;
+constexpr float kFence = -12345.678F;
+
+/// The depth image of the wall and the ground, seen by a level camera that looks along +x.
+std::vector<float> wall_image(const CameraSetup& camera, const Eigen::Vector3d& eye_world) {
+  std::vector<float> depth_m;
+  for (int row = 0; row < camera.height_px; ++row) {
+    for (int column = 0; column < camera.width_px; ++column) {
+      const double left = -(column - camera.cx_px) / camera.fx_px;
+      const double up = -(row - camera.cy_px) / camera.fy_px;
+      double depth = kWall_m - eye_world.x();
+      const double y = eye_world.y() + left * depth;
+      if (y > kGapFrom_m && y < kGapTo_m) depth = kFarWall_m - eye_world.x();
+      if (up < 0.0) depth = std::min(depth, -eye_world.z() / up);
+      depth_m.push_back(depth > camera.max_range_m ? std::numeric_limits<float>::infinity()
+                                                   : static_cast<float>(depth));
+    }
+  }
+  return depth_m;
+}
+
+template <class Call>
+std::string escaped_exception(Call&& call) {
+  try {
+    call();
+  } catch (const std::exception& error) {
+    return error.what();
+  } catch (...) {
+    return "not a std::exception";
+  }
+  return "";
+}
+
+/// A copy with a fence on either side, so that a write past the image shows.
+std::vector<float> fenced(const std::vector<float>& pixels) {
+  std::vector<float> copy(kFenceLength, kFence);
+  copy.insert(copy.end(), pixels.begin(), pixels.end());
+  copy.insert(copy.end(), kFenceLength, kFence);
+  return copy;
+}
+
+std::string change_in(const std::vector<float>& now, const std::vector<float>& pixels) {
+  const std::vector<float> before = fenced(pixels);
+  if (std::memcmp(now.data() + kFenceLength, pixels.data(), pixels.size() * sizeof(float)) != 0) {
+    return "it wrote into a depth image";
+  }
+  const bool same = std::memcmp(now.data(), before.data(), before.size() * sizeof(float)) == 0;
+  return same ? "" : "it wrote past the ends of a depth image";
+}
+
+}  // namespace
+
+PlannerSetup conformance_setup() {
+  PlannerSetup setup;
+  setup.max_speed_mps = 10.0;
+  setup.max_acceleration_mps2 = 8.0;
+  setup.max_yaw_rate_radps = 3.0;
+  setup.body_size_m = {0.5, 0.5, 0.12};
+  setup.plan_period_s = 1.0 / 30.0;
+  setup.gravity_mps2 = 9.81;
+  CameraSetup& camera = setup.cameras.emplace_back();
+  camera.width_px = 160;
+  camera.height_px = 120;
+  camera.fx_px = camera.fy_px = 80.0;
+  camera.cx_px = 79.5;
+  camera.cy_px = 59.5;
+  camera.T_body_camera.linear() << 0, 0, 1, -1, 0, 0, 0, -1, 0;
+  camera.T_body_camera.translation() << 0.2, 0.0, 0.05;
+  camera.rate_hz = 30.0;
+  camera.min_range_m = 0.1;
+  camera.max_range_m = 15.0;
+  camera.baseline_m = 0.1;
+  return setup;
+}
+
+Flight wall_flight() {
+  const PlannerSetup setup = conformance_setup();
+  Flight flight;
+  // Any seed: the rules only compare calls with each other.
+  flight.mission.seed = 7;
+  flight.mission.start_world = {0.0, 0.0, 2.0};
+  flight.mission.goal_world = {12.0, 0.0, 2.0};
+  flight.mission.goal_radius_m = 0.8;
+  flight.mission.time_limit_s = 60.0;
+  // Two thirds of a second at 30 Hz: a planner that maps has seen enough by then to give a command.
+  for (int i = 0; i < 20; ++i) {
+    Frame frame;
+    frame.time_s = i * setup.plan_period_s;
+    frame.velocity_world = {3.0, 0.0, 0.0};
+    frame.position_world = flight.mission.start_world + frame.time_s * frame.velocity_world;
+    const Eigen::Vector3d eye =
+        frame.position_world + setup.cameras.front().T_body_camera.translation();
+    frame.images.push_back(wall_image(setup.cameras.front(), eye));
+    flight.frames.push_back(std::move(frame));
+  }
+  return flight;
+}
+
+Flight uniform_flight(float depth_m) {
+  Flight flight = wall_flight();
+  for (Frame& frame : flight.frames) {
+    for (std::vector<float>& image : frame.images) std::fill(image.begin(), image.end(), depth_m);
+  }
+  return flight;
+}
+
+bool equal(const Reply& a, const Reply& b) {
+  const auto same_points = [&] {
+    return a.points.size() == b.points.size() &&
+           (a.points.empty() ||
+            std::memcmp(a.points.data(), b.points.data(), a.points.size() * sizeof(ab_point)) == 0);
+  };
+  if (a.status != b.status) return false;
+  if (a.status != AB_OK) return true;
+  // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): bytes that were copied, padding too
+  return std::memcmp(&a.command, &b.command, sizeof(ab_command)) == 0 && same_points();
+}
+
+std::string reply_problem(const Reply& reply, const ab_planner& table) {
+  if (!reply.escaped.empty()) return "an exception crossed the interface: " + reply.escaped;
+  if (!reply.changed.empty()) return reply.changed;
+  if (reply.status < AB_ERROR || reply.status > AB_GIVE_UP) {
+    return "it returned " + std::to_string(reply.status) + ", which is no status";
+  }
+  if (reply.status == AB_ERROR && reply.error.empty()) {
+    return "it returned AB_ERROR without a text for set_error";
+  }
+  if (reply.status != AB_OK || !reply.is_plan) return "";
+  ab_command command = reply.command;
+  command.points = reply.points.empty() ? nullptr : reply.points.data();
+  return command_problem(command, table.commands);
+}
+
+Probe::Probe(const ab_planner& table, const std::vector<ParameterValue>& values, bool poisoned,
+             Looking looking)
+    : table_(&table),
+      poisoned_(poisoned),
+      setup_(conformance_setup()),
+      host_(looking != Looking::impossible) {
+  host_.want_drawings(looking == Looking::somebody);
+  SetupBuffers buffers(setup_, values, table.needs);
+  const std::string escaped =
+      escaped_exception([&] { instance_ = table_->create(&host_.table(), &buffers.setup()); });
+  if (poisoned_) buffers.poison();
+  const std::string error = host_.take_error();
+  if (!escaped.empty()) {
+    problem_ = "an exception crossed create: " + escaped;
+  } else if (instance_ == nullptr) {
+    problem_ = error.empty() ? "create returned null without a text for set_error"
+                             : "create failed: " + error;
+  }
+}
+
+Probe::~Probe() {
+  if (instance_ != nullptr) escaped_exception([this] { table_->destroy(instance_); });
+}
+
+Reply Probe::reset(const PlannerMission& mission) {
+  ab_mission given = to_mission(mission);
+  const ab_mission before = given;
+  Reply reply;
+  reply.escaped = escaped_exception([&] { reply.status = table_->reset(instance_, &given); });
+  // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): bytes that were copied, padding too
+  if (std::memcmp(&given, &before, sizeof given) != 0) reply.changed = "it wrote into the mission";
+  if (poisoned_) std::memset(&given, 0xA7, sizeof given);
+  reply.error = host_.take_error();
+  return reply;
+}
+
+/// Pictures for planners that see light: near is bright. Of one image a frame.
+void Probe::paint(const std::vector<float>& depth_m) {
+  grey_.clear();
+  rgb_.clear();
+  for (const float depth : depth_m) {
+    const float level = depth > 0.0F ? 255.0F / (1.0F + depth) : 0.0F;  // 0 for +inf and NaN
+    const auto grey = static_cast<std::uint8_t>(std::min(level, 255.0F));
+    grey_.push_back(grey);
+    rgb_.insert(rgb_.end(), 3, grey);
+  }
+}
+
+Reply Probe::plan(const Frame& frame) {
+  std::move(pixels_.begin(), pixels_.end(), std::back_inserter(old_pixels_));
+  pixels_.clear();
+  for (const std::vector<float>& image : frame.images) pixels_.push_back(fenced(image));
+  PlannerView view;
+  view.time_s = frame.time_s;
+  view.position_world = frame.position_world;
+  view.velocity_world = frame.velocity_world;
+  view.rates_body.setZero();
+  view.q_world_body.setIdentity();
+  const Eigen::Isometry3d T_world_camera =
+      Eigen::Translation3d(frame.position_world) * setup_.cameras.front().T_body_camera;
+  for (std::size_t i = 0; i < pixels_.size(); ++i) {
+    DepthView seen;
+    seen.time_s = frame.time_s;
+    seen.T_world_camera = T_world_camera;
+    seen.depth_m = std::span<const float>(pixels_[i]).subspan(kFenceLength, frame.images[i].size());
+    view.depth.push_back(seen);
+    paint(frame.images[i]);
+    view.stereo.push_back({frame.time_s, T_world_camera, 0, grey_, grey_});
+    view.color.push_back({frame.time_s, T_world_camera, 0, rgb_});
+  }
+  view.imu.push_back({frame.time_s, Eigen::Vector3d::Zero(), {0.0, 0.0, 9.81}});
+  const ab_observation& observation = observation_.fill(view, setup_.cameras, table_->needs);
+  const ab_observation before = observation;
+  const ab_state state_before = *observation.state;
+
+  Reply reply;
+  reply.is_plan = true;
+  reply.command.struct_size = static_cast<std::uint32_t>(sizeof(ab_command));
+  reply.escaped = escaped_exception(
+      [&] { reply.status = table_->plan(instance_, &observation, &reply.command); });
+  // NOLINTBEGIN(bugprone-suspicious-memory-comparison): bytes that were copied, padding too
+  const bool same = std::memcmp(&before, &observation, sizeof before) == 0 &&
+                    std::memcmp(&state_before, observation.state, sizeof state_before) == 0;
+  // NOLINTEND(bugprone-suspicious-memory-comparison)
+  if (!same) reply.changed = "it wrote into the observation or the state";
+  for (std::size_t i = 0; i < pixels_.size() && reply.changed.empty(); ++i) {
+    reply.changed = change_in(pixels_[i], frame.images[i]);
+  }
+  const bool has_points = reply.status == AB_OK && reply.command.kind == AB_COMMAND_TRAJECTORY &&
+                          reply.command.points != nullptr &&
+                          reply.command.point_count <= kMostTrajectoryPoints;
+  if (has_points) {
+    reply.points.assign(reply.command.points, reply.command.points + reply.command.point_count);
+  }
+  reply.command.points = nullptr;
+  reply.error = host_.take_error();
+  if (poisoned_) {
+    observation_.poison();
+    for (std::vector<float>& image : pixels_) std::fill(image.begin(), image.end(), 0.01F);
+  }
+  return reply;
+}
+
+std::vector<Reply> Probe::fly(const Flight& flight) {
+  std::vector<Reply> replies;
+  replies.push_back(reset(flight.mission));
+  for (const Frame& frame : flight.frames) replies.push_back(plan(frame));
+  return replies;
+}
+
+}  // namespace avoidbench

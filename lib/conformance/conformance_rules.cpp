@@ -1,0 +1,298 @@
+#include "conformance/conformance_rules.hpp"
+
+#include <dlfcn.h>
+
+#include <algorithm>
+#include <limits>
+#include <thread>
+
+#include "conformance/conformance_flight.hpp"
+#include "plugin/elf_symbols.hpp"
+
+namespace avoidbench {
+namespace {
+
+std::vector<ParameterValue> presets(const PlannerLibrary& library) {
+  return resolve_parameters(library.description(), {});
+}
+
+/// "reset" or "call 3": which of the replies of Probe::fly.
+std::string place(std::size_t index) {
+  return index == 0 ? "reset" : "call " + std::to_string(index);
+}
+
+std::string first_difference(const std::vector<Reply>& a, const std::vector<Reply>& b) {
+  if (a.size() != b.size() || a.empty()) return "create fails";
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (!equal(a[i], b[i])) return place(i) + " gives another answer";
+  }
+  return "";
+}
+
+std::string with_context(const std::string& finding, const std::string& context) {
+  return finding.empty() ? "" : finding + " " + context;
+}
+
+/// Replies of a new instance, flown alone.
+std::vector<Reply> alone(const PlannerLibrary& library, const Flight& flight,
+                         Looking looking = Looking::nobody) {
+  Probe probe(library.table(), presets(library), false, looking);
+  return probe.is_created() ? probe.fly(flight) : std::vector<Reply>{};
+}
+
+/// Any breach of the interface while flying; also AB_ERROR where `errors_allowed` is false.
+std::string flight_problem(const PlannerLibrary& library, const Flight& flight,
+                           bool errors_allowed) {
+  Probe probe(library.table(), presets(library));
+  if (!probe.is_created()) return probe.problem();
+  const std::vector<Reply> replies = probe.fly(flight);
+  for (std::size_t i = 0; i < replies.size(); ++i) {
+    std::string problem = reply_problem(replies[i], library.table());
+    if (problem.empty() && !errors_allowed && replies[i].status == AB_ERROR) {
+      problem = "AB_ERROR: " + replies[i].error;
+    }
+    if (!problem.empty()) return place(i) + ": " + problem;
+  }
+  return "";
+}
+
+std::string exports_one_symbol(const PlannerLibrary& library) {
+  std::string others;
+  for (const std::string& symbol : exported_symbols(library.description().file)) {
+    // A planner's own symbols are its own affair; those of the SDK must not be shared.
+    if (symbol.find("avoidbench") == std::string::npos) continue;
+    if (symbol.starts_with("avoidbench_planner_v")) continue;
+    others += (others.empty() ? "" : ", ") + symbol;
+  }
+  return others.empty() ? "" : "it also exports " + others + "; build with -fvisibility=hidden";
+}
+
+std::string refuses_unknown_hosts(const PlannerLibrary& library) {
+  const std::string path = std::filesystem::absolute(library.description().file).string();
+  void* handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NOLOAD);
+  if (handle == nullptr) return "it is no longer loaded";
+  using TableFunction = const ab_planner* (*)(std::uint32_t);
+  const auto function = reinterpret_cast<TableFunction>(dlsym(handle, "avoidbench_planner_v1"));
+  if (function == nullptr) return "its symbol is gone";
+  return function(0) == nullptr ? "" : "it gives a table to a host of ABI 0";
+}
+
+std::string describes_itself(const PlannerLibrary& library) {
+  const PlannerDescription& planner = library.description();
+  if (planner.version.empty()) return "version is empty";
+  if (planner.summary.empty()) return "summary is empty";
+  for (const ParameterDef& def : planner.parameters) {
+    if (def.doc.empty()) return "parameter " + def.name + " has no doc";
+  }
+  return "";
+}
+
+std::string creates_with_presets(const PlannerLibrary& library) {
+  return Probe(library.table(), presets(library)).problem();
+}
+
+std::string creates_over_its_ranges(const PlannerLibrary& library) {
+  const PlannerDescription& planner = library.description();
+  for (const ParameterDef& def : planner.parameters) {
+    std::vector<ParameterValue> tried;
+    for (const std::string& word : def.choices) tried.push_back({0.0, word});
+    if (def.kind == AB_NUMBER || def.kind == AB_INTEGER) {
+      tried.push_back({def.lowest, ""});
+      tried.push_back({def.highest, ""});
+    }
+    for (const ParameterValue& value : tried) {
+      const Probe probe(library.table(), resolve_parameters(planner, {{def.name, value}}));
+      const std::string given = value.text.empty() ? std::to_string(value.number) : value.text;
+      if (!probe.is_created()) return "with " + def.name + " = " + given + ": " + probe.problem();
+    }
+  }
+  return "";
+}
+
+std::string flies_toward_a_wall(const PlannerLibrary& library) {
+  const std::string problem = flight_problem(library, wall_flight(), false);
+  if (!problem.empty()) return problem;
+  const std::vector<Reply> replies = alone(library, wall_flight());
+  for (std::size_t i = 1; i < replies.size(); ++i) {
+    if (replies[i].status == AB_OK) return "";
+  }
+  return "not one command in 20 calls";
+}
+
+std::string reset_forgets(const PlannerLibrary& library) {
+  Probe probe(library.table(), presets(library));
+  if (!probe.is_created()) return probe.problem();
+  const Flight flight = wall_flight();
+  const std::vector<Reply> first = probe.fly(flight);
+  Flight other = flight;
+  // Another goal, aside: what is remembered of it turns the next flight.
+  other.mission.goal_world.y() += 5.0;
+  probe.fly(other);
+  return with_context(first_difference(first, probe.fly(flight)),
+                      "after another trial and reset: it remembers");
+}
+
+std::string a_new_instance_is_like_a_reset_one(const PlannerLibrary& library) {
+  const Flight flight = wall_flight();
+  const std::vector<Reply> first = alone(library, flight);
+  return with_context(first_difference(first, alone(library, flight)),
+                      "from a second instance: instances share something");
+}
+
+std::string instances_are_apart(const PlannerLibrary& library) {
+  const Flight flight = wall_flight();
+  Flight other = flight;
+  other.mission.goal_world.y() -= 6.0;
+  const std::vector<Reply> expected = alone(library, flight);
+  Probe a(library.table(), presets(library)), b(library.table(), presets(library));
+  if (!a.is_created() || !b.is_created()) return a.problem() + b.problem();
+  std::vector<Reply> replies{a.reset(flight.mission)};
+  b.reset(other.mission);
+  for (std::size_t i = 0; i < flight.frames.size(); ++i) {
+    replies.push_back(a.plan(flight.frames[i]));
+    b.plan(other.frames[i]);
+  }
+  return with_context(first_difference(expected, replies),
+                      "when another instance flies in between: instances share something");
+}
+
+std::string instances_may_run_at_once(const PlannerLibrary& library) {
+  const Flight flight = wall_flight();
+  const std::vector<Reply> expected = alone(library, flight);
+  std::vector<Reply> a, b;
+  // Races are found by chance only; what they break most often, shared buffers, breaks soon.
+  std::thread other([&] { a = alone(library, flight); });
+  b = alone(library, flight);
+  other.join();
+  const std::string finding = first_difference(expected, a) + first_difference(expected, b);
+  return with_context(finding, "when two threads fly an instance each");
+}
+
+std::string keeps_no_input(const PlannerLibrary& library) {
+  const Flight flight = wall_flight();
+  const std::vector<Reply> expected = alone(library, flight);
+  Probe probe(library.table(), presets(library), true);
+  if (!probe.is_created()) return probe.problem();
+  return with_context(first_difference(expected, probe.fly(flight)),
+                      "when inputs are overwritten after each call: it keeps a pointer to them");
+}
+
+std::string drawing_changes_nothing(const PlannerLibrary& library) {
+  const Flight flight = wall_flight();
+  const std::vector<Reply> expected = alone(library, flight);
+  std::string finding =
+      with_context(first_difference(expected, alone(library, flight, Looking::impossible)),
+                   "with a host that has no extension " AB_DEBUG_EXTENSION);
+  if (!finding.empty()) return finding;
+  return with_context(first_difference(expected, alone(library, flight, Looking::somebody)),
+                      "when its drawings are wanted");
+}
+
+std::string survives_odd_images(const PlannerLibrary& library) {
+  struct Case {
+    const char* name;
+    float depth_m;
+  };
+  constexpr Case kCases[] = {{"an image of NaN", std::numeric_limits<float>::quiet_NaN()},
+                             {"an image of +inf", std::numeric_limits<float>::infinity()},
+                             {"an image of zeros", 0.0F}};
+  for (const Case& odd : kCases) {
+    const std::string problem = flight_problem(library, uniform_flight(odd.depth_m), false);
+    if (!problem.empty()) return std::string(odd.name) + ", " + problem;
+  }
+  Flight blind = wall_flight();
+  for (Frame& frame : blind.frames) frame.images.clear();
+  std::string problem = flight_problem(library, blind, false);
+  if (!problem.empty()) return "no image, " + problem;
+  Flight late = wall_flight();
+  for (Frame& frame : late.frames) frame.images.insert(frame.images.end(), 2, frame.images.front());
+  problem = flight_problem(library, late, false);
+  return problem.empty() ? "" : "three images a call, " + problem;
+}
+
+std::string survives_odd_goals(const PlannerLibrary& library) {
+  Flight at_start = wall_flight();
+  at_start.mission.goal_world = at_start.mission.start_world;
+  std::string problem = flight_problem(library, at_start, false);
+  if (!problem.empty()) return "goal at the start, " + problem;
+  Flight arrived = wall_flight();
+  for (Frame& frame : arrived.frames) {
+    frame.position_world = arrived.mission.goal_world;
+    frame.velocity_world.setZero();
+  }
+  problem = flight_problem(library, arrived, false);
+  if (!problem.empty()) return "vehicle at the goal, " + problem;
+  Flight above = wall_flight();
+  above.mission.goal_world = above.mission.start_world + Eigen::Vector3d(0.0, 0.0, 5.0);
+  problem = flight_problem(library, above, false);
+  return problem.empty() ? "" : "goal straight above, " + problem;
+}
+
+std::string errors_have_a_text(const PlannerLibrary& library) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Flight lost = wall_flight();
+  for (Frame& frame : lost.frames) frame.position_world.setConstant(nan);
+  Flight nowhere = wall_flight();
+  nowhere.mission.goal_world.setConstant(nan);
+  for (const Flight* flight : {&lost, &nowhere}) {
+    Probe probe(library.table(), presets(library));
+    if (!probe.is_created()) return probe.problem();
+    for (const Reply& reply : probe.fly(*flight)) {
+      if (!reply.escaped.empty()) return "an exception crossed the interface: " + reply.escaped;
+      if (reply.status == AB_ERROR && reply.error.empty()) {
+        return "AB_ERROR without a text for set_error";
+      }
+    }
+  }
+  return "";
+}
+
+constexpr ConformanceRule kRules[] = {
+    {"exports_one_avoidbench_symbol",
+     "Nothing of avoidbench but avoidbench_planner_vN is exported, so that two planners in one "
+     "process never share code.",
+     exports_one_symbol},
+    {"refuses_unknown_hosts",
+     "The symbol returns null for an ABI that the planner was not built for.",
+     refuses_unknown_hosts},
+    {"describes_itself", "Version, summary and each parameter's doc are there for people.",
+     describes_itself},
+    {"creates_with_presets", "An instance can be made from the presets.", creates_with_presets},
+    {"creates_over_its_ranges",
+     "An instance can be made with each parameter at either end of its range and with each choice.",
+     creates_over_its_ranges},
+    {"flies_toward_a_wall",
+     "20 calls toward a wall with a gap: no error, at least one command, only declared kinds, all "
+     "finite, inputs untouched.",
+     flies_toward_a_wall},
+    {"reset_forgets",
+     "After reset, equal inputs give equal commands, bit for bit, whatever was flown before.",
+     reset_forgets},
+    {"a_new_instance_is_like_a_reset_one", "Two instances one after the other give equal commands.",
+     a_new_instance_is_like_a_reset_one},
+    {"instances_are_apart", "Two instances called in turn do not disturb each other.",
+     instances_are_apart},
+    {"instances_may_run_at_once", "Two instances called from two threads give the same as alone.",
+     instances_may_run_at_once},
+    {"keeps_no_input",
+     "What is passed into a call is not read after it: setup, mission, state and images.",
+     keeps_no_input},
+    {"drawing_changes_nothing",
+     "Commands are the same, bit for bit, with a host that has no " AB_DEBUG_EXTENSION
+     " and with one where somebody looks at the drawings.",
+     drawing_changes_nothing},
+    {"survives_odd_images",
+     "Images of NaN, +inf or zeros, none and several at once give commands or no plan, not errors.",
+     survives_odd_images},
+    {"survives_odd_goals",
+     "A goal at the start, at the vehicle or straight above gives commands or no plan, not errors.",
+     survives_odd_goals},
+    {"errors_have_a_text",
+     "With a NaN state or goal a planner may fail, but says why by set_error.", errors_have_a_text},
+};
+
+}  // namespace
+
+std::span<const ConformanceRule> conformance_rules() { return kRules; }
+
+}  // namespace avoidbench

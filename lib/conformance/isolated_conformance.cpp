@@ -1,0 +1,74 @@
+#include <string_view>
+
+#include "base/check.hpp"
+#include "conformance/conformance_run.hpp"
+#include "process/isolated_run.hpp"
+
+// The child writes one message before and one after each rule: fields that end with kFieldEnd,
+// closed by kMessageEnd.
+namespace avoidbench {
+namespace {
+
+constexpr char kFieldEnd = '\x1f';
+constexpr char kMessageEnd = '\x1e';
+
+void send(IsolatedOutput& output, char what, const ConformanceResult& result) {
+  std::string message(1, what);
+  for (std::string field : {result.name, result.doc, result.finding}) {
+    std::erase_if(field, [](char c) { return c == kFieldEnd || c == kMessageEnd; });
+    message += kFieldEnd;
+    message += field;
+  }
+  output.write(message + kMessageEnd);
+}
+
+ConformanceResult parsed(std::string_view message) {
+  std::vector<std::string> fields(1);
+  for (const char c : message) {
+    if (c == kFieldEnd) {
+      fields.emplace_back();
+    } else {
+      fields.back() += c;
+    }
+  }
+  AB_CHECK(fields.size() == 4, fields.size());
+  return {fields[1], fields[2], fields[3].empty(), fields[3]};
+}
+
+}  // namespace
+
+std::vector<ConformanceResult> check_conformance_isolated(const std::filesystem::path& file,
+                                                          double time_limit_s) {
+  const IsolatedEnd run = run_isolated(
+      [&](IsolatedOutput& output) {
+        run_conformance(
+            file, [&](const ConformanceResult& rule) { send(output, 'b', rule); },
+            [&](const ConformanceResult& rule) { send(output, 'e', rule); });
+      },
+      time_limit_s, Prints::shown);
+
+  std::vector<ConformanceResult> results;
+  std::optional<ConformanceResult> tried;
+  std::string_view rest = run.output;
+  for (std::size_t end = rest.find(kMessageEnd); end != std::string_view::npos;
+       end = rest.find(kMessageEnd)) {
+    const std::string_view message = rest.substr(0, end);
+    rest.remove_prefix(end + 1);
+    if (message.front() == 'b') {
+      tried = parsed(message);
+    } else {
+      tried.reset();
+      results.push_back(parsed(message));
+    }
+  }
+  if (tried) {
+    tried->passed = false;
+    tried->finding = run.problem;
+    results.push_back(*tried);
+  } else if (!run.problem.empty()) {
+    results.push_back({"ends", "The check comes to its end.", false, run.problem});
+  }
+  return results;
+}
+
+}  // namespace avoidbench

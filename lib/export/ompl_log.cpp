@@ -1,0 +1,315 @@
+#include "export/ompl_log.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "base/check.hpp"
+#include "store/record_format.hpp"
+#include "text/number_text.hpp"
+
+namespace avoidbench {
+namespace {
+
+constexpr std::size_t kKeyLetters = 8;  // of a key in a name
+
+/// A word of OMPL's grammar: no white space, and none of the marks that part values.
+std::string as_word(const std::string& text) {
+  std::string word = text;
+  for (char& c : word) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte <= 0x20 || byte == 0x7f || c == '|' || c == ';') c = '_';
+  }
+  return word.empty() ? "_" : word;
+}
+
+/// One line of a text in several lines.
+std::string as_line(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  std::replace(text.begin(), text.end(), '\r', ' ');
+  return text + "\n";
+}
+
+std::string number(double value) { return std::isnan(value) ? "" : shortest(value); }
+
+/// A number that a REAL field can hold: OMPL's scripts take no value for infinity.
+std::string finite(double value) { return std::isfinite(value) ? shortest(value) : ""; }
+
+nlohmann::json parsed(const std::string& json) {
+  nlohmann::json value = nlohmann::json::parse(json, nullptr, false);
+  return value.is_discarded() ? nlohmann::json::object() : value;
+}
+
+/// "2024-02-03T04:05:06Z" as OMPL writes dates: "2024-02-03 04:05:06".
+std::string date_text(std::string date) {
+  std::replace(date.begin(), date.end(), 'T', ' ');
+  if (date.ends_with('Z')) date.pop_back();
+  return date.empty() ? "unknown" : date;
+}
+
+/// One trial's row with its columns by name.
+class TrialFields {
+ public:
+  explicit TrialFields(const TrialTableReader& reader) {
+    for (std::size_t i = 0; i < reader.columns().size(); ++i) at_[reader.columns()[i]] = i;
+  }
+  void set(std::vector<TableValue> row) { row_ = std::move(row); }
+  const TableValue& operator[](const std::string& name) const {
+    const auto found = at_.find(name);
+    AB_CHECK(found != at_.end(), name);
+    return row_[found->second];
+  }
+  std::string text(const std::string& name) const {
+    const auto* word = std::get_if<std::string>(&(*this)[name]);
+    return word == nullptr ? std::string() : *word;
+  }
+  double real(const std::string& name) const {
+    const TableValue& value = (*this)[name];
+    if (const auto* real = std::get_if<double>(&value)) return *real;
+    if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
+    return std::nan("");
+  }
+  bool has(const std::string& name) const { return at_.contains(name); }
+
+ private:
+  std::map<std::string, std::size_t> at_;
+  std::vector<TableValue> row_;
+};
+
+/// A property of each run: its name with OMPL's type, and its value as text.
+struct RunProperty {
+  std::string name, type;
+  std::string (*value)(const TrialFields&, const std::string& name);
+};
+
+std::string stored_value(const TrialFields& trial, const std::string& name) {
+  return finite(trial.real(name));
+}
+
+std::string planning_time(const TrialFields& trial, const std::string&) {
+  constexpr double kSecondsPerMs = 0.001;
+  return finite(kSecondsPerMs * trial.real("processing_time_ms") * trial.real("plan_call_count"));
+}
+
+std::string is_solved(const TrialFields& trial, const std::string&) {
+  return trial.text("outcome") == text(Outcome::reached_goal) ? "1" : "0";
+}
+
+std::string status(const TrialFields& trial, const std::string&) {
+  const std::string outcome = trial.text("outcome");
+  for (std::size_t i = 0; i < std::size(EnumText<Outcome>::entries); ++i) {
+    if (EnumText<Outcome>::entries[i].second == outcome) return std::to_string(i);
+  }
+  return "";
+}
+
+std::string solution_length(const TrialFields& trial, const std::string&) {
+  return trial.text("outcome") == text(Outcome::reached_goal) ? finite(trial.real("path_length_m"))
+                                                              : "";
+}
+
+std::vector<RunProperty> run_properties(const Database& database, const TrialFields& fields) {
+  std::vector<RunProperty> properties;
+  if (fields.has("processing_time_ms") && fields.has("plan_call_count")) {
+    properties.push_back({"time", "REAL", planning_time});
+  }
+  properties.push_back({"solved", "BOOLEAN", is_solved});
+  properties.push_back({"status", "ENUM", status});
+  if (fields.has("path_length_m")) {
+    properties.push_back({"solution_length", "REAL", solution_length});
+  }
+  properties.push_back({"mission_index", "INTEGER", stored_value});
+  for (const char* name : {"reference_length_m", "traversability_obstruction", "view_occlusion",
+                           "angle_over_length_1pm"}) {
+    properties.push_back({name, "REAL", stored_value});
+  }
+  for (const MetricRow& metric : database.metrics()) {
+    if (metric.name == "finished") continue;  // that is `solved`
+    const bool is_count = metric.name.ends_with("_count");
+    properties.push_back({metric.name, is_count ? "INTEGER" : "REAL", stored_value});
+  }
+  return properties;
+}
+
+/// A planner's runs on the map.
+struct PlannerRuns {
+  std::string name, planner_key;
+  std::string lines;                    // of its runs
+  std::vector<std::string> trial_keys;  // in order of the lines
+};
+
+std::vector<PlannerRuns> read_runs(const Database& database, const OmplExperiment& experiment,
+                                   std::vector<RunProperty>& properties) {
+  TrialTableReader reader(database, {&experiment.sweep, 1}, experiment.flights.map_key);
+  TrialFields trial(reader);
+  properties = run_properties(database, trial);
+  std::vector<PlannerRuns> planners;
+  while (reader.next()) {
+    trial.set(reader.row());
+    const std::string key = trial.text("planner_key");
+    if (planners.empty() || planners.back().planner_key != key) {
+      planners.push_back({.name = as_word(trial.text("planner")),
+                          .planner_key = key,
+                          .lines = {},
+                          .trial_keys = {}});
+    }
+    for (const RunProperty& property : properties) {
+      planners.back().lines += property.value(trial, property.name) + "; ";
+    }
+    planners.back().lines += "\n";
+    planners.back().trial_keys.push_back(trial.text("trial_key"));
+  }
+  std::map<std::string, int> uses;
+  for (const PlannerRuns& planner : planners) ++uses[planner.name];
+  for (PlannerRuns& planner : planners) {
+    if (uses[planner.name] > 1) planner.name += "_" + planner.planner_key.substr(0, kKeyLetters);
+  }
+  return planners;
+}
+
+std::string preamble(const OmplExperiment& experiment, const std::vector<PlannerRuns>& planners) {
+  const RunRow& run = experiment.flights.first_run;
+  const MapRecord& map = experiment.map.record;
+  std::string text = "avoidbench version " + as_word(run.program_version) + "\n";
+  text += "Experiment " + experiment.name + "\n";
+  std::vector<std::string> properties;
+  const auto add = [&](const std::string& name, double value) {
+    if (std::isfinite(value)) properties.push_back(name + " REAL = " + shortest(value) + "\n");
+  };
+  const nlohmann::json spec = parsed(experiment.map.spec_json);
+  if (spec.contains("poisson_radius_m") && spec["poisson_radius_m"].is_number()) {
+    add("poisson_radius_m", spec["poisson_radius_m"].get<double>());
+  }
+  add("traversability", map.traversability);
+  add("traversability_normalized_ratio", map.traversability_normalized_ratio);
+  add("relative_gap_size", map.relative_gap_size);
+  add("obstacle_density_1pm2", map.obstacle_density_1pm2);
+  add("free_volume_ratio", map.free_volume_ratio);
+  if (!properties.empty()) {
+    text += std::to_string(properties.size()) + " experiment properties\n";
+    for (const std::string& property : properties) text += property;
+  }
+  text += "Running on " + as_word(run.host) + "\n";
+  text += "Starting at " + date_text(run.started_at) + "\n";
+  text += "<<<|\n" + as_line("map " + experiment.map.spec_json) +
+          as_line("map_key " + map.key + ", world " + map.world_digest) +
+          as_line("sweep " + experiment.sweep.name + ", revision " +
+                  std::to_string(experiment.sweep.revision) + ", git " + run.git_hash) +
+          "|>>>\n";
+  text += "<<<|\n" + as_line(run.cpu + ", " + run.isa) +
+          as_line("built with " + run.compiler + ", " + run.flags) + "|>>>\n";
+
+  std::size_t run_count = 0;
+  for (const PlannerRuns& planner : planners) {
+    run_count = std::max(run_count, planner.trial_keys.size());
+  }
+  text += std::to_string(experiment.map.map_seed) + " is the random seed\n";
+  text += shortest(std::isnan(experiment.flights.time_limit_s) ? 0.0
+                                                               : experiment.flights.time_limit_s) +
+          " seconds per run\n0 MB per run\n";  // 0: no limit is stored
+  text += std::to_string(run_count) + " runs per planner\n";
+  text += shortest(experiment.flights.wall_time_s) + " seconds spent to collect the data\n";
+  text += "1 enum type\nstatus";
+  for (const auto& [outcome, name] : EnumText<Outcome>::entries) text += "|" + std::string(name);
+  return text + "\n" + std::to_string(planners.size()) + " planners\n";
+}
+
+std::string common_properties(const PlannerRow& planner) {
+  std::vector<std::string> lines = {
+      "planner_name = " + as_word(planner.name), "planner_version = " + as_word(planner.version),
+      "file_sha256 = " + as_word(planner.file_digest),
+      "is_privileged = " + std::to_string(planner.is_privileged ? 1 : 0)};
+  const nlohmann::json parameters = parsed(planner.parameters_json);
+  for (const auto& [name, value] : parameters.items()) {
+    const std::string word = value.is_string()         ? value.get<std::string>()
+                             : value.is_number_float() ? shortest(value.get<double>())
+                                                       : value.dump();
+    lines.push_back(as_word(name) + " = " + as_word(word));
+  }
+  std::string text = std::to_string(lines.size()) + " common properties\n";
+  for (const std::string& line : lines) text += line + "\n";
+  return text;
+}
+
+/// The flight in steps of at least `period_s`, its last sample among them.
+std::string progress_line(std::span<const Sample> samples, const Eigen::Vector3d& goal_world,
+                          double period_s) {
+  if (samples.empty()) return "0,nan,nan,nan,;\n";
+  std::string line;
+  double next_s = 0.0;
+  for (const Sample& sample : samples) {
+    const bool is_due = sample.time_s >= next_s || &sample == &samples.back();
+    if (!is_due) continue;
+    next_s = (std::floor(sample.time_s / period_s) + 1.0) * period_s;
+    line += shortest(sample.time_s) + "," + shortest((sample.position_world - goal_world).norm()) +
+            "," + shortest(sample.velocity_world.norm()) + "," + number(sample.clearance_m) + ",;";
+  }
+  return line + "\n";
+}
+
+Eigen::Vector3d goal_of(const MapRow& map, std::int64_t mission_index) {
+  for (const MissionRecord& mission : map.record.missions) {
+    if (mission.index == mission_index) return mission.mission.goal_world;
+  }
+  return Eigen::Vector3d::Constant(std::nan(""));
+}
+
+}  // namespace
+
+std::vector<OmplExperiment> ompl_experiments(const Database& database, const SweepInfo& sweep) {
+  std::vector<OmplExperiment> experiments;
+  for (MapFlights& flights : read_map_flights(database, sweep)) {
+    std::optional<MapRow> map = database.read_map(flights.map_key);
+    AB_CHECK(map.has_value(), flights.map_key);
+    std::string name = sweep.name;
+    if (sweep.revision > 1) name += "_" + std::to_string(sweep.revision);
+    name += "-" + map->generator;
+    const nlohmann::json spec = parsed(map->spec_json);
+    if (spec.contains("poisson_radius_m") && spec["poisson_radius_m"].is_number()) {
+      name += "-r" + shortest(spec["poisson_radius_m"].get<double>());
+    }
+    name += "-s" + std::to_string(map->map_seed) + "-" + flights.map_key.substr(0, kKeyLetters);
+    experiments.push_back({.name = as_word(name),
+                           .sweep = sweep,
+                           .map = std::move(*map),
+                           .flights = std::move(flights)});
+  }
+  return experiments;
+}
+
+void write_ompl_log(const Database& database, const OmplExperiment& experiment,
+                    double progress_period_s,
+                    const std::function<void(const std::string&)>& write) {
+  std::map<std::string, PlannerRow> rows;
+  for (PlannerRow& row : database.read_planners()) {
+    std::string key = planner_key(row);
+    rows.emplace(std::move(key), std::move(row));
+  }
+  std::vector<RunProperty> properties;
+  const std::vector<PlannerRuns> planners = read_runs(database, experiment, properties);
+  write(preamble(experiment, planners));
+  for (const PlannerRuns& planner : planners) {
+    write(planner.name + "\n" + common_properties(rows[planner.planner_key]));
+    write(std::to_string(properties.size()) + " properties for each run\n");
+    for (const RunProperty& property : properties) {
+      write(property.name + " " + property.type + "\n");
+    }
+    write(std::to_string(planner.trial_keys.size()) + " runs\n" + planner.lines);
+    if (progress_period_s > 0.0) {
+      write(
+          "4 progress properties for each run\ntime REAL\ngoal_distance_m REAL\n"
+          "speed_mps REAL\nclearance_m REAL\n" +
+          std::to_string(planner.trial_keys.size()) + " runs\n");
+      for (const std::string& key : planner.trial_keys) {
+        const std::optional<TrialRow> trial = database.read_trial(key);
+        AB_CHECK(trial.has_value(), key);
+        write(progress_line(trial->record.samples, goal_of(experiment.map, trial->mission_index),
+                            progress_period_s));
+      }
+    }
+    write(".\n");
+  }
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,34 @@
+#include "map_file/map_file.hpp"
+
+#include <span>
+
+#include "base/digest.hpp"
+#include "base/input_file.hpp"
+
+namespace avoidbench {
+
+void fail_file(const std::string& file, std::string message, int line) {
+  throw InputError(InputProblem{.file = file, .line = line, .message = std::move(message)});
+}
+
+std::string read_map_file(const std::string& file, std::uint64_t most_bytes) {
+  std::string bytes = read_input_file(file, most_bytes);
+  if (bytes.empty()) fail_file(file, "is empty");
+  return bytes;
+}
+
+std::string bytes_digest(std::string_view bytes) {
+  return Digest().add_bytes(std::as_bytes(std::span(bytes.data(), bytes.size()))).hex();
+}
+
+std::string extension_of(const std::string& file) {
+  const std::size_t dot = file.find_last_of("./");
+  if (dot == std::string::npos || file[dot] == '/') return "";
+  std::string extension = file.substr(dot + 1);
+  for (char& c : extension) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return extension;
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,177 @@
+#include "process/process_tree.hpp"
+
+#include <dirent.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <chrono>
+#include <cstring>
+#include <fstream>
+#include <map>
+#include <string>
+#include <thread>
+
+namespace avoidbench {
+namespace {
+
+constexpr double kMib = 1024.0 * 1024.0;
+
+/// What /proc/PID/stat says. Nothing here allocates, for signal handlers.
+struct ProcessState {
+  char state = 0;  ///< R, S, T, Z, …; 0: no such process
+  pid_t parent = 0;
+};
+
+ProcessState state_of(pid_t pid) {
+  std::array<char, 32> path{"/proc/"};
+  const auto written = std::to_chars(path.data() + 6, path.data() + 20, pid);
+  std::memcpy(written.ptr, "/stat", 6);
+  const int file = ::open(path.data(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return {};
+  std::array<char, 512> text{};
+  const ssize_t length = ::read(file, text.data(), text.size() - 1);
+  ::close(file);
+  if (length <= 0) return {};
+  // "PID (NAME) STATE PARENT …"; a name may hold spaces and parentheses.
+  const char* name_end = std::strrchr(text.data(), ')');
+  if (name_end == nullptr || name_end + 4 >= text.data() + length) return {};
+  ProcessState process{.state = name_end[2]};
+  std::from_chars(name_end + 4, text.data() + length, process.parent);
+  return process;
+}
+
+/// Every process that there is, by number.
+std::map<pid_t, ProcessState> all_processes() {
+  std::map<pid_t, ProcessState> processes;
+  DIR* folder = ::opendir("/proc");
+  if (folder == nullptr) return processes;
+  while (const dirent* entry = ::readdir(folder)) {
+    pid_t pid = 0;
+    const char* name = entry->d_name;
+    const char* end = name + std::strlen(name);
+    if (std::from_chars(name, end, pid).ptr == end && pid > 0) processes[pid] = state_of(pid);
+  }
+  ::closedir(folder);
+  return processes;
+}
+
+/// Those that descend from this process, but not from `spared` nor one of these.
+std::map<pid_t, ProcessState> descendants(const std::set<pid_t>& spared) {
+  const std::map<pid_t, ProcessState> all = all_processes();
+  const pid_t self = ::getpid();
+  std::map<pid_t, ProcessState> ours;
+  for (const auto& [pid, process] : all) {
+    pid_t at = pid;
+    // At most as many steps as processes: the list was not taken at one moment, and may hold a
+    // circle.
+    for (std::size_t i = 0; at != self && i < all.size() && !spared.contains(at); ++i) {
+      const auto found = all.find(at);
+      at = found == all.end() ? 0 : found->second.parent;
+    }
+    if (at == self && pid != self) ours[pid] = process;
+  }
+  return ours;
+}
+
+/// Resident memory in which each page counts by the share of one of those that have it.
+double proportional_mib(const std::string& process) {
+  std::ifstream file("/proc/" + process + "/smaps_rollup");
+  for (std::string word; file >> word;) {
+    double kib = 0.0;
+    if (word == "Pss:" && file >> kib) return kib / 1024.0;
+  }
+  return 0.0;
+}
+
+double resident_mib() {
+  std::ifstream file("/proc/self/statm");
+  double size = 0.0, resident = 0.0;
+  file >> size >> resident;
+  return resident * static_cast<double>(::sysconf(_SC_PAGESIZE)) / kMib;
+}
+
+}  // namespace
+
+void adopt_orphans() { ::prctl(PR_SET_CHILD_SUBREAPER, 1); }
+
+bool descends_from(pid_t pid, pid_t ancestor) {
+  // A parent's number may be used again while it is followed.
+  constexpr int kMostGenerations = 10000;
+  for (int i = 0; pid > 1 && i < kMostGenerations; ++i) {
+    pid = state_of(pid).parent;
+    if (pid == ancestor) return true;
+  }
+  return false;
+}
+
+bool has_children() {
+  siginfo_t info{};
+  return ::waitid(P_ALL, 0, &info, WEXITED | WNOHANG | WNOWAIT) == 0 || errno != ECHILD;
+}
+
+std::set<pid_t> own_children() {
+  std::set<pid_t> children;
+  if (!has_children()) return children;
+  const pid_t self = ::getpid();
+  for (const auto& [pid, process] : all_processes()) {
+    if (process.parent == self) children.insert(pid);
+  }
+  return children;
+}
+
+int end_orphans(const std::set<pid_t>& spared, double time_limit_s) {
+  const std::chrono::duration<double> time_limit(time_limit_s);
+  // At those that do not stop, as in a call that can't be interrupted.
+  constexpr int kMostLooks = 8, kEmptyLooks = 3;
+  const auto began = std::chrono::steady_clock::now();
+  std::set<pid_t> ended;
+  int empty_looks = 0;
+  for (int look = 1; std::chrono::steady_clock::now() - began < time_limit; ++look) {
+    if (!has_children()) break;  // then there are no descendants: orphans come to this process
+    const std::map<pid_t, ProcessState> orphans = descendants(spared);
+    // What goes on in ever new processes may be missed by one look.
+    empty_looks = orphans.empty() ? empty_looks + 1 : 0;
+    if (empty_looks == kEmptyLooks) break;
+    // Stopped first, all of them: what starts processes without end would else go on between looks.
+    bool are_still = true;
+    for (const auto& [pid, process] : orphans) {
+      // Dead already; somebody has yet to wait for it.
+      if (process.state == 'Z') continue;
+      ended.insert(pid);
+      if (process.state == 'T') continue;
+      are_still = false;
+      ::kill(pid, SIGSTOP);
+    }
+    if (are_still || look % kMostLooks == 0) {
+      for (const auto& [pid, process] : orphans) {
+        ::kill(pid, SIGKILL);
+        ::waitpid(pid, nullptr, WNOHANG);  // of its own children only
+      }
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return static_cast<int>(ended.size());
+}
+
+bool is_stopped_process(pid_t pid) { return state_of(pid).state == 'T'; }
+
+double resident_mib_of_family(double enough_mib) {
+  const bool is_alone = !has_children();
+  if (is_alone) {
+    const double own_mib = resident_mib();
+    if (own_mib <= enough_mib) return own_mib;  // the exact answer takes a hundred times as long
+  }
+  double sum_mib = proportional_mib("self");
+  if (is_alone) return sum_mib;
+  for (const auto& [pid, process] : descendants({}))
+    sum_mib += proportional_mib(std::to_string(pid));
+  return sum_mib;
+}
+
+}  // namespace avoidbench

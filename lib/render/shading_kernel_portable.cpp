@@ -1,7 +1,0 @@
-#include "render/lane_shading.hpp"
-
-namespace avoidbench {
-
-const ShadingKernel kPortableShading{locate, shade};
-
-}  // namespace avoidbench

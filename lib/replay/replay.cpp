@@ -1,0 +1,224 @@
+#include "replay/replay.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "base/digest.hpp"
+#include "base/input_error.hpp"
+#include "base/spec_json.hpp"
+#include "replay/stored_spec.hpp"
+#include "store/record_format.hpp"
+#include "store/stored_text.hpp"
+#include "sweep/recorded_latency.hpp"
+#include "sweep/sweep_spec.hpp"
+#include "text/number_text.hpp"
+#include "trial/planner_view.hpp"
+
+namespace avoidbench {
+namespace {
+
+/// The library to fly with. Of one that was named by a path its bare name is tried, too. What a
+/// database names is loaded, and with that run, only where it is the file that the trial was flown
+/// with; what the user names, in any case.
+PlannerLibrary load_planner(const PlannerChoice& choice, const ReplayFiles& files) {
+  if (!files.planner.empty()) return PlannerLibrary::load(find_planner(files.planner, "."));
+  std::vector<std::string> problems;
+  std::vector<std::string> names{choice.plugin};
+  const std::string bare = std::filesystem::path(choice.plugin).stem().string();
+  if (bare != choice.plugin) names.push_back(bare);
+  std::filesystem::path other;
+  for (const std::string& name : names) {
+    for (const std::filesystem::path& folder : files.folders) {
+      try {
+        const std::filesystem::path file = find_planner(name, folder);
+        if (file_digest(file) == choice.file_digest) return PlannerLibrary::load(file);
+        if (other.empty()) other = file;
+      } catch (const InputError& error) {
+        problems.emplace_back(error.what());
+      }
+    }
+  }
+  if (other.empty()) throw InputError(problems.front() + "; --library names another place");
+  throw InputError({.file = other.string(),
+                    .message = "is not the library that the trial was flown with (SHA-256 " +
+                               file_digest(other).substr(0, 12) + "…, in the database " +
+                               choice.file_digest.substr(0, 12) +
+                               "…), so it is not loaded; --library " +
+                               (other.has_parent_path() ? "" : "./") + other.string() +
+                               " flies it all the same"});
+}
+
+/// The place of the file of this name and digest: as `given`, or in the folders or their
+/// subfolder. `what`: "map" or "wind".
+std::string found_file(const std::string& what, const std::string& name, const std::string& digest,
+                       const std::string& given, const std::string& subfolder,
+                       const std::vector<std::filesystem::path>& folders) {
+  std::vector<std::filesystem::path> places;
+  if (!given.empty()) places.emplace_back(given);
+  for (const std::filesystem::path& folder : folders) {
+    places.push_back(folder / name);
+    places.push_back(folder / subfolder / name);
+  }
+  for (const std::filesystem::path& place : places) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(place, error)) continue;
+    if (given.empty() && file_digest(place.string()) != digest) continue;
+    return place.string();
+  }
+  throw InputError("the " + what + "'s file " + name + " (SHA-256 " + digest +
+                   ") is not found: name it by --" + what + "-file");
+}
+
+/// Finds what the stored trial leaves out before the map is made.
+StoredTrial with_files(StoredTrial stored, const ReplayFiles& files) {
+  if (const FileOfMap map = file_of(stored.spec.map); map.file != nullptr) {
+    *map.file = found_file("map", *map.file, *map.digest, files.map, "maps", files.folders);
+  }
+  if (WindFieldSpec& wind = stored.spec.wind.field; !wind.file.empty()) {
+    wind.file =
+        found_file("wind", wind.file, wind.file_digest, files.wind, "configs/wind", files.folders);
+  }
+  return stored;
+}
+
+std::string seconds_text(double time_s) { return fixed_digits(time_s, 4) + " s"; }
+
+/// The first of two runs of elements that differs, or nothing.
+template <class Element, class Equal>
+std::optional<std::size_t> first_difference(const std::vector<Element>& a,
+                                            const std::vector<Element>& b, Equal&& equal) {
+  const auto [in_a, in_b] = std::mismatch(a.begin(), a.end(), b.begin(), b.end(), equal);
+  if (in_a == a.end() && in_b == b.end()) return std::nullopt;
+  return static_cast<std::size_t>(in_a - a.begin());
+}
+
+bool same_bits(const Sample& a, const Sample& b) {
+  // By bytes: NaN is equal to itself there, and -0 differs from 0.
+  return sample_bytes({&a, 1}) == sample_bytes({&b, 1});
+}
+
+bool same_answer(const PlanCall& a, const PlanCall& b) {
+  // Not CPU and wall times, which the host measures.
+  return a.time_s == b.time_s && a.status == b.status && a.command_kind == b.command_kind;
+}
+
+template <class Element>
+std::string place(const std::vector<Element>& stored, const std::vector<Element>& flown,
+                  std::size_t index) {
+  const std::size_t least = std::min(stored.size(), flown.size());
+  if (index >= least) {
+    return "were " + std::to_string(stored.size()) + ", now " + std::to_string(flown.size());
+  }
+  return "differ from t = " + seconds_text(stored[index].time_s) + " on";
+}
+
+}  // namespace
+
+StoredTrial read_stored_trial(const Database& database, const std::string& key) {
+  std::optional<TrialRow> row = database.read_trial(key);
+  if (!row) {
+    throw InputError({.file = database.path().string(), .message = "holds no trial " + key});
+  }
+  StoredTrial stored;
+  stored.row = std::move(*row);
+  try {
+    stored.spec = stored_spec(stored.row.spec_json);
+  } catch (const BadText& bad) {
+    throw_damaged(database.path(), "trials", key, std::string("spec_json: ") + bad.what());
+  }
+  if (stored.spec.mission_index != stored.row.mission_index) {
+    throw_damaged(database.path(), "trials", key, "spec_json is of another mission");
+  }
+  const std::optional<MapRow> map = database.read_map(stored.row.map_key);
+  for (const MissionRecord& mission : map ? map->record.missions : std::vector<MissionRecord>{}) {
+    if (mission.index != stored.row.mission_index) continue;
+    if (!mission.is_valid) break;
+    stored.mission = mission.mission;
+    stored.world_digest = map->record.world_digest;
+    return stored;
+  }
+  throw_damaged(database.path(), "trials", key, "its mission is not there or can't be flown");
+}
+
+Replay::Replay(StoredTrial stored, const ReplayFiles& files)
+    : stored_(with_files(std::move(stored), files)),
+      world_(make_world(stored_.spec.map, stored_.spec.map_seed)),
+      scene_(world_),
+      library_(load_planner(stored_.spec.planner, files)) {
+  const PlannerDescription& planner = library_.description();
+  if (world_.digest != stored_.world_digest) {
+    warnings_.emplace_back("the map is another one than that of the stored trial");
+  }
+  if (trial_key(stored_.spec) != stored_.row.key) {
+    warnings_.push_back(
+        "the trial was flown by a program whose results differ: see CHANGELOG.md, Results change");
+  }
+  if (planner.file_digest != stored_.spec.planner.file_digest) {  // by --library only
+    warnings_.push_back("the planner's file is another one than in the stored trial: " +
+                        planner.file.string());
+  }
+  load_parameters();
+}
+
+void Replay::load_parameters() {
+  const PlannerDescription& planner = library_.description();
+  ParameterValues given;
+  for (const ParameterChoice& choice : stored_.spec.planner.parameters) {
+    ParameterValues one{{choice.name, {.number = choice.number, .text = choice.text}}};
+    const std::vector<std::string> problems = check_parameters(planner, one);
+    if (problems.empty()) {
+      given.merge(one);
+    } else {
+      warnings_.push_back(problems.front() + ": the stored value is left out");
+    }
+  }
+  for (const ParameterDef& def : planner.parameters) {
+    if (given.contains(def.name)) continue;
+    warnings_.push_back("parameter " + def.name + " has no stored value: its preset is taken");
+  }
+  values_ = resolve_parameters(planner, given);
+}
+
+TrialRecord Replay::fly(const TrialObserver& observer, std::vector<std::string>& log) const {
+  std::optional<PlannerInstance> planner;
+  try {
+    planner.emplace(library_, planner_setup(stored_.spec), values_);
+  } catch (const InputError& error) {  // as in a sweep
+    TrialRecord record;
+    record.outcome = Outcome::planner_error;
+    record.reason = error.what();
+    return record;
+  }
+  log = planner->take_log();
+  planner->want_drawings(true);
+  const auto recorded_s = recorded_latencies(stored_.spec, stored_.row.record);
+  TrialRecord record = run_trial(stored_.spec, scene_, stored_.mission, *planner, observer,
+                                 recorded_s ? &*recorded_s : nullptr);
+  for (std::string& line : planner->take_log()) log.push_back(std::move(line));
+  return record;
+}
+
+std::vector<std::string> differences(const TrialRecord& stored, const TrialRecord& flown) {
+  std::vector<std::string> lines;
+  const auto told = [&lines](const char* what, const std::string& was, const std::string& is) {
+    if (was != is) lines.push_back(std::string(what) + " was " + was + ", now " + is);
+  };
+  told("the outcome", std::string(text(stored.outcome)), std::string(text(flown.outcome)));
+  const bool same_end = stored.end_time_s == flown.end_time_s ||
+                        (std::isnan(stored.end_time_s) && std::isnan(flown.end_time_s));
+  if (!same_end) {
+    lines.push_back("the end was at " + seconds_text(stored.end_time_s) + ", now at " +
+                    seconds_text(flown.end_time_s));
+  }
+  told("the reason", "'" + stored.reason + "'", "'" + flown.reason + "'");
+  if (const auto at = first_difference(stored.samples, flown.samples, same_bits)) {
+    lines.push_back("samples of the path " + place(stored.samples, flown.samples, *at));
+  }
+  if (const auto at = first_difference(stored.plan_calls, flown.plan_calls, same_answer)) {
+    lines.push_back("calls of the planner " + place(stored.plan_calls, flown.plan_calls, *at));
+  }
+  return lines;
+}
+
+}  // namespace avoidbench

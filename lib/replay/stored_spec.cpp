@@ -1,0 +1,141 @@
+#include "replay/stored_spec.hpp"
+
+#include "base/input_error.hpp"
+#include "base/spec_json.hpp"
+#include "base/ticks.hpp"
+#include "store/stored_text.hpp"
+#include "sweep/recorded_latency.hpp"
+
+namespace avoidbench {
+namespace {
+
+using nlohmann::json;
+
+template <class T>
+void check_value(const json& given, const std::string& path, const T& value, Range range);
+
+/// Visits a spec beside its JSON and throws BadText at the first field that spec_from_json() can't
+/// take.
+struct FieldCheck {
+  const json& object;
+  const std::string& prefix;
+
+  template <class T>
+  void field(std::string_view name, T& value, Range range, std::string_view) {
+    check_value(element(name), prefix + std::string(name), value, range);
+  }
+  template <class T>
+  void field(std::string_view name, T& value, std::string_view doc) {
+    field(name, value, Range{}, doc);
+  }
+  template <class Variant>
+  void variant(std::string_view name, Variant&, std::string_view) {
+    const json& wanted = element(name);
+    if (!wanted.is_string() || !check_kind<Variant, 0>(wanted.get<std::string>())) {
+      throw BadText(prefix + std::string(name) + " is of no kind that this avoidbench knows");
+    }
+  }
+
+ private:
+  const json& element(std::string_view name) const {
+    const auto found = object.find(std::string(name));
+    if (found == object.end()) {
+      throw BadText("another version of avoidbench stored it, without " + prefix +
+                    std::string(name));
+    }
+    return *found;
+  }
+
+  template <class Variant, std::size_t index>
+  bool check_kind(const std::string& wanted) {
+    if constexpr (index < std::variant_size_v<Variant>) {
+      using Kind = std::variant_alternative_t<index, Variant>;
+      if (wanted != Kind::kind) return check_kind<Variant, index + 1>(wanted);
+      Kind held{};
+      visit(*this, held);
+      return true;
+    } else {
+      return false;
+    }
+  }
+};
+
+template <class T>
+void check_number(const json& given, const std::string& path, Range range) {
+  bool has_type = given.is_number();
+  if constexpr (std::is_integral_v<T>) {
+    has_type = std::is_signed_v<T> ? given.is_number_integer() : given.is_number_unsigned();
+  }
+  if (!has_type) throw BadText(path + " is no number of its kind");
+  const double value = given.get<double>();
+  if (!(value >= range.lowest && value <= range.highest)) {
+    throw BadText(path + " is outside of its range");
+  }
+  if constexpr (std::is_integral_v<T>) {
+    const bool fits = static_cast<double>(given.get<T>()) == value;
+    if (!fits) throw BadText(path + " is outside of its range");
+  }
+}
+
+template <class T>
+void check_value(const json& given, const std::string& path, const T& value, Range range) {
+  if constexpr (TextEnum<T>) {
+    if (!given.is_string() || !enum_from_text<T>(given.get<std::string>())) {
+      throw BadText(path + " is nothing that this avoidbench knows");
+    }
+  } else if constexpr (detail::IsSequence<T>::value) {
+    constexpr std::size_t kMost = 10000;
+    constexpr bool has_any_size = requires(T & sequence) { sequence.resize(0); };
+    const bool has_size =
+        given.is_array() && given.size() <= kMost && (has_any_size || given.size() == value.size());
+    if (!has_size) throw BadText(path + " is no list of its length");
+    for (const json& item : given) check_value(item, path, typename T::value_type{}, range);
+  } else if constexpr (Visitable<T, FieldCheck>) {
+    if (!given.is_object()) throw BadText(path + " is no object");
+    const std::string prefix = path.empty() ? "" : path + ".";
+    FieldCheck check{given, prefix};
+    T copy{};
+    visit(check, copy);
+  } else if constexpr (std::is_same_v<T, bool>) {
+    if (!given.is_boolean()) throw BadText(path + " is neither true nor false");
+  } else if constexpr (std::is_same_v<T, std::string>) {
+    if (!given.is_string()) throw BadText(path + " is no text");
+  } else {
+    check_number<T>(given, path, range);
+  }
+}
+
+void check_rates(const TrialSpec& spec) {
+  for (const double rate_hz :
+       {spec.rates.physics_hz, spec.rates.plan_hz, spec.rates.sample_hz, spec.sensor.rate_hz,
+        spec.imu.rate_hz, spec.odometry.rate_hz, spec.wind.turbulence.rate_hz}) {
+    if (!period_ticks(rate_hz)) throw BadText("a rate's period is no whole number of ticks");
+  }
+}
+
+}  // namespace
+
+TrialSpec stored_spec(const std::string& spec_json) {
+  json trial = stored_object(spec_json);
+  const auto has_object = [&](const char* name) {
+    return trial.contains(name) && trial.at(name).is_object();
+  };
+  if (!has_object("planner") || !has_object("latency")) {
+    throw BadText("it names no planner and latency");
+  }
+  trial.at("planner").emplace("file", "");  // databases keep no paths
+  restore_latency(trial);
+  check_value(trial, "", TrialSpec{}, Range{});
+  const TrialSpec spec = spec_from_json<TrialSpec>(trial);
+  try {
+    check_map(spec.map);
+    check_wind(spec.wind);
+    check_vehicle(spec.vehicle);
+  } catch (const InputError& error) {
+    throw BadText(error.what());
+  }
+  check_rates(spec);
+  return spec;
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,92 @@
+#include "table/csv.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "text/number_text.hpp"
+
+namespace avoidbench {
+namespace {
+
+bool is_number(std::string_view word) {
+  if (word.starts_with('+')) word.remove_prefix(1);
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  return error == std::errc() && end == word.data() + word.size();
+}
+
+/// Whether a spreadsheet would take the word, or what follows its apostrophes, for a formula.
+bool may_be_formula(std::string_view word) {
+  const std::size_t start = word.find_first_not_of('\'');
+  if (start == std::string_view::npos) return false;
+  word.remove_prefix(start);
+  return std::string_view("=+-@\t\r").find(word.front()) != std::string_view::npos &&
+         !is_number(word);
+}
+
+}  // namespace
+
+std::string csv_field(std::string_view word) {
+  const std::string mark = may_be_formula(word) ? "'" : "";
+  if (word.find_first_of(",\"\r\n") == std::string_view::npos) return mark + std::string(word);
+  std::string quoted = "\"" + mark;
+  for (const char c : word) {
+    if (c == '"') quoted += '"';
+    quoted += c;
+  }
+  return quoted + "\"";
+}
+
+std::string_view text_of_csv_field(std::string_view field) {
+  const bool is_marked = field.starts_with('\'') && may_be_formula(field);
+  return is_marked ? field.substr(1) : field;
+}
+
+void CsvRow::begin_field() {
+  if (!is_first_) text_ += ',';
+  is_first_ = false;
+}
+
+CsvRow& CsvRow::add(double value) {
+  begin_field();
+  if (!std::isnan(value)) text_ += shortest(value);
+  return *this;
+}
+
+CsvRow& CsvRow::add(std::string_view word) {
+  begin_field();
+  text_ += csv_field(word);
+  return *this;
+}
+
+CsvRow& CsvRow::add_words(std::initializer_list<std::string_view> words) {
+  for (const std::string_view word : words) add(word);
+  return *this;
+}
+
+CsvRow& CsvRow::add_value(const TableValue& value) {
+  if (const auto* number = std::get_if<double>(&value)) return add(*number);
+  if (const auto* word = std::get_if<std::string>(&value)) return add(std::string_view(*word));
+  begin_field();
+  if (const auto* count = std::get_if<std::int64_t>(&value)) text_ += std::to_string(*count);
+  if (const auto* seed = std::get_if<std::uint64_t>(&value)) text_ += std::to_string(*seed);
+  return *this;
+}
+
+CsvRow& CsvRow::add_vector(const double* xyz) {
+  for (int i = 0; i < 3; ++i) xyz == nullptr ? begin_field() : static_cast<void>(add(xyz[i]));
+  return *this;
+}
+
+std::string csv_header(std::string_view names) {
+  CsvRow row;
+  while (!names.empty()) {
+    const std::string_view name = names.substr(0, names.find(' '));
+    row.add(name);
+    names.remove_prefix(std::min(names.size(), name.size() + 1));
+  }
+  return row.line();
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,132 @@
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "table/csv.hpp"
+#include "table/section_text.hpp"
+#include "table/table.hpp"
+#include "text/visible_text.hpp"
+
+namespace avoidbench {
+namespace {
+
+std::vector<std::string> key_names(std::span<const Section> sections) {
+  std::vector<std::string> names;
+  for (const Section& section : sections) {
+    for (const Table& table : section.tables) {
+      for (const Column& column : table.columns) {
+        if (column.place != Place::key) continue;
+        if (std::find(names.begin(), names.end(), column.name) == names.end())
+          names.push_back(column.name);
+      }
+    }
+  }
+  return names;
+}
+
+std::string csv_of(std::span<const Section> sections) {
+  const std::vector<std::string> keys = key_names(sections);
+  CsvRow header;
+  header.add_words({"sweep", "table"});
+  for (const std::string& key : keys) header.add(key);
+  std::string out = header.add_words({"name", "unit", "value"}).line();
+  for (const Section& section : sections) {
+    for (const Table& table : section.tables) {
+      for (const std::vector<Cell>& row : table.rows) {
+        CsvRow start;
+        start.add_words({section.name, table.name});
+        for (const std::string& key : keys) {
+          const auto column = std::find_if(table.columns.begin(), table.columns.end(),
+                                           [&](const Column& one) { return one.name == key; });
+          const auto i = static_cast<std::size_t>(column - table.columns.begin());
+          start.add_value(i < row.size() ? row[i].value : TableValue{});
+        }
+        for (std::size_t i = 0; i < row.size(); ++i) {
+          const Column& column = table.columns[i];
+          if (column.place == Place::key) continue;
+          out += CsvRow(start).add_words({column.name, column.unit}).add_value(row[i].value).line();
+        }
+      }
+    }
+  }
+  return out;
+}
+
+nlohmann::ordered_json json_of(const Cell& cell) {
+  if (const auto* words = std::get_if<std::string>(&cell.value)) return *words;
+  if (const auto* count = std::get_if<std::int64_t>(&cell.value)) return *count;
+  if (const auto* seed = std::get_if<std::uint64_t>(&cell.value)) return *seed;
+  const auto* value = std::get_if<double>(&cell.value);
+  if (value == nullptr || !std::isfinite(*value)) return nullptr;
+  return *value;
+}
+
+nlohmann::ordered_json json_of(const Section& section) {
+  nlohmann::ordered_json tables = nlohmann::ordered_json::object();
+  nlohmann::ordered_json columns = nlohmann::ordered_json::object();
+  for (const Table& table : section.tables) {
+    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+    for (const std::vector<Cell>& cells : table.rows) {
+      nlohmann::ordered_json row = nlohmann::ordered_json::object();
+      for (std::size_t i = 0; i < cells.size(); ++i) row[table.columns[i].name] = json_of(cells[i]);
+      rows.push_back(std::move(row));
+    }
+    tables[table.name] = std::move(rows);
+    for (const Column& column : table.columns) {
+      columns[column.name] = {{"unit", column.unit}, {"doc", column.doc}};
+    }
+  }
+  return {{"sweep", section.name},
+          {"title", section.title},
+          {"warnings", section.warnings},
+          {"tables", tables},
+          {"columns", columns}};
+}
+
+/// The section as people may see it: each text on one line, without control characters.
+Section visible_section(Section section) {
+  section.name = visible_line(section.name);
+  section.title = visible_line(section.title);
+  for (std::string& warning : section.warnings) warning = visible_line(warning);
+  for (auto& [sign, meaning] : section.notes) {
+    sign = visible_line(sign);
+    meaning = visible_line(meaning);
+  }
+  for (Table& table : section.tables) {
+    table.title = visible_line(table.title);
+    for (Column& column : table.columns) {
+      column.header = visible_line(column.header);
+      column.unit = visible_line(column.unit);
+      column.doc = visible_line(column.doc);
+    }
+    for (std::vector<Cell>& row : table.rows) {
+      for (Cell& cell : row) {
+        if (auto* words = std::get_if<std::string>(&cell.value)) *words = visible_line(*words);
+      }
+    }
+  }
+  return section;
+}
+
+}  // namespace
+
+std::string format_sections(std::span<const Section> sections, TableFormat format,
+                            const TextStyle& style) {
+  std::string out;
+  if (format == TableFormat::csv) return csv_of(sections);
+  if (format == TableFormat::json) {
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    for (const Section& section : sections) all.push_back(json_of(section));
+    return all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  }
+  for (const Section& given : sections) {
+    const Section section = visible_section(given);
+    if (!out.empty()) out += "\n";
+    if (format == TableFormat::table) out += terminal_text(section, style);
+    if (format == TableFormat::markdown) out += markdown_text(section);
+    if (format == TableFormat::latex) out += latex_text(section);
+  }
+  return out;
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,66 @@
+#include <algorithm>
+
+#include "table/section_text.hpp"
+#include "table/table_text.hpp"
+
+namespace avoidbench {
+namespace {
+
+std::string in_markdown(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) {
+    const bool ends_link_text = c == '(' && escaped.ends_with(']');
+    const bool is_mark = c == '|' || c == '*' || c == '_' || c == '<' || c == '`' || c == '\\';
+    if (is_mark || ends_link_text) escaped += '\\';
+    escaped += c;
+  }
+  return escaped;
+}
+
+}  // namespace
+
+std::string markdown_text(const Section& section) {
+  std::string out = "## " + in_markdown(section.title) + "\n\n";
+  for (const std::string& warning : section.warnings)
+    out += "> **Warning:** " + in_markdown(warning) + "\n>\n";
+  if (!section.warnings.empty()) out.replace(out.size() - 2, 2, "\n");
+  for (const Table& table : section.tables) {
+    if (!table.is_for_people) continue;
+    out += "### " + in_markdown(table.title) + "\n\n|";
+    const std::vector<TextColumn> columns = text_columns(table);
+    for (const TextColumn& column : columns) {
+      out +=
+          " " + in_markdown(column.header + (column.unit.empty() ? "" : ", " + column.unit)) + " |";
+    }
+    out += "\n|";
+    for (const TextColumn& column : columns) out += column.is_key ? ":--|" : "--:|";
+    out += "\n";
+    for (std::size_t row = 0; row < table.rows.size(); ++row) {
+      out += "|";
+      for (const TextColumn& column : columns) out += " " + in_markdown(column.cells[row]) + " |";
+      out += "\n";
+    }
+    out += "\n";
+  }
+  for (const auto& [header, doc] : legend(section)) {
+    out += "- **" + in_markdown(header) + "** " + in_markdown(doc) + "\n";
+  }
+  return out;
+}
+
+std::vector<std::pair<std::string, std::string>> legend(const Section& section) {
+  std::vector<std::pair<std::string, std::string>> lines;
+  for (const Table& table : section.tables) {
+    if (!table.is_for_people) continue;
+    for (const Column& column : table.columns) {
+      const std::pair<std::string, std::string> line{column.header, column.doc};
+      const bool is_shown = column.place == Place::key || column.place == Place::value;
+      if (!is_shown || column.doc.empty()) continue;
+      if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(line);
+    }
+  }
+  lines.insert(lines.end(), section.notes.begin(), section.notes.end());
+  return lines;
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,168 @@
+#include "table/table_text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace avoidbench {
+namespace {
+
+struct CodeRange {
+  char32_t first, last;
+};
+
+constexpr CodeRange kCombining[] = {
+    {0x300, 0x36f}, {0x200b, 0x200f}, {0x20d0, 0x20ff}, {0xfe00, 0xfe0f}};
+constexpr CodeRange kWide[] = {{0x1100, 0x115f}, {0x2e80, 0xa4cf},   {0xac00, 0xd7a3},
+                               {0xf900, 0xfaff}, {0xfe30, 0xfe6f},   {0xff00, 0xff60},
+                               {0xffe0, 0xffe6}, {0x1f300, 0x1faff}, {0x20000, 0x3fffd}};
+
+bool is_in(char32_t code, std::span<const CodeRange> ranges) {
+  return std::any_of(ranges.begin(), ranges.end(), [&](const CodeRange& range) {
+    return code >= range.first && code <= range.last;
+  });
+}
+
+/// The character at `at`, which moves on behind it. A byte that begins none stands for itself.
+char32_t next_character(std::string_view utf8, std::size_t& at) {
+  const auto byte = [&](std::size_t i) {
+    return static_cast<char32_t>(static_cast<unsigned char>(utf8[i]));
+  };
+  const char32_t first = byte(at);
+  std::size_t length = 1;
+  char32_t code = first;
+  if (first >= 0xf0) {
+    length = 4;
+    code = first & 0x07U;
+  } else if (first >= 0xe0) {
+    length = 3;
+    code = first & 0x0fU;
+  } else if (first >= 0xc0) {
+    length = 2;
+    code = first & 0x1fU;
+  }
+  if (at + length > utf8.size()) length = 1;
+  for (std::size_t i = 1; i < length; ++i) code = (code << 6U) | (byte(at + i) & 0x3fU);
+  at += length;
+  return code;
+}
+
+std::size_t width_of(char32_t code) {
+  if (is_in(code, kCombining)) return 0;
+  return is_in(code, kWide) ? 2 : 1;
+}
+
+std::string with_decimals(double value, int decimals) {
+  if (std::isnan(value)) return "–";
+  if (std::isinf(value)) return value < 0.0 ? "-inf" : "inf";
+  std::array<char, 400> buffer{};
+  double least = 1.0;  // that is not shown as zero
+  for (int i = 0; i < decimals; ++i) least *= 0.1;
+  if (value > 0.0 && value < 0.5 * least) return "<" + with_decimals(least, decimals);
+  std::snprintf(buffer.data(), buffer.size(), "%.*f", decimals, value);
+  return buffer.data();
+}
+
+/// Decimals that show three significant digits of the greatest of the column's numbers.
+int decimals_of(const Table& table, std::size_t column) {
+  if (table.columns[column].decimals >= 0) return table.columns[column].decimals;
+  double greatest = 0.0;
+  for (const std::vector<Cell>& row : table.rows) {
+    const double* value = std::get_if<double>(&row[column].value);
+    if (value != nullptr && std::isfinite(*value)) greatest = std::max(greatest, std::abs(*value));
+  }
+  if (greatest == 0.0) return 2;
+  int decimals = 2;
+  for (double limit = 10.0; greatest >= limit && decimals > 0; limit *= 10.0) --decimals;
+  for (double limit = 1.0; greatest < limit && decimals < 6; limit *= 0.1) ++decimals;
+  return greatest <= 1.0 && greatest > 0.1 ? 2 : decimals;
+}
+
+std::string cell_text(const Cell& cell, int decimals) {
+  if (const auto* words = std::get_if<std::string>(&cell.value)) return cut_to_width(*words, 44);
+  if (const auto* count = std::get_if<std::int64_t>(&cell.value)) return std::to_string(*count);
+  if (const auto* seed = std::get_if<std::uint64_t>(&cell.value)) return std::to_string(*seed);
+  if (const auto* value = std::get_if<double>(&cell.value)) return with_decimals(*value, decimals);
+  return "–";
+}
+
+}  // namespace
+
+std::size_t display_width(std::string_view utf8) {
+  std::size_t width = 0;
+  for (std::size_t at = 0; at < utf8.size();) width += width_of(next_character(utf8, at));
+  return width;
+}
+
+std::string cut_to_width(std::string_view utf8, std::size_t width) {
+  if (display_width(utf8) <= width) return std::string(utf8);
+  std::size_t used = 0, at = 0;
+  while (at < utf8.size()) {
+    std::size_t next = at;
+    const std::size_t more = width_of(next_character(utf8, next));
+    if (used + more + 1 > width) break;
+    used += more;
+    at = next;
+  }
+  return std::string(utf8.substr(0, at)) + "…";
+}
+
+std::string wrapped(std::string_view text, std::size_t width, std::size_t indent) {
+  std::string lines;
+  std::size_t used = 0;
+  while (!text.empty()) {
+    const std::size_t space = text.find(' ', text.find_first_not_of(' '));
+    const std::string_view word = text.substr(0, space);  // with the spaces before it
+    text.remove_prefix(word.size());
+    if (used > 0 && used + display_width(word) > width) {
+      lines += "\n" + std::string(indent, ' ');
+      const std::string_view bare = word.substr(std::min(word.size(), word.find_first_not_of(' ')));
+      lines += bare;
+      used = indent + display_width(bare);
+    } else {
+      lines += word;
+      used += display_width(word);
+    }
+  }
+  return lines;
+}
+
+std::vector<TextColumn> text_columns(const Table& table) {
+  std::vector<TextColumn> columns;
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    const Column& column = table.columns[i];
+    if (column.place == Place::machine || column.place == Place::bound) continue;
+    TextColumn text{.header = column.header,
+                    .unit = column.unit,
+                    .doc = column.doc,
+                    .is_key = column.place == Place::key,
+                    .cells = {}};
+    const bool has_interval =
+        i + 2 < table.columns.size() && table.columns[i + 1].place == Place::bound;
+    int decimals = decimals_of(table, i);
+    if (has_interval) decimals = std::min(decimals, 2);
+    const bool has_star = std::any_of(table.rows.begin(), table.rows.end(),
+                                      [&](const auto& row) { return row[i].is_best; });
+    std::size_t value_width = 0;
+    for (const auto& row : table.rows) {
+      value_width = std::max(value_width, display_width(cell_text(row[i], decimals)));
+    }
+    for (const auto& row : table.rows) {
+      std::string cell = cell_text(row[i], decimals);
+      // The star belongs to the number, so it stands right behind it; the others keep its place
+      // free.
+      if (has_star) cell += row[i].is_best ? "*" : " ";
+      if (has_interval && std::holds_alternative<double>(row[i].value)) {
+        const std::string lower = cell_text(row[i + 1], decimals);
+        const std::string upper = cell_text(row[i + 2], decimals);
+        cell += lower == "–" ? "" : " [" + lower + ", " + upper + "]";
+      }
+      text.cells.push_back(cell);
+    }
+    columns.push_back(std::move(text));
+  }
+  return columns;
+}
+
+}  // namespace avoidbench

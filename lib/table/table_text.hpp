@@ -1,0 +1,34 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "table/table.hpp"
+
+namespace avoidbench {
+
+/// Terminal columns that UTF-8 text takes: 2 for East Asian wide characters and emoji, 0 for
+/// combining ones.
+std::size_t display_width(std::string_view utf8);
+
+/// `utf8`, cut to `width` terminal columns with … at its end where it is wider.
+std::string cut_to_width(std::string_view utf8, std::size_t width);
+
+/// `text` in lines of at most `width` columns, broken at spaces, all but the first indented by
+/// `indent`.
+std::string wrapped(std::string_view text, std::size_t width, std::size_t indent);
+
+/// One column as people read it: numbers of one column have the same number of decimals, intervals
+/// are beside them.
+struct TextColumn {
+  std::string header, unit, doc;
+  bool is_key = false;
+  std::vector<std::string> cells;
+};
+
+/// The columns that people read. Numbers get three significant digits of the column's greatest.
+std::vector<TextColumn> text_columns(const Table& table);
+
+}  // namespace avoidbench

@@ -1,0 +1,111 @@
+#include "text/visible_text.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace avoidbench {
+namespace {
+
+constexpr std::string_view kHexDigits = "0123456789abcdef";
+
+struct CodeRange {
+  char32_t first, last;
+};
+
+// C1; marks and isolates of direction (Unicode Annex 9) and its other zero-width formats that
+// change what is read; separators of lines; the mark of byte order; interlinear marks; tags.
+constexpr CodeRange kHidden[] = {{0x80, 0x9f},     {0x61c, 0x61c},    {0x200e, 0x200f},
+                                 {0x2028, 0x202e}, {0x2066, 0x206f},  {0xfeff, 0xfeff},
+                                 {0xfff9, 0xfffb}, {0xe0000, 0xe007f}};
+
+unsigned char byte_at(std::string_view text, std::size_t at) {
+  return static_cast<unsigned char>(text[at]);
+}
+
+/// Bytes of the character that begins with `first`; 0 where none does.
+std::size_t length_from(unsigned char first) {
+  if (first < 0x80) return 1;
+  if (first >= 0xc2 && first <= 0xdf) return 2;
+  if (first >= 0xe0 && first <= 0xef) return 3;
+  return first >= 0xf0 && first <= 0xf4 ? 4 : 0;
+}
+
+struct Character {
+  char32_t code = 0;
+  std::size_t length = 0;  ///< 0: no UTF-8
+};
+
+/// The character at the start of `text`, which is not empty.
+Character first_character(std::string_view text) {
+  constexpr std::array<char32_t, 5> kLeast{0, 0, 0x80, 0x800, 0x10000};
+  const unsigned char first = byte_at(text, 0);
+  const std::size_t length = length_from(first);
+  if (length == 0 || length > text.size()) return {};
+  if (length == 1) return {first, 1};
+  char32_t code = first & (0xffU >> (length + 1));
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte_at(text, i) & 0xc0U) != 0x80U) return {};
+    code = (code << 6U) | (byte_at(text, i) & 0x3fU);
+  }
+  const bool is_surrogate = code >= 0xd800 && code <= 0xdfff;
+  if (code < kLeast[length] || code > 0x10ffff || is_surrogate) return {};
+  return {code, length};
+}
+
+std::string in_hex(char32_t value, int digits) {
+  std::string text;
+  for (int i = digits - 1; i >= 0; --i) {
+    text += kHexDigits[(value >> (4U * static_cast<unsigned>(i))) & 15U];
+  }
+  return text;
+}
+
+/// The escape for the character or byte at the start of `text`, or "" where it can be seen.
+std::string escape_of(std::string_view text, const Character& character, bool is_line) {
+  if (character.length == 0) return "\\x" + in_hex(byte_at(text, 0), 2);
+  const char32_t code = character.code;
+  if (code == '\n') return is_line ? "\\n" : "";
+  if (code == '\t') return is_line ? "\\t" : "";
+  if (code == '\r') return is_line || !text.starts_with("\r\n") ? "\\r" : "";
+  if (code < 0x20 || code == 0x7f) return "\\x" + in_hex(code, 2);
+  const bool is_hidden = std::any_of(std::begin(kHidden), std::end(kHidden), [&](CodeRange range) {
+    return code >= range.first && code <= range.last;
+  });
+  if (!is_hidden) return "";
+  return code > 0xffff ? "\\U" + in_hex(code, 8) : "\\u" + in_hex(code, 4);
+}
+
+std::string visible(std::string_view text, bool is_line) {
+  std::string shown;
+  shown.reserve(text.size());
+  while (!text.empty()) {
+    const Character character = first_character(text);
+    const std::size_t length = std::max<std::size_t>(character.length, 1);
+    const std::string escape = escape_of(text, character, is_line);
+    if (escape.empty()) {
+      shown += text.substr(0, length);
+    } else {
+      shown += escape;
+    }
+    text.remove_prefix(length);
+  }
+  return shown;
+}
+
+}  // namespace
+
+std::string visible_text(std::string_view text) { return visible(text, false); }
+
+std::string visible_line(std::string_view text) { return visible(text, true); }
+
+std::size_t unfinished_bytes(std::string_view text) {
+  if (text.ends_with('\r')) return 1;
+  for (std::size_t back = 1; back <= std::min<std::size_t>(3, text.size()); ++back) {
+    const unsigned char byte = byte_at(text, text.size() - back);
+    if ((byte & 0xc0U) == 0x80U) continue;  // goes on with a character
+    return length_from(byte) > back ? back : 0;
+  }
+  return 0;
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,146 @@
+#include "view/map_plan.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+#include "metrics/environment.hpp"
+#include "metrics/map_record.hpp"
+#include "metrics/reference_path.hpp"
+
+namespace avoidbench {
+namespace {
+
+constexpr Color kPaper{236, 236, 234}, kGround{214, 209, 199}, kStart{30, 150, 60},
+    kGoal{205, 40, 40}, kPath{255, 255, 255}, kPathRim{20, 20, 20}, kMoving{230, 120, 20};
+constexpr int kBand_px = 22;  ///< of caption and scales
+
+/// Where the map lies in the picture.
+struct Plan {
+  Eigen::Vector2d low_world;  ///< the corner at the picture's lower left
+  double pixels_per_m;
+  double left_px, bottom_px;
+
+  Eigen::Vector2d to_pixels(const Eigen::Vector3d& point) const {
+    return {left_px + pixels_per_m * (point.x() - low_world.x()),
+            bottom_px - pixels_per_m * (point.y() - low_world.y())};
+  }
+};
+
+Plan lay_out(const World& world, const MapView& view) {
+  const Eigen::Vector2d margin_m = Eigen::Vector2d::Constant(0.5);
+  const Eigen::Vector2d low = world.flight_bounds.min().head<2>() - margin_m;
+  const Eigen::Vector2d size = world.flight_bounds.sizes().head<2>() + 2.0 * margin_m;
+  const double height_px = view.height_px - 2 * kBand_px;
+  const double scale = std::min(view.width_px / size.x(), height_px / size.y());
+  return {.low_world = low,
+          .pixels_per_m = scale,
+          .left_px = 0.5 * (view.width_px - scale * size.x()),
+          .bottom_px = kBand_px + 0.5 * (height_px + scale * size.y())};
+}
+
+void paint_ground_plan(const World& world, const Plan& plan, const MapView& view, double highest_m,
+                       Picture& picture) {
+  const Scene scene(world);
+  const double from_z_m = world.bounds.max().z() + 1.0;
+  for (int row = 0; row < view.height_px; ++row) {
+    for (int column = 0; column < view.width_px; ++column) {
+      std::array<int, 3> sum{};
+      for (int sample = 0; sample < view.samples * view.samples; ++sample) {
+        const int sample_column = sample % view.samples, sample_row = sample / view.samples;
+        const double across = column + (sample_column + 0.5) / view.samples;
+        const double down = row + (sample_row + 0.5) / view.samples;
+        const double x = plan.low_world.x() + (across - plan.left_px) / plan.pixels_per_m;
+        const double y = plan.low_world.y() + (plan.bottom_px - down) / plan.pixels_per_m;
+        const bool is_inside =
+            x >= world.flight_bounds.min().x() - 0.5 && x <= world.flight_bounds.max().x() + 0.5;
+        const Color color = is_inside ? color_below(scene, x, y, from_z_m, highest_m) : kPaper;
+        for (std::size_t i = 0; i < 3; ++i) sum[i] += color[i];
+      }
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto at =
+            3 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(view.width_px) +
+                 static_cast<std::size_t>(column)) +
+            i;
+        picture.rgb[at] = static_cast<std::uint8_t>(sum[i] / (view.samples * view.samples));
+      }
+    }
+  }
+}
+
+void draw_region(const Plan& plan, const Region& region, const Color& color, Picture& picture) {
+  const Eigen::Vector3d &low = region.lowest, &high = region.highest;
+  draw_line(picture,
+            {plan.to_pixels(low), plan.to_pixels({high.x(), low.y(), 0.0}), plan.to_pixels(high),
+             plan.to_pixels({low.x(), high.y(), 0.0}), plan.to_pixels(low)},
+            color, 2);
+}
+
+/// The mission over the map, and what there is to say of it.
+std::string draw_mission(const Scene& scene, const TrialSpec& trial, std::int64_t index,
+                         const Plan& plan, Picture& picture) {
+  const auto mission = make_mission(scene, trial.mission, trial.seed, index);
+  const std::string name = "mission " + std::to_string(index);
+  if (!mission) return name + ": no free start or goal";
+  ClearanceGrid grid(scene, scene.world().bounds, kMapCell_m);
+  const double radius_m = body_measure(to_eigen(trial.vehicle.body_size_m)).radius_m;
+  const auto path = reference_path(grid, *mission, trial.mission.goal_radius_m, radius_m);
+  if (path) {
+    std::vector<Eigen::Vector2d> points;
+    for (const Eigen::Vector3d& point : *path) points.push_back(plan.to_pixels(point));
+    draw_line(picture, points, kPathRim, 5);
+    draw_line(picture, points, kPath, 2);
+  }
+  const Eigen::Vector2d goal = plan.to_pixels(mission->goal_world);
+  const double goal_px = std::max(6.0, trial.mission.goal_radius_m * plan.pixels_per_m);
+  draw_circle(picture, goal, goal_px, kPath, 5);
+  draw_circle(picture, goal, goal_px, kGoal, 3);
+  draw_disc(picture, plan.to_pixels(mission->start_world), 7.0, kPath);
+  draw_disc(picture, plan.to_pixels(mission->start_world), 5.0, kStart);
+  if (!path) return name + ": the goal can't be reached";
+  char length[32];
+  std::snprintf(length, sizeof length, ", d_min %.2f m", path_length_m(*path));
+  return name + length;
+}
+
+}  // namespace
+
+Color color_below(const Scene& scene, double x_m, double y_m, double from_z_m, double highest_m) {
+  const World& world = scene.world();
+  const Eigen::Vector3d from(x_m, y_m, from_z_m);
+  const RayHit hit = scene.first_hit(from, -Eigen::Vector3d::UnitZ());
+  if (!std::isfinite(hit.distance_m)) return kPaper;
+  const std::string& kind = world.obstacles[world.instances[hit.instance].obstacle].kind;
+  const double above_m = from.z() - hit.distance_m - ground_height_m(world, x_m, y_m);
+  const Color flat = kind == "ground" ? kGround : height_color(above_m / highest_m);
+  const Eigen::Vector3d up = hit.normal_world.z() < 0.0 ? -hit.normal_world : hit.normal_world;
+  const double light = std::max(0.0, up.dot(Eigen::Vector3d(-0.5, 0.5, 0.7071)));
+  Color color{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    color[i] = static_cast<std::uint8_t>(std::min(255.0, flat[i] * (0.45 + 0.75 * light)));
+  }
+  return color;
+}
+
+Picture plan_view(const World& world, const TrialSpec& trial, const MapView& view,
+                  std::string& note) {
+  const Plan plan = lay_out(world, view);
+  const double highest_m = world.flight_bounds.sizes().z();
+  Picture picture = make_picture(view.width_px, view.height_px);
+  paint_ground_plan(without_roof(world), plan, view, highest_m, picture);
+  for (const Motion& motion : world.motions) {
+    const Eigen::Vector3d middle =
+        world.instances[motion.instance].T_world_prototype.translation().cast<double>();
+    draw_line(picture,
+              {plan.to_pixels(middle - motion.amplitude_world),
+               plan.to_pixels(middle + motion.amplitude_world)},
+              kMoving, 2);
+  }
+  draw_region(plan, world.start_region, kStart, picture);
+  draw_region(plan, world.goal_region, kGoal, picture);
+  note = draw_mission(Scene(world), trial, view.mission_index, plan, picture);
+  add_scale_bar(picture, plan.pixels_per_m);
+  add_height_scale(picture, highest_m);
+  return picture;
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "drawing/picture.hpp"
+#include "trial/trial_spec.hpp"
+#include "world/world.hpp"
+
+namespace avoidbench {
+
+/// What a picture of a map shows.
+struct MapView {
+  std::string name = "bird";  ///< one of map_view_names()
+  int width_px = 960, height_px = 720;
+  int samples = 2;  ///< rays a side of each pixel
+  std::int64_t mission_index = 0;
+};
+
+/// top (a plan coloured by height, +y up, with a mission), bird (from outside, without roof and
+/// walls), first_person and depth (from a mission's start toward its goal).
+std::vector<std::string> map_view_names();
+
+/// The world without its ceiling; what moves stands where it is at `time_s`.
+World without_roof(const World& world, double time_s = 0.0);
+
+/// The picture of `world`, the map of `trial`; what else its caption should say goes to `note`.
+/// Throws InputError where the mission of first_person and depth can't be laid out.
+Picture render_map(const World& world, const TrialSpec& trial, const MapView& view,
+                   std::string& note);
+
+}  // namespace avoidbench

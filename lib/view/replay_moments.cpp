@@ -1,0 +1,88 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/input_error.hpp"
+#include "view/replay_sheet.hpp"
+
+namespace avoidbench {
+namespace {
+
+constexpr std::size_t kMostMoments = 2000;
+
+template <class View>
+SeenImage seen_image(const View& view, int width_px, int height_px) {
+  SeenImage image{.time_s = view.time_s,
+                  .width_px = width_px,
+                  .height_px = height_px,
+                  .depth_m = {},
+                  .bytes = {}};
+  if constexpr (requires { view.depth_m; }) {
+    image.depth_m.assign(view.depth_m.begin(), view.depth_m.end());
+  } else if constexpr (requires { view.left; }) {
+    image.bytes.assign(view.left.begin(), view.left.end());
+  } else {
+    image.bytes.assign(view.rgb.begin(), view.rgb.end());
+  }
+  return image;
+}
+
+}  // namespace
+
+MomentRecorder::MomentRecorder(std::vector<double> at_s, double every_s, const TrialSpec& spec)
+    : at_s_(std::move(at_s)),
+      every_s_(every_s),
+      width_px_(static_cast<int>(spec.sensor.width_px)),
+      height_px_(static_cast<int>(spec.sensor.height_px)) {
+  std::sort(at_s_.begin(), at_s_.end());
+  if (at_s_.empty() && every_s_ <= 0.0) at_s_.push_back(std::numeric_limits<double>::infinity());
+}
+
+double MomentRecorder::next_s() const {
+  constexpr double kNever = std::numeric_limits<double>::infinity();
+  const double at = at_index_ < at_s_.size() ? at_s_[at_index_] : kNever;
+  const double every = every_s_ > 0.0 ? every_s_ * static_cast<double>(every_index_) : kNever;
+  return std::min(at, every);
+}
+
+void MomentRecorder::keep(double time_s) {
+  if (moments_.size() == kMostMoments) {
+    throw InputError("more than " + std::to_string(kMostMoments) +
+                     " pictures: choose a larger --every");
+  }
+  moments_.push_back(latest_);
+  moments_.back().time_s = time_s;
+  const double next = next_s();
+  while (at_index_ < at_s_.size() && at_s_[at_index_] <= next) ++at_index_;
+  if (every_s_ > 0.0 && every_s_ * static_cast<double>(every_index_) <= next) ++every_index_;
+}
+
+void MomentRecorder::see(const PlanStep& step) {
+  // Newest first, so that the oldest is overwritten by what comes before it.
+  const auto take = [&](const auto& views) {
+    for (auto view = views.rbegin(); view != views.rend(); ++view) {
+      if (latest_.images.size() <= view->camera) latest_.images.resize(view->camera + 1);
+      latest_.images[view->camera] = seen_image(*view, width_px_, height_px_);
+    }
+  };
+  if (!step.view.depth.empty()) return take(step.view.depth);
+  if (!step.view.color.empty()) return take(step.view.color);
+  take(step.view.stereo);
+}
+
+void MomentRecorder::planned(const PlanStep& step) {
+  while (next_s() < step.time_s) keep(next_s());
+  latest_.call_s = step.time_s;
+  latest_.believed = step.believed;
+  latest_.result = step.result;
+  latest_.drawings = step.drawings;
+  see(step);
+}
+
+std::vector<Moment> MomentRecorder::finish(double end_s) {
+  while (next_s() < end_s) keep(next_s());
+  if (at_index_ < at_s_.size() || every_s_ > 0.0) keep(end_s);
+  return std::move(moments_);
+}
+
+}  // namespace avoidbench

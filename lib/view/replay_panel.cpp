@@ -1,0 +1,211 @@
+#include "view/replay_panel.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "view/map_plan.hpp"
+
+namespace avoidbench {
+namespace {
+
+constexpr Color kWhite{255, 255, 255};
+
+/// `color` with this share of `other`.
+Color mixed(const Color& color, const Color& other, double share) {
+  Color result{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    result[i] = static_cast<std::uint8_t>(std::lround((1.0 - share) * color[i] + share * other[i]));
+  }
+  return result;
+}
+
+std::uint8_t* pixel(Picture& picture, int column, int row) {
+  return &picture
+              .rgb[3 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(picture.width_px) +
+                        static_cast<std::size_t>(column))];
+}
+
+/// Mixes a rectangle, cut to the picture, with a colour.
+void tint(Picture& picture, int left, int top, int width, int height, const Color& color,
+          double share) {
+  for (int row = std::max(0, top); row < std::min(picture.height_px, top + height); ++row) {
+    for (int column = std::max(0, left); column < std::min(picture.width_px, left + width);
+         ++column) {
+      std::uint8_t* rgb = pixel(picture, column, row);
+      const Color now = mixed({rgb[0], rgb[1], rgb[2]}, color, share);
+      std::copy(now.begin(), now.end(), rgb);
+    }
+  }
+}
+
+/// Whether OpenCV can draw to this place.
+bool is_drawable(const Eigen::Vector2d& at) { return at.cwiseAbs().maxCoeff() < 1e5; }
+
+void draw_segment(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Color& color,
+                  int width_px, Panel& panel) {
+  const Eigen::Vector2d a = panel.to_pixels(from), b = panel.to_pixels(to);
+  if (is_drawable(a) && is_drawable(b)) draw_line(panel.picture, {a, b}, color, width_px);
+}
+
+void draw_one(const Drawing& drawing, bool is_far, Panel& panel) {
+  const Color own = color_of(drawing.color_rgb);
+  const Color color = is_far ? mixed(own, kWhite, 0.65) : own;
+  const auto fits = [&](const Eigen::Vector3d& point) {
+    return (panel.distance_m(point) > kNearPlane_m) == is_far;
+  };
+  const std::vector<Eigen::Vector3d>& points = drawing.points_world;
+  const double size_px = std::clamp(drawing.size_px, 0.0, 100.0);
+  if (drawing.kind == DrawingKind::points || drawing.kind == DrawingKind::text) {
+    const double diameter_px = size_px > 0.0 ? size_px : 3.0;
+    for (const Eigen::Vector3d& point : points) {
+      const Eigen::Vector2d at = panel.to_pixels(point);
+      const bool is_shown = fits(point) && at.x() > -50.0 && at.y() > -50.0 &&
+                            at.x() < panel.picture.width_px + 50.0 &&
+                            at.y() < panel.picture.height_px + 50.0;
+      if (!is_shown) continue;
+      draw_disc(panel.picture, at, 0.5 * diameter_px, color);
+      if (drawing.kind != DrawingKind::text) continue;
+      draw_text(panel.picture, ascii(drawing.label), static_cast<int>(at.x()) + 5,
+                static_cast<int>(at.y()) + 4, color);
+    }
+    return;
+  }
+  const int width_px = size_px > 0.0 ? std::max(1, static_cast<int>(std::lround(size_px))) : 2;
+  const std::size_t step = drawing.kind == DrawingKind::segments ? 2 : 1;
+  for (std::size_t i = 0; i + 1 < points.size(); i += step) {
+    if (fits(points[i])) draw_segment(points[i], points[i + 1], color, width_px, panel);
+  }
+}
+
+}  // namespace
+
+Eigen::Vector2d Panel::to_pixels(const Eigen::Vector3d& point) const {
+  const Eigen::Vector3d offset = point - low_world;
+  return {pixels_per_m * offset.dot(right), picture.height_px - pixels_per_m * offset.dot(up)};
+}
+
+Eigen::Vector3d Panel::world_at(double column_px, double row_px) const {
+  return low_world + (right * column_px + up * (picture.height_px - row_px)) / pixels_per_m;
+}
+
+double Panel::distance_m(const Eigen::Vector3d& point) const {
+  return std::abs((point - low_world).dot(right.cross(up)));
+}
+
+Panel make_panel(int width_px, int height_px, const Eigen::Vector3d& center,
+                 const Eigen::Vector3d& right, const Eigen::Vector3d& up, double width_m) {
+  Panel panel{.picture = make_picture(width_px, height_px),
+              .low_world = center,
+              .right = right,
+              .up = up,
+              .pixels_per_m = width_px / width_m};
+  panel.low_world -= 0.5 * (width_m * right + height_px / panel.pixels_per_m * up);
+  return panel;
+}
+
+void paint_white(Panel& panel) {
+  std::fill(panel.picture.rgb.begin(), panel.picture.rgb.end(), std::uint8_t{255});
+}
+
+void paint_below(const Scene& scene, double from_z_m, Panel& panel) {
+  const double highest_m = scene.world().flight_bounds.sizes().z();
+  for (int row = 0; row < panel.picture.height_px; ++row) {
+    for (int column = 0; column < panel.picture.width_px; ++column) {
+      const Eigen::Vector3d at = panel.world_at(column + 0.5, row + 0.5);
+      const Color color =
+          mixed(color_below(scene, at.x(), at.y(), from_z_m, highest_m), kWhite, 0.55);
+      std::copy(color.begin(), color.end(), pixel(panel.picture, column, row));
+    }
+  }
+}
+
+void paint_slice(const Scene& scene, double radius_m, Panel& panel) {
+  constexpr int kBlock_px = 2;
+  constexpr Color kSurface{20, 20, 20}, kNear{230, 40, 30};
+  const double surface_m = 0.75 * kBlock_px / panel.pixels_per_m;
+  const double limit_m = std::max(radius_m, surface_m);
+  for (int row = 0; row < panel.picture.height_px; row += kBlock_px) {
+    for (int column = 0; column < panel.picture.width_px; column += kBlock_px) {
+      const Eigen::Vector3d at = panel.world_at(column + 0.5 * kBlock_px, row + 0.5 * kBlock_px);
+      const double distance_m = scene.nearest(at, limit_m).distance_m;
+      if (distance_m > limit_m) continue;
+      const bool is_surface = distance_m < surface_m;
+      tint(panel.picture, column, row, kBlock_px, kBlock_px, is_surface ? kSurface : kNear,
+           is_surface ? 0.85 : 0.3);
+    }
+  }
+}
+
+void draw(const std::vector<Drawing>& drawings, Panel& panel) {
+  for (const bool is_far : {true, false}) {
+    for (const Drawing& drawing : drawings) draw_one(drawing, is_far, panel);
+  }
+}
+
+void draw_path(const std::vector<Eigen::Vector3d>& points, const Color& color, int width_px,
+               int rim_px, Panel& panel) {
+  std::vector<Eigen::Vector2d> pixels;
+  for (const Eigen::Vector3d& point : points) {
+    const Eigen::Vector2d at = panel.to_pixels(point);
+    if (point.allFinite() && is_drawable(at)) pixels.push_back(at);
+  }
+  if (pixels.size() < 2) return;
+  if (rim_px > 0) draw_line(panel.picture, pixels, kWhite, width_px + 2 * rim_px);
+  draw_line(panel.picture, pixels, color, width_px);
+}
+
+void draw_box(const Eigen::Vector3d& size_m, const Pose& T_world_body, const Color& color,
+              Panel& panel) {
+  const auto corner = [&](unsigned bits) -> Eigen::Vector3d {
+    const Eigen::Vector3d sign((bits & 1U) != 0 ? 0.5 : -0.5, (bits & 2U) != 0 ? 0.5 : -0.5,
+                               (bits & 4U) != 0 ? 0.5 : -0.5);
+    return T_world_body * sign.cwiseProduct(size_m);
+  };
+  for (unsigned bits = 0; bits < 8; ++bits) {
+    for (const unsigned axis : {1U, 2U, 4U}) {
+      if ((bits & axis) == 0) draw_segment(corner(bits), corner(bits | axis), color, 2, panel);
+    }
+  }
+}
+
+void add_legend(const std::vector<LegendLine>& lines, Picture& picture) {
+  constexpr int kRow_px = 18, kTop_px = 26, kLetter_px = 9;
+  constexpr std::size_t kMostLines = 12, kMostLetters = 40;
+  std::vector<LegendLine> shown;
+  std::size_t letters = 0;
+  for (const LegendLine& line : lines) {
+    const std::string label = ascii(line.label).substr(0, kMostLetters);
+    const bool is_there = std::any_of(shown.begin(), shown.end(), [&](const LegendLine& other) {
+      return other.label == label && other.color == line.color;
+    });
+    if (is_there || label.empty() || shown.size() == kMostLines) continue;
+    shown.push_back({line.color, label});
+    letters = std::max(letters, label.size());
+  }
+  if (shown.empty()) return;
+  tint(picture, 0, kTop_px - 4, 30 + kLetter_px * static_cast<int>(letters),
+       kRow_px * static_cast<int>(shown.size()) + 6, kWhite, 0.75);
+  int y = kTop_px + 7;
+  for (const LegendLine& line : shown) {
+    draw_disc(picture, {13.0, static_cast<double>(y)}, 4.5, line.color);
+    draw_text(picture, line.label, 24, y + 5, {20, 20, 20});
+    y += kRow_px;
+  }
+}
+
+std::string ascii(const std::string& text) {
+  std::string plain;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= 0x80 && byte < 0xC0) continue;  // inside of a letter
+    plain += byte >= 0x20 && byte < 0x7F ? c : '?';
+  }
+  return plain;
+}
+
+Color color_of(std::uint32_t rgb) {
+  return {static_cast<std::uint8_t>(rgb >> 16U), static_cast<std::uint8_t>(rgb >> 8U),
+          static_cast<std::uint8_t>(rgb)};
+}
+
+}  // namespace avoidbench

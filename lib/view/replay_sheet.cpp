@@ -1,0 +1,366 @@
+#include "view/replay_sheet.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+#include <optional>
+
+#include "render/depth.hpp"
+#include "view/map_views.hpp"
+#include "view/replay_panel.hpp"
+
+namespace avoidbench {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr int kHeader_px = 44, kGap_px = 4;
+constexpr int kOverviewWidth_px = 700, kDetailWidth_px = 540, kSideHeight_px = 216,
+              kImageHeight_px = 405;
+constexpr int kOverviewHeight_px = kDetailWidth_px + kSideHeight_px + kImageHeight_px + 2 * kGap_px;
+constexpr double kDetail_m = 12.0;  ///< seen around the vehicle
+constexpr Color kStart{30, 150, 60}, kGoal{205, 40, 40}, kLater{120, 120, 120},
+    kWhite{255, 255, 255}, kVehicle{0, 0, 0}, kCommand{240, 120, 0}, kReference{0, 150, 150};
+
+__attribute__((format(printf, 1, 2))) std::string formatted(const char* format, ...) {
+  char line[256];
+  va_list arguments;
+  va_start(arguments, format);
+  std::vsnprintf(line, sizeof line, format, arguments);
+  va_end(arguments);
+  return line;
+}
+
+/// The last sample not after `time_s`.
+const Sample& sample_at(const TrialRecord& record, double time_s) {
+  auto after = std::upper_bound(record.samples.begin(), record.samples.end(), time_s + 1e-9,
+                                [](double time, const Sample& s) { return time < s.time_s; });
+  return after == record.samples.begin() ? *after : *std::prev(after);
+}
+
+/// What the planner commands, as points: a trajectory, or the way of one second.
+std::vector<Vector3d> commanded(const Moment& moment) {
+  const Vector3d from = moment.believed.position_world;
+  const ab_command& command = moment.result.command;
+  const auto vector = [](const double(&v)[3]) { return Vector3d(v[0], v[1], v[2]); };
+  std::vector<Vector3d> points;
+  if (moment.result.status != PlanStatus::command) return points;
+  switch (command.kind) {
+    case AB_COMMAND_TRAJECTORY:
+      for (const ab_point& point : moment.result.points) {
+        points.push_back(vector(point.position_world_m));
+      }
+      return points;
+    case AB_COMMAND_POSITION:
+      return {from, vector(command.position_world_m)};
+    case AB_COMMAND_VELOCITY:
+      return {from, from + vector(command.velocity_world_mps)};
+    case AB_COMMAND_ACCELERATION:
+      for (int i = 0; i <= 10; ++i) {
+        const double t = 0.1 * i;
+        points.push_back(from + t * moment.believed.velocity_world +
+                         0.5 * t * t * vector(command.acceleration_world_mps2));
+      }
+      return points;
+    default:
+      return points;
+  }
+}
+
+std::string command_text(const Moment& moment) {
+  switch (moment.result.status) {
+    case PlanStatus::no_plan:
+      return "no plan";
+    case PlanStatus::gave_up:
+      return "gave up";
+    case PlanStatus::error:
+      return "planner error";
+    default:
+      break;
+  }
+  switch (moment.result.command.kind) {
+    case AB_COMMAND_TRAJECTORY:
+      return "command: trajectory";
+    case AB_COMMAND_POSITION:
+      return "command: position";
+    case AB_COMMAND_VELOCITY:
+      return "command: velocity, 1 s";
+    case AB_COMMAND_ACCELERATION:
+      return "command: acceleration, 1 s";
+    default:
+      return "command: body rates";
+  }
+}
+
+/// The part of the path in a panel, coloured by speed.
+void draw_flown(const TrialRecord& record, double until_s, double most_mps, int width_px,
+                Panel& panel) {
+  std::vector<Vector3d> before, later;
+  for (const Sample& s : record.samples) {
+    (s.time_s <= until_s + 1e-9 ? before : later).push_back(s.position_world);
+  }
+  draw_path(later, kLater, 1, 0, panel);
+  draw_path(before, kVehicle, width_px, 1, panel);
+  for (std::size_t i = 0; i + 1 < before.size(); ++i) {
+    const double speed_mps = record.samples[i].velocity_world.norm();
+    draw_path({before[i], before[i + 1]}, turbo_color(speed_mps / most_mps), width_px, 0, panel);
+  }
+}
+
+void add_speed_scale(double most_mps, Picture& picture) {
+  constexpr int kWidth = 140, kRight = 96;
+  const int left = picture.width_px - kWidth - kRight, y = picture.height_px - 12;
+  draw_line(picture, {{left - 70.0, y + 1.0}, {picture.width_px + 0.0, y + 1.0}}, {70, 70, 70}, 23);
+  for (int i = 0; i < kWidth; ++i) {
+    const double x = left + i;
+    draw_line(picture, {{x, y - 5.0}, {x, y + 5.0}}, turbo_color(i / (kWidth - 1.0)), 1);
+  }
+  draw_text(picture, "speed 0", left - 64, y + 5, kWhite);
+  draw_text(picture, formatted("%.3g m/s", most_mps), left + kWidth + 8, y + 5, kWhite);
+}
+
+void draw_mission(const Mission& mission, double goal_radius_m, Panel& panel) {
+  const Eigen::Vector2d goal = panel.to_pixels(mission.goal_world);
+  const Eigen::Vector2d start = panel.to_pixels(mission.start_world);
+  const double goal_px = std::max(5.0, goal_radius_m * panel.pixels_per_m);
+  draw_circle(panel.picture, goal, goal_px, kWhite, 4);
+  draw_circle(panel.picture, goal, goal_px, kGoal, 2);
+  draw_disc(panel.picture, start, 7.0, kWhite);
+  draw_disc(panel.picture, start, 5.0, kStart);
+}
+
+Picture image_picture(const SeenImage& image, double shown_m) {
+  if (!image.depth_m.empty()) {
+    return depth_picture(image.depth_m, image.width_px, image.height_px, 0.0, shown_m);
+  }
+  Picture picture = make_picture(image.width_px, image.height_px);
+  const bool is_color = image.bytes.size() == picture.rgb.size();
+  for (std::size_t i = 0; i < picture.rgb.size(); ++i) {
+    picture.rgb[i] = image.bytes[is_color ? i : i / 3];
+  }
+  return picture;
+}
+
+}  // namespace
+
+struct ReplaySheets::Internals {
+  const StoredTrial& stored;
+  const World& world;
+  const TrialRecord& record;
+  std::string title;
+  double most_mps = 0.1;
+  double radius_m;
+  std::optional<double> built_s;  // of the scenes; they change only where things move
+  World frozen, roofless;
+  std::optional<Scene> scene, roofless_scene;
+  std::optional<Panel> map;
+
+  void build(double time_s);
+  Panel overview(const Moment& moment);
+  Panel detail(const Moment& moment, const Panel& empty, bool from_above);
+  Panel from_above(const Moment& moment);
+  Panel from_aside(const Moment& moment);
+  Picture images(const Moment& moment);
+};
+
+void ReplaySheets::Internals::build(double time_s) {
+  if (built_s && (world.motions.empty() || *built_s == time_s)) return;
+  built_s = time_s;
+  map.reset();
+  scene.reset();
+  roofless_scene.reset();
+  frozen = world;
+  for (const Motion& motion : world.motions) {
+    frozen.instances[motion.instance].T_world_prototype.translation() +=
+        displacement_world(motion, time_s).cast<float>();
+  }
+  frozen.motions.clear();
+  roofless = without_roof(world, time_s);
+  scene.emplace(frozen);
+  roofless_scene.emplace(roofless);
+  Eigen::AlignedBox2d seen;
+  for (const Sample& s : record.samples) seen.extend(s.position_world.head<2>());
+  seen.extend(stored.mission.start_world.head<2>());
+  seen.extend(stored.mission.goal_world.head<2>());
+  const Eigen::Vector2d size = seen.sizes() + Eigen::Vector2d::Constant(5.0);
+  constexpr double kBands_px = 50.0;  // of caption and scales
+  const double width_m =
+      std::max(size.x(), size.y() * kOverviewWidth_px / (kOverviewHeight_px - kBands_px));
+  map =
+      make_panel(kOverviewWidth_px, kOverviewHeight_px, {seen.center().x(), seen.center().y(), 0.0},
+                 Vector3d::UnitX(), Vector3d::UnitY(), width_m);
+  paint_below(*roofless_scene, world.bounds.max().z() + 1.0, *map);
+}
+
+Panel ReplaySheets::Internals::overview(const Moment& moment) {
+  Panel panel = *map;
+  // Heights matter in the details: here all is drawn as if it lay in the vehicle's plane.
+  panel.low_world.z() = sample_at(record, moment.time_s).position_world.z();
+  draw(moment.drawings, panel);
+  draw_flown(record, moment.time_s, most_mps, 3, panel);
+  draw_path(commanded(moment), kCommand, 2, 1, panel);
+  draw_mission(stored.mission, stored.spec.mission.goal_radius_m, panel);
+  const Vector3d vehicle = sample_at(record, moment.time_s).position_world;
+  draw_circle(panel.picture, panel.to_pixels(vehicle), 9.0, kWhite, 4);
+  draw_circle(panel.picture, panel.to_pixels(vehicle), 9.0, kVehicle, 2);
+  add_caption(panel.picture, "from above; path by speed, grey: what came later");
+  add_legend({{kStart, "start"}, {kGoal, "goal"}, {kVehicle, "vehicle"}}, panel.picture);
+  add_scale_bar(panel.picture, panel.pixels_per_m);
+  add_speed_scale(most_mps, panel.picture);
+  return panel;
+}
+
+Panel ReplaySheets::Internals::detail(const Moment& moment, const Panel& empty, bool from_above) {
+  Panel panel = empty;
+  const Sample& now = sample_at(record, moment.time_s);
+  paint_slice(*scene, radius_m, panel);
+  if (from_above) draw_mission(stored.mission, stored.spec.mission.goal_radius_m, panel);
+  draw(moment.drawings, panel);
+  draw_flown(record, moment.time_s, most_mps, 2, panel);
+  std::vector<Vector3d> references;
+  for (const Sample& s : record.samples) {
+    const bool is_recent = s.time_s > moment.time_s - 3.0 && s.time_s <= moment.time_s + 1e-9;
+    if (is_recent && s.reference_world.allFinite()) references.push_back(s.reference_world);
+  }
+  draw_path(references, kReference, 1, 0, panel);
+  draw_path(commanded(moment), kCommand, 2, 1, panel);
+  draw_box(to_eigen(stored.spec.vehicle.body_size_m),
+           make_pose(now.position_world, now.q_world_body), kVehicle, panel);
+  const Vector3d nose = now.position_world + 0.6 * (now.q_world_body * Vector3d::UnitX());
+  draw_path({now.position_world, nose}, kVehicle, 2, 0, panel);
+  return panel;
+}
+
+Panel ReplaySheets::Internals::from_above(const Moment& moment) {
+  const Sample& now = sample_at(record, moment.time_s);
+  Panel panel = make_panel(kDetailWidth_px, kDetailWidth_px, now.position_world, Vector3d::UnitX(),
+                           Vector3d::UnitY(), kDetail_m);
+  paint_below(*roofless_scene, now.position_world.z() + 0.5, panel);
+  panel = detail(moment, panel, true);
+  std::vector<LegendLine> legend{{kCommand, command_text(moment)},
+                                 {kReference, "reference, last 3 s"}};
+  for (const Drawing& drawing : moment.drawings) {
+    if (drawing.kind == DrawingKind::text) continue;
+    legend.push_back({color_of(drawing.color_rgb), drawing.label});
+  }
+  add_legend(legend, panel.picture);
+  const std::string clearance = now.clearance_m < kClearanceLimit_m
+                                    ? formatted("%.2f m", now.clearance_m)
+                                    : formatted("> %.0f m", kClearanceLimit_m);
+  add_caption(panel.picture, formatted("z = %.2f m, %.2f m/s, clearance %s; red: within %.2f m",
+                                       now.position_world.z(), now.velocity_world.norm(),
+                                       clearance.c_str(), radius_m));
+  add_scale_bar(panel.picture, panel.pixels_per_m);
+  return panel;
+}
+
+Panel ReplaySheets::Internals::from_aside(const Moment& moment) {
+  const Sample& now = sample_at(record, moment.time_s);
+  Vector3d along = now.velocity_world;
+  along.z() = 0.0;
+  const bool is_flying = along.norm() > 0.3;
+  if (!is_flying) {
+    along = now.q_world_body * Vector3d::UnitX();
+    along.z() = 0.0;
+  }
+  along.normalize();
+  Panel panel = make_panel(kDetailWidth_px, kSideHeight_px, now.position_world, along,
+                           Vector3d::UnitZ(), kDetail_m);
+  const double ground_m =
+      ground_height_m(world, now.position_world.x(), now.position_world.y()) - 0.4;
+  panel.low_world.z() = std::max(panel.low_world.z(), ground_m);
+  paint_white(panel);
+  panel = detail(moment, panel, false);
+  add_caption(panel.picture, std::string("from the side, along the ") +
+                                 (is_flying ? "velocity" : "nose") + " (to the right)");
+  return panel;
+}
+
+Picture ReplaySheets::Internals::images(const Moment& moment) {
+  const double shown_m = std::min(stored.spec.sensor.max_range_m, 20.0);
+  std::vector<SeenImage> seen = moment.images;
+  std::string caption = "what the planner saw last";
+  if (seen.empty()) {
+    const Sample& now = sample_at(record, moment.time_s);
+    Pinhole camera = sensor_camera(stored.spec.sensor);
+    SeenImage& image = seen.emplace_back();
+    image.time_s = now.time_s;
+    image.width_px = camera.width_px;
+    image.height_px = camera.height_px;
+    image.depth_m.resize(static_cast<std::size_t>(camera.width_px) *
+                         static_cast<std::size_t>(camera.height_px));
+    render_depth(*scene, camera,
+                 make_pose(now.position_world, now.q_world_body) *
+                     T_body_camera(stored.spec.sensor.mounting),
+                 image.depth_m);
+    caption = "ideal depth; this planner saw no image";
+  }
+  const int columns = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(seen.size()))));
+  const int rows = (static_cast<int>(seen.size()) + columns - 1) / columns;
+  const double scale = std::min(kDetailWidth_px / (1.0 * columns * seen.front().width_px),
+                                kImageHeight_px / (1.0 * rows * seen.front().height_px));
+  Picture sheet = make_picture(kDetailWidth_px, kImageHeight_px);
+  const int width = static_cast<int>(seen.front().width_px * scale);
+  const int height = static_cast<int>(seen.front().height_px * scale);
+  const int left = (kDetailWidth_px - columns * width) / 2;
+  double newest_s = seen.front().time_s;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (seen[i].width_px == 0) continue;
+    newest_s = std::max(newest_s, seen[i].time_s);
+    const int column = static_cast<int>(i) % columns, row = static_cast<int>(i) / columns;
+    const bool is_alone = seen.size() == 1;
+    const int gap_px = is_alone ? 0 : kGap_px;
+    Picture shown = resized(image_picture(seen[i], shown_m), width - gap_px, height - gap_px);
+    if (!is_alone) draw_text(shown, "camera " + std::to_string(i), 6, height - 30, kWhite);
+    paste(shown, left + column * width, row * height, sheet);
+  }
+  add_caption(sheet, caption + formatted(", t = %.3f s", newest_s));
+  if (!seen.front().depth_m.empty()) add_depth_scale(sheet, 0.0, shown_m);
+  return sheet;
+}
+
+ReplaySheets::ReplaySheets(const StoredTrial& stored, const World& world, const TrialRecord& record,
+                           std::string title)
+    : internals_(std::make_unique<Internals>(
+          Internals{.stored = stored,
+                    .world = world,
+                    .record = record,
+                    .title = std::move(title),
+                    .radius_m = 0.5 * to_eigen(stored.spec.vehicle.body_size_m).norm(),
+                    .built_s = {},
+                    .frozen = {},
+                    .roofless = {},
+                    .scene = {},
+                    .roofless_scene = {},
+                    .map = {}})) {
+  for (const Sample& s : record.samples) {
+    internals_->most_mps = std::max(internals_->most_mps, s.velocity_world.norm());
+  }
+}
+
+ReplaySheets::~ReplaySheets() = default;
+
+Picture ReplaySheets::sheet(const Moment& moment) {
+  Internals& self = *internals_;
+  self.build(moment.time_s);
+  Picture sheet =
+      make_picture(kOverviewWidth_px + kGap_px + kDetailWidth_px, kHeader_px + kOverviewHeight_px);
+  draw_text(sheet, ascii(self.title), 8, 17, kWhite);
+  draw_text(sheet,
+            ascii(formatted("t = %.3f s, planned at %.3f s; ended ", moment.time_s, moment.call_s) +
+                  formatted("at %.3f s: ", self.record.end_time_s) + self.record.reason),
+            8, 36, kWhite);
+  paste(self.overview(moment).picture, 0, kHeader_px, sheet);
+  int top = kHeader_px;
+  const auto add = [&](const Picture& part) {
+    paste(part, kOverviewWidth_px + kGap_px, top, sheet);
+    top += part.height_px + kGap_px;
+  };
+  add(self.from_above(moment).picture);
+  add(self.from_aside(moment).picture);
+  add(self.images(moment));
+  return sheet;
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,189 @@
+#include "view/sensor_sheet.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/input_error.hpp"
+#include "base/random.hpp"
+#include "render/depth.hpp"
+#include "sensing/camera.hpp"
+#include "sensing/depth_statistics.hpp"
+
+namespace avoidbench {
+namespace {
+
+constexpr double kErrorScale_m = 1.0;  ///< at which an error's colour is full
+constexpr std::uint8_t kInvalid = 96;
+
+Picture grey_picture(const std::vector<std::uint8_t>& pixels, int width_px, int height_px) {
+  Picture picture = make_picture(width_px, height_px);
+  for (std::size_t i = 0; i < pixels.size(); ++i) std::fill_n(&picture.rgb[3 * i], 3, pixels[i]);
+  return picture;
+}
+
+/// White where right, red where measured too far, blue too near; grey where invalid, black where
+/// both say there is nothing.
+Picture error_picture(const std::vector<float>& truth_m, const std::vector<float>& measured_m,
+                      double max_range_m, int width_px, int height_px) {
+  Picture picture = make_picture(width_px, height_px);
+  for (std::size_t i = 0; i < truth_m.size(); ++i) {
+    const auto truth = static_cast<double>(truth_m[i]);
+    const auto measured = static_cast<double>(measured_m[i]);
+    std::uint8_t* rgb = &picture.rgb[3 * i];
+    if (std::isnan(measured)) {
+      std::fill_n(rgb, 3, kInvalid);
+      continue;
+    }
+    const bool nothing = truth > max_range_m;
+    if (nothing && !std::isfinite(measured)) continue;
+    const double error = std::min(measured, max_range_m) - std::min(truth, max_range_m);
+    const double share = std::clamp(error / kErrorScale_m, -1.0, 1.0);
+    const auto faded = static_cast<std::uint8_t>(std::lround(255.0 * (1.0 - std::abs(share))));
+    rgb[0] = share > 0.0 ? 255 : faded;
+    rgb[1] = faded;
+    rgb[2] = share > 0.0 ? faded : 255;
+  }
+  return picture;
+}
+
+std::string figures(const DepthStatistics& s) {
+  if (s.pixel_count == 0) return "nothing within range";
+  if (std::isnan(s.disparity_bias_px)) return "no depth within 1 px of the truth";
+  char line[200];
+  std::snprintf(
+      line, sizeof line,
+      "%.1f %% valid, disparity error %.3f ± %.3f px, beyond 1 px %.1f %%, away from edges",
+      100.0 * s.valid_ratio, s.disparity_bias_px, s.disparity_sigma_px, 100.0 * s.outlier_ratio);
+  return line;
+}
+
+/// Puts rows of equally large cells into one picture.
+Picture tiled(const std::vector<std::vector<Picture>>& rows) {
+  constexpr int kGap = 4;
+  std::size_t columns = 0;
+  for (const auto& row : rows) columns = std::max(columns, row.size());
+  const int width = rows.front().front().width_px, height = rows.front().front().height_px;
+  Picture sheet = make_picture(static_cast<int>(columns) * (width + kGap) - kGap,
+                               static_cast<int>(rows.size()) * (height + kGap) - kGap);
+  std::fill(sheet.rgb.begin(), sheet.rgb.end(), std::uint8_t{255});
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    for (std::size_t c = 0; c < rows[r].size(); ++c) {
+      paste(rows[r][c], static_cast<int>(c) * (width + kGap), static_cast<int>(r) * (height + kGap),
+            sheet);
+    }
+  }
+  return sheet;
+}
+
+/// Cells of at least this width, so that captions can be read.
+Picture cell(Picture picture, const std::string& caption) {
+  constexpr int kLeastWidth_px = 320;
+  const int factor = (kLeastWidth_px + picture.width_px - 1) / picture.width_px;
+  Picture shown = factor > 1 ? enlarged(picture, factor) : std::move(picture);
+  add_caption(shown, caption);
+  return shown;
+}
+
+/// A picture and the view that it is.
+struct Cell {
+  std::string view;
+  Picture picture;
+};
+
+/// All views of one camera.
+std::vector<Cell> cells_of(const SensorSpec& sensor, CameraImages& images,
+                           const std::vector<float>& truth_m) {
+  const int width = static_cast<int>(sensor.width_px), height = static_cast<int>(sensor.height_px);
+  constexpr double kMostShown_m = 20.0;  // what is farther has the colour of this
+  const double range_m = sensor.max_range_m, shown_m = std::min(range_m, kMostShown_m);
+  const auto depth_cell = [&](const std::vector<float>& depth_m, const std::string& caption) {
+    Picture shown = cell(depth_picture(depth_m, width, height, 0.0, shown_m), caption);
+    add_depth_scale(shown, 0.0, shown_m);
+    return shown;
+  };
+  Picture color = make_picture(width, height);
+  color.rgb = images.color;
+  std::vector<Cell> cells{{"left", cell(grey_picture(images.left, width, height), "left")},
+                          {"right", cell(grey_picture(images.right, width, height), "right")},
+                          {"color", cell(std::move(color), "colour")}};
+  if (is_stereo(sensor)) {
+    const double most_px = disparity_at_1m_px(sensor) / 0.5;
+    std::vector<float> from_most = images.disparity_px;
+    for (float& disparity : from_most) disparity = static_cast<float>(most_px) - disparity;
+    cells.push_back({"disparity", cell(depth_picture(from_most, width, height, 0.0, most_px),
+                                       "disparity: red is large")});
+  }
+  cells.push_back({"depth", depth_cell(images.depth_m, sensor.name + ": depth")});
+  cells.push_back({"truth", depth_cell(truth_m, "true depth")});
+  cells.push_back({"error", cell(error_picture(truth_m, images.depth_m, range_m, width, height),
+                                 "error: blue -1 m, white 0, red +1 m")});
+  return cells;
+}
+
+/// Rows of pictures: what the eyes see above what was measured; a row a camera where there are
+/// more; one row of a single view.
+std::vector<std::vector<Picture>> arranged(std::vector<std::vector<Cell>> cameras,
+                                           const std::string& view) {
+  const auto is_seen = [](const std::string& name) {
+    return name == "left" || name == "right" || name == "color" || name == "disparity";
+  };
+  std::vector<std::vector<Picture>> rows(1);
+  for (std::vector<Cell>& cells : cameras) {
+    for (Cell& one : cells) {
+      if (view != "sheet" && one.view != view) continue;
+      const bool starts_row = view == "sheet" && cameras.size() == 1 && one.view == "depth";
+      const bool is_left_out =
+          view == "sheet" && cameras.size() > 1 && is_seen(one.view) && one.view != "left";
+      if (is_left_out) continue;
+      if (starts_row ||
+          (view == "sheet" && cameras.size() > 1 && one.view == "left" && !rows.back().empty())) {
+        rows.emplace_back();
+      }
+      rows.back().push_back(std::move(one.picture));
+    }
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::vector<std::string> sensor_view_names() {
+  return {"sheet", "left", "right", "color", "disparity", "depth", "truth", "error"};
+}
+
+SensorSheet make_sensor_sheet(const SensorSpec& sensor, const Scene& scene,
+                              const Pose& T_world_body, std::uint64_t seed,
+                              const std::string& view) {
+  if (view == "disparity" && !is_stereo(sensor)) {
+    throw InputError("--view disparity: " + sensor.name + " does not match images");
+  }
+  Pinhole ideal = sensor_camera(sensor);
+  ideal.min_range_m = 0.0;
+  ideal.max_range_m = std::numeric_limits<double>::infinity();
+  Camera camera(sensor);
+  CameraImages images;
+  std::vector<float> truth_m(static_cast<std::size_t>(sensor.width_px * sensor.height_px));
+  std::vector<std::vector<Cell>> cameras;
+  SensorSheet sheet;
+  const std::vector<MountingSpec> all = mountings(sensor);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Pose T_world_camera = T_world_body * T_body_camera(all[i]);
+    camera.expose(scene, T_world_camera, {}, {.depth = true, .stereo = true, .color = true},
+                  stream_seed(seed, i), images);
+    render_depth(scene, ideal, T_world_camera, truth_m);
+    std::vector<DepthSample> samples;
+    constexpr int kEdge_px = 8;
+    add_samples(truth_m, images.depth_m, static_cast<int>(sensor.width_px),
+                disparity_at_1m_px(sensor), kEdge_px, samples);
+    const DepthStatistics inside =
+        depth_statistics(samples, false, 0.0, sensor.max_range_m, disparity_at_1m_px(sensor));
+    sheet.summary +=
+        (all.size() > 1 ? "camera " + std::to_string(i) + ": " : "") + figures(inside) + "\n";
+    cameras.push_back(cells_of(sensor, images, truth_m));
+  }
+  sheet.picture = tiled(arranged(std::move(cameras), view));
+  return sheet;
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,222 @@
+#include "worker/job.hpp"
+
+#include <sys/random.h>
+
+#include <array>
+#include <cerrno>
+#include <string_view>
+
+#include "base/check.hpp"
+#include "base/input_error.hpp"
+#include "base/spec_json.hpp"
+#include "metrics/metric_table.hpp"
+#include "store/record_format.hpp"
+
+namespace avoidbench {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kSampleBytes = kSampleDoubles * sizeof(double);
+
+json vector_to_json(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+Eigen::Vector3d vector_from_json(const json& v) {
+  return {v.at(0).get<double>(), v.at(1).get<double>(), v.at(2).get<double>()};
+}
+
+json mission_to_json(const MissionRecord& record) {
+  return {
+      {"index", record.index},
+      {"start", vector_to_json(record.mission.start_world)},
+      {"goal", vector_to_json(record.mission.goal_world)},
+      {"start_yaw_rad", record.mission.start_yaw_rad},
+      {"reference_length_m", number_to_json(record.reference_length_m)},
+      {"traversability_obstruction", number_to_json(record.difficulty.traversability_obstruction)},
+      {"view_occlusion", number_to_json(record.difficulty.view_occlusion)},
+      {"angle_over_length_1pm", number_to_json(record.difficulty.angle_over_length_1pm)},
+      {"is_valid", record.is_valid},
+      {"invalid_reason", record.invalid_reason}};
+}
+
+MissionRecord mission_from_json(const json& from) {
+  return {
+      .index = from.at("index"),
+      .mission = {.start_world = vector_from_json(from.at("start")),
+                  .goal_world = vector_from_json(from.at("goal")),
+                  .start_yaw_rad = from.at("start_yaw_rad")},
+      .reference_length_m = number_from_json(from.at("reference_length_m")),
+      .difficulty = {.traversability_obstruction =
+                         number_from_json(from.at("traversability_obstruction")),
+                     .view_occlusion = number_from_json(from.at("view_occlusion")),
+                     .angle_over_length_1pm = number_from_json(from.at("angle_over_length_1pm"))},
+      .is_valid = from.at("is_valid"),
+      .invalid_reason = from.at("invalid_reason")};
+}
+
+json map_to_json(const MapRecord& map) {
+  json missions = json::array();
+  for (const MissionRecord& mission : map.missions) missions.push_back(mission_to_json(mission));
+  return {{"world_digest", map.world_digest},
+          {"obstacle_count", map.obstacle_count},
+          {"triangle_count", map.triangle_count},
+          {"traversability", map.traversability},
+          {"traversability_normalized_ratio", map.traversability_normalized_ratio},
+          {"relative_gap_size", number_to_json(map.relative_gap_size)},
+          {"obstacle_density_1pm2", map.obstacle_density_1pm2},
+          {"free_volume_ratio", map.free_volume_ratio},
+          {"missions", missions}};
+}
+
+MapRecord map_from_json(const json& from) {
+  MapRecord map{.key = {},
+                .world_digest = from.at("world_digest"),
+                .obstacle_count = from.at("obstacle_count"),
+                .triangle_count = from.at("triangle_count"),
+                .traversability = from.at("traversability"),
+                .traversability_normalized_ratio = from.at("traversability_normalized_ratio"),
+                .relative_gap_size = number_from_json(from.at("relative_gap_size")),
+                .obstacle_density_1pm2 = from.at("obstacle_density_1pm2"),
+                .free_volume_ratio = from.at("free_volume_ratio"),
+                .missions = {}};
+  for (const json& mission : from.at("missions"))
+    map.missions.push_back(mission_from_json(mission));
+  return map;
+}
+
+json trial_to_json(const TrialRecord& record) {
+  json collisions = json::array();
+  for (const Collision& collision : record.collisions) {
+    collisions.push_back(
+        {collision.time_s, collision.speed_mps, collision.obstacle, collision.kind});
+  }
+  return {{"outcome", std::string(text(record.outcome))},
+          {"reason", record.reason},
+          {"end_time_s", record.end_time_s},
+          {"plan_calls", plan_calls_json(record.plan_calls)},
+          {"collisions", collisions}};
+}
+
+TrialRecord trial_from_json(const json& from) {
+  const auto outcome = enum_from_text<Outcome>(from.at("outcome").get<std::string>());
+  TrialRecord record{.outcome = outcome.value(),
+                     .reason = from.at("reason"),
+                     .end_time_s = from.at("end_time_s"),
+                     .samples = {},
+                     .plan_calls = plan_calls_from_json(from.at("plan_calls").get<std::string>()),
+                     .collisions = {}};
+  for (const json& collision : from.at("collisions")) {
+    record.collisions.push_back({.time_s = collision.at(0),
+                                 .speed_mps = collision.at(1),
+                                 .obstacle = collision.at(2),
+                                 .kind = collision.at(3)});
+  }
+  return record;
+}
+
+/// Whether the answer has what the job asks for, and as much of it.
+bool answers(const JobResult& result, const Job& job) {
+  if (result.token != job.token) return false;
+  if (!result.error.empty()) return true;
+  if (job.mission) return result.trial && result.metrics.size() == metric_table().size();
+  const auto count = static_cast<std::size_t>(job.mission_count);
+  if (!result.map || result.map->missions.size() != count) return false;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (result.map->missions[i].index != static_cast<std::int64_t>(i)) return false;
+  }
+  return true;
+}
+
+JobResult parsed(const Message& message) {
+  JobResult result;
+  result.token = message.json.at("token");
+  result.error = message.json.at("error");
+  result.wall_time_s = message.json.at("wall_time_s");
+  result.is_out_of_memory = message.json.at("is_out_of_memory");
+  if (message.json.contains("map")) result.map = map_from_json(message.json.at("map"));
+  if (message.json.contains("trial")) {
+    result.trial = trial_from_json(message.json.at("trial"));
+    result.trial->samples = samples_from_bytes(message.bytes);
+    for (const json& value : message.json.at("metrics")) {
+      result.metrics.push_back(number_from_json(value));
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+Message job_message(const Job& job) {
+  Message message;
+  message.json["token"] = job.token;
+  message.json["spec"] = spec_to_json(job.spec);
+  message.json["mission_count"] = job.mission_count;
+  if (job.mission) message.json["mission"] = mission_to_json(*job.mission);
+  if (job.recorded_latency_s) message.json["recorded_latency_s"] = *job.recorded_latency_s;
+  return message;
+}
+
+Job job_from(const Message& message) {
+  Job job{.token = message.json.at("token"),
+          .spec = spec_from_json<TrialSpec>(message.json.at("spec")),
+          .mission_count = message.json.at("mission_count"),
+          .mission = std::nullopt,
+          .recorded_latency_s = std::nullopt};
+  if (const auto recorded = message.json.find("recorded_latency_s"); recorded != message.json.end())
+    job.recorded_latency_s = recorded->get<std::vector<double>>();
+  if (message.json.contains("mission")) job.mission = mission_from_json(message.json.at("mission"));
+  return job;
+}
+
+Message result_message(const JobResult& result) {
+  Message message;
+  message.json["token"] = result.token;
+  message.json["error"] = result.error;
+  message.json["wall_time_s"] = result.wall_time_s;
+  message.json["is_out_of_memory"] = result.is_out_of_memory;
+  if (result.map) message.json["map"] = map_to_json(*result.map);
+  if (result.trial) {
+    message.json["trial"] = trial_to_json(*result.trial);
+    json metrics = json::array();
+    for (const double value : result.metrics) metrics.push_back(number_to_json(value));
+    message.json["metrics"] = metrics;
+    message.bytes = sample_bytes(result.trial->samples);
+  }
+  return message;
+}
+
+std::optional<JobResult> result_from(const Message& message, const Job& job) {
+  if (message.bytes.size() % kSampleBytes != 0) return std::nullopt;
+  try {
+    JobResult result = parsed(message);
+    if (answers(result, job)) return result;
+  } catch (const nlohmann::json::exception&) {  // a part is missing or of another type
+  } catch (const std::bad_optional_access&) {   // no outcome of ours
+  } catch (const InputError&) {                 // calls that can't be read
+  }
+  return std::nullopt;
+}
+
+std::size_t most_result_bytes(const Job& job) {
+  constexpr double kRest = 16.0 * 1024 * 1024;  // reasons, collisions, a map
+  constexpr double kMission = 2000.0, kPlanCall = 300.0, kSpare = 1.1;
+  const double time_s = job.spec.mission.time_limit_s;
+  const double of_flight = time_s * (job.spec.rates.sample_hz * static_cast<double>(kSampleBytes) +
+                                     job.spec.rates.plan_hz * kPlanCall);
+  const double of_map = static_cast<double>(job.mission_count) * kMission;
+  return static_cast<std::size_t>(kRest + kSpare * (of_flight + of_map));
+}
+
+std::string make_token() {
+  std::array<unsigned char, 16> drawn{};
+  AB_CHECK(::getrandom(drawn.data(), drawn.size(), 0) == static_cast<ssize_t>(drawn.size()), errno);
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string token;
+  for (const unsigned char byte : drawn) {
+    token += kDigits[byte >> 4U];
+    token += kDigits[byte & 15U];
+  }
+  return token;
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,259 @@
+#include "worker/worker.hpp"
+
+#include <fcntl.h>
+#include <pthread.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <map>
+#include <thread>
+
+#include "base/digest.hpp"
+#include "base/input_error.hpp"
+#include "base/spec_json.hpp"
+#include "metrics/metric_table.hpp"
+#include "process/process_tree.hpp"
+#include "process/sandbox.hpp"
+#include "trial/planner_view.hpp"
+#include "trial/run_trial.hpp"
+#include "worker/crash_report.hpp"
+
+namespace avoidbench {
+namespace {
+
+/// A map with its BVH. On the heap, since the scene keeps the world's address.
+struct Place {
+  explicit Place(const TrialSpec& spec)
+      : world(make_world(spec.map, spec.map_seed)), scene(world) {}
+  World world;
+  Scene scene;
+};
+
+/// Which file a descriptor led to.
+class FileIdentity {
+ public:
+  // A number alone says nothing: a planner may close it and open another file that gets the same
+  // one.
+  explicit FileIdentity(int fd) { is_known_ = ::fstat(fd, &file_) == 0; }
+  bool is_still(int fd) const {
+    struct stat now {};
+    return is_known_ && ::fstat(fd, &now) == 0 && now.st_dev == file_.st_dev &&
+           now.st_ino == file_.st_ino;
+  }
+
+ private:
+  struct stat file_ {};
+  bool is_known_ = false;
+};
+
+/// How long a call's process was stopped, by a signal or with its machine: no time of the
+/// planner's.
+class StoppedTime {
+ public:
+  /// Of a call that has lasted for `call_s`. To be asked ten times a second.
+  double in_call_s(double call_s) {
+    // Looks are a tenth of a second apart. A gap of a second or more means that the whole process
+    // stood still; a busy machine alone makes shorter ones.
+    constexpr double kLongestLook_s = 1.0;
+    const auto now = std::chrono::steady_clock::now();
+    const double look_s = std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+    // A call shorter than the time since the last look is a new one.
+    if (call_s < look_s) stopped_s_ = 0.0;  // it began since
+    if (look_s > kLongestLook_s) stopped_s_ += std::min(look_s, call_s);
+    return stopped_s_;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+  double stopped_s_ = 0.0;
+};
+
+/// What a process that a planner forks does first: it lets go of the worker's pipes, and ends with
+/// the worker.
+// A global, since what pthread_atfork() calls takes no argument.
+std::array<int, 3> pipes{-1, -1, -1};
+void leave_worker() {
+  for (const int fd : pipes) ::close(fd);
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+}
+
+void keep_from_children(const std::array<int, 3>& fds) {
+  pipes = fds;
+  // fork() and exec() each need a door closed: a program that the planner starts must not hold the
+  // pipes, or the parent waits for their end.
+  for (const int fd : fds) ::fcntl(fd, F_SETFD, FD_CLOEXEC);
+  ::pthread_atfork(nullptr, nullptr, leave_worker);
+}
+
+std::string place_key(const TrialSpec& spec) {
+  return spec_to_json(spec.map).dump() + std::to_string(spec.map_seed);
+}
+
+/// All that a planner's instance is made from.
+std::string instance_key(const TrialSpec& spec) {
+  // Not latency, wind or mission: a planner is not told of them at creation.
+  return spec_to_json(spec.planner).dump() + spec_to_json(spec.vehicle).dump() +
+         spec_to_json(spec.sensor).dump() + spec_to_json(spec.rates).dump();
+}
+
+constexpr const char* kFileChanged = "the planner's file changed during the run";
+
+void require_unchanged(const PlannerChoice& planner) {
+  if (file_digest(planner.file) == planner.file_digest) return;
+  throw InputError({.file = planner.file, .message = kFileChanged});
+}
+
+}  // namespace
+
+struct Worker::Internals {
+  CallClock clock;
+  std::jthread watchdog;  // ends after the instances, whose destruction may hang
+  std::string place_key;
+  std::unique_ptr<Place> place;
+  std::map<std::string, PlannerLibrary> libraries;   // by file
+  std::map<std::string, PlannerInstance> instances;  // by instance_key
+
+  const Place& place_of(const TrialSpec& spec);
+  PlannerInstance& instance_of(const TrialSpec& spec);
+  TrialRecord fly(const Job& job, const Scene& scene);
+};
+
+const Place& Worker::Internals::place_of(const TrialSpec& spec) {
+  const std::string key = avoidbench::place_key(spec);
+  if (place == nullptr || key != place_key) {
+    place.reset();  // two large maps need not fit beside each other
+    place = std::make_unique<Place>(spec);
+    place_key = key;
+  }
+  return *place;
+}
+
+PlannerInstance& Worker::Internals::instance_of(const TrialSpec& spec) {
+  const std::string key = instance_key(spec);
+  if (const auto kept = instances.find(key); kept != instances.end()) return kept->second;
+  auto library = libraries.find(spec.planner.file);
+  if (library == libraries.end()) {
+    library =
+        libraries.emplace(spec.planner.file, PlannerLibrary::load(spec.planner.file, &clock)).first;
+  }
+  // Loaded now, flown under the sweep's digest: they must be the same file.
+  if (library->second.description().file_digest != spec.planner.file_digest) {
+    throw InputError({.file = spec.planner.file, .message = kFileChanged});
+  }
+  PlannerInstance made(library->second, planner_setup(spec), parameter_values(spec.planner),
+                       &clock);
+  return instances.emplace(key, std::move(made)).first->second;
+}
+
+TrialRecord Worker::Internals::fly(const Job& job, const Scene& scene) {
+  PlannerInstance* planner = nullptr;
+  try {
+    planner = &instance_of(job.spec);
+  } catch (const InputError& error) {
+    require_unchanged(job.spec.planner);  // else it is no error of this planner
+    TrialRecord record;
+    record.outcome = Outcome::planner_error;
+    record.reason = error.what();
+    return record;
+  }
+  const std::vector<double>* recorded_s =
+      job.recorded_latency_s ? &*job.recorded_latency_s : nullptr;
+  return run_trial(job.spec, scene, job.mission->mission, *planner, {}, recorded_s);
+}
+
+Worker::Worker() : internals_(std::make_unique<Internals>()) {}
+Worker::~Worker() = default;
+Worker::Worker(Worker&&) noexcept = default;
+Worker& Worker::operator=(Worker&&) noexcept = default;
+
+JobResult Worker::work(const Job& job) {
+  const auto began = std::chrono::steady_clock::now();
+  JobResult result;
+  result.token = job.token;
+  try {
+    const Place& place = internals_->place_of(job.spec);
+    if (!job.mission) {
+      result.map = make_map_record(job.spec, place.scene, job.mission_count);
+    } else {
+      result.trial = internals_->fly(job, place.scene);
+      result.metrics = compute_metrics({job.spec, *job.mission, *result.trial});
+    }
+  } catch (const InputError& error) {
+    result.error = error.what();
+  } catch (const std::bad_alloc&) {
+    result.error = "out of memory";
+    result.is_out_of_memory = true;
+  }
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
+  result.wall_time_s = took.count();
+  return result;
+}
+
+void Worker::watch(const WorkerOptions& options) {
+  const CallClock* clock = &internals_->clock;
+  const pid_t parent = ::getppid();
+  internals_->watchdog = std::jthread([clock, options, parent](const std::stop_token& stop) {
+    // Often enough that a planner which grows by 1 GiB/s passes its limit by a tenth of that, and
+    // cheap beside any flight.
+    constexpr int kLooksASecond = 10;
+    StoppedTime stopped;
+    for (int look = 0; !stop.stop_requested(); ++look) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1000 / kLooksASecond));
+      if (::getppid() != parent) ::_exit(1);  // a planner may have switched the death signal off
+      const double call_s = clock->running_s();
+      if (call_s - stopped.in_call_s(call_s) > options.plan_timeout_s) ::_exit(kHungExitCode);
+      if (options.memory_limit_mib > 0.0 &&
+          resident_mib_of_family(options.memory_limit_mib) > options.memory_limit_mib) {
+        ::_exit(kMemoryExitCode);
+      }
+      // A byte each second tells the parent that the process lives, whatever its planner does.
+      if (look % kLooksASecond == 0 && ::write(options.notes_fd, "", 1) < 0 && errno == EBADF) {
+        ::_exit(kPipesExitCode);
+      }
+    }
+  });
+}
+
+int run_worker(const WorkerOptions& options) {
+  // The parent decides when to stop; a signal to the whole process group reaches workers, too.
+  for (const int number : {SIGINT, SIGTERM, SIGUSR1}) std::signal(number, SIG_IGN);
+  std::signal(SIGPIPE, SIG_IGN);
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  adopt_orphans();                       // so that what a planner starts is found below its worker
+  ::dup2(STDERR_FILENO, STDOUT_FILENO);  // what a planner prints is not a result
+  // No core files: a sweep may have thousands of crashes.
+  constexpr rlimit kNone{0, 0};
+  ::setrlimit(RLIMIT_CORE, &kNone);
+  keep_from_children({options.in_fd, options.out_fd, options.notes_fd});
+  report_crashes(options.notes_fd);
+  // Before the watchdog's thread starts and before any planner is loaded: Landlock and seccomp hold
+  // for the thread that enters them and what it starts.
+  if (!options.sandbox.empty() && text(enter_sandbox(sandbox_rules_from(options.allowed),
+                                                     sandbox_support())) != options.sandbox) {
+    return kSandboxExitCode;
+  }
+  const FileIdentity results(options.out_fd), jobs(options.in_fd);
+  const pid_t self = ::getpid();
+  Worker worker;
+  worker.watch(options);
+  while (const auto message = receive_message(options.in_fd)) {
+    const JobResult result = worker.work(job_from(*message));
+    // A child that a planner forked and that went on as if it were its parent: it has no say.
+    if (::getpid() != self) ::_exit(kPipesExitCode);
+    // A planner may have closed them, and opened files of its own that took their numbers.
+    if (!results.is_still(options.out_fd) || !jobs.is_still(options.in_fd)) return kPipesExitCode;
+    if (!send_message(options.out_fd, result_message(result))) return 1;
+  }
+  return 0;
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "worker/job.hpp"
+
+namespace avoidbench {
+
+/// Exit codes of a worker that ends itself: a planner's call did not come back in time, the process
+/// grew beyond its limit, its pipes are not its own any more, or it could not enter its sandbox.
+inline constexpr int kHungExitCode = 86, kMemoryExitCode = 87, kPipesExitCode = 88,
+                     kSandboxExitCode = 89;
+
+/// How a worker process talks to its parent, and what it may use.
+struct WorkerOptions {
+  int in_fd = -1;     ///< jobs
+  int out_fd = -1;    ///< results
+  int notes_fd = -1;  ///< a zero byte a second while it lives, and the stack where it crashes
+  double plan_timeout_s = 10.0;
+  double memory_limit_mib = 0.0;  ///< of resident memory, that of its children included; 0: none
+  std::string sandbox;            ///< as text(SandboxSupport) has it; "": none
+  std::string allowed;            ///< in the sandbox, as text(SandboxRules) has it
+};
+
+/// Does jobs in this process and keeps what the next one may need again: the last map with its BVH,
+/// planner libraries and instances. Move-only.
+class Worker {
+ public:
+  Worker();
+  ~Worker();
+  Worker(Worker&&) noexcept;
+  Worker& operator=(Worker&&) noexcept;
+
+  /// Never throws for what the user or a planner did wrong: that is JobResult::error, or an
+  /// outcome.
+  JobResult work(const Job& job);
+
+  /// Starts a thread that ends the process with one of the exit codes above where it must, and that
+  /// says that it lives.
+  void watch(const WorkerOptions& options);
+
+ private:
+  struct Internals;
+  std::unique_ptr<Internals> internals_;
+};
+
+/// A worker process's main loop: jobs in, results out, until the parent closes its end or is gone.
+/// Returns the exit code.
+int run_worker(const WorkerOptions& options);
+
+}  // namespace avoidbench

@@ -1,0 +1,231 @@
+#include "yaml/includes.hpp"
+
+#include <algorithm>
+
+namespace avoidbench {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostLevels = 8;
+constexpr std::size_t kMostFiles = 64;
+
+using Kind = YamlNode::Kind;
+
+bool is_range(const YamlNode& node) { return node.find("from") != nullptr; }
+
+void remove(YamlNode& mapping, std::size_t index) {
+  const auto offset = static_cast<std::ptrdiff_t>(index);
+  mapping.keys.erase(mapping.keys.begin() + offset);
+  mapping.items.erase(mapping.items.begin() + offset);
+}
+
+std::size_t index_of(const YamlNode& mapping, const std::string& key) {
+  const auto found = std::find_if(mapping.keys.begin(), mapping.keys.end(),
+                                  [&](const YamlNode& other) { return other.scalar == key; });
+  return static_cast<std::size_t>(found - mapping.keys.begin());
+}
+
+/// Makes `{preset: name}` of the name of a vehicle or sensor, so that fields can be laid over it.
+void become_preset(YamlNode& name) {
+  YamlNode key = name;
+  key.scalar = "preset";
+  YamlNode mapping = name;
+  mapping.kind = Kind::mapping;
+  mapping.scalar.clear();
+  mapping.keys = {std::move(key)};
+  mapping.items = {std::move(name)};
+  name = std::move(mapping);
+}
+
+/// Lays `over` on `under`, which stays where `over` says nothing.
+void merge(YamlNode& under, YamlNode over, bool is_top) {
+  if (over.kind != Kind::mapping || under.kind != Kind::mapping || is_range(over)) {
+    under = std::move(over);
+    return;
+  }
+  for (std::size_t i = 0; i < over.keys.size(); ++i) {
+    const std::string& key = over.keys[i].scalar;
+    const std::size_t below = index_of(under, key);
+    if (below == under.keys.size()) {
+      under.keys.push_back(over.keys[i]);
+      under.items.push_back(std::move(over.items[i]));
+    } else if (over.items[i].kind == Kind::null) {
+      remove(under, below);
+    } else {
+      const bool is_named = is_top && (key == "vehicle" || key == "sensor");
+      if (is_named && over.items[i].kind == Kind::mapping &&
+          under.items[below].kind == Kind::scalar) {
+        become_preset(under.items[below]);
+      }
+      under.keys[below] = over.keys[i];
+      merge(under.items[below], std::move(over.items[i]), false);
+    }
+  }
+  under.source = over.source;
+  under.line = over.line;
+  under.column = over.column;
+}
+
+struct Reader {
+  std::vector<fs::path> open;  ///< canonical paths of the files being read, outermost first
+  std::vector<std::string> included;
+
+  YamlNode read(const fs::path& file) {
+    std::error_code error;
+    open.push_back(fs::weakly_canonical(file, error));
+    YamlNode root = read_yaml(file);
+    const YamlNode* include = root.find("include");
+    if (include == nullptr) {
+      open.pop_back();
+      return root;
+    }
+    const YamlNode named = *include;
+    remove(root, index_of(root, "include"));
+    YamlNode merged;
+    merged.kind = Kind::mapping;
+    std::vector<InputProblem> problems;
+    for (const YamlNode& name : names(named)) {
+      try {
+        merge(merged, read_included(name), true);
+      } catch (const InputError& failed) {
+        problems.insert(problems.end(), failed.problems().begin(), failed.problems().end());
+      }
+    }
+    if (!problems.empty()) throw InputError(std::move(problems));
+    merge(merged, std::move(root), true);
+    open.pop_back();
+    return merged;
+  }
+
+ private:
+  [[noreturn]] static void fail(const YamlNode& place, const std::string& message) {
+    throw InputError(problem_at(place, "include: " + message));
+  }
+
+  static std::vector<YamlNode> names(const YamlNode& include) {
+    const bool is_list = include.kind == Kind::list;
+    const std::vector<YamlNode> names = is_list ? include.items : std::vector<YamlNode>{include};
+    if (names.empty()) fail(include, "expected a file or a list of files, found an empty list");
+    for (const YamlNode& name : names) {
+      if (name.kind == Kind::scalar && !name.scalar.empty()) continue;
+      fail(name, "expected a file or a list of files, found " + found_text(name));
+    }
+    return names;
+  }
+
+  YamlNode read_included(const YamlNode& name) {
+    const fs::path file = (folder_of(name, ".") / name.scalar).lexically_normal();
+    std::error_code error;
+    const fs::path canonical = fs::weakly_canonical(file, error);
+    if (std::find(open.begin(), open.end(), canonical) != open.end()) {
+      std::string circle;
+      for (const fs::path& outer : open) circle += outer.filename().string() + " → ";
+      fail(name, "leads in a circle: " + circle + file.filename().string());
+    }
+    if (open.size() > kMostLevels) {
+      fail(name, "nested deeper than " + std::to_string(kMostLevels) + " files");
+    }
+    if (included.size() >= kMostFiles) {
+      fail(name, "more than " + std::to_string(kMostFiles) + " included files");
+    }
+    included.push_back(file.string());
+    const std::size_t level = open.size();
+    try {
+      YamlNode root = read(file);
+      if (root.kind == Kind::mapping) return root;
+      throw InputError(
+          problem_at(root, "expected a mapping (name: value), found " + found_text(root)));
+    } catch (const InputError& failed) {
+      open.resize(level);
+      std::vector<InputProblem> problems = failed.problems();
+      for (InputProblem& problem : problems) {  // of the file as a whole: said where it is named
+        if (problem.line == 0) problem = problem_at(name, "include: " + text(problem));
+      }
+      throw InputError(std::move(problems));
+    }
+  }
+};
+
+std::string scalar_text(const YamlNode& node) {
+  if (node.kind == Kind::null) return "~";
+  const auto is_plain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '.' || c == '/' || c == '+' || c == '-';
+  };
+  const bool needs_quotes = node.is_quoted || node.scalar.empty() || node.scalar == "-" ||
+                            !std::all_of(node.scalar.begin(), node.scalar.end(), is_plain);
+  if (!needs_quotes) return node.scalar;
+  std::string quoted = "'";
+  for (const char c : node.scalar) {
+    quoted += c;
+    if (c == '\'') quoted += c;
+  }
+  return quoted + "'";
+}
+
+/// On one line: [1, 2], {a: b}.
+std::string flow_text(const YamlNode& node) {
+  if (node.kind == Kind::scalar || node.kind == Kind::null) return scalar_text(node);
+  const bool is_list = node.kind == Kind::list;
+  std::string all;
+  for (std::size_t i = 0; i < node.items.size(); ++i) {
+    all += all.empty() ? "" : ", ";
+    if (!is_list) all += scalar_text(node.keys[i]) + ": ";
+    all += flow_text(node.items[i]);
+  }
+  return is_list ? "[" + all + "]" : "{" + all + "}";
+}
+
+void add_line(const std::string& content, const YamlNode& place, std::string& text) {
+  constexpr std::size_t kCommentColumn = 44;
+  std::string padded = content;
+  padded.resize(std::max(padded.size() + 2, kCommentColumn), ' ');
+  text += padded + "# " + (place.source ? *place.source : "");
+  if (place.line > 0) text += ":" + std::to_string(place.line);
+  text += "\n";
+}
+
+void add_mapping(const YamlNode& mapping, const std::string& indent, std::string& text) {
+  for (std::size_t i = 0; i < mapping.keys.size(); ++i) {
+    const YamlNode& item = mapping.items[i];
+    const std::string key = indent + scalar_text(mapping.keys[i]) + ":";
+    const bool holds_mappings = std::any_of(item.items.begin(), item.items.end(),
+                                            [](const auto& n) { return !n.items.empty(); });
+    if (item.kind == Kind::mapping && !item.items.empty() && !is_range(item)) {
+      text += key + "\n";
+      add_mapping(item, indent + "  ", text);
+    } else if (item.kind == Kind::list && holds_mappings) {
+      text += key + "\n";
+      for (const YamlNode& element : item.items) {
+        add_line(indent + "  - " + flow_text(element), element, text);
+      }
+    } else {
+      add_line(key + " " + flow_text(item), item, text);
+    }
+  }
+}
+
+}  // namespace
+
+Document read_document(const fs::path& file) {
+  Reader reader;
+  Document document;
+  document.root = reader.read(file);
+  document.included = std::move(reader.included);
+  return document;
+}
+
+fs::path folder_of(const YamlNode& node, const fs::path& otherwise) {
+  if (!node.source || node.line == 0) return otherwise;
+  const fs::path folder = fs::path(*node.source).parent_path();
+  return folder.empty() ? fs::path(".") : folder;
+}
+
+std::string document_text(const Document& document) {
+  std::string text;
+  add_mapping(document.root, "", text);
+  return text;
+}
+
+}  // namespace avoidbench

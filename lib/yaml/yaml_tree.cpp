@@ -1,0 +1,235 @@
+#include "yaml/yaml_tree.hpp"
+
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/exceptions.h>
+#include <yaml-cpp/parser.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <sstream>
+
+#include "base/input_file.hpp"
+#include "text/visible_text.hpp"
+
+namespace avoidbench {
+namespace {
+
+constexpr std::size_t kMostValues = 100'000;
+constexpr std::size_t kMostLevels = 64;
+constexpr std::size_t kMostLetters = 20'000'000;  ///< of texts, aliases expanded
+
+std::size_t value_count(const YamlNode& node) {
+  std::size_t count = 1 + node.keys.size();
+  for (const YamlNode& item : node.items) count += value_count(item);
+  return count;
+}
+
+std::size_t letter_count(const YamlNode& node) {
+  std::size_t count = node.scalar.size();
+  for (const YamlNode& key : node.keys) count += key.scalar.size();
+  for (const YamlNode& item : node.items) count += letter_count(item);
+  return count;
+}
+
+std::size_t level_count(const YamlNode& node) {
+  std::size_t deepest = 0;
+  for (const YamlNode& item : node.items) deepest = std::max(deepest, level_count(item));
+  return deepest + 1;
+}
+
+/// Builds the tree from the parser's events.
+class TreeBuilder : public YAML::EventHandler {
+ public:
+  explicit TreeBuilder(const std::string& source)
+      : source_(std::make_shared<const std::string>(source)) {}
+
+  std::optional<YamlNode> root;
+
+  void OnDocumentStart(const YAML::Mark&) override {}
+  void OnDocumentEnd() override {}
+
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    finish(make(YamlNode::Kind::null, mark), anchor);
+  }
+
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    const auto found = anchored_.find(anchor);
+    YamlNode place = make(YamlNode::Kind::null, mark);
+    if (found == anchored_.end()) fail(place, "an alias within what it stands for");
+    charge(place, value_count(found->second));
+    charge_letters(place, letter_count(found->second));
+    if (open_.size() + level_count(found->second) > kMostLevels) fail_levels(place);
+    YamlNode copy = found->second;
+    copy.line = place.line;
+    copy.column = place.column;
+    finish(std::move(copy), 0);
+  }
+
+  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                const std::string& value) override {
+    YamlNode node = make(YamlNode::Kind::scalar, mark);
+    node.scalar = value;
+    node.is_quoted = tag == "!" || tag == "tag:yaml.org,2002:str";
+    const bool is_plain_null = !node.is_quoted && (value == "~" || value == "null");
+    if (is_plain_null) node.kind = YamlNode::Kind::null;
+    finish(std::move(node), anchor);
+  }
+
+  void OnSequenceStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor,
+                       YAML::EmitterStyle::value) override {
+    begin(make(YamlNode::Kind::list, mark), anchor);
+  }
+  void OnMapStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor,
+                  YAML::EmitterStyle::value) override {
+    begin(make(YamlNode::Kind::mapping, mark), anchor);
+  }
+  void OnSequenceEnd() override { end(); }
+  void OnMapEnd() override { end(); }
+
+ private:
+  struct Open {
+    YamlNode node;
+    YAML::anchor_t anchor = 0;
+  };
+
+  [[noreturn]] static void fail(const YamlNode& place, const std::string& message) {
+    throw InputError(problem_at(place, message));
+  }
+  [[noreturn]] static void fail_levels(const YamlNode& place) {
+    fail(place, "nested deeper than " + std::to_string(kMostLevels) + " levels");
+  }
+
+  YamlNode make(YamlNode::Kind kind, const YAML::Mark& mark) const {
+    YamlNode node;
+    node.kind = kind;
+    node.source = source_;
+    node.line = mark.is_null() ? 0 : mark.line + 1;
+    node.column = mark.is_null() ? 0 : mark.column + 1;
+    return node;
+  }
+
+  void charge(const YamlNode& place, std::size_t count) {
+    values_ += count;
+    if (values_ > kMostValues) {
+      fail(place, "more than " + std::to_string(kMostValues) + " values, aliases expanded");
+    }
+  }
+
+  void charge_letters(const YamlNode& place, std::size_t count) {
+    letters_ += count;
+    if (letters_ > kMostLetters) fail(place, "more than 20 MB of text, aliases expanded");
+  }
+
+  void begin(YamlNode node, YAML::anchor_t anchor) {
+    if (open_.size() >= kMostLevels) fail_levels(node);
+    open_.push_back({std::move(node), anchor});
+  }
+
+  void end() {
+    Open closed = std::move(open_.back());
+    open_.pop_back();
+    finish(std::move(closed.node), closed.anchor);
+  }
+
+  void finish(YamlNode node, YAML::anchor_t anchor) {
+    charge(node, 1);
+    if (anchor != 0) {
+      charge(node, value_count(node));
+      charge_letters(node, letter_count(node));
+      anchored_[anchor] = node;
+    }
+    if (open_.empty()) {
+      root = std::move(node);
+      return;
+    }
+    YamlNode& parent = open_.back().node;
+    const bool is_key =
+        parent.kind == YamlNode::Kind::mapping && parent.keys.size() == parent.items.size();
+    if (is_key) {
+      add_key(parent, std::move(node));
+    } else {
+      parent.items.push_back(std::move(node));
+    }
+  }
+
+  static void add_key(YamlNode& mapping, YamlNode key) {
+    if (key.kind != YamlNode::Kind::scalar)
+      fail(key, "a key must be text, found " + found_text(key));
+    for (const YamlNode& other : mapping.keys) {
+      if (other.scalar != key.scalar) continue;
+      const std::string where =
+          other.line > 0 ? ", first in line " + std::to_string(other.line) : "";
+      fail(key, key.scalar + ": this key is given twice" + where);
+    }
+    mapping.keys.push_back(std::move(key));
+  }
+
+  std::shared_ptr<const std::string> source_;
+  std::vector<Open> open_;
+  std::map<YAML::anchor_t, YamlNode> anchored_;
+  std::size_t values_ = 0, letters_ = 0;
+};
+
+template <class Node>
+Node* found(Node& mapping, std::string_view key) {
+  for (std::size_t i = 0; i < mapping.keys.size(); ++i) {  // none unless it is a mapping
+    if (mapping.keys[i].scalar == key) return &mapping.items[i];
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+const YamlNode* YamlNode::find(std::string_view key) const { return found(*this, key); }
+YamlNode* YamlNode::find(std::string_view key) { return found(*this, key); }
+
+InputProblem problem_at(const YamlNode& node, std::string message) {
+  return {node.source ? *node.source : "", node.line, node.column, std::move(message)};
+}
+
+std::string found_text(const YamlNode& node) {
+  switch (node.kind) {
+    case YamlNode::Kind::null:
+      return "nothing";
+    case YamlNode::Kind::list:
+      return node.items.empty() ? "an empty list" : "a list";
+    case YamlNode::Kind::mapping:
+      return "a mapping";
+    case YamlNode::Kind::scalar:
+      break;
+  }
+  constexpr std::size_t kMostShown = 40;
+  if (node.scalar.size() <= kMostShown) return '"' + visible_line(node.scalar) + '"';
+  const std::string_view start = std::string_view(node.scalar).substr(0, kMostShown);
+  return '"' + visible_line(start.substr(0, kMostShown - unfinished_bytes(start))) + "…\"";
+}
+
+YamlNode parse_yaml(const std::string& text, const std::string& source) {
+  TreeBuilder builder(source);
+  try {
+    std::istringstream stream(text);
+    YAML::Parser parser(stream);
+    if (!parser.HandleNextDocument(builder) || !builder.root) {
+      throw InputError(InputProblem{source, 0, 0, "the document is empty"});
+    }
+    YamlNode root = std::move(*builder.root);
+    builder.root.reset();
+    if (parser.HandleNextDocument(builder) && builder.root) {
+      throw InputError(problem_at(*builder.root, "a second document; one is expected"));
+    }
+    return root;
+  } catch (const YAML::Exception& error) {
+    const bool has_place = !error.mark.is_null();
+    throw InputError(InputProblem{source, has_place ? error.mark.line + 1 : 0,
+                                  has_place ? error.mark.column + 1 : 0,
+                                  "not valid YAML: " + error.msg});
+  }
+}
+
+YamlNode read_yaml(const std::filesystem::path& file) {
+  constexpr std::uint64_t kMostBytes = 4'000'000;
+  return parse_yaml(read_input_file(file, kMostBytes), file.string());
+}
+
+}  // namespace avoidbench

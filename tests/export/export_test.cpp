@@ -1,0 +1,296 @@
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "base/input_error.hpp"
+#include "export/export_trajectory.hpp"
+#include "export/export_trials.hpp"
+#include "export/ompl_log.hpp"
+#include "report/parsed_csv.hpp"
+#include "report/sweep_choice.hpp"
+#include "support/sample_rows.hpp"
+
+namespace avoidbench {
+namespace {
+
+using namespace sample_rows;
+
+std::string exported(std::span<const Database> databases, const std::string& sweep,
+                     TrialFormat format) {
+  std::string text;
+  export_trials(databases, sweep, format, [&](const std::string& line) { text += line; });
+  return text;
+}
+
+/// A value of a row by its column's name.
+std::string field(const std::vector<std::vector<std::string>>& rows, std::size_t row,
+                  const std::string& column) {
+  for (std::size_t i = 0; i < rows.front().size(); ++i) {
+    if (rows.front()[i] == column) return rows.at(row).at(i);
+  }
+  ADD_FAILURE() << "no column " << column;
+  return {};
+}
+
+std::vector<Database> one(Database database) {
+  std::vector<Database> all;
+  all.push_back(std::move(database));
+  return all;
+}
+
+Database filled(const std::filesystem::path& path) {
+  Database db = begun(path);
+  for (const char* label : {"b", "a"}) {
+    for (int map = 0; map < 2; ++map) {
+      db.add_trial(trial_row(label, map, 0, Outcome::reached_goal));
+      db.add_trial(trial_row(label, map, 1, Outcome::collided));
+    }
+  }
+  return db;
+}
+
+TEST(ExportTrials, EveryTrialIsALineThatReadsBack) {
+  const TemporaryFolder folder;
+  const std::vector<Database> db = one(filled(folder / "r.db"));
+  const auto rows = parsed_csv(exported(db, "", TrialFormat::csv));
+  ASSERT_EQ(rows.size(), 9U);
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const int map = field(rows, i, "map_key") == key_of("map 0") ? 0 : 1;
+    const int mission = std::atoi(field(rows, i, "mission_index").c_str());
+    const bool is_finished = mission == 0;
+    const TrialRow truth = trial_row(field(rows, i, "planner"), map, mission,
+                                     is_finished ? Outcome::reached_goal : Outcome::collided);
+    EXPECT_EQ(field(rows, i, "trial_key"), truth.key);
+    EXPECT_EQ(field(rows, i, "reason"), truth.record.reason);  // with quotes and a line break
+    EXPECT_EQ(field(rows, i, "map_seed"), std::to_string(map_row(map, 2).map_seed));
+    EXPECT_EQ(field(rows, i, "path_optimality_pct"), is_finished ? "4" : "");
+    EXPECT_EQ(field(rows, i, "relative_gap_size"), "");
+    const double ratio = map_row(map, 2).record.traversability_normalized_ratio;
+    EXPECT_EQ(std::strtod(field(rows, i, "traversability_normalized_ratio").c_str(), nullptr),
+              ratio);
+  }
+  EXPECT_EQ(field(rows, 1, "planner"), "a");
+  EXPECT_EQ(field(rows, 5, "planner"), "b");
+}
+
+TEST(ExportTrials, JsonLinesHoldWhatTheCsvHolds) {
+  const TemporaryFolder folder;
+  const std::vector<Database> db = one(filled(folder / "r.db"));
+  const auto rows = parsed_csv(exported(db, "", TrialFormat::csv));
+  std::istringstream lines(exported(db, "", TrialFormat::jsonl));
+  std::size_t count = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++count;
+    const nlohmann::json object = nlohmann::json::parse(line);
+    ASSERT_EQ(object.size(), rows.front().size());
+    for (const auto& [name, value] : object.items()) {
+      const std::string text = field(rows, count, name);
+      if (value.is_null()) {
+        EXPECT_EQ(text, "") << name;
+      } else if (value.is_string()) {
+        EXPECT_EQ(text, value.get<std::string>()) << name;
+      } else if (name == "map_seed") {
+        EXPECT_EQ(text, std::to_string(value.get<std::uint64_t>()));
+      } else {
+        EXPECT_EQ(std::strtod(text.c_str(), nullptr), value.get<double>()) << name;
+      }
+    }
+  }
+  EXPECT_EQ(count + 1, rows.size());
+}
+
+TEST(ExportTrials, PartsInAnyOrderGiveTheWholesTable) {
+  const TemporaryFolder folder;
+  const std::vector<Database> whole = one(filled(folder / "whole.db"));
+  std::vector<Database> parts;
+  parts.push_back(begun(folder / "1.db"));
+  parts.push_back(begun(folder / "2.db"));
+  for (const char* label : {"a", "b"}) {
+    for (int map = 0; map < 2; ++map) {
+      parts[0].add_trial(trial_row(label, map, 0, Outcome::reached_goal));
+      parts[1].add_trial(trial_row(label, map, 1, Outcome::collided));
+    }
+  }
+  parts[1].add_trial(trial_row("a", 0, 0, Outcome::reached_goal));  // in both
+  const std::string truth = exported(whole, "", TrialFormat::csv);
+  EXPECT_EQ(exported(parts, "", TrialFormat::csv), truth);
+  std::swap(parts[0], parts[1]);
+  EXPECT_EQ(exported(parts, "", TrialFormat::csv), truth);
+}
+
+TEST(ExportTrials, SweepsAreChosenAsForReports) {
+  const TemporaryFolder folder;
+  Database db = filled(folder / "r.db");
+  db.add_sweep(sweep_row(R"({"trials":3})"));  // revision 2
+  db.add_map(map_row(0, 2), "forest");
+  TrialRow row = trial_row("a", 0, 0, Outcome::timed_out);
+  row.key = key_of("of revision 2");
+  db.add_trial(row);
+  const std::vector<Database> all = one(std::move(db));
+  const auto count = [&](const std::string& sweep) {
+    return parsed_csv(exported(all, sweep, TrialFormat::csv)).size() - 1;
+  };
+  EXPECT_EQ(count(""), 1U);
+  EXPECT_EQ(count("forest"), 1U);
+  EXPECT_EQ(count("forest@1"), 8U);
+  EXPECT_EQ(count("forest@2"), 1U);
+  EXPECT_THROW(count("forset"), InputError);
+  EXPECT_THROW(count("forest@3"), InputError);
+}
+
+TEST(ExportTrials, FilesWithOtherMetricsAreNotMixed) {
+  const TemporaryFolder folder;
+  std::vector<Database> files;
+  files.push_back(filled(folder / "1.db"));
+  Database fewer = Database::open_for_run(folder / "2.db", std::span(kMetrics).first(2));
+  fewer.add_run(run_row());
+  fewer.add_sweep(sweep_row());
+  fewer.add_planner(planner_row("a"));
+  fewer.add_map(map_row(0, 2), "forest");
+  TrialRow row = trial_row("a", 0, 0, Outcome::reached_goal);
+  row.metrics.pop_back();
+  fewer.add_trial(row);
+  files.push_back(std::move(fewer));
+  try {
+    exported(files, "", TrialFormat::csv);
+    FAIL() << "other columns went through";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("without processing_time_ms"), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(ExportTrajectory, CsvHoldsEverySampleWithAllDigits) {
+  const std::vector<Sample> samples = {sample(0), sample(7)};
+  const auto rows = parsed_csv(trajectory_csv(samples));
+  ASSERT_EQ(rows.size(), 3U);
+  const auto number = [&](const std::string& column) {
+    return std::strtod(field(rows, 2, column).c_str(), nullptr);
+  };
+  const Sample& s = samples[1];
+  EXPECT_EQ(number("time_s"), s.time_s);
+  EXPECT_EQ(number("x_m"), s.position_world.x());
+  EXPECT_EQ(number("y_m"), 1.0 / 3.0);
+  EXPECT_EQ(number("vz_mps"), 10.0);
+  EXPECT_EQ(number("az_mps2"), 6.0);
+  EXPECT_EQ(number("qw"), 0.5);
+  EXPECT_EQ(number("qx"), -0.5);
+  EXPECT_EQ(number("rate_z_body_radps"), 9.0);
+  EXPECT_EQ(field(rows, 2, "reference_x_m"), "");  // no commanded position
+  EXPECT_EQ(number("rotor_power_w"), 107.0);
+  EXPECT_EQ(field(rows, 2, "clearance_m"), "inf");
+}
+
+TEST(ExportTrajectory, TumHasEightNumbersALineWithTheScalarLast) {
+  const std::vector<Sample> samples = {sample(0), sample(7)};
+  std::istringstream lines(trajectory_tum(samples));
+  std::string line;
+  std::getline(lines, line);
+  EXPECT_EQ(line, "# timestamp tx ty tz qx qy qz qw");
+  for (const Sample& s : samples) {
+    ASSERT_TRUE(std::getline(lines, line));
+    std::istringstream words(line);
+    std::vector<double> values;
+    for (std::string word; words >> word;) values.push_back(std::strtod(word.c_str(), nullptr));
+    const std::vector<double> truth = {
+        s.time_s, s.position_world.x(), s.position_world.y(), s.position_world.z(), -0.5, 0.5, -0.5,
+        0.5};
+    EXPECT_EQ(values, truth);
+  }
+  EXPECT_FALSE(std::getline(lines, line));
+}
+
+TEST(ExportTrajectory, CallsHaveTheirStatusInWords) {
+  const TrialRow row = trial_row("a", 0, 0, Outcome::reached_goal);
+  const auto rows = parsed_csv(plan_calls_csv(row.record.plan_calls));
+  ASSERT_EQ(rows.size(), 6U);
+  EXPECT_EQ(field(rows, 1, "call_index"), "0");
+  EXPECT_EQ(field(rows, 1, "status"), "command");
+  EXPECT_EQ(field(rows, 3, "status"), "no_plan");
+  EXPECT_EQ(field(rows, 3, "command_kind"), "");
+  EXPECT_EQ(std::strtod(field(rows, 5, "time_s").c_str(), nullptr), 4.0 / 30.0);
+  EXPECT_EQ(std::strtod(field(rows, 5, "cpu_time_s").c_str(), nullptr), 0.001 * 5.0 / 3.0);
+}
+
+std::string ompl_log(const Database& db, std::size_t map, double progress_period_s) {
+  const std::vector<OmplExperiment> experiments = ompl_experiments(db, db.read_sweeps().front());
+  EXPECT_EQ(experiments.size(), 2U);
+  std::string text;
+  write_ompl_log(db, experiments.at(map), progress_period_s,
+                 [&](const std::string& part) { text += part; });
+  return text;
+}
+
+TEST(OmplLog, StandsAsTheManualsGrammarSays) {
+  const TemporaryFolder folder;
+  const Database db = filled(folder / "r.db");
+  const std::string name = ompl_experiments(db, db.read_sweeps().front()).at(1).name;
+  const MapRow map = map_row(0, 2);  // the greater seed comes later: read as signed, -1 after -2
+  EXPECT_EQ(name, "forest-forest-r2.5-s18446744073709551615-" + map.record.key.substr(0, 8));
+  const std::string start = "avoidbench version 0.1.0\nExperiment " + name +
+                            "\n5 experiment properties\n"
+                            "poisson_radius_m REAL = 2.5\n"
+                            "traversability REAL = 20\n"
+                            "traversability_normalized_ratio REAL = 0.3\n"
+                            "obstacle_density_1pm2 REAL = 0.1\n"
+                            "free_volume_ratio REAL = 0.95\n"
+                            "Running on bench\nStarting at 2024-02-03 04:05:06\n<<<|\nmap {";
+  const std::string log = ompl_log(db, 1, 0.0);
+  EXPECT_EQ(log.substr(0, start.size()), start);
+  const std::string middle =
+      "18446744073709551615 is the random seed\n0 seconds per run\n0 MB per run\n"
+      "2 runs per planner\n0 seconds spent to collect the data\n1 enum type\n"
+      "status|reached_goal|collided|left_bounds|timed_out|planner_gave_up|planner_error|"
+      "planner_crashed|planner_hung\n2 planners\na\n5 common properties\n"
+      "planner_name = A_planner\nplanner_version = 1.2\nfile_sha256 = " +
+      planner_row("a").file_digest +
+      "\nis_privileged = 0\nhorizon_m = 5\n10 properties for each run\n"
+      "solved BOOLEAN\nstatus ENUM\nmission_index INTEGER\nreference_length_m REAL\n"
+      "traversability_obstruction REAL\nview_occlusion REAL\nangle_over_length_1pm REAL\n"
+      "path_optimality_pct REAL\nmission_progress_pct REAL\nprocessing_time_ms REAL\n2 runs\n"
+      "1; 0; 0; 40; 1.5; 0; 0.125; 4; 100; 3.5; \n"
+      "0; 1; 1; 41; 1.5; 0.25; 0.125; ; 40; 3.5; \n.\nb\n";
+  EXPECT_NE(log.find(middle), std::string::npos) << log;
+  EXPECT_TRUE(log.ends_with("\n.\n"));
+}
+
+TEST(OmplLog, ProgressIsSampledAndEndsWithTheFlight) {
+  const TemporaryFolder folder;
+  const Database db = filled(folder / "r.db");
+  const std::string log = ompl_log(db, 1, 0.1);
+  // Samples each 0.01 s from 0 to 0.19 s: at 0, 0.1, and the last one.
+  const std::string start =
+      "4 progress properties for each run\ntime REAL\ngoal_distance_m REAL\nspeed_mps REAL\n"
+      "clearance_m REAL\n2 runs\n0,";
+  const std::size_t at = log.find(start);
+  ASSERT_NE(at, std::string::npos) << log;
+  const std::size_t begin = at + start.size() - 2;
+  const std::string line = log.substr(begin, log.find('\n', begin) - begin);
+  EXPECT_EQ(std::count(line.begin(), line.end(), ';'), 3);
+  EXPECT_NE(line.find(";0.1,"), std::string::npos) << line;
+  EXPECT_NE(line.find(";0.19,"), std::string::npos) << line;
+}
+
+TEST(OmplLog, PlannersOfOneLabelKeepApart) {
+  const TemporaryFolder folder;
+  Database db = begun(folder / "r.db");
+  PlannerRow other = planner_row("a");
+  other.file_digest = key_of("another file");
+  db.add_planner(other);
+  TrialRow row = trial_row("a", 0, 0, Outcome::reached_goal);
+  db.add_trial(row);
+  row = trial_row("a", 1, 0, Outcome::reached_goal);
+  db.add_trial(row);
+  row.key = key_of("by the other");
+  row.planner_file_digest = other.file_digest;
+  db.add_trial(row);
+  const std::string log = ompl_log(db, 0, 0.0);  // of map 1
+  EXPECT_NE(log.find("\n2 planners\na_"), std::string::npos) << log;
+  EXPECT_NE(log.find("a_" + planner_key(planner_row("a")).substr(0, 8) + "\n"), std::string::npos);
+  EXPECT_NE(log.find("a_" + planner_key(other).substr(0, 8) + "\n"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace avoidbench

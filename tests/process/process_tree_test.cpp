@@ -1,0 +1,94 @@
+#include "process/process_tree.hpp"
+
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <thread>
+
+namespace avoidbench {
+namespace {
+
+/// Waits for something that another process does.
+template <class Condition>
+bool comes_true(Condition condition) {
+  for (int i = 0; i < 500 && !condition(); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return condition();
+}
+
+/// A child that has a child of its own, both asleep; the inner one in a session of its own.
+pid_t start_family() {
+  const pid_t child = ::fork();
+  if (child != 0) return child;
+  if (::fork() == 0) ::setsid();
+  while (true) ::pause();
+}
+
+TEST(ProcessTree, OrphansOfOrphansAreEndedAndOthersSpared) {
+  adopt_orphans();
+  const pid_t other = ::fork();
+  if (other == 0) {
+    while (true) ::pause();
+  }
+  const pid_t first = start_family();
+  ASSERT_TRUE(comes_true([&] { return own_children().contains(first); }));
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  ::kill(first, SIGKILL);
+  ::waitpid(first, nullptr, 0);
+  ASSERT_TRUE(comes_true([] { return own_children().size() == 2; }));  // the inner one is ours now
+  EXPECT_EQ(end_orphans({other}), 1);
+  EXPECT_EQ(own_children(), std::set<pid_t>{other});
+  EXPECT_EQ(end_orphans({}), 1);
+  EXPECT_FALSE(has_children());
+}
+
+/// Each of them starts two more, as fast as it can.
+TEST(ProcessTree, WhatMultipliesIsEnded) {
+  adopt_orphans();
+  const pid_t first = ::fork();
+  if (first == 0) {
+    for (int i = 0; i < 6; ++i) {
+      ::fork();
+      ::usleep(2000);
+    }
+    while (true) ::pause();
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  EXPECT_GE(end_orphans({}), 1);
+  EXPECT_FALSE(has_children());
+}
+
+TEST(ProcessTree, KnowsWhoDescendsFromWhom) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    while (true) ::pause();
+  }
+  EXPECT_TRUE(descends_from(child, ::getpid()));
+  EXPECT_FALSE(descends_from(::getppid(), ::getpid()));
+  EXPECT_FALSE(descends_from(1, ::getpid()));
+  EXPECT_FALSE(is_stopped_process(child));
+  ::kill(child, SIGSTOP);
+  EXPECT_TRUE(comes_true([&] { return is_stopped_process(child); }));
+  EXPECT_EQ(end_orphans({}), 1);
+}
+
+TEST(ProcessTree, MemoryOfChildrenCounts) {
+  constexpr std::size_t kBytes = std::size_t{200} << 20U;
+  const double alone_mib = resident_mib_of_family();
+  const pid_t child = ::fork();
+  if (child == 0) {
+    std::string filled(kBytes, 'x');
+    volatile char last = filled.back();
+    while (last != 0) ::pause();
+  }
+  EXPECT_TRUE(comes_true([&] { return resident_mib_of_family() > alone_mib + 150.0; }));
+  end_orphans({});
+  EXPECT_LT(resident_mib_of_family(), alone_mib + 100.0);
+}
+
+}  // namespace
+}  // namespace avoidbench

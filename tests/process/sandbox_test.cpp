@@ -1,0 +1,221 @@
+#include "process/sandbox.hpp"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <linux/fs.h>
+#include <signal.h>
+#include <sys/ioctl.h>
+#include <sys/ipc.h>
+#include <sys/ptrace.h>
+#include <sys/resource.h>
+#include <sys/shm.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <thread>
+
+namespace avoidbench {
+namespace {
+
+/// Whether `tried` is refused in a child that entered the sandbox: it returns whether it could.
+bool is_refused(const SandboxSupport& support, const SandboxRules& rules,
+                const std::function<bool()>& tried) {
+  constexpr int kCould = 10, kRefused = 11, kNotIn = 12;
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const SandboxSupport entered = enter_sandbox(rules, support);
+    if (text(entered) != text(support)) ::_exit(kNotIn);
+    ::_exit(tried() ? kCould : kRefused);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFEXITED(status)) << "signal " << WTERMSIG(status);
+  EXPECT_TRUE(WEXITSTATUS(status) == kCould || WEXITSTATUS(status) == kRefused)
+      << "it could not enter: " << WEXITSTATUS(status);
+  return WEXITSTATUS(status) == kRefused;
+}
+
+bool can_open(const std::string& file, int flags) {
+  const int fd = ::open(file.c_str(), flags, 0600);
+  if (fd >= 0) ::close(fd);
+  return fd >= 0;
+}
+
+/// With all that the kernel has, and with either part alone, as on a kernel that lacks the other.
+class SandboxTest : public testing::TestWithParam<std::string> {
+ protected:
+  void SetUp() override {
+    support_ = sandbox_support();
+    if (GetParam() == "seccomp") support_.landlock_abi = 0;
+    if (GetParam() == "landlock") support_.has_seccomp = false;
+    if (text(support_).empty()) GTEST_SKIP() << "this kernel has none";
+    folder_ = std::filesystem::temp_directory_path() / ("sandbox_" + std::to_string(::getpid()));
+    std::filesystem::create_directories(folder_);
+    file_ = folder_ / "file";
+    std::ofstream(file_) << "text";
+  }
+  void TearDown() override {
+    if (!folder_.empty()) std::filesystem::remove_all(folder_);
+  }
+  bool is_refused(const std::function<bool()>& tried, const SandboxRules& rules = {}) const {
+    return avoidbench::is_refused(support_, rules, tried);
+  }
+
+  SandboxSupport support_;
+  std::filesystem::path folder_;
+  std::string file_;
+};
+
+INSTANTIATE_TEST_SUITE_P(Kinds, SandboxTest, testing::Values("all", "seccomp", "landlock"),
+                         [](const auto& kind) { return kind.param; });
+
+TEST_P(SandboxTest, FilesCanBeReadAndNotChanged) {
+  EXPECT_FALSE(is_refused([&] { return can_open(file_, O_RDONLY); }));
+  for (const int flags : {O_WRONLY, O_RDWR, O_RDWR | O_CREAT}) {
+    EXPECT_TRUE(is_refused([&] { return can_open(file_, flags); })) << flags;
+  }
+  EXPECT_TRUE(is_refused([&] { return can_open(folder_ / "new", O_WRONLY | O_CREAT); }));
+  EXPECT_TRUE(is_refused([&] { return ::unlink(file_.c_str()) == 0; }));
+  EXPECT_TRUE(is_refused([&] { return ::rename(file_.c_str(), (folder_ / "b").c_str()) == 0; }));
+  EXPECT_TRUE(is_refused([&] { return ::mkdir((folder_ / "c").c_str(), 0700) == 0; }));
+  EXPECT_TRUE(is_refused([&] { return ::symlink("/", (folder_ / "d").c_str()) == 0; }));
+  if (support_.has_seccomp || support_.landlock_abi >= 3) {
+    EXPECT_TRUE(is_refused([&] { return ::truncate(file_.c_str(), 0) == 0; }));
+  }
+  EXPECT_EQ(std::filesystem::file_size(file_), 4U);
+}
+
+TEST_P(SandboxTest, OpenDescriptorsGoOn) {
+  const int fd = ::open(file_.c_str(), O_WRONLY);
+  EXPECT_FALSE(is_refused([&] { return ::write(fd, "more", 4) == 4; }));
+  ::close(fd);
+}
+
+TEST_P(SandboxTest, TheParentIsLeftAlone) {
+  const pid_t parent = ::getpid();
+  if (support_.has_seccomp || support_.landlock_abi >= 6) {
+    EXPECT_TRUE(is_refused([&] { return ::kill(parent, SIGURG) == 0; }));
+  }
+  EXPECT_TRUE(is_refused([&] { return ::ptrace(PTRACE_SEIZE, parent, nullptr, nullptr) == 0; }));
+  const std::string memory = "/proc/" + std::to_string(parent) + "/mem";
+  EXPECT_TRUE(is_refused([&] { return can_open(memory, O_RDWR); }));
+  if (!support_.has_seccomp) return;
+  const rlimit limit{RLIM_INFINITY, RLIM_INFINITY};
+  EXPECT_TRUE(is_refused([&] { return ::prlimit(parent, RLIMIT_CORE, &limit, nullptr) == 0; }));
+  EXPECT_TRUE(is_refused([&] { return ::setpriority(PRIO_PROCESS, 0, 1) == 0; }));
+}
+
+TEST_P(SandboxTest, FilesKeepTheirModesTimesAndLocks) {
+  if (!support_.has_seccomp) return;  // Landlock does not cover these
+  EXPECT_TRUE(is_refused([&] { return ::chmod(file_.c_str(), 0) == 0; }));
+  EXPECT_TRUE(is_refused([&] { return ::utimensat(AT_FDCWD, file_.c_str(), nullptr, 0) == 0; }));
+  const int fd = ::open(file_.c_str(), O_RDONLY);
+  struct flock lock {};
+  lock.l_type = F_RDLCK;
+  EXPECT_TRUE(is_refused([&] { return ::fcntl(fd, F_SETLK, &lock) == 0; }));
+  ::close(fd);
+}
+
+TEST_P(SandboxTest, ProcessesAndSocketsNeedToBeAllowed) {
+  if (!support_.has_seccomp) return;  // Landlock does not cover these
+  const auto forks = [] {
+    const pid_t child = ::fork();
+    if (child == 0) ::_exit(0);
+    return child > 0;
+  };
+  EXPECT_TRUE(is_refused(forks));
+  EXPECT_FALSE(is_refused(forks, {.processes = true}));
+  EXPECT_TRUE(is_refused([] { return std::system("true") == 0; }));
+  EXPECT_FALSE(is_refused([] { return std::system("true") == 0; }, {.processes = true}));
+  const auto connects = [] { return ::socket(AF_INET, SOCK_STREAM, 0) >= 0; };
+  EXPECT_TRUE(is_refused(connects));
+  EXPECT_FALSE(is_refused(connects, {.network = true}));
+}
+
+TEST_P(SandboxTest, ChildrenThatAreAllowedCanBeEndedAndTheParentNot) {
+  const pid_t parent = ::getpid();
+  const auto ends_child = [] {
+    const pid_t child = ::fork();
+    if (child == 0) ::pause();
+    return ::kill(child, SIGKILL) == 0;
+  };
+  EXPECT_FALSE(is_refused(ends_child, {.processes = true}));
+  if (!support_.has_seccomp && support_.landlock_abi < 6) return;
+  EXPECT_TRUE(is_refused([&] { return ::kill(parent, SIGURG) == 0; }, {.processes = true}));
+}
+
+TEST_P(SandboxTest, ThreadsAndSignalsToItselfGoOn) {
+  EXPECT_FALSE(is_refused([] {
+    bool has_run = false;
+    std::thread([&] { has_run = true; }).join();
+    return has_run;
+  }));
+  EXPECT_FALSE(is_refused([] { return ::raise(SIGURG) == 0; }));
+  if (!support_.has_seccomp) return;
+  EXPECT_TRUE(is_refused([] { return ::kill(::getpid(), SIGSTOP) == 0; }));
+}
+
+/// A planner that could end itself as others end it would take the trials that it fails out of the
+/// count.
+TEST_P(SandboxTest, NobodyEndsItselfAsOthersWould) {
+  if (!support_.has_seccomp) return;
+  for (const int number : {SIGKILL, SIGSTOP, SIGTERM, SIGHUP}) {
+    ::signal(number, SIG_IGN);  // so that the child lives where it is not refused
+    EXPECT_TRUE(is_refused([&] { return ::raise(number) == 0; })) << number;
+    EXPECT_TRUE(is_refused([&] { return ::kill(::getpid(), number) == 0; })) << number;
+    ::signal(number, SIG_DFL);
+  }
+  EXPECT_TRUE(is_refused([] {
+    sigevent event{};
+    event.sigev_notify = SIGEV_SIGNAL;
+    event.sigev_signo = SIGKILL;
+    timer_t timer{};
+    return ::timer_create(CLOCK_MONOTONIC, &event, &timer) == 0;
+  }));
+  EXPECT_TRUE(is_refused([] {
+    int ends[2];
+    return ::pipe(ends) == 0 && ::fcntl(ends[0], F_SETSIG, SIGKILL) == 0;
+  }));
+  EXPECT_TRUE(is_refused([] {
+    const rlimit none{0, 0};
+    return ::setrlimit(RLIMIT_CPU, &none) == 0;
+  }));
+}
+
+/// What opening for reading is enough for, and what outlives a process.
+TEST_P(SandboxTest, AttributesAndSharedObjectsAreLeftAlone) {
+  if (!support_.has_seccomp) return;
+  EXPECT_TRUE(is_refused([&] {
+    const int fd = ::open(file_.c_str(), O_RDONLY);
+    int flags = 0;
+    return ::ioctl(fd, FS_IOC_SETFLAGS, &flags) == 0 || errno != EPERM;
+  }));
+  const auto makes_memory = [] {
+    const int memory = ::shmget(IPC_PRIVATE, 4096, IPC_CREAT | 0600);
+    if (memory >= 0) ::shmctl(memory, IPC_RMID, nullptr);
+    return memory >= 0;
+  };
+  EXPECT_TRUE(is_refused(makes_memory));
+  EXPECT_FALSE(is_refused(makes_memory, {.processes = true}));
+}
+
+TEST(Sandbox, RulesAreReadAsTheyAreWritten) {
+  EXPECT_EQ(text(SandboxRules{}), "");
+  const SandboxRules both{.processes = true, .network = true};
+  EXPECT_EQ(text(both), "processes,network");
+  EXPECT_EQ(sandbox_rules_from(text(both)), both);
+  EXPECT_EQ(sandbox_rules_from("process"), SandboxRules{});
+  EXPECT_EQ(text(SandboxSupport{.landlock_abi = 7, .has_seccomp = true}), "landlock 7, seccomp");
+}
+
+}  // namespace
+}  // namespace avoidbench

@@ -1,0 +1,256 @@
+#include "table/table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "base/random.hpp"
+#include "report/parsed_csv.hpp"
+#include "table/csv.hpp"
+#include "table/table_text.hpp"
+#include "text/visible_text.hpp"
+
+namespace avoidbench {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+/// Two planners: one with an odd name, one without a finished trial.
+Section section() {
+  Table table{.name = "planners", .title = "Planners", .columns = {}, .rows = {}};
+  table.columns = {
+      {.name = "planner", .header = "planner", .unit = "", .doc = "", .place = Place::key},
+      {.name = "trial_count", .header = "trials", .unit = "", .doc = ""},
+      {.name = "success_rate", .header = "SR", .unit = "", .doc = "success rate"},
+      {.name = "success_rate_lower", .header = "", .unit = "", .doc = "", .place = Place::bound},
+      {.name = "success_rate_upper", .header = "", .unit = "", .doc = "", .place = Place::bound},
+      {.name = "path_optimality_pct", .header = "PO", .unit = "%", .doc = "excess path"},
+      {.name = "path_optimality_pct_count",
+       .header = "",
+       .unit = "",
+       .doc = "",
+       .place = Place::machine}};
+  const auto row = [&](const std::string& name, std::int64_t trials, double rate, double lower,
+                       double upper, double path, std::int64_t count, bool is_best) {
+    std::vector<Cell> cells(7);
+    cells[0].value = name;
+    cells[1].value = trials;
+    cells[2].value = rate;
+    cells[2].is_best = is_best;
+    cells[3].value = lower;
+    cells[4].value = upper;
+    if (path == path) cells[5].value = path;
+    cells[6].value = count;
+    table.rows.push_back(cells);
+  };
+  row("émile, \"2\"|x", 120, 0.875, 0.8, 0.93125, 12.3456789012345678, 105, true);
+  row("b", 8, 0.0, 0.0, 0.325, kNaN, 0, false);
+  return {.name = "forest",
+          .title = "Sweep forest",
+          .tables = {table},
+          .notes = {{"*", "best"}},
+          .warnings = {"few trials"}};
+}
+
+TEST(Table, IsAlignedForPeople) {
+  const Section sections[] = {section()};
+  EXPECT_EQ(format_sections(sections, TableFormat::table),
+            "Sweep forest\n"
+            "\n"
+            "Warning: few trials\n"
+            "\n"
+            "Planners\n"
+            "planner       trials                  SR    PO\n"
+            "                                             %\n"
+            "────────────  ──────  ──────────────────  ────\n"
+            "émile, \"2\"|x     120  0.88* [0.80, 0.93]  12.3\n"
+            "b                  8  0.00  [0.00, 0.33]     –\n"
+            "\n"
+            "SR  success rate\n"
+            "PO  excess path\n"
+            "*   best\n");
+}
+
+TEST(Table, MarkdownEscapesWhatItMust) {
+  const Section sections[] = {section()};
+  EXPECT_EQ(format_sections(sections, TableFormat::markdown),
+            "## Sweep forest\n"
+            "\n"
+            "> **Warning:** few trials\n"
+            "\n"
+            "### Planners\n"
+            "\n"
+            "| planner | trials | SR | PO, % |\n"
+            "|:--|--:|--:|--:|\n"
+            "| émile, \"2\"\\|x | 120 | 0.88\\* [0.80, 0.93] | 12.3 |\n"
+            "| b | 8 | 0.00  [0.00, 0.33] | – |\n"
+            "\n"
+            "- **SR** success rate\n"
+            "- **PO** excess path\n"
+            "- **\\*** best\n");
+}
+
+TEST(Table, CsvReadsBackWithAllDigits) {
+  const Section sections[] = {section()};
+  const auto rows = parsed_csv(format_sections(sections, TableFormat::csv));
+  ASSERT_EQ(rows.size(), 1U + 2U * 6U);
+  const std::vector<std::string> header{"sweep", "table", "planner", "name", "unit", "value"};
+  EXPECT_EQ(rows[0], header);
+  for (const auto& row : rows) EXPECT_EQ(row.size(), 6U);
+  const std::vector<std::string> path{"forest", "planners", "émile, \"2\"|x", "path_optimality_pct",
+                                      "%",      rows[5][5]};
+  EXPECT_EQ(rows[5], path);
+  EXPECT_EQ(std::stod(rows[5][5]), 12.3456789012345678);
+  EXPECT_EQ(rows[11][3], "path_optimality_pct");
+  EXPECT_EQ(rows[11][5], "");
+}
+
+TEST(Table, JsonReadsBack) {
+  const Section sections[] = {section(), section()};
+  const nlohmann::json all = nlohmann::json::parse(format_sections(sections, TableFormat::json));
+  ASSERT_EQ(all.size(), 2U);
+  const nlohmann::json& rows = all[0]["tables"]["planners"];
+  EXPECT_EQ(rows[0]["planner"], "émile, \"2\"|x");
+  EXPECT_EQ(rows[0]["path_optimality_pct"], 12.3456789012345678);
+  EXPECT_EQ(rows[0]["trial_count"], 120);
+  EXPECT_TRUE(rows[1]["path_optimality_pct"].is_null());
+  EXPECT_EQ(all[0]["columns"]["path_optimality_pct"]["unit"], "%");
+  EXPECT_EQ(all[0]["warnings"][0], "few trials");
+}
+
+TEST(Table, NeverExceedsAHundredColumns) {
+  Section wide = section();
+  Table& table = wide.tables[0];
+  std::string long_doc(300, 'x');
+  long_doc.append(" ").append(60, 'y');
+  for (int i = 0; i < 20; ++i) {
+    table.columns.push_back({.name = "metric",
+                             .header = "some_metric_" + std::to_string(i),
+                             .unit = "m",
+                             .doc = long_doc});
+    for (auto& row : table.rows) row.emplace_back().value = 1e5 + i;
+  }
+  table.rows[0][0].value = std::string(70, 'n');
+  wide.warnings.push_back("a " + std::string(90, 'w') +
+                          " warning of many words that goes on and on");
+  for (auto& column : table.columns)
+    column.doc = "word " + column.name + " and so on, and so on, and so on, and so on, and so on";
+  const Section sections[] = {wide};
+  std::istringstream lines(format_sections(sections, TableFormat::table));
+  std::string line, all;
+  while (std::getline(lines, line)) {
+    EXPECT_LE(display_width(line), 100U) << line;
+    all += line + "\n";
+  }
+  for (int i = 0; i < 20; ++i)
+    EXPECT_NE(all.find("some_metric_" + std::to_string(i)), std::string::npos);
+  EXPECT_NE(all.find("Planners (continued)"), std::string::npos);
+}
+
+TEST(Table, LatexEscapesAndSetsTheBestInBold) {
+  Section some = section();
+  some.tables[0].columns[5].doc = "path_optimality_pct: excess & more, in % of P_τ";
+  some.tables[0].columns[5].unit = "m/s^2";
+  const Section sections[] = {some};
+  const std::string text = format_sections(sections, TableFormat::latex);
+  EXPECT_NE(text.find("\\toprule"), std::string::npos);
+  EXPECT_NE(text.find("\\textbf{0.88} [0.80, 0.93]"), std::string::npos) << text;
+  EXPECT_NE(text.find("PO: excess \\& more, in \\% of $P_\\tau$."), std::string::npos) << text;
+  EXPECT_NE(text.find("m/s$^2$"), std::string::npos) << text;
+  EXPECT_NE(text.find("\\label{tab:forest-planners}"), std::string::npos);
+  EXPECT_EQ(text.find(" & --"), text.rfind(" & --"));  // one cell is not defined
+}
+
+TEST(Table, ColoursOnlyWhereAsked) {
+  const Section sections[] = {section()};
+  const std::string plain = format_sections(sections, TableFormat::table);
+  EXPECT_EQ(plain.find('\033'), std::string::npos);
+  std::string coloured =
+      format_sections(sections, TableFormat::table, {.width = 100, .is_coloured = true});
+  EXPECT_NE(coloured.find("\033[32m"), std::string::npos);
+  while (coloured.find('\033') != std::string::npos) {
+    const std::size_t at = coloured.find('\033');
+    coloured.erase(at, coloured.find('m', at) + 1 - at);
+  }
+  EXPECT_EQ(coloured, plain);  // nothing but colours is added
+}
+
+TEST(Table, FoldsToANarrowTerminal) {
+  const Section sections[] = {section()};
+  std::istringstream lines(
+      format_sections(sections, TableFormat::table, {.width = 60, .is_coloured = false}));
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(display_width(line), 60U) << line;
+}
+
+TEST(Table, WidthsAreThoseOfATerminal) {
+  EXPECT_EQ(display_width("abc"), 3U);
+  EXPECT_EQ(display_width("é–τ"), 3U);
+  EXPECT_EQ(display_width("森林"), 4U);
+  EXPECT_EQ(display_width("e\u0301"), 1U);
+  EXPECT_EQ(display_width("\xff\xc3"), 2U);  // no UTF-8
+  EXPECT_EQ(cut_to_width("森林森林", 6), "森林…");
+  EXPECT_EQ(cut_to_width("short", 6), "short");
+  EXPECT_EQ(wrapped("one two three", 7, 2), "one two\n  three");
+  EXPECT_EQ(wrapped("PO   a b", 6, 5), "PO   a\n     b");
+}
+
+/// A database of somebody else's may hold anything as a label.
+TEST(Table, ShowsControlCharactersToPeopleAndKeepsThemForPrograms) {
+  const std::string hostile = "\033]0;x\a=1+2\u202e\n\\input{/etc/passwd} ![p](http://h/p)`";
+  Section section = ::avoidbench::section();
+  section.title = section.name = hostile;
+  section.warnings = {hostile};
+  section.notes = {{hostile, hostile}};
+  section.tables[0].title = hostile;
+  section.tables[0].rows[0][0].value = hostile;
+  for (const TableFormat format : {TableFormat::table, TableFormat::markdown, TableFormat::latex}) {
+    const std::string text = format_sections({&section, 1}, format);
+    EXPECT_EQ(visible_text(text), text) << text;
+    EXPECT_EQ(text.find("\n\\input"), std::string::npos) << text;
+    EXPECT_EQ(text.find("![p](http"),
+              format == TableFormat::markdown ? std::string::npos : text.find("![p](http"));
+  }
+  const std::string json = format_sections({&section, 1}, TableFormat::json);
+  EXPECT_EQ(nlohmann::json::parse(json)[0]["tables"]["planners"][0]["planner"], hostile);
+  section.tables[0].rows[0][0].value = "no UTF-8: \xff";
+  EXPECT_TRUE(nlohmann::json::accept(format_sections({&section, 1}, TableFormat::json)));
+}
+
+/// RFC 4180, read back.
+std::string unquoted(std::string_view field) {
+  const std::vector<std::vector<std::string>> rows = parsed_csv(std::string(field) + "\r\n");
+  return rows.at(0).at(0);
+}
+
+TEST(Csv, NoFieldIsAFormula) {
+  EXPECT_EQ(csv_field("=1+2"), "'=1+2");
+  EXPECT_EQ(csv_field("@SUM(A1)"), "'@SUM(A1)");
+  EXPECT_EQ(csv_field("+cmd|' /C calc'!A0"), "'+cmd|' /C calc'!A0");
+  EXPECT_EQ(csv_field("-a,b"), "\"'-a,b\"");
+  EXPECT_EQ(csv_field("\t=1"), "'\t=1");
+  EXPECT_EQ(csv_field("\r=1"), "\"'\r=1\"");
+  EXPECT_EQ(csv_field("'=1"), "''=1");
+  for (const std::string word : {"-5", "+5", "-0.25", "-1e-300", "-inf", "a=b", "ego", "'quoted'",
+                                 "O'Neill", "'", "", "1-2"}) {
+    EXPECT_EQ(csv_field(word), word);
+  }
+}
+
+TEST(Csv, EveryWordReadsBack) {
+  const std::string letters = "'=+-@\t\r\n\",a5. ";
+  RandomStream random = stream(1, "csv words");
+  for (int round = 0; round < 20000; ++round) {
+    std::string word(random.below(6), ' ');
+    for (char& c : word) c = letters[random.below(letters.size())];
+    const std::string field = csv_field(word), bare = unquoted(field);
+    EXPECT_EQ(text_of_csv_field(bare), word) << field;
+    if (bare.find_first_of("=+-@\t\r") == 0) {
+      EXPECT_NO_THROW(static_cast<void>(std::stod(bare))) << bare;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace avoidbench

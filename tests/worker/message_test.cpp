@@ -1,0 +1,147 @@
+#include "worker/message.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+#include "metrics/metric_table.hpp"
+#include "worker/job.hpp"
+
+/// What comes through a pipe that planners may write to.
+namespace avoidbench {
+namespace {
+
+using State = MessageInbox::State;
+constexpr std::size_t kMostBytes = 1000;
+
+std::vector<std::byte> bytes_of(std::uint64_t magic_change, std::uint64_t text,
+                                std::uint64_t other) {
+  std::vector<std::byte> bytes = message_bytes({.json = nlohmann::json::object(), .bytes = {}});
+  std::uint64_t header[3];
+  std::memcpy(header, bytes.data(), sizeof header);
+  header[0] += magic_change;
+  header[1] = text;
+  header[2] = other;
+  std::memcpy(bytes.data(), header, sizeof header);
+  return bytes;
+}
+
+MessageInbox expecting(std::size_t most_bytes = kMostBytes) {
+  MessageInbox inbox;
+  inbox.expect(most_bytes);
+  return inbox;
+}
+
+TEST(MessageInbox, TakesAMessageByteByByte) {
+  const Message sent{.json = {{"a", 1}}, .bytes = {std::byte{7}, std::byte{8}}};
+  const std::vector<std::byte> bytes = message_bytes(sent);
+  MessageInbox inbox = expecting();
+  for (std::size_t i = 0; i + 1 < bytes.size(); ++i) {
+    ASSERT_EQ(inbox.add(std::span(bytes).subspan(i, 1)), State::incomplete) << i;
+  }
+  EXPECT_EQ(inbox.add(std::span(bytes).last(1)), State::whole);
+  const auto message = inbox.take();
+  ASSERT_TRUE(message);
+  EXPECT_EQ(message->json, sent.json);
+  EXPECT_EQ(message->bytes, sent.bytes);
+}
+
+TEST(MessageInbox, SeesAtOnceWhatIsNoMessage) {
+  EXPECT_EQ(expecting().add(std::as_bytes(std::span("x", 1))), State::malformed);
+  EXPECT_EQ(expecting().add(bytes_of(1, 2, 0)), State::malformed);
+}
+
+/// 2 × 4 GiB announced: no memory is taken for them.
+TEST(MessageInbox, RefusesWhatIsLongerThanExpected) {
+  const std::uint64_t large = std::uint64_t{1} << 32U;
+  EXPECT_EQ(expecting().add(bytes_of(0, large, large)), State::malformed);
+  EXPECT_EQ(expecting().add(bytes_of(0, kMostBytes, 0)), State::malformed);
+  const std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
+  EXPECT_EQ(expecting().add(bytes_of(0, most, most)), State::malformed);
+}
+
+TEST(MessageInbox, RefusesWhatFollowsAMessage) {
+  std::vector<std::byte> bytes = message_bytes({.json = nlohmann::json::object(), .bytes = {}});
+  bytes.push_back(std::byte{0});
+  EXPECT_EQ(expecting().add(bytes), State::malformed);
+}
+
+TEST(MessageInbox, TextThatIsNoObjectIsNoMessage) {
+  MessageInbox inbox = expecting();
+  ASSERT_EQ(inbox.add(message_bytes({.json = "text", .bytes = {}})), State::whole);
+  EXPECT_FALSE(inbox.take());
+}
+
+TEST(Message, TextThatIsNotUtf8IsReplaced) {
+  EXPECT_NO_THROW(message_bytes({.json = {{"reason", "\xff\xfe"}}, .bytes = {}}));
+}
+
+Job trial_job() { return {.token = "token", .spec = {}, .mission = MissionRecord{}}; }
+
+JobResult good_result() {
+  JobResult result;
+  result.token = "token";
+  result.trial = TrialRecord{};
+  result.metrics.assign(metric_table().size(), 0.5);
+  return result;
+}
+
+TEST(JobResult, IsTakenWhereItAnswersTheJob) {
+  const auto result = result_from(result_message(good_result()), trial_job());
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->metrics, good_result().metrics);
+}
+
+TEST(JobResult, OfAnotherJobIsNone) {
+  JobResult other = good_result();
+  other.token = "another";
+  EXPECT_FALSE(result_from(result_message(other), trial_job()));
+  JobResult map = good_result();
+  map.trial.reset();
+  map.map = MapRecord{};
+  EXPECT_FALSE(result_from(result_message(map), trial_job()));
+}
+
+TEST(JobResult, WithoutOneOfItsPartsIsNone) {
+  EXPECT_FALSE(result_from({.json = nlohmann::json::object(), .bytes = {}}, trial_job()));
+  const Message whole = result_message(good_result());
+  for (const auto& [key, value] : whole.json.items()) {
+    Message part = whole;
+    part.json.erase(key);
+    EXPECT_FALSE(result_from(part, trial_job())) << key;
+    part.json[key] = nlohmann::json::array({nlohmann::json::object()});
+    EXPECT_FALSE(result_from(part, trial_job())) << key;
+  }
+  for (const auto& [key, value] : whole.json["trial"].items()) {
+    Message part = whole;
+    part.json["trial"].erase(key);
+    EXPECT_FALSE(result_from(part, trial_job())) << key;
+    part.json["trial"][key] = "no such thing";
+    EXPECT_TRUE(key == "reason" || !result_from(part, trial_job())) << key;
+  }
+}
+
+TEST(JobResult, OfOtherSizesIsNone) {
+  JobResult few = good_result();
+  few.metrics.pop_back();
+  EXPECT_FALSE(result_from(result_message(few), trial_job()));
+  Message half = result_message(good_result());
+  half.bytes.resize(7);
+  EXPECT_FALSE(result_from(half, trial_job()));
+  JobResult map;
+  map.token = "token";
+  map.map = MapRecord{};
+  const Job job{.token = "token", .spec = {}, .mission_count = 1, .mission = {}};
+  EXPECT_FALSE(result_from(result_message(map), job));
+}
+
+TEST(Token, IsNeverTheSame) {
+  EXPECT_EQ(make_token().size(), 32U);
+  EXPECT_NE(make_token(), make_token());
+}
+
+}  // namespace
+}  // namespace avoidbench
