@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "base/input_error.hpp"
-#include "config/cross_checks.hpp"
 #include "config/sweep_file.hpp"
 #include "store/row_digest.hpp"
 #include "store/stored_text.hpp"
+#include "trial/contradictions.hpp"
 
 namespace avoidbench {
 

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "trial/trial_spec.hpp"
-#include "yaml/yaml_reader.hpp"
+#include "config/sweep_keys.hpp"
+#include "yaml/yaml_values.hpp"
 
 namespace avoidbench {
 namespace {
+
+using Json = nlohmann::json;
 
 std::string range_text(Range range) {
   const bool below = std::isfinite(range.lowest), above = std::isfinite(range.highest);
@@ -18,226 +20,138 @@ std::string range_text(Range range) {
   return above ? " At most " + number_text(range.highest) + "." : "";
 }
 
-std::string text_value(const std::string& text) {
-  const auto is_plain = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-           c == '-' || c == '.' || c == '/';
-  };
-  const bool begins_as_word =
-      !text.empty() && ((text[0] >= 'a' && text[0] <= 'z') || (text[0] >= 'A' && text[0] <= 'Z'));
-  if (begins_as_word && std::all_of(text.begin(), text.end(), is_plain)) return text;
-  return nlohmann::json(text).dump();  // a JSON string is a YAML one
+std::string comment_of(const FieldTree& field) {
+  std::string words;
+  for (const std::string& word : field.choices) words += (words.empty() ? " (" : " | ") + word;
+  return field.doc + range_text(field.range) + words + (words.empty() ? "" : ")");
 }
 
-template <class T>
-std::string value_text(T& value);
-
-/// Writes a spec on one line: {name: value, …}.
-struct FlowPrinter {
-  std::string text;
-
-  template <class T>
-  void field(std::string_view name, T& value, Range, std::string_view) {
-    text += (text.empty() ? "" : ", ") + std::string(name) + ": " + value_text(value);
-  }
-  template <class T>
-  void field(std::string_view name, T& value, std::string_view doc) {
-    field(name, value, Range{}, doc);
-  }
-  template <class Variant>
-  void variant(std::string_view name, Variant& value, std::string_view) {
-    text += (text.empty() ? "" : ", ") + std::string(name) + ": " + std::string(kind(value));
-    std::visit([this](auto& held) { visit(*this, held); }, value);
-  }
-};
-
-template <class T>
-std::string value_text(T& value) {
-  if constexpr (TextEnum<T>) {
-    return std::string(text(value));
-  } else if constexpr (detail::IsSequence<T>::value) {
-    std::string all;
-    for (auto& element : value) all += (all.empty() ? "" : ", ") + value_text(element);
-    return "[" + all + "]";
-  } else if constexpr (Visitable<T, FlowPrinter>) {
-    FlowPrinter printer;
-    visit(printer, value);
-    return "{" + printer.text + "}";
-  } else if constexpr (std::is_same_v<T, std::string>) {
-    return text_value(value);
-  } else if constexpr (std::is_same_v<T, bool>) {
-    return value ? "true" : "false";
-  } else if constexpr (std::is_integral_v<T>) {
-    return std::to_string(value);
-  } else {
-    return number_text(value);
-  }
+void add_line(const std::string& content, const std::string& comment, std::string& text) {
+  constexpr std::size_t kCommentColumn = 36;
+  std::string padded = content;
+  padded.resize(std::max(padded.size() + 2, kCommentColumn), ' ');
+  text += padded + "# " + comment + "\n";
 }
 
-/// Writes a spec as a block, one commented line a field.
-class BlockPrinter {
- public:
-  /// `shows_other_kinds`: the fields of variants' other kinds too, commented out.
-  explicit BlockPrinter(std::string indent, bool shows_other_kinds = true)
-      : indent_(std::move(indent)), shows_other_kinds_(shows_other_kinds) {}
-  std::string text;
+/// The fields in the order of the tree.
+nlohmann::ordered_json in_order(const FieldTree& block, const Json& values) {
+  nlohmann::ordered_json ordered = nlohmann::ordered_json::object();
+  for (const FieldTree& field : block.fields) ordered[field.name] = values.at(field.name);
+  return ordered;
+}
 
-  template <class T>
-  void field(std::string_view name, T& value, Range range, std::string_view doc) {
-    std::string comment = std::string(doc) + range_text(range);
-    if constexpr (TextEnum<T>) comment += one_of(enum_texts<T>());
-    if constexpr (Visitable<T, BlockPrinter> && !detail::IsSequence<T>::value && !TextEnum<T>) {
-      line(std::string(name) + ":", comment);
-      BlockPrinter inner(indent_ + "  ");
-      visit(inner, value);
-      text += inner.text;
-    } else if constexpr (detail::IsSequence<T>::value) {
-      if constexpr (Visitable<typename T::value_type, BlockPrinter>) {
-        line(std::string(name) + (value.empty() ? ": []" : ":"), comment);
-        for (auto& element : value) text += indent_ + "  - " + value_text(element) + "\n";
-      } else {
-        line(std::string(name) + ": " + value_text(value), comment);
+/// One commented line for each field. `with_others`: the fields of variants' other kinds too,
+/// commented out.
+void add_block(const FieldTree& block, const Json& values, const std::string& indent,
+               bool with_others, std::string& text) {
+  for (const FieldTree& field : block.fields) {
+    if (field.kind == FieldKind::other) continue;  // told above
+    const std::string key = indent + field.name + ":";
+    const Json& value = values.at(field.name);
+    const bool has_blocks =
+        field.kind == FieldKind::list && field.fields.front().kind == FieldKind::block;
+    if (field.kind == FieldKind::block) {
+      add_line(key, comment_of(field), text);
+      add_block(field, value, indent + "  ", with_others, text);
+    } else if (has_blocks && !value.empty()) {
+      add_line(key, comment_of(field), text);
+      for (const Json& element : value) {
+        text += indent + "  - " + flow_yaml(in_order(field.fields.front(), element)) + "\n";
       }
     } else {
-      line(std::string(name) + ": " + value_text(value), comment);
+      const bool is_list = field.name == "seeds";
+      add_line(key + " " + flow_yaml(is_list ? Json::array({value}) : value), comment_of(field),
+               text);
+    }
+    if (field.kind != FieldKind::variant) continue;
+    add_block(*field.find(value.get<std::string>()), values, indent, with_others, text);
+    for (const FieldTree& kind : field.fields) {
+      if (!with_others || kind.name == value) continue;
+      text += indent + "# " + field.name + ": " + kind.name + "\n";
+      add_block(kind, preset_json(kind), indent + "# ", with_others, text);
     }
   }
-  template <class T>
-  void field(std::string_view name, T& value, std::string_view doc) {
-    field(name, value, Range{}, doc);
-  }
-  template <class Variant>
-  void variant(std::string_view name, Variant& value, std::string_view doc) {
-    std::vector<std::string> kinds;
-    kind_names<Variant, 0>(kinds);
-    line(std::string(name) + ": " + std::string(kind(value)), std::string(doc) + one_of(kinds));
-    std::visit([this](auto& held) { visit(*this, held); }, value);
-    if (shows_other_kinds_) other_kinds<Variant, 0>(name, value);
-  }
-
-  void line(const std::string& content, const std::string& comment) {
-    constexpr std::size_t kCommentColumn = 36;
-    std::string padded = indent_ + content;
-    padded.resize(std::max(padded.size() + 2, kCommentColumn), ' ');
-    text += padded + "# " + comment + "\n";
-  }
-
- private:
-  static std::string one_of(const std::vector<std::string>& words) {
-    std::string all;
-    for (const std::string& word : words) all += (all.empty() ? " (" : " | ") + word;
-    return all + ")";
-  }
-
-  template <class Variant, std::size_t index>
-  static void kind_names(std::vector<std::string>& kinds) {
-    if constexpr (index < std::variant_size_v<Variant>) {
-      kinds.emplace_back(std::variant_alternative_t<index, Variant>::kind);
-      kind_names<Variant, index + 1>(kinds);
-    }
-  }
-
-  /// The fields of the kinds that `value` does not hold, commented out.
-  template <class Variant, std::size_t index>
-  void other_kinds(std::string_view name, const Variant& value) {
-    if constexpr (index < std::variant_size_v<Variant>) {
-      using Kind = std::variant_alternative_t<index, Variant>;
-      if (value.index() != index) {
-        BlockPrinter other(indent_ + "# ");
-        other.text = other.indent_ + std::string(name) + ": " + std::string(Kind::kind) + "\n";
-        Kind preset{};
-        visit(other, preset);
-        text += other.text;
-      }
-      other_kinds<Variant, index + 1>(name, value);
-    }
-  }
-
-  std::string indent_;
-  bool shows_other_kinds_;
-};
-
-template <class Spec>
-void add_block(std::string& text, const std::string& name, Spec spec, const std::string& comment) {
-  BlockPrinter printer("  ");
-  visit(printer, spec);
-  text += "\n# " + comment + "\n" + name + ":\n" + printer.text;
 }
 
-std::string sensor_names() {
-  std::string all;
-  for (const SensorSpec& sensor : sensor_presets()) all += (all.empty() ? "" : ", ") + sensor.name;
-  return all;
+/// A top key of a sweep; those that need not be given and have no default are commented out.
+void add_key(const FieldTree& key, const Json& defaults, std::string& text) {
+  const FieldTree* preset = key.find("preset");
+  if (key.name == "planners") {
+    text += "\n# " + key.doc + "\nplanners:\n  - straight_line\n  - reactive\n";
+  } else if (key.kind == FieldKind::block) {
+    text += "\n# " + key.doc + "\n";
+    if (preset != nullptr) {
+      text += "# A name (" + listed(preset->choices) + ", or that of " + key.name +
+              "s/NAME.yaml beside the sweep's folder),\n# or fields that differ from those of "
+              "`preset: NAME`, which is " +
+              preset->choices.front() + " where not given.\n";
+    }
+    text += key.name + ":\n";
+    add_block(key, defaults.at(key.name), "  ", true, text);
+  } else if (!key.preset.is_null()) {
+    add_line(key.name + ": " + flow_yaml(key.preset), comment_of(key), text);
+  } else {
+    const auto example = std::find_if(key.facts.begin(), key.facts.end(),
+                                      [](const auto& fact) { return fact.first == "example"; });
+    if (key.name == "axes") text += "\n";
+    add_line((key.name == "sweep" ? "" : "# ") + example->second, comment_of(key), text);
+  }
 }
 
 template <class Spec>
-std::string file_text(Spec spec, const std::string& header) {
-  BlockPrinter printer("", false);
-  visit(printer, spec);
-  return header + printer.text;
+std::string file_text(const std::string& what, const FieldTree& tree, const Spec& spec) {
+  std::string text = "# A " + what + "; see `avoidbench config defaults`.\n";
+  add_block(tree, spec_to_json(spec), "", false, text);
+  return text;
+}
+
+std::string scalar_yaml(const nlohmann::ordered_json& json) {
+  if (json.is_number_float()) return number_text(json.get<double>());
+  if (!json.is_string()) return json.dump();
+  const std::string text = json.get<std::string>();
+  const auto is_plain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '.' || c == '/';
+  };
+  YamlNode node;
+  node.kind = YamlNode::Kind::scalar;
+  node.scalar = text;
+  const bool means_itself = !text.empty() && !number_of(node) && text != "true" &&
+                            text != "false" && text != "null" && text.front() != '.';
+  return means_itself && std::all_of(text.begin(), text.end(), is_plain) ? text : json.dump();
 }
 
 }  // namespace
 
 std::string sweep_defaults_yaml() {
-  const TrialSpec trial;
   std::string text =
       "# A sweep with every key at its default; only 'sweep' and 'planners' must be given.\n"
       "# One value may be a list, or a range {from: 2.3, to: 5.8, count: 10} or {from, to, step}:\n"
       "# each combination of such values is flown. avoidbench run FILE --set "
-      "maps.poisson_radius_m=3 changes keys.\n"
-      "# include: FILE.yaml takes what this file does not say from another; config explain KEY "
-      "says more about a key.\n";
-  BlockPrinter top("");
-  top.line("sweep: my_sweep", "Name of the result set: A-Z a-z 0-9 _ . -");
-  top.line("seed: " + std::to_string(trial.seed), "Seed of missions and noise.");
-  top.line("trials: 10", "Missions per map, the same for every planner. [1, 1000000]");
-  text += top.text +
-          "# until: success_rate ci<0.05     # A planner stops when its success rate is known to "
-          "± 0.05. Left out: all are flown.\n"
-          "\n# Names, or {plugin: NAME or ./FILE.so, label: …, parameters: {name: value or list}, "
-          "max_speed_mps: …};\n"
-          "# see avoidbench planners list, and planners describe NAME for the parameters.\n"
-          "planners:\n  - straight_line\n  - reactive\n"
-          "# max_speed_mps: 3               # Speed limit of all planners that are given none; a "
-          "list compares speeds.\n";
-  add_block(text, "maps", trial.map, "The maps.");
-  BlockPrinter seeds("  ");
-  seeds.line("seeds: [1]", "Map seeds as a list, or how many of them, from 1.");
-  text += seeds.text;
-  add_block(text, "vehicle", trial.vehicle,
-            "A name (hummingbird, hummingbird_rotors, firefly, or that of vehicles/NAME.yaml "
-            "beside the sweep's folder),\n"
-            "# or fields that differ from those of `preset: NAME`, which is hummingbird where not "
-            "given.");
-  add_block(
-      text, "sensor", trial.sensor,
-      "A name (" + sensor_names() +
-          ",\n# or that of sensors/NAME.yaml beside the sweep's folder), or fields that differ "
-          "from those of `preset: NAME`,\n# which is depth_ideal where not given.");
-  add_block(text, "imu", trial.imu,
-            "The inertial measurement unit; the defaults are an ADIS16448's.");
-  add_block(text, "odometry", trial.odometry,
-            "How wrong the vehicle and its planner know where they are; all zero: not at all.");
-  add_block(text, "latency", trial.latency, "What the planner sees at time t acts at t + latency.");
-  add_block(text, "wind", trial.wind, "Wind and disturbances, added up; see docs/wind.md.");
-  add_block(text, "mission", trial.mission, "The rules of a flight.");
-  add_block(text, "rates", trial.rates,
-            "How often things happen. Each period is a whole number of 1/36000 s.");
-  text +=
-      "\n# Any field above by its path, with the values to try:\n"
-      "# axes:\n"
-      "#   wind.mean_world_mps: [[0, 0, 0], [4, 0, 0]]\n"
-      "axes: {}\n";
+      "maps.poisson_radius_m=3 changes keys;\n"
+      "# config explain KEY says more of a key.\n";
+  const Json defaults = preset_json(sweep_tree());
+  for (const FieldTree& key : sweep_tree().fields) add_key(key, defaults, text);
   return text;
 }
 
 std::string vehicle_yaml(const VehicleSpec& vehicle) {
-  return file_text(vehicle, "# A vehicle; see `avoidbench config defaults`.\n");
+  return file_text("vehicle", vehicle_tree(), vehicle);
 }
 
 std::string sensor_yaml(const SensorSpec& sensor) {
-  return file_text(sensor, "# A sensor; see `avoidbench config defaults`.\n");
+  return file_text("sensor", sensor_tree(), sensor);
+}
+
+std::string flow_yaml(const nlohmann::ordered_json& json) {
+  if (!json.is_structured()) return scalar_yaml(json);
+  std::string all;
+  for (const auto& [key, value] : json.items()) {
+    all += all.empty() ? "" : ", ";
+    if (json.is_object()) all += key + ": ";
+    all += flow_yaml(value);
+  }
+  return json.is_object() ? "{" + all + "}" : "[" + all + "]";
 }
 
 }  // namespace avoidbench

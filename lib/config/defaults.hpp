@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "config/field_tree.hpp"
 #include "sensing/sensor_spec.hpp"
 #include "vehicle/vehicle_spec.hpp"
 
@@ -16,5 +17,8 @@ std::string vehicle_yaml(const VehicleSpec& vehicle);
 
 /// The sensor as a file for configs/sensors, commented; it reads back to the same bits.
 std::string sensor_yaml(const SensorSpec& sensor);
+
+/// JSON on one line as YAML in people's style: {generator: hall, area_m: [20, 30]}.
+std::string flow_yaml(const nlohmann::ordered_json& json);
 
 }  // namespace avoidbench

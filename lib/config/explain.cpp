@@ -2,27 +2,145 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
 
 #include "base/input_error.hpp"
-#include "config/examples.hpp"
+#include "config/defaults.hpp"
 #include "config/sweep_keys.hpp"
+#include "trial/contradictions.hpp"
 #include "yaml/yaml_values.hpp"
 
 namespace avoidbench {
 namespace {
 
 using Json = nlohmann::json;
+using OrderedJson = nlohmann::ordered_json;
 
-std::string listed(const std::vector<std::string>& words) {
-  std::string all;
-  for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
-  return all;
+// -------------------------------------------------------------------------------------------------
+// examples
+
+/// Other numbers than `value`, from near to far.
+std::vector<double> other_numbers(double value, const FieldTree& field) {
+  const Range range = field.range;
+  std::vector<double> others{value * 2.0, value / 2.0,  value + 1.0,  value - 1.0,
+                             value + 2.0, range.lowest, range.highest};
+  const bool is_whole = field.kind == FieldKind::whole;
+  std::erase_if(others, [&](double other) {
+    return !std::isfinite(other) || other == value || other < range.lowest ||
+           other > range.highest || (is_whole && std::floor(other) != other);
+  });
+  return others;
 }
 
-std::string range_text(Range range, const std::string& to) {
+Json as_number(double value, const FieldTree& field) {
+  if (field.kind == FieldKind::whole) return static_cast<std::int64_t>(value);
+  return value;
+}
+
+/// Lists of numbers with all their elements changed alike.
+std::vector<Json> other_lists(const FieldTree& field) {
+  const FieldTree& element = field.fields.front();
+  if (field.preset.empty() || !field.preset.front().is_number()) return {};
+  std::vector<Json> others;
+  const std::vector<std::function<double(double)>> changes{
+      [](double x) { return x * 2.0; }, [](double x) { return x / 2.0; },
+      [](double x) { return x + 1.0; }, [](double x) { return x - 1.0; }};
+  for (const auto& change : changes) {
+    Json list = Json::array();
+    bool is_good = true;
+    for (const Json& value : field.preset) {
+      const double other = change(value.get<double>());
+      is_good = is_good && other >= element.range.lowest && other <= element.range.highest;
+      list.push_back(as_number(other, element));
+    }
+    if (is_good && list != field.preset) others.push_back(std::move(list));
+  }
+  return others;
+}
+
+std::vector<Json> other_values(const FieldTree& field) {
+  std::vector<Json> others;
+  switch (field.kind) {
+    case FieldKind::truth:
+      others.emplace_back(!field.preset.get<bool>());
+      break;
+    case FieldKind::whole:
+    case FieldKind::number:
+      for (const double other : other_numbers(field.preset.get<double>(), field)) {
+        others.push_back(as_number(other, field));
+      }
+      break;
+    case FieldKind::choice:
+      for (const std::string& choice : field.choices) {
+        if (field.preset != choice) others.emplace_back(choice);
+      }
+      break;
+    case FieldKind::list:
+      return other_lists(field);
+    default:
+      if (!field.preset.get<std::string>().empty()) {
+        others.emplace_back(field.preset.get<std::string>() + "_2");
+      }
+  }
+  return others;
+}
+
+/// The sweep's TrialSpec with a value at a path, as JSON.
+Json trial_with(const Json& base, const std::string& path, const Json& value) {
+  Json trial = base;
+  std::string pointer = "/" + trial_path(path);
+  std::replace(pointer.begin(), pointer.end(), '.', '/');
+  trial[Json::json_pointer(pointer)] = value;
+  return trial;
+}
+
+/// `maps: {generator: hall, height_m: 5}` for maps.height_m, the kinds said first.
+std::string example_line(const std::string& path, const std::vector<SaidKind>& kinds,
+                         const OrderedJson& value) {
+  OrderedJson document;
+  const auto set = [&](const std::string& at, const OrderedJson& what) {
+    std::string pointer = "/" + at;
+    std::replace(pointer.begin(), pointer.end(), '.', '/');
+    document[OrderedJson::json_pointer(pointer)] = what;
+  };
+  for (const SaidKind& said : kinds) set(said.path, said.kind);
+  set(path, value);
+  const std::string text = flow_yaml(document);
+  return text.substr(1, text.size() - 2);
+}
+
+/// One or two values for a field of the sweep: its preset, and another that contradicts nothing
+/// else's preset; none where there is no example.
+std::vector<Json> example_values(const std::string& path, const KindField& field) {
+  if (field.field->preset.is_null() || field.field->preset == "") return {};
+  std::vector<Json> values{field.field->preset};
+  Json base = spec_to_json(TrialSpec{});
+  const std::size_t dot = path.find('.');
+  if (dot != std::string::npos) {  // the block with the kinds that the field needs
+    const std::string key = path.substr(0, dot);
+    std::vector<SaidKind> kinds;
+    for (const SaidKind& said : field.kinds) {
+      kinds.push_back({said.path.substr(dot + 1), said.kind});
+    }
+    base[key == "maps" ? "map" : key].update(preset_json(*sweep_tree().find(key), kinds));
+  }
+  const std::size_t before = contradictions(spec_from_json<TrialSpec>(base)).size();
+  for (const Json& other : other_values(*field.field)) {
+    const Json changed = trial_with(base, path, other);
+    if (contradictions(spec_from_json<TrialSpec>(changed)).size() > before) continue;
+    values.push_back(other);
+    break;
+  }
+  return values;
+}
+
+// -------------------------------------------------------------------------------------------------
+// texts
+
+std::string range_text(Range range) {
   const bool below = std::isfinite(range.lowest), above = std::isfinite(range.highest);
-  if (below && above) return number_text(range.lowest) + to + number_text(range.highest);
+  if (below && above) return number_text(range.lowest) + " to " + number_text(range.highest);
   if (below) return "at least " + number_text(range.lowest);
   return above ? "at most " + number_text(range.highest) : "";
 }
@@ -64,7 +182,7 @@ std::string preset_text(const FieldTree& field) {
 /// A row of a block's table.
 std::vector<std::string> row(const FieldTree& field) {
   const FieldTree& element = element_of(field);
-  std::string values = range_text(element.range, " to ");
+  std::string values = range_text(element.range);
   constexpr std::size_t kLongest = 22;
   const std::string choices = listed(field.choices);
   if (field.kind == FieldKind::truth) values = "true, false";
@@ -80,78 +198,47 @@ std::vector<std::string> row(const FieldTree& field) {
 
 const std::vector<std::string> kColumns{"key", "unit", "values", "default", "doc"};
 
-/// Lines about the keys that are the sweep's own.
-std::vector<std::pair<std::string, std::string>> own_facts(const std::string& key) {
-  using Facts = std::vector<std::pair<std::string, std::string>>;
-  if (key == "sweep") return Facts{{"type", "text"}, {"example", "sweep: dense_forest"}};
-  if (key == "trials") {
-    return Facts{{"type", "whole number"},
-                 {"range", "1 to 1000000"},
-                 {"default", "10"},
-                 {"axis", "no: all missions are flown for each setting"},
-                 {"example", "trials: 30"}};
-  }
-  if (key == "until") {
-    return Facts{{"type", "a rule"},
-                 {"default", "none: all trials are flown"},
-                 {"axis", "no: it is the sweep's"},
-                 {"example", "until: success_rate ci<0.05"}};
-  }
-  if (key == "include") {
-    return Facts{{"type", "a file, or a list of them"},
-                 {"example", "include: base.yaml"},
-                 {"or", "include: [forest.yaml, windy.yaml]"},
-                 {"merging",
-                  "mappings merge key by key, other values are replaced; later files win "
-                  "over earlier ones, this file over all"},
-                 {"to take out", "write the key with ~ for its value"}};
-  }
-  if (key == "planners") {
-    return Facts{
-        {"type", "a name or mapping, or a list of them"},
-        {"example", "planners: [straight_line, reactive]"},
-        {"or", "planners: [{plugin: ./my_planner.so, label: mine}]"},
-        {"axis", "planners: [{plugin: reactive, parameters: {margin_m: [0.3, 0.6]}}]"},
-        {"see", "avoidbench planners list, planners describe NAME, config explain NAME.PARAMETER"}};
-  }
-  if (key == "max_speed_mps") {
-    return Facts{{"type", "number in m/s"},
-                 {"default", "each planner's own"},
-                 {"example", "max_speed_mps: 3"},
-                 {"axis", "max_speed_mps: [2, 4]"}};
-  }
-  if (key == "axes") {
-    return Facts{{"type", "a mapping of paths to values"},
-                 {"example", "axes: {wind.mean_world_mps: [[0, 0, 0], [4, 0, 0]]}"},
-                 {"or", "axes: {vehicle.mass_kg: {from: 0.7, to: 0.9, count: 3}}"},
-                 {"not", "maps.generator, sensor.kind, trials, planners"}};
-  }
-  return {};
-}
-
 /// A choice that is not the first.
 const std::string& other_choice(const FieldTree& field) {
   return field.choices.at(field.choices.size() > 1 ? 1 : 0);
 }
 
-/// How a field is written, alone and as an axis.
-void add_examples(const std::string& path, const KindField& entry, const std::vector<Json>& values,
-                  Explanation& about) {
+// -------------------------------------------------------------------------------------------------
+// one key
+
+std::string kinds_text(const std::vector<SaidKind>& kinds) {
+  std::vector<std::string> words;
+  for (const SaidKind& said : kinds) words.push_back(said.path + ": " + said.kind);
+  return listed(words);
+}
+
+/// A field with its type, range and default; `unit` of its numbers.
+Explanation about_values(const std::string& path, const FieldTree& field, const std::string& unit) {
+  Explanation about;
+  about.title = path + ": " + field.doc;
+  about.facts.emplace_back("type", type_text(field) + (unit.empty() ? "" : ", " + unit));
+  const std::string range = range_text(element_of(field).range);
+  if (!range.empty()) about.facts.emplace_back("range", range);
+  if (field.kind == FieldKind::other) about.facts.emplace_back("built in", listed(field.choices));
+  about.facts.emplace_back("default", preset_text(field));
+  return about;
+}
+
+/// How a field of a sweep is written, alone and as an axis.
+void add_examples(const std::string& path, const KindField& entry, Explanation& about) {
   const FieldTree& field = *entry.field;
-  const auto line = [&](const Json& value) {
-    return example_line(path, entry.kinds, nlohmann::ordered_json(value));
+  const auto line = [&](const OrderedJson& value) {
+    return example_line(path, entry.kinds, value);
   };
   if (field.kind == FieldKind::variant || field.kind == FieldKind::other) {
     about.facts.emplace_back("example", line(other_choice(field)));
     about.facts.emplace_back("axis", "no: write one sweep for each");
     return;
   }
-  if (values.empty()) {
-    if (field.kind == FieldKind::text) about.facts.emplace_back("example", line("TEXT"));
-    about.facts.emplace_back("axis", "a list of such values");
-    return;
-  }
-  about.facts.emplace_back("example", line(values.back()));
+  const std::vector<Json> values = example_values(path, entry);
+  const bool is_text = values.empty() && field.kind == FieldKind::text;
+  if (!values.empty()) about.facts.emplace_back("example", line(values.back()));
+  if (is_text) about.facts.emplace_back("example", line("TEXT"));
   if (values.size() < 2) {
     about.facts.emplace_back("axis", "a list of such values");
     return;
@@ -159,52 +246,37 @@ void add_examples(const std::string& path, const KindField& entry, const std::ve
   const Json several(values);
   about.facts.emplace_back("axis", line(several));
   if (field.kind == FieldKind::number || field.kind == FieldKind::whole) {
-    const bool rises = values[0] < values[1];
-    const Json low = values[rises ? 0 : 1], high = values[rises ? 1 : 0];
-    nlohmann::ordered_json range{{"from", low}, {"to", high}};
+    const auto [low, high] = std::minmax(values[0], values[1]);
+    OrderedJson range{{"from", low}, {"to", high}};
     if (field.kind == FieldKind::number) {
       range["count"] = 3;
     } else {
       range["step"] = high.get<std::int64_t>() - low.get<std::int64_t>();
     }
-    about.facts.emplace_back("or", example_line(path, entry.kinds, range));
+    about.facts.emplace_back("or", line(range));
   }
   about.facts.emplace_back("or", "axes: {" + path + ": " + flow_yaml(several) + "}");
 }
 
-std::string kinds_text(const std::vector<SaidKind>& kinds) {
-  std::string all;
-  for (const SaidKind& said : kinds)
-    all += (all.empty() ? "" : ", ") + said.path + ": " + said.kind;
-  return all;
-}
-
-Explanation about_field(const FieldTree& sweep, const std::string& path, const KindField& entry) {
+Explanation about_field(const std::string& path, const KindField& entry) {
   const FieldTree& field = *entry.field;
-  const FieldTree& element = element_of(field);
-  Explanation about;
-  about.title = path + ": " + field.doc;
-  if (!entry.kinds.empty()) about.facts.emplace_back("with", kinds_text(entry.kinds));
-  const std::string unit = unit_of(field.name), range = range_text(element.range, " to ");
-  about.facts.emplace_back("type", type_text(field) + (unit.empty() ? "" : ", " + unit));
-  if (!range.empty()) about.facts.emplace_back("range", range);
-  if (field.kind == FieldKind::other) about.facts.emplace_back("built in", listed(field.choices));
-  about.facts.emplace_back("default", preset_text(field));
+  if (!field.facts.empty()) return {path + ": " + field.doc, field.facts, {}, {}};
+  Explanation about = about_values(path, field, unit_of(field.name));
   if (field.name == "seeds") {
     about.facts = {{"type", "how many, or a list or range of them"},
-                   {"default", preset_text(field)}};
-    about.facts.insert(about.facts.end(), {{"example", "maps: {seeds: 3}"},
-                                           {"axis", "maps: {seeds: [1, 5, 9]}"},
-                                           {"or", "axes: {maps.seeds: [1, 5, 9]}"}});
+                   {"default", preset_text(field)},
+                   {"example", "maps: {seeds: 3}"},
+                   {"axis", "maps: {seeds: [1, 5, 9]}"},
+                   {"or", "axes: {maps.seeds: [1, 5, 9]}"}};
     return about;
   }
-  const bool has_values = field.kind != FieldKind::variant && field.kind != FieldKind::other;
-  const std::vector<Json> values =
-      has_values ? example_values(sweep, path, entry) : std::vector<Json>{};
-  add_examples(path, entry, values, about);
-  if (element.kind == FieldKind::block) {
+  if (!entry.kinds.empty()) {
+    about.facts.insert(about.facts.begin(), {"with", kinds_text(entry.kinds)});
+  }
+  add_examples(path, entry, about);
+  if (element_of(field).kind == FieldKind::block) {
     about.columns = kColumns;
-    for (const FieldTree& inner : element.fields) about.keys.push_back(row(inner));
+    for (const FieldTree& inner : element_of(field).fields) about.keys.push_back(row(inner));
   }
   return about;
 }
@@ -247,32 +319,47 @@ std::vector<Explanation> about_block(const std::string& path, const FieldTree& b
 }
 
 /// maps.hall: the keys of one kind. Nothing where `path` names none.
-std::vector<Explanation> about_kind(const FieldTree& sweep, const std::string& path) {
+std::vector<Explanation> about_kind(const std::string& path) {
   const std::size_t dot = path.rfind('.');
   if (dot == std::string::npos) return {};
-  for (const KindField& outer : fields_at(sweep, path.substr(0, dot))) {
-    if (outer.field->kind != FieldKind::block) continue;
+  const std::string name = path.substr(dot + 1);
+  for (const KindField& outer : fields_at(sweep_tree(), path.substr(0, dot))) {
     for (const FieldTree& field : outer.field->fields) {
-      if (field.kind != FieldKind::variant) continue;
-      const std::string name = path.substr(dot + 1);
-      for (const FieldTree& kind : field.fields) {
-        if (kind.name != name) continue;
-        std::vector<Explanation> all = about_block(path, kind);
-        all[0].title = path.substr(0, dot) + " with " + field.name + ": " + name;
-        if (!kind.doc.empty()) all[0].title += ". " + kind.doc;
-        return all;
-      }
+      const FieldTree* kind = field.kind == FieldKind::variant ? field.find(name) : nullptr;
+      if (kind == nullptr) continue;
+      std::vector<Explanation> all = about_block(path, *kind);
+      all[0].title = path.substr(0, dot) + " with " + field.name + ": " + name;
+      if (!kind->doc.empty()) all[0].title += ". " + kind->doc;
+      return all;
     }
   }
   return {};
 }
 
-std::vector<Explanation> about_top(const FieldTree& sweep) {
+std::vector<Explanation> about_top() {
   Explanation about;
   about.title = "The keys of a sweep file; avoidbench config explain KEY says more about one.";
   about.columns = {"key", "doc"};
-  for (const FieldTree& key : sweep.fields) about.keys.push_back({key.name, key.doc});
+  for (const FieldTree& key : sweep_tree().fields) about.keys.push_back({key.name, key.doc});
   return {std::move(about)};
+}
+
+Explanation about_parameter(const std::string& planner, const ParameterDef& parameter) {
+  const FieldTree field = parameter_tree(parameter);
+  Explanation about = about_values(planner + "." + field.name, field, parameter.unit);
+  const auto line = [&](const Json& value) {
+    return "planners: [{plugin: " + planner + ", parameters: {" + field.name + ": " +
+           flow_yaml(value) + "}}]";
+  };
+  if (field.preset == "") {
+    about.facts.emplace_back("example", line("TEXT"));
+    return about;
+  }
+  const std::vector<Json> others = other_values(field);
+  about.facts.emplace_back("example", line(others.empty() ? field.preset : others.front()));
+  if (!others.empty())
+    about.facts.emplace_back("axis", line(Json::array({field.preset, others.front()})));
+  return about;
 }
 
 /// A planner, or one of its parameters. Nothing where `key` is neither.
@@ -282,35 +369,14 @@ std::vector<Explanation> about_planner(const std::string& key,
   for (const PlannerDescription& planner : planners) {
     const std::string name = planner.file.stem().string();
     if (name != key.substr(0, dot)) continue;
-    Explanation about;
-    if (dot == std::string::npos) {
-      about.title = name + ": " + planner.summary;
-      about.facts.emplace_back("example", "planners: [" + name + "]");
-      about.columns = kColumns;
-      for (const ParameterDef& parameter : planner.parameters) {
-        about.keys.push_back(row(parameter_tree(parameter)));
-        about.keys.back()[1] = parameter.unit;
-      }
-      return {std::move(about)};
-    }
+    Explanation about{
+        name + ": " + planner.summary, {{"example", "planners: [" + name + "]"}}, kColumns, {}};
     for (const ParameterDef& parameter : planner.parameters) {
-      if (parameter.name != key.substr(dot + 1)) continue;
-      const FieldTree field = parameter_tree(parameter);
-      about.title = key + ": " + field.doc;
-      about.facts = {
-          {"type", type_text(field) + (parameter.unit.empty() ? "" : ", " + parameter.unit)}};
-      const std::string range = range_text(field.range, " to ");
-      if (!range.empty()) about.facts.emplace_back("range", range);
-      about.facts.emplace_back("default", preset_text(field));
-      const std::vector<Json> values = example_values(field);
-      const auto line = [&](const Json& value) {
-        return "planners: [{plugin: " + name + ", parameters: {" + field.name + ": " +
-               flow_yaml(value) + "}}]";
-      };
-      about.facts.emplace_back("example", line(values.empty() ? Json("TEXT") : values.back()));
-      if (values.size() > 1) about.facts.emplace_back("axis", line(Json(values)));
-      return {std::move(about)};
+      if (key == name + "." + parameter.name) return {about_parameter(name, parameter)};
+      about.keys.push_back(row(parameter_tree(parameter)));
+      about.keys.back()[1] = parameter.unit;
     }
+    if (dot == std::string::npos) return {std::move(about)};
   }
   return {};
 }
@@ -327,10 +393,9 @@ void add_paths(const FieldTree& block, const std::string& prefix, std::set<std::
 std::string last_part(const std::string& path) { return path.substr(path.rfind('.') + 1); }
 
 /// All that can be explained.
-std::vector<std::string> all_keys(const FieldTree& sweep,
-                                  const std::vector<PlannerDescription>& planners) {
+std::vector<std::string> all_keys(const std::vector<PlannerDescription>& planners) {
   std::set<std::string> paths;
-  add_paths(sweep, "", paths);
+  add_paths(sweep_tree(), "", paths);
   for (const PlannerDescription& planner : planners) {
     const std::string name = planner.file.stem().string();
     paths.insert(name);
@@ -375,14 +440,6 @@ std::vector<std::string> suggestions(const std::string& key, const std::vector<s
   return found;
 }
 
-/// The path as sweep files have it: map.x is maps.x, planners.ego is ego.
-std::string sweep_path(const std::string& key) {
-  if (key == "map" || key.starts_with("map.")) return "maps" + key.substr(3);
-  if (key == "map_seed" || key == "maps.seed") return "maps.seeds";
-  if (key.starts_with("planners.")) return key.substr(std::string("planners.").size());
-  return key;
-}
-
 bool is_alike(const KindField& a, const KindField& b) {
   return a.field->doc == b.field->doc && a.field->preset == b.field->preset &&
          a.field->range.lowest == b.field->range.lowest &&
@@ -390,12 +447,11 @@ bool is_alike(const KindField& a, const KindField& b) {
 }
 
 /// The explanations of a field that one or several kinds have; those that are alike together.
-std::vector<Explanation> about_fields(const FieldTree& sweep, const std::string& path,
-                                      std::vector<KindField> found) {
+std::vector<Explanation> about_fields(const std::string& path, std::vector<KindField> found) {
   std::vector<Explanation> all;
   while (!found.empty()) {
     const KindField first = found.front();
-    Explanation about = about_field(sweep, path, first);
+    Explanation about = about_field(path, first);
     found.erase(found.begin());
     for (std::size_t i = 0; i < found.size();) {
       if (!is_alike(first, found[i])) {
@@ -416,14 +472,14 @@ std::vector<Explanation> about_fields(const FieldTree& sweep, const std::string&
 
 std::vector<Explanation> explain(const std::string& key,
                                  const std::vector<PlannerDescription>& planners) {
-  const FieldTree sweep = sweep_tree();
-  if (key.empty()) return about_top(sweep);
-  const std::string path = sweep_path(key);
-  const std::vector<KindField> found = fields_at(sweep, path);
+  if (key.empty()) return about_top();
+  const bool is_planners = key.starts_with("planners.");
+  const std::string path = is_planners ? key.substr(key.find('.') + 1) : sweep_path(key);
+  const std::vector<KindField> found = fields_at(sweep_tree(), path);
   if (found.empty()) {
-    if (auto kind = about_kind(sweep, path); !kind.empty()) return kind;
+    if (auto kind = about_kind(path); !kind.empty()) return kind;
     if (auto planner = about_planner(path, planners); !planner.empty()) return planner;
-    const std::vector<std::string> keys = all_keys(sweep, planners);
+    const std::vector<std::string> keys = all_keys(planners);
     const bool is_last = path.find('.') == std::string::npos;
     const std::vector<std::string> ending = keys_ending(keys, path);
     if (is_last && ending.size() == 1) return explain(ending.front(), planners);
@@ -432,11 +488,8 @@ std::vector<Explanation> explain(const std::string& key,
                      (meant.empty() ? "" : " (did you mean " + listed(meant) + "?)") +
                      "; avoidbench config explain lists the keys of a sweep file");
   }
-  if (auto facts = own_facts(path); !facts.empty()) {
-    return {Explanation{path + ": " + found[0].field->doc, std::move(facts), {}, {}}};
-  }
   if (found.front().field->kind == FieldKind::block) return about_block(path, *found[0].field);
-  return about_fields(sweep, path, found);
+  return about_fields(path, found);
 }
 
 }  // namespace avoidbench

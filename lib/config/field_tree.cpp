@@ -39,6 +39,12 @@ nlohmann::json json_below(const FieldTree& block, const std::string& prefix,
 
 }  // namespace
 
+std::string listed(const std::vector<std::string>& words) {
+  std::string all;
+  for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
+  return all;
+}
+
 const FieldTree* FieldTree::find(std::string_view field) const {
   for (const FieldTree& other : fields) {
     if (other.name == field) return &other;

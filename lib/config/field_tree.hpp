@@ -25,22 +25,31 @@ enum class FieldKind {
   other,    ///< a key of the files that is no field of a spec: planners, include, preset
 };
 
-/// What a visit() says of one field, as plain data: what the JSON Schema and `config explain` are
-/// made of, so that they know every field there is.
+/// What a visit() says of one field, as plain data. The reader of files, the printer of defaults,
+/// `config explain` and the JSON Schema all walk such a tree, so that they know every field there
+/// is.
 // NOLINTNEXTLINE(bugprone-exception-escape): nlohmann::json says it of its own members
 struct FieldTree {
   std::string name, doc;
   FieldKind kind = FieldKind::block;
-  Range range;                       ///< of numbers, also those in a list
-  std::vector<std::string> choices;  ///< of a choice; of a variant its kinds
-  std::optional<std::size_t> count;  ///< of a list, where it is fixed
-  nlohmann::json preset;             ///< what it is where nothing is said; null for blocks
+  Range range;            ///< of numbers, also those in a list
+  bool is_signed = true;  ///< of a whole number
+  /// Of a choice; of a variant its kinds; of `preset` what is built in.
+  std::vector<std::string> choices;
+  std::vector<nlohmann::json> named;  ///< of `preset`: the blocks that its choices stand for
+  std::optional<std::size_t> count;   ///< of a list, where it is fixed
+  nlohmann::json preset;              ///< what it is where nothing is said; null for blocks
   /// Of a block; of a list one, its element; of a variant a block for each kind.
   std::vector<FieldTree> fields;
+  /// Of a key that is no field: how it is written.
+  std::vector<std::pair<std::string, std::string>> facts;
 
-  /// The field of this name in a block, or null. Looks not into variants.
+  /// The field of this name in a block, or the kind of a variant; null if none.
   const FieldTree* find(std::string_view field) const;
 };
+
+/// "forest, hall".
+std::string listed(const std::vector<std::string>& words);
 
 /// The word of a variant that must be said for a field to be there: {"generator", "forest"}.
 struct SaidKind {
@@ -70,15 +79,15 @@ class FieldCollector {
   std::vector<FieldTree> fields;
 
   template <class T>
-  void field(std::string_view name, T& value, Range range, std::string_view doc) {
+  void field(std::string_view name, const T& value, Range range, std::string_view doc) {
     fields.push_back(described(name, value, range, doc));
   }
   template <class T>
-  void field(std::string_view name, T& value, std::string_view doc) {
+  void field(std::string_view name, const T& value, std::string_view doc) {
     field(name, value, Range{}, doc);
   }
   template <class Variant>
-  void variant(std::string_view name, Variant& value, std::string_view doc) {
+  void variant(std::string_view name, const Variant& value, std::string_view doc) {
     FieldTree tree;
     tree.name = name;
     tree.doc = doc;
@@ -89,7 +98,8 @@ class FieldCollector {
   }
 
   template <class T>
-  static FieldTree described(std::string_view name, T& value, Range range, std::string_view doc) {
+  static FieldTree described(std::string_view name, const T& value, Range range,
+                             std::string_view doc) {
     FieldTree tree;
     tree.name = name;
     tree.doc = doc;
@@ -99,10 +109,10 @@ class FieldCollector {
       tree.choices = enum_texts<T>();
     } else if constexpr (detail::IsSequence<T>::value) {
       tree.kind = FieldKind::list;
-      if constexpr (!requires { value.resize(1); }) tree.count = value.size();
-      typename T::value_type element{};
+      if constexpr (!requires(T list) { list.resize(1); }) tree.count = value.size();
+      const typename T::value_type element{};
       tree.fields.push_back(described("", element, range, ""));
-    } else if constexpr (Visitable<T, FieldCollector>) {
+    } else if constexpr (Visitable<const T, FieldCollector>) {
       FieldCollector inner;
       visit(inner, value);
       tree.fields = std::move(inner.fields);
@@ -111,7 +121,8 @@ class FieldCollector {
       tree.kind = FieldKind::truth;
     } else if constexpr (std::is_integral_v<T>) {
       tree.kind = FieldKind::whole;
-      if (!std::is_signed_v<T>) tree.range.lowest = std::max(0.0, range.lowest);
+      tree.is_signed = std::is_signed_v<T>;
+      if (!tree.is_signed) tree.range.lowest = std::max(0.0, range.lowest);
     } else if constexpr (std::is_floating_point_v<T>) {
       tree.kind = FieldKind::number;
     } else {
@@ -123,7 +134,7 @@ class FieldCollector {
 
  private:
   template <class Variant, std::size_t index>
-  static void add_kinds(Variant& value, FieldTree& tree) {
+  static void add_kinds(const Variant& value, FieldTree& tree) {
     if constexpr (index < std::variant_size_v<Variant>) {
       using Kind = std::variant_alternative_t<index, Variant>;
       Kind held{};
@@ -139,7 +150,7 @@ class FieldCollector {
 
 /// The fields of `spec`, whose values are the presets.
 template <class Spec>
-FieldTree field_tree(std::string_view name, Spec spec, std::string_view doc) {
+FieldTree field_tree(std::string_view name, const Spec& spec, std::string_view doc) {
   return FieldCollector::described(name, spec, Range{}, doc);
 }
 

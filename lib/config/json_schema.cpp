@@ -1,12 +1,340 @@
 #include "config/json_schema.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 
-#include "config/schema_blocks.hpp"
 #include "config/sweep_keys.hpp"
+#include "yaml/yaml_values.hpp"
 
 namespace avoidbench {
 namespace {
+
+/// Ordered, so that a schema reads in the order of the fields.
+using Schema = nlohmann::ordered_json;
+
+// -------------------------------------------------------------------------------------------------
+// values
+
+/// Whole numbers without a point, as people write them.
+Schema number_json(double value) {
+  constexpr double kLargestExact = 9007199254740992.0;  // 2^53
+  if (std::floor(value) == value && std::abs(value) <= kLargestExact) {
+    return static_cast<std::int64_t>(value);
+  }
+  return value;
+}
+
+Schema preset_of(const nlohmann::json& preset) {
+  if (preset.is_number_float()) return number_json(preset.get<double>());
+  if (!preset.is_array()) return Schema::parse(preset.dump());
+  Schema list = Schema::array();
+  for (const nlohmann::json& element : preset) list.push_back(preset_of(element));
+  return list;
+}
+
+void add_range(Range range, Schema& schema) {
+  if (std::isfinite(range.lowest)) schema["minimum"] = number_json(range.lowest);
+  if (std::isfinite(range.highest)) schema["maximum"] = number_json(range.highest);
+}
+
+/// Schema of one value of a field that is no block and no variant, nor a list of blocks.
+Schema value_schema(const FieldTree& field) {
+  Schema schema = Schema::object();
+  switch (field.kind) {
+    case FieldKind::truth:
+      schema["type"] = "boolean";
+      break;
+    case FieldKind::whole:
+    case FieldKind::number:
+      schema["type"] = field.kind == FieldKind::whole ? "integer" : "number";
+      add_range(field.range, schema);
+      break;
+    case FieldKind::choice:
+    case FieldKind::variant:
+      schema["enum"] = field.choices;
+      break;
+    case FieldKind::list:
+      schema["type"] = "array";
+      schema["items"] = value_schema(field.fields.front());
+      if (field.count) {
+        schema["minItems"] = *field.count;
+        schema["maxItems"] = *field.count;
+      }
+      break;
+    default:  // 24 and true are texts where a text is wanted
+      schema["type"] = {"string", "number", "boolean"};
+  }
+  return schema;
+}
+
+/// Adds doc and preset.
+void describe(const FieldTree& field, Schema& schema) {
+  if (!field.doc.empty()) schema["description"] = field.doc;
+  const bool has_preset = !field.preset.is_null() && field.preset != "";
+  if (has_preset) schema["default"] = preset_of(field.preset);
+}
+
+/// A list of different values, at least one.
+void add_values(const Schema& value, Schema& schema) {
+  schema["items"] = value;
+  schema["minItems"] = 1;
+  schema["uniqueItems"] = true;
+}
+
+bool is_number(const FieldTree& field) {
+  return field.kind == FieldKind::number || field.kind == FieldKind::whole;
+}
+
+/// {from, to, count} or {from, to, step}.
+void add_range_keys(Range range, Schema& schema) {
+  constexpr int kMostValues = 10000;
+  Schema ends = Schema::object();
+  add_range(range, ends);
+  Schema from{{"type", "number"}, {"description", "First value."}};
+  from.update(ends);
+  schema["properties"] = {{"from", from},
+                          {"to", {{"type", "number"}, {"description", "Last value."}}},
+                          {"count",
+                           {{"type", "integer"},
+                            {"minimum", 1},
+                            {"maximum", kMostValues},
+                            {"description", "How many values, both ends included."}}},
+                          {"step",
+                           {{"type", "number"},
+                            {"not", {{"const", 0}}},
+                            {"description", "From one value to the next."}}}};
+  schema["additionalProperties"] = false;
+  schema["required"] = {"from", "to"};
+  Schema one_of = Schema::array({{{"required", {"count"}}}, {{"required", {"step"}}}});
+  schema["dependentSchemas"]["from"] = {{"oneOf", std::move(one_of)}};
+  if (!ends.empty()) {  // steps need not reach `to`
+    schema["dependentSchemas"]["count"]["properties"]["to"] = ends;
+  }
+}
+
+/// The value, a list of values, or for numbers a range. The keywords of one type do not touch the
+/// others, which makes for better messages than anyOf does.
+Schema scalar_axis(const FieldTree& field, const Schema& value) {
+  if (field.kind == FieldKind::choice) {
+    Schema list{{"type", "array"}};
+    add_values(value, list);
+    return {{"anyOf", {value, list}}};
+  }
+  Schema schema = value;
+  const Schema& types = value.at("type");
+  schema["type"] = types.is_array() ? types : Schema::array({types});
+  schema["type"].push_back("array");
+  add_values(value, schema);
+  if (!is_number(field)) return schema;
+  schema["type"].push_back("object");
+  add_range_keys(field.range, schema);
+  return schema;
+}
+
+/// A field for which several values may stand: a list of them, or a range of numbers. A list of
+/// values may stand for one value, except under `axes`.
+Schema several_schema(const FieldTree& field, const Schema& value, bool under_axes) {
+  if (field.kind != FieldKind::list) return scalar_axis(field, value);
+  Schema list = Schema::object();
+  add_values(value, list);
+  if (under_axes) {
+    list["type"] = "array";
+    return list;
+  }
+  return {{"if", {{"type", "array"}, {"contains", {{"type", "array"}}}}},
+          {"then", list},
+          {"else", value}};
+}
+
+// -------------------------------------------------------------------------------------------------
+// mappings
+
+Schema reference(const std::string& definition) { return {{"$ref", "#/$defs/" + definition}}; }
+
+/// A name, better one of `known`.
+Schema name_schema(const std::vector<std::string>& known) {
+  Schema options = Schema::array();
+  if (!known.empty()) options.push_back({{"enum", known}});
+  options.push_back({{"type", "string"}});
+  return {{"anyOf", options}};
+}
+
+/// A name, or what `mapping` says.
+Schema name_or(const Schema& mapping, const std::vector<std::string>& known) {
+  return {{"if", {{"type", "object"}}}, {"then", mapping}, {"else", name_schema(known)}};
+}
+
+/// Adds a property, or another form of one that is there, as of a field that several kinds have.
+void add_property(const std::string& name, Schema schema, Schema& properties) {
+  if (!properties.contains(name)) {
+    properties[name] = std::move(schema);
+    return;
+  }
+  Schema& first = properties[name];
+  if (first == schema) return;
+  const bool is_union = first.size() == 1 && first.contains("anyOf");
+  if (!is_union) {
+    Schema options = Schema::array();
+    options.push_back(std::move(first));
+    first = Schema{{"anyOf", std::move(options)}};
+  }
+  Schema& options = first["anyOf"];
+  if (std::find(options.begin(), options.end(), schema) == options.end()) {
+    options.push_back(std::move(schema));
+  }
+}
+
+/// A variant whose kinds' fields are not among its neighbours yet.
+bool is_open(const FieldTree& field) {
+  return field.kind == FieldKind::variant && !field.fields.empty();
+}
+
+/// How many seeds, or a list or range of them.
+Schema seeds_schema(const FieldTree& field) {
+  constexpr int kMostSeeds = 10000;
+  Schema schema = several_schema(field, value_schema(field), false);
+  schema["minimum"] = 1;
+  schema["maximum"] = kMostSeeds;
+  describe(field, schema);
+  return schema;
+}
+
+/// The key `include`, or a name such as that of a preset.
+Schema other_schema(const FieldTree& key) {
+  Schema schema = name_schema(key.choices);
+  if (key.name == "include") {
+    schema = {{"type", {"string", "array"}},
+              {"minLength", 1},
+              {"items", {{"type", "string"}, {"minLength", 1}}},
+              {"minItems", 1}};
+  }
+  describe(key, schema);
+  return schema;
+}
+
+/// The fields with one more kind's fields, its word a plain one.
+std::vector<FieldTree> with_kind(std::vector<FieldTree> fields, std::size_t variant,
+                                 const std::vector<FieldTree>& of_kind) {
+  fields[variant].fields.clear();
+  fields.insert(fields.end(), of_kind.begin(), of_kind.end());
+  return fields;
+}
+
+/// Makes the schemas of mappings, and the definitions that they share.
+class SchemaWriter {
+ public:
+  /// `is_over`: of files that are laid over others, which may say a variant's kind; then the fields
+  /// of every kind are let through where it is not said here.
+  SchemaWriter(bool lists_are_axes, bool is_over)
+      : lists_are_axes_(lists_are_axes), is_over_(is_over) {}
+
+  Schema definitions = Schema::object();
+
+  /// Schema of a mapping of these fields. `name` is that of its definitions. The kinds of a variant
+  /// are told apart by if and then: messages name the key that is wrong, and editors offer only
+  /// the keys of the kind that is chosen.
+  Schema block(const std::vector<FieldTree>& fields, const std::string& name);
+
+  /// Schema of one value, whatever it is.
+  Schema value(const FieldTree& field, const std::string& name);
+
+  /// The same with doc and preset, and with several values where lists are axes.
+  Schema field(const FieldTree& field, const std::string& name);
+
+  /// The same for one that may have several values, in place or `under_axes`. Numbers of one range
+  /// share a definition.
+  Schema several(const FieldTree& field, const Schema& value, bool under_axes);
+
+ private:
+  bool lists_are_axes_, is_over_;
+};
+
+Schema SchemaWriter::block(const std::vector<FieldTree>& fields, const std::string& name) {
+  const auto variant = std::find_if(fields.begin(), fields.end(), is_open);
+  if (variant == fields.end()) {
+    Schema properties = Schema::object();
+    for (const FieldTree& each : fields) add_property(each.name, field(each, name), properties);
+    return {{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
+  }
+  const auto index = static_cast<std::size_t>(variant - fields.begin());
+  const auto define = [&](const std::string& ending, const std::vector<FieldTree>& of_kind) {
+    const std::string definition = name + "." + ending;
+    if (!definitions.contains(definition)) {
+      definitions[definition] = block(with_kind(fields, index, of_kind), definition);
+    }
+    return reference(definition);
+  };
+  Schema rules = Schema::array(), unsaid;
+  std::vector<FieldTree> of_any;
+  for (const FieldTree& kind : variant->fields) {
+    Schema of_kind = define(kind.name, kind.fields);
+    if (!kind.doc.empty()) definitions[name + "." + kind.name]["description"] = kind.doc;
+    if (variant->preset == kind.name) unsaid = of_kind;
+    Schema says_kind{{"properties", {{variant->name, {{"const", kind.name}}}}},
+                     {"required", {variant->name}}};
+    rules.push_back({{"if", std::move(says_kind)}, {"then", std::move(of_kind)}});
+    of_any.insert(of_any.end(), kind.fields.begin(), kind.fields.end());
+  }
+  const bool has_preset = std::any_of(
+      fields.begin(), fields.end(), [](const FieldTree& field) { return field.name == "preset"; });
+  if (is_over_) unsaid = define("any_" + variant->name, of_any);
+  if (has_preset && !is_over_) {
+    unsaid = {{"if", {{"required", {"preset"}}}},
+              {"then", define("any_" + variant->name, of_any)},
+              {"else", unsaid}};
+  }
+  Schema says_none{{"not", {{"required", {variant->name}}}}};
+  rules.push_back({{"if", std::move(says_none)}, {"then", std::move(unsaid)}});
+  FieldTree word = *variant;
+  word.fields.clear();
+  Schema schema{{"type", "object"}};
+  schema["properties"][word.name] = field(word, name);
+  schema["allOf"] = std::move(rules);
+  return schema;
+}
+
+Schema SchemaWriter::value(const FieldTree& field, const std::string& name) {
+  const std::string inner_name = name + "." + field.name;
+  if (field.kind == FieldKind::block) return block(field.fields, inner_name);
+  if (field.kind != FieldKind::list || field.fields.front().kind != FieldKind::block) {
+    return value_schema(field);
+  }
+  SchemaWriter elements(false, false);  // an element has no path of its own
+  Schema list{{"type", "array"}};
+  list["items"] = elements.block(field.fields.front().fields, inner_name);
+  if (field.count) list["minItems"] = list["maxItems"] = *field.count;
+  definitions.update(elements.definitions);
+  return list;
+}
+
+Schema SchemaWriter::field(const FieldTree& field, const std::string& name) {
+  if (field.kind == FieldKind::other) return other_schema(field);
+  const bool may_be_axis = lists_are_axes_ && field.kind != FieldKind::variant;
+  if (may_be_axis && field.name == "seeds") return seeds_schema(field);
+  Schema schema = value(field, name);
+  if (may_be_axis && field.kind != FieldKind::block) return several(field, schema, false);
+  describe(field, schema);
+  return schema;
+}
+
+Schema SchemaWriter::several(const FieldTree& field, const Schema& value, bool under_axes) {
+  Schema schema;
+  if (field.kind == FieldKind::number || field.kind == FieldKind::whole) {
+    const auto end = [](double bound) { return std::isfinite(bound) ? number_text(bound) : "any"; };
+    const std::string name = std::string(field.kind == FieldKind::number ? "numbers" : "wholes") +
+                             "." + end(field.range.lowest) + ".to." + end(field.range.highest);
+    if (!definitions.contains(name)) definitions[name] = several_schema(field, value, false);
+    schema = reference(name);
+  } else {
+    schema = several_schema(field, value, under_axes);
+  }
+  describe(field, schema);
+  return schema;
+}
+
+// -------------------------------------------------------------------------------------------------
+// files
 
 /// Adds the paths below `prefix` that may stand under `axes`.
 void add_axes(const FieldTree& block, const std::string& prefix, SchemaWriter& writer,
@@ -17,7 +345,7 @@ void add_axes(const FieldTree& block, const std::string& prefix, SchemaWriter& w
     if (field.kind == FieldKind::block) {
       add_axes(field, path + ".", writer, properties);
     } else if (field.kind != FieldKind::variant && field.kind != FieldKind::other) {
-      const Schema value = writer.value(field, prefix + "axis", {});
+      const Schema value = writer.value(field, prefix + "axis");
       add_property(path, writer.several(field, value, true), properties);
     }
   }
@@ -149,20 +477,18 @@ void add_forms(const std::string& name, Schema whole, SchemaWriter& of_whole, co
 Schema shelf_schema(const FieldTree& tree) {
   std::vector<FieldTree> fields{*sweep_tree().find("include")};
   fields.insert(fields.end(), tree.fields.begin(), tree.fields.end());
-  SchemaWriter of_whole(false), of_over(false);
-  Schema whole = of_whole.block(fields, tree.name, Unsaid{false, {"preset"}});
-  const Schema over = of_over.block(fields, tree.name, Unsaid{true, {}});
+  SchemaWriter of_whole(false, false), of_over(false, true);
+  Schema whole = of_whole.block(fields, tree.name);
+  const Schema over = of_over.block(fields, tree.name);
   Schema schema = document(tree.name, tree.doc);
   add_forms(tree.name, std::move(whole), of_whole, over, of_over, schema);
   return schema;
 }
 
 /// What stands under the sweep's key `key`, where it is a block.
-Schema block_of_sweep(const FieldTree& key, bool may_be_any, SchemaWriter& writer) {
+Schema block_of_sweep(const FieldTree& key, SchemaWriter& writer) {
   const FieldTree* preset = key.find("preset");
-  Unsaid unsaid{may_be_any, {}};
-  if (preset != nullptr && !may_be_any) unsaid.any_with = {"preset"};
-  Schema schema = writer.block(key.fields, key.name, unsaid);
+  Schema schema = writer.block(key.fields, key.name);
   if (preset != nullptr) schema = name_or(schema, preset->choices);
   describe(key, schema);
   writer.definitions[key.name] = std::move(schema);
@@ -170,12 +496,12 @@ Schema block_of_sweep(const FieldTree& key, bool may_be_any, SchemaWriter& write
 }
 
 /// The mapping of a sweep file's keys.
-Schema sweep_keys(const FieldTree& sweep, bool may_be_any, SchemaWriter& writer) {
+Schema sweep_keys(const FieldTree& sweep, SchemaWriter& writer) {
   Schema properties = Schema::object(), axes = Schema::object();
   for (const FieldTree& key : sweep.fields) {
     Schema& schema = properties[key.name];
     if (key.kind == FieldKind::block) {
-      schema = block_of_sweep(key, may_be_any, writer);
+      schema = block_of_sweep(key, writer);
       add_axes(key, key.name + ".", writer, axes);
     } else if (key.name == "sweep") {
       schema = name_of_sweep(key);
@@ -192,7 +518,7 @@ Schema sweep_keys(const FieldTree& sweep, bool may_be_any, SchemaWriter& writer)
       schema = value_schema(key);
       describe(key, schema);
     } else {
-      schema = writer.field(key, "", {});
+      schema = writer.field(key, "");
       if (key.name == "seed") axes[key.name] = writer.several(key, value_schema(key), true);
     }
   }
@@ -203,10 +529,10 @@ Schema sweep_keys(const FieldTree& sweep, bool may_be_any, SchemaWriter& writer)
 
 Schema sweep_schema(const std::vector<PlannerDescription>& planners, bool is_part) {
   const std::string name = is_part ? "part" : "sweep";
-  const FieldTree sweep = sweep_tree();
-  SchemaWriter of_whole(true), of_over(true);
-  const Schema over = sweep_keys(sweep, true, of_over);
-  Schema whole = is_part ? Schema(over) : sweep_keys(sweep, false, of_whole);
+  const FieldTree& sweep = sweep_tree();
+  SchemaWriter of_whole(true, false), of_over(true, true);
+  const Schema over = sweep_keys(sweep, of_over);
+  Schema whole = is_part ? Schema(over) : sweep_keys(sweep, of_whole);
   if (is_part) {  // what it lacks, an including file has
     of_whole.definitions = of_over.definitions;
   } else {

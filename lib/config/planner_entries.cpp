@@ -19,6 +19,8 @@ struct GivenParameter {
   std::vector<ParameterValue> values;
 };
 
+constexpr const char* kMaxSpeed = "max_speed_mps";
+
 struct Entry {
   std::string path;  ///< "planners[0]"
   PlannerDescription planner;
@@ -50,27 +52,31 @@ std::optional<PlannerDescription> load(const YamlNode& node, const std::string& 
 }
 
 /// Reads one parameter's value or values, checked by the planner's declaration.
-void read_parameter(const YamlNode& key, const YamlNode& node, const std::string& path,
-                    Entry& entry, Reading& reading) {
-  const ParameterDef* def = parameter_def(entry.planner, key.scalar);
+void read_parameter(const YamlNode& key, const std::string& name, const YamlNode& node,
+                    const std::string& path, Entry& entry, Reading& reading) {
+  const auto problems_of = [&](const ParameterValue& value) {
+    return check_parameters(entry.planner, {{name, value}});
+  };
+  const ParameterDef* def = parameter_def(entry.planner, name);
   if (def == nullptr) {
-    const auto problems = check_parameters(entry.planner, {{key.scalar, {}}});
-    for (const std::string& problem : problems) {
+    for (const std::string& problem : problems_of({})) {
       reading.problems.push_back(problem_at(key, entry.path + ".parameters." + problem));
     }
     return;
   }
-  GivenParameter given{key.scalar, {}};
+  GivenParameter given{name, {}};
   for (const YamlNode& item : axis_values(node, path, reading.problems)) {
     ParameterValue value;
-    const std::size_t before = reading.problems.size();
     if (is_number(*def)) {
-      read_scalar(item, path, value.number, Range{}, reading.problems);
+      const auto number = read_number(item, path, Range{}, reading.problems);
+      if (!number) continue;
+      value.number = *number;
     } else {
-      read_scalar(item, path, value.text, Range{}, reading.problems);
+      const auto text = read_text(item, path, reading.problems);
+      if (!text) continue;
+      value.text = *text;
     }
-    if (reading.problems.size() > before) continue;
-    for (const std::string& problem : check_parameters(entry.planner, {{key.scalar, value}})) {
+    for (const std::string& problem : problems_of(value)) {
       const std::string what = problem.substr(problem.find(": ") + 2);
       reading.problems.push_back(problem_at(item, path + ": " + what));
     }
@@ -88,60 +94,52 @@ void read_parameters(const YamlNode& node, Entry& entry, Reading& reading) {
     return;
   }
   for (std::size_t i = 0; i < node.keys.size(); ++i) {
-    const std::string name = node.keys[i].scalar;
-    read_parameter(node.keys[i], node.items[i], path + "." + name, entry, reading);
+    const std::string& name = node.keys[i].scalar;
+    read_parameter(node.keys[i], name, node.items[i], path + "." + name, entry, reading);
   }
 }
 
-bool is_good_label(const std::string& label) {
+std::string read_label(const YamlNode& node, const std::string& path, Reading& reading) {
   constexpr std::size_t kMostBytes = 100;
-  return visible_line(label) == label && !label.empty() && label.size() <= kMostBytes &&
-         label.front() != ' ' && label.back() != ' ';
+  const auto label = read_text(node, path, reading.problems);
+  if (!label) return "";
+  const bool is_good = visible_line(*label) == *label && !label->empty() &&
+                       label->size() <= kMostBytes && label->front() != ' ' && label->back() != ' ';
+  if (!is_good) {
+    reading.add_problem(path, "expected 1 to 100 printable characters without outer spaces");
+  }
+  return *label;
 }
 
 /// A mapping's entry, or nothing where its library could not be loaded.
 std::optional<Entry> read_mapping(const YamlNode& node, const std::string& path, Reading& reading) {
   Entry entry;
   entry.path = path;
-  SpecReader reader(node, path, reading);
-  const YamlNode* plugin = reader.take("plugin");
-  const YamlNode* label = reader.take("label");
-  const YamlNode* parameters = reader.take("parameters");
-  const YamlNode* max_speed = nullptr;
+  MappingReader mapping(node, path, reading);
+  const YamlNode* plugin = mapping.take("plugin");
+  const YamlNode* label = mapping.take("label");
+  const YamlNode* parameters = mapping.take("parameters");
   std::optional<PlannerDescription> planner;
   if (plugin == nullptr) {
-    reading.problems.push_back(
-        problem_at(node, path + ": lacks 'plugin', the planner's name or file"));
-  } else {
-    const std::size_t before = reading.problems.size();
-    read_scalar(*plugin, path + ".plugin", entry.plugin, Range{}, reading.problems);
-    if (reading.problems.size() == before) {
-      planner = load(*plugin, path + ".plugin", reading);
-    }
+    reading.add_problem(path, "lacks 'plugin', the planner's name or file");
+  } else if (const auto name = read_text(*plugin, path + ".plugin", reading.problems)) {
+    entry.plugin = *name;
+    planner = load(*plugin, path + ".plugin", reading);
   }
-  if (!planner || parameter_def(*planner, "max_speed_mps") != nullptr) {
-    max_speed = reader.take("max_speed_mps");
-  }
-  reader.finish();
-  if (label != nullptr) {
-    read_scalar(*label, path + ".label", entry.label, Range{}, reading.problems);
-    if (label->kind == YamlNode::Kind::scalar && !is_good_label(entry.label)) {
-      reading.problems.push_back(problem_at(
-          *label, path + ".label: expected 1 to 100 printable characters without outer spaces"));
-    }
-  }
+  const YamlNode* max_speed = nullptr;
+  if (!planner || parameter_def(*planner, kMaxSpeed) != nullptr)
+    max_speed = mapping.take(kMaxSpeed);
+  mapping.finish();
+  if (label != nullptr) entry.label = read_label(*label, path + ".label", reading);
   if (!planner) return std::nullopt;
   entry.planner = std::move(*planner);
   if (parameters != nullptr) read_parameters(*parameters, entry, reading);
-  if (max_speed != nullptr) {
-    YamlNode key = *max_speed;
-    key.scalar = "max_speed_mps";
-    if (parameters != nullptr && parameters->find(key.scalar) != nullptr) {
-      reading.problems.push_back(
-          problem_at(*max_speed, path + ".max_speed_mps: is given among the parameters too"));
-    } else {
-      read_parameter(key, *max_speed, path + ".max_speed_mps", entry, reading);
-    }
+  if (max_speed == nullptr) return entry;
+  const std::string speed_path = path + "." + kMaxSpeed;
+  if (parameters != nullptr && parameters->find(kMaxSpeed) != nullptr) {
+    reading.add_problem(speed_path, "is given among the parameters too");
+  } else {
+    read_parameter(*max_speed, kMaxSpeed, *max_speed, speed_path, entry, reading);
   }
   return entry;
 }
@@ -159,10 +157,6 @@ std::optional<Entry> read_entry(const YamlNode& node, const std::string& path, R
   return Entry{path, std::move(*planner), node.scalar, "", {}};
 }
 
-std::string value_text(const ParameterDef& def, const ParameterValue& value) {
-  return is_number(def) ? number_text(value.number) : value.text;
-}
-
 /// The planner for one choice of the given parameters' values; `choice` has an index for each.
 PlannerChoice make_choice(const Entry& entry, const std::vector<std::size_t>& choice) {
   const PlannerDescription& planner = entry.planner;
@@ -173,8 +167,9 @@ PlannerChoice make_choice(const Entry& entry, const std::vector<std::size_t>& ch
     const ParameterValue& value = parameter.values[choice[i]];
     given[parameter.name] = value;
     if (parameter.values.size() < 2) continue;
+    const bool is_text = !is_number(*parameter_def(planner, parameter.name));
     swept += (swept.empty() ? "" : ",") + parameter.name + "=" +
-             value_text(*parameter_def(planner, parameter.name), value);
+             (is_text ? value.text : number_text(value.number));
   }
   PlannerChoice result;
   result.plugin = entry.plugin;
@@ -186,13 +181,8 @@ PlannerChoice make_choice(const Entry& entry, const std::vector<std::size_t>& ch
   const std::vector<ParameterValue> values = resolve_parameters(planner, given);
   for (std::size_t i = 0; i < values.size(); ++i) {
     const ParameterDef& def = planner.parameters[i];
-    ParameterChoice parameter{def.name, 0.0, "", !is_number(def)};
-    if (parameter.is_text) {
-      parameter.text = values[i].text;
-    } else {
-      parameter.number = values[i].number;
-    }
-    result.parameters.push_back(std::move(parameter));
+    result.parameters.push_back(
+        ParameterChoice{def.name, values[i].number, values[i].text, !is_number(def)});
   }
   return result;
 }
@@ -200,19 +190,16 @@ PlannerChoice make_choice(const Entry& entry, const std::vector<std::size_t>& ch
 /// The sweep's speed limit, where the planner was given none of its own.
 void add_common_speed(const YamlNode& max_speed, const YamlNode& node, Entry& entry,
                       Reading& reading) {
-  const std::string name = "max_speed_mps";
   const bool is_given = std::any_of(entry.parameters.begin(), entry.parameters.end(),
-                                    [&](const auto& given) { return given.name == name; });
+                                    [](const auto& given) { return given.name == kMaxSpeed; });
   if (is_given) return;
-  if (parameter_def(entry.planner, name) == nullptr) {
+  if (parameter_def(entry.planner, kMaxSpeed) == nullptr) {
     reading.problems.push_back(
         problem_at(node, entry.path + ": " + entry.planner.name +
                              " has no parameter 'max_speed_mps' and can't keep the sweep's"));
     return;
   }
-  YamlNode key = max_speed;
-  key.scalar = name;
-  read_parameter(key, max_speed, name, entry, reading);
+  read_parameter(max_speed, kMaxSpeed, max_speed, kMaxSpeed, entry, reading);
 }
 
 /// All combinations of the values, the last parameter fastest.

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 
+#include "config/field_reader.hpp"
 #include "config/sweep_keys.hpp"
 
 namespace avoidbench {
 namespace {
 
 using Json = nlohmann::json;
+using Check = std::function<void(const TrialSpec&)>;
 
 /// "map.poisson_radius_m" as a JSON pointer.
 Json::json_pointer pointer(const std::string& path) {
@@ -30,7 +32,7 @@ YamlNode nested(const std::string& path, const YamlNode& key, const YamlNode& va
 }
 
 /// Why `path` can't be an axis, or "".
-std::string path_problem(const std::string& path, const TrialSpec& base) {
+std::string path_problem(const std::string& path, const FieldTree& trial, const Json& base) {
   const std::string first = path.substr(0, path.find('.'));
   if (first == "planner" || first == "planners") {
     return "write a planner's parameters as lists in its entry of 'planners'";
@@ -44,82 +46,54 @@ std::string path_problem(const std::string& path, const TrialSpec& base) {
       path.find("..") != std::string::npos || path.find_first_of("/~") != std::string::npos) {
     return "no dotted path such as wind.mean_world_mps";
   }
-  const FieldTree trial = field_tree("", base, "");
   for (const KindField& found : fields_at(trial, path)) {
     if (found.field->kind != FieldKind::variant) continue;
     return "a " + found.field->name + " can't be an axis; write one sweep for each";
   }
-  const Json json = spec_to_json(base);
-  if (json.contains(pointer(path)) && json.at(pointer(path)).is_object()) {
+  if (base.contains(pointer(path)) && base.at(pointer(path)).is_object()) {
     return "is a group of fields, not one";
   }
   return "";
 }
 
 void read_axis(const YamlNode& key, const YamlNode& node, SweepSpec& sweep, Reading& reading) {
+  static const FieldTree trial_tree = field_tree("", TrialSpec{}, "");
+  const Json base = spec_to_json(sweep.base);
   const std::string path = trial_path(key.scalar);
-  std::string problem = path_problem(path, sweep.base);
-  for (const Axis& other : sweep.axes) {
-    if (other.path == path) problem = "has several values above already";
-  }
+  const bool is_second = axis_of(sweep, path) != nullptr;
+  const std::string problem =
+      is_second ? "has several values above already" : path_problem(path, trial_tree, base);
   if (!problem.empty()) {
     reading.problems.push_back(problem_at(key, "axes." + key.scalar + ": " + problem));
     return;
   }
   constexpr std::size_t kMostProblems = 5;
   Axis axis{path, {}};
-  const std::size_t before = reading.problems.size();
-  for (const YamlNode& value : axis_values(node, "axes." + key.scalar, reading.problems)) {
-    TrialSpec trial = sweep.base;
-    read_spec(nested(path, key, value), "", trial, reading);
-    if (reading.problems.size() >= before + kMostProblems) break;
-    if (reading.problems.size() == before) {
-      axis.values.push_back(spec_to_json(trial).at(pointer(path)));
-    }
+  Reading found;  // of its own: the places of blocks are those of the blocks
+  for (const YamlNode& value : axis_values(node, "axes." + key.scalar, found.problems)) {
+    Json trial = base;
+    read_block(nested(path, key, value), trial_tree, "", trial, found);
+    if (found.problems.size() >= kMostProblems) break;
+    if (found.problems.empty()) axis.values.push_back(trial.at(pointer(path)));
   }
-  if (reading.problems.size() == before) sweep.axes.push_back(std::move(axis));
+  reading.remember(sweep_path(path), key);
+  reading.problems.insert(reading.problems.end(), found.problems.begin(), found.problems.end());
+  if (found.problems.empty()) sweep.axes.push_back(std::move(axis));
 }
 
-TrialSpec with_values(const SweepSpec& sweep, const std::vector<std::size_t>& choice) {
-  Json json = spec_to_json(sweep.base);
-  for (std::size_t i = 0; i < choice.size(); ++i) {
-    json.at(pointer(sweep.axes[i].path)) = sweep.axes[i].values[choice[i]];
+/// All combinations from this axis on.
+void combine(const SweepSpec& sweep, std::size_t axis, Json& trial, const Check& check) {
+  if (axis == sweep.axes.size()) return check(spec_from_json<TrialSpec>(trial));
+  for (const Json& value : sweep.axes[axis].values) {
+    trial.at(pointer(sweep.axes[axis].path)) = value;
+    combine(sweep, axis + 1, trial, check);
   }
-  return spec_from_json<TrialSpec>(json);
-}
-
-template <std::size_t... index>
-std::vector<std::string> kinds_of(std::index_sequence<index...>) {
-  return {std::string(std::variant_alternative_t<index, MapSpec>::kind)...};
 }
 
 }  // namespace
 
-std::vector<std::string> generator_names() {
-  return kinds_of(std::make_index_sequence<std::variant_size_v<MapSpec>>());
-}
-
-void read_maps(const YamlNode& node, TrialSpec& trial, Reading& reading) {
-  SpecReader reader(node, "maps", reading);
-  const YamlNode* seeds = reader.take("seeds");
-  visit(reader, trial.map);
-  reader.finish();
-  if (seeds == nullptr) return;
-  if (seeds->kind != YamlNode::Kind::scalar) {
-    YamlNode list = node;  // as a field named `seeds` of a spec would be read
-    list.keys = {node.keys[static_cast<std::size_t>(seeds - node.items.data())]};
-    list.items = {*seeds};
-    SpecReader(list, "maps", reading).field("seeds", trial.map_seed, "");
-    return;
-  }
-  std::int64_t count = 1;
-  const std::size_t before = reading.problems.size();
-  read_scalar(*seeds, "maps.seeds", count, Range{1, 10000}, reading.problems);
-  if (reading.problems.size() > before) return;
-  trial.map_seed = 1;
-  ReadAxis axis{"maps.seeds", {}, *seeds};
-  for (std::int64_t seed = 1; seed <= count; ++seed) axis.values.emplace_back(seed);
-  if (count > 1) reading.axes.push_back(std::move(axis));
+const std::vector<std::string>& generator_names() {
+  return sweep_tree().find("maps")->find("generator")->choices;
 }
 
 std::vector<Axis> axes_of_blocks(const Reading& reading) {
@@ -140,41 +114,25 @@ void read_axes(const YamlNode& node, SweepSpec& sweep, Reading& reading) {
   }
 }
 
-const YamlNode* axis_key(const YamlNode& root, const std::string& path) {
-  const YamlNode* axes = root.find("axes");
-  if (axes == nullptr) return nullptr;
-  for (const YamlNode& key : axes->keys) {
-    if (trial_path(key.scalar) == path) return &key;
-  }
-  return nullptr;
+Axis* axis_of(SweepSpec& sweep, const std::string& path) {
+  const auto found = std::find_if(sweep.axes.begin(), sweep.axes.end(),
+                                  [&](const Axis& axis) { return axis.path == path; });
+  return found != sweep.axes.end() ? &*found : nullptr;
 }
 
-void for_each_combination(const SweepSpec& sweep,
-                          const std::function<void(const TrialSpec&)>& check) {
-  constexpr std::size_t kMostCombinations = 4096;
-  std::size_t total = 1;
+void for_each_combination(const SweepSpec& sweep, const Check& check) {
+  constexpr double kMostCombinations = 4096;
+  double total = 1.0;
+  for (const Axis& axis : sweep.axes) total *= static_cast<double>(axis.values.size());
+  Json first = spec_to_json(sweep.base);
+  if (total <= kMostCombinations) return combine(sweep, 0, first, check);
+  for (const Axis& axis : sweep.axes) first.at(pointer(axis.path)) = axis.values.front();
   for (const Axis& axis : sweep.axes) {
-    total *= axis.values.size();
-    if (total > kMostCombinations) break;
-  }
-  std::vector<std::size_t> choice(sweep.axes.size(), 0);
-  if (total > kMostCombinations) {
-    check(with_values(sweep, choice));
-    for (std::size_t i = 0; i < choice.size(); ++i) {
-      for (choice[i] = 1; choice[i] < sweep.axes[i].values.size(); ++choice[i]) {
-        check(with_values(sweep, choice));
-      }
-      choice[i] = 0;
+    Json trial = first;
+    for (const Json& value : axis.values) {
+      trial.at(pointer(axis.path)) = value;
+      check(spec_from_json<TrialSpec>(trial));
     }
-    return;
-  }
-  for (std::size_t number = 0; number < total; ++number) {
-    std::size_t rest = number;
-    for (std::size_t i = choice.size(); i-- > 0;) {
-      choice[i] = rest % sweep.axes[i].values.size();
-      rest /= sweep.axes[i].values.size();
-    }
-    check(with_values(sweep, choice));
   }
 }
 

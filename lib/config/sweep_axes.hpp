@@ -10,11 +10,7 @@
 namespace avoidbench {
 
 /// The generators' names, as in `maps: {generator: forest}`.
-std::vector<std::string> generator_names();
-
-/// Reads the block `maps`: the generator, its fields and `seeds`, which is a count (1 to that) or a
-/// list.
-void read_maps(const YamlNode& node, TrialSpec& trial, Reading& reading);
+const std::vector<std::string>& generator_names();
 
 /// The axes found in the blocks, by their paths in a TrialSpec.
 std::vector<Axis> axes_of_blocks(const Reading& reading);
@@ -23,8 +19,8 @@ std::vector<Axis> axes_of_blocks(const Reading& reading);
 /// would be.
 void read_axes(const YamlNode& node, SweepSpec& sweep, Reading& reading);
 
-/// The key in the document's block `axes` that names this field of a TrialSpec, or null.
-const YamlNode* axis_key(const YamlNode& root, const std::string& path);
+/// The axis of this path, or null.
+Axis* axis_of(SweepSpec& sweep, const std::string& path);
 
 /// Calls `check` with the sweep's TrialSpecs, planners and missions aside: with every combination
 /// of the axes where there are up to 4096, else with each axis moved alone.

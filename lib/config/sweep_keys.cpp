@@ -1,96 +1,161 @@
 #include "config/sweep_keys.hpp"
 
+#include <algorithm>
 #include <array>
 #include <utility>
-
-#include "trial/trial_spec.hpp"
 
 namespace avoidbench {
 namespace {
 
-FieldTree own_key(std::string name, FieldKind kind, std::string doc, nlohmann::json preset = {}) {
+using Facts = std::vector<std::pair<std::string, std::string>>;
+
+FieldTree own_key(std::string name, FieldKind kind, std::string doc, Facts facts) {
   FieldTree tree;
   tree.name = std::move(name);
   tree.kind = kind;
   tree.doc = std::move(doc);
-  tree.preset = std::move(preset);
+  tree.facts = std::move(facts);
   return tree;
 }
 
-std::vector<FieldTree> head() {
-  std::vector<FieldTree> keys;
-  keys.push_back(own_key("sweep", FieldKind::text, "Name of the result set: A-Z a-z 0-9 _ . -"));
-  keys.push_back(own_key("include", FieldKind::other,
-                         "A file, or a list of them, whose keys hold where this file says nothing; "
-                         "relative to this file's folder."));
-  keys.push_back(
-      own_key("trials", FieldKind::whole, "Missions per map, the same for every planner.", 10));
-  keys.back().range = Range{1, 1e6};
-  keys.push_back(
-      own_key("until", FieldKind::text,
-              "When a planner has flown enough, as in 'success_rate ci<0.05': its rate is "
-              "known to ± 0.05 (95 %). Looked at after each tenth of the trials; left "
-              "out: all are flown."));
-  keys.push_back(own_key("planners", FieldKind::other,
-                         "The planners to compare: names, or {plugin: NAME or ./FILE.so, label, "
-                         "parameters: {name: value or list}, max_speed_mps}."));
-  keys.push_back(own_key("max_speed_mps", FieldKind::number,
-                         "Speed limit of all planners that are given none; a list compares speeds. "
-                         "Left out: each planner's own."));
-  return keys;
+FieldTree include_key() {
+  return own_key(
+      "include", FieldKind::other,
+      "A file, or a list of them, whose keys hold where this file says nothing; relative to this "
+      "file's folder.",
+      {{"type", "a file, or a list of them"},
+       {"example", "include: base.yaml"},
+       {"or", "include: [forest.yaml, windy.yaml]"},
+       {"merging",
+        "mappings merge key by key, other values are replaced; later files win over earlier ones, "
+        "this file over all"},
+       {"to take out", "write the key with ~ for its value"}});
 }
 
-/// Adds the key `preset`.
-void add_preset(const std::vector<std::string>& built_in, FieldTree& tree) {
-  FieldTree key = own_key(
-      "preset", FieldKind::other,
-      "What holds where no key says otherwise: built in, or the name of a file.", built_in.front());
-  key.choices = built_in;
-  tree.fields.insert(tree.fields.begin(), std::move(key));
+FieldTree until_key() {
+  return own_key("until", FieldKind::text,
+                 "When a planner has flown enough, as in 'success_rate ci<0.05': its rate is known "
+                 "to ± 0.05 (95 %). Looked at after each tenth of the trials; left out: all are "
+                 "flown.",
+                 {{"type", "a rule"},
+                  {"default", "none: all trials are flown"},
+                  {"axis", "no: it is the sweep's"},
+                  {"example", "until: success_rate ci<0.05"}});
+}
+
+FieldTree planners_key() {
+  return own_key(
+      "planners", FieldKind::other,
+      "The planners to compare: names, or {plugin: NAME or ./FILE.so, label, parameters: {name: "
+      "value or list}, max_speed_mps}.",
+      {{"type", "a name or mapping, or a list of them"},
+       {"example", "planners: [straight_line, reactive]"},
+       {"or", "planners: [{plugin: ./my_planner.so, label: mine}]"},
+       {"axis", "planners: [{plugin: reactive, parameters: {margin_m: [0.3, 0.6]}}]"},
+       {"see", "avoidbench planners list, planners describe NAME, config explain NAME.PARAMETER"}});
+}
+
+FieldTree max_speed_key() {
+  return own_key("max_speed_mps", FieldKind::number,
+                 "Speed limit of all planners that are given none; a list compares speeds. Left "
+                 "out: each planner's own.",
+                 {{"type", "number in m/s"},
+                  {"default", "each planner's own"},
+                  {"example", "max_speed_mps: 3"},
+                  {"axis", "max_speed_mps: [2, 4]"}});
+}
+
+FieldTree axes_key() {
+  return own_key("axes", FieldKind::other,
+                 "Any field above by its path, with the values to try: each combination of axes is "
+                 "flown.",
+                 {{"type", "a mapping of paths to values"},
+                  {"example", "axes: {wind.mean_world_mps: [[0, 0, 0], [4, 0, 0]]}"},
+                  {"or", "axes: {vehicle.mass_kg: {from: 0.7, to: 0.9, count: 3}}"},
+                  {"not", "maps.generator, sensor.kind, trials, planners"}});
+}
+
+/// A block with the key `preset` for these specs; the first is the default.
+template <class Spec>
+FieldTree with_preset(FieldTree block, const std::vector<Spec>& built_in) {
+  FieldTree key =
+      own_key("preset", FieldKind::other,
+              "What holds where no key says otherwise: built in, or the name of a file.", {});
+  for (const Spec& spec : built_in) {
+    key.choices.push_back(spec.name);
+    key.named.push_back(spec_to_json(spec));
+  }
+  key.preset = key.choices.front();
+  block.fields.insert(block.fields.begin(), std::move(key));
+  return block;
+}
+
+FieldTree make_sweep_tree() {
+  FieldTree fields = field_tree("", SweepSpec{}, "");
+  const auto take = [&](std::string_view name) {
+    const auto found = std::find_if(fields.fields.begin(), fields.fields.end(),
+                                    [&](const FieldTree& field) { return field.name == name; });
+    FieldTree taken = std::move(*found);
+    fields.fields.erase(found);
+    return taken;
+  };
+  for (const char* filled_in : {"mission_index", "planner", "latency_digest"}) take(filled_in);
+  FieldTree name = take("sweep"), trials = take("trials"), maps = take("map");
+  FieldTree seeds = take("map_seed");
+  name.preset = {};
+  name.facts = {{"type", "text"}, {"example", "sweep: my_sweep"}};
+  trials.facts = {{"type", "whole number"},
+                  {"range", "1 to 1000000"},
+                  {"default", "10"},
+                  {"axis", "no: all missions are flown for each setting"},
+                  {"example", "trials: 30"}};
+  seeds.name = "seeds";
+  seeds.doc = "Map seeds as a list, or how many of them, from 1; each is a map.";
+  maps.name = "maps";
+  maps.fields.push_back(std::move(seeds));
+
+  FieldTree sweep;
+  sweep.doc = "A sweep: maps × missions × planners.";
+  sweep.fields = {std::move(name), include_key(),  take("seed"),    std::move(trials),
+                  until_key(),     planners_key(), max_speed_key(), std::move(maps)};
+  for (FieldTree& field : fields.fields) {
+    if (field.name == "vehicle") field.fields = vehicle_tree().fields;
+    if (field.name == "sensor") field.fields = sensor_tree().fields;
+    sweep.fields.push_back(std::move(field));
+  }
+  sweep.fields.push_back(axes_key());
+  return sweep;
 }
 
 }  // namespace
 
-FieldTree sweep_tree() {
-  FieldTree sweep;
-  sweep.doc = "A sweep: maps × missions × planners.";
-  sweep.fields = head();
-  const FieldTree trial = field_tree("", TrialSpec{}, "");
-  FieldTree seeds = *trial.find("map_seed");
-  seeds.name = "seeds";
-  seeds.doc = "Map seeds as a list, or how many of them, from 1; each is a map.";
-  for (const FieldTree& field : trial.fields) {
-    if (field.name == "map_seed" || field.name == "mission_index" || field.name == "planner" ||
-        field.name == "latency_digest") {
-      continue;
-    }
-    FieldTree& key = sweep.fields.emplace_back(field);
-    if (field.name == "vehicle") key.fields = vehicle_tree().fields;
-    if (field.name == "sensor") key.fields = sensor_tree().fields;
-    if (field.name != "map") continue;
-    key.name = "maps";
-    key.fields.push_back(seeds);
+const FieldTree& sweep_tree() {
+  static const FieldTree tree = make_sweep_tree();
+  return tree;
+}
+
+const FieldTree& vehicle_tree() {
+  static const FieldTree tree = with_preset<VehicleSpec>(
+      field_tree("vehicle", hummingbird_spec(), "A vehicle: fields that differ from `preset`."),
+      {hummingbird_spec(), hummingbird_rotors_spec(), firefly_spec()});
+  return tree;
+}
+
+const FieldTree& sensor_tree() {
+  static const FieldTree tree = with_preset<SensorSpec>(
+      field_tree("sensor", SensorSpec{}, "A sensor: fields that differ from `preset`."),
+      sensor_presets());
+  return tree;
+}
+
+SweepSpec sweep_from(nlohmann::json keys) {
+  keys["map"] = std::move(keys.at("maps"));
+  keys["map_seed"] = keys["map"].at("seeds");
+  nlohmann::json all = spec_to_json(SweepSpec{});
+  for (const auto& [name, value] : keys.items()) {
+    if (!value.is_null()) all[name] = value;
   }
-  sweep.fields.push_back(own_key("axes", FieldKind::other,
-                                 "Any field above by its path, with the values to try: each "
-                                 "combination of axes is flown."));
-  return sweep;
-}
-
-FieldTree vehicle_tree() {
-  FieldTree tree =
-      field_tree("vehicle", hummingbird_spec(), "A vehicle: fields that differ from `preset`.");
-  add_preset({hummingbird_spec().name, hummingbird_rotors_spec().name, firefly_spec().name}, tree);
-  return tree;
-}
-
-FieldTree sensor_tree() {
-  FieldTree tree =
-      field_tree("sensor", SensorSpec{}, "A sensor: fields that differ from `preset`.");
-  std::vector<std::string> names;
-  for (const SensorSpec& sensor : sensor_presets()) names.push_back(sensor.name);
-  add_preset(names, tree);
-  return tree;
+  return spec_from_json<SweepSpec>(all);
 }
 
 FieldTree parameter_tree(const ParameterDef& parameter) {
@@ -112,6 +177,12 @@ FieldTree parameter_tree(const ParameterDef& parameter) {
 std::string trial_path(const std::string& path) {
   if (path == "maps.seed" || path == "maps.seeds") return "map_seed";
   if (path.starts_with("maps.")) return "map." + path.substr(5);
+  return path;
+}
+
+std::string sweep_path(const std::string& path) {
+  if (path == "map" || path.starts_with("map.")) return "maps" + path.substr(3);
+  if (path == "map_seed" || path == "maps.seed") return "maps.seeds";
   return path;
 }
 

@@ -28,6 +28,15 @@ struct SweepSpec {
   std::vector<std::string> warnings;    ///< for people: what was read otherwise than written
 };
 
+/// The fields that a file says plainly, those of the base on the same level; config/sweep_keys.cpp
+/// has the other keys.
+template <class Visitor, ConstOr<SweepSpec> Spec>
+void visit(Visitor& v, Spec& s) {
+  v.field("sweep", s.name, "Name of the result set: A-Z a-z 0-9 _ . -");
+  v.field("trials", s.trials, Range{1, 1e6}, "Missions per map, the same for every planner.");
+  visit(v, s.base);
+}
+
 /// One trial of a sweep: a setting and a mission of it. Sweeps of many trials hold few settings, so
 /// that one takes a hundred bytes instead of a whole spec.
 struct PlannedTrial {

@@ -150,13 +150,14 @@ void visit(Visitor& v, Spec& s) {
   v.field("mission", s.mission, "Rules of a flight.");
   v.field("vehicle", s.vehicle, "The vehicle.");
   v.field("sensor", s.sensor, "The camera.");
-  v.field("imu", s.imu, "The inertial measurement unit.");
-  v.field("odometry", s.odometry, "How the vehicle knows its own state.");
+  v.field("imu", s.imu, "The inertial measurement unit; the defaults are an ADIS16448's.");
+  v.field("odometry", s.odometry,
+          "How wrong vehicle and planner know where they are; all zero: not at all.");
   v.field("planner", s.planner, "The planner.");
-  v.field("rates", s.rates, "How often things happen.");
+  v.field("rates", s.rates, "How often things happen; each period is a whole number of 1/36000 s.");
   v.field("latency", s.latency, "When commands take effect.");
   v.field("latency_digest", s.latency_digest, "SHA-256 of the latencies that are replayed.");
-  v.field("wind", s.wind, "Wind and disturbances.");
+  v.field("wind", s.wind, "Wind and disturbances, added up; see docs/wind.md.");
 }
 
 }  // namespace avoidbench

@@ -124,20 +124,4 @@ void apply_overrides(YamlNode& root, const std::vector<std::string>& overrides) 
   if (!problems.empty()) throw InputError(std::move(problems));
 }
 
-const YamlNode& node_near(const YamlNode& root, const std::string& path) {
-  const auto steps = parse_path(path);
-  if (!steps) return root;
-  const YamlNode* node = &root;
-  for (const Step& step : *steps) {
-    const YamlNode* found = node->find(step.key);
-    if (found == nullptr) return *node;
-    node = found;
-    for (const std::size_t index : step.indices) {
-      if (node->kind != YamlNode::Kind::list || index >= node->items.size()) return *node;
-      node = &node->items[index];
-    }
-  }
-  return *node;
-}
-
 }  // namespace avoidbench

@@ -13,7 +13,4 @@ namespace avoidbench {
 /// key below it is set. Throws InputError with all the problems.
 void apply_overrides(YamlNode& root, const std::vector<std::string>& overrides);
 
-/// The node at a dotted path, or the nearest one above it that is there.
-const YamlNode& node_near(const YamlNode& root, const std::string& path);
-
 }  // namespace avoidbench

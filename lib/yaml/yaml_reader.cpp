@@ -4,24 +4,50 @@
 
 namespace avoidbench {
 
-SpecReader::SpecReader(const YamlNode& node, std::string path, Reading& reading)
+void Reading::remember(const std::string& path, const YamlNode& node) {
+  YamlNode place;
+  place.source = node.source;
+  place.line = node.line;
+  place.column = node.column;
+  places_.insert_or_assign(path, std::move(place));
+}
+
+const YamlNode& Reading::place(std::string path) const {
+  while (true) {
+    const auto found = places_.find(path);
+    if (found != places_.end()) return found->second;
+    const std::size_t dot = path.rfind('.');
+    path.resize(dot == std::string::npos ? 0 : dot);
+    if (path.empty()) break;
+  }
+  return places_.at("");
+}
+
+void Reading::add_problem(const std::string& path, const std::string& message) {
+  problems.push_back(problem_at(place(path), path + ": " + message));
+}
+
+MappingReader::MappingReader(const YamlNode& node, std::string path, Reading& reading)
     : node_(node), path_(std::move(path)), reading_(reading) {
+  reading_.remember(path_, node);
   if (node.kind == YamlNode::Kind::mapping) return;
   const std::string name = path_.empty() ? "" : path_ + ": ";
   reading_.problems.push_back(
       problem_at(node, name + "expected a mapping (name: value), found " + found_text(node)));
 }
 
-const YamlNode* SpecReader::take(std::string_view name) {
+const YamlNode* MappingReader::take(std::string_view name) {
   names_.emplace_back(name);
-  return node_.find(name);
+  const YamlNode* node = node_.find(name);
+  if (node != nullptr) reading_.remember(path_of(name), *node);
+  return node;
 }
 
-void SpecReader::finish() {
+void MappingReader::finish(const std::string& kind) {
   for (const YamlNode& key : node_.keys) {
     if (std::find(names_.begin(), names_.end(), key.scalar) != names_.end()) continue;
     std::string message = path_of(key.scalar) + ": unknown key";
-    if (!kind_.empty()) message += " for " + kind_;
+    if (!kind.empty()) message += " for " + kind;
     std::string hint = did_you_mean(key.scalar, names_);
     constexpr std::size_t kMostListed = 12;
     if (hint.empty() && names_.size() <= kMostListed) {
@@ -32,7 +58,7 @@ void SpecReader::finish() {
   }
 }
 
-std::string SpecReader::path_of(std::string_view name) const {
+std::string MappingReader::path_of(std::string_view name) const {
   return path_.empty() ? std::string(name) : path_ + "." + std::string(name);
 }
 

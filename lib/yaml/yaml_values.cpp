@@ -1,5 +1,6 @@
 #include "yaml/yaml_values.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -54,27 +55,27 @@ bool check_range(const YamlNode& node, const std::string& path, double value, Ra
 
 /// Whole numbers may be written as 12, 12.0 or 1.2e1.
 template <class T>
-void read_whole(const YamlNode& node, const std::string& path, T& value, Range range,
-                Problems& problems) {
+std::optional<T> whole_of(const YamlNode& node, const std::string& path, Range range,
+                          Problems& problems) {
+  const auto problem = [&](const std::string& message) {
+    add_problem(node, path, message, problems);
+    return std::nullopt;
+  };
   bool too_large = false;
   std::optional<T> whole = parsed<T>(node, too_large);
   if (!whole) {
     constexpr double kLargestExact = 9007199254740992.0;  // 2^53
     const std::optional<double> number = number_of(node);
-    if (!number) {
-      if (too_large) return add_problem(node, path, node.scalar + " is too large", problems);
-      return add_expected(node, path, "a whole number", problems);
+    if (!number && too_large) return problem(node.scalar + " is too large");
+    if (!number || std::floor(*number) != *number) {
+      return problem("expected a whole number, found " + found_text(node));
     }
-    if (std::floor(*number) != *number) return add_expected(node, path, "a whole number", problems);
-    if (*number < 0.0 && !std::is_signed_v<T>) {
-      return add_problem(node, path, node.scalar + " is below 0", problems);
-    }
-    if (std::abs(*number) > kLargestExact) {
-      return add_problem(node, path, node.scalar + " is too large", problems);
-    }
+    if (*number < 0.0 && !std::is_signed_v<T>) return problem(node.scalar + " is below 0");
+    if (std::abs(*number) > kLargestExact) return problem(node.scalar + " is too large");
     whole = static_cast<T>(*number);
   }
-  if (check_range(node, path, static_cast<double>(*whole), range, problems)) value = *whole;
+  const bool fits = check_range(node, path, static_cast<double>(*whole), range, problems);
+  return fits ? whole : std::nullopt;
 }
 
 YamlNode number_node(const YamlNode& place, double value) {
@@ -187,43 +188,46 @@ std::optional<double> number_of(const YamlNode& node) {
   return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
-void read_scalar(const YamlNode& node, const std::string& path, double& value, Range range,
-                 Problems& problems) {
+std::optional<double> read_number(const YamlNode& node, const std::string& path, Range range,
+                                  Problems& problems) {
   bool too_large = false;
   const std::optional<double> number = parsed<double>(node, too_large);
   const bool is_infinite_text =
       is_plain(node) && (node.scalar.find(".inf") != std::string::npos || node.scalar == ".nan");
-  if (too_large)
-    return add_problem(node, path, node.scalar + " is too large or too small", problems);
-  if ((number && !std::isfinite(*number)) || is_infinite_text) {
-    return add_expected(node, path, "a finite number", problems);
+  if (too_large) {
+    add_problem(node, path, node.scalar + " is too large or too small", problems);
+  } else if ((number && !std::isfinite(*number)) || is_infinite_text) {
+    add_expected(node, path, "a finite number", problems);
+  } else if (!number) {
+    add_expected(node, path, "a number", problems);
+  } else if (check_range(node, path, *number, range, problems)) {
+    return number;
   }
-  if (!number) return add_expected(node, path, "a number", problems);
-  if (check_range(node, path, *number, range, problems)) value = *number;
+  return std::nullopt;
 }
 
-void read_scalar(const YamlNode& node, const std::string& path, std::int64_t& value, Range range,
-                 Problems& problems) {
-  read_whole(node, path, value, range, problems);
+std::optional<std::int64_t> read_whole(const YamlNode& node, const std::string& path, Range range,
+                                       Problems& problems) {
+  return whole_of<std::int64_t>(node, path, range, problems);
 }
 
-void read_scalar(const YamlNode& node, const std::string& path, std::uint64_t& value, Range range,
-                 Problems& problems) {
-  read_whole(node, path, value, range, problems);
+std::optional<std::uint64_t> read_unsigned(const YamlNode& node, const std::string& path,
+                                           Range range, Problems& problems) {
+  return whole_of<std::uint64_t>(node, path, range, problems);
 }
 
-void read_scalar(const YamlNode& node, const std::string& path, bool& value, Range,
-                 Problems& problems) {
+std::optional<bool> read_truth(const YamlNode& node, const std::string& path, Problems& problems) {
   const bool is_true = is_plain(node) && node.scalar == "true";
-  const bool is_false = is_plain(node) && node.scalar == "false";
-  if (!is_true && !is_false) return add_expected(node, path, "true or false", problems);
-  value = is_true;
+  if (is_true || (is_plain(node) && node.scalar == "false")) return is_true;
+  add_expected(node, path, "true or false", problems);
+  return std::nullopt;
 }
 
-void read_scalar(const YamlNode& node, const std::string& path, std::string& value, Range,
-                 Problems& problems) {
-  if (node.kind != YamlNode::Kind::scalar) return add_expected(node, path, "text", problems);
-  value = node.scalar;
+std::optional<std::string> read_text(const YamlNode& node, const std::string& path,
+                                     Problems& problems) {
+  if (node.kind == YamlNode::Kind::scalar) return node.scalar;
+  add_expected(node, path, "text", problems);
+  return std::nullopt;
 }
 
 std::optional<std::string> read_choice(const YamlNode& node, const std::string& path,

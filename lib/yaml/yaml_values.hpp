@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,13 +10,6 @@
 
 namespace avoidbench {
 
-/// A field that was given several values.
-struct ReadAxis {
-  std::string path;
-  std::vector<nlohmann::json> values;
-  YamlNode node;  ///< for the place
-};
-
 /// The shortest decimal text that reads back as the same double.
 std::string number_text(double value);
 
@@ -25,17 +17,17 @@ std::string number_text(double value);
 /// or stands in quotes.
 std::optional<double> number_of(const YamlNode& node);
 
-/// Reads a scalar of the type of `value`. On a problem adds it and leaves `value` as it is.
-void read_scalar(const YamlNode& node, const std::string& path, double& value, Range range,
-                 std::vector<InputProblem>& problems);
-void read_scalar(const YamlNode& node, const std::string& path, std::int64_t& value, Range range,
-                 std::vector<InputProblem>& problems);
-void read_scalar(const YamlNode& node, const std::string& path, std::uint64_t& value, Range range,
-                 std::vector<InputProblem>& problems);
-void read_scalar(const YamlNode& node, const std::string& path, bool& value, Range range,
-                 std::vector<InputProblem>& problems);
-void read_scalar(const YamlNode& node, const std::string& path, std::string& value, Range range,
-                 std::vector<InputProblem>& problems);
+/// A scalar of the type, or nothing after adding a problem.
+std::optional<double> read_number(const YamlNode& node, const std::string& path, Range range,
+                                  std::vector<InputProblem>& problems);
+std::optional<std::int64_t> read_whole(const YamlNode& node, const std::string& path, Range range,
+                                       std::vector<InputProblem>& problems);
+std::optional<std::uint64_t> read_unsigned(const YamlNode& node, const std::string& path,
+                                           Range range, std::vector<InputProblem>& problems);
+std::optional<bool> read_truth(const YamlNode& node, const std::string& path,
+                               std::vector<InputProblem>& problems);
+std::optional<std::string> read_text(const YamlNode& node, const std::string& path,
+                                     std::vector<InputProblem>& problems);
 
 /// One of `words`, or nothing after adding a problem.
 std::optional<std::string> read_choice(const YamlNode& node, const std::string& path,
@@ -47,9 +39,8 @@ bool check_list(const YamlNode& node, const std::string& path, std::optional<std
                 std::vector<InputProblem>& problems);
 
 /// The values of an axis: those of a list, or of `{from, to, count}` (evenly spaced, both ends
-/// included) or
-/// `{from, to, step}`. Computed values are rounded to 12 digits, so that 0.1 × 3 is 0.3. Empty
-/// after a problem.
+/// included) or `{from, to, step}`. Computed values are rounded to 12 digits, so that 0.1 × 3 is
+/// 0.3. Empty after a problem.
 std::vector<YamlNode> axis_values(const YamlNode& node, const std::string& path,
                                   std::vector<InputProblem>& problems);
 

@@ -3,8 +3,9 @@
 #include <sstream>
 
 #include "base/random.hpp"
-#include "config/named_specs.hpp"
+#include "config/field_reader.hpp"
 #include "config/sweep_fixture.hpp"
+#include "config/sweep_keys.hpp"
 
 namespace avoidbench {
 namespace {
@@ -64,46 +65,38 @@ TEST_F(SweepFiles, EveryFieldIsPrintedWithADoc) {
   }
 }
 
-template <class Spec>
-Spec read_file(const std::string& name,
-               void (*reader)(const YamlNode&, const std::filesystem::path&, Spec&, Reading&)) {
-  const std::filesystem::path file =
-      std::filesystem::path(AVOIDBENCH_SOURCE_DIR) / "configs" / name;
-  Spec spec{};
+/// What a file of a vehicle or sensor says, as the JSON of its spec.
+nlohmann::json read_as(const FieldTree& tree, const YamlNode& root) {
+  nlohmann::json spec = preset_json(tree);
   Reading reading;
-  reader(read_yaml(file), file.parent_path(), spec, reading);
+  read_block(root, tree, tree.name, spec, reading);
   EXPECT_EQ(joined(reading.problems), "");
   return spec;
 }
 
+nlohmann::json read_file(const FieldTree& tree, const std::string& name) {
+  return read_as(tree, read_yaml(std::filesystem::path(AVOIDBENCH_SOURCE_DIR) / "configs" / name));
+}
+
 TEST(Configs, FilesEqualTheBuiltInSpecs) {
-  EXPECT_EQ(spec_to_json(read_file<VehicleSpec>("vehicles/hummingbird.yaml", read_vehicle)),
-            spec_to_json(hummingbird_spec()));
-  EXPECT_EQ(spec_to_json(read_file<VehicleSpec>("vehicles/firefly.yaml", read_vehicle)),
-            spec_to_json(firefly_spec()));
-  EXPECT_EQ(spec_to_json(read_file<VehicleSpec>("vehicles/hummingbird_rotors.yaml", read_vehicle)),
-            spec_to_json(hummingbird_rotors_spec()));
+  for (const VehicleSpec& vehicle :
+       {hummingbird_spec(), hummingbird_rotors_spec(), firefly_spec()}) {
+    EXPECT_EQ(read_file(vehicle_tree(), "vehicles/" + vehicle.name + ".yaml"),
+              spec_to_json(vehicle));
+  }
   for (const SensorSpec& sensor : sensor_presets()) {
-    EXPECT_EQ(spec_to_json(read_file<SensorSpec>("sensors/" + sensor.name + ".yaml", read_sensor)),
-              spec_to_json(sensor));
+    EXPECT_EQ(read_file(sensor_tree(), "sensors/" + sensor.name + ".yaml"), spec_to_json(sensor));
   }
 }
 
 TEST(Configs, PrintedSpecsReadBackToTheSameBits) {
   for (const VehicleSpec& vehicle :
        {hummingbird_spec(), hummingbird_rotors_spec(), firefly_spec()}) {
-    VehicleSpec read;
-    Reading reading;
-    read_vehicle(parse_yaml(vehicle_yaml(vehicle), "v"), ".", read, reading);
-    EXPECT_EQ(joined(reading.problems), "");
-    EXPECT_EQ(spec_to_json(read), spec_to_json(vehicle));
+    EXPECT_EQ(read_as(vehicle_tree(), parse_yaml(vehicle_yaml(vehicle), "v")),
+              spec_to_json(vehicle));
   }
   for (const SensorSpec& sensor : sensor_presets()) {
-    SensorSpec read;
-    Reading reading;
-    read_sensor(parse_yaml(sensor_yaml(sensor), "s"), ".", read, reading);
-    EXPECT_EQ(joined(reading.problems), "");
-    EXPECT_EQ(spec_to_json(read), spec_to_json(sensor));
+    EXPECT_EQ(read_as(sensor_tree(), parse_yaml(sensor_yaml(sensor), "s")), spec_to_json(sensor));
   }
 }
 

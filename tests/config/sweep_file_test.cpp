@@ -169,6 +169,18 @@ TEST_F(SweepFiles, VehiclesAndSensorsComeFromFilesBesideTheSweep) {
   EXPECT_NE(problems(kHead + "vehicle: a\n").find("presets lead in a circle"), std::string::npos);
 }
 
+TEST_F(SweepFiles, ContradictionsStandWhereTheirValueDoesAlsoInAPreset) {
+  write("sensors/near.yaml", "name: near\nmin_range_m: 5\nmax_range_m: 4\n");
+  const std::string message = "sensor.min_range_m: 5 is not below max_range_m, 4";
+  EXPECT_EQ(problems(kHead + "sensor: near\n"), "sensors/near.yaml:2:14: " + message);
+  EXPECT_EQ(problems(kHead + "sensor: {preset: near, min_range_m: 5}\n"),
+            "s.yaml:3:37: " + message);
+  EXPECT_EQ(problems(kHead + "sensor: {max_range_m: 6}\naxes: {sensor.min_range_m: [1, 8]}\n"),
+            "s.yaml:4:8: sensor.min_range_m: 8 is not below max_range_m, 6");
+  EXPECT_EQ(problems(kHead + "sensor: {min_range_m: 2}\naxes: {sensor.max_range_m: [1, 9]}\n"),
+            "s.yaml:3:23: sensor.min_range_m: 2 is not below max_range_m, 1");
+}
+
 TEST_F(SweepFiles, OverridesChangeAddAndAreChecked) {
   const std::string text = kHead + "vehicle: firefly\nmaps: {poisson_radius_m: [3, 4]}\n";
   EXPECT_TRUE(read(text, {"maps.poisson_radius_m=5"}).axes.empty());

@@ -49,6 +49,20 @@ PlanResult planned(const std::string& name, const ParameterValues& given = {}) {
 
 ParameterValues how(const std::string& value) { return {{"how", {0.0, value}}}; }
 
+/// The planner compares what its members and the names give, and throws where they differ.
+TEST(Instance, FillsTheMembersOfParametersAndProfilesBehindWhatIsGiven) {
+  const PlannerLibrary library = PlannerLibrary::load(CPP17_PLANNER);
+  const auto speed_mps = [&](const ParameterValues& given) {
+    const auto values = resolve_parameters(library.description(), given);
+    EXPECT_NO_THROW(PlannerInstance(library, conformance_setup(), values));
+    return values.front().number;
+  };
+  EXPECT_EQ(speed_mps({}), 2.0);
+  EXPECT_EQ(speed_mps({{"mode", {0.0, "fast"}}, {"label", {0.0, "x"}}}), 4.0);
+  EXPECT_EQ(speed_mps({{"mode", {0.0, "fast"}}, {"speed_mps", {2.0, ""}}}), 2.0);
+  EXPECT_EQ(speed_mps({{"mode", {0.0, "safe"}}, {"ray_count", {9.0, ""}}}), 2.0);
+}
+
 TEST(Instance, GivesACommandAndItsTimes) {
   const PlanResult result = planned("honest");
   ASSERT_EQ(result.status, PlanStatus::command) << result.reason;

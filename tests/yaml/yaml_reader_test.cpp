@@ -1,4 +1,4 @@
-#include "yaml/yaml_reader.hpp"
+#include "config/field_reader.hpp"
 
 #include <gtest/gtest.h>
 

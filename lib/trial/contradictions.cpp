@@ -1,10 +1,10 @@
-#include "config/cross_checks.hpp"
+#include "trial/contradictions.hpp"
 
 #include <cmath>
 
 #include "base/input_error.hpp"
 #include "base/ticks.hpp"
-#include "yaml/yaml_values.hpp"
+#include "text/number_text.hpp"
 
 namespace avoidbench {
 namespace {
@@ -13,8 +13,8 @@ using Found = std::vector<Contradiction>;
 
 void check_not_faster(const std::string& path, double rate_hz, double physics_hz, Found& found) {
   if (rate_hz <= physics_hz) return;
-  found.push_back({path, number_text(rate_hz) + " Hz is faster than rates.physics_hz, " +
-                             number_text(physics_hz)});
+  found.push_back(
+      {path, shortest(rate_hz) + " Hz is faster than rates.physics_hz, " + shortest(physics_hz)});
 }
 
 /// The problems of an InputError whose messages begin with "field: ", as fields of `block`.
@@ -46,9 +46,8 @@ void check_matcher(const SensorSpec& sensor, Found& found) {
       found.push_back({"sensor.block_px", std::to_string(sgm->block_px) + " is not odd"});
     }
     if (sgm->p1_factor >= sgm->p2_factor) {
-      found.push_back({"sensor.p1_factor", number_text(sgm->p1_factor) +
-                                               " is not below p2_factor, " +
-                                               number_text(sgm->p2_factor)});
+      found.push_back({"sensor.p1_factor", shortest(sgm->p1_factor) + " is not below p2_factor, " +
+                                               shortest(sgm->p2_factor)});
     }
   }
   if (const auto* census = std::get_if<StereoCensusSpec>(&sensor.method)) {
@@ -65,16 +64,16 @@ void check_matcher(const SensorSpec& sensor, Found& found) {
 
 void check_sensor(const SensorSpec& sensor, Found& found) {
   if (!(sensor.min_range_m < sensor.max_range_m)) {
-    found.push_back({"sensor.min_range_m", number_text(sensor.min_range_m) +
+    found.push_back({"sensor.min_range_m", shortest(sensor.min_range_m) +
                                                " is not below max_range_m, " +
-                                               number_text(sensor.max_range_m)});
+                                               shortest(sensor.max_range_m)});
   }
   const double period_ms = 1000.0 / sensor.rate_hz;
   for (const auto& [name, time_ms] : {std::pair("sensor.jitter_ms", sensor.jitter_ms),
                                       std::pair("sensor.exposure_ms", sensor.exposure_ms)}) {
     if (time_ms < period_ms) continue;
-    found.push_back({name, number_text(time_ms) + " ms is not below the time between two images, " +
-                               number_text(period_ms) + " ms"});
+    found.push_back({name, shortest(time_ms) + " ms is not below the time between two images, " +
+                               shortest(period_ms) + " ms"});
   }
   check_matcher(sensor, found);
 }
