@@ -399,6 +399,11 @@ const Element* the_element(const Header& header, std::string_view name, const st
 FilePoints parse_ply_points(std::string_view bytes, const std::string& file) {
   LineCursor lines{bytes};
   const Header header = read_header(lines, file);
+  const Element* face = the_element(header, "face", file);
+  if (face != nullptr && face->count > 0) {
+    fail_file(file, "is a mesh of " + std::to_string(face->count) +
+                        " faces, not a cloud of points: use generator: mesh");
+  }
   const bool is_big_endian = header.encoding == Encoding::big_endian;
   for (const Element& element : header.elements) {
     const bool is_vertex = element.name == "vertex";

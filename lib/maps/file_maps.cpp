@@ -21,7 +21,7 @@ constexpr double kMostExtent_m = 2000.0, kLeastExtent_m = 1.0;
 constexpr double kMostCoordinate_m = 10'000.0;  // single precision is finer than 1 mm up to there
 constexpr double kLeastBounds_m = 1.0;
 
-std::string number(double value) { return significant_digits(value, 6); }
+std::string number(double value) { return significant_digits(value + 0.0, 6); }  // no "-0"
 
 std::string text_of(const Eigen::Vector3d& v) {
   return "[" + number(v.x()) + ", " + number(v.y()) + ", " + number(v.z()) + "]";
@@ -108,16 +108,25 @@ std::string read_bytes(const FileSpec& spec) {
   return bytes;
 }
 
-/// From the file's units and axes to the world frame. No mirroring.
+/// The axes of a file whose this axis points up, turned to those of the world. No mirroring.
+Eigen::Vector3d turned(UpAxis up, const Eigen::Vector3d& p) {
+  if (up == UpAxis::y) return {p.x(), -p.z(), p.y()};
+  if (up == UpAxis::x) return {p.y(), p.z(), p.x()};
+  return p;
+}
+
+/// What turned() turns to p.
+Eigen::Vector3d turned_back(UpAxis up, const Eigen::Vector3d& p) {
+  if (up == UpAxis::y) return {p.x(), p.z(), -p.y()};
+  if (up == UpAxis::x) return {p.z(), p.x(), p.y()};
+  return p;
+}
+
+/// From the file's units and axes to the world frame.
 template <class FileSpec>
 void to_world(const FileSpec& spec, FilePoints& points) {
   const Eigen::Vector3d origin(spec.origin_m[0], spec.origin_m[1], spec.origin_m[2]);
-  for (Eigen::Vector3d& p : points) {
-    Eigen::Vector3d turned = p;
-    if (spec.up_axis == UpAxis::y) turned = {p.x(), -p.z(), p.y()};
-    if (spec.up_axis == UpAxis::x) turned = {p.y(), p.z(), p.x()};
-    p = spec.scale * turned - origin;
-  }
+  for (Eigen::Vector3d& p : points) p = spec.scale * turned(spec.up_axis, p) - origin;
 }
 
 Aabb box_around(const FilePoints& points) {
@@ -148,6 +157,50 @@ void check_extent(const std::string& file, const Aabb& box, const std::string& h
                                significant_digits(whole.z(), 12) + "]";
     fail_file(file,
               "lies more than 10 km from its origin, at " + origin + ": set origin_m near there");
+  }
+}
+
+/// The share of the box that the bounds hold.
+double share_within(const Aabb& bounds, const Aabb& box) {
+  const Aabb common = bounds.intersection(box);
+  if (common.isEmpty()) return 0.0;
+  double share = 1.0;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    const double size = box.sizes()[axis];
+    if (size > 0.0) share *= common.sizes()[axis] / size;
+  }
+  return share;
+}
+
+/// Throws where all says that another axis of the file points up: with given bounds, that they hold
+/// the map only if so; without, that the map is far higher than the way along y is long. `box` is
+/// that of the map in the world frame.
+template <class FileSpec>
+void check_up_axis(const FileSpec& spec, const Aabb& box) {
+  constexpr double kAtMost = 0.1, kAtLeast = 0.5, kFarHigher = 3.0;
+  const std::string now(text(spec.up_axis));
+  const Eigen::Vector3d size = box.sizes();
+  if (!spec.bounds.is_given()) {
+    if (!(size.z() > kFarHigher * size.y())) return;
+    const std::string other = spec.up_axis == UpAxis::y ? "z" : "y";
+    fail_file(spec.file, "spans " + size_text(size) +
+                             ", far higher than it is long, with up_axis: " + now +
+                             ": if the file's " + other + " axis points up" +
+                             (other == "y" ? ", as in most glTF and OBJ files," : "") +
+                             " set up_axis: " + other + ", else give bounds");
+  }
+  const Aabb bounds = box_of(spec.bounds);
+  if (share_within(bounds, box) > kAtMost) return;
+  const Eigen::Vector3d origin(spec.origin_m[0], spec.origin_m[1], spec.origin_m[2]);
+  for (const auto& [up, name] : EnumText<UpAxis>::entries) {
+    Aabb other;
+    for (const Eigen::Vector3d& p : {box.min(), box.max()}) {
+      other.extend(turned(up, turned_back(spec.up_axis, p + origin)) - origin);
+    }
+    if (share_within(bounds, other) < kAtLeast) continue;
+    fail_file(spec.file, "is hardly within bounds with up_axis: " + now + ": it spans " +
+                             text_of(box.min()) + " to " + text_of(box.max()) +
+                             " m; with up_axis: " + std::string(name) + " it fits, so set that");
   }
 }
 
@@ -309,6 +362,7 @@ World make_mesh(const MeshSpec& spec) {
     box.extend(box_around(part.vertices));
   }
   check_extent(spec.file, box, "");
+  check_up_axis(spec, box);
   World world;
   for (const MeshPart& part : parts) add_part(part, world);
   if (world.instances.empty()) fail_file(spec.file, "has no triangle with an area");

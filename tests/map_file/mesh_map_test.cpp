@@ -235,6 +235,48 @@ TEST(MeshMap, MapsThatAreNoneInMetresAreReportedWithWhatToSet) {
             "there");
 }
 
+TEST(MeshMap, AMapThatLiesOnItsSideIsReportedWithTheAxisToSet) {
+  const TemporaryFolder folder;
+  // 20 m × 30 m and 4 m high, y up.
+  MeshSpec spec = spec_of(folder.write("a.obj", "v 0 0 0\nv 20 0 0\nv 20 4 -30\nf 1 2 3\n"));
+  EXPECT_EQ(message_of(spec),
+            spec.file +
+                ": spans 20 × 4 × 30 m, far higher than it is long, with up_axis: z: if the "
+                "file's y axis points up, as in most glTF and OBJ files, set up_axis: y, "
+                "else give bounds");
+  spec.bounds = {{0, 0, -30}, {20, 4, 0}};
+  EXPECT_EQ(message_of(spec), "no error");
+  spec.bounds = {{0, 0, 0}, {20, 30, 4}};
+  EXPECT_EQ(message_of(spec),
+            spec.file +
+                ": is hardly within bounds with up_axis: z: it spans [0, 0, -30] to [20, 4, "
+                "0] m; with up_axis: y it fits, so set that");
+  spec.up_axis = UpAxis::y;
+  EXPECT_EQ(message_of(spec), "no error");
+  spec.bounds = {};
+  EXPECT_EQ(message_of(spec), "no error");
+  spec.bounds = {{5, 5, 1}, {7, 7, 3}};  // a small piece: no axis fits better
+  spec.up_axis = UpAxis::z;
+  EXPECT_EQ(message_of(spec), "no error");
+
+  // The same with z up, moved, in centimetres.
+  spec.file = folder.write("b.obj", "v 100 0 0\nv 2100 0 0\nv 2100 3000 400\nf 1 2 3\n");
+  spec.scale = 0.01;
+  spec.origin_m = {1, 0, 0};
+  spec.bounds = {{0, 0, 0}, {20, 30, 4}};
+  EXPECT_EQ(message_of(spec), "no error");
+  spec.up_axis = UpAxis::y;
+  EXPECT_EQ(message_of(spec),
+            spec.file +
+                ": is hardly within bounds with up_axis: y: it spans [0, -4, 0] to [20, 0, "
+                "30] m; with up_axis: z it fits, so set that");
+  spec.up_axis = UpAxis::x;
+  EXPECT_EQ(message_of(spec),
+            spec.file +
+                ": is hardly within bounds with up_axis: x: it spans [-1, 0, 1] to [29, 4, "
+                "21] m; with up_axis: z it fits, so set that");
+}
+
 TEST(MeshMap, WrongStlFiles) {
   const auto message = [](const std::string& bytes) { return message_of_file("a.stl", bytes); };
   const std::string binary = test::binary_stl_bytes(brick_mesh());

@@ -11,6 +11,7 @@
 #include "map_file/voxel_surface.hpp"
 #include "maps/map_spec.hpp"
 #include "support/map_files.hpp"
+#include "world/solids.hpp"
 
 namespace avoidbench {
 namespace {
@@ -266,6 +267,21 @@ TEST(Lzf, CopiesAndRefuses) {
                              6),
             std::nullopt);
   EXPECT_EQ(lzf_decompressed("", 0), "");
+}
+
+TEST(PointCloud, a_mesh_is_no_cloud) {
+  Prototype box;
+  add_box(box, {1, 2, 3}, {3, 5, 7}, Material::brick);
+  for (const auto& [name, bytes] : test::all_meshes(box.mesh)) {
+    if (!name.ends_with(".ply")) continue;
+    EXPECT_EQ(message_of([&] { parse_point_cloud(bytes, "a.ply"); }),
+              "a.ply: is a mesh of 12 faces, not a cloud of points: use generator: mesh");
+  }
+  // No face, but its element: as MeshLab writes clouds.
+  std::string empty = test::ply({{1, 2, 3}}, "ascii");
+  empty.insert(empty.find("end_header"),
+               "element face 0\nproperty list uchar int vertex_indices\n");
+  EXPECT_EQ(parse_point_cloud(empty, "a.ply").size(), 1U);
 }
 
 }  // namespace
