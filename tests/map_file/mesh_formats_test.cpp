@@ -58,7 +58,7 @@ using Materials = std::vector<Material>;
 
 const std::string kVertices = "v 0 0 0\nv 4 0 0\nv 4 3 0\nv 0 3 0\nv 0 0 2\nv 4 0 2\n";
 
-TEST(ObjFile, corners_count_from_either_end_and_may_name_textures_and_normals) {
+TEST(ObjFile, CornersCountFromEitherEndAndMayNameTexturesAndNormals) {
   const std::string after = "vt 0 0\nvn 0 0 1\n";
   const Points expected{{0, 0, 0}, {4, 0, 0}, {4, 3, 0}, {0, 0, 0}, {4, 3, 0}, {0, 3, 0}};
   for (const std::string face : {"f 1 2 3 4", "f -6 -5 -4 -3", "f 1/1 2/1 3/1 4/1",
@@ -70,19 +70,19 @@ TEST(ObjFile, corners_count_from_either_end_and_may_name_textures_and_normals) {
   }
 }
 
-TEST(ObjFile, a_vertex_may_have_a_colour_or_a_weight_of_one) {
+TEST(ObjFile, AVertexMayHaveAColourOrAWeightOfOne) {
   const std::string text = "v 1 2 3 0.5 0.5 0.5\nv 5 2 3 1\n\tv +4e0 2.5e1 -3.\nf 1 2 3\n";
   const Points expected{{1, 2, 3}, {5, 2, 3}, {4, 25, -3}};
   EXPECT_EQ(corners_of(parse("a.obj", text)[0]), expected);
 }
 
-TEST(ObjFile, decimals_are_rounded_to_the_nearest) {
+TEST(ObjFile, DecimalsAreRoundedToTheNearest) {
   const MeshPart part = parse("a.obj", "v 1.18 0 0\nv 0 0.7 0\nv 0 0 -1e-5\nf 1 2 3\n")[0];
   const Points expected{{1.18F, 0, 0}, {0, 0.7F, 0}, {0, 0, -1e-5F}};
   EXPECT_EQ(corners_of(part), expected);
 }
 
-TEST(ObjFile, objects_and_new_groups_are_parts) {
+TEST(ObjFile, ObjectsAndNewGroupsAreParts) {
   const std::string text = kVertices +
                            "o Wall.001\nf 1 2 3\no Tower\ng Gate_2\nf 1 2 4\ng Gate_2\nf 1 2 5\n"
                            "g Roof\nf 1 2 6\ns off\nf 2 3 6\n";
@@ -93,7 +93,7 @@ TEST(ObjFile, objects_and_new_groups_are_parts) {
   EXPECT_EQ(corners_of(parts[2])[3], Eigen::Vector3d(4, 0, 0));
 }
 
-TEST(ObjFile, an_object_named_again_goes_on) {
+TEST(ObjFile, AnObjectNamedAgainGoesOn) {
   const std::vector<MeshPart> parts =
       parse("a.obj", kVertices + "o a\nf 1 2 3\no b\nf 1 2 4\no a\nf 1 2 6\n");
   EXPECT_EQ(kinds_of(parts), (Kinds{"a", "b"}));
@@ -101,7 +101,7 @@ TEST(ObjFile, an_object_named_again_goes_on) {
   EXPECT_EQ(area_of(parts[1]), 6.0);
 }
 
-TEST(ObjFile, a_material_holds_from_its_line_on) {
+TEST(ObjFile, AMaterialHoldsFromItsLineOn) {
   const std::string text = kVertices +
                            "f 1 2 3\nusemtl brick\nf 1 2 4\nusemtl Leaf.002\nusemtl bark\no a\n"
                            "f 1 2 5\nusemtl velvet\nf 1 2 6\n";
@@ -111,7 +111,7 @@ TEST(ObjFile, a_material_holds_from_its_line_on) {
   EXPECT_EQ(parts[1].materials, (Materials{Material::bark, Material::concrete}));
 }
 
-TEST(ObjFile, faces_that_cross_are_named_with_their_line) {
+TEST(ObjFile, FacesThatCrossAreNamedWithTheirLine) {
   const std::string text = "v 0 0 0\nv 4 0 0\nv 0 3 0\nv 4 4 0\nv 2 -2 0\nf 1 2 3\nf 1 2 3 4 5\n";
   EXPECT_EQ(message_of("a.obj", text),
             "a.obj:7: the face has edges that cross; cut it to triangles before");
@@ -167,7 +167,7 @@ std::string ply(const Points& vertices, const std::vector<std::vector<int>>& fac
 
 const Points kPlyVertices{{0, 0, 0}, {4, 0, 0}, {4, 3, 0}, {0, 3, 0}, {1, 1, 0}, {9, 9, 9}};
 
-TEST(PlyFile, polygons_of_every_encoding_type_and_order) {
+TEST(PlyFile, PolygonsOfEveryEncodingTypeAndOrder) {
   // A quad, a dart that is concave at its last corner, a rectangle with a dent.
   const std::vector<std::vector<int>> faces{{0, 1, 2, 3}, {3, 0, 1, 4}, {1, 2, 3, 4, 0}};
   const Points expected{{0, 0, 0}, {4, 0, 0}, {4, 3, 0}, {0, 0, 0}, {4, 3, 0}, {0, 3, 0},
@@ -191,7 +191,7 @@ TEST(PlyFile, polygons_of_every_encoding_type_and_order) {
   }
 }
 
-TEST(PlyFile, faces_that_cross_are_named_with_their_line_or_byte) {
+TEST(PlyFile, FacesThatCrossAreNamedWithTheirLineOrByte) {
   const Points vertices{{0, 0, 0}, {4, 0, 0}, {0, 3, 0}, {4, 4, 0}, {2, -2, 0}};
   const std::vector<std::vector<int>> faces{{0, 1, 2}, {0, 1, 2, 3, 4}};
   EXPECT_EQ(message_of("a.ply", ply(vertices, faces, {.format = "ascii"})),
@@ -202,7 +202,7 @@ TEST(PlyFile, faces_that_cross_are_named_with_their_line_or_byte) {
                                             " has edges that cross; cut it to triangles before");
 }
 
-TEST(PlyFile, what_is_wrong_in_binary_is_named_with_its_byte) {
+TEST(PlyFile, WhatIsWrongInBinaryIsNamedWithItsByte) {
   std::string bytes = ply(kPlyVertices, {{0, 1, 2}, {0, 1, 6}}, {});
   EXPECT_EQ(message_of("a.ply", bytes), "a.ply: face 1 at byte " +
                                             std::to_string(bytes.size() - 13) +
@@ -215,7 +215,7 @@ TEST(PlyFile, what_is_wrong_in_binary_is_named_with_its_byte) {
 
 // ---- STL
 
-TEST(StlFile, a_binary_one_may_begin_as_a_text_would) {
+TEST(StlFile, ABinaryOneMayBeginAsATextWould) {
   TriangleMesh mesh;
   mesh.vertices = {{0, 0, 0}, {4, 0, 0}, {0, 3, 0}, {0, 0, 2}};
   mesh.triangles = {{0, 1, 2}, {0, 1, 3}};
@@ -284,7 +284,7 @@ std::string gltf(const GltfWays& ways) {
 
 const Points kGltfTriangle{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}};
 
-TEST(GltfFile, every_type_of_index_and_interleaved_buffers) {
+TEST(GltfFile, EveryTypeOfIndexAndInterleavedBuffers) {
   for (const bool is_glb : {false, true}) {
     for (const int index_size : {1, 2, 4}) {
       const std::vector<MeshPart> parts =
@@ -297,7 +297,7 @@ TEST(GltfFile, every_type_of_index_and_interleaved_buffers) {
   }
 }
 
-TEST(GltfFile, nodes_are_parts_named_by_themselves_or_their_mesh) {
+TEST(GltfFile, NodesArePartsNamedByThemselvesOrTheirMesh) {
   const std::vector<MeshPart> parts = parse(
       "a.gltf",
       gltf({.nodes = R"([{"name":"Pillar.7","mesh":0,"children":[2]},{"mesh":0},{"name":"12",)"
@@ -308,7 +308,7 @@ TEST(GltfFile, nodes_are_parts_named_by_themselves_or_their_mesh) {
   EXPECT_EQ(corners_of(parts[2])[0], Eigen::Vector3d(0, 0, 5));
 }
 
-TEST(GltfFile, transforms_of_nodes_nest) {
+TEST(GltfFile, TransformsOfNodesNest) {
   // Below: scaled by (1, 2, 3), then a quarter turn about z, then moved. Above: a matrix, column by
   // column, that puts z up to y up and moves by (1, 0, 0).
   const std::vector<MeshPart> parts =
@@ -324,13 +324,13 @@ TEST(GltfFile, transforms_of_nodes_nest) {
   EXPECT_NEAR(area_of(parts[0]), 4.0, 1e-6);
 }
 
-TEST(GltfFile, a_mirrored_triangle_is_turned_back) {
+TEST(GltfFile, AMirroredTriangleIsTurnedBack) {
   const std::vector<MeshPart> parts =
       parse("a.gltf", gltf({.nodes = R"([{"mesh":0,"scale":[1,-1,1]}])"}));
   EXPECT_EQ(corners_of(parts[0]), (Points{{0, 0, 0}, {0, -2, 0}, {2, 0, 0}}));
 }
 
-TEST(GltfFile, ways_that_are_not_read_are_named) {
+TEST(GltfFile, WaysThatAreNotReadAreNamed) {
   EXPECT_EQ(message_of("a.gltf", gltf({.accessor = R"(,"sparse":{"count":1})"})),
             "a.gltf: accessors[0] is sparse, which is not read");
   EXPECT_EQ(message_of("a.gltf",

@@ -499,7 +499,7 @@ TEST(MeshMap, WhatIsExportedComesBack) {
   }
 }
 
-TEST(MeshMap, a_glb_that_is_exported_keeps_its_obstacles) {
+TEST(MeshMap, AGlbThatIsExportedKeepsItsObstacles) {
   const TemporaryFolder folder;
   const World world = make_world(HallSpec{.poisson_radius_m = 6.0}, 1);
   export_mesh(world, folder.path / "a.glb");

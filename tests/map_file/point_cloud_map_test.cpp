@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
-#include "base/input_error.hpp"
 #include "base/random.hpp"
 #include "map_file/lzf.hpp"
 #include "map_file/point_cloud_file.hpp"
 #include "map_file/voxel_surface.hpp"
 #include "maps/map_spec.hpp"
+#include "support/input_error_message.hpp"
 #include "support/map_files.hpp"
 #include "world/solids.hpp"
 
@@ -17,6 +16,7 @@ namespace avoidbench {
 namespace {
 
 using test::all_clouds;
+using test::message_of;
 using test::pcd;
 using test::TemporaryFolder;
 
@@ -40,15 +40,6 @@ PointCloudSpec spec_of(const std::string& file) {
   spec.file = file;
   spec.resolution_m = 0.5;
   return spec;
-}
-
-std::string message_of(const std::function<void()>& act) {
-  try {
-    act();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
 }
 
 TEST(PointCloud, EveryFormatGivesTheSamePointsAndWorld) {
@@ -269,7 +260,7 @@ TEST(Lzf, CopiesAndRefuses) {
   EXPECT_EQ(lzf_decompressed("", 0), "");
 }
 
-TEST(PointCloud, a_mesh_is_no_cloud) {
+TEST(PointCloud, AMeshIsNoCloud) {
   Prototype box;
   add_box(box, {1, 2, 3}, {3, 5, 7}, Material::brick);
   for (const auto& [name, bytes] : test::all_meshes(box.mesh)) {

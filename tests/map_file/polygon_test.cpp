@@ -109,12 +109,12 @@ void expect_cover(const Polygon& polygon, const std::string& name) {
   }
 }
 
-TEST(Polygon, triangles_and_convex_quads_are_cut_from_their_first_corner) {
+TEST(Polygon, TrianglesAndConvexQuadsAreCutFromTheirFirstCorner) {
   EXPECT_EQ(cut(tilted({{0, 0}, {4, 0}, {0, 4}})), (Triples{{0, 1, 2}}));
   EXPECT_EQ(cut(tilted({{0, 0}, {4, 0}, {4, 3}, {0, 3}})), (Triples{{0, 1, 2}, {0, 2, 3}}));
 }
 
-TEST(Polygon, a_concave_quad_is_cut_at_its_concave_corner) {
+TEST(Polygon, AConcaveQuadIsCutAtItsConcaveCorner) {
   for (std::uint32_t first = 0; first < 4; ++first) {
     Polygon turned = kDart;
     std::rotate(turned.begin(), turned.begin() + first, turned.end());
@@ -126,13 +126,13 @@ TEST(Polygon, a_concave_quad_is_cut_at_its_concave_corner) {
 }
 
 /// Digests of maps hold this order.
-TEST(Polygon, a_larger_polygon_loses_ears_from_its_first_corner_on) {
+TEST(Polygon, ALargerPolygonLosesEarsFromItsFirstCornerOn) {
   const Polygon pentagon{{2, 0}, {4, 2}, {3, 4}, {1, 4}, {0, 2}};
   EXPECT_EQ(cut(tilted(pentagon)), (Triples{{4, 0, 1}, {2, 4, 1}, {4, 2, 3}}));
   EXPECT_EQ(cut(tilted(kL)), (Triples{{0, 1, 2}, {3, 0, 2}, {0, 3, 4}, {5, 0, 4}}));
 }
 
-TEST(Polygon, concave_polygons_are_covered_once) {
+TEST(Polygon, ConcavePolygonsAreCoveredOnce) {
   expect_cover(kL, "L");
   expect_cover(kSpiral, "spiral");
   expect_cover(kComb, "comb");
@@ -141,7 +141,7 @@ TEST(Polygon, concave_polygons_are_covered_once) {
   EXPECT_EQ(area_from_above(kKeyhole), 32.0);
 }
 
-TEST(Polygon, random_stars_are_covered_once) {
+TEST(Polygon, RandomStarsAreCoveredOnce) {
   RandomStream draws = stream(8, "stars");
   for (int count = 5; count < 80; count += 3) {
     Polygon star;
@@ -155,21 +155,21 @@ TEST(Polygon, random_stars_are_covered_once) {
   }
 }
 
-TEST(Polygon, edges_that_cross_are_refused) {
+TEST(Polygon, EdgesThatCrossAreRefused) {
   Triples triangles;
   EXPECT_FALSE(cut_polygon(tilted({{0, 0}, {4, 0}, {0, 3}, {4, 4}, {2, -2}}), triangles));
   // An 8 whose halves turn against each other.
   EXPECT_FALSE(cut_polygon(tilted({{0, 0}, {4, 4}, {6, 4}, {6, 0}, {4, 0}, {0, 4}}), triangles));
 }
 
-TEST(Polygon, edges_that_cross_by_rounding_are_none) {
+TEST(Polygon, EdgesThatCrossByRoundingAreNone) {
   // The last corner is a hair inside of the first edge.
   const float hair = 1e-7F;
   const Polygon sliver{{0, 0}, {4, 0}, {4, 4}, {2, 4}, {2, -hair}, {1, hair}};
   EXPECT_EQ(cut(tilted(sliver)).size(), 4U);
 }
 
-TEST(Polygon, one_without_an_area_is_cut_to_triangles_without) {
+TEST(Polygon, OneWithoutAnAreaIsCutToTrianglesWithout) {
   const std::vector<Eigen::Vector3f> line{{0, 0, 0}, {1, 1, 1}, {3, 3, 3}, {2, 2, 2}, {4, 4, 4}};
   EXPECT_EQ(cut(line).size(), 3U);
   EXPECT_EQ(cut(std::vector<Eigen::Vector3f>(7, {1, 2, 3})).size(), 5U);

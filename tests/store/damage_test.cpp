@@ -12,7 +12,9 @@
 #include "store/database.hpp"
 #include "store/merge.hpp"
 #include "store/row_digest.hpp"
+#include "store/run_sql.hpp"
 #include "store/statement.hpp"
+#include "support/input_error_message.hpp"
 #include "support/sample_rows.hpp"
 
 /// What may be wrong with a file or its disk, and what survives.
@@ -20,17 +22,9 @@ namespace avoidbench {
 namespace {
 
 using namespace sample_rows;
-
-/// The message of the InputError that `action` throws.
-template <class Action>
-std::string message_of(Action action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
+using test::has;
+using test::message_of;
+using test::run_sql;
 
 std::string message_of_opening(const std::filesystem::path& path) {
   const std::string for_run = message_of([&] { Database::open_for_run(path, kMetrics); });
@@ -38,18 +32,6 @@ std::string message_of_opening(const std::filesystem::path& path) {
   EXPECT_EQ(for_run.find(path.string()), 0U) << for_run;
   EXPECT_EQ(for_reading.find(path.string()), 0U) << for_reading;
   return for_run;
-}
-
-bool has(const std::string& message, const std::string& part) {
-  return message.find(part) != std::string::npos;
-}
-
-void run_sql(const std::filesystem::path& path, const std::string& sql) {
-  sqlite3* handle = nullptr;
-  ASSERT_EQ(sqlite3_open(path.c_str(), &handle), SQLITE_OK);
-  ASSERT_EQ(sqlite3_exec(handle, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK)
-      << sqlite3_errmsg(handle);
-  sqlite3_close(handle);
 }
 
 TEST(Damage, AForeignDatabaseIsRefusedAndLeftAsItIs) {

@@ -1,13 +1,14 @@
 #include <gtest/gtest.h>
-#include <sqlite3.h>
 
 #include "base/input_error.hpp"
 #include "store/merge.hpp"
 #include "store/row_digest.hpp"
+#include "store/run_sql.hpp"
 #include "store/stored_text.hpp"
 #include "store/trial_table.hpp"
 #include "store/visit_trials.hpp"
 #include "support/canonical_rows.hpp"
+#include "support/input_error_message.hpp"
 #include "support/sample_rows.hpp"
 
 /// Rows that the program never writes: found and named, whoever reads them.
@@ -16,20 +17,14 @@ namespace {
 
 using namespace sample_rows;
 using test::canonical_rows;
+using test::has;
+using test::run_sql;
 
 constexpr const char* kSweepJson =
     R"({"trials":2,"planners":[{},{}],"axes":[{"path":"map_seed","values":[1,2]}]})";
 
 TrialRow finished() { return trial_row("a", 0, 0, Outcome::reached_goal); }
 TrialRow collided() { return trial_row("a", 0, 1, Outcome::collided); }
-
-void run_sql(const std::filesystem::path& path, const std::string& sql) {
-  sqlite3* handle = nullptr;
-  ASSERT_EQ(sqlite3_open(path.c_str(), &handle), SQLITE_OK);
-  EXPECT_EQ(sqlite3_exec(handle, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK)
-      << sql << ": " << sqlite3_errmsg(handle);
-  sqlite3_close(handle);
-}
 
 /// A file without digests, so that what is wrong in its rows is met by those who read them.
 std::filesystem::path changed_file(const TemporaryFolder& folder, const std::string& sql) {
@@ -81,10 +76,6 @@ std::string message_of_reading(const std::string& sql) {
     return message.substr((folder / "s.db: ").string().size());
   }
   return "";
-}
-
-bool has(const std::string& message, const std::string& part) {
-  return message.find(part) != std::string::npos;
 }
 
 TEST(DamagedRows, AnUnchangedFileIsRead) { EXPECT_EQ(message_of_reading("SELECT 1"), ""); }

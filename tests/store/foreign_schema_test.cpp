@@ -1,12 +1,12 @@
 #include <gtest/gtest.h>
-#include <sqlite3.h>
 
 #include <set>
 
-#include "base/input_error.hpp"
 #include "store/merge.hpp"
+#include "store/run_sql.hpp"
 #include "store/trial_table.hpp"
 #include "support/canonical_rows.hpp"
+#include "support/input_error_message.hpp"
 #include "support/sample_rows.hpp"
 
 /// Files whose schema is not what the program makes: by another hand, or on purpose.
@@ -15,14 +15,9 @@ namespace {
 
 using namespace sample_rows;
 using test::canonical_rows;
-
-void run_sql(const std::filesystem::path& path, const std::string& sql) {
-  sqlite3* handle = nullptr;
-  ASSERT_EQ(sqlite3_open(path.c_str(), &handle), SQLITE_OK);
-  EXPECT_EQ(sqlite3_exec(handle, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK)
-      << sqlite3_errmsg(handle);
-  sqlite3_close(handle);
-}
+using test::has;
+using test::message_of;
+using test::run_sql;
 
 /// A file with a run, sweep, planners, a map and two trials, one of which collided.
 void write_sample(const std::filesystem::path& file, const std::string& label) {
@@ -37,16 +32,6 @@ std::set<std::string> files_in(const TemporaryFolder& folder) {
     names.insert(entry.path().filename().string());
   }
   return names;
-}
-
-template <class Action>
-std::string message_of(Action action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
 }
 
 /// What `merge` says of a file that was changed by `sql`, after checking that it took nothing from
@@ -75,10 +60,6 @@ std::string refusal_of(const std::string& sql) {
   EXPECT_EQ(files_in(folder), files) << sql;
   EXPECT_EQ(message.find((folder / "theirs.db").string() + ": "), 0U) << message;
   return message;
-}
-
-bool has(const std::string& message, const std::string& part) {
-  return message.find(part) != std::string::npos;
 }
 
 TEST(ForeignSchema, SqlInTheNameOfAColumnIsRefused) {

@@ -1,39 +1,20 @@
 #include "store/row_digest.hpp"
 
 #include <gtest/gtest.h>
-#include <sqlite3.h>
 
-#include "base/input_error.hpp"
 #include "store/merge.hpp"
+#include "store/run_sql.hpp"
 #include "store/statement.hpp"
+#include "support/input_error_message.hpp"
 #include "support/sample_rows.hpp"
 
 namespace avoidbench {
 namespace {
 
 using namespace sample_rows;
-
-template <class Action>
-std::string message_of(Action action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
-
-bool has(const std::string& message, const std::string& part) {
-  return message.find(part) != std::string::npos;
-}
-
-void run_sql(const std::filesystem::path& path, const std::string& sql) {
-  sqlite3* handle = nullptr;
-  ASSERT_EQ(sqlite3_open(path.c_str(), &handle), SQLITE_OK);
-  EXPECT_EQ(sqlite3_exec(handle, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK)
-      << sql << ": " << sqlite3_errmsg(handle);
-  sqlite3_close(handle);
-}
+using test::has;
+using test::message_of;
+using test::run_sql;
 
 TrialRow finished() { return trial_row("a", 0, 0, Outcome::reached_goal); }
 TrialRow collided() { return trial_row("a", 0, 1, Outcome::collided); }
@@ -57,7 +38,7 @@ std::string message_of_check(const std::filesystem::path& file, bool flights) {
 
 TEST(RowDigest, ShowsEveryChangeOfATrial) {
   const TemporaryFolder folder;
-  EXPECT_EQ(message_of_check(changed_file(folder, ""), true), "");
+  EXPECT_EQ(message_of_check(changed_file(folder, ""), true), "no error");
   for (const std::string change :
        {"map_key = (SELECT max(map_key) FROM maps)", "mission_index = 1 - mission_index",
         "planner_key = (SELECT max(planner_key) FROM planners)", "outcome = 'timed_out'",
@@ -67,14 +48,15 @@ TEST(RowDigest, ShowsEveryChangeOfATrial) {
         "row_digest = 'x'"}) {
     std::string file = changed_file(folder, "UPDATE trials SET " + change).string();
     // Two planners or maps in order: the greater one may be the one that stands there.
-    if (message_of_check(file, false).empty() && has(change, "max(")) {
+    if (message_of_check(file, false) == "no error" && has(change, "max(")) {
       std::string other = change;
       other.replace(other.find("max"), 3, "min");
       file = changed_file(folder, "UPDATE trials SET " + other).string();
     }
     EXPECT_TRUE(has(message_of_check(file, false), "s.db: damaged: table trials, row ")) << change;
   }
-  EXPECT_EQ(message_of_check(changed_file(folder, "UPDATE trials SET attempt = 7"), true), "");
+  EXPECT_EQ(message_of_check(changed_file(folder, "UPDATE trials SET attempt = 7"), true),
+            "no error");
 }
 
 TEST(RowDigest, NamesTheTrial) {
@@ -85,7 +67,7 @@ TEST(RowDigest, NamesTheTrial) {
   EXPECT_TRUE(has(message_of_check(file, false), row));
   const Database db = Database::open_for_reading(file);
   EXPECT_TRUE(has(message_of([&] { db.read_trial(collided().key); }), row));
-  EXPECT_EQ(message_of([&] { db.read_trial(finished().key); }), "");
+  EXPECT_EQ(message_of([&] { db.read_trial(finished().key); }), "no error");
   Database into = begun(folder / "into.db");
   EXPECT_TRUE(has(message_of([&] { merge_database(into, file); }), row));
   EXPECT_TRUE(into.finished_keys().empty());
@@ -104,7 +86,7 @@ TEST(RowDigest, ShowsEveryChangeBesideTheTrial) {
         "obstacle_kind FROM events"}) {
     const std::string file = changed_file(folder, change);
     EXPECT_TRUE(has(message_of_check(file, true), "damaged: table trials, row ")) << change;
-    EXPECT_EQ(message_of_check(file, false), "") << change;
+    EXPECT_EQ(message_of_check(file, false), "no error") << change;
     const Database db = Database::open_for_reading(file);
     EXPECT_TRUE(has(message_of([&] { db.read_trial(collided().key); }), "damaged: ")) << change;
   }

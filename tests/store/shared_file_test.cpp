@@ -8,9 +8,9 @@
 #include <fstream>
 #include <set>
 
-#include "base/input_error.hpp"
 #include "store/database.hpp"
 #include "store/merge.hpp"
+#include "support/input_error_message.hpp"
 #include "support/sample_rows.hpp"
 
 /// What other programs do to a file while a run writes to it.
@@ -18,20 +18,8 @@ namespace avoidbench {
 namespace {
 
 using namespace sample_rows;
-
-template <class Action>
-std::string message_of(Action action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
-bool has(const std::string& message, const std::string& part) {
-  return message.find(part) != std::string::npos;
-}
+using test::has;
+using test::message_of;
 
 TrialRow first() { return trial_row("a", 0, 0, Outcome::reached_goal); }
 TrialRow second() { return trial_row("a", 0, 1, Outcome::collided); }

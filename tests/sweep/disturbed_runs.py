@@ -299,9 +299,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder, small_disk(pathlib.Path(folder) / "disk"):
         runs = Runs(given.program, folder)
         began = time.monotonic()
-        runs.whole = runs.run("whole.db", "--jobs", "2")
-        whole_s = time.monotonic() - began
-        print(f"{len(runs.whole['trial'])} trials undisturbed in {whole_s:.1f} s", flush=True)
+        whole_s = runs.fly_undisturbed("--jobs", "2")
         done = database = 0
         while done < given.count or database < given.databases:
             kinds = draws.choices(Disturbed.KINDS, k=max(1, round(given.count / given.databases)))
