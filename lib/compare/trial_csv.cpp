@@ -144,12 +144,12 @@ TableTrial trial_of(const CsvReader& reader, const std::vector<std::string>& fie
 }  // namespace
 
 std::string csv_of_table(const TrialTable& table) {
-  std::string axes = "# axes:";
-  for (const std::string& path : table.axes) axes += " " + path;
-  std::string out = comment_line(
-      std::string(kTitle) +
+  std::string title(kTitle), axes = "# axes:";
+  title +=
       ": what `avoidbench compare` needs of each trial; `avoidbench compare DB --bless FILE` wrote "
-      "it");
+      "it";
+  for (const std::string& path : table.axes) axes += " " + path;
+  std::string out = comment_line(title);
   out += comment_line("# sweep: " + table.sweep.substr(0, table.sweep.find('@')));
   out += comment_line(axes);
   CsvRow header;
