@@ -78,7 +78,8 @@ TEST(ObjFile, AVertexMayHaveAColourOrAWeightOfOne) {
 
 TEST(ObjFile, DecimalsAreRoundedToTheNearest) {
   const MeshPart part = parse("a.obj", "v 1.18 0 0\nv 0 0.7 0\nv 0 0 -1e-5\nf 1 2 3\n")[0];
-  const Points expected{{1.18F, 0, 0}, {0, 0.7F, 0}, {0, 0, -1e-5F}};
+  const auto single = [](double value) { return static_cast<double>(static_cast<float>(value)); };
+  const Points expected{{single(1.18), 0, 0}, {0, single(0.7), 0}, {0, 0, single(-1e-5)}};
   EXPECT_EQ(corners_of(part), expected);
 }
 

@@ -265,7 +265,7 @@ TEST(PointCloud, AMeshIsNoCloud) {
   add_box(box, {1, 2, 3}, {3, 5, 7}, Material::brick);
   for (const auto& [name, bytes] : test::all_meshes(box.mesh)) {
     if (!name.ends_with(".ply")) continue;
-    EXPECT_EQ(message_of([&] { parse_point_cloud(bytes, "a.ply"); }),
+    EXPECT_EQ(message_of([&mesh = bytes] { parse_point_cloud(mesh, "a.ply"); }),
               "a.ply: is a mesh of 12 faces, not a cloud of points: use generator: mesh");
   }
   // No face, but its element: as MeshLab writes clouds.
