@@ -51,16 +51,20 @@ endforeach()
   set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${properties})
 endfunction()
 
-# avoidbench_script_test(label name [SLOW] [SERIAL] [CAN_SKIP] TIMEOUT seconds COMMAND word …): the test label.name. SLOW: run by
-# scripts/test.sh --all only. SERIAL: nothing else runs beside it. CAN_SKIP: exit code 77 says that it can't run here.
+# avoidbench_script_test(label name [SLOW] [SERIAL] [CAN_SKIP] [PROCESSORS n] TIMEOUT seconds COMMAND word …): the test label.name.
+# SLOW: run by scripts/test.sh --all only. SERIAL: nothing else runs beside it, since it measures times. PROCESSORS: how many it uses,
+# by default one. CAN_SKIP: exit code 77 says that it can't run here.
 function(avoidbench_script_test label name)
-  cmake_parse_arguments(TEST "SLOW;SERIAL;CAN_SKIP" "TIMEOUT" "COMMAND" ${ARGN})
+  cmake_parse_arguments(TEST "SLOW;SERIAL;CAN_SKIP" "TIMEOUT;PROCESSORS" "COMMAND" ${ARGN})
   add_test(NAME ${label}.${name} COMMAND ${TEST_COMMAND})
   set(labels ${label})
   if(TEST_SLOW)
     list(APPEND labels slow)
   endif()
   set_tests_properties(${label}.${name} PROPERTIES TIMEOUT ${TEST_TIMEOUT} RUN_SERIAL ${TEST_SERIAL} LABELS "${labels}")
+  if(TEST_PROCESSORS)
+    set_tests_properties(${label}.${name} PROPERTIES PROCESSORS ${TEST_PROCESSORS})
+  endif()
   if(TEST_CAN_SKIP)
     set_tests_properties(${label}.${name} PROPERTIES SKIP_RETURN_CODE 77)
   endif()
