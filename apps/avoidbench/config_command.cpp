@@ -13,30 +13,10 @@
 namespace avoidbench {
 namespace {
 
-/// What can be printed: a sweep, the vehicles and sensors that are built in.
-std::vector<std::string> preset_names() {
-  std::vector<std::string> names{"sweep", "hummingbird", "hummingbird_rotors", "firefly"};
-  for (const SensorSpec& sensor : sensor_presets()) names.push_back(sensor.name);
-  return names;
-}
-
 std::string joined(const std::vector<std::string>& names) {
   std::string all;
   for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
   return all;
-}
-
-std::string preset_yaml(const std::string& name) {
-  if (name == "sweep") return sweep_defaults_yaml();
-  if (name == "hummingbird") return vehicle_yaml(hummingbird_spec());
-  if (name == "hummingbird_rotors") return vehicle_yaml(hummingbird_rotors_spec());
-  if (name == "firefly") return vehicle_yaml(firefly_spec());
-  for (const SensorSpec& sensor : sensor_presets()) {
-    if (name == sensor.name) return sensor_yaml(sensor);
-  }
-  const std::vector<std::string> names = preset_names();
-  throw InputError("nothing built in is named '" + name + "'" + did_you_mean(name, names) +
-                   "; it is one of " + joined(names));
 }
 
 void check(const std::string& file, const std::vector<std::string>& overrides, bool resolved) {
@@ -115,11 +95,11 @@ void add_config_command(CLI::App& app) {
       "defaults", "Everything that a file can say, at its default, with docs and ranges, as YAML");
   defaults
       ->add_option("what", options->preset,
-                   "A sweep, or a vehicle or sensor that is built in: " + joined(preset_names()))
+                   "A sweep, or a vehicle or sensor that is built in: " + joined(default_names()))
       ->capture_default_str();
   defaults->add_option("--output", options->output, "File to write, - for standard output")
       ->capture_default_str();
-  defaults->callback([options] { write_text(preset_yaml(options->preset), options->output); });
+  defaults->callback([options] { write_text(defaults_yaml(options->preset), options->output); });
   CLI::App* schema = command->add_subcommand(
       "schema", "JSON Schema (2020-12) of a kind of file: editors complete and check by it");
   schema

@@ -98,10 +98,15 @@ void add_key(const FieldTree& key, const Json& defaults, std::string& text) {
   }
 }
 
-template <class Spec>
-std::string file_text(const std::string& what, const FieldTree& tree, const Spec& spec) {
-  std::string text = "# A " + what + "; see `avoidbench config defaults`.\n";
-  add_block(tree, spec_to_json(spec), "", false, text);
+std::string sweep_yaml() {
+  std::string text =
+      "# A sweep with every key at its default; only 'sweep' and 'planners' must be given.\n"
+      "# One value may be a list, or a range {from: 2.3, to: 5.8, count: 10} or {from, to, step}:\n"
+      "# each combination of such values is flown. avoidbench run FILE --set "
+      "maps.poisson_radius_m=3 changes keys;\n"
+      "# config explain KEY says more of a key.\n";
+  const Json defaults = preset_json(sweep_tree());
+  for (const FieldTree& key : sweep_tree().fields) add_key(key, defaults, text);
   return text;
 }
 
@@ -123,24 +128,29 @@ std::string scalar_yaml(const nlohmann::ordered_json& json) {
 
 }  // namespace
 
-std::string sweep_defaults_yaml() {
-  std::string text =
-      "# A sweep with every key at its default; only 'sweep' and 'planners' must be given.\n"
-      "# One value may be a list, or a range {from: 2.3, to: 5.8, count: 10} or {from, to, step}:\n"
-      "# each combination of such values is flown. avoidbench run FILE --set "
-      "maps.poisson_radius_m=3 changes keys;\n"
-      "# config explain KEY says more of a key.\n";
-  const Json defaults = preset_json(sweep_tree());
-  for (const FieldTree& key : sweep_tree().fields) add_key(key, defaults, text);
-  return text;
+std::vector<std::string> default_names() {
+  std::vector<std::string> names{"sweep"};
+  for (const FieldTree* tree : {&vehicle_tree(), &sensor_tree()}) {
+    const std::vector<std::string>& built_in = tree->find("preset")->choices;
+    names.insert(names.end(), built_in.begin(), built_in.end());
+  }
+  return names;
 }
 
-std::string vehicle_yaml(const VehicleSpec& vehicle) {
-  return file_text("vehicle", vehicle_tree(), vehicle);
-}
-
-std::string sensor_yaml(const SensorSpec& sensor) {
-  return file_text("sensor", sensor_tree(), sensor);
+std::string defaults_yaml(const std::string& name) {
+  if (name == "sweep") return sweep_yaml();
+  for (const FieldTree* tree : {&vehicle_tree(), &sensor_tree()}) {
+    const FieldTree& preset = *tree->find("preset");
+    const auto found = std::find(preset.choices.begin(), preset.choices.end(), name);
+    if (found == preset.choices.end()) continue;
+    std::string text = "# A " + tree->name + "; see `avoidbench config defaults`.\n";
+    const auto index = static_cast<std::size_t>(found - preset.choices.begin());
+    add_block(*tree, preset.named[index], "", false, text);
+    return text;
+  }
+  const std::vector<std::string> names = default_names();
+  throw InputError("nothing built in is named '" + name + "'" + did_you_mean(name, names) +
+                   "; it is one of " + listed(names));
 }
 
 std::string flow_yaml(const nlohmann::ordered_json& json) {

@@ -20,66 +20,56 @@ using OrderedJson = nlohmann::ordered_json;
 // -------------------------------------------------------------------------------------------------
 // examples
 
-/// Other numbers than `value`, from near to far.
-std::vector<double> other_numbers(double value, const FieldTree& field) {
-  const Range range = field.range;
-  std::vector<double> others{value * 2.0, value / 2.0,  value + 1.0,  value - 1.0,
-                             value + 2.0, range.lowest, range.highest};
-  const bool is_whole = field.kind == FieldKind::whole;
-  std::erase_if(others, [&](double other) {
-    return !std::isfinite(other) || other == value || other < range.lowest ||
-           other > range.highest || (is_whole && std::floor(other) != other);
-  });
-  return others;
+const FieldTree& element_of(const FieldTree& field) {
+  return field.kind == FieldKind::list ? field.fields.front() : field;
 }
 
-Json as_number(double value, const FieldTree& field) {
-  if (field.kind == FieldKind::whole) return static_cast<std::int64_t>(value);
-  return value;
-}
-
-/// Lists of numbers with all their elements changed alike.
-std::vector<Json> other_lists(const FieldTree& field) {
-  const FieldTree& element = field.fields.front();
-  if (field.preset.empty() || !field.preset.front().is_number()) return {};
+/// Other numbers than the preset, from near to far, or lists with all their numbers changed alike.
+std::vector<Json> other_numbers(const FieldTree& field) {
+  const FieldTree& element = element_of(field);
+  const Range range = element.range;
+  const bool is_whole = element.kind == FieldKind::whole;
+  const std::function<double(double)> changes[] = {
+      [](double x) { return x * 2.0; },     [](double x) { return x / 2.0; },
+      [](double x) { return x + 1.0; },     [](double x) { return x - 1.0; },
+      [](double x) { return x + 2.0; },     [&](double) { return range.lowest; },
+      [&](double) { return range.highest; }};
   std::vector<Json> others;
-  const std::vector<std::function<double(double)>> changes{
-      [](double x) { return x * 2.0; }, [](double x) { return x / 2.0; },
-      [](double x) { return x + 1.0; }, [](double x) { return x - 1.0; }};
   for (const auto& change : changes) {
-    Json list = Json::array();
     bool is_good = true;
-    for (const Json& value : field.preset) {
+    const auto changed = [&](const Json& value) -> Json {
       const double other = change(value.get<double>());
-      is_good = is_good && other >= element.range.lowest && other <= element.range.highest;
-      list.push_back(as_number(other, element));
+      const bool fits = std::isfinite(other) && other >= range.lowest && other <= range.highest &&
+                        (!is_whole || std::floor(other) == other);
+      is_good = is_good && fits;
+      return fits && is_whole ? Json(static_cast<std::int64_t>(other)) : Json(other);
+    };
+    Json other = Json::array();
+    if (field.kind != FieldKind::list) other = changed(field.preset);
+    if (field.kind == FieldKind::list) {
+      for (const Json& value : field.preset) other.push_back(changed(value));
     }
-    if (is_good && list != field.preset) others.push_back(std::move(list));
+    if (is_good && other != field.preset) others.push_back(std::move(other));
   }
   return others;
 }
 
 std::vector<Json> other_values(const FieldTree& field) {
   std::vector<Json> others;
-  switch (field.kind) {
-    case FieldKind::truth:
-      others.emplace_back(!field.preset.get<bool>());
-      break;
+  switch (element_of(field).kind) {
     case FieldKind::whole:
     case FieldKind::number:
-      for (const double other : other_numbers(field.preset.get<double>(), field)) {
-        others.push_back(as_number(other, field));
-      }
+      return other_numbers(field);
+    case FieldKind::truth:
+      if (field.preset.is_boolean()) others.emplace_back(!field.preset.get<bool>());
       break;
     case FieldKind::choice:
       for (const std::string& choice : field.choices) {
         if (field.preset != choice) others.emplace_back(choice);
       }
       break;
-    case FieldKind::list:
-      return other_lists(field);
     default:
-      if (!field.preset.get<std::string>().empty()) {
+      if (field.preset.is_string() && field.preset != "") {
         others.emplace_back(field.preset.get<std::string>() + "_2");
       }
   }
@@ -143,10 +133,6 @@ std::string range_text(Range range) {
   if (below && above) return number_text(range.lowest) + " to " + number_text(range.highest);
   if (below) return "at least " + number_text(range.lowest);
   return above ? "at most " + number_text(range.highest) : "";
-}
-
-const FieldTree& element_of(const FieldTree& field) {
-  return field.kind == FieldKind::list ? field.fields.front() : field;
 }
 
 std::string type_text(const FieldTree& field) {

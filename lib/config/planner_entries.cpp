@@ -157,20 +157,10 @@ std::optional<Entry> read_entry(const YamlNode& node, const std::string& path, R
   return Entry{path, std::move(*planner), node.scalar, "", {}};
 }
 
-/// The planner for one choice of the given parameters' values; `choice` has an index for each.
-PlannerChoice make_choice(const Entry& entry, const std::vector<std::size_t>& choice) {
+/// The planner with these values; `swept` says those of which there are several.
+PlannerChoice make_choice(const Entry& entry, const ParameterValues& given,
+                          const std::string& swept) {
   const PlannerDescription& planner = entry.planner;
-  ParameterValues given;
-  std::string swept;
-  for (std::size_t i = 0; i < choice.size(); ++i) {
-    const GivenParameter& parameter = entry.parameters[i];
-    const ParameterValue& value = parameter.values[choice[i]];
-    given[parameter.name] = value;
-    if (parameter.values.size() < 2) continue;
-    const bool is_text = !is_number(*parameter_def(planner, parameter.name));
-    swept += (swept.empty() ? "" : ",") + parameter.name + "=" +
-             (is_text ? value.text : number_text(value.number));
-  }
   PlannerChoice result;
   result.plugin = entry.plugin;
   result.label = entry.label.empty() ? planner.name : entry.label;
@@ -185,6 +175,20 @@ PlannerChoice make_choice(const Entry& entry, const std::vector<std::size_t>& ch
         ParameterChoice{def.name, values[i].number, values[i].text, !is_number(def)});
   }
   return result;
+}
+
+/// All combinations of the values from parameter `at` on, the last parameter fastest.
+void add_choices(const Entry& entry, std::size_t at, ParameterValues& given,
+                 const std::string& swept, std::vector<PlannerChoice>& planners) {
+  if (at == entry.parameters.size()) return planners.push_back(make_choice(entry, given, swept));
+  const auto& [name, values] = entry.parameters[at];
+  const bool is_text = !is_number(*parameter_def(entry.planner, name));
+  for (const ParameterValue& value : values) {
+    given[name] = value;
+    const std::string said = name + "=" + (is_text ? value.text : number_text(value.number));
+    const std::string more = swept + (swept.empty() ? "" : ",") + said;
+    add_choices(entry, at + 1, given, values.size() > 1 ? more : swept, planners);
+  }
 }
 
 /// The sweep's speed limit, where the planner was given none of its own.
@@ -202,28 +206,18 @@ void add_common_speed(const YamlNode& max_speed, const YamlNode& node, Entry& en
   read_parameter(max_speed, kMaxSpeed, max_speed, kMaxSpeed, entry, reading);
 }
 
-/// All combinations of the values, the last parameter fastest.
-void add_choices(const Entry& entry, const YamlNode& node, std::vector<PlannerChoice>& planners,
-                 Reading& reading) {
+/// Whether there are not too many combinations.
+bool check_count(const Entry& entry, const YamlNode& node, Reading& reading) {
   constexpr std::size_t kMostChoices = 10'000;
   std::size_t total = 1;
   for (const GivenParameter& parameter : entry.parameters) {
     total *= parameter.values.size();
-    if (total > kMostChoices) {
-      reading.problems.push_back(problem_at(
-          node, entry.path + ": more than " + std::to_string(kMostChoices) + " combinations"));
-      return;
-    }
+    if (total <= kMostChoices) continue;
+    reading.problems.push_back(problem_at(
+        node, entry.path + ": more than " + std::to_string(kMostChoices) + " combinations"));
+    return false;
   }
-  for (std::size_t number = 0; number < total; ++number) {
-    std::vector<std::size_t> choice(entry.parameters.size());
-    std::size_t rest = number;
-    for (std::size_t i = choice.size(); i-- > 0;) {
-      choice[i] = rest % entry.parameters[i].values.size();
-      rest /= entry.parameters[i].values.size();
-    }
-    planners.push_back(make_choice(entry, choice));
-  }
+  return true;
 }
 
 }  // namespace
@@ -246,7 +240,8 @@ std::vector<PlannerChoice> read_planners(const YamlNode& node, const YamlNode* m
     if (entry && max_speed != nullptr) add_common_speed(*max_speed, nodes[i], *entry, reading);
     if (!entry || reading.problems.size() > before) continue;
     const std::size_t first = planners.size();
-    add_choices(*entry, nodes[i], planners, reading);
+    ParameterValues given;
+    if (check_count(*entry, nodes[i], reading)) add_choices(*entry, 0, given, "", planners);
     for (std::size_t k = first; k < planners.size(); ++k) {
       const auto [owner, is_new] = label_owners.emplace(planners[k].label, path);
       if (is_new) continue;

@@ -11,7 +11,7 @@ namespace avoidbench {
 
 /// The sweep in the YAML file with those that it includes, with the command line's `--set
 /// path=value` options applied. Every planner is found, loaded and its parameters resolved. Throws
-/// InputError with all that is wrong at once, each with its place: sweep_defaults_yaml() shows the
+/// InputError with all that is wrong at once, each with its place; defaults_yaml("sweep") shows the
 /// format.
 SweepSpec read_sweep(const std::filesystem::path& file,
                      const std::vector<std::string>& overrides = {});

@@ -12,7 +12,7 @@ namespace {
 
 /// The printed sweep with the planner that is there in this test.
 std::string printed_sweep() {
-  std::string text = sweep_defaults_yaml();
+  std::string text = defaults_yaml("sweep");
   const std::size_t at = text.find("  - straight_line\n  - reactive\n");
   EXPECT_NE(at, std::string::npos);
   return text.replace(at, std::string("  - straight_line\n  - reactive\n").size(), "  - tunable\n");
@@ -54,7 +54,7 @@ TEST_F(SweepFiles, TheOtherGeneratorsPrintedFieldsReadBackToo) {
 }
 
 TEST_F(SweepFiles, EveryFieldIsPrintedWithADoc) {
-  std::istringstream lines(sweep_defaults_yaml());
+  std::istringstream lines(defaults_yaml("sweep"));
   for (std::string line; std::getline(lines, line);) {
     const bool is_field = line.starts_with("  ") && line.find(": ") != std::string::npos &&
                           line.find("- {") == std::string::npos &&
@@ -92,11 +92,12 @@ TEST(Configs, FilesEqualTheBuiltInSpecs) {
 TEST(Configs, PrintedSpecsReadBackToTheSameBits) {
   for (const VehicleSpec& vehicle :
        {hummingbird_spec(), hummingbird_rotors_spec(), firefly_spec()}) {
-    EXPECT_EQ(read_as(vehicle_tree(), parse_yaml(vehicle_yaml(vehicle), "v")),
+    EXPECT_EQ(read_as(vehicle_tree(), parse_yaml(defaults_yaml(vehicle.name), "v")),
               spec_to_json(vehicle));
   }
   for (const SensorSpec& sensor : sensor_presets()) {
-    EXPECT_EQ(read_as(sensor_tree(), parse_yaml(sensor_yaml(sensor), "s")), spec_to_json(sensor));
+    EXPECT_EQ(read_as(sensor_tree(), parse_yaml(defaults_yaml(sensor.name), "s")),
+              spec_to_json(sensor));
   }
 }
 
