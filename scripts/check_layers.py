@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Checks that each room of lib/ includes only itself, rooms before it in lib/ORDER and the third parties named there,
-that no room has more than 25 files, that planners include only the SDK, that no code uses what would make results differ between
+that no room has more than 25 files, that planners include only the SDK, that no message of lib/ names an option of the command line, that no code uses what would make results differ between
 machines, and that the drawing in lib/README.md shows the includes as they are.
 
     check_layers.py [FOLDER] [--draw]    --draw: writes the drawing again"""
@@ -29,6 +29,11 @@ UNREPEATABLE = [
      "use base/math.hpp: the C library's last bit depends on the processor"),
     (r"std::unordered_(map|set)", "its order differs between libraries"),
 ]
+# Messages of lib/ name no options of the command line: an OptionError has the option's name, and the program writes it out.
+# Allowed are whole words, which are arguments of a process, and the name of the place where overrides of keys stand.
+OPTION = re.compile(r'(?<![\w-])--[a-z]')
+LITERAL = re.compile(r'"((?:[^"\\]|\\.)*)"')
+ALLOWED_LITERALS = {("lib/yaml/overrides.cpp", "--set ")}
 INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)[>"]')
 problems = []
 
@@ -77,6 +82,10 @@ for folder in [root / "lib", root / "planners"]:
                 else:
                     check_planner_include(file, number, *match.groups())
             code = line.split("//")[0]
+            for literal in LITERAL.findall(code) if in_lib else []:
+                is_allowed = " " not in literal or (str(file.relative_to(root)), literal) in ALLOWED_LITERALS
+                if OPTION.search(literal) and not is_allowed:
+                    problem(file, number, f'a message names an option: "{literal}"')
             for pattern, advice in UNREPEATABLE:
                 if re.search(pattern, code):
                     problem(file, number, f"not repeatable: {advice}")

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # make_pictures.sh: draws the pictures of README.md, docs/maps.md and docs/sensors.md again with build/release/avoidbench.
+# AVOIDBENCH_PYTHON: a Python with matplotlib and pandas (default: python3).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 program=build/release/avoidbench out=docs/images
@@ -36,5 +37,8 @@ for sensor in depth_ideal depth_noisy stereo_sgm stereo_original d435_like oak_d
 done
 "$program" sensors show stereo_sgm --map hall --png "$out/sensor_sheet_hall.png"
 "$program" sensors show stereo_sgm --map forest --png "$out/sensor_sheet_forest.png"
+errors=$(mktemp)
+trap 'rm -f "$errors"' EXIT
 "$program" sensors measure stereo_sgm depth_noisy stereo_original --map hall --of cylinder --missions 10 --bin 15 \
-  --over maps.texture_opacity=1,0.8,0.6,0.4,0.2,0.1,0 --png "$out/sensor_opacity.png" --output /dev/null
+  --over maps.texture_opacity=1,0.8,0.6,0.4,0.2,0.1,0 --format csv --output "$errors"
+"${AVOIDBENCH_PYTHON:-python3}" scripts/plot/sensor_errors.py "$errors" "$out/sensor_opacity.png"

@@ -14,12 +14,15 @@ void add_export_command(CLI::App& app);
 void add_compare_command(CLI::App& app);
 void add_replay_command(CLI::App& app);
 void add_merge_command(CLI::App& app);
-void add_verify_command(CLI::App& app);
 void add_planners_command(CLI::App& app);
 void add_maps_command(CLI::App& app);
 void add_sensors_command(CLI::App& app);
 void add_metrics_command(CLI::App& app);
 void add_config_command(CLI::App& app);
 void add_worker_command(CLI::App& app);  ///< hidden
+
+/// Of `maps`.
+void add_maps_list_command(CLI::App& maps);
+void add_maps_find_command(CLI::App& maps);
 
 }  // namespace avoidbench

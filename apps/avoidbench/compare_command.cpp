@@ -1,11 +1,10 @@
 #include <iostream>
 #include <memory>
 
-#include "base/input_error.hpp"
 #include "commands.hpp"
 #include "compare/compare_formats.hpp"
 #include "compare/tolerances.hpp"
-#include "reference_table.hpp"
+#include "output.hpp"
 
 namespace avoidbench {
 namespace {
@@ -15,7 +14,7 @@ constexpr int kExitRegression = 1;
 struct CompareCommand {
   std::string base, now;
   std::string sweep;
-  std::string format = "table";
+  CompareFormat format = CompareFormat::table;
   std::string output = "-";
   std::string min_effect;
   std::string tolerances_file;
@@ -24,14 +23,6 @@ struct CompareCommand {
   bool must_be_complete = false;
   CompareSettings settings;
 };
-
-CompareFormat format_from(const std::string& name) {
-  const auto format = enum_from_text<CompareFormat>(name);
-  if (format) return *format;
-  throw InputError("--format " + name + ": unknown" +
-                   did_you_mean(name, enum_texts<CompareFormat>()) +
-                   "; it is one of table, markdown, json, junit, bencher, github, github_bigger");
-}
 
 void warn(const TrialTable& table) {
   if (!table.warning.empty()) std::cerr << "warning: " << table.warning << '\n';
@@ -49,13 +40,13 @@ void bless(const CompareCommand& command) {
 }
 
 /// Whether the exit code is that of a failed gate.
-bool compare_bits(const CompareCommand& command, const TablePair& tables, CompareFormat format) {
+bool compare_bits(const CompareCommand& command, const TablePair& tables) {
   const ExactComparison comparison = compare_exactly(tables.base, tables.now);
-  write_text(format_comparison(comparison, format), command.output);
+  write_text(format_comparison(comparison, command.format), command.output);
   return !comparison.differences.empty();
 }
 
-bool compare_figures(const CompareCommand& command, const TablePair& tables, CompareFormat format) {
+bool compare_figures(const CompareCommand& command, const TablePair& tables) {
   CompareSettings settings = command.settings;
   if (!command.tolerances_file.empty()) {
     std::vector<std::string> names;
@@ -64,8 +55,9 @@ bool compare_figures(const CompareCommand& command, const TablePair& tables, Com
   }
   if (!command.min_effect.empty()) settings.tolerance = min_effect_from(command.min_effect);
   const Comparison comparison = compare_tables(tables.base, tables.now, settings);
-  write_text(format_comparison(comparison, format), command.output);
-  const bool is_for_people = format == CompareFormat::table || format == CompareFormat::markdown;
+  write_text(format_comparison(comparison, command.format), command.output);
+  const bool is_for_people =
+      command.format == CompareFormat::table || command.format == CompareFormat::markdown;
   if (!is_for_people) {
     for (const std::string& warning : comparison.warnings) std::cerr << warning << "\n";
   }
@@ -77,14 +69,13 @@ bool compare_figures(const CompareCommand& command, const TablePair& tables, Com
 }
 
 void compare(const CompareCommand& command) {
-  const CompareFormat format = format_from(command.format);
   if (!command.bless_file.empty()) return bless(command);
   if (command.now.empty()) throw InputError("NEW is required: compare BASE NEW");
   const TablePair tables = read_tables(command.base, command.now, command.sweep);
   warn(tables.base);
   if (command.now != command.base) warn(tables.now);
-  const bool failed = command.is_exact ? compare_bits(command, tables, format)
-                                       : compare_figures(command, tables, format);
+  const bool failed =
+      command.is_exact ? compare_bits(command, tables) : compare_figures(command, tables);
   if (failed) throw CLI::RuntimeError(kExitRegression);
 }
 
@@ -121,14 +112,10 @@ void add_options(CLI::App& command, CompareCommand& options) {
                    "bit, and no trial may be missing");
   command.add_option("--bless", options.bless_file,
                      "Write BASE's trials to this table, to be committed, and compare nothing");
-  command
-      .add_option("--format", options.format,
-                  "table, markdown, json, junit, bencher (Bencher Metric Format), github or "
-                  "github_bigger (github-action-benchmark, metrics of which less or more is "
-                  "better)")
-      ->capture_default_str();
-  command.add_option("--output", options.output, "File to write, - for standard output")
-      ->capture_default_str();
+  add_choice(command, "--format", options.format,
+             "table, markdown, json, junit, bencher (Bencher Metric Format), github or "
+             "github_bigger (github-action-benchmark, metrics of which less or more is better)");
+  add_output_file(command, options.output);
 }
 
 }  // namespace

@@ -1,23 +1,17 @@
 #include <iostream>
 #include <memory>
 
-#include "base/input_error.hpp"
 #include "commands.hpp"
 #include "config/defaults.hpp"
 #include "config/explain.hpp"
 #include "config/json_schema.hpp"
 #include "config/sweep_file.hpp"
-#include "reference_table.hpp"
+#include "output.hpp"
+#include "report/table_rows.hpp"
 #include "yaml/includes.hpp"
 
 namespace avoidbench {
 namespace {
-
-std::string joined(const std::vector<std::string>& names) {
-  std::string all;
-  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
-  return all;
-}
 
 void check(const std::string& file, const std::vector<std::string>& overrides, bool resolved) {
   const SweepSpec sweep = read_sweep(file, overrides);
@@ -53,6 +47,15 @@ std::string schema_text(const std::string& what) {
   return sweep_schema(planners, what == "part").dump(1) + "\n";
 }
 
+std::string keys_text(const Explanation& about) {
+  Table table = make_list(about.columns);
+  for (const std::vector<std::string>& words : about.keys) {
+    Row& row = table.rows.emplace_back();
+    for (const std::string& word : words) append(row, word);
+  }
+  return format_table(table, TableFormat::table);
+}
+
 /// For people: titles, facts, tables.
 std::string explanation_text(const std::string& key) {
   std::vector<std::string> unused;
@@ -64,7 +67,7 @@ std::string explanation_text(const std::string& key) {
     for (const auto& [name, fact] : about.facts) {
       text += "  " + name + std::string(width + 2 - name.size(), ' ') + fact + "\n";
     }
-    if (!about.keys.empty()) text += "\n" + table_text({about.columns, about.keys}, "table");
+    if (!about.keys.empty()) text += "\n" + keys_text(about);
   }
   return text;
 }
@@ -97,8 +100,7 @@ void add_config_command(CLI::App& app) {
       ->add_option("what", options->preset,
                    "A sweep, or a vehicle or sensor that is built in: " + joined(default_names()))
       ->capture_default_str();
-  defaults->add_option("--output", options->output, "File to write, - for standard output")
-      ->capture_default_str();
+  add_output_file(*defaults, options->output);
   defaults->callback([options] { write_text(defaults_yaml(options->preset), options->output); });
   CLI::App* schema = command->add_subcommand(
       "schema", "JSON Schema (2020-12) of a kind of file: editors complete and check by it");
@@ -106,8 +108,7 @@ void add_config_command(CLI::App& app) {
       ->add_option("what", options->schema,
                    "sweep, part (a file that sweeps include), vehicle or sensor")
       ->capture_default_str();
-  schema->add_option("--output", options->schema_output, "File to write, - for standard output")
-      ->capture_default_str();
+  add_output_file(*schema, options->schema_output);
   schema->footer(
       "Example:\n"
       "  avoidbench config schema --output sweep.schema.json\n"
@@ -119,12 +120,7 @@ void add_config_command(CLI::App& app) {
   check_command->add_option("sweep", options->file, "Sweep file (YAML)")
       ->required()
       ->type_name("FILE");
-  check_command
-      ->add_option(
-          "--set", options->overrides,
-          "Override one value, as in maps.poisson_radius_m=3.0; repeatable (default: none)")
-      ->type_name("PATH=VALUE")
-      ->allow_extra_args(false);
+  add_overrides(*check_command, options->overrides, "maps.poisson_radius_m=3.0");
   check_command->add_flag("--resolved", options->resolved,
                           "Print the file with what it includes and --set put in, each value with "
                           "where it comes from (default: a summary)");

@@ -65,6 +65,13 @@ Database open_checked(const std::filesystem::path& path) {
   return database;
 }
 
+std::vector<Database> opened(const std::vector<std::string>& files, const std::string& purpose) {
+  std::vector<Database> databases;
+  for (const std::string& file : files) databases.push_back(open_checked(database_of(file)));
+  if (files.empty()) databases.push_back(open_checked(newest_database(purpose)));
+  return databases;
+}
+
 StoredTrial possible_trial(const Database& database, const std::string& key) {
   StoredTrial stored = read_stored_trial(database, key);
   for (const Contradiction& found : contradictions(stored.spec)) {

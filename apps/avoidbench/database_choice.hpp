@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "replay/replay.hpp"
 #include "store/database.hpp"
@@ -18,6 +19,9 @@ std::filesystem::path newest_database(const std::string& purpose);
 /// Opens a database for reading after checking the digests of all its trials' rows. Says on stderr
 /// how many have none.
 Database open_checked(const std::filesystem::path& path);
+
+/// The databases, opened so, or the newest one where none is given.
+std::vector<Database> opened(const std::vector<std::string>& files, const std::string& purpose);
 
 /// The stored trial, ready to be flown. Throws InputError as read_stored_trial() does, and where
 /// its spec contradicts itself as no sweep file may.

@@ -1,94 +1,34 @@
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <memory>
 
 #include "base/file_name.hpp"
-#include "base/input_error.hpp"
+#include "base/option_error.hpp"
 #include "commands.hpp"
 #include "database_choice.hpp"
 #include "export/export_trajectory.hpp"
 #include "export/export_trials.hpp"
 #include "export/ompl_log.hpp"
-#include "reference_table.hpp"
+#include "export/trial_list.hpp"
+#include "output.hpp"
 #include "report/sweep_choice.hpp"
-#include "trial_list.hpp"
-#include "visible_streams.hpp"
 
 namespace avoidbench {
 namespace {
 
 struct ExportOptions {
   std::vector<std::string> words;  // databases, or a database and trials
-  std::string sweep, format, output = "-";
+  std::string sweep, output = "-";
+  TrialFormat trial_format = TrialFormat::csv;
+  TrajectoryFormat trajectory_format = TrajectoryFormat::csv;
   double progress_period_s = 0.0;
 };
 
-template <class Format>
-Format format_of(const ExportOptions& options) {
-  const auto format = enum_from_text<Format>(options.format);
-  if (format) return *format;
-  std::string all;
-  for (const std::string& text : enum_texts<Format>()) all += (all.empty() ? "" : ", ") + text;
-  throw InputError("--format " + options.format + ": unknown" +
-                   did_you_mean(options.format, enum_texts<Format>()) + "; it is one of " + all);
-}
-
-/// A file, or standard output for "-", that is written piece by piece.
-class Output {
- public:
-  explicit Output(const std::string& path) : path_(path) {
-    if (path == "-") return;
-    file_.open(path, std::ios::binary);
-    if (!file_) fail();
-  }
-  void write(const std::string& text) {
-    (path_ == "-" ? data_output() : file_) << text;
-    if (path_ == "-" ? !data_output() : !file_) fail();
-  }
-  void close() {
-    if (path_ == "-") {
-      data_output().flush();
-    } else {
-      file_.close();
-    }
-    if (path_ == "-" ? !data_output() : !file_) fail();
-  }
-
- private:
-  [[noreturn]] void fail() const {
-    if (path_ == "-") throw InputError("standard output can't be written");
-    throw InputError(InputProblem{.file = path_, .message = "can't be written"});
-  }
-  std::string path_;
-  std::ofstream file_;
-};
-
-/// The folder, made where there is none.
-std::filesystem::path made_folder(const std::string& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (!std::filesystem::is_directory(folder, error)) {
-    throw InputError({.file = folder, .message = "is no folder and can't be made one"});
-  }
-  return folder;
-}
-
-std::vector<Database> opened(const std::vector<std::string>& files) {
-  std::vector<Database> databases;
-  for (const std::string& file : files) {
-    databases.push_back(open_checked(database_of(file)));
-  }
-  if (files.empty()) databases.push_back(open_checked(newest_database("trials")));
-  return databases;
-}
-
 void write_trials(const ExportOptions& options) {
-  const auto format = format_of<TrialFormat>(options);
-  const std::vector<Database> databases = opened(options.words);
+  const std::vector<Database> databases = opened(options.words, "trials");
   chosen_sweeps(databases, options.sweep);  // before the file is made
   Output output(options.output);
-  export_trials(databases, options.sweep, format,
+  export_trials(databases, options.sweep, options.trial_format,
                 [&](const std::string& line) { output.write(line); });
   output.close();
 }
@@ -111,20 +51,14 @@ struct ChosenTrials {
 ChosenTrials chosen(const std::vector<std::string>& words) {
   const bool has_database = is_database(words.front());
   if (has_database && words.size() == 1) {
-    throw InputError("no trial given: an id or the beginning of a key; avoidbench replay " +
-                     words.front() + " --list shows them");
+    throw OptionError("no trial given: an id or the beginning of a key", "", "list");
   }
   ChosenTrials chosen{.database = Database::open_for_reading(
                           has_database ? database_of(words.front()) : newest_database("trials")),
                       .trials = {}};
   const std::vector<TrialListing> all = chosen.database.list_trials();
   for (std::size_t i = has_database ? 1 : 0; i < words.size(); ++i) {
-    chosen.trials.push_back(the_trial(all, {.trial = words[i],
-                                            .planner = {},
-                                            .outcome = {},
-                                            .map_seed = {},
-                                            .mission = {},
-                                            .radius_m = {}}));
+    chosen.trials.push_back(the_trial(all, {.trial = words[i]}));
   }
   return chosen;
 }
@@ -158,9 +92,9 @@ void write_each(const ExportOptions& options, const std::string& extension, Text
 }
 
 void write_trajectories(const ExportOptions& options) {
-  const auto format = format_of<TrajectoryFormat>(options);
-  write_each(options, std::string(text(format)),
-             [&](const TrialRecord& record) { return trajectory_text(record.samples, format); });
+  write_each(options, std::string(text(options.trajectory_format)), [&](const TrialRecord& record) {
+    return trajectory_text(record.samples, options.trajectory_format);
+  });
 }
 
 void write_calls(const ExportOptions& options) {
@@ -172,7 +106,7 @@ void write_ompl(const ExportOptions& options) {
   if (options.words.size() > 1) {
     throw InputError("one database at a time: put several into one with avoidbench merge");
   }
-  const std::vector<Database> databases = opened(options.words);
+  const std::vector<Database> databases = opened(options.words, "trials");
   const std::vector<std::vector<SweepInfo>> sweeps = chosen_sweeps(databases, options.sweep);
   std::vector<OmplExperiment> experiments;
   for (const SweepInfo& sweep : sweeps.front()) {
@@ -199,28 +133,16 @@ void write_ompl(const ExportOptions& options) {
   }
 }
 
-CLI::Option* add_output(CLI::App& command, ExportOptions& options, const std::string& doc) {
-  return command.add_option("--output", options.output, doc)->type_name("PATH");
-}
-
-void add_sweep(CLI::App& command, ExportOptions& options) {
-  command.add_option(
-      "--sweep", options.sweep,
-      "Only this sweep; NAME@2 for its revision 2 (default: the latest revision of every sweep)");
-}
-
 void add_trials(CLI::App& app) {
   const auto options = std::make_shared<ExportOptions>();
-  options->format = "csv";
   CLI::App* command =
       app.add_subcommand("trials", "Every trial with its map, mission and metrics: one flat table");
   command->add_option("DB", options->words,
                       "Databases; a trial that several hold is written once (default: the newest "
                       "results/*.db)");
-  add_sweep(*command, *options);
-  command->add_option("--format", options->format, "csv (RFC 4180) or jsonl (JSON lines)")
-      ->capture_default_str();
-  add_output(*command, *options, "File to write, - for standard output")->capture_default_str();
+  add_sweep_choice(*command, options->sweep);
+  add_choice(*command, "--format", options->trial_format, "csv (RFC 4180) or jsonl (JSON lines)");
+  add_output_file(*command, options->output);
   command->footer(
       "The columns are those of the view trial_table; names carry units, numbers all their "
       "digits.\n\n"
@@ -238,20 +160,17 @@ CLI::App* add_of_trials(CLI::App& app, const std::string& name, const std::strin
           "Ids of trials or the beginnings of their keys; before them a database (default: "
           "the newest results/*.db)")
       ->required();
-  add_output(*command, *options,
-             "File to write, - for standard output; of several trials a folder, with a file each")
-      ->capture_default_str();
+  add_output_file(*command, options->output)
+      ->description(
+          "File to write, - for standard output; of several trials a folder, with a file each");
   return command;
 }
 
 void add_trajectory(CLI::App& app) {
   const auto options = std::make_shared<ExportOptions>();
-  options->format = "csv";
   CLI::App* command = add_of_trials(app, "trajectory", "The flown path of trials", options);
-  command
-      ->add_option("--format", options->format,
-                   "csv (all that is stored), or tum (timestamp tx ty tz qx qy qz qw: for evo)")
-      ->capture_default_str();
+  add_choice(*command, "--format", options->trajectory_format,
+             "csv (all that is stored), or tum (timestamp tx ty tz qx qy qz qw: for evo)");
   command->footer(
       "Example:\n"
       "  avoidbench export trajectory results/quick.db 3 7 --format tum --output paths");
@@ -271,9 +190,11 @@ void add_ompl(CLI::App& app) {
       "ompl",
       "Benchmark logs of OMPL, one per map, for ompl_benchmark_statistics and Planner Arena");
   command->add_option("DB", options->words, "Database (default: the newest results/*.db)");
-  add_sweep(*command, *options);
-  add_output(*command, *options,
-             "Folder for the logs; of a single map also a file *.log, or - for standard output")
+  add_sweep_choice(*command, options->sweep);
+  command
+      ->add_option(
+          "--output", options->output,
+          "Folder for the logs; of a single map also a file *.log, or - for standard output")
       ->required();
   command
       ->add_option("--progress", options->progress_period_s,

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "base/input_error.hpp"
+#include "base/option_error.hpp"
 #include "commands.hpp"
 #include "plugin/planner_library.hpp"
 #include "text/visible_text.hpp"
@@ -91,13 +91,23 @@ void add_commands(CLI::App& app) {
   add_compare_command(app);
   add_replay_command(app);
   add_merge_command(app);
-  add_verify_command(app);
   add_planners_command(app);
   add_maps_command(app);
   add_sensors_command(app);
   add_metrics_command(app);
   add_config_command(app);
   add_worker_command(app);
+}
+
+/// The words of the command line, those of the last release's spellings in today's: `verify DB` is
+/// `replay DB --verify` and goes with the next release.
+std::vector<std::string> current_words(int argc, const char* const* argv) {
+  std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  if (words.empty() || words.front() != "verify") return words;
+  words.front() = "replay";
+  words.emplace_back("--verify");
+  std::cerr << "avoidbench verify is called avoidbench replay --verify now, and will go\n";
+  return words;
 }
 
 int run_program(int argc, const char* const* argv) {
@@ -114,7 +124,9 @@ int run_program(int argc, const char* const* argv) {
       "Exit codes: 0 done, 1 done but a check failed, 2 usage or input, 3 an error of this "
       "program");
   try {
-    app.parse(argc, argv);
+    std::vector<std::string> words = current_words(argc, argv);
+    std::reverse(words.begin(), words.end());  // as CLI11 takes them
+    app.parse(std::move(words));
   } catch (const CLI::RuntimeError& stop) {
     return stop.get_exit_code();
   } catch (const CLI::Success& answer) {  // --help, --version
@@ -129,10 +141,22 @@ int run_program(int argc, const char* const* argv) {
   return 0;
 }
 
+/// How this program takes what would help.
+std::string hint_text(const std::string& hint) {
+  if (hint.empty()) return "";
+  if (hint == "list") return ": avoidbench replay DB --list shows them";
+  if (hint == "bless") return ": avoidbench compare DB --bless FILE writes one";
+  return " (--" + hint + ")";
+}
+
 /// Runs the program, prints what is wrong with its input, and returns the exit code.
 int guarded_program(int argc, const char* const* argv) {
   try {
     return run_program(argc, argv);
+  } catch (const OptionError& error) {
+    const std::string option = error.option().empty() ? "" : "--" + error.option() + " ";
+    std::cerr << visible_line(option + error.what() + hint_text(error.hint())) << '\n';
+    return kUsageError;
   } catch (const InputError& error) {
     for (const InputProblem& problem : error.problems()) {
       std::cerr << visible_line(text(problem)) << '\n';

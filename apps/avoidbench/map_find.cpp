@@ -1,18 +1,13 @@
-#include "map_find.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <iostream>
 #include <memory>
-#include <optional>
 
-#include "base/input_error.hpp"
+#include "commands.hpp"
 #include "config/sweep_file.hpp"
-#include "metrics/environment.hpp"
 #include "metrics/find_maps.hpp"
-#include "metrics/metric_table.hpp"
-#include "visible_streams.hpp"
+#include "metrics/map_measure.hpp"
+#include "output.hpp"
 #include "yaml/yaml_values.hpp"
 
 namespace avoidbench {
@@ -25,36 +20,6 @@ struct FindOptions {
   std::vector<double> between{1.8, 8.0};
   std::int64_t count = 3, most_seeds = 100, missions = 5;
 };
-
-std::vector<std::string> metric_names() {
-  std::vector<std::string> names;
-  for (const MapMetricDef& metric : map_metric_table()) names.emplace_back(metric.name);
-  for (const MissionMetricDef& metric : mission_metric_table()) names.emplace_back(metric.name);
-  return names;
-}
-
-/// The map's metric, or the mean of a mission's metric over the valid missions.
-double value_of(const FindOptions& options, double parameter, std::uint64_t map_seed) {
-  std::vector<std::string> overrides = options.overrides;
-  overrides.push_back(options.vary + "=" + number_text(parameter));
-  const TrialSpec trial = read_map(options.spec, overrides).trial;
-  const World world = make_world(trial.map, map_seed);
-  const Scene scene(world);
-  for (const MapMetricDef& metric : map_metric_table()) {
-    if (metric.name == options.metric) return metric.value(make_map_record(trial, scene, 0));
-  }
-  const MapRecord map = make_map_record(trial, scene, options.missions);
-  double sum = 0.0, count = 0.0;
-  for (const MissionMetricDef& metric : mission_metric_table()) {
-    if (metric.name != options.metric) continue;
-    for (const MissionRecord& mission : map.missions) {
-      if (!mission.is_valid) continue;
-      sum += metric.value(mission);
-      count += 1.0;
-    }
-  }
-  return sum / count;
-}
 
 /// Field of a map out of `maps.area_m=[20, 30]`, to be written below `maps:`.
 std::string yaml_line(const std::string& override) {
@@ -76,14 +41,13 @@ void print_found(const FindOptions& options, const MapsFound& found) {
   text += "  generator: " + std::string(kind(trial.map)) + "\n";
   for (const std::string& override : options.overrides) text += yaml_line(override);
   text += "  " + options.vary + ": " + number_text(found.parameter) + "\n  seeds: [";
-  for (std::size_t i = 0; i < found.seeds.size(); ++i) {
-    text += (i > 0 ? ", " : "") + std::to_string(found.seeds[i]);
-  }
-  data_output() << text << "]\n" << std::flush;
+  std::vector<std::string> seeds;
+  for (const std::uint64_t seed : found.seeds) seeds.push_back(std::to_string(seed));
+  write_text(text + joined(seeds) + "]\n", "-");
 }
 
 void find(const FindOptions& options) {
-  const std::vector<std::string> names = metric_names();
+  const std::vector<std::string> names = map_measure_names();
   if (std::find(names.begin(), names.end(), options.metric) == names.end()) {
     throw InputError("--metric " + options.metric + ": no metric of maps or missions" +
                      did_you_mean(options.metric, names));
@@ -92,7 +56,10 @@ void find(const FindOptions& options) {
     throw InputError("--between: the lower end comes first");
   }
   const auto measure = [&](double parameter, std::uint64_t seed) {
-    const double value = value_of(options, parameter, seed);
+    std::vector<std::string> overrides = options.overrides;
+    overrides.push_back(options.vary + "=" + number_text(parameter));
+    const double value = map_measure(read_map(options.spec, overrides).trial, seed, options.metric,
+                                     options.missions);
     const bool is_near = std::abs(value - options.wanted) <= options.within;
     std::fprintf(stderr, "%s %g, seed %llu: %s %.4g%s\n", options.vary.c_str(), parameter,
                  static_cast<unsigned long long>(seed), options.metric.c_str(), value,
@@ -142,11 +109,7 @@ void add_maps_find_command(CLI::App& maps) {
   command->add_option("--missions", options->missions, "Missions a metric of missions is taken of")
       ->check(CLI::Range(1, 10'000))
       ->capture_default_str();
-  command
-      ->add_option("--set", options->overrides,
-                   "Set another field, as in bush_ratio=0; repeatable (default: none)")
-      ->type_name("NAME=VALUE")
-      ->allow_extra_args(false);
+  add_overrides(*command, options->overrides, "bush_ratio=0");
   command->callback([options] { find(*options); });
 }
 

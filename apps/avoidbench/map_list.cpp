@@ -1,12 +1,11 @@
-#include "map_list.hpp"
-
-#include <cstdio>
 #include <memory>
 
-#include "base/input_error.hpp"
+#include "commands.hpp"
 #include "maps/generators.hpp"
 #include "metrics/environment.hpp"
-#include "reference_table.hpp"
+#include "output.hpp"
+#include "report/table_rows.hpp"
+#include "text/number_text.hpp"
 #include "trial/trial_spec.hpp"
 
 namespace avoidbench {
@@ -17,32 +16,26 @@ struct ListOptions {
   std::string suite;
   std::uint64_t count = 30;
   std::size_t positions = 3;
-  TableOptions table;
+  OutputOptions output;
 };
 
-std::string fixed(double value, int digits) {
-  char text[48];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return text;
-}
-
 template <std::size_t... index>
-void add_generators(ReferenceTable& table, std::index_sequence<index...>) {
-  (table.rows.push_back({std::string(std::variant_alternative_t<index, MapSpec>::kind),
-                         std::string(std::variant_alternative_t<index, MapSpec>::doc)}),
+void add_generators(Table& table, std::index_sequence<index...>) {
+  (table.rows.push_back(make_row(std::variant_alternative_t<index, MapSpec>::kind,
+                                 std::variant_alternative_t<index, MapSpec>::doc)),
    ...);
 }
 
 void list_generators(const ListOptions& options) {
-  ReferenceTable table{{"generator", "summary"}, {}};
+  Table table = make_list({"generator", "summary"});
   add_generators(table, std::make_index_sequence<std::variant_size_v<MapSpec>>());
-  write_table(table, options.table);
+  write_table(table, options.output);
 }
 
 /// The suite's maps from 1 on, one row each.
 template <class Spec>
 void add_fields(const std::string& suite, const Spec& spec, const ListOptions& options,
-                ReferenceTable& table) {
+                Table& table) {
   const BodyMeasure body = body_measure(to_eigen(TrialSpec{}.vehicle.body_size_m));
   for (std::uint64_t number = 1; number <= options.count; ++number) {
     const AvoidbenchField field = make_avoidbench_field(field_suite(spec), number);
@@ -50,31 +43,22 @@ void add_fields(const std::string& suite, const Spec& spec, const ListOptions& o
     std::string first;
     for (std::size_t i = 0; i < std::min(options.positions, field.positions_m.size()); ++i) {
       const Eigen::Vector2d place = field.positions_m[i].template cast<double>();
-      first += (first.empty() ? "(" : " (") + fixed(place.x(), 3) + "," + fixed(place.y(), 3) + ")";
+      first += (first.empty() ? "(" : " (") + fixed_digits(place.x(), 3) + "," +
+               fixed_digits(place.y(), 3) + ")";
     }
-    table.rows.push_back({suite, std::to_string(number),
-                          fixed(static_cast<double>(field.radius_m), 4), fixed(gap, 3),
-                          std::to_string(field.map_seed), std::to_string(field.positions_m.size()),
-                          first});
+    // The radius is a 32-bit float: no more digits than that has.
+    table.rows.push_back(
+        make_row(suite, number, fixed_digits(static_cast<double>(field.radius_m), 4),
+                 fixed_digits(gap, 3), field.map_seed, field.positions_m.size(), first));
   }
 }
 
 void list_fields(const ListOptions& options) {
-  ReferenceTable table{{"suite", "map", "radius_m", "relative_gap_size", "map_seed", "obstacles",
-                        "first_positions_m"},
-                       {}};
+  Table table = make_list({"suite", "map", "radius_m", "relative_gap_size", "map_seed", "obstacles",
+                           "first_positions_m"});
   if (options.suite != "indoor") add_fields("outdoor", AvoidbenchForestSpec{}, options, table);
   if (options.suite != "outdoor") add_fields("indoor", AvoidbenchIndoorSpec{}, options, table);
-  write_table(table, options.table);
-}
-
-void list(const ListOptions& options) {
-  const std::vector<std::string> suites{"outdoor", "indoor"};
-  if (!options.suite.empty() && options.suite != suites[0] && options.suite != suites[1]) {
-    throw InputError("--suite " + options.suite + ": unknown" +
-                     did_you_mean(options.suite, suites) + "; it is one of outdoor, indoor");
-  }
-  options.fields ? list_fields(options) : list_generators(options);
+  write_table(table, options.output);
 }
 
 }  // namespace
@@ -87,7 +71,8 @@ void add_maps_list_command(CLI::App& maps) {
       "--fields", options->fields,
       "Each map of the original's suites: Poisson radius, relative gap size, the original's map "
       "seed, obstacles in the whole field and the first of their positions in its own frame");
-  command->add_option("--suite", options->suite, "outdoor or indoor (default: both)")
+  add_choice(*command, "--suite", options->suite, {"outdoor", "indoor"},
+             "outdoor or indoor (default: both)")
       ->needs(fields);
   command->add_option("--count", options->count, "Maps of a suite, from 1 on")
       ->check(CLI::Range(1, 10'000))
@@ -97,12 +82,13 @@ void add_maps_list_command(CLI::App& maps) {
       ->check(CLI::Range(0, 100'000))
       ->capture_default_str()
       ->needs(fields);
-  add_table_options(*command, options->table);
+  add_output_options(*command, options->output);
   command->footer(
       "Examples:\n"
       "  avoidbench maps list\n"
       "  avoidbench maps list --fields --suite outdoor --format csv --output fields.csv");
-  command->callback([options] { list(*options); });
+  command->callback(
+      [options] { options->fields ? list_fields(*options) : list_generators(*options); });
 }
 
 }  // namespace avoidbench

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <iostream>
@@ -6,15 +5,15 @@
 #include <memory>
 #include <optional>
 
-#include "base/input_error.hpp"
 #include "commands.hpp"
 #include "config/sweep_file.hpp"
 #include "map_file/export_map.hpp"
-#include "map_find.hpp"
-#include "map_list.hpp"
 #include "metrics/environment.hpp"
+#include "metrics/map_measure.hpp"
 #include "metrics/metric_table.hpp"
-#include "reference_table.hpp"
+#include "output.hpp"
+#include "report/table_rows.hpp"
+#include "text/number_text.hpp"
 #include "view/map_views.hpp"
 #include "world/voxels.hpp"
 #include "yaml/yaml_values.hpp"
@@ -32,7 +31,7 @@ struct MapOptions {
   double point_cloud_m = 0.0;  ///< resolution of the original's metric; 0: without
   std::string file, export_as = "mesh";
   double resolution_m = 0.1;
-  TableOptions table;
+  OutputOptions output;
 };
 
 TrialSpec trial_of(const MapOptions& options) {
@@ -41,19 +40,7 @@ TrialSpec trial_of(const MapOptions& options) {
   return trial;
 }
 
-std::string fixed(double value, int digits) {
-  char text[48];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return text;
-}
-
 void show(const MapOptions& options) {
-  const std::vector<std::string> views = map_view_names();
-  if (std::find(views.begin(), views.end(), options.view.name) == views.end()) {
-    throw InputError("--view " + options.view.name + ": unknown" +
-                     did_you_mean(options.view.name, views) +
-                     "; it is one of top, bird, first_person, depth");
-  }
   const TrialSpec trial = trial_of(options);
   const World world = make_world(trial.map, trial.map_seed);
   std::string note;
@@ -72,8 +59,8 @@ void show(const MapOptions& options) {
 std::string box_text(const Aabb& box) {
   std::string text;
   for (int axis = 0; axis < 3; ++axis) {
-    text += (axis > 0 ? " × [" : "[") + fixed(box.min()[axis], 2) + ", " +
-            fixed(box.max()[axis], 2) + "]";
+    text += (axis > 0 ? " × [" : "[") + fixed_digits(box.min()[axis], 2) + ", " +
+            fixed_digits(box.max()[axis], 2) + "]";
   }
   return text;
 }
@@ -84,37 +71,31 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 std::string metric_text(double value, std::string_view unit) {
   if (std::isnan(value)) return "–";
-  char text[48];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text + (unit.empty() ? "" : " " + std::string(unit));
+  return significant_digits(value, 4) + (unit.empty() ? "" : " " + std::string(unit));
 }
 
 /// Metrics of the map, the means of those of its missions, and what the original would say of it.
 void add_metrics(const TrialSpec& trial, const World& world, const MapOptions& options,
-                 ReferenceTable& table) {
+                 Table& table) {
   const Scene scene(world);
   const MapRecord map = make_map_record(trial, scene, options.missions);
   for (const MapMetricDef& metric : map_metric_table()) {
-    table.rows.push_back({std::string(metric.name), metric_text(metric.value(map), metric.unit)});
+    table.rows.push_back(make_row(metric.name, metric_text(metric.value(map), metric.unit)));
   }
   if (options.point_cloud_m > 0.0) {
     const Traversability measured = traversability_pointcloud(
         world, options.point_cloud_m, body_measure(to_eigen(trial.vehicle.body_size_m)));
-    table.rows.push_back({"traversability_pointcloud", metric_text(measured.value, "")});
-    table.rows.push_back(
-        {"traversability_pointcloud_normalized_ratio", metric_text(measured.normalized_ratio, "")});
+    table.rows.push_back(make_row("traversability_pointcloud", metric_text(measured.value, "")));
+    table.rows.push_back(make_row("traversability_pointcloud_normalized_ratio",
+                                  metric_text(measured.normalized_ratio, "")));
   }
   std::size_t valid = 0;
   for (const MissionRecord& mission : map.missions) valid += mission.is_valid ? 1 : 0;
-  table.rows.push_back(
-      {"valid_missions", std::to_string(valid) + " of " + std::to_string(map.missions.size())});
+  table.rows.push_back(make_row(
+      "valid_missions", std::to_string(valid) + " of " + std::to_string(map.missions.size())));
   for (const MissionMetricDef& metric : mission_metric_table()) {
-    double sum = 0.0;
-    for (const MissionRecord& mission : map.missions) {
-      if (mission.is_valid) sum += metric.value(mission);
-    }
-    table.rows.push_back({"mean_" + std::string(metric.name),
-                          metric_text(sum / static_cast<double>(valid), metric.unit)});
+    table.rows.push_back(make_row("mean_" + std::string(metric.name),
+                                  metric_text(mission_mean(map, metric.value), metric.unit)));
   }
 }
 
@@ -125,9 +106,9 @@ void info(const MapOptions& options) {
   const double made_s = seconds_since(start);
   std::map<std::string, std::size_t> counts;
   for (const Obstacle& obstacle : world.obstacles) ++counts[obstacle.kind];
-  ReferenceTable table{{"property", "value"}, {}};
+  Table table = make_list({"property", "value"});
   const auto add = [&](const std::string& name, const std::string& value) {
-    table.rows.push_back({name, value});
+    table.rows.push_back(make_row(name, value));
   };
   add("generator", std::string(kind(trial.map)));
   add("seed", std::to_string(trial.map_seed));
@@ -136,24 +117,18 @@ void info(const MapOptions& options) {
   add("triangle_count", std::to_string(triangle_count(world)));
   add("bounds_m", box_text(world.bounds));
   add("flight_bounds_m", box_text(world.flight_bounds));
-  add("mean_obstacle_width_m", fixed(world.mean_obstacle_width_m, 4));
-  add("memory_mb", fixed(static_cast<double>(memory_bytes(world)) / 1e6, 1));
+  add("mean_obstacle_width_m", fixed_digits(world.mean_obstacle_width_m, 4));
+  add("memory_mb", fixed_digits(static_cast<double>(memory_bytes(world)) / 1e6, 1));
   const auto measuring = std::chrono::steady_clock::now();
   if (options.missions > 0) add_metrics(trial, world, options, table);
   const double measured_s = seconds_since(measuring);
   add("digest", world.digest);
-  write_table(table, options.table);
-  std::cerr << "made in " << fixed(1000.0 * made_s, 0) << " ms, measured in "
-            << fixed(1000.0 * measured_s, 0) << " ms\n";
+  write_table(table, options.output);
+  std::cerr << "made in " << fixed_digits(1000.0 * made_s, 0) << " ms, measured in "
+            << fixed_digits(1000.0 * measured_s, 0) << " ms\n";
 }
 
 void export_map(const MapOptions& options) {
-  const std::vector<std::string> kinds{"mesh", "cloud", "occupancy"};
-  if (std::find(kinds.begin(), kinds.end(), options.export_as) == kinds.end()) {
-    throw InputError("--as " + options.export_as + ": unknown" +
-                     did_you_mean(options.export_as, kinds) +
-                     "; it is one of mesh, cloud, occupancy");
-  }
   const TrialSpec trial = trial_of(options);
   const World world = make_world(trial.map, trial.map_seed);
   if (options.export_as == "mesh") {
@@ -175,11 +150,7 @@ void add_map_options(CLI::App& command, MapOptions& options) {
                   "Generator (see maps list), sweep file, or file with a map's fields")
       ->required();
   command.add_option("--seed", options.seed, "Map seed (default: that of the file, else 1)");
-  command
-      .add_option("--set", options.overrides,
-                  "Override one value, as in poisson_radius_m=3; repeatable (default: none)")
-      ->type_name("NAME=VALUE")
-      ->allow_extra_args(false);
+  add_overrides(command, options.overrides, "poisson_radius_m=3");
 }
 
 }  // namespace
@@ -196,12 +167,9 @@ void add_maps_command(CLI::App& app) {
       "  avoidbench maps find forest --metric traversability --value 12 --within 0.5");
   CLI::App* show_command = command->add_subcommand("show", "Draw a map as a PNG file");
   add_map_options(*show_command, *options);
-  show_command
-      ->add_option(
-          "--view", options->view.name,
-          "top (a plan coloured by height, with a mission's reference path), bird, first_person, "
-          "or depth (what the mission's camera sees at its start)")
-      ->capture_default_str();
+  add_choice(*show_command, "--view", options->view.name, map_view_names(),
+             "top (a plan coloured by height, with a mission's reference path), bird, "
+             "first_person, or depth (what the mission's camera sees at its start)");
   show_command->add_option("--png", options->png, "File to write")->capture_default_str();
   show_command
       ->add_option("--mission", options->view.mission_index,
@@ -230,18 +198,16 @@ void add_maps_command(CLI::App& app) {
                    "Traversability as the original computes it too, from a point cloud of this "
                    "resolution, m (default: without)")
       ->check(CLI::Range(0.02, 5.0));
-  add_table_options(*info_command, options->table);
+  add_output_options(*info_command, options->output);
   info_command->callback([options] { info(*options); });
   CLI::App* export_command = command->add_subcommand(
       "export", "Write a map for other programs: x, y, z in metres, z up (glTF: y up)");
   add_map_options(*export_command, *options);
   export_command->add_option("file", options->file, "File to write; its ending says the format")
       ->required();
-  export_command
-      ->add_option("--as", options->export_as,
-                   "mesh (.glb, .obj, .ply, .stl), cloud (.ply: centres of the cells that surfaces "
-                   "touch) or occupancy (.npy with a .json beside it)")
-      ->capture_default_str();
+  add_choice(*export_command, "--as", options->export_as, {"mesh", "cloud", "occupancy"},
+             "mesh (.glb, .obj, .ply, .stl), cloud (.ply: centres of the cells that surfaces "
+             "touch) or occupancy (.npy with a .json beside it)");
   export_command->add_option("--resolution", options->resolution_m, "Size of a cell, m")
       ->check(CLI::Range(0.01, 10.0))
       ->capture_default_str();

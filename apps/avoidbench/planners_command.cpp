@@ -3,11 +3,11 @@
 #include <memory>
 #include <utility>
 
-#include "base/input_error.hpp"
 #include "commands.hpp"
 #include "conformance/conformance.hpp"
+#include "output.hpp"
 #include "plugin/planner_library.hpp"
-#include "reference_table.hpp"
+#include "report/table_rows.hpp"
 #include "yaml/yaml_values.hpp"
 
 namespace avoidbench {
@@ -16,11 +16,11 @@ namespace {
 using Names = std::vector<std::pair<std::uint32_t, const char*>>;
 
 std::string bit_names(std::uint32_t bits, const Names& names) {
-  std::string all;
+  std::vector<std::string> all;
   for (const auto& [bit, name] : names) {
-    if ((bits & bit) != 0) all += (all.empty() ? "" : ", ") + std::string(name);
+    if ((bits & bit) != 0) all.emplace_back(name);
   }
-  return all;
+  return joined(all);
 }
 
 std::string sees(const PlannerDescription& planner) {
@@ -46,12 +46,12 @@ std::string commands(const PlannerDescription& planner) {
                                       {AB_COMMAND_RATES, "rates"}});
 }
 
-void list(const TableOptions& options) {
+void list(const OutputOptions& options) {
   std::vector<std::string> problems;
-  ReferenceTable table{{"name", "version", "sees", "commands", "parameters", "summary"}, {}};
+  Table table = make_list({"name", "version", "sees", "commands", "parameters", "summary"});
   for (const PlannerDescription& planner : list_planners(problems)) {
-    table.rows.push_back({planner.name, planner.version, sees(planner), commands(planner),
-                          std::to_string(planner.parameters.size()), planner.summary});
+    table.rows.push_back(make_row(planner.name, planner.version, sees(planner), commands(planner),
+                                  planner.parameters.size(), planner.summary));
   }
   write_table(table, options);
   for (const std::string& problem : problems) std::cerr << "warning: " << problem << '\n';
@@ -62,11 +62,7 @@ void list(const TableOptions& options) {
 
 std::string values_of(const ParameterDef& def) {
   if (def.kind == AB_TEXT) return "any text";
-  if (def.kind == AB_CHOICE) {
-    std::string all;
-    for (const std::string& choice : def.choices) all += (all.empty() ? "" : " | ") + choice;
-    return all;
-  }
+  if (def.kind == AB_CHOICE) return joined(def.choices, " | ");
   return "[" + number_text(def.lowest) + ", " + number_text(def.highest) + "]" +
          (def.kind == AB_INTEGER ? " whole" : "");
 }
@@ -75,15 +71,15 @@ PlannerDescription load(const std::string& plugin) {
   return describe_planner(find_planner(plugin, "."));
 }
 
-void describe(const std::string& plugin, const TableOptions& options) {
+void describe(const std::string& plugin, const OutputOptions& options) {
   const PlannerDescription planner = load(plugin);
-  ReferenceTable table{{"parameter", "unit", "values", "default", "doc"}, {}};
+  Table table = make_list({"parameter", "unit", "values", "default", "doc"});
   for (const ParameterDef& def : planner.parameters) {
     const bool is_text = def.kind == AB_TEXT || def.kind == AB_CHOICE;
-    table.rows.push_back({def.name, def.unit, values_of(def),
-                          is_text ? def.preset_text : number_text(def.preset), def.doc});
+    table.rows.push_back(make_row(def.name, def.unit, values_of(def),
+                                  is_text ? def.preset_text : number_text(def.preset), def.doc));
   }
-  if (options.format != "table") return write_table(table, options);
+  if (!options.is_for_people()) return write_table(table, options);
   std::string text = planner.name + " " + planner.version + ": " + planner.summary + "\n";
   text += "  sees      " + sees(planner) + "\n";
   if (!uses(planner).empty()) text += "  uses      " + uses(planner) + " (beyond the sandbox)\n";
@@ -98,29 +94,28 @@ void describe(const std::string& plugin, const TableOptions& options) {
   }
   text += "  file      " + planner.file.string() + "\n";
   text += "  sha256    " + planner.file_digest + "\n";
-  if (!table.rows.empty()) text += "\n" + table_text(table, "table");
+  if (!table.rows.empty()) text += "\n" + format_table(table, TableFormat::table);
   write_text(text, options.output);
 }
 
-void check(const std::string& plugin, const TableOptions& options) {
+void check(const std::string& plugin, const OutputOptions& options) {
   // A file of this name goes before the search path: `check my_planner.so` is what one types.
   std::error_code error;
   const bool is_file = std::filesystem::is_regular_file(plugin, error);
   const std::filesystem::path file =
       is_file ? std::filesystem::path(plugin) : find_planner(plugin, ".");
   const std::vector<ConformanceResult> results = check_conformance_isolated(file);
-  ReferenceTable table{{"", "rule", "what is checked, or what was found"}, {}};
-  if (options.format != "table") table.columns = {"passed", "rule", "doc", "finding"};
+  Table table = options.is_for_people()
+                    ? make_list({"", "rule", "what is checked, or what was found"})
+                    : make_list({"passed", "rule", "doc", "finding"});
   std::size_t failed = 0;
   for (const ConformanceResult& result : results) {
     failed += result.passed ? 0 : 1;
-    if (options.format == "table") {
-      table.rows.push_back(
-          {result.passed ? "✓" : "✗", result.name, result.passed ? result.doc : result.finding});
-    } else {
-      table.rows.push_back(
-          {result.passed ? "true" : "false", result.name, result.doc, result.finding});
-    }
+    table.rows.push_back(
+        options.is_for_people()
+            ? make_row(result.passed ? "✓" : "✗", result.name,
+                       result.passed ? result.doc : result.finding)
+            : make_row(result.passed ? "true" : "false", result.name, result.doc, result.finding));
   }
   write_table(table, options);
   std::cout << std::flush;  // before what goes to stderr
@@ -134,7 +129,7 @@ void check(const std::string& plugin, const TableOptions& options) {
 void add_planners_command(CLI::App& app) {
   struct Options {
     std::string plugin;
-    TableOptions table;
+    OutputOptions output;
   };
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("planners", "List, describe and check planner libraries");
@@ -157,14 +152,14 @@ void add_planners_command(CLI::App& app) {
       "Try every rule of the planner interface on a library, in a process of its own; "
       "exit code 1 where one fails");
   for (CLI::App* each : {list_command, describe_command, check_command}) {
-    add_table_options(*each, options->table);
+    add_output_options(*each, options->output);
   }
   for (CLI::App* each : {describe_command, check_command}) {
     each->add_option("planner", options->plugin, "Name or file of a planner")->required();
   }
-  list_command->callback([options] { list(options->table); });
-  describe_command->callback([options] { describe(options->plugin, options->table); });
-  check_command->callback([options] { check(options->plugin, options->table); });
+  list_command->callback([options] { list(options->output); });
+  describe_command->callback([options] { describe(options->plugin, options->output); });
+  check_command->callback([options] { check(options->plugin, options->output); });
 }
 
 }  // namespace avoidbench

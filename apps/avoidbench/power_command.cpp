@@ -1,16 +1,15 @@
 #include <memory>
 
-#include "base/input_error.hpp"
 #include "commands.hpp"
 #include "compare/power_table.hpp"
-#include "visible_streams.hpp"
+#include "output.hpp"
 
 namespace avoidbench {
 
 void add_power_command(CLI::App& app) {
   struct PowerOptions {
     PowerQuestion question;
-    std::string format = "table";
+    OutputOptions output;
   };
   CLI::App* command = app.add_subcommand("power", "How many trials tell two success rates apart");
   const auto options = std::make_shared<PowerOptions>();
@@ -28,20 +27,14 @@ void add_power_command(CLI::App& app) {
                       "[that of independent planners]");
   command->add_option("--trials", question.trials,
                       "Trials per planner: what can be found with them");
-  command->add_option("--format", options->format, "table, csv, json, markdown or latex")
-      ->capture_default_str();
+  add_output_options(*command, options->output);
   command->footer(
       "Example: what tells a planner that reaches its goal in 90 % of trials from one that does in "
       "85 %?\n"
       "  avoidbench power --sr 0.9 --detect 0.05");
   command->callback([options] {
-    const auto format = enum_from_text<TableFormat>(options->format);
-    if (!format) {
-      throw InputError("--format " + options->format + ": unknown" +
-                       did_you_mean(options->format, enum_texts<TableFormat>()));
-    }
     const Section section = power_section(options->question);
-    data_output() << format_sections({&section, 1}, *format) << std::flush;
+    write_sections({&section, 1}, options->output);
   });
 }
 

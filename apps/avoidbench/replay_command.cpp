@@ -1,44 +1,41 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
 #include <filesystem>
+#include <iomanip>
 #include <iostream>
 #include <memory>
 
-#include "base/input_error.hpp"
+#include "base/option_error.hpp"
 #include "commands.hpp"
 #include "database_choice.hpp"
+#include "export/export_commands.hpp"
 #include "export/export_trajectory.hpp"
-#include "export/replay_files.hpp"
+#include "export/trial_list.hpp"
+#include "output.hpp"
+#include "replay/replay.hpp"
+#include "replay/sample.hpp"
+#include "text/number_text.hpp"
 #include "text/visible_text.hpp"
-#include "trial_list.hpp"
 #include "view/replay_sheet.hpp"
 #include "worker/worker_process.hpp"
 
 namespace avoidbench {
 namespace {
 
+constexpr int kExitDiffers = 1;
+
 struct ReplayOptions {
   std::string database;
   TrialChoice choice;
-  bool is_list = false;
-  TableOptions table;
+  bool is_list = false, is_verify = false;
+  std::string sample = "100%";
+  OutputOptions output;
   std::string planner_file, map_file, wind_file;
   std::string png, csv, commands;
   std::vector<double> at_s;
   double every_s = 0.0;
   std::size_t log_lines = 30;
 };
-
-__attribute__((format(printf, 1, 2))) std::string formatted(const char* format, ...) {
-  char line[256];
-  va_list arguments;
-  va_start(arguments, format);
-  std::vsnprintf(line, sizeof line, format, arguments);
-  va_end(arguments);
-  return line;
-}
 
 /// A line that the planner logged.
 struct LogLine {
@@ -72,7 +69,7 @@ Flown fly(const Replay& replay, const StoredTrial& stored, const ReplayOptions& 
 
 std::string outcome_line(const TrialRecord& record) {
   std::string line = std::string(text(record.outcome));
-  if (!std::isnan(record.end_time_s)) line += formatted(" at %.3f s", record.end_time_s);
+  if (!std::isnan(record.end_time_s)) line += " at " + fixed_digits(record.end_time_s, 3) + " s";
   return record.reason.empty() ? line : line + ": " + visible_line(record.reason);
 }
 
@@ -86,9 +83,10 @@ std::string calls_line(const std::vector<CommandLine>& calls) {
     most_s = std::max(most_s, call.cpu_time_s);
   }
   if (calls.empty()) return "none";
-  return formatted("%zu, of them %zu commands and %zu without a plan; CPU %.2f ms, most %.2f ms",
-                   calls.size(), commands, no_plans,
-                   1000.0 * sum_s / static_cast<double>(calls.size()), 1000.0 * most_s);
+  const double mean_s = sum_s / static_cast<double>(calls.size());
+  return std::to_string(calls.size()) + ", of them " + std::to_string(commands) + " commands and " +
+         std::to_string(no_plans) + " without a plan; CPU " + fixed_digits(1000.0 * mean_s, 2) +
+         " ms, most " + fixed_digits(1000.0 * most_s, 2) + " ms";
 }
 
 void print_log(const std::vector<LogLine>& log, std::size_t most) {
@@ -98,9 +96,8 @@ void print_log(const std::vector<LogLine>& log, std::size_t most) {
   if (skipped > 0) std::cout << ", without its first " << skipped << " lines (--log 0 for all)";
   std::cout << "\n";
   for (std::size_t i = skipped; i < log.size(); ++i) {
-    const std::string time =
-        std::isnan(log[i].time_s) ? std::string(9, ' ') : formatted("%8.3f s", log[i].time_s);
-    std::cout << time << "  " << visible_line(log[i].text) << "\n";
+    const std::string time = std::isnan(log[i].time_s) ? "" : fixed_digits(log[i].time_s, 3) + " s";
+    std::cout << std::setw(10) << time << "  " << visible_line(log[i].text) << "\n";
   }
 }
 
@@ -120,7 +117,9 @@ bool print_comparison(const StoredTrial& stored, const Replay& replay, const Tri
 std::filesystem::path picture_file(const std::string& png, std::size_t index, std::size_t count) {
   if (count == 1) return png;
   const std::filesystem::path path = png;
-  return path.parent_path() / (path.stem().string() + formatted("_%04zu", index) +
+  std::string number = std::to_string(index);
+  number.insert(0, number.size() < 4 ? 4 - number.size() : 0, '0');
+  return path.parent_path() / (path.stem().string() + "_" + number +
                                (path.has_extension() ? path.extension().string() : ".png"));
 }
 
@@ -134,9 +133,56 @@ void write_pictures(const Flown& flown, const StoredTrial& stored, const Replay&
   for (std::size_t i = 0; i < flown.moments.size(); ++i) {
     const std::filesystem::path file = picture_file(png, i, flown.moments.size());
     write_png(sheets.sheet(flown.moments[i]), file);
-    std::cerr << "wrote " << file.string() << formatted(" (t = %.3f s)", flown.moments[i].time_s)
-              << '\n';
+    std::cerr << "wrote " << file.string() << " (t = " << fixed_digits(flown.moments[i].time_s, 3)
+              << " s)" << '\n';
   }
+}
+
+/// Whether the end was a worker's, which a flight in this process can't have.
+bool ended_worker(const TrialListing& trial) {
+  return trial.outcome == Outcome::planner_crashed || trial.outcome == Outcome::planner_hung;
+}
+
+/// Flies it again; whether it is the same.
+bool is_repeated(const Database& database, const TrialListing& trial, const ReplayFiles& files) {
+  const Replay replay(possible_trial(database, trial.key), files);
+  std::vector<std::string> log;
+  const TrialRecord flown = replay.fly({}, log);
+  const std::vector<std::string> found = differences(replay.stored().row.record, flown);
+  if (found.empty()) return true;
+  std::cout << "trial " << trial.id << " (" << trial.key.substr(0, 8) << ", "
+            << visible_line(trial.planner_label) << ") differs:\n";
+  for (const std::string& line : found) std::cout << "  " << visible_line(line) << '\n';
+  for (const std::string& line : replay.warnings()) std::cout << "  note: " << line << '\n';
+  return false;
+}
+
+/// Flies a share of these trials again and prints where they differ from what is stored.
+void verify_trials(const Database& database, const std::vector<TrialListing>& trials, double share,
+                   const ReplayFiles& files) {
+  const bool has_several = std::any_of(trials.begin(), trials.end(), [&](const TrialListing& one) {
+    return one.planner_label != trials.front().planner_label;
+  });
+  if (!files.planner.empty() && has_several) {
+    throw OptionError(
+        files.planner + ": the trials are of several planners: choose one by --planner", "library");
+  }
+  std::int64_t flown = 0, different = 0, passed_over = 0;
+  for (const TrialListing& trial : trials) {
+    if (!is_sampled(trial.key, share)) continue;
+    if (ended_worker(trial)) {
+      ++passed_over;
+      continue;
+    }
+    ++flown;
+    different += is_repeated(database, trial, files) ? 0 : 1;
+  }
+  std::cout << flown << " trials flown again, " << different << " different\n";
+  if (passed_over > 0) {
+    std::cout << passed_over << " crashed or hung and were not flown: see avoidbench run --rerun\n";
+  }
+  if (flown == 0 && passed_over == 0) std::cerr << "the sample has no trial: make it larger\n";
+  if (different > 0) throw CLI::RuntimeError(kExitDiffers);
 }
 
 void replay(const ReplayOptions& options) {
@@ -146,24 +192,28 @@ void replay(const ReplayOptions& options) {
     throw InputError({.file = database.path().string(), .message = "holds no finished trial"});
   }
   if (options.is_list) {
-    return write_table(trial_table(chosen_trials(all, options.choice), options.table.format),
-                       options.table);
+    return write_table(
+        trial_table(chosen_trials(all, options.choice), options.output.is_for_people()),
+        options.output);
+  }
+  const std::filesystem::path given = options.database;
+  const ReplayFiles files{.planner = options.planner_file,
+                          .map = options.map_file,
+                          .wind = options.wind_file,
+                          .folders = {".", given.parent_path(), database.path().parent_path()}};
+  if (options.is_verify) {
+    const double share = share_from(options.sample);
+    enter_worker_environment();
+    return verify_trials(database, chosen_trials(all, options.choice), share, files);
   }
   const TrialListing listing = the_trial(all, options.choice);
   enter_worker_environment();
   const StoredTrial stored = possible_trial(database, listing.key);
-  const bool may_crash =
-      listing.outcome == Outcome::planner_crashed || listing.outcome == Outcome::planner_hung;
-  if (may_crash) {
+  if (ended_worker(listing)) {
     std::cerr << "warning: this trial ended with " << text(listing.outcome)
               << ": here that ends, or stops, this program\n";
   }
-  const std::filesystem::path given = options.database;
-  const Replay replay(stored,
-                      {.planner = options.planner_file,
-                       .map = options.map_file,
-                       .wind = options.wind_file,
-                       .folders = {".", given.parent_path(), database.path().parent_path()}});
+  const Replay replay(stored, files);
   for (const std::string& warning : replay.warnings()) std::cerr << "warning: " << warning << '\n';
   const std::string title = "trial " + std::to_string(listing.id) + " (" +
                             listing.key.substr(0, 8) + "): " + trial_text(listing);
@@ -177,7 +227,7 @@ void replay(const ReplayOptions& options) {
   if (!options.csv.empty()) write_text(trajectory_csv(flown.record.samples), options.csv);
   if (!options.commands.empty()) write_text(commands_csv(flown.calls), options.commands);
   if (!options.png.empty()) write_pictures(flown, stored, replay, title, options.png);
-  if (!is_explained) throw CLI::RuntimeError(1);
+  if (!is_explained) throw CLI::RuntimeError(kExitDiffers);
 }
 
 void add_choice_options(CLI::App& command, TrialChoice& choice) {
@@ -198,7 +248,8 @@ void add_choice_options(CLI::App& command, TrialChoice& choice) {
 void add_replay_command(CLI::App& app) {
   const auto options = std::make_shared<ReplayOptions>();
   CLI::App* command = app.add_subcommand(
-      "replay", "Fly one stored trial again and show it: pictures, path, commands, log");
+      "replay",
+      "Fly stored trials again: one to see it (pictures, path, commands, log), or many to compare");
   command->footer(
       "The planner may draw what it thinks (avoidbench::Canvas of planner.hpp): pictures show it. "
       "Exit code 1 where\nthe flight differs from the stored one though planner and program are "
@@ -209,13 +260,27 @@ void add_replay_command(CLI::App& app) {
       "  avoidbench replay results/quick.db --planner reactive --map-seed 1 --radius 3.5 "
       "--mission 2 \\\n"
       "    --png t.png --at 3.2 --at 4\n"
-      "  avoidbench replay quick 12 --csv path.csv --commands commands.csv");
+      "  avoidbench replay quick 12 --csv path.csv --commands commands.csv\n"
+      "  avoidbench replay quick --verify --sample 10%");
   command
       ->add_option("DB", options->database,
                    "Database, or a sweep's file or name for results/NAME.db")
       ->required();
   add_choice_options(*command, options->choice);
-  command->add_flag("--list", options->is_list, "List these trials and fly none");
+  CLI::Option* list =
+      command->add_flag("--list", options->is_list, "List these trials and fly none");
+  CLI::Option* verify =
+      command
+          ->add_flag(
+              "--verify", options->is_verify,
+              "Fly all of these trials again and compare them bit for bit; exit code 1 where "
+              "one differs")
+          ->excludes(list);
+  command
+      ->add_option("--sample", options->sample,
+                   "Share of them to verify, such as 10%, chosen by their keys")
+      ->capture_default_str()
+      ->needs(verify);
   CLI::Option* png =
       command->add_option("--png", options->png, "Picture to write; of several, numbered ones")
           ->type_name("FILE");
@@ -247,7 +312,7 @@ void add_replay_command(CLI::App& app) {
           "--wind-file", options->wind_file,
           "File of the wind field (default: by its name, as the map's, or in configs/wind/)")
       ->type_name("FILE");
-  add_table_options(*command, options->table);
+  add_output_options(*command, options->output);
   command->callback([options] { replay(*options); });
 }
 

@@ -1,32 +1,25 @@
-#include <sys/utsname.h>
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
-#include <chrono>
 #include <cmath>
 #include <csignal>
-#include <cstdio>
-#include <ctime>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <map>
 #include <memory>
-#include <set>
 
 #include "base/input_error.hpp"
+#include "command_options.hpp"
 #include "commands.hpp"
 #include "config/sweep_file.hpp"
 #include "metrics/metric_table.hpp"
 #include "plugin/planner_description.hpp"
 #include "process/sandbox.hpp"
-#include "render/ray_tracing_isa.hpp"
+#include "replay/provenance.hpp"
 #include "run_progress.hpp"
-#include "shard_option.hpp"
 #include "stop_signals.hpp"
 #include "store/database.hpp"
 #include "sweep/allowance.hpp"
 #include "sweep/key_maker.hpp"
+#include "sweep/recorded_latency.hpp"
+#include "sweep/run_estimate.hpp"
 #include "sweep/run_sweep.hpp"
 #include "text/number_text.hpp"
 #include "version.hpp"
@@ -46,28 +39,6 @@ struct RunCommand {
   bool dry_run = false, in_process = false, quiet = false, no_sandbox = false;
   std::string shard = "1/1", rerun, until, progress = "line", heartbeat;
 };
-
-std::string cpu_model() {
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);) {
-    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-  }
-  return "unknown";
-}
-
-/// "2/3"; "" where it is all of it.
-std::string shard_text(const Shard& shard) {
-  if (shard.count == 1) return "";
-  return std::to_string(shard.index) + "/" + std::to_string(shard.count);
-}
-
-/// The words this process was started with.
-std::string command_line() {
-  std::ifstream file("/proc/self/cmdline");
-  std::string line;
-  for (std::string word; std::getline(file, word, '\0');) line += (line.empty() ? "" : " ") + word;
-  return line;
-}
 
 /// What workers enter; "" for none.
 std::string sandbox_of(const RunCommand& command) {
@@ -90,24 +61,14 @@ std::string sandbox_text(const RunCommand& command, const SweepSpec& sweep) {
 }
 
 RunRow provenance(const RunCommand& command, const SweepSpec& sweep, const Shard& shard) {
-  utsname system{};
-  ::uname(&system);
-  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-  std::tm utc{};
-  ::gmtime_r(&now, &utc);
-  char time_text[32];
-  std::strftime(time_text, sizeof time_text, "%Y-%m-%dT%H:%M:%SZ", &utc);
-  return {.started_at = time_text,
-          .program_version = kVersion,
-          .git_hash = kGitHash,
-          .compiler = kCompiler,
-          .flags = kCompilerFlags,
-          .host = system.nodename,
-          .cpu = cpu_model(),
-          .isa = ray_tracing_isa(),
-          .command_line = command_line(),
-          .shard = shard_text(shard),
-          .sandbox = sandbox_text(command, sweep)};
+  RunRow run = run_on_this_host();
+  run.program_version = kVersion;
+  run.git_hash = kGitHash;
+  run.compiler = kCompiler;
+  run.flags = kCompilerFlags;
+  run.shard = text(shard);
+  run.sandbox = sandbox_text(command, sweep);
+  return run;
 }
 
 std::string program_file() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
@@ -129,26 +90,12 @@ void print_estimate(const std::vector<PlannedTrial>& trials, const std::filesyst
     std::cerr << "no estimate of time and size: " << file.string() << " has no trials yet\n";
     return;
   }
-  const Database database = Database::open_for_reading(file);
-  const std::map<std::string, TrialCost> costs = database.mean_costs();
-  const std::set<std::string> finished = database.finished_keys();
-  KeyMaker keys;
-  double wall_s = 0.0, bytes = 0.0;
-  std::size_t missing = 0, unknown = 0;
-  for (const PlannedTrial& trial : trials) {
-    if (finished.contains(keys.trial_key(trial))) continue;
-    ++missing;
-    const auto cost = costs.find(trial.planner_label());
-    if (cost == costs.end()) {
-      ++unknown;
-      continue;
-    }
-    wall_s += cost->second.wall_time_s;
-    bytes += cost->second.bytes;
+  const RunEstimate estimate = estimate_run(trials, Database::open_for_reading(file));
+  std::cerr << estimate.missing << " to fly: about " << duration_text(estimate.worker_time_s / jobs)
+            << " with " << jobs << " workers, " << std::llround(estimate.bytes / 1e6) << " MB";
+  if (estimate.unknown > 0) {
+    std::cerr << "; without " << estimate.unknown << " of planners not flown yet";
   }
-  std::cerr << missing << " to fly: about " << duration_text(wall_s / jobs) << " with " << jobs
-            << " workers, " << std::llround(bytes / 1e6) << " MB";
-  if (unknown > 0) std::cerr << "; without " << unknown << " of planners not flown yet";
   std::cerr << '\n';
 }
 
@@ -181,19 +128,6 @@ Rerun rerun_from(const std::string& text) {
   if (is_key && text.size() >= kLeastDigits) return Rerun::chosen;
   throw InputError("--rerun " + text +
                    ": expected failed, all, or a trial's key (its first six digits or more)");
-}
-
-/// Whether times of this machine decide about flights.
-bool measures_latency(const SweepSpec& sweep) {
-  bool is_swept = false;
-  for (const Axis& axis : sweep.axes) {
-    if (axis.path != "latency.mode") continue;
-    is_swept = true;
-    for (const nlohmann::json& mode : axis.values) {
-      if (mode == text(LatencyMode::measured)) return true;
-    }
-  }
-  return !is_swept && sweep.base.latency.mode == LatencyMode::measured;
 }
 
 void warn(const RunCommand& command, const SweepSpec& sweep, int jobs) {
@@ -363,12 +297,7 @@ void add_run_command(CLI::App& app) {
   command->add_option("sweep", options->sweep_file, "Sweep file (YAML)")
       ->required()
       ->type_name("FILE");
-  command
-      ->add_option(
-          "--set", options->overrides,
-          "Override one value of the sweep file, as in maps.poisson_radius_m=3.0; repeatable")
-      ->type_name("PATH=VALUE")
-      ->allow_extra_args(false);
+  add_overrides(*command, options->overrides, "maps.poisson_radius_m=3.0");
   command->add_option("-o,--db", options->database_file, "Database file [results/<sweep name>.db]")
       ->type_name("FILE");
   command->add_option("-j,--jobs", options->jobs, "Worker processes; 0: one per allowed CPU")

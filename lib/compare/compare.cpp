@@ -11,6 +11,7 @@
 #include "statistics/bootstrap.hpp"
 #include "statistics/ranks.hpp"
 #include "statistics/rates.hpp"
+#include "text/words.hpp"
 
 namespace avoidbench {
 namespace {
@@ -230,10 +231,6 @@ std::vector<std::string> wanted_metrics(const TrialTable& base, const TrialTable
   return names;
 }
 
-std::string counted(std::int64_t count, const std::string& noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
 /// Counts trials that one side lacks, and says so.
 void tell_unpaired(Comparison& comparison) {
   for (const PlannerPairs& planner : comparison.planners) {
@@ -263,7 +260,7 @@ void tell_few_pairs(Comparison& comparison) {
   if (few.empty()) return;
   comparison.warnings.push_back("too few trials of " + few +
                                 " to distinguish a regression from chance: fly more missions, "
-                                "or compare with --exact");
+                                "or compare bit for bit");
 }
 
 void tell_other_missions(const TrialTable& base, const TrialTable& now,

@@ -1,14 +1,13 @@
 #include "compare/compare_formats.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "base/input_error.hpp"
 #include "compare/compare_tables.hpp"
+#include "text/number_text.hpp"
 #include "text/visible_text.hpp"
 
 namespace avoidbench {
@@ -154,23 +153,18 @@ std::string junit_of(const std::string& suite, const std::vector<TestCase>& case
   return out + "  </testsuite>\n</testsuites>\n";
 }
 
-std::string rounded(double value) {
-  std::array<char, 32> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), "%.5g", value);
-  return buffer.data();
-}
-
 std::string figures(const MetricComparison& row) {
   const std::string unit = row.unit.empty() ? "" : " " + row.unit;
   if (row.pair_count == 0) return "no pair of trials";
-  std::string line = rounded(row.base_mean) + " -> " + rounded(row.new_mean) + unit + ", change " +
-                     rounded(row.change);
+  std::string line = significant_digits(row.base_mean, 5) + " -> " +
+                     significant_digits(row.new_mean, 5) + unit + ", change " +
+                     significant_digits(row.change, 5);
   if (!std::isnan(row.change_interval.lower)) {
-    line +=
-        " [" + rounded(row.change_interval.lower) + ", " + rounded(row.change_interval.upper) + "]";
+    line += " [" + significant_digits(row.change_interval.lower, 5) + ", " +
+            significant_digits(row.change_interval.upper, 5) + "]";
   }
-  line += ", tolerance " + rounded(row.limit);
-  if (!std::isnan(row.adjusted_p)) line += ", p " + rounded(row.adjusted_p);
+  line += ", tolerance " + significant_digits(row.limit, 5);
+  if (!std::isnan(row.adjusted_p)) line += ", p " + significant_digits(row.adjusted_p, 5);
   return line + ", " + std::to_string(row.pair_count) + " pairs";
 }
 
@@ -211,7 +205,7 @@ std::string junit_text(const ExactComparison& comparison) {
       cases.push_back(std::move(test));
     }
   }
-  return junit_of("avoidbench compare --exact " + comparison.new_sweep, cases);
+  return junit_of("avoidbench compare, exact, " + comparison.new_sweep, cases);
 }
 
 std::string bencher_text(const Comparison& comparison) {
@@ -240,7 +234,8 @@ std::string github_text(const Comparison& comparison, Better better) {
                {"unit", row.unit.empty() ? "ratio" : row.unit},
                {"value", is_turned ? 1.0 - row.new_mean : row.new_mean}};
     if (std::isfinite(row.new_interval.lower) && std::isfinite(row.new_interval.upper)) {
-      entry["range"] = "± " + rounded(0.5 * (row.new_interval.upper - row.new_interval.lower));
+      entry["range"] =
+          "± " + significant_digits(0.5 * (row.new_interval.upper - row.new_interval.lower), 5);
     }
     entry["extra"] = figures(row) + ": " + std::string(text(row.verdict));
     all.push_back(std::move(entry));
@@ -286,8 +281,8 @@ std::string format_comparison(const ExactComparison& comparison, CompareFormat f
       return junit_text(comparison);
     default:
       throw InputError(
-          "--exact compares trials, not means: its formats are table, markdown, json "
-          "and junit");
+          "an exact comparison is of trials, not means: its formats are table, markdown, json and "
+          "junit");
   }
 }
 

@@ -1,28 +1,23 @@
 #include "compare/compare_tables.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
+#include "report/table_rows.hpp"
 #include "table/table_text.hpp"
+#include "text/number_text.hpp"
 #include "text/visible_text.hpp"
+#include "text/words.hpp"
 
 namespace avoidbench {
 namespace {
 
-std::string counted(std::int64_t count, const std::string& noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
 std::string with_decimals(double value, int decimals, bool has_sign = false) {
   if (std::isnan(value)) return "–";
-  std::array<char, 400> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), has_sign ? "%+.*f" : "%.*f", decimals, value);
-  const bool is_zero =
-      std::string_view(buffer.data()).find_first_of("123456789") == std::string_view::npos;
-  if (is_zero && has_sign) std::snprintf(buffer.data(), buffer.size(), "%.*f", decimals, 0.0);
-  return buffer.data();
+  const std::string digits = fixed_digits(value, decimals);
+  if (!has_sign) return digits;
+  if (digits.find_first_of("123456789") == std::string::npos) return fixed_digits(0.0, decimals);
+  return (value > 0.0 ? "+" : "") + digits;
 }
 
 /// Decimals that show `digits` digits of a number of this size, at most 6.
@@ -80,38 +75,29 @@ std::string verdict_text(const MetricComparison& row) {
   }
 }
 
-Cell cell(std::string words) { return {.value = std::move(words), .is_best = false}; }
-
-Column column(std::string name, std::string header, std::string doc, Place place = Place::value) {
-  return {.name = std::move(name),
-          .header = std::move(header),
-          .unit = "",
-          .doc = std::move(doc),
-          .place = place};
-}
-
 Table metric_table_of(const Comparison& comparison) {
-  Table table{.name = "metrics", .title = "Planners and metrics", .columns = {}, .rows = {}};
-  table.columns = {
-      column("planner", "planner", "", Place::key),
-      column("metric", "metric", "", Place::key),
-      column("verdict", "verdict",
-             "worse or better: p below " + with_decimals(comparison.alpha, 3) +
-                 " and a change beyond the tolerance; small: the first only; unclear: the second "
-                 "only; same: neither; –: may not fail the comparison"),
-      column("pair_count", "pairs",
-             "trials of both sides that the row speaks of: all for SR, MP, end distance and "
-             "collisions, those that both finished for the others"),
-      column("base_mean", "base", ""),
-      column("new_mean", "new", ""),
-      column("change", "change",
-             "new less base, over the pairs; its 95 % interval is by bootstrap over maps (BCa)"),
-      column("interval", "95 % interval", ""),
-      column("p", "p",
-             "that nothing changed, corrected (Holm) over the " +
-                 counted(comparison.test_count, "test") +
-                 " that may fail the comparison: McNemar for SR, Wilcoxon's signed-rank test for "
-                 "the others")};
+  Table table = make_table(
+      "metrics", "Planners and metrics",
+      {planner_column(),
+       {.name = "metric", .place = Place::key},
+       {.name = "verdict",
+        .doc = "worse or better: p below " + with_decimals(comparison.alpha, 3) +
+               " and a change beyond the tolerance; small: the first only; unclear: the second "
+               "only; same: neither; –: may not fail the comparison"},
+       {.name = "pair_count",
+        .header = "pairs",
+        .doc = "trials of both sides that the row speaks of: all for SR, MP, end distance and "
+               "collisions, those that both finished for the others"},
+       {.name = "base_mean", .header = "base"},
+       {.name = "new_mean", .header = "new"},
+       {.name = "change",
+        .doc = "new less base, over the pairs; its 95 % interval is by bootstrap over maps (BCa)"},
+       {.name = "interval", .header = "95 % interval"},
+       {.name = "p",
+        .doc = "that nothing changed, corrected (Holm) over the " +
+               counted(comparison.test_count, "test") +
+               " that may fail the comparison: McNemar for SR, Wilcoxon's signed-rank test for "
+               "the others"}});
   for (const MetricComparison& row : comparison.rows) {
     const int decimals = decimals_of_means(row), finer = decimals_of_change(row);
     const Interval& interval = row.change_interval;
@@ -123,58 +109,72 @@ Table metric_table_of(const Comparison& comparison) {
       range = "[" + with_decimals(interval.lower, finer, true) + ", " +
               with_decimals(interval.upper, finer, true) + "]";
     }
-    table.rows.push_back({cell(comparison.planners[row.planner].planner),
-                          cell(short_name(row).first),
-                          cell(verdict_text(row)),
-                          {.value = row.pair_count, .is_best = false},
-                          cell(with_decimals(row.base_mean, decimals)),
-                          cell(with_decimals(row.new_mean, decimals)),
-                          cell(std::move(change)),
-                          cell(std::move(range)),
-                          cell(p_text(row.adjusted_p))});
+    table.rows.push_back(
+        make_row(comparison.planners[row.planner].planner, short_name(row).first, verdict_text(row),
+                 row.pair_count, with_decimals(row.base_mean, decimals),
+                 with_decimals(row.new_mean, decimals), change, range, p_text(row.adjusted_p)));
   }
   return table;
 }
 
-std::string map_text(const TrialIdentity& identity) {
-  return identity.generator + " " + std::to_string(identity.map_seed);
+/// A table of single trials, flips or differences: who flew where, then `columns`, whose cells
+/// `cells_of` an entry makes. The setting is there where one of them has any.
+template <class Entry, class CellsOf>
+Table table_of_trials(const std::string& name, const std::string& title,
+                      std::span<const Entry> entries, const std::vector<Column>& columns,
+                      CellsOf cells_of) {
+  const bool has_settings = std::any_of(entries.begin(), entries.end(), [](const Entry& entry) {
+    return !entry.identity.setting.empty();
+  });
+  std::vector<Column> all{planner_column(), {.name = "map", .place = Place::key}};
+  if (has_settings) all.push_back({.name = "setting", .place = Place::key});
+  all.push_back({.name = "mission_index", .header = "mission", .place = Place::key});
+  all.insert(all.end(), columns.begin(), columns.end());
+  Table table = make_table(name, title, all);
+  for (const Entry& entry : entries) {
+    const TrialIdentity& identity = entry.identity;
+    Row row =
+        make_row(identity.planner, identity.generator + " " + std::to_string(identity.map_seed));
+    if (has_settings) append(row, identity.setting);
+    append(row, identity.mission_index);
+    append(row, cells_of(entry));
+    table.rows.push_back(std::move(row));
+  }
+  return table;
 }
 
 Table flip_table(const Comparison& comparison) {
-  const std::size_t shown = std::min(kShownTrials, comparison.flips.size());
-  Table table{.name = "flips", .title = "Trials with another outcome: ", .columns = {}, .rows = {}};
+  const std::size_t count = comparison.flips.size(), shown = std::min(kShownTrials, count);
   std::int64_t lost = 0, gained = 0;
   for (const PlannerPairs& planner : comparison.planners) {
     lost += planner.lost_count;
     gained += planner.gained_count;
   }
-  const auto others = static_cast<std::int64_t>(comparison.flips.size()) - lost - gained;
-  table.title += std::to_string(lost) + " lost, " + std::to_string(gained) + " won, " +
-                 std::to_string(others) + " failed in another way";
-  if (shown < comparison.flips.size()) {
-    table.title += "; " + std::to_string(shown) + " of " + std::to_string(comparison.flips.size()) +
-                   " are shown";
+  const auto others = static_cast<std::int64_t>(count) - lost - gained;
+  std::string title = "Trials with another outcome: " + std::to_string(lost) + " lost, " +
+                      std::to_string(gained) + " won, " + std::to_string(others) +
+                      " failed in another way";
+  if (shown < count) {
+    title += "; " + std::to_string(shown) + " of " + std::to_string(count) + " are shown";
   }
-  const bool has_settings = std::any_of(
-      comparison.flips.begin(), comparison.flips.begin() + static_cast<std::ptrdiff_t>(shown),
-      [](const Flip& flip) { return !flip.identity.setting.empty(); });
-  table.columns = {column("planner", "planner", "", Place::key),
-                   column("map", "map", "", Place::key)};
-  if (has_settings) table.columns.push_back(column("setting", "setting", "", Place::key));
-  table.columns.push_back(column("mission_index", "mission", ""));
-  table.columns.push_back(column("before", "before", ""));
-  table.columns.push_back(column("after", "after", ""));
-  for (std::size_t i = 0; i < shown; ++i) {
-    const Flip& flip = comparison.flips[i];
-    std::vector<Cell>& row = table.rows.emplace_back();
-    row.push_back(cell(flip.identity.planner));
-    row.push_back(cell(map_text(flip.identity)));
-    if (has_settings) row.push_back(cell(flip.identity.setting));
-    row.push_back({.value = flip.identity.mission_index, .is_best = false});
-    row.push_back(cell(std::string(text(flip.before))));
-    row.push_back(cell(std::string(text(flip.after))));
-  }
-  return table;
+  return table_of_trials("flips", title, std::span(comparison.flips).first(shown),
+                         {{.name = "before"}, {.name = "after"}}, [](const Flip& flip) {
+                           return make_row(text(flip.before), text(flip.after));
+                         });
+}
+
+Table difference_table(const ExactComparison& comparison) {
+  const std::size_t count = comparison.differences.size(), shown = std::min(kShownTrials, count);
+  return table_of_trials(
+      "differences",
+      "Differences" + (shown < count ? "; " + std::to_string(shown) + " are shown" : std::string()),
+      std::span(comparison.differences).first(shown),
+      {{.name = "what", .place = Place::key},
+       {.name = "before", .header = "base"},
+       {.name = "after", .header = "new"}},
+      [](const Difference& difference) {
+        return make_row(difference.what, difference.before, difference.after);
+      });
 }
 
 std::string title_of(const Comparison& comparison) {
@@ -191,13 +191,13 @@ std::string title_of(const Comparison& comparison) {
 }
 
 std::string exact_title(const ExactComparison& comparison) {
-  const std::string checked =
-      comparison.now + " against " + comparison.base + ", sweep " + comparison.new_sweep + ": " +
-      counted(comparison.pair_count, "trial") + ", outcomes and " +
-      counted(static_cast<std::int64_t>(comparison.metrics.size()), "metric") + " bit for bit";
+  const std::string checked = comparison.now + " against " + comparison.base + ", sweep " +
+                              comparison.new_sweep + ": " +
+                              counted(comparison.pair_count, "trial") + ", outcomes and " +
+                              counted(comparison.metrics.size(), "metric") + " bit for bit";
   if (comparison.differences.empty()) return "Equal: " + checked;
-  return counted(static_cast<std::int64_t>(comparison.differences.size()), "difference") + ": " +
-         checked + "; " + std::to_string(comparison.equal_count) + " are equal";
+  return counted(comparison.differences.size(), "difference") + ": " + checked + "; " +
+         std::to_string(comparison.equal_count) + " are equal";
 }
 
 }  // namespace
@@ -206,11 +206,10 @@ Section comparison_section(const Comparison& comparison) {
   Section section{.name = comparison.new_sweep,
                   .title = title_of(comparison),
                   .tables = {metric_table_of(comparison)},
-                  .notes = {},
                   .warnings = comparison.warnings};
   if (!comparison.flips.empty()) section.tables.push_back(flip_table(comparison));
   if (comparison.flips.size() > kShownTrials) {
-    section.notes.emplace_back("…", "--format json lists all trials with another outcome");
+    section.notes.emplace_back("…", "the JSON lists all trials with another outcome");
   }
   for (const MetricComparison& row : comparison.rows) {
     const auto [name, meaning] = short_name(row);
@@ -222,40 +221,10 @@ Section comparison_section(const Comparison& comparison) {
 }
 
 Section comparison_section(const ExactComparison& comparison) {
-  const std::size_t shown = std::min(kShownTrials, comparison.differences.size());
   Section section{.name = comparison.new_sweep,
                   .title = exact_title(comparison),
-                  .tables = {},
-                  .notes = {},
                   .warnings = comparison.warnings};
-  if (comparison.differences.empty()) return section;
-  Table table{.name = "differences", .title = "Differences", .columns = {}, .rows = {}};
-  if (shown < comparison.differences.size()) {
-    table.title += "; " + std::to_string(shown) + " are shown";
-  }
-  table.columns = {column("planner", "planner", "", Place::key),
-                   column("map", "map", "", Place::key)};
-  const bool has_settings = std::any_of(
-      comparison.differences.begin(),
-      comparison.differences.begin() + static_cast<std::ptrdiff_t>(shown),
-      [](const Difference& difference) { return !difference.identity.setting.empty(); });
-  if (has_settings) table.columns.push_back(column("setting", "setting", "", Place::key));
-  table.columns.push_back(column("mission_index", "mission", "", Place::key));
-  table.columns.push_back(column("what", "what", "", Place::key));
-  table.columns.push_back(column("before", "base", ""));
-  table.columns.push_back(column("after", "new", ""));
-  for (std::size_t i = 0; i < shown; ++i) {
-    const Difference& difference = comparison.differences[i];
-    std::vector<Cell>& row = table.rows.emplace_back();
-    row.push_back(cell(difference.identity.planner));
-    row.push_back(cell(map_text(difference.identity)));
-    if (has_settings) row.push_back(cell(difference.identity.setting));
-    row.push_back({.value = difference.identity.mission_index, .is_best = false});
-    row.push_back(cell(difference.what));
-    row.push_back(cell(difference.before));
-    row.push_back(cell(difference.after));
-  }
-  section.tables.push_back(std::move(table));
+  if (!comparison.differences.empty()) section.tables.push_back(difference_table(comparison));
   return section;
 }
 
@@ -288,8 +257,7 @@ std::string exact_text(const ExactComparison& comparison) {
     i = end;
   }
   if (trial_count > kShownTrials) {
-    out += "\n  and " + counted(static_cast<std::int64_t>(trial_count - kShownTrials), "trial") +
-           " more: --format json has all\n";
+    out += "\n  and " + counted(trial_count - kShownTrials, "trial") + " more: the JSON has all\n";
   }
   return out;
 }

@@ -5,9 +5,11 @@
 
 #include "base/input_error.hpp"
 #include "base/input_file.hpp"
+#include "base/option_error.hpp"
 #include "compare/trial_table.hpp"
 #include "store/row_digest.hpp"
 #include "store/visit_trials.hpp"
+#include "text/words.hpp"
 
 namespace avoidbench {
 namespace {
@@ -58,12 +60,6 @@ std::vector<std::string> names_of(const Source& source) {
   return names;
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string line;
-  for (const std::string& word : words) line += (line.empty() ? "" : ", ") + word;
-  return line;
-}
-
 /// The sweep that NAME or NAME@REVISION means in a database, the latest revision where it says
 /// none.
 const SweepInfo& sweep_of(const Source& source, const std::string& wanted) {
@@ -112,8 +108,9 @@ std::pair<std::string, std::string> only_sweeps(const Source& base, const Source
     if (std::find(others.begin(), others.end(), name) != others.end()) common.push_back(name);
   }
   if (common.size() == 1) return {common.front(), common.front()};
-  throw InputError("which sweep? " + base.file + " has " + joined(names) + "; " + now.file +
-                   " has " + joined(others) + ": give --sweep NAME, or --sweep BASE:NEW");
+  throw OptionError("which sweep? " + base.file + " has " + joined(names) + "; " + now.file +
+                        " has " + joined(others) + ": name one of both, or BASE:NEW",
+                    "", "sweep");
 }
 
 }  // namespace
@@ -137,8 +134,8 @@ TrialTable read_table(const std::filesystem::path& file, const std::string& swee
   Source source = open_source(file);
   const std::vector<std::string> names = names_of(source);
   if (sweep.empty() && names.size() > 1) {
-    throw InputError("which sweep? " + source.file + " has " + joined(names) +
-                     ": give --sweep NAME");
+    throw OptionError("which sweep? " + source.file + " has " + joined(names) + ": name one", "",
+                      "sweep");
   }
   const std::string wanted = sweep.empty() ? names.front() : sweep;
   const std::vector<std::string> axes = axes_of(source, wanted);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/option_error.hpp"
 #include "yaml/yaml_tree.hpp"
 #include "yaml/yaml_values.hpp"
 
@@ -45,8 +46,9 @@ Tolerance min_effect_from(std::string_view text) {
   std::optional<double> share = percent_from(text);
   if (!share) share = number_from(text);
   if (!share) {
-    throw InputError("--min-effect " + std::string(text) +
-                     ": expected a share of the base's mean such as 5% or 0.05");
+    throw OptionError(
+        std::string(text) + ": expected a share of the base's mean such as 5% or 0.05",
+        "min-effect");
   }
   return {Tolerance::Kind::relative, *share};
 }

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "base/input_error.hpp"
+#include "base/option_error.hpp"
 #include "compare/trial_table.hpp"
 #include "table/csv.hpp"
 
@@ -145,9 +146,7 @@ TableTrial trial_of(const CsvReader& reader, const std::vector<std::string>& fie
 
 std::string csv_of_table(const TrialTable& table) {
   std::string title(kTitle), axes = "# axes:";
-  title +=
-      ": what `avoidbench compare` needs of each trial; `avoidbench compare DB --bless FILE` wrote "
-      "it";
+  title += ": what `avoidbench compare` needs of each trial, as it wrote it";
   for (const std::string& path : table.axes) axes += " " + path;
   std::string out = comment_line(title);
   out += comment_line("# sweep: " + table.sweep.substr(0, table.sweep.find('@')));
@@ -181,10 +180,11 @@ TrialTable table_of_csv(const std::string& text, const std::string& source) {
   TrialTable table{.source = source, .sweep = {}, .axes = {}, .metrics = {}, .trials = {}};
   std::string_view line;
   if (!reader.next(line) || !line.starts_with(kTitle)) {
-    throw InputError(InputProblem{
-        .file = source,
-        .message = "is neither a database of results nor a table of trials (`avoidbench compare DB "
-                   "--bless FILE` writes one)"});
+    throw OptionError(
+        {.file = source,
+         .message = "is neither a database of results nor a table of trials that `avoidbench "
+                    "compare` wrote"},
+        "", "bless");
   }
   bool has_header = false;
   while (reader.next(line)) {

@@ -102,9 +102,7 @@ std::string sweep_yaml() {
   std::string text =
       "# A sweep with every key at its default; only 'sweep' and 'planners' must be given.\n"
       "# One value may be a list, or a range {from: 2.3, to: 5.8, count: 10} or {from, to, step}:\n"
-      "# each combination of such values is flown. avoidbench run FILE --set "
-      "maps.poisson_radius_m=3 changes keys;\n"
-      "# config explain KEY says more of a key.\n";
+      "# each combination of such values is flown. config explain KEY says more about a key.\n";
   const Json defaults = preset_json(sweep_tree());
   for (const FieldTree& key : sweep_tree().fields) add_key(key, defaults, text);
   return text;

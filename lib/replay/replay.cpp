@@ -6,6 +6,7 @@
 
 #include "base/digest.hpp"
 #include "base/input_error.hpp"
+#include "base/option_error.hpp"
 #include "base/spec_json.hpp"
 #include "replay/stored_spec.hpp"
 #include "store/record_format.hpp"
@@ -39,14 +40,15 @@ PlannerLibrary load_planner(const PlannerChoice& choice, const ReplayFiles& file
       }
     }
   }
-  if (other.empty()) throw InputError(problems.front() + "; --library names another place");
-  throw InputError({.file = other.string(),
-                    .message = "is not the library that the trial was flown with (SHA-256 " +
-                               file_digest(other).substr(0, 12) + "…, in the database " +
-                               choice.file_digest.substr(0, 12) +
-                               "…), so it is not loaded; --library " +
-                               (other.has_parent_path() ? "" : "./") + other.string() +
-                               " flies it all the same"});
+  if (other.empty()) {
+    throw OptionError(problems.front() + "; another library may be named", "", "library");
+  }
+  throw OptionError(
+      {.file = other.string(),
+       .message = "is not the library that the trial was flown with (SHA-256 " +
+                  file_digest(other).substr(0, 12) + "…, in the database " +
+                  choice.file_digest.substr(0, 12) + "…), so it is not loaded unless it is named"},
+      "", std::string("library ") + (other.has_parent_path() ? "" : "./") + other.string());
 }
 
 /// The place of the file of this name and digest: as `given`, or in the folders or their
@@ -66,8 +68,9 @@ std::string found_file(const std::string& what, const std::string& name, const s
     if (given.empty() && file_digest(place.string()) != digest) continue;
     return place.string();
   }
-  throw InputError("the " + what + "'s file " + name + " (SHA-256 " + digest +
-                   ") is not found: name it by --" + what + "-file");
+  throw OptionError(
+      "the " + what + "'s file " + name + " (SHA-256 " + digest + ") is not found: name its place",
+      "", what + "-file");
 }
 
 /// Finds what the stored trial leaves out before the map is made.

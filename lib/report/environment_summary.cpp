@@ -4,25 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "metrics/map_measure.hpp"
 #include "statistics/correlation.hpp"
 
 namespace avoidbench {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-/// Mean over valid missions of a measure of theirs.
-template <class Measure>
-double mission_mean(const MapRecord& map, Measure measure) {
-  double sum = 0.0, count = 0.0;
-  for (const MissionRecord& mission : map.missions) {
-    const double value = measure(mission);
-    if (!mission.is_valid || std::isnan(value)) continue;
-    sum += value;
-    count += 1.0;
-  }
-  return count > 0.0 ? sum / count : kNaN;
-}
 
 MapSummary summary_of(std::size_t index, const MapRecord& map) {
   MapSummary summary;

@@ -1,14 +1,13 @@
 #include "report/grouping.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
-#include <cstdio>
 #include <map>
 #include <set>
 
 #include "base/check.hpp"
-#include "base/input_error.hpp"
+#include "base/option_error.hpp"
+#include "text/number_text.hpp"
 
 namespace avoidbench {
 namespace {
@@ -18,7 +17,7 @@ constexpr std::size_t kMostGroups = 1000;
 double number_of(const TableValue& value, const std::string& field) {
   if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
   if (const auto* real = std::get_if<double>(&value)) return *real;
-  throw InputError("--group-by " + field + "/…: not all of its values are numbers");
+  throw OptionError(field + "/…: not all of its values are numbers", "group-by");
 }
 
 /// A column's way from a trial's value to the group's place and name.
@@ -75,12 +74,13 @@ GroupColumn parse_group_column(const std::string& text) {
   GroupColumn column;
   const std::size_t slash = text.find('/');
   column.field = text.substr(0, slash);
-  if (column.field.empty()) throw InputError("--group-by: a column's name is missing");
+  if (column.field.empty())
+    throw OptionError("'" + text + "': a column's name is missing", "group-by");
   if (slash == std::string::npos) return column;
   const char* end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data() + slash + 1, end, column.bin_count);
   if (error != std::errc{} || rest != end || column.bin_count < 2 || column.bin_count > 100) {
-    throw InputError("--group-by " + text + ": after / comes a number of groups from 2 to 100");
+    throw OptionError(text + ": after / comes a number of groups from 2 to 100", "group-by");
   }
   return column;
 }
@@ -99,9 +99,9 @@ std::vector<GroupedTrials> group_trials(const SweepResult& result, const Trials&
     }
     by_place[place].push_back(on_map);
     if (by_place.size() > kMostGroups) {
-      throw InputError("--group-by " + columns.back().field + ": more than " +
-                       std::to_string(kMostGroups) + " groups; " + columns.back().field +
-                       "/5 makes five of equal map count");
+      throw OptionError(columns.back().field + ": more than " + std::to_string(kMostGroups) +
+                            " groups; " + columns.back().field + "/5 makes five of equal map count",
+                        "group-by");
     }
   }
   std::vector<GroupedTrials> groups;
@@ -116,10 +116,8 @@ std::vector<GroupedTrials> group_trials(const SweepResult& result, const Trials&
 }
 
 std::string range_text(double lowest, double highest) {
-  std::array<char, 80> buffer{};
   const int decimals = std::max(std::abs(lowest), std::abs(highest)) < 10.0 ? 3 : 1;
-  std::snprintf(buffer.data(), buffer.size(), "%.*f–%.*f", decimals, lowest, decimals, highest);
-  return buffer.data();
+  return fixed_digits(lowest, decimals) + "–" + fixed_digits(highest, decimals);
 }
 
 }  // namespace avoidbench

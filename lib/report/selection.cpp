@@ -5,7 +5,7 @@
 #include <set>
 
 #include "base/check.hpp"
-#include "base/input_error.hpp"
+#include "base/option_error.hpp"
 
 namespace avoidbench {
 namespace {
@@ -62,9 +62,10 @@ Condition parse_condition(const std::string& text) {
       });
   condition.field = trimmed(text.substr(0, at));
   if (sign == std::end(kSigns) || condition.field.empty()) {
-    throw InputError("--where '" + text +
-                     "': a condition is FIELD OP VALUE, OP one of = != < <= > >=, such as "
-                     "'map.poisson_radius_m < 3' or 'planner = ego, reactive'");
+    throw OptionError("'" + text +
+                          "': a condition is FIELD OP VALUE, OP one of = != < <= > >=, such as "
+                          "'map.poisson_radius_m < 3' or 'planner = ego, reactive'",
+                      "where");
   }
   condition.comparison = sign->second;
   const bool takes_several =
@@ -73,14 +74,14 @@ Condition parse_condition(const std::string& text) {
   while (true) {
     const std::size_t comma = takes_several ? rest.find(',') : std::string::npos;
     const std::string word = trimmed(rest.substr(0, comma));
-    if (word.empty()) throw InputError("--where '" + text + "': a value is missing");
+    if (word.empty()) throw OptionError("'" + text + "': a value is missing", "where");
     condition.values.push_back(value_of(word));
     if (comma == std::string::npos) break;
     rest.erase(0, comma + 1);
   }
   if (!takes_several && !std::holds_alternative<double>(condition.values.front())) {
-    throw InputError("--where '" + text + "': " + std::string(sign->first) +
-                     " compares with a number");
+    throw OptionError("'" + text + "': " + std::string(sign->first) + " compares with a number",
+                      "where");
   }
   return condition;
 }

@@ -239,7 +239,7 @@ SweepSummary summarize(SweepResult result, const ReportQuery& query) {
   for (const Condition& condition : query.where) summary.conditions.push_back(condition.text);
   result = selected(std::move(result), query.where);
   if (result.trials.empty()) {
-    throw InputError("no trial of sweep " + summary.name + " fulfils what --where asks for");
+    throw InputError("no trial of sweep " + summary.name + " fulfils all conditions");
   }
   summary.planners = unique_labels(result.planners);
   name_planners(result, summary.planners);

@@ -7,7 +7,8 @@
 namespace avoidbench {
 
 std::vector<std::vector<SweepInfo>> chosen_sweeps(std::span<const Database> databases,
-                                                  std::string_view wanted) {
+                                                  std::string_view wanted,
+                                                  std::vector<std::string>* unflown) {
   std::vector<std::vector<SweepInfo>> chosen;
   std::vector<std::string> names;
   bool is_known = false, has_trials = false;
@@ -21,9 +22,14 @@ std::vector<std::vector<SweepInfo>> chosen_sweeps(std::span<const Database> data
       const bool is_wanted =
           wanted == exact || (is_latest && (wanted.empty() || wanted == sweeps[i].name));
       is_known = is_known || is_wanted;
-      if (!is_wanted || sweeps[i].trial_count == 0) continue;
-      has_trials = true;
-      of_this.push_back(sweeps[i]);
+      if (!is_wanted) continue;
+      if (sweeps[i].trial_count > 0) {
+        has_trials = true;
+        of_this.push_back(sweeps[i]);
+      } else if (unflown != nullptr) {
+        unflown->push_back(database.path().string() + ": sweep " + sweeps[i].name +
+                           " has no finished trial yet");
+      }
     }
   }
   if (!is_known && !wanted.empty()) {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "base/input_error.hpp"
 #include "report/table_rows.hpp"
+#include "text/words.hpp"
 
 namespace avoidbench {
 namespace {
@@ -38,112 +38,99 @@ std::string metric_doc(const MetricRow& metric) {
   return doc;
 }
 
-void append_summary_columns(std::vector<Column>& columns, std::span<const MetricRow> metrics) {
-  columns.push_back({.name = "trial_count", .header = "trials", .unit = "", .doc = ""});
-  columns.push_back(machine_column("finished_count"));
-  columns.push_back(
-      {.name = "success_rate",
-       .header = "SR",
-       .unit = "",
-       .doc = "success_rate: finished of all trials, with a 95 % interval: Wilson's, from five "
-              "maps on widened by how much the maps differ"});
-  append_bounds(columns, "success_rate");
+/// `keys`, then the columns of a summary.
+std::vector<Column> summary_columns(std::vector<Column> keys, std::span<const MetricRow> metrics) {
+  keys.insert(keys.end(),
+              {{.name = "trial_count", .header = "trials"},
+               machine_column("finished_count"),
+               {.name = "success_rate",
+                .header = "SR",
+                .doc = "success_rate: finished of all trials, with a 95 % interval: Wilson's, from "
+                       "five maps on widened by how much the maps differ",
+                .has_interval = true}});
   for (const MetricRow& metric : metrics) {
-    columns.push_back({.name = metric.name,
-                       .header = short_header(metric),
-                       .unit = metric.unit,
-                       .doc = metric_doc(metric)});
-    append_bounds(columns, metric.name, metric.unit);
-    columns.push_back(machine_column(metric.name + "_std", metric.unit));
-    columns.push_back(machine_column(metric.name + "_count"));
+    keys.push_back({.name = metric.name,
+                    .header = short_header(metric),
+                    .unit = metric.unit,
+                    .doc = metric_doc(metric),
+                    .has_interval = true});
+    keys.push_back(machine_column(metric.name + "_std", metric.unit));
+    keys.push_back(machine_column(metric.name + "_count"));
   }
+  return keys;
 }
 
-void append_summary_cells(std::vector<Cell>& row, const PlannerSummary& planner) {
-  append(row, planner.trial_count);
-  append(row, planner.finished_count);
-  append(row, planner.success_rate, planner.is_best_rate);
+Row summary_cells(const PlannerSummary& planner) {
+  Row row = make_row(planner.trial_count, planner.finished_count);
+  append(row, best_cell(planner.success_rate, planner.is_best_rate));
   append(row, planner.success_interval);
   for (const MetricMean& mean : planner.means) {
-    append(row, mean.mean, mean.is_best);
-    append(row, mean.interval);
-    append(row, mean.standard_deviation);
-    append(row, mean.count);
+    append(row, best_cell(mean.mean, mean.is_best));
+    append(row, make_row(mean.interval, mean.standard_deviation, mean.count));
   }
+  return row;
 }
 
 Table planner_table(const SweepSummary& summary) {
-  Table table{.name = "planners", .title = "Planners", .columns = {planner_column()}, .rows = {}};
-  append_summary_columns(table.columns, summary.metrics);
+  Table table =
+      make_table("planners", "Planners", summary_columns({planner_column()}, summary.metrics));
   for (const PlannerSummary& planner : summary.overall) {
-    std::vector<Cell> row;
-    append(row, summary.planners[planner.planner]);
-    append_summary_cells(row, planner);
-    table.rows.push_back(std::move(row));
+    table.rows.push_back(make_row(summary.planners[planner.planner], summary_cells(planner)));
   }
   return table;
 }
 
-/// In these tables the means' intervals are left to machines: there are few maps in a group, and
-/// many columns.
-void hide_mean_bounds(Table& table) {
+/// A table of groups or sweeps: the means' intervals are left to machines, since there are few maps
+/// in a group, and many columns.
+Table make_group_table(const std::string& name, const std::string& title,
+                       const std::vector<Column>& keys, std::span<const MetricRow> metrics) {
+  Table table = make_table(name, title, summary_columns(keys, metrics));
   for (Column& column : table.columns) {
     if (column.place == Place::bound && !column.name.starts_with("success_rate")) {
       column.place = Place::machine;
     }
   }
+  return table;
 }
 
 Table group_table(const SweepSummary& summary) {
-  Table table{
-      .name = "groups", .title = "By traversability, hard maps first", .columns = {}, .rows = {}};
-  table.columns.push_back(
-      {.name = "traversability_group",
-       .header = "P_τ",
-       .unit = "",
-       .doc = "normalised traversability of the maps, in groups of equal map count; 1 is free",
-       .place = Place::key});
-  table.columns.push_back(machine_column("map_count"));
-  table.columns.push_back(machine_column("lowest_traversability_normalized_ratio"));
-  table.columns.push_back(machine_column("highest_traversability_normalized_ratio"));
-  table.columns.push_back(planner_column());
-  append_summary_columns(table.columns, summary.metrics);
-  hide_mean_bounds(table);
+  Table table = make_group_table(
+      "groups", "By traversability, hard maps first",
+      {{.name = "traversability_group",
+        .header = "P_τ",
+        .doc = "normalised traversability of the maps, in groups of equal map count; 1 is free",
+        .place = Place::key},
+       machine_column("map_count"),
+       machine_column("lowest_traversability_normalized_ratio"),
+       machine_column("highest_traversability_normalized_ratio"),
+       planner_column()},
+      summary.metrics);
   for (const MapGroup& group : summary.groups) {
     for (const PlannerSummary& planner : group.planners) {
-      std::vector<Cell> row;
-      append(row, range_text(group.lowest_ratio, group.highest_ratio));
-      append(row, group.map_count);
-      append(row, group.lowest_ratio);
-      append(row, group.highest_ratio);
-      append(row, summary.planners[planner.planner]);
-      append_summary_cells(row, planner);
-      table.rows.push_back(std::move(row));
+      table.rows.push_back(make_row(range_text(group.lowest_ratio, group.highest_ratio),
+                                    group.map_count, group.lowest_ratio, group.highest_ratio,
+                                    summary.planners[planner.planner], summary_cells(planner)));
     }
   }
   return table;
 }
 
 Table grouped_table(const SweepSummary& summary) {
-  std::string title = "By ";
-  Table table{.name = "grouped", .title = {}, .columns = {}, .rows = {}};
+  std::string title;
+  std::vector<Column> keys;
   for (const GroupColumn& column : summary.group_columns) {
-    title += (table.columns.empty() ? "" : ", ") + column.field;
-    table.columns.push_back({.name = column.field,
-                             .header = column.field.substr(column.field.rfind('.') + 1),
-                             .unit = "",
-                             .doc = "",
-                             .place = Place::key});
+    title += (title.empty() ? "By " : ", ") + column.field;
+    keys.push_back({.name = column.field,
+                    .header = column.field.substr(column.field.rfind('.') + 1),
+                    .place = Place::key});
   }
-  table.title = title;
-  table.columns.push_back({.name = "map_count", .header = "maps", .unit = "", .doc = ""});
-  append_summary_columns(table.columns, summary.metrics);
-  hide_mean_bounds(table);
+  keys.push_back({.name = "map_count", .header = "maps"});
+  Table table = make_group_table("grouped", title, keys, summary.metrics);
   for (const GroupRow& group : summary.group_rows) {
-    std::vector<Cell> row;
-    for (const TableValue& key : group.keys) row.push_back({.value = key});
+    Row row;
+    for (const TableValue& key : group.keys) append(row, Cell{.value = key});
     append(row, group.map_count);
-    append_summary_cells(row, group.summary);
+    append(row, summary_cells(group.summary));
     table.rows.push_back(std::move(row));
   }
   return table;
@@ -153,16 +140,13 @@ Table outcome_table(const SweepSummary& summary) {
   constexpr std::string_view kHeaders[] = {"goal",    "collided", "left",    "time out",
                                            "gave up", "error",    "crashed", "hung"};
   static_assert(std::size(kHeaders) == kOutcomeCount);
-  Table table{.name = "outcomes", .title = "Outcomes", .columns = {planner_column()}, .rows = {}};
+  Table table = make_table("outcomes", "Outcomes", {planner_column()});
   for (std::size_t i = 0; i < kOutcomeCount; ++i) {
     table.columns.push_back({.name = std::string(EnumText<Outcome>::entries[i].second) + "_count",
-                             .header = std::string(kHeaders[i]),
-                             .unit = "",
-                             .doc = ""});
+                             .header = std::string(kHeaders[i])});
   }
   for (const PlannerSummary& planner : summary.overall) {
-    std::vector<Cell> row;
-    append(row, summary.planners[planner.planner]);
+    Row row = make_row(summary.planners[planner.planner]);
     for (const std::int64_t count : planner.outcome_counts) append(row, count);
     table.rows.push_back(std::move(row));
   }
@@ -170,62 +154,42 @@ Table outcome_table(const SweepSummary& summary) {
 }
 
 Table pair_table(const SweepSummary& summary) {
-  Table table{
-      .name = "pairs", .title = "Pairs of planners", .columns = {planner_column()}, .rows = {}};
-  table.columns.push_back(
-      {.name = "other_planner", .header = "against", .unit = "", .doc = "", .place = Place::key});
-  table.columns.push_back(
-      {.name = "contrast_factor",
-       .header = "CF",
-       .unit = "",
-       .doc = "contrast factor: failures per metre of the first planner over those of the other, 1 "
-              "is equal; – if undefined (a success rate is 0 or 1)"});
-  table.columns.push_back(
-      {.name = "contrast_factor_smoothed",
-       .header = "CF smoothed",
-       .unit = "",
-       .doc = "the same of Jeffreys-smoothed rates, with a 95 % interval by bootstrap over maps"});
-  append_bounds(table.columns, "contrast_factor_smoothed");
-  table.columns.push_back(
-      {.name = "fisher_p",
-       .header = "p",
-       .unit = "",
-       .doc = "that the two success rates are equal (Fisher's exact test, two-sided)",
-       .place = Place::value,
-       .decimals = 3});
-  table.columns.push_back(
-      {.name = "map_p",
-       .header = "p maps",
-       .unit = "",
-       .doc = "that they are equal on maps like these (Wilcoxon's signed-rank test of the maps' "
-              "rates); from six maps on",
-       .place = Place::value,
-       .decimals = 3});
-  for (const Contrast& contrast : summary.contrasts) {
-    std::vector<Cell> row;
-    append(row, summary.planners[contrast.planner_1]);
-    append(row, summary.planners[contrast.planner_2]);
-    append(row, contrast.factor);
-    append(row, contrast.smoothed_factor);
-    append(row, contrast.smoothed_interval);
-    append(row, contrast.fisher_p);
-    append(row, contrast.map_p);
-    table.rows.push_back(std::move(row));
+  Table table = make_table(
+      "pairs", "Pairs of planners",
+      {planner_column(),
+       {.name = "other_planner", .header = "against", .place = Place::key},
+       {.name = "contrast_factor",
+        .header = "CF",
+        .doc =
+            "contrast factor: failures per metre of the first planner over those of the other, 1 "
+            "is equal; – if undefined (a success rate is 0 or 1)"},
+       {.name = "contrast_factor_smoothed",
+        .header = "CF smoothed",
+        .doc = "the same of Jeffreys-smoothed rates, with a 95 % interval by bootstrap over maps",
+        .has_interval = true},
+       {.name = "fisher_p",
+        .header = "p",
+        .doc = "that the two success rates are equal (Fisher's exact test, two-sided)",
+        .decimals = 3},
+       {.name = "map_p",
+        .header = "p maps",
+        .doc = "that they are equal on maps like these (Wilcoxon's signed-rank test of the maps' "
+               "rates); from six maps on",
+        .decimals = 3}});
+  for (const Contrast& c : summary.contrasts) {
+    table.rows.push_back(make_row(summary.planners[c.planner_1], summary.planners[c.planner_2],
+                                  c.factor, c.smoothed_factor, c.smoothed_interval, c.fisher_p,
+                                  c.map_p));
   }
   return table;
-}
-
-std::string counted(std::int64_t count, const std::string& noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
 std::string title_of(const SweepSummary& summary) {
   std::string title =
       "Sweep " + summary.name +
       (summary.revision > 1 ? " (revision " + std::to_string(summary.revision) + ")" : "") + ": " +
-      counted(summary.trial_count, "trial") + " of " +
-      counted(static_cast<std::int64_t>(summary.planners.size()), "planner") + " on " +
-      counted(static_cast<std::int64_t>(summary.maps.size()), "map") + ", " +
+      counted(summary.trial_count, "trial") + " of " + counted(summary.planners.size(), "planner") +
+      " on " + counted(summary.maps.size(), "map") + ", " +
       counted(summary.mission_count, "mission") + " (" +
       std::to_string(summary.invalid_mission_count) + " invalid: not flown, not counted)";
   for (std::size_t i = 0; i < summary.conditions.size(); ++i) {
@@ -251,11 +215,7 @@ std::vector<std::string> table_names() {
 }
 
 Section sweep_section(const SweepSummary& summary, std::span<const std::string> tables) {
-  Section section{.name = summary.name,
-                  .title = title_of(summary),
-                  .tables = {},
-                  .notes = {},
-                  .warnings = summary.warnings};
+  Section section{.name = summary.name, .title = title_of(summary), .warnings = summary.warnings};
   section.tables.push_back(planner_table(summary));
   if (!summary.groups.empty()) section.tables.push_back(group_table(summary));
   if (!summary.group_columns.empty()) {
@@ -264,8 +224,13 @@ Section sweep_section(const SweepSummary& summary, std::span<const std::string> 
   }
   section.tables.push_back(outcome_table(summary));
   if (!summary.contrasts.empty()) section.tables.push_back(pair_table(summary));
-  append_response_tables(section.tables, summary);
-  append_environment_tables(section.tables, summary);
+  if (!summary.difficulty.empty()) section.tables.push_back(difficulty_table(summary));
+  section.tables.push_back(flight_time_table(summary));
+  section.tables.push_back(flight_time_curve_table(summary));
+  section.tables.push_back(map_table(summary));
+  if (!summary.environment.correlations.empty()) {
+    section.tables.push_back(correlation_table(summary));
+  }
   keep_wanted(section.tables, tables);
   const bool has_stars =
       std::any_of(section.tables.begin(), section.tables.end(), [](const Table& table) {
@@ -286,31 +251,22 @@ Section sweep_section(const SweepSummary& summary, std::span<const std::string> 
 }
 
 Section side_by_side(std::span<const SweepSummary> summaries) {
-  Section section{
-      .name = "all", .title = "Sweeps side by side", .tables = {}, .notes = {}, .warnings = {}};
-  Table table{.name = "sweeps",
-              .title = "Planners in every sweep",
-              .columns = {planner_column()},
-              .rows = {}};
-  table.columns.push_back(
-      {.name = "of_sweep", .header = "sweep", .unit = "", .doc = "", .place = Place::key});
-  append_summary_columns(table.columns, summaries.front().metrics);
-  hide_mean_bounds(table);
+  Table table = make_group_table(
+      "sweeps", "Planners in every sweep",
+      {planner_column(), {.name = "of_sweep", .header = "sweep", .place = Place::key}},
+      summaries.front().metrics);
   for (const SweepSummary& summary : summaries) {
+    const std::string revision =
+        summary.revision > 1 ? "@" + std::to_string(summary.revision) : std::string();
     for (const PlannerSummary& planner : summary.overall) {
-      std::vector<Cell> row;
-      append(row, summary.planners[planner.planner]);
-      append(row, summary.revision > 1 ? summary.name + "@" + std::to_string(summary.revision)
-                                       : summary.name);
-      append_summary_cells(row, planner);
+      Row& row = table.rows.emplace_back(make_row(summary.planners[planner.planner],
+                                                  summary.name + revision, summary_cells(planner)));
       for (Cell& cell : row) cell.is_best = false;  // among its own sweep's planners
-      table.rows.push_back(std::move(row));
     }
   }
   std::stable_sort(table.rows.begin(), table.rows.end(),
                    [](const auto& a, const auto& b) { return a.front().value < b.front().value; });
-  section.tables.push_back(std::move(table));
-  return section;
+  return {.name = "all", .title = "Sweeps side by side", .tables = {std::move(table)}};
 }
 
 }  // namespace avoidbench

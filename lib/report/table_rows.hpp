@@ -1,28 +1,63 @@
 #pragma once
 
-// What the tables of a sweep are put together from, and their parts.
+// What tables are put together from.
 
-#include "report/summary.hpp"
+#include <cmath>
+#include <concepts>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
 #include "table/table.hpp"
 
 namespace avoidbench {
 
-void append(std::vector<Cell>& row, std::int64_t count);
-void append(std::vector<Cell>& row, const std::string& words);
-void append(std::vector<Cell>& row, double number, bool is_best = false);  ///< NaN: nothing
-void append(std::vector<Cell>& row, const Interval& interval);             ///< two cells
+/// A table without rows. Behind each column that has an interval stand those of its ends,
+/// NAME_lower and NAME_upper.
+Table make_table(std::string name, std::string title, const std::vector<Column>& columns);
 
+/// A list of texts without rows (Place::words), as commands print them that show no results.
+Table make_list(const std::vector<std::string>& columns);
+
+/// The column `planner`, and one that people do not see.
 Column planner_column();
 Column machine_column(const std::string& name, const std::string& unit = "");
 
-/// `name`_lower and `name`_upper: the interval of the column before.
-void append_bounds(std::vector<Column>& columns, const std::string& name,
-                   const std::string& unit = "");
+/// Appends what is given: a cell, a row, an interval (two cells), a number (NaN: nothing) or a
+/// text.
+template <class Part>
+void append(Row& row, const Part& part) {
+  if constexpr (std::same_as<Part, Cell>) {
+    row.push_back(part);
+  } else if constexpr (std::same_as<Part, Row>) {
+    row.insert(row.end(), part.begin(), part.end());
+  } else if constexpr (requires { part.lower, part.upper; }) {
+    append(row, part.lower);
+    append(row, part.upper);
+  } else if constexpr (std::floating_point<Part>) {
+    row.emplace_back();
+    if (!std::isnan(part)) row.back().value = part;
+  } else if constexpr (std::unsigned_integral<Part>) {
+    row.push_back({.value = static_cast<std::uint64_t>(part)});
+  } else if constexpr (std::integral<Part>) {
+    row.push_back({.value = static_cast<std::int64_t>(part)});
+  } else {
+    row.push_back({.value = std::string(part)});
+  }
+}
 
-/// `difficulty`, `flight_time` and `flight_time_curve`.
-void append_response_tables(std::vector<Table>& tables, const SweepSummary& summary);
+/// A number, with a star where it is the best; NaN: nothing.
+inline Cell best_cell(double number, bool is_best) {
+  return {.value = std::isnan(number) ? TableValue() : TableValue(number), .is_best = is_best};
+}
 
-/// `maps` and `environment`.
-void append_environment_tables(std::vector<Table>& tables, const SweepSummary& summary);
+/// A row of these parts, as append() takes them.
+template <class... Parts>
+Row make_row(const Parts&... parts) {
+  Row row;
+  (append(row, parts), ...);
+  return row;
+}
 
 }  // namespace avoidbench

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -7,7 +6,9 @@
 
 #include "report/summary.hpp"
 #include "statistics/sample_size.hpp"
-#include "sweep/stop_rule.hpp"
+#include "statistics/stop_rule.hpp"
+#include "text/number_text.hpp"
+#include "text/words.hpp"
 
 namespace avoidbench {
 namespace {
@@ -15,18 +16,6 @@ namespace {
 constexpr std::int64_t kFewTrials = 10;
 
 using Warnings = std::vector<std::string>;
-
-std::string rounded(double value) {
-  std::array<char, 64> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), "%.0f", value);
-  return buffer.data();
-}
-
-std::string joined(const std::vector<std::string>& words, std::string_view separator) {
-  std::string line;
-  for (const std::string& word : words) line += (line.empty() ? "" : std::string(separator)) + word;
-  return line;
-}
 
 void warn_of_few_trials(const SweepSummary& summary, Warnings& warnings) {
   std::vector<std::string> few;
@@ -64,7 +53,7 @@ void warn_of_unclear_differences(const SweepSummary& summary, Warnings& warnings
         summary.planners[contrast.planner_1] + " / " + summary.planners[contrast.planner_2];
     if (a.success_rate != b.success_rate) {
       const double trials = std::ceil(two_rates_trials(a.success_rate, b.success_rate));
-      pair += " (would take some " + rounded(trials) + " trials each)";
+      pair += " (would take some " + fixed_digits(trials, 0) + " trials each)";
     }
     unclear.push_back(pair);
   }
@@ -135,7 +124,7 @@ void warn_of_mixtures(const SweepSummary& summary, const SweepResult& result,
   }
   warnings.push_back(
       "trials differ in more than planner, map and mission; this report takes them together" +
-      (axes.empty() ? "" : " (--group-by planner," + joined(axes, ",") + " tells them apart)"));
+      (axes.empty() ? "" : "; groups of planner," + joined(axes, ",") + " tell them apart"));
 }
 
 /// Missions a map that the planner's trials reach up to.

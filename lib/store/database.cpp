@@ -254,14 +254,14 @@ void Database::require_in_place() {
   const std::string place = lock_->place_now().string();
   if (!place.empty() && moved == SQLITE_OK) {
     fail(*path_, began + ". All that was committed is in " + place +
-                     ": move it back, or name it by --db, and run the same command again");
+                     ": move it back, or name it as the database, and run the same command again");
   }
   const std::string copy = rescued_copy();
   if (copy.empty()) {
     fail(*path_, began + ", and what was committed could not be saved elsewhere");
   }
   fail(*path_, began + ". All that was committed is saved in " + copy +
-                   ": name it by --db and run the same command again");
+                   ": name it as the database and run the same command again");
 }
 
 std::string Database::rescued_copy() {

@@ -252,7 +252,7 @@ MergeResult merge_database(Database& into, const std::filesystem::path& from) {
     refuse(from, "is the file to merge into");
   if (checked.uri().empty()) {
     refuse(from,
-           "is of an older avoidbench with another schema: `avoidbench run` with this --db "
+           "is of an older avoidbench with another schema: `avoidbench run` into this database "
            "brings it up");
   }
   check_metrics(into, checked);

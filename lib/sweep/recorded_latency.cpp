@@ -81,4 +81,16 @@ void restore_latency(nlohmann::json& trial) {
   trial.emplace("latency_digest", "");
 }
 
+bool measures_latency(const SweepSpec& sweep) {
+  bool is_swept = false;
+  for (const Axis& axis : sweep.axes) {
+    if (axis.path != "latency.mode") continue;
+    is_swept = true;
+    for (const nlohmann::json& mode : axis.values) {
+      if (mode == text(LatencyMode::measured)) return true;
+    }
+  }
+  return !is_swept && sweep.base.latency.mode == LatencyMode::measured;
+}
+
 }  // namespace avoidbench

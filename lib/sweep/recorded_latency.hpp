@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "store/database.hpp"
+#include "sweep/sweep_spec.hpp"
 #include "trial/trial_spec.hpp"
 
 /// Latencies that an earlier run measured, for trials that fly it again.
@@ -37,5 +38,8 @@ void forget_unused_latency(nlohmann::json& trial);
 
 /// Reverse of forget_unused_latency(), with defaults.
 void restore_latency(nlohmann::json& trial);
+
+/// Whether times of the machine that flies it decide about flights of the sweep.
+bool measures_latency(const SweepSpec& sweep);
 
 }  // namespace avoidbench

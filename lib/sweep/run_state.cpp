@@ -141,7 +141,7 @@ void take_death(Run& run, const Assignment& assignment, const Job& job, const De
   if (!assignment.trial) {
     throw InputError("the worker that measured a map of " + run.sweep.name +
                      " ended: " + death.reason +
-                     "; run the same command again, with fewer --jobs if memory is short");
+                     "; run the same command again, with fewer workers if memory is short");
   }
   TrialRecord record;
   // No samples and no calls: what a dead process had flown is not known for sure.

@@ -7,14 +7,10 @@
 #include <vector>
 
 #include "metrics/map_record.hpp"
+#include "sweep/shard.hpp"
 #include "sweep/sweep_spec.hpp"
 
 namespace avoidbench {
-
-/// One of `count` parts of a sweep that are flown apart, from 1.
-struct Shard {
-  std::int64_t index = 1, count = 1;
-};
 
 /// The trials of this part: whole groups of a planner on a map, dealt in the order of their
 /// digests, or single trials where there are too few groups. The same for whoever asks, whatever is

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/input_error.hpp"
+#include "base/option_error.hpp"
 #include "process/process_tree.hpp"
 #include "worker/crash_report.hpp"
 #include "worker/worker.hpp"
@@ -127,9 +128,7 @@ bool is_from_outside(const ProcessEnd& end) {
 
 Death broken_pipes() { return {.reason = "the worker's own pipes were closed or written to"}; }
 
-Death too_much_memory() {
-  return {.reason = "the worker used more memory than --memory-limit allows"};
-}
+Death too_much_memory() { return {.reason = "the worker used more memory than its limit allows"}; }
 
 Death death_of(const ProcessEnd& end, const std::string& notes, const PlannerChoice& planner) {
   switch (end.exit_code) {
@@ -142,9 +141,10 @@ Death death_of(const ProcessEnd& end, const std::string& notes, const PlannerCho
     case kPipesExitCode:
       return broken_pipes();
     case kSandboxExitCode:
-      throw InputError(
-          "a worker could not enter its sandbox, though the kernel offers it; --no-sandbox flies "
-          "planners without");
+      throw OptionError(
+          "a worker could not enter its sandbox, though the kernel offers it; planners "
+          "can be flown without one",
+          "", "no-sandbox");
     default:
       break;
   }
@@ -228,7 +228,7 @@ void look_at_time(Desk& desk, Seat& seat) {
   Task& task = *seat.task;
   if (task.assignment.trial && task.busy_s > options.trial_timeout_s) {
     return take_end(desk, seat,
-                    {Outcome::planner_hung, "the trial lasted longer than --trial-timeout"});
+                    {Outcome::planner_hung, "the trial lasted longer than its timeout"});
   }
   if (seat.silent_s > options.silence_s) {
     if (task.stops == kMostStops || !seat.process.go_on()) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sweep/stop_rule.hpp"
+#include "statistics/stop_rule.hpp"
 #include "trial/trial_spec.hpp"
 
 namespace avoidbench {

@@ -32,7 +32,7 @@ std::string csv_of(std::span<const Section> sections) {
   std::string out = header.add_words({"name", "unit", "value"}).line();
   for (const Section& section : sections) {
     for (const Table& table : section.tables) {
-      for (const std::vector<Cell>& row : table.rows) {
+      for (const Row& row : table.rows) {
         CsvRow start;
         start.add_words({section.name, table.name});
         for (const std::string& key : keys) {
@@ -61,17 +61,21 @@ nlohmann::ordered_json json_of(const Cell& cell) {
   return *value;
 }
 
+nlohmann::ordered_json rows_json(const Table& table) {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (const Row& cells : table.rows) {
+    nlohmann::ordered_json row = nlohmann::ordered_json::object();
+    for (std::size_t i = 0; i < cells.size(); ++i) row[table.columns[i].name] = json_of(cells[i]);
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
 nlohmann::ordered_json json_of(const Section& section) {
   nlohmann::ordered_json tables = nlohmann::ordered_json::object();
   nlohmann::ordered_json columns = nlohmann::ordered_json::object();
   for (const Table& table : section.tables) {
-    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-    for (const std::vector<Cell>& cells : table.rows) {
-      nlohmann::ordered_json row = nlohmann::ordered_json::object();
-      for (std::size_t i = 0; i < cells.size(); ++i) row[table.columns[i].name] = json_of(cells[i]);
-      rows.push_back(std::move(row));
-    }
-    tables[table.name] = std::move(rows);
+    tables[table.name] = rows_json(table);
     for (const Column& column : table.columns) {
       columns[column.name] = {{"unit", column.unit}, {"doc", column.doc}};
     }
@@ -81,6 +85,22 @@ nlohmann::ordered_json json_of(const Section& section) {
           {"warnings", section.warnings},
           {"tables", tables},
           {"columns", columns}};
+}
+
+std::string dumped(const nlohmann::ordered_json& json) {
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::string csv_of(const Table& table) {
+  CsvRow header;
+  for (const Column& column : table.columns) header.add(column.name);
+  std::string out = header.line();
+  for (const Row& cells : table.rows) {
+    CsvRow row;
+    for (const Cell& cell : cells) row.add_value(cell.value);
+    out += row.line();
+  }
+  return out;
 }
 
 /// The section as people may see it: each text on one line, without control characters.
@@ -99,7 +119,7 @@ Section visible_section(Section section) {
       column.unit = visible_line(column.unit);
       column.doc = visible_line(column.doc);
     }
-    for (std::vector<Cell>& row : table.rows) {
+    for (Row& row : table.rows) {
       for (Cell& cell : row) {
         if (auto* words = std::get_if<std::string>(&cell.value)) *words = visible_line(*words);
       }
@@ -117,7 +137,7 @@ std::string format_sections(std::span<const Section> sections, TableFormat forma
   if (format == TableFormat::json) {
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
     for (const Section& section : sections) all.push_back(json_of(section));
-    return all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    return dumped(all);
   }
   for (const Section& given : sections) {
     const Section section = visible_section(given);
@@ -127,6 +147,13 @@ std::string format_sections(std::span<const Section> sections, TableFormat forma
     if (format == TableFormat::latex) out += latex_text(section);
   }
   return out;
+}
+
+std::string format_table(const Table& table, TableFormat format, const TextStyle& style) {
+  if (format == TableFormat::csv) return csv_of(table);
+  if (format == TableFormat::json) return dumped(rows_json(table));
+  const Section section{.name = {}, .tables = {table}};
+  return format_sections({&section, 1}, format, style);
 }
 
 }  // namespace avoidbench

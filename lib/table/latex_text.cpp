@@ -90,23 +90,25 @@ std::string bare_doc(const TextColumn& column) {
 
 std::string table_in_latex(const std::string& sweep, const Table& table) {
   const std::vector<TextColumn> columns = text_columns(table);
-  std::string caption = in_latex(table.title) + ".";
+  std::string caption = table.title.empty() ? "" : in_latex(table.title) + ".";
   std::string alignment;
   bool has_units = false, has_best = false;
   for (const TextColumn& column : columns) {
-    alignment += column.is_key ? 'l' : 'r';
+    alignment += column.is_key || column.is_words ? 'l' : 'r';
     has_units = has_units || !column.unit.empty();
     if (!column.doc.empty()) {
       caption += " " + in_latex(column.header + ": " + bare_doc(column) + ".");
     }
     for (const std::string& cell : column.cells) {
-      has_best = has_best || cell.find('*') != std::string::npos;
+      has_best = has_best || (!column.is_words && cell.find('*') != std::string::npos);
     }
   }
   if (has_best) caption += " Bold: best, and significantly so against every other planner.";
-  std::string out = "\\begin{table}\n  \\centering\n  \\caption{" + caption + "}\n  \\label{" +
-                    label_of(sweep, table.name) + "}\n  \\begin{tabular}{" + alignment +
-                    "}\n  \\toprule\n";
+  std::string out = "\\begin{table}\n  \\centering\n";
+  if (!caption.empty()) {
+    out += "  \\caption{" + caption + "}\n  \\label{" + label_of(sweep, table.name) + "}\n";
+  }
+  out += "  \\begin{tabular}{" + alignment + "}\n  \\toprule\n";
   out += line_of(columns, [](const TextColumn& c) { return in_latex(c.header); });
   if (has_units) out += line_of(columns, [](const TextColumn& c) { return in_latex(c.unit); });
   out += "  \\midrule\n";
@@ -116,7 +118,8 @@ std::string table_in_latex(const std::string& sweep, const Table& table) {
       const bool is_group =
           c.is_key && &c == &columns.front() && columns.size() > 1 && columns[1].is_key;
       repeats = repeats && is_group && c.cells[row] == c.cells[row - 1];
-      return repeats ? "" : cell_in_latex(c.cells[row]);
+      if (repeats) return "";
+      return c.is_words ? in_latex(c.cells[row]) : cell_in_latex(c.cells[row]);
     });
   }
   return out + "  \\bottomrule\n  \\end{tabular}\n\\end{table}\n";
@@ -125,10 +128,11 @@ std::string table_in_latex(const std::string& sweep, const Table& table) {
 }  // namespace
 
 std::string latex_text(const Section& section) {
-  std::string out = "% " + section.title + "\n";
+  std::string out = section.title.empty() ? "" : "% " + section.title + "\n";
   for (const std::string& warning : section.warnings) out += "% Warning: " + warning + "\n";
   for (const Table& table : section.tables) {
-    if (table.is_for_people) out += "\n" + table_in_latex(section.name, table);
+    if (!table.is_for_people) continue;
+    out += (out.empty() ? "" : "\n") + table_in_latex(section.name, table);
   }
   return out;
 }

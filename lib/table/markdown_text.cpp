@@ -20,27 +20,29 @@ std::string in_markdown(const std::string& text) {
 }  // namespace
 
 std::string markdown_text(const Section& section) {
-  std::string out = "## " + in_markdown(section.title) + "\n\n";
+  std::string out = section.title.empty() ? "" : "## " + in_markdown(section.title) + "\n\n";
   for (const std::string& warning : section.warnings)
     out += "> **Warning:** " + in_markdown(warning) + "\n>\n";
   if (!section.warnings.empty()) out.replace(out.size() - 2, 2, "\n");
   for (const Table& table : section.tables) {
     if (!table.is_for_people) continue;
-    out += "### " + in_markdown(table.title) + "\n\n|";
+    if (!table.title.empty()) out += "### " + in_markdown(table.title) + "\n\n";
+    out += "|";
     const std::vector<TextColumn> columns = text_columns(table);
     for (const TextColumn& column : columns) {
       out +=
           " " + in_markdown(column.header + (column.unit.empty() ? "" : ", " + column.unit)) + " |";
     }
     out += "\n|";
-    for (const TextColumn& column : columns) out += column.is_key ? ":--|" : "--:|";
+    for (const TextColumn& column : columns)
+      out += column.is_key || column.is_words ? ":--|" : "--:|";
     out += "\n";
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
       out += "|";
       for (const TextColumn& column : columns) out += " " + in_markdown(column.cells[row]) + " |";
       out += "\n";
     }
-    out += "\n";
+    if (!table.title.empty()) out += "\n";
   }
   for (const auto& [header, doc] : legend(section)) {
     out += "- **" + in_markdown(header) + "** " + in_markdown(doc) + "\n";

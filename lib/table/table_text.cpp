@@ -1,9 +1,9 @@
 #include "table/table_text.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
+
+#include "text/number_text.hpp"
 
 namespace avoidbench {
 namespace {
@@ -56,12 +56,10 @@ std::size_t width_of(char32_t code) {
 std::string with_decimals(double value, int decimals) {
   if (std::isnan(value)) return "–";
   if (std::isinf(value)) return value < 0.0 ? "-inf" : "inf";
-  std::array<char, 400> buffer{};
   double least = 1.0;  // that is not shown as zero
   for (int i = 0; i < decimals; ++i) least *= 0.1;
   if (value > 0.0 && value < 0.5 * least) return "<" + with_decimals(least, decimals);
-  std::snprintf(buffer.data(), buffer.size(), "%.*f", decimals, value);
-  return buffer.data();
+  return fixed_digits(value, decimals);
 }
 
 /// Decimals that show three significant digits of the greatest of the column's numbers.
@@ -79,8 +77,10 @@ int decimals_of(const Table& table, std::size_t column) {
   return greatest <= 1.0 && greatest > 0.1 ? 2 : decimals;
 }
 
-std::string cell_text(const Cell& cell, int decimals) {
-  if (const auto* words = std::get_if<std::string>(&cell.value)) return cut_to_width(*words, 44);
+std::string cell_text(const Cell& cell, int decimals, Place place = Place::value) {
+  if (const auto* words = std::get_if<std::string>(&cell.value)) {
+    return place == Place::words ? *words : cut_to_width(*words, 44);
+  }
   if (const auto* count = std::get_if<std::int64_t>(&cell.value)) return std::to_string(*count);
   if (const auto* seed = std::get_if<std::uint64_t>(&cell.value)) return std::to_string(*seed);
   if (const auto* value = std::get_if<double>(&cell.value)) return with_decimals(*value, decimals);
@@ -133,23 +133,21 @@ std::vector<TextColumn> text_columns(const Table& table) {
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     const Column& column = table.columns[i];
     if (column.place == Place::machine || column.place == Place::bound) continue;
-    TextColumn text{.header = column.header,
+    TextColumn text{.header = column.header.empty() ? column.name : column.header,
                     .unit = column.unit,
                     .doc = column.doc,
                     .is_key = column.place == Place::key,
+                    .is_words = column.place == Place::words,
                     .cells = {}};
+    text.width = std::max(display_width(text.header), display_width(text.unit));
     const bool has_interval =
         i + 2 < table.columns.size() && table.columns[i + 1].place == Place::bound;
     int decimals = decimals_of(table, i);
     if (has_interval) decimals = std::min(decimals, 2);
     const bool has_star = std::any_of(table.rows.begin(), table.rows.end(),
                                       [&](const auto& row) { return row[i].is_best; });
-    std::size_t value_width = 0;
     for (const auto& row : table.rows) {
-      value_width = std::max(value_width, display_width(cell_text(row[i], decimals)));
-    }
-    for (const auto& row : table.rows) {
-      std::string cell = cell_text(row[i], decimals);
+      std::string cell = cell_text(row[i], decimals, column.place);
       // The star belongs to the number, so it stands right behind it; the others keep its place
       // free.
       if (has_star) cell += row[i].is_best ? "*" : " ";
@@ -158,7 +156,8 @@ std::vector<TextColumn> text_columns(const Table& table) {
         const std::string upper = cell_text(row[i + 2], decimals);
         cell += lower == "–" ? "" : " [" + lower + ", " + upper + "]";
       }
-      text.cells.push_back(cell);
+      text.width = std::max(text.width, display_width(cell));
+      text.cells.push_back(std::move(cell));
     }
     columns.push_back(std::move(text));
   }

@@ -25,7 +25,9 @@ std::string wrapped(std::string_view text, std::size_t width, std::size_t indent
 struct TextColumn {
   std::string header, unit, doc;
   bool is_key = false;
+  bool is_words = false;  ///< as Place::words
   std::vector<std::string> cells;
+  std::size_t width = 0;  ///< terminal columns of the widest of all these
 };
 
 /// The columns that people read. Numbers get three significant digits of the column's greatest.

@@ -17,15 +17,13 @@ std::string painted(const std::string& text, std::string_view colour, const Text
   return std::string(colour) + text + std::string(kPlain);
 }
 
-std::size_t width_of(const TextColumn& column) {
-  std::size_t width = std::max(display_width(column.header), display_width(column.unit));
-  for (const std::string& cell : column.cells) width = std::max(width, display_width(cell));
-  return width;
-}
-
 std::string aligned(const std::string& text, std::size_t width, bool is_left) {
   const std::string space(width - display_width(text), ' ');
   return is_left ? text + space : space + text;
+}
+
+std::string aligned(const std::string& text, const TextColumn& column) {
+  return aligned(text, column.width, column.is_key || column.is_words);
 }
 
 /// Keys and as many columns from `first` on as fit; moves `first` behind them.
@@ -36,12 +34,12 @@ std::vector<std::size_t> next_block(const std::vector<TextColumn>& columns, std:
   for (std::size_t i = 0; i < columns.size(); ++i) {
     if (!columns[i].is_key) continue;
     block.push_back(i);
-    width += width_of(columns[i]) + kGap.size();
+    width += columns[i].width + kGap.size();
   }
   const std::size_t key_count = block.size();
   for (; first < columns.size(); ++first) {
     if (columns[first].is_key) continue;
-    const std::size_t more = width_of(columns[first]) + kGap.size();
+    const std::size_t more = columns[first].width + kGap.size();
     if (block.size() > key_count && width + more > line_width + kGap.size()) break;
     block.push_back(first);
     width += more;
@@ -60,9 +58,8 @@ std::string block_line(const std::vector<TextColumn>& columns,
                        const std::vector<std::size_t>& block, TextOf text_of, Paint paint) {
   std::string line;
   for (const std::size_t i : block) {
-    line +=
-        (line.empty() ? "" : std::string(kGap)) +
-        paint(columns[i], aligned(text_of(columns[i]), width_of(columns[i]), columns[i].is_key));
+    line += (line.empty() ? "" : std::string(kGap)) +
+            paint(columns[i], aligned(text_of(columns[i]), columns[i]));
   }
   return line;
 }
@@ -89,7 +86,7 @@ std::string head_text(const Table& table, const std::vector<TextColumn>& columns
   std::string rule;
   for (const std::size_t i : block) {
     if (!rule.empty()) rule += kGap;
-    for (std::size_t n = 0; n < width_of(columns[i]); ++n) rule += "─";
+    for (std::size_t n = 0; n < columns[i].width; ++n) rule += "─";
   }
   return out + painted(rule, kDim, style) + "\n";
 }
@@ -107,14 +104,47 @@ std::string row_text(const std::vector<TextColumn>& columns, const std::vector<s
     return repeats ? "" : c.cells[row];
   };
   const auto paint = [&](const TextColumn& c, const std::string& text) {
-    const bool is_best = !c.is_key && c.cells[row].find('*') != std::string::npos;
+    const bool is_best = !c.is_key && !c.is_words && c.cells[row].find('*') != std::string::npos;
     return is_best ? painted(text, kGreen, style) : text;
   };
   return trimmed(block_line(columns, block, cell, paint)) + "\n";
 }
 
+/// Header and rows, each on one line except for the last column, which is wrapped behind the
+/// others.
+std::string list_text(std::vector<TextColumn> columns, std::size_t row_count,
+                      const TextStyle& style) {
+  constexpr std::size_t kLeastWidth = 30;
+  TextColumn last = std::move(columns.back());
+  columns.pop_back();
+  std::vector<std::size_t> others;
+  std::size_t left = 0;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    others.push_back(i);
+    left += columns[i].width + kGap.size();
+  }
+  const std::size_t room = std::max(left + kLeastWidth, style.width) - left;
+  const auto line = [&](const std::string& start, const std::string& end) {
+    std::string text = wrapped(end, room, 0);
+    for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 1)) {
+      text.insert(at + 1, std::string(left, ' '));
+    }
+    return trimmed(aligned(start, left, true) + text);
+  };
+  const std::string names =
+      block_line(columns, others, [](const TextColumn& c) { return c.header; });
+  std::string out = painted(line(names, last.header), kBold, style) + "\n";
+  for (std::size_t row = 0; row < row_count; ++row) {
+    const std::string cells =
+        block_line(columns, others, [&](const TextColumn& c) { return c.cells[row]; });
+    out += line(cells, last.is_words ? last.cells[row] : aligned(last.cells[row], last)) + "\n";
+  }
+  return out;
+}
+
 std::string table_text(const Table& table, const TextStyle& style) {
   const std::vector<TextColumn> columns = text_columns(table);
+  if (table.title.empty()) return list_text(columns, table.rows.size(), style);
   std::string out;
   for (std::size_t first = 0; first < columns.size();) {
     const std::vector<std::size_t> block = next_block(columns, first, style.width);
@@ -130,7 +160,10 @@ std::string table_text(const Table& table, const TextStyle& style) {
 }  // namespace
 
 std::string terminal_text(const Section& section, const TextStyle& style) {
-  std::string out = painted(wrapped(section.title, style.width, 2), kBold, style) + "\n\n";
+  std::string out;
+  if (!section.title.empty()) {
+    out = painted(wrapped(section.title, style.width, 2), kBold, style) + "\n\n";
+  }
   for (const std::string& warning : section.warnings) {
     out += painted(wrapped("Warning: " + warning, style.width, 9), kYellow, style) + "\n";
   }

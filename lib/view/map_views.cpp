@@ -74,18 +74,6 @@ Picture bird_view(const World& world, const MapView& view) {
                 look_at(eye, center, Eigen::Vector3d::UnitZ()), kFov, false, view);
 }
 
-/// The mission camera's pose at the start.
-Pose start_camera(const Scene& scene, const TrialSpec& trial, std::int64_t index) {
-  const auto mission = make_mission(scene, trial.mission, trial.seed, index);
-  if (!mission) {
-    throw InputError("mission " + std::to_string(index) +
-                     ": no start or goal with mission.free_radius_m of free space; make the map "
-                     "sparser, the radius smaller or the start and goal regions larger");
-  }
-  return make_pose(mission->start_world, yaw_rotation(mission->start_yaw_rad)) *
-         T_body_camera(trial.sensor.mounting);
-}
-
 Picture depth_view(const World& world, const TrialSpec& trial, const MapView& view) {
   const Scene scene(world);
   const Pinhole camera =
@@ -93,7 +81,9 @@ Picture depth_view(const World& world, const TrialSpec& trial, const MapView& vi
                    trial.sensor.max_range_m);
   std::vector<float> depth_m(static_cast<std::size_t>(view.width_px) *
                              static_cast<std::size_t>(view.height_px));
-  render_depth(scene, camera, start_camera(scene, trial, view.mission_index), depth_m);
+  render_depth(scene, camera,
+               start_pose(scene, trial, view.mission_index) * T_body_camera(trial.sensor.mounting),
+               depth_m);
   Picture picture =
       depth_picture(depth_m, view.width_px, view.height_px, 0.0, trial.sensor.max_range_m);
   add_depth_scale(picture, 0.0, trial.sensor.max_range_m);
@@ -104,6 +94,16 @@ Picture depth_view(const World& world, const TrialSpec& trial, const MapView& vi
 
 std::vector<std::string> map_view_names() { return {"top", "bird", "first_person", "depth"}; }
 
+Pose start_pose(const Scene& scene, const TrialSpec& trial, std::int64_t mission_index) {
+  const auto mission = make_mission(scene, trial.mission, trial.seed, mission_index);
+  if (!mission) {
+    throw InputError("mission " + std::to_string(mission_index) +
+                     ": no start or goal with mission.free_radius_m of free space; make the map "
+                     "sparser, the radius smaller or the start and goal regions larger");
+  }
+  return make_pose(mission->start_world, yaw_rotation(mission->start_yaw_rad));
+}
+
 World without_roof(const World& world, double time_s) {
   return without(world, {"ceiling", "lamp"}, time_s);
 }
@@ -113,7 +113,8 @@ Picture render_map(const World& world, const TrialSpec& trial, const MapView& vi
   if (view.name == "top") return plan_view(world, trial, view, note);
   if (view.name == "bird") return bird_view(world, view);
   if (view.name == "depth") return depth_view(world, trial, view);
-  const Pose T_world_camera = start_camera(Scene(world), trial, view.mission_index);
+  const Pose T_world_camera =
+      start_pose(Scene(world), trial, view.mission_index) * T_body_camera(trial.sensor.mounting);
   return shaded(world, T_world_camera, trial.sensor.fov_x_deg * math::kDegree, true, view);
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "drawing/picture.hpp"
+#include "render/scene.hpp"
 #include "trial/trial_spec.hpp"
 #include "world/world.hpp"
 
@@ -24,6 +25,10 @@ std::vector<std::string> map_view_names();
 
 /// The world without its ceiling; what moves stands where it is at `time_s`.
 World without_roof(const World& world, double time_s = 0.0);
+
+/// The body's pose at the start of a mission of the trial. Throws InputError where it can't be laid
+/// out.
+Pose start_pose(const Scene& scene, const TrialSpec& trial, std::int64_t mission_index);
 
 /// The picture of `world`, the map of `trial`; what else its caption should say goes to `note`.
 /// Throws InputError where the mission of first_person and depth can't be laid out.

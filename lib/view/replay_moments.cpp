@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/input_error.hpp"
+#include "base/option_error.hpp"
 #include "view/replay_sheet.hpp"
 
 namespace avoidbench {
@@ -47,8 +47,8 @@ double MomentRecorder::next_s() const {
 
 void MomentRecorder::keep(double time_s) {
   if (moments_.size() == kMostMoments) {
-    throw InputError("more than " + std::to_string(kMostMoments) +
-                     " pictures: choose a larger --every");
+    throw OptionError("more than " + std::to_string(kMostMoments) + " pictures; show fewer", "",
+                      "every");
   }
   moments_.push_back(latest_);
   moments_.back().time_s = time_s;

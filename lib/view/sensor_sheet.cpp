@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/input_error.hpp"
+#include "base/option_error.hpp"
 #include "base/random.hpp"
 #include "render/depth.hpp"
 #include "sensing/camera.hpp"
@@ -156,7 +156,7 @@ SensorSheet make_sensor_sheet(const SensorSpec& sensor, const Scene& scene,
                               const Pose& T_world_body, std::uint64_t seed,
                               const std::string& view) {
   if (view == "disparity" && !is_stereo(sensor)) {
-    throw InputError("--view disparity: " + sensor.name + " does not match images");
+    throw OptionError("disparity: " + sensor.name + " does not match images", "view");
   }
   Pinhole ideal = sensor_camera(sensor);
   ideal.min_range_m = 0.0;

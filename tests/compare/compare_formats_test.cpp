@@ -99,7 +99,7 @@ TEST(CompareFormats, ExactComparisons) {
   const ExactComparison comparison = compare_exactly(base, now);
   const std::string text = format_comparison(comparison, CompareFormat::table);
   EXPECT_NE(text.find("outcome reached_goal → collided"), std::string::npos);
-  EXPECT_NE(text.find("and 20 trials more: --format json has all"), std::string::npos) << text;
+  EXPECT_NE(text.find("and 20 trials more: the JSON has all"), std::string::npos) << text;
   EXPECT_EQ(
       json::parse(format_comparison(comparison, CompareFormat::json)).at("differences").size(),
       comparison.differences.size());

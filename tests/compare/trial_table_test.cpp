@@ -96,9 +96,10 @@ TEST(TrialTable, DamagedCsvIsToldWithItsLine) {
     changed.replace(changed.find(from), from.size(), to);
     return error_of([&] { table_of_csv(changed, "t.csv"); });
   };
-  EXPECT_EQ(error_with("# avoidbench trials, format 1", "planner"),
-            "t.csv: is neither a database of results nor a table of trials (`avoidbench compare DB "
-            "--bless FILE` writes one)");
+  EXPECT_EQ(
+      error_with("# avoidbench trials, format 1", "planner"),
+      "t.csv: is neither a database of results nor a table of trials that `avoidbench compare` "
+      "wrote");
   EXPECT_NE(error_with("reached_goal", "reached_gaol").find("t.csv:7: outcome: 'reached_gaol'"),
             std::string::npos)
       << error_with("reached_goal", "reached_gaol");

@@ -63,7 +63,7 @@ TEST_F(TortureTest, EveryWayBecomesTheOutcomeOfItsTrial) {
       {"half a header", {Outcome::planner_crashed, "closed or written to"}},
       {"huge header", {Outcome::planner_crashed, "closed or written to"}},
       {"empty result", {Outcome::planner_crashed, "closed or written to"}},
-      {"slow", {Outcome::planner_hung, "longer than --trial-timeout"}}};
+      {"slow", {Outcome::planner_hung, "longer than its timeout"}}};
   sweep.planners.clear();
   for (const auto& [way, ends] : expected) sweep.planners.push_back(torture_choice(way));
   EXPECT_EQ(run(sweep, "ways.db", 2).progress.done, static_cast<std::int64_t>(expected.size()));
@@ -97,7 +97,7 @@ TEST_F(TortureTest, MemoryBeyondTheLimitIsACrash) {
   const auto trials = Database::open_for_reading(folder_ / "memory.db").list_trials();
   ASSERT_EQ(trials.size(), 1U);
   EXPECT_EQ(trials[0].outcome, Outcome::planner_crashed);
-  EXPECT_NE(trials[0].reason.find("more memory than --memory-limit"), std::string::npos)
+  EXPECT_NE(trials[0].reason.find("more memory than its limit"), std::string::npos)
       << trials[0].reason;
 }
 

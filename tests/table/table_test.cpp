@@ -8,6 +8,7 @@
 
 #include "base/random.hpp"
 #include "report/parsed_csv.hpp"
+#include "report/table_rows.hpp"
 #include "table/csv.hpp"
 #include "table/table_text.hpp"
 #include "text/visible_text.hpp"
@@ -216,6 +217,55 @@ TEST(Table, ShowsControlCharactersToPeopleAndKeepsThemForPrograms) {
   EXPECT_EQ(nlohmann::json::parse(json)[0]["tables"]["planners"][0]["planner"], hostile);
   section.tables[0].rows[0][0].value = "no UTF-8: \xff";
   EXPECT_TRUE(nlohmann::json::accept(format_sections({&section, 1}, TableFormat::json)));
+}
+
+/// A list as commands print: texts, a number, something that is not defined.
+Table list() {
+  Table table = make_list({"name", "summary"});
+  table.columns.insert(table.columns.begin() + 1, {.name = "count"});
+  table.columns.insert(table.columns.begin() + 2, {.name = "ratio_pct", .decimals = 1});
+  table.rows.push_back(make_row("ego", 3, 1.0 / 3.0, "flies, *fast*"));
+  table.rows.push_back(
+      make_row("b|c", 12, kNaN, std::string(60, 'x') + " " + std::string(30, 'y')));
+  return table;
+}
+
+TEST(List, IsHeaderAndRowsForPeople) {
+  EXPECT_EQ(format_table(list(), TableFormat::table),
+            "name  count  ratio_pct  summary\n"
+            "ego       3        0.3  flies, *fast*\n"
+            "b|c      12          –  " +
+                std::string(60, 'x') + "\n" + std::string(24, ' ') + std::string(30, 'y') + "\n");
+  const std::string coloured =
+      format_table(list(), TableFormat::table, {.width = 100, .is_coloured = true});
+  EXPECT_EQ(coloured.find("\033[32m"), std::string::npos);  // a * in a text marks nothing as best
+  EXPECT_EQ(format_table(list(), TableFormat::markdown).substr(0, 103),
+            "| name | count | ratio\\_pct | summary |\n|:--|--:|--:|:--|\n"
+            "| ego | 3 | 0.3 | flies, \\*fast\\* |\n");
+  const std::string latex = format_table(list(), TableFormat::latex);
+  EXPECT_EQ(latex.find("caption"), std::string::npos);
+  EXPECT_EQ(latex.find("textbf"), std::string::npos);
+}
+
+TEST(List, HasALineARowForPrograms) {
+  const auto rows = parsed_csv(format_table(list(), TableFormat::csv));
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[0], (std::vector<std::string>{"name", "count", "ratio_pct", "summary"}));
+  EXPECT_EQ(rows[1], (std::vector<std::string>{"ego", "3", "0.3333333333333333", "flies, *fast*"}));
+  EXPECT_EQ(rows[2][2], "");
+  const nlohmann::json all = nlohmann::json::parse(format_table(list(), TableFormat::json));
+  EXPECT_EQ(all.at(0).at("count"), 3);
+  EXPECT_TRUE(all.at(1).at("ratio_pct").is_null());
+}
+
+TEST(MakeTable, EndsOfIntervalsStandBehindTheirColumn) {
+  const Table table = make_table(
+      "t", "T", {{.name = "a"}, {.name = "b_m", .unit = "m", .has_interval = true}, {.name = "c"}});
+  ASSERT_EQ(table.columns.size(), 5U);
+  EXPECT_EQ(table.columns[2].name, "b_m_lower");
+  EXPECT_EQ(table.columns[3].name, "b_m_upper");
+  EXPECT_EQ(table.columns[3].unit, "m");
+  EXPECT_EQ(table.columns[3].place, Place::bound);
 }
 
 /// RFC 4180, read back.

@@ -1,23 +1,21 @@
-#include "trial_list.hpp"
+#include "export/trial_list.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
-#include "base/input_error.hpp"
+#include "base/option_error.hpp"
+#include "report/table_rows.hpp"
+#include "table/table_text.hpp"
 #include "text/number_text.hpp"
 #include "text/visible_text.hpp"
+#include "text/words.hpp"
 
 namespace avoidbench {
 namespace {
 
 std::string radius_text(const TrialListing& trial) {
   return std::isnan(trial.poisson_radius_m) ? "" : shortest(trial.poisson_radius_m);
-}
-
-std::string end_text(const TrialListing& trial) {
-  if (std::isnan(trial.end_time_s)) return "";
-  return fixed_digits(trial.end_time_s, 2);
 }
 
 /// The ids of some trials: "3, 7, 12, …".
@@ -35,17 +33,20 @@ bool is_number(const std::string& text) {
          std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
+/// The program says how to list what there is.
+[[noreturn]] void fail(const std::string& message) { throw OptionError(message, "", "list"); }
+
 [[noreturn]] void throw_no_trial(std::vector<TrialListing> all, const std::string& trial) {
   if (!is_number(trial)) {
-    throw InputError("no trial whose key begins with '" + trial +
-                     "'; a trial is named by its id or the beginning of its key: see --list");
+    fail("no trial whose key begins with '" + trial +
+         "'; a trial is named by its id or the beginning of its key");
   }
   const std::int64_t wanted = std::atoll(trial.c_str());
   std::stable_sort(all.begin(), all.end(), [&](const TrialListing& a, const TrialListing& b) {
     return std::abs(a.id - wanted) < std::abs(b.id - wanted);
   });
   all.resize(std::min<std::size_t>(3, all.size()));
-  throw InputError("no trial " + trial + "; the nearest ids are " + ids_of(all) + ": see --list");
+  fail("no trial " + trial + "; the nearest ids are " + ids_of(all));
 }
 
 /// The trials of this id, or with this beginning of their key.
@@ -65,10 +66,9 @@ std::vector<TrialListing> named(const std::vector<TrialListing>& all, const std:
 void check_word(const std::string& option, const std::string& word,
                 const std::vector<std::string>& known) {
   if (word.empty() || std::find(known.begin(), known.end(), word) != known.end()) return;
-  std::string all;
-  for (const std::string& one : known) all += (all.empty() ? "" : ", ") + one;
-  throw InputError(option + " " + word + ": no trial has it" + did_you_mean(word, known) +
-                   "; there are: " + all);
+  throw OptionError(
+      word + ": no trial has it" + did_you_mean(word, known) + "; there are: " + joined(known),
+      option);
 }
 
 std::vector<std::string> sorted_unique(std::vector<std::string> words) {
@@ -86,8 +86,8 @@ std::vector<TrialListing> chosen_trials(const std::vector<TrialListing>& all,
     planners.push_back(one.planner_label);
     outcomes.emplace_back(text(one.outcome));
   }
-  check_word("--planner", choice.planner, sorted_unique(planners));
-  check_word("--outcome", choice.outcome, sorted_unique(outcomes));
+  check_word("planner", choice.planner, sorted_unique(planners));
+  check_word("outcome", choice.outcome, sorted_unique(outcomes));
   std::vector<TrialListing> chosen = choice.trial.empty() ? all : named(all, choice.trial);
   std::erase_if(chosen, [&](const TrialListing& one) {
     const bool is_meant =
@@ -104,29 +104,32 @@ std::vector<TrialListing> chosen_trials(const std::vector<TrialListing>& all,
 TrialListing the_trial(const std::vector<TrialListing>& all, const TrialChoice& choice) {
   const std::vector<TrialListing> chosen = chosen_trials(all, choice);
   if (chosen.size() == 1) return chosen.front();
-  if (chosen.empty()) throw InputError("no trial matches: --list shows what there is");
-  throw InputError(std::to_string(chosen.size()) + " trials match (ids " + ids_of(chosen) +
-                   "): name one, or see --list");
+  if (chosen.empty()) fail("no trial matches");
+  fail(std::to_string(chosen.size()) + " trials match (ids " + ids_of(chosen) + "): name one");
 }
 
-ReferenceTable trial_table(const std::vector<TrialListing>& trials, const std::string& format) {
-  const bool is_for_people = format == "table";
-  ReferenceTable table{
-      {"id", "planner", "map", "seed", "radius_m", "mission", "outcome", "end_s", "reason"}, {}};
-  if (!is_for_people) table.columns.insert(table.columns.begin() + 1, "trial_key");
+Table trial_table(const std::vector<TrialListing>& trials, bool is_for_people) {
+  constexpr std::size_t kMostLetters = 16;
+  const Place words = Place::words;
+  Table table = make_table("trials", "",
+                           {{.name = "id"},
+                            {.name = "planner", .place = words},
+                            {.name = "map", .place = words},
+                            {.name = "seed"},
+                            {.name = "radius_m"},
+                            {.name = "mission"},
+                            {.name = "outcome", .place = words},
+                            {.name = "end_s", .decimals = 2},
+                            {.name = "reason", .place = words}});
+  if (!is_for_people) {
+    table.columns.insert(table.columns.begin() + 1, {.name = "trial_key", .place = words});
+  }
   for (const TrialListing& one : trials) {
-    std::string label = one.planner_label;
-    if (is_for_people && label.size() > 16) label = label.substr(0, 15) + "~";
-    std::vector<std::string> row{std::to_string(one.id),
-                                 label,
-                                 one.generator,
-                                 std::to_string(one.map_seed),
-                                 radius_text(one),
-                                 std::to_string(one.mission_index),
-                                 std::string(text(one.outcome)),
-                                 end_text(one),
-                                 one.reason};
-    if (!is_for_people) row.insert(row.begin() + 1, one.key);
+    Row row = make_row(one.id);
+    if (!is_for_people) append(row, one.key);
+    append(row, is_for_people ? cut_to_width(one.planner_label, kMostLetters) : one.planner_label);
+    append(row, make_row(one.generator, one.map_seed, one.poisson_radius_m, one.mission_index,
+                         text(one.outcome), one.end_time_s, one.reason));
     table.rows.push_back(std::move(row));
   }
   return table;

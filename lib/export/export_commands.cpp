@@ -1,4 +1,4 @@
-#include "export/replay_files.hpp"
+#include "export/export_commands.hpp"
 
 #include <cmath>
 

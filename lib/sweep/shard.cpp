@@ -1,10 +1,10 @@
-#include "shard_option.hpp"
+#include "sweep/shard.hpp"
 
 #include <charconv>
 #include <cstdlib>
 #include <optional>
 
-#include "base/input_error.hpp"
+#include "base/option_error.hpp"
 
 namespace avoidbench {
 namespace {
@@ -23,7 +23,7 @@ std::optional<std::int64_t> number_of(const char* variable) {
 }
 
 [[noreturn]] void fail(const std::string& text, const std::string& reason) {
-  throw InputError("--shard " + text + ": " + reason);
+  throw OptionError(text + ": " + reason, "shard");
 }
 
 /// This task's place among `count` shards, from 1.
@@ -62,6 +62,11 @@ Shard shard_from(const std::string& text) {
                    std::to_string(shard.count) + "; they count from 1");
   }
   return shard;
+}
+
+std::string text(const Shard& shard) {
+  if (shard.count == 1) return "";
+  return std::to_string(shard.index) + "/" + std::to_string(shard.count);
 }
 
 }  // namespace avoidbench

@@ -4,18 +4,18 @@
 #include <string>
 #include <vector>
 
-#include "reference_table.hpp"
 #include "store/rows.hpp"
+#include "table/table.hpp"
 
 namespace avoidbench {
 
 /// Which trials of a database are meant; what is not given holds for all.
 struct TrialChoice {
-  std::string trial;  ///< an id, or the beginning of a key
-  std::string planner, outcome;
-  std::optional<std::uint64_t> map_seed;
-  std::optional<std::int64_t> mission;
-  std::optional<double> radius_m;
+  std::string trial = {};  ///< an id, or the beginning of a key
+  std::string planner = {}, outcome = {};
+  std::optional<std::uint64_t> map_seed = {};
+  std::optional<std::int64_t> mission = {};
+  std::optional<double> radius_m = {};
 };
 
 /// Those of `all` that are meant. Throws InputError, with what there is, where a planner or outcome
@@ -27,7 +27,7 @@ std::vector<TrialListing> chosen_trials(const std::vector<TrialListing>& all,
 TrialListing the_trial(const std::vector<TrialListing>& all, const TrialChoice& choice);
 
 /// For people within 100 columns; for machines with the keys.
-ReferenceTable trial_table(const std::vector<TrialListing>& trials, const std::string& format);
+Table trial_table(const std::vector<TrialListing>& trials, bool is_for_people);
 
 /// "reactive, forest seed 1, radius 3.5 m, mission 2".
 std::string trial_text(const TrialListing& trial);

@@ -1,0 +1,44 @@
+#include "command_options.hpp"
+
+#include <algorithm>
+
+namespace avoidbench {
+
+CLI::Option* add_choice(CLI::App& command, const std::string& name, std::string& value,
+                        const std::vector<std::string>& names, const std::string& doc) {
+  const auto take = [&value, name, names](const std::string& word) {
+    if (std::find(names.begin(), names.end(), word) == names.end()) {
+      throw InputError(name + " " + word + ": unknown" + did_you_mean(word, names) +
+                       "; it is one of " + joined(names));
+    }
+    value = word;
+  };
+  return command.add_option_function<std::string>(name, take, doc)->default_str(value);
+}
+
+void add_overrides(CLI::App& command, std::vector<std::string>& overrides,
+                   const std::string& example) {
+  command
+      .add_option("--set", overrides,
+                  "Override one value, as in " + example + "; repeatable (default: none)")
+      ->type_name("PATH=VALUE")
+      ->allow_extra_args(false);
+}
+
+void add_sweep_choice(CLI::App& command, std::string& sweep) {
+  command.add_option(
+      "--sweep", sweep,
+      "Only this sweep; NAME@2 for its revision 2 (default: the latest revision of every sweep)");
+}
+
+CLI::Option* add_output_file(CLI::App& command, std::string& output) {
+  return command.add_option("--output", output, "File to write, - for standard output")
+      ->capture_default_str();
+}
+
+void add_output_options(CLI::App& command, OutputOptions& options) {
+  add_choice(command, "--format", options.format, "table, csv, json, markdown or latex");
+  add_output_file(command, options.output);
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/enum_text.hpp"
+#include "base/input_error.hpp"
+#include "table/table.hpp"
+#include "text/words.hpp"
+
+// Options that several commands have.
+namespace avoidbench {
+
+/// Adds an option whose value is one of `names`. Any other word is an InputError that names them.
+CLI::Option* add_choice(CLI::App& command, const std::string& name, std::string& value,
+                        const std::vector<std::string>& names, const std::string& doc);
+
+/// The same for the texts of an enum.
+template <TextEnum E>
+CLI::Option* add_choice(CLI::App& command, const std::string& name, E& value,
+                        const std::string& doc) {
+  const auto take = [&value, name](const std::string& word) {
+    const std::optional<E> known = enum_from_text<E>(word);
+    const std::vector<std::string> names = enum_texts<E>();
+    if (!known) {
+      throw InputError(name + " " + word + ": unknown" + did_you_mean(word, names) +
+                       "; it is one of " + joined(names));
+    }
+    value = *known;
+  };
+  return command.add_option_function<std::string>(name, take, doc)
+      ->default_str(std::string(text(value)));
+}
+
+/// Adds --set, which overrides values of a sweep or map; `example`: "maps.poisson_radius_m=3".
+void add_overrides(CLI::App& command, std::vector<std::string>& overrides,
+                   const std::string& example);
+
+/// Adds --sweep, which chooses among the sweeps of databases.
+void add_sweep_choice(CLI::App& command, std::string& sweep);
+
+/// Adds --output: a file, or "-" for standard output.
+CLI::Option* add_output_file(CLI::App& command, std::string& output);
+
+/// How and where a command writes its tables.
+struct OutputOptions {
+  TableFormat format = TableFormat::table;
+  std::string output = "-";
+  bool is_for_people() const { return format == TableFormat::table; }
+};
+
+/// Adds --format and --output.
+void add_output_options(CLI::App& command, OutputOptions& options);
+
+}  // namespace avoidbench

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <span>
+#include <string>
+
+#include "command_options.hpp"
+
+namespace avoidbench {
+
+/// A file, or standard output for "-", that is written piece by piece. Throws InputError where it
+/// can't be written.
+class Output {
+ public:
+  explicit Output(const std::string& path);
+  void write(const std::string& text);
+  void close();
+
+ private:
+  std::ostream& stream();
+  void check();
+
+  std::string path_;
+  std::ofstream file_;
+};
+
+/// All of it at once.
+void write_text(const std::string& text, const std::string& output);
+void write_table(const Table& table, const OutputOptions& options);
+void write_sections(std::span<const Section> sections, const OutputOptions& options);
+
+/// The folder, made where there is none.
+std::filesystem::path made_folder(const std::string& folder);
+
+}  // namespace avoidbench
