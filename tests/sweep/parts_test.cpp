@@ -76,7 +76,7 @@ TEST(Sample, ALargerOneHasAllOfASmallerOne) {
   for (int i = 0; i < 2000; ++i) {
     const std::string key = Digest().add(std::to_string(i)).hex();
     tenth += is_sampled(key, 0.1) ? 1 : 0;
-    if (is_sampled(key, 0.1)) EXPECT_TRUE(is_sampled(key, 0.2));
+    EXPECT_LE(is_sampled(key, 0.1), is_sampled(key, 0.2));
     EXPECT_TRUE(is_sampled(key, 1.0));
   }
   EXPECT_GT(tenth, 140);
