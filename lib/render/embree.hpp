@@ -1,7 +1,7 @@
 #pragma once
 
 #ifndef AVOIDBENCH_EMBREE_MAJOR
-#error "Embree's headers are seen in the rooms render and shading only: link avoidbench_embree, or include less"
+#error "only render and shading see Embree's headers: link avoidbench_embree, or include less"
 #elif AVOIDBENCH_EMBREE_MAJOR >= 4
 #include <embree4/rtcore.h>
 #else

@@ -153,6 +153,7 @@ TEST(Compare, FailuresImproveNoMetric) {
   CompareSettings settings;
   settings.metrics = {"all"};
   settings.replicate_count = 100;
+  int compared = 0;
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     const auto natures = mission_natures(6, 5, seed);
     const TrialTable base = flown_table("a.db", natures, 5, seed);
@@ -171,8 +172,10 @@ TEST(Compare, FailuresImproveNoMetric) {
       const double gain = row.better == Better::more ? row.change : -row.change;
       EXPECT_LE(gain, 0.0) << row.metric << ", seed " << seed;
       EXPECT_NE(row.verdict, Verdict::improvement) << row.metric << ", seed " << seed;
+      ++compared;
     }
   }
+  EXPECT_GT(compared, 600);
 }
 
 TEST(Compare, IntervalOfManyMapsAgreesWithTheBootstrap) {

@@ -85,7 +85,9 @@ TEST_F(SweepFiles, EveryFieldCanBeAnAxisInItsPlace) {
   write("a.obj", "v 0 0 0\n");
   write("a.ply", "ply\n");
   const FieldTree tree = sweep_tree();
-  for (const SweepPath& path : sweep_paths(tree)) {
+  const std::vector<SweepPath> paths = sweep_paths(tree);
+  EXPECT_GT(paths.size(), 150U);
+  for (const SweepPath& path : paths) {
     if (path.field->name == "file" || path.field->name == "seeds") continue;
     // A list of one value is no axis, but read as one: a list of lists for a list.
     const std::string value = Json::array({path.field->preset}).dump();

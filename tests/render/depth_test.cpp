@@ -56,13 +56,16 @@ TEST(Depth, OfATiltedPlaneFollowsItsEquation) {
   for (const double down : {0.2, 0.5, 1.0, 4.0}) {
     const Pose pose = test::looking({0.0, 0.0, 3.0}, {1.0, 0.4, -down});
     const std::vector<float> image = depth_image(scene, camera, pose);
+    int on_plane = 0;
     for (int y = 0; y < camera.height_px; ++y) {
       for (int x = 0; x < camera.width_px; ++x) {
         const double sink = (pose.linear() * pixel_ray(camera, x, y)).z();
         if (3.0 / -sink > 2000.0 || sink > -1e-6) continue;
         ASSERT_NEAR(at(image, camera, x, y) * -sink / 3.0, 1.0, 4e-7) << x << ' ' << y;
+        ++on_plane;
       }
     }
+    EXPECT_GT(on_plane, camera.width_px * camera.height_px / 2) << down;
   }
 }
 
@@ -103,7 +106,7 @@ TEST(Depth, IsThatOfTheHitTriangleToFloatRounding) {
   for (const std::size_t flatten : {std::size_t{0}, std::size_t{1000000}}) {
     const Scene scene(world, flatten);
     const std::vector<float> image = depth_image(scene, camera, pose);
-    int different = 0;
+    int hits = 0, different = 0;
     for (int y = 0; y < camera.height_px; ++y) {
       for (int x = 0; x < camera.width_px; ++x) {
         const Vector3d ray = pose.linear() * pixel_ray(camera, x, y);
@@ -114,10 +117,12 @@ TEST(Depth, IsThatOfTheHitTriangleToFloatRounding) {
         }
         const double depth = at(image, camera, x, y);
         if (std::isinf(expected) && std::isinf(depth)) continue;
+        ++hits;
         // Flattened vertices are rounded to float; a ray along an edge may go either way.
         if (!(std::abs(depth - expected) <= 1e-5 * (1.0 + depth))) ++different;
       }
     }
+    EXPECT_GT(hits, 200);
     EXPECT_LE(different, 3);
   }
 }

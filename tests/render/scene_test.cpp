@@ -166,6 +166,7 @@ TEST(Scene, BothKindsAnswerPointQueriesWithTheSameBits) {
   const Scene instanced(world, 0);
   RandomStream random(9);
   const Vector3d size(0.8, 0.8, 0.2);
+  int touching = 0;
   for (int i = 0; i < 500; ++i) {
     const Pose pose = test::random_pose(random, 7.0);
     const NearestPoint a = flattened.nearest(pose.translation());
@@ -177,12 +178,14 @@ TEST(Scene, BothKindsAnswerPointQueriesWithTheSameBits) {
     const auto touch_b = instanced.touch(size, pose);
     ASSERT_EQ(touch_a.has_value(), touch_b.has_value());
     if (touch_a) {
+      ++touching;
       EXPECT_EQ(touch_a->instance, touch_b->instance);
       EXPECT_EQ(touch_a->triangle, touch_b->triangle);
     }
     EXPECT_EQ(flattened.body_clearance(size, pose, 30.0),
               instanced.body_clearance(size, pose, 30.0));
   }
+  EXPECT_GT(touching, 20);
 }
 
 TEST(Scene, ClearanceOverAFloorIsTheHeightOfTheLowestCorner) {

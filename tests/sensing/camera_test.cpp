@@ -168,6 +168,7 @@ TEST(Camera, ImagesFollowFromTheSeedAlone) {
     CameraImages images;
     used.expose(scene, test::looking({8.0, 5.0, 1.0}, {1.0, 0.0, 0.1}), {}, kAll, 6, images);
     used.expose(scene, pose, {}, kAll, 5, images);
+    ASSERT_FALSE(fresh.depth_m.empty());
     ASSERT_EQ(fresh.depth_m.size(), images.depth_m.size());
     EXPECT_EQ(std::memcmp(fresh.depth_m.data(), images.depth_m.data(),
                           fresh.depth_m.size() * sizeof(float)),
@@ -197,10 +198,18 @@ TEST(Camera, RangesAndTheSkyAreKeptByEverySensor) {
     for (const double distance_m : {0.5 * range_m, 2.0 * range_m}) {
       if (distance_m > 40.0) continue;  // the wall has an end
       const CameraImages images = seen(sensor, scene, facing_wall(distance_m));
+      std::size_t in_range_count = 0;
       for (const float depth_m : images.depth_m) {
         const bool in_range = depth_m >= static_cast<float>(sensor.min_range_m) &&
                               depth_m <= static_cast<float>(range_m);
         ASSERT_TRUE(std::isnan(depth_m) || std::isinf(depth_m) || in_range) << depth_m;
+        in_range_count += in_range ? 1 : 0;
+      }
+      ASSERT_FALSE(images.depth_m.empty());
+      if (distance_m < range_m) {
+        EXPECT_GT(in_range_count, images.depth_m.size() / 4) << sensor.name;
+      } else {
+        EXPECT_LT(in_range_count, images.depth_m.size() / 4) << sensor.name;
       }
     }
   }

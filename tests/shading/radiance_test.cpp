@@ -110,6 +110,8 @@ TEST(Radiance, GreyIsTheLuminance) {
   const Pose pose = in_the_middle(world);
   const auto grey = radiance(scene, camera, pose);
   const auto rgb = radiance(scene, camera, pose, {}, Channels::rgb);
+  ASSERT_EQ(grey.size(), 83U * 61U);
+  ASSERT_EQ(rgb.size(), 3 * grey.size());
   for (std::size_t i = 0; i < grey.size(); ++i) {
     const float* c = &rgb[3 * i];
     EXPECT_NEAR(grey[i], 0.2126F * c[0] + 0.7152F * c[1] + 0.0722F * c[2], 1e-6F * (1 + grey[i]));
