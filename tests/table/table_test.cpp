@@ -243,9 +243,11 @@ TEST(List, IsHeaderAndRowsForPeople) {
   const std::string coloured =
       format_table(list(), TableFormat::table, {.width = 100, .is_coloured = true});
   EXPECT_EQ(coloured.find("\033[32m"), std::string::npos);  // a * in a text marks nothing as best
-  EXPECT_EQ(format_table(list(), TableFormat::markdown).substr(0, 103),
-            "| name | count | ratio\\_pct | summary |\n|:--|--:|--:|:--|\n"
-            "| ego | 3 | 0.3 | flies, \\*fast\\* |\n");
+  const std::string markdown = format_table(list(), TableFormat::markdown);
+  EXPECT_TRUE(
+      markdown.starts_with("| name | count | ratio\\_pct | summary |\n|:--|--:|--:|:--|\n"
+                           "| ego | 3 | 0.3 | flies, \\*fast\\* |\n"))
+      << markdown;
   const std::string latex = format_table(list(), TableFormat::latex);
   EXPECT_EQ(latex.find("caption"), std::string::npos);
   EXPECT_EQ(latex.find("textbf"), std::string::npos);
