@@ -88,7 +88,9 @@ TEST(Plants, AreSaneClosedAndOutward) {
 }
 
 TEST(Plants, HallPrototypesAreSaneClosedAndOutward) {
-  for (const Prototype& prototype : make_world(HallSpec{}, 3).prototypes) {
+  const World world = make_world(HallSpec{}, 3);
+  EXPECT_GT(world.prototypes.size(), 1U);
+  for (const Prototype& prototype : world.prototypes) {
     expect_sane(prototype);
     expect_closed_and_outward(prototype);
   }

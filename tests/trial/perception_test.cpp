@@ -66,6 +66,7 @@ std::vector<Seen> flown(const TrialSpec& spec, double duration_s, std::uint32_t 
     }
     now = std::min(next_sensing(perception, now), (now / plan_period + 1) * plan_period);
   }
+  EXPECT_GT(all.size(), 5U);
   return all;
 }
 

@@ -55,7 +55,10 @@ TEST(VehicleSpec, ImpossibleVehiclesAreRefused) {
 }
 
 struct RangeCheck {
+  int count = 0;
+
   void field(std::string_view name, double value, Range range, std::string_view doc) {
+    ++count;
     EXPECT_GE(value, range.lowest) << name;
     EXPECT_LE(value, range.highest) << name;
     EXPECT_FALSE(doc.empty()) << name;
@@ -76,6 +79,7 @@ TEST(VehicleSpec, PresetsAreWithinTheirRanges) {
   for (VehicleSpec spec : {hummingbird_spec(), hummingbird_rotors_spec(), firefly_spec()}) {
     RangeCheck check;
     visit(check, spec);
+    EXPECT_GT(check.count, 30);
   }
 }
 
