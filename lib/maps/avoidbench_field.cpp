@@ -83,6 +83,7 @@ Place ring_point(const Place& centre, float squared_radius, DotnetRandom& random
 std::vector<Place> sample(const Place& size_m, float radius_m, std::int32_t seed) {
   DotnetRandom random(seed);
   random.next(1, 100);
+  // NOLINTNEXTLINE(bugprone-integer-division): the original's own
   const float first_x_m = static_cast<float>(random.next(1, 100) / 100) * size_m.x();
   const float first_y_m = static_cast<float>(random.next_double()) * size_m.y();
 
