@@ -30,7 +30,7 @@ void write_text(const std::string& text, const std::string& output);
 void write_table(const Table& table, const OutputOptions& options);
 void write_sections(std::span<const Section> sections, const OutputOptions& options);
 
-/// The folder, made where there is none.
+/// The folder, made if it is missing.
 std::filesystem::path made_folder(const std::string& folder);
 
 }  // namespace avoidbench

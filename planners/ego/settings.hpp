@@ -83,13 +83,13 @@ inline constexpr std::array kParameters{
         "horizon_m", "m", 7.5, 2.0, 30.0,
         "Distance of the local target along the way to the goal."),
     avoidbench::parameter<&Settings::replan_distance_m>("replan_distance_m", "m", 1.5, 0.1, 20.0,
-                                                        "It plans anew after so much way."),
+                                                        "It plans again after so much way."),
     avoidbench::parameter<&Settings::keep_distance_m>(
         "keep_distance_m", "m", 2.0, 0.0, 20.0,
         "So near the goal it keeps a trajectory that ends there."),
     avoidbench::parameter<&Settings::replan_period_s>(
         "replan_period_s", "s", 0.2, 0.0, 10.0,
-        "It plans anew after so much time; 0: only by way and collision."),
+        "It plans again after so much time; 0: only by way and collision."),
     avoidbench::parameter<&Settings::emergency_s>(
         "emergency_s", "s", 1.0, 0.1, 5.0,
         "It brakes where a collision is nearer than this and no plan is found."),

@@ -61,7 +61,6 @@ constexpr std::uint32_t struct_size_of() {
   return static_cast<std::uint32_t>(sizeof(Struct));
 }
 
-// -------------------------------------------------------------------------------------------------
 // declaring parameters
 
 /// A number in [lowest, highest]. `name` carries the unit: "cruise_speed_mps".
@@ -108,7 +107,6 @@ constexpr ab_parameter text_parameter(const char* name, const char* preset, cons
 
 /// While the choice parameter `choice` has the word `word`, the parameters in `numbers`, a static
 /// array, have these numbers where a sweep gives them no value:
-///
 ///   static constexpr std::array published{ab_named_number{"speed_mps", 2.0}};
 ///   static constexpr std::array profiles{avoidbench::profile("preset", "published", published)};
 template <std::size_t count>
@@ -209,9 +207,7 @@ Settings settings_from(const std::array<Setting<Settings>, count>& parameters,
   return settings;
 }
 
-// ---------------------------------------------------------------------------------------------------------
 // while flying
-
 /// Thrown by a planner that knows it cannot reach the goal; the trial ends with planner_gave_up and
 /// this reason.
 class GiveUp : public std::runtime_error {
@@ -308,7 +304,6 @@ inline Vec3 pixel_in_world(const ab_depth_image& image, double column_px, double
           turned[2] + image.position_world_m[2]};
 }
 
-// -------------------------------------------------------------------------------------------------
 // drawing, for whoever looks
 
 /// Whether a `Point` is three doubles x, y, z in memory and nothing else, so that Canvas takes
@@ -397,7 +392,6 @@ class Canvas {
   const ab_debug* debug_ = nullptr;
 };
 
-// ------------------------------------------------------------------------------------------------------
 // class to table
 
 /// Hidden, so that equally named planners in two libraries never share a variable.
