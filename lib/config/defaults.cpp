@@ -66,7 +66,7 @@ void add_block(const FieldTree& block, const Json& values, const std::string& in
     if (field.kind != FieldKind::variant) continue;
     add_block(*field.find(value.get<std::string>()), values, indent, with_others, text);
     for (const FieldTree& kind : field.fields) {
-      if (!with_others || kind.name == value) continue;
+      if (!with_others || value == kind.name) continue;
       text += indent + "# " + field.name + ": " + kind.name + "\n";
       add_block(kind, preset_json(kind), indent + "# ", with_others, text);
     }
