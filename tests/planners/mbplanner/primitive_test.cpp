@@ -63,6 +63,7 @@ TEST(Stop, GoesOnAsBeforeWhenBrakedAgain) {
   const Motion from{Vector3d(1, 2, 3), Vector3d(2.9, 0.4, 0), Vector3d(0.5, -1, 0)};
   const Limits limits{3.0, 5.7, 20.0};
   const std::vector<Motion> once = stop_from(from, 5.0, limits);
+  ASSERT_GT(once.size(), 10U);
   Motion now = from;
   for (std::size_t i = 0; i + 8 < once.size(); i += 2) {
     now = stop_from(now, 5.0, limits)[1];
