@@ -33,6 +33,10 @@ target_compile_options(avoidbench_flags INTERFACE
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # g++ 12 sees uninitialised members of std::variant and std::optional that are never read (GCC bug 105562); clang's analyser looks instead.
   target_compile_options(avoidbench_flags INTERFACE -Wno-maybe-uninitialized)
+  if(AVOIDBENCH_UNITY)
+    # Of sources compiled together, all but the first look like headers.
+    target_compile_options(avoidbench_flags INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wno-subobject-linkage>)
+  endif()
 endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(avoidbench_flags INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-fpch-preprocess>)  # for ccache

@@ -1,19 +1,31 @@
-# cmake --install. The program and the plugins install themselves; here come the configurations and the SDK (component
+# cmake --install. The program and the planners install themselves; here come what belongs to them (configurations, maps, docs,
+# scripts, the template of a planner; laid out as in the sources, so that what names each other finds it) and the SDK (component
 # sdk): headers and a CMake package `avoidbench` with avoidbench::planner_api and avoidbench_planner().
 include(CMakePackageConfigHelpers)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/avoidbench)
 
-if(EXISTS ${PROJECT_SOURCE_DIR}/configs)
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/configs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/avoidbench/configs
-          COMPONENT programs)
-endif()
+set(data_folder ${CMAKE_INSTALL_DATADIR}/avoidbench)
+install(DIRECTORY configs maps docs DESTINATION ${data_folder} COMPONENT programs)
+install(FILES scripts/custom_metrics.py DESTINATION ${data_folder}/scripts COMPONENT programs)
+install(DIRECTORY scripts/plot scripts/slurm DESTINATION ${data_folder}/scripts COMPONENT programs USE_SOURCE_PERMISSIONS
+        PATTERN __pycache__ EXCLUDE)
+install(DIRECTORY planners/template DESTINATION ${data_folder}/planners COMPONENT programs)
+install(FILES README.md CHANGELOG.md CITATION.cff LICENSE DESTINATION ${data_folder} COMPONENT programs)
+# The build tree has the same by links, and is a package to find, too.
+foreach(folder configs maps docs scripts planners/template)
+  get_filename_component(parent ${PROJECT_BINARY_DIR}/${data_folder}/${folder} DIRECTORY)
+  file(MAKE_DIRECTORY ${parent})
+  file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${folder} ${PROJECT_BINARY_DIR}/${data_folder}/${folder} SYMBOLIC)
+endforeach()
 
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/lib/planner_api/avoidbench DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
         COMPONENT sdk FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp")
 install(TARGETS avoidbench_planner_api EXPORT avoidbench_targets COMPONENT sdk)
 install(EXPORT avoidbench_targets FILE avoidbench-targets.cmake NAMESPACE avoidbench:: DESTINATION ${package_folder}
         COMPONENT sdk)
+export(EXPORT avoidbench_targets NAMESPACE avoidbench:: FILE ${PROJECT_BINARY_DIR}/avoidbench-targets.cmake)
+file(COPY cmake/AvoidbenchPlanner.cmake DESTINATION ${PROJECT_BINARY_DIR})
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/avoidbench-config.cmake.in
                               ${PROJECT_BINARY_DIR}/avoidbench-config.cmake INSTALL_DESTINATION ${package_folder})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/avoidbench-config-version.cmake

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Checks that each room of lib/ includes only itself, rooms before it in lib/ORDER and the third parties named there,
 that no room has more than 25 files, that planners include only the SDK, that no message of lib/ names an option of the command line, that no code uses what would make results differ between
-machines, and that the drawing in lib/README.md shows the includes as they are.
+machines, that no two rooms define a type of one name (the linker would take either's functions for both, without a word), and that the
+drawing in lib/README.md shows the includes as they are.
 
     check_layers.py [FOLDER] [--draw]    --draw: writes the drawing again"""
 import pathlib
@@ -89,6 +90,28 @@ for folder in [root / "lib", root / "planners"]:
             for pattern, advice in UNREPEATABLE:
                 if re.search(pattern, code):
                     problem(file, number, f"not repeatable: {advice}")
+
+NAMESPACE = re.compile(r"namespace ?([\w:]*)(?: [A-Z_]+)? ?\{")
+TYPE = re.compile(r"(?:struct|class|enum class) (\w+)(?: final)?(?: :[^:].*)?(?: \{.*| :.*)$")
+
+
+def types_of(file):
+    """The types that a file defines outside of other types and of unnamed namespaces, as (line, name with its namespace)."""
+    spaces = []
+    for number, line in enumerate(file.read_text().splitlines(), 1):
+        if match := NAMESPACE.match(line):
+            spaces.append(match[1])
+        elif line.startswith("}  // namespace"):
+            spaces.pop()
+        elif (match := TYPE.match(line)) and "" not in spaces:
+            yield number, "::".join([*spaces, match[1]])
+
+
+first_place = {}
+for file in sources(root / "lib"):
+    for number, name in types_of(file):
+        if first_place.setdefault(name, file.relative_to(root)) != file.relative_to(root):
+            problem(file, number, f"{name} is defined in {first_place[name]} too")
 
 for room in order:
     count = sum(file.suffix in {".cpp", ".hpp", ".h"} for file in (root / "lib" / room).rglob("*"))

@@ -9,7 +9,7 @@ seconds=${1:-60}
 shift || true
 targets=("$@")
 [ ${#targets[@]} -gt 0 ] || targets=(point_cloud mesh database database_edits)
-cmake --preset fuzz -DAVOIDBENCH_TESTS=ON -DAVOIDBENCH_BENCH=OFF >/dev/null
+cmake --preset fuzz -DAVOIDBENCH_UNITY=ON -DAVOIDBENCH_TESTS=ON -DAVOIDBENCH_BENCH=OFF >/dev/null
 cmake --build build/fuzz --parallel "${JOBS:-$(nproc)}" --target fuzz_seeds "${targets[@]/%/_fuzz}"
 build/fuzz/tests/fuzz/fuzz_seeds build/fuzz/corpus
 mkdir -p build/fuzz/findings

@@ -3,12 +3,13 @@
 # the pictures of `report --plots` need, and says which. Does nothing, and needs no root, if they are all there.
 set -euo pipefail
 
+# make: CMake's own choice where nothing says ninja, as for planners outside of the repository.
 build_packages=(
-  g++ cmake ninja-build ccache pkg-config git ca-certificates
+  g++ cmake ninja-build make ccache pkg-config git ca-certificates
   libeigen3-dev libembree-dev libopencv-core-dev libopencv-imgproc-dev libopencv-calib3d-dev libyaml-cpp-dev libcli11-dev
   nlohmann-json3-dev libsqlite3-dev libpng-dev zlib1g-dev nettle-dev libbenchmark-dev sqlite3
 )
-plot_packages=(python3 python3-matplotlib python3-pandas)  # scripts/plot
+plot_packages=(python3 python3-matplotlib python3-numpy python3-pandas)  # scripts/plot, scripts/custom_metrics.py
 test_packages=("${plot_packages[@]}" clang clang-format clang-tidy libclang-rt-14-dev libgtest-dev libgmock-dev python3-jsonschema python3-yaml valgrind locales)
 # A Slurm of one node, for the test of scripts/slurm (the system's own services play no part), and what scripts/fresh_system.sh needs.
 slow_packages=(munge slurmctld slurmd slurm-client debootstrap)

@@ -1,18 +1,16 @@
 #!/usr/bin/env bash
-# lint.sh [FILE…]: clang-format and clang-tidy over the given sources, or over those that changed (changed_files.sh) and a rotating
-# eighth of the others. --all: over all. --format-only: no clang-tidy. Uses the compile commands of build/clang.
+# lint.sh [FILE…]: clang-format and clang-tidy over the given sources (clang-tidy over their neighbours too), or over all.
+# --format-only: no clang-tidy.
 # Both of version 14 only: others format otherwise and have other checks. Without it only torn comments are found, which is said.
-# Of very many changed files clang-tidy looks at the twenty changed last, so that a test run stays short.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-version=14 most_changed=20
-format_only=0 all=0 rotating=0 files=()
+version=14
+format_only=0 asked=()
 for argument in "$@"; do
   case "$argument" in
-    --all) all=1 ;;
     --format-only) format_only=1 ;;
-    *) files+=("$argument") ;;
+    *) asked+=("$argument") ;;
   esac
 done
 
@@ -28,15 +26,8 @@ of_version() {
   echo "no $1 of version $version here ($("$1" --version 2>/dev/null | grep -o 'version [0-9.]*' || echo none)): not checked" >&2
 }
 
-all_files() { git ls-files -- apps lib planners tests | grep -E '\.(cpp|hpp|h|c)$'; }
-units_of() { grep -E '^(apps|lib|planners)/.*\.cpp$' || true; }
-
-if [ $all = 1 ]; then
-  mapfile -t files < <(all_files)
-elif [ ${#files[@]} -eq 0 ]; then
-  mapfile -t files < <(scripts/changed_files.sh | grep -E '^(apps|lib|planners|tests)/.*\.(cpp|hpp|h|c)$' || true)
-  rotating=1
-fi
+files=("${asked[@]}")
+[ ${#files[@]} -gt 0 ] || mapfile -t files < <(git ls-files -- apps lib planners tests | grep -E '\.(cpp|hpp|h|c)$')
 
 # torn FILE…: comments behind code that go on in the next line, as clang-format leaves those that do not fit.
 torn() {
@@ -46,11 +37,9 @@ torn() {
        END { exit any }' "$@"
 }
 
-if [ ${#files[@]} -gt 0 ]; then
-  torn "${files[@]}" || { echo "a comment that does not fit behind its code goes on the line above it" >&2; exit 1; }
-fi
+torn "${files[@]}" || { echo "a comment that does not fit behind its code goes on the line above it" >&2; exit 1; }
 format=$(of_version clang-format)
-if [ -n "$format" ] && [ ${#files[@]} -gt 0 ]; then
+if [ -n "$format" ]; then
   "$format" --dry-run --Werror "${files[@]}"
   echo "${#files[@]} files formatted"
 fi
@@ -58,11 +47,19 @@ fi
 
 tidy=$(of_version clang-tidy)
 [ -n "$tidy" ] || exit 0
-units=$(printf '%s\n' "${files[@]}" | units_of)
-if [ $rotating = 1 ]; then
-  units=$({ head -n $most_changed <<<"$units"; all_files | units_of | scripts/rotating_eighth.sh; } | grep . | sort -u || true)
+# Eight sources at a time, as most of the time goes into the headers that they share.
+cmake --preset clang -B build/tidy -DAVOIDBENCH_UNITY=ON -DAVOIDBENCH_TESTS=OFF -DAVOIDBENCH_BENCH=OFF >/dev/null
+mapfile -t units < <(find build/tidy/{lib,apps,planners} -name 'unity_*.cxx' | sort)
+if [ ${#asked[@]} -gt 0 ]; then
+  mapfile -t units < <(grep -lF "${asked[@]/#/-e}" "${units[@]}" || true)
 fi
-[ -n "$units" ] || { echo "nothing to check"; exit 0; }
-[ -f build/clang/compile_commands.json ] || cmake --preset clang >/dev/null
-xargs -P "$(nproc)" -n 4 "$tidy" --quiet -p build/clang <<<"$units"
-echo "$(wc -l <<<"$units") files tidy"
+[ ${#units[@]} -gt 0 ] || { echo "nothing to check"; exit 0; }
+tidy_unit() {
+  # Sources that are included are what is meant here.
+  "$tidy" --quiet --config-file=.clang-tidy --checks=-bugprone-suspicious-include -p build/tidy \
+    '--header-filter=/(lib|apps|planners)/.*\.(cpp|hpp|h)$' "$1" 2> >(grep -v 'warnings\? generated' >&2)
+}
+export -f tidy_unit
+export tidy
+printf '%s\n' "${units[@]}" | xargs -P "$(nproc)" -I{} bash -c 'tidy_unit {}'
+echo "$(cat "${units[@]}" | grep -c '^#include') files tidy"

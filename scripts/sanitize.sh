@@ -32,7 +32,7 @@ esac
 [ ${#chosen[@]} -eq 0 ] && { echo "no room changed"; exit 0; }
 
 echo "rooms: ${chosen[*]}"
-cmake --preset asan -DAVOIDBENCH_TESTS=ON >/dev/null
+cmake --preset asan -DAVOIDBENCH_TESTS=ON -DAVOIDBENCH_UNITY=ON >/dev/null
 targets=()
 for room in "${chosen[@]}"; do targets+=("$(tests_of "$room")"); done
 cmake --build build/asan --parallel "$(nproc)" --target "${targets[@]}"

@@ -36,6 +36,16 @@ CLI::Option* add_output_file(CLI::App& command, std::string& output) {
       ->capture_default_str();
 }
 
+void add_order_options(CLI::App& command, TrialOrder& order) {
+  command
+      .add_option("--sort", order.field,
+                  "Metric, the worst trials first (`avoidbench metrics`), or another field of "
+                  "trials, the least first; trials without it come last")
+      ->type_name("METRIC");
+  command.add_option("--limit", order.limit, "At most so many trials, the first ones")
+      ->check(CLI::Range(1, 1'000'000'000));
+}
+
 void add_output_options(CLI::App& command, OutputOptions& options) {
   add_choice(command, "--format", options.format, "table, csv, json, markdown or latex");
   add_output_file(command, options.output);

@@ -7,6 +7,7 @@
 
 #include "base/enum_text.hpp"
 #include "base/input_error.hpp"
+#include "export/trial_order.hpp"
 #include "table/table.hpp"
 #include "text/words.hpp"
 
@@ -43,6 +44,9 @@ void add_sweep_choice(CLI::App& command, std::string& sweep);
 
 /// Adds --output: a file, or "-" for standard output.
 CLI::Option* add_output_file(CLI::App& command, std::string& output);
+
+/// Adds --sort and --limit.
+void add_order_options(CLI::App& command, TrialOrder& order);
 
 /// How and where a command writes its tables.
 struct OutputOptions {

@@ -4,6 +4,7 @@
 #include "commands.hpp"
 #include "compare/compare_formats.hpp"
 #include "compare/tolerances.hpp"
+#include "database_choice.hpp"
 #include "output.hpp"
 
 namespace avoidbench {
@@ -13,7 +14,7 @@ constexpr int kExitRegression = 1;
 
 struct CompareCommand {
   std::string base, now;
-  std::string sweep;
+  std::string sweep, planner;
   CompareFormat format = CompareFormat::table;
   std::string output = "-";
   std::string min_effect;
@@ -28,11 +29,17 @@ void warn(const TrialTable& table) {
   if (!table.warning.empty()) std::cerr << "warning: " << table.warning << '\n';
 }
 
+/// A file, or results/NAME.db by its short name.
+std::filesystem::path table_file(const std::string& given) {
+  const std::filesystem::path path = given;
+  return path.has_extension() ? path : database_of(given);
+}
+
 void bless(const CompareCommand& command) {
   if (!command.now.empty()) {
     throw InputError("--bless writes the table of one database: give no second one");
   }
-  const TrialTable table = read_table(command.base, command.sweep);
+  const TrialTable table = read_table(table_file(command.base), command.sweep);
   warn(table);
   write_text(csv_of_table(table), command.bless_file);
   std::cerr << command.bless_file << ": " << table.trials.size() << " trials of sweep "
@@ -70,19 +77,32 @@ bool compare_figures(const CompareCommand& command, const TablePair& tables) {
 
 void compare(const CompareCommand& command) {
   if (!command.bless_file.empty()) return bless(command);
-  if (command.now.empty()) throw InputError("NEW is required: compare BASE NEW");
-  const TablePair tables = read_tables(command.base, command.now, command.sweep);
+  if (command.now.empty() && command.planner.empty()) {
+    throw InputError(
+        "NEW is required: compare BASE NEW, or two planners of one database: compare DB --planner "
+        "ego:mine");
+  }
+  const std::filesystem::path base = table_file(command.base);
+  const std::filesystem::path now = command.now.empty() ? base : table_file(command.now);
+  TablePair tables = read_tables(base, now, command.sweep);
   warn(tables.base);
-  if (command.now != command.base) warn(tables.now);
+  if (now != base) warn(tables.now);
+  if (!command.planner.empty()) tables = of_planners(std::move(tables), command.planner);
   const bool failed =
       command.is_exact ? compare_bits(command, tables) : compare_figures(command, tables);
   if (failed) throw CLI::RuntimeError(kExitRegression);
 }
 
 void add_options(CLI::App& command, CompareCommand& options) {
-  command.add_option("BASE", options.base, "Database, or table of trials that --bless wrote")
+  command
+      .add_option("BASE", options.base,
+                  "Database, a name for results/NAME.db, or table of trials that --bless wrote")
       ->required();
-  command.add_option("NEW", options.now, "The same, of the results to judge");
+  command.add_option("NEW", options.now,
+                     "The same, of the results to judge (default with --planner: BASE)");
+  CLI::Option* planner = command.add_option(
+      "--planner", options.planner,
+      "Only this planner, by its label; or BASE:NEW, two planners on the same missions");
   command.add_option("--sweep", options.sweep,
                      "Sweep to compare: NAME, NAME@2 for its revision 2, or BASE:NEW where the two "
                      "sides differ (default: the latest revision of the one that both have)");
@@ -110,8 +130,10 @@ void add_options(CLI::App& command, CompareCommand& options) {
   command.add_flag("--exact", options.is_exact,
                    "No statistics: outcomes and deterministic metrics must be equal to the last "
                    "bit, and no trial may be missing");
-  command.add_option("--bless", options.bless_file,
-                     "Write BASE's trials to this table, to be committed, and compare nothing");
+  command
+      .add_option("--bless", options.bless_file,
+                  "Write BASE's trials to this table, to be committed, and compare nothing")
+      ->excludes(planner);
   add_choice(command, "--format", options.format,
              "table, markdown, json, junit, bencher (Bencher Metric Format), github or "
              "github_bigger (github-action-benchmark, metrics of which less or more is better)");
@@ -136,7 +158,9 @@ void add_compare_command(CLI::App& app) {
       "  avoidbench compare main.db branch.db --format junit --output compare.xml\n"
       "  avoidbench compare main.db --bless baseline.csv         # a table to commit\n"
       "  avoidbench compare baseline.csv branch.db --exact\n"
-      "  avoidbench compare r.db r.db --sweep forest@1:forest@2  # two revisions of one sweep");
+      "  avoidbench compare r.db r.db --sweep forest@1:forest@2  # two revisions of one sweep\n"
+      "  avoidbench compare r.db --planner ego:mine              # two planners, mission by "
+      "mission");
   command->callback([options] { compare(*options); });
 }
 

@@ -1,29 +1,72 @@
+#include <algorithm>
 #include <iostream>
 #include <memory>
+#include <set>
 
 #include "commands.hpp"
 #include "config/defaults.hpp"
 #include "config/explain.hpp"
 #include "config/json_schema.hpp"
 #include "config/sweep_file.hpp"
+#include "metrics/flyable.hpp"
 #include "output.hpp"
 #include "report/table_rows.hpp"
+#include "sweep/listed_missions.hpp"
+#include "yaml/built_in_sweeps.hpp"
 #include "yaml/includes.hpp"
 
 namespace avoidbench {
 namespace {
 
-void check(const std::string& file, const std::vector<std::string>& overrides, bool resolved) {
-  const SweepSpec sweep = read_sweep(file, overrides);
-  const Document document = read_sweep_document(file, overrides);
-  for (const std::string& warning : sweep.warnings) std::cerr << "warning: " << warning << "\n";
+/// Throws where no mission of a map from a file has a free start and goal, as where the file's up
+/// axis is another one. Maps of generators are as their makers meant them, and take longer.
+void check_own_maps(const SweepSpec& sweep, const Document& document, const std::string& file) {
+  if (!sweep.missions.empty()) return;  // those are looked at one by one
+  constexpr std::int64_t kTried = 5;
+  constexpr std::size_t kMostFiles = 5;
+  std::set<std::string> seen;
+  for (const PlannedTrial& planned : expand(sweep)) {
+    TrialSpec trial = planned.spec();
+    const FileOfMap map = file_of(trial.map);
+    if (map.file == nullptr || seen.size() == kMostFiles) return;
+    if (!seen.insert(*map.file).second) continue;
+    const std::int64_t tried = std::min(kTried, sweep.trials);
+    if (placed_missions(trial, tried) > 0) continue;
+    const YamlNode* block = document.root.find("maps");
+    const YamlNode* place = block == nullptr ? nullptr : block->find("file");
+    const std::string message =
+        "maps.file: no mission can be flown; " + unflyable_hint(trial, tried);
+    throw InputError(place == nullptr ? InputProblem{.file = file, .message = message}
+                                      : problem_at(*place, message));
+  }
+}
+
+/// "quick: 32 trials = 2 settings × 4 missions × 4 planners"
+std::string size_text(const SweepSpec& sweep) {
   std::size_t settings = 1;
   for (const Axis& axis : sweep.axes) settings *= axis.values.size();
   const auto missions = static_cast<std::size_t>(sweep.trials);
-  std::string text =
-      sweep.name + ": " + std::to_string(settings * missions * sweep.planners.size()) +
-      " trials = " + std::to_string(settings) + " settings × " + std::to_string(missions) +
-      " missions × " + std::to_string(sweep.planners.size()) + " planners\n";
+  std::size_t trials = settings * missions * sweep.planners.size();
+  std::string missions_text = std::to_string(missions) + " missions";
+  if (!sweep.missions.empty()) {  // maps may have fewer than `missions`
+    const std::vector<PlannedTrial> planned = expand(sweep);
+    check_listed_missions(sweep, planned);
+    const bool is_even = planned.size() == trials;
+    trials = planned.size();
+    missions_text =
+        std::string(is_even ? "" : "up to ") + std::to_string(missions) + " listed missions";
+  }
+  return sweep.name + ": " + std::to_string(trials) + " trials = " + std::to_string(settings) +
+         " settings × " + missions_text + " × " + std::to_string(sweep.planners.size()) +
+         " planners\n";
+}
+
+void check(const std::string& file, const std::vector<std::string>& overrides, bool resolved) {
+  const Document document = read_sweep_document(file, overrides);
+  const SweepSpec sweep = sweep_of_document(document, file);
+  for (const std::string& warning : sweep.warnings) std::cerr << "warning: " << warning << "\n";
+  check_own_maps(sweep, document, file);
+  std::string text = size_text(sweep);
   for (const Axis& axis : sweep.axes) {
     text += "  " + axis.path + ": " + nlohmann::json(axis.values).dump() + "\n";
   }
@@ -72,6 +115,18 @@ std::string explanation_text(const std::string& key) {
   return text;
 }
 
+/// Name, first sentence, file of each sweep that comes with the program.
+void list_sweeps(const OutputOptions& options) {
+  Table table = make_list({"name", "file", "what"});
+  table.columns[1].place = Place::machine;
+  for (const BuiltInSweep& sweep : built_in_sweeps()) {
+    const std::size_t end = sweep.doc.find(". ");
+    table.rows.push_back(make_row(sweep.name, sweep.file.string(),
+                                  sweep.doc.substr(0, end) + (end < sweep.doc.size() ? "." : "")));
+  }
+  write_table(table, options);
+}
+
 }  // namespace
 
 void add_config_command(CLI::App& app) {
@@ -83,17 +138,23 @@ void add_config_command(CLI::App& app) {
     std::vector<std::string> overrides;
     bool resolved = false;
     std::string key;
+    OutputOptions sweeps_output;
   };
   const auto options = std::make_shared<Options>();
   CLI::App* command =
       app.add_subcommand("config", "Print and explain what files can say; check sweep files");
   command->footer(
       "Examples:\n"
+      "  avoidbench config sweeps\n"
       "  avoidbench config defaults > my_sweep.yaml\n"
       "  avoidbench config defaults firefly\n"
       "  avoidbench config explain maps.poisson_radius_m\n"
       "  avoidbench config schema --output sweep.schema.json\n"
       "  avoidbench config check my_sweep.yaml --set maps.poisson_radius_m=3");
+  CLI::App* sweeps = command->add_subcommand(
+      "sweeps", "The sweeps that come with avoidbench: `avoidbench run NAME` flies one");
+  add_output_options(*sweeps, options->sweeps_output);
+  sweeps->callback([options] { list_sweeps(options->sweeps_output); });
   CLI::App* defaults = command->add_subcommand(
       "defaults", "Everything that a file can say, at its default, with docs and ranges, as YAML");
   defaults
@@ -117,7 +178,7 @@ void add_config_command(CLI::App& app) {
   schema->callback([options] { write_text(schema_text(options->schema), options->schema_output); });
   CLI::App* check_command = command->add_subcommand(
       "check", "Read a sweep file and print what it would fly, or all that is wrong with it");
-  check_command->add_option("sweep", options->file, "Sweep file (YAML)")
+  check_command->add_option("sweep", options->file, "Sweep file (YAML); - is standard input")
       ->required()
       ->type_name("FILE");
   add_overrides(*check_command, options->overrides, "maps.poisson_radius_m=3.0");

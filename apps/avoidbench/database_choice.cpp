@@ -8,9 +8,26 @@
 #include "config/sweep_file.hpp"
 #include "store/row_digest.hpp"
 #include "store/stored_text.hpp"
+#include "text/words.hpp"
 #include "trial/contradictions.hpp"
 
 namespace avoidbench {
+
+namespace {
+
+[[noreturn]] void throw_no_database(const std::string& name) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator("results", error)) {
+    if (entry.path().extension() == ".db") names.push_back(entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  throw InputError(
+      name + ": no such file, and no results/" + name + ".db" + did_you_mean(name, names) +
+      (names.empty() ? "; results/ has no database" : "; there are: " + joined(names)));
+}
+
+}  // namespace
 
 std::filesystem::path database_of(const std::string& given) {
   std::error_code error;
@@ -27,9 +44,12 @@ std::filesystem::path database_of(const std::string& given) {
     }
     return database;
   }
-  if (!std::filesystem::exists(path, error) && std::filesystem::exists(of_sweep(given), error)) {
-    return of_sweep(given);
-  }
+  const bool is_file =
+      std::filesystem::exists(path, error) && !std::filesystem::is_directory(path, error);
+  if (is_file) return path;
+  if (std::filesystem::exists(of_sweep(given), error)) return of_sweep(given);
+  const bool is_name = !path.has_extension() && !path.has_parent_path() && !given.empty();
+  if (is_name && !std::filesystem::exists(path, error)) throw_no_database(given);
   return path;
 }
 

@@ -1,6 +1,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "base/file_name.hpp"
 #include "base/option_error.hpp"
@@ -22,15 +23,21 @@ struct ExportOptions {
   TrialFormat trial_format = TrialFormat::csv;
   TrajectoryFormat trajectory_format = TrajectoryFormat::csv;
   double progress_period_s = 0.0;
+  TrialOrder trial_order;
 };
 
 void write_trials(const ExportOptions& options) {
+  check_output(options.output, text(options.trial_format));
   const std::vector<Database> databases = opened(options.words, "trials");
-  chosen_sweeps(databases, options.sweep);  // before the file is made
-  Output output(options.output);
-  export_trials(databases, options.sweep, options.trial_format,
-                [&](const std::string& line) { output.write(line); });
-  output.close();
+  std::optional<Output> output;  // made with the first line: bad options leave a former file alone
+  export_trials(
+      databases, options.sweep, options.trial_format,
+      [&](const std::string& line) {
+        if (!output) output.emplace(options.output);
+        output->write(line);
+      },
+      options.trial_order);
+  if (output) output->close();
 }
 
 /// Whether the word names a database, not a trial.
@@ -71,6 +78,7 @@ void write_each(const ExportOptions& options, const std::string& extension, Text
   std::error_code error;
   const bool is_one = trials.size() == 1 && !options.output.ends_with('/') &&
                       !std::filesystem::is_directory(options.output, error);
+  if (is_one) check_output(options.output, extension);
   if (!is_one && options.output == "-") {
     throw InputError("several trials need --output FOLDER: one file each is written there");
   }
@@ -143,11 +151,13 @@ void add_trials(CLI::App& app) {
   add_sweep_choice(*command, options->sweep);
   add_choice(*command, "--format", options->trial_format, "csv (RFC 4180) or jsonl (JSON lines)");
   add_output_file(*command, options->output);
+  add_order_options(*command, options->trial_order);
   command->footer(
-      "The columns are those of the view trial_table; names carry units, numbers all their "
-      "digits.\n\n"
+      "The columns are those of the view trial_table and the sweep's axes; names carry units, "
+      "numbers all their\ndigits.\n\n"
       "Example:\n"
-      "  avoidbench export trials results/quick.db --output quick.csv");
+      "  avoidbench export trials results/quick.db --output quick.csv\n"
+      "  avoidbench export trials quick --sort min_clearance_m --limit 10");
   command->callback([options] { write_trials(*options); });
 }
 

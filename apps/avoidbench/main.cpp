@@ -25,6 +25,28 @@ std::string version_text() {
          ", " + kCompilerFlags;
 }
 
+/// What CITATION.cff says, for LaTeX.
+std::string citation_text() {
+  return std::string(
+             "@software{avoidbench,\n"
+             "  title   = {avoidbench: a headless, reproducible benchmark of "
+             "obstacle-avoidance planners for multirotors},\n"
+             "  author  = {{avoidbench contributors}},\n"
+             "  version = {") +
+         kVersion + " (" + kGitHash +
+         ")},\n"
+         "}\n\n"
+         "% The benchmark's maps and metrics:\n"
+         "@article{yu2023avoidbench,\n"
+         "  title   = {{AvoidBench}: A high-fidelity vision-based obstacle avoidance benchmarking "
+         "suite for multi-rotors},\n"
+         "  author  = {Yu, Hang and de Croon, Guido C. H. E. and De Wagter, Christophe},\n"
+         "  journal = {arXiv preprint arXiv:2301.07430},\n"
+         "  year    = {2023},\n"
+         "  url     = {https://arxiv.org/abs/2301.07430},\n"
+         "}\n";
+}
+
 /// The subcommand that the words of the command line led to.
 const CLI::App& deepest(const CLI::App& app) {
   const std::vector<CLI::App*> chosen = app.get_subcommands();
@@ -118,14 +140,23 @@ std::vector<std::string> current_words(int argc, const char* const* argv) {
 int run_program(int argc, const char* const* argv) {
   CLI::App app("Benchmark of obstacle-avoidance planners for multirotors.", "avoidbench");
   app.set_version_flag("--version", version_text(), "Print version, git hash and compiler");
+  app.add_flag_callback(
+      "--cite",
+      [] {
+        std::cout << citation_text();
+        throw CLI::Success();
+      },
+      "Print what to cite, as BibTeX");
   app.require_subcommand(0, 1);  // so that `config explain maps` means the key, not the command
   add_commands(app);
   // After the commands, which would take it over.
   app.footer(
       "First steps:\n"
-      "  avoidbench run configs/sweeps/quick.yaml   fly a small sweep\n"
-      "  avoidbench report                          see its results\n"
-      "  avoidbench config defaults                 all that a sweep file can say\n\n"
+      "  avoidbench run quick             fly a small sweep\n"
+      "  avoidbench report                see its results\n"
+      "  avoidbench config sweeps         other sweeps that come with it\n"
+      "  avoidbench config defaults       all that a sweep file can say\n"
+      "  avoidbench planners new NAME     begin a planner\n\n"
       "Exit codes: 0 done, 1 done but a check failed, 2 usage or input, 3 an error of this "
       "program");
   try {

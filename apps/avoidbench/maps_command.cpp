@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <iostream>
@@ -13,7 +14,9 @@
 #include "metrics/metric_table.hpp"
 #include "output.hpp"
 #include "report/table_rows.hpp"
+#include "sweep/listed_missions.hpp"
 #include "text/number_text.hpp"
+#include "view/map_plan.hpp"
 #include "view/map_views.hpp"
 #include "world/voxels.hpp"
 #include "yaml/yaml_values.hpp"
@@ -21,11 +24,14 @@
 namespace avoidbench {
 namespace {
 
+constexpr int kPlan_px = 960;  ///< the longer side of a plan whose size is not given
+
 struct MapOptions {
   std::string spec;
   std::vector<std::string> overrides;
   std::optional<std::uint64_t> seed;
   MapView view;
+  bool has_size = false;  ///< width or height was given
   std::string png = "map.png";
   std::int64_t missions = 10;  ///< 0: no metrics
   double point_cloud_m = 0.0;  ///< resolution of the original's metric; 0: without
@@ -34,35 +40,31 @@ struct MapOptions {
   OutputOptions output;
 };
 
-TrialSpec trial_of(const MapOptions& options) {
-  TrialSpec trial = read_map(options.spec, options.overrides).trial;
-  if (options.seed) trial.map_seed = *options.seed;
-  return trial;
+MapChoice choice_of(const MapOptions& options) {
+  MapChoice choice = read_map(options.spec, options.overrides);
+  if (options.seed) choice.trial.map_seed = *options.seed;
+  return choice;
 }
 
 void show(const MapOptions& options) {
-  const TrialSpec trial = trial_of(options);
+  check_output(options.png, "png");
+  const MapChoice choice = choice_of(options);
+  const TrialSpec& trial = choice.trial;
   const World world = make_world(trial.map, trial.map_seed);
+  MapView view = options.view;
+  view.listed_missions = missions_of(choice.missions, trial);
+  if (view.name == "top" && !options.has_size) fit_plan(world, kPlan_px, view);
   std::string note;
-  Picture picture = render_map(world, trial, options.view, note);
+  Picture picture = render_map(world, trial, view, note);
   std::string caption = std::string(kind(trial.map)) + ", seed " + std::to_string(trial.map_seed);
   if (world.poisson_radius_m > 0.0) {
     // Some radii are 32-bit floats: no more digits than those have.
     const double radius_m = std::round(1e5 * world.poisson_radius_m) / 1e5;
     caption += ", Poisson radius " + number_text(radius_m) + " m";
   }
-  add_caption(picture, caption + ", " + (note.empty() ? options.view.name : note));
+  add_caption(picture, caption + ", " + (note.empty() ? view.name : note));
   write_png(picture, options.png);
   std::cerr << "wrote " << options.png << '\n';
-}
-
-std::string box_text(const Aabb& box) {
-  std::string text;
-  for (int axis = 0; axis < 3; ++axis) {
-    text += (axis > 0 ? " × [" : "[") + fixed_digits(box.min()[axis], 2) + ", " +
-            fixed_digits(box.max()[axis], 2) + "]";
-  }
-  return text;
 }
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -74,12 +76,23 @@ std::string metric_text(double value, std::string_view unit) {
   return significant_digits(value, 4) + (unit.empty() ? "" : " " + std::string(unit));
 }
 
+/// Whether the metric is one of fields of obstacles, which a map from a file is not.
+bool is_of_obstacles(std::string_view metric) {
+  return metric == "obstacle_count" || metric == "obstacle_density_1pm2" ||
+         metric == "relative_gap_size";
+}
+
 /// Metrics of the map, the means of those of its missions, and what the original would say of it.
-void add_metrics(const TrialSpec& trial, const World& world, const MapOptions& options,
+void add_metrics(const MapChoice& choice, const World& world, const MapOptions& options,
                  Table& table) {
+  const TrialSpec& trial = choice.trial;
   const Scene scene(world);
-  const MapRecord map = make_map_record(trial, scene, options.missions);
+  const std::vector<Mission> listed = missions_of(choice.missions, trial);
+  const auto most = static_cast<std::int64_t>(listed.size());
+  const std::int64_t count = listed.empty() ? options.missions : std::min(options.missions, most);
+  const MapRecord map = make_map_record(trial, scene, count, listed);
   for (const MapMetricDef& metric : map_metric_table()) {
+    if (is_from_file(kind(trial.map)) && is_of_obstacles(metric.name)) continue;
     table.rows.push_back(make_row(metric.name, metric_text(metric.value(map), metric.unit)));
   }
   if (options.point_cloud_m > 0.0) {
@@ -100,7 +113,9 @@ void add_metrics(const TrialSpec& trial, const World& world, const MapOptions& o
 }
 
 void info(const MapOptions& options) {
-  const TrialSpec trial = trial_of(options);
+  check_output(options.output.output, text(options.output.format));
+  const MapChoice choice = choice_of(options);
+  const TrialSpec& trial = choice.trial;
   const auto start = std::chrono::steady_clock::now();
   const World world = make_world(trial.map, trial.map_seed);
   const double made_s = seconds_since(start);
@@ -117,10 +132,12 @@ void info(const MapOptions& options) {
   add("triangle_count", std::to_string(triangle_count(world)));
   add("bounds_m", box_text(world.bounds));
   add("flight_bounds_m", box_text(world.flight_bounds));
-  add("mean_obstacle_width_m", fixed_digits(world.mean_obstacle_width_m, 4));
+  if (!is_from_file(kind(trial.map))) {
+    add("mean_obstacle_width_m", fixed_digits(world.mean_obstacle_width_m, 4));
+  }
   add("memory_mb", fixed_digits(static_cast<double>(memory_bytes(world)) / 1e6, 1));
   const auto measuring = std::chrono::steady_clock::now();
-  if (options.missions > 0) add_metrics(trial, world, options, table);
+  if (options.missions > 0) add_metrics(choice, world, options, table);
   const double measured_s = seconds_since(measuring);
   add("digest", world.digest);
   write_table(table, options.output);
@@ -129,7 +146,7 @@ void info(const MapOptions& options) {
 }
 
 void export_map(const MapOptions& options) {
-  const TrialSpec trial = trial_of(options);
+  const TrialSpec trial = choice_of(options).trial;
   const World world = make_world(trial.map, trial.map_seed);
   if (options.export_as == "mesh") {
     export_mesh(world, options.file);
@@ -146,8 +163,9 @@ void export_map(const MapOptions& options) {
 
 void add_map_options(CLI::App& command, MapOptions& options) {
   command
-      .add_option("map", options.spec,
-                  "Generator (see maps list), sweep file, or file with a map's fields")
+      .add_option(
+          "map", options.spec,
+          "Generator (see maps list), sweep file, file with a map's fields, or built-in sweep")
       ->required();
   command.add_option("--seed", options.seed, "Map seed (default: that of the file, else 1)");
   add_overrides(command, options.overrides, "poisson_radius_m=3");
@@ -162,7 +180,7 @@ void add_maps_command(CLI::App& app) {
       "Of a sweep's several maps the first is taken; --set and --seed choose another.\n\n"
       "Examples:\n"
       "  avoidbench maps show forest --set poisson_radius_m=3 --view top --png forest.png\n"
-      "  avoidbench maps info configs/sweeps/hall_small.yaml --seed 2\n"
+      "  avoidbench maps info hall_small --seed 2\n"
       "  avoidbench maps export maze maze.glb\n"
       "  avoidbench maps find forest --metric traversability --value 12 --within 0.5");
   CLI::App* show_command = command->add_subcommand("show", "Draw a map as a PNG file");
@@ -176,16 +194,24 @@ void add_maps_command(CLI::App& app) {
                    "Mission of top, first_person and depth")
       ->check(CLI::Range(0, 1'000'000))
       ->capture_default_str();
-  show_command->add_option("--width", options->view.width_px, "Width, pixels")
-      ->check(CLI::Range(64, 8192))
-      ->capture_default_str();
-  show_command->add_option("--height", options->view.height_px, "Height, pixels")
-      ->check(CLI::Range(64, 8192))
-      ->capture_default_str();
+  CLI::Option* width =
+      show_command
+          ->add_option("--width", options->view.width_px,
+                       "Width, pixels; where neither it nor the height is given, a plan (top) "
+                       "takes the map's shape")
+          ->check(CLI::Range(64, 8192))
+          ->capture_default_str();
+  CLI::Option* height =
+      show_command->add_option("--height", options->view.height_px, "Height, pixels")
+          ->check(CLI::Range(64, 8192))
+          ->capture_default_str();
   show_command->add_option("--samples", options->view.samples, "Rays per side of each pixel")
       ->check(CLI::Range(1, 8))
       ->capture_default_str();
-  show_command->callback([options] { show(*options); });
+  show_command->callback([options, width, height] {
+    options->has_size = width->count() + height->count() > 0;
+    show(*options);
+  });
   CLI::App* info_command =
       command->add_subcommand("info", "Counts, bounds, memory, metrics and digest of a map");
   add_map_options(*info_command, *options);

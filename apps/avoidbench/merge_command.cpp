@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 
+#include "base/kept_files.hpp"
 #include "commands.hpp"
 #include "metrics/metric_table.hpp"
 #include "store/merge.hpp"
@@ -45,6 +46,9 @@ void merge(const MergeCommand& command) {
   for (const std::string& file : command.from) {
     const MergeResult result = merge_database(into, file);
     std::cout << file << ": " << result.trials << " trials, " << result.new_trials << " new\n";
+    for (const std::string& problem : merge_kept_files(command.into, file)) {
+      std::cerr << "warning: a kept file is not taken over: " << problem << '\n';
+    }
     if (result.undigested_trials > 0) {
       std::cerr << "warning: " << file << ": " << result.undigested_trials
                 << " trials have no digest to be checked by: an older avoidbench flew them\n";

@@ -4,7 +4,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <string_view>
 
 #include "visible_streams.hpp"
@@ -27,7 +29,52 @@ TextStyle style_of_output(const std::string& output) {
   return style;
 }
 
+/// What files of an ending hold; those that are not here may hold anything.
+constexpr std::pair<std::string_view, std::string_view> kEndings[] = {
+    {".png", "png"},   {".jpg", "jpeg"},    {".jpeg", "jpeg"}, {".gif", "gif"},
+    {".pdf", "pdf"},   {".svg", "svg"},     {".mp4", "mp4"},   {".webm", "webm"},
+    {".avi", "avi"},   {".csv", "csv"},     {".json", "json"}, {".jsonl", "jsonl"},
+    {".tex", "latex"}, {".md", "markdown"}, {".db", "sqlite"}, {".xlsx", "xlsx"},
+    {".yml", "yaml"},  {".yaml", "yaml"},   {".tum", "tum"},   {".html", "html"}};
+
+void check_ending(const std::filesystem::path& file, std::string_view format) {
+  std::string ending = file.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) {
+    return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  });
+  const auto* const known = std::find_if(std::begin(kEndings), std::end(kEndings),
+                                         [&](const auto& one) { return one.first == ending; });
+  if (known == std::end(kEndings) || known->second == format) return;
+  std::string message =
+      "ends in " + ending + ", but what is written there is " + std::string(format);
+  const auto* const wanted = std::find_if(std::begin(kEndings), std::end(kEndings),
+                                          [&](const auto& one) { return one.second == format; });
+  if (wanted != std::end(kEndings)) {
+    message += ": name it " + std::filesystem::path(file).replace_extension(wanted->first).string();
+  }
+  if (wanted == std::end(kEndings) && enum_from_text<TableFormat>(known->second)) {
+    message += ": --format " + std::string(known->second) + " writes what it says";
+  }
+  throw InputError({.file = file.string(), .message = message});
+}
+
 }  // namespace
+
+void check_output(const std::string& file, std::string_view format) {
+  if (file == "-") return;
+  const std::filesystem::path path = file;
+  check_ending(path, format);
+  const auto fail = [&](const std::string& reason) {
+    throw InputError({.file = file, .message = "can't be written: " + reason});
+  };
+  std::error_code error;
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  if (std::filesystem::is_directory(path, error)) fail("it is a folder");
+  if (!std::filesystem::is_directory(folder, error)) fail("no folder " + folder.string());
+  const std::string to_write =
+      std::filesystem::exists(path, error) ? path.string() : folder.string();
+  if (::access(to_write.c_str(), W_OK) != 0) fail(std::strerror(errno));
+}
 
 Output::Output(const std::string& path) : path_(path) {
   if (path_ != "-") file_.open(path_, std::ios::binary);
@@ -60,10 +107,12 @@ void write_text(const std::string& text, const std::string& output) {
 }
 
 void write_table(const Table& table, const OutputOptions& options) {
+  check_output(options.output, text(options.format));
   write_text(format_table(table, options.format, style_of_output(options.output)), options.output);
 }
 
 void write_sections(std::span<const Section> sections, const OutputOptions& options) {
+  check_output(options.output, text(options.format));
   write_text(format_sections(sections, options.format, style_of_output(options.output)),
              options.output);
 }

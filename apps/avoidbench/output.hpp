@@ -4,6 +4,7 @@
 #include <fstream>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "command_options.hpp"
 
@@ -24,6 +25,11 @@ class Output {
   std::string path_;
   std::ofstream file_;
 };
+
+/// Throws InputError where the file's ending is that of another format than `format` ("png", "csv",
+/// "markdown", …), or it can't be written; "-" can. For before a flight or other work that takes
+/// its time. Makes no file.
+void check_output(const std::string& file, std::string_view format);
 
 /// All of it at once.
 void write_text(const std::string& text, const std::string& output);

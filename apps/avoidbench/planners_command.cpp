@@ -3,11 +3,14 @@
 #include <memory>
 #include <utility>
 
+#include "base/data_folder.hpp"
 #include "commands.hpp"
 #include "conformance/conformance.hpp"
+#include "conformance/planner_project.hpp"
 #include "output.hpp"
 #include "plugin/planner_library.hpp"
 #include "report/table_rows.hpp"
+#include "text/number_text.hpp"
 #include "yaml/yaml_values.hpp"
 
 namespace avoidbench {
@@ -98,6 +101,20 @@ void describe(const std::string& plugin, const OutputOptions& options) {
   write_text(text, options.output);
 }
 
+/// What a call takes, and why that is too long or not all.
+void print_call_times(const std::filesystem::path& file) {
+  const std::optional<CallTimes> times = measure_calls_isolated(file);
+  if (!times) return;
+  const auto ms = [](double time_s) { return significant_digits(1000.0 * time_s, 3) + " ms"; };
+  std::cerr << "a call takes " << ms(times->wall_s) << " (most " << ms(times->most_wall_s)
+            << ", CPU " << ms(times->cpu_s)
+            << ") with an image of 160 × 120 px; larger ones may take longer\n";
+  for (const std::string& concern :
+       {lateness(*times, measured_plan_period_s(), 0.0), hidden_time(*times)}) {
+    if (!concern.empty()) std::cerr << "warning: " << concern << '\n';
+  }
+}
+
 void check(const std::string& plugin, const OutputOptions& options) {
   // A file of this name goes before the search path: `check my_planner.so` is what one types.
   std::error_code error;
@@ -122,17 +139,34 @@ void check(const std::string& plugin, const OutputOptions& options) {
   std::cerr << file.string() << ": " << results.size() - failed << " of " << results.size()
             << " rules hold" << (failed > 0 ? "" : ": it can be benchmarked") << '\n';
   if (failed > 0) throw CLI::RuntimeError(1);
+  print_call_times(file);
+}
+
+/// In a folder of its name, or here.
+void make_new(const std::string& name, bool is_here) {
+  const std::string folder = is_here ? "." : name;
+  const std::filesystem::path templates = data_folder() / "planners" / "template";
+  write_planner_project(name, folder, templates);
+  const std::string inside = is_here ? "" : name + "/";
+  std::cout << "wrote " << inside << name << ".cpp, CMakeLists.txt, README.md, sweep.yaml. Next:\n"
+            << "  cmake -S " << folder << " -B " << inside
+            << "build -DCMAKE_PREFIX_PATH=" << installation_prefix().string() << '\n'
+            << "  cmake --build " << inside << "build\n"
+            << "  avoidbench planners check " << (is_here ? "./" : inside) << "build/planners/"
+            << name << ".so\n"
+            << "  avoidbench run " << inside << "sweep.yaml\n";
 }
 
 }  // namespace
 
 void add_planners_command(CLI::App& app) {
   struct Options {
-    std::string plugin;
+    std::string plugin, name;
+    bool is_here = false;
     OutputOptions output;
   };
   const auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("planners", "List, describe and check planner libraries");
+  CLI::App* command = app.add_subcommand("planners", "List, describe, check and begin planners");
   command->footer(
       "Planners are looked up in AVOIDBENCH_PLANNER_PATH (folders separated by colons), the build "
       "tree's planners/\n"
@@ -143,20 +177,28 @@ void add_planners_command(CLI::App& app) {
       "Examples:\n"
       "  avoidbench planners list\n"
       "  avoidbench planners describe reactive\n"
-      "  avoidbench planners check ./build/my_planner.so");
+      "  avoidbench planners check ./build/my_planner.so\n"
+      "  avoidbench planners new my_planner");
   CLI::App* list_command = command->add_subcommand("list", "All planners on the search path");
   CLI::App* describe_command =
       command->add_subcommand("describe", "What a planner sees, commands, and can be tuned by");
   CLI::App* check_command = command->add_subcommand(
       "check",
-      "Try every rule of the planner interface on a library, in a process of its own; "
-      "exit code 1 where one fails");
+      "Try every rule of the planner interface on a library, in a process of its own, and measure "
+      "its calls; exit code 1 where a rule fails");
   for (CLI::App* each : {list_command, describe_command, check_command}) {
     add_output_options(*each, options->output);
   }
   for (CLI::App* each : {describe_command, check_command}) {
     each->add_option("planner", options->plugin, "Name or file of a planner")->required();
   }
+  CLI::App* new_command = command->add_subcommand(
+      "new",
+      "Write a small planner that builds and flies, to begin from: a CMake project and a sweep");
+  new_command->add_option("name", options->name, "Of a-z, 0-9 and _; also the name of its folder")
+      ->required();
+  new_command->add_flag("--here", options->is_here, "Into this folder, not into one of its name");
+  new_command->callback([options] { make_new(options->name, options->is_here); });
   list_command->callback([options] { list(options->output); });
   describe_command->callback([options] { describe(options->plugin, options->output); });
   check_command->callback([options] { check(options->plugin, options->output); });

@@ -1,9 +1,14 @@
+#include <unistd.h>
+
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
 #include <memory>
+#include <optional>
+#include <sstream>
 
 #include "base/option_error.hpp"
 #include "commands.hpp"
@@ -12,11 +17,17 @@
 #include "export/export_trajectory.hpp"
 #include "export/trial_list.hpp"
 #include "output.hpp"
+#include "process/isolated_run.hpp"
+#include "process/print_capture.hpp"
+#include "process/sandbox.hpp"
+#include "replay/apart.hpp"
 #include "replay/replay.hpp"
 #include "replay/sample.hpp"
+#include "sweep/allowance.hpp"
 #include "text/number_text.hpp"
 #include "text/visible_text.hpp"
 #include "view/replay_sheet.hpp"
+#include "worker/worker_death.hpp"
 #include "worker/worker_process.hpp"
 
 namespace avoidbench {
@@ -27,6 +38,7 @@ constexpr int kExitDiffers = 1;
 struct ReplayOptions {
   std::string database;
   TrialChoice choice;
+  TrialOrder order;
   bool is_list = false, is_verify = false;
   std::string sample = "100%";
   OutputOptions output;
@@ -35,6 +47,7 @@ struct ReplayOptions {
   std::vector<double> at_s;
   double every_s = 0.0;
   std::size_t log_lines = 30;
+  double plan_timeout_s = 10.0;
 };
 
 /// A line that the planner logged.
@@ -51,7 +64,9 @@ struct Flown {
   std::vector<Moment> moments;
 };
 
-Flown fly(const Replay& replay, const StoredTrial& stored, const ReplayOptions& options) {
+/// Flies it, or, where `most_calls` is given, up to the call of the planner after so many.
+Flown fly(const Replay& replay, const StoredTrial& stored, const ReplayOptions& options,
+          std::optional<std::size_t> most_calls = {}) {
   Flown flown;
   MomentRecorder recorder(options.at_s, options.every_s, stored.spec);
   TrialObserver observer;
@@ -59,6 +74,13 @@ Flown fly(const Replay& replay, const StoredTrial& stored, const ReplayOptions& 
     for (const std::string& line : step.log) flown.log.push_back({step.time_s, line});
     flown.calls.push_back(command_line(step));
     if (!options.png.empty()) recorder.planned(step);
+  };
+  PrintTrimmer trimmer(STDOUT_FILENO);
+  observer.planning = [&](const PlanCallAhead& call) {
+    trimmer.trim();
+    if (!most_calls || flown.calls.size() < *most_calls) return true;
+    if (!options.png.empty()) recorder.planning(call);
+    return false;
   };
   std::vector<std::string> other_lines;
   flown.record = replay.fly(observer, other_lines);
@@ -89,20 +111,35 @@ std::string calls_line(const std::vector<CommandLine>& calls) {
          " ms, most " + fixed_digits(1000.0 * most_s, 2) + " ms";
 }
 
-void print_log(const std::vector<LogLine>& log, std::size_t most) {
-  if (log.empty()) return;
-  const std::size_t skipped = most > 0 && log.size() > most ? log.size() - most : 0;
-  std::cout << "\nlog of the planner";
+/// The lines under a title; the first are left out where there are more than `most` (0: none are).
+template <class Lines, class Print>
+void print_last(const std::string& title, const Lines& lines, std::size_t most, Print&& print) {
+  if (lines.empty()) return;
+  const std::size_t skipped = most > 0 && lines.size() > most ? lines.size() - most : 0;
+  std::cout << '\n' << title;
   if (skipped > 0) std::cout << ", without its first " << skipped << " lines (--log 0 for all)";
-  std::cout << "\n";
-  for (std::size_t i = skipped; i < log.size(); ++i) {
-    const std::string time = std::isnan(log[i].time_s) ? "" : fixed_digits(log[i].time_s, 3) + " s";
-    std::cout << std::setw(10) << time << "  " << visible_line(log[i].text) << "\n";
-  }
+  std::cout << '\n';
+  for (std::size_t i = skipped; i < lines.size(); ++i) print(lines[i]);
+}
+
+void print_log(const std::vector<LogLine>& log, std::size_t most) {
+  print_last("log of the planner", log, most, [](const LogLine& line) {
+    const std::string time = std::isnan(line.time_s) ? "" : fixed_digits(line.time_s, 3) + " s";
+    std::cout << std::setw(10) << time << "  " << visible_line(line.text) << "\n";
+  });
+}
+
+/// What the planner printed itself, to standard output or error.
+void print_prints(const std::string& printed, std::size_t most) {
+  std::vector<std::string> lines;
+  std::istringstream stream(printed);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  print_last("printed by the planner", lines, most,
+             [](const std::string& line) { std::cout << "  " << visible_line(line) << "\n"; });
 }
 
 /// Prints how the flight compares with the stored one. True where it is the same, or may differ.
-bool print_comparison(const StoredTrial& stored, const Replay& replay, const TrialRecord& record) {
+bool print_comparison(const StoredTrial& stored, bool must_be_equal, const TrialRecord& record) {
   const std::vector<std::string> found = differences(stored.row.record, record);
   if (found.empty()) {
     std::cout << "replay    equal to the stored trial, bit for bit\n";
@@ -110,7 +147,7 @@ bool print_comparison(const StoredTrial& stored, const Replay& replay, const Tri
   }
   std::cout << "replay    differs from the stored trial\n" << std::flush;
   for (const std::string& line : found) std::cerr << "warning: " << visible_line(line) << '\n';
-  return !replay.warnings().empty();
+  return !must_be_equal;
 }
 
 /// FILE, or FILE with a number before its extension.
@@ -139,15 +176,36 @@ void write_pictures(const Flown& flown, const StoredTrial& stored, const Replay&
 }
 
 /// Whether the end was a worker's, which a flight in this process can't have.
-bool ended_worker(const TrialListing& trial) {
-  return trial.outcome == Outcome::planner_crashed || trial.outcome == Outcome::planner_hung;
+bool is_of_worker(Outcome outcome) {
+  return outcome == Outcome::planner_crashed || outcome == Outcome::planner_hung;
+}
+bool ended_worker(const TrialListing& trial) { return is_of_worker(trial.outcome); }
+
+/// Not where a machine's time decided at which call the flight ended.
+bool is_repeatable(const TrialRecord& record) {
+  return record.outcome == Outcome::planner_crashed || record.reason == kCallTimeout;
 }
 
-/// Flies it again; whether it is the same.
-bool is_repeated(const Database& database, const TrialListing& trial, const ReplayFiles& files) {
-  const Replay replay(possible_trial(database, trial.key), files);
+/// "(1.00, -2.50, 2.00) m, 1.20 m/s, 0.35 m from the nearest surface, at 3.200 s"
+std::string place_line(const Sample& sample) {
+  const Eigen::Vector3d& place = sample.position_world;
+  return "(" + fixed_digits(place.x(), 2) + ", " + fixed_digits(place.y(), 2) + ", " +
+         fixed_digits(place.z(), 2) + ") m, " + fixed_digits(sample.velocity_world.norm(), 2) +
+         " m/s, " + fixed_digits(sample.clearance_m, 2) + " m from the nearest surface, at " +
+         fixed_digits(sample.time_s, 3) + " s";
+}
+
+/// Flies it again; whether it is the same. Counts a flight with a kept copy of the planner.
+bool is_repeated(const Database& database, const TrialListing& trial, const ReplayFiles& files,
+                 std::int64_t& with_copy) {
+  const StoredTrial stored = possible_trial(database, trial.key);
+  const PrintCapture prints;
+  std::optional<PrintsCaptured> captured(prints);
+  const Replay replay(stored, files);
+  with_copy += replay.kept_planner_file().empty() ? 0 : 1;
   std::vector<std::string> log;
   const TrialRecord flown = replay.fly({}, log);
+  captured.reset();
   const std::vector<std::string> found = differences(replay.stored().row.record, flown);
   if (found.empty()) return true;
   std::cout << "trial " << trial.id << " (" << trial.key.substr(0, 8) << ", "
@@ -167,7 +225,7 @@ void verify_trials(const Database& database, const std::vector<TrialListing>& tr
     throw OptionError(
         files.planner + ": the trials are of several planners: choose one by --planner", "library");
   }
-  std::int64_t flown = 0, different = 0, passed_over = 0;
+  std::int64_t flown = 0, different = 0, passed_over = 0, with_copy = 0;
   for (const TrialListing& trial : trials) {
     if (!is_sampled(trial.key, share)) continue;
     if (ended_worker(trial)) {
@@ -175,54 +233,187 @@ void verify_trials(const Database& database, const std::vector<TrialListing>& tr
       continue;
     }
     ++flown;
-    different += is_repeated(database, trial, files) ? 0 : 1;
+    different += is_repeated(database, trial, files, with_copy) ? 0 : 1;
   }
   std::cout << flown << " trials flown again, " << different << " different\n";
   if (passed_over > 0) {
     std::cout << passed_over << " crashed or hung and were not flown: see avoidbench run --rerun\n";
   }
+  if (with_copy > 0) {
+    std::cerr << with_copy
+              << " of them with copies of planners that the run kept: their files are gone or "
+                 "others now\n";
+  }
   if (flown == 0 && passed_over == 0) std::cerr << "the sample has no trial: make it larger\n";
   if (different > 0) throw CLI::RuntimeError(kExitDiffers);
 }
 
+/// Before the flight, which may take long.
+void check_outputs(const ReplayOptions& options, const TrialListing& trial) {
+  if (!options.png.empty()) check_output(options.png, "png");
+  if (!options.csv.empty()) check_output(options.csv, "csv");
+  if (!options.commands.empty()) check_output(options.commands, "csv");
+  for (const double at_s : options.at_s) {
+    if (!(at_s > trial.end_time_s)) continue;
+    std::cerr << "warning: --at " << shortest(at_s) << " is after the end of the flight, "
+              << fixed_digits(trial.end_time_s, 3) << " s: the end is shown\n";
+  }
+}
+
+std::string title_of(const TrialListing& listing) {
+  return "trial " + std::to_string(listing.id) + " (" + listing.key.substr(0, 8) +
+         "): " + trial_text(listing);
+}
+
+ApartOptions apart_options(const Database& database, const std::string& key,
+                           const ReplayOptions& options) {
+  const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
+  // As it was flown: a planner that was let out of the sandbox may do something else within it.
+  const bool had_sandbox = !database.sandbox_of(key).starts_with("none");
+  return {.worker_command = {program, "worker", "--plan-timeout", shortest(options.plan_timeout_s),
+                             "--memory-limit", shortest(0.9 * allowed_memory_mib())},
+          .sandbox = had_sandbox ? text(sandbox_support()) : "",
+          .silence_s = options.plan_timeout_s + 20.0};
+}
+
+/// What a child does with a flight whose planner does not come back from its call after
+/// `call_count`: it flies up to there, writes the files that are wanted and tells its lines, those
+/// for stderr with a mark.
+constexpr char kToStderr = '!';
+std::string look_up_to(std::size_t call_count, const TrialRecord& apart, const StoredTrial& stored,
+                       const ReplayFiles& files, const std::string& title,
+                       const ReplayOptions& options) {
+  const Replay replay(stored, files);
+  Flown flown = fly(replay, stored, options, call_count);
+  flown.record.outcome = apart.outcome;
+  flown.record.reason = apart.reason;
+  std::ostringstream out, errors;  // from here on only: what the planner prints is shown already
+  std::streambuf* const cout_before = std::cout.rdbuf(out.rdbuf());
+  std::streambuf* const cerr_before = std::cerr.rdbuf(errors.rdbuf());
+  try {
+    print_log(flown.log, options.log_lines);
+    if (!options.commands.empty()) write_text(commands_csv(flown.calls), options.commands);
+    if (!options.png.empty()) write_pictures(flown, stored, replay, title, options.png);
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << '\n';
+  }
+  std::cout.rdbuf(cout_before);
+  std::cerr.rdbuf(cerr_before);
+  std::string lines = out.str();
+  std::istringstream of_errors(errors.str());
+  for (std::string line; std::getline(of_errors, line);) lines += kToStderr + line + '\n';
+  return lines;
+}
+
+/// Runs look_up_to() in a child, since the planner may end a process earlier this time.
+void look_apart(const TrialRecord& apart, const StoredTrial& stored, const ReplayFiles& files,
+                const std::string& title, const ReplayOptions& options, double most_s) {
+  const IsolatedEnd end = run_isolated(
+      [&](IsolatedOutput& output) {
+        output.write(look_up_to(apart.plan_calls.size(), apart, stored, files, title, options));
+      },
+      most_s);
+  std::istringstream lines(end.output);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with(kToStderr)) {
+      std::cerr << line.substr(1) << '\n';
+    } else {
+      std::cout << line << '\n';
+    }
+  }
+  if (!end.problem.empty()) {
+    std::cerr << "warning: flown once more for its log and pictures, it " << end.problem
+              << " before the call that it did not come back from: there are none\n";
+  }
+}
+
+/// A trial whose planner crashed or hung, flown in a process of its own, with the time limit.
+void replay_apart(const Database& database, const StoredTrial& stored, const TrialListing& listing,
+                  const ReplayFiles& files, const ReplayOptions& options) {
+  const std::string title = title_of(listing);
+  std::cout << title << "\nstored    " << outcome_line(stored.row.record) << "\n" << std::flush;
+  const auto began = std::chrono::steady_clock::now();
+  const ApartFlight flown = fly_apart(stored, files, apart_options(database, listing.key, options));
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
+  for (const std::string& warning : flown.warnings) std::cerr << "warning: " << warning << '\n';
+  const TrialRecord& record = flown.record;
+  std::cout << "now       " << outcome_line(record) << "\ncalls     " << record.plan_calls.size()
+            << (flown.has_begun && is_of_worker(record.outcome)
+                    ? " that came back, and one that did not"
+                    : "")
+            << "\n";
+  if (!record.samples.empty()) {
+    std::cout << "place     " << place_line(record.samples.back()) << "\n";
+  }
+  bool is_explained = true;
+  // An older program stored no path of such flights.
+  if (!stored.row.record.samples.empty() || record.samples.empty()) {
+    const bool must_be_equal = flown.warnings.empty() && is_repeatable(stored.row.record);
+    is_explained = print_comparison(stored, must_be_equal, record);
+  }
+  print_last("stack, innermost first", flown.stack, 0,
+             [](const std::string& line) { std::cout << "  " << visible_line(line) << "\n"; });
+  print_prints(flown.printed, options.log_lines);
+  std::cout << std::flush;
+  if (!options.csv.empty()) write_text(trajectory_csv(record.samples), options.csv);
+  // Its way there takes no longer than that; pictures take some time, too.
+  const double most_s = 60.0 + 3.0 * took.count();
+  if (flown.has_begun) look_apart(record, stored, files, title, options, most_s);
+  std::cout << std::flush;
+  if (!is_explained) throw CLI::RuntimeError(kExitDiffers);
+}
+
 void replay(const ReplayOptions& options) {
   const Database database = Database::open_for_reading(database_of(options.database));
-  const std::vector<TrialListing> all = database.list_trials();
+  const std::vector<std::string> fields = listed_fields(database, options.order);
+  std::vector<TrialListing> all = database.list_trials(fields);
   if (all.empty()) {
     throw InputError({.file = database.path().string(), .message = "holds no finished trial"});
   }
+  if (!options.order.field.empty() || options.order.limit) {
+    all = in_order(chosen_trials(all, options.choice), options.order, fields, database.metrics());
+  }
   if (options.is_list) {
     return write_table(
-        trial_table(chosen_trials(all, options.choice), options.output.is_for_people()),
+        trial_table(chosen_trials(all, options.choice), fields, options.output.is_for_people()),
         options.output);
   }
   const std::filesystem::path given = options.database;
   const ReplayFiles files{.planner = options.planner_file,
                           .map = options.map_file,
                           .wind = options.wind_file,
-                          .folders = {".", given.parent_path(), database.path().parent_path()}};
+                          .folders = {".", given.parent_path(), database.path().parent_path()},
+                          .database = database.path()};
   if (options.is_verify) {
     const double share = share_from(options.sample);
     enter_worker_environment();
     return verify_trials(database, chosen_trials(all, options.choice), share, files);
   }
   const TrialListing listing = the_trial(all, options.choice);
-  enter_worker_environment();
+  enter_worker_environment();  // which may begin the program again
+  check_outputs(options, listing);
   const StoredTrial stored = possible_trial(database, listing.key);
-  if (ended_worker(listing)) {
-    std::cerr << "warning: this trial ended with " << text(listing.outcome)
-              << ": here that ends, or stops, this program\n";
-  }
+  if (ended_worker(listing)) return replay_apart(database, stored, listing, files, options);
+  const PrintCapture prints;
+  std::optional<PrintsCaptured> captured(prints);
   const Replay replay(stored, files);
+  captured.reset();
   for (const std::string& warning : replay.warnings()) std::cerr << "warning: " << warning << '\n';
-  const std::string title = "trial " + std::to_string(listing.id) + " (" +
-                            listing.key.substr(0, 8) + "): " + trial_text(listing);
+  const std::string title = title_of(listing);
+  if (!replay.kept_planner_file().empty()) {
+    std::cerr << "the planner's file is gone or another one now: flown with the copy that the run "
+                 "kept, "
+              << replay.kept_planner_file().string() << '\n';
+  }
   std::cout << title << "\nstored    " << outcome_line(stored.row.record) << "\n" << std::flush;
+  captured.emplace(prints);
   const Flown flown = fly(replay, stored, options);
+  captured.reset();
   std::cout << "now       " << outcome_line(flown.record) << "\ncalls     "
             << calls_line(flown.calls) << "\n";
-  const bool is_explained = print_comparison(stored, replay, flown.record);
+  const bool is_explained = print_comparison(stored, replay.warnings().empty(), flown.record);
   print_log(flown.log, options.log_lines);
+  print_prints(prints.text(), options.log_lines);
   std::cout << std::flush;
   if (!options.csv.empty()) write_text(trajectory_csv(flown.record.samples), options.csv);
   if (!options.commands.empty()) write_text(commands_csv(flown.calls), options.commands);
@@ -256,6 +447,7 @@ void add_replay_command(CLI::App& app) {
       "the same.\n\n"
       "Examples:\n"
       "  avoidbench replay results/quick.db --list --outcome collided\n"
+      "  avoidbench replay results/quick.db --list --sort min_clearance_m --limit 5\n"
       "  avoidbench replay results/quick.db 12 --png trial.png\n"
       "  avoidbench replay results/quick.db --planner reactive --map-seed 1 --radius 3.5 "
       "--mission 2 \\\n"
@@ -267,8 +459,10 @@ void add_replay_command(CLI::App& app) {
                    "Database, or a sweep's file or name for results/NAME.db")
       ->required();
   add_choice_options(*command, options->choice);
-  CLI::Option* list =
-      command->add_flag("--list", options->is_list, "List these trials and fly none");
+  add_order_options(*command, options->order);
+  CLI::Option* list = command->add_flag(
+      "--list", options->is_list,
+      "List these trials and fly none; as csv or json with keys, starts and goals");
   CLI::Option* verify =
       command
           ->add_flag(
@@ -296,7 +490,15 @@ void add_replay_command(CLI::App& app) {
   command->add_option("--csv", options->csv, "Path to write as CSV")->type_name("FILE");
   command->add_option("--commands", options->commands, "The planner's calls to write as CSV")
       ->type_name("FILE");
-  command->add_option("--log", options->log_lines, "Most lines of the planner's log; 0: all")
+  command
+      ->add_option("--log", options->log_lines,
+                   "Most lines of the planner's log, and of what it printed; 0: all")
+      ->capture_default_str();
+  command
+      ->add_option("--plan-timeout", options->plan_timeout_s,
+                   "Wall time after which a call of the planner counts as hung, s; of a trial that "
+                   "crashed or hung, which is flown in a process of its own")
+      ->check(CLI::PositiveNumber)
       ->capture_default_str();
   command
       ->add_option("--library", options->planner_file,

@@ -9,15 +9,18 @@
 #include "command_options.hpp"
 #include "commands.hpp"
 #include "config/sweep_file.hpp"
+#include "metrics/flyable.hpp"
 #include "metrics/metric_table.hpp"
 #include "plugin/planner_description.hpp"
 #include "process/sandbox.hpp"
 #include "replay/provenance.hpp"
+#include "run_end.hpp"
 #include "run_progress.hpp"
 #include "stop_signals.hpp"
 #include "store/database.hpp"
 #include "sweep/allowance.hpp"
 #include "sweep/key_maker.hpp"
+#include "sweep/listed_missions.hpp"
 #include "sweep/recorded_latency.hpp"
 #include "sweep/run_estimate.hpp"
 #include "sweep/run_sweep.hpp"
@@ -37,6 +40,7 @@ struct RunCommand {
   double plan_timeout_s = 10.0, trial_timeout_s = 3600.0, grace_s = 30.0;
   double memory_limit_mib = 0.0;
   bool dry_run = false, in_process = false, quiet = false, no_sandbox = false;
+  bool no_keep = false, is_bundle = false;
   std::string shard = "1/1", rerun, until, progress = "line", heartbeat;
 };
 
@@ -160,17 +164,6 @@ void warn(const RunCommand& command, const SweepSpec& sweep, int jobs) {
   }
 }
 
-/// The command that shows this revision of a sweep, which need not be the latest one.
-std::string command_that_reports(const Database& database, const std::string& sweep,
-                                 std::int64_t revision) {
-  std::string line = "avoidbench report " + database.path().string();
-  for (const SweepInfo& other : database.read_sweeps()) {
-    if (other.name != sweep || other.revision <= revision) continue;
-    return line + " --sweep " + sweep + "@" + std::to_string(revision);
-  }
-  return line;
-}
-
 /// Waits for as long as another program locks the database, and says so; less long once the run is
 /// told to stop.
 OnWait patience(const RunCommand& command, const StopSignals& signals,
@@ -207,33 +200,30 @@ Database open_database(const RunCommand& command, const StopSignals& signals,
   }
 }
 
-void print_summary(const RunSummary& summary, int ignored_signals) {
+/// The database of a sweep whose listed missions can all be flown: none is made for others.
+Database open_checked(const RunCommand& command, const SweepSpec& sweep, const Shard& shard,
+                      const StopSignals& signals, const std::filesystem::path& file) {
+  if (sweep.missions.empty()) return open_database(command, signals, file);
+  const std::vector<PlannedTrial> trials = trials_of(shard, expand(sweep));
+  std::error_code error;
+  const bool is_new = !std::filesystem::exists(file, error);
+  if (is_new) check_listed_missions(sweep, trials);
+  Database database = open_database(command, signals, file);
+  if (!is_new) check_listed_missions(sweep, trials, &database);
+  return database;
+}
+
+/// Throws where the sweep has no mission that can be flown: that is no result.
+void require_flights(const SweepSpec& sweep, const RunSummary& summary, const std::string& file) {
   const Progress& progress = summary.progress;
-  if (progress.done_before > 0) {
-    std::cerr << progress.done_before << " trials were there already\n";
-  }
-  if (progress.invalid_missions > 0) {
-    std::cerr << progress.invalid_missions
-              << " trials have an invalid mission (no free start or goal, or no way between them) "
-                 "and are not flown\n";
-  }
-  for (const auto& [label, count] : summary.left_behind) {
-    std::cerr << "warning: planner " << label << " left " << count
-              << " processes behind; they were ended\n";
-  }
-  if (ignored_signals > 0) {
-    std::cerr << "warning: " << ignored_signals
-              << " signals to stop came from a planner; they were ignored\n";
-  }
-  if (summary.unflown.empty()) return;
-  for (const UnflownTrial& trial : summary.unflown) {
-    std::cerr << "warning: trial " << trial.key.substr(0, 8) << " of " << trial.planner_label
-              << " is not stored: its worker was killed twice, by " << trial.reason << '\n';
-  }
-  std::cerr << summary.unflown.size()
-            << " trials were not flown: somebody, or the kernel short of memory, killed their "
-               "workers. Run the same command\nagain, with fewer --jobs or a lower --memory-limit "
-               "if memory is short\n";
+  const bool has_none = progress.invalid_missions > 0 && progress.done == 0 &&
+                        progress.done_before == 0 && summary.unflown.empty();
+  if (!has_none) return;
+  const TrialSpec first = expand(sweep).front().spec();
+  throw InputError({.file = file,
+                    .message = "nothing to fly: none of the missions can be flown; " +
+                               unflyable_hint(first, sweep.trials) +
+                               ". `avoidbench maps show` draws the map"});
 }
 
 void run(const RunCommand& command) {
@@ -252,7 +242,7 @@ void run(const RunCommand& command) {
   }
   if (command.database_file.empty()) std::filesystem::create_directories("results");
   const StopSignals& signals = watch_stop_signals();
-  Database database = open_database(command, signals, file);
+  Database database = open_checked(command, sweep, shard, signals, file);
   warn(command, sweep, jobs);
   const ProgressStyle style = command.quiet                ? ProgressStyle::none
                               : command.progress == "json" ? ProgressStyle::json
@@ -269,7 +259,11 @@ void run(const RunCommand& command) {
       .silence_s = command.plan_timeout_s + 20.0,
       .trial_timeout_s = command.trial_timeout_s,
       .grace_s = command.grace_s,
+      .keep_planners = !command.no_keep,
+      .keep_maps = command.is_bundle,
       .on_progress = [&shown](const Progress& progress) { shown.show(progress); },
+      .on_revision =
+          [&](const SweepRevision& revision) { print_revision(database, sweep.name, revision); },
       .stop = &signals.stop,
       .stop_now = &signals.stop_now};
   RunSummary summary;
@@ -280,12 +274,57 @@ void run(const RunCommand& command) {
     summary.is_stopped = true;  // it was told to while it waited for a lock
   }
   print_summary(summary, signals.ignored);
+  if (summary.revision > 0) {
+    print_failures(database, sweep.name, summary);
+    warn_of_computing_times(database, sweep.name, summary.revision);
+  }
   if (summary.is_stopped) end_stopped(signals);
   database.require_in_place();
+  if (shard.count == 1) require_flights(sweep, summary, command.sweep_file);
   std::cerr << "results are in " << file.string()
             << "; to see them: " << command_that_reports(database, sweep.name, summary.revision)
             << '\n';
   if (!summary.unflown.empty()) throw CLI::RuntimeError(kExitUnflown);
+}
+
+/// Times and memory beyond which a planner, or a stop, is not waited for.
+void add_limits(CLI::App& command, RunCommand& options) {
+  command
+      .add_option("--plan-timeout", options.plan_timeout_s,
+                  "Wall time after which a plan call counts as hung, s")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command
+      .add_option("--trial-timeout", options.trial_timeout_s,
+                  "Wall time after which a whole trial counts as hung, s")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command
+      .add_option("--memory-limit", options.memory_limit_mib,
+                  "Resident memory of a worker, MiB; its trial ends with planner_crashed beyond "
+                  "it [nine tenths of what there is, shared by the workers]")
+      ->check(CLI::PositiveNumber);
+  command
+      .add_option("--grace", options.grace_s,
+                  "Time that trials in flight have after a signal to stop, s")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+}
+
+/// What planners may do, and what is kept of them.
+void add_protection(CLI::App& command, RunCommand& options) {
+  command.add_flag("--in-process", options.in_process, "Fly in this process, for debuggers");
+  command.add_flag("--no-sandbox", options.no_sandbox,
+                   "Let planners write files, start programs and use the network (docs/trust.md)");
+  CLI::Option* bundle = command.add_flag(
+      "--bundle", options.is_bundle,
+      "Keep copies of maps and wind fields from files beside the database, too (NAME.maps), so "
+      "that what you send can be flown again");
+  command
+      .add_flag("--no-keep", options.no_keep,
+                "Keep no copies of the planners beside the database (NAME.planners), by which "
+                "replay flies a trial again after a rebuild")
+      ->excludes(bundle);
 }
 
 }  // namespace
@@ -294,7 +333,10 @@ void add_run_command(CLI::App& app) {
   const auto options = std::make_shared<RunCommand>();
   CLI::App* command =
       app.add_subcommand("run", "Fly a sweep's trials and store them in a database");
-  command->add_option("sweep", options->sweep_file, "Sweep file (YAML)")
+  command
+      ->add_option("sweep", options->sweep_file,
+                   "Sweep file (YAML), or the name of one that comes with avoidbench (`config "
+                   "sweeps` lists them); - is standard input")
       ->required()
       ->type_name("FILE");
   add_overrides(*command, options->overrides, "maps.poisson_radius_m=3.0");
@@ -303,26 +345,7 @@ void add_run_command(CLI::App& app) {
   command->add_option("-j,--jobs", options->jobs, "Worker processes; 0: one per allowed CPU")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
-  command
-      ->add_option("--plan-timeout", options->plan_timeout_s,
-                   "Wall time after which a plan call counts as hung, s")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command
-      ->add_option("--trial-timeout", options->trial_timeout_s,
-                   "Wall time after which a whole trial counts as hung, s")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command
-      ->add_option("--memory-limit", options->memory_limit_mib,
-                   "Resident memory of a worker, MiB; its trial ends with planner_crashed beyond "
-                   "it [nine tenths of what there is, shared by the workers]")
-      ->check(CLI::PositiveNumber);
-  command
-      ->add_option("--grace", options->grace_s,
-                   "Time that trials in flight have after a signal to stop, s")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
+  add_limits(*command, *options);
   command
       ->add_option("--shard", options->shard,
                    "Fly this part of the sweep only, of N for as many machines; auto: the task of "
@@ -348,20 +371,18 @@ void add_run_command(CLI::App& app) {
       ->type_name("FILE");
   command->add_flag("--dry-run", options->dry_run,
                     "Print the trials and fly none; what they will take, where some were flown");
-  command->add_flag("--in-process", options->in_process, "Fly in this process, for debuggers");
-  command->add_flag("--no-sandbox", options->no_sandbox,
-                    "Let planners write files, start programs and use the network (docs/trust.md)");
+  add_protection(*command, *options);
   command->add_flag("-q,--quiet", options->quiet, "No progress on stderr");
   command->footer(
       "The same sweep gives the same rows for any number of workers. Trials that the database has "
       "are skipped, so the\n"
       "same command goes on where it was stopped.\n\n"
       "Examples:\n"
-      "  avoidbench run configs/sweeps/quick.yaml\n"
-      "  avoidbench run configs/sweeps/forest_small.yaml --set trials=20 --db forest.db --jobs "
+      "  avoidbench run quick\n"
+      "  avoidbench run forest_small --set trials=20 --db forest.db --jobs "
       "2\n\n"
-      "Exit codes: 0 done, 1 done except trials whose worker was killed from outside, 2 usage or "
-      "input, 75 stopped by SIGTERM or SIGUSR1, 130 interrupted, "
+      "Exit codes: 0 done, 1 done except trials whose worker was killed from outside, 2 usage, "
+      "input or no mission that can be flown, 75 stopped by SIGTERM or SIGUSR1, 130 interrupted, "
       "128 + N ended at once by a second signal N");
   command->callback([options] { run(*options); });
 }

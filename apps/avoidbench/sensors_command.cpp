@@ -49,6 +49,7 @@ TrialSpec trial_of(const SensorOptions& options, const std::string& sensor) {
 }
 
 void show(const SensorOptions& options) {
+  check_output(options.png, "png");
   const TrialSpec trial = trial_of(options, options.sensors.front());
   const World world = make_world(trial.map, trial.map_seed);
   const Scene scene(world);
@@ -126,6 +127,7 @@ std::pair<std::string, std::vector<double>> swept(const std::string& over) {
 }
 
 void measure(const SensorOptions& options) {
+  check_output(options.output.output, text(options.output.format));
   const auto [path, values] = swept(options.over);
   Table table = errors_table(path.substr(path.rfind('.') + 1));
   for (const std::string& name : options.sensors) {

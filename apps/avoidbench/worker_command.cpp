@@ -17,6 +17,7 @@ void add_worker_command(CLI::App& app) {
   command->add_option("in_fd", options->in_fd)->required();
   command->add_option("out_fd", options->out_fd)->required();
   command->add_option("notes_fd", options->notes_fd)->required();
+  command->add_option("journal_fd", options->journal_fd)->required();
   command->callback([options] {
     const int code = run_worker(*options);
     if (code != 0) throw CLI::RuntimeError(code);

@@ -67,6 +67,10 @@ InputError::InputError(std::string message)
 InputError::InputError(std::vector<InputProblem> problems)
     : std::runtime_error(joined(problems)), problems_(std::move(problems)) {}
 
+void refuse_file(const std::filesystem::path& file, std::string message) {
+  throw InputError(InputProblem{.file = file.string(), .message = std::move(message)});
+}
+
 std::string_view nearest_word(std::string_view word, std::span<const std::string> candidates) {
   std::string_view best;
   std::size_t best_distance = std::max<std::size_t>(2, word.size() / 3) + 1;

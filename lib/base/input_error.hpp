@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -32,6 +33,9 @@ class InputError : public std::runtime_error {
  private:
   std::vector<InputProblem> problems_;
 };
+
+/// Throws InputError about a file as a whole.
+[[noreturn]] void refuse_file(const std::filesystem::path& file, std::string message);
 
 /// The candidate that `word` is most likely a misspelling of (edit distance, at most a third of its
 /// length), or "".

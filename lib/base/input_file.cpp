@@ -13,16 +13,18 @@
 namespace avoidbench {
 namespace {
 
-[[noreturn]] void fail(const std::filesystem::path& path, std::string message) {
-  throw InputError(InputProblem{.file = path.string(), .message = std::move(message)});
+/// Whether the path names a descriptor that this process was started with.
+bool is_held(const std::filesystem::path& path) {
+  const std::string folder = path.parent_path().string();
+  return folder == "/dev/fd" || folder == "/proc/self/fd" || path == "/dev/stdin";
 }
 
 void check_kind(const std::filesystem::path& path, mode_t mode) {
-  if (S_ISREG(mode)) return;
-  if (S_ISDIR(mode)) fail(path, "is a folder, not a file");
+  if (S_ISREG(mode) || (S_ISFIFO(mode) && is_held(path))) return;
+  if (S_ISDIR(mode)) refuse_file(path, "is a folder, not a file");
   const char* kind = S_ISFIFO(mode) ? "a pipe" : S_ISSOCK(mode) ? "a socket" : "a device";
-  fail(path,
-       std::string("is ") + kind + ", not a regular file: write what it gives to a file first");
+  refuse_file(path, std::string("is ") + kind +
+                        ", not a regular file: write what it gives to a file first");
 }
 
 }  // namespace
@@ -34,14 +36,19 @@ InputFile::InputFile(const std::filesystem::path& path, std::uint64_t most_bytes
   struct stat status {};
   if (::stat(path.c_str(), &status) != 0) {
     const bool is_missing = errno == ENOENT || errno == ENOTDIR;
-    fail(path, is_missing ? "no such file" : std::string("can't be read: ") + std::strerror(errno));
+    if (errno == ELOOP) refuse_file(path, "is a symbolic link that leads in a circle");
+    refuse_file(
+        path, is_missing ? "no such file" : std::string("can't be read: ") + std::strerror(errno));
   }
   check_kind(path, status.st_mode);
   descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
-  if (descriptor_ < 0) fail(path, std::string("can't be read: ") + std::strerror(errno));
+  if (descriptor_ < 0) refuse_file(path, std::string("can't be read: ") + std::strerror(errno));
   try {
-    if (::fstat(descriptor_, &status) != 0) fail(path, "can't be read");
+    if (::fstat(descriptor_, &status) != 0) refuse_file(path, "can't be read");
     check_kind(path, status.st_mode);
+    if (S_ISFIFO(status.st_mode)) {  // waits for its writer
+      ::fcntl(descriptor_, F_SETFL, ::fcntl(descriptor_, F_GETFL) & ~O_NONBLOCK);
+    }
     size_bytes_ = static_cast<std::uint64_t>(status.st_size);
     check_size(size_bytes_);
   } catch (...) {
@@ -55,7 +62,7 @@ InputFile::~InputFile() { ::close(descriptor_); }
 void InputFile::check_size(std::uint64_t bytes) const {
   constexpr std::uint64_t kMega = 1'000'000;
   if (bytes <= most_bytes_) return;
-  fail(path_, "is larger than " + std::to_string(most_bytes_ / kMega) + " MB");
+  refuse_file(path_, "is larger than " + std::to_string(most_bytes_ / kMega) + " MB");
 }
 
 std::size_t InputFile::read(std::span<char> bytes) {
@@ -63,7 +70,7 @@ std::size_t InputFile::read(std::span<char> bytes) {
   while (filled < bytes.size()) {
     const ssize_t count = ::read(descriptor_, bytes.data() + filled, bytes.size() - filled);
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) fail(path_, std::string("can't be read: ") + std::strerror(errno));
+    if (count < 0) refuse_file(path_, std::string("can't be read: ") + std::strerror(errno));
     if (count == 0) break;
     filled += static_cast<std::size_t>(count);
   }
@@ -84,6 +91,23 @@ std::string InputFile::read_rest() {
   } while (filled == text.size());
   text.resize(filled);
   return text;
+}
+
+std::string read_standard_input(std::uint64_t most_bytes) {
+  std::string text;
+  char piece[4096];
+  while (true) {
+    const ssize_t count = ::read(STDIN_FILENO, piece, sizeof piece);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0)
+      refuse_file("standard input", std::string("can't be read: ") + std::strerror(errno));
+    if (count == 0) return text;
+    text.append(piece, static_cast<std::size_t>(count));
+    if (text.size() > most_bytes) {
+      refuse_file("standard input",
+                  "gives more than " + std::to_string(most_bytes / 1'000'000) + " MB");
+    }
+  }
 }
 
 std::string read_input_file(const std::filesystem::path& path, std::uint64_t most_bytes) {

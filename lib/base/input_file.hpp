@@ -9,12 +9,13 @@
 namespace avoidbench {
 
 /// A file of the user's, open for reading. Only regular files are: a device may have no end, and a
-/// pipe no writer. Every reader of configurations, maps, tables and libraries opens its files by
-/// this.
+/// pipe no writer. A pipe that this process holds already, as /dev/fd/63 of `<(command)`, has one.
+/// Every reader of configurations, maps, tables and libraries opens its files by this.
 class InputFile {
  public:
   /// Throws InputError with the path where there is no such file, or it is a folder, device, pipe
-  /// or socket, holds more than `most_bytes`, or can't be opened. Never blocks.
+  /// or socket, holds more than `most_bytes`, or can't be opened. Never blocks, except for the
+  /// writer of a pipe that this process holds.
   InputFile(const std::filesystem::path& path, std::uint64_t most_bytes);
   ~InputFile();
   InputFile(const InputFile&) = delete;
@@ -35,6 +36,9 @@ class InputFile {
   std::uint64_t most_bytes_ = 0, size_bytes_ = 0, read_bytes_ = 0;
   int descriptor_ = -1;
 };
+
+/// What standard input gives, to its end. Throws InputError where that is more than `most_bytes`.
+std::string read_standard_input(std::uint64_t most_bytes);
 
 /// The bytes of a file. Throws InputError as InputFile does.
 std::string read_input_file(const std::filesystem::path& path, std::uint64_t most_bytes);

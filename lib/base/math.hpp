@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 /// Elementary functions that give the same bits on every x86-64 machine. The C library chooses
 /// between variants with and without fused multiply-add by the processor at hand, so that its sin
 /// and exp differ in the last bit from machine to machine and from version to version; lib/ uses
@@ -11,6 +13,7 @@ namespace avoidbench::math {
 inline constexpr double kPi = 3.14159265358979323846;
 inline constexpr double kTau = 6.28318530717958647692;
 inline constexpr double kDegree = kPi / 180.0;
+inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 double sin(double x);  ///< |x| <= 1e6 rad; NaN beyond, where the reduction would lose bits
 double cos(double x);  ///< as sin

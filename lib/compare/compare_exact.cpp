@@ -12,7 +12,7 @@
 namespace avoidbench {
 namespace {
 
-struct Column {
+struct ComparedColumn {
   std::string name;
   std::size_t base, now;
 };
@@ -25,9 +25,9 @@ bool same_bits(double a, double b) {
 std::string value_text(double value) { return std::isnan(value) ? "none" : shortest(value); }
 
 /// The deterministic metrics of both tables; a warning for each that one of them lacks.
-std::vector<Column> columns_of(const TrialTable& base, const TrialTable& now,
-                               std::vector<std::string>& warnings) {
-  std::vector<Column> columns;
+std::vector<ComparedColumn> columns_of(const TrialTable& base, const TrialTable& now,
+                                       std::vector<std::string>& warnings) {
+  std::vector<ComparedColumn> columns;
   const auto has = [](const TrialTable& table, const std::string& name) {
     return std::any_of(table.metrics.begin(), table.metrics.end(),
                        [&](const MetricRow& metric) { return metric.name == name; });
@@ -49,7 +49,8 @@ std::vector<Column> columns_of(const TrialTable& base, const TrialTable& now,
 }
 
 void compare_pair(const TableTrial& before, const TableTrial& after,
-                  const std::vector<Column>& columns, std::vector<Difference>& differences) {
+                  const std::vector<ComparedColumn>& columns,
+                  std::vector<Difference>& differences) {
   const auto add = [&](const std::string& what, std::string old_text, std::string new_text) {
     differences.push_back({.identity = before.identity,
                            .what = what,
@@ -60,7 +61,7 @@ void compare_pair(const TableTrial& before, const TableTrial& after,
   if (before.outcome != after.outcome) {
     add("outcome", std::string(text(before.outcome)), std::string(text(after.outcome)));
   }
-  for (const Column& column : columns) {
+  for (const ComparedColumn& column : columns) {
     const double old_value = before.metrics[column.base], new_value = after.metrics[column.now];
     if (same_bits(old_value, new_value)) continue;
     add(column.name, value_text(old_value), value_text(new_value));
@@ -78,8 +79,8 @@ ExactComparison compare_exactly(const TrialTable& base, const TrialTable& now) {
                          .metrics = {},
                          .differences = {},
                          .warnings = {}};
-  const std::vector<Column> columns = columns_of(base, now, result.warnings);
-  for (const Column& column : columns) result.metrics.push_back(column.name);
+  const std::vector<ComparedColumn> columns = columns_of(base, now, result.warnings);
+  for (const ComparedColumn& column : columns) result.metrics.push_back(column.name);
   std::set<std::string> planners;
   for (const TableTrial& trial : base.trials) planners.insert(trial.identity.planner);
   for (const TableTrial& trial : now.trials) planners.insert(trial.identity.planner);

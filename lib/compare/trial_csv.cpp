@@ -7,6 +7,7 @@
 #include "base/option_error.hpp"
 #include "compare/trial_table.hpp"
 #include "table/csv.hpp"
+#include "text/utf8.hpp"
 
 namespace avoidbench {
 namespace {
@@ -176,6 +177,7 @@ std::string csv_of_table(const TrialTable& table) {
 }
 
 TrialTable table_of_csv(const std::string& text, const std::string& source) {
+  check_utf8(text, source);
   CsvReader reader(text, source);
   TrialTable table{.source = source, .sweep = {}, .axes = {}, .metrics = {}, .trials = {}};
   std::string_view line;

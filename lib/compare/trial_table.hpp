@@ -69,6 +69,11 @@ struct TablePair {
 TablePair read_tables(const std::filesystem::path& base, const std::filesystem::path& now,
                       const std::string& sweep);
 
+/// The trials of one planner on each side, paired as if it were one planner: "ego:mine" are ego's
+/// of the base and mine's of the new results, "ego" ego's of both. Throws OptionError where a side
+/// has no such label.
+TablePair of_planners(TablePair tables, const std::string& wanted);
+
 /// One side alone, as above.
 TrialTable read_table(const std::filesystem::path& file, const std::string& sweep);
 

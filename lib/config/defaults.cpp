@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-std::string range_text(Range range) {
+std::string range_comment(Range range) {
   const bool below = std::isfinite(range.lowest), above = std::isfinite(range.highest);
   if (below && above) {
     return " [" + number_text(range.lowest) + ", " + number_text(range.highest) + "]";
@@ -23,7 +23,7 @@ std::string range_text(Range range) {
 std::string comment_of(const FieldTree& field) {
   std::string words;
   for (const std::string& word : field.choices) words += (words.empty() ? " (" : " | ") + word;
-  return field.doc + range_text(field.range) + words + (words.empty() ? "" : ")");
+  return field.doc + range_comment(field.range) + words + (words.empty() ? "" : ")");
 }
 
 void add_line(const std::string& content, const std::string& comment, std::string& text) {
@@ -45,7 +45,10 @@ nlohmann::ordered_json in_order(const FieldTree& block, const Json& values) {
 void add_block(const FieldTree& block, const Json& values, const std::string& indent,
                bool with_others, std::string& text) {
   for (const FieldTree& field : block.fields) {
-    if (field.kind == FieldKind::other) continue;  // told above
+    if (field.kind == FieldKind::other && !field.facts.empty()) {
+      add_line(indent + "# " + field.name + ":", field.doc, text);
+    }
+    if (field.kind == FieldKind::other) continue;  // a preset is told above
     const std::string key = indent + field.name + ":";
     const Json& value = values.at(field.name);
     const bool has_blocks =

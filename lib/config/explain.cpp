@@ -7,6 +7,7 @@
 
 #include "base/input_error.hpp"
 #include "config/defaults.hpp"
+#include "config/given_values.hpp"
 #include "config/sweep_keys.hpp"
 #include "trial/contradictions.hpp"
 #include "yaml/yaml_values.hpp"
@@ -117,8 +118,8 @@ std::vector<Json> example_values(const std::string& path, const KindField& field
   }
   const std::size_t before = contradictions(spec_from_json<TrialSpec>(base)).size();
   for (const Json& other : other_values(*field.field)) {
-    const Json changed = trial_with(base, path, other);
-    if (contradictions(spec_from_json<TrialSpec>(changed)).size() > before) continue;
+    const auto changed = spec_from_json<TrialSpec>(trial_with(base, path, other));
+    if (contradictions(changed).size() > before || !fits_free_space(changed)) continue;
     values.push_back(other);
     break;
   }

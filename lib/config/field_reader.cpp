@@ -117,7 +117,8 @@ void read_preset_file(const YamlNode& name, const fs::path& file, const FieldTre
 void read_name(const YamlNode& node, const FieldTree& block, const std::string& path, Json& value,
                Reading& reading) {
   const FieldTree& preset = *block.find("preset");
-  const std::string shelf = path + "s";
+  const std::string what = path.substr(0, path.find('.'));  // a camera of a rig is a sensor
+  const std::string shelf = what + "s";
   const fs::path folder = folder_of(node, reading.folder);
   const fs::path file = file_of(node.scalar, shelf, folder);
   if (!file.empty()) return read_preset_file(node, file, block, path, value, reading);
@@ -127,7 +128,7 @@ void read_name(const YamlNode& node, const FieldTree& block, const std::string& 
     return;
   }
   const std::vector<std::string> names = known_names(preset, shelf, folder);
-  reading.problems.push_back(problem_at(node, path + ": " + found_text(node) + " is no " + path +
+  reading.problems.push_back(problem_at(node, path + ": " + found_text(node) + " is no " + what +
                                                   did_you_mean(node.scalar, names) +
                                                   "; known: " + listed(names)));
 }
@@ -194,7 +195,9 @@ std::string read_key(MappingReader& mapping, const FieldTree& field, Json& block
 void read_block(const YamlNode& node, const FieldTree& block, const std::string& path, Json& value,
                 Reading& reading) {
   const bool has_presets = block.find("preset") != nullptr;
-  if (has_presets && node.kind == YamlNode::Kind::scalar && reading.preset_level == 0) {
+  // A preset's file itself is no name, but an element of a list in it may be one.
+  const bool may_be_name = has_presets && (reading.preset_level == 0 || path.ends_with(']'));
+  if (may_be_name && node.kind == YamlNode::Kind::scalar) {
     read_name(node, block, path, value, reading);
     return reading.remember(path, node);
   }
@@ -209,7 +212,10 @@ void read_block(const YamlNode& node, const FieldTree& block, const std::string&
   }
   std::string kind;
   for (const FieldTree& field : block.fields) {
-    if (field.kind == FieldKind::other) continue;
+    if (field.kind == FieldKind::other) {  // whoever knows the key reads it
+      mapping.take(field.name);
+      continue;
+    }
     const std::string of_field = read_key(mapping, field, value, reading);
     if (!of_field.empty()) kind = of_field;
   }

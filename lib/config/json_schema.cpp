@@ -242,6 +242,9 @@ class SchemaWriter {
   /// The same with doc and preset, and with several values where lists are axes.
   Schema field(const FieldTree& field, const std::string& name);
 
+  /// The key mission.list. Its elements have no path of their own, so that no value is an axis.
+  static Schema list_of_own(const FieldTree& key);
+
   /// The same for one that may have several values, in place or `under_axes`. Numbers of one range
   /// share a definition.
   Schema several(const FieldTree& field, const Schema& value, bool under_axes);
@@ -302,13 +305,26 @@ Schema SchemaWriter::value(const FieldTree& field, const std::string& name) {
   }
   SchemaWriter elements(false, false);  // an element has no path of its own
   Schema list{{"type", "array"}};
-  list["items"] = elements.block(field.fields.front().fields, inner_name);
+  const FieldTree& element = field.fields.front();
+  list["items"] = elements.block(element.fields, inner_name);
+  if (const FieldTree* preset = element.find("preset")) {
+    list["items"] = name_or(list["items"], preset->choices);
+  }
   if (field.count) list["minItems"] = list["maxItems"] = *field.count;
   definitions.update(elements.definitions);
   return list;
 }
 
+Schema SchemaWriter::list_of_own(const FieldTree& key) {
+  Schema element = SchemaWriter(false, false).block(key.fields.front().fields, key.name);
+  element["required"] = {"start", "goal"};
+  Schema schema{{"type", "array"}, {"items", std::move(element)}, {"minItems", 1}};
+  describe(key, schema);
+  return schema;
+}
+
 Schema SchemaWriter::field(const FieldTree& field, const std::string& name) {
+  if (field.kind == FieldKind::other && !field.fields.empty()) return list_of_own(field);
   if (field.kind == FieldKind::other) return other_schema(field);
   const bool may_be_axis = lists_are_axes_ && field.kind != FieldKind::variant;
   if (may_be_axis && field.name == "seeds") return seeds_schema(field);

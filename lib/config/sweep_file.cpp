@@ -7,11 +7,14 @@
 
 #include "base/file_name.hpp"
 #include "config/field_reader.hpp"
+#include "config/given_values.hpp"
 #include "config/map_files.hpp"
+#include "config/mission_lists.hpp"
 #include "config/planner_entries.hpp"
 #include "config/sweep_axes.hpp"
 #include "config/sweep_keys.hpp"
 #include "trial/contradictions.hpp"
+#include "yaml/built_in_sweeps.hpp"
 #include "yaml/overrides.hpp"
 
 namespace avoidbench {
@@ -120,16 +123,34 @@ void check_size(const YamlNode& root, const SweepSpec& sweep, Reading& reading) 
   throw InputError(std::move(problems));
 }
 
+/// The file of a map or sweep, or that of the built-in sweep of this name.
+fs::path map_or_sweep_file(const std::string& given, const std::vector<std::string>& generators) {
+  std::error_code error;
+  if (fs::exists(given, error)) return given;
+  std::vector<std::string> known = generators;
+  for (const BuiltInSweep& sweep : built_in_sweeps()) {
+    if (sweep.name == given) return sweep.file;
+    known.push_back(sweep.name);
+  }
+  throw InputError("'" + given + "' is neither a file, nor a generator, nor a built-in sweep" +
+                   did_you_mean(given, known) + "; generators: " + listed(generators));
+}
+
 }  // namespace
 
 Document read_sweep_document(const fs::path& file, const std::vector<std::string>& overrides) {
-  Document document = read_document(file);
+  Document document = read_document(sweep_file(file));
   apply_overrides(document.root, overrides);
   return document;
 }
 
 SweepSpec read_sweep(const fs::path& file, const std::vector<std::string>& overrides) {
-  const YamlNode root = read_sweep_document(file, overrides).root;
+  return sweep_of_document(read_sweep_document(file, overrides), file);
+}
+
+SweepSpec sweep_of_document(const Document& document, const fs::path& given) {
+  const fs::path file = sweep_file(given);
+  const YamlNode& root = document.root;
   Reading reading;
   if (file.has_parent_path()) reading.folder = file.parent_path();
   MappingReader mapping(root, "", reading);
@@ -142,6 +163,7 @@ SweepSpec read_sweep(const fs::path& file, const std::vector<std::string>& overr
   const bool is_sound = reading.problems.empty();
   if (const YamlNode* node = root.find("axes")) read_axes(*node, sweep, reading);
   resolve_files(sweep, reading);
+  read_missions(root, sweep, reading);
   if (const YamlNode* planners = root.find("planners")) {
     sweep.planners = read_planners(*planners, root.find("max_speed_mps"), reading);
   } else {
@@ -152,26 +174,22 @@ SweepSpec read_sweep(const fs::path& file, const std::vector<std::string>& overr
   if (is_sound) {
     round_rates(reading, sweep);
     add_contradictions(sweep, reading);
+    check_given_values(root, sweep, reading);
+    settle_missions(root, sweep, reading);
   }
   check_size(root, sweep, reading);
   if (!reading.problems.empty()) fail(reading.problems, file.string());
   return sweep;
 }
 
-MapChoice read_map(const std::string& file_or_generator,
-                   const std::vector<std::string>& overrides) {
+MapChoice read_map(const std::string& given, const std::vector<std::string>& overrides) {
   YamlNode root;
   root.kind = YamlNode::Kind::mapping;
   const std::vector<std::string>& generators = generator_names();
   const bool is_generator =
-      std::find(generators.begin(), generators.end(), file_or_generator) != generators.end();
-  std::error_code error;
-  if (!is_generator && !fs::exists(file_or_generator, error)) {
-    throw InputError("'" + file_or_generator + "' is neither a file nor a generator" +
-                     did_you_mean(file_or_generator, generators) +
-                     "; generators: " + listed(generators));
-  }
-  if (!is_generator) root = read_document(file_or_generator).root;
+      std::find(generators.begin(), generators.end(), given) != generators.end();
+  const fs::path file = is_generator ? fs::path() : map_or_sweep_file(given, generators);
+  if (!is_generator) root = read_document(file).root;
   if (root.find("generator") != nullptr || is_generator) {  // {generator: …} is {maps: {…}}
     YamlNode sweep;
     sweep.kind = YamlNode::Kind::mapping;
@@ -187,20 +205,21 @@ MapChoice read_map(const std::string& file_or_generator,
     const FieldTree* key = sweep_tree().find(option.substr(0, option.find_first_of(".=")));
     if (key == nullptr || !key->facts.empty()) option = "maps." + option;
   }
-  if (is_generator) full.insert(full.begin(), "maps.generator=" + file_or_generator);
+  if (is_generator) full.insert(full.begin(), "maps.generator=" + given);
   apply_overrides(root, full);
 
   Reading reading;
-  const fs::path folder = fs::path(file_or_generator).parent_path();
+  const fs::path folder = file.parent_path();
   if (!folder.empty()) reading.folder = folder;
   MappingReader mapping(root, "", reading);
   SweepSpec sweep = sweep_from(read_keys(mapping, false, reading));
   resolve_files(sweep, reading);
+  read_missions(root, sweep, reading);
   round_rates(reading, sweep);
   mapping.finish();
   if (reading.problems.empty()) add_contradictions(sweep, reading);
-  if (!reading.problems.empty()) fail(reading.problems, file_or_generator);
-  return {std::move(sweep.base), std::move(sweep.warnings)};
+  if (!reading.problems.empty()) fail(reading.problems, is_generator ? given : file.string());
+  return {std::move(sweep.base), std::move(sweep.missions), std::move(sweep.warnings)};
 }
 
 }  // namespace avoidbench

@@ -75,6 +75,44 @@ FieldTree axes_key() {
                   {"not", "maps.generator, sensor.kind, trials, planners"}});
 }
 
+FieldTree mission_list_key() {
+  FieldTree key = own_key(
+      "list", FieldKind::other,
+      "Missions of your own in place of made ones: start and goal, x y z in metres in the map's "
+      "frame; yaw_deg at the start, else toward the goal; map, where each map has its own: a "
+      "file's name, or a seed.",
+      {{"type", "a list of {start: [x, y, z], goal: [x, y, z], yaw_deg: number, map: name}"},
+       {"default", "missions are made, in the map's start and goal regions"},
+       {"example", "mission: {list: [{start: [2, 1, 1.5], goal: [20, 12, 1.5]}]}"},
+       {"or", "mission: {list: [{start: [2, 1, 1.5], goal: [20, 12, 2], yaw_deg: 90}]}"},
+       {"axis", "no: all missions are flown for each setting"},
+       {"see", "docs/sweep_files.md, Missions of your own"}});
+  FieldTree element;
+  const auto add = [&](FieldTree field) { element.fields.push_back(std::move(field)); };
+  using Place = std::array<double, 3>;
+  const Range places_m{-kFarthestPlace_m, kFarthestPlace_m};
+  add(FieldCollector::described("map", std::string(), {},
+                                "Which map it is of; left out: of each."));
+  add(FieldCollector::described("start", Place{}, places_m, "Where it begins, hovering, m."));
+  add(FieldCollector::described("goal", Place{}, places_m, "Where to, m."));
+  add(FieldCollector::described("yaw_deg", 0.0, Range{-360, 360},
+                                "Heading at the start, from x toward y; left out: to the goal."));
+  key.fields.push_back(std::move(element));
+  return key;
+}
+
+FieldTree mission_file_key() {
+  return own_key(
+      "file", FieldKind::other,
+      "The same from a table: a CSV file with the columns start_x_m, start_y_m, start_z_m, "
+      "goal_x_m, goal_y_m, goal_z_m and, if wanted, yaw_deg and map.",
+      {{"type", "a file, relative to the one that names it"},
+       {"default", "none"},
+       {"example", "mission: {file: missions.csv}"},
+       {"axis", "no: all missions are flown for each setting"},
+       {"see", "docs/sweep_files.md, Missions of your own"}});
+}
+
 /// A block with the key `preset` for these specs; the first is the default.
 template <class Spec>
 FieldTree with_preset(FieldTree block, const std::vector<Spec>& built_in) {
@@ -90,6 +128,25 @@ FieldTree with_preset(FieldTree block, const std::vector<Spec>& built_in) {
   return block;
 }
 
+/// Elements of more_cameras may be names, too.
+FieldTree make_sensor_tree() {
+  const std::vector<SensorSpec> built_in = sensor_presets();
+  FieldTree tree = with_preset<SensorSpec>(
+      field_tree("sensor", SensorSpec{}, "A sensor: fields that differ from `preset`."), built_in);
+  for (FieldTree& field : tree.fields) {
+    if (field.name != "more_cameras") continue;
+    field.facts = {{"type", "a list of names and mappings, with the keys of a sensor"},
+                   {"default", "[]"},
+                   {"example", "sensor: {more_cameras: [{preset: d435_like, yaw_deg: 90}]}"},
+                   {"or", "sensor: {more_cameras: [d435_like, oak_d_like]}"},
+                   {"axis", "a list of such values"},
+                   {"see", "docs/sensors.md, Rigs"}};
+    field.fields.front() = with_preset<CameraSpec>(std::move(field.fields.front()),
+                                                   {built_in.begin(), built_in.end()});
+  }
+  return tree;
+}
+
 FieldTree make_sweep_tree() {
   FieldTree fields = field_tree("", SweepSpec{}, "");
   const auto take = [&](std::string_view name) {
@@ -99,7 +156,8 @@ FieldTree make_sweep_tree() {
     fields.fields.erase(found);
     return taken;
   };
-  for (const char* filled_in : {"mission_index", "planner", "latency_digest"}) take(filled_in);
+  for (const char* filled_in : {"mission_index", "planner", "latency_digest", "missions_digest"})
+    take(filled_in);
   FieldTree name = take("sweep"), trials = take("trials"), maps = take("map");
   FieldTree seeds = take("map_seed");
   name.preset = {};
@@ -121,6 +179,10 @@ FieldTree make_sweep_tree() {
   for (FieldTree& field : fields.fields) {
     if (field.name == "vehicle") field.fields = vehicle_tree().fields;
     if (field.name == "sensor") field.fields = sensor_tree().fields;
+    if (field.name == "mission") {
+      field.fields.push_back(mission_list_key());
+      field.fields.push_back(mission_file_key());
+    }
     sweep.fields.push_back(std::move(field));
   }
   sweep.fields.push_back(axes_key());
@@ -142,9 +204,7 @@ const FieldTree& vehicle_tree() {
 }
 
 const FieldTree& sensor_tree() {
-  static const FieldTree tree = with_preset<SensorSpec>(
-      field_tree("sensor", SensorSpec{}, "A sensor: fields that differ from `preset`."),
-      sensor_presets());
+  static const FieldTree tree = make_sensor_tree();
   return tree;
 }
 

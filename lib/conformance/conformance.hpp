@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "plugin/call_times.hpp"
 #include "plugin/planner_library.hpp"
 
 namespace avoidbench {
@@ -21,5 +23,14 @@ struct ConformanceResult {
 /// check there. Loading is the first rule; if it fails, no other is tried.
 std::vector<ConformanceResult> check_conformance_isolated(const std::filesystem::path& file,
                                                           double time_limit_s = 120.0);
+
+/// What calls of the library at `file` take, measured over some seconds at most of a flight toward
+/// a wall with images of 160 × 120 pixels, by run_isolated. Nothing where it does not come to its
+/// end.
+std::optional<CallTimes> measure_calls_isolated(const std::filesystem::path& file,
+                                                double time_limit_s = 60.0);
+
+/// The plan period of that flight.
+double measured_plan_period_s();
 
 }  // namespace avoidbench

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <ctime>
 #include <exception>
 #include <iterator>
 #include <limits>
@@ -19,6 +20,12 @@ constexpr double kWall_m = 6.0, kFarWall_m = 14.0, kGapFrom_m = 0.5, kGapTo_m = 
 // Longer than any vector that a compiler writes at once. The value is one that no depth has.
 constexpr std::size_t kFenceLength = 64;
 constexpr float kFence = -12345.678F;
+
+double clock_s(clockid_t clock) {
+  timespec now{};
+  clock_gettime(clock, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
 
 /// The depth image of the wall and the ground, seen by a level camera that looks along +x.
 std::vector<float> wall_image(const CameraSetup& camera, const Eigen::Vector3d& eye_world) {
@@ -92,9 +99,9 @@ PlannerSetup conformance_setup() {
   return setup;
 }
 
-Flight wall_flight() {
+ConformanceFlight wall_flight() {
   const PlannerSetup setup = conformance_setup();
-  Flight flight;
+  ConformanceFlight flight;
   // Any seed: the rules only compare calls with each other.
   flight.mission.seed = 7;
   flight.mission.start_world = {0.0, 0.0, 2.0};
@@ -115,8 +122,8 @@ Flight wall_flight() {
   return flight;
 }
 
-Flight uniform_flight(float depth_m) {
-  Flight flight = wall_flight();
+ConformanceFlight uniform_flight(float depth_m) {
+  ConformanceFlight flight = wall_flight();
   for (Frame& frame : flight.frames) {
     for (std::vector<float>& image : frame.images) std::fill(image.begin(), image.end(), depth_m);
   }
@@ -228,8 +235,12 @@ Reply Probe::plan(const Frame& frame) {
   Reply reply;
   reply.is_plan = true;
   reply.command.struct_size = static_cast<std::uint32_t>(sizeof(ab_command));
+  const double wall_before_s = clock_s(CLOCK_MONOTONIC);
+  const double cpu_before_s = clock_s(CLOCK_PROCESS_CPUTIME_ID);
   reply.escaped = escaped_exception(
       [&] { reply.status = table_->plan(instance_, &observation, &reply.command); });
+  reply.cpu_time_s = clock_s(CLOCK_PROCESS_CPUTIME_ID) - cpu_before_s;
+  reply.wall_time_s = clock_s(CLOCK_MONOTONIC) - wall_before_s;
   // NOLINTBEGIN(bugprone-suspicious-memory-comparison): bytes that were copied, padding too
   const bool same = std::memcmp(&before, &observation, sizeof before) == 0 &&
                     std::memcmp(&state_before, observation.state, sizeof state_before) == 0;
@@ -253,7 +264,7 @@ Reply Probe::plan(const Frame& frame) {
   return reply;
 }
 
-std::vector<Reply> Probe::fly(const Flight& flight) {
+std::vector<Reply> Probe::fly(const ConformanceFlight& flight) {
   std::vector<Reply> replies;
   replies.push_back(reset(flight.mission));
   for (const Frame& frame : flight.frames) replies.push_back(plan(frame));

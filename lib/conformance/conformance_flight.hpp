@@ -16,7 +16,7 @@ struct Frame {
   std::vector<std::vector<float>> images;
 };
 
-struct Flight {
+struct ConformanceFlight {
   PlannerMission mission;
   std::vector<Frame> frames;
 };
@@ -26,10 +26,10 @@ PlannerSetup conformance_setup();
 
 /// Twenty frames along +x at 2 m height and 3 m/s over level ground toward a wall at x = 6 m with a
 /// gap of 2 m.
-Flight wall_flight();
+ConformanceFlight wall_flight();
 
 /// wall_flight() in which every pixel of every image is `depth_m`.
-Flight uniform_flight(float depth_m);
+ConformanceFlight uniform_flight(float depth_m);
 
 /// What one call gave.
 struct Reply {
@@ -37,9 +37,10 @@ struct Reply {
   bool is_plan = false;  ///< of plan(), not of reset()
   ab_command command{};  ///< its points are null
   std::vector<ab_point> points;
-  std::string error;    ///< given to set_error
-  std::string escaped;  ///< an exception that crossed the interface
-  std::string changed;  ///< an input that the planner wrote to
+  std::string error;                           ///< given to set_error
+  std::string escaped;                         ///< an exception that crossed the interface
+  std::string changed;                         ///< an input that the planner wrote to
+  double wall_time_s = 0.0, cpu_time_s = 0.0;  ///< of the call, CPU time of the whole process
 };
 
 /// Whether both gave the same bits.
@@ -69,7 +70,7 @@ class Probe {
   Reply plan(const Frame& frame);
   std::vector<Drawing> take_drawings() { return host_.take_drawings(); }
   /// reset and then every frame.
-  std::vector<Reply> fly(const Flight& flight);
+  std::vector<Reply> fly(const ConformanceFlight& flight);
 
  private:
   void paint(const std::vector<float>& depth_m);

@@ -34,14 +34,14 @@ std::string with_context(const std::string& finding, const std::string& context)
 }
 
 /// Replies of a new instance, flown alone.
-std::vector<Reply> alone(const PlannerLibrary& library, const Flight& flight,
+std::vector<Reply> alone(const PlannerLibrary& library, const ConformanceFlight& flight,
                          Looking looking = Looking::nobody) {
   Probe probe(library.table(), presets(library), false, looking);
   return probe.is_created() ? probe.fly(flight) : std::vector<Reply>{};
 }
 
 /// Any breach of the interface while flying; also AB_ERROR where `errors_allowed` is false.
-std::string flight_problem(const PlannerLibrary& library, const Flight& flight,
+std::string flight_problem(const PlannerLibrary& library, const ConformanceFlight& flight,
                            bool errors_allowed) {
   Probe probe(library.table(), presets(library));
   if (!probe.is_created()) return probe.problem();
@@ -122,9 +122,9 @@ std::string flies_toward_a_wall(const PlannerLibrary& library) {
 std::string reset_forgets(const PlannerLibrary& library) {
   Probe probe(library.table(), presets(library));
   if (!probe.is_created()) return probe.problem();
-  const Flight flight = wall_flight();
+  const ConformanceFlight flight = wall_flight();
   const std::vector<Reply> first = probe.fly(flight);
-  Flight other = flight;
+  ConformanceFlight other = flight;
   // Another goal, aside: what is remembered of it turns the next flight.
   other.mission.goal_world.y() += 5.0;
   probe.fly(other);
@@ -133,15 +133,15 @@ std::string reset_forgets(const PlannerLibrary& library) {
 }
 
 std::string a_new_instance_is_like_a_reset_one(const PlannerLibrary& library) {
-  const Flight flight = wall_flight();
+  const ConformanceFlight flight = wall_flight();
   const std::vector<Reply> first = alone(library, flight);
   return with_context(first_difference(first, alone(library, flight)),
                       "from a second instance: instances share something");
 }
 
 std::string instances_are_apart(const PlannerLibrary& library) {
-  const Flight flight = wall_flight();
-  Flight other = flight;
+  const ConformanceFlight flight = wall_flight();
+  ConformanceFlight other = flight;
   other.mission.goal_world.y() -= 6.0;
   const std::vector<Reply> expected = alone(library, flight);
   Probe a(library.table(), presets(library)), b(library.table(), presets(library));
@@ -157,7 +157,7 @@ std::string instances_are_apart(const PlannerLibrary& library) {
 }
 
 std::string instances_may_run_at_once(const PlannerLibrary& library) {
-  const Flight flight = wall_flight();
+  const ConformanceFlight flight = wall_flight();
   const std::vector<Reply> expected = alone(library, flight);
   std::vector<Reply> a, b;
   // Races are found by chance only; what they break most often, shared buffers, breaks soon.
@@ -169,7 +169,7 @@ std::string instances_may_run_at_once(const PlannerLibrary& library) {
 }
 
 std::string keeps_no_input(const PlannerLibrary& library) {
-  const Flight flight = wall_flight();
+  const ConformanceFlight flight = wall_flight();
   const std::vector<Reply> expected = alone(library, flight);
   Probe probe(library.table(), presets(library), true);
   if (!probe.is_created()) return probe.problem();
@@ -178,7 +178,7 @@ std::string keeps_no_input(const PlannerLibrary& library) {
 }
 
 std::string drawing_changes_nothing(const PlannerLibrary& library) {
-  const Flight flight = wall_flight();
+  const ConformanceFlight flight = wall_flight();
   const std::vector<Reply> expected = alone(library, flight);
   std::string finding =
       with_context(first_difference(expected, alone(library, flight, Looking::impossible)),
@@ -200,29 +200,29 @@ std::string survives_odd_images(const PlannerLibrary& library) {
     const std::string problem = flight_problem(library, uniform_flight(odd.depth_m), false);
     if (!problem.empty()) return std::string(odd.name) + ", " + problem;
   }
-  Flight blind = wall_flight();
+  ConformanceFlight blind = wall_flight();
   for (Frame& frame : blind.frames) frame.images.clear();
   std::string problem = flight_problem(library, blind, false);
   if (!problem.empty()) return "no image, " + problem;
-  Flight late = wall_flight();
+  ConformanceFlight late = wall_flight();
   for (Frame& frame : late.frames) frame.images.insert(frame.images.end(), 2, frame.images.front());
   problem = flight_problem(library, late, false);
   return problem.empty() ? "" : "three images a call, " + problem;
 }
 
 std::string survives_odd_goals(const PlannerLibrary& library) {
-  Flight at_start = wall_flight();
+  ConformanceFlight at_start = wall_flight();
   at_start.mission.goal_world = at_start.mission.start_world;
   std::string problem = flight_problem(library, at_start, false);
   if (!problem.empty()) return "goal at the start, " + problem;
-  Flight arrived = wall_flight();
+  ConformanceFlight arrived = wall_flight();
   for (Frame& frame : arrived.frames) {
     frame.position_world = arrived.mission.goal_world;
     frame.velocity_world.setZero();
   }
   problem = flight_problem(library, arrived, false);
   if (!problem.empty()) return "vehicle at the goal, " + problem;
-  Flight above = wall_flight();
+  ConformanceFlight above = wall_flight();
   above.mission.goal_world = above.mission.start_world + Eigen::Vector3d(0.0, 0.0, 5.0);
   problem = flight_problem(library, above, false);
   return problem.empty() ? "" : "goal straight above, " + problem;
@@ -230,11 +230,11 @@ std::string survives_odd_goals(const PlannerLibrary& library) {
 
 std::string errors_have_a_text(const PlannerLibrary& library) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  Flight lost = wall_flight();
+  ConformanceFlight lost = wall_flight();
   for (Frame& frame : lost.frames) frame.position_world.setConstant(nan);
-  Flight nowhere = wall_flight();
+  ConformanceFlight nowhere = wall_flight();
   nowhere.mission.goal_world.setConstant(nan);
-  for (const Flight* flight : {&lost, &nowhere}) {
+  for (const ConformanceFlight* flight : {&lost, &nowhere}) {
     Probe probe(library.table(), presets(library));
     if (!probe.is_created()) return probe.problem();
     for (const Reply& reply : probe.fly(*flight)) {

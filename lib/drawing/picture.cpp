@@ -178,6 +178,44 @@ void draw_text(Picture& picture, const std::string& text, int x_px, int y_px, co
               cv::LINE_AA);
 }
 
+int text_width_px(const std::string& text) {
+  int below_px = 0;
+  return cv::getTextSize(text, cv::FONT_HERSHEY_SIMPLEX, 0.45, 1, &below_px).width;
+}
+
+void draw_label(Picture& picture, const std::string& text, int x_px, int y_px, const Color& color) {
+  constexpr int kMargin_px = 4, kAbove_px = 11, kBelow_px = 4;
+  const int width = text_width_px(text);
+  const int x = std::clamp(x_px, kMargin_px, std::max(kMargin_px, picture.width_px - width - 4));
+  const int y = std::clamp(y_px, kAbove_px, std::max(kAbove_px, picture.height_px - kBelow_px));
+  tint(picture, x - kMargin_px, y - kAbove_px - 2, width + 2 * kMargin_px,
+       kAbove_px + kBelow_px + 4, {255, 255, 255}, 0.8);
+  draw_text(picture, text, x, y, color);
+}
+
+Color mixed(const Color& color, const Color& other, double share) {
+  Color result{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    result[i] = static_cast<std::uint8_t>(std::lround((1.0 - share) * color[i] + share * other[i]));
+  }
+  return result;
+}
+
+void tint(Picture& picture, int left_px, int top_px, int width_px, int height_px,
+          const Color& color, double share) {
+  const int right = std::min(picture.width_px, left_px + width_px);
+  const int bottom = std::min(picture.height_px, top_px + height_px);
+  for (int row = std::max(0, top_px); row < bottom; ++row) {
+    for (int column = std::max(0, left_px); column < right; ++column) {
+      std::uint8_t* rgb = &picture.rgb[3 * (static_cast<std::size_t>(row) *
+                                                static_cast<std::size_t>(picture.width_px) +
+                                            static_cast<std::size_t>(column))];
+      const Color now = mixed({rgb[0], rgb[1], rgb[2]}, color, share);
+      std::copy(now.begin(), now.end(), rgb);
+    }
+  }
+}
+
 void add_caption(Picture& picture, const std::string& text) {
   constexpr int kBand = 22;
   if (picture.height_px < 2 * kBand) return;

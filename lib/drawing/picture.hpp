@@ -17,6 +17,7 @@ struct Picture {
 };
 
 using Color = std::array<std::uint8_t, 3>;  ///< sRGB
+inline constexpr Color kWhite{255, 255, 255};
 
 /// A black picture of this size.
 Picture make_picture(int width_px, int height_px);
@@ -54,6 +55,19 @@ void draw_circle(Picture& picture, const Eigen::Vector2d& center, double radius_
 
 /// Writes `text` (ASCII) with the left end of its base line at (x_px, y_px).
 void draw_text(Picture& picture, const std::string& text, int x_px, int y_px, const Color& color);
+
+/// Width of `text` as draw_text() writes it.
+int text_width_px(const std::string& text);
+
+/// The same on a pale ground of its own, moved into the picture where it would leave it.
+void draw_label(Picture& picture, const std::string& text, int x_px, int y_px, const Color& color);
+
+/// Mixes a rectangle, cut to the picture, with this share of a colour.
+void tint(Picture& picture, int left_px, int top_px, int width_px, int height_px,
+          const Color& color, double share);
+
+/// `color` with this share of `other`.
+Color mixed(const Color& color, const Color& other, double share);
 
 /// Writes `text` (ASCII) in white on a dark band along the picture's upper edge.
 void add_caption(Picture& picture, const std::string& text);

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "base/check.hpp"
 #include "base/option_error.hpp"
 #include "report/table_rows.hpp"
+#include "store/trial_fields.hpp"
 #include "table/table_text.hpp"
 #include "text/number_text.hpp"
 #include "text/visible_text.hpp"
@@ -77,6 +79,92 @@ std::vector<std::string> sorted_unique(std::vector<std::string> words) {
   return words;
 }
 
+/// "2,1 → 38,12": start and goal in plan, whole metres.
+std::string way_text(const Mission& mission) {
+  if (mission.start_world.hasNaN() || mission.goal_world.hasNaN()) return "";
+  const auto place = [](const Eigen::Vector3d& place_m) {
+    return fixed_digits(place_m.x(), 0) + "," + fixed_digits(place_m.y(), 0);
+  };
+  return place(mission.start_world) + " → " + place(mission.goal_world);
+}
+
+/// The last part of a field's path if no other field has the same.
+std::string field_header(const std::string& field, const std::vector<std::string>& fields) {
+  const auto last = [](const std::string& path) { return path.substr(path.rfind('.') + 1); };
+  const auto count = std::count_if(fields.begin(), fields.end(), [&](const std::string& other) {
+    return last(other) == last(field);
+  });
+  return count == 1 ? last(field) : field;
+}
+
+std::vector<Column> trial_columns(const std::vector<std::string>& fields, bool is_for_people) {
+  const Place words = Place::words;
+  std::vector<Column> columns{{.name = "id"}};
+  if (!is_for_people) columns.push_back({.name = "trial_key", .place = words});
+  columns.insert(columns.end(), {{.name = "planner", .place = words},
+                                 {.name = "map", .place = words},
+                                 {.name = "seed"},
+                                 {.name = "radius_m"}});
+  for (const std::string& field : fields) {
+    columns.push_back({.name = field, .header = field_header(field, fields)});
+  }
+  columns.push_back({.name = "mission"});
+  if (is_for_people) {
+    columns.push_back({.name = "way", .header = "from → to, m", .place = words});
+  } else {
+    for (const char* name :
+         {"start_x_m", "start_y_m", "start_z_m", "goal_x_m", "goal_y_m", "goal_z_m"}) {
+      columns.push_back({.name = name});
+    }
+  }
+  columns.insert(columns.end(), {{.name = "outcome", .place = words},
+                                 {.name = "end_s", .decimals = 2},
+                                 {.name = "reason", .place = words}});
+  return columns;
+}
+
+std::size_t column_at(const Table& table, const std::string& name) {
+  const auto found = std::find_if(table.columns.begin(), table.columns.end(),
+                                  [&](const Column& column) { return column.name == name; });
+  return static_cast<std::size_t>(found - table.columns.begin());
+}
+
+void drop_column(Table& table, std::size_t at) {
+  if (at >= table.columns.size()) return;
+  table.columns.erase(table.columns.begin() + static_cast<std::ptrdiff_t>(at));
+  for (Row& row : table.rows) row.erase(row.begin() + static_cast<std::ptrdiff_t>(at));
+}
+
+bool has_value(const Table& table, std::size_t at) {
+  return std::any_of(table.rows.begin(), table.rows.end(), [&](const Row& row) {
+    return !std::holds_alternative<std::monostate>(row[at].value);
+  });
+}
+
+bool is_constant(const Table& table, std::size_t at) {
+  return std::all_of(table.rows.begin(), table.rows.end(),
+                     [&](const Row& row) { return row[at].value == table.rows.front()[at].value; });
+}
+
+/// Leaves out what can be missed until a reason of 30 columns fits on a line of 100: what is the
+/// same for all trials, then start and goal.
+void fit(Table& table, const std::vector<std::string>& fields) {
+  constexpr std::size_t kMost = 70, kGap = 2;
+  const auto is_too_wide = [&] {
+    std::size_t width = 0;
+    for (const TextColumn& column : text_columns(table)) width += column.width + kGap;
+    return width - text_columns(table).back().width - kGap > kMost;
+  };
+  std::vector<std::string> names{"map", "radius_m"};
+  names.insert(names.end(), fields.begin(), fields.end());
+  for (const std::string& name : names) {
+    const std::size_t at = column_at(table, name);
+    const bool can_go = at < table.columns.size() && table.rows.size() > 1;
+    if (can_go && is_too_wide() && is_constant(table, at)) drop_column(table, at);
+  }
+  if (is_too_wide()) drop_column(table, column_at(table, "way"));
+}
+
 }  // namespace
 
 std::vector<TrialListing> chosen_trials(const std::vector<TrialListing>& all,
@@ -108,30 +196,62 @@ TrialListing the_trial(const std::vector<TrialListing>& all, const TrialChoice& 
   fail(std::to_string(chosen.size()) + " trials match (ids " + ids_of(chosen) + "): name one");
 }
 
-Table trial_table(const std::vector<TrialListing>& trials, bool is_for_people) {
-  constexpr std::size_t kMostLetters = 16;
-  const Place words = Place::words;
-  Table table = make_table("trials", "",
-                           {{.name = "id"},
-                            {.name = "planner", .place = words},
-                            {.name = "map", .place = words},
-                            {.name = "seed"},
-                            {.name = "radius_m"},
-                            {.name = "mission"},
-                            {.name = "outcome", .place = words},
-                            {.name = "end_s", .decimals = 2},
-                            {.name = "reason", .place = words}});
-  if (!is_for_people) {
-    table.columns.insert(table.columns.begin() + 1, {.name = "trial_key", .place = words});
+std::vector<std::string> listed_fields(const Database& database, const TrialOrder& order) {
+  std::vector<std::string> fields = axis_fields(database.read_sweeps());
+  std::erase_if(fields, [](const std::string& path) {
+    return path == "map.poisson_radius_m" || path == "map_seed";  // have columns of their own
+  });
+  const bool is_new = std::find(fields.begin(), fields.end(), order.field) == fields.end();
+  if (!order.field.empty() && is_new) fields.push_back(order.field);
+  return fields;
+}
+
+std::vector<TrialListing> in_order(std::vector<TrialListing> trials, const TrialOrder& order,
+                                   const std::vector<std::string>& fields,
+                                   const std::vector<MetricRow>& metrics) {
+  if (!order.field.empty()) {
+    const auto found = std::find(fields.begin(), fields.end(), order.field);
+    AB_CHECK(found != fields.end(), order.field);
+    const auto at = static_cast<std::size_t>(found - fields.begin());
+    std::vector<TableValue> values;
+    for (const TrialListing& one : trials) values.push_back(one.fields[at]);
+    std::vector<TrialListing> sorted;
+    for (const std::size_t place : worst_first(values, better_of(order.field, metrics))) {
+      sorted.push_back(std::move(trials[place]));
+    }
+    trials = std::move(sorted);
   }
-  for (const TrialListing& one : trials) {
+  if (order.limit && trials.size() > *order.limit) trials.resize(*order.limit);
+  return trials;
+}
+
+Table trial_table(const std::vector<TrialListing>& trials, const std::vector<std::string>& fields,
+                  bool is_for_people) {
+  constexpr std::size_t kMostLetters = 16;
+  std::vector<std::string> labels;
+  for (const TrialListing& one : trials) labels.push_back(one.planner_label);
+  if (is_for_people) labels = cut_apart(labels, kMostLetters);
+  Table table = make_table("trials", "", trial_columns(fields, is_for_people));
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    const TrialListing& one = trials[i];
     Row row = make_row(one.id);
     if (!is_for_people) append(row, one.key);
-    append(row, is_for_people ? cut_to_width(one.planner_label, kMostLetters) : one.planner_label);
-    append(row, make_row(one.generator, one.map_seed, one.poisson_radius_m, one.mission_index,
-                         text(one.outcome), one.end_time_s, one.reason));
+    append(row, make_row(labels[i], one.generator, one.map_seed, one.poisson_radius_m));
+    for (const TableValue& value : one.fields) append(row, Cell{.value = value});
+    append(row, one.mission_index);
+    if (is_for_people) {
+      append(row, way_text(one.mission));
+    } else {
+      for (const Eigen::Vector3d& place : {one.mission.start_world, one.mission.goal_world}) {
+        append(row, make_row(place.x(), place.y(), place.z()));
+      }
+    }
+    append(row, make_row(text(one.outcome), one.end_time_s, one.reason));
     table.rows.push_back(std::move(row));
   }
+  const std::size_t radius = column_at(table, "radius_m");
+  if (!trials.empty() && !has_value(table, radius)) drop_column(table, radius);
+  if (is_for_people) fit(table, fields);
   return table;
 }
 

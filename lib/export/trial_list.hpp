@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "export/trial_order.hpp"
+#include "store/database.hpp"
 #include "store/rows.hpp"
 #include "table/table.hpp"
 
@@ -26,8 +28,20 @@ std::vector<TrialListing> chosen_trials(const std::vector<TrialListing>& all,
 /// The one trial that is meant. Throws InputError, naming some, where there is not exactly one.
 TrialListing the_trial(const std::vector<TrialListing>& all, const TrialChoice& choice);
 
-/// For people within 100 columns; for machines with the keys.
-Table trial_table(const std::vector<TrialListing>& trials, bool is_for_people);
+/// The fields that a list of trials needs: the axes of the database's sweeps, and what it is sorted
+/// by; for Database::list_trials().
+std::vector<std::string> listed_fields(const Database& database, const TrialOrder& order);
+
+/// The trials in this order, at most as many as it says. `fields` are those of the trials, with
+/// that of the order.
+std::vector<TrialListing> in_order(std::vector<TrialListing> trials, const TrialOrder& order,
+                                   const std::vector<std::string>& fields,
+                                   const std::vector<MetricRow>& metrics);
+
+/// With a column per field. For machines with keys, start and goal; for people within 100 columns,
+/// without start and goal if they don't fit.
+Table trial_table(const std::vector<TrialListing>& trials, const std::vector<std::string>& fields,
+                  bool is_for_people);
 
 /// "reactive, forest seed 1, radius 3.5 m, mission 2".
 std::string trial_text(const TrialListing& trial);

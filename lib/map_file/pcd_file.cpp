@@ -15,7 +15,7 @@ struct Field {
   std::size_t count = 1;
 };
 
-struct Header {
+struct PcdHeader {
   std::vector<Field> fields;
   std::uint64_t points = 0;
   std::string data;  ///< ascii, binary, binary_compressed
@@ -48,7 +48,7 @@ NumberType type_of(const Field& field, const std::string& file) {
 }
 
 /// A line of one word a field: SIZE, TYPE or COUNT.
-void read_column(const std::vector<std::string_view>& words, Header& header,
+void read_column(const std::vector<std::string_view>& words, PcdHeader& header,
                  const std::string& file, int line) {
   if (words.size() != header.fields.size() + 1) {
     fail_file(file,
@@ -79,9 +79,9 @@ std::uint64_t whole_number(const std::vector<std::string_view>& words, const std
   return *number;
 }
 
-Header read_header(LineCursor& lines, const std::string& file) {
+PcdHeader read_pcd_header(LineCursor& lines, const std::string& file) {
   constexpr int kMostLines = 10'000;
-  Header header;
+  PcdHeader header;
   std::optional<std::uint64_t> points, width, height;
   while (const auto line = lines.next()) {
     const std::vector<std::string_view> words = words_of(*line);
@@ -115,7 +115,7 @@ Header read_header(LineCursor& lines, const std::string& file) {
   fail_file(file, "the header does not end ('DATA ascii|binary|binary_compressed')", lines.line);
 }
 
-std::array<Place, 3> xyz_of(const Header& header, const std::string& file) {
+std::array<Place, 3> xyz_of(const PcdHeader& header, const std::string& file) {
   std::array<Place, 3> places{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::string name(1, "xyz"[axis]);
@@ -134,13 +134,13 @@ std::array<Place, 3> xyz_of(const Header& header, const std::string& file) {
   return places;
 }
 
-std::size_t point_size(const Header& header) {
+std::size_t point_size(const PcdHeader& header) {
   std::size_t size = 0;
   for (const Field& field : header.fields) size += field.count * field.size;
   return size;
 }
 
-[[noreturn]] void fail_short(const std::string& file, const Header& header, std::uint64_t found,
+[[noreturn]] void fail_short(const std::string& file, const PcdHeader& header, std::uint64_t found,
                              int line = 0) {
   fail_file(file,
             "is truncated: the header promises " + std::to_string(header.points) +
@@ -148,7 +148,7 @@ std::size_t point_size(const Header& header) {
             line);
 }
 
-FilePoints ascii_points(const Header& header, LineCursor& lines, const std::string& file) {
+FilePoints ascii_points(const PcdHeader& header, LineCursor& lines, const std::string& file) {
   const std::array<Place, 3> xyz = xyz_of(header, file);
   const std::size_t last = std::max({xyz[0].word, xyz[1].word, xyz[2].word});
   FilePoints points;
@@ -199,7 +199,7 @@ FilePoints column_points(const std::array<Column, 3>& columns, std::uint64_t cou
   return points;
 }
 
-FilePoints binary_points(const Header& header, std::string_view rest, const std::string& file) {
+FilePoints binary_points(const PcdHeader& header, std::string_view rest, const std::string& file) {
   const std::size_t size = point_size(header);
   const std::array<Place, 3> xyz = xyz_of(header, file);
   if (rest.size() / size < header.points) fail_short(file, header, rest.size() / size);
@@ -211,7 +211,8 @@ FilePoints binary_points(const Header& header, std::string_view rest, const std:
 }
 
 /// Two 32-bit sizes, then an LZF stream of each field's numbers for all points, field by field.
-FilePoints compressed_points(const Header& header, std::string_view rest, const std::string& file) {
+FilePoints compressed_points(const PcdHeader& header, std::string_view rest,
+                             const std::string& file) {
   if (rest.size() < 8) fail_file(file, "is truncated before its compressed points");
   const std::size_t compressed_size = load<std::uint32_t>(rest.data(), false);
   const std::size_t size = load<std::uint32_t>(rest.data() + 4, false);
@@ -245,7 +246,7 @@ FilePoints compressed_points(const Header& header, std::string_view rest, const 
 
 FilePoints parse_pcd_points(std::string_view bytes, const std::string& file) {
   LineCursor lines{bytes};
-  const Header header = read_header(lines, file);
+  const PcdHeader header = read_pcd_header(lines, file);
   if (header.data == "ascii") return ascii_points(header, lines, file);
   if (header.data == "binary") return binary_points(header, lines.rest, file);
   if (header.data == "binary_compressed") return compressed_points(header, lines.rest, file);

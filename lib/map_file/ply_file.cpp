@@ -5,6 +5,7 @@
 #include "map_file/mesh_readers.hpp"
 #include "map_file/point_cloud_file.hpp"
 #include "map_file/polygon.hpp"
+#include "text/words.hpp"
 
 namespace avoidbench {
 namespace {
@@ -24,7 +25,7 @@ struct Element {
   std::vector<Property> properties;
 };
 
-struct Header {
+struct PlyHeader {
   Encoding encoding = Encoding::ascii;
   std::vector<Element> elements;
 };
@@ -64,7 +65,7 @@ NumberType known_type(std::string_view word, const std::string& file, int line) 
   return *type;
 }
 
-void add_property(const std::vector<std::string_view>& words, Header& header,
+void add_property(const std::vector<std::string_view>& words, PlyHeader& header,
                   const std::string& file, int line) {
   if (header.elements.empty()) fail_file(file, "a property before the first element", line);
   Property property;
@@ -84,7 +85,7 @@ void add_property(const std::vector<std::string_view>& words, Header& header,
   header.elements.back().properties.push_back(std::move(property));
 }
 
-void read_format(const std::vector<std::string_view>& words, Header& header,
+void read_format(const std::vector<std::string_view>& words, PlyHeader& header,
                  const std::string& file, int line) {
   const std::string_view name = words.size() == 3 ? words[1] : "";
   if (name == "ascii") {
@@ -98,9 +99,9 @@ void read_format(const std::vector<std::string_view>& words, Header& header,
   }
 }
 
-Header read_header(LineCursor& lines, const std::string& file) {
+PlyHeader read_ply_header(LineCursor& lines, const std::string& file) {
   constexpr int kMostLines = 10'000;
-  Header header;
+  PlyHeader header;
   bool has_format = false;
   lines.next();  // "ply", as was seen before
   while (const auto line = lines.next()) {
@@ -255,7 +256,7 @@ FilePoints ascii_points(const Element& vertex, LineCursor& lines, const std::str
 /// Calls `act(property, k, value)` for each number of an element: the k-th of the property's list.
 /// False where the bytes end before the element's end.
 template <class Act>
-bool for_each_number(const Header& header, const Element& element, LineCursor& lines,
+bool for_each_number(const PlyHeader& header, const Element& element, LineCursor& lines,
                      const std::string& file, Act&& act) {
   if (header.encoding != Encoding::ascii) {
     const bool is_big_endian = header.encoding == Encoding::big_endian;
@@ -294,7 +295,7 @@ bool for_each_number(const Header& header, const Element& element, LineCursor& l
 /// Gathers the elements of a mesh.
 struct MeshReader {
   const MeshSource& source;
-  const Header& header;
+  const PlyHeader& header;
   LineCursor lines;
   Eigen::Vector3d offset = Eigen::Vector3d::Zero();
   std::vector<Eigen::Vector3f> vertices = {};  ///< from the offset
@@ -384,7 +385,8 @@ struct MeshReader {
 };
 
 /// The one element of this name; null where there is none.
-const Element* the_element(const Header& header, std::string_view name, const std::string& file) {
+const Element* the_element(const PlyHeader& header, std::string_view name,
+                           const std::string& file) {
   const Element* found = nullptr;
   for (const Element& element : header.elements) {
     if (element.name != name) continue;
@@ -398,11 +400,11 @@ const Element* the_element(const Header& header, std::string_view name, const st
 
 FilePoints parse_ply_points(std::string_view bytes, const std::string& file) {
   LineCursor lines{bytes};
-  const Header header = read_header(lines, file);
+  const PlyHeader header = read_ply_header(lines, file);
   const Element* face = the_element(header, "face", file);
   if (face != nullptr && face->count > 0) {
-    fail_file(file, "is a mesh of " + std::to_string(face->count) +
-                        " faces, not a cloud of points: use generator: mesh");
+    fail_file(file, "is a mesh of " + counted(face->count, "face") +
+                        ", not a cloud of points: use generator: mesh");
   }
   const bool is_big_endian = header.encoding == Encoding::big_endian;
   for (const Element& element : header.elements) {
@@ -425,7 +427,7 @@ std::vector<MeshPart> parse_ply_mesh(const MeshSource& source) {
   LineCursor lines{source.bytes};
   if (lines.next() != "ply") fail_file(file, "does not begin as a PLY file ('ply')", 1);
   lines = {source.bytes};
-  const Header header = read_header(lines, file);
+  const PlyHeader header = read_ply_header(lines, file);
   const Element* vertex = the_element(header, "vertex", file);
   const Element* face = the_element(header, "face", file);
   if (vertex == nullptr) fail_file(file, "the header lacks 'element vertex'");

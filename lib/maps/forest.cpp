@@ -16,7 +16,6 @@ constexpr double kOutside_m = 3.0;  // how far a vehicle may swing out of the ar
 // The bounds reach below the ground, which undulates: who is under it has collided already.
 constexpr double kDepthBelowGround_m = 1.0;
 // Starts and goals keep off the forest's sides, where there is nothing to avoid.
-constexpr double kBandSideMargin_m = 2.0;
 
 /// Which plants are bushes: the wanted number of them, those of the least draws.
 std::vector<bool> draw_bushes(std::size_t plant_count, double bush_ratio, RandomStream random) {

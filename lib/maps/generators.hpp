@@ -22,6 +22,8 @@ World make_overhangs(const OverhangsSpec& spec, std::uint64_t map_seed);
 FieldSuite field_suite(const AvoidbenchForestSpec& spec);
 FieldSuite field_suite(const AvoidbenchIndoorSpec& spec);
 
+/// Start and goal regions keep so far from the sides of the map.
+inline constexpr double kBandSideMargin_m = 2.0;
 /// Depth along y of the start and of the goal band: 6 m of 40 m, as in the original suites.
 inline double band_depth_m(double area_y_m) { return area_y_m * (6.0 / 40.0); }
 

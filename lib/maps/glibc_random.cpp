@@ -8,9 +8,9 @@ constexpr int kDiscarded = 310;  // draws that srand() makes and drops
 /// 16807 · word modulo 2³¹ - 1 (Park and Miller 1988), by Schrage's division as glibc has it: a
 /// negative word gives what that gives.
 std::int32_t park_miller(std::int32_t word) {
-  constexpr std::int32_t kModulus = 2147483647, kQuotient = 127773, kRest = 2836;
+  constexpr std::int32_t kPrime = 2147483647, kQuotient = 127773, kRest = 2836;
   const std::int32_t next = 16807 * (word % kQuotient) - kRest * (word / kQuotient);
-  return next < 0 ? next + kModulus : next;
+  return next < 0 ? next + kPrime : next;
 }
 
 }  // namespace

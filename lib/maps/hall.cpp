@@ -15,7 +15,6 @@ namespace {
 constexpr double kWallThickness_m = 0.2;
 constexpr double kCylinderSink_m = 0.05;  // into floor and ceiling, so that no faces coincide
 constexpr int kCylinderSides = 32;
-constexpr double kBandSideMargin_m = 2.0;
 constexpr double kBandWallMargin_m = 1.0;
 constexpr double kLeastOpacityRatio = 0.8;
 

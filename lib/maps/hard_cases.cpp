@@ -14,7 +14,7 @@ namespace avoidbench {
 namespace {
 
 constexpr double kWall_m = kInnerWall_m;
-constexpr double kSink_m = 0.05;  // into floor, ceiling and walls, so that no faces coincide
+constexpr double kSlabSink_m = 0.05;  // into floor, ceiling and walls, so that no faces coincide
 constexpr int kPoleSides = 8;
 
 /// The closed hall that every hard case stands in, with its bands.
@@ -125,7 +125,8 @@ void add_labyrinth(const Labyrinth& maze, const Eigen::Vector2d& corner,
   const Eigen::Vector2d half(0.5 * kWall_m, 0.5 * kWall_m);
   const auto add = [&](const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
     add_partition(corner + from.cwiseProduct(cell_m) - half,
-                  corner + to.cwiseProduct(cell_m) + half, -kSink_m, height_m + kSink_m, world);
+                  corner + to.cwiseProduct(cell_m) + half, -kSlabSink_m, height_m + kSlabSink_m,
+                  world);
   };
   for (std::size_t line = 0; line <= maze.rows; ++line) {  // across the flight's direction
     const auto y = static_cast<double>(line);
@@ -152,7 +153,7 @@ void add_labyrinth(const Labyrinth& maze, const Eigen::Vector2d& corner,
 /// A U around the origin, open toward -y.
 Prototype trap_prototype(const DeadEndsSpec& spec) {
   const double x = 0.5 * spec.trap_width_m, y = 0.5 * spec.trap_depth_m, t = kWall_m;
-  const double low = -kSink_m, high = spec.height_m + kSink_m;
+  const double low = -kSlabSink_m, high = spec.height_m + kSlabSink_m;
   Prototype trap;
   trap.name = "trap";
   add_box(trap, {-x - t, -y, low}, {-x, y, high}, Material::concrete);
@@ -186,7 +187,7 @@ Prototype pole(const PolesSpec& spec, double diameter_m, bool is_branched, Rando
   Prototype prototype;
   prototype.name = is_branched ? "bare stem" : "pole";
   const Material material = is_branched ? Material::bark : Material::painted_metal;
-  add_rod(prototype, {0.0, 0.0, -kSink_m}, {0.0, 0.0, spec.height_m + kSink_m}, diameter_m,
+  add_rod(prototype, {0.0, 0.0, -kSlabSink_m}, {0.0, 0.0, spec.height_m + kSlabSink_m}, diameter_m,
           material);
   if (!is_branched) return prototype;
   const std::uint64_t count = 2 + draws.below(3);
@@ -231,29 +232,29 @@ World make_gap_walls(const GapWallsSpec& spec, std::uint64_t map_seed) {
   const Stretch stretch = between_bands(spec.area_m);
   const double part_m = spec.area_m[0] / static_cast<double>(spec.gaps_per_wall);
   const double gap_m = spec.gap_width_m;
-  const double high = spec.height_m + kSink_m;
+  const double high = spec.height_m + kSlabSink_m;
   RandomStream places = stream(map_seed, "gaps");
   RandomStream sills = stream(map_seed, "sills");
   for (std::int64_t wall = 0; wall < spec.wall_count; ++wall) {
     const double share = (static_cast<double>(wall) + 0.5) / static_cast<double>(spec.wall_count);
     const double y = stretch.low_m + share * (stretch.high_m - stretch.low_m);
-    double from_x = -kSink_m;
+    double from_x = -kSlabSink_m;
     for (std::int64_t gap = 0; gap < spec.gaps_per_wall; ++gap) {
       // One in each equal part of the wall.
       const double x = part_m * static_cast<double>(gap) + places.uniform(0.0, part_m - gap_m);
-      add_partition({from_x, y - 0.5 * kWall_m}, {x, y + 0.5 * kWall_m}, -kSink_m, high, world);
+      add_partition({from_x, y - 0.5 * kWall_m}, {x, y + 0.5 * kWall_m}, -kSlabSink_m, high, world);
       from_x = x + gap_m;
       const double sill = sills.uniform(spec.sill_m[0], spec.sill_m[1]);
       if (spec.gap_height_m <= 0.0) continue;
       const double bottom_m = std::min(sill, spec.height_m - spec.gap_height_m);
       const Eigen::Vector2d low(x, y - 0.5 * kWall_m), far(from_x, y + 0.5 * kWall_m);
-      if (bottom_m > 0.0) add_partition(low, far, -kSink_m, bottom_m, world);
+      if (bottom_m > 0.0) add_partition(low, far, -kSlabSink_m, bottom_m, world);
       if (bottom_m + spec.gap_height_m < spec.height_m) {
         add_partition(low, far, bottom_m + spec.gap_height_m, high, world);
       }
     }
-    add_partition({from_x, y - 0.5 * kWall_m}, {spec.area_m[0] + kSink_m, y + 0.5 * kWall_m},
-                  -kSink_m, high, world);
+    add_partition({from_x, y - 0.5 * kWall_m}, {spec.area_m[0] + kSlabSink_m, y + 0.5 * kWall_m},
+                  -kSlabSink_m, high, world);
   }
   world.digest = world_digest(world);
   return world;
@@ -326,12 +327,12 @@ World make_overhangs(const OverhangsSpec& spec, std::uint64_t map_seed) {
     const double share = (static_cast<double>(i) + positions.uniform(0.3, 0.7)) /
                          static_cast<double>(spec.barrier_count);
     const double y = stretch.low_m + share * (stretch.high_m - stretch.low_m);
-    const Eigen::Vector2d low(-kSink_m, y - 0.5 * spec.thickness_m);
-    const Eigen::Vector2d high(spec.area_m[0] + kSink_m, y + 0.5 * spec.thickness_m);
+    const Eigen::Vector2d low(-kSlabSink_m, y - 0.5 * spec.thickness_m);
+    const Eigen::Vector2d high(spec.area_m[0] + kSlabSink_m, y + 0.5 * spec.thickness_m);
     if (is_under) {
-      add_partition(low, high, spec.slot_height_m, spec.height_m + kSink_m, world);
+      add_partition(low, high, spec.slot_height_m, spec.height_m + kSlabSink_m, world);
     } else {
-      add_partition(low, high, -kSink_m, spec.height_m - spec.slot_height_m, world);
+      add_partition(low, high, -kSlabSink_m, spec.height_m - spec.slot_height_m, world);
     }
     is_under = !is_under;
   }

@@ -193,6 +193,12 @@ struct FileOfMap {
 };
 FileOfMap file_of(MapSpec& spec);
 
+/// Whether maps of this generator come from a file. Such a map is no field of obstacles: their
+/// count, density and gaps follow from how the file was made, not from what stands in the way.
+inline bool is_from_file(std::string_view generator) {
+  return generator == MeshSpec::kind || generator == PointCloudSpec::kind;
+}
+
 /// Throws InputError, with all the reasons at once, where the spec contradicts itself (a flight
 /// height above the ceiling).
 void check_map(const MapSpec& spec);

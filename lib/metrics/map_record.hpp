@@ -38,7 +38,14 @@ struct MapRecord {
 };
 
 /// Measures the scene's map for the body and mission rules of `spec`, and lays out missions 0 …
-/// mission_count − 1 with their reference paths. The key stays empty: sweep/ makes it.
-MapRecord make_map_record(const TrialSpec& spec, const Scene& scene, std::int64_t mission_count);
+/// mission_count − 1 with their reference paths: those of `listed`, or generated ones where that is
+/// empty. The key stays empty: sweep/ makes it.
+MapRecord make_map_record(const TrialSpec& spec, const Scene& scene, std::int64_t mission_count,
+                          const std::vector<Mission>& listed = {});
+
+/// Why listed missions can't be flown, a text each, "" where one can: by the rules that generated
+/// ones are made by.
+std::vector<std::string> mission_problems(const TrialSpec& spec, const Scene& scene,
+                                          const std::vector<Mission>& listed);
 
 }  // namespace avoidbench

@@ -2,15 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "avoidbench/planner.h"
+#include "base/math.hpp"
 #include "metrics/flight_measures.hpp"
 
 namespace avoidbench {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+using math::kNaN;
 using In = const MetricInput&;
 
 bool finished(In in) { return in.record.outcome == Outcome::reached_goal; }

@@ -1,6 +1,7 @@
 #include "metrics/taut_path.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/math.hpp"
@@ -13,9 +14,13 @@ using Eigen::Vector3d;
 using Path = std::vector<Vector3d>;
 
 // Steps shrink by 0.4 from about the body's radius, beyond which a straight step would leave the
-// surface, to 2 mm: a corner 2 mm off changes a path's length by its square only, far below the
+// surface, to 3 mm: a corner 3 mm off changes a path's length by its square only, far below the
 // 0.01 % that a round must win.
-constexpr double kLongestStep_m = 0.3, kShortestStep_m = 0.002;
+constexpr std::array<double, 6> kSteps_m = [] {
+  std::array<double, 6> steps{0.3};
+  for (std::size_t i = 1; i < steps.size(); ++i) steps[i] = 0.4 * steps[i - 1];
+  return steps;
+}();
 
 /// What the ball can't pass, from `before` by `place` to `after`.
 std::optional<Vector3d> obstruction(ClearanceGrid& grid, double radius_m, const Vector3d& before,
@@ -58,7 +63,7 @@ Vector3d along_surfaces(const Vector3d& pull, const std::vector<Vector3d>& norma
 /// Slides `vertex` along the surfaces that it is pulled against.
 Vector3d slid(ClearanceGrid& grid, double radius_m, const Vector3d& before, Vector3d vertex,
               const Vector3d& after) {
-  for (double step_m = kLongestStep_m; step_m > kShortestStep_m; step_m *= 0.4) {
+  for (const double step_m : kSteps_m) {
     const Vector3d pull = (before - vertex).normalized() + (after - vertex).normalized();
     std::vector<Vector3d> normals;
     Vector3d direction = pull;
@@ -95,7 +100,7 @@ void pull_end(ClearanceGrid& grid, double radius_m, const GoalRegion& goal, Path
   };
   // The nearest point of all first; if the way there is blocked, the end slides on along the rim.
   offer(nearest_of(goal, before));
-  for (double step_m = kLongestStep_m; step_m > kShortestStep_m; step_m *= 0.4) {
+  for (const double step_m : kSteps_m) {
     for (const double side : {-1.0, 1.0}) {
       const Vector3d out = end - goal.center_world;
       // At most half a radian, so that a small goal is not stepped around.

@@ -1,31 +1,51 @@
 #include "plugin/command_check.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <initializer_list>
+
+#include "text/number_text.hpp"
 
 namespace avoidbench {
 namespace {
 
-bool is_finite(const double (&v)[3]) {
-  return std::all_of(std::begin(v), std::end(v), [](double x) { return std::isfinite(x); });
+/// Why a number of a command can't be meant; "" where it can.
+std::string number_problem(const char* name, double value) {
+  if (!std::isfinite(value)) return std::string(name) + " is not finite";
+  if (std::abs(value) <= kMostOfCommand) return "";
+  return std::string(name) + " is " + significant_digits(value, 3) + ", beyond ±" +
+         significant_digits(kMostOfCommand, 3) + ": no such command is meant";
+}
+
+std::string vector_problem(const char* name, const double (&v)[3]) {
+  for (const double x : v) {
+    std::string problem = number_problem(name, x);
+    if (!problem.empty()) return problem;
+  }
+  return "";
 }
 
 std::string yaw_problem(const ab_command& command) {
-  if ((command.flags & AB_YAW_IS_RATE) != 0) {
-    return std::isfinite(command.yaw_rate_radps) ? "" : "yaw_rate_radps is not finite";
+  return (command.flags & AB_YAW_IS_RATE) != 0
+             ? number_problem("yaw_rate_radps", command.yaw_rate_radps)
+             : number_problem("yaw_rad", command.yaw_rad);
+}
+
+/// The first of them that is one.
+std::string first_problem(std::initializer_list<std::string> problems) {
+  for (const std::string& problem : problems) {
+    if (!problem.empty()) return problem;
   }
-  return std::isfinite(command.yaw_rad) ? "" : "yaw_rad is not finite";
+  return "";
 }
 
 std::string point_problem(const ab_point& point) {
   if (!std::isfinite(point.time_s)) return "time_s is not finite";
-  if (!is_finite(point.position_world_m)) return "position_world_m is not finite";
-  if (!is_finite(point.velocity_world_mps)) return "velocity_world_mps is not finite";
-  if (!is_finite(point.acceleration_world_mps2)) return "acceleration_world_mps2 is not finite";
-  if (!is_finite(point.jerk_world_mps3)) return "jerk_world_mps3 is not finite";
-  if (!std::isfinite(point.yaw_rad)) return "yaw_rad is not finite";
-  return std::isfinite(point.yaw_rate_radps) ? "" : "yaw_rate_radps is not finite";
+  return first_problem({vector_problem("position_world_m", point.position_world_m),
+                        vector_problem("velocity_world_mps", point.velocity_world_mps),
+                        vector_problem("acceleration_world_mps2", point.acceleration_world_mps2),
+                        vector_problem("jerk_world_mps3", point.jerk_world_mps3),
+                        number_problem("yaw_rad", point.yaw_rad),
+                        number_problem("yaw_rate_radps", point.yaw_rate_radps)});
 }
 
 std::string trajectory_problem(const ab_command& command) {
@@ -81,21 +101,20 @@ std::string command_problem(const ab_command& command, std::uint32_t declared) {
   }
   switch (command.kind) {
     case AB_COMMAND_POSITION:
-      if (!is_finite(command.position_world_m)) return "position_world_m is not finite";
-      return yaw_problem(command);
+      return first_problem(
+          {vector_problem("position_world_m", command.position_world_m), yaw_problem(command)});
     case AB_COMMAND_VELOCITY:
-      if (!is_finite(command.velocity_world_mps)) return "velocity_world_mps is not finite";
-      return yaw_problem(command);
+      return first_problem(
+          {vector_problem("velocity_world_mps", command.velocity_world_mps), yaw_problem(command)});
     case AB_COMMAND_ACCELERATION:
-      if (!is_finite(command.acceleration_world_mps2)) {
-        return "acceleration_world_mps2 is not finite";
-      }
-      return yaw_problem(command);
+      return first_problem(
+          {vector_problem("acceleration_world_mps2", command.acceleration_world_mps2),
+           yaw_problem(command)});
     case AB_COMMAND_TRAJECTORY:
       return trajectory_problem(command);
     default:
-      if (!is_finite(command.rates_body_radps)) return "rates_body_radps is not finite";
-      return std::isfinite(command.thrust_mps2) ? "" : "thrust_mps2 is not finite";
+      return first_problem({vector_problem("rates_body_radps", command.rates_body_radps),
+                            number_problem("thrust_mps2", command.thrust_mps2)});
   }
 }
 

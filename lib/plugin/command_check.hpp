@@ -9,6 +9,10 @@ namespace avoidbench {
 
 inline constexpr std::uint32_t kMostTrajectoryPoints = 10000;
 
+/// No position, speed, acceleration, jerk, rate or angle beyond this, in SI units, is meant: a
+/// thousand times what any vehicle does, and far from where the dynamics overflow.
+inline constexpr double kMostOfCommand = 1e6;
+
 /// The name of one AB_COMMAND_… bit, "velocity", or its number.
 std::string command_kind_text(std::uint32_t kind);
 

@@ -2,6 +2,7 @@
 
 #include <elf.h>
 
+#include <cstdio>
 #include <cstring>
 #include <optional>
 
@@ -38,6 +39,32 @@ bool is_exported(const Elf64_Sym& symbol) {
   return symbol.st_shndx != SHN_UNDEF && binding != STB_LOCAL && seen;
 }
 
+/// Calls `visit` with each symbol of the tables of this type, and its name. Nothing where the file
+/// is no library or is damaged.
+template <class Visit>
+void visit_symbols(const std::filesystem::path& file, std::uint32_t type, Visit&& visit) {
+  if (!shared_library_problem(file).empty()) return;
+  const std::string bytes = read_input_file(file, kMostBytes);
+  const auto header = struct_at<Elf64_Ehdr>(bytes, 0);
+  if (!header) return;
+  const auto section = [&](std::uint64_t index) {
+    return struct_at<Elf64_Shdr>(bytes, header->e_shoff + index * sizeof(Elf64_Shdr));
+  };
+  for (std::uint64_t i = 0; i < header->e_shnum; ++i) {
+    const auto symbols = section(i);
+    if (!symbols) break;
+    if (symbols->sh_type != type) continue;
+    const auto strings = section(symbols->sh_link);
+    if (!strings) break;
+    for (std::uint64_t at = 0; at + sizeof(Elf64_Sym) <= symbols->sh_size;
+         at += sizeof(Elf64_Sym)) {
+      const auto symbol = struct_at<Elf64_Sym>(bytes, symbols->sh_offset + at);
+      if (!symbol) break;
+      visit(*symbol, text_at(bytes, *strings, symbol->st_name));
+    }
+  }
+}
+
 }  // namespace
 
 std::string shared_library_problem(const std::filesystem::path& file) {
@@ -61,28 +88,32 @@ std::string shared_library_problem(const std::filesystem::path& file) {
 }
 
 std::vector<std::string> exported_symbols(const std::filesystem::path& file) {
-  if (!shared_library_problem(file).empty()) return {};
-  const std::string bytes = read_input_file(file, kMostBytes);
-  const auto header = struct_at<Elf64_Ehdr>(bytes, 0);
   std::vector<std::string> names;
-  if (!header) return names;
-  const auto section = [&](std::uint64_t index) {
-    return struct_at<Elf64_Shdr>(bytes, header->e_shoff + index * sizeof(Elf64_Shdr));
-  };
-  for (std::uint64_t i = 0; i < header->e_shnum; ++i) {
-    const auto symbols = section(i);
-    if (!symbols) break;
-    if (symbols->sh_type != SHT_DYNSYM) continue;
-    const auto strings = section(symbols->sh_link);
-    if (!strings) break;
-    for (std::uint64_t at = 0; at + sizeof(Elf64_Sym) <= symbols->sh_size;
-         at += sizeof(Elf64_Sym)) {
-      const auto symbol = struct_at<Elf64_Sym>(bytes, symbols->sh_offset + at);
-      if (!symbol) break;
-      if (is_exported(*symbol)) names.push_back(text_at(bytes, *strings, symbol->st_name));
-    }
-  }
+  visit_symbols(file, SHT_DYNSYM, [&](const Elf64_Sym& symbol, const std::string& name) {
+    if (is_exported(symbol)) names.push_back(name);
+  });
   return names;
+}
+
+std::string function_at(const std::filesystem::path& file, std::uint64_t address) {
+  std::string best;
+  std::uint64_t begin = 0;
+  const auto look = [&](const Elf64_Sym& symbol, const std::string& name) {
+    const bool has_it = ELF64_ST_TYPE(symbol.st_info) == STT_FUNC && symbol.st_shndx != SHN_UNDEF &&
+                        symbol.st_value <= address && address - symbol.st_value < symbol.st_size;
+    if (!has_it || name.empty()) return;
+    // Of several names of one place the first, so that the answer does not depend on their order.
+    if (best.empty() || symbol.st_value > begin || (symbol.st_value == begin && name < best)) {
+      best = name;
+      begin = symbol.st_value;
+    }
+  };
+  visit_symbols(file, SHT_SYMTAB, look);
+  if (best.empty()) visit_symbols(file, SHT_DYNSYM, look);
+  if (best.empty()) return "";
+  char offset[32];
+  std::snprintf(offset, sizeof offset, "+0x%llx", static_cast<unsigned long long>(address - begin));
+  return best + offset;
 }
 
 }  // namespace avoidbench

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -14,5 +15,10 @@ std::string shared_library_problem(const std::filesystem::path& file);
 /// dynamic symbol table. Empty when the file has no such table or is damaged: read as data, never
 /// loaded.
 std::vector<std::string> exported_symbols(const std::filesystem::path& file);
+
+/// The function of the library at `file` that has this address, relative to where the library is
+/// loaded, as "mangled_name+0x1b"; also of functions that it keeps to itself. "" where the file
+/// says nothing of it (stripped) or is damaged.
+std::string function_at(const std::filesystem::path& file, std::uint64_t address);
 
 }  // namespace avoidbench

@@ -9,7 +9,7 @@
 #include "plugin/cpu_meter.hpp"
 #include "plugin/float_guard.hpp"
 #include "plugin/host_buffers.hpp"
-#include "plugin/locale_guard.hpp"
+#include "process/locale_guard.hpp"
 
 namespace avoidbench {
 namespace {

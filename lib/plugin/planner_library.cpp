@@ -10,8 +10,8 @@
 #include "base/input_error.hpp"
 #include "plugin/elf_symbols.hpp"
 #include "plugin/float_guard.hpp"
-#include "plugin/locale_guard.hpp"
 #include "plugin/planner_table.hpp"
+#include "process/locale_guard.hpp"
 
 namespace avoidbench {
 namespace {
@@ -23,10 +23,6 @@ std::atomic<bool> any_loaded{false};
 const std::string kSymbolPrefix = "avoidbench_planner_v";
 
 std::string wanted_symbol() { return kSymbolPrefix + std::to_string(AVOIDBENCH_ABI_VERSION); }
-
-[[noreturn]] void fail(const std::filesystem::path& file, const std::string& message) {
-  throw InputError(InputProblem{file.string(), 0, 0, message});
-}
 
 /// The planner symbols of other ABI versions that the library exports.
 std::vector<std::string> other_versions(const std::filesystem::path& file) {
@@ -41,10 +37,10 @@ std::vector<std::string> other_versions(const std::filesystem::path& file) {
 
 void check_file(const std::filesystem::path& file) {
   std::error_code error;
-  if (!std::filesystem::exists(file, error)) fail(file, "no such file");
-  if (!std::filesystem::is_regular_file(file, error)) fail(file, "is not a file");
+  if (!std::filesystem::exists(file, error)) refuse_file(file, "no such file");
+  if (!std::filesystem::is_regular_file(file, error)) refuse_file(file, "is not a file");
   const std::string problem = shared_library_problem(file);
-  if (!problem.empty()) fail(file, problem);
+  if (!problem.empty()) refuse_file(file, problem);
 }
 
 /// Threads that start for as long as it lives are the library's.
@@ -62,14 +58,14 @@ void check_symbol(const std::filesystem::path& file) {
   if (std::find(symbols.begin(), symbols.end(), wanted_symbol()) != symbols.end()) return;
   const std::vector<std::string> others = other_versions(file);
   if (others.empty()) {
-    fail(file, "is a shared library but no planner: it does not export " + wanted_symbol() +
-                   " (AVOIDBENCH_PLANNER(Class) in planner.hpp does)");
+    refuse_file(file, "is a shared library but no planner: it does not export " + wanted_symbol() +
+                          " (AVOIDBENCH_PLANNER(Class) in planner.hpp does)");
   }
   std::string versions;
   for (const std::string& version : others) versions += (versions.empty() ? "" : ", ") + version;
-  fail(file, "is a planner of ABI " + versions + ", this program needs ABI " +
-                 std::to_string(AVOIDBENCH_ABI_VERSION) +
-                 ": build it against this version's planner.h");
+  refuse_file(file, "is a planner of ABI " + versions + ", this program needs ABI " +
+                        std::to_string(AVOIDBENCH_ABI_VERSION) +
+                        ": build it against this version's planner.h");
 }
 
 const ab_planner* table_from(const std::filesystem::path& file, TableFunction function) {
@@ -77,13 +73,13 @@ const ab_planner* table_from(const std::filesystem::path& file, TableFunction fu
   try {
     table = function(AVOIDBENCH_ABI_VERSION);
   } catch (const std::exception& error) {
-    fail(file, wanted_symbol() + " threw an exception: " + error.what());
+    refuse_file(file, wanted_symbol() + " threw an exception: " + error.what());
   } catch (...) {
-    fail(file, wanted_symbol() + " threw an exception");
+    refuse_file(file, wanted_symbol() + " threw an exception");
   }
   if (table == nullptr) {
-    fail(file, "the planner refuses ABI " + std::to_string(AVOIDBENCH_ABI_VERSION) +
-                   ": it was built for another version");
+    refuse_file(file, "the planner refuses ABI " + std::to_string(AVOIDBENCH_ABI_VERSION) +
+                          ": it was built for another version");
   }
   return table;
 }
@@ -119,10 +115,11 @@ PlannerLibrary PlannerLibrary::load_checked(const std::filesystem::path& file, C
   void* handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr) {
     const char* reason = dlerror();
-    fail(file, "can't be loaded: " + std::string(reason != nullptr ? reason : "unknown reason"));
+    refuse_file(file,
+                "can't be loaded: " + std::string(reason != nullptr ? reason : "unknown reason"));
   }
   const auto function = reinterpret_cast<TableFunction>(dlsym(handle, wanted_symbol().c_str()));
-  if (function == nullptr) fail(file, "does not export " + wanted_symbol());
+  if (function == nullptr) refuse_file(file, "does not export " + wanted_symbol());
 
   PlannerLibrary library;
   library.table_ = table_from(file, function);

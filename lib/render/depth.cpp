@@ -14,7 +14,7 @@
 namespace avoidbench {
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kInfinite_m = std::numeric_limits<float>::infinity();
 
 /// What the camera measures, in each lane, metres.
 struct DepthRange {
@@ -78,7 +78,7 @@ struct Row {
     // All bits but the sign: a NaN that an `or` with any depth leaves a NaN.
     const __m128 nan_below = _mm_castsi128_ps(_mm_srli_epi32(too_near, 1));
     const __m128 in_range = _mm_or_ps(_mm_min_ps(settled, range.farthest), nan_below);
-    return _mm_or_ps(_mm_and_ps(hit, in_range), _mm_andnot_ps(hit, _mm_set1_ps(kInfinity)));
+    return _mm_or_ps(_mm_and_ps(hit, in_range), _mm_andnot_ps(hit, _mm_set1_ps(kInfinite_m)));
   }
 };
 

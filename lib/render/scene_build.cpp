@@ -141,9 +141,9 @@ RTCBounds instance_bounds(const TriangleMesh& mesh, const Placement& placement) 
   for (const Vector3f& vertex : mesh.vertices) {
     box.extend(placement.linear_world_prototype * vertex.cast<double>() + placement.position_world);
   }
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  constexpr float kFar = std::numeric_limits<float>::infinity();
   if (mesh.triangles.empty()) {
-    return {kInfinity, kInfinity, kInfinity, 0.0F, -kInfinity, -kInfinity, -kInfinity, 0.0F};
+    return {kFar, kFar, kFar, 0.0F, -kFar, -kFar, -kFar, 0.0F};
   }
   const double slack = 1e-5 + 1e-6 * box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
   // The cast rounds to the nearest float, which may be inside the box: hence the slack.

@@ -6,6 +6,7 @@
 
 #include "base/digest.hpp"
 #include "base/input_error.hpp"
+#include "base/kept_files.hpp"
 #include "base/option_error.hpp"
 #include "base/spec_json.hpp"
 #include "replay/stored_spec.hpp"
@@ -20,10 +21,11 @@ namespace avoidbench {
 namespace {
 
 /// The library to fly with. Of one that was named by a path its bare name is tried, too. What a
-/// database names is loaded, and with that run, only where it is the file that the trial was flown
-/// with; what the user names, in any case.
-PlannerLibrary load_planner(const PlannerChoice& choice, const ReplayFiles& files) {
-  if (!files.planner.empty()) return PlannerLibrary::load(find_planner(files.planner, "."));
+/// database names, or a run kept, is loaded, and with that run, only where it is the file that the
+/// trial was flown with; what the user names, in any case. `kept` gets the copy that is taken.
+std::filesystem::path planner_file(const PlannerChoice& choice, const ReplayFiles& files,
+                                   std::filesystem::path& kept) {
+  if (!files.planner.empty()) return find_planner(files.planner, ".");
   std::vector<std::string> problems;
   std::vector<std::string> names{choice.plugin};
   const std::string bare = std::filesystem::path(choice.plugin).stem().string();
@@ -33,12 +35,16 @@ PlannerLibrary load_planner(const PlannerChoice& choice, const ReplayFiles& file
     for (const std::filesystem::path& folder : files.folders) {
       try {
         const std::filesystem::path file = find_planner(name, folder);
-        if (file_digest(file) == choice.file_digest) return PlannerLibrary::load(file);
+        if (file_digest(file) == choice.file_digest) return file;
         if (other.empty()) other = file;
       } catch (const InputError& error) {
         problems.emplace_back(error.what());
       }
     }
+  }
+  if (const auto copy = kept_planner(files.database, choice.file_digest)) {
+    kept = *copy;
+    return kept;
   }
   if (other.empty()) {
     throw OptionError(problems.front() + "; another library may be named", "", "library");
@@ -51,14 +57,14 @@ PlannerLibrary load_planner(const PlannerChoice& choice, const ReplayFiles& file
       "", std::string("library ") + (other.has_parent_path() ? "" : "./") + other.string());
 }
 
-/// The place of the file of this name and digest: as `given`, or in the folders or their
-/// subfolder. `what`: "map" or "wind".
+/// The place of the file of this name and digest: as `given`, in the folders or their subfolder, or
+/// as the run kept it. `what`: "map" or "wind".
 std::string found_file(const std::string& what, const std::string& name, const std::string& digest,
                        const std::string& given, const std::string& subfolder,
-                       const std::vector<std::filesystem::path>& folders) {
+                       const ReplayFiles& files) {
   std::vector<std::filesystem::path> places;
   if (!given.empty()) places.emplace_back(given);
-  for (const std::filesystem::path& folder : folders) {
+  for (const std::filesystem::path& folder : files.folders) {
     places.push_back(folder / name);
     places.push_back(folder / subfolder / name);
   }
@@ -68,19 +74,19 @@ std::string found_file(const std::string& what, const std::string& name, const s
     if (given.empty() && file_digest(place.string()) != digest) continue;
     return place.string();
   }
+  if (const auto copy = kept_map(files.database, digest, name)) return copy->string();
   throw OptionError(
       "the " + what + "'s file " + name + " (SHA-256 " + digest + ") is not found: name its place",
       "", what + "-file");
 }
 
 /// Finds what the stored trial leaves out before the map is made.
-StoredTrial with_files(StoredTrial stored, const ReplayFiles& files) {
+StoredTrial completed(StoredTrial stored, const ReplayFiles& files) {
   if (const FileOfMap map = file_of(stored.spec.map); map.file != nullptr) {
-    *map.file = found_file("map", *map.file, *map.digest, files.map, "maps", files.folders);
+    *map.file = found_file("map", *map.file, *map.digest, files.map, "maps", files);
   }
   if (WindFieldSpec& wind = stored.spec.wind.field; !wind.file.empty()) {
-    wind.file =
-        found_file("wind", wind.file, wind.file_digest, files.wind, "configs/wind", files.folders);
+    wind.file = found_file("wind", wind.file, wind.file_digest, files.wind, "configs/wind", files);
   }
   return stored;
 }
@@ -118,6 +124,15 @@ std::string place(const std::vector<Element>& stored, const std::vector<Element>
 
 }  // namespace
 
+StoredTrial with_files(StoredTrial stored, const ReplayFiles& files) {
+  return completed(std::move(stored), files);
+}
+
+std::filesystem::path library_for(const PlannerChoice& choice, const ReplayFiles& files) {
+  std::filesystem::path kept;
+  return planner_file(choice, files, kept);
+}
+
 StoredTrial read_stored_trial(const Database& database, const std::string& key) {
   std::optional<TrialRow> row = database.read_trial(key);
   if (!row) {
@@ -148,7 +163,7 @@ Replay::Replay(StoredTrial stored, const ReplayFiles& files)
     : stored_(with_files(std::move(stored), files)),
       world_(make_world(stored_.spec.map, stored_.spec.map_seed)),
       scene_(world_),
-      library_(load_planner(stored_.spec.planner, files)) {
+      library_(PlannerLibrary::load(planner_file(stored_.spec.planner, files, kept_planner_))) {
   const PlannerDescription& planner = library_.description();
   if (world_.digest != stored_.world_digest) {
     warnings_.emplace_back("the map is another one than that of the stored trial");
@@ -158,29 +173,33 @@ Replay::Replay(StoredTrial stored, const ReplayFiles& files)
         "the trial was flown by a program whose results differ: see CHANGELOG.md, Results change");
   }
   if (planner.file_digest != stored_.spec.planner.file_digest) {  // by --library only
-    warnings_.push_back("the planner's file is another one than in the stored trial: " +
-                        planner.file.string());
+    warnings_.push_back(other_library_warning(planner));
   }
-  load_parameters();
+  values_ = usable_values(stored_.spec.planner, planner, warnings_);
 }
 
-void Replay::load_parameters() {
-  const PlannerDescription& planner = library_.description();
+std::string other_library_warning(const PlannerDescription& planner) {
+  return "the planner's file is another one than in the stored trial: " + planner.file.string();
+}
+
+std::vector<ParameterValue> usable_values(const PlannerChoice& stored,
+                                          const PlannerDescription& planner,
+                                          std::vector<std::string>& warnings) {
   ParameterValues given;
-  for (const ParameterChoice& choice : stored_.spec.planner.parameters) {
+  for (const ParameterChoice& choice : stored.parameters) {
     ParameterValues one{{choice.name, {.number = choice.number, .text = choice.text}}};
     const std::vector<std::string> problems = check_parameters(planner, one);
     if (problems.empty()) {
       given.merge(one);
     } else {
-      warnings_.push_back(problems.front() + ": the stored value is left out");
+      warnings.push_back(problems.front() + ": the stored value is left out");
     }
   }
   for (const ParameterDef& def : planner.parameters) {
     if (given.contains(def.name)) continue;
-    warnings_.push_back("parameter " + def.name + " has no stored value: its preset is taken");
+    warnings.push_back("parameter " + def.name + " has no stored value: its preset is taken");
   }
-  values_ = resolve_parameters(planner, given);
+  return resolve_parameters(planner, given);
 }
 
 TrialRecord Replay::fly(const TrialObserver& observer, std::vector<std::string>& log) const {

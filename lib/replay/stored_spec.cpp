@@ -4,6 +4,7 @@
 #include "base/spec_json.hpp"
 #include "base/ticks.hpp"
 #include "store/stored_text.hpp"
+#include "sweep/key_maker.hpp"
 #include "sweep/recorded_latency.hpp"
 
 namespace avoidbench {
@@ -111,6 +112,10 @@ void check_rates(const TrialSpec& spec) {
         spec.imu.rate_hz, spec.odometry.rate_hz, spec.wind.turbulence.rate_hz}) {
     if (!period_ticks(rate_hz)) throw BadText("a rate's period is no whole number of ticks");
   }
+  for (const CameraSpec& camera : spec.sensor.more_cameras) {
+    if (!period_ticks(camera.rate_hz))
+      throw BadText("a camera's period is no whole number of ticks");
+  }
 }
 
 }  // namespace
@@ -125,6 +130,7 @@ TrialSpec stored_spec(const std::string& spec_json) {
   }
   trial.at("planner").emplace("file", "");  // databases keep no paths
   restore_latency(trial);
+  restore_later_fields(trial);
   check_value(trial, "", TrialSpec{}, Range{});
   const TrialSpec spec = spec_from_json<TrialSpec>(trial);
   try {

@@ -1,9 +1,9 @@
 #include "report/contrast.hpp"
 
-#include <limits>
 #include <map>
 #include <numeric>
 
+#include "base/math.hpp"
 #include "statistics/bootstrap.hpp"
 #include "statistics/ranks.hpp"
 #include "statistics/rates.hpp"
@@ -11,7 +11,7 @@
 namespace avoidbench {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+using math::kNaN;
 
 /// What one planner's trials on some maps add up to.
 struct Sums {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "maps/map_spec.hpp"
 #include "metrics/map_measure.hpp"
 #include "statistics/correlation.hpp"
 
@@ -85,8 +86,10 @@ EnvironmentSummary environment_summary(const SweepResult& result, const Trials& 
     }
   };
   add("relative_gap_size", [&](const MapSummary& map) { return record(map).relative_gap_size; });
-  add("obstacle_density_1pm2",
-      [&](const MapSummary& map) { return record(map).obstacle_density_1pm2; });
+  add("obstacle_density_1pm2", [&](const MapSummary& map) {
+    const bool is_field = !is_from_file(result.maps[map.map].generator);
+    return is_field ? record(map).obstacle_density_1pm2 : std::numeric_limits<double>::quiet_NaN();
+  });
   add("free_volume_ratio", [&](const MapSummary& map) { return record(map).free_volume_ratio; });
   add("traversability_obstruction",
       [](const MapSummary& map) { return map.traversability_obstruction; });

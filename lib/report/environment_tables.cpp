@@ -1,11 +1,15 @@
+#include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "maps/map_spec.hpp"
 #include "report/sweep_tables.hpp"
 #include "report/table_rows.hpp"
 
 namespace avoidbench {
 namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// A number of the map's spec, NaN where it has none of this name.
 double spec_number(const MapRow& map, const char* name) {
@@ -14,6 +18,19 @@ double spec_number(const MapRow& map, const char* name) {
     return std::numeric_limits<double>::quiet_NaN();
   }
   return spec[name].get<double>();
+}
+
+/// Takes out the column if it has no value: it means nothing for these maps.
+void drop_if_empty(Table& table, std::string_view name) {
+  const auto column = std::find_if(table.columns.begin(), table.columns.end(),
+                                   [&](const Column& one) { return one.name == name; });
+  const auto at = column - table.columns.begin();
+  const bool is_empty = std::all_of(table.rows.begin(), table.rows.end(), [&](const Row& row) {
+    return std::holds_alternative<std::monostate>(row[static_cast<std::size_t>(at)].value);
+  });
+  if (!is_empty || table.rows.empty()) return;
+  table.columns.erase(column);
+  for (Row& row : table.rows) row.erase(row.begin() + at);
 }
 
 }  // namespace
@@ -49,13 +66,19 @@ Table map_table(const SweepSummary& summary) {
   for (const MapSummary& map : summary.environment.maps) {
     const MapRow& row = summary.maps[map.map];
     const MapRecord& record = row.record;
-    table.rows.push_back(make_row(row.generator + " " + record.key.substr(0, 6), row.map_seed,
-                                  spec_number(row, "poisson_radius_m"), record.obstacle_count,
-                                  record.traversability, record.traversability_normalized_ratio,
-                                  record.relative_gap_size, record.obstacle_density_1pm2,
-                                  map.traversability_obstruction, map.view_occlusion,
-                                  map.angle_over_length_1pm, map.mission_count,
-                                  map.invalid_mission_count, map.trial_count, map.finished_count));
+    const bool is_field = !is_from_file(row.generator);
+    const Cell count{.value = is_field ? TableValue(record.obstacle_count) : TableValue()};
+    table.rows.push_back(
+        make_row(row.generator + " " + record.key.substr(0, 6), row.map_seed,
+                 spec_number(row, "poisson_radius_m"), count, record.traversability,
+                 record.traversability_normalized_ratio, record.relative_gap_size,
+                 is_field ? record.obstacle_density_1pm2 : kNone, map.traversability_obstruction,
+                 map.view_occlusion, map.angle_over_length_1pm, map.mission_count,
+                 map.invalid_mission_count, map.trial_count, map.finished_count));
+  }
+  for (const char* name :
+       {"poisson_radius_m", "obstacle_count", "relative_gap_size", "obstacle_density_1pm2"}) {
+    drop_if_empty(table, name);
   }
   return table;
 }

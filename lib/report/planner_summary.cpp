@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "base/math.hpp"
 #include "statistics/bootstrap.hpp"
 #include "statistics/ranks.hpp"
 #include "statistics/rates.hpp"
@@ -11,7 +11,7 @@
 namespace avoidbench {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+using math::kNaN;
 
 /// Sum and count of a metric on one map.
 struct MapSum {

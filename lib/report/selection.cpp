@@ -6,6 +6,8 @@
 
 #include "base/check.hpp"
 #include "base/option_error.hpp"
+#include "text/number_text.hpp"
+#include "text/words.hpp"
 
 namespace avoidbench {
 namespace {
@@ -49,6 +51,19 @@ bool is_equal(const TableValue& a, const TableValue& b) {
   return a == b;
 }
 
+std::size_t field_of(const SweepResult& result, const Condition& condition) {
+  const auto found = std::find(result.fields.begin(), result.fields.end(), condition.field);
+  AB_CHECK(found != result.fields.end());
+  return static_cast<std::size_t>(found - result.fields.begin());
+}
+
+std::string text_of(const TableValue& value) {
+  if (const auto* words = std::get_if<std::string>(&value)) return *words;
+  double storage = 0.0;
+  const double* number = number_in(value, storage);
+  return number == nullptr ? "nothing" : shortest(*number);
+}
+
 }  // namespace
 
 Condition parse_condition(const std::string& text) {
@@ -63,7 +78,7 @@ Condition parse_condition(const std::string& text) {
   condition.field = trimmed(text.substr(0, at));
   if (sign == std::end(kSigns) || condition.field.empty()) {
     throw OptionError("'" + text +
-                          "': a condition is FIELD OP VALUE, OP one of = != < <= > >=, such as "
+                          "': a condition is FIELD OP VALUE, OP one of = == != < <= > >=, such as "
                           "'map.poisson_radius_m < 3' or 'planner = ego, reactive'",
                       "where");
   }
@@ -108,12 +123,39 @@ bool holds(const Condition& condition, const TableValue& value) {
   }
 }
 
+void check_values(std::span<const SweepResult* const> results,
+                  const std::vector<Condition>& conditions) {
+  constexpr std::size_t kMostShown = 12;
+  for (const Condition& condition : conditions) {
+    const bool is_by_value =
+        condition.comparison == Comparison::equal || condition.comparison == Comparison::unequal;
+    if (!is_by_value) continue;
+    std::set<TableValue> there;
+    for (const SweepResult* result : results) {
+      const std::size_t field = field_of(*result, condition);
+      for (const TrialSummary& trial : result->trials) there.insert(trial.fields[field]);
+    }
+    for (const TableValue& value : condition.values) {
+      const auto is_meant = [&](const TableValue& one) { return is_equal(one, value); };
+      if (std::any_of(there.begin(), there.end(), is_meant)) continue;
+      std::vector<std::string> words;
+      for (const TableValue& one : there) {
+        if (!std::holds_alternative<std::monostate>(one)) words.push_back(text_of(one));
+      }
+      const std::string near = did_you_mean(text_of(value), words);
+      const std::size_t count = words.size();
+      words.resize(std::min(kMostShown, count));
+      throw OptionError("'" + condition.text + "': no trial has " + text_of(value) + near +
+                            "; there are: " + joined(words) + (count > kMostShown ? ", …" : ""),
+                        "where");
+    }
+  }
+}
+
 SweepResult selected(SweepResult result, const std::vector<Condition>& conditions) {
   std::set<std::string> maps, planners;
   for (const Condition& condition : conditions) {
-    const auto found = std::find(result.fields.begin(), result.fields.end(), condition.field);
-    AB_CHECK(found != result.fields.end());
-    const auto field = static_cast<std::size_t>(found - result.fields.begin());
+    const std::size_t field = field_of(result, condition);
     std::erase_if(result.trials, [&](const TrialSummary& trial) {
       return !holds(condition, trial.fields[field]);
     });

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,11 @@ Condition parse_condition(const std::string& text);
 /// Numbers compare as numbers, whole or not; a text never equals a number, and is never less or
 /// greater than one. A field without value fulfils != only.
 bool holds(const Condition& condition, const TableValue& value);
+
+/// Throws OptionError, with the values that there are, where `=` or `!=` names a value that no
+/// trial of any of these results has: it was misspelled, and would choose nothing or everything.
+void check_values(std::span<const SweepResult* const> results,
+                  const std::vector<Condition>& conditions);
 
 /// The result with only those trials for which every condition holds, and the maps and planners
 /// that they have. Every condition's field is one of `result.fields`.

@@ -219,7 +219,7 @@ std::vector<std::string> default_metrics(const SweepResult& result) {
   std::vector<std::string> names;
   for (const std::string_view name :
        {"path_optimality_pct", "energy_optimality", "average_goal_velocity_mps",
-        "mission_progress_pct", "processing_time_ms"}) {
+        "mission_progress_pct", "processing_time_ms", "processing_wall_time_ms"}) {
     for (const MetricRow& metric : result.metrics) {
       if (metric.name == name) names.emplace_back(name);
     }
@@ -231,6 +231,7 @@ SweepSummary summarize(SweepResult result, const ReportQuery& query) {
   SweepSummary summary;
   summary.name = result.name;
   summary.revision = result.revision;
+  summary.latest_revision = result.latest_revision;
   const std::vector<std::string> names =
       query.metrics.empty() ? default_metrics(result) : query.metrics;
   const std::vector<std::size_t> indices = metric_indices(result, names);
@@ -242,6 +243,9 @@ SweepSummary summarize(SweepResult result, const ReportQuery& query) {
     throw InputError("no trial of sweep " + summary.name + " fulfils all conditions");
   }
   summary.planners = unique_labels(result.planners);
+  for (const PlannerRow& planner : result.planners) {
+    summary.planner_versions.push_back(planner.version);
+  }
   name_planners(result, summary.planners);
   summary.trial_count = static_cast<std::int64_t>(result.trials.size());
   for (const MapRow& map : result.maps) {
@@ -285,6 +289,7 @@ SweepResult combined(std::vector<SweepResult> parts) {
       planners.emplace(row.label + '\0' + planner_key(row), row);
     for (const TrialSummary& row : part.trials) trials.emplace(row.key, row);
     versions.insert(part.program_versions.begin(), part.program_versions.end());
+    all.latest_revision = std::max(all.latest_revision, part.latest_revision);
     all.has_measured_latency = all.has_measured_latency || part.has_measured_latency;
     for (const MapRow& row : part.maps) {
       const auto [entry, is_new] = maps.emplace(row.record.key, row);

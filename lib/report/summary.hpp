@@ -43,11 +43,12 @@ struct GroupRow {
 /// What a report says of one sweep.
 struct SweepSummary {
   std::string name;
-  std::int64_t revision = 1;
+  std::int64_t revision = 1, latest_revision = 1;
   std::vector<std::string> conditions;  ///< those that the trials fulfil, as they were written
   std::vector<MetricRow> metrics;       ///< those that were asked for
   std::vector<std::string>
       planners;  ///< labels; with the start of the key where two planners share one
+  std::vector<std::string> planner_versions;  ///< one a planner
   std::vector<MapRow> maps;
   std::int64_t mission_count = 0, invalid_mission_count = 0, trial_count = 0;
   std::vector<PlannerSummary> overall;
@@ -62,7 +63,7 @@ struct SweepSummary {
 };
 
 /// Those of the usual metrics that `result` has: path and energy optimality, average goal velocity,
-/// mission progress, processing time.
+/// mission progress, processing time (CPU and wall).
 std::vector<std::string> default_metrics(const SweepResult& result);
 
 /// The summary; `result` has the fields of `query`. Throws InputError for a metric that the results
@@ -74,7 +75,8 @@ SweepSummary summarize(SweepResult result, const ReportQuery& query = {});
 SweepResult combined(std::vector<SweepResult> parts);
 
 /// Warnings of what `summary` of `result` can't carry: few trials, rates that can't be told apart,
-/// trials of different programs or latencies that were measured, trials that are still to fly.
+/// planners that compute for longer than their flights let them, trials of different programs or
+/// latencies that were measured, trials that are still to fly.
 std::vector<std::string> warnings_of(const SweepSummary& summary, const SweepResult& result);
 
 }  // namespace avoidbench

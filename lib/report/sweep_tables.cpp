@@ -8,23 +8,34 @@
 namespace avoidbench {
 namespace {
 
-/// Short headers of the usual metrics; others stand with their name without unit.
-std::string short_header(const MetricRow& metric) {
-  constexpr std::pair<std::string_view, std::string_view> kShort[] = {
-      {"path_optimality_pct", "PO"},
-      {"energy_optimality", "EO"},
-      {"average_goal_velocity_mps", "AGV"},
-      {"mission_progress_pct", "MP"},
-      {"processing_time_ms", "PT"}};
-  for (const auto& [name, header] : kShort) {
-    if (metric.name == name) return std::string(header);
-  }
+/// A metric's name without unit.
+std::string bare_name(const MetricRow& metric) {
   for (const std::string_view suffix :
        {"_pct", "_ratio", "_mps", "_ms", "_1pm", "_m", "_s", "_j"}) {
     if (metric.name.ends_with(suffix))
       return metric.name.substr(0, metric.name.size() - suffix.size());
   }
   return metric.name;
+}
+
+/// Short headers of the usual metrics; others stand with their name without unit.
+std::string short_header(const MetricRow& metric) {
+  constexpr std::pair<std::string_view, std::string_view> kShort[] = {
+      {"path_optimality_pct", "PO"},        {"energy_optimality", "EO"},
+      {"average_goal_velocity_mps", "AGV"}, {"mission_progress_pct", "MP"},
+      {"processing_time_ms", "PT"},         {"processing_wall_time_ms", "WT"}};
+  for (const auto& [name, header] : kShort) {
+    if (metric.name == name) return std::string(header);
+  }
+  return bare_name(metric);
+}
+
+/// "path optimality"; nothing where that is the header.
+std::string metric_brief(const MetricRow& metric) {
+  std::string name = bare_name(metric);
+  if (name == short_header(metric)) return "";
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
 }
 
 std::string metric_doc(const MetricRow& metric) {
@@ -47,13 +58,15 @@ std::vector<Column> summary_columns(std::vector<Column> keys, std::span<const Me
                 .header = "SR",
                 .doc = "success_rate: finished of all trials, with a 95 % interval: Wilson's, from "
                        "five maps on widened by how much the maps differ",
-                .has_interval = true}});
+                .has_interval = true,
+                .brief = "success rate [95 % interval]"}});
   for (const MetricRow& metric : metrics) {
     keys.push_back({.name = metric.name,
                     .header = short_header(metric),
                     .unit = metric.unit,
                     .doc = metric_doc(metric),
-                    .has_interval = true});
+                    .has_interval = true,
+                    .brief = metric_brief(metric)});
     keys.push_back(machine_column(metric.name + "_std", metric.unit));
     keys.push_back(machine_column(metric.name + "_count"));
   }
@@ -72,10 +85,13 @@ Row summary_cells(const PlannerSummary& planner) {
 }
 
 Table planner_table(const SweepSummary& summary) {
-  Table table =
-      make_table("planners", "Planners", summary_columns({planner_column()}, summary.metrics));
+  Table table = make_table(
+      "planners", "Planners",
+      summary_columns({planner_column(), machine_column("planner_version")}, summary.metrics));
   for (const PlannerSummary& planner : summary.overall) {
-    table.rows.push_back(make_row(summary.planners[planner.planner], summary_cells(planner)));
+    table.rows.push_back(make_row(summary.planners[planner.planner],
+                                  summary.planner_versions[planner.planner],
+                                  summary_cells(planner)));
   }
   return table;
 }
@@ -99,7 +115,8 @@ Table group_table(const SweepSummary& summary) {
       {{.name = "traversability_group",
         .header = "P_τ",
         .doc = "normalised traversability of the maps, in groups of equal map count; 1 is free",
-        .place = Place::key},
+        .place = Place::key,
+        .brief = "traversability (1: free)"},
        machine_column("map_count"),
        machine_column("lowest_traversability_normalized_ratio"),
        machine_column("highest_traversability_normalized_ratio"),
@@ -162,7 +179,8 @@ Table pair_table(const SweepSummary& summary) {
         .header = "CF",
         .doc =
             "contrast factor: failures per metre of the first planner over those of the other, 1 "
-            "is equal; – if undefined (a success rate is 0 or 1)"},
+            "is equal; – if undefined (a success rate is 0 or 1)",
+        .brief = "failures per metre against the other's"},
        {.name = "contrast_factor_smoothed",
         .header = "CF smoothed",
         .doc = "the same of Jeffreys-smoothed rates, with a 95 % interval by bootstrap over maps",
@@ -170,12 +188,14 @@ Table pair_table(const SweepSummary& summary) {
        {.name = "fisher_p",
         .header = "p",
         .doc = "that the two success rates are equal (Fisher's exact test, two-sided)",
-        .decimals = 3},
+        .decimals = 3,
+        .brief = "of equal success rates"},
        {.name = "map_p",
         .header = "p maps",
         .doc = "that they are equal on maps like these (Wilcoxon's signed-rank test of the maps' "
                "rates); from six maps on",
-        .decimals = 3}});
+        .decimals = 3,
+        .brief = "the same on other maps like these"}});
   for (const Contrast& c : summary.contrasts) {
     table.rows.push_back(make_row(summary.planners[c.planner_1], summary.planners[c.planner_2],
                                   c.factor, c.smoothed_factor, c.smoothed_interval, c.fisher_p,
@@ -184,10 +204,25 @@ Table pair_table(const SweepSummary& summary) {
   return table;
 }
 
+/// " (revision 1 of 2)"; "" for the only one.
+std::string revision_text(const SweepSummary& summary) {
+  if (summary.latest_revision < 2) return "";
+  return " (revision " + std::to_string(summary.revision) + " of " +
+         std::to_string(summary.latest_revision) + ")";
+}
+
+/// "ego 1.0, mine 0.2".
+std::string versions_text(const SweepSummary& summary) {
+  std::vector<std::string> versions;
+  for (std::size_t i = 0; i < summary.planners.size(); ++i) {
+    versions.push_back(summary.planners[i] + " " + summary.planner_versions[i]);
+  }
+  return joined(versions);
+}
+
 std::string title_of(const SweepSummary& summary) {
   std::string title =
-      "Sweep " + summary.name +
-      (summary.revision > 1 ? " (revision " + std::to_string(summary.revision) + ")" : "") + ": " +
+      "Sweep " + summary.name + revision_text(summary) + ": " +
       counted(summary.trial_count, "trial") + " of " + counted(summary.planners.size(), "planner") +
       " on " + counted(summary.maps.size(), "map") + ", " +
       counted(summary.mission_count, "mission") + " (" +
@@ -198,9 +233,27 @@ std::string title_of(const SweepSummary& summary) {
   return title;
 }
 
-/// Those of `tables` that `names` asks for; all where it is empty.
+/// Whether the groups by traversability are more than single maps.
+bool has_real_groups(const SweepSummary& summary) {
+  return std::all_of(summary.groups.begin(), summary.groups.end(),
+                     [](const MapGroup& group) { return group.map_count > 1; });
+}
+
+/// Shows people what is wanted at this detail.
+void show_usual(std::vector<Table>& tables, const SweepSummary& summary, Detail detail) {
+  for (Table& table : tables) {
+    if (detail == Detail::all) {
+      table.is_for_people = table.is_for_people || table.name == "environment";
+    } else if (table.name == "groups") {
+      table.is_for_people = table.is_for_people && has_real_groups(summary);
+    } else if (table.name == "difficulty" || table.name == "flight_time") {
+      table.is_for_people = false;
+    }
+  }
+}
+
+/// Those of `tables` that `names` asks for.
 void keep_wanted(std::vector<Table>& tables, std::span<const std::string> names) {
-  if (names.empty()) return;
   std::erase_if(tables, [&](const Table& table) {
     return std::find(names.begin(), names.end(), table.name) == names.end();
   });
@@ -214,8 +267,13 @@ std::vector<std::string> table_names() {
           "difficulty", "flight_time", "flight_time_curve", "maps",     "environment"};
 }
 
-Section sweep_section(const SweepSummary& summary, std::span<const std::string> tables) {
-  Section section{.name = summary.name, .title = title_of(summary), .warnings = summary.warnings};
+Section sweep_section(const SweepSummary& summary, std::span<const std::string> tables,
+                      Detail detail) {
+  const bool is_brief = detail == Detail::brief && tables.empty();
+  Section section{.name = summary.name,
+                  .title = title_of(summary),
+                  .warnings = summary.warnings,
+                  .is_brief = is_brief};
   section.tables.push_back(planner_table(summary));
   if (!summary.groups.empty()) section.tables.push_back(group_table(summary));
   if (!summary.group_columns.empty()) {
@@ -231,7 +289,11 @@ Section sweep_section(const SweepSummary& summary, std::span<const std::string> 
   if (!summary.environment.correlations.empty()) {
     section.tables.push_back(correlation_table(summary));
   }
-  keep_wanted(section.tables, tables);
+  if (tables.empty()) {
+    show_usual(section.tables, summary, detail);
+  } else {
+    keep_wanted(section.tables, tables);
+  }
   const bool has_stars =
       std::any_of(section.tables.begin(), section.tables.end(), [](const Table& table) {
         return table.is_for_people &&
@@ -242,15 +304,17 @@ Section sweep_section(const SweepSummary& summary, std::span<const std::string> 
       });
   if (has_stars) {
     section.notes.emplace_back(
-        "*",
-        "best, and significantly so against every other planner (p < 0.05, Bonferroni): rates by "
-        "Fisher's exact test and Wilcoxon's of the maps' rates, means by Wilcoxon's signed-rank "
-        "test on the missions that both have");
+        "*", is_brief
+                 ? "significantly best"
+                 : "best, and significantly so against every other planner (p < 0.05, "
+                   "Bonferroni): rates by Fisher's exact test and Wilcoxon's of the maps' rates, "
+                   "means by Wilcoxon's signed-rank test on the missions that both have");
   }
+  section.notes.emplace_back("planners", versions_text(summary));
   return section;
 }
 
-Section side_by_side(std::span<const SweepSummary> summaries) {
+Section side_by_side(std::span<const SweepSummary> summaries, Detail detail) {
   Table table = make_group_table(
       "sweeps", "Planners in every sweep",
       {planner_column(), {.name = "of_sweep", .header = "sweep", .place = Place::key}},
@@ -266,7 +330,10 @@ Section side_by_side(std::span<const SweepSummary> summaries) {
   }
   std::stable_sort(table.rows.begin(), table.rows.end(),
                    [](const auto& a, const auto& b) { return a.front().value < b.front().value; });
-  return {.name = "all", .title = "Sweeps side by side", .tables = {std::move(table)}};
+  return {.name = "all",
+          .title = "Sweeps side by side",
+          .tables = {std::move(table)},
+          .is_brief = detail == Detail::brief};
 }
 
 }  // namespace avoidbench

@@ -11,9 +11,16 @@ namespace avoidbench {
 /// `flight_time_curve` (times to the goal), `maps`, `environment` (how their measures go together).
 std::vector<std::string> table_names();
 
-/// A sweep's tables: those named, or all, of which `flight_time_curve`, `maps` and `environment`
-/// are then for machines only.
-Section sweep_section(const SweepSummary& summary, std::span<const std::string> tables = {});
+/// How much of a report people see.
+enum class Detail {
+  brief,  ///< `planners`, `outcomes`, `pairs`, and groups if each has several maps; a short legend
+  all     ///< every table but the long ones, `flight_time_curve` and `maps`; the full legend
+};
+
+/// A sweep's tables: those named, with the full legend, or all, of which people see what `detail`
+/// says.
+Section sweep_section(const SweepSummary& summary, std::span<const std::string> tables = {},
+                      Detail detail = Detail::all);
 
 /// Tables of sweep_section(): success against traversability, times to the goal and the share that
 /// has arrived over time, the maps, and how their measures go together.
@@ -24,6 +31,6 @@ Table map_table(const SweepSummary& summary);
 Table correlation_table(const SweepSummary& summary);
 
 /// Every sweep's planners in one table; the summaries have the same metrics.
-Section side_by_side(std::span<const SweepSummary> summaries);
+Section side_by_side(std::span<const SweepSummary> summaries, Detail detail = Detail::all);
 
 }  // namespace avoidbench

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "diagnosis/computing_times.hpp"
 #include "report/summary.hpp"
 #include "statistics/sample_size.hpp"
 #include "statistics/stop_rule.hpp"
@@ -34,6 +35,7 @@ void warn_of_few_trials(const SweepSummary& summary, Warnings& warnings) {
   for (const GroupRow& row : summary.group_rows) count(row.summary);
   if (summary.group_rows.empty()) {
     for (const MapGroup& group : summary.groups) {
+      if (group.map_count < 2) continue;  // a map of its own, not a group
       for (const PlannerSummary& planner : group.planners) count(planner);
     }
   }
@@ -93,7 +95,24 @@ std::int64_t flights_of_mission(const nlohmann::json& spec) {
 std::int64_t asked_trials(const nlohmann::json& spec) {
   std::int64_t count = spec.value("trials", std::int64_t{0}) * flights_of_mission(spec);
   for (const auto& [path, size] : axes_of(spec, makes_maps)) count *= size;
-  return count;
+  // With listed missions maps may have unlike numbers of them.
+  return spec.value("trial_count", count);
+}
+
+void warn_of_computing_times(const SweepSummary& summary, const SweepResult& result,
+                             Warnings& warnings) {
+  ComputingTimes times(result.metrics);
+  for (const TrialSummary& trial : result.trials) times.add(trial.planner_key, trial.metrics);
+  const std::map<std::string, CallTimes> by_planner = times.by_planner();
+  const TimeDemand demand = time_demand(result.spec_json);
+  for (std::size_t i = 0; i < result.planners.size(); ++i) {
+    const auto found = by_planner.find(planner_key(result.planners[i]));
+    if (found == by_planner.end()) continue;
+    for (std::string& warning :
+         computing_time_warnings(summary.planners[i], found->second, demand)) {
+      warnings.push_back(std::move(warning));
+    }
+  }
 }
 
 void warn_of_mixtures(const SweepSummary& summary, const SweepResult& result,
@@ -188,6 +207,7 @@ std::vector<std::string> warnings_of(const SweepSummary& summary, const SweepRes
   warn_of_missing_trials(summary, result, spec, warnings);
   warn_of_few_trials(summary, warnings);
   warn_of_unclear_differences(summary, warnings);
+  warn_of_computing_times(summary, result, warnings);
   warn_of_mixtures(summary, result, spec, warnings);
   if (result.has_measured_latency) {
     warnings.push_back(

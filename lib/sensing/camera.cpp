@@ -38,7 +38,7 @@ Pose moved(const Pose& pose, const CameraMotion& motion, double time_s) {
 }  // namespace
 
 struct Camera::Internals {
-  explicit Internals(const SensorSpec& spec)
+  explicit Internals(const CameraSpec& spec)
       : sensor(spec),
         pinhole(sensor_camera(spec)),
         at_1m_px(disparity_at_1m_px(spec)),
@@ -47,7 +47,7 @@ struct Camera::Internals {
     if (const auto* noisy = std::get_if<DepthNoisySpec>(&spec.method)) noise.emplace(*noisy);
   }
 
-  SensorSpec sensor;
+  CameraSpec sensor;
   Pinhole pinhole;
   double at_1m_px;
   std::unique_ptr<StereoMatcher> matcher;
@@ -174,7 +174,7 @@ void Camera::Internals::render_noisy_depth(const Scene& scene, const Pose& pose,
                {instances, instance_opacity}, random, images.depth_m);
 }
 
-Camera::Camera(const SensorSpec& sensor) : internals_(std::make_unique<Internals>(sensor)) {}
+Camera::Camera(const CameraSpec& spec) : internals_(std::make_unique<Internals>(spec)) {}
 Camera::~Camera() = default;
 Camera::Camera(Camera&&) noexcept = default;
 Camera& Camera::operator=(Camera&&) noexcept = default;

@@ -35,7 +35,7 @@ struct CameraImages {
 /// A sensor's camera with its buffers and matcher. Not for two threads at once.
 class Camera {
  public:
-  explicit Camera(const SensorSpec& sensor);
+  explicit Camera(const CameraSpec& spec);
   ~Camera();
   Camera(Camera&&) noexcept;
   Camera& operator=(Camera&&) noexcept;

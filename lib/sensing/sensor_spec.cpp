@@ -13,12 +13,18 @@ Eigen::Matrix3d rotation(double angle_rad, const Eigen::Vector3d& axis) {
 
 }  // namespace
 
-Pinhole sensor_camera(const SensorSpec& sensor) {
-  Pinhole camera = make_pinhole(static_cast<std::int32_t>(sensor.width_px),
-                                static_cast<std::int32_t>(sensor.height_px),
-                                sensor.fov_x_deg * math::kDegree, sensor.max_range_m);
-  camera.min_range_m = sensor.min_range_m;
-  return camera;
+std::vector<CameraSpec> camera_kinds(const SensorSpec& sensor) {
+  std::vector<CameraSpec> kinds{sensor};
+  kinds.insert(kinds.end(), sensor.more_cameras.begin(), sensor.more_cameras.end());
+  return kinds;
+}
+
+Pinhole sensor_camera(const CameraSpec& camera) {
+  Pinhole pinhole = make_pinhole(static_cast<std::int32_t>(camera.width_px),
+                                 static_cast<std::int32_t>(camera.height_px),
+                                 camera.fov_x_deg * math::kDegree, camera.max_range_m);
+  pinhole.min_range_m = camera.min_range_m;
+  return pinhole;
 }
 
 Pose T_body_camera(const MountingSpec& mounting) {
@@ -41,19 +47,27 @@ Pose T_body_camera(const MountingSpec& mounting) {
   return pose;
 }
 
-std::vector<MountingSpec> mountings(const SensorSpec& sensor) {
-  std::vector<MountingSpec> all{sensor.mounting};
-  all.insert(all.end(), sensor.more_mountings.begin(), sensor.more_mountings.end());
+std::vector<MountingSpec> mountings(const CameraSpec& camera) {
+  std::vector<MountingSpec> all{camera.mounting};
+  all.insert(all.end(), camera.more_mountings.begin(), camera.more_mountings.end());
   return all;
 }
 
-bool is_stereo(const SensorSpec& sensor) {
-  return std::holds_alternative<StereoSgmSpec>(sensor.method) ||
-         std::holds_alternative<StereoCensusSpec>(sensor.method);
+std::vector<RigCamera> rig_cameras(const SensorSpec& sensor) {
+  std::vector<RigCamera> all;
+  for (const CameraSpec& kind : camera_kinds(sensor)) {
+    for (const MountingSpec& mounting : mountings(kind)) all.push_back({kind, mounting});
+  }
+  return all;
 }
 
-double disparity_at_1m_px(const SensorSpec& sensor) {
-  return sensor_camera(sensor).fx_px * sensor.baseline_m;
+bool is_stereo(const CameraSpec& camera) {
+  return std::holds_alternative<StereoSgmSpec>(camera.method) ||
+         std::holds_alternative<StereoCensusSpec>(camera.method);
+}
+
+double disparity_at_1m_px(const CameraSpec& camera) {
+  return sensor_camera(camera).fx_px * camera.baseline_m;
 }
 
 }  // namespace avoidbench

@@ -180,9 +180,8 @@ void visit(Visitor& v, Spec& s) {
   v.field("shadows", s.shadows, "Whether the sun casts shadows.");
 }
 
-/// The camera, stereo camera or rig of several that a planner sees through. The presets below are
-/// ready-made ones.
-struct SensorSpec {
+/// A camera or stereo camera, or several of one kind.
+struct CameraSpec {
   std::string name = "depth_ideal";
   DepthMethod method;
   std::int64_t width_px = 320, height_px = 240;
@@ -196,8 +195,8 @@ struct SensorSpec {
   ImageSpec image;
 };
 
-template <class Visitor, ConstOr<SensorSpec> Spec>
-void visit(Visitor& v, Spec& s) {
+template <class Visitor, class Spec>
+void visit_camera(Visitor& v, Spec& s) {
   v.field("name", s.name, "Name in reports.");
   v.variant("kind", s.method, "How depth comes about.");
   v.field("width_px", s.width_px, Range{8, 4096}, "Image width.");
@@ -222,22 +221,51 @@ void visit(Visitor& v, Spec& s) {
   v.field("image", s.image, "How light becomes a picture.");
 }
 
+template <class Visitor, ConstOr<CameraSpec> Spec>
+void visit(Visitor& v, Spec& s) {
+  visit_camera(v, s);
+}
+
+/// The camera, stereo camera or rig of several that a planner sees through. The presets below are
+/// ready-made ones.
+struct SensorSpec : CameraSpec {
+  std::vector<CameraSpec> more_cameras;
+};
+
+template <class Visitor, ConstOr<SensorSpec> Spec>
+void visit(Visitor& v, Spec& s) {
+  visit_camera(v, s);
+  v.field("more_cameras", s.more_cameras,
+          "Further cameras of other kinds, as [NAME, {preset: NAME, yaw_deg: …}, …], each with its "
+          "own size, rate and delay.");
+}
+
 /// The ready-made sensors; the first is the default of a trial.
 std::vector<SensorSpec> sensor_presets();
 
-/// The pinhole model of each of its cameras.
-Pinhole sensor_camera(const SensorSpec& sensor);
+/// The kinds of cameras of a rig: the sensor's own, then more_cameras.
+std::vector<CameraSpec> camera_kinds(const SensorSpec& sensor);
+
+/// The pinhole model of each camera of this kind.
+Pinhole sensor_camera(const CameraSpec& camera);
 
 /// Camera (RDF) to body (FLU): looks along body x, turned by yaw, pitch, roll in this order.
 Pose T_body_camera(const MountingSpec& mounting);
 
-/// All mountings, `mounting` first.
-std::vector<MountingSpec> mountings(const SensorSpec& sensor);
+/// All mountings of this kind, `mounting` first.
+std::vector<MountingSpec> mountings(const CameraSpec& camera);
+
+/// A camera of a rig: cameras of the first kind come first.
+struct RigCamera {
+  CameraSpec kind;
+  MountingSpec mounting;
+};
+std::vector<RigCamera> rig_cameras(const SensorSpec& sensor);
 
 /// Whether depth is matched from shaded images.
-bool is_stereo(const SensorSpec& sensor);
+bool is_stereo(const CameraSpec& camera);
 
 /// Focal length times baseline: disparity in pixels = this / depth in metres.
-double disparity_at_1m_px(const SensorSpec& sensor);
+double disparity_at_1m_px(const CameraSpec& camera);
 
 }  // namespace avoidbench

@@ -109,7 +109,7 @@ class CensusMatcher : public StereoMatcher {
 
 }  // namespace
 
-std::unique_ptr<StereoMatcher> make_stereo_matcher(const SensorSpec& sensor) {
+std::unique_ptr<StereoMatcher> make_stereo_matcher(const CameraSpec& sensor) {
   if (const auto* sgm = std::get_if<StereoSgmSpec>(&sensor.method)) {
     return std::make_unique<SgbmMatcher>(*sgm, static_cast<int>(sensor.width_px),
                                          static_cast<int>(sensor.height_px));

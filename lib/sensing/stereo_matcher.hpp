@@ -19,6 +19,6 @@ class StereoMatcher {
 };
 
 /// The sensor's own; null where it does not match.
-std::unique_ptr<StereoMatcher> make_stereo_matcher(const SensorSpec& sensor);
+std::unique_ptr<StereoMatcher> make_stereo_matcher(const CameraSpec& sensor);
 
 }  // namespace avoidbench

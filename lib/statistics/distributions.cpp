@@ -1,7 +1,6 @@
 #include "statistics/distributions.hpp"
 
 #include <cmath>
-#include <limits>
 
 #include "base/check.hpp"
 #include "base/math.hpp"
@@ -9,7 +8,7 @@
 namespace avoidbench {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+using math::kNaN;
 
 /// The continued fraction of the incomplete beta function (Abramowitz and Stegun 26.5.8), by the
 /// modified Lentz algorithm; converges fast for x < (a + 1) / (a + b + 2).

@@ -11,7 +11,7 @@
 namespace avoidbench {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+using math::kNaN;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Point {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "base/check.hpp"
@@ -13,7 +12,7 @@
 namespace avoidbench {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+using math::kNaN;
 
 /// Wilson's interval of a rate seen in `trials` trials, with the normal quantile `z`.
 Interval score_interval(double rate, double trials, double z) {

@@ -12,7 +12,7 @@
 namespace avoidbench {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+using math::kNaN;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// S^exp(±z s / |log S|), with s² Greenwood's sum.

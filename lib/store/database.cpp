@@ -17,10 +17,6 @@ namespace {
 // Where the caller has no patience of its own: a run has, since hours of flights hang on it.
 constexpr double kLockTimeout_s = 10.0;
 
-[[noreturn]] void fail(const std::filesystem::path& path, std::string message) {
-  throw InputError(InputProblem{.file = path.string(), .message = std::move(message)});
-}
-
 /// `path` as a file: URI, for the options that SQLite takes no other way.
 std::string file_uri(const std::filesystem::path& path, bool is_immutable) {
   constexpr std::string_view kDigits = "0123456789ABCDEF";
@@ -42,8 +38,8 @@ void check_is_plain_file(const std::filesystem::path& path) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
-    fail(path, std::filesystem::is_directory(status) ? "a folder, not a database file"
-                                                     : "not a regular file");
+    refuse_file(path, std::filesystem::is_directory(status) ? "a folder, not a database file"
+                                                            : "not a regular file");
   }
 }
 
@@ -195,7 +191,7 @@ Database Database::open_for_run(const std::filesystem::path& path,
 Database Database::open_for_reading(const std::filesystem::path& path) {
   check_is_plain_file(path);
   std::error_code error;
-  if (!std::filesystem::exists(path, error)) fail(path, "no such file");
+  if (!std::filesystem::exists(path, error)) refuse_file(path, "no such file");
   Database database = connect(path, SQLITE_OPEN_READONLY, false, {});
   // A database in WAL mode needs files beside it even for reading. Where the folder can't be
   // written and no writer has left any, the file is complete and can be read alone.
@@ -211,7 +207,7 @@ Database Database::open_for_reading(const std::filesystem::path& path) {
   database.check_identity();
   Statement tables(database.handle(), path, "SELECT count(*) FROM sqlite_schema");
   tables.step();
-  if (tables.integer(0) == 0) fail(path, "an empty file: it holds no results");
+  if (tables.integer(0) == 0) refuse_file(path, "an empty file: it holds no results");
   check_objects(database.handle(), path, "main", Extras::only_apart);
   if (database.schema_version() < kSchemaVersion) {
     // Of an older program: brought up in memory, the file stays as it is. There is no uri() then.
@@ -253,15 +249,16 @@ void Database::require_in_place() {
                             " while it was being written to";
   const std::string place = lock_->place_now().string();
   if (!place.empty() && moved == SQLITE_OK) {
-    fail(*path_, began + ". All that was committed is in " + place +
-                     ": move it back, or name it as the database, and run the same command again");
+    refuse_file(*path_,
+                began + ". All that was committed is in " + place +
+                    ": move it back, or name it as the database, and run the same command again");
   }
   const std::string copy = rescued_copy();
   if (copy.empty()) {
-    fail(*path_, began + ", and what was committed could not be saved elsewhere");
+    refuse_file(*path_, began + ", and what was committed could not be saved elsewhere");
   }
-  fail(*path_, began + ". All that was committed is saved in " + copy +
-                   ": name it as the database and run the same command again");
+  refuse_file(*path_, began + ". All that was committed is saved in " + copy +
+                          ": name it as the database and run the same command again");
 }
 
 std::string Database::rescued_copy() {
@@ -308,13 +305,15 @@ void Database::check_identity() const {
   const std::int64_t version = statement.integer(2);
   if (object_count == 0 && application_id == 0) return;  // new
   if (application_id != kApplicationId) {
-    fail(path(), "not a database of avoidbench, but of another program; it is left as it is");
+    refuse_file(path(),
+                "not a database of avoidbench, but of another program; it is left as it is");
   }
   if (version > kSchemaVersion) {
-    fail(path(), "made by a newer avoidbench, with schema version " + std::to_string(version) +
-                     "; this one knows versions up to " + std::to_string(kSchemaVersion) +
-                     ": use an avoidbench with schema version " + std::to_string(version) +
-                     " or newer");
+    refuse_file(path(), "made by a newer avoidbench, with schema version " +
+                            std::to_string(version) + "; this one knows versions up to " +
+                            std::to_string(kSchemaVersion) +
+                            ": use an avoidbench with schema version " + std::to_string(version) +
+                            " or newer");
   }
 }
 
@@ -342,8 +341,8 @@ void Database::check_integrity(bool whole) const {
     statement.step();
     const std::string answer = statement.free_text(0);
     if (answer != "ok") {
-      fail(path(), "damaged (" + answer.substr(0, answer.find('\n')) +
-                       "); `sqlite3 FILE .recover` saves what can be read");
+      refuse_file(path(), "damaged (" + answer.substr(0, answer.find('\n')) +
+                              "); `sqlite3 FILE .recover` saves what can be read");
     }
   }
 }

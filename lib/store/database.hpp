@@ -102,8 +102,14 @@ class Database {
   std::set<std::string> finished_keys() const;
   std::optional<MapRow> read_map(std::string_view key) const;
   std::optional<TrialRow> read_trial(
-      std::string_view key) const;                      ///< `sweep` is one that it belongs to
-  std::vector<TrialListing> list_trials() const;        ///< all, by id
+      std::string_view key) const;  ///< `sweep` is one that it belongs to
+  /// All, by id, each with these fields (trial_fields.hpp). Throws InputError for a field that no
+  /// trial can have.
+  std::vector<TrialListing> list_trials(const std::vector<std::string>& fields = {}) const;
+  std::vector<TrialListing> list_trials(std::string_view sweep,
+                                        std::int64_t revision) const;  ///< those of a sweep, by id
+  /// What shut the planner in when it flew this trial: RunRow::sandbox.
+  std::string sandbox_of(std::string_view trial_key) const;
   std::map<std::string, TrialCost> mean_costs() const;  ///< by planner label
   std::vector<PlannerRow> read_planners() const;        ///< by label, then key
   std::vector<SweepInfo> read_sweeps() const;           ///< by name, then revision
@@ -112,7 +118,7 @@ class Database {
   SweepResult read_sweep(std::string_view name, std::int64_t revision,
                          const std::vector<std::string>& fields = {}) const;
 
-  /// SQLite's handle, for this room only.
+  /// SQLite's handle, for this room and custom_metrics only.
   sqlite3* handle() const { return handle_.get(); }
   /// The file as SQLite opened it, for this room only.
   const std::string& uri() const { return uri_; }

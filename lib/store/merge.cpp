@@ -35,10 +35,6 @@ class Attached {
   sqlite3* handle_;
 };
 
-[[noreturn]] void refuse(const std::filesystem::path& file, std::string message) {
-  throw InputError(InputProblem{.file = file.string(), .message = std::move(message)});
-}
-
 bool is_same_quantity(const MetricRow& a, const MetricRow& b) {
   return a.version == b.version && a.unit == b.unit && a.better == b.better &&
          a.population == b.population && a.is_measured == b.is_measured;
@@ -49,9 +45,10 @@ void check_metrics(const Database& into, const Database& from) {
     const auto same = std::find_if(into.metrics().begin(), into.metrics().end(),
                                    [&](const MetricRow& row) { return row.name == metric.name; });
     if (same == into.metrics().end() || !is_same_quantity(*same, metric)) {
-      refuse(from.path(), "holds metric " + metric.name + " in version " +
-                              std::to_string(metric.version) + ", which " + into.path().string() +
-                              " does not: databases of two versions can't be merged");
+      refuse_file(from.path(), "holds metric " + metric.name + " in version " +
+                                   std::to_string(metric.version) + ", which " +
+                                   into.path().string() +
+                                   " does not: databases of two versions can't be merged");
     }
   }
 }
@@ -144,10 +141,11 @@ void check_agreement(const Database& into, const Database& from) {
   for (const auto& [what, sql] : checks) {
     Statement statement(into.handle(), into.path(), sql + " LIMIT 1");
     if (!statement.step()) continue;
-    refuse(from.path(), "holds " + what + " " + statement.text(0).substr(0, 12) +
-                            " with other values than " + into.path().string() +
-                            ": they come from other programs or files, or times were measured; "
-                            "nothing was merged");
+    refuse_file(from.path(),
+                "holds " + what + " " + statement.text(0).substr(0, 12) +
+                    " with other values than " + into.path().string() +
+                    ": they come from other programs or files, or times were measured; "
+                    "nothing was merged");
   }
 }
 
@@ -249,11 +247,12 @@ MergeResult merge_database(Database& into, const std::filesystem::path& from) {
   const Database checked = Database::open_for_reading(from);
   std::error_code error;
   if (std::filesystem::equivalent(from, into.path(), error))
-    refuse(from, "is the file to merge into");
+    refuse_file(from, "is the file to merge into");
   if (checked.uri().empty()) {
-    refuse(from,
-           "is of an older avoidbench with another schema: `avoidbench run` into this database "
-           "brings it up");
+    refuse_file(
+        from,
+        "is of an older avoidbench with another schema: `avoidbench run` into this database "
+        "brings it up");
   }
   check_metrics(into, checked);
   MergeResult result;
@@ -272,8 +271,8 @@ MergeResult merge_database(Database& into, const std::filesystem::path& from) {
       take_rows(into, checked);
     } catch (const InputError&) {
       if ((sqlite3_errcode(into.handle()) & 0xff) != SQLITE_CONSTRAINT) throw;
-      refuse(from, std::string("damaged: its rows contradict each other (") +
-                       sqlite3_errmsg(into.handle()) + "); nothing was merged");
+      refuse_file(from, std::string("damaged: its rows contradict each other (") +
+                            sqlite3_errmsg(into.handle()) + "); nothing was merged");
     }
     result.trials = count_of(into, "SELECT count(*) FROM shard.trials");
     result.new_trials = count_of(into, "SELECT count(*) FROM temp.added");
@@ -302,6 +301,7 @@ std::vector<SweepCompleteness> sweep_completeness(const Database& database) {
     for (const nlohmann::json& axis : axes) {
       one.wanted *= static_cast<std::int64_t>(axis.at("values").size());
     }
+    one.wanted = spec.value("trial_count", one.wanted);
     // An invalid mission of a map is one of every combination of the axes that leave the map alone.
     std::int64_t per_mission = planners;
     for (const nlohmann::json& axis : axes) {

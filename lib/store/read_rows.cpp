@@ -233,6 +233,42 @@ TrialSummary summary_of(const Database& db, const Statement& row) {
   return trial;
 }
 
+/// What listings() reads, with these fields behind it, up to what follows the joins.
+std::string listing_query(const Database& db, const std::vector<std::string>& fields) {
+  return "SELECT t.rowid, t.trial_key, p.label, m.generator, m.map_seed, "
+         "json_extract(m.spec_json, '$.poisson_radius_m'), t.mission_index, t.outcome, t.reason, "
+         "t.end_time_s, i.start_x_m, i.start_y_m, i.start_z_m, i.goal_x_m, i.goal_y_m, i.goal_z_m" +
+         field_columns(db, fields) +
+         " FROM trials t JOIN planners p USING (planner_key) JOIN maps m ON m.map_key = t.map_key "
+         "JOIN missions i ON i.map_key = t.map_key AND i.mission_index = t.mission_index JOIN runs "
+         "r USING (run_id)";
+}
+
+/// The rows of listing_query().
+std::vector<TrialListing> listings(Statement& s, std::size_t field_count) {
+  constexpr int kFirstField = 16;
+  s.rows_of("trials", 1);
+  std::vector<TrialListing> trials;
+  while (s.step()) {
+    trials.push_back({.id = s.integer(0),
+                      .key = s.text(1),
+                      .planner_label = s.text(2),
+                      .generator = s.text(3),
+                      .map_seed = std::bit_cast<std::uint64_t>(s.integer(4)),
+                      .poisson_radius_m = s.real(5),
+                      .mission_index = s.integer(6),
+                      .outcome = outcome_of(s, 7),
+                      .reason = s.free_text(8),
+                      .end_time_s = s.real(9),
+                      .mission = {.start_world = {s.real(10), s.real(11), s.real(12)},
+                                  .goal_world = {s.real(13), s.real(14), s.real(15)}}});
+    for (std::size_t i = 0; i < field_count; ++i) {
+      trials.back().fields.push_back(s.value(kFirstField + static_cast<int>(i)));
+    }
+  }
+  return trials;
+}
+
 /// By the sweep's latency.mode or the axis of it.
 bool has_measured_latency(const Database& db, std::string_view name, std::int64_t revision) {
   Statement s(db.handle(), db.path(),
@@ -243,6 +279,55 @@ bool has_measured_latency(const Database& db, std::string_view name, std::int64_
               "'latency.mode' AND v.value IN ('measured', 'replay'))))");
   s.bind_text(name).bind_integer(revision).step();
   return s.integer(0) != 0;
+}
+
+constexpr std::string_view kOfSweep = " WHERE s.sweep = ? AND s.revision = ? ";
+
+/// A query that ends in kOfSweep, with the sweep's name and revision.
+std::unique_ptr<Statement> of_sweep(const Database& db, const SweepResult& sweep,
+                                    std::string_view sql) {
+  auto statement = std::make_unique<Statement>(db.handle(), db.path(), sql);
+  statement->bind_text(sweep.name).bind_integer(sweep.revision);
+  return statement;
+}
+
+void read_sweep_spec(const Database& db, SweepResult& result) {
+  const auto spec =
+      of_sweep(db, result, "SELECT s.spec_json, s.sweep FROM sweeps s" + std::string(kOfSweep));
+  spec->rows_of("sweeps", 1);
+  if (spec->step()) {
+    result.spec_json = spec->text(0);
+    check_json(*spec, result.spec_json, stored_sweep);
+  }
+  Statement latest(db.handle(), db.path(), "SELECT max(revision) FROM sweeps WHERE sweep = ?");
+  latest.bind_text(result.name);
+  if (latest.step() && !latest.is_null(0)) result.latest_revision = latest.integer(0);
+}
+
+/// Reads maps and missions; the place of each map by its key.
+std::map<std::string, std::size_t> read_sweep_maps(const Database& db, SweepResult& result) {
+  const auto maps = of_sweep(db, result,
+                             "SELECT DISTINCT " + std::string(kMapColumns) +
+                                 " FROM sweep_missions s JOIN maps m USING (map_key)" +
+                                 std::string(kOfSweep) + "ORDER BY m.map_key");
+  maps->rows_of("maps");
+  std::map<std::string, std::size_t> indices;
+  while (maps->step()) {
+    result.maps.push_back(map_of(*maps));
+    indices.emplace(result.maps.back().record.key, result.maps.size() - 1);
+  }
+  const auto missions =
+      of_sweep(db, result,
+               "SELECT " + std::string(kMissionColumns) +
+                   " FROM sweep_missions s JOIN missions i USING (map_key, mission_index)" +
+                   std::string(kOfSweep) + "ORDER BY i.map_key, i.mission_index");
+  missions->rows_of("missions");
+  while (missions->step()) {
+    const auto map = indices.find(missions->text(0));
+    if (map == indices.end()) missions->damaged("its map is not there");
+    result.maps[map->second].record.missions.push_back(mission_of(*missions));
+  }
+  return indices;
 }
 
 }  // namespace
@@ -308,27 +393,26 @@ std::optional<TrialRow> Database::read_trial(std::string_view key) const {
   return row;
 }
 
-std::vector<TrialListing> Database::list_trials() const {
+std::vector<TrialListing> Database::list_trials(const std::vector<std::string>& fields) const {
+  Statement s(handle(), path(), listing_query(*this, fields) + " ORDER BY t.rowid");
+  return listings(s, fields.size());
+}
+
+std::vector<TrialListing> Database::list_trials(std::string_view sweep,
+                                                std::int64_t revision) const {
   Statement s(handle(), path(),
-              "SELECT t.rowid, t.trial_key, p.label, m.generator, m.map_seed, "
-              "json_extract(m.spec_json, '$.poisson_radius_m'), t.mission_index, t.outcome, "
-              "t.reason, t.end_time_s FROM trials t JOIN planners p USING (planner_key) "
-              "JOIN maps m USING (map_key) ORDER BY t.rowid");
-  s.rows_of("trials", 1);
-  std::vector<TrialListing> trials;
-  while (s.step()) {
-    trials.push_back({.id = s.integer(0),
-                      .key = s.text(1),
-                      .planner_label = s.text(2),
-                      .generator = s.text(3),
-                      .map_seed = std::bit_cast<std::uint64_t>(s.integer(4)),
-                      .poisson_radius_m = s.real(5),
-                      .mission_index = s.integer(6),
-                      .outcome = outcome_of(s, 7),
-                      .reason = s.free_text(8),
-                      .end_time_s = s.real(9)});
-  }
-  return trials;
+              listing_query(*this, {}) +
+                  " JOIN sweep_trials s USING (trial_key) WHERE s.sweep = ? AND s.revision = ? "
+                  "ORDER BY t.rowid");
+  s.bind_text(sweep).bind_integer(revision);
+  return listings(s, 0);
+}
+
+std::string Database::sandbox_of(std::string_view trial_key) const {
+  Statement s(handle(), path(),
+              "SELECT r.sandbox FROM trials t JOIN runs r USING (run_id) WHERE t.trial_key = ?");
+  s.bind_text(trial_key);
+  return s.step() ? s.free_text(0) : "";
 }
 
 std::map<std::string, TrialCost> Database::mean_costs() const {
@@ -367,6 +451,7 @@ SweepResult Database::read_sweep(std::string_view name, std::int64_t revision,
   const OneMoment moment(handle());
   SweepResult result{.name = std::string(name),
                      .revision = revision,
+                     .latest_revision = revision,
                      .metrics = metrics_,
                      .planners = {},
                      .maps = {},
@@ -375,48 +460,19 @@ SweepResult Database::read_sweep(std::string_view name, std::int64_t revision,
                      .spec_json = {},
                      .fields = fields,
                      .has_measured_latency = false};
-  const auto query = [&](std::string_view sql) {
-    auto statement = std::make_unique<Statement>(handle(), path(), sql);
-    statement->bind_text(name).bind_integer(revision);
-    return statement;
-  };
-  const std::string of_sweep = " WHERE s.sweep = ? AND s.revision = ? ";
-
-  auto spec = query("SELECT s.spec_json, s.sweep FROM sweeps s" + of_sweep);
-  spec->rows_of("sweeps", 1);
-  if (spec->step()) {
-    result.spec_json = spec->text(0);
-    check_json(*spec, result.spec_json, stored_sweep);
-  }
-
-  auto maps =
-      query("SELECT DISTINCT " + std::string(kMapColumns) +
-            " FROM sweep_missions s JOIN maps m USING (map_key)" + of_sweep + "ORDER BY m.map_key");
-  maps->rows_of("maps");
-  std::map<std::string, std::size_t> map_indices;
-  while (maps->step()) {
-    result.maps.push_back(map_of(*maps));
-    map_indices.emplace(result.maps.back().record.key, result.maps.size() - 1);
-  }
-  auto missions = query("SELECT " + std::string(kMissionColumns) +
-                        " FROM sweep_missions s JOIN missions i USING (map_key, mission_index)" +
-                        of_sweep + "ORDER BY i.map_key, i.mission_index");
-  missions->rows_of("missions");
-  while (missions->step()) {
-    const auto map = map_indices.find(missions->text(0));
-    if (map == map_indices.end()) missions->damaged("its map is not there");
-    result.maps[map->second].record.missions.push_back(mission_of(*missions));
-  }
+  read_sweep_spec(*this, result);
+  const std::map<std::string, std::size_t> map_indices = read_sweep_maps(*this, result);
 
   // Once over the trials, which are most of the file; what they refer to is few and looked up here,
   // unless a field asks for it.
   const std::string_view tables =
       fields.empty() ? " FROM sweep_trials s JOIN trials t USING (trial_key)" : kTrialTables;
-  auto trials = query(
+  const auto trials = of_sweep(
+      *this, result,
       "SELECT t.trial_key, t.planner_key, t.map_key, t.mission_index, t.outcome, t.run_id, "
       "t.end_time_s" +
-      metric_columns(*this) + field_columns(*this, fields) + std::string(tables) + of_sweep +
-      "ORDER BY s.trial_key");
+          metric_columns(*this) + field_columns(*this, fields) + std::string(tables) +
+          std::string(kOfSweep) + "ORDER BY s.trial_key");
   const int first_field = 7 + static_cast<int>(metrics_.size());
   trials->rows_of("trials");
   std::set<std::string> planner_keys;

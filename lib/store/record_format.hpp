@@ -11,8 +11,9 @@
 
 namespace avoidbench {
 
-inline constexpr std::size_t kSampleDoubles =
-    22;  ///< numbers a stored sample, in the order that schema.sql names
+/// Numbers of a stored sample, in the order that schema.sql names.
+inline constexpr std::size_t kSampleDoubles = 22;
+inline constexpr std::size_t kSampleBytes = kSampleDoubles * sizeof(double);
 
 /// Samples as stored: kSampleDoubles little-endian doubles each.
 std::vector<std::byte> sample_bytes(std::span<const Sample> samples);

@@ -91,6 +91,8 @@ struct TrialListing {
   Outcome outcome = Outcome::timed_out;
   std::string reason;
   double end_time_s = 0.0;  ///< NaN where not known
+  Mission mission = {};
+  std::vector<TableValue> fields = {};  ///< one an element of those that were asked for
 };
 
 /// What reports need of one trial.
@@ -109,6 +111,7 @@ struct TrialSummary {
 struct SweepResult {
   std::string name;
   std::int64_t revision = 1;
+  std::int64_t latest_revision = 1;  ///< that the database has
   std::vector<MetricRow> metrics;
   std::vector<PlannerRow> planners;  ///< that flew, by label
   std::vector<MapRow> maps;          ///< with the missions that the sweep asked for

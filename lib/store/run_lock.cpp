@@ -21,10 +21,6 @@ namespace {
 
 constexpr off_t kLockByte = off_t{1} << 62;  // SQLite locks bytes at 2^30
 
-[[noreturn]] void fail(const std::filesystem::path& file, std::string message) {
-  throw InputError(InputProblem{.file = file.string(), .message = std::move(message)});
-}
-
 /// 0, or errno.
 int try_lock(int descriptor) {
   struct flock lock = {};
@@ -115,7 +111,7 @@ std::string holder_text(int descriptor) {
 RunLock::RunLock(const std::filesystem::path& file)
     : file_(std::filesystem::absolute(file)),
       descriptor_(::open(file.c_str(), O_RDWR | O_CLOEXEC | O_NOCTTY)) {
-  if (descriptor_ < 0) fail(file, std::string("can't be opened: ") + std::strerror(errno));
+  if (descriptor_ < 0) refuse_file(file, std::string("can't be opened: ") + std::strerror(errno));
   // One that was just killed may need a moment to be gone.
   // A second in all.
   constexpr int kTries = 20;
@@ -128,8 +124,8 @@ RunLock::RunLock(const std::filesystem::path& file)
   if (error == EAGAIN || error == EACCES) {
     const std::string holder = holder_text(descriptor_);
     ::close(descriptor_);
-    fail(file, "another avoidbench run or merge (" + holder +
-                   ") is writing to it: wait until it has ended, or write to another file");
+    refuse_file(file, "another avoidbench run or merge (" + holder +
+                          ") is writing to it: wait until it has ended, or write to another file");
   }
   // Another error is a file system without locks. SQLite's own way without them is as good as it
   // gets there.

@@ -1,6 +1,6 @@
 -- The database of results: one file, read by anything that reads SQLite. Names carry their units, as in the sweep files
 -- and the program; NULL is "not defined" (a metric of the finished trials, in a trial that failed). Start with the views
--- trial_table, planner_summary, map_summary and plan_call_table of views.sql.
+-- latest_trials, planner_summary, map_summary and plan_call_table of views.sql.
 PRAGMA application_id = 1635140206;  -- "avBn"
 PRAGMA user_version = 4;             -- of this schema
 

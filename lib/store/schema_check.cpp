@@ -82,10 +82,6 @@ const Expected& expected() {
   return made;
 }
 
-[[noreturn]] void refuse(const std::filesystem::path& path, std::string message) {
-  throw InputError(InputProblem{.file = path.string(), .message = std::move(message)});
-}
-
 /// A foreign name in a message: not longer than people read.
 std::string shown(const std::string& name) {
   constexpr std::size_t kMost = 60;
@@ -96,13 +92,14 @@ std::string shown(const std::string& name) {
 
 [[noreturn]] void refuse_object(const std::filesystem::path& path, const std::string& kind,
                                 const std::string& name) {
-  refuse(path, "holds the " + kind + " '" + shown(name) +
-                   "', which avoidbench does not make; it is left as it is. If you made it, drop "
-                   "it (DROP " +
-                   (kind == "table"  ? "TABLE"
-                    : kind == "view" ? "VIEW"
-                                     : "INDEX or TRIGGER") +
-                   ") and try again; else don't trust this file");
+  refuse_file(path,
+              "holds the " + kind + " '" + shown(name) +
+                  "', which avoidbench does not make; it is left as it is. If you made it, drop "
+                  "it (DROP " +
+                  (kind == "table"  ? "TABLE"
+                   : kind == "view" ? "VIEW"
+                                    : "INDEX or TRIGGER") +
+                  ") and try again; else don't trust this file");
 }
 
 bool is_view(std::string_view name) {
@@ -170,9 +167,9 @@ void check_table(sqlite3* handle, const std::filesystem::path& path, std::string
                  const std::string& name, const std::set<std::string>& metrics) {
   const Table& wanted = expected().tables.find(name)->second;
   const Table found = read_table(handle, path, schema, name);
-  if (found.columns.empty()) refuse(path, "damaged: it lacks the table " + name);
+  if (found.columns.empty()) refuse_file(path, "damaged: it lacks the table " + name);
   const std::string fault = fault_of(found, wanted, metrics);
-  if (!fault.empty()) refuse(path, "damaged: its table " + name + " " + fault);
+  if (!fault.empty()) refuse_file(path, "damaged: its table " + name + " " + fault);
 }
 
 /// The names in metric_definitions, none of which is a column of `trials` otherwise.
@@ -184,8 +181,8 @@ std::set<std::string> metric_names(sqlite3* handle, const std::filesystem::path&
   while (s.step()) {
     const std::string name = s.text(0);
     if (!is_column_name(name) || std::find(own.begin(), own.end(), name) != own.end()) {
-      refuse(path,
-             "damaged: table metric_definitions, row '" + shown(name) + "': no name of a metric");
+      refuse_file(path, "damaged: table metric_definitions, row '" + shown(name) +
+                            "': no name of a metric");
     }
     names.insert(name);
   }

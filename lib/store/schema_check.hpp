@@ -13,8 +13,8 @@ extern const std::string_view kSchemaSql;  ///< schema.sql
 extern const std::string_view kViewsSql;   ///< views.sql
 
 /// The views of views.sql.
-inline constexpr std::string_view kViews[] = {"trial_table", "planner_summary", "map_summary",
-                                              "plan_call_table"};
+inline constexpr std::string_view kViews[] = {"trial_table", "latest_trials", "planner_summary",
+                                              "map_summary", "plan_call_table"};
 
 /// What a file may hold beside the tables, indices and views of this program.
 enum class Extras {

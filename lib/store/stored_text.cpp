@@ -104,7 +104,9 @@ json stored_sweep(const std::string& text) {
   json spec = stored_object(text);
   const json trials = element(spec, "trials"), planners = element(spec, "planners");
   const json axes = element(spec, "axes"), until = element(spec, "until");
+  const json trial_count = element(spec, "trial_count");
   const bool has_types = (trials.is_null() || trials.is_number_integer()) &&
+                         (!spec.contains("trial_count") || trial_count.is_number_integer()) &&
                          (planners.is_null() || planners.is_array()) &&
                          (axes.is_null() || axes.is_array()) &&
                          (until.is_null() || until.is_string());
@@ -119,7 +121,11 @@ json stored_sweep(const std::string& text) {
     }
     count *= static_cast<double>(std::max<std::size_t>(1, values.size()));
   }
-  const bool is_negative = !trials.is_null() && trials.get<double>() < 0.0;
+  const auto is_below_zero = [](const json& number) {
+    return !number.is_null() && number.get<double>() < 0.0;
+  };
+  const bool is_negative = is_below_zero(trials) || is_below_zero(trial_count);
+  if (!trial_count.is_null()) count = std::max(count, trial_count.get<double>());
   if (is_negative || count > kMostTrials) throw BadText("that of a sweep of too many trials");
   return spec;
 }

@@ -7,6 +7,7 @@
 #include "store/schema_check.hpp"
 #include "store/statement.hpp"
 #include "store/stored_text.hpp"
+#include "store/visit_trials.hpp"
 
 namespace avoidbench {
 namespace {
@@ -29,6 +30,7 @@ constexpr NamedField kNamedFields[] = {
     {"relative_gap_size", "m.relative_gap_size"},
     {"obstacle_density_1pm2", "m.obstacle_density_1pm2"},
     {"free_volume_ratio", "m.free_volume_ratio"},
+    {"seed", "json_extract(t.spec_json, '$.seed')"},
     {"mission_index", "t.mission_index"},
     {"reference_length_m", "i.reference_length_m"},
     {"traversability_obstruction", "i.traversability_obstruction"},
@@ -59,14 +61,16 @@ std::string in_quotes(std::string_view text, char quote) {
   return out + quote;
 }
 
-/// `$."a"."b"` for a.b, as a literal of SQL.
+/// `$."a"[0]."b"` for a.0.b, as a literal of SQL.
 std::string json_path(std::string_view dotted) {
   std::string path = "$";
   while (!dotted.empty()) {
     const std::size_t dot = dotted.find('.');
     std::string part(dotted.substr(0, dot));
     std::erase(part, '"');  // which no key of ours has
-    path += ".\"" + part + "\"";
+    const bool is_index =
+        !part.empty() && part.find_first_not_of("0123456789") == std::string::npos;
+    path += is_index ? "[" + part + "]" : ".\"" + part + "\"";
     dotted.remove_prefix(dot == std::string_view::npos ? dotted.size() : dot + 1);
   }
   return in_quotes(path, '\'');
@@ -133,6 +137,15 @@ std::vector<std::string> paths_of(const Database& db, const std::string& trial_k
   return paths;
 }
 
+/// Whether it is a field by its looks: what a file says here may be anybody's.
+bool is_path(const std::string& text) {
+  const bool is_plain = std::all_of(text.begin(), text.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '.';
+  });
+  return is_plain && (text.find('.') != std::string::npos || text == "map_seed" || text == "seed");
+}
+
 }  // namespace
 
 Outcome outcome_of(const Statement& row, int column) {
@@ -147,6 +160,17 @@ std::string field_columns(const Database& db, const std::vector<std::string>& fi
   std::string columns;
   for (const std::string& field : fields) columns += ", " + sql_of(db, field);
   return columns;
+}
+
+std::vector<std::string> axis_fields(std::span<const SweepInfo> sweeps) {
+  std::vector<std::string> fields;
+  for (const SweepInfo& sweep : sweeps) {
+    for (const std::string& path : axis_paths(sweep.spec_json)) {
+      const bool is_new = std::find(fields.begin(), fields.end(), path) == fields.end();
+      if (is_new && is_path(path)) fields.push_back(path);
+    }
+  }
+  return fields;
 }
 
 void refuse_empty_field(const Database& db, const SweepResult& result, std::size_t field) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +26,9 @@ inline constexpr std::string_view kTrialTables =
 ///   `planner.horizon_m` for a planner's parameter; `sensor` and `vehicle` mean their names.
 /// Throws InputError for any other name.
 std::string field_columns(const Database& db, const std::vector<std::string>& fields);
+
+/// The paths of these sweeps' axes as fields, in order, each once.
+std::vector<std::string> axis_fields(std::span<const SweepInfo> sweeps);
 
 /// Throws InputError, with the nearest path that there is, when no trial of `result` has field
 /// number `field`: the path was misspelled.

@@ -5,25 +5,53 @@
 
 #include "base/check.hpp"
 #include "store/statement.hpp"
+#include "store/trial_fields.hpp"
 
 namespace avoidbench {
 namespace {
 
-std::string trial_query(std::size_t sweep_count, bool is_of_one_map) {
+/// A pair of parameters for each sweep.
+std::string places_of(std::size_t sweep_count) {
   std::string places;
   for (std::size_t i = 0; i < sweep_count; ++i) places += i == 0 ? "(?,?)" : ",(?,?)";
-  return "SELECT * FROM trial_table WHERE (sweep, revision) IN (VALUES " + places + ")" +
-         (is_of_one_map ? " AND map_key = ?" : "") +
-         " ORDER BY sweep, revision, planner, planner_key, map_key, mission_index, trial_key";
+  return places;
+}
+
+std::string trial_query(std::size_t sweep_count, bool is_of_one_map,
+                        const std::string& axis_columns) {
+  const std::string from = axis_columns.empty()
+                               ? " FROM trial_table v"
+                               : " FROM trial_table v JOIN trials t ON t.trial_key = v.trial_key";
+  return "SELECT v.*" + axis_columns + from + " WHERE (v.sweep, v.revision) IN (VALUES " +
+         places_of(sweep_count) + ")" + (is_of_one_map ? " AND v.map_key = ?" : "") +
+         " ORDER BY v.sweep, v.revision, v.planner, v.planner_key, v.map_key, v.mission_index, "
+         "v.trial_key";
+}
+
+/// Those of `axes` that the view trial_table has no column of.
+std::vector<std::string> axes_apart(const Database& database, std::span<const std::string> axes) {
+  Statement view(database.handle(), database.path(), "SELECT * FROM trial_table LIMIT 0");
+  std::vector<std::string> apart;
+  for (const std::string& axis : axes) {
+    bool is_there = false;
+    for (int i = 0; i < view.column_count(); ++i) {
+      const std::string name = view.column_name(i);
+      is_there = is_there || axis == name || axis == "map." + name;
+    }
+    if (!is_there) apart.push_back(axis);
+  }
+  return apart;
 }
 
 }  // namespace
 
 TrialTableReader::TrialTableReader(const Database& database, std::span<const SweepInfo> sweeps,
-                                   std::string_view map_key) {
+                                   std::string_view map_key, std::span<const std::string> axes) {
   AB_CHECK(!sweeps.empty(), sweeps.size());
-  statement_ = std::make_unique<Statement>(database.handle(), database.path(),
-                                           trial_query(sweeps.size(), !map_key.empty()));
+  const std::vector<std::string> apart = axes_apart(database, axes);
+  statement_ = std::make_unique<Statement>(
+      database.handle(), database.path(),
+      trial_query(sweeps.size(), !map_key.empty(), field_columns(database, apart)));
   const auto key = [&] {
     for (int i = statement_->column_count(); i-- > 0;) {
       if (statement_->column_name(i) == "trial_key") return i;
@@ -38,6 +66,7 @@ TrialTableReader::TrialTableReader(const Database& database, std::span<const Swe
   for (int i = 0; i < statement_->column_count(); ++i) {
     columns_.push_back(statement_->column_name(i));
   }
+  std::copy(apart.begin(), apart.end(), columns_.end() - static_cast<std::ptrdiff_t>(apart.size()));
   row_.resize(columns_.size());
   const auto seed = std::find(columns_.begin(), columns_.end(), "map_seed");
   seed_column_ = static_cast<std::size_t>(seed - columns_.begin());
@@ -57,6 +86,22 @@ bool TrialTableReader::next() {
     }
   }
   return true;
+}
+
+std::vector<std::string> generators_of(const Database& database,
+                                       std::span<const SweepInfo> sweeps) {
+  Statement s(database.handle(), database.path(),
+              "SELECT DISTINCT m.generator, m.map_key FROM sweep_trials s JOIN trials t USING "
+              "(trial_key) JOIN maps m ON m.map_key = t.map_key WHERE (s.sweep, s.revision) IN "
+              "(VALUES " +
+                  places_of(sweeps.size()) + ") ORDER BY 1");
+  s.rows_of("maps", 1);
+  for (const SweepInfo& sweep : sweeps) s.bind_text(sweep.name).bind_integer(sweep.revision);
+  std::vector<std::string> generators;
+  while (s.step()) {
+    if (generators.empty() || generators.back() != s.text(0)) generators.push_back(s.text(0));
+  }
+  return generators;
 }
 
 std::vector<MapFlights> read_map_flights(const Database& database, const SweepInfo& sweep) {

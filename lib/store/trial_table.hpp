@@ -18,9 +18,10 @@ class Statement;
 /// as in a sweep's file. The database has to outlive it.
 class TrialTableReader {
  public:
-  /// Rows of these revisions of sweeps; only of the map `map_key` where it is not empty.
+  /// Rows of these revisions of sweeps; only of the map `map_key` where it is not empty. Behind the
+  /// view's columns stand those of `axes`, by their paths, except those that the view has.
   TrialTableReader(const Database& database, std::span<const SweepInfo> sweeps,
-                   std::string_view map_key = {});
+                   std::string_view map_key = {}, std::span<const std::string> axes = {});
   ~TrialTableReader();
   TrialTableReader(TrialTableReader&& other) noexcept;
   TrialTableReader& operator=(TrialTableReader&& other) noexcept;
@@ -36,6 +37,9 @@ class TrialTableReader {
   std::vector<TableValue> row_;
   std::size_t seed_column_ = 0;
 };
+
+/// The generators of the maps that these sweeps have trials on.
+std::vector<std::string> generators_of(const Database& database, std::span<const SweepInfo> sweeps);
 
 /// Where the trials of a sweep on one map come from.
 struct MapFlights {

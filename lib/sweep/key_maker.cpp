@@ -17,6 +17,7 @@ json keyed_json(const TrialSpec& spec) {
   fields["planner"].erase("file");
   fields["planner"].erase("plugin");
   forget_unused_latency(fields);
+  forget_unused_later_fields(fields);
   return fields;
 }
 
@@ -25,6 +26,19 @@ std::string key_of(std::string_view canonical) {
 }
 
 }  // namespace
+
+void forget_unused_later_fields(nlohmann::json& trial) {
+  if (trial.at("missions_digest") == "") trial.erase("missions_digest");
+  nlohmann::json& sensor = trial.at("sensor");
+  if (sensor.at("more_cameras").empty()) sensor.erase("more_cameras");
+}
+
+void restore_later_fields(nlohmann::json& trial) {
+  trial.emplace("missions_digest", "");
+  if (trial.contains("sensor") && trial.at("sensor").is_object()) {
+    trial.at("sensor").emplace("more_cameras", nlohmann::json::array());
+  }
+}
 
 KeyText::KeyText(const TrialSpec& setting) {
   const json fields = keyed_json(setting);
@@ -79,6 +93,7 @@ std::string map_key(const TrialSpec& spec) {
                     {"mission", spec_to_json(spec.mission)},
                     {"body_size_m", spec.vehicle.body_size_m}};
   canonical["map"].erase("file");
+  if (!spec.missions_digest.empty()) canonical["missions_digest"] = spec.missions_digest;
   return key_of(canonical.dump());
 }
 

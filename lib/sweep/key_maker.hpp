@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "sweep/sweep_spec.hpp"
@@ -19,6 +20,14 @@ class KeyText {
   std::string before_digest_, before_index_, after_index_;
   bool has_digest_ = false;
 };
+
+/// Takes out of a TrialSpec's JSON the fields that came after databases were first written, where
+/// they say nothing (missions_digest, sensor.more_cameras): so trials keep the keys and texts that
+/// they had before.
+void forget_unused_later_fields(nlohmann::json& trial);
+
+/// Reverse of forget_unused_later_fields().
+void restore_later_fields(nlohmann::json& trial);
 
 /// The trial_key() and map_key() of many trials: what they follow from is made into text once for
 /// each setting.

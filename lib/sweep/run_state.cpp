@@ -8,6 +8,7 @@
 #include "base/input_error.hpp"
 #include "base/spec_json.hpp"
 #include "metrics/metric_table.hpp"
+#include "sweep/listed_missions.hpp"
 #include "sweep/sweep_rows.hpp"
 
 namespace avoidbench {
@@ -96,14 +97,14 @@ void report_progress(const Run& run) {
 }
 
 void recall_maps(Run& run) {
-  const auto mission_count = static_cast<std::size_t>(run.sweep.trials);
   for (MapPlan& map : run.schedule.maps) {
     if (waiting_count(map) == 0) continue;
+    const auto count = static_cast<std::size_t>(mission_count(run.sweep, map.spec));
     auto known = run.database.read_map(map.key);
     // A sweep of more missions measures the map again: the missions that are there come out the
     // same.
-    if (!known || known->record.missions.size() < mission_count) continue;
-    known->record.missions.resize(mission_count);
+    if (!known || known->record.missions.size() < count) continue;
+    known->record.missions.resize(count);
     run.database.add_map(*known, run.sweep.name);
     settle_map(run, map, std::move(known->record));
   }
@@ -114,7 +115,8 @@ Job job_of(Run& run, const Assignment& assignment) {
   if (!assignment.trial) {
     return {.token = make_token(),
             .spec = map.spec,
-            .mission_count = run.sweep.trials,
+            .mission_count = mission_count(run.sweep, map.spec),
+            .listed_missions = missions_of(run.sweep.missions, map.spec),
             .mission = {},
             .recorded_latency_s = {}};
   }
@@ -122,6 +124,7 @@ Job job_of(Run& run, const Assignment& assignment) {
   return {.token = make_token(),
           .spec = spec,
           .mission_count = 0,
+          .listed_missions = {},
           .mission = map.record->missions[static_cast<std::size_t>(spec.mission_index)],
           .recorded_latency_s = latencies_of(run, spec)};
 }
@@ -141,13 +144,17 @@ void take_death(Run& run, const Assignment& assignment, const Job& job, const De
   if (!assignment.trial) {
     throw InputError("the worker that measured a map of " + run.sweep.name +
                      " ended: " + death.reason +
+                     (death.last_words.empty() ? "" : " (it printed: " + death.last_words + ")") +
                      "; run the same command again, with fewer workers if memory is short");
   }
   TrialRecord record;
-  // No samples and no calls: what a dead process had flown is not known for sure.
+  if (death.flown) record = *death.flown;
   record.outcome = death.outcome;
   record.reason = death.reason;
   std::vector<double> metrics = compute_metrics({job.spec, *job.mission, record});
+  if (!death.last_words.empty()) {
+    run.last_words[run.schedule.keys[*assignment.trial]] = death.last_words;
+  }
   commit_trial(run, assignment, std::move(record), std::move(metrics), std::nan(""));
 }
 

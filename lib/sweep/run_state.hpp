@@ -13,6 +13,7 @@
 #include "sweep/run_sweep.hpp"
 #include "sweep/schedule.hpp"
 #include "worker/job.hpp"
+#include "worker/worker_death.hpp"
 
 /// A run as its parent process sees it, and what becomes of jobs.
 namespace avoidbench {
@@ -34,7 +35,8 @@ struct Run {
   std::map<std::string, SandboxRules> sandbox_rules;  ///< by planner label
   std::vector<UnflownTrial> unflown;
   std::map<std::string, int> left_behind;  ///< processes, by label of the planner that left them
-  bool has_begun = false;                  ///< the database knows of this run
+  std::map<std::string, std::string> last_words;  ///< of workers that died, by key of their trial
+  bool has_begun = false;                         ///< the database knows of this run
 
   // Two stages: no further job is handed out; what is in flight is ended, too. Signal handlers set
   // both, so that they are atomics of the caller's.
@@ -54,14 +56,8 @@ void recall_maps(Run& run);
 /// Commits what a worker answered. Throws InputError for what stops the sweep as a whole.
 void take_result(Run& run, const Assignment& assignment, JobResult result);
 
-/// Why a job has no answer: what that makes of the trial.
-struct Death {
-  Outcome outcome = Outcome::planner_crashed;
-  std::string reason;
-};
-
-/// Commits a trial whose worker is gone: it has an outcome all the same. A map without one throws
-/// InputError.
+/// Commits a trial whose worker is gone: it has an outcome all the same, and the flight up to the
+/// last call. A map without one throws InputError.
 void take_death(Run& run, const Assignment& assignment, const Job& job, const Death& death);
 
 }  // namespace avoidbench

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
 #include "base/input_error.hpp"
+#include "base/kept_files.hpp"
+#include "diagnosis/spec_changes.hpp"
 #include "plugin/planner_description.hpp"
 #include "sweep/run_state.hpp"
 #include "sweep/seats.hpp"
@@ -14,6 +17,8 @@
 
 namespace avoidbench {
 namespace {
+
+using Changes = std::vector<std::string>;
 
 /// One job after the other, without sandbox and without time limits: for debuggers and tests.
 void run_in_process(Run& run) {
@@ -110,6 +115,44 @@ void fly_until(Run& run, const std::vector<PlannedTrial>& trials, std::set<std::
   }
 }
 
+/// Adds the sweep, and says so where the database has it with other contents.
+std::int64_t add_sweep(Database& database, const SweepRow& row, const RunOptions& options) {
+  std::optional<SweepInfo> latest;  // before this run
+  for (const SweepInfo& info : database.read_sweeps()) {
+    if (info.name == row.name) latest = info;
+  }
+  const std::int64_t revision = database.add_sweep(row);
+  if (!latest || latest->revision == revision || !options.on_revision) return revision;
+  const bool is_new = revision > latest->revision;
+  options.on_revision(
+      {.revision = revision,
+       .latest = std::max(revision, latest->revision),
+       .is_new = is_new,
+       .changes = is_new ? spec_changes(latest->spec_json, row.spec_json) : Changes{}});
+  return revision;
+}
+
+/// The planners, and with `with_maps` the maps and wind fields that come from files, each once.
+std::vector<FlownFile> flown_files(const SweepSpec& sweep, const std::vector<PlannedTrial>& trials,
+                                   bool with_maps) {
+  std::map<std::string, FlownFile> files;  // by digest
+  for (const PlannerChoice& planner : sweep.planners) {
+    files[planner.file_digest] = {planner.file, planner.file_digest, true};
+  }
+  std::set<const TrialSpec*> seen;
+  for (const PlannedTrial& trial : trials) {
+    if (!with_maps || !seen.insert(trial.setting.get()).second) continue;
+    MapSpec map = trial.setting->map;
+    const FileOfMap file = file_of(map);
+    if (file.file != nullptr) files[*file.digest] = {*file.file, *file.digest, false};
+    const WindFieldSpec& wind = trial.setting->wind.field;
+    if (!wind.file.empty()) files[wind.file_digest] = {wind.file, wind.file_digest, false};
+  }
+  std::vector<FlownFile> all;
+  for (auto& [digest, file] : files) all.push_back(std::move(file));
+  return all;
+}
+
 }  // namespace
 
 RunSummary run_sweep(const SweepSpec& sweep, const RunRow& provenance, Database& database,
@@ -131,7 +174,8 @@ RunSummary run_sweep(const SweepSpec& sweep, const RunRow& provenance, Database&
           .planner_files = {},
           .sandbox_rules = {},
           .unflown = {},
-          .left_behind = {}};
+          .left_behind = {},
+          .last_words = {}};
   for (const PlannerChoice& planner : sweep.planners) {
     // From here on a changed file ends the run, see require_unchanged().
     run.planner_files[planner.file] = file_state(planner.file);
@@ -140,10 +184,14 @@ RunSummary run_sweep(const SweepSpec& sweep, const RunRow& provenance, Database&
   std::set<std::string> skip = keys_to_skip(database, options);
   std::vector<PlannedTrial> trials = expand(sweep);
   const std::int64_t revision =
-      database.add_sweep({.name = sweep.name, .spec_json = sweep_json(sweep, trials)});
+      add_sweep(database, {.name = sweep.name, .spec_json = sweep_json(sweep, trials)}, options);
   // After add_sweep(): every shard stores the whole sweep, so that merge knows what is missing.
   trials = trials_of(options.shard, std::move(trials));
   for (const PlannerChoice& planner : sweep.planners) database.add_planner(planner_row(planner));
+  std::vector<std::string> unkept;
+  if (options.keep_planners) {
+    unkept = keep_files(flown_files(sweep, trials, options.keep_maps), database.path());
+  }
   if (sweep.until.is_set()) {
     fly_until(run, trials, skip);
   } else {
@@ -153,7 +201,9 @@ RunSummary run_sweep(const SweepSpec& sweep, const RunRow& provenance, Database&
           .revision = revision,
           .is_stopped = run.is_stopped(),
           .unflown = std::move(run.unflown),
-          .left_behind = std::move(run.left_behind)};
+          .unkept = std::move(unkept),
+          .left_behind = std::move(run.left_behind),
+          .last_words = std::move(run.last_words)};
 }
 
 }  // namespace avoidbench

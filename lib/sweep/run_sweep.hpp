@@ -28,6 +28,13 @@ struct Progress {
 /// Which finished trials are flown again.
 enum class Rerun { none, failed, all, chosen };
 
+/// A sweep that the database has with other contents, too.
+struct SweepRevision {
+  std::int64_t revision = 1, latest = 1;
+  bool is_new = false;               ///< made by this run
+  std::vector<std::string> changes;  ///< of a new one: where it differs from the one before
+};
+
 struct RunOptions {
   int jobs = 1;
   Shard shard;
@@ -36,13 +43,16 @@ struct RunOptions {
   /// Trials fly in this process, one after the other, for debuggers. Crashes and hangs are not
   /// caught then, and the C library's processor-dependent functions are in use by planners.
   bool in_process = false;
-  std::vector<std::string>
-      worker_command;       ///< starts a worker; three file descriptors are appended
+  std::vector<std::string> worker_command;  ///< starts a worker; four file descriptors are appended
   std::string sandbox;      ///< that workers enter, as text(SandboxSupport) has it; "": none
   double silence_s = 30.0;  ///< a worker that says for so long not even that it lives is ended
   double trial_timeout_s = 3600.0;  ///< wall time after which a trial ends as planner_hung
   double grace_s = 30.0;            ///< after `stop`, for the trials that fly
+  /// Copies of the planners, and of the maps and wind fields, are kept beside the database.
+  bool keep_planners = false, keep_maps = false;
   std::function<void(const Progress&)> on_progress;  ///< at each change, and each second
+  /// Before the first trial, where the sweep has several revisions.
+  std::function<void(const SweepRevision&)> on_revision = {};
   const std::atomic<bool>* stop =
       nullptr;  ///< set: hand out nothing more, commit what ends within grace_s, return
   const std::atomic<bool>* stop_now = nullptr;  ///< set: end what flies, return
@@ -59,7 +69,10 @@ struct RunSummary {
   std::int64_t revision = 0;  ///< of the sweep, in the database
   bool is_stopped = false;
   std::vector<UnflownTrial> unflown;
+  std::vector<std::string> unkept;         ///< files of which no copy could be kept, and why
   std::map<std::string, int> left_behind;  ///< processes that were ended, by label of the planner
+  std::map<std::string, std::string>
+      last_words;  ///< the last line that workers printed which died, by key of their trial
 };
 
 /// Flies every trial of the sweep that the database lacks, in worker processes, and commits each as

@@ -13,10 +13,9 @@
 #include <vector>
 
 #include "base/input_error.hpp"
-#include "base/option_error.hpp"
 #include "process/process_tree.hpp"
-#include "worker/crash_report.hpp"
 #include "worker/worker.hpp"
+#include "worker/worker_death.hpp"
 #include "worker/worker_process.hpp"
 
 namespace avoidbench {
@@ -113,43 +112,10 @@ void hand_out(Desk& desk, Seat& seat) {
   replace_process(desk, seat, rules);
   seat.memory = next;
   if (!seat.process.send(message, most_bytes)) {
-    throw InputError("worker processes end before they take a job");
+    const std::string words = last_words(seat.process);
+    throw InputError("worker processes end before they take a job" +
+                     (words.empty() ? "" : ": " + words));
   }
-}
-
-/// Whether somebody else ended the worker: a person, the kernel out of memory, a cluster.
-bool is_from_outside(const ProcessEnd& end) {
-  // The last three are ignored by a worker, but not in its first moments.
-  for (const int number : {SIGKILL, SIGHUP, SIGTERM, SIGINT, SIGUSR1}) {
-    if (end.signal == number) return true;
-  }
-  return false;
-}
-
-Death broken_pipes() { return {.reason = "the worker's own pipes were closed or written to"}; }
-
-Death too_much_memory() { return {.reason = "the worker used more memory than its limit allows"}; }
-
-Death death_of(const ProcessEnd& end, const std::string& notes, const PlannerChoice& planner) {
-  switch (end.exit_code) {
-    // The worker ends itself with these codes, see worker.hpp; any other end is the planner's
-    // doing.
-    case kHungExitCode:
-      return {Outcome::planner_hung, "a planner call lasted longer than the plan timeout"};
-    case kMemoryExitCode:
-      return too_much_memory();
-    case kPipesExitCode:
-      return broken_pipes();
-    case kSandboxExitCode:
-      throw OptionError(
-          "a worker could not enter its sandbox, though the kernel offers it; planners "
-          "can be flown without one",
-          "", "no-sandbox");
-    default:
-      break;
-  }
-  const std::string places = crash_places(notes, planner.file);
-  return {.reason = "the worker ended by " + end.text + (places.empty() ? "" : " in " + places)};
 }
 
 /// The seat's job has come to an end; the process may live on or not.
@@ -165,7 +131,8 @@ void take_kill(Desk& desk, Seat& seat, const ProcessEnd& end) {
   if (desk.killed_once.insert({map, trial}).second) {
     give_back(desk.run.schedule, task.assignment);
   } else if (!trial) {
-    take_death(desk.run, task.assignment, task.job, {.reason = end.text});
+    take_death(desk.run, task.assignment, task.job,
+               {.reason = end.text, .last_words = last_words(seat.process)});
   } else {
     desk.run.unflown.push_back({.key = desk.run.schedule.keys[*trial],
                                 .planner_label = task.job.spec.planner.label,
@@ -175,7 +142,8 @@ void take_kill(Desk& desk, Seat& seat, const ProcessEnd& end) {
 }
 
 /// The trial ends with its worker.
-void take_end(Desk& desk, Seat& seat, const Death& death) {
+void take_end(Desk& desk, Seat& seat, Death death) {
+  add_flight(death, seat.process);
   const Task task = end_task(seat);
   take_death(desk.run, task.assignment, task.job, death);
   replace_process(desk, seat, seat.rules);

@@ -7,6 +7,7 @@
 #include "base/input_error.hpp"
 #include "base/spec_json.hpp"
 #include "plugin/planner_description.hpp"
+#include "sweep/key_maker.hpp"
 #include "sweep/recorded_latency.hpp"
 
 namespace avoidbench {
@@ -29,6 +30,18 @@ nlohmann::json axis_json(const Axis& axis) {
     for (nlohmann::json& value : values) value = file_name(value);
   }
   return {{"path", axis.path}, {"values", values}};
+}
+
+nlohmann::json missions_json(const std::vector<ListedMission>& listed) {
+  nlohmann::json all = nlohmann::json::array();
+  for (const ListedMission& one : listed) {
+    const auto& [start, goal, yaw_rad] = one.mission;
+    all.push_back({{"map", one.map},
+                   {"start", {start.x(), start.y(), start.z()}},
+                   {"goal", {goal.x(), goal.y(), goal.z()}},
+                   {"start_yaw_rad", yaw_rad}});
+  }
+  return all;
 }
 
 /// Replayed latencies as one digest; nothing of what the mode of latency has no use for.
@@ -66,6 +79,7 @@ std::string trial_json(const TrialSpec& spec) {
   canonical["planner"].erase("file");
   forget_folders(canonical);
   forget_unused_latency(canonical);
+  forget_unused_later_fields(canonical);
   return canonical.dump();
 }
 
@@ -81,11 +95,16 @@ std::string sweep_json(const SweepSpec& sweep, const std::vector<PlannedTrial>& 
   base.erase("planner");
   forget_folders(base);
   write_latency(base, sweep, trials);
+  forget_unused_later_fields(base);  // base.missions_digest is never filled
   nlohmann::json resolved{{"name", sweep.name},
                           {"base", base},
                           {"axes", axes},
                           {"trials", sweep.trials},
                           {"planners", planners}};
+  if (!sweep.missions.empty()) {
+    resolved["missions"] = missions_json(sweep.missions);
+    resolved["trial_count"] = trials.size();  // maps may have unlike numbers of missions
+  }
   if (sweep.until.is_set()) resolved["until"] = sweep.until.text();
   return resolved.dump();
 }

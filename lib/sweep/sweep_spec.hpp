@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "base/input_error.hpp"
 #include "statistics/stop_rule.hpp"
+#include "trial/mission.hpp"
 #include "trial/trial_spec.hpp"
 
 namespace avoidbench {
@@ -17,12 +19,20 @@ struct Axis {
   std::vector<nlohmann::json> values;  ///< at least one, checked against the field's type and range
 };
 
+/// A mission that the sweep lists itself.
+struct ListedMission {
+  std::string map;  ///< of which it is, see map_names(); "": of every map
+  Mission mission;
+  InputProblem place;  ///< where it stands, without a message
+};
+
 /// A sweep: base × axes × missions × planners.
 struct SweepSpec {
   std::string name;
   TrialSpec base;  ///< base.planner is not used
   std::vector<Axis> axes;
   std::int64_t trials = 10;             ///< missions per map; the same ones for every planner
+  std::vector<ListedMission> missions;  ///< the first `trials` of a map are flown; empty: made
   std::vector<PlannerChoice> planners;  ///< resolved and checked; labels are unique
   StopRule until;                       ///< when a planner has flown enough
   std::vector<std::string> warnings;    ///< for people: what was read otherwise than written
@@ -53,8 +63,9 @@ struct PlannedTrial {
 inline constexpr int kResultVersion = 3;
 
 /// The sweep's trials, in order of axes (first slowest), mission index, planner. Fills the
-/// file_digest of maps and winds from files that lack it, and the latency_digest of trials that
-/// replay; throws InputError where such a file can't be read or lacks what is replayed.
+/// file_digest of maps and winds from files that lack it, the latency_digest of trials that replay
+/// and the missions_digest where missions are listed; throws InputError where such a file can't be
+/// read or lacks what is replayed.
 std::vector<PlannedTrial> expand(const SweepSpec& sweep);
 
 /// A trial's key, 64 hexadecimal digits: digest of its canonical spec (with the digests of

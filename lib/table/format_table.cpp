@@ -107,6 +107,7 @@ std::string csv_of(const Table& table) {
 Section visible_section(Section section) {
   section.name = visible_line(section.name);
   section.title = visible_line(section.title);
+  section.footer = visible_line(section.footer);
   for (std::string& warning : section.warnings) warning = visible_line(warning);
   for (auto& [sign, meaning] : section.notes) {
     sign = visible_line(sign);
@@ -118,6 +119,7 @@ Section visible_section(Section section) {
       column.header = visible_line(column.header);
       column.unit = visible_line(column.unit);
       column.doc = visible_line(column.doc);
+      column.brief = visible_line(column.brief);
     }
     for (Row& row : table.rows) {
       for (Cell& cell : row) {

@@ -91,20 +91,18 @@ std::string bare_doc(const TextColumn& column) {
 std::string table_in_latex(const std::string& sweep, const Table& table) {
   const std::vector<TextColumn> columns = text_columns(table);
   std::string caption = table.title.empty() ? "" : in_latex(table.title) + ".";
-  std::string alignment;
+  std::string out, alignment;  // what the columns mean stands in comments: captions stay short
   bool has_units = false, has_best = false;
   for (const TextColumn& column : columns) {
     alignment += column.is_key || column.is_words ? 'l' : 'r';
     has_units = has_units || !column.unit.empty();
-    if (!column.doc.empty()) {
-      caption += " " + in_latex(column.header + ": " + bare_doc(column) + ".");
-    }
+    if (!column.doc.empty()) out += "% " + column.header + ": " + bare_doc(column) + "\n";
     for (const std::string& cell : column.cells) {
       has_best = has_best || (!column.is_words && cell.find('*') != std::string::npos);
     }
   }
-  if (has_best) caption += " Bold: best, and significantly so against every other planner.";
-  std::string out = "\\begin{table}\n  \\centering\n";
+  if (has_best) caption += " Bold: significantly best.";
+  out += "\\begin{table}\n  \\centering\n";
   if (!caption.empty()) {
     out += "  \\caption{" + caption + "}\n  \\label{" + label_of(sweep, table.name) + "}\n";
   }
@@ -129,7 +127,7 @@ std::string table_in_latex(const std::string& sweep, const Table& table) {
 
 std::string latex_text(const Section& section) {
   std::string out = section.title.empty() ? "" : "% " + section.title + "\n";
-  for (const std::string& warning : section.warnings) out += "% Warning: " + warning + "\n";
+  for (const std::string& warning : shown_warnings(section)) out += "% Warning: " + warning + "\n";
   for (const Table& table : section.tables) {
     if (!table.is_for_people) continue;
     out += (out.empty() ? "" : "\n") + table_in_latex(section.name, table);

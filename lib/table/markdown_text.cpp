@@ -21,9 +21,10 @@ std::string in_markdown(const std::string& text) {
 
 std::string markdown_text(const Section& section) {
   std::string out = section.title.empty() ? "" : "## " + in_markdown(section.title) + "\n\n";
-  for (const std::string& warning : section.warnings)
+  const std::vector<std::string> warnings = shown_warnings(section);
+  for (const std::string& warning : warnings)
     out += "> **Warning:** " + in_markdown(warning) + "\n>\n";
-  if (!section.warnings.empty()) out.replace(out.size() - 2, 2, "\n");
+  if (!warnings.empty()) out.replace(out.size() - 2, 2, "\n");
   for (const Table& table : section.tables) {
     if (!table.is_for_people) continue;
     if (!table.title.empty()) out += "### " + in_markdown(table.title) + "\n\n";
@@ -44,10 +45,29 @@ std::string markdown_text(const Section& section) {
     }
     if (!table.title.empty()) out += "\n";
   }
-  for (const auto& [header, doc] : legend(section)) {
-    out += "- **" + in_markdown(header) + "** " + in_markdown(doc) + "\n";
+  const auto lines = legend(section);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const auto& [header, doc] = lines[i];
+    const std::string line = "**" + in_markdown(header) + "** " + in_markdown(doc);
+    if (section.is_brief) {
+      out += line + (i + 1 < lines.size() ? ", " : "\n");
+    } else {
+      out += "- " + line + "\n";
+    }
   }
+  if (!section.footer.empty()) out += "\n" + in_markdown(section.footer) + "\n";
   return out;
+}
+
+std::vector<std::string> shown_warnings(const Section& section) {
+  if (!section.is_brief || section.warnings.size() < 2) return section.warnings;
+  std::string all;
+  for (const std::string& warning : section.warnings) {
+    const std::size_t end =
+        std::min({warning.find(": "), warning.find("; "), warning.find(" ("), warning.size()});
+    all += (all.empty() ? "" : "; ") + warning.substr(0, end);
+  }
+  return {all};
 }
 
 std::vector<std::pair<std::string, std::string>> legend(const Section& section) {
@@ -55,9 +75,10 @@ std::vector<std::pair<std::string, std::string>> legend(const Section& section) 
   for (const Table& table : section.tables) {
     if (!table.is_for_people) continue;
     for (const Column& column : table.columns) {
-      const std::pair<std::string, std::string> line{column.header, column.doc};
+      const std::pair<std::string, std::string> line{column.header,
+                                                     section.is_brief ? column.brief : column.doc};
       const bool is_shown = column.place == Place::key || column.place == Place::value;
-      if (!is_shown || column.doc.empty()) continue;
+      if (!is_shown || line.second.empty()) continue;
       if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(line);
     }
   }

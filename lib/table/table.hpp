@@ -36,6 +36,9 @@ struct Column {
   Place place = Place::value;
   int decimals = -1;  ///< for people; -1: three significant digits of the column's greatest number
   bool has_interval = false;  ///< make_table() puts columns of its ends behind it
+  /// What the header stands for, in a few words: the legend of a brief section. "": the header says
+  /// it.
+  std::string brief = {};
 };
 
 struct Table {
@@ -51,9 +54,13 @@ struct Section {
   std::string name;  ///< of the sweep
   std::string title = {};
   std::vector<Table> tables = {};
-  std::vector<std::pair<std::string, std::string>> notes =
-      {};                                  ///< further lines of the legend: sign, meaning
-  std::vector<std::string> warnings = {};  ///< before the tables
+  /// Further lines of the legend: sign, meaning.
+  std::vector<std::pair<std::string, std::string>> notes = {};
+  /// Before the tables. Each begins with what is the matter; details follow ": ", "; " or " (".
+  std::vector<std::string> warnings = {};
+  /// For people: one line of warnings without their details, one paragraph of Column::brief.
+  bool is_brief = false;
+  std::string footer = {};  ///< the last line on a terminal and in Markdown
 };
 
 enum class TableFormat { table, csv, json, markdown, latex };
@@ -82,7 +89,7 @@ struct TextStyle {
 ///   "columns": …};
 /// - markdown: pipe tables;
 /// - latex: one table environment a table, set by booktabs (`\usepackage{booktabs}`), the legend in
-///   its caption.
+///   comments before it.
 std::string format_sections(std::span<const Section> sections, TableFormat format,
                             const TextStyle& style = {});
 

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <map>
+#include <set>
 
 #include "text/number_text.hpp"
 
@@ -77,10 +80,8 @@ int decimals_of(const Table& table, std::size_t column) {
   return greatest <= 1.0 && greatest > 0.1 ? 2 : decimals;
 }
 
-std::string cell_text(const Cell& cell, int decimals, Place place = Place::value) {
-  if (const auto* words = std::get_if<std::string>(&cell.value)) {
-    return place == Place::words ? *words : cut_to_width(*words, 44);
-  }
+std::string cell_text(const Cell& cell, int decimals) {
+  if (const auto* words = std::get_if<std::string>(&cell.value)) return *words;
   if (const auto* count = std::get_if<std::int64_t>(&cell.value)) return std::to_string(*count);
   if (const auto* seed = std::get_if<std::uint64_t>(&cell.value)) return std::to_string(*seed);
   if (const auto* value = std::get_if<double>(&cell.value)) return with_decimals(*value, decimals);
@@ -108,6 +109,32 @@ std::string cut_to_width(std::string_view utf8, std::size_t width) {
   return std::string(utf8.substr(0, at)) + "…";
 }
 
+std::vector<std::string> cut_apart(const std::vector<std::string>& texts, std::size_t width) {
+  const auto in_middle = [&](const std::string& text) {
+    if (display_width(text) <= width) return text;
+    const std::string head = cut_to_width(text, width - width / 2);
+    std::size_t at = head.size() - std::string_view("…").size();
+    while (at < text.size() && display_width(std::string_view(text).substr(at)) > width / 2) {
+      next_character(text, at);
+    }
+    return head + text.substr(at);
+  };
+  using Cut = std::function<std::string(const std::string&)>;
+  const Cut cuts[] = {[&](const std::string& text) { return cut_to_width(text, width); }, in_middle,
+                      [](const std::string& text) { return text; }};
+  std::vector<std::string> shown(texts.size());
+  std::vector<bool> is_clear(texts.size(), false);
+  for (const Cut& cut : cuts) {
+    std::map<std::string, std::set<std::string>> texts_of;  // by what is shown of them
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+      if (!is_clear[i]) shown[i] = cut(texts[i]);
+      texts_of[shown[i]].insert(texts[i]);
+    }
+    for (std::size_t i = 0; i < texts.size(); ++i) is_clear[i] = texts_of[shown[i]].size() == 1;
+  }
+  return shown;
+}
+
 std::string wrapped(std::string_view text, std::size_t width, std::size_t indent) {
   std::string lines;
   std::size_t used = 0;
@@ -129,6 +156,7 @@ std::string wrapped(std::string_view text, std::size_t width, std::size_t indent
 }
 
 std::vector<TextColumn> text_columns(const Table& table) {
+  constexpr std::size_t kMostColumns = 44;  // of a text: two of them and a number fit on a line
   std::vector<TextColumn> columns;
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     const Column& column = table.columns[i];
@@ -146,8 +174,12 @@ std::vector<TextColumn> text_columns(const Table& table) {
     if (has_interval) decimals = std::min(decimals, 2);
     const bool has_star = std::any_of(table.rows.begin(), table.rows.end(),
                                       [&](const auto& row) { return row[i].is_best; });
-    for (const auto& row : table.rows) {
-      std::string cell = cell_text(row[i], decimals, column.place);
+    std::vector<std::string> cells;
+    for (const auto& row : table.rows) cells.push_back(cell_text(row[i], decimals));
+    if (column.place != Place::words) cells = cut_apart(cells, kMostColumns);
+    for (std::size_t at = 0; at < table.rows.size(); ++at) {
+      const Row& row = table.rows[at];
+      std::string cell = std::move(cells[at]);
       // The star belongs to the number, so it stands right behind it; the others keep its place
       // free.
       if (has_star) cell += row[i].is_best ? "*" : " ";

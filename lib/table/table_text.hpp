@@ -16,6 +16,10 @@ std::size_t display_width(std::string_view utf8);
 /// `utf8`, cut to `width` terminal columns with … at its end where it is wider.
 std::string cut_to_width(std::string_view utf8, std::size_t width);
 
+/// Each text cut to `width` columns so that no two that differ look the same: such are cut in their
+/// middle, and if that is not enough not at all.
+std::vector<std::string> cut_apart(const std::vector<std::string>& texts, std::size_t width);
+
 /// `text` in lines of at most `width` columns, broken at spaces, all but the first indented by
 /// `indent`.
 std::string wrapped(std::string_view text, std::size_t width, std::size_t indent);

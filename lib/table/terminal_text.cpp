@@ -157,6 +157,25 @@ std::string table_text(const Table& table, const TextStyle& style) {
   return out;
 }
 
+/// A line each; in a brief section one paragraph.
+std::string legend_text(const Section& section, const TextStyle& style) {
+  const auto lines = legend(section);
+  std::string out;
+  std::size_t header_width = 0;
+  for (const auto& [header, doc] : lines) {
+    header_width = std::max(header_width, display_width(header));
+    out += (out.empty() ? "" : ", ") + header + " " + doc;
+  }
+  if (section.is_brief) return out.empty() ? out : wrapped(out, style.width, 0) + "\n";
+  out.clear();
+  for (const auto& [header, doc] : lines) {
+    out +=
+        wrapped(aligned(header, header_width, true) + "  " + doc, style.width, header_width + 2) +
+        "\n";
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string terminal_text(const Section& section, const TextStyle& style) {
@@ -164,22 +183,16 @@ std::string terminal_text(const Section& section, const TextStyle& style) {
   if (!section.title.empty()) {
     out = painted(wrapped(section.title, style.width, 2), kBold, style) + "\n\n";
   }
-  for (const std::string& warning : section.warnings) {
+  const std::vector<std::string> warnings = shown_warnings(section);
+  for (const std::string& warning : warnings) {
     out += painted(wrapped("Warning: " + warning, style.width, 9), kYellow, style) + "\n";
   }
-  if (!section.warnings.empty()) out += "\n";
+  if (!warnings.empty()) out += "\n";
   for (const Table& table : section.tables) {
     if (table.is_for_people) out += table_text(table, style);
   }
-  const auto lines = legend(section);
-  std::size_t header_width = 0;
-  for (const auto& [header, doc] : lines)
-    header_width = std::max(header_width, display_width(header));
-  for (const auto& [header, doc] : lines) {
-    out +=
-        wrapped(aligned(header, header_width, true) + "  " + doc, style.width, header_width + 2) +
-        "\n";
-  }
+  out += legend_text(section, style);
+  if (!section.footer.empty()) out += wrapped(section.footer, style.width, 2) + "\n";
   return out;
 }
 

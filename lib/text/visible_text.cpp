@@ -1,7 +1,8 @@
 #include "text/visible_text.hpp"
 
 #include <algorithm>
-#include <array>
+
+#include "text/utf8.hpp"
 
 namespace avoidbench {
 namespace {
@@ -18,40 +19,6 @@ constexpr CodeRange kHidden[] = {{0x80, 0x9f},     {0x61c, 0x61c},    {0x200e, 0
                                  {0x2028, 0x202e}, {0x2066, 0x206f},  {0xfeff, 0xfeff},
                                  {0xfff9, 0xfffb}, {0xe0000, 0xe007f}};
 
-unsigned char byte_at(std::string_view text, std::size_t at) {
-  return static_cast<unsigned char>(text[at]);
-}
-
-/// Bytes of the character that begins with `first`; 0 where none does.
-std::size_t length_from(unsigned char first) {
-  if (first < 0x80) return 1;
-  if (first >= 0xc2 && first <= 0xdf) return 2;
-  if (first >= 0xe0 && first <= 0xef) return 3;
-  return first >= 0xf0 && first <= 0xf4 ? 4 : 0;
-}
-
-struct Character {
-  char32_t code = 0;
-  std::size_t length = 0;  ///< 0: no UTF-8
-};
-
-/// The character at the start of `text`, which is not empty.
-Character first_character(std::string_view text) {
-  constexpr std::array<char32_t, 5> kLeast{0, 0, 0x80, 0x800, 0x10000};
-  const unsigned char first = byte_at(text, 0);
-  const std::size_t length = length_from(first);
-  if (length == 0 || length > text.size()) return {};
-  if (length == 1) return {first, 1};
-  char32_t code = first & (0xffU >> (length + 1));
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte_at(text, i) & 0xc0U) != 0x80U) return {};
-    code = (code << 6U) | (byte_at(text, i) & 0x3fU);
-  }
-  const bool is_surrogate = code >= 0xd800 && code <= 0xdfff;
-  if (code < kLeast[length] || code > 0x10ffff || is_surrogate) return {};
-  return {code, length};
-}
-
 std::string in_hex(char32_t value, int digits) {
   std::string text;
   for (int i = digits - 1; i >= 0; --i) {
@@ -61,7 +28,7 @@ std::string in_hex(char32_t value, int digits) {
 }
 
 /// The escape for the character or byte at the start of `text`, or "" where it can be seen.
-std::string escape_of(std::string_view text, const Character& character, bool is_line) {
+std::string escape_of(std::string_view text, const Utf8Character& character, bool is_line) {
   if (character.length == 0) return "\\x" + in_hex(byte_at(text, 0), 2);
   const char32_t code = character.code;
   if (code == '\n') return is_line ? "\\n" : "";
@@ -79,7 +46,7 @@ std::string visible(std::string_view text, bool is_line) {
   std::string shown;
   shown.reserve(text.size());
   while (!text.empty()) {
-    const Character character = first_character(text);
+    const Utf8Character character = first_character(text);
     const std::size_t length = std::max<std::size_t>(character.length, 1);
     const std::string escape = escape_of(text, character, is_line);
     if (escape.empty()) {
@@ -103,7 +70,7 @@ std::size_t unfinished_bytes(std::string_view text) {
   for (std::size_t back = 1; back <= std::min<std::size_t>(3, text.size()); ++back) {
     const unsigned char byte = byte_at(text, text.size() - back);
     if ((byte & 0xc0U) == 0x80U) continue;  // goes on with a character
-    return length_from(byte) > back ? back : 0;
+    return utf8_length(byte) > back ? back : 0;
   }
   return 0;
 }

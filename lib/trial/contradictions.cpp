@@ -27,67 +27,86 @@ void add_fields(const std::string& block, const InputError& error, Found& found)
   }
 }
 
-void check_matcher(const SensorSpec& sensor, Found& found) {
+/// `path`: "sensor", or that of one of its more_cameras.
+void check_matcher(const std::string& path, const CameraSpec& sensor, Found& found) {
   const auto check_disparities = [&](std::int64_t disparities) {
     if (disparities % 16 != 0) {
-      found.push_back({"sensor.disparities", std::to_string(disparities) +
-                                                 " is not a multiple of 16; the next is " +
-                                                 std::to_string((disparities / 16 + 1) * 16)});
+      found.push_back({path + ".disparities", std::to_string(disparities) +
+                                                  " is not a multiple of 16; the next is " +
+                                                  std::to_string((disparities / 16 + 1) * 16)});
     }
     if (disparities >= sensor.width_px) {
-      found.push_back({"sensor.disparities", std::to_string(disparities) +
-                                                 " is not below width_px, " +
-                                                 std::to_string(sensor.width_px)});
+      found.push_back({path + ".disparities", std::to_string(disparities) +
+                                                  " is not below width_px, " +
+                                                  std::to_string(sensor.width_px)});
     }
   };
   if (const auto* sgm = std::get_if<StereoSgmSpec>(&sensor.method)) {
     check_disparities(sgm->disparities);
     if (sgm->block_px % 2 == 0) {
-      found.push_back({"sensor.block_px", std::to_string(sgm->block_px) + " is not odd"});
+      found.push_back({path + ".block_px", std::to_string(sgm->block_px) + " is not odd"});
     }
     if (sgm->p1_factor >= sgm->p2_factor) {
-      found.push_back({"sensor.p1_factor", shortest(sgm->p1_factor) + " is not below p2_factor, " +
-                                               shortest(sgm->p2_factor)});
+      found.push_back({path + ".p1_factor", shortest(sgm->p1_factor) + " is not below p2_factor, " +
+                                                shortest(sgm->p2_factor)});
     }
   }
   if (const auto* census = std::get_if<StereoCensusSpec>(&sensor.method)) {
     check_disparities(census->disparities);
     if (census->paths != 4 && census->paths != 8) {
-      found.push_back({"sensor.paths", std::to_string(census->paths) + " is neither 4 nor 8"});
+      found.push_back({path + ".paths", std::to_string(census->paths) + " is neither 4 nor 8"});
     }
     if (census->p1 > census->p2) {
-      found.push_back({"sensor.p1",
+      found.push_back({path + ".p1",
                        std::to_string(census->p1) + " is above p2, " + std::to_string(census->p2)});
     }
   }
 }
 
-void check_sensor(const SensorSpec& sensor, Found& found) {
+void check_camera(const std::string& path, const CameraSpec& sensor, Found& found) {
   if (!(sensor.min_range_m < sensor.max_range_m)) {
-    found.push_back({"sensor.min_range_m", shortest(sensor.min_range_m) +
-                                               " is not below max_range_m, " +
-                                               shortest(sensor.max_range_m)});
+    found.push_back({path + ".min_range_m", shortest(sensor.min_range_m) +
+                                                " is not below max_range_m, " +
+                                                shortest(sensor.max_range_m)});
   }
   const double period_ms = 1000.0 / sensor.rate_hz;
-  for (const auto& [name, time_ms] : {std::pair("sensor.jitter_ms", sensor.jitter_ms),
-                                      std::pair("sensor.exposure_ms", sensor.exposure_ms)}) {
+  for (const auto& [name, time_ms] :
+       {std::pair(".jitter_ms", sensor.jitter_ms), std::pair(".exposure_ms", sensor.exposure_ms)}) {
     if (time_ms < period_ms) continue;
-    found.push_back({name, shortest(time_ms) + " ms is not below the time between two images, " +
-                               shortest(period_ms) + " ms"});
+    found.push_back({path + name, shortest(time_ms) +
+                                      " ms is not below the time between two images, " +
+                                      shortest(period_ms) + " ms"});
   }
-  check_matcher(sensor, found);
+  check_matcher(path, sensor, found);
+}
+
+/// "sensor.more_cameras[1]" of the second further one.
+std::string camera_path(std::size_t index) {
+  return "sensor.more_cameras[" + std::to_string(index) + "]";
+}
+
+void check_sensor(const SensorSpec& sensor, Found& found) {
+  check_camera("sensor", sensor, found);
+  for (std::size_t i = 0; i < sensor.more_cameras.size(); ++i) {
+    check_camera(camera_path(i), sensor.more_cameras[i], found);
+  }
 }
 
 }  // namespace
 
 std::vector<std::pair<std::string, double*>> rates_hz(TrialSpec& spec) {
-  return {{"rates.physics_hz", &spec.rates.physics_hz},
-          {"rates.plan_hz", &spec.rates.plan_hz},
-          {"rates.sample_hz", &spec.rates.sample_hz},
-          {"sensor.rate_hz", &spec.sensor.rate_hz},
-          {"imu.rate_hz", &spec.imu.rate_hz},
-          {"odometry.rate_hz", &spec.odometry.rate_hz},
-          {"wind.turbulence.rate_hz", &spec.wind.turbulence.rate_hz}};
+  std::vector<std::pair<std::string, double*>> rates{
+      {"rates.physics_hz", &spec.rates.physics_hz},
+      {"rates.plan_hz", &spec.rates.plan_hz},
+      {"rates.sample_hz", &spec.rates.sample_hz},
+      {"sensor.rate_hz", &spec.sensor.rate_hz},
+      {"imu.rate_hz", &spec.imu.rate_hz},
+      {"odometry.rate_hz", &spec.odometry.rate_hz},
+      {"wind.turbulence.rate_hz", &spec.wind.turbulence.rate_hz}};
+  for (std::size_t i = 0; i < spec.sensor.more_cameras.size(); ++i) {
+    rates.emplace_back(camera_path(i) + ".rate_hz", &spec.sensor.more_cameras[i].rate_hz);
+  }
+  return rates;
 }
 
 double nearest_rate_hz(double rate_hz) {
@@ -103,6 +122,10 @@ std::vector<Contradiction> contradictions(const TrialSpec& spec) {
   check_not_faster("rates.plan_hz", spec.rates.plan_hz, spec.rates.physics_hz, found);
   check_not_faster("rates.sample_hz", spec.rates.sample_hz, spec.rates.physics_hz, found);
   check_not_faster("sensor.rate_hz", spec.sensor.rate_hz, spec.rates.physics_hz, found);
+  for (std::size_t i = 0; i < spec.sensor.more_cameras.size(); ++i) {
+    check_not_faster(camera_path(i) + ".rate_hz", spec.sensor.more_cameras[i].rate_hz,
+                     spec.rates.physics_hz, found);
+  }
   check_not_faster("imu.rate_hz", spec.imu.rate_hz, spec.rates.physics_hz, found);
   check_not_faster("odometry.rate_hz", spec.odometry.rate_hz, spec.rates.physics_hz, found);
   check_sensor(spec.sensor, found);

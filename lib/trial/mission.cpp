@@ -39,10 +39,21 @@ std::optional<Mission> make_mission(const Scene& scene, const MissionSpec& spec,
   const auto start = free_place(scene, world.start_region, spec.free_radius_m, start_draws);
   const auto goal = free_place(scene, world.goal_region, spec.free_radius_m, goal_draws);
   if (!start || !goal) return std::nullopt;
-  const Eigen::Vector3d course = *goal - *start;
   return Mission{.start_world = *start,
                  .goal_world = *goal,
-                 .start_yaw_rad = math::atan2(course.y(), course.x())};
+                 .start_yaw_rad = yaw_toward_goal_rad(*start, *goal)};
+}
+
+std::optional<Mission> the_mission(const Scene& scene, const TrialSpec& trial, std::int64_t index,
+                                   const std::vector<Mission>& listed) {
+  if (listed.empty()) return make_mission(scene, trial.mission, trial.seed, index);
+  const auto at = static_cast<std::size_t>(index);
+  return at < listed.size() ? std::optional(listed[at]) : std::nullopt;
+}
+
+double yaw_toward_goal_rad(const Eigen::Vector3d& start_world, const Eigen::Vector3d& goal_world) {
+  const Eigen::Vector3d course = goal_world - start_world;
+  return math::atan2(course.y(), course.x());
 }
 
 }  // namespace avoidbench

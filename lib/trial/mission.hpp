@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "render/scene.hpp"
 #include "trial/trial_spec.hpp"
@@ -12,7 +13,7 @@ namespace avoidbench {
 struct Mission {
   Eigen::Vector3d start_world = Eigen::Vector3d::Zero();
   Eigen::Vector3d goal_world = Eigen::Vector3d::Zero();
-  double start_yaw_rad = 0.0;  ///< toward the goal
+  double start_yaw_rad = 0.0;  ///< toward the goal, if the sweep does not say otherwise
 };
 
 /// Mission `index` of this map: start and goal drawn from the map's bands, each with no surface
@@ -20,5 +21,13 @@ struct Mission {
 /// planner flies the same missions. Nothing when a band has no such place.
 std::optional<Mission> make_mission(const Scene& scene, const MissionSpec& spec, std::uint64_t seed,
                                     std::int64_t index);
+
+/// Mission `index` of a trial's map: of `listed`, or made where that is empty. Nothing where there
+/// is none.
+std::optional<Mission> the_mission(const Scene& scene, const TrialSpec& trial, std::int64_t index,
+                                   const std::vector<Mission>& listed);
+
+/// The heading from start to goal.
+double yaw_toward_goal_rad(const Eigen::Vector3d& start_world, const Eigen::Vector3d& goal_world);
 
 }  // namespace avoidbench

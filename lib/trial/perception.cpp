@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/check.hpp"
+#include "base/random.hpp"
 #include "trial/noise_seed.hpp"
 #include "trial/periods.hpp"
 
@@ -19,31 +20,59 @@ CameraMotion motion_of(const VehicleState& truth, const Pose& T_body_camera) {
   return motion;
 }
 
-/// Exposes every camera and says when the next exposure is.
-void expose(Perception& p, const Scene& scene, const VehicleState& truth) {
+/// Exposes every camera of a kind and says when its next exposure is.
+void expose(Perception& p, CameraGroup& group, const Scene& scene, const VehicleState& truth) {
   const Pose T_world_body = pose_of(truth);
   const Pose T_believed_body = pose_of(believed_state(p, truth));
   const bool is_seen = p.image_needs.depth || p.image_needs.stereo || p.image_needs.color;
-  for (std::size_t i = 0; is_seen && i < p.T_body_cameras.size(); ++i) {
+  for (std::size_t i = 0; is_seen && i < group.T_body_cameras.size(); ++i) {
     if (p.exposure_count == p.exposures.size()) p.exposures.emplace_back();
     Exposure& exposure = p.exposures[p.exposure_count++];
     exposure.tick = truth.tick;
-    exposure.ready = truth.tick + p.image_delay;
-    exposure.camera = static_cast<std::uint32_t>(i);
-    exposure.T_world_camera = T_believed_body * p.T_body_cameras[i];
+    exposure.ready = truth.tick + group.delay;
+    exposure.camera = group.first_camera + static_cast<std::uint32_t>(i);
+    exposure.T_world_camera = T_believed_body * group.T_body_cameras[i];
     const std::uint64_t seed =
         // By number, not drawn one after the other: an image's noise does not depend on which
         // images were asked for before.
-        stream_seed(stream_seed(p.image_seed, static_cast<std::uint64_t>(p.image_index)), i);
-    p.camera.expose(scene, T_world_body * p.T_body_cameras[i],
-                    motion_of(truth, p.T_body_cameras[i]), p.image_needs, seed, exposure.images);
+        stream_seed(stream_seed(p.image_seed, static_cast<std::uint64_t>(group.image_index)),
+                    std::uint64_t{exposure.camera});
+    group.camera.expose(scene, T_world_body * group.T_body_cameras[i],
+                        motion_of(truth, group.T_body_cameras[i]), p.image_needs, seed,
+                        exposure.images);
   }
-  ++p.image_index;
-  p.next_exposure = p.image_index * p.camera_period;
-  if (p.most_jitter > 0) {
-    p.next_exposure +=
-        static_cast<Tick>(p.jitter_random.below(static_cast<std::uint64_t>(p.most_jitter) + 1));
+  ++group.image_index;
+  group.next_exposure = group.image_index * group.period;
+  if (group.most_jitter > 0) {
+    group.next_exposure += static_cast<Tick>(
+        group.jitter_random.below(static_cast<std::uint64_t>(group.most_jitter) + 1));
   }
+}
+
+/// The rig's cameras by their kinds.
+std::vector<CameraGroup> make_cameras(const SensorSpec& sensor, std::uint64_t seed) {
+  std::vector<CameraGroup> groups;
+  std::uint32_t first_camera = 0;
+  const std::uint64_t jitter_seed = stream_seed(seed, "jitter");
+  for (const CameraSpec& kind : camera_kinds(sensor)) {
+    // The first kind has the stream that it had before there were others.
+    const std::uint64_t own_seed =
+        groups.empty() ? jitter_seed : stream_seed(jitter_seed, std::uint64_t{first_camera});
+    CameraGroup group{.camera = Camera(kind),
+                      .first_camera = first_camera,
+                      .T_body_cameras = {},
+                      .period = required_period(kind.rate_hz),
+                      .delay = ticks(1e-3 * kind.delay_ms),
+                      .most_jitter = ticks(1e-3 * kind.jitter_ms),
+                      .jitter_random = RandomStream(own_seed)};
+    AB_CHECK(group.most_jitter < group.period, group.most_jitter, group.period);
+    for (const MountingSpec& mounting : mountings(kind)) {
+      group.T_body_cameras.push_back(T_body_camera(mounting));
+    }
+    first_camera += static_cast<std::uint32_t>(group.T_body_cameras.size());
+    groups.push_back(std::move(group));
+  }
+  return groups;
 }
 
 /// Whether the planner's state of a later plan tick is that of `tick`.
@@ -55,17 +84,11 @@ bool is_state_tick(const Perception& p, Tick tick) {
 
 Perception make_perception(const TrialSpec& spec, std::uint32_t needs, const VehicleState& start) {
   const std::uint64_t seed = noise_seed(spec, "sensing");
-  Perception p{.sensor = spec.sensor,
-               .image_needs = {.depth = (needs & AB_SEES_DEPTH) != 0,
+  Perception p{.image_needs = {.depth = (needs & AB_SEES_DEPTH) != 0,
                                .stereo = (needs & AB_SEES_STEREO) != 0,
                                .color = (needs & AB_SEES_COLOR) != 0},
-               .camera = Camera(spec.sensor),
-               .T_body_cameras = {},
-               .camera_period = required_period(spec.sensor.rate_hz),
-               .image_delay = ticks(1e-3 * spec.sensor.delay_ms),
-               .most_jitter = ticks(1e-3 * spec.sensor.jitter_ms),
+               .cameras = make_cameras(spec.sensor, seed),
                .image_seed = stream_seed(seed, "image"),
-               .jitter_random = stream(seed, "jitter"),
                .exposures = {},
                .imu = spec.imu,
                .sees_imu = (needs & AB_SEES_IMU) != 0,
@@ -81,10 +104,6 @@ Perception make_perception(const TrialSpec& spec, std::uint32_t needs, const Veh
                .odometry_state = {},
                .odometry_random = stream(seed, "odometry"),
                .past = {}};
-  AB_CHECK(p.most_jitter < p.camera_period, p.most_jitter, p.camera_period);
-  for (const MountingSpec& mounting : mountings(spec.sensor)) {
-    p.T_body_cameras.push_back(T_body_camera(mounting));
-  }
   p.imu_state = make_imu(p.imu, p.imu_random);
   p.odometry_state = make_odometry(p.odometry, start, p.odometry_random);
   p.past.push_back(believed_state(p, start));
@@ -93,7 +112,10 @@ Perception make_perception(const TrialSpec& spec, std::uint32_t needs, const Veh
 
 Tick next_sensing(const Perception& p, Tick now) {
   const auto after = [now](Tick period) { return (now / period + 1) * period; };
-  Tick next = std::min(p.next_exposure > now ? p.next_exposure : now + 1, after(p.imu_period));
+  Tick next = after(p.imu_period);
+  for (const CameraGroup& group : p.cameras) {
+    next = std::min(next, group.next_exposure > now ? group.next_exposure : now + 1);
+  }
   // Without noise and delay the state is the truth at any tick, and flights need no ticks of
   // odometry.
   if (p.is_perfect) return next;
@@ -114,7 +136,9 @@ void sense(Perception& p, const Scene& scene, const VehicleModel& model, const V
     p.imu_samples.push_back(sense_imu(p.imu, p.imu_state, model, truth, environment,
                                       seconds(p.imu_period), p.imu_random));
   }
-  if (truth.tick == p.next_exposure) expose(p, scene, truth);
+  for (CameraGroup& group : p.cameras) {
+    if (truth.tick == group.next_exposure) expose(p, group, scene, truth);
+  }
 }
 
 VehicleState believed_state(const Perception& p, const VehicleState& truth) {
@@ -159,9 +183,11 @@ PlannerView planner_view(Perception& p, const VehicleState& truth) {
 void forget_images(Perception& p, Tick tick) {
   const auto first = p.exposures.begin();
   const auto last = first + static_cast<std::ptrdiff_t>(p.exposure_count);
-  const auto unseen = std::find_if(first, last, [tick](const auto& e) { return e.ready > tick; });
-  p.exposure_count = static_cast<std::size_t>(last - unseen);
-  std::rotate(first, unseen, last);  // the seen ones' buffers are used again
+  // Not the first ones only: kinds of cameras have delays of their own.
+  const auto seen = std::stable_partition(first, last, [tick](const Exposure& e) {
+    return e.ready > tick;  // the seen ones' buffers are used again
+  });
+  p.exposure_count = static_cast<std::size_t>(seen - first);
 }
 
 void forget_seen(Perception& p, Tick now) {

@@ -22,17 +22,22 @@ struct Exposure {
   CameraImages images;
 };
 
+/// The cameras of one kind, which all expose at the same moments.
+struct CameraGroup {
+  Camera camera;                   ///< of all mountings, one after the other
+  std::uint32_t first_camera = 0;  ///< of the rig
+  std::vector<Pose> T_body_cameras;
+  Tick period = 0, delay = 0, most_jitter = 0, next_exposure = 0;
+  std::int64_t image_index = 0;
+  RandomStream jitter_random;
+};
+
 /// What the vehicle senses during a trial. All events happen at the same ticks and with the same
 /// noise whatever the planner asks for; only images that nobody sees are not made.
 struct Perception {
-  SensorSpec sensor;
   ImageNeeds image_needs;
-  Camera camera;  ///< of all mountings, one after the other
-  std::vector<Pose> T_body_cameras;
-  Tick camera_period = 0, image_delay = 0, most_jitter = 0, next_exposure = 0;
-  std::int64_t image_index = 0;
+  std::vector<CameraGroup> cameras;  ///< one for each kind
   std::uint64_t image_seed = 0;
-  RandomStream jitter_random;
   std::vector<Exposure> exposures;  ///< oldest first; buffers beyond exposure_count are spare
   std::size_t exposure_count = 0;
 

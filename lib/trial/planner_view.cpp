@@ -34,8 +34,8 @@ PlannerSetup planner_setup(const TrialSpec& spec) {
   setup.body_size_m = to_eigen(spec.vehicle.body_size_m);
   setup.plan_period_s = 1.0 / spec.rates.plan_hz;
   setup.gravity_mps2 = spec.vehicle.gravity_mps2;
-  const Pinhole camera = sensor_camera(spec.sensor);
-  for (const MountingSpec& mounting : mountings(spec.sensor)) {
+  for (const auto& [kind, mounting] : rig_cameras(spec.sensor)) {
+    const Pinhole camera = sensor_camera(kind);
     setup.cameras.push_back({.width_px = camera.width_px,
                              .height_px = camera.height_px,
                              .fx_px = camera.fx_px,
@@ -43,10 +43,10 @@ PlannerSetup planner_setup(const TrialSpec& spec) {
                              .cx_px = camera.cx_px,
                              .cy_px = camera.cy_px,
                              .T_body_camera = T_body_camera(mounting),
-                             .rate_hz = spec.sensor.rate_hz,
-                             .min_range_m = spec.sensor.min_range_m,
-                             .max_range_m = spec.sensor.max_range_m,
-                             .baseline_m = spec.sensor.baseline_m});
+                             .rate_hz = kind.rate_hz,
+                             .min_range_m = kind.min_range_m,
+                             .max_range_m = kind.max_range_m,
+                             .baseline_m = kind.baseline_m});
   }
   return setup;
 }

@@ -1,282 +1,37 @@
 #include "trial/run_trial.hpp"
 
-#include <cmath>
-#include <deque>
-#include <limits>
-#include <optional>
+#include <utility>
 
-#include "base/check.hpp"
-#include "control/tracking.hpp"
-#include "text/number_text.hpp"
-#include "trial/collision_check.hpp"
-#include "trial/noise_seed.hpp"
-#include "trial/perception.hpp"
-#include "trial/periods.hpp"
+#include "trial/flight.hpp"
 #include "trial/planner_view.hpp"
-#include "vehicle/dynamics.hpp"
-#include "wind/wind.hpp"
 
 namespace avoidbench {
 namespace {
 
-/// A command, or the lack of one, on its way from the planner to the vehicle.
-struct Pending {
-  Tick due = 0;
-  std::optional<Command> command;  ///< nothing: brake and hover
-};
-
-/// Everything that changes during a trial.
-/// Invariants: state.tick is now and only step() moves it; `pending` is in the order of its due
-/// ticks, since latencies never overtake (fixed, or the planner was busy); what is due at a tick is
-/// done in the order of run_trial()'s loop.
-struct Flight {
-  const TrialSpec& spec;
-  const Scene& scene;
-  const Mission& mission;
-  PlannerInstance& planner;
-  const TrialObserver& observer;
-  const std::vector<double>* recorded_latency_s = nullptr;
-  Scene* moving = nullptr;          ///< the scene, where things move in it
-  double obstacle_speed_mps = 0.0;  ///< of the fastest
-
-  VehicleModel model;
-  Wind wind;
-  Environment environment;  ///< of the step that begins now
-  VehicleState state;
-  Tracker tracker;
-  CollisionCheck collision_check;
-  Perception perception;
-  Tick physics_period = 0, plan_period = 0, sample_period = 0;
-  Tick busy_until = 0;  ///< the planner, where latency is measured
-
-  std::deque<Pending> pending;  ///< by due tick
-  bool was_touching = false;
-  std::optional<Outcome> planner_end;  ///< set when the planner ends the trial
-  TrialRecord record;
-};
-
-/// "(1.00, -2.50, 3.00) m"
-std::string place_text(const Eigen::Vector3d& place_world) {
-  return "(" + fixed_digits(place_world.x(), 2) + ", " + fixed_digits(place_world.y(), 2) + ", " +
-         fixed_digits(place_world.z(), 2) + ") m";
-}
-
-Flight make_flight(const TrialSpec& spec, const Scene& scene, const Mission& mission,
-                   PlannerInstance& planner, const TrialObserver& observer) {
-  VehicleModel model = make_model(spec.vehicle);
-  const VehicleState start = hovering_at(spec.vehicle, mission.start_world, mission.start_yaw_rad);
-  Tracker tracker = make_tracker(model, start);
-  return Flight{.spec = spec,
-                .scene = scene,
-                .mission = mission,
-                .planner = planner,
-                .observer = observer,
-                .recorded_latency_s = nullptr,
-                .moving = nullptr,
-                .obstacle_speed_mps = 0.0,
-                .model = std::move(model),
-                .wind = make_wind(spec.wind, noise_seed(spec, "wind"), spec.mission.time_limit_s),
-                .environment = {},
-                .state = start,
-                .tracker = std::move(tracker),
-                .collision_check = {.body_size_m = to_eigen(spec.vehicle.body_size_m)},
-                .perception = make_perception(spec, planner.needs(), start),
-                .physics_period = required_period(spec.rates.physics_hz),
-                .plan_period = required_period(spec.rates.plan_hz),
-                .sample_period = required_period(spec.rates.sample_hz),
-                .busy_until = 0,
-                .pending = {},
-                .planner_end = {},
-                .record = {}};
-}
-
 /// Tells the observer, where there is one.
-void tell_planned(const Flight& flight, const PlannerView& view, const PlanResult& result,
-                  Tick due) {
-  if (!flight.observer.planned) return;
-  const VehicleState believed = believed_state(flight.perception, flight.state);
-  std::vector<Drawing> drawings = flight.planner.take_drawings();  // may add to the log
-  flight.observer.planned({.time_s = seconds(flight.state.tick),
-                           .effect_s = seconds(due),
-                           .truth = flight.state,
-                           .believed = believed,
-                           .view = view,
-                           .result = result,
-                           .drawings = std::move(drawings),
-                           .log = flight.planner.take_log()});
+void tell_planned(const Flight& flight, PlannerInstance& planner, const TrialObserver& observer,
+                  const PlanResult& result, Tick due) {
+  if (!observer.planned) return;
+  const VehicleState believed = believed_state(flight);
+  std::vector<Drawing> drawings = planner.take_drawings();  // may add to the log
+  observer.planned({.time_s = seconds(flight.state.tick),
+                    .effect_s = seconds(due),
+                    .truth = flight.state,
+                    .believed = believed,
+                    .view = flight.view,
+                    .result = result,
+                    .drawings = std::move(drawings),
+                    .log = planner.take_log()});
 }
 
-/// Of the call that just came back after `wall_time_s`.
-Tick latency_of_call(const Flight& flight, double wall_time_s) {
-  const LatencySpec& latency = flight.spec.latency;
-  if (latency.mode == LatencyMode::zero) return 0;
-  if (latency.mode == LatencyMode::fixed) return ticks(latency.ms / 1000.0);
-  if (flight.recorded_latency_s == nullptr) return ticks(latency.scale * wall_time_s);
-  const std::size_t call = flight.record.plan_calls.size();
-  const std::vector<double>& recorded_s = *flight.recorded_latency_s;
-  // A crash leaves no times; what then flies past them acts at once.
-  return call < recorded_s.size() ? ticks(recorded_s[call]) : 0;
-}
-
-/// Whether the planner is called now. Of the images that come while it is busy, those of the last
-/// second wait for it.
-bool is_plan_due(Flight& flight) {
-  const Tick now = flight.state.tick;
-  if (now % flight.plan_period != 0) return false;
-  if (now >= flight.busy_until) return true;
-  // A planner that computes for a minute would otherwise be shown a minute of images.
-  forget_images(flight.perception, now - kTicksPerSecond);
-  return false;
-}
-
-/// Shows the planner what was seen since the last call and queues its answer.
-void plan(Flight& flight) {
-  const PlannerView view = planner_view(flight.perception, flight.state);
-  const PlanResult result = flight.planner.plan(view);
-  const Tick latency = latency_of_call(flight, result.wall_time_s);
-  const Tick due = flight.state.tick + latency;
-  tell_planned(flight, view, result, due);
-  forget_seen(flight.perception, flight.state.tick);
-  PlanCall call{.time_s = seconds(flight.state.tick),
-                .cpu_time_s = result.cpu_time_s,
-                .wall_time_s = result.wall_time_s};
-  if (is_measured(flight.spec.latency)) {
-    call.latency_s = seconds(latency);
-    flight.busy_until = due;
-  }
-  switch (result.status) {
-    case PlanStatus::command:
-      call.status = AB_OK;
-      call.command_kind = result.command.kind;
-      flight.pending.push_back({due, vehicle_command(result, due)});
-      break;
-    case PlanStatus::no_plan:
-      call.status = AB_NO_PLAN;
-      flight.pending.push_back({due, std::nullopt});
-      break;
-    case PlanStatus::gave_up:
-      call.status = AB_GIVE_UP;
-      flight.planner_end = Outcome::planner_gave_up;
-      flight.record.reason = result.reason.empty() ? "the planner gave up" : result.reason;
-      break;
-    case PlanStatus::error:
-      call.status = AB_ERROR;
-      flight.planner_end = Outcome::planner_error;
-      flight.record.reason = result.reason;
-      break;
-  }
-  flight.record.plan_calls.push_back(call);
-}
-
-/// Lets commands that are due take effect.
-void apply_due_commands(Flight& flight) {
-  while (!flight.pending.empty() && flight.pending.front().due <= flight.state.tick) {
-    const std::optional<Command>& command = flight.pending.front().command;
-    const VehicleState believed = believed_state(flight.perception, flight.state);
-    if (command) {
-      accept(flight.tracker, flight.model, *command, believed);
-    } else {
-      hold(flight.tracker, flight.model, believed);
-    }
-    flight.pending.pop_front();
-  }
-}
-
-/// Where the vehicle is told to be now; NaN where the command does not say.
-Eigen::Vector3d commanded_position(const Flight& flight) {
-  if (flight.tracker.following_rates) {
-    return Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
-  }
-  return reference(flight.tracker).position_world;
-}
-
-void sample(Flight& flight) {
-  const VehicleState& state = flight.state;
-  // The end of a flight may be a sample's own tick.
-  if (!flight.record.samples.empty() && flight.record.samples.back().time_s == seconds(state.tick))
-    return;
-  const Pose T_world_body = pose_of(state);
-  const double nearest_m = flight.scene.nearest(state.position_world, kClearanceLimit_m).distance_m;
-  const double limit_m = std::min(nearest_m, kClearanceLimit_m);  // the body holds its own centre
-  const double clearance_m =
-      flight.scene.body_clearance(flight.collision_check.body_size_m, T_world_body, limit_m);
-  flight.record.samples.push_back(
-      {.time_s = seconds(state.tick),
-       .position_world = state.position_world,
-       .velocity_world = state.velocity_world,
-       .acceleration_world = acceleration_world(flight.model, state, flight.environment),
-       .q_world_body = state.q_world_body,
-       .rates_body_radps = state.rates_body,
-       .reference_world = commanded_position(flight),
-       .clearance_m = std::min(clearance_m, limit_m),
-       .rotor_power_w = rotor_power_w(flight.model, state)});
-}
-
-/// Brings what moves to the flight's own time.
-void move_obstacles(Flight& flight, Tick dt) {
-  if (flight.moving == nullptr) return;
-  flight.moving->set_time(seconds(flight.state.tick));
-  // What was free around the last query shrinks by how far the fastest obstacle came.
-  flight.collision_check.free_radius_m -= flight.obstacle_speed_mps * seconds(dt);
-}
-
-/// Records a contact that begins now. True when it is one more than a flight may survive.
-bool collided(Flight& flight) {
-  const auto touched = contact(flight.collision_check, flight.scene, pose_of(flight.state));
-  // A touch that lasts is one contact.
-  const bool begins = touched.has_value() && !flight.was_touching;
-  flight.was_touching = touched.has_value();
-  if (!begins) return false;
-  const World& world = flight.scene.world();
-  const std::uint32_t obstacle = world.instances[touched->instance].obstacle;
-  const Eigen::Vector3d& place = flight.state.position_world;
-  const double speed_mps = flight.state.velocity_world.norm();
-  const std::string& obstacle_kind = world.obstacles[obstacle].kind;
-  flight.record.collisions.push_back({.time_s = seconds(flight.state.tick),
-                                      .speed_mps = speed_mps,
-                                      .obstacle = obstacle,
-                                      .kind = obstacle_kind});
-  const auto survivable = static_cast<std::size_t>(flight.spec.mission.max_collisions);
-  if (flight.record.collisions.size() <= survivable) return false;
-  flight.record.reason = "touched " + obstacle_kind + " " + std::to_string(obstacle) + " at " +
-                         place_text(place) + ", " + fixed_digits(speed_mps, 2) + " m/s";
-  return true;
-}
-
-/// The outcome, once there is one.
-std::optional<Outcome> ended(Flight& flight) {
-  if (flight.planner_end) return flight.planner_end;
-  const Eigen::Vector3d& place = flight.state.position_world;
-  // First of all: a vehicle that touches something as it enters the goal or leaves the map has
-  // collided.
-  if (collided(flight)) return Outcome::collided;
-  if (!flight.scene.world().bounds.contains(place)) {
-    flight.record.reason = "left the map at " + place_text(place);
-    return Outcome::left_bounds;
-  }
-  // Horizontally: the region is a circle, at any height.
-  const double to_goal_m = (flight.mission.goal_world - place).head<2>().norm();
-  if (to_goal_m <= flight.spec.mission.goal_radius_m) {
-    flight.record.reason =
-        "reached the goal after " + fixed_digits(seconds(flight.state.tick), 2) + " s";
-    return Outcome::reached_goal;
-  }
-  if (seconds(flight.state.tick) >= flight.spec.mission.time_limit_s) {
-    flight.record.reason = fixed_digits(to_goal_m, 2) + " m from the goal at the time limit";
-    return Outcome::timed_out;
-  }
-  return std::nullopt;
-}
-
-/// The next tick at which anything but physics happens, or the next of the physics' own grid.
-Tick next_tick(const Flight& flight) {
-  const Tick now = flight.state.tick;
-  const auto after = [now](Tick period) { return (now / period + 1) * period; };
-  Tick next = std::min({after(flight.physics_period), after(flight.plan_period),
-                        after(flight.sample_period), next_sensing(flight.perception, now)});
-  next = std::min(next, next_force_change(flight.wind, now));
-  if (!flight.pending.empty()) next = std::min(next, flight.pending.front().due);
-  return next;
+/// Asks the observer, where there is one.
+bool may_call(const Flight& flight, const TrialObserver& observer) {
+  if (!observer.planning) return true;
+  const VehicleState believed = believed_state(flight);
+  return observer.planning({.time_s = seconds(flight.state.tick),
+                            .believed = believed,
+                            .view = flight.view,
+                            .record = flight.record});
 }
 
 }  // namespace
@@ -284,48 +39,22 @@ Tick next_tick(const Flight& flight) {
 TrialRecord run_trial(const TrialSpec& spec, const Scene& scene, const Mission& mission,
                       PlannerInstance& planner, const TrialObserver& observer,
                       const std::vector<double>* recorded_latency_s) {
-  AB_CHECK(spec.latency.mode != LatencyMode::replay || recorded_latency_s != nullptr);
-  const std::vector<Motion>& motions = scene.world().motions;
-  std::optional<Scene> own;  // with its own time
-  // Its time is set at each step; the caller's scene stays at 0 for other trials.
-  if (!motions.empty()) own.emplace(scene.world());
-  Flight flight = make_flight(spec, own ? *own : scene, mission, planner, observer);
-  flight.moving = own ? &*own : nullptr;
-  flight.recorded_latency_s = recorded_latency_s;
-  for (const Motion& motion : motions) {
-    flight.obstacle_speed_mps = std::max(flight.obstacle_speed_mps, greatest_speed_mps(motion));
-  }
+  Flight flight = begin_flight(spec, scene, mission, planner.needs(), recorded_latency_s);
   planner.take_log();  // of an earlier trial
   planner.take_drawings();
   if (std::string error = planner.reset(planner_mission(spec, mission)); !error.empty()) {
-    flight.planner_end = Outcome::planner_error;
-    flight.record.reason = "reset: " + error;
+    stop_flight(flight, Outcome::planner_error, "reset: " + error);
   }
-  // A start may be at the goal or touch something already.
-  std::optional<Outcome> outcome = ended(flight);
-  while (!outcome) {
-    const Tick now = flight.state.tick;
-    flight.environment = environment_at(flight.wind, now, flight.state.position_world);
-    sense(flight.perception, flight.scene, flight.model, flight.state, flight.environment);
-    // Before commands take effect: with zero latency what is planned now acts now.
-    if (is_plan_due(flight)) plan(flight);
-    apply_due_commands(flight);
-    // After commands: the sample's reference is the one that is followed from now on.
-    if (now % flight.sample_period == 0) sample(flight);
-    if (!flight.planner_end) {
-      const VehicleState believed = believed_state(flight.perception, flight.state);
-      const RotorVector rotors = track(flight.tracker, flight.model, believed);
-      const Tick dt = next_tick(flight) - now;
-      flight.state = step(flight.model, flight.state, rotors, flight.environment, dt);
-      move_obstacles(flight, dt);
+  while (const PlannerView* view = next_plan(flight)) {
+    if (!may_call(flight, observer)) {
+      stop_flight(flight, Outcome::planner_gave_up, "");
+      continue;
     }
-    outcome = ended(flight);
+    const PlanResult result = planner.plan(*view);
+    const Tick due = answer(flight, result);
+    tell_planned(flight, planner, observer, result, due);
   }
-  flight.environment = environment_at(flight.wind, flight.state.tick, flight.state.position_world);
-  sample(flight);
-  flight.record.outcome = *outcome;
-  flight.record.end_time_s = seconds(flight.state.tick);
-  return std::move(flight.record);
+  return end_flight(std::move(flight));
 }
 
 }  // namespace avoidbench

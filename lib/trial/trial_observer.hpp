@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "plugin/planner_instance.hpp"
+#include "trial/trial_record.hpp"
 #include "vehicle/state.hpp"
 
 namespace avoidbench {
@@ -21,8 +22,19 @@ struct PlanStep {
   std::vector<std::string> log;   ///< lines since the last call
 };
 
-/// Looks on while a trial is flown. Cannot change it.
+/// A call of the planner that is about to be made. References as in PlanStep.
+struct PlanCallAhead {
+  double time_s = 0.0;
+  const VehicleState& believed;
+  const PlannerView& view;
+  const TrialRecord& record;  ///< of the flight so far
+};
+
+/// Looks on while a trial is flown. Cannot change it, except that it may end it.
 struct TrialObserver {
+  /// Where set: before each call of the planner. False ends the flight here, as if the planner had
+  /// given up.
+  std::function<bool(const PlanCallAhead&)> planning;
   std::function<void(const PlanStep&)> planned;  ///< where set: after each call of the planner
 };
 

@@ -138,6 +138,8 @@ struct TrialSpec {
   RatesSpec rates;
   LatencySpec latency;
   std::string latency_digest;  ///< of the times that a replay takes; the program fills it
+  /// Of the map's missions where the sweep lists its own (sweep/own_missions.hpp); "": generated.
+  std::string missions_digest;
   WindSpec wind;
 };
 
@@ -157,6 +159,7 @@ void visit(Visitor& v, Spec& s) {
   v.field("rates", s.rates, "How often things happen; each period is a whole number of 1/36000 s.");
   v.field("latency", s.latency, "When commands take effect.");
   v.field("latency_digest", s.latency_digest, "SHA-256 of the latencies that are replayed.");
+  v.field("missions_digest", s.missions_digest, "SHA-256 of the map's listed missions.");
   v.field("wind", s.wind, "Wind and disturbances, added up; see docs/wind.md.");
 }
 

@@ -10,9 +10,10 @@
 namespace avoidbench {
 namespace {
 
-constexpr Color kPaper{236, 236, 234}, kGround{214, 209, 199}, kStart{30, 150, 60},
-    kGoal{205, 40, 40}, kPath{255, 255, 255}, kPathRim{20, 20, 20}, kMoving{230, 120, 20};
+constexpr Color kPaper{236, 236, 234}, kGround{214, 209, 199}, kPath{255, 255, 255},
+    kPathRim{20, 20, 20}, kMoving{230, 120, 20};
 constexpr int kBand_px = 22;  ///< of caption and scales
+constexpr double kMargin_m = 0.5;
 
 /// Where the map lies in the picture.
 struct Plan {
@@ -27,7 +28,7 @@ struct Plan {
 };
 
 Plan lay_out(const World& world, const MapView& view) {
-  const Eigen::Vector2d margin_m = Eigen::Vector2d::Constant(0.5);
+  const Eigen::Vector2d margin_m = Eigen::Vector2d::Constant(kMargin_m);
   const Eigen::Vector2d low = world.flight_bounds.min().head<2>() - margin_m;
   const Eigen::Vector2d size = world.flight_bounds.sizes().head<2>() + 2.0 * margin_m;
   const double height_px = view.height_px - 2 * kBand_px;
@@ -38,10 +39,14 @@ Plan lay_out(const World& world, const MapView& view) {
           .bottom_px = kBand_px + 0.5 * (height_px + scale * size.y())};
 }
 
-void paint_ground_plan(const World& world, const Plan& plan, const MapView& view, double highest_m,
+void paint_ground_plan(const World& world, const Plan& plan, const MapView& view,
                        Picture& picture) {
   const Scene scene(world);
-  const double from_z_m = world.bounds.max().z() + 1.0;
+  const Region& starts = world.start_region;
+  const double flight_m = 0.5 * (starts.lowest.z() + starts.highest.z());
+  const auto cut_z_m = [&](double x, double y) {
+    return flight_m + (world.heights_above_ground ? ground_height_m(world, x, y) : 0.0);
+  };
   for (int row = 0; row < view.height_px; ++row) {
     for (int column = 0; column < view.width_px; ++column) {
       std::array<int, 3> sum{};
@@ -53,7 +58,7 @@ void paint_ground_plan(const World& world, const Plan& plan, const MapView& view
         const double y = plan.low_world.y() + (plan.bottom_px - down) / plan.pixels_per_m;
         const bool is_inside =
             x >= world.flight_bounds.min().x() - 0.5 && x <= world.flight_bounds.max().x() + 0.5;
-        const Color color = is_inside ? color_below(scene, x, y, from_z_m, highest_m) : kPaper;
+        const Color color = is_inside ? plan_color(scene, x, y, cut_z_m(x, y)) : kPaper;
         for (std::size_t i = 0; i < 3; ++i) sum[i] += color[i];
       }
       for (std::size_t i = 0; i < 3; ++i) {
@@ -76,11 +81,13 @@ void draw_region(const Plan& plan, const Region& region, const Color& color, Pic
 }
 
 /// The mission over the map, and what there is to say of it.
-std::string draw_mission(const Scene& scene, const TrialSpec& trial, std::int64_t index,
+std::string draw_mission(const Scene& scene, const TrialSpec& trial, const MapView& view,
                          const Plan& plan, Picture& picture) {
-  const auto mission = make_mission(scene, trial.mission, trial.seed, index);
-  const std::string name = "mission " + std::to_string(index);
-  if (!mission) return name + ": no free start or goal";
+  const auto mission = the_mission(scene, trial, view.mission_index, view.listed_missions);
+  const std::string name = "mission " + std::to_string(view.mission_index);
+  if (!mission) {
+    return name + (view.listed_missions.empty() ? ": no free start or goal" : " is not listed");
+  }
   ClearanceGrid grid(scene, scene.world().bounds, kMapCell_m);
   const double radius_m = body_measure(to_eigen(trial.vehicle.body_size_m)).radius_m;
   const auto path = reference_path(grid, *mission, trial.mission.goal_radius_m, radius_m);
@@ -93,9 +100,9 @@ std::string draw_mission(const Scene& scene, const TrialSpec& trial, std::int64_
   const Eigen::Vector2d goal = plan.to_pixels(mission->goal_world);
   const double goal_px = std::max(6.0, trial.mission.goal_radius_m * plan.pixels_per_m);
   draw_circle(picture, goal, goal_px, kPath, 5);
-  draw_circle(picture, goal, goal_px, kGoal, 3);
+  draw_circle(picture, goal, goal_px, kGoalColor, 3);
   draw_disc(picture, plan.to_pixels(mission->start_world), 7.0, kPath);
-  draw_disc(picture, plan.to_pixels(mission->start_world), 5.0, kStart);
+  draw_disc(picture, plan.to_pixels(mission->start_world), 5.0, kStartColor);
   if (!path) return name + ": the goal can't be reached";
   char length[32];
   std::snprintf(length, sizeof length, ", d_min %.2f m", path_length_m(*path));
@@ -121,12 +128,34 @@ Color color_below(const Scene& scene, double x_m, double y_m, double from_z_m, d
   return color;
 }
 
+Color plan_color(const Scene& scene, double x_m, double y_m, double cut_z_m) {
+  constexpr double kVeil = 0.3;
+  const World& world = scene.world();
+  const double highest_m = world.flight_bounds.sizes().z();
+  const double top_z_m = std::max(cut_z_m, world.bounds.max().z()) + 1.0;
+  const Color of_top = color_below(scene, x_m, y_m, top_z_m, highest_m);
+  const RayHit top = scene.first_hit({x_m, y_m, top_z_m}, -Eigen::Vector3d::UnitZ());
+  const bool is_covered = top_z_m - top.distance_m > cut_z_m;
+  if (!is_covered || is_inside(scene, {x_m, y_m, cut_z_m})) return of_top;
+  return mixed(color_below(scene, x_m, y_m, cut_z_m, highest_m), of_top, kVeil);
+}
+
+void fit_plan(const World& world, int longest_px, MapView& view) {
+  constexpr double kLeastWidth_px = 480.0, kLeastHeight_px = 240.0;  // for the captions
+  const Eigen::Vector2d size_m =
+      world.flight_bounds.sizes().head<2>() + Eigen::Vector2d::Constant(2.0 * kMargin_m);
+  const double scale = (longest_px - 2.0 * kBand_px) / size_m.maxCoeff();
+  view.width_px = static_cast<int>(std::lround(std::max(kLeastWidth_px, scale * size_m.x())));
+  view.height_px =
+      static_cast<int>(std::lround(std::max(kLeastHeight_px, scale * size_m.y() + 2.0 * kBand_px)));
+}
+
 Picture plan_view(const World& world, const TrialSpec& trial, const MapView& view,
                   std::string& note) {
   const Plan plan = lay_out(world, view);
   const double highest_m = world.flight_bounds.sizes().z();
   Picture picture = make_picture(view.width_px, view.height_px);
-  paint_ground_plan(without_roof(world), plan, view, highest_m, picture);
+  paint_ground_plan(without_roof(world), plan, view, picture);
   for (const Motion& motion : world.motions) {
     const Eigen::Vector3d middle =
         world.instances[motion.instance].T_world_prototype.translation().cast<double>();
@@ -135,9 +164,11 @@ Picture plan_view(const World& world, const TrialSpec& trial, const MapView& vie
                plan.to_pixels(middle + motion.amplitude_world)},
               kMoving, 2);
   }
-  draw_region(plan, world.start_region, kStart, picture);
-  draw_region(plan, world.goal_region, kGoal, picture);
-  note = draw_mission(Scene(world), trial, view.mission_index, plan, picture);
+  if (view.listed_missions.empty()) {  // else they have no say
+    draw_region(plan, world.start_region, kStartColor, picture);
+    draw_region(plan, world.goal_region, kGoalColor, picture);
+  }
+  note = draw_mission(Scene(world), trial, view, plan, picture);
   add_scale_bar(picture, plan.pixels_per_m);
   add_height_scale(picture, highest_m);
   return picture;

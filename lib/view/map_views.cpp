@@ -8,7 +8,6 @@
 #include "base/input_error.hpp"
 #include "render/depth.hpp"
 #include "shading/shading.hpp"
-#include "trial/mission.hpp"
 #include "view/map_plan.hpp"
 
 namespace avoidbench {
@@ -82,7 +81,8 @@ Picture depth_view(const World& world, const TrialSpec& trial, const MapView& vi
   std::vector<float> depth_m(static_cast<std::size_t>(view.width_px) *
                              static_cast<std::size_t>(view.height_px));
   render_depth(scene, camera,
-               start_pose(scene, trial, view.mission_index) * T_body_camera(trial.sensor.mounting),
+               start_pose(scene, trial, view.mission_index, view.listed_missions) *
+                   T_body_camera(trial.sensor.mounting),
                depth_m);
   Picture picture =
       depth_picture(depth_m, view.width_px, view.height_px, 0.0, trial.sensor.max_range_m);
@@ -94,8 +94,13 @@ Picture depth_view(const World& world, const TrialSpec& trial, const MapView& vi
 
 std::vector<std::string> map_view_names() { return {"top", "bird", "first_person", "depth"}; }
 
-Pose start_pose(const Scene& scene, const TrialSpec& trial, std::int64_t mission_index) {
-  const auto mission = make_mission(scene, trial.mission, trial.seed, mission_index);
+Pose start_pose(const Scene& scene, const TrialSpec& trial, std::int64_t mission_index,
+                const std::vector<Mission>& listed) {
+  const auto mission = the_mission(scene, trial, mission_index, listed);
+  if (!mission && !listed.empty()) {
+    throw InputError("mission " + std::to_string(mission_index) + ": the map has only " +
+                     std::to_string(listed.size()) + ", counted from 0");
+  }
   if (!mission) {
     throw InputError("mission " + std::to_string(mission_index) +
                      ": no start or goal with mission.free_radius_m of free space; make the map "
@@ -114,7 +119,8 @@ Picture render_map(const World& world, const TrialSpec& trial, const MapView& vi
   if (view.name == "bird") return bird_view(world, view);
   if (view.name == "depth") return depth_view(world, trial, view);
   const Pose T_world_camera =
-      start_pose(Scene(world), trial, view.mission_index) * T_body_camera(trial.sensor.mounting);
+      start_pose(Scene(world), trial, view.mission_index, view.listed_missions) *
+      T_body_camera(trial.sensor.mounting);
   return shaded(world, T_world_camera, trial.sensor.fov_x_deg * math::kDegree, true, view);
 }
 

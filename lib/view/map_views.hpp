@@ -6,6 +6,7 @@
 
 #include "drawing/picture.hpp"
 #include "render/scene.hpp"
+#include "trial/mission.hpp"
 #include "trial/trial_spec.hpp"
 #include "world/world.hpp"
 
@@ -17,6 +18,7 @@ struct MapView {
   int width_px = 960, height_px = 720;
   int samples = 2;  ///< rays a side of each pixel
   std::int64_t mission_index = 0;
+  std::vector<Mission> listed_missions = {};  ///< of the map where they are not made
 };
 
 /// top (a plan coloured by height, +y up, with a mission), bird (from outside, without roof and
@@ -28,7 +30,8 @@ World without_roof(const World& world, double time_s = 0.0);
 
 /// The body's pose at the start of a mission of the trial. Throws InputError where it can't be laid
 /// out.
-Pose start_pose(const Scene& scene, const TrialSpec& trial, std::int64_t mission_index);
+Pose start_pose(const Scene& scene, const TrialSpec& trial, std::int64_t mission_index,
+                const std::vector<Mission>& listed = {});
 
 /// The picture of `world`, the map of `trial`; what else its caption should say goes to `note`.
 /// Throws InputError where the mission of first_person and depth can't be laid out.

@@ -30,10 +30,7 @@ SeenImage seen_image(const View& view, int width_px, int height_px) {
 }  // namespace
 
 MomentRecorder::MomentRecorder(std::vector<double> at_s, double every_s, const TrialSpec& spec)
-    : at_s_(std::move(at_s)),
-      every_s_(every_s),
-      width_px_(static_cast<int>(spec.sensor.width_px)),
-      height_px_(static_cast<int>(spec.sensor.height_px)) {
+    : at_s_(std::move(at_s)), every_s_(every_s), cameras_(rig_cameras(spec.sensor)) {
   std::sort(at_s_.begin(), at_s_.end());
   if (at_s_.empty() && every_s_ <= 0.0) at_s_.push_back(std::numeric_limits<double>::infinity());
 }
@@ -57,17 +54,19 @@ void MomentRecorder::keep(double time_s) {
   if (every_s_ > 0.0 && every_s_ * static_cast<double>(every_index_) <= next) ++every_index_;
 }
 
-void MomentRecorder::see(const PlanStep& step) {
+void MomentRecorder::see(const PlannerView& seen) {
   // Newest first, so that the oldest is overwritten by what comes before it.
   const auto take = [&](const auto& views) {
     for (auto view = views.rbegin(); view != views.rend(); ++view) {
       if (latest_.images.size() <= view->camera) latest_.images.resize(view->camera + 1);
-      latest_.images[view->camera] = seen_image(*view, width_px_, height_px_);
+      const CameraSpec& camera = cameras_[view->camera].kind;
+      latest_.images[view->camera] =
+          seen_image(*view, static_cast<int>(camera.width_px), static_cast<int>(camera.height_px));
     }
   };
-  if (!step.view.depth.empty()) return take(step.view.depth);
-  if (!step.view.color.empty()) return take(step.view.color);
-  take(step.view.stereo);
+  if (!seen.depth.empty()) return take(seen.depth);
+  if (!seen.color.empty()) return take(seen.color);
+  take(seen.stereo);
 }
 
 void MomentRecorder::planned(const PlanStep& step) {
@@ -76,7 +75,14 @@ void MomentRecorder::planned(const PlanStep& step) {
   latest_.believed = step.believed;
   latest_.result = step.result;
   latest_.drawings = step.drawings;
-  see(step);
+  see(step.view);
+}
+
+void MomentRecorder::planning(const PlanCallAhead& call) {
+  while (next_s() < call.time_s) keep(next_s());
+  latest_.call_s = call.time_s;
+  latest_.believed = call.believed;
+  see(call.view);
 }
 
 std::vector<Moment> MomentRecorder::finish(double end_s) {

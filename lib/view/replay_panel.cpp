@@ -8,34 +8,10 @@
 namespace avoidbench {
 namespace {
 
-constexpr Color kWhite{255, 255, 255};
-
-/// `color` with this share of `other`.
-Color mixed(const Color& color, const Color& other, double share) {
-  Color result{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    result[i] = static_cast<std::uint8_t>(std::lround((1.0 - share) * color[i] + share * other[i]));
-  }
-  return result;
-}
-
 std::uint8_t* pixel(Picture& picture, int column, int row) {
   return &picture
               .rgb[3 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(picture.width_px) +
                         static_cast<std::size_t>(column))];
-}
-
-/// Mixes a rectangle, cut to the picture, with a colour.
-void tint(Picture& picture, int left, int top, int width, int height, const Color& color,
-          double share) {
-  for (int row = std::max(0, top); row < std::min(picture.height_px, top + height); ++row) {
-    for (int column = std::max(0, left); column < std::min(picture.width_px, left + width);
-         ++column) {
-      std::uint8_t* rgb = pixel(picture, column, row);
-      const Color now = mixed({rgb[0], rgb[1], rgb[2]}, color, share);
-      std::copy(now.begin(), now.end(), rgb);
-    }
-  }
 }
 
 /// Whether OpenCV can draw to this place.
@@ -65,8 +41,8 @@ void draw_one(const Drawing& drawing, bool is_far, Panel& panel) {
       if (!is_shown) continue;
       draw_disc(panel.picture, at, 0.5 * diameter_px, color);
       if (drawing.kind != DrawingKind::text) continue;
-      draw_text(panel.picture, ascii(drawing.label), static_cast<int>(at.x()) + 5,
-                static_cast<int>(at.y()) + 4, color);
+      draw_label(panel.picture, ascii(drawing.label), static_cast<int>(at.x()) + 7,
+                 static_cast<int>(at.y()) + 4, color);
     }
     return;
   }
@@ -105,6 +81,33 @@ Panel make_panel(int width_px, int height_px, const Eigen::Vector3d& center,
 
 void paint_white(Panel& panel) {
   std::fill(panel.picture.rgb.begin(), panel.picture.rgb.end(), std::uint8_t{255});
+}
+
+void paint_plan(const Scene& scene, double cut_z_m, Panel& panel) {
+  for (int row = 0; row < panel.picture.height_px; ++row) {
+    for (int column = 0; column < panel.picture.width_px; ++column) {
+      const Eigen::Vector3d at = panel.world_at(column + 0.5, row + 0.5);
+      const Color color = mixed(plan_color(scene, at.x(), at.y(), cut_z_m), kWhite, 0.25);
+      std::copy(color.begin(), color.end(), pixel(panel.picture, column, row));
+    }
+  }
+}
+
+void paint_silhouette(const Scene& scene, const Eigen::Vector3d& center_world, double radius_m,
+                      const Color& color, Panel& panel) {
+  constexpr double kFar_m = 1000.0;
+  const Eigen::Vector3d away = panel.right.cross(panel.up);
+  const Eigen::Vector2d center = panel.to_pixels(center_world);
+  const double radius_px = radius_m * panel.pixels_per_m;
+  for (int row = 0; row < panel.picture.height_px; ++row) {
+    for (int column = 0; column < panel.picture.width_px; ++column) {
+      const Eigen::Vector2d pixel_center(column + 0.5, row + 0.5);
+      if ((pixel_center - center).norm() > radius_px) continue;
+      const Eigen::Vector3d from = panel.world_at(column + 0.5, row + 0.5) + kFar_m * away;
+      if (!std::isfinite(scene.first_hit(from, -away).distance_m)) continue;
+      tint(panel.picture, column, row, 1, 1, color, 0.45);
+    }
+  }
 }
 
 void paint_below(const Scene& scene, double from_z_m, Panel& panel) {

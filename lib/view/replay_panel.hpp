@@ -28,6 +28,15 @@ Panel make_panel(int width_px, int height_px, const Eigen::Vector3d& center,
 
 inline constexpr double kNearPlane_m = 1.0;  ///< what is farther from a panel's plane is drawn pale
 
+/// Fills the panel with the plan at this height (plan_color() of map_plan.hpp), a bit pale, so that
+/// one can draw on it.
+void paint_plan(const Scene& scene, double cut_z_m, Panel& panel);
+
+/// Tints where anything of the scene is seen along the panel's normal, within `radius_m` of a
+/// place.
+void paint_silhouette(const Scene& scene, const Eigen::Vector3d& center_world, double radius_m,
+                      const Color& color, Panel& panel);
+
 /// Fills the panel with what lies below `from_z_m`, pale, so that one can draw on it.
 void paint_below(const Scene& scene, double from_z_m, Panel& panel);
 void paint_white(Panel& panel);

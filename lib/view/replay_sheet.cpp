@@ -7,8 +7,10 @@
 #include <optional>
 
 #include "render/depth.hpp"
+#include "view/map_plan.hpp"
 #include "view/map_views.hpp"
 #include "view/replay_panel.hpp"
+#include "view/struck_obstacle.hpp"
 
 namespace avoidbench {
 namespace {
@@ -16,12 +18,34 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kHeader_px = 44, kGap_px = 4;
-constexpr int kOverviewWidth_px = 700, kDetailWidth_px = 540, kSideHeight_px = 216,
-              kImageHeight_px = 405;
-constexpr int kOverviewHeight_px = kDetailWidth_px + kSideHeight_px + kImageHeight_px + 2 * kGap_px;
-constexpr double kDetail_m = 12.0;  ///< seen around the vehicle
-constexpr Color kStart{30, 150, 60}, kGoal{205, 40, 40}, kLater{120, 120, 120},
-    kWhite{255, 255, 255}, kVehicle{0, 0, 0}, kCommand{240, 120, 0}, kReference{0, 150, 150};
+constexpr int kDetail_px = 540, kSideHeight_px = 216, kBands_px = 50;  ///< bands: caption, scales
+constexpr double kDetail_m = 12.0;                                     ///< seen around the vehicle
+constexpr double kAround_m = 5.0;  ///< shown beside the path, both sides together
+constexpr Color kLater{120, 120, 120}, kVehicle{0, 0, 0}, kCommand{240, 120, 0},
+    kReference{0, 150, 150};
+
+/// The sizes of a sheet's parts.
+struct Layout {
+  bool is_wide = false;  ///< the overview above the details, not beside them
+  int overview_width_px = 700, overview_height_px = 1169;
+  int side_width_px = kDetail_px, image_height_px = 405;  ///< the images are as wide as the side
+  int width_px = 700 + kGap_px + kDetail_px, height_px = kHeader_px + 1169;
+};
+
+/// The layout that shows a path of this extent larger.
+Layout layout_of(const Eigen::Vector2d& size_m) {
+  constexpr double kWide = 1.25;
+  Layout layout;
+  layout.is_wide = size_m.x() > kWide * size_m.y();
+  if (!layout.is_wide) return layout;
+  layout.overview_width_px = layout.width_px;
+  const double fitting_px = layout.width_px * size_m.y() / size_m.x() + kBands_px;
+  layout.overview_height_px = static_cast<int>(std::clamp(fitting_px, 320.0, 900.0));
+  layout.side_width_px = layout.width_px - kGap_px - kDetail_px;
+  layout.image_height_px = kDetail_px - kGap_px - kSideHeight_px;
+  layout.height_px = kHeader_px + layout.overview_height_px + kGap_px + kDetail_px;
+  return layout;
+}
 
 __attribute__((format(printf, 1, 2))) std::string formatted(const char* format, ...) {
   char line[256];
@@ -125,9 +149,9 @@ void draw_mission(const Mission& mission, double goal_radius_m, Panel& panel) {
   const Eigen::Vector2d start = panel.to_pixels(mission.start_world);
   const double goal_px = std::max(5.0, goal_radius_m * panel.pixels_per_m);
   draw_circle(panel.picture, goal, goal_px, kWhite, 4);
-  draw_circle(panel.picture, goal, goal_px, kGoal, 2);
+  draw_circle(panel.picture, goal, goal_px, kGoalColor, 2);
   draw_disc(panel.picture, start, 7.0, kWhite);
-  draw_disc(panel.picture, start, 5.0, kStart);
+  draw_disc(panel.picture, start, 5.0, kStartColor);
 }
 
 Picture image_picture(const SeenImage& image, double shown_m) {
@@ -155,7 +179,15 @@ struct ReplaySheets::Internals {
   World frozen, roofless;
   std::optional<Scene> scene, roofless_scene;
   std::optional<Panel> map;
+  Eigen::AlignedBox2d extent;  ///< the path with start and goal, from above
+  Layout layout;
+  std::unique_ptr<StruckObstacle> struck;
 
+  /// What moves has not come to the place of the contact before.
+  bool shows_contact(const Moment& moment) const {
+    return struck != nullptr && (world.motions.empty() || moment.time_s >= struck->time_s - 1e-9);
+  }
+  void find_extent();
   void build(double time_s);
   Panel overview(const Moment& moment);
   Panel detail(const Moment& moment, const Panel& empty, bool from_above);
@@ -163,6 +195,13 @@ struct ReplaySheets::Internals {
   Panel from_aside(const Moment& moment);
   Picture images(const Moment& moment);
 };
+
+void ReplaySheets::Internals::find_extent() {
+  for (const Sample& s : record.samples) extent.extend(s.position_world.head<2>());
+  extent.extend(stored.mission.start_world.head<2>());
+  extent.extend(stored.mission.goal_world.head<2>());
+  layout = layout_of(extent.sizes() + Eigen::Vector2d::Constant(kAround_m));
+}
 
 void ReplaySheets::Internals::build(double time_s) {
   if (built_s && (world.motions.empty() || *built_s == time_s)) return;
@@ -179,18 +218,17 @@ void ReplaySheets::Internals::build(double time_s) {
   roofless = without_roof(world, time_s);
   scene.emplace(frozen);
   roofless_scene.emplace(roofless);
-  Eigen::AlignedBox2d seen;
-  for (const Sample& s : record.samples) seen.extend(s.position_world.head<2>());
-  seen.extend(stored.mission.start_world.head<2>());
-  seen.extend(stored.mission.goal_world.head<2>());
-  const Eigen::Vector2d size = seen.sizes() + Eigen::Vector2d::Constant(5.0);
-  constexpr double kBands_px = 50.0;  // of caption and scales
-  const double width_m =
-      std::max(size.x(), size.y() * kOverviewWidth_px / (kOverviewHeight_px - kBands_px));
-  map =
-      make_panel(kOverviewWidth_px, kOverviewHeight_px, {seen.center().x(), seen.center().y(), 0.0},
-                 Vector3d::UnitX(), Vector3d::UnitY(), width_m);
-  paint_below(*roofless_scene, world.bounds.max().z() + 1.0, *map);
+  const Eigen::Vector2d size = extent.sizes() + Eigen::Vector2d::Constant(kAround_m);
+  const double width_m = std::max(
+      size.x(), size.y() * layout.overview_width_px / (layout.overview_height_px - kBands_px));
+  map = make_panel(layout.overview_width_px, layout.overview_height_px,
+                   {extent.center().x(), extent.center().y(), 0.0}, Vector3d::UnitX(),
+                   Vector3d::UnitY(), width_m);
+  std::vector<double> heights_m;
+  for (const Sample& s : record.samples) heights_m.push_back(s.position_world.z());
+  const auto middle = heights_m.begin() + static_cast<std::ptrdiff_t>(heights_m.size() / 2);
+  std::nth_element(heights_m.begin(), middle, heights_m.end());
+  paint_plan(*roofless_scene, *middle, *map);
 }
 
 Panel ReplaySheets::Internals::overview(const Moment& moment) {
@@ -201,11 +239,12 @@ Panel ReplaySheets::Internals::overview(const Moment& moment) {
   draw_flown(record, moment.time_s, most_mps, 3, panel);
   draw_path(commanded(moment), kCommand, 2, 1, panel);
   draw_mission(stored.mission, stored.spec.mission.goal_radius_m, panel);
+  if (shows_contact(moment)) draw_struck(*struck, panel);
   const Vector3d vehicle = sample_at(record, moment.time_s).position_world;
   draw_circle(panel.picture, panel.to_pixels(vehicle), 9.0, kWhite, 4);
   draw_circle(panel.picture, panel.to_pixels(vehicle), 9.0, kVehicle, 2);
   add_caption(panel.picture, "from above; path by speed, grey: what came later");
-  add_legend({{kStart, "start"}, {kGoal, "goal"}, {kVehicle, "vehicle"}}, panel.picture);
+  add_legend({{kStartColor, "start"}, {kGoalColor, "goal"}, {kVehicle, "vehicle"}}, panel.picture);
   add_scale_bar(panel.picture, panel.pixels_per_m);
   add_speed_scale(most_mps, panel.picture);
   return panel;
@@ -225,6 +264,7 @@ Panel ReplaySheets::Internals::detail(const Moment& moment, const Panel& empty, 
   }
   draw_path(references, kReference, 1, 0, panel);
   draw_path(commanded(moment), kCommand, 2, 1, panel);
+  if (shows_contact(moment)) draw_struck(*struck, panel);
   draw_box(to_eigen(stored.spec.vehicle.body_size_m),
            make_pose(now.position_world, now.q_world_body), kVehicle, panel);
   const Vector3d nose = now.position_world + 0.6 * (now.q_world_body * Vector3d::UnitX());
@@ -234,7 +274,7 @@ Panel ReplaySheets::Internals::detail(const Moment& moment, const Panel& empty, 
 
 Panel ReplaySheets::Internals::from_above(const Moment& moment) {
   const Sample& now = sample_at(record, moment.time_s);
-  Panel panel = make_panel(kDetailWidth_px, kDetailWidth_px, now.position_world, Vector3d::UnitX(),
+  Panel panel = make_panel(kDetail_px, kDetail_px, now.position_world, Vector3d::UnitX(),
                            Vector3d::UnitY(), kDetail_m);
   paint_below(*roofless_scene, now.position_world.z() + 0.5, panel);
   panel = detail(moment, panel, true);
@@ -265,7 +305,7 @@ Panel ReplaySheets::Internals::from_aside(const Moment& moment) {
     along.z() = 0.0;
   }
   along.normalize();
-  Panel panel = make_panel(kDetailWidth_px, kSideHeight_px, now.position_world, along,
+  Panel panel = make_panel(layout.side_width_px, kSideHeight_px, now.position_world, along,
                            Vector3d::UnitZ(), kDetail_m);
   const double ground_m =
       ground_height_m(world, now.position_world.x(), now.position_world.y()) - 0.4;
@@ -298,12 +338,9 @@ Picture ReplaySheets::Internals::images(const Moment& moment) {
   }
   const int columns = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(seen.size()))));
   const int rows = (static_cast<int>(seen.size()) + columns - 1) / columns;
-  const double scale = std::min(kDetailWidth_px / (1.0 * columns * seen.front().width_px),
-                                kImageHeight_px / (1.0 * rows * seen.front().height_px));
-  Picture sheet = make_picture(kDetailWidth_px, kImageHeight_px);
-  const int width = static_cast<int>(seen.front().width_px * scale);
-  const int height = static_cast<int>(seen.front().height_px * scale);
-  const int left = (kDetailWidth_px - columns * width) / 2;
+  const int cell_width = layout.side_width_px / columns,
+            cell_height = layout.image_height_px / rows;
+  Picture sheet = make_picture(layout.side_width_px, layout.image_height_px);
   double newest_s = seen.front().time_s;
   for (std::size_t i = 0; i < seen.size(); ++i) {
     if (seen[i].width_px == 0) continue;
@@ -311,9 +348,13 @@ Picture ReplaySheets::Internals::images(const Moment& moment) {
     const int column = static_cast<int>(i) % columns, row = static_cast<int>(i) / columns;
     const bool is_alone = seen.size() == 1;
     const int gap_px = is_alone ? 0 : kGap_px;
-    Picture shown = resized(image_picture(seen[i], shown_m), width - gap_px, height - gap_px);
-    if (!is_alone) draw_text(shown, "camera " + std::to_string(i), 6, height - 30, kWhite);
-    paste(shown, left + column * width, row * height, sheet);
+    const double scale = std::min(1.0 * (cell_width - gap_px) / seen[i].width_px,
+                                  1.0 * (cell_height - gap_px) / seen[i].height_px);
+    const int width = static_cast<int>(seen[i].width_px * scale);
+    const int height = static_cast<int>(seen[i].height_px * scale);
+    Picture shown = resized(image_picture(seen[i], shown_m), width, height);
+    if (!is_alone) draw_label(shown, "camera " + std::to_string(i), 6, height - 30, {20, 20, 20});
+    paste(shown, column * cell_width + (cell_width - width) / 2, row * cell_height, sheet);
   }
   add_caption(sheet, caption + formatted(", t = %.3f s", newest_s));
   if (!seen.front().depth_m.empty()) add_depth_scale(sheet, 0.0, shown_m);
@@ -333,7 +374,11 @@ ReplaySheets::ReplaySheets(const StoredTrial& stored, const World& world, const 
                     .roofless = {},
                     .scene = {},
                     .roofless_scene = {},
-                    .map = {}})) {
+                    .map = {},
+                    .extent = {},
+                    .layout = {},
+                    .struck = struck_obstacle(world, record)})) {
+  internals_->find_extent();
   for (const Sample& s : record.samples) {
     internals_->most_mps = std::max(internals_->most_mps, s.velocity_world.norm());
   }
@@ -344,22 +389,21 @@ ReplaySheets::~ReplaySheets() = default;
 Picture ReplaySheets::sheet(const Moment& moment) {
   Internals& self = *internals_;
   self.build(moment.time_s);
-  Picture sheet =
-      make_picture(kOverviewWidth_px + kGap_px + kDetailWidth_px, kHeader_px + kOverviewHeight_px);
+  const Layout& layout = self.layout;
+  Picture sheet = make_picture(layout.width_px, layout.height_px);
   draw_text(sheet, ascii(self.title), 8, 17, kWhite);
   draw_text(sheet,
             ascii(formatted("t = %.3f s, planned at %.3f s; ended ", moment.time_s, moment.call_s) +
                   formatted("at %.3f s: ", self.record.end_time_s) + self.record.reason),
             8, 36, kWhite);
   paste(self.overview(moment).picture, 0, kHeader_px, sheet);
-  int top = kHeader_px;
-  const auto add = [&](const Picture& part) {
-    paste(part, kOverviewWidth_px + kGap_px, top, sheet);
-    top += part.height_px + kGap_px;
-  };
-  add(self.from_above(moment).picture);
-  add(self.from_aside(moment).picture);
-  add(self.images(moment));
+  const int left = layout.is_wide ? 0 : layout.overview_width_px + kGap_px;
+  const int top = layout.is_wide ? kHeader_px + layout.overview_height_px + kGap_px : kHeader_px;
+  paste(self.from_above(moment).picture, left, top, sheet);
+  const int side_left = layout.is_wide ? kDetail_px + kGap_px : left;
+  const int side_top = layout.is_wide ? top : top + kDetail_px + kGap_px;
+  paste(self.from_aside(moment).picture, side_left, side_top, sheet);
+  paste(self.images(moment), side_left, side_top + kSideHeight_px + kGap_px, sheet);
   return sheet;
 }
 

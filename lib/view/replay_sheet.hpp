@@ -37,17 +37,19 @@ class MomentRecorder {
   MomentRecorder(std::vector<double> at_s, double every_s, const TrialSpec& spec);
 
   void planned(const PlanStep& step);
+  /// A call from which the planner does not come back: what it is shown is seen, too.
+  void planning(const PlanCallAhead& call);
   /// At the end of the flight: all moments, in order of time.
   std::vector<Moment> finish(double end_s);
 
  private:
   double next_s() const;
   void keep(double time_s);
-  void see(const PlanStep& step);
+  void see(const PlannerView& view);
 
   std::vector<double> at_s_;  // ascending
   double every_s_;
-  int width_px_, height_px_;
+  std::vector<RigCamera> cameras_;
   std::size_t at_index_ = 0;
   std::int64_t every_index_ = 0;
   Moment latest_;

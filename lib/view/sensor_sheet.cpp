@@ -58,20 +58,27 @@ std::string figures(const DepthStatistics& s) {
   return line;
 }
 
-/// Puts rows of equally large cells into one picture.
+/// Puts rows of cells into one picture: each column as wide, each row as high as its largest.
 Picture tiled(const std::vector<std::vector<Picture>>& rows) {
   constexpr int kGap = 4;
-  std::size_t columns = 0;
-  for (const auto& row : rows) columns = std::max(columns, row.size());
-  const int width = rows.front().front().width_px, height = rows.front().front().height_px;
-  Picture sheet = make_picture(static_cast<int>(columns) * (width + kGap) - kGap,
-                               static_cast<int>(rows.size()) * (height + kGap) - kGap);
+  std::vector<int> lefts{0}, tops{0};
+  for (const auto& row : rows) {
+    int height = 0;
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      if (lefts.size() < c + 2) lefts.push_back(lefts.back());
+      height = std::max(height, row[c].height_px);
+    }
+    tops.push_back(tops.back() + height + kGap);
+  }
+  for (std::size_t c = 0; c + 1 < lefts.size(); ++c) {
+    int width = 0;
+    for (const auto& row : rows) width = std::max(width, c < row.size() ? row[c].width_px : 0);
+    lefts[c + 1] = lefts[c] + width + kGap;
+  }
+  Picture sheet = make_picture(lefts.back() - kGap, tops.back() - kGap);
   std::fill(sheet.rgb.begin(), sheet.rgb.end(), std::uint8_t{255});
   for (std::size_t r = 0; r < rows.size(); ++r) {
-    for (std::size_t c = 0; c < rows[r].size(); ++c) {
-      paste(rows[r][c], static_cast<int>(c) * (width + kGap), static_cast<int>(r) * (height + kGap),
-            sheet);
-    }
+    for (std::size_t c = 0; c < rows[r].size(); ++c) paste(rows[r][c], lefts[c], tops[r], sheet);
   }
   return sheet;
 }
@@ -92,7 +99,7 @@ struct Cell {
 };
 
 /// All views of one camera.
-std::vector<Cell> cells_of(const SensorSpec& sensor, CameraImages& images,
+std::vector<Cell> cells_of(const CameraSpec& sensor, CameraImages& images,
                            const std::vector<float>& truth_m) {
   const int width = static_cast<int>(sensor.width_px), height = static_cast<int>(sensor.height_px);
   constexpr double kMostShown_m = 20.0;  // what is farther has the colour of this
@@ -155,32 +162,36 @@ std::vector<std::string> sensor_view_names() {
 SensorSheet make_sensor_sheet(const SensorSpec& sensor, const Scene& scene,
                               const Pose& T_world_body, std::uint64_t seed,
                               const std::string& view) {
-  if (view == "disparity" && !is_stereo(sensor)) {
+  const std::vector<RigCamera> all = rig_cameras(sensor);
+  const bool has_pairs =
+      std::any_of(all.begin(), all.end(), [](const RigCamera& one) { return is_stereo(one.kind); });
+  if (view == "disparity" && !has_pairs) {
     throw OptionError("disparity: " + sensor.name + " does not match images", "view");
   }
-  Pinhole ideal = sensor_camera(sensor);
-  ideal.min_range_m = 0.0;
-  ideal.max_range_m = std::numeric_limits<double>::infinity();
-  Camera camera(sensor);
-  CameraImages images;
-  std::vector<float> truth_m(static_cast<std::size_t>(sensor.width_px * sensor.height_px));
   std::vector<std::vector<Cell>> cameras;
   SensorSheet sheet;
-  const std::vector<MountingSpec> all = mountings(sensor);
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const Pose T_world_camera = T_world_body * T_body_camera(all[i]);
+    const CameraSpec& kind = all[i].kind;
+    Pinhole ideal = sensor_camera(kind);
+    ideal.min_range_m = 0.0;
+    ideal.max_range_m = std::numeric_limits<double>::infinity();
+    Camera camera(kind);
+    CameraImages images;
+    std::vector<float> truth_m(static_cast<std::size_t>(kind.width_px * kind.height_px));
+    const Pose T_world_camera = T_world_body * T_body_camera(all[i].mounting);
     camera.expose(scene, T_world_camera, {}, {.depth = true, .stereo = true, .color = true},
                   stream_seed(seed, i), images);
     render_depth(scene, ideal, T_world_camera, truth_m);
     std::vector<DepthSample> samples;
     constexpr int kEdge_px = 8;
-    add_samples(truth_m, images.depth_m, static_cast<int>(sensor.width_px),
-                disparity_at_1m_px(sensor), kEdge_px, samples);
+    const double at_1m_px = disparity_at_1m_px(kind);
+    add_samples(truth_m, images.depth_m, static_cast<int>(kind.width_px), at_1m_px, kEdge_px,
+                samples);
     const DepthStatistics inside =
-        depth_statistics(samples, false, 0.0, sensor.max_range_m, disparity_at_1m_px(sensor));
+        depth_statistics(samples, false, 0.0, kind.max_range_m, at_1m_px);
     sheet.summary +=
         (all.size() > 1 ? "camera " + std::to_string(i) + ": " : "") + figures(inside) + "\n";
-    cameras.push_back(cells_of(sensor, images, truth_m));
+    cameras.push_back(cells_of(kind, images, truth_m));
   }
   sheet.picture = tiled(arranged(std::move(cameras), view));
   return sheet;

@@ -3,14 +3,21 @@
 #include <cxxabi.h>
 #include <execinfo.h>
 #include <signal.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstddef>
+#include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <vector>
+
+#include "plugin/elf_symbols.hpp"
 
 namespace avoidbench {
 namespace {
@@ -22,30 +29,101 @@ constexpr int kMostFrames = 64;
 constexpr std::size_t kMostPlaces = 4;
 
 volatile int report_fd = -1;
+volatile int hung_exit_code = 0;  ///< not 0: the signal asks a thread that hangs where it is
 
 /// Runs in a process that is broken: nothing here allocates.
 void write_stack(int number) {
   std::array<void*, kMostFrames> frames{};
   ::backtrace_symbols_fd(frames.data(), ::backtrace(frames.data(), kMostFrames), report_fd);
+  if (hung_exit_code != 0) ::_exit(hung_exit_code);
   ::raise(number);  // SA_RESETHAND: as it would have ended
+}
+
+void take_signals() {
+  struct sigaction action {};
+  action.sa_handler = write_stack;
+  action.sa_flags = static_cast<int>(SA_ONSTACK | SA_RESETHAND | SA_NODEFER);
+  for (const int number : kCrashes) ::sigaction(number, &action, nullptr);
+}
+
+/// One line of backtrace_symbols_fd: "path/name.so(symbol+0x1b) [0x7f…]".
+struct Frame {
+  std::string library, symbol, offset;  ///< name.so, demangled or "", "+0x1b"
+};
+
+/// The SDK's frames between host and planner by the planner's own function, which is inlined into
+/// them: "mine::Planner::plan" for avoidbench::detail::plan<mine::Planner>(…)::{lambda()#1}.
+std::string without_sdk(const std::string& symbol) {
+  for (const std::string_view name : {"plan", "reset", "create", "destroy"}) {
+    const std::string begin = "avoidbench::detail::" + std::string(name) + "<";
+    const std::size_t at = symbol.find(begin);
+    if (at == std::string::npos) continue;
+    std::size_t end = at + begin.size();
+    for (int depth = 1; end < symbol.size(); ++end) {
+      depth += symbol[end] == '<' ? 1 : symbol[end] == '>' ? -1 : 0;
+      if (depth == 0) break;
+    }
+    const std::size_t type = at + begin.size();
+    return symbol.substr(type, end - type) + "::" + std::string(name);
+  }
+  return symbol;
 }
 
 std::string demangled(const std::string& symbol) {
   int status = 0;
   const std::unique_ptr<char, decltype(&std::free)> text(
       abi::__cxa_demangle(symbol.c_str(), nullptr, nullptr, &status), &std::free);
-  return status == 0 && text != nullptr ? text.get() : symbol;
+  return without_sdk(status == 0 && text != nullptr ? text.get() : symbol);
 }
 
-/// Of a line "path/name.so(symbol+0x1b) [0x7f…]": "symbol+0x1b", or "" where it is of another file.
-std::string place_in(std::string_view line, std::string_view name) {
-  const std::size_t open = line.find('('), close = line.find(')', open);
-  if (open == std::string_view::npos || close == std::string_view::npos) return "";
-  if (std::filesystem::path(line.substr(0, open)).filename() != name) return "";
-  const std::string_view place = line.substr(open + 1, close - open - 1);
-  const std::size_t plus = place.rfind('+');
-  if (plus == std::string_view::npos) return std::string(place);
-  return demangled(std::string(place.substr(0, plus))) + std::string(place.substr(plus));
+std::vector<Frame> frames_of(std::string_view report) {
+  std::vector<Frame> frames;
+  while (!report.empty()) {
+    const std::size_t end = report.find('\n');
+    const std::string_view line = report.substr(0, end);
+    report.remove_prefix(end == std::string_view::npos ? report.size() : end + 1);
+    const std::size_t open = line.find('('), close = line.find(')', open);
+    if (open == std::string_view::npos || close == std::string_view::npos) continue;
+    const std::string_view place = line.substr(open + 1, close - open - 1);
+    const std::size_t plus = std::min(place.rfind('+'), place.size());
+    frames.push_back({.library = std::filesystem::path(line.substr(0, open)).filename().string(),
+                      .symbol = demangled(std::string(place.substr(0, plus))),
+                      .offset = std::string(place.substr(plus))});
+  }
+  return frames;
+}
+
+/// Without those of this program: the handler's, which is the first, and the planner's caller's.
+std::vector<Frame> planner_frames(std::string_view report) {
+  std::vector<Frame> frames = frames_of(report);
+  if (frames.empty()) return frames;
+  const std::string program = frames.front().library;
+  std::erase_if(frames, [&](const Frame& frame) { return frame.library == program; });
+  return frames;
+}
+
+/// "plan(double)+0x1b": what the program's own linker did not know, such as functions that a
+/// library does not export, is looked up in the library's file.
+std::string place_of(const Frame& frame, std::string_view library_file) {
+  if (!frame.symbol.empty() || !frame.offset.starts_with("+0x")) return frame.symbol + frame.offset;
+  const std::uint64_t address = std::strtoull(frame.offset.c_str() + 1, nullptr, 16);
+  if (address == 0) return frame.offset;
+  // Most are places to return to, which may be one past the end of what called.
+  const std::string found = function_at(std::filesystem::path(library_file), address - 1);
+  const std::size_t plus = found.rfind('+');
+  if (plus == std::string::npos) return frame.offset;
+  char offset[32];
+  std::snprintf(offset, sizeof offset, "+0x%llx",
+                1 + std::strtoull(found.c_str() + plus + 1, nullptr, 16));
+  return demangled(found.substr(0, plus)) + offset;
+}
+
+bool is_of_system(const Frame& frame) {
+  for (const std::string_view name : {"libc.so", "libc-", "libstdc++", "libpthread", "libm.so",
+                                      "libgcc_s", "ld-linux", "linux-vdso"}) {
+    if (frame.library.starts_with(name)) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -60,23 +138,64 @@ void report_crashes(int fd) {
   other.ss_sp = stack.data();
   other.ss_size = stack.size();
   ::sigaltstack(&other, nullptr);
-  struct sigaction action {};
-  action.sa_handler = write_stack;
-  action.sa_flags = static_cast<int>(SA_ONSTACK | SA_RESETHAND | SA_NODEFER);
-  for (const int number : kCrashes) ::sigaction(number, &action, nullptr);
+  take_signals();
+}
+
+void end_hanging(int exit_code) {
+  hung_exit_code = exit_code;
+  take_signals();  // the planner may have taken them itself
+  ::syscall(SYS_tgkill, ::getpid(), ::getpid(), SIGABRT);
+  // Enough for a stack. A thread that blocks signals, or is deep in the kernel, writes none.
+  ::usleep(500'000);
+  ::_exit(exit_code);
+}
+
+std::vector<std::string> stack_lines(std::string_view report, std::string_view library_file,
+                                     std::size_t most) {
+  const std::string name = std::filesystem::path(library_file).filename().string();
+  std::vector<std::string> lines;
+  std::string last;
+  for (const Frame& frame : planner_frames(report)) {
+    if (lines.size() == most) break;
+    // Of the signal's arrival and of the program's start.
+    if (is_of_system(frame) && (frame.symbol.empty() || frame.symbol == "__libc_start_main")) {
+      continue;
+    }
+    const std::string place =
+        frame.library == name ? place_of(frame, library_file) : frame.symbol + frame.offset;
+    const std::string function = place.substr(0, place.rfind('+'));
+    if (!function.empty() && function == last) continue;
+    last = function;
+    lines.push_back(frame.library + "  " + place);
+  }
+  return lines;
+}
+
+std::string crash_site(std::string_view report, std::string_view library_file) {
+  const std::string places = crash_places(report, library_file);
+  if (!places.empty()) {
+    return std::filesystem::path(library_file).filename().string() + ": " + places;
+  }
+  for (const Frame& frame : planner_frames(report)) {
+    // Offsets in libraries of others change with their versions.
+    if (!is_of_system(frame) && !frame.symbol.empty()) return frame.library + ": " + frame.symbol;
+  }
+  return "";
 }
 
 std::string crash_places(std::string_view report, std::string_view library_file) {
   const std::string name = std::filesystem::path(library_file).filename().string();
   std::string places, last;
   std::size_t count = 0;
-  while (!report.empty() && count < kMostPlaces) {
-    const std::size_t end = report.find('\n');
-    const std::string place = place_in(report.substr(0, end), name);
-    report.remove_prefix(end == std::string_view::npos ? report.size() : end + 1);
-    if (place.empty() || place == last) continue;  // recursion: the same place over and over
+  for (const Frame& frame : frames_of(report)) {
+    if (frame.library != name || count == kMostPlaces) continue;
+    const std::string place = place_of(frame, library_file);
+    // Recursion: the same function over and over; and frames of the SDK that stand for one
+    // function.
+    const std::string function = place.substr(0, place.rfind('+'));
+    if (place.empty() || (!function.empty() && function == last)) continue;
     places += (places.empty() ? "" : " < ") + place;
-    last = place;
+    last = function;
     ++count;
   }
   return places;

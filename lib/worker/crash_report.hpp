@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 /// What a dying worker still says: where it was when a signal ended it.
 namespace avoidbench {
@@ -10,6 +11,20 @@ namespace avoidbench {
 /// before they end this process as they would have. The calling thread may have overflowed its
 /// stack; other threads may not.
 void report_crashes(int fd);
+
+/// Ends this process with `exit_code`, where the main thread hangs, after that thread's stack was
+/// written as for a crash. Call it in another thread, after report_crashes(). Returns never.
+[[noreturn]] void end_hanging(int exit_code);
+
+/// The stack that a report has, innermost first: "mine.so  plan(void*)+0x1b", without the frames
+/// of the handler and of this program. At most so many. `library_file`: the planner's.
+std::vector<std::string> stack_lines(std::string_view report, std::string_view library_file,
+                                     std::size_t most);
+
+/// Where a crash was, for its reason: the library's name and the places in it, as crash_places(),
+/// or, if none is in it, the innermost other library that is not the system's, with the function's
+/// name: "mine.so: plan(void*)+0x1b", "libgrid.so.2: Grid::at(int)".
+std::string crash_site(std::string_view report, std::string_view library_file);
 
 /// The places in `libraries_of`'s file, innermost first, of a stack that report_crashes() wrote:
 /// "plan(void*)+0x1b < run+0x20"; "" where there is none. Paths and addresses are left out, so that

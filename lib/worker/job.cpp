@@ -17,34 +17,41 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t kSampleBytes = kSampleDoubles * sizeof(double);
-
 json vector_to_json(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 Eigen::Vector3d vector_from_json(const json& v) {
   return {v.at(0).get<double>(), v.at(1).get<double>(), v.at(2).get<double>()};
 }
 
+json places_to_json(const Mission& mission) {
+  return {{"start", vector_to_json(mission.start_world)},
+          {"goal", vector_to_json(mission.goal_world)},
+          {"start_yaw_rad", mission.start_yaw_rad}};
+}
+
+Mission places_from_json(const json& from) {
+  return {.start_world = vector_from_json(from.at("start")),
+          .goal_world = vector_from_json(from.at("goal")),
+          .start_yaw_rad = from.at("start_yaw_rad")};
+}
+
 json mission_to_json(const MissionRecord& record) {
-  return {
+  json mission{
       {"index", record.index},
-      {"start", vector_to_json(record.mission.start_world)},
-      {"goal", vector_to_json(record.mission.goal_world)},
-      {"start_yaw_rad", record.mission.start_yaw_rad},
       {"reference_length_m", number_to_json(record.reference_length_m)},
       {"traversability_obstruction", number_to_json(record.difficulty.traversability_obstruction)},
       {"view_occlusion", number_to_json(record.difficulty.view_occlusion)},
       {"angle_over_length_1pm", number_to_json(record.difficulty.angle_over_length_1pm)},
       {"is_valid", record.is_valid},
       {"invalid_reason", record.invalid_reason}};
+  mission.update(places_to_json(record.mission));
+  return mission;
 }
 
 MissionRecord mission_from_json(const json& from) {
   return {
       .index = from.at("index"),
-      .mission = {.start_world = vector_from_json(from.at("start")),
-                  .goal_world = vector_from_json(from.at("goal")),
-                  .start_yaw_rad = from.at("start_yaw_rad")},
+      .mission = places_from_json(from),
       .reference_length_m = number_from_json(from.at("reference_length_m")),
       .difficulty = {.traversability_obstruction =
                          number_from_json(from.at("traversability_obstruction")),
@@ -151,6 +158,9 @@ Message job_message(const Job& job) {
   message.json["token"] = job.token;
   message.json["spec"] = spec_to_json(job.spec);
   message.json["mission_count"] = job.mission_count;
+  json listed = json::array();
+  for (const Mission& mission : job.listed_missions) listed.push_back(places_to_json(mission));
+  message.json["listed_missions"] = listed;
   if (job.mission) message.json["mission"] = mission_to_json(*job.mission);
   if (job.recorded_latency_s) message.json["recorded_latency_s"] = *job.recorded_latency_s;
   return message;
@@ -160,10 +170,13 @@ Job job_from(const Message& message) {
   Job job{.token = message.json.at("token"),
           .spec = spec_from_json<TrialSpec>(message.json.at("spec")),
           .mission_count = message.json.at("mission_count"),
+          .listed_missions = {},
           .mission = std::nullopt,
           .recorded_latency_s = std::nullopt};
   if (const auto recorded = message.json.find("recorded_latency_s"); recorded != message.json.end())
     job.recorded_latency_s = recorded->get<std::vector<double>>();
+  for (const json& mission : message.json.at("listed_missions"))
+    job.listed_missions.push_back(places_from_json(mission));
   if (message.json.contains("mission")) job.mission = mission_from_json(message.json.at("mission"));
   return job;
 }

@@ -18,8 +18,9 @@ struct Job {
   /// writes, is none.
   std::string token = {};
   TrialSpec spec;
-  std::int64_t mission_count = 0;                              ///< of a map job
-  std::optional<MissionRecord> mission;                        ///< of a trial job
+  std::int64_t mission_count = 0;             ///< of a map job
+  std::vector<Mission> listed_missions = {};  ///< of a map whose missions are not made
+  std::optional<MissionRecord> mission;       ///< of a trial job
   std::optional<std::vector<double>> recorded_latency_s = {};  ///< of one that replays
 };
 

@@ -13,13 +13,17 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <map>
+#include <optional>
 #include <thread>
+#include <utility>
 
 #include "base/digest.hpp"
 #include "base/input_error.hpp"
 #include "base/spec_json.hpp"
 #include "metrics/metric_table.hpp"
+#include "process/print_capture.hpp"
 #include "process/process_tree.hpp"
 #include "process/sandbox.hpp"
 #include "trial/planner_view.hpp"
@@ -121,10 +125,13 @@ struct Worker::Internals {
   std::unique_ptr<Place> place;
   std::map<std::string, PlannerLibrary> libraries;   // by file
   std::map<std::string, PlannerInstance> instances;  // by instance_key
+  std::optional<FlightJournal> journal;
+  std::optional<PrintTrimmer> trimmer;
 
   const Place& place_of(const TrialSpec& spec);
   PlannerInstance& instance_of(const TrialSpec& spec);
   TrialRecord fly(const Job& job, const Scene& scene);
+  TrialObserver bookkeeper();
 };
 
 const Place& Worker::Internals::place_of(const TrialSpec& spec) {
@@ -167,7 +174,18 @@ TrialRecord Worker::Internals::fly(const Job& job, const Scene& scene) {
   }
   const std::vector<double>* recorded_s =
       job.recorded_latency_s ? &*job.recorded_latency_s : nullptr;
-  return run_trial(job.spec, scene, job.mission->mission, *planner, {}, recorded_s);
+  return run_trial(job.spec, scene, job.mission->mission, *planner, bookkeeper(), recorded_s);
+}
+
+TrialObserver Worker::Internals::bookkeeper() {
+  TrialObserver observer;
+  if (!journal && !trimmer) return observer;
+  observer.planning = [this](const PlanCallAhead& call) {
+    if (journal) journal->add(call.record, call.time_s);
+    if (trimmer) trimmer->trim();
+    return true;
+  };
+  return observer;
 }
 
 Worker::Worker() : internals_(std::make_unique<Internals>()) {}
@@ -179,10 +197,12 @@ JobResult Worker::work(const Job& job) {
   const auto began = std::chrono::steady_clock::now();
   JobResult result;
   result.token = job.token;
+  if (internals_->journal) internals_->journal->restart();
+  if (internals_->trimmer) internals_->trimmer->restart();
   try {
     const Place& place = internals_->place_of(job.spec);
     if (!job.mission) {
-      result.map = make_map_record(job.spec, place.scene, job.mission_count);
+      result.map = make_map_record(job.spec, place.scene, job.mission_count, job.listed_missions);
     } else {
       result.trial = internals_->fly(job, place.scene);
       result.metrics = compute_metrics({job.spec, *job.mission, *result.trial});
@@ -198,6 +218,10 @@ JobResult Worker::work(const Job& job) {
   return result;
 }
 
+void Worker::keep_journal(FlightJournal journal) { internals_->journal = std::move(journal); }
+
+void Worker::trim_prints() { internals_->trimmer.emplace(STDOUT_FILENO); }
+
 void Worker::watch(const WorkerOptions& options) {
   const CallClock* clock = &internals_->clock;
   const pid_t parent = ::getppid();
@@ -210,7 +234,7 @@ void Worker::watch(const WorkerOptions& options) {
       std::this_thread::sleep_for(std::chrono::milliseconds(1000 / kLooksASecond));
       if (::getppid() != parent) ::_exit(1);  // a planner may have switched the death signal off
       const double call_s = clock->running_s();
-      if (call_s - stopped.in_call_s(call_s) > options.plan_timeout_s) ::_exit(kHungExitCode);
+      if (call_s - stopped.in_call_s(call_s) > options.plan_timeout_s) end_hanging(kHungExitCode);
       if (options.memory_limit_mib > 0.0 &&
           resident_mib_of_family(options.memory_limit_mib) > options.memory_limit_mib) {
         ::_exit(kMemoryExitCode);
@@ -228,8 +252,9 @@ int run_worker(const WorkerOptions& options) {
   for (const int number : {SIGINT, SIGTERM, SIGUSR1}) std::signal(number, SIG_IGN);
   std::signal(SIGPIPE, SIG_IGN);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  adopt_orphans();                       // so that what a planner starts is found below its worker
-  ::dup2(STDERR_FILENO, STDOUT_FILENO);  // what a planner prints is not a result
+  adopt_orphans();  // so that what a planner starts is found below its worker
+  // Line by line: what a crash leaves unsaid is half a line at most.
+  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
   // No core files: a sweep may have thousands of crashes.
   constexpr rlimit kNone{0, 0};
   ::setrlimit(RLIMIT_CORE, &kNone);
@@ -244,12 +269,15 @@ int run_worker(const WorkerOptions& options) {
   const FileIdentity results(options.out_fd), jobs(options.in_fd);
   const pid_t self = ::getpid();
   Worker worker;
+  if (options.journal_fd >= 0) worker.keep_journal(FlightJournal(options.journal_fd));
+  worker.trim_prints();
   worker.watch(options);
   while (const auto message = receive_message(options.in_fd)) {
     const JobResult result = worker.work(job_from(*message));
     // A child that a planner forked and that went on as if it were its parent: it has no say.
     if (::getpid() != self) ::_exit(kPipesExitCode);
     // A planner may have closed them, and opened files of its own that took their numbers.
+    std::fflush(stdout);
     if (!results.is_still(options.out_fd) || !jobs.is_still(options.in_fd)) return kPipesExitCode;
     if (!send_message(options.out_fd, result_message(result))) return 1;
   }

@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "worker/flight_journal.hpp"
 #include "worker/job.hpp"
 
 namespace avoidbench {
@@ -14,9 +15,10 @@ inline constexpr int kHungExitCode = 86, kMemoryExitCode = 87, kPipesExitCode = 
 
 /// How a worker process talks to its parent, and what it may use.
 struct WorkerOptions {
-  int in_fd = -1;     ///< jobs
-  int out_fd = -1;    ///< results
-  int notes_fd = -1;  ///< a zero byte a second while it lives, and the stack where it crashes
+  int in_fd = -1;       ///< jobs
+  int out_fd = -1;      ///< results
+  int notes_fd = -1;    ///< a zero byte a second while it lives, and the stack where it crashes
+  int journal_fd = -1;  ///< memory for how far a flight has come: FlightJournal; -1: none
   double plan_timeout_s = 10.0;
   double memory_limit_mib = 0.0;  ///< of resident memory, that of its children included; 0: none
   std::string sandbox;            ///< as text(SandboxSupport) has it; "": none
@@ -35,6 +37,11 @@ class Worker {
   /// Never throws for what the user or a planner did wrong: that is JobResult::error, or an
   /// outcome.
   JobResult work(const Job& job);
+
+  /// From now on each trial notes here how far it has come.
+  void keep_journal(FlightJournal journal);
+  /// From now on what planners print is kept short, between their calls.
+  void trim_prints();
 
   /// Starts a thread that ends the process with one of the exit codes above where it must, and that
   /// says that it lives.

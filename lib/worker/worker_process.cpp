@@ -26,7 +26,9 @@ namespace {
 
 // The first numbers after the standard streams. posix_spawn duplicates the pipes to them in the
 // child, so that the child needs to be told nothing else.
-constexpr int kJobFd = 3, kResultFd = 4, kNotesFd = 5;
+constexpr int kJobFd = 3, kResultFd = 4, kNotesFd = 5, kJournalFd = 6;
+
+constexpr int kAboveChild = kJournalFd + 5;
 
 /// The C library picks variants of sin, exp, … by the processor; those with fused multiply-add
 /// differ in the last bit. Planners use the C library, so workers run without those variants: the
@@ -55,8 +57,8 @@ struct Pipe {
     int ends[2];
     if (::pipe2(ends, O_CLOEXEC) != 0) fail("pipe", errno);
     // Else dup2() in the child could overwrite an end that it has yet to duplicate.
-    read_end = ::fcntl(ends[0], F_DUPFD_CLOEXEC, kNotesFd + 5);
-    write_end = ::fcntl(ends[1], F_DUPFD_CLOEXEC, kNotesFd + 5);
+    read_end = ::fcntl(ends[0], F_DUPFD_CLOEXEC, kAboveChild);
+    write_end = ::fcntl(ends[1], F_DUPFD_CLOEXEC, kAboveChild);
     ::close(ends[0]);
     ::close(ends[1]);
     if (read_end < 0 || write_end < 0) fail("pipe", errno);
@@ -71,6 +73,17 @@ struct Pipe {
   int take_write_end() { return std::exchange(write_end, -1); }
 
   int read_end = -1, write_end = -1;
+};
+
+/// A copy of a descriptor above those that the child's take.
+struct HighCopy {
+  explicit HighCopy(int of) : fd(of < 0 ? -1 : ::fcntl(of, F_DUPFD_CLOEXEC, kAboveChild)) {}
+  ~HighCopy() {
+    if (fd >= 0) ::close(fd);
+  }
+  HighCopy(const HighCopy&) = delete;
+  HighCopy& operator=(const HighCopy&) = delete;
+  int fd;
 };
 
 }  // namespace
@@ -107,6 +120,11 @@ WorkerProcess::WorkerProcess(const std::vector<std::string>& command) {
   posix_spawn_file_actions_adddup2(&actions, jobs.read_end, kJobFd);
   posix_spawn_file_actions_adddup2(&actions, results.write_end, kResultFd);
   posix_spawn_file_actions_adddup2(&actions, notes.write_end, kNotesFd);
+  const HighCopy journal(journal_.fd()), prints(prints_.fd());
+  if (journal.fd >= 0) posix_spawn_file_actions_adddup2(&actions, journal.fd, kJournalFd);
+  for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) {
+    if (prints.fd >= 0) posix_spawn_file_actions_adddup2(&actions, prints.fd, stream);
+  }
   // A mask of signals is inherited, and so is what is ignored.
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
@@ -120,7 +138,9 @@ WorkerProcess::WorkerProcess(const std::vector<std::string>& command) {
   posix_spawnattr_setsigdefault(&attributes, &ignored_here);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
   std::vector<std::string> words = command;
-  for (const int fd : {kJobFd, kResultFd, kNotesFd}) words.push_back(std::to_string(fd));
+  for (const int fd : {kJobFd, kResultFd, kNotesFd, journal.fd >= 0 ? kJournalFd : -1}) {
+    words.push_back(std::to_string(fd));
+  }
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
@@ -148,7 +168,9 @@ WorkerProcess::WorkerProcess(WorkerProcess&& other) noexcept
       notes_fd_(std::exchange(other.notes_fd_, -1)),
       unsent_(std::move(other.unsent_)),
       inbox_(std::move(other.inbox_)),
-      notes_(std::move(other.notes_)) {}
+      notes_(std::move(other.notes_)),
+      prints_(std::move(other.prints_)),
+      journal_(std::move(other.journal_)) {}
 
 WorkerProcess& WorkerProcess::operator=(WorkerProcess&& other) noexcept {
   std::swap(pid_, other.pid_);
@@ -158,10 +180,13 @@ WorkerProcess& WorkerProcess::operator=(WorkerProcess&& other) noexcept {
   std::swap(unsent_, other.unsent_);
   std::swap(inbox_, other.inbox_);
   std::swap(notes_, other.notes_);
+  std::swap(prints_, other.prints_);
+  std::swap(journal_, other.journal_);
   return *this;
 }
 
 bool WorkerProcess::send(const Message& job, std::size_t most_answer_bytes) {
+  prints_.restart();
   unsent_ = message_bytes(job);
   inbox_.expect(most_answer_bytes);
   return send_more();

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "process/print_capture.hpp"
+#include "worker/flight_journal.hpp"
 #include "worker/message.hpp"
 
 namespace avoidbench {
@@ -23,15 +25,15 @@ struct ProcessEnd {
 };
 
 /// A child process that speaks Message over two pipes and makes notes on a third one, started by
-/// posix_spawn (threads of libraries do not survive a fork). Move-only; kills the child when
-/// destroyed.
+/// posix_spawn (threads of libraries do not survive a fork). What it prints is captured, and it may
+/// note how far a flight has come. Move-only; kills the child when destroyed.
 /// Nothing here waits for the child except wait() and kill(): it may send half an answer, nothing
 /// or rubbish, and the parent has other children. All descriptors are non-blocking and closed on
 /// exec. After a failure of send() or receive() only wait(), notes() and kill() make sense.
 class WorkerProcess {
  public:
-  /// Starts `command` with the file descriptors 3 (jobs), 4 (results) and 5 (notes) appended as
-  /// arguments.
+  /// Starts `command` with the file descriptors 3 (jobs), 4 (results), 5 (notes) and 6 (the
+  /// FlightJournal; -1: none) appended as arguments.
   /// Throws InputError where it can't be started.
   explicit WorkerProcess(const std::vector<std::string>& command);
   ~WorkerProcess();
@@ -63,6 +65,11 @@ class WorkerProcess {
   bool listen();
   const std::string& notes() const { return notes_; }
 
+  /// What was printed since the last job was sent; also of a child that has ended.
+  std::string printed() const { return prints_.text(); }
+  /// How far its flight had come when it ended: see FlightJournal::flown().
+  std::optional<TrialRecord> flown() const { return journal_.flown(); }
+
   /// Whether the child has ended, though what it started may hold its pipes open.
   bool has_ended() const;
 
@@ -84,6 +91,8 @@ class WorkerProcess {
   std::vector<std::byte> unsent_;
   MessageInbox inbox_;
   std::string notes_;
+  PrintCapture prints_;
+  FlightJournal journal_;
 };
 
 }  // namespace avoidbench

@@ -6,6 +6,7 @@
 
 #include "base/digest.hpp"
 #include "base/math.hpp"
+#include "text/number_text.hpp"
 
 namespace avoidbench {
 namespace {
@@ -96,6 +97,15 @@ std::size_t memory_bytes(const World& world) {
              bytes(prototype.triangle_materials);
   }
   return total;
+}
+
+std::string box_text(const Aabb& box) {
+  std::string text;
+  for (int axis = 0; axis < 3; ++axis) {
+    text += (axis > 0 ? " × [" : "[") + fixed_digits(box.min()[axis], 2) + ", " +
+            fixed_digits(box.max()[axis], 2) + "]";
+  }
+  return text;
 }
 
 }  // namespace avoidbench

@@ -99,6 +99,9 @@ std::size_t triangle_count(const World& world);  ///< of all instances
 std::size_t memory_bytes(
     const World& world);  ///< estimate: the arrays' contents, without any renderer's hierarchy
 
+/// "[0.00, 40.00] × [0.00, 40.00] × [0.00, 6.00]", m.
+std::string box_text(const Aabb& box);
+
 /// Height of the ground at (x, y), that of its mesh; beyond the mesh, that of its nearest edge.
 double ground_height_m(const HeightField& ground, double x_m, double y_m);
 double ground_height_m(const World& world, double x_m, double y_m);

@@ -7,7 +7,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostLevels = 8;
+constexpr std::size_t kMostIncludes = 8;
 constexpr std::size_t kMostFiles = 64;
 
 using Kind = YamlNode::Kind;
@@ -123,8 +123,8 @@ struct Reader {
       for (const fs::path& outer : open) circle += outer.filename().string() + " → ";
       fail(name, "leads in a circle: " + circle + file.filename().string());
     }
-    if (open.size() > kMostLevels) {
-      fail(name, "nested deeper than " + std::to_string(kMostLevels) + " files");
+    if (open.size() > kMostIncludes) {
+      fail(name, "nested deeper than " + std::to_string(kMostIncludes) + " files");
     }
     if (included.size() >= kMostFiles) {
       fail(name, "more than " + std::to_string(kMostFiles) + " included files");

@@ -10,7 +10,9 @@
 #include <sstream>
 
 #include "base/input_file.hpp"
+#include "text/utf8.hpp"
 #include "text/visible_text.hpp"
+#include "yaml/syntax_hint.hpp"
 
 namespace avoidbench {
 namespace {
@@ -129,6 +131,7 @@ class TreeBuilder : public YAML::EventHandler {
   void end() {
     Open closed = std::move(open_.back());
     open_.pop_back();
+    if (closed.node.kind == YamlNode::Kind::mapping) expand_merge_key(closed.node);
     finish(std::move(closed.node), closed.anchor);
   }
 
@@ -150,6 +153,30 @@ class TreeBuilder : public YAML::EventHandler {
       add_key(parent, std::move(node));
     } else {
       parent.items.push_back(std::move(node));
+    }
+  }
+
+  /// Puts what `<<: *anchor` (or a list of them, the first wins) stands for beside the mapping's
+  /// own keys, which win.
+  static void expand_merge_key(YamlNode& mapping) {
+    std::size_t at = 0;
+    const auto is_merge = [](const YamlNode& key) { return key.scalar == "<<" && !key.is_quoted; };
+    while (at < mapping.keys.size() && !is_merge(mapping.keys[at])) ++at;
+    if (at == mapping.keys.size()) return;
+    const YamlNode merged = std::move(mapping.items[at]);
+    mapping.keys.erase(mapping.keys.begin() + static_cast<std::ptrdiff_t>(at));
+    mapping.items.erase(mapping.items.begin() + static_cast<std::ptrdiff_t>(at));
+    const bool is_list = merged.kind == YamlNode::Kind::list;
+    const std::vector<YamlNode> parts = is_list ? merged.items : std::vector<YamlNode>{merged};
+    for (const YamlNode& part : parts) {
+      if (part.kind != YamlNode::Kind::mapping) {
+        fail(part, "<<: expected a mapping, as in `<<: *anchor`, found " + found_text(part));
+      }
+      for (std::size_t i = 0; i < part.keys.size(); ++i) {
+        if (mapping.find(part.keys[i].scalar) != nullptr) continue;
+        mapping.keys.push_back(part.keys[i]);
+        mapping.items.push_back(part.items[i]);
+      }
     }
   }
 
@@ -206,6 +233,7 @@ std::string found_text(const YamlNode& node) {
 }
 
 YamlNode parse_yaml(const std::string& text, const std::string& source) {
+  check_utf8(text, source);
   TreeBuilder builder(source);
   try {
     std::istringstream stream(text);
@@ -220,6 +248,7 @@ YamlNode parse_yaml(const std::string& text, const std::string& source) {
     }
     return root;
   } catch (const YAML::Exception& error) {
+    if (auto hint = syntax_hint(text, source)) throw InputError(std::move(*hint));
     const bool has_place = !error.mark.is_null();
     throw InputError(InputProblem{source, has_place ? error.mark.line + 1 : 0,
                                   has_place ? error.mark.column + 1 : 0,
@@ -229,6 +258,7 @@ YamlNode parse_yaml(const std::string& text, const std::string& source) {
 
 YamlNode read_yaml(const std::filesystem::path& file) {
   constexpr std::uint64_t kMostBytes = 4'000'000;
+  if (file == "-") return parse_yaml(read_standard_input(kMostBytes), "standard input");
   return parse_yaml(read_input_file(file, kMostBytes), file.string());
 }
 

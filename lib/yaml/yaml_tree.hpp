@@ -35,12 +35,13 @@ InputProblem problem_at(const YamlNode& node, std::string message);
 /// What a node is, for messages: `"wide"`, `nothing`, `a list`, `a mapping`.
 std::string found_text(const YamlNode& node);
 
-/// The document in `text`. Throws InputError with the place for a syntax error, a key given twice,
+/// The document in `text`, aliases and merge keys (`<<`) expanded. Throws InputError with the place
+/// for bytes that are not UTF-8, a syntax error, a key given twice,
 /// a key that is no scalar, a second document, an empty document, or one that is too large or too
 /// deep (aliases expanded).
 YamlNode parse_yaml(const std::string& text, const std::string& source);
 
-/// As parse_yaml, for a file. Throws InputError where it can't be read.
+/// As parse_yaml, for a file, or standard input for "-". Throws InputError where it can't be read.
 YamlNode read_yaml(const std::filesystem::path& file);
 
 }  // namespace avoidbench

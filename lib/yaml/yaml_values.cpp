@@ -106,7 +106,7 @@ std::optional<double> range_number(const YamlNode& node, const std::string& path
 
 std::vector<YamlNode> range_values(const YamlNode& node, const std::string& path,
                                    Problems& problems) {
-  constexpr double kMostValues = 10000;
+  constexpr double kLongestRange = 10000;
   const std::vector<std::string> known{"from", "to", "count", "step"};
   const std::size_t before = problems.size();
   for (const YamlNode& key : node.keys) {
@@ -142,8 +142,8 @@ std::vector<YamlNode> range_values(const YamlNode& node, const std::string& path
                 "expected a whole number of at least 2, found " + number_text(count), problems);
     return {};
   }
-  if (count > kMostValues) {
-    add_problem(node, path, "the range has more than " + number_text(kMostValues) + " values",
+  if (count > kLongestRange) {
+    add_problem(node, path, "the range has more than " + number_text(kLongestRange) + " values",
                 problems);
     return {};
   }

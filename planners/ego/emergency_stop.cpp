@@ -15,13 +15,12 @@ using planning::Motion;
 using planning::Quintic;
 namespace portable = avoidbench::portable;
 
-constexpr double kBraking = 0.9;  ///< of the vehicle's acceleration
-constexpr int kSteps = 24;
+constexpr int kSamples = 24;
 
 bool is_flyable(const Settings& settings, const Quintic& quintic, double most_at_start) {
   const double most = std::max(settings.vehicle_acceleration_mps2, 1.02 * most_at_start);
-  for (int i = 0; i <= kSteps; ++i) {
-    const Motion motion = motion_at(quintic, quintic.duration_s * i / kSteps);
+  for (int i = 0; i <= kSamples; ++i) {
+    const Motion motion = motion_at(quintic, quintic.duration_s * i / kSamples);
     if (motion.acceleration.norm() > most) return false;
   }
   const planning::TimedMotion motion{[&](double time_s) { return motion_at(quintic, time_s); },
@@ -32,9 +31,9 @@ bool is_flyable(const Settings& settings, const Quintic& quintic, double most_at
 /// The share of its way that is free: 2 where nothing near is blocked, 1 where nothing is touched.
 double freedom(const Surroundings& surroundings, const Quintic& quintic) {
   bool is_blocked = false;
-  for (int i = 1; i <= kSteps; ++i) {
-    const Vector3d place = motion_at(quintic, quintic.duration_s * i / kSteps).position;
-    if (surroundings.is_touching(place)) return static_cast<double>(i) / (kSteps + 1);
+  for (int i = 1; i <= kSamples; ++i) {
+    const Vector3d place = motion_at(quintic, quintic.duration_s * i / kSamples).position;
+    if (surroundings.is_touching(place)) return static_cast<double>(i) / (kSamples + 1);
     is_blocked = is_blocked || surroundings.is_blocked(place);
   }
   return is_blocked ? 1.0 : 2.0;

@@ -21,7 +21,6 @@ constexpr double kPointStep_s = 0.05;
 constexpr int kExpansions = 12000;  ///< cells that the searches of one call may expand
 constexpr double kRetry_s = 0.1;    ///< between tries where there is no trajectory to follow
 constexpr double kDeadEnd_s = 0.7;  ///< of resting without a plan, before it steps aside
-constexpr double kBraking = 0.9;    ///< of the vehicle's acceleration
 constexpr double kAside_mps = 1.0;  ///< speed of a step aside
 constexpr double kLag_s = 0.2;      ///< the vehicle may be so far behind its trajectory
 

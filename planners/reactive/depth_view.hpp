@@ -7,13 +7,12 @@
 
 namespace reactive {
 
-/// A depth image brought down to cells of a few pixels, each with the nearest surface in it: thin
-/// branches stay.
+/// A depth image brought down to cells of a few pixels, each with the nearest surface in it that
+/// the pixels around confirm: thin branches stay, single wrong pixels go.
 class DepthView {
  public:
   /// Copies what is needed. About 64 cells across, whatever the image's size.
   void take(const ab_depth_image& image);
-  void forget() { column_count_ = row_count_ = 0; }
   bool is_empty() const { return column_count_ == 0; }
 
   /// World points of the nearest surface in each cell, up to `range_m` along camera z.
@@ -24,7 +23,10 @@ class DepthView {
   /// a ray.
   bool has_seen(const Vector3& direction_world) const;
 
-  /// Whether the camera saw past this world point: a remembered obstacle there is gone.
+  /// Whether there is a surface at this world point, as far as stereo can tell.
+  bool shows(const Vector3& point_world) const;
+
+  /// Whether the camera saw past this world point, with each pixel of the cell.
   bool sees_through(const Vector3& point_world) const;
 
   /// The camera's forward axis in the world.
@@ -32,12 +34,15 @@ class DepthView {
 
  private:
   struct Cell {
-    double depth_m;  ///< nearest; +inf: nothing in range; NaN: most of the cell is invalid
+    /// Of the nearest surface; +inf: none in range; NaN: most of the cell is invalid.
+    double depth_m;
     double column_px, row_px;
+    double least_m;  ///< of any pixel, also of those that nothing confirms
   };
   struct Pixel {
     double column_px, row_px, depth_m;
   };
+  Cell cell_of(const ab_depth_image& image, int left_px, int top_px) const;
   Pixel project(const Vector3& offset_world) const;
   const Cell* cell_at(const Pixel& pixel) const;
 

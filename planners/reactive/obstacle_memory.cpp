@@ -32,12 +32,12 @@ void ObstacleMemory::add(const Vector3& point_world, double time_s) {
 }
 
 void ObstacleMemory::prune(const Vector3& centre_world, double range_m, double time_s, double age_s,
-                           const DepthView& view) {
+                           const Sight& sight) {
   for (Entry& entry : entries_) {
     if (!entry.is_used) continue;
     const Vector3 offset = entry.point - centre_world;
     const bool stays = time_s - entry.time_s <= age_s && dot(offset, offset) <= range_m * range_m;
-    if (!stays || view.sees_through(entry.point)) entry.is_used = false;
+    if (!stays || sight.sees_through(entry.point)) entry.is_used = false;
   }
 }
 

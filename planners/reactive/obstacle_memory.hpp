@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "depth_view.hpp"
+#include "sight.hpp"
 #include "vector3.hpp"
 
 namespace reactive {
@@ -18,9 +18,9 @@ class ObstacleMemory {
   void add(const Vector3& point_world, double time_s);
 
   /// Drops points that are older than `age_s`, farther than `range_m` from `centre_world`, or seen
-  /// through in `view`.
+  /// through.
   void prune(const Vector3& centre_world, double range_m, double time_s, double age_s,
-             const DepthView& view);
+             const Sight& sight);
 
   /// All points but those added at `except_time_s`.
   void append_points(double except_time_s, std::vector<Vector3>& points_world) const;

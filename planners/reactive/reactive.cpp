@@ -2,8 +2,8 @@
 
 #include "avoidbench/planner.hpp"
 #include "avoidbench/portable_math.hpp"
-#include "depth_view.hpp"
 #include "obstacle_memory.hpp"
+#include "sight.hpp"
 #include "steering.hpp"
 
 template <>
@@ -24,7 +24,7 @@ struct Settings {
 class Reactive {
  public:
   static constexpr const char* name = "reactive";
-  static constexpr const char* version = "1.0";
+  static constexpr const char* version = "1.1";
   static constexpr const char* summary =
       "Polar histogram of nearest depth with a short memory; no map.";
   static constexpr std::uint32_t needs = AB_SEES_STATE | AB_SEES_DEPTH;
@@ -54,7 +54,7 @@ class Reactive {
     start_ = reactive::vector3(mission.start_world_m);
     goal_ = reactive::vector3(mission.goal_world_m);
     yaw_rad_ = mission.start_yaw_rad;
-    view_.forget();
+    sight_.forget();
     memory_.forget();
     steerer_.forget();
   }
@@ -69,10 +69,10 @@ class Reactive {
       return std::nullopt;
     }
     look(seen, now.position);
-    if (view_.is_empty()) return hold();
+    if (!sight_.is_ready()) return hold();
     now.line_height_m = line_height_m(now.position);
     now.points = &points_;
-    now.view = &view_;
+    now.sight = &sight_;
     const reactive::Steering steering = steerer_.steer(now);
     if (reactive::horizontal_norm(steering.look) > 0.05) {
       yaw_rad_ = avoidbench::portable::atan2(steering.look.y, steering.look.x);
@@ -100,9 +100,9 @@ class Reactive {
     const double time_s = seen.state->time_s;
     points_.clear();
     const ab_depth_image* image = avoidbench::newest_depth(seen);
-    if (image != nullptr) view_.take(*image);
-    memory_.prune(position, kMemoryRange_m, time_s, settings_.memory_s, view_);
-    view_.append_points(settings_.steering.lookahead_m + 1.0, points_);
+    if (image != nullptr) sight_.take(*image);
+    memory_.prune(position, kMemoryRange_m, time_s, settings_.memory_s, sight_);
+    sight_.append_points(settings_.steering.lookahead_m + 1.0, points_);
     seen_count_ = points_.size();
     if (image != nullptr) {
       for (const Vector3& point : points_) {
@@ -152,7 +152,7 @@ class Reactive {
 
   Settings settings_;
   reactive::Steerer steerer_;
-  reactive::DepthView view_;
+  reactive::Sight sight_;
   reactive::ObstacleMemory memory_;
   avoidbench::Canvas canvas_;
   std::vector<Vector3> points_;  ///< relative to the vehicle

@@ -9,7 +9,7 @@ double rollout_clearance(const std::vector<Vector3>& points, const Vector3& velo
   Vector3 position = response.latency_s * velocity;
   Vector3 now = velocity;
   double square_clearance = range_m * range_m;
-  for (double time_s = 0.0; time_s < response.horizon_s; time_s += response.step_s) {
+  for (int i = 0; i < response.step_count; ++i) {
     const Vector3 change = command - now;
     const double left = norm(change);
     const double possible = response.acceleration_mps2 * response.step_s;

@@ -11,7 +11,7 @@ namespace reactive {
 struct Response {
   double latency_s = 0.05;
   double acceleration_mps2 = 4.0;
-  double horizon_s = 1.0;
+  int step_count = 11;
   double step_s = 0.1;
 };
 

@@ -80,7 +80,7 @@ std::vector<Steerer::Candidate> Steerer::candidates(const Situation& now, const 
     const bool departs = std::abs(later_m) > settings_.max_departure_m && later_m * d.z > 0.0;
     if (departs) return;
     Candidate candidate{
-        .direction = d, .free_m = free_m, .cost = 0.0, .is_seen = now.view->has_seen(d)};
+        .direction = d, .free_m = free_m, .cost = 0.0, .is_seen = now.sight->has_seen(d)};
     candidate.cost = cost(now, aim, candidate);
     all.push_back(candidate);
   };
@@ -132,7 +132,7 @@ double Steerer::speed_limit(const Situation& now, const Aim& aim,
   limit = std::min(limit, 0.6 + std::sqrt(2.0 * settings_.braking_mps2 * aim.distance_m));
   // Slower past near surfaces, and while the camera looks elsewhere.
   limit = std::min(limit, 0.7 + 3.0 * std::max(0.0, nearest_m_ - settings_.body_radius_m));
-  const double looked_at = dot(level(now.view->forward_world()), level(candidate.direction));
+  const double looked_at = dot(level(now.sight->forward_world()), level(candidate.direction));
   return limit * std::clamp(1.6 * looked_at - 0.4, 0.25, 1.0);
 }
 

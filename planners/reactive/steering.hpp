@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "depth_view.hpp"
 #include "polar_histogram.hpp"
 #include "rollout.hpp"
+#include "sight.hpp"
 #include "vector3.hpp"
 
 namespace reactive {
@@ -25,7 +25,7 @@ struct Situation {
   Vector3 position, velocity, goal;              ///< in the world
   double line_height_m = 0.0;                    ///< height of the line from start to goal, here
   const std::vector<Vector3>* points = nullptr;  ///< obstacles relative to `position`
-  const DepthView* view = nullptr;
+  const Sight* sight = nullptr;
 };
 
 struct Steering {

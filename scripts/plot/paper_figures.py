@@ -54,7 +54,8 @@ def read_results(arguments):
     report = output_of([arguments.program, "report", *databases, *choice, "--format", "json", "--metrics",
                         ",".join(figures.REPORTED)])
     trials = output_of([arguments.program, "export", "trials", *databases, *choice])
-    return json.loads(report), pandas.read_csv(io.StringIO(trials), dtype={"planner": str, "sweep": str})
+    return json.loads(report), pandas.read_csv(
+        io.StringIO(trials), dtype={"planner": str, "sweep": str}, float_precision="round_trip")
 
 
 def with_report_labels(trials):

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Checks what `avoidbench export` wrote against the formats' own rules and against the database, read by SQLite itself.
 
-usage: check_exports.py trials DB FILE.csv | tum FILE… | same DB ID FILE.csv | ompl DB FILE.log…
+usage: check_exports.py trials DB FILE.csv | worst DB FILE.csv METRIC COUNT | tum FILE… | same DB ID FILE.csv | ompl DB FILE.log…
 """
 import csv
 import io
@@ -30,8 +30,12 @@ def check_trials(database, file):
     check(len(rows) == len(truth), f"{len(rows)} rows, {len(truth)} trials")
     for row in rows:
         stored = truth[row["trial_key"]]
-        check(list(row) == stored.keys(), "other columns than the view's")
+        # Without what no map of the sweep has, and with its axes.
+        missing = set(stored.keys()) - set(row)
+        check(all(one[name] is None for one in truth.values() for name in missing), f"without {missing}")
         for name, text in row.items():
+            if name not in stored.keys():
+                continue
             value = stored[name]
             if value is None:
                 same = text == ""
@@ -43,6 +47,18 @@ def check_trials(database, file):
                 same = struct.pack("<d", float(text)) == struct.pack("<d", float(value))
             check(same, f"{row['trial_key'][:12]} {name}: {text!r}, stored {value!r}")
     print(f"{len(rows)} trials, as in the database")
+
+
+def check_worst(database, file, metric, count):
+    """The trials with the least values of a metric, in order, those without it last."""
+    connection = sqlite3.connect(database)
+    every = connection.execute(f"SELECT trial_id, {metric} FROM trial_table").fetchall()
+    values = sorted((value is None, value) for _, value in every)[: int(count)]
+    rows = list(csv.DictReader(io.StringIO(pathlib.Path(file).read_text(), newline="")))
+    check([float(row[metric]) for row in rows] == [value for _, value in values], "other trials or another order")
+    check(all((int(row["trial_id"]), float(row[metric])) in every for row in rows), "ids are not the database's")
+    check(all(row["start_x_m"] and row["goal_z_m"] for row in rows), "no start or goal")
+    print(f"{count} of {len(every)} trials, {metric} from the least on")
 
 
 def check_tum(files):
@@ -228,6 +244,8 @@ def main():
     what, *arguments = sys.argv[1:]
     if what == "trials":
         check_trials(*arguments)
+    elif what == "worst":
+        check_worst(*arguments)
     elif what == "tum":
         check_tum(arguments)
     elif what == "same":

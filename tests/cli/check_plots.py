@@ -66,7 +66,7 @@ def main():
         run([program, "run", "tiny.yaml", "--quiet"], cwd=folder)
         run([program, "report", "results/tiny.db", "--output", "report.txt", "--plots", "first"], cwd=folder)
         check_figures(folder / "first" / "tiny")
-        script = pathlib.Path(program).parent / "plot" / "paper_figures.py"
+        script = pathlib.Path(program).parent / "share/avoidbench/scripts/plot/paper_figures.py"
         run([python(), str(script), "results/tiny.db", "--output", "second", "--program", program, "--figures", ",".join(TWICE)],
             cwd=folder)
         again = sorted((folder / "second" / "tiny").iterdir())

@@ -50,6 +50,8 @@ def load(text):
 
 # Sweep files that both take.
 GOOD = """
+sensor: {more_cameras: [d435_like, {preset: oak_d_like, yaw_deg: 90}, {width_px: 64}]}
+sensor: {preset: stereo_sgm, more_cameras: [{kind: stereo_census, disparities: 64}]}
 maps: {generator: hall, cylinder_height_m: [2, 4]}
 maps: {poisson_radius_m: [3, 4.5]}
 maps: {poisson_radius_m: {from: 2.3, to: 5.8, count: 10}}
@@ -92,6 +94,13 @@ sweep: 2026
 
 # Sweep files that both refuse.
 WRONG = """
+sensor: {more_cameras: [{widht_px: 64}]}
+sensor: {more_cameras: [{width_px: 4}]}
+sensor: {more_cameras: [{more_cameras: []}]}
+mission: {list: []}
+mission: {list: [{start: [1, 2, 3]}]}
+mission: {list: [{start: [1, 2], goal: [1, 2, 3]}]}
+mission: {list: [{start: [1, 2, 3], goal: [1, 2, 3], yaw: 3}]}
 sweeps: a
 sweep: a/b
 sweep: ""
@@ -324,8 +333,9 @@ def main():
         checker.valid("part", "maps: {cylinder_height_m: [2, 4]}", "a part")
         for name in ("hummingbird", "hummingbird_rotors", "firefly"):
             checker.valid("vehicle", checker.run("config", "defaults", name), name)
-        for file in sorted((arguments.configs / "sensors").glob("*.yaml")):
-            checker.valid("sensor", checker.run("config", "defaults", file.stem), file.stem)
+        for line in checker.run("sensors", "list", "--format", "csv").splitlines()[1:]:
+            name = line.split(",")[0]
+            checker.valid("sensor", checker.run("config", "defaults", name), name)
 
         if arguments.page:
             check_page(checker, arguments.page)

@@ -8,20 +8,12 @@
 #include "base/input_error.hpp"
 #include "compare/compare_exact.hpp"
 #include "compare/compare_samples.hpp"
+#include "support/input_error_message.hpp"
 
 namespace avoidbench {
 namespace {
 
 using namespace compare_samples;
-
-std::string error_of(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
 
 TEST(Compare, EqualRunsAreTheSame) {
   const TrialTable table = finished_table("a.db", 5, 4);
@@ -119,16 +111,19 @@ TEST(Compare, WhatCantBeComparedIsRefused) {
   const TrialTable base = finished_table("a.db", 3, 4);
   TrialTable now = finished_table("b.db", 3, 4);
   now.metrics[0].version = 2;
-  EXPECT_EQ(error_of([&] { compare_tables(base, now, {}); }),
+  EXPECT_EQ(test::message_of([&] { compare_tables(base, now, {}); }),
             "path_optimality_pct is defined in version 1 in a.db and in version 2 in b.db: values "
             "of the two can't be compared; make the base again");
-  EXPECT_NE(error_of([&] { compare_exactly(base, now); }).find("version"), std::string::npos);
+  EXPECT_NE(test::message_of([&] { compare_exactly(base, now); }).find("version"),
+            std::string::npos);
   const TrialTable others = finished_table("c.db", 3, 4, "reactive");
-  EXPECT_NE(error_of([&] { compare_tables(base, others, {}); }).find("no trial of a.db is in c.db"),
+  EXPECT_NE(test::message_of([&] {
+              compare_tables(base, others, {});
+            }).find("no trial of a.db is in c.db"),
             std::string::npos);
   CompareSettings settings;
   settings.metrics = {"path_optimality"};
-  EXPECT_NE(error_of([&] {
+  EXPECT_NE(test::message_of([&] {
               compare_tables(base, base, settings);
             }).find("did you mean path_optimality_pct?"),
             std::string::npos);

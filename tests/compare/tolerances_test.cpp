@@ -21,7 +21,7 @@ CompareSettings read(const std::string& text) {
   return settings;
 }
 
-std::string error_of(const std::string& text) {
+std::string tolerance_error(const std::string& text) {
   try {
     read(text);
   } catch (const InputError& error) {
@@ -42,14 +42,14 @@ TEST(Tolerances, SharesUnitsAndIgnored) {
 }
 
 TEST(Tolerances, EveryProblemIsToldAtItsPlace) {
-  const std::string error = error_of("min_clearance: 5%\npath_optimality_pct: -3\n");
+  const std::string error = tolerance_error("min_clearance: 5%\npath_optimality_pct: -3\n");
   EXPECT_NE(error.find("t.yaml:1:1: min_clearance: no such metric (did you mean min_clearance_m?)"),
             std::string::npos)
       << error;
   EXPECT_NE(error.find("t.yaml:2:22: path_optimality_pct: expected a share"), std::string::npos)
       << error;
-  EXPECT_NE(error_of("- 5%\n").find("expected a mapping"), std::string::npos);
-  EXPECT_NE(error_of("success_rate: [1, 2]\n").find("found a list"), std::string::npos);
+  EXPECT_NE(tolerance_error("- 5%\n").find("expected a mapping"), std::string::npos);
+  EXPECT_NE(tolerance_error("success_rate: [1, 2]\n").find("found a list"), std::string::npos);
 }
 
 TEST(Tolerances, MinEffect) {

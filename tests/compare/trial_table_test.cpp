@@ -9,6 +9,7 @@
 #include "compare/compare_exact.hpp"
 #include "compare/compare_samples.hpp"
 #include "store/visit_trials.hpp"
+#include "support/input_error_message.hpp"
 #include "support/sample_rows.hpp"
 
 namespace avoidbench {
@@ -43,15 +44,6 @@ Database two_axes(const std::filesystem::path& path) {
 TrialTable table_of(const Database& db) {
   const SweepInfo sweep = db.read_sweeps().back();
   return table_of_sweep(db, sweep, axis_paths(sweep.spec_json));
-}
-
-std::string error_of(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 TEST(TrialTable, TrialsAreToldApartByAxes) {
@@ -94,7 +86,7 @@ TEST(TrialTable, DamagedCsvIsToldWithItsLine) {
   const auto error_with = [&](const std::string& from, const std::string& to) {
     std::string changed = csv;
     changed.replace(changed.find(from), from.size(), to);
-    return error_of([&] { table_of_csv(changed, "t.csv"); });
+    return test::message_of([&] { table_of_csv(changed, "t.csv"); });
   };
   EXPECT_EQ(
       error_with("# avoidbench trials, format 1", "planner"),
@@ -106,11 +98,11 @@ TEST(TrialTable, DamagedCsvIsToldWithItsLine) {
   EXPECT_NE(error_with("0.1,", "0.1x,").find("'0.1x' is no such number"), std::string::npos);
   EXPECT_NE(error_with(",outcome,", ",result,").find("columns"), std::string::npos);
   EXPECT_NE(error_with("%,less", "%,fewer").find("t.csv:4: a metric is"), std::string::npos);
-  EXPECT_NE(error_of([&] {
+  EXPECT_NE(test::message_of([&] {
               table_of_csv(csv + csv.substr(csv.rfind('\n', csv.size() - 2) + 1), "t.csv");
             }).find("is there twice"),
             std::string::npos);
-  EXPECT_NE(error_of([&] {
+  EXPECT_NE(test::message_of([&] {
               table_of_csv(csv.substr(0, csv.find("\na,")), "t.csv");
             }).find("has no trials"),
             std::string::npos);
@@ -127,7 +119,8 @@ TEST(TrialTable, TwoPlannersOfOneLabelAreRefused) {
   row.key = key_of("another trial");
   row.planner_file_digest = other.file_digest;
   db.add_trial(row);
-  EXPECT_NE(error_of([&] { table_of(db); }).find("two trials of a on forest"), std::string::npos);
+  EXPECT_NE(test::message_of([&] { table_of(db); }).find("two trials of a on forest"),
+            std::string::npos);
 }
 
 TEST(ReadTables, AnAxisOfOneSideTellsTrialsApartInBoth) {
@@ -166,9 +159,11 @@ TEST(ReadTables, SweepsAreChosenByName) {
     db.add_trial(row);
   }
   const std::filesystem::path file = folder / "r.db";
-  EXPECT_NE(error_of([&] { read_tables(file, file, ""); }).find("which sweep?"), std::string::npos);
-  EXPECT_NE(error_of([&] { read_tables(file, file, "forst"); }).find("did you mean forest?"),
+  EXPECT_NE(test::message_of([&] { read_tables(file, file, ""); }).find("which sweep?"),
             std::string::npos);
+  EXPECT_NE(
+      test::message_of([&] { read_tables(file, file, "forst"); }).find("did you mean forest?"),
+      std::string::npos);
   const TablePair tables = read_tables(file, file, "forest@1:forest");
   EXPECT_EQ(tables.base.trials[0].identity.planner, "a");
   EXPECT_EQ(tables.now.trials[0].identity.planner, "b");
@@ -176,9 +171,31 @@ TEST(ReadTables, SweepsAreChosenByName) {
   EXPECT_EQ(read_table(file, "hall").trials.size(), 1U);
   std::ofstream(folder / "t.csv") << csv_of_table(read_table(file, "hall"));
   EXPECT_EQ(read_tables(folder / "t.csv", file, "").now.sweep, "hall");
-  EXPECT_NE(error_of([&] {
+  EXPECT_NE(test::message_of([&] {
               read_tables(folder / "t.csv", file, "forest");
             }).find("is a table of sweep hall, not of forest"),
+            std::string::npos);
+}
+
+TEST(TablePair, TwoPlannersOfOneTableArePairedByTheirMissions) {
+  using namespace compare_samples;
+  TrialTable both = finished_table("r.db", 3, 4, "ego");
+  for (const TableTrial& one : finished_table("", 3, 4, "mine").trials) both.trials.push_back(one);
+  for (const TableTrial& one : finished_table("", 3, 4, "a:b").trials) both.trials.push_back(one);
+  compare_samples::sort(both);
+  const TablePair pair = of_planners({.base = both, .now = both}, "ego:mine");
+  EXPECT_EQ(pair.base.trials.size(), 12U);
+  EXPECT_EQ(paired_trials(pair.base, pair.now).size(), 12U);
+  EXPECT_EQ(pair.base.trials[0].identity.planner, "ego → mine");
+  EXPECT_EQ(pair.now.source, "mine of r.db");
+  // One planner alone, and labels with a colon of their own.
+  const TablePair alone = of_planners({.base = both, .now = both}, "a:b");
+  EXPECT_EQ(alone.now.trials.size(), 12U);
+  EXPECT_EQ(alone.now.trials[0].identity.planner, "a:b");
+  EXPECT_EQ(of_planners({.base = both, .now = both}, "a:b:ego").now.source, "ego of r.db");
+  EXPECT_NE(test::message_of([&] {
+              of_planners({.base = both, .now = both}, "ego:min");
+            }).find("min: r.db has no such planner (did you mean mine?)"),
             std::string::npos);
 }
 

@@ -38,8 +38,8 @@ TEST_F(SweepFiles, EveryKeyIsExplainedAndItsExamplesAreGood) {
   int examples = 0, axes = 0;
   for (const std::string& path : paths) {
     // Files, or a period that leaves room for a gust.
-    const std::set<std::string> others{"include", "planners", "wind.field.file", "latency.database",
-                                       "wind.gust.period_s"};
+    const std::set<std::string> others{"include",          "planners",           "wind.field.file",
+                                       "latency.database", "wind.gust.period_s", "mission.file"};
     const bool needs_more = others.contains(path);
     for (const Explanation& about : explain(path, {})) {
       EXPECT_GT(about.title.size(), path.size() + 2) << path;

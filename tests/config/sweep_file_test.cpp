@@ -201,7 +201,7 @@ TEST_F(SweepFiles, OverridesChangeAddAndAreChecked) {
             "--set trials: expected path=value\n--set =3: expected path=value\n"
             "--set a..b=1: 'a..b' is no dotted path such as maps.poisson_radius_m\n"
             "--set planners[7].label=x: planners[7].label: planners has no element 7\n"
-            "--set seed=[1: not valid YAML: end of sequence flow not found");
+            "--set seed=[1: not valid YAML: '[' is never closed by ']'");
 }
 
 TEST_F(SweepFiles, EachProblemHasItsPlaceAndReason) {
@@ -374,7 +374,8 @@ TEST_F(SweepFiles, MapsAloneAreRead) {
       write("w.yaml", "sweep: a\nplanners: [no_such]\nmaps: {poisson_radius_m: [4, 5]}\n");
   EXPECT_EQ(std::get<ForestSpec>(read_map(sweep.string()).trial.map).poisson_radius_m, 4.0);
   EXPECT_EQ(problems_of([] { read_map("forrest"); }),
-            "'forrest' is neither a file nor a generator (did you mean forest?); generators: " +
+            "'forrest' is neither a file, nor a generator, nor a built-in sweep (did you mean "
+            "forest?); generators: " +
                 generators());
 }
 
@@ -411,6 +412,40 @@ TEST_F(SweepFiles, MutatedSweepsNeverCrash) {
   }
   EXPECT_GT(accepted, 5);
   EXPECT_GT(refused, 20);
+}
+
+/// What is given and can't mean anything is a contradiction; what a preset or a changed mode leaves
+/// behind is not.
+TEST_F(SweepFiles, GivenValuesThatMeanNothingAreProblems) {
+  EXPECT_EQ(problems(kHead + "latency: {mode: zero, ms: 50}\n"),
+            "s.yaml:3:27: latency.ms: means nothing in mode zero; leave it out, or write mode: "
+            "fixed");
+  EXPECT_EQ(problems(kHead + "latency: {mode: fixed, scale: 2}\n"),
+            "s.yaml:3:31: latency.scale: means nothing in mode fixed; leave it out, or write mode: "
+            "measured or replay");
+  EXPECT_EQ(problems(kHead + "latency: {mode: zero}\naxes: {latency.ms: [0, 33]}\n"),
+            "s.yaml:4:20: latency.ms: means nothing in mode zero; leave it out, or write mode: "
+            "fixed");
+  EXPECT_EQ(problems(kHead + "latency: {mode: [zero, fixed], ms: 50}\n"), "");
+  EXPECT_EQ(problems(kHead + "latency: {mode: zero, ms: 33, scale: 1, database: ''}\n"), "");
+  EXPECT_EQ(problems(kHead + "latency: {mode: fixed, ms: 50}\n", {"latency.mode=zero"}), "");
+  EXPECT_NE(problems(kHead, {"latency.mode=zero", "latency.ms=50"}), "");
+  write("base.yaml", "latency: {mode: fixed, ms: 50}\n");
+  EXPECT_EQ(problems(kHead + "include: base.yaml\nlatency: {mode: zero}\n"), "");
+
+  EXPECT_EQ(problems(kHead + "mission: {goal_radius_m: 2, free_radius_m: 1.5}\n"),
+            "s.yaml:3:26: mission.goal_radius_m: 2 m is above free_radius_m, 1.5 m: a flight would "
+            "end at the goal with obstacles between them");
+  EXPECT_EQ(problems(kHead + "mission: {free_radius_m: 0.5}\n"), "");  // the default goal's is 0.8
+  EXPECT_EQ(problems(kHead + "mission: {goal_radius_m: 20, free_radius_m: 10}\n").substr(0, 12),
+            "s.yaml:3:26:");
+  EXPECT_EQ(problems(kHead + "mission: {free_radius_m: 2.5}\n"),
+            "s.yaml:3:26: mission.free_radius_m: 2.5 m is above the flight height, 2 m: the floor "
+            "is nearer than that to every start and goal");
+  EXPECT_EQ(problems(kHead + "maps: {flight_height_m: 1}\nmission: {free_radius_m: 0.9}\n"), "");
+  EXPECT_EQ(problems(kHead + "latency: {ms: 5000}\nmission: {time_limit_s: 4}\n"),
+            "s.yaml:3:15: latency.ms: 5000 ms is not below mission.time_limit_s, 4 s: no command "
+            "would take effect");
 }
 
 }  // namespace

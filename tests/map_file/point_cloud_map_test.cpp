@@ -35,7 +35,7 @@ FilePoints random_points() {
   return points;
 }
 
-PointCloudSpec spec_of(const std::string& file) {
+PointCloudSpec cloud_spec(const std::string& file) {
   PointCloudSpec spec;
   spec.file = file;
   spec.resolution_m = 0.5;
@@ -48,7 +48,7 @@ TEST(PointCloud, EveryFormatGivesTheSamePointsAndWorld) {
   std::string digest;
   for (const auto& [name, bytes] : all_clouds(points)) {
     EXPECT_EQ(parse_point_cloud(bytes, name), points) << name;
-    const World world = make_world(spec_of(folder.write(name, bytes)), 1);
+    const World world = make_world(cloud_spec(folder.write(name, bytes)), 1);
     if (digest.empty()) digest = world.digest;
     EXPECT_EQ(world.digest, digest) << name;
   }
@@ -129,7 +129,7 @@ TEST(Voxels, FacesAreThoseOfBruteForce) {
 
 TEST(PointCloud, ScaleAxesOriginAndBounds) {
   const TemporaryFolder folder;
-  PointCloudSpec spec = spec_of(folder.write("a.pcd", pcd(random_points(), "binary")));
+  PointCloudSpec spec = cloud_spec(folder.write("a.pcd", pcd(random_points(), "binary")));
   spec.scale = 2.0;
   spec.up_axis = UpAxis::y;
   spec.origin_m = {1.0, 2.0, 3.0};
@@ -137,7 +137,7 @@ TEST(PointCloud, ScaleAxesOriginAndBounds) {
   EXPECT_EQ(world.bounds.min(), Eigen::Vector3d(-1.0, -10.0, -3.0));
   // The lowest points have z = 0: y = -2 is the low face of their voxels.
   EXPECT_EQ(world.bounds.max(), Eigen::Vector3d(15.0, -1.5, 17.0));
-  spec = spec_of(spec.file);
+  spec = cloud_spec(spec.file);
   spec.bounds = {{2, 2, 0}, {6, 8, 4}};
   world = make_world(spec, 1);
   EXPECT_EQ(world.bounds.max(), Eigen::Vector3d(6, 8, 4));
@@ -178,7 +178,7 @@ TEST(PointCloud, WhatIsWrongIsReportedWithFileAndLine) {
 
   const TemporaryFolder folder;
   const auto make = [&](const FilePoints& points, double resolution_m = 0.5) {
-    PointCloudSpec spec = spec_of(folder.write("a.pcd", pcd(points, "binary")));
+    PointCloudSpec spec = cloud_spec(folder.write("a.pcd", pcd(points, "binary")));
     spec.resolution_m = resolution_m;
     const std::string text = message_of([&] { make_world(spec, 1); });
     return text.substr(text.rfind(".pcd: ") + 6);

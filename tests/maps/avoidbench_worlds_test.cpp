@@ -15,7 +15,7 @@ std::map<std::string, int> counts(const World& world) {
   return counts;
 }
 
-std::string error_of(const MapSpec& spec) {
+std::string problem_of(const MapSpec& spec) {
   try {
     check_map(spec);
   } catch (const InputError& error) {
@@ -128,13 +128,13 @@ TEST(AvoidbenchIndoor, TextureOpacityMovesNoCylinder) {
 }
 
 TEST(AvoidbenchWorlds, ContradictionsAreTheUsersErrors) {
-  EXPECT_EQ(error_of(AvoidbenchForestSpec{}), "");
-  EXPECT_EQ(error_of(AvoidbenchIndoorSpec{}), "");
+  EXPECT_EQ(problem_of(AvoidbenchForestSpec{}), "");
+  EXPECT_EQ(problem_of(AvoidbenchIndoorSpec{}), "");
   AvoidbenchForestSpec forest;
   forest.range_origin_m = {150.0, 60.0};
   forest.start_height_m = 6.0;
   forest.goal_band_m = {30.0, 28.0};
-  const std::string problems = error_of(forest);
+  const std::string problems = problem_of(forest);
   EXPECT_NE(problems.find("range_origin_m: the flight space is outside"), std::string::npos);
   EXPECT_NE(problems.find("start_height_m: 6 is not below"), std::string::npos);
   EXPECT_NE(problems.find("goal_band_m: the least is above"), std::string::npos);
@@ -142,7 +142,7 @@ TEST(AvoidbenchWorlds, ContradictionsAreTheUsersErrors) {
   indoor.ceiling_m = 7.0;
   indoor.band_width_m = 21.0;
   indoor.suite_seed = -1;
-  const std::string others = error_of(indoor);
+  const std::string others = problem_of(indoor);
   EXPECT_NE(others.find("cylinder_height_m: 7.6 is not below ceiling_m, 7"), std::string::npos);
   EXPECT_NE(others.find("band_width_m: wider"), std::string::npos);
   EXPECT_NE(others.find("suite_seed: -1 is outside"), std::string::npos);

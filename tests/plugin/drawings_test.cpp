@@ -52,7 +52,8 @@ TEST_F(Drawings, AreNotKeptWhereNobodyLooks) {
   host.want_drawings(false);
   EXPECT_FALSE(canvas.is_wanted());
   canvas.points("p", 0, std::vector<Vec3>{{1.0, 0.0, 0.0}});
-  const ab_drawing bare{sizeof(ab_drawing), AB_DRAW_POINTS, 0, 1, Vec3{}.data(), 0.0, nullptr};
+  const Vec3 point{};
+  const ab_drawing bare{sizeof(ab_drawing), AB_DRAW_POINTS, 0, 1, point.data(), 0.0, nullptr};
   const auto* debug = static_cast<const ab_debug*>(
       host.table().get_extension(host.table().context, AB_DEBUG_EXTENSION));
   ASSERT_NE(debug, nullptr);  // the table is always there

@@ -139,6 +139,31 @@ TEST(Instance, KeepsTheLog) {
   EXPECT_TRUE(instance.take_log().empty());
 }
 
+TEST(CommandCheck, AbsurdNumbersAreNoCommands) {
+  const auto problem = [](std::uint32_t kind, double(ab_command::*field)[3], double value) {
+    ab_command command{};
+    command.kind = kind;
+    (command.*field)[1] = value;
+    return command_problem(command, kind);
+  };
+  EXPECT_EQ(problem(AB_COMMAND_VELOCITY, &ab_command::velocity_world_mps, 1e300),
+            "velocity_world_mps is 1e+300, beyond ±1e+06: no such command is meant");
+  EXPECT_THAT(problem(AB_COMMAND_POSITION, &ab_command::position_world_m, -2e6),
+              HasSubstr("position_world_m is -2e+06"));
+  EXPECT_THAT(problem(AB_COMMAND_RATES, &ab_command::rates_body_radps, 1e9),
+              HasSubstr("rates_body_radps is 1e+09"));
+  EXPECT_EQ(problem(AB_COMMAND_ACCELERATION, &ab_command::acceleration_world_mps2, 1e6), "");
+  ab_point points[2] = {};
+  points[1].time_s = 1.0;
+  points[1].velocity_world_mps[0] = 1e12;
+  ab_command trajectory{};
+  trajectory.kind = AB_COMMAND_TRAJECTORY;
+  trajectory.points = points;
+  trajectory.point_count = 2;
+  EXPECT_THAT(command_problem(trajectory, AB_COMMAND_TRAJECTORY),
+              HasSubstr("trajectory point 1: velocity_world_mps is 1e+12"));
+}
+
 TEST(CommandCheck, EveryKindMustBeFinite) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto problem = [&](std::uint32_t kind, double ab_command::*field) {

@@ -90,6 +90,25 @@ TEST(Loading, RefusesWhatIsNoLibrary) {
   EXPECT_THAT(load_error(folder / "none.so"), HasSubstr("no such file"));
 }
 
+TEST(ElfSymbols, NameTheFunctionOfAnAddress) {
+  const std::string file = bad_planner("talks");
+  // Of a function that is not exported, by its own table.
+  std::string name;
+  std::uint64_t address = 0;
+  for (std::uint64_t at = 0; at < 100'000 && name.empty(); at += 4) {
+    const std::string found = function_at(file, at);
+    if (found.find("crash_deep_inside") == std::string::npos) continue;
+    name = found;
+    address = at;
+  }
+  ASSERT_FALSE(name.empty());
+  EXPECT_NE(function_at(file, address + 1), name);
+  EXPECT_EQ(function_at(file, address + 1).substr(0, name.rfind('+')),
+            name.substr(0, name.rfind('+')));
+  EXPECT_EQ(function_at(file, ~std::uint64_t{0}), "");
+  EXPECT_EQ(function_at("/nowhere.so", address), "");
+}
+
 TEST(ElfSymbols, SurviveEveryCutAndManyFlips) {
   std::ifstream in(bad_planner("honest"), std::ios::binary);
   const std::string whole((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());

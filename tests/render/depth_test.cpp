@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kFree_m = std::numeric_limits<float>::infinity();
 
 std::vector<float> depth_image(const Scene& scene, const Pinhole& camera, const Pose& pose) {
   // Filled with a value that no depth takes, so that a pixel left out is seen.
@@ -181,7 +181,7 @@ TEST(Depth, RangeIsAlongTheAxisFarIsInfiniteAndNearInvalid) {
   const Pose pose = test::looking({0.0, 0.0, 5.0}, -Vector3d::UnitZ());
   for (const float depth : depth_image(scene, camera, pose)) ASSERT_FLOAT_EQ(depth, 5.0F);
   camera.max_range_m = 4.999;
-  for (const float depth : depth_image(scene, camera, pose)) ASSERT_EQ(depth, kInfinity);
+  for (const float depth : depth_image(scene, camera, pose)) ASSERT_EQ(depth, kFree_m);
   camera.max_range_m = std::numeric_limits<double>::infinity();
   for (const float depth : depth_image(scene, camera, pose)) ASSERT_FLOAT_EQ(depth, 5.0F);
   camera.min_range_m = 4.999;
@@ -197,7 +197,7 @@ TEST(Depth, GrazingRaysStayBetweenZeroAndTheRange) {
   for (const double height : {0.0, 1e-7, 1e-5, 1e-3}) {
     const Pose pose = test::looking({-10.0, 0.0, height}, {1.0, 0.0, -1e-6});
     for (const float depth : depth_image(scene, camera, pose)) {
-      ASSERT_TRUE(depth == kInfinity || (depth >= 0.0F && depth <= 20.0F)) << depth;
+      ASSERT_TRUE(depth == kFree_m || (depth >= 0.0F && depth <= 20.0F)) << depth;
     }
   }
 }
@@ -255,7 +255,7 @@ TEST(Depth, OfAnEmptyWorldIsInfinite) {
   const Scene scene(world);
   const Pinhole camera = make_pinhole(33, 17, 1.0, 40.0);
   for (const float depth : depth_image(scene, camera, Pose::Identity())) {
-    ASSERT_EQ(depth, kInfinity);
+    ASSERT_EQ(depth, kFree_m);
   }
   EXPECT_TRUE(std::isinf(scene.first_hit(Vector3d::Zero(), Vector3d::UnitX()).distance_m));
   EXPECT_FALSE(scene.occluded(Vector3d::Zero(), Vector3d::UnitX()));

@@ -108,6 +108,31 @@ TEST(Tables, AreThoseThatAreAskedFor) {
   }
 }
 
+std::vector<std::string> tables_for_people(const Section& section) {
+  std::vector<std::string> names;
+  for (const Table& table : section.tables) {
+    if (table.is_for_people) names.push_back(table.name);
+  }
+  return names;
+}
+
+TEST(Tables, ABriefReportHasGroupsOnlyOfSeveralMaps) {
+  const auto some = [](char, int map, int mission) { return map + mission > 3; };
+  const SweepSummary few = summarize(result_of(9, 4, some));  // one group has a single map
+  const std::vector<std::string> usual{"planners", "outcomes", "pairs"};
+  EXPECT_EQ(tables_for_people(sweep_section(few, {}, Detail::brief)), usual);
+  const SweepSummary many = summarize(result_of(10, 4, some));
+  const std::vector<std::string> with_groups{"planners", "groups", "outcomes", "pairs"};
+  EXPECT_EQ(tables_for_people(sweep_section(many, {}, Detail::brief)), with_groups);
+  const std::vector<std::string> all{"planners", "groups",     "outcomes",
+                                     "pairs",    "difficulty", "flight_time"};
+  EXPECT_EQ(tables_for_people(sweep_section(few)), all);
+  // Machines get all of it; what is asked for by name has its legend.
+  EXPECT_EQ(sweep_section(few, {}, Detail::brief).tables.size(), sweep_section(few).tables.size());
+  const std::vector<std::string> wanted{"pairs"};
+  EXPECT_FALSE(sweep_section(few, wanted, Detail::brief).is_brief);
+}
+
 TEST(Tables, SweepsStandSideBySide) {
   SweepSummary one = summarize(result_of(3, 4, [](char, int, int) { return true; }));
   SweepSummary two = summarize(result_of(3, 4, [](char, int, int) { return false; }));

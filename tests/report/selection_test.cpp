@@ -69,6 +69,30 @@ TEST(Selection, KeepsTrialsWithTheirMapsAndPlanners) {
   EXPECT_EQ(kept.planners.size(), 2U);
 }
 
+TEST(Selection, AValueThatNoTrialHasIsAnErrorThatNamesThoseThereAre) {
+  SweepResult one = with_fields(2, 2), two = with_fields(2, 2);
+  for (TrialSummary& trial : one.trials) trial.fields[0] = std::string("ego");
+  for (TrialSummary& trial : two.trials) trial.fields[0] = std::string("mine");
+  const std::vector<const SweepResult*> both{&one, &two};
+  const auto problem = [&](const std::string& condition) {
+    try {
+      check_values(both, {parse_condition(condition)});
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(problem("planner = ego, mine"), "");  // each in one of the sweeps
+  EXPECT_EQ(problem("planner = egoo"),
+            "'planner = egoo': no trial has egoo (did you mean ego?); there are: ego, mine");
+  EXPECT_EQ(problem("planner != ego, you"),
+            "'planner != ego, you': no trial has you; there are: ego, mine");
+  EXPECT_EQ(
+      problem("map.poisson_radius_m == 2.6"),
+      "'map.poisson_radius_m == 2.6': no trial has 2.6 (did you mean 2.5?); there are: 2.5, 3");
+  EXPECT_EQ(problem("map.poisson_radius_m < 1"), "");
+}
+
 TEST(Selection, NothingLeftIsAnError) {
   const ReportQuery query{
       .metrics = {}, .group_by = {}, .where = {parse_condition("map.poisson_radius_m > 9")}};

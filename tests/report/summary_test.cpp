@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/input_error.hpp"
+#include "report/sweep_tables.hpp"
 #include "statistics/rates.hpp"
 #include "support/sample_sweep.hpp"
 
@@ -190,6 +191,56 @@ TEST(Summary, AnUnknownMetricGetsASuggestion) {
     EXPECT_NE(std::string(error.what()).find("did you mean path_optimality_pct?"),
               std::string::npos);
   }
+}
+
+/// The results with the metrics of computing times, the same in each trial.
+SweepResult with_times(SweepResult result, double calls, double late, double wall_ms,
+                       double cpu_ms) {
+  for (const char* name : {"plan_call_count", "deadline_miss_count", "processing_wall_time_ms"}) {
+    MetricRow metric;
+    metric.name = name;
+    result.metrics.push_back(metric);
+  }
+  for (TrialSummary& trial : result.trials) {
+    trial.metrics[2] = cpu_ms;
+    trial.metrics.insert(trial.metrics.end(), {calls, late, wall_ms});
+  }
+  return result;
+}
+
+TEST(Summary, WarnsOfPlannersThatComputeForLongerThanTheyMay) {
+  const auto all = [](char, int, int) { return true; };
+  SweepResult late = with_times(result_of(1, 2, all), 100, 95, 97.0, 0.05);
+  late.spec_json =
+      R"({"base":{"rates":{"plan_hz":30.0},"latency":{"mode":"fixed","ms":33.0}},"axes":[]})";
+  EXPECT_TRUE(has_warning(summary_of(late),
+                          "190 of 200 calls of a took longer than the plan period of 33.3 ms"));
+  EXPECT_TRUE(has_warning(summary_of(late),
+                          "calls of b took 97 ms of wall time, but "
+                          "0.05 ms of CPU time"));
+  late.spec_json =
+      R"({"base":{"rates":{"plan_hz":30.0},"latency":{"mode":"measured","scale":1.0}},"axes":[]})";
+  EXPECT_FALSE(has_warning(summary_of(late), "plan period"));
+  SweepResult slow = with_times(result_of(1, 2, all), 100, 0, 20.0, 19.0);
+  slow.spec_json =
+      R"({"base":{"rates":{"plan_hz":30.0},"latency":{"mode":"fixed","ms":10.0}},"axes":[]})";
+  EXPECT_TRUE(has_warning(summary_of(slow), "longer than the latency of 10 ms"));
+  slow.spec_json =
+      R"({"base":{"rates":{"plan_hz":30.0},"latency":{"mode":"fixed","ms":10.0}},
+          "axes":[{"path":"latency.ms","values":[10,33]}]})";
+  EXPECT_FALSE(has_warning(summary_of(slow), "latency of"));
+  EXPECT_FALSE(
+      has_warning(summary_of(with_times(result_of(1, 2, all), 100, 2, 2.0, 1.9)), "calls"));
+}
+
+TEST(Summary, NamesRevisionAndVersions) {
+  SweepResult result = result_of(1, 2, [](char, int, int) { return true; });
+  EXPECT_EQ(sweep_section(summary_of(result), {}).title.find("revision"), std::string::npos);
+  result.latest_revision = 3;
+  result.revision = 2;
+  const Section section = sweep_section(summary_of(result), {});
+  EXPECT_EQ(section.title.rfind("Sweep forest (revision 2 of 3): ", 0), 0U) << section.title;
+  EXPECT_EQ(section.notes.back().second, "a 1.2, b 1.2");
 }
 
 TEST(Summary, ShardsTogetherAreTheWhole) {

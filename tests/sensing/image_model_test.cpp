@@ -7,7 +7,7 @@
 namespace avoidbench {
 namespace {
 
-constexpr std::size_t kCount = 200'000;
+constexpr std::size_t kPixelCount = 200'000;
 
 /// The linear light that an 8-bit sRGB value stands for.
 double linear(std::uint8_t value) {
@@ -20,8 +20,8 @@ struct Moments {
 };
 
 Moments developed(const ImageSpec& image, float level) {
-  const std::vector<float> light(kCount, level), shares(kCount, 1.0F);
-  std::vector<std::uint8_t> pixels(kCount);
+  const std::vector<float> light(kPixelCount, level), shares(kPixelCount, 1.0F);
+  std::vector<std::uint8_t> pixels(kPixelCount);
   RandomStream random(3);
   develop(image, light, shares, 1.0, random, pixels);
   double sum = 0.0, squares = 0.0;
@@ -29,8 +29,8 @@ Moments developed(const ImageSpec& image, float level) {
     sum += linear(pixel);
     squares += linear(pixel) * linear(pixel);
   }
-  const double mean = sum / kCount;
-  return {mean, std::sqrt(squares / kCount - mean * mean)};
+  const double mean = sum / kPixelCount;
+  return {mean, std::sqrt(squares / kPixelCount - mean * mean)};
 }
 
 TEST(ImageModel, NoiseHasTheVarianceOfItsElectrons) {

@@ -20,18 +20,15 @@ using test::canonical_rows;
 using test::has;
 using test::run_sql;
 
-constexpr const char* kSweepJson =
+constexpr const char* kTwoSeedsJson =
     R"({"trials":2,"planners":[{},{}],"axes":[{"path":"map_seed","values":[1,2]}]})";
 
-TrialRow finished() { return trial_row("a", 0, 0, Outcome::reached_goal); }
-TrialRow collided() { return trial_row("a", 0, 1, Outcome::collided); }
-
 /// A file without digests, so that what is wrong in its rows is met by those who read them.
-std::filesystem::path changed_file(const TemporaryFolder& folder, const std::string& sql) {
+std::filesystem::path damaged_file(const TemporaryFolder& folder, const std::string& sql) {
   static const TemporaryFolder samples;
   if (!std::filesystem::exists(samples / "s.db")) {
     Database db = begun(samples / "s.db");
-    db.add_sweep(sweep_row(kSweepJson));
+    db.add_sweep(sweep_row(kTwoSeedsJson));
     for (int map = 0; map < 2; ++map) db.add_map(map_row(map, 2), "forest");
     db.add_trial(finished());
     db.add_trial(collided());
@@ -69,7 +66,7 @@ void read_all(const std::filesystem::path& file) {
 std::string message_of_reading(const std::string& sql) {
   const TemporaryFolder folder;
   try {
-    read_all(changed_file(folder, sql));
+    read_all(damaged_file(folder, sql));
   } catch (const InputError& error) {
     const std::string message = error.what();
     EXPECT_EQ(message.find((folder / "s.db: ").string()), 0U) << message;
@@ -155,7 +152,7 @@ TEST(DamagedRows, ValuesOfOtherTypesAreNamed) {
 TEST(DamagedRows, WordsOfPeopleAndPlannersAreReadInAnyBytes) {
   const TemporaryFolder folder;
   const std::filesystem::path file =
-      changed_file(folder,
+      damaged_file(folder,
                    "UPDATE trials SET reason = CAST(x'6100ff62' AS TEXT); UPDATE runs SET host = "
                    "CAST(x'ff' AS TEXT)");
   EXPECT_NO_THROW(read_all(file));

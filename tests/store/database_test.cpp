@@ -283,7 +283,7 @@ TEST(Database, EveryTableSaysWhatItIs) {
     EXPECT_NE(s.text(1).find("\n  -- "), std::string::npos) << s.text(0);
     ++count;
   }
-  EXPECT_EQ(count, 16);
+  EXPECT_EQ(count, 17);
   EXPECT_EQ(number(db,
                    "SELECT count(*) FROM pragma_table_list WHERE type = 'table' AND NOT strict "
                    "AND name NOT LIKE 'sqlite_%'"),
@@ -309,6 +309,23 @@ TEST(Database, ViewsAnswerPeoplesQuestions) {
   EXPECT_EQ(number(db, "SELECT count(*) FROM plan_call_table"), 15);
   EXPECT_EQ(number(db, "SELECT count(*) FROM plan_call_table WHERE status = 1"), 3);
   EXPECT_EQ(word(db, "SELECT obstacle_kind FROM events"), "tree");
+}
+
+TEST(Database, LatestTrialsHasNoFormerRevision) {
+  const TemporaryFolder folder;
+  Database db = begun(folder / "r.db");
+  db.add_trial(trial_row("a", 0, 0, Outcome::reached_goal));
+  db.add_trial(trial_row("a", 0, 1, Outcome::collided));
+  db.add_sweep(sweep_row(R"({"trials":3})"));
+  const std::vector<std::string> shared{trial_row("a", 0, 0, Outcome::reached_goal).key};
+  db.add_to_sweep("forest", shared);
+  EXPECT_EQ(number(db, "SELECT count(*) FROM trial_table"), 3);
+  EXPECT_EQ(number(db, "SELECT count(*) FROM latest_trials"), 1);
+  EXPECT_EQ(number(db, "SELECT avg(is_finished) FROM latest_trials"), 1.0);
+  EXPECT_EQ(number(db, "SELECT revision FROM latest_trials"), 2);
+  EXPECT_EQ(db.list_trials("forest", 1).size(), 2U);
+  EXPECT_EQ(db.list_trials("forest", 2).size(), 1U);
+  EXPECT_EQ(db.read_sweep("forest", 1).latest_revision, 2);
 }
 
 TEST(Database, AMetricOfANewerProgramBecomesAColumn) {

@@ -16,9 +16,6 @@ using test::has;
 using test::message_of;
 using test::run_sql;
 
-TrialRow finished() { return trial_row("a", 0, 0, Outcome::reached_goal); }
-TrialRow collided() { return trial_row("a", 0, 1, Outcome::collided); }
-
 /// A file with two trials, made once; copied and changed by `sql`.
 std::filesystem::path changed_file(const TemporaryFolder& folder, const std::string& sql) {
   static const TemporaryFolder samples;

@@ -28,14 +28,6 @@ std::set<std::string> keys_in(const std::filesystem::path& file) {
   return Database::open_for_reading(file).finished_keys();
 }
 
-std::set<std::string> files_in(const TemporaryFolder& folder) {
-  std::set<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
-    names.insert(entry.path().filename().string());
-  }
-  return names;
-}
-
 /// A process that has the file open for a run, as long as it isn't killed; it has started a program
 /// that outlives it.
 class OtherRun {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <set>
 #include <string>
 
 #include "base/digest.hpp"
@@ -158,6 +159,18 @@ inline Database begun(const std::filesystem::path& path, int map_count = 2) {
   db.add_planner(planner_row("b"));
   for (int i = 0; i < map_count; ++i) db.add_map(map_row(i, 2), "forest");
   return db;
+}
+
+inline TrialRow finished() { return trial_row("a", 0, 0, Outcome::reached_goal); }
+inline TrialRow collided() { return trial_row("a", 0, 1, Outcome::collided); }
+
+/// Names of the files in the folder.
+inline std::set<std::string> files_in(const TemporaryFolder& folder) {
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+    names.insert(entry.path().filename().string());
+  }
+  return names;
 }
 
 }  // namespace avoidbench::sample_rows

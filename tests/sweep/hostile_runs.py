@@ -220,7 +220,8 @@ class Runs:
         home = folder.parent
         environment = {name: value for name, value in os.environ.items() if name in ("PATH", "LANG", "LD_LIBRARY_PATH")}
         environment |= {"HOME": str(home / "home"), "TMPDIR": str(home / "temporary"), "LOCPATH": str(self.locales)}
-        command = [*self.words, self.program, "run", "sweep.yaml", "--db", "results.db", *self.options]
+        # Without copies of planners, which are files that a run leaves.
+        command = [*self.words, self.program, "run", "sweep.yaml", "--db", "results.db", "--no-keep", *self.options]
         (home / "given.json").write_text(json.dumps({"folder": str(folder), "command": command, "environment": environment,
                                                      "deadline_s": deadline_s,
                                                      "has_terminal": bool({home.name, home.name.removesuffix("_again")} & set(TERMINAL))}))

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <set>
 #include <thread>
 
@@ -71,6 +72,76 @@ TEST_F(SweepTest, APlannerThatCrashesOrHangsCostsItsOwnTrials) {
   }
   EXPECT_EQ(crashed, 2);
   EXPECT_EQ(hung, 2);
+}
+
+TEST_F(SweepTest, ACrashAndAHangLeaveTheirPathUpToTheCall) {
+  SweepSpec sweep = small_sweep();
+  sweep.axes[0].values = {1};
+  sweep.trials = 1;
+  sweep.planners.clear();
+  const std::string file = std::string(BAD_PLANNERS) + "/talks.so";
+  const PlannerDescription planner = PlannerLibrary::load(file).description();
+  for (const std::string end : {"never", "crash", "hang"}) {
+    sweep.planners.push_back(
+        {.plugin = file,
+         .label = end,
+         .file = file,
+         .file_digest = planner.file_digest,
+         .parameters = {{.name = "sleep_ms", .number = 0.0, .text = ""},
+                        {.name = "end_s", .number = 1.0, .text = ""},
+                        {.name = "print_lines", .number = 1.0, .text = ""},
+                        {.name = "end", .number = 0.0, .text = end, .is_text = true}}});
+  }
+  const RunSummary summary = run(sweep, "ends.db", 2);
+  const std::string rows = rows_;
+  const Database database = Database::open_for_reading(folder_ / "ends.db");
+  std::map<std::string, TrialRow> trials;
+  for (const TrialListing& listing : database.list_trials()) {
+    trials[listing.planner_label] = *database.read_trial(listing.key);
+  }
+  ASSERT_EQ(trials.size(), 3U);
+  const TrialRecord& whole = trials["never"].record;
+  for (const auto& [label, outcome] :
+       {std::pair("crash", Outcome::planner_crashed), std::pair("hang", Outcome::planner_hung)}) {
+    const TrialRow& row = trials[label];
+    const TrialRecord& part = row.record;
+    EXPECT_EQ(part.outcome, outcome) << part.reason;
+    EXPECT_EQ(part.end_time_s, 1.0);
+    ASSERT_EQ(part.plan_calls.size(), 30U);
+    ASSERT_GT(part.samples.size(), 40U);
+    ASSERT_LT(part.samples.size(), whole.samples.size());
+    for (std::size_t i = 0; i < part.samples.size(); ++i) {
+      EXPECT_EQ(part.samples[i].position_world, whole.samples[i].position_world) << i;
+    }
+    EXPECT_EQ(summary.last_words.at(row.key), "to stderr");
+  }
+  EXPECT_NE(trials["crash"].record.reason.find("talks.so: Talks::crash_deep_inside()+0x"),
+            std::string::npos)
+      << trials["crash"].record.reason;
+  run(sweep, "again.db", 1);
+  EXPECT_EQ(rows_, rows);
+}
+
+TEST_F(SweepTest, ANewRevisionIsReportedWithWhatDiffers) {
+  SweepSpec sweep = small_sweep();
+  sweep.axes[0].values = {1};
+  sweep.trials = 1;
+  std::vector<SweepRevision> told;
+  options_.on_revision = [&](const SweepRevision& revision) { told.push_back(revision); };
+  run(sweep, "r.db", 1);
+  run(sweep, "r.db", 1);
+  EXPECT_TRUE(told.empty());
+  SweepSpec other = sweep;
+  other.base.mission.time_limit_s = 10.0;
+  run(other, "r.db", 1);
+  run(sweep, "r.db", 1);
+  ASSERT_EQ(told.size(), 2U);
+  EXPECT_TRUE(told[0].is_new);
+  EXPECT_EQ(told[0].revision, 2);
+  EXPECT_EQ(told[0].changes, std::vector<std::string>{"mission.time_limit_s 20.0 → 10.0"});
+  EXPECT_FALSE(told[1].is_new);
+  EXPECT_EQ(told[1].revision, 1);
+  EXPECT_EQ(told[1].latest, 2);
 }
 
 TEST(Expand, AxesAreSlowestAndPlannersFastest) {
@@ -160,6 +231,8 @@ std::string defined_key(const TrialSpec& spec) {
   fields["planner"].erase("file");
   fields["planner"].erase("plugin");
   forget_unused_latency(fields);
+  if (fields.at("missions_digest") == "") fields.erase("missions_digest");
+  if (fields.at("sensor").at("more_cameras").empty()) fields.at("sensor").erase("more_cameras");
   return Digest().add(fields.dump()).add(std::uint64_t{kResultVersion}).hex();
 }
 

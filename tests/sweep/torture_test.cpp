@@ -219,6 +219,25 @@ TEST(CrashReport, NamesThePlacesInThePlannersLibrary) {
   EXPECT_EQ(crash_places(report, "/elsewhere/mine.so"), "mine::plan(double)+0x1b < +0x1234");
   EXPECT_EQ(crash_places(report, "/elsewhere/other.so"), "");
   EXPECT_EQ(crash_places("no stack at all", "mine.so"), "");
+  EXPECT_EQ(crash_site(report, "/elsewhere/mine.so"), "mine.so: mine::plan(double)+0x1b < +0x1234");
+  EXPECT_EQ(crash_site(report, "/elsewhere/other.so"), "mine.so: mine::plan(double)");
+  EXPECT_EQ(crash_site("/usr/bin/avoidbench(main+0x1) [0x1]\n/lib/libc.so.6(abort+0x1) "
+                       "[0x1]\n/x/libgrid.so.2(_ZN4Grid2atEi+0x9) [0x2]\n",
+                       "/elsewhere/mine.so"),
+            "libgrid.so.2: Grid::at(int)");
+  EXPECT_EQ(crash_site("no stack at all", "mine.so"), "");
+  // The SDK's frames around a planner's function, which is inlined into the first of them.
+  const std::string sdk =
+      "/usr/bin/avoidbench(main+0x1) [0x1]\n"
+      "/x/mine.so(_ZZN10avoidbench6detail4planI5TalksEEiPvPK14ab_observationP10ab_commandENKUlvE_"
+      "clEv+0x33) [0x2]\n"
+      "/x/mine.so(_ZN10avoidbench6detail4planI5TalksEEiPvPK14ab_observationP10ab_command+0x31) "
+      "[0x3]\n";
+  EXPECT_EQ(crash_site(sdk, "mine.so"), "mine.so: Talks::plan+0x33");
+  const std::vector<std::string> lines = stack_lines(report, "/elsewhere/mine.so", 3);
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_EQ(lines[0], "mine.so  mine::plan(double)+0x1b");
+  EXPECT_EQ(lines[1], "mine.so  +0x1234");
 }
 
 }  // namespace

@@ -93,6 +93,30 @@ TEST(Table, MarkdownEscapesWhatItMust) {
             "- **\\*** best\n");
 }
 
+TEST(Table, ABriefSectionHasOneLineOfWarningsAndOneParagraphOfLegend) {
+  Section brief = section();
+  brief.is_brief = true;
+  brief.warnings = {"few trials of a: anecdotes", "the sweep is not done (8 of 20 left)", "old"};
+  brief.tables[0].columns[2].brief = "success rate";
+  brief.footer = "There is more.";
+  const Section sections[] = {brief};
+  const std::string text = format_sections(sections, TableFormat::table);
+  EXPECT_NE(text.find("\n\nWarning: few trials of a; the sweep is not done; old\n\n"),
+            std::string::npos)
+      << text;
+  EXPECT_TRUE(text.ends_with("\n\nSR success rate, * best\nThere is more.\n")) << text;
+  const std::string markdown = format_sections(sections, TableFormat::markdown);
+  EXPECT_TRUE(markdown.ends_with("\n**SR** success rate, **\\*** best\n\nThere is more.\n"))
+      << markdown;
+  // Machines get everything, and a single warning is not cut.
+  const nlohmann::json all = nlohmann::json::parse(format_sections(sections, TableFormat::json));
+  EXPECT_EQ(all[0]["warnings"][1], "the sweep is not done (8 of 20 left)");
+  brief.warnings.resize(1);
+  const Section one[] = {brief};
+  EXPECT_NE(format_sections(one, TableFormat::table).find("few trials of a: anecdotes"),
+            std::string::npos);
+}
+
 TEST(Table, CsvReadsBackWithAllDigits) {
   const Section sections[] = {section()};
   const auto rows = parsed_csv(format_sections(sections, TableFormat::csv));
@@ -158,7 +182,9 @@ TEST(Table, LatexEscapesAndSetsTheBestInBold) {
   const std::string text = format_sections(sections, TableFormat::latex);
   EXPECT_NE(text.find("\\toprule"), std::string::npos);
   EXPECT_NE(text.find("\\textbf{0.88} [0.80, 0.93]"), std::string::npos) << text;
-  EXPECT_NE(text.find("PO: excess \\& more, in \\% of $P_\\tau$."), std::string::npos) << text;
+  // What a column means is for who sets the table: captions of a line, comments for the rest.
+  EXPECT_NE(text.find("% PO: excess & more, in % of P_τ\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("\\caption{Planners. Bold: significantly best.}"), std::string::npos) << text;
   EXPECT_NE(text.find("m/s$^2$"), std::string::npos) << text;
   EXPECT_NE(text.find("\\label{tab:forest-planners}"), std::string::npos);
   EXPECT_EQ(text.find(" & --"), text.rfind(" & --"));  // one cell is not defined

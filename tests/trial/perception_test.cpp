@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 
+#include "base/digest.hpp"
 #include "support/flight_worlds.hpp"
+#include "trial/planner_view.hpp"
 
 namespace avoidbench {
 namespace {
@@ -18,6 +21,8 @@ struct Seen {
   double state_s = 0.0;
   std::vector<double> image_s;
   std::vector<std::uint32_t> cameras;
+  std::vector<std::size_t> pixels;
+  std::vector<std::string> digests;
   std::vector<double> imu_s;
   Eigen::Vector3d position, image_position;
 };
@@ -50,12 +55,16 @@ std::vector<Seen> flown(const TrialSpec& spec, double duration_s, std::uint32_t 
                 .state_s = view.time_s,
                 .image_s = {},
                 .cameras = {},
+                .pixels = {},
+                .digests = {},
                 .imu_s = {},
                 .position = view.position_world,
                 .image_position = {}};
       for (const DepthView& image : view.depth) {
         seen.image_s.push_back(image.time_s);
         seen.cameras.push_back(image.camera);
+        seen.pixels.push_back(image.depth_m.size());
+        seen.digests.push_back(Digest().add_array(image.depth_m).hex());
         seen.image_position = image.T_world_camera.translation();
       }
       EXPECT_EQ(view.stereo.size(), (needs & AB_SEES_STEREO) != 0 ? view.depth.size() : 0U);
@@ -133,6 +142,81 @@ TEST(Perception, ARigShowsEveryCamera) {
   for (const Seen& seen : flown(spec, 0.2)) {
     EXPECT_EQ(seen.cameras, (std::vector<std::uint32_t>{1, 0}));
   }
+}
+
+TEST(Perception, UnlikeCamerasComeAtTheirOwnRatesAndDelays) {
+  TrialSpec spec = small_trial();
+  CameraSpec side;
+  side.method = DepthNoisySpec{};
+  side.width_px = 16;
+  side.height_px = 8;
+  side.fov_x_deg = 60.0;
+  side.rate_hz = 10.0;
+  side.delay_ms = 70.0;  // older than images of camera 0 that were seen before
+  side.mounting.yaw_deg = 90.0;
+  spec.sensor.more_cameras = {side};
+  std::map<std::uint32_t, std::vector<double>> times_s;
+  for (const Seen& seen : flown(spec, 1.0)) {
+    for (std::size_t i = 0; i < seen.cameras.size(); ++i) {
+      times_s[seen.cameras[i]].push_back(seen.image_s[i]);
+      const double delay_s = seen.cameras[i] == 1 ? 0.07 : 0.0;
+      EXPECT_LE(seen.image_s[i] + delay_s, seen.call_s + 1e-9);
+      EXPECT_GT(seen.image_s[i] + delay_s, seen.call_s - 1.0 / 30.0 - 1e-9);
+      EXPECT_EQ(seen.pixels[i], seen.cameras[i] == 1 ? 16U * 8U : 32U * 24U);
+    }
+  }
+  ASSERT_EQ(times_s.size(), 2U);
+  ASSERT_GE(times_s[0].size(), 30U);
+  ASSERT_GE(times_s[1].size(), 9U);
+  for (std::size_t i = 0; i < times_s[0].size(); ++i) {  // each once, in order
+    EXPECT_NEAR(times_s[0][i], static_cast<double>(i) / 30.0, 1e-9);
+  }
+  for (std::size_t i = 0; i < times_s[1].size(); ++i) {
+    EXPECT_NEAR(times_s[1][i], static_cast<double>(i) / 10.0, 1e-9);
+  }
+}
+
+TEST(Perception, AFurtherKindOfCameraLeavesTheFirstOneAsItIs) {
+  TrialSpec spec = small_trial();
+  spec.sensor.method = DepthNoisySpec{};
+  spec.sensor.jitter_ms = 5.0;
+  const std::vector<Seen> alone = flown(spec, 0.5);
+  CameraSpec other = spec.sensor;
+  other.rate_hz = 15.0;
+  spec.sensor.more_cameras = {other};
+  const std::vector<Seen> with_other = flown(spec, 0.5);
+  ASSERT_EQ(alone.size(), with_other.size());
+  for (std::size_t k = 0; k < alone.size(); ++k) {
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < with_other[k].cameras.size(); ++i) {
+      if (with_other[k].cameras[i] != 0) continue;
+      ASSERT_LT(first, alone[k].image_s.size());
+      EXPECT_EQ(with_other[k].image_s[i], alone[k].image_s[first]);
+      EXPECT_EQ(with_other[k].digests[i], alone[k].digests[first]);
+      ++first;
+    }
+    EXPECT_EQ(first, alone[k].image_s.size());
+  }
+}
+
+TEST(Perception, TheSetupHasEachCameraAsItIs) {
+  TrialSpec spec = small_trial();
+  MountingSpec back;
+  back.yaw_deg = 180.0;
+  spec.sensor.more_mountings = {back};
+  CameraSpec side;
+  side.width_px = 64;
+  side.height_px = 32;
+  side.rate_hz = 12.0;
+  side.max_range_m = 4.0;
+  spec.sensor.more_cameras = {side};
+  const PlannerSetup setup = planner_setup(spec);
+  ASSERT_EQ(setup.cameras.size(), 3U);
+  EXPECT_EQ(setup.cameras[1].width_px, 32);
+  EXPECT_EQ(setup.cameras[2].width_px, 64);
+  EXPECT_EQ(setup.cameras[2].height_px, 32);
+  EXPECT_EQ(setup.cameras[2].rate_hz, 12.0);
+  EXPECT_EQ(setup.cameras[2].max_range_m, 4.0);
 }
 
 TEST(Perception, ImuSamplesComeOnceAndInOrder) {

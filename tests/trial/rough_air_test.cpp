@@ -5,23 +5,11 @@
 #include "support/flight_worlds.hpp"
 #include "support/planner_files.hpp"
 #include "trial/planner_view.hpp"
+#include "trial/preset_flight.hpp"
 #include "trial/run_trial.hpp"
 
 namespace avoidbench {
 namespace {
-
-TrialSpec spec_of(const std::string& planner) {
-  TrialSpec spec;
-  spec.planner = test::preset_choice(planner);
-  return spec;
-}
-
-TrialRecord fly(const TrialSpec& spec, const World& world, const Mission& mission) {
-  const Scene scene(world);
-  const PlannerLibrary library = PlannerLibrary::load(spec.planner.file);
-  PlannerInstance planner(library, planner_setup(spec), parameter_values(spec.planner));
-  return run_trial(spec, scene, mission, planner);
-}
 
 TrialSpec rough_air(const std::string& planner) {
   TrialSpec spec = spec_of(planner);

@@ -39,10 +39,61 @@ TEST(YamlTree, ExpandsAliasesAtTheirOwnPlace) {
 }
 
 TEST(YamlTree, SyntaxErrorsHaveAPlace) {
-  EXPECT_EQ(parse_problems("a: [1, 2\nb: 3\n").substr(0, 12), "f.yaml:2:2: ");
-  EXPECT_NE(parse_problems("a: [1, 2\nb: 3\n").find("not valid YAML: "), std::string::npos);
+  EXPECT_NE(parse_problems("a: x: y\n").find("f.yaml:1:5: not valid YAML: "), std::string::npos);
   EXPECT_EQ(parse_problems("a: 1\n b: 2\n").substr(0, 8), "f.yaml:2");
   EXPECT_EQ(parse_problems("a: *nothing\n").substr(0, 12), "f.yaml:1:4: ");
+}
+
+TEST(YamlTree, SyntaxErrorsSayWhatTheyAre) {
+  const std::string start = "not valid YAML: ";
+  EXPECT_EQ(parse_problems("a: [1, 2\nb: 3\n"),
+            "f.yaml:1:4: " + start + "'[' is never closed by ']'");
+  EXPECT_EQ(parse_problems("a: 1\nb: {c: [1, 2], d: é\n"),
+            "f.yaml:2:4: " + start + "'{' is never closed by '}'");
+  EXPECT_EQ(parse_problems("a: é[, {b: [1, 2}]\n").find("f.yaml:1:"), 0U);
+  EXPECT_EQ(parse_problems("a: [1, {b: 2]}\n"),
+            "f.yaml:1:13: " + start + "']' where '}' is due for the '{' of line 1, column 8");
+  EXPECT_EQ(parse_problems("a:\n\tb: 1\n"),
+            "f.yaml:2:1: " + start + "a tab indents this line; YAML takes spaces only");
+  EXPECT_EQ(parse_problems("a: 1\nb: [2, \"no end]\nc: 2\n"),
+            "f.yaml:2:8: " + start + "the quote \" is never closed");
+  EXPECT_EQ(parse_problems("a: &x [1\n"), "f.yaml:1:7: " + start + "'[' is never closed by ']'");
+  // What quotes, comments and plain words hold is no bracket.
+  EXPECT_EQ(parse_problems("a: 'it''s [' # {\nb: x[1\nc: \"\\\"[\"\nd: 1\n e: 2\n").find("bracket"),
+            std::string::npos);
+  EXPECT_EQ(parse_problems("a: 'it''s [' # {\nb: x[1\nc: \"\\\"[\"\nd: 1\n e: 2\n").find("never"),
+            std::string::npos);
+}
+
+TEST(YamlTree, TakesUtf8Only) {
+  EXPECT_EQ(parse_problems("a: 1\nb: \"é M\xfcller\"\n"),
+            "f.yaml:2:8: byte 0xfc is not UTF-8, ü in Latin-1: save the file as UTF-8");
+  EXPECT_EQ(parse_problems("a: \xc3"),
+            "f.yaml:1:4: byte 0xc3 is not UTF-8, Ã in Latin-1: save the "
+            "file as UTF-8");
+  EXPECT_EQ(parse_problems("\xff\xfe"
+                           "a"),
+            "f.yaml:1:1: byte 0xff is not UTF-8, ÿ in Latin-1: save the file as UTF-8");
+  EXPECT_EQ(parse_yaml("a: é–😀\n", "f.yaml").find("a")->scalar, "é–😀");
+}
+
+TEST(YamlTree, MergeKeysPutMappingsIn) {
+  const YamlNode root = parse_yaml(
+      "a: &a {n: 1, m: 2}\nb: &b {n: 3, k: 4}\nc: {<<: *a, m: 5}\nd: {<<: [*a, *b]}\n"
+      "e: {\"<<\": 6}\n",
+      "f.yaml");
+  const auto value = [&](const char* block, const char* key) {
+    return root.find(block)->find(key)->scalar;
+  };
+  EXPECT_EQ(value("c", "n"), "1");
+  EXPECT_EQ(value("c", "m"), "5");  // what stands there itself wins
+  EXPECT_EQ(root.find("c")->find("<<"), nullptr);
+  EXPECT_EQ(root.find("c")->find("n")->line, 1);
+  EXPECT_EQ(value("d", "n"), "1");  // the first of several
+  EXPECT_EQ(value("d", "k"), "4");
+  EXPECT_EQ(value("e", "<<"), "6");  // in quotes a key as any other
+  EXPECT_EQ(parse_problems("a: {<<: 3}\n"),
+            "f.yaml:1:9: <<: expected a mapping, as in `<<: *anchor`, found \"3\"");
 }
 
 TEST(YamlTree, RefusesWhatHasTwoMeanings) {

@@ -11,6 +11,8 @@ using kinematic::Course;
 using kinematic::Ending;
 using kinematic::Result;
 
+constexpr int kImages = 4;  // more than it wants before it believes what it sees
+
 TEST(Reactive, KeepsEveryRule) { expect_conformance(PLANNER_FILE); }
 
 TEST(Reactive, FliesStraightWhereNothingIsInTheWay) {
@@ -23,6 +25,30 @@ TEST(Reactive, FliesStraightWhereNothingIsInTheWay) {
   EXPECT_LT(flight.time_s, straight_m / 2.5 + 2.0);
   EXPECT_GT(flight.lowest_m, 1.8);
   EXPECT_LT(flight.highest_m, 2.2);
+}
+
+TEST(Reactive, FliesStraightAndFastPastGhosts) {
+  PlannerInstance planner = kinematic::instance_of(PLANNER_FILE);
+  Course course = kinematic::meadow();
+  course.ghost_count = 10;
+  const Result flight = kinematic::fly(planner, course);
+  ASSERT_EQ(flight.ending, Ending::reached_goal);
+  const double straight_m = (course.goal_world - course.start_world).norm() - 0.8;
+  EXPECT_LT(flight.path_m, 1.01 * straight_m);
+  EXPECT_LT(flight.time_s, straight_m / 2.5 + 2.0);
+}
+
+TEST(Reactive, FliesAroundAThinPoleAmongGhosts) {
+  PlannerInstance planner = kinematic::instance_of(PLANNER_FILE);
+  for (const int ghost_count : {0, 10}) {
+    for (const double aside_m : {-0.2, -0.05, 0.0, 0.05, 0.2}) {
+      Course course = kinematic::meadow();
+      course.ghost_count = ghost_count;
+      course.cylinders.push_back({{aside_m, 15.0}, 0.03});
+      EXPECT_EQ(kinematic::fly(planner, course).ending, Ending::reached_goal)
+          << aside_m << " m aside, " << ghost_count << " ghosts";
+    }
+  }
 }
 
 /// Flights of the seeds 0 … count - 1 that reach the goal.
@@ -82,10 +108,14 @@ TEST(Reactive, TurnsFirstWhenTheGoalIsBehind) {
       kinematic::depth_image(kinematic::meadow(), camera, depth.T_world_camera);
   depth.depth_m = pixels;
   view.depth.push_back(depth);
-  const PlanResult plan = planner.plan(view);
-  ASSERT_EQ(plan.status, PlanStatus::command) << plan.reason;
-  const Eigen::Map<const Eigen::Vector3d> velocity(plan.command.velocity_world_mps);
-  EXPECT_LT(velocity.norm(), 0.3);
+  PlanResult plan;
+  for (int image = 0; image < kImages; ++image) {
+    view.time_s = 0.05 * image;
+    plan = planner.plan(view);
+    ASSERT_EQ(plan.status, PlanStatus::command) << plan.reason;
+    const Eigen::Map<const Eigen::Vector3d> velocity(plan.command.velocity_world_mps);
+    EXPECT_LT(velocity.norm(), 0.3);
+  }
   EXPECT_GT(std::abs(plan.command.yaw_rad), 2.0);
 }
 
@@ -102,12 +132,13 @@ TEST(Reactive, HoldsWhereItSeesNothing) {
   view.q_world_body.setIdentity();
   const std::vector<float> pixels(static_cast<std::size_t>(camera.width_px * camera.height_px),
                                   std::numeric_limits<float>::quiet_NaN());
-  for (const bool has_image : {false, true}) {
+  for (int image = 0; image <= kImages; ++image) {
+    view.time_s = 0.05 * image;
     view.depth.clear();
     DepthView depth;
     depth.T_world_camera = Eigen::Translation3d(view.position_world) * camera.T_body_camera;
     depth.depth_m = pixels;
-    if (has_image) view.depth.push_back(depth);
+    if (image > 0) view.depth.push_back(depth);
     const PlanResult plan = planner.plan(view);
     ASSERT_EQ(plan.status, PlanStatus::command);
     EXPECT_EQ(Eigen::Map<const Eigen::Vector3d>(plan.command.velocity_world_mps).norm(), 0.0);

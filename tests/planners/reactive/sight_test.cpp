@@ -11,6 +11,7 @@
 #include "obstacle_memory.hpp"
 #include "polar_histogram.hpp"
 #include "rollout.hpp"
+#include "sight.hpp"
 
 namespace reactive {
 namespace {
@@ -33,6 +34,16 @@ struct Image {
     image.position_world_m[0] = position.x;
     image.position_world_m[1] = position.y;
     image.position_world_m[2] = position.z;
+    image.depth_m = pixels.data();
+  }
+  /// 320 × 240 pixels of free space: a cell is 5 × 5 of them.
+  void make_large() {
+    pixels.assign(320 * 240, kInfinity);
+    image.width_px = 320;
+    image.height_px = 240;
+    image.fx_px = image.fy_px = 160.0;
+    image.cx_px = 159.5;
+    image.cy_px = 119.5;
     image.depth_m = pixels.data();
   }
   Image(const Image&) = delete;
@@ -75,6 +86,64 @@ TEST(DepthView, InvalidIsNotSeenAndFreeIs) {
   EXPECT_FALSE(view.has_seen({-1.0, 0.0, 0.0}));
 }
 
+/// The points that `image` shows up to 5 m.
+std::vector<Vector3> points_of(const ab_depth_image& image) {
+  DepthView view;
+  view.take(image);
+  std::vector<Vector3> points;
+  view.append_points(5.0, points);
+  return points;
+}
+
+TEST(DepthView, APixelWithoutItsLikeIsNoSurface) {
+  Image open(kInfinity, {});
+  const auto pixel = [&](int column, int row) -> float& {
+    return open.pixels[static_cast<std::size_t>(row * 64 + column)];
+  };
+  pixel(32, 24) = 2.0F;
+  pixel(10, 10) = 1.0F;  // a pair
+  pixel(11, 10) = 1.0F;
+  pixel(50, 20) = 1.0F;  // three at different depths
+  pixel(51, 20) = 1.5F;
+  pixel(52, 20) = 3.0F;
+  EXPECT_TRUE(points_of(open.image).empty());
+  DepthView view;
+  view.take(open.image);
+  EXPECT_TRUE(view.has_seen({1.0, 0.0, 0.0}));
+  // But it is no proof either that a twig remembered there is gone.
+  EXPECT_FALSE(view.sees_through({2.0, -0.03, -0.03}));
+  EXPECT_TRUE(view.sees_through({2.0, 0.3, 0.3}));
+  for (int row = 0; row < 48; ++row) pixel(32, row) = 2.0F;
+  EXPECT_GE(points_of(open.image).size(), 46U);  // a pole of one pixel: all but its ends
+}
+
+TEST(DepthView, ThinThingsStayInLargeImagesToo) {
+  for (const int slant : {0, 1}) {  // upright, diagonal
+    Image line(kInfinity, {});
+    line.make_large();
+    const auto pixel = [&](int row) -> float& {
+      return line.pixels[static_cast<std::size_t>(row * 320 + 40 + slant * row)];
+    };
+    for (int row = 0; row < 240; ++row) pixel(row) = 3.0F;
+    EXPECT_GE(points_of(line.image).size(), 46U) << "slant " << slant;
+    line.make_large();
+    for (int row = 2; row < 240; row += 4) pixel(row) = 3.0F;  // as many cells, each one pixel
+    EXPECT_TRUE(points_of(line.image).empty());
+  }
+}
+
+/// What a matcher makes up in the sky looks a few millimetres thick close to the camera.
+TEST(DepthView, NearStreaksAreNoSurface) {
+  for (const auto& [thickness_px, is_surface] : {std::pair{2, false}, std::pair{5, true}}) {
+    Image streak(kInfinity, {});
+    streak.make_large();
+    for (int i = 0; i < thickness_px * 320; ++i) {
+      streak.pixels[static_cast<std::size_t>(60 * 320 + i)] = 0.35F;
+    }
+    EXPECT_EQ(!points_of(streak.image).empty(), is_surface) << thickness_px << " px";
+  }
+}
+
 TEST(DepthView, SeesThroughWhatIsGone) {
   const Image wall(4.0F, {});
   DepthView view;
@@ -83,11 +152,60 @@ TEST(DepthView, SeesThroughWhatIsGone) {
   EXPECT_FALSE(view.sees_through({3.9, 0.0, 0.0}));
   EXPECT_FALSE(view.sees_through({6.0, 0.0, 0.0}));
   EXPECT_FALSE(view.sees_through({2.0, 5.0, 0.0}));
+  EXPECT_TRUE(view.shows({4.2, 0.0, 0.0}));
+  EXPECT_FALSE(view.shows({2.0, 0.0, 0.0}));
+  EXPECT_FALSE(view.shows({6.0, 0.0, 0.0}));
+  EXPECT_FALSE(view.shows({-4.0, 0.0, 0.0}));
+}
+
+Sight sight_of(const std::vector<const Image*>& images) {
+  Sight sight;
+  for (const Image* image : images) sight.take(image->image);
+  return sight;
+}
+
+std::size_t count_of(const Sight& sight) {
+  std::vector<Vector3> points;
+  sight.append_points(5.0, points);
+  return points.size();
+}
+
+TEST(Sight, BelievesWhatMostImagesShow) {
+  const Image wall(4.0F, {}), nothing(kInfinity, {}), nearer(2.0F, {});
+  EXPECT_FALSE(sight_of({&wall, &wall}).is_ready());
+  EXPECT_EQ(count_of(sight_of({&wall, &wall})), 0U);
+  EXPECT_EQ(count_of(sight_of({&wall, &wall, &wall})), 64U * 48U);
+  EXPECT_EQ(count_of(sight_of({&wall, &wall, &nothing, &wall})), 64U * 48U);
+  EXPECT_EQ(count_of(sight_of({&wall, &wall, &wall, &nothing})), 0U);
+  // A surface that only one image shows is made up.
+  EXPECT_EQ(count_of(sight_of({&wall, &wall, &wall, &nearer})), 0U);
+  EXPECT_EQ(count_of(sight_of({&nothing, &nothing, &wall, &wall})), 0U);
+}
+
+TEST(Sight, KnowsASurfaceThatItFliesTo) {
+  Sight sight;
+  for (int i = 0; i < 4; ++i) {  // at 3 m/s and 10 images per second
+    const Image wall(static_cast<float>(4.0 - 0.3 * i), {0.3 * i, 0.0, 0.0});
+    sight.take(wall.image);
+  }
+  std::vector<Vector3> points;
+  sight.append_points(5.0, points);
+  ASSERT_GT(points.size(), 2000U);
+  for (const Vector3& point : points) EXPECT_NEAR(point.x, 4.0, 1e-6);
+}
+
+TEST(Sight, SeesAndSeesThroughByMajority) {
+  const Image wall(4.0F, {}), nothing(kInfinity, {}), invalid(kNaN, {}), nearer(1.0F, {});
+  const Vector3 ahead{1.0, 0.0, 0.0}, place{2.0, 0.0, 0.0};
+  EXPECT_TRUE(sight_of({&wall, &nothing, &invalid, &wall}).has_seen(ahead));
+  EXPECT_FALSE(sight_of({&wall, &invalid, &invalid, &wall}).has_seen(ahead));
+  EXPECT_TRUE(sight_of({&wall, &nothing, &nearer, &wall}).sees_through(place));
+  EXPECT_FALSE(sight_of({&wall, &nearer, &nearer, &wall}).sees_through(place));
 }
 
 TEST(ObstacleMemory, ForgetsByAgeDistanceAndSight) {
   ObstacleMemory memory;
-  const DepthView blind;
+  const Sight blind;
   const auto count = [&](double except_time_s = -1.0) {
     std::vector<Vector3> points;
     memory.append_points(except_time_s, points);
@@ -104,9 +222,7 @@ TEST(ObstacleMemory, ForgetsByAgeDistanceAndSight) {
   memory.prune({}, 5.0, 6.0, 10.0, blind);
   EXPECT_EQ(count(), 1U);
   const Image wall(4.0F, {});
-  DepthView view;
-  view.take(wall.image);
-  memory.prune({}, 5.0, 6.0, 10.0, view);
+  memory.prune({}, 5.0, 6.0, 10.0, sight_of({&wall, &wall, &wall}));
   EXPECT_EQ(count(), 0U);
   memory.add({2.0, 0.0, 0.0}, 1.0);
   memory.prune({}, 5.0, 12.0, 10.0, blind);
@@ -166,7 +282,7 @@ TEST(Rollout, BrakesInTheKnownDistance) {
   Response response;
   response.latency_s = 0.1;
   response.acceleration_mps2 = 4.0;
-  response.horizon_s = 2.0;
+  response.step_count = 200;
   response.step_s = 0.01;
   // 3 m/s: 0.3 m by latency and 9 / 8 m of braking.
   const std::vector<Vector3> wall{{3.0, 0.0, 0.0}};

@@ -12,7 +12,7 @@
 namespace avoidbench::kinematic {
 namespace {
 
-constexpr double kBody_m = 0.3, kLag_s = 0.25, kAcceleration_mps2 = 6.0, kYawRate_radps = 2.5;
+constexpr double kLag_s = 0.25, kAcceleration_mps2 = 6.0, kYawRate_radps = 2.5;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Least t > 0 with a t² + 2 b t + c = 0, or infinity.
@@ -68,8 +68,16 @@ struct Vehicle {
   }
 };
 
+/// As a stereo matcher makes them up: other pixels in each image.
+void add_ghosts(int count, RandomStream& random, std::vector<float>& pixels) {
+  for (int i = 0; i < count; ++i) {
+    const double place = random.uniform(0.0, static_cast<double>(pixels.size()));
+    pixels[static_cast<std::size_t>(place)] = static_cast<float>(random.uniform(0.7, 5.0));
+  }
+}
+
 PlannerView seen_by(const Vehicle& vehicle, const Course& near, const CameraSetup& camera,
-                    double time_s, std::vector<float>& pixels) {
+                    double time_s, RandomStream& random, std::vector<float>& pixels) {
   PlannerView view;
   view.time_s = time_s;
   view.position_world = vehicle.position;
@@ -80,12 +88,14 @@ PlannerView seen_by(const Vehicle& vehicle, const Course& near, const CameraSetu
   depth.time_s = time_s;
   depth.T_world_camera = make_pose(vehicle.position, view.q_world_body) * camera.T_body_camera;
   pixels = depth_image(near, camera, depth.T_world_camera);
+  add_ghosts(near.ghost_count, random, pixels);
   depth.depth_m = pixels;
   view.depth.push_back(depth);
   return view;
 }
 
-/// What lies within the camera's range.
+}  // namespace
+
 Course nearby(const Course& course, const Eigen::Vector3d& position, double range_m) {
   Course near = course;
   std::erase_if(near.cylinders, [&](const Cylinder& tree) {
@@ -95,8 +105,6 @@ Course nearby(const Course& course, const Eigen::Vector3d& position, double rang
                 [&](const Ball& bush) { return (bush.centre - position).norm() > 1.5 * range_m; });
   return near;
 }
-
-}  // namespace
 
 Course meadow() {
   Course course;
@@ -214,6 +222,7 @@ Result fly(PlannerInstance& planner, const Course& course, double time_limit_s) 
   Eigen::Vector3d wanted = Eigen::Vector3d::Zero(), next = wanted;
   double wanted_yaw_rad = vehicle.yaw_rad, next_yaw_rad = wanted_yaw_rad;
   std::vector<float> pixels;
+  RandomStream random = stream(1, "kinematic_ghosts");
   if (!result.reason.empty()) result.ending = Ending::failed;
 
   while (result.reason.empty() && result.time_s < time_limit_s) {
@@ -222,7 +231,7 @@ Result fly(PlannerInstance& planner, const Course& course, double time_limit_s) 
     wanted_yaw_rad = next_yaw_rad;
     const Course near = nearby(course, vehicle.position, setup.cameras.front().max_range_m);
     const PlanResult plan =
-        planner.plan(seen_by(vehicle, near, setup.cameras.front(), result.time_s, pixels));
+        planner.plan(seen_by(vehicle, near, setup.cameras.front(), result.time_s, random, pixels));
     result.positions.push_back(vehicle.position);
     next = Eigen::Vector3d::Zero();
     if (plan.status == PlanStatus::command) {

@@ -24,7 +24,13 @@ struct Course {
   std::vector<Cylinder> cylinders;  ///< endless upward
   std::vector<Ball> balls;
   Eigen::Vector3d start_world, goal_world;
+  int ghost_count = 0;  ///< pixels of each depth image that show a thing 0.7 to 5 m away: none is
 };
+
+inline constexpr double kBody_m = 0.3;  ///< the flown body's radius
+
+/// What lies within the camera's range.
+Course nearby(const Course& course, const Eigen::Vector3d& position, double range_m);
 
 /// Trees (cylinders) and bushes (balls on the ground) at least `poisson_radius_m` apart on 40 × 40
 /// m, flown along y at 2 m.

@@ -18,7 +18,7 @@ namespace {
 using Eigen::Vector3d;
 using planning::Motion;
 
-constexpr double kBody_m = 0.3, kGravity_mps2 = 9.81;
+constexpr double kGravity_mps2 = 9.81;
 constexpr double kBodyRate_radps = 10.0;  ///< of the hummingbird's roll and pitch
 
 struct Reference {
@@ -93,16 +93,6 @@ PlannerView seen_by(const Reference& vehicle, const Course& near, const CameraSe
   depth.depth_m = pixels;
   view.depth.push_back(depth);
   return view;
-}
-
-Course nearby(const Course& course, const Vector3d& position, double range_m) {
-  Course near = course;
-  std::erase_if(near.cylinders, [&](const Cylinder& tree) {
-    return (tree.centre - position.head<2>()).norm() > 1.5 * range_m;
-  });
-  std::erase_if(near.balls,
-                [&](const Ball& bush) { return (bush.centre - position).norm() > 1.5 * range_m; });
-  return near;
 }
 
 }  // namespace

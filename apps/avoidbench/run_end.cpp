@@ -1,0 +1,117 @@
+#include "run_end.hpp"
+
+#include <iostream>
+#include <map>
+
+#include "diagnosis/computing_times.hpp"
+#include "diagnosis/failure_kinds.hpp"
+#include "store/visit_trials.hpp"
+#include "text/visible_text.hpp"
+#include "text/words.hpp"
+
+namespace avoidbench {
+
+void print_revision(const Database& database, const std::string& sweep,
+                    const SweepRevision& revision) {
+  constexpr std::size_t kMostChanges = 6;
+  const std::string report = "avoidbench report " + database.path().string();
+  const std::string number = std::to_string(revision.revision);
+  if (!revision.is_new) {
+    std::cerr << "warning: " << database.path().string() << " has sweep " << sweep
+              << " with these contents as revision " << number << ", and later ones up to "
+              << revision.latest << ", which reports show: " << report << " --sweep " << sweep
+              << "@" << number << " shows this one\n";
+    return;
+  }
+  std::vector<std::string> changes = revision.changes;
+  if (changes.size() > kMostChanges) {
+    const std::size_t more = changes.size() - kMostChanges;
+    changes.resize(kMostChanges);
+    changes.push_back(std::to_string(more) + " more");
+  }
+  std::cerr << "warning: " << database.path().string() << " has sweep " << sweep
+            << " with other contents: this is its revision " << number << " ("
+            << visible_line(joined(changes, "; ")) << "). Trials that both ask for are taken over; "
+            << "reports show the latest revision, " << report << " --sweep " << sweep << "@"
+            << revision.revision - 1 << " the former one\n";
+}
+
+void print_summary(const RunSummary& summary, int ignored_signals) {
+  const Progress& progress = summary.progress;
+  if (progress.done_before > 0) {
+    std::cerr << progress.done_before << " trials were there already\n";
+  }
+  if (progress.invalid_missions > 0) {
+    std::cerr << progress.invalid_missions
+              << " trials have an invalid mission (no free start or goal, or no way between them) "
+                 "and are not flown\n";
+  }
+  for (const std::string& problem : summary.unkept) {
+    std::cerr << "warning: no copy is kept of what was flown with: " << problem << '\n';
+  }
+  for (const auto& [label, count] : summary.left_behind) {
+    std::cerr << "warning: planner " << label << " left " << count
+              << " processes behind; they were ended\n";
+  }
+  if (ignored_signals > 0) {
+    std::cerr << "warning: " << ignored_signals
+              << " signals to stop came from a planner; they were ignored\n";
+  }
+  if (summary.unflown.empty()) return;
+  for (const UnflownTrial& trial : summary.unflown) {
+    std::cerr << "warning: trial " << trial.key.substr(0, 8) << " of " << trial.planner_label
+              << " is not stored: its worker was killed twice, by " << trial.reason << '\n';
+  }
+  std::cerr << summary.unflown.size()
+            << " trials were not flown: somebody, or the kernel short of memory, killed their "
+               "workers. Run the same command\nagain, with fewer --jobs or a lower --memory-limit "
+               "if memory is short\n";
+}
+
+void print_failures(const Database& database, const std::string& sweep, const RunSummary& summary) {
+  const std::vector<FailureKind> kinds =
+      failure_kinds(database.list_trials(sweep, summary.revision));
+  if (kinds.empty()) return;
+  const std::string replay = "avoidbench replay " + database.path().string();
+  std::cerr << "trials that did not reach the goal, and the command that shows one:\n";
+  for (const FailureKind& kind : kinds) {
+    const auto words = summary.last_words.find(kind.example.key);
+    const std::string printed =
+        words == summary.last_words.end() ? "" : "; it printed: " + visible_line(words->second);
+    std::cerr << "  " << failure_text(kind) << printed << "; " << replay << " " << kind.example.id
+              << '\n';
+  }
+  std::cerr << "  all of a kind: " << replay << " --list --outcome " << text(kinds.front().outcome)
+            << '\n';
+}
+
+void warn_of_computing_times(const Database& database, const std::string& sweep,
+                             std::int64_t revision) {
+  ComputingTimes times(database.metrics());
+  visit_trials(database, sweep, revision, {},
+               [&](const VisitedTrial& trial) { times.add(trial.planner_key, trial.metrics); });
+  TimeDemand demand;
+  for (const SweepInfo& info : database.read_sweeps()) {
+    if (info.name == sweep && info.revision == revision) demand = time_demand(info.spec_json);
+  }
+  std::map<std::string, std::string> labels;
+  for (const PlannerRow& row : database.read_planners()) labels[planner_key(row)] = row.label;
+  for (const auto& [key, of_planner] : times.by_planner()) {
+    for (const std::string& line : computing_time_warnings(labels[key], of_planner, demand)) {
+      std::cerr << "warning: " << line << '\n';
+    }
+  }
+}
+
+/// The command that shows this revision of a sweep, which need not be the latest one.
+std::string command_that_reports(const Database& database, const std::string& sweep,
+                                 std::int64_t revision) {
+  std::string line = "avoidbench report " + database.path().string();
+  for (const SweepInfo& other : database.read_sweeps()) {
+    if (other.name != sweep || other.revision <= revision) continue;
+    return line + " --sweep " + sweep + "@" + std::to_string(revision);
+  }
+  return line;
+}
+
+}  // namespace avoidbench

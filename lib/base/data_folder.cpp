@@ -1,0 +1,32 @@
+#include "base/data_folder.hpp"
+
+#include "base/input_error.hpp"
+
+namespace avoidbench {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// AVOIDBENCH_DATA_FOLDER is relative to the prefix.
+fs::path data_of(const fs::path& prefix) { return prefix / AVOIDBENCH_DATA_FOLDER; }
+
+}  // namespace
+
+fs::path installation_prefix() {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  for (fs::path folder = program.parent_path(); folder.has_relative_path();
+       folder = folder.parent_path()) {
+    if (fs::is_directory(data_of(folder) / "configs", error)) return folder;
+  }
+  return {};
+}
+
+fs::path data_folder() {
+  const fs::path prefix = installation_prefix();
+  if (!prefix.empty()) return data_of(prefix);
+  throw InputError(std::string("no folder ") + AVOIDBENCH_DATA_FOLDER +
+                   " above this program: install avoidbench whole");
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "sweep/sweep_spec.hpp"
+#include "yaml/yaml_reader.hpp"
+
+namespace avoidbench {
+
+/// Adds a problem for each value that was given and can't mean anything beside the others: a
+/// latency's `ms` in mode zero, a goal larger than the free space around it, a flight that is over
+/// before the first command. These are no contradictions() of a trial, since it depends on what was
+/// given: stored trials, and fields left at their defaults, may have them.
+void check_given_values(const YamlNode& root, const SweepSpec& sweep, Reading& reading);
+
+/// Whether the free space around starts and goals holds the goal and ends above the floor.
+bool fits_free_space(const TrialSpec& trial);
+
+}  // namespace avoidbench

@@ -1,0 +1,90 @@
+#include "conformance/planner_project.hpp"
+
+#include <array>
+#include <cctype>
+#include <fstream>
+#include <utility>
+#include <vector>
+
+#include "base/input_error.hpp"
+#include "base/input_file.hpp"
+
+namespace avoidbench {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 20U;
+
+bool is_name(const std::string& name) {
+  constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyz";
+  return !name.empty() && kLetters.find(name.front()) != std::string::npos &&
+         name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos;
+}
+
+/// Names that CMake has for targets of its own, or the program for its own files.
+bool is_taken(const std::string& name) {
+  for (const char* taken : {"all", "clean", "help", "install", "program", "test"}) {
+    if (name == taken) return true;
+  }
+  return name.starts_with("avoidbench");
+}
+
+/// my_planner: MyPlanner.
+std::string class_name(const std::string& name) {
+  std::string words;
+  bool is_first = true;
+  for (const char letter : name) {
+    if (letter == '_') {
+      is_first = true;
+    } else {
+      words += is_first ? static_cast<char>(std::toupper(letter)) : letter;
+      is_first = false;
+    }
+  }
+  return words;
+}
+
+std::string filled_in(std::string text, const std::string& name) {
+  const std::array<std::pair<std::string, std::string>, 2> words{
+      {{"@NAME@", name}, {"@CLASS@", class_name(name)}}};
+  for (const auto& [word, value] : words) {
+    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at)) {
+      text.replace(at, word.size(), value);
+      at += value.size();
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+void write_planner_project(const std::string& name, const fs::path& folder,
+                           const fs::path& templates) {
+  if (!is_name(name)) {
+    throw InputError("'" + name +
+                     "' is no name of a planner: use a-z, 0-9 and _, and begin with a letter");
+  }
+  if (is_taken(name)) throw InputError("the name '" + name + "' is taken by the build");
+  std::vector<std::pair<fs::path, std::string>> files;
+  for (const auto& [from, to] : {std::pair<std::string, std::string>{"planner.cpp", name + ".cpp"},
+                                 {"CMakeLists.txt", "CMakeLists.txt"},
+                                 {"README.md", "README.md"},
+                                 {"sweep.yaml", "sweep.yaml"}}) {
+    files.emplace_back(folder / to,
+                       filled_in(read_input_file(templates / (from + ".in"), kMostBytes), name));
+    std::error_code error;
+    if (fs::exists(fs::symlink_status(files.back().first, error))) {
+      throw InputError(files.back().first.string() + " exists already; nothing was written");
+    }
+  }
+  std::error_code error;
+  fs::create_directories(folder, error);
+  for (const auto& [file, text] : files) {
+    if (!(std::ofstream(file, std::ios::binary) << text).flush()) {
+      throw InputError(file.string() + ": can't be written");
+    }
+  }
+}
+
+}  // namespace avoidbench

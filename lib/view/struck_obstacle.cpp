@@ -1,0 +1,86 @@
+#include "view/struck_obstacle.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "text/number_text.hpp"
+
+namespace avoidbench {
+namespace {
+
+constexpr Color kStruck{220, 20, 30}, kRim{255, 255, 255};
+
+/// Where the body's centre was at a moment between two samples.
+Eigen::Vector3d body_at(const TrialRecord& record, double time_s) {
+  const auto after = std::upper_bound(record.samples.begin(), record.samples.end(), time_s,
+                                      [](double time, const Sample& s) { return time < s.time_s; });
+  const Sample& last = after == record.samples.begin() ? *after : *std::prev(after);
+  return last.position_world + (time_s - last.time_s) * last.velocity_world;
+}
+
+/// The obstacle's instances alone, at a moment.
+World alone(const World& world, std::int64_t obstacle, double time_s) {
+  World struck = world;
+  for (const Motion& motion : world.motions) {
+    struck.instances[motion.instance].T_world_prototype.translation() +=
+        displacement_world(motion, time_s).cast<float>();
+  }
+  struck.motions.clear();
+  std::erase_if(struck.instances, [&](const Instance& instance) {
+    return static_cast<std::int64_t>(instance.obstacle) != obstacle;
+  });
+  return struck;
+}
+
+}  // namespace
+
+StruckObstacle::StruckObstacle(World struck, double contact_s, const Eigen::Vector3d& body_world,
+                               const Collision& collision)
+    : world(std::move(struck)),
+      scene(world),
+      time_s(contact_s),
+      contact_world(scene.nearest(body_world).point_world),
+      is_shown(collision.kind != "ground" && collision.kind != "ceiling"),
+      label("touched " + ascii(collision.kind) + " " + std::to_string(collision.obstacle) + " at " +
+            fixed_digits(collision.time_s, 2) + " s, " + fixed_digits(collision.speed_mps, 1) +
+            " m/s") {}
+
+std::unique_ptr<StruckObstacle> struck_obstacle(const World& world, const TrialRecord& record) {
+  if (record.collisions.empty() || record.samples.empty()) return nullptr;
+  const Collision& last = record.collisions.back();
+  const bool is_known =
+      last.obstacle >= 0 && last.obstacle < static_cast<std::int64_t>(world.obstacles.size());
+  if (!is_known) return nullptr;
+  World struck = alone(world, last.obstacle, last.time_s);
+  if (struck.instances.empty()) return nullptr;
+  return std::make_unique<StruckObstacle>(std::move(struck), last.time_s,
+                                          body_at(record, last.time_s), last);
+}
+
+void draw_struck(const StruckObstacle& struck, Panel& panel) {
+  constexpr double kShown_m = 3.0, kArm_px = 7.0;
+  if (struck.is_shown) {
+    paint_silhouette(struck.scene, struck.contact_world, kShown_m, kStruck, panel);
+  }
+  const Eigen::Vector2d at = panel.to_pixels(struck.contact_world);
+  const bool is_inside = at.x() >= 0.0 && at.y() >= 0.0 && at.x() < panel.picture.width_px &&
+                         at.y() < panel.picture.height_px;
+  if (!is_inside) return;
+  for (const int width_px : {6, 3}) {
+    for (const double side : {-1.0, 1.0}) {
+      draw_line(
+          panel.picture,
+          {at + kArm_px * Eigen::Vector2d(-1.0, side), at - kArm_px * Eigen::Vector2d(-1.0, side)},
+          width_px == 6 ? kRim : kStruck, width_px);
+    }
+  }
+  // Beside the cross, or below it where neither side has room.
+  const int width_px = text_width_px(struck.label), x_px = static_cast<int>(at.x());
+  const bool fits_right = panel.picture.width_px - x_px > width_px + 24;
+  const bool fits_left = x_px > width_px + 24;
+  const int left_px = fits_right ? x_px + 16 : x_px - width_px - 16;
+  const int below_px = fits_right || fits_left ? 4 : 26;
+  draw_label(panel.picture, struck.label, left_px, static_cast<int>(at.y()) + below_px, kStruck);
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "render/scene.hpp"
+#include "trial/trial_record.hpp"
+#include "view/replay_panel.hpp"
+
+namespace avoidbench {
+
+/// What a flight touched last, alone in a world of its own. Stays at its address.
+struct StruckObstacle {
+  StruckObstacle(World struck, double contact_s, const Eigen::Vector3d& body_world,
+                 const Collision& collision);
+  StruckObstacle(const StruckObstacle&) = delete;
+  StruckObstacle& operator=(const StruckObstacle&) = delete;
+
+  World world;  ///< with this obstacle's instances only, where they stood at the contact
+  Scene scene;
+  double time_s;
+  Eigen::Vector3d contact_world;
+  bool is_shown;      ///< ground and ceiling are everywhere
+  std::string label;  ///< "touched tree 17 at 3.21 s, 2.1 m/s"
+};
+
+/// Null where the flight touched nothing that the world has.
+std::unique_ptr<StruckObstacle> struck_obstacle(const World& world, const TrialRecord& record);
+
+/// Reddens the obstacle near the contact, crosses the contact and says what it was.
+void draw_struck(const StruckObstacle& struck, Panel& panel);
+
+}  // namespace avoidbench

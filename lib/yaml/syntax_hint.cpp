@@ -1,0 +1,140 @@
+#include "yaml/syntax_hint.hpp"
+
+#include <initializer_list>
+#include <utility>
+#include <vector>
+
+namespace avoidbench {
+namespace {
+
+struct Place {
+  int line = 1, column = 1;
+};
+
+struct Bracket {
+  char sign = '[';
+  Place place;
+};
+
+char closing(char open) { return open == '[' ? ']' : '}'; }
+
+std::string quoted(char sign) { return {'\'', sign, '\''}; }
+
+/// Goes through a document sign by sign, past quotes and comments.
+class Scanner {
+ public:
+  Scanner(std::string_view text, const std::string& source) : text_(text), source_(source) {}
+
+  std::optional<InputProblem> problem() {
+    for (; at_ < text_.size() && !found_; step()) look();
+    if (found_) return found_;
+    if (open_.empty()) return std::nullopt;
+    const Bracket& last = open_.back();
+    return at(last.place, {quoted(last.sign), " is never closed by ", quoted(closing(last.sign))});
+  }
+
+ private:
+  InputProblem at(Place place, std::initializer_list<std::string> parts) const {
+    std::string text = "not valid YAML: ";
+    for (const std::string& part : parts) text += part;
+    return {source_, place.line, place.column, std::move(text)};
+  }
+
+  void step() {
+    const char c = text_[at_++];
+    if (c == '\n') {
+      place_ = {.line = place_.line + 1, .column = 1};
+      is_indent_ = true;
+      before_ = '\n';
+      return;
+    }
+    // Only the first byte of a character counts as a column.
+    if ((static_cast<unsigned char>(c) & 0xc0U) != 0x80U) ++place_.column;
+    if (c == ' ' || c == '\t') {
+      is_after_space_ = true;
+      return;
+    }
+    is_indent_ = is_after_space_ = false;
+    before_ = skipped_ ? *skipped_ : c;
+    skipped_.reset();
+  }
+
+  /// Whether a value begins here: quotes and brackets within plain words are letters.
+  bool begins_value() const {
+    if (!open_.empty()) return before_ == '[' || before_ == '{' || before_ == ',' || before_ == ':';
+    const bool is_behind_sign = before_ == ':' || before_ == '-' || before_ == '?';
+    return before_ == '\n' || (is_behind_sign && is_after_space_);
+  }
+
+  void look() {
+    const char c = text_[at_];
+    if (c == '\t' && is_indent_ && open_.empty()) {
+      found_ = at(place_, {"a tab indents this line; YAML takes spaces only"});
+    } else if (c == '#' && (is_indent_ || is_after_space_)) {
+      while (at_ + 1 < text_.size() && text_[at_ + 1] != '\n') step();
+    } else if ((c == '\'' || c == '"') && begins_value()) {
+      skip_quoted(c);
+    } else if ((c == '&' || c == '!') && begins_value()) {
+      skip_word();
+    } else if ((c == '[' || c == '{') && begins_value()) {
+      open_.push_back({.sign = c, .place = place_});
+    } else if ((c == ']' || c == '}') && (!open_.empty() || begins_value())) {
+      close(c);
+    }
+  }
+
+  void close(char c) {
+    if (open_.empty()) {
+      found_ = at(place_, {quoted(c), " closes nothing"});
+      return;
+    }
+    const Bracket last = open_.back();
+    open_.pop_back();
+    if (closing(last.sign) == c) return;
+    found_ = at(place_, {quoted(c), " where ", quoted(closing(last.sign)), " is due for the ",
+                         quoted(last.sign), " of line ", std::to_string(last.place.line),
+                         ", column ", std::to_string(last.place.column)});
+  }
+
+  /// Past an anchor or tag, behind which a value may still begin.
+  void skip_word() {
+    const char before = before_;
+    while (at_ + 1 < text_.size() && text_.substr(at_ + 1, 1).find_first_of(" \t\n") != 0) step();
+    skipped_ = before;
+  }
+
+  void skip_quoted(char quote) {
+    const Place begin = place_;
+    step();
+    while (at_ < text_.size()) {
+      const bool is_escape = quote == '"' && text_[at_] == '\\';
+      const bool is_double = quote == '\'' && text_.substr(at_, 2) == "''";
+      if (is_escape || is_double) {
+        step();
+        if (at_ < text_.size()) step();
+        continue;
+      }
+      if (text_[at_] == quote) return;  // the caller steps over it
+      step();
+    }
+    found_ = at(begin, {"the quote ", std::string(1, quote), " is never closed"});
+  }
+
+  std::string_view text_;
+  const std::string& source_;
+  std::size_t at_ = 0;
+  Place place_;
+  char before_ = '\n';           // the last sign that is no space
+  std::optional<char> skipped_;  // what was before an anchor or tag that ends here
+  bool is_indent_ = true, is_after_space_ = false;
+  std::vector<Bracket> open_;
+  std::optional<InputProblem> found_;
+};
+
+}  // namespace
+
+std::optional<InputProblem> syntax_hint(std::string_view text, const std::string& source) {
+  return Scanner(text, source).problem();
+}
+
+}  // namespace avoidbench

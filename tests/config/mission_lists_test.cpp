@@ -1,0 +1,140 @@
+#include "config/mission_lists.hpp"
+
+#include "base/math.hpp"
+#include "config/sweep_fixture.hpp"
+#include "sweep/listed_missions.hpp"
+
+namespace avoidbench {
+namespace {
+
+const std::string kSweepHead = "sweep: a\nplanners: [tunable]\n";
+const std::string kColumns =
+    "map,start_x_m,start_y_m,start_z_m,goal_x_m,goal_y_m,goal_z_m,yaw_deg\n";
+
+class MissionLists : public SweepFiles {
+ protected:
+  /// The problems of a sweep that takes its missions from a table.
+  std::string of_table(const std::string& table, const std::string& rest = "") const {
+    write("missions.csv", table);
+    return problems(kSweepHead + "mission: {file: missions.csv}\n" + rest);
+  }
+};
+
+TEST_F(MissionLists, AListIsReadWithItsDefaults) {
+  const SweepSpec sweep = read(kSweepHead +
+                               "mission:\n  time_limit_s: 40\n  list:\n"
+                               "    - {start: [1, 2, 3], goal: [1, 12, 3]}\n"
+                               "    - {start: [4, 5, 6], goal: [7, 8, 9.5], yaw_deg: -90}\n");
+  EXPECT_EQ(sweep.trials, 2);
+  EXPECT_EQ(sweep.base.mission.time_limit_s, 40.0);
+  ASSERT_EQ(sweep.missions.size(), 2U);
+  EXPECT_EQ(sweep.missions[0].mission.start_world, Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(sweep.missions[0].mission.goal_world, Eigen::Vector3d(1, 12, 3));
+  EXPECT_DOUBLE_EQ(sweep.missions[0].mission.start_yaw_rad, 0.5 * math::kPi);  // toward the goal
+  EXPECT_DOUBLE_EQ(sweep.missions[1].mission.start_yaw_rad, -0.5 * math::kPi);
+  EXPECT_EQ(sweep.missions[1].place.line, 7);
+  EXPECT_EQ(sweep.missions[1].place.column, 7);
+  EXPECT_TRUE(sweep.base.missions_digest.empty());  // expand() fills it
+}
+
+TEST_F(MissionLists, ATableSaysTheSameInAnyOrderOfColumns) {
+  write("tables/missions.csv",
+        "\xEF\xBB\xBF# made by hand\r\ngoal_z_m, "
+        "goal_y_m,goal_x_m,start_z_m,start_y_m,\"start_x_m\"\r\n"
+        "\r\n3,12,1,3,2, 1 \r\n\"9.5\",8,7,6,5,4\r\n");
+  const SweepSpec sweep = read(kSweepHead + "mission: {file: tables/missions.csv}\n");
+  ASSERT_EQ(sweep.missions.size(), 2U);
+  EXPECT_EQ(sweep.missions[0].mission.start_world, Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(sweep.missions[0].mission.goal_world, Eigen::Vector3d(1, 12, 3));
+  EXPECT_EQ(sweep.missions[1].mission.goal_world, Eigen::Vector3d(7, 8, 9.5));
+  EXPECT_EQ(sweep.missions[1].place.line, 5);
+  EXPECT_EQ(sweep.missions[1].place.file, (folder_ / "tables/missions.csv").string());
+}
+
+TEST_F(MissionLists, TrialsTakeTheFirstOfEachMap) {
+  const std::string list =
+      "mission: {list: [{map: 1, start: [1, 2, 3], goal: [1, 12, 3]}, {start: [2, 2, 3], goal: "
+      "[1, 9, 3]}]}\nmaps: {seeds: 2}\n";
+  EXPECT_EQ(read(kSweepHead + list).trials, 2);
+  EXPECT_EQ(read(kSweepHead + list, {"trials=1"}).trials, 1);
+  EXPECT_EQ(problems(kSweepHead + list + "trials: 3\n"),
+            "s.yaml:5:9: trials: 3 is more than the 2 missions that are listed; left out, all are "
+            "flown");
+  TrialSpec trial = read(kSweepHead + list).base;
+  const std::vector<ListedMission> listed = read(kSweepHead + list).missions;
+  EXPECT_EQ(missions_of(listed, trial).size(), 2U);
+  trial.map_seed = 2;
+  ASSERT_EQ(missions_of(listed, trial).size(), 1U);
+  EXPECT_EQ(missions_of(listed, trial)[0].start_world.x(), 2.0);
+}
+
+TEST_F(MissionLists, MapsAreCalledByTheirFilesOrSeeds) {
+  write("office.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  write("cellar.obj", "v 0 0 0\nv 1 0 0\nv 0 2 0\nf 1 2 3\n");
+  const std::string maps = "maps: {generator: mesh, file: [office.obj, cellar.obj]}\n";
+  EXPECT_EQ(of_table(kColumns + "office,1,1,1,2,2,2,\ncellar.obj,1,1,1,3,3,3,90\n", maps), "");
+  EXPECT_EQ(of_table(kColumns + "office,1,1,1,2,2,2,\noffices,1,1,1,3,3,3,\n", maps),
+            "s.yaml:3:10: mission: no mission is listed for map cellar.obj\n"
+            "missions.csv:3:1: the sweep has no map 'offices' (did you mean office?); it has "
+            "cellar.obj, office.obj");
+  EXPECT_EQ(of_table(kColumns + "3,1,1,1,2,2,2,\n", "maps: {seeds: [3, 4]}\n"),
+            "s.yaml:3:10: mission: no mission is listed for map 4");
+}
+
+TEST_F(MissionLists, ProblemsOfAListHaveTheirPlace) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"mission: {list: []}", "s.yaml:3:17: mission.list: expected at least one mission"},
+      {"mission: {list: [{goal: [1, 2, 3]}]}",
+       "s.yaml:3:18: mission.list[0]: lacks 'start': [x, y, z] in metres"},
+      {"mission: {list: [{start: [1, 2], goal: [1, 2, 3]}]}",
+       "s.yaml:3:26: mission.list[0].start: expected a list of 3 values, found 2"},
+      {"mission: {list: [{start: [1, 2, x], goal: [1, 2, 3]}]}",
+       "s.yaml:3:33: mission.list[0].start[2]: expected a number, found \"x\""},
+      {"mission: {list: [{start: [1, 2, 1e9], goal: [1, 2, 3]}]}",
+       "s.yaml:3:33: mission.list[0].start[2]: 1e9 is outside [-100000, 100000]"},
+      {"mission: {list: [{start: [1, 2, 3], goal: [1, 2, 3], yaw: 3}]}",
+       "s.yaml:3:54: mission.list[0].yaw: unknown key (did you mean yaw_deg?)"},
+      {"mission: {list: [{start: [1, 2, 3], goal: [1, 2, 3], yaw_deg: 400}]}",
+       "s.yaml:3:63: mission.list[0].yaw_deg: 400 is outside [-360, 360]"},
+      {"mission: {list: [7]}",
+       "s.yaml:3:18: mission.list[0]: expected a mapping (name: value), found \"7\""},
+      {"mission: {file: none.csv}", "s.yaml:3:17: mission.file: none.csv: no such file"},
+      {"mission: {list: [{start: [1, 2, 3], goal: [1, 9, 3]}], file: x.csv}",
+       "s.yaml:3:62: mission.file: there is mission.list too"},
+      {"axes: {mission.list: [1, 2]}",
+       "s.yaml:3:8: axes.mission.list: all missions are flown for each setting"},
+      {"axes: {missions_digest: [a, b]}", "s.yaml:3:8: axes.missions_digest: the program fills it"},
+  };
+  for (const auto& [text, problem] : cases) EXPECT_EQ(problems(kSweepHead + text), problem) << text;
+}
+
+TEST_F(MissionLists, ProblemsOfATableHaveTheirPlace) {
+  const std::pair<std::string, const char*> cases[] = {
+      {"", "s.yaml:3:17: mission.file: missions.csv lists no mission"},
+      {kColumns, "s.yaml:3:17: mission.file: missions.csv lists no mission"},
+      {"start_x_m;start_y_m\n", "missions.csv:1:1: columns must be parted by commas"},
+      {kColumns + ",1,2,3,4,5\n", "missions.csv:2:1: 6 fields, but 8 columns"},
+      {kColumns + ",1,2,3,4,5,,\n", "missions.csv:2:12: goal_z_m: expected a number, found \"\""},
+      {kColumns + "\n,1,2, 3m,4,5,6,\n",
+       "missions.csv:3:6: start_z_m: expected a number, found \"3m\""},
+      {kColumns + "\"a,1,2,3,4,5,6,\n",
+       "missions.csv:2:1: a quote is not closed\n"
+       "missions.csv:2:1: 1 fields, but 8 columns"},
+      {"start_x_m,start_y_m,start_z_m,goal_x_m,goal_y_m\n",
+       "missions.csv:1:1: lacks the column 'goal_z_m'"},
+      {"start_x,start_x_m,start_x_m,start_y_m,start_z_m,goal_x_m,goal_y_m,goal_z_m\n",
+       "missions.csv:1:1: unknown column 'start_x' (did you mean start_x_m?); columns are "
+       "start_x_m, start_y_m, start_z_m, goal_x_m, goal_y_m, goal_z_m, yaw_deg, map\n"
+       "missions.csv:1:19: a second column 'start_x_m'"},
+  };
+  for (const auto& [table, problem] : cases) EXPECT_EQ(of_table(table), problem) << table;
+}
+
+TEST_F(MissionLists, AnIncludedTableIsBesideTheFileThatNamesIt) {
+  write("base/missions.csv", kColumns + ",1,2,3,4,15,6,\n");
+  write("base/base.yaml", "mission: {file: missions.csv}\n");
+  EXPECT_EQ(read("include: base/base.yaml\n" + kSweepHead).missions.size(), 1U);
+}
+
+}  // namespace
+}  // namespace avoidbench

@@ -1,0 +1,87 @@
+// sensor.more_cameras: rigs of unlike cameras.
+#include "config/sweep_fixture.hpp"
+#include "trial/contradictions.hpp"
+
+namespace avoidbench {
+namespace {
+
+const std::string kRigHead = "sweep: a\nplanners: [tunable]\n";
+
+class Rigs : public SweepFiles {};
+
+TEST_F(Rigs, AnElementIsANameOrWhatDiffersFromOne) {
+  const SensorSpec sensor =
+      read(kRigHead +
+           "sensor:\n  preset: stereo_sgm\n  more_cameras:\n    - d435_like\n"
+           "    - {preset: oak_d_like, yaw_deg: 90, rate_hz: 15}\n    - {width_px: 64}\n")
+          .base.sensor;
+  EXPECT_EQ(sensor.name, "stereo_sgm");
+  ASSERT_EQ(sensor.more_cameras.size(), 3U);
+  EXPECT_EQ(sensor.more_cameras[0].name, "d435_like");
+  EXPECT_EQ(sensor.more_cameras[0].delay_ms, 25.0);
+  EXPECT_TRUE(std::holds_alternative<StereoCensusSpec>(sensor.more_cameras[1].method));
+  EXPECT_EQ(sensor.more_cameras[1].mounting.yaw_deg, 90.0);
+  EXPECT_EQ(sensor.more_cameras[1].rate_hz, 15.0);
+  EXPECT_EQ(sensor.more_cameras[2].name, "depth_ideal");
+  EXPECT_EQ(sensor.more_cameras[2].width_px, 64);
+  EXPECT_EQ(rig_cameras(sensor).size(), 4U);
+}
+
+TEST_F(Rigs, CamerasMayComeFromFilesAlsoWithinAFile) {
+  write("sensors/side.yaml", "preset: d435_like\nname: side\nyaw_deg: 90\n");
+  write("sensors/both.yaml", "name: both\nmore_cameras: [side, d435_like]\n");
+  const SensorSpec sensor = read(kRigHead + "sensor: both\n").base.sensor;
+  ASSERT_EQ(sensor.more_cameras.size(), 2U);
+  EXPECT_EQ(sensor.more_cameras[0].name, "side");
+  EXPECT_EQ(sensor.more_cameras[0].mounting.yaw_deg, 90.0);
+  EXPECT_EQ(sensor.more_cameras[0].width_px, 424);
+  EXPECT_EQ(sensor.more_cameras[1].name, "d435_like");
+}
+
+TEST_F(Rigs, TheRigThatComesAlongIsGood) {
+  const std::filesystem::path file =
+      std::filesystem::path(AVOIDBENCH_SOURCE_DIR) / "configs/sensors/stereo_and_side.yaml";
+  const SensorSpec sensor = read(kRigHead + "sensor: " + file.string() + "\n").base.sensor;
+  EXPECT_EQ(sensor.name, "stereo_and_side");
+  ASSERT_EQ(rig_cameras(sensor).size(), 2U);
+  EXPECT_EQ(rig_cameras(sensor)[1].kind.name, "side");
+}
+
+TEST_F(Rigs, ProblemsOfACameraHaveTheirPlace) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"sensor: {more_cameras: [d435_lik]}",
+       "s.yaml:3:25: sensor.more_cameras[0]: \"d435_lik\" is no sensor (did you mean d435_like?); "
+       "known: d435_like, depth_ideal, depth_noisy, oak_d_like, stereo_original, stereo_sgm, "
+       "surround"},
+      {"sensor: {more_cameras: [{widht_px: 3}]}",
+       "s.yaml:3:26: sensor.more_cameras[0].widht_px: unknown key for kind depth_ideal (did you "
+       "mean width_px?)"},
+      {"sensor: {more_cameras: [{width_px: 3}]}",
+       "s.yaml:3:36: sensor.more_cameras[0].width_px: 3 is outside [8, 4096]"},
+      {"sensor: {more_cameras: [{more_cameras: []}]}",
+       "s.yaml:3:26: sensor.more_cameras[0].more_cameras: unknown key"},
+      {"sensor: {more_cameras: [d435_like, {jitter_ms: 50}]}",
+       "s.yaml:3:48: sensor.more_cameras[1].jitter_ms: 50 ms is not below the time between two "
+       "images, 33.333333333333336 ms"},
+      {"sensor: {more_cameras: [{preset: stereo_sgm, disparities: 50}]}",
+       "s.yaml:3:59: sensor.more_cameras[0].disparities: 50 is not a multiple of 16; the next is "
+       "64"},
+      {"sensor: {more_cameras: [{rate_hz: 900, exposure_ms: 0}]}\nrates: {physics_hz: 500}",
+       "s.yaml:3:35: sensor.more_cameras[0].rate_hz: 900 Hz is faster than rates.physics_hz, 500"},
+  };
+  for (const auto& [text, problem] : cases) {
+    EXPECT_TRUE(problems(kRigHead + text).starts_with(problem)) << problems(kRigHead + text);
+  }
+}
+
+TEST_F(Rigs, RatesAreRoundedToTicks) {
+  const SweepSpec sweep = read(kRigHead + "sensor: {more_cameras: [{rate_hz: 7.7}]}\n");
+  EXPECT_EQ(sweep.base.sensor.more_cameras[0].rate_hz, 36000.0 / 4675.0);
+  ASSERT_EQ(sweep.warnings.size(), 1U);
+  EXPECT_NE(sweep.warnings[0].find("s.yaml:3:35: sensor.more_cameras[0].rate_hz: 7.7 Hz is not"),
+            std::string::npos)
+      << sweep.warnings[0];
+}
+
+}  // namespace
+}  // namespace avoidbench

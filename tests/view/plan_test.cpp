@@ -1,0 +1,125 @@
+// Plans: cut at flight height, as large as the map, with what a flight struck.
+#include <gtest/gtest.h>
+
+#include "support/flight_worlds.hpp"
+#include "view/map_plan.hpp"
+#include "view/struck_obstacle.hpp"
+
+namespace avoidbench {
+namespace {
+
+int difference(const Color& a, const Color& b) {
+  int sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) sum += std::abs(int{a[i]} - int{b[i]});
+  return sum;
+}
+
+Color pixel(const Picture& picture, const Eigen::Vector2d& at) {
+  const auto index =
+      3 * (static_cast<std::size_t>(at.y()) * static_cast<std::size_t>(picture.width_px) +
+           static_cast<std::size_t>(at.x()));
+  return {picture.rgb[index], picture.rgb[index + 1], picture.rgb[index + 2]};
+}
+
+bool is_reddish(const Color& color) { return color[0] > color[1] + 40 && color[0] > color[2] + 40; }
+
+/// A trunk below a crown that is as wide as a tree's.
+World tree_world() {
+  World world = test::flight_world();
+  test::add_obstacle(world, test::cylinder_mesh(0.5, 4.0, 16), {0, 0, 0}, "tree");
+  test::add_obstacle(world, test::cylinder_mesh(3.0, 2.0, 16), {0, 0, 4}, "crown");
+  return world;
+}
+
+TEST(Plan, CrownsDoNotHideWhatStandsAtFlightHeight) {
+  const World world = tree_world();
+  const Scene scene(world);
+  const double highest_m = world.flight_bounds.sizes().z();
+  const Color ground = plan_color(scene, 10.0, 0.0, 2.0), veiled = plan_color(scene, 2.0, 0.0, 2.0);
+  const Color crown = color_below(scene, 2.0, 0.0, 20.0, highest_m);
+  EXPECT_LT(difference(veiled, ground), difference(veiled, crown));
+  EXPECT_GT(difference(veiled, ground), 10);           // it is seen that something is above
+  EXPECT_EQ(plan_color(scene, 0.1, 0.0, 2.0), crown);  // the trunk stands there
+  EXPECT_EQ(plan_color(scene, 2.0, 0.0, 5.0), crown);  // at that height the crown does
+  EXPECT_EQ(plan_color(scene, 10.0, 0.0, 5.0), ground);
+}
+
+TEST(Plan, FitsTheMap) {
+  World world = test::flight_world();
+  MapView view;
+  world.flight_bounds = Aabb(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(60, 20, 5));
+  fit_plan(world, 960, view);
+  EXPECT_EQ(view.width_px, 916);
+  EXPECT_NEAR(view.height_px, 916 * 21.0 / 61.0 + 44, 1.0);
+  world.flight_bounds = Aabb(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(20, 60, 5));
+  fit_plan(world, 960, view);
+  EXPECT_EQ(view.height_px, 960);
+  EXPECT_EQ(view.width_px, 480);  // captions need that
+}
+
+TrialRecord crash_into(std::int64_t obstacle, const std::string& kind) {
+  TrialRecord record;
+  record.outcome = Outcome::collided;
+  for (int i = 0; i <= 10; ++i) {
+    Sample sample;
+    sample.time_s = 0.1 * i;
+    sample.position_world = {-2.0 + 0.13 * i, 0.0, 2.0};
+    sample.velocity_world = {1.3, 0.0, 0.0};
+    record.samples.push_back(sample);
+  }
+  record.collisions.push_back(
+      {.time_s = 1.0, .speed_mps = 1.3, .obstacle = obstacle, .kind = kind});
+  return record;
+}
+
+TEST(Struck, TheContactIsOnTheObstacleAndMarkedThere) {
+  const World world = tree_world();
+  const auto struck = struck_obstacle(world, crash_into(1, "tree"));
+  ASSERT_NE(struck, nullptr);
+  EXPECT_EQ(struck->label, "touched tree 1 at 1.00 s, 1.3 m/s");
+  EXPECT_NEAR(struck->contact_world.x(), -0.5, 0.02);
+  EXPECT_NEAR(struck->contact_world.z(), 2.0, 0.02);
+  Panel panel =
+      make_panel(900, 900, {0, 0, 2}, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), 10.0);
+  paint_white(panel);
+  draw_struck(*struck, panel);
+  EXPECT_TRUE(is_reddish(pixel(panel.picture, panel.to_pixels(struck->contact_world))));
+  EXPECT_TRUE(is_reddish(pixel(panel.picture, panel.to_pixels({0.3, -0.3, 2}))));  // the trunk
+  // Neither what stands beside it nor the crown above, which is another obstacle.
+  EXPECT_EQ(pixel(panel.picture, panel.to_pixels({0.0, 1.5, 2})), (Color{255, 255, 255}));
+}
+
+TEST(Struck, IsNothingWhereNothingWasTouched) {
+  const World world = tree_world();
+  TrialRecord record = crash_into(1, "tree");
+  record.collisions.clear();
+  EXPECT_EQ(struck_obstacle(world, record), nullptr);
+  EXPECT_EQ(struck_obstacle(world, crash_into(99, "tree")), nullptr);  // of another world
+  record = crash_into(1, "tree");
+  record.samples.clear();
+  EXPECT_EQ(struck_obstacle(world, record), nullptr);
+}
+
+TEST(Struck, TheGroundIsNotPaintedRed) {
+  const World world = tree_world();
+  const auto struck = struck_obstacle(world, crash_into(0, "ground"));
+  ASSERT_NE(struck, nullptr);
+  Panel panel =
+      make_panel(900, 900, {0, 0, 2}, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), 10.0);
+  paint_white(panel);
+  draw_struck(*struck, panel);
+  EXPECT_EQ(pixel(panel.picture, panel.to_pixels({2.0, 2.0, 2})), (Color{255, 255, 255}));
+}
+
+TEST(Labels, StandOnAGroundOfTheirOwnWithinThePicture) {
+  Picture picture = make_picture(200, 60);  // black
+  draw_label(picture, "touched tree 1", 190, 30, {220, 20, 30});
+  int pale = 0;
+  for (std::size_t i = 0; i < picture.rgb.size(); i += 3) pale += picture.rgb[i + 1] > 180 ? 1 : 0;
+  EXPECT_GT(pale, text_width_px("touched tree 1") * 8);
+  EXPECT_GT(pixel(picture, {195.0, 32.0})[1], 180);
+  EXPECT_EQ(pixel(picture, {5.0, 30.0}), (Color{0, 0, 0}));
+}
+
+}  // namespace
+}  // namespace avoidbench
