@@ -43,15 +43,18 @@ std::string problem_of_places(const Scene& scene, const MissionSpec& spec, const
   return "";
 }
 
-/// The mission with its reference path and difficulty, or with the reason why it can't be flown.
+}  // namespace
+
 MissionRecord make_mission_record(const TrialSpec& spec, const Scene& scene, ClearanceGrid& grid,
-                                  double radius_m, std::int64_t index,
-                                  const std::vector<Mission>& listed) {
+                                  std::int64_t index, const std::vector<Mission>& listed,
+                                  std::vector<Eigen::Vector3d>* reference_world) {
+  const double radius_m = body_measure(to_eigen(spec.vehicle.body_size_m)).radius_m;
   MissionRecord mission;
   mission.index = index;
   mission.reference_length_m = std::numeric_limits<double>::quiet_NaN();
   const auto made = the_mission(scene, spec, index, listed);
   mission.is_valid = false;
+  if (reference_world != nullptr) reference_world->clear();
   if (!made) {
     mission.invalid_reason = "no start or goal with enough free space around it";
     return mission;
@@ -71,10 +74,9 @@ MissionRecord make_mission_record(const TrialSpec& spec, const Scene& scene, Cle
   mission.difficulty = mission_difficulty(
       scene, *path, radius_m,
       stream_seed(stream_seed(spec.seed, "difficulty"), static_cast<std::uint64_t>(index)));
+  if (reference_world != nullptr) *reference_world = *path;
   return mission;
 }
-
-}  // namespace
 
 MapRecord make_map_record(const TrialSpec& spec, const Scene& scene, std::int64_t mission_count,
                           const std::vector<Mission>& listed) {
@@ -93,7 +95,7 @@ MapRecord make_map_record(const TrialSpec& spec, const Scene& scene, std::int64_
                 .free_volume_ratio = free_volume_ratio(scene, grid, body),
                 .missions = {}};
   for (std::int64_t index = 0; index < mission_count; ++index) {
-    map.missions.push_back(make_mission_record(spec, scene, grid, body.radius_m, index, listed));
+    map.missions.push_back(make_mission_record(spec, scene, grid, index, listed));
   }
   return map;
 }

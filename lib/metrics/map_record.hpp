@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "metrics/clearance_grid.hpp"
 #include "metrics/difficulty.hpp"
 #include "trial/mission.hpp"
 
@@ -42,6 +43,13 @@ struct MapRecord {
 /// empty. The key stays empty: sweep/ makes it.
 MapRecord make_map_record(const TrialSpec& spec, const Scene& scene, std::int64_t mission_count,
                           const std::vector<Mission>& listed = {});
+
+/// Mission `index` of a map, measured as in its record; `reference_world`, if given, becomes its
+/// reference path, empty where it has none. `grid` is of the scene, with the world's bounds and
+/// cells of kMapCell_m; what it has found out before changes nothing.
+MissionRecord make_mission_record(const TrialSpec& spec, const Scene& scene, ClearanceGrid& grid,
+                                  std::int64_t index, const std::vector<Mission>& listed = {},
+                                  std::vector<Eigen::Vector3d>* reference_world = nullptr);
 
 /// Why listed missions can't be flown, a text each, "" where one can: by the rules that generated
 /// ones are made by.

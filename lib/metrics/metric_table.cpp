@@ -186,6 +186,11 @@ constexpr MetricDef kTable[] = {
     {"deadline_miss_count", 1, "", "Plan calls whose wall time was longer than the plan period",
      "count", "", kLess, kAll, true,
      [](In in) {
+       const auto& calls = in.record.plan_calls;
+       const bool is_timed = std::none_of(calls.begin(), calls.end(), [](const PlanCall& call) {
+         return std::isnan(call.wall_time_s);  // a learner's, who steps the flight
+       });
+       if (!is_timed) return math::kNaN;
        return count_calls(in, [](const PlanCall& call, const TrialSpec& spec) {
          return call.wall_time_s * spec.rates.plan_hz > 1.0;
        });

@@ -26,20 +26,13 @@
 #include "process/print_capture.hpp"
 #include "process/process_tree.hpp"
 #include "process/sandbox.hpp"
+#include "trial/map_scene.hpp"
 #include "trial/planner_view.hpp"
 #include "trial/run_trial.hpp"
 #include "worker/crash_report.hpp"
 
 namespace avoidbench {
 namespace {
-
-/// A map with its BVH. On the heap, since the scene keeps the world's address.
-struct Place {
-  explicit Place(const TrialSpec& spec)
-      : world(make_world(spec.map, spec.map_seed)), scene(world) {}
-  World world;
-  Scene scene;
-};
 
 /// Which file a descriptor led to.
 class FileIdentity {
@@ -98,10 +91,6 @@ void keep_from_children(const std::array<int, 3>& fds) {
   ::pthread_atfork(nullptr, nullptr, leave_worker);
 }
 
-std::string place_key(const TrialSpec& spec) {
-  return spec_to_json(spec.map).dump() + std::to_string(spec.map_seed);
-}
-
 /// All that a planner's instance is made from.
 std::string instance_key(const TrialSpec& spec) {
   // Not latency, wind or mission: a planner is not told of them at creation.
@@ -121,27 +110,27 @@ void require_unchanged(const PlannerChoice& planner) {
 struct Worker::Internals {
   CallClock clock;
   std::jthread watchdog;  // ends after the instances, whose destruction may hang
-  std::string place_key;
-  std::unique_ptr<Place> place;
+  std::string map_key;
+  std::unique_ptr<MapScene> map;
   std::map<std::string, PlannerLibrary> libraries;   // by file
   std::map<std::string, PlannerInstance> instances;  // by instance_key
   std::optional<FlightJournal> journal;
   std::optional<PrintTrimmer> trimmer;
 
-  const Place& place_of(const TrialSpec& spec);
+  const MapScene& map_of(const TrialSpec& spec);
   PlannerInstance& instance_of(const TrialSpec& spec);
   TrialRecord fly(const Job& job, const Scene& scene);
   TrialObserver bookkeeper();
 };
 
-const Place& Worker::Internals::place_of(const TrialSpec& spec) {
-  const std::string key = avoidbench::place_key(spec);
-  if (place == nullptr || key != place_key) {
-    place.reset();  // two large maps need not fit beside each other
-    place = std::make_unique<Place>(spec);
-    place_key = key;
+const MapScene& Worker::Internals::map_of(const TrialSpec& spec) {
+  const std::string key = map_scene_key(spec);
+  if (map == nullptr || key != map_key) {
+    map.reset();  // two large maps need not fit beside each other
+    map = std::make_unique<MapScene>(spec);
+    map_key = key;
   }
-  return *place;
+  return *map;
 }
 
 PlannerInstance& Worker::Internals::instance_of(const TrialSpec& spec) {
@@ -200,11 +189,11 @@ JobResult Worker::work(const Job& job) {
   if (internals_->journal) internals_->journal->restart();
   if (internals_->trimmer) internals_->trimmer->restart();
   try {
-    const Place& place = internals_->place_of(job.spec);
+    const MapScene& map = internals_->map_of(job.spec);
     if (!job.mission) {
-      result.map = make_map_record(job.spec, place.scene, job.mission_count, job.listed_missions);
+      result.map = make_map_record(job.spec, map.scene, job.mission_count, job.listed_missions);
     } else {
-      result.trial = internals_->fly(job, place.scene);
+      result.trial = internals_->fly(job, map.scene);
       result.metrics = compute_metrics({job.spec, *job.mission, *result.trial});
     }
   } catch (const InputError& error) {

@@ -1,0 +1,139 @@
+#include "env/observations.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/input_error.hpp"
+#include "env/actions.hpp"
+
+namespace avoidbench {
+namespace {
+
+template <class T>
+T* offset(T* array, std::size_t count) {
+  return array == nullptr ? nullptr : array + count;
+}
+
+float encoded(float depth_m, const ViewShape& shape, DepthEncoding encoding) {
+  const auto near_m = static_cast<float>(shape.min_range_m);
+  const auto far_m = static_cast<float>(shape.max_range_m);
+  if (encoding == DepthEncoding::metric) {
+    return std::isnan(depth_m) ? 0.0F : std::min(depth_m, far_m);
+  }
+  return std::isfinite(depth_m) ? near_m / std::max(depth_m, near_m) : 0.0F;
+}
+
+template <class Number>
+void write(Number*& to, const Eigen::Vector3d& from) {
+  for (const double number : from) *to++ = static_cast<Number>(number);
+}
+
+void write_imu(const std::vector<ImuView>& samples, const ViewShape& shape, float* to) {
+  const std::size_t shown = std::min(samples.size(), shape.imu_samples);
+  to = std::fill_n(to, (shape.imu_samples - shown) * kImuWidth, 0.0F);
+  for (std::size_t i = samples.size() - shown; i < samples.size(); ++i) {
+    *to++ = static_cast<float>(samples[i].time_s);
+    write(to, samples[i].rates_body);
+    write(to, samples[i].specific_force_body_mps2);
+  }
+}
+
+/// Offers `write` the newest image of each camera that has a new one.
+template <class View, class Write>
+void for_newest(const std::vector<View>& views, const ViewShape& shape, const Write& write) {
+  for (std::uint32_t camera = 0; camera < shape.cameras; ++camera) {
+    const auto newest = std::find_if(views.begin(), views.end(),
+                                     [camera](const View& view) { return view.camera == camera; });
+    if (newest != views.end()) write(*newest);
+  }
+}
+
+void write_images(const PlannerView& view, const ViewShape& shape, DepthEncoding encoding,
+                  const ViewArrays& to) {
+  const std::size_t area = shape.height_px * shape.width_px;
+  if (to.depth != nullptr) {
+    for_newest(view.depth, shape, [&](const DepthView& image) {
+      std::transform(image.depth_m.begin(), image.depth_m.end(), to.depth + image.camera * area,
+                     [&](float depth_m) { return encoded(depth_m, shape, encoding); });
+    });
+  }
+  if (to.stereo != nullptr) {
+    for_newest(view.stereo, shape, [&](const StereoView& pair) {
+      std::uint8_t* pixels = to.stereo + std::size_t{2} * pair.camera * area;
+      pixels = std::copy(pair.left.begin(), pair.left.end(), pixels);
+      std::copy(pair.right.begin(), pair.right.end(), pixels);
+    });
+  }
+  if (to.color != nullptr) {
+    for_newest(view.color, shape, [&](const ColorView& image) {
+      std::copy(image.rgb.begin(), image.rgb.end(),
+                to.color + std::size_t{3} * image.camera * area);
+    });
+  }
+}
+
+}  // namespace
+
+ViewShape view_shape(const TrialSpec& spec) {
+  ViewShape shape;
+  for (const auto& [kind, mounting] : rig_cameras(spec.sensor)) {
+    const auto height_px = static_cast<std::size_t>(kind.height_px);
+    const auto width_px = static_cast<std::size_t>(kind.width_px);
+    const bool is_first = shape.cameras == 0;
+    if (!is_first && (height_px != shape.height_px || width_px != shape.width_px)) {
+      throw InputError(
+          "the cameras' pictures have different sizes: an array needs them to have one");
+    }
+    shape.height_px = height_px;
+    shape.width_px = width_px;
+    // Of several kinds the widest range, so that what is encoded means the same for all.
+    shape.min_range_m = is_first ? kind.min_range_m : std::min(shape.min_range_m, kind.min_range_m);
+    shape.max_range_m = is_first ? kind.max_range_m : std::max(shape.max_range_m, kind.max_range_m);
+    ++shape.cameras;
+  }
+  shape.imu_samples = static_cast<std::size_t>(std::ceil(spec.imu.rate_hz / spec.rates.plan_hz));
+  return shape;
+}
+
+ViewArrays at(const ViewArrays& arrays, const ViewShape& shape, std::size_t index) {
+  return {.depth = offset(arrays.depth, index * shape.pixels()),
+          .stereo = offset(arrays.stereo, 2 * index * shape.pixels()),
+          .color = offset(arrays.color, 3 * index * shape.pixels()),
+          .imu = offset(arrays.imu, index * shape.imu_samples * kImuWidth),
+          .state = offset(arrays.state, index * kStateWidth),
+          .goal = offset(arrays.goal, index * kGoalWidth),
+          .pose = offset(arrays.pose, index * kPoseWidth)};
+}
+
+void write_view(const PlannerView& view, const Eigen::Vector3d& goal_world, const ViewShape& shape,
+                DepthEncoding encoding, const ViewArrays& to) {
+  write_images(view, shape, encoding, to);
+  if (to.imu != nullptr) write_imu(view.imu, shape, to.imu);
+  const Eigen::Matrix3d R_heading_world = rotation_world_heading(view.q_world_body).transpose();
+  if (float* state = to.state; state != nullptr) {
+    write(state, R_heading_world * view.velocity_world);
+    write(state, view.q_world_body.conjugate() * Eigen::Vector3d::UnitZ());
+    write(state, view.rates_body);
+  }
+  if (float* goal = to.goal; goal != nullptr) {
+    write(goal, R_heading_world * (goal_world - view.position_world));
+  }
+  if (double* pose = to.pose; pose != nullptr) {
+    *pose++ = view.time_s;
+    write(pose, view.position_world);
+    write(pose, view.velocity_world);
+    *pose++ = view.q_world_body.w();
+    write(pose, Eigen::Vector3d(view.q_world_body.vec()));
+    write(pose, view.rates_body);
+  }
+}
+
+void clear_images(const ViewShape& shape, DepthEncoding encoding, const ViewArrays& to) {
+  const bool is_metric = encoding == DepthEncoding::metric;
+  const float nothing = is_metric ? static_cast<float>(shape.max_range_m) : 0.0F;
+  if (to.depth != nullptr) std::fill_n(to.depth, shape.pixels(), nothing);
+  if (to.stereo != nullptr) std::fill_n(to.stereo, 2 * shape.pixels(), std::uint8_t{0});
+  if (to.color != nullptr) std::fill_n(to.color, 3 * shape.pixels(), std::uint8_t{0});
+}
+
+}  // namespace avoidbench

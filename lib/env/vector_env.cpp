@@ -1,0 +1,292 @@
+#include "env/vector_env.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+
+#include "base/check.hpp"
+#include "base/input_error.hpp"
+#include "env/episode_source.hpp"
+#include "env/path_progress.hpp"
+#include "env/thread_pool.hpp"
+#include "metrics/metric_table.hpp"
+#include "trial/flight.hpp"
+
+namespace avoidbench {
+namespace {
+
+/// One flight and what is known of it.
+struct Slot {
+  std::int64_t next_ordinal = 0;
+  Episode episode;
+  std::optional<Flight> flight;  ///< points into the episode
+  double gained_m = 0.0;         ///< along the reference path, so far
+  double reward_sum = 0.0;
+  std::int64_t steps = 0;
+  bool has_ended = false;
+  std::optional<EpisodeEnd> end;  ///< of the last step
+
+  bool is_flying() const { return flight.has_value() && !has_ended; }
+};
+
+bool has_crashed(Outcome outcome) {
+  return outcome == Outcome::collided || outcome == Outcome::left_bounds;
+}
+
+/// How long after an observation its command takes effect.
+double latency_s(const LatencySpec& latency) {
+  return latency.mode == LatencyMode::fixed ? seconds(ticks(latency.ms / 1000.0)) : 0.0;
+}
+
+bool are_alike(const ViewShape& a, const ViewShape& b) {
+  return a.cameras == b.cameras && a.height_px == b.height_px && a.width_px == b.width_px &&
+         a.imu_samples == b.imu_samples && a.min_range_m == b.min_range_m &&
+         a.max_range_m == b.max_range_m;
+}
+
+void require(bool is_fine, const std::string& problem) {
+  if (!is_fine) throw InputError(problem);
+}
+
+void check_numbers(const EnvSpec& spec) {
+  require(spec.slots >= 1 && spec.slots <= 65536, "slots must be from 1 to 65536");
+  require(spec.threads >= 1 && spec.threads <= 1024, "threads must be from 1 to 1024");
+  require(spec.kept_maps >= 1, "kept_maps must be 1 or more");
+  require(spec.action.points >= 1 && spec.action.points <= 1000,
+          "the points of a trajectory must be from 1 to 1000");
+  require(spec.action.horizon_s > 0.0 && spec.action.horizon_s <= 60.0,
+          "the horizon of a trajectory must be above 0 and at most 60 s");
+}
+
+}  // namespace
+
+struct VectorEnv::Internals {
+  explicit Internals(const EnvSpec& env_spec);
+
+  void require_own_process() const;
+  void begin(Slot& slot, std::size_t index, const EnvArrays& arrays);
+  void fly(Slot& slot, std::size_t index, std::span<const double> action, const EnvArrays& arrays);
+  void look(Slot& slot, std::size_t index, const EnvArrays& arrays);
+  double reward_of_step(Slot& slot) const;
+  void finish(Slot& slot, std::size_t index);
+  void gather_ends();
+  /// Does `work` for every slot; where it is interrupted or throws, all slots must be reset.
+  void for_each_slot(const std::function<void(std::size_t)>& work, const EnvPoll& poll);
+
+  EnvSpec spec;
+  EpisodeSource source;
+  ViewShape shape;
+  ActionLimits limits;
+  double step_s = 0.0;
+  pid_t process = ::getpid();
+  std::uint64_t seed;
+  std::vector<Slot> slots;
+  std::vector<EpisodeEnd> ended;
+  ThreadPool pool;
+};
+
+VectorEnv::Internals::Internals(const EnvSpec& env_spec)
+    : spec(env_spec),
+      source((check_numbers(spec), spec)),
+      seed(spec.seed),
+      slots(static_cast<std::size_t>(spec.slots)),
+      pool(static_cast<std::size_t>(std::min(spec.threads, spec.slots))) {
+  const TrialSpec& first = *source.trials().front().setting;
+  shape = view_shape(first);
+  limits = action_limits(spec.action, first.vehicle);
+  step_s = 1.0 / first.rates.plan_hz;
+  const TrialSpec* seen = nullptr;
+  for (const PlannedTrial& trial : source.trials()) {
+    const TrialSpec& setting = *trial.setting;
+    if (&setting == seen) continue;
+    seen = &setting;
+    require(!is_measured(setting.latency),
+            "latency.mode: measured and replay mean nothing to who steps flights; take fixed or "
+            "zero");
+    require(are_alike(view_shape(setting), shape) && setting.rates.plan_hz == first.rates.plan_hz,
+            "an axis of the sweep changes the cameras, the IMU's rate or rates.plan_hz: "
+            "observations need one shape");
+    const ActionLimits own = action_limits(spec.action, setting.vehicle);
+    require(own.lowest == limits.lowest && own.highest == limits.highest,
+            "an axis of the sweep changes the vehicle's limits: actions need one range");
+  }
+}
+
+void VectorEnv::Internals::require_own_process() const {
+  require(process == ::getpid(),
+          "this environment was made in another process, whose threads are not here: make it in "
+          "the process that steps it (multiprocessing: the start method spawn, or make it after "
+          "the fork)");
+}
+
+void VectorEnv::Internals::begin(Slot& slot, std::size_t index, const EnvArrays& arrays) {
+  slot.flight.reset();
+  slot.episode = source.episode(seed, index, slot.next_ordinal);
+  slot.next_ordinal = slot.episode.ordinal + 1;
+  slot.gained_m = slot.reward_sum = 0.0;
+  slot.steps = 0;
+  slot.has_ended = false;
+  slot.flight.emplace(begin_flight(slot.episode.spec, slot.episode.map->scene(),
+                                   slot.episode.mission->record.mission, spec.needs));
+  clear_images(shape, spec.depth, at(arrays.view, shape, index));
+  look(slot, index, arrays);
+  arrays.reward[index] = 0.0;
+  source.prepare(seed, index, slot.next_ordinal);
+}
+
+/// Flies to the next observation and writes it, and what came of the step.
+void VectorEnv::Internals::look(Slot& slot, std::size_t index, const EnvArrays& arrays) {
+  Flight& flight = *slot.flight;
+  const PlannerView* view = next_plan(flight);
+  slot.has_ended = view == nullptr;
+  // The end shows its state, and the images that came since the last plan.
+  const PlannerView last =
+      slot.has_ended ? planner_view(flight.perception, flight.state) : PlannerView{};
+  write_view(slot.has_ended ? last : *view, flight.mission->goal_world, shape, spec.depth,
+             at(arrays.view, shape, index));
+  const bool is_timeout = slot.has_ended && *flight.outcome == Outcome::timed_out;
+  arrays.terminated[index] = slot.has_ended && !is_timeout ? 1 : 0;
+  arrays.truncated[index] = is_timeout ? 1 : 0;
+}
+
+double VectorEnv::Internals::reward_of_step(Slot& slot) const {
+  const Flight& flight = *slot.flight;
+  const double gained_m =
+      arc_length_m(slot.episode.mission->reference_world, flight.state.position_world);
+  const double progress_m = gained_m - slot.gained_m;
+  slot.gained_m = gained_m;
+  double reward = spec.reward.progress_per_m * progress_m - spec.reward.time_per_s * step_s;
+  if (slot.has_ended && has_crashed(*flight.outcome)) reward -= spec.reward.crash;
+  if (slot.has_ended && *flight.outcome == Outcome::reached_goal) reward += spec.reward.goal;
+  return reward;
+}
+
+void VectorEnv::Internals::finish(Slot& slot, std::size_t index) {
+  Flight& flight = *slot.flight;
+  const Episode& episode = slot.episode;
+  flight.record = end_flight(std::move(flight));
+  const TrialRecord& record = flight.record;
+  slot.end = {.slot = index,
+              .episode = episode.ordinal,
+              .trial_key = trial_key(episode.spec),
+              .map_seed = episode.spec.map_seed,
+              .mission_index = episode.spec.mission_index,
+              .outcome = record.outcome,
+              .reason = record.reason,
+              .end_time_s = record.end_time_s,
+              .reward_sum = slot.reward_sum,
+              .steps = slot.steps,
+              .metrics = compute_metrics({episode.spec, episode.mission->record, record})};
+}
+
+void VectorEnv::Internals::fly(Slot& slot, std::size_t index, std::span<const double> action,
+                               const EnvArrays& arrays) {
+  Flight& flight = *slot.flight;
+  answer(flight,
+         plan_result(spec.action, action, flight.view, latency_s(slot.episode.spec.latency)));
+  look(slot, index, arrays);
+  arrays.reward[index] = reward_of_step(slot);
+  slot.reward_sum += arrays.reward[index];
+  ++slot.steps;
+  if (slot.has_ended) finish(slot, index);
+}
+
+void VectorEnv::Internals::gather_ends() {
+  for (Slot& slot : slots) {
+    if (slot.end) ended.push_back(std::move(*slot.end));
+    slot.end.reset();
+  }
+}
+
+void VectorEnv::Internals::for_each_slot(const std::function<void(std::size_t)>& work,
+                                         const EnvPoll& poll) {
+  ended.clear();
+  try {
+    pool.for_each(slots.size(), work, poll);
+  } catch (...) {
+    // Some slots are a step ahead of others.
+    for (Slot& slot : slots) {
+      slot.flight.reset();
+      slot.end.reset();
+    }
+    throw;
+  }
+  gather_ends();
+}
+
+VectorEnv::VectorEnv(const EnvSpec& spec) : internals_(std::make_unique<Internals>(spec)) {}
+
+VectorEnv::~VectorEnv() {
+  // In a forked process there are no threads to wait for: waiting would take for ever.
+  if (internals_->process != ::getpid()) static_cast<void>(internals_.release());
+}
+
+const EnvSpec& VectorEnv::spec() const { return internals_->spec; }
+const ViewShape& VectorEnv::shape() const { return internals_->shape; }
+const ActionLimits& VectorEnv::limits() const { return internals_->limits; }
+double VectorEnv::step_s() const { return internals_->step_s; }
+std::size_t VectorEnv::trial_count() const { return internals_->source.trials().size(); }
+const std::vector<EpisodeEnd>& VectorEnv::ended() const { return internals_->ended; }
+
+const TrialRecord& VectorEnv::record(std::size_t slot) const {
+  return internals_->slots.at(slot).flight.value().record;
+}
+
+const TrialSpec& VectorEnv::trial(std::size_t slot) const {
+  return internals_->slots.at(slot).episode.spec;
+}
+
+const Scene& VectorEnv::scene(std::size_t slot) const {
+  return *internals_->slots.at(slot).flight.value().scene;
+}
+
+void VectorEnv::reset(std::optional<std::uint64_t> seed, std::span<const std::uint8_t> mask,
+                      const EnvArrays& arrays, const EnvPoll& poll) {
+  Internals& in = *internals_;
+  in.require_own_process();
+  require(mask.empty() || mask.size() == in.slots.size(),
+          "the mask needs one value a slot: " + std::to_string(in.slots.size()));
+  const bool is_whole =
+      std::all_of(mask.begin(), mask.end(), [](auto value) { return value != 0; });
+  if (seed) {
+    require(is_whole, "a seed is of all slots: it can't be given for some of them");
+    in.seed = *seed;
+    for (Slot& slot : in.slots) slot.next_ordinal = 0;
+  }
+  in.for_each_slot(
+      [&](std::size_t index) {
+        if (mask.empty() || mask[index] != 0) in.begin(in.slots[index], index, arrays);
+      },
+      poll);
+}
+
+void VectorEnv::step(std::span<const double> actions, bool begins_next, const EnvArrays& arrays,
+                     const EnvPoll& poll) {
+  Internals& in = *internals_;
+  in.require_own_process();
+  const std::size_t width = action_width(in.spec.action);
+  AB_CHECK(actions.size() == width * in.slots.size(), actions.size());
+  for (std::size_t i = 0; i < in.slots.size(); ++i) {
+    const Slot& slot = in.slots[i];
+    const std::string name = "slot " + std::to_string(i) + ": ";
+    require(slot.flight.has_value(), name + "reset() comes before step()");
+    if (slot.has_ended) {
+      require(begins_next, name + "its episode has ended: reset it before the next step");
+      continue;
+    }
+    const std::string problem = action_problem(actions.subspan(i * width, width));
+    require(problem.empty(), name + problem);
+  }
+  in.for_each_slot(
+      [&](std::size_t index) {
+        Slot& slot = in.slots[index];
+        if (slot.has_ended) {
+          in.begin(slot, index, arrays);
+        } else {
+          in.fly(slot, index, actions.subspan(index * width, width), arrays);
+        }
+      },
+      poll);
+}
+
+}  // namespace avoidbench
