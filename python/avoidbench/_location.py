@@ -28,7 +28,7 @@ def program_file() -> Path:
 
 def _tell_extension() -> None:
     try:
-        _core.set_program_file(program_file())
+        _core.set_program_file(str(program_file()))
     except FileNotFoundError:
         if os.environ.get("AVOIDBENCH_PROGRAM"):
             raise

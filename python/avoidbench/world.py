@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from avoidbench import _core
-from avoidbench._text import overrides, yaml_text
+from avoidbench._text import overrides, plain_text, yaml_text
 
 _MOST_SEED = 2**64 - 1
 
@@ -64,7 +64,7 @@ def _numbers(given: ArrayLike, name: str, wanted: str) -> NDArray[np.float64]:
         raise ValueError(f"{name}: {wanted} is wanted: {error}") from None
     if array.dtype.kind not in "fiu":
         raise TypeError(f"{name}: {wanted} of real numbers is wanted, not of {array.dtype}")
-    return np.ascontiguousarray(array, dtype=np.float64)
+    return np.asarray(array, dtype=np.float64, order="C")
 
 
 def _points(given: ArrayLike, name: str) -> NDArray[np.float64]:
@@ -285,11 +285,12 @@ class World:
     ) -> tuple[bool, NDArray[np.float64]]:
         """Whether it is a single pose, not a list of them; (N, 4, 4)."""
         if poses is not None and positions is None and quaternions is None:
-            return np.ndim(poses) == 2, _poses(poses)
+            checked = _poses(poses)
+            return np.ndim(poses) == 2, checked
         if poses is None and positions is not None and quaternions is not None:
-            is_single = np.ndim(positions) == 1 and np.ndim(quaternions) == 1
             names = "positions_world and quaternions_wxyz"
-            return is_single, _joined(_points(positions, "positions_world"), _rotations(quaternions), names)
+            joined = _joined(_points(positions, "positions_world"), _rotations(quaternions), names)
+            return np.ndim(positions) == 1 and np.ndim(quaternions) == 1, joined
         raise TypeError("either T_world_camera is wanted, or both positions_world and quaternions_wxyz")
 
     def _sensor(self, sensor: str | Mapping[str, Any], fields: Mapping[str, Any]) -> _core.Sensor:
@@ -314,12 +315,9 @@ def make_world(source: str | os.PathLike[str] | Mapping[str, Any], *, seed: Supp
     options = overrides(fields)
     map_seed = None if seed is None else _seed(seed, "seed")
     if isinstance(source, Mapping):
-        # What names, flies and counts says nothing about the map.
-        own = {"sweep", "trials", "planners", "until", "axes", "max_speed_mps"}
-        map_keys = {key: value for key, value in source.items() if key not in own}
-        core = _core.read_world_text(yaml_text(map_keys, "source"), "source", options, map_seed)
+        core = _core.read_world_text(yaml_text(source, "source"), "source", options, map_seed)
     elif isinstance(source, (str, os.PathLike)):
-        given = os.fspath(source)
+        given = plain_text(os.fspath(source), "source")
         if given == "-":
             raise ValueError("source: a file or a name is wanted; '-' is none here")
         core = _core.read_world(given, options, map_seed)

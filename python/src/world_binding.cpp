@@ -122,8 +122,9 @@ Pose pose_at(const Poses& poses, std::size_t i) {
   }
   const Eigen::Matrix3d off = rotation.transpose() * rotation - Eigen::Matrix3d::Identity();
   if (!(off.cwiseAbs().maxCoeff() <= kRotationTolerance) || !(rotation.determinant() > 0.0)) {
-    refuse(name + ": the upper left 3 × 3 is no rotation: its columns must be unit vectors at "
-                  "right angles, right-handed");
+    refuse(name +
+           ": the upper left 3 × 3 is no rotation: its columns must be unit vectors at "
+           "right angles, right-handed");
   }
   check_point(matrix.topRightCorner<3, 1>(), "position of T_world_camera", i);
   Pose pose = Pose::Identity();
@@ -226,8 +227,7 @@ std::pair<Cells, std::array<double, 3>> occupancy(const Place& place, double res
   const std::int64_t strides[] = {1, static_cast<std::int64_t>(grid->columns),
                                   static_cast<std::int64_t>(grid->columns * grid->rows)};
   std::uint8_t* cells = grid->is_occupied.data();
-  const nb::capsule owner(grid.get(),
-                          [](void* p) noexcept { delete static_cast<VoxelGrid*>(p); });
+  const nb::capsule owner(grid.get(), [](void* p) noexcept { delete static_cast<VoxelGrid*>(p); });
   static_cast<void>(grid.release());
   return {Cells(cells, 3, sizes, owner, strides), origin};
 }
