@@ -10,7 +10,10 @@ build_packages=(
   nlohmann-json3-dev libsqlite3-dev libpng-dev zlib1g-dev nettle-dev libbenchmark-dev sqlite3
 )
 plot_packages=(python3 python3-matplotlib python3-numpy python3-pandas)  # scripts/plot, scripts/custom_metrics.py
-test_packages=("${plot_packages[@]}" clang clang-format clang-tidy libclang-rt-14-dev libgtest-dev libgmock-dev python3-jsonschema python3-yaml valgrind locales)
+test_packages=(
+  "${plot_packages[@]}" clang clang-format clang-tidy libclang-rt-14-dev libgtest-dev libgmock-dev python3-jsonschema python3-yaml python3-venv python3-dev
+  valgrind locales
+)
 # A Slurm of one node, for the test of scripts/slurm (the system's own services play no part), and what scripts/fresh_system.sh needs.
 slow_packages=(munge slurmctld slurmd slurm-client debootstrap)
 

@@ -27,7 +27,7 @@ of_version() {
 }
 
 files=("${asked[@]}")
-[ ${#files[@]} -gt 0 ] || mapfile -t files < <(git ls-files -- apps lib planners tests | grep -E '\.(cpp|hpp|h|c)$')
+[ ${#files[@]} -gt 0 ] || mapfile -t files < <(git ls-files -- apps lib planners python tests | grep -E '\.(cpp|hpp|h|c)$')
 
 # torn FILE…: comments behind code that go on in the next line, as clang-format leaves those that do not fit.
 torn() {
@@ -48,8 +48,11 @@ fi
 tidy=$(of_version clang-tidy)
 [ -n "$tidy" ] || exit 0
 # Eight sources at a time, as most of the time goes into the headers that they share.
-cmake --preset clang -B build/tidy -DAVOIDBENCH_UNITY=ON -DAVOIDBENCH_TESTS=OFF -DAVOIDBENCH_BENCH=OFF >/dev/null
-mapfile -t units < <(find build/tidy/{lib,apps,planners} -name 'unity_*.cxx' | sort)
+# The extension's sources too, where the Python environment is there that has nanobind (scripts/python_venv.sh).
+python=OFF folders=(lib apps planners)
+[ ! -x build/venv/bin/python ] || { python=ON; folders+=(python); }
+cmake --preset clang -B build/tidy -DAVOIDBENCH_UNITY=ON -DAVOIDBENCH_TESTS=OFF -DAVOIDBENCH_BENCH=OFF -DAVOIDBENCH_PYTHON=$python >/dev/null
+mapfile -t units < <(find "${folders[@]/#/build/tidy/}" -name 'unity_*.cxx' | sort)
 if [ ${#asked[@]} -gt 0 ]; then
   mapfile -t units < <(grep -lF "${asked[@]/#/-e}" "${units[@]}" || true)
 fi
@@ -57,7 +60,7 @@ fi
 tidy_unit() {
   # Sources that are included are what is meant here.
   "$tidy" --quiet --config-file=.clang-tidy --checks=-bugprone-suspicious-include -p build/tidy \
-    '--header-filter=/(lib|apps|planners)/.*\.(cpp|hpp|h)$' "$1" 2> >(grep -v 'warnings\? generated' >&2)
+    '--header-filter=/(lib|apps|planners|python/src)/.*\.(cpp|hpp|h)$' "$1" 2> >(grep -v 'warnings\? generated' >&2)
 }
 export -f tidy_unit
 export tidy

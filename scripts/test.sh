@@ -13,6 +13,7 @@ case "${1:-}" in
 esac
 
 scripts/install_packages.sh "$packages"
+scripts/python_venv.sh
 jobs=$(nproc)
 stage() { printf '== %s  (after %d:%02d)\n' "$1" $((SECONDS / 60)) $((SECONDS % 60)); }
 # Compiled files are found again from a checkout elsewhere.
@@ -22,7 +23,7 @@ stage "format"
 scripts/lint.sh --format-only
 stage "build with g++ (build/release)"
 cmake --preset release -DAVOIDBENCH_TESTS=ON -DAVOIDBENCH_BENCH=ON -DAVOIDBENCH_WERROR=ON -DAVOIDBENCH_UNITY=ON \
-  "-DAVOIDBENCH_COMPARE_WITH=$PWD/build/clang/avoidbench" >/dev/null
+  -DAVOIDBENCH_PYTHON=ON "-DPython_EXECUTABLE=$PWD/build/venv/bin/python" "-DAVOIDBENCH_COMPARE_WITH=$PWD/build/clang/avoidbench" >/dev/null
 cmake --build build/release --parallel "$jobs"
 stage "build the program and planners with clang (build/clang), for its warnings and to compare bits"
 cmake --preset clang "-DAVOIDBENCH_UNITY=$unity" >/dev/null

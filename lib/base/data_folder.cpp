@@ -10,11 +10,24 @@ namespace fs = std::filesystem;
 /// AVOIDBENCH_DATA_FOLDER is relative to the prefix.
 fs::path data_of(const fs::path& prefix) { return prefix / AVOIDBENCH_DATA_FOLDER; }
 
+fs::path& named_program() {
+  static fs::path file;
+  return file;
+}
+
 }  // namespace
+
+void set_program_file(const fs::path& file) { named_program() = file; }
+
+fs::path program_file() {
+  std::error_code error;
+  if (!named_program().empty()) return named_program();
+  return fs::read_symlink("/proc/self/exe", error);
+}
 
 fs::path installation_prefix() {
   std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  const fs::path program = program_file();
   for (fs::path folder = program.parent_path(); folder.has_relative_path();
        folder = folder.parent_path()) {
     if (fs::is_directory(data_of(folder) / "configs", error)) return folder;

@@ -136,6 +136,27 @@ fs::path map_or_sweep_file(const std::string& given, const std::vector<std::stri
                    did_you_mean(given, known) + "; generators: " + listed(generators));
 }
 
+/// `{generator: …}` as `{maps: {generator: …}}`.
+YamlNode under_maps(YamlNode map) {
+  YamlNode sweep;
+  sweep.kind = YamlNode::Kind::mapping;
+  sweep.source = map.source;
+  sweep.keys.emplace_back();
+  sweep.keys.back().kind = YamlNode::Kind::scalar;
+  sweep.keys.back().scalar = "maps";
+  sweep.items.push_back(std::move(map));
+  return sweep;
+}
+
+/// The overrides with the `maps.` that they may leave out.
+std::vector<std::string> from_root(std::vector<std::string> overrides) {
+  for (std::string& option : overrides) {
+    const FieldTree* key = sweep_tree().find(option.substr(0, option.find_first_of(".=")));
+    if (key == nullptr || !key->facts.empty()) option = "maps." + option;
+  }
+  return overrides;
+}
+
 }  // namespace
 
 Document read_sweep_document(const fs::path& file, const std::vector<std::string>& overrides) {
@@ -183,33 +204,25 @@ SweepSpec sweep_of_document(const Document& document, const fs::path& given) {
 }
 
 MapChoice read_map(const std::string& given, const std::vector<std::string>& overrides) {
-  YamlNode root;
-  root.kind = YamlNode::Kind::mapping;
   const std::vector<std::string>& generators = generator_names();
-  const bool is_generator =
-      std::find(generators.begin(), generators.end(), given) != generators.end();
-  const fs::path file = is_generator ? fs::path() : map_or_sweep_file(given, generators);
-  if (!is_generator) root = read_document(file).root;
-  if (root.find("generator") != nullptr || is_generator) {  // {generator: …} is {maps: {…}}
-    YamlNode sweep;
-    sweep.kind = YamlNode::Kind::mapping;
-    sweep.source = root.source;
-    sweep.keys.emplace_back();
-    sweep.keys.back().kind = YamlNode::Kind::scalar;
-    sweep.keys.back().scalar = "maps";
-    sweep.items.push_back(std::move(root));
-    root = std::move(sweep);
+  if (std::find(generators.begin(), generators.end(), given) == generators.end()) {
+    const fs::path file = map_or_sweep_file(given, generators);
+    return map_of_document(read_document(file), file.string(), file.parent_path(), overrides);
   }
-  std::vector<std::string> full = overrides;
-  for (std::string& option : full) {
-    const FieldTree* key = sweep_tree().find(option.substr(0, option.find_first_of(".=")));
-    if (key == nullptr || !key->facts.empty()) option = "maps." + option;
-  }
-  if (is_generator) full.insert(full.begin(), "maps.generator=" + given);
-  apply_overrides(root, full);
+  Document nothing;
+  nothing.root.kind = YamlNode::Kind::mapping;
+  std::vector<std::string> full{"maps.generator=" + given};
+  full.insert(full.end(), overrides.begin(), overrides.end());
+  return map_of_document(nothing, given, {}, full);
+}
+
+MapChoice map_of_document(const Document& document, const std::string& name, const fs::path& folder,
+                          const std::vector<std::string>& overrides) {
+  YamlNode root = document.root;
+  if (root.find("generator") != nullptr) root = under_maps(std::move(root));
+  apply_overrides(root, from_root(overrides));
 
   Reading reading;
-  const fs::path folder = file.parent_path();
   if (!folder.empty()) reading.folder = folder;
   MappingReader mapping(root, "", reading);
   SweepSpec sweep = sweep_from(read_keys(mapping, false, reading));
@@ -218,7 +231,7 @@ MapChoice read_map(const std::string& given, const std::vector<std::string>& ove
   round_rates(reading, sweep);
   mapping.finish();
   if (reading.problems.empty()) add_contradictions(sweep, reading);
-  if (!reading.problems.empty()) fail(reading.problems, is_generator ? given : file.string());
+  if (!reading.problems.empty()) fail(reading.problems, name);
   return {std::move(sweep.base), std::move(sweep.missions), std::move(sweep.warnings)};
 }
 

@@ -2,6 +2,7 @@
 #include <cstdlib>
 #include <set>
 
+#include "base/data_folder.hpp"
 #include "base/input_error.hpp"
 #include "plugin/planner_library.hpp"
 
@@ -79,9 +80,8 @@ std::vector<fs::path> planner_search_path() {
     if (colon != 0) add_folder(folders, rest.substr(0, colon));
     rest = colon == std::string::npos ? "" : rest.substr(colon + 1);
   }
-  std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  if (error) return folders;
+  const fs::path program = program_file();
+  if (program.empty()) return folders;
   const fs::path built = build_tree_planners(program);
   if (!built.empty()) add_folder(folders, built);
   add_folder(folders, program.parent_path().parent_path() / AVOIDBENCH_PLUGIN_FOLDER);
