@@ -16,6 +16,7 @@ APPLICATION_ID = 1635140206
 SCHEMA_VERSION = 4
 
 _LOCK_TIMEOUT_S = 10.0
+_LEAST_SQLITE = (3, 37, 0)  # reads STRICT tables
 _LEAST_KEY_DIGITS = 4
 _SHOWN_KEY_DIGITS = 12
 
@@ -82,6 +83,9 @@ def opened(path: Path) -> Iterator[sqlite3.Connection]:
         raise FileNotFoundError(f"{path}: no such file")
     if not path.is_file():
         raise ResultsError(f"{path}: not a file, but a folder or the like")
+    if sqlite3.sqlite_version_info < _LEAST_SQLITE:
+        raise ResultsError(f"this Python has SQLite {sqlite3.sqlite_version}, which can't read tables of avoidbench: "
+                           "it takes 3.37 or newer")
     connection: sqlite3.Connection | None = None
     try:
         connection = _connect(path)

@@ -8,7 +8,7 @@ import json
 import math
 import re
 import sqlite3
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -42,34 +42,39 @@ def _axis_column(cells: Sequence[str], is_text: bool) -> pd.Series[Any]:
     return pd.Series([float(cell) if cell else math.nan for cell in cells], dtype=np.float64)
 
 
-def trials_of_csv(data: bytes, number_columns: Collection[str], text_axes: Collection[str]) -> pd.DataFrame:
+def trials_of_csv(data: bytes, text_axes: Collection[str]) -> pd.DataFrame:
     """The trials that `avoidbench export trials --format csv` wrote, to the last bit.
 
     Args:
         data: the program's output.
-        number_columns: columns of float64: the metrics.
         text_axes: axes of the sweep whose values are no numbers.
     """
     rows = list(csv.reader(io.StringIO(data.decode("utf-8"), newline=""), strict=True))
     names, cells = rows[0], list(zip(*rows[1:])) or [()] * len(rows[0])
-    makers: dict[str, Callable[[Sequence[str]], pd.Series[Any]]] = {
-        "map_seed": lambda column: pd.Series([int(cell) for cell in column], dtype=np.uint64)}
+    axes = names[names.index("trial_key") + 1:]  # they come last
     columns: dict[str, pd.Series[Any]] = {}
     for name, column in zip(names, cells):
-        if name in makers:
-            columns[name] = makers[name](column)
+        if name in axes:
+            columns[name] = _axis_column(column, name in text_axes)
+        elif name == "map_seed":
+            columns[name] = pd.Series([int(cell) for cell in column], dtype=np.uint64)
         elif name in _TEXTS:
             columns[name] = pd.Series([text_of_csv_field(cell) for cell in column], dtype=object)
         elif name in _COUNTS:
             columns[name] = pd.Series([int(cell) for cell in column], dtype=np.int64)
         elif name in _FLAGS:
             columns[name] = pd.Series([bool(int(cell)) for cell in column], dtype=bool)
-        elif name in number_columns:
+        else:
             columns[name] = pd.Series([float(cell) if cell else math.nan for cell in column],
                                       dtype=np.float64)
-        else:
-            columns[name] = _axis_column(column, name in text_axes)
     return pd.DataFrame(columns)
+
+
+def no_trials(metrics: Sequence[str]) -> pd.DataFrame:
+    """A table of no trials, for a sweep of which none has finished yet."""
+    header = ("sweep", "revision", "planner", "generator", "map_seed", "mission_index", "outcome", "is_finished",
+              "reason", "end_time_s", *metrics, "attempt", "map_key", "planner_key", "trial_id", "trial_key")
+    return trials_of_csv((",".join(header) + "\r\n").encode(), ())
 
 
 def text_axes_of(specs: Collection[str]) -> set[str]:
