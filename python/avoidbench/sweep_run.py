@@ -148,6 +148,8 @@ def _fly(arguments: Sequence[str], input_text: str | None, bar: _Bar) -> tuple[l
         if process.poll() is None:
             process.terminate()
             process.wait()
+        if process.stderr is not None:
+            process.stderr.close()
     return command, process.returncode, is_interrupted
 
 
