@@ -64,7 +64,6 @@ class _Bar:
 
     def __init__(self, is_shown: bool) -> None:
         self.is_shown = is_shown
-        self.progress: dict[str, Any] = {}
         self.lines: list[str] = []
         self._bar: tqdm[Any] | None = None
 
@@ -78,7 +77,6 @@ class _Bar:
             self.say(line)
             self.lines.append(line)
             return
-        self.progress = progress
         if not self.is_shown:
             return
         if self._bar is None:
@@ -87,8 +85,10 @@ class _Bar:
         goals = ", ".join(f"{_visible(label)} {planner['reached_goal']}/{planner['flown']}"
                           for label, planner in progress["planners"].items())
         self._bar.set_postfix_str(f"goals: {goals}" if goals else "", refresh=False)
-        self._bar.update(progress["done"] - self._bar.n)
-        self._bar.refresh()
+        is_new = progress["done"] != self._bar.n
+        self._bar.n = progress["done"]
+        if is_new or sys.stderr.isatty():  # a terminal's clock goes on; a log is not filled with it
+            self._bar.refresh()
         if progress["done"] >= progress["total"]:
             self._bar.close()  # what comes now is said below it
 
@@ -97,8 +97,10 @@ class _Bar:
         if self.is_shown and line and not line.startswith("warning: "):
             tqdm.write(line, file=sys.stderr)
 
-    def close(self) -> None:
+    def close(self, is_stopped: bool) -> None:
+        """The bar of a run that was stopped goes away: the program does not say how far it came at last."""
         if self._bar is not None:
+            self._bar.leave = not is_stopped
             self._bar.close()
 
 
@@ -144,12 +146,12 @@ def _fly(arguments: Sequence[str], input_text: str | None, bar: _Bar) -> tuple[l
             process.stdin.close()
         is_interrupted = _watch(process, bar)
     finally:
-        bar.close()
         if process.poll() is None:
             process.terminate()
             process.wait()
         if process.stderr is not None:
             process.stderr.close()
+        bar.close(is_stopped=process.returncode not in (_EXIT_DONE, _EXIT_UNFLOWN))
     return command, process.returncode, is_interrupted
 
 
@@ -237,9 +239,7 @@ def run(sweep: Sweep, *, set: Mapping[str, Any] | Sequence[str] | None = None, j
     command, exit_code, is_interrupted = _fly(arguments, input_text, bar)
     stderr = "\n".join(bar.lines)
     if is_interrupted:
-        done, total = bar.progress.get("done", 0), bar.progress.get("total", "?")
-        raise KeyboardInterrupt(f"stopped after about {done} of {total} trials; all that was flown is kept, and "
-                                "the same call goes on from there")
+        raise KeyboardInterrupt("stopped; all that was flown is kept, and the same call goes on from there")
     if exit_code not in (_EXIT_DONE, _EXIT_UNFLOWN):
         raise error_of(command, exit_code, stderr)
     warn_of(stderr, stacklevel=2)

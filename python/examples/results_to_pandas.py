@@ -22,9 +22,9 @@ def print_tables(results: avoidbench.Results) -> None:
     trials = results.trials
     by_map = trials.groupby(["planner", "traversability_normalized_ratio"])
     print(by_map[["is_finished", "path_optimality_pct", "min_clearance_m"]].mean(), "\n")
-    closest = trials.nsmallest(3, "min_clearance_m")
-    print("The three flights that came closest to something:")
-    print(closest[["trial_id", "planner", "outcome", "min_clearance_m", "reason"]].to_string(index=False))
+    closest = trials[trials["is_finished"]].nsmallest(3, "min_clearance_m")
+    print("The closest shaves of flights that reached the goal:")
+    print(closest[["trial_id", "planner", "min_clearance_m", "reason"]].to_string(index=False))
 
 
 def draw_paths(results: avoidbench.Results, file: Path) -> None:

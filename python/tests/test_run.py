@@ -118,8 +118,10 @@ def test_the_bar_says_what_the_program_says(tmp_path: Path, capsys: pytest.Captu
 
 def test_the_bar_obeys_no_label(tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
                                 capsys: pytest.CaptureFixture[str]) -> None:
-    progress = json.dumps({"done": 1, "done_before": 0, "total": 2, "planners": {"\x1b[2J": {"flown": 1, "reached_goal": 1}}})
-    monkeypatch.setenv("AVOIDBENCH_PROGRAM", str(fake_program(tmp_path / "program", f"echo '{progress}' >&2\nexit 9\n")))
+    planners = {"\x1b[2J": {"flown": 1, "reached_goal": 1}}
+    progress = json.dumps({"done": 1, "done_before": 0, "total": 2, "planners": planners})
+    fake = fake_program(tmp_path / "program", f"printf '%s\\n' '{progress}' >&2\nexit 9\n")
+    monkeypatch.setenv("AVOIDBENCH_PROGRAM", str(fake))
     with pytest.raises(avoidbench.ProgramError):
         avoidbench.run(SHORT)
     err = capsys.readouterr().err
@@ -160,7 +162,7 @@ def test_an_interrupt_keeps_what_was_flown(tmp_path: Path, is_whole_group: bool)
         python.send_signal(signal.SIGINT)
     out, err = python.communicate(timeout=60)
     assert python.returncode == 0, err
-    assert "interrupted: stopped after about" in out
+    assert "interrupted: stopped; all that was flown is kept" in out
     assert "stopped; run the same command again to go on" in err and "ended at once" not in err
     assert not Path(f"/proc/{programs[0]}").exists()
     assert not Path(f"{database}-wal").exists()
@@ -169,6 +171,25 @@ def test_an_interrupt_keeps_what_was_flown(tmp_path: Path, is_whole_group: bool)
     assert 1 <= len(kept.trials) < 15
     assert set(kept.trials["outcome"]) <= {"reached_goal", "collided", "timed_out"}
     assert all(len(kept.trajectory(key)) > 0 for key in kept.trials["trial_key"])
+
+
+def test_a_second_interrupt_ends_at_once(tmp_path: Path) -> None:
+    database = tmp_path / "long.db"
+    python = subprocess.Popen([sys.executable, "-c", INTERRUPTED, json.dumps(LONG), str(database)],
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    while trial_count(database) < 1:
+        assert python.poll() is None
+        time.sleep(0.05)
+    (program,) = children_of(python.pid)
+    python.send_signal(signal.SIGINT)
+    assert python.stderr is not None
+    while "stopping: trials in flight" not in python.stderr.readline():
+        assert python.poll() is None
+    python.send_signal(signal.SIGINT)
+    out, _ = python.communicate(timeout=60)
+    assert python.returncode == 0 and "interrupted: stopped; all that was flown is kept" in out
+    assert not Path(f"/proc/{program}").exists()
+    assert len(avoidbench.read(database).trials) >= 1
 
 
 def test_results_are_read_while_a_run_writes(tmp_path: Path) -> None:
