@@ -4,17 +4,28 @@ World frame: ENU, z up, metres. Cameras: RDF (x right, y down, z forward). `T_a_
 
 from avoidbench import _location as _location  # first: tells the extension where the program lies
 from avoidbench._core import InputError
+from avoidbench.comparison import Comparison
+from avoidbench.database_file import ResultsError
+from avoidbench.program import ProgramError
+from avoidbench.results import Results, read
+from avoidbench.sweep_run import run
 from avoidbench.world import Missions, Nearest, Obstacle, Occupancy, World, look_at, make_world
 
 InputError.__module__ = __name__
 
 __all__ = [
+    "Comparison",
     "InputError",
     "Missions",
     "Nearest",
     "Obstacle",
     "Occupancy",
+    "ProgramError",
+    "Results",
+    "ResultsError",
     "World",
     "look_at",
     "make_world",
+    "read",
+    "run",
 ]
