@@ -157,20 +157,8 @@ std::vector<std::string> from_root(std::vector<std::string> overrides) {
   return overrides;
 }
 
-}  // namespace
-
-Document read_sweep_document(const fs::path& file, const std::vector<std::string>& overrides) {
-  Document document = read_document(sweep_file(file));
-  apply_overrides(document.root, overrides);
-  return document;
-}
-
-SweepSpec read_sweep(const fs::path& file, const std::vector<std::string>& overrides) {
-  return sweep_of_document(read_sweep_document(file, overrides), file);
-}
-
-SweepSpec sweep_of_document(const Document& document, const fs::path& given) {
-  const fs::path file = sweep_file(given);
+/// `file` is named in problems; other files are found from its folder.
+SweepSpec sweep_from_document(const Document& document, const fs::path& file) {
   const YamlNode& root = document.root;
   Reading reading;
   if (file.has_parent_path()) reading.folder = file.parent_path();
@@ -201,6 +189,29 @@ SweepSpec sweep_of_document(const Document& document, const fs::path& given) {
   check_size(root, sweep, reading);
   if (!reading.problems.empty()) fail(reading.problems, file.string());
   return sweep;
+}
+
+}  // namespace
+
+Document read_sweep_document(const fs::path& file, const std::vector<std::string>& overrides) {
+  Document document = read_document(sweep_file(file));
+  apply_overrides(document.root, overrides);
+  return document;
+}
+
+SweepSpec read_sweep(const fs::path& file, const std::vector<std::string>& overrides) {
+  return sweep_of_document(read_sweep_document(file, overrides), file);
+}
+
+SweepSpec sweep_of_text(const std::string& text, const std::string& name,
+                        const std::vector<std::string>& overrides) {
+  Document document{.root = parse_yaml(text, name), .included = {}};
+  apply_overrides(document.root, overrides);
+  return sweep_from_document(document, name);
+}
+
+SweepSpec sweep_of_document(const Document& document, const fs::path& given) {
+  return sweep_from_document(document, sweep_file(given));
 }
 
 MapChoice read_map(const std::string& given, const std::vector<std::string>& overrides) {

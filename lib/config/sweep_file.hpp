@@ -23,6 +23,10 @@ Document read_sweep_document(const std::filesystem::path& file,
                              const std::vector<std::string>& overrides = {});
 SweepSpec sweep_of_document(const Document& document, const std::filesystem::path& file);
 
+/// The same for a sweep that is in no file: `name` stands for it in problems.
+SweepSpec sweep_of_text(const std::string& text, const std::string& name,
+                        const std::vector<std::string>& overrides = {});
+
 /// A map alone, as `avoidbench maps` takes it.
 struct MapChoice {
   TrialSpec trial;  ///< with the map, its seed, the mission rules and what else was given

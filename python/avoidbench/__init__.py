@@ -6,14 +6,19 @@ from avoidbench import _location as _location  # first: tells the extension wher
 from avoidbench._core import InputError
 from avoidbench.comparison import Comparison
 from avoidbench.database_file import ResultsError
+from avoidbench.env import AvoidbenchEnv, AvoidbenchVectorEnv, Reward
 from avoidbench.program import ProgramError
+from avoidbench.registration import register as _register
 from avoidbench.results import Results, read
 from avoidbench.sweep_run import run
 from avoidbench.world import Missions, Nearest, Obstacle, Occupancy, World, look_at, make_world
 
 InputError.__module__ = __name__
+_register()
 
 __all__ = [
+    "AvoidbenchEnv",
+    "AvoidbenchVectorEnv",
     "Comparison",
     "InputError",
     "Missions",
@@ -23,6 +28,7 @@ __all__ = [
     "ProgramError",
     "Results",
     "ResultsError",
+    "Reward",
     "World",
     "look_at",
     "make_world",

@@ -15,4 +15,5 @@ NB_MODULE(_core, m) {
       "set_program_file", [](const std::string& file) { set_program_file(file); }, nb::arg("file"),
       "Planners and data are looked for as the program `file` would.");
   python::bind_world(m);
+  python::bind_env(m);
 }

@@ -1,0 +1,35 @@
+"""The environments that `gymnasium.make` knows once avoidbench is imported."""
+
+from typing import Any
+
+import gymnasium
+
+_CAMERA = {"preset": "depth_ideal", "width_px": 64, "height_px": 48}
+
+FOREST: dict[str, Any] = {
+    "sweep": "env_forest",
+    "maps": {"generator": "forest", "area_m": [40, 40], "poisson_radius_m": 5.5, "seeds": [1, 2, 3, 4, 5, 6, 7, 8]},
+    "trials": 40,
+    "mission": {"time_limit_s": 30},
+    "sensor": _CAMERA,
+}
+"""Eight forests with 40 missions each, 64 × 48 true depth, commands after 33 ms."""
+
+HALL: dict[str, Any] = {
+    "sweep": "env_hall",
+    "maps": {"generator": "hall", "area_m": [20, 30], "poisson_radius_m": 3.5, "seeds": [1, 2, 3, 4, 5, 6, 7, 8]},
+    "trials": 40,
+    "mission": {"time_limit_s": 30},
+    "sensor": _CAMERA,
+}
+"""Eight halls of cylinders with 40 missions each, 64 × 48 true depth, commands after 33 ms."""
+
+IDS = ("avoidbench/Forest-v0", "avoidbench/Hall-v0", "avoidbench/Sweep-v0")
+
+
+def register() -> None:
+    """Makes IDS known to Gymnasium; once is enough. Sweep-v0 needs the argument `sweep`."""
+    for name, kwargs in zip(IDS, ({"sweep": FOREST}, {"sweep": HALL}, {}), strict=True):
+        if name not in gymnasium.registry:
+            gymnasium.register(id=name, entry_point="avoidbench.env:AvoidbenchEnv", vector_entry_point="avoidbench.env:AvoidbenchVectorEnv",
+                               kwargs=kwargs)
