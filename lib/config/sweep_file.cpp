@@ -220,11 +220,11 @@ MapChoice read_map(const std::string& given, const std::vector<std::string>& ove
     const fs::path file = map_or_sweep_file(given, generators);
     return map_of_document(read_document(file), file.string(), file.parent_path(), overrides);
   }
-  Document nothing;
-  nothing.root.kind = YamlNode::Kind::mapping;
+  YamlNode map;
+  map.kind = YamlNode::Kind::mapping;
   std::vector<std::string> full{"maps.generator=" + given};
   full.insert(full.end(), overrides.begin(), overrides.end());
-  return map_of_document(nothing, given, {}, full);
+  return map_of_document({.root = under_maps(std::move(map)), .included = {}}, given, {}, full);
 }
 
 MapChoice map_of_document(const Document& document, const std::string& name, const fs::path& folder,

@@ -39,8 +39,8 @@ struct MapChoice {
 /// Overrides may leave out `maps.`. Throws InputError as read_sweep does.
 MapChoice read_map(const std::string& given, const std::vector<std::string>& overrides = {});
 
-/// The same of a document that is at hand. Files are found from the places of their names, else from
-/// `folder`; `name` is what problems without a place are of.
+/// The same of a document that is at hand. Files are found from the places of their names, else
+/// from `folder`; `name` is what problems without a place are of.
 MapChoice map_of_document(const Document& document, const std::string& name,
                           const std::filesystem::path& folder,
                           const std::vector<std::string>& overrides = {});
