@@ -209,6 +209,20 @@ def test_tables_have_the_numbers_of_the_report(tiny: avoidbench.Results, odd: av
         tiny.table("nonsense")
 
 
+def test_infinite_means_are_infinite(copy_db: Path) -> None:
+    with sqlite3.connect(copy_db) as database:
+        database.execute("UPDATE trials SET row_digest = NULL, min_clearance_m = 9e999 WHERE outcome = 'reached_goal'")
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of rows without digest
+        results = avoidbench.read(copy_db)
+        means = results.table(metrics=["path_length_m", "min_clearance_m"])
+        assert list(means["min_clearance_m"]) == [math.inf, 0.0]
+        assert list(means["path_length_m"]) == list(results.table(metrics="path_length_m")["path_length_m"])
+        assert sorted(results.trials["min_clearance_m"]) == [0.0, 0.0, math.inf, math.inf]
+        grouped = results.table("grouped", group_by=["planner", "outcome"], metrics="min_clearance_m")
+        assert grouped.set_index("planner")["min_clearance_m"]["reactive"] == math.inf
+
+
 def test_metrics_of_ones_own(tiny: avoidbench.Results, tmp_path: Path) -> None:
     file = tmp_path / "twice.sql"
     file.write_text("-- twice_m: Twice the path [m]; less is better\n"

@@ -67,7 +67,8 @@ def test_overrides_and_revisions(tmp_path: Path) -> None:
 
 
 def test_the_package_loads_without_pandas() -> None:
-    script = "import sys, avoidbench; assert 'pandas' not in sys.modules; from avoidbench import run; print(run.__name__)"
+    script = ("import sys, avoidbench; assert 'pandas' not in sys.modules; "
+              "from avoidbench import run; print(run.__name__)")
     assert subprocess.run([sys.executable, "-c", script], capture_output=True, check=True).stdout == b"run\n"
 
 
