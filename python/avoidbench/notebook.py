@@ -19,7 +19,7 @@ def _cell(text: str, tag: str = "td", is_left: bool = False) -> str:
 def _number(value: float | None) -> str:
     if value is None or math.isnan(value):
         return "–"
-    return f"{value:.3g}" if abs(value) < 1000 else f"{value:.0f}"
+    return f"{value:.3g}" if abs(value) < 1000 or math.isinf(value) else f"{value:.0f}"
 
 
 def _rate(row: Mapping[str, Any]) -> str:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -16,6 +15,7 @@ from avoidbench.database_file import (ResultsError, SweepChoice, all_sweeps, cho
                                       trial_key_of)
 from avoidbench.notebook import summary_html
 from avoidbench.program import ProgramError, run_program
+from avoidbench.report_data import read_report
 
 
 class Text(str):
@@ -164,7 +164,7 @@ class Results:
             ResultsError: the report has no such table.
         """
         arguments = self._report_arguments(metrics, metrics_from, group_by, where)
-        sweeps = json.loads(run_program([*arguments, "--format=json"]).stdout)
+        sweeps = read_report(arguments)
         known = sorted({table for sweep in sweeps for table in sweep["tables"]})
         if name not in known:
             raise ResultsError(f"the report has no table {name}; there are: {', '.join(known)}")
@@ -301,8 +301,7 @@ class Results:
     def _repr_html_(self) -> str:
         """For notebooks: a table by planner, with the rates and intervals of the program's report."""
         try:
-            sweeps = json.loads(run_program([*self._report_arguments(None, (), (), ()), "--format=json"],
-                                            warns=False).stdout)
+            sweeps = read_report(self._report_arguments(None, (), (), ()), warns=False)
             return summary_html(self._given, sweeps, self.metrics)
         except (ProgramError, ResultsError, OSError) as error:
             return summary_html(self._given, [], None, str(error))

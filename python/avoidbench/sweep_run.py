@@ -13,6 +13,7 @@ import sys
 import threading
 from collections.abc import Mapping, Sequence
 from pathlib import Path
+from types import FrameType
 from typing import Any
 
 from tqdm.auto import tqdm
@@ -110,49 +111,85 @@ def _read_lines(process: subprocess.Popen[bytes], lines: queue.SimpleQueue[str])
         lines.put(line.decode("utf-8", errors="replace").rstrip("\n"))
 
 
-def _watch(process: subprocess.Popen[bytes], bar: _Bar) -> bool:
-    """Waits for the end of the program. Returns whether the user interrupted: the first interrupt asks the
-    program to finish what flies, a second one to end at once, as in a shell."""
+class _Interrupts:
+    """Gives each SIGINT (Ctrl-C, a notebook's stop) to the program for as long as it runs, instead of raising
+    KeyboardInterrupt: the first asks it to finish what flies, a second one to end at once, as in a shell.
+
+    Only a main thread gets signals; where they are ignored (nohup), they stay so.
+    """
+
+    def __init__(self) -> None:
+        self.count = 0
+        self._given = 0
+        self._process: subprocess.Popen[bytes] | None = None
+        is_main = threading.current_thread() is threading.main_thread()
+        self._former = signal.getsignal(signal.SIGINT) if is_main else None
+        self._is_caught = self._former not in (None, signal.SIG_IGN)
+
+    def __enter__(self) -> _Interrupts:
+        if self._is_caught:
+            signal.signal(signal.SIGINT, self._forward)
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        if self._is_caught:
+            signal.signal(signal.SIGINT, self._former)
+
+    def give_to(self, process: subprocess.Popen[bytes]) -> None:
+        """From now on to this process, with those that came before it was there."""
+        self._process = process
+        self._give()
+
+    def _give(self) -> None:
+        while self._process is not None and self._given < self.count:
+            self._given += 1
+            self._process.send_signal(signal.SIGINT)
+
+    def _forward(self, _number: int, _frame: FrameType | None) -> None:
+        self.count += 1
+        self._give()
+
+
+def _watch(process: subprocess.Popen[bytes], bar: _Bar, interrupts: _Interrupts) -> None:
+    """Shows what the program says, until it ends."""
     lines: queue.SimpleQueue[str] = queue.SimpleQueue()
     reader = threading.Thread(target=_read_lines, args=(process, lines), daemon=True)
     reader.start()
-    is_interrupted = False
+    is_told = False
     while reader.is_alive() or process.poll() is None or not lines.empty():
-        try:
-            with contextlib.suppress(queue.Empty):
-                bar.take(lines.get(timeout=_POLL_S))
-        except KeyboardInterrupt:
-            process.send_signal(signal.SIGINT)
-            if not is_interrupted:
-                bar.say("stopping: trials in flight are finished first; interrupt again to end at once")
-            is_interrupted = True
-    return is_interrupted
+        if interrupts.count > 0 and not is_told:
+            bar.say("stopping: trials in flight are finished first; interrupt again to end at once")
+            is_told = True
+        with contextlib.suppress(queue.Empty):
+            bar.take(lines.get(timeout=_POLL_S))
 
 
 def _fly(arguments: Sequence[str], input_text: str | None, bar: _Bar) -> tuple[list[str], int, bool]:
     """Runs the program. Returns its command, its exit code, and whether the user interrupted."""
     command = [str(find_program()), *arguments]
-    # In a session of its own: a terminal's Ctrl-C would reach it beside the signal sent here, and two
-    # signals end it at once.
-    try:
-        process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL,
-                                   stderr=subprocess.PIPE, start_new_session=True)
-    except OSError as error:
-        raise ProgramError(f"{command[0]} can't be started: {error.strerror}", command) from error
-    try:
-        assert process.stdin is not None
-        with contextlib.suppress(BrokenPipeError):  # it ended without reading, and says why
-            process.stdin.write((input_text or "").encode())
-            process.stdin.close()
-        is_interrupted = _watch(process, bar)
-    finally:
-        if process.poll() is None:
-            process.terminate()
-            process.wait()
-        if process.stderr is not None:
-            process.stderr.close()
-        bar.close(is_stopped=process.returncode not in (_EXIT_DONE, _EXIT_UNFLOWN))
-    return command, process.returncode, is_interrupted
+    with _Interrupts() as interrupts:
+        # In a session of its own: a terminal's Ctrl-C would reach it beside the signal sent here, and two
+        # signals end it at once.
+        try:
+            process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL,
+                                       stderr=subprocess.PIPE, start_new_session=True)
+        except OSError as error:
+            raise ProgramError(f"{command[0]} can't be started: {error.strerror}", command) from error
+        try:
+            interrupts.give_to(process)
+            assert process.stdin is not None
+            with contextlib.suppress(BrokenPipeError):  # it ended without reading, and says why
+                process.stdin.write((input_text or "").encode())
+                process.stdin.close()
+            _watch(process, bar, interrupts)
+        finally:
+            if process.poll() is None:
+                process.terminate()
+                process.wait()
+            if process.stderr is not None:
+                process.stderr.close()
+            bar.close(is_stopped=process.returncode not in (_EXIT_DONE, _EXIT_UNFLOWN))
+        return command, process.returncode, interrupts.count > 0
 
 
 def _name_of(sweep: str, overrides: Sequence[str], input_text: str | None) -> str | None:

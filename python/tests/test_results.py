@@ -199,7 +199,13 @@ def test_reports_are_the_programs_own(tiny: avoidbench.Results, odd: avoidbench.
 def test_tables_have_the_numbers_of_the_report(tiny: avoidbench.Results, odd: avoidbench.Results,
                                                program: Program) -> None:
     (report,) = json.loads(program("report", tiny.path, "--format", "json"))
+    cells = rows_of_csv(program("report", tiny.path, "--format", "csv"))
+    infinite = {(cell["table"], cell["planner"], cell["name"]) for cell in cells if cell["value"] == "inf"}
+    # One planner never reached the goal: that is a time, not one that is not known.
+    assert ("flight_time", "straight_line", "time_to_goal_25pct_s") in infinite
     for name, rows in report["tables"].items():
+        for row in rows:
+            row.update({key: math.inf for key in row if (name, row.get("planner"), key) in infinite})
         if rows:
             assert_same(tiny.table(name), [{"sweep": "tiny", **row} for row in rows])
     grouped = tiny.table("grouped", group_by=["planner", "outcome"], metrics="path_length_m")
@@ -207,6 +213,20 @@ def test_tables_have_the_numbers_of_the_report(tiny: avoidbench.Results, odd: av
     assert list(odd.table()["sweep"]) == ["odd", "other"]
     with pytest.raises(avoidbench.ResultsError, match="no table nonsense; there are: .*planners"):
         tiny.table("nonsense")
+
+
+def test_infinite_means_are_infinite(copy_db: Path) -> None:
+    with sqlite3.connect(copy_db) as database:
+        database.execute("UPDATE trials SET row_digest = NULL, min_clearance_m = 9e999 WHERE outcome = 'reached_goal'")
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of rows without digest
+        results = avoidbench.read(copy_db)
+        means = results.table(metrics=["path_length_m", "min_clearance_m"])
+        assert list(means["min_clearance_m"]) == [math.inf, 0.0]
+        assert list(means["path_length_m"]) == list(results.table(metrics="path_length_m")["path_length_m"])
+        assert sorted(results.trials["min_clearance_m"]) == [0.0, 0.0, math.inf, math.inf]
+        grouped = results.table("grouped", group_by=["planner", "outcome"], metrics="min_clearance_m")
+        assert grouped.set_index("planner")["min_clearance_m"]["reactive"] == math.inf
 
 
 def test_metrics_of_ones_own(tiny: avoidbench.Results, tmp_path: Path) -> None:

@@ -66,6 +66,12 @@ def test_overrides_and_revisions(tmp_path: Path) -> None:
     assert other.choice == "third@1" and len(avoidbench.read(database).sweeps) == 3
 
 
+def test_the_package_loads_without_pandas() -> None:
+    script = ("import sys, avoidbench; assert 'pandas' not in sys.modules; "
+              "from avoidbench import run; print(run.__name__)")
+    assert subprocess.run([sys.executable, "-c", script], capture_output=True, check=True).stdout == b"run\n"
+
+
 def test_a_shard(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     with warnings.catch_warnings():
