@@ -88,8 +88,8 @@ void check_numbers(const EnvSpec& spec) {
   require(spec.kept_maps >= 1, "kept_maps must be 1 or more");
   require(spec.action.points >= 1 && spec.action.points <= 1000,
           "the points of a trajectory must be from 1 to 1000");
-  require(spec.action.horizon_s > 0.0 && spec.action.horizon_s <= 60.0,
-          "the horizon of a trajectory must be above 0 and at most 60 s");
+  require(spec.action.horizon_s >= 0.01 && spec.action.horizon_s <= 60.0,
+          "the horizon of a trajectory must be from 0.01 to 60 s");
 }
 
 }  // namespace
@@ -327,7 +327,7 @@ void VectorEnv::step(std::span<const double> actions, bool begins_next, const En
       require(begins_next, name + "its episode has ended: reset it before the next step");
       continue;
     }
-    const std::string problem = action_problem(actions.subspan(i * width, width));
+    const std::string problem = action_problem(in.spec.action, actions.subspan(i * width, width));
     require(problem.empty(), name + problem);
   }
   in.for_each_slot(

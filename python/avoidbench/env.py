@@ -239,7 +239,7 @@ class AvoidbenchVectorEnv(gymnasium.vector.VectorEnv[Observation, NDArray[Any], 
         kept_maps: maps in memory beside those that fly.
         policy: the planner's label in trial keys.
 
-    infos of an episode's end (with Gymnasium's masks, "_outcome" and so on): outcome, reason, trial_key, map_seed, mission_index,
+    infos of an episode's end (with Gymnasium's masks, "_outcome" and so on): outcome, reason, trial_key, map_seed, mission_index, episode_index,
     end_time_s, steps, reward_sum (of what reward gave), and in "metrics" each metric of `avoidbench metrics`, NaN where it is of no meaning.
 
     Raises InputError, a ValueError, with file, line and column for what is wrong in a sweep; TypeError and ValueError for the rest."""

@@ -150,7 +150,7 @@ nb::dict dict_of(const EpisodeEnd& end) {
   }
   nb::dict dict;
   dict["slot"] = end.slot;
-  dict["episode"] = end.episode;
+  dict["episode_index"] = end.episode;  // "episode" is what Gymnasium's wrappers write
   dict["trial_key"] = end.trial_key;
   dict["map_seed"] = end.map_seed;
   dict["mission_index"] = end.mission_index;
