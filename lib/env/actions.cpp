@@ -102,7 +102,7 @@ std::vector<ab_point> trajectory_points(const ActionSpec& spec, std::span<const 
   points.push_back(point_at(spline, yaws, begin_s));
   for (std::size_t i = 1; i < spline.position.size(); ++i) {
     const double time_s = static_cast<double>(i) * period_s - begin_s;
-    if (time_s <= 1e-6) continue;
+    if (time_s <= 1e-6 * period_s) continue;
     points.push_back(point_of(time_s, spline.position[i], spline.velocity[i],
                               spline.acceleration[i], yaws[i], (yaws[i] - yaws[i - 1]) / period_s));
   }
@@ -152,13 +152,17 @@ ActionLimits action_limits(const ActionSpec& action, const VehicleSpec& vehicle)
   return {std::move(lowest), std::move(highest)};
 }
 
-std::string action_problem(std::span<const double> action) {
+std::string action_problem(const ActionSpec& spec, std::span<const double> action) {
+  // Less than of a command: a trajectory's yaw is added to the vehicle's.
+  constexpr double kMostOfYaw = 0.9 * kMostYaw;
   for (std::size_t i = 0; i < action.size(); ++i) {
     const std::string name = "number " + std::to_string(i) + " of the action";
     if (!std::isfinite(action[i])) return name + " is not finite";
-    if (std::abs(action[i]) > kMostOfCommand) {
+    const bool is_yaw = spec.kind != ActionKind::rates_thrust && i % kPointWidth == 3;
+    const double most = is_yaw ? kMostOfYaw : kMostOfCommand;
+    if (std::abs(action[i]) > most) {
       return name + " is " + significant_digits(action[i], 3) + ", beyond ±" +
-             significant_digits(kMostOfCommand, 3) + ": no such action is meant";
+             significant_digits(most, 3) + ": no such action is meant";
     }
   }
   return "";

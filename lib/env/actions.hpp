@@ -32,7 +32,7 @@ ActionLimits action_limits(const ActionSpec& action, const VehicleSpec& vehicle)
 
 /// What is wrong with the numbers of an action, "" for nothing: one that is not finite or beyond
 /// what any command may hold.
-std::string action_problem(std::span<const double> action);
+std::string action_problem(const ActionSpec& spec, std::span<const double> action);
 
 /// The command that `action` means to who sees `view`; it takes effect `latency_s` later.
 /// action_problem() must be empty. Times that are measured of planners are NaN.

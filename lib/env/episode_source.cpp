@@ -1,6 +1,7 @@
 #include "env/episode_source.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "base/check.hpp"
 #include "base/random.hpp"
@@ -27,13 +28,12 @@ SharedMap::SharedMap(const TrialSpec& setting)
 const MeasuredMission& SharedMap::mission(const TrialSpec& setting, std::int64_t index,
                                           const std::vector<Mission>& listed) {
   const std::lock_guard lock(mutex_);
-  const auto [mission, is_new] = missions_.try_emplace({&setting, index});
-  if (is_new) {
-    MeasuredMission& measured = mission->second;
-    measured.record =
-        make_mission_record(setting, map_.scene, grid_, index, listed, &measured.reference_world);
-  }
-  return mission->second;
+  const std::pair key{&setting, index};
+  if (const auto known = missions_.find(key); known != missions_.end()) return known->second;
+  MeasuredMission measured;
+  measured.record =
+      make_mission_record(setting, map_.scene, grid_, index, listed, &measured.reference_world);
+  return missions_.emplace(key, std::move(measured)).first->second;
 }
 
 /// A map that is made once, by the first who needs it.
@@ -95,8 +95,10 @@ void EpisodeSource::forget_maps() {
   }
 }
 
-Episode EpisodeSource::episode(std::uint64_t seed, std::size_t slot, std::int64_t ordinal) {
+Episode EpisodeSource::episode(std::uint64_t seed, std::size_t slot, std::int64_t ordinal,
+                               const std::function<void()>& poll) {
   for (std::int64_t attempt = 0; attempt < kMostAttempts; ++attempt) {
+    if (poll) poll();
     const PlannedTrial& trial = trial_of({seed, slot, ordinal}, attempt);
     const TrialSpec& setting = *trial.setting;
     std::shared_ptr<SharedMap> map = map_of(setting);
@@ -132,7 +134,11 @@ void EpisodeSource::build_ahead(const std::stop_token& stop) {
       requests_.pop_front();
     }
     try {
-      std::shared_ptr<SharedMap> map = episode(request.seed, request.slot, request.ordinal).map;
+      const auto heed_end = [&stop] {
+        if (stop.stop_requested()) throw std::runtime_error("nobody waits for this map");
+      };
+      std::shared_ptr<SharedMap> map =
+          episode(request.seed, request.slot, request.ordinal, heed_end).map;
       const std::lock_guard lock(mutex_);
       ahead_[request.slot] = std::move(map);  // else others may push it out before it is flown
     } catch (const std::exception&) {

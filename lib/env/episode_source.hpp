@@ -3,6 +3,7 @@
 #include <condition_variable>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -65,8 +66,10 @@ class EpisodeSource {
   const std::vector<PlannedTrial>& trials() const { return trials_; }
 
   /// Waits for the map where it is not made yet. Throws InputError where a map can't be made, or
-  /// where no mission that was tried can be flown.
-  Episode episode(std::uint64_t seed, std::size_t slot, std::int64_t ordinal);
+  /// where no mission that was tried can be flown. `poll` is called before each try; what it throws
+  /// ends the search.
+  Episode episode(std::uint64_t seed, std::size_t slot, std::int64_t ordinal,
+                  const std::function<void()>& poll = {});
 
   /// The same will be asked for soon.
   void prepare(std::uint64_t seed, std::size_t slot, std::int64_t ordinal);

@@ -128,10 +128,8 @@ void write_view(const PlannerView& view, const Eigen::Vector3d& goal_world, cons
   }
 }
 
-void clear_images(const ViewShape& shape, DepthEncoding encoding, const ViewArrays& to) {
-  const bool is_metric = encoding == DepthEncoding::metric;
-  const float nothing = is_metric ? static_cast<float>(shape.max_range_m) : 0.0F;
-  if (to.depth != nullptr) std::fill_n(to.depth, shape.pixels(), nothing);
+void clear_images(const ViewShape& shape, const ViewArrays& to) {
+  if (to.depth != nullptr) std::fill_n(to.depth, shape.pixels(), 0.0F);
   if (to.stereo != nullptr) std::fill_n(to.stereo, 2 * shape.pixels(), std::uint8_t{0});
   if (to.color != nullptr) std::fill_n(to.color, 3 * shape.pixels(), std::uint8_t{0});
 }

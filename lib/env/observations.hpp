@@ -48,7 +48,7 @@ ViewArrays at(const ViewArrays& arrays, const ViewShape& shape, std::size_t inde
 void write_view(const PlannerView& view, const Eigen::Vector3d& goal_world, const ViewShape& shape,
                 DepthEncoding encoding, const ViewArrays& to);
 
-/// Writes what is seen before the first image: nothing.
-void clear_images(const ViewShape& shape, DepthEncoding encoding, const ViewArrays& to);
+/// Writes what is seen before the first image: nothing is known.
+void clear_images(const ViewShape& shape, const ViewArrays& to);
 
 }  // namespace avoidbench

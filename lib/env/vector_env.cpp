@@ -3,6 +3,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
+#include <exception>
+#include <stdexcept>
+#include <thread>
 
 #include "base/check.hpp"
 #include "base/input_error.hpp"
@@ -26,6 +30,36 @@ struct Slot {
   bool has_ended = false;
   TrialRecord record;             ///< of the last flight that ended
   std::optional<EpisodeEnd> end;  ///< of the last step
+};
+
+/// Lets the caller's poll interrupt work that all threads do.
+class Interruption {
+ public:
+  explicit Interruption(const EnvPoll& poll) : poll_(poll) {}
+
+  /// In the calling thread polls; throws in all threads once that has thrown.
+  void heed() {
+    if (has_come_) throw std::runtime_error("interrupted");
+    if (!poll_ || std::this_thread::get_id() != caller_) return;
+    try {
+      poll_();
+    } catch (...) {
+      what_ = std::current_exception();
+      has_come_ = true;
+      throw;
+    }
+  }
+
+  /// When all threads are done.
+  void rethrow() const {
+    if (what_) std::rethrow_exception(what_);
+  }
+
+ private:
+  const EnvPoll& poll_;
+  std::thread::id caller_ = std::this_thread::get_id();
+  std::atomic<bool> has_come_ = false;
+  std::exception_ptr what_;
 };
 
 bool has_crashed(Outcome outcome) {
@@ -53,8 +87,8 @@ void check_numbers(const EnvSpec& spec) {
   require(spec.kept_maps >= 1, "kept_maps must be 1 or more");
   require(spec.action.points >= 1 && spec.action.points <= 1000,
           "the points of a trajectory must be from 1 to 1000");
-  require(spec.action.horizon_s > 0.0 && spec.action.horizon_s <= 60.0,
-          "the horizon of a trajectory must be above 0 and at most 60 s");
+  require(spec.action.horizon_s >= 0.01 && spec.action.horizon_s <= 60.0,
+          "the horizon of a trajectory must be from 0.01 to 60 s");
 }
 
 }  // namespace
@@ -63,14 +97,15 @@ struct VectorEnv::Internals {
   explicit Internals(const EnvSpec& env_spec);
 
   void require_own_process() const;
-  void begin(Slot& slot, std::size_t index, const EnvArrays& arrays);
+  void begin(Slot& slot, std::size_t index, const EnvArrays& arrays, Interruption& interruption);
   void fly(Slot& slot, std::size_t index, std::span<const double> action, const EnvArrays& arrays);
   void look(Slot& slot, std::size_t index, const EnvArrays& arrays);
   double reward_of_step(Slot& slot) const;
   void finish(Slot& slot, std::size_t index);
   void gather_ends();
   /// Does `work` for every slot; where it is interrupted or throws, all slots must be reset.
-  void for_each_slot(const std::function<void(std::size_t)>& work, const EnvPoll& poll);
+  void for_each_slot(const std::function<void(std::size_t, Interruption&)>& work,
+                     const EnvPoll& poll);
 
   EnvSpec spec;
   EpisodeSource source;
@@ -94,6 +129,11 @@ VectorEnv::Internals::Internals(const EnvSpec& env_spec)
   shape = view_shape(first);
   limits = action_limits(spec.action, first.vehicle);
   step_s = 1.0 / first.rates.plan_hz;
+  require(
+      (spec.needs & AB_SEES_DEPTH) == 0 || spec.depth != DepthEncoding::inverse ||
+          shape.min_range_m > 0.0,
+      "inverse depth is a share of the sensor's min_range_m, which is 0: set it, or take metric "
+      "depth");
   const TrialSpec* seen = nullptr;
   for (const PlannedTrial& trial : source.trials()) {
     const TrialSpec& setting = *trial.setting;
@@ -118,17 +158,22 @@ void VectorEnv::Internals::require_own_process() const {
           "the fork)");
 }
 
-void VectorEnv::Internals::begin(Slot& slot, std::size_t index, const EnvArrays& arrays) {
+void VectorEnv::Internals::begin(Slot& slot, std::size_t index, const EnvArrays& arrays,
+                                 Interruption& interruption) {
   slot.flight.reset();
-  slot.episode = source.episode(seed, index, slot.next_ordinal);
+  slot.episode =
+      source.episode(seed, index, slot.next_ordinal, [&interruption] { interruption.heed(); });
   slot.next_ordinal = slot.episode.ordinal + 1;
   slot.gained_m = slot.reward_sum = 0.0;
   slot.steps = 0;
   slot.has_ended = false;
   slot.flight.emplace(begin_flight(slot.episode.spec, slot.episode.map->scene(),
                                    slot.episode.mission->record.mission, spec.needs));
-  clear_images(shape, spec.depth, at(arrays.view, shape, index));
+  clear_images(shape, at(arrays.view, shape, index));
   look(slot, index, arrays);
+  // A flight that is at its goal where it starts ends in its first step, so that its end is told.
+  slot.has_ended = false;
+  arrays.terminated[index] = arrays.truncated[index] = 0;
   arrays.reward[index] = 0.0;
   source.prepare(seed, index, slot.next_ordinal);
 }
@@ -180,8 +225,10 @@ void VectorEnv::Internals::finish(Slot& slot, std::size_t index) {
 void VectorEnv::Internals::fly(Slot& slot, std::size_t index, std::span<const double> action,
                                const EnvArrays& arrays) {
   Flight& flight = *slot.flight;
-  answer(flight,
-         plan_result(spec.action, action, flight.view, latency_s(slot.episode.spec.latency)));
+  if (!flight.outcome) {
+    answer(flight,
+           plan_result(spec.action, action, flight.view, latency_s(slot.episode.spec.latency)));
+  }
   look(slot, index, arrays);
   arrays.reward[index] = reward_of_step(slot);
   slot.reward_sum += arrays.reward[index];
@@ -196,17 +243,21 @@ void VectorEnv::Internals::gather_ends() {
   }
 }
 
-void VectorEnv::Internals::for_each_slot(const std::function<void(std::size_t)>& work,
-                                         const EnvPoll& poll) {
+void VectorEnv::Internals::for_each_slot(
+    const std::function<void(std::size_t, Interruption&)>& work, const EnvPoll& poll) {
   ended.clear();
+  Interruption interruption(poll);
   try {
-    pool.for_each(slots.size(), work, poll);
+    pool.for_each(
+        slots.size(), [&](std::size_t index) { work(index, interruption); },
+        [&] { interruption.heed(); });
   } catch (...) {
     // Some slots are a step ahead of others.
     for (Slot& slot : slots) {
       slot.flight.reset();
       slot.end.reset();
     }
+    interruption.rethrow();
     throw;
   }
   gather_ends();
@@ -252,8 +303,10 @@ void VectorEnv::reset(std::optional<std::uint64_t> seed, std::span<const std::ui
     for (Slot& slot : in.slots) slot.next_ordinal = 0;
   }
   in.for_each_slot(
-      [&](std::size_t index) {
-        if (mask.empty() || mask[index] != 0) in.begin(in.slots[index], index, arrays);
+      [&](std::size_t index, Interruption& interruption) {
+        if (mask.empty() || mask[index] != 0) {
+          in.begin(in.slots[index], index, arrays, interruption);
+        }
       },
       poll);
 }
@@ -272,14 +325,14 @@ void VectorEnv::step(std::span<const double> actions, bool begins_next, const En
       require(begins_next, name + "its episode has ended: reset it before the next step");
       continue;
     }
-    const std::string problem = action_problem(actions.subspan(i * width, width));
+    const std::string problem = action_problem(in.spec.action, actions.subspan(i * width, width));
     require(problem.empty(), name + problem);
   }
   in.for_each_slot(
-      [&](std::size_t index) {
+      [&](std::size_t index, Interruption& interruption) {
         Slot& slot = in.slots[index];
         if (slot.has_ended) {
-          in.begin(slot, index, arrays);
+          in.begin(slot, index, arrays, interruption);
         } else {
           in.fly(slot, index, actions.subspan(index * width, width), arrays);
         }

@@ -9,11 +9,11 @@ namespace avoidbench {
 namespace {
 
 /// Why a number of a command can't be meant; "" where it can.
-std::string number_problem(const char* name, double value) {
+std::string number_problem(const char* name, double value, double most = kMostOfCommand) {
   if (!std::isfinite(value)) return std::string(name) + " is not finite";
-  if (std::abs(value) <= kMostOfCommand) return "";
+  if (std::abs(value) <= most) return "";
   return std::string(name) + " is " + significant_digits(value, 3) + ", beyond ±" +
-         significant_digits(kMostOfCommand, 3) + ": no such command is meant";
+         significant_digits(most, 3) + ": no such command is meant";
 }
 
 std::string vector_problem(const char* name, const double (&v)[3]) {
@@ -26,8 +26,8 @@ std::string vector_problem(const char* name, const double (&v)[3]) {
 
 std::string yaw_problem(const ab_command& command) {
   return (command.flags & AB_YAW_IS_RATE) != 0
-             ? number_problem("yaw_rate_radps", command.yaw_rate_radps)
-             : number_problem("yaw_rad", command.yaw_rad);
+             ? number_problem("yaw_rate_radps", command.yaw_rate_radps, kMostYaw)
+             : number_problem("yaw_rad", command.yaw_rad, kMostYaw);
 }
 
 /// The first of them that is one.
@@ -44,7 +44,7 @@ std::string point_problem(const ab_point& point) {
                         vector_problem("velocity_world_mps", point.velocity_world_mps),
                         vector_problem("acceleration_world_mps2", point.acceleration_world_mps2),
                         vector_problem("jerk_world_mps3", point.jerk_world_mps3),
-                        number_problem("yaw_rad", point.yaw_rad),
+                        number_problem("yaw_rad", point.yaw_rad, kMostYaw),
                         number_problem("yaw_rate_radps", point.yaw_rate_radps)});
 }
 

@@ -1,5 +1,6 @@
 """Environments of Gymnasium: flights that a learner steps. Episodes are trials of a sweep, judged by the same metrics."""
 
+import difflib
 import math
 import operator
 import os
@@ -65,7 +66,9 @@ def _observed(observe: Sequence[str]) -> tuple[str, ...]:
     names = tuple(observe)
     for name in names:
         if name not in OBSERVATIONS:
-            raise ValueError(f"observe: {name!r} is none of {', '.join(OBSERVATIONS)}")
+            alike = difflib.get_close_matches(str(name), OBSERVATIONS, 1)
+            hint = f" (did you mean {alike[0]}?)" if alike else ""
+            raise ValueError(f"observe: {name!r} is none of {', '.join(OBSERVATIONS)}{hint}")
     if not names or len(set(names)) != len(names):
         raise ValueError("observe: at least one name is wanted, and each once")
     return names
@@ -82,6 +85,19 @@ def _view_space(name: str, shape: Mapping[str, Any], depth: str) -> gymnasium.sp
         return gymnasium.spaces.Box(0, 255, (cameras, height, width, 3), np.uint8)
     sizes: dict[str, tuple[int, ...]] = {"state": (9,), "goal": (3,), "pose": (14,), "imu": (shape["imu_samples"], 7)}
     return gymnasium.spaces.Box(-np.inf, np.inf, sizes[name], _DTYPES.get(name, np.float32))
+
+
+def _array(actions: ArrayLike, wanted: tuple[int, ...], name: str) -> NDArray[Any]:
+    """`actions` as an array, if it has this shape and is of real numbers."""
+    try:
+        array = np.asarray(actions)
+    except ValueError as error:
+        raise ValueError(f"{name}: an array {wanted} is wanted: {error}") from None
+    if array.dtype.kind not in "fiu":
+        raise TypeError(f"{name}: real numbers are wanted, not {array.dtype}")
+    if array.shape != wanted:
+        raise ValueError(f"{name}: an array {wanted} is wanted, not {array.shape}")
+    return array
 
 
 class _Flights:
@@ -122,6 +138,7 @@ class _Flights:
             self.views[name] = np.zeros((slots, *(space.shape or ())), space.dtype)
             self.core.write_view(name, self.views[name])
         self.rewards = np.zeros(slots)
+        self._own_sums = np.zeros(slots)  # of the reward function, over the episode
         self._ends = np.zeros((2, slots), np.uint8)
         self.core.write_results(self.rewards, self._ends[0], self._ends[1])
         self.slots = slots
@@ -136,23 +153,38 @@ class _Flights:
 
     def step(self, actions: ArrayLike, begins_next: bool) -> None:
         """`actions`: (slots, width)."""
-        wanted = (self.slots, *(self.action_space.shape or ()))
-        try:
-            array = np.asarray(actions)
-        except ValueError as error:
-            raise ValueError(f"actions: an array {wanted} is wanted: {error}") from None
-        if array.dtype.kind not in "fiu":
-            raise TypeError(f"actions: real numbers are wanted, not {array.dtype}")
-        if array.shape != wanted:
-            raise ValueError(f"actions: an array {wanted} is wanted, not {array.shape}")
+        array = _array(actions, (self.slots, *(self.action_space.shape or ())), "actions")
         numbers = np.ascontiguousarray(array, np.float64)
         before = self.terminated | self.truncated
+        self._own_sums[before] = 0.0
         self.core.step(numbers, begins_next)
         if self.reward_function is not None:
-            own = np.asarray(self.reward_function(self.views, numbers, self.rewards.copy(), self.terminated, self.truncated), np.float64)
+            own = np.asarray(self.reward_function(self.views, numbers, self.rewards.copy(), self.terminated, self.truncated))
+            if own.dtype.kind not in "fiub":
+                raise TypeError(f"reward: the function gave {own.dtype} where real numbers are wanted")
             if own.shape != (self.slots,):
                 raise ValueError(f"reward: the function gave an array {own.shape} where ({self.slots},) is wanted")
+            if not np.isfinite(own).all():
+                raise ValueError(f"reward: the function gave {own[~np.isfinite(own)][0]}, which is not finite")
             self.rewards[:] = np.where(before, 0.0, own)  # the first observation of an episode has no reward
+            self._own_sums += self.rewards
+
+    def __reduce__(self) -> str:
+        raise TypeError("an environment can't be copied or pickled: make another one with the same arguments")
+
+    def reset(self, seed: int | None, mask: NDArray[np.bool_] | None) -> None:
+        """Begins episodes in all slots, or in those of the mask."""
+        self.core.reset(seed, [] if mask is None else mask.astype(int).tolist())
+        self._own_sums[slice(None) if mask is None else mask] = 0.0
+
+    def ended(self) -> list[dict[str, Any]]:
+        """What is known of each episode that the last step ended, by slot."""
+        ends: list[dict[str, Any]] = self.core.ended()
+        for end in ends:
+            end["map_seed"] = np.uint64(end["map_seed"])  # Gymnasium makes an array of int64 of Python's numbers
+            if self.reward_function is not None:
+                end["reward_sum"] = float(self._own_sums[end["slot"]])
+        return ends
 
 
 def _default_threads() -> int:
@@ -198,7 +230,7 @@ class AvoidbenchVectorEnv(gymnasium.vector.VectorEnv[Observation, NDArray[Any], 
             evenly spaced over `trajectory_horizon_s`). They take effect after the sweep's latency.
         frame: of velocities, accelerations and trajectories: "heading" or "world".
         reward: a Reward; a function of (observation, actions, default reward, terminated, truncated), arrays over N, that gives (N,);
-            or None for zeros.
+            or None for zeros. What the function gives must be finite; where it raises, the step was flown all the same.
         order: "random", or "in_turn": slot s flies the trials s, s + N, … of the sweep and begins again.
         seed: of the first reset() without a seed.
         autoreset_mode: Gymnasium's. NEXT_STEP: the step after an end begins the next episode, without a reward. SAME_STEP: an end gives
@@ -207,8 +239,8 @@ class AvoidbenchVectorEnv(gymnasium.vector.VectorEnv[Observation, NDArray[Any], 
         kept_maps: maps in memory beside those that fly.
         policy: the planner's label in trial keys.
 
-    infos of an episode's end (with Gymnasium's masks, "_outcome" and so on): outcome, reason, trial_key, map_seed, mission_index,
-    end_time_s, steps, reward_sum, and in "metrics" each metric of `avoidbench metrics`, NaN where it is of no meaning.
+    infos of an episode's end (with Gymnasium's masks, "_outcome" and so on): outcome, reason, trial_key, map_seed, mission_index, episode_index,
+    end_time_s, steps, reward_sum (of what reward gave), and in "metrics" each metric of `avoidbench metrics`, NaN where it is of no meaning.
 
     Raises InputError, a ValueError, with file, line and column for what is wrong in a sweep; TypeError and ValueError for the rest."""
 
@@ -251,7 +283,7 @@ class AvoidbenchVectorEnv(gymnasium.vector.VectorEnv[Observation, NDArray[Any], 
         flights = self._open()
         if isinstance(seed, list):
             raise TypeError("seed: one number for all slots is wanted; it gives each slot trials of its own")
-        mask: list[int] = []
+        mask: NDArray[np.bool_] | None = None
         for name in options or {}:
             if name != "reset_mask":
                 raise ValueError(f"options: {name!r} is no option; there is 'reset_mask'")
@@ -261,8 +293,8 @@ class AvoidbenchVectorEnv(gymnasium.vector.VectorEnv[Observation, NDArray[Any], 
                 raise ValueError(f"options['reset_mask']: bool ({self.num_envs},) is wanted, not {array.dtype} {array.shape}")
             if not array.any():
                 raise ValueError("options['reset_mask']: at least one slot is wanted")
-            mask = array.astype(int).tolist()
-        flights.core.reset(_seed_of(seed), mask)
+            mask = array
+        flights.reset(_seed_of(seed), mask)
         return self._seen(), {}
 
     def step(self, actions: NDArray[Any]) -> tuple[Observation, NDArray[Any], NDArray[Any], NDArray[Any], dict[str, Any]]:
@@ -272,7 +304,7 @@ class AvoidbenchVectorEnv(gymnasium.vector.VectorEnv[Observation, NDArray[Any], 
         flights = self._open()
         flights.step(actions, self.autoreset_mode == AutoresetMode.NEXT_STEP)
         rewards, terminated, truncated = flights.rewards.copy(), flights.terminated, flights.truncated
-        ended = flights.core.ended()
+        ended = flights.ended()
         infos: dict[str, Any] = {}
         same_step = self.autoreset_mode == AutoresetMode.SAME_STEP
         for end in ended:
@@ -283,7 +315,7 @@ class AvoidbenchVectorEnv(gymnasium.vector.VectorEnv[Observation, NDArray[Any], 
             else:
                 infos = self._add_info(infos, end, slot)
         if same_step and ended:
-            flights.core.reset(None, (terminated | truncated).astype(int).tolist())
+            flights.reset(None, terminated | truncated)
         return self._seen(), rewards, terminated, truncated, infos
 
     def close_extras(self, **kwargs: Any) -> None:
@@ -315,6 +347,7 @@ class AvoidbenchEnv(gymnasium.Env[Observation, NDArray[Any]]):
         """Simulated seconds between two observations."""
         self.trial_count = self._flights.trial_count
         """Trials of the sweep."""
+        self.metadata = {**self.metadata, "render_fps": round(1.0 / self.step_s)}
 
     def _open(self) -> _Flights:
         if self._flights is None:
@@ -326,10 +359,11 @@ class AvoidbenchEnv(gymnasium.Env[Observation, NDArray[Any]]):
 
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Observation, dict[str, Any]]:
         """Begins the next episode, or with a seed the first one that this seed chooses. There are no options."""
+        seed = _seed_of(seed)
         super().reset(seed=seed)
         if options:
             raise ValueError(f"options: {next(iter(options))!r} is no option; there are none")
-        self._open().core.reset(_seed_of(seed), [])
+        self._open().reset(seed, None)
         return self._seen(), {}
 
     def step(self, action: NDArray[Any]) -> tuple[Observation, float, bool, bool, dict[str, Any]]:
@@ -337,21 +371,20 @@ class AvoidbenchEnv(gymnasium.Env[Observation, NDArray[Any]]):
 
         Gives the observation, the reward, terminated (goal, crash), truncated (time limit) and infos."""
         flights = self._open()
-        array = np.asarray(action)
-        if array.shape != self.action_space.shape:
-            raise ValueError(f"action: an array {self.action_space.shape} is wanted, not {array.shape}")
+        array = _array(action, self.action_space.shape or (), "action")
         flights.step(array[np.newaxis], False)
         info: dict[str, Any] = {}
-        for end in flights.core.ended():
+        for end in flights.ended():
             end.pop("slot")
             info = end
         return self._seen(), float(flights.rewards[0]), bool(flights.terminated[0]), bool(flights.truncated[0]), info
 
     def render(self) -> NDArray[np.uint8] | None:  # type: ignore[override]
         """The newest depth, near is bright; None without a render_mode."""
+        flights = self._open()
         if self.render_mode is None:
             return None
-        depth = self._open().views["depth"][0, 0]
+        depth = flights.views["depth"][0, 0]
         space = self.observation_space["depth"]  # type: ignore[index]
         near = depth / float(space.high.max())
         bright = np.sqrt(near) if self._depth == "inverse" else np.where(depth > 0.0, 1.0 - near, 0.0)

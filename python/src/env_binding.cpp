@@ -3,10 +3,11 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
-#include <chrono>
+#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -42,18 +43,42 @@ std::uint32_t need_of(const std::string& name) {
   return 0;
 }
 
+/// While it lives no other call may begin: of another thread, or of a signal's handler.
+class Turn {
+ public:
+  explicit Turn(std::atomic<bool>& is_taken) : is_taken_(is_taken) {
+    if (is_taken_.exchange(true)) {
+      throw std::runtime_error(
+          "another call of this environment has not returned yet: one thread at a time");
+    }
+  }
+  ~Turn() { is_taken_ = false; }
+  Turn(const Turn&) = delete;
+  Turn& operator=(const Turn&) = delete;
+
+ private:
+  std::atomic<bool>& is_taken_;
+};
+
 /// Flights and the arrays that Python owns and this keeps alive.
 class SteppedFlights {
  public:
   SteppedFlights(const EnvSpec& spec, std::vector<std::string> warnings)
-      : warnings_(std::move(warnings)), env_(spec) {}
+      : warnings_(std::move(warnings)), env_(std::in_place, spec) {}
+  ~SteppedFlights() {
+    // Its threads may be making maps for a while.
+    const nb::gil_scoped_release released;
+    env_.reset();
+  }
+  SteppedFlights(const SteppedFlights&) = delete;
+  SteppedFlights& operator=(const SteppedFlights&) = delete;
 
-  const VectorEnv& env() const { return env_; }
+  const VectorEnv& env() const { return *env_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
 
   /// Where this observation is written from now on.
   void write_view(const std::string& name, const nb::object& array) {
-    const ViewShape& shape = env_.shape();
+    const ViewShape& shape = env_->shape();
     ViewArrays& view = arrays_.view;
     if (name == "depth") view.depth = data<float>(name, array, shape.pixels());
     if (name == "stereo") view.stereo = data<std::uint8_t>(name, array, 2 * shape.pixels());
@@ -74,22 +99,29 @@ class SteppedFlights {
 
   void reset(std::optional<std::uint64_t> seed, const std::vector<std::uint8_t>& mask) {
     require_arrays();
+    const Turn turn(is_flying_);
     const nb::gil_scoped_release released;
-    env_.reset(seed, mask, arrays_, check_signals);
+    env_->reset(seed, mask, arrays_, check_signals);
   }
 
   void step(const Array<const double>& actions, bool begins_next) {
     require_arrays();
     const std::span<const double> numbers(actions.data(), actions.size());
-    if (numbers.size() != slots() * action_width(env_.spec().action)) {
+    if (numbers.size() != slots() * action_width(env_->spec().action)) {
       throw InputError("the actions are not of this environment's size");
     }
+    const Turn turn(is_flying_);
     const nb::gil_scoped_release released;
-    env_.step(numbers, begins_next, arrays_, check_signals);
+    env_->step(numbers, begins_next, arrays_, check_signals);
+  }
+
+  std::vector<EpisodeEnd> ended() {
+    const Turn turn(is_flying_);
+    return env_->ended();
   }
 
  private:
-  std::size_t slots() const { return static_cast<std::size_t>(env_.spec().slots); }
+  std::size_t slots() const { return static_cast<std::size_t>(env_->spec().slots); }
 
   template <class T>
   T* data(const std::string& name, const nb::object& given, std::size_t numbers_a_slot) {
@@ -108,7 +140,8 @@ class SteppedFlights {
   std::vector<nb::object> kept_;
   std::vector<std::string> warnings_;
   EnvArrays arrays_;
-  VectorEnv env_;
+  std::optional<VectorEnv> env_;  // always there
+  std::atomic<bool> is_flying_ = false;
 };
 
 NamedValues dict_of(const EpisodeEnd& end) {
@@ -119,7 +152,7 @@ NamedValues dict_of(const EpisodeEnd& end) {
   }
   NamedValues dict;
   dict["slot"] = end.slot;
-  dict["episode"] = end.episode;
+  dict["episode_index"] = end.episode;  // "episode" is what Gymnasium's wrappers write
   dict["trial_key"] = end.trial_key;
   dict["map_seed"] = end.map_seed;
   dict["mission_index"] = end.mission_index;
@@ -132,9 +165,9 @@ NamedValues dict_of(const EpisodeEnd& end) {
   return dict;
 }
 
-nb::typed<nb::list, NamedValues> ended(const SteppedFlights& flights) {
+nb::typed<nb::list, NamedValues> ended(SteppedFlights& flights) {
   nb::typed<nb::list, NamedValues> list;
-  for (const EpisodeEnd& end : flights.env().ended()) list.append(dict_of(end));
+  for (const EpisodeEnd& end : flights.ended()) list.append(dict_of(end));
   return list;
 }
 

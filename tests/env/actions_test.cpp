@@ -124,10 +124,25 @@ TEST(Actions, LimitsAreTheVehicles) {
 }
 
 TEST(Actions, ThatAreNoNumbersAreNamed) {
-  EXPECT_EQ(action_problem(std::vector<double>{0, 1e6, 2}), "");
-  EXPECT_EQ(action_problem(std::vector<double>{0, math::kNaN}),
-            "number 1 of the action is not finite");
-  EXPECT_THAT(action_problem(std::vector<double>{2e6}), testing::HasSubstr("beyond"));
+  const auto problem = [](ActionKind kind, const std::vector<double>& action) {
+    return action_problem({.kind = kind}, action);
+  };
+  EXPECT_EQ(problem(ActionKind::velocity, {0, 1e6, -1e6, 9e4}), "");
+  EXPECT_EQ(problem(ActionKind::velocity, {0, math::kNaN}), "number 1 of the action is not finite");
+  EXPECT_THAT(problem(ActionKind::velocity, {2e6}), testing::HasSubstr("2e6, beyond ±1e6"));
+  EXPECT_EQ(problem(ActionKind::rates_thrust, {0, 0, 0, 1e6}), "");
+  for (const ActionKind kind : {ActionKind::acceleration, ActionKind::trajectory}) {
+    EXPECT_THAT(problem(kind, {0, 0, 0, -1e5}), testing::HasSubstr("beyond ±9e4"));
+  }
+}
+
+TEST(Actions, TrajectoriesShorterThanTheLatencyKeepTheirEnd) {
+  for (const std::int64_t points : {1, 10, 1000}) {
+    const ActionSpec spec{.kind = ActionKind::trajectory, .points = points, .horizon_s = 0.01};
+    const std::vector<double> action(action_width(spec), 1.0);
+    const PlanResult result = plan_result(spec, action, PlannerView{}, 0.033);
+    EXPECT_EQ(command_problem(result.command, AB_COMMAND_TRAJECTORY), "") << points;
+  }
 }
 
 TEST(Actions, AHeadingIsThereStraightUpToo) {
