@@ -2,11 +2,17 @@
 # fresh_system.sh [SUITE [COMMAND…]]: do the package lists name all that is needed? In a Debian with only its base system (SUITE: bookworm,
 # trixie) installs the list `build` and configures as quickstart.sh does, installs the list `test` and configures the builds of test.sh;
 # then runs COMMAND there in a copy of this working tree: `scripts/fresh_system.sh trixie scripts/test.sh`.
+#   --bare FOLDER SUITE COMMAND…   no package is installed; COMMAND runs in a copy of FOLDER instead: does what lies there need nothing else?
 # Needs root, debootstrap, Debian's mirror, 5 GB in TMPDIR (/var/tmp) and some five minutes; exit code 77 where one of these is missing.
 # What it makes is removed at the end; with FRESH_SYSTEM_FOLDER=FOLDER the base system and the compilers' cache are kept there for the next call.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
+if [ "${1:-}" = --bare ]; then
+  FRESH_SYSTEM_BARE=$(realpath "$2")
+  export FRESH_SYSTEM_BARE
+  shift 2
+fi
 suite=${1:-bookworm}
 shift || true
 cannot() { echo "fresh_system: not run: $*" >&2; exit 77; }
@@ -50,9 +56,14 @@ mkdir "$root/ccache" "$root/src"
 mount -t proc proc "$root/proc"
 mount --rbind /dev "$root/dev"
 mount --bind "$cache" "$root/ccache"
+inside() { chroot "$root" env -C /src HOME=/root LC_ALL=C.UTF-8 TMPDIR=/tmp CCACHE_DIR=/ccache "$@"; }
+if [ -n "${FRESH_SYSTEM_BARE:-}" ]; then
+  cp -r "$FRESH_SYSTEM_BARE/." "$root/src/"
+  inside "$@"
+  exit
+fi
 tar c --exclude=./build --exclude=./results/*.db* . | tar x --no-same-owner -C "$root/src"
 
-inside() { chroot "$root" env -C /src HOME=/root LC_ALL=C.UTF-8 TMPDIR=/tmp CCACHE_DIR=/ccache "$@"; }
 configured() {
   echo "== configured: $*"
   inside cmake "$@" -DAVOIDBENCH_WERROR=ON >"$work/configure.log" 2>&1 || { tail -n 30 "$work/configure.log" >&2; exit 1; }

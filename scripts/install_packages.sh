@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# install_packages.sh build|test|slow|plot: installs the Debian/Ubuntu packages that a build, the tests, the tests labelled slow too, or
-# the pictures of `report --plots` need, and says which. Does nothing, and needs no root, if they are all there.
+# install_packages.sh build|python|test|slow|plot: installs the Debian/Ubuntu packages that a build, the Python package, the tests, the tests
+# labelled slow too, or the pictures of `report --plots` need, and says which. Does nothing, and needs no root, if they are all there.
 set -euo pipefail
 
 # make: CMake's own choice where nothing says ninja, as for planners outside of the repository.
@@ -10,19 +10,21 @@ build_packages=(
   nlohmann-json3-dev libsqlite3-dev libpng-dev zlib1g-dev nettle-dev libbenchmark-dev sqlite3
 )
 plot_packages=(python3 python3-matplotlib python3-numpy python3-pandas)  # scripts/plot, scripts/custom_metrics.py
+python_packages=(python3-venv python3-dev)
 test_packages=(
-  "${plot_packages[@]}" clang clang-format clang-tidy libclang-rt-14-dev libgtest-dev libgmock-dev python3-jsonschema python3-yaml python3-venv python3-dev
-  valgrind locales
+  "${plot_packages[@]}" "${python_packages[@]}" clang clang-format clang-tidy libclang-rt-14-dev libgtest-dev libgmock-dev
+  python3-jsonschema python3-yaml valgrind locales
 )
 # A Slurm of one node, for the test of scripts/slurm (the system's own services play no part), and what scripts/fresh_system.sh needs.
 slow_packages=(munge slurmctld slurmd slurm-client debootstrap)
 
 case "${1:-build}" in
   build) packages=("${build_packages[@]}") ;;
+  python) packages=("${build_packages[@]}" "${python_packages[@]}") ;;
   test) packages=("${build_packages[@]}" "${test_packages[@]}") ;;
   slow) packages=("${build_packages[@]}" "${test_packages[@]}" "${slow_packages[@]}") ;;
   plot) packages=("${plot_packages[@]}") ;;
-  *) echo "usage: $0 build|test|slow|plot" >&2; exit 2 ;;
+  *) echo "usage: $0 build|python|test|slow|plot" >&2; exit 2 ;;
 esac
 
 is_installed() { dpkg-query -W -f '${Status}' "$1" 2>/dev/null | grep -q '^install ok installed'; }

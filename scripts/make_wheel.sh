@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 folder=${1:-build/wheels}
-scripts/install_packages.sh build
+scripts/install_packages.sh python
 scripts/python_venv.sh
 export CCACHE_NOHASHDIR=1 CCACHE_BASEDIR=$PWD CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
 export PATH=$PWD/build/venv/bin:$PATH

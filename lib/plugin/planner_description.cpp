@@ -13,6 +13,7 @@
 #include "base/digest.hpp"
 #include "base/input_error.hpp"
 #include "base/spec_json.hpp"
+#include "plugin/own_planners.hpp"
 #include "plugin/planner_library.hpp"
 #include "process/isolated_run.hpp"
 
@@ -165,6 +166,7 @@ PlannerDescription describe_planner(const std::filesystem::path& file, double ti
 }
 
 PlannerDescription describe_planner(const std::filesystem::path& file) {
+  if (own_planner(file) != nullptr) return PlannerLibrary::load(file).description();
   static std::mutex mutex;
   // By path and digest: a planner is asked once a run, again when its file changes. Failures are
   // kept, too, since a hang costs the whole time limit.

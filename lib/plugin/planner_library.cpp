@@ -10,6 +10,7 @@
 #include "base/input_error.hpp"
 #include "plugin/elf_symbols.hpp"
 #include "plugin/float_guard.hpp"
+#include "plugin/own_planners.hpp"
 #include "plugin/planner_table.hpp"
 #include "process/locale_guard.hpp"
 
@@ -87,6 +88,7 @@ const ab_planner* table_from(const std::filesystem::path& file, TableFunction fu
 }  // namespace
 
 void PlannerLibrary::check(const std::filesystem::path& file) {
+  if (own_planner(file) != nullptr) return;
   check_file(file);
   check_symbol(file);
 }
@@ -101,6 +103,13 @@ PlannerLibrary PlannerLibrary::load(const std::filesystem::path& file, CallClock
 }
 
 PlannerLibrary PlannerLibrary::load_checked(const std::filesystem::path& file, CallClock* clock) {
+  if (const ab_planner* own = own_planner(file)) {
+    PlannerLibrary library;
+    library.table_ = own;
+    library.description_ = describe_table(*own);
+    library.description_.file = file;
+    return library;
+  }
   // An absolute path: dlopen would look a bare name up in the system's folders.
   const std::string path = std::filesystem::absolute(file).string();
   const FloatGuard float_guard;
@@ -123,12 +132,7 @@ PlannerLibrary PlannerLibrary::load_checked(const std::filesystem::path& file, C
 
   PlannerLibrary library;
   library.table_ = table_from(file, function);
-  const std::vector<std::string> problems = table_problems(*library.table_);
-  if (!problems.empty()) {
-    std::vector<InputProblem> all;
-    for (const std::string& problem : problems) all.push_back({file.string(), 0, 0, problem});
-    throw InputError(std::move(all));
-  }
+  require_sound_table(file, *library.table_);
   library.description_ = describe_table(*library.table_);
   library.description_.file = file;
   library.thread_owner_ = owner;

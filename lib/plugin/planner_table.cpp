@@ -8,6 +8,8 @@
 #include <string_view>
 #include <utility>
 
+#include "base/input_error.hpp"
+
 namespace avoidbench {
 namespace {
 
@@ -221,6 +223,14 @@ std::vector<std::string> table_problems(const ab_planner& table) {
   add_parameter_problems(table, problems);
   if (problems.size() == before) add_profile_problems(table, problems);
   return problems;
+}
+
+void require_sound_table(const std::filesystem::path& file, const ab_planner& table) {
+  std::vector<InputProblem> problems;
+  for (const std::string& problem : table_problems(table)) {
+    problems.push_back({.file = file.string(), .message = problem});
+  }
+  if (!problems.empty()) throw InputError(std::move(problems));
 }
 
 PlannerDescription describe_table(const ab_planner& table) {

@@ -10,6 +10,8 @@ from avoidbench import _location as _location  # first: tells the extension wher
 from avoidbench._core import InputError
 from avoidbench.database_file import ResultsError
 from avoidbench.env import AvoidbenchEnv, AvoidbenchVectorEnv, Reward
+from avoidbench.flying import fly
+from avoidbench.planner import Planner
 from avoidbench.program import ProgramError
 from avoidbench.registration import register as _register
 from avoidbench.world import Missions, Nearest, Obstacle, Occupancy, World, look_at, make_world
@@ -31,11 +33,13 @@ __all__ = [
     "Nearest",
     "Obstacle",
     "Occupancy",
+    "Planner",
     "ProgramError",
     "Results",
     "ResultsError",
     "Reward",
     "World",
+    "fly",
     "look_at",
     "make_world",
     "read",

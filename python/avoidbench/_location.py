@@ -1,29 +1,43 @@
 """Where the program lies that belongs to this package."""
 
 import os
+import shutil
 from pathlib import Path
 
 from avoidbench import _core
 
 
 def program_file() -> Path:
-    """The program `avoidbench`: what the environment variable AVOIDBENCH_PROGRAM names; else that in the package, where it was
-    installed with it; else that of the build tree in which the package lies.
+    """The program `avoidbench` that this package uses. The first there is of: the file that the environment variable AVOIDBENCH_PROGRAM
+    names; that in the package, where it was installed with it; that of the build tree in which the package lies; `avoidbench` on the
+    PATH, unless that is this package's own.
 
-    Raises FileNotFoundError where there is none."""
+    Raises FileNotFoundError where there is none, or AVOIDBENCH_PROGRAM names none."""
     named = os.environ.get("AVOIDBENCH_PROGRAM")
     if named:
-        file = Path(named).resolve()
-        if not file.is_file():
-            raise FileNotFoundError(f"AVOIDBENCH_PROGRAM: no file {file}")
-        return file
+        if not _is_program(Path(named)):
+            raise FileNotFoundError(f"AVOIDBENCH_PROGRAM={named}: no program there that can be run")
+        return Path(named).absolute()
     package = Path(__file__).parent.absolute()  # not resolved: a build tree has this file by a link
-    candidates = [package / "program" / "bin" / "avoidbench", package.parent.parent / "avoidbench"]
-    for file in candidates:
-        if file.is_file():
-            return file.resolve()
-    looked = ", ".join(str(file) for file in candidates)
-    raise FileNotFoundError(f"the program avoidbench is not there; looked for {looked}; AVOIDBENCH_PROGRAM may name it")
+    places = [package / "program" / "bin" / "avoidbench", package.parent.parent / "avoidbench"]
+    for place in places:
+        if _is_program(place):
+            return place
+    on_path = shutil.which("avoidbench")
+    if on_path and not _is_script(Path(on_path)):
+        return Path(on_path)
+    raise FileNotFoundError("the avoidbench program was not found. Looked for: the environment variable AVOIDBENCH_PROGRAM (not set), "
+                            f"{', '.join(map(str, places))}, and avoidbench on the PATH")
+
+
+def _is_program(file: Path) -> bool:
+    return file.is_file() and os.access(file, os.X_OK)
+
+
+def _is_script(file: Path) -> bool:
+    """As what pip makes of `python -m avoidbench`, which would look for itself."""
+    with file.open("rb") as start:
+        return start.read(2) == b"#!"
 
 
 def _tell_extension() -> None:

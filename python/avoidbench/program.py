@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import shutil
 import signal
 import subprocess
 import warnings
@@ -11,7 +10,8 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-PROGRAM_VARIABLE = "AVOIDBENCH_PROGRAM"
+from avoidbench._location import program_file
+
 WARNING_MARK = "warning: "
 
 
@@ -52,35 +52,16 @@ class ProgramOutput:
         return self.stdout.decode("utf-8")
 
 
-def _is_program(file: Path) -> bool:
-    return file.is_file() and os.access(file, os.X_OK)
-
-
 def find_program() -> Path:
     """The avoidbench program that this package uses.
-
-    The first there is of: the file that the environment variable AVOIDBENCH_PROGRAM names; the one
-    that comes with the package; in a build tree that of the build; `avoidbench` on the PATH.
 
     Raises:
         ProgramError: there is none, or AVOIDBENCH_PROGRAM names no program.
     """
-    chosen = os.environ.get(PROGRAM_VARIABLE)
-    if chosen:
-        if _is_program(Path(chosen)):
-            return Path(chosen).absolute()
-        raise ProgramError(f"{PROGRAM_VARIABLE}={chosen}: no program there that can be run")
-    package = Path(__file__).resolve().parent
-    places = [package / "program" / "bin" / "avoidbench", package.parent.parent / "avoidbench"]
-    for place in places:
-        if _is_program(place):
-            return place
-    on_path = shutil.which("avoidbench")
-    if on_path:
-        return Path(on_path)
-    raise ProgramError(
-        "the avoidbench program was not found. Looked for: the environment variable "
-        f"{PROGRAM_VARIABLE} (not set), {', '.join(map(str, places))}, and avoidbench on the PATH")
+    try:
+        return program_file()
+    except FileNotFoundError as error:
+        raise ProgramError(str(error)) from None
 
 
 def warn_of(stderr: str, stacklevel: int = 3) -> None:

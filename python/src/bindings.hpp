@@ -9,6 +9,7 @@ namespace avoidbench::python {
 void bind_errors(nanobind::module_& m);
 void bind_world(nanobind::module_& m);
 void bind_env(nanobind::module_& m);
+void bind_planner(nanobind::module_& m);
 
 /// Throws what Python's handlers of signals raise, such as KeyboardInterrupt: for long calls, every
 /// millisecond or so. The caller does not hold the interpreter's lock.

@@ -23,6 +23,8 @@ namespace nb = nanobind;
 namespace avoidbench::python {
 namespace {
 
+using NamedValues = nb::typed<nb::dict, nb::str, nb::any>;
+
 template <class T>
 using Array = nb::ndarray<T, nb::c_contig, nb::device::cpu>;
 
@@ -109,13 +111,13 @@ class SteppedFlights {
   VectorEnv env_;
 };
 
-nb::dict dict_of(const EpisodeEnd& end) {
+NamedValues dict_of(const EpisodeEnd& end) {
   nb::dict metrics;
   const auto table = metric_table();
   for (std::size_t i = 0; i < table.size(); ++i) {
     metrics[nb::str(table[i].name.data(), table[i].name.size())] = end.metrics[i];
   }
-  nb::dict dict;
+  NamedValues dict;
   dict["slot"] = end.slot;
   dict["episode"] = end.episode;
   dict["trial_key"] = end.trial_key;
@@ -130,16 +132,16 @@ nb::dict dict_of(const EpisodeEnd& end) {
   return dict;
 }
 
-nb::list ended(const SteppedFlights& flights) {
-  nb::list list;
+nb::typed<nb::list, NamedValues> ended(const SteppedFlights& flights) {
+  nb::typed<nb::list, NamedValues> list;
   for (const EpisodeEnd& end : flights.env().ended()) list.append(dict_of(end));
   return list;
 }
 
 /// Sizes and ranges, from which spaces are made.
-nb::dict shape_of(const SteppedFlights& flights) {
+NamedValues shape_of(const SteppedFlights& flights) {
   const ViewShape& shape = flights.env().shape();
-  nb::dict dict;
+  NamedValues dict;
   dict["cameras"] = shape.cameras;
   dict["height_px"] = shape.height_px;
   dict["width_px"] = shape.width_px;
@@ -154,7 +156,7 @@ nb::dict shape_of(const SteppedFlights& flights) {
 }
 
 template <class Enum>
-Enum enum_named(const nb::dict& options, const char* name) {
+Enum enum_named(const NamedValues& options, const char* name) {
   const auto word = nb::cast<std::string>(options[name]);
   if (const auto value = enum_from_text<Enum>(word)) return *value;
   const std::vector<std::string> words = enum_texts<Enum>();
@@ -164,7 +166,7 @@ Enum enum_named(const nb::dict& options, const char* name) {
 }
 
 /// The options, which the package's Python files have checked to be of these types.
-EnvSpec spec_of(SweepSpec sweep, const nb::dict& options) {
+EnvSpec spec_of(SweepSpec sweep, const NamedValues& options) {
   EnvSpec spec;
   spec.sweep = std::move(sweep);
   spec.policy = nb::cast<std::string>(options["policy"]);
@@ -190,7 +192,7 @@ EnvSpec spec_of(SweepSpec sweep, const nb::dict& options) {
 
 void make_flights(SteppedFlights* self, const std::string& given,
                   const std::optional<std::string>& text, const std::vector<std::string>& overrides,
-                  const nb::dict& options) {
+                  const NamedValues& options) {
   std::optional<SweepSpec> sweep;
   {
     const nb::gil_scoped_release released;

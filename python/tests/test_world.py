@@ -1,7 +1,9 @@
 """Maps as arrays: against closed forms, brute force, each other and the program."""
 
 import json
+import signal
 import subprocess
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import avoidbench
@@ -221,3 +223,33 @@ def test_a_built_in_sweep_has_a_map() -> None:
 def test_a_camera_may_look_straight_down() -> None:
     pose = avoidbench.look_at([1.0, 2.0, 3.0], [1.0, 2.0, 0.0])[0]
     np.testing.assert_allclose(pose[:3, :3], np.array([[1, 0, 0], [0, -1, 0], [0, 0, -1]]), atol=1e-12)
+
+
+def test_several_threads_may_ask_one_world() -> None:
+    world = avoidbench.make_world("forest", seed=2)
+    missions = world.missions(8)
+    poses = avoidbench.look_at(missions.starts_world, missions.goals_world)
+    options = {"sensor": "stereo_sgm", "width_px": 96, "height_px": 64}
+    alone = [world.depth(pose, **options) for pose in poses]
+    with ThreadPoolExecutor(4) as pool:
+        together = list(pool.map(lambda pose: world.depth(pose, **options), poses))
+        distances = list(pool.map(world.nearest, [missions.starts_world] * 8))
+    np.testing.assert_array_equal(together, alone)
+    np.testing.assert_array_equal([found.distances_m for found in distances], [distances[0].distances_m] * 8)
+
+
+def test_long_calls_can_be_interrupted() -> None:
+    world = avoidbench.make_world("forest", seed=2)
+    points = np.tile(world.missions(1).starts_world, (20_000_000, 1))  # minutes
+
+    def interrupt(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    before = signal.signal(signal.SIGALRM, interrupt)
+    signal.setitimer(signal.ITIMER_REAL, 0.3)
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            world.nearest(points)
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)

@@ -1,0 +1,223 @@
+"""Planners written in Python: the same interface as that of planner libraries, in Python's terms.
+
+Units are SI, angles radians. World frame: ENU, z up. Body frame: FLU, x forward. Camera frame: RDF, z forward. A quaternion q_a_b is
+(w, x, y, z) and takes coordinates in b to coordinates in a. Randomness only from Mission.seed, time only from the observation: after
+reset() equal inputs give equal outputs. Elementary functions with the same bits on every machine are in avoidbench.portable_math."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, ClassVar
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Vector = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """One parameter of a planner, declared so that a typo in a sweep is found before the first trial.
+
+    preset: a number in [lowest, highest] (whole if it is an int), or a text: one of `choices`, where there are any."""
+
+    name: str
+    """With its unit, as in sweep files: "cruise_speed_mps"."""
+    preset: float | int | str
+    doc: str
+    unit: str = ""
+    lowest: float = -1e6
+    highest: float = 1e6
+    choices: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Camera:
+    """A pinhole camera without distortion; of a stereo camera the left eye."""
+
+    width_px: int
+    height_px: int
+    fx_px: float
+    fy_px: float
+    cx_px: float
+    cy_px: float
+    position_body_m: Vector
+    q_body_camera: Vector
+    rate_hz: float
+    min_range_m: float
+    max_range_m: float
+    baseline_m: float
+
+
+@dataclass(frozen=True)
+class Setup:
+    """What a planner is made for."""
+
+    parameters: Mapping[str, Any]
+    """The value of each parameter that it declares."""
+    max_speed_mps: float
+    max_acceleration_mps2: float
+    max_yaw_rate_radps: float
+    body_size_m: Vector
+    """(3,): box, body FLU, centred."""
+    body_radius_m: float
+    plan_period_s: float
+    gravity_mps2: float
+    cameras: tuple[Camera, ...]
+
+
+@dataclass(frozen=True)
+class Mission:
+    """One flight's task."""
+
+    seed: int
+    start_world_m: Vector
+    start_yaw_rad: float
+    goal_world_m: Vector
+    goal_radius_m: float
+    """The goal is reached within this horizontal distance."""
+    time_limit_s: float
+
+
+@dataclass(frozen=True)
+class DepthImage:
+    """Depth along camera z; +inf: no return, NaN: invalid. The pixels are the program's: read them in the call, copy what is kept."""
+
+    time_s: float
+    depth_m: NDArray[np.float32]
+    """(H, W)."""
+    position_world_m: Vector
+    q_world_camera: Vector
+    camera: int
+    """Index into Setup.cameras."""
+
+
+@dataclass(frozen=True)
+class Picture:
+    """An 8-bit picture, sRGB encoded. The pixels are the program's: read them in the call, copy what is kept."""
+
+    time_s: float
+    pixels: NDArray[np.uint8]
+    """(H, W) grey or (H, W, 3) red, green, blue."""
+    position_world_m: Vector
+    q_world_camera: Vector
+    camera: int
+
+
+@dataclass(frozen=True)
+class StereoPair:
+    """Two grey pictures of one moment, rectified."""
+
+    left: Picture
+    right: Picture
+    baseline_m: float
+
+
+@dataclass(frozen=True)
+class ImuSamples:
+    """Since the last call, oldest first."""
+
+    time_s: NDArray[np.float64]
+    """(K,)."""
+    rates_body_radps: NDArray[np.float64]
+    """(K, 3)."""
+    specific_force_body_mps2: NDArray[np.float64]
+    """(K, 3): acceleration less gravity, (0, 0, 9.81) at rest."""
+
+
+@dataclass(frozen=True)
+class Observation:
+    """What a planner sees in one call; images since the last call, newest first, of what it declares in `sees`."""
+
+    time_s: float
+    """Since the start of the trial; of the past where the odometry has a delay."""
+    position_world_m: Vector
+    velocity_world_mps: Vector
+    q_world_body: Vector
+    rates_body_radps: Vector
+    depth: tuple[DepthImage, ...] = ()
+    stereo: tuple[StereoPair, ...] = ()
+    color: tuple[Picture, ...] = ()
+    imu: ImuSamples | None = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Held:
+    horizon_s: float = 0.0
+    """How long the command is believed to be safe; after it the vehicle brakes; 0: for ever."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Turned(_Held):
+    yaw_rad: float | None = None
+    yaw_rate_radps: float | None = None
+    """One of the two; neither: yaw rate 0."""
+
+
+@dataclass(frozen=True)
+class Position(_Turned):
+    position_world_m: ArrayLike
+
+
+@dataclass(frozen=True)
+class Velocity(_Turned):
+    velocity_world_mps: ArrayLike
+
+
+@dataclass(frozen=True)
+class Acceleration(_Turned):
+    acceleration_world_mps2: ArrayLike
+
+
+@dataclass(frozen=True)
+class Rates(_Held):
+    rates_body_radps: ArrayLike
+    thrust_mps2: float
+    """Collective, over mass: 9.81 hovers."""
+
+
+@dataclass(frozen=True)
+class Trajectory(_Held):
+    """N points, at least 2; quintics join them."""
+
+    time_s: ArrayLike
+    """(N,), after the moment at which the command takes effect; rising from 0."""
+    position_world_m: ArrayLike
+    """(N, 3)."""
+    velocity_world_mps: ArrayLike
+    acceleration_world_mps2: ArrayLike
+    yaw_rad: ArrayLike = field(default=0.0)
+    """(N,), or one number for all."""
+    yaw_rate_radps: ArrayLike = field(default=0.0)
+
+
+Command = Position | Velocity | Acceleration | Rates | Trajectory
+
+
+class GiveUp(Exception):
+    """Raised in plan(): the goal can't be reached. The trial ends with planner_gave_up and this text."""
+
+
+class Planner:
+    """A planner: subclass it, say what it sees and gives, and write plan(). Any other exception than GiveUp ends the trial with
+    planner_error and its text. avoidbench.fly() flies it over a sweep."""
+
+    name: ClassVar[str]
+    """[a-z0-9_]+"""
+    version: ClassVar[str] = "0"
+    summary: ClassVar[str] = ""
+    """One line."""
+    sees: ClassVar[Sequence[str]] = ("state",)
+    """Of state, depth, stereo, color, imu."""
+    commands: ClassVar[Sequence[str]] = ("velocity",)
+    """Of position, velocity, acceleration, trajectory, rates: what plan() may return."""
+    parameters: ClassVar[Sequence[Parameter]] = ()
+
+    def __init__(self, setup: Setup) -> None:
+        self.setup = setup
+
+    def reset(self, mission: Mission) -> None:
+        """Begins a trial: forget all earlier ones."""
+
+    def plan(self, observation: Observation) -> Command | None:
+        """One command for what is seen now; None: no plan, the vehicle brakes and hovers, and is asked again."""
+        raise NotImplementedError
