@@ -83,7 +83,7 @@ def main() -> None:
     arguments = parser.parse_args()
     parts = [images_of(avoidbench.make_world(arguments.generator, seed=seed), arguments.images) for seed in range(1, arguments.maps + 1)]
     data = {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
-    np.savez(arguments.file, direction_rad=DIRECTIONS_RAD, **data)
+    np.savez(arguments.file, direction_rad=DIRECTIONS_RAD, **data)  # type: ignore[arg-type]
     size_mb = arguments.file.stat().st_size / 1e6
     print(f"{arguments.file}: {len(data['depth_m'])} images, {size_mb:.0f} MB; nearest surface {np.median(data['nearest_m']):.2f} m "
           f"away, best way {np.median(data['free_m'].max(axis=1)):.1f} m (medians)")

@@ -174,7 +174,12 @@ def train(steps: int, seed: int, out: Path, slots: int = 64, threads: int | None
     updates = max(1, steps // (slots * STEPS_PER_UPDATE))
     rows: list[dict[str, float]] = []
     for update in range(updates):
-        inputs, actions, before, rewards, ends, outcomes = [], [], [], [], [], []
+        inputs: list[Array] = []
+        actions: list[Array] = []
+        before: list[Array] = []
+        rewards: list[Array] = []
+        ends: list[Array] = []
+        outcomes: list[str] = []
         flown_rewards: list[float] = []
         for _ in range(STEPS_PER_UPDATE):
             x = features(seen)
@@ -190,8 +195,9 @@ def train(steps: int, seed: int, out: Path, slots: int = 64, threads: int | None
                 ended = infos["final_info"]
                 outcomes += list(ended["outcome"][ended["_outcome"]])
                 flown_rewards += list(ended["reward_sum"][ended["_outcome"]])
-            inputs.append(x), actions.append(u), before.append(learner.log_probability(u, means))
-            rewards.append(reward), ends.append((terminated | truncated).astype(np.float64))
+            for kept, array in ((inputs, x), (actions, u), (before, learner.log_probability(u, means)), (rewards, reward),
+                                (ends, (terminated | truncated).astype(np.float64))):
+                kept.append(array)
         flat = np.concatenate(inputs)
         values = learner.value(flat)[:, 0].reshape(STEPS_PER_UPDATE, slots)
         gains = advantages_of(np.array(rewards), np.array(ends), values, learner.value(features(seen))[:, 0])
@@ -240,7 +246,8 @@ def fly_straight(missions: int, out: Path) -> dict[tuple[int, int], str]:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # that one planner is compared with none
         trials = avoidbench.run(sweep, database=out / "straight_line.db", progress=False).trials
-    return {(int(t.map_seed), int(t.mission_index)): str(t.outcome) for t in trials.itertuples()}
+    return {(int(seed), int(index)): str(outcome)
+            for seed, index, outcome in zip(trials["map_seed"], trials["mission_index"], trials["outcome"])}
 
 
 def wilson(count: int, of: int) -> tuple[float, float]:
