@@ -19,6 +19,7 @@ import json
 import os
 import time
 import warnings
+from collections import Counter
 from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
@@ -31,6 +32,7 @@ from numpy.typing import NDArray
 import avoidbench
 
 Array = NDArray[np.float64]
+Flights = dict[tuple[int, int], tuple[str, float]]  # outcome and end_time_s of missions: map seed, index
 
 MAX_SPEED_MPS, MAX_YAW_RATE_RADPS = 3.0, 1.5
 GRID_ROWS, GRID_COLUMNS = 6, 16  # of the 48 × 64 image
@@ -218,14 +220,14 @@ def train(steps: int, seed: int, out: Path, slots: int = 64, threads: int | None
     return learner.policy
 
 
-def fly_held_out(policy: Network, missions: int, threads: int | None = None) -> dict[tuple[int, int], str]:
-    """The outcome of each mission (map seed, index) of the held-out maps, flown once, without the training's noise."""
+def fly_held_out(policy: Network, missions: int, threads: int | None = None) -> Flights:
+    """The missions of the held-out maps, each flown once, without the training's noise."""
     sweep = forest("ppo_held_out", HELD_OUT_SEEDS, missions)
     # Slot s flies the trials s, s + slots, …: as many rounds fly all of them.
     flights = avoidbench.AvoidbenchVectorEnv(sweep, len(HELD_OUT_SEEDS), threads=threads, depth="metric", order="in_turn",
                                              autoreset_mode="SameStep")
     rounds = flights.trial_count // flights.num_envs
-    outcomes: dict[tuple[int, int], str] = {}
+    found: Flights = {}
     flown = np.zeros(flights.num_envs, int)
     seen, _ = flights.reset()
     while (flown < rounds).any():
@@ -233,21 +235,22 @@ def fly_held_out(policy: Network, missions: int, threads: int | None = None) -> 
         for slot in np.flatnonzero(terminated | truncated):
             end = infos["final_info"]
             # A slot that is done goes on with missions that it has flown: these count once.
-            outcomes.setdefault((int(end["map_seed"][slot]), int(end["mission_index"][slot])), str(end["outcome"][slot]))
+            found.setdefault((int(end["map_seed"][slot]), int(end["mission_index"][slot])),
+                             (str(end["outcome"][slot]), float(end["end_time_s"][slot])))
             flown[slot] += 1
     flights.close()
-    return outcomes
+    return found
 
 
-def fly_straight(missions: int, out: Path) -> dict[tuple[int, int], str]:
+def fly_straight(missions: int, out: Path) -> Flights:
     """The same for straight_line, flown by the program."""
     sweep = forest("ppo_held_out", HELD_OUT_SEEDS, missions,
                    planners=[{"plugin": "straight_line", "parameters": {"max_speed_mps": MAX_SPEED_MPS}}])
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # that one planner is compared with none
         trials = avoidbench.run(sweep, database=out / "straight_line.db", progress=False).trials
-    return {(int(seed), int(index)): str(outcome)
-            for seed, index, outcome in zip(trials["map_seed"], trials["mission_index"], trials["outcome"])}
+    columns = (trials[name] for name in ("map_seed", "mission_index", "outcome", "end_time_s"))
+    return {(int(seed), int(index)): (str(outcome), float(time_s)) for seed, index, outcome, time_s in zip(*columns)}
 
 
 def wilson(count: int, of: int) -> tuple[float, float]:
@@ -260,16 +263,19 @@ def wilson(count: int, of: int) -> tuple[float, float]:
 def evaluate(policy: Network, out: Path, missions: int = 20, threads: int | None = None) -> dict[str, Any]:
     """Success rates on the held-out missions; writes them into `out`."""
     flown = {"ppo": fly_held_out(policy, missions, threads), "straight_line": fly_straight(missions, out)}
-    both = sorted(flown["ppo"].keys() & flown["straight_line"].keys())
-    reached = {name: [outcomes[mission] == "reached_goal" for mission in both] for name, outcomes in flown.items()}
-    found: dict[str, Any] = {"missions": len(both)}
-    for name, goals in reached.items():
-        lower, upper = wilson(sum(goals), len(goals))
-        counts = {outcome: list(flown[name].values()).count(outcome) for outcome in sorted(set(flown[name].values()))}
-        found[name] = {"reached": sum(goals), "success_rate": sum(goals) / len(goals), "lower": lower, "upper": upper, "outcomes": counts}
-        print(f"{name:14} {sum(goals)}/{len(goals)} = {sum(goals) / len(goals):.2f} [{lower:.2f}, {upper:.2f}]  {counts}")
-    pairs = list(zip(reached["ppo"], reached["straight_line"]))
-    found["only_ppo"], found["only_straight_line"] = pairs.count((True, False)), pairs.count((False, True))
+    shared = sorted(flown["ppo"].keys() & flown["straight_line"].keys())
+    goals = {name: [flights[mission][0] == "reached_goal" for mission in shared] for name, flights in flown.items()}
+    pairs = list(zip(goals["ppo"], goals["straight_line"]))
+    found: dict[str, Any] = {"missions": len(shared), "only_ppo": pairs.count((True, False)),
+                             "only_straight_line": pairs.count((False, True))}
+    for name, flights in flown.items():
+        count = sum(goals[name])
+        lower, upper = wilson(count, len(shared))
+        outcomes = dict(Counter(flights[mission][0] for mission in shared))
+        times_s = [flights[mission][1] for mission, pair in zip(shared, pairs) if all(pair)]
+        found[name] = {"reached": count, "success_rate": count / len(shared), "lower": lower, "upper": upper, "outcomes": outcomes,
+                       "mean_time_where_both_reached_s": float(np.mean(times_s)) if times_s else None}
+        print(f"{name:14} {count}/{len(shared)} = {count / len(shared):.2f} [{lower:.2f}, {upper:.2f}]  {outcomes}")
     print(f"reached by ppo alone: {found['only_ppo']}, by straight_line alone: {found['only_straight_line']}")
     (out / "evaluation.json").write_text(json.dumps(found, indent=1) + "\n")
     return found
@@ -286,16 +292,17 @@ def load(file: Path) -> Network:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--steps", type=int, default=600_000, help="of all flights together, ten a simulated second")
+    parser.add_argument("--steps", type=int, default=400_000, help="of all flights together, ten a simulated second")
     parser.add_argument("--seed", type=int, default=1, help="of weights, noise and the order of the missions")
     parser.add_argument("--out", type=Path, default=Path("ppo"), help="folder for what is written")
     parser.add_argument("--evaluate", type=Path, metavar="WEIGHTS", help="do not train: judge these weights")
     parser.add_argument("--missions", type=int, default=20, help="held-out ones of each of the eight maps")
+    parser.add_argument("--slots", type=int, default=64, help="flights at once while it trains")
     parser.add_argument("--threads", type=int, help="of the flights; default: all processors")
     arguments = parser.parse_args()
     arguments.out.mkdir(parents=True, exist_ok=True)
     policy = load(arguments.evaluate) if arguments.evaluate else train(arguments.steps, arguments.seed, arguments.out,
-                                                                       threads=arguments.threads)
+                                                                       arguments.slots, arguments.threads)
     evaluate(policy, arguments.out, arguments.missions, arguments.threads)
 
 
