@@ -296,14 +296,15 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=1, help="of weights, noise and the order of the missions")
     parser.add_argument("--out", type=Path, default=Path("ppo"), help="folder for what is written")
     parser.add_argument("--evaluate", type=Path, metavar="WEIGHTS", help="do not train: judge these weights")
-    parser.add_argument("--missions", type=int, default=20, help="held-out ones of each of the eight maps")
+    parser.add_argument("--missions", type=int, default=20, help="held-out ones of each of the eight maps; 0: train only")
     parser.add_argument("--slots", type=int, default=64, help="flights at once while it trains")
     parser.add_argument("--threads", type=int, help="of the flights; default: all processors")
     arguments = parser.parse_args()
     arguments.out.mkdir(parents=True, exist_ok=True)
     policy = load(arguments.evaluate) if arguments.evaluate else train(arguments.steps, arguments.seed, arguments.out,
                                                                        arguments.slots, arguments.threads)
-    evaluate(policy, arguments.out, arguments.missions, arguments.threads)
+    if arguments.missions > 0:
+        evaluate(policy, arguments.out, arguments.missions, arguments.threads)
 
 
 if __name__ == "__main__":

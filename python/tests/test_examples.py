@@ -55,19 +55,17 @@ def test_scripted_policy_reaches_goals() -> None:
 
 
 def test_ppo_gives_the_same_weights_for_any_number_of_threads(tmp_path: Path) -> None:
-    for threads in (1, 2):
-        out = tmp_path / str(threads)
-        printed = run_example("ppo.py", "--steps", 1024, "--slots", 8, "--missions", 1, "--threads", threads, "--out", out)
-        assert "straight_line" in printed
-    assert digest(tmp_path / "1" / "weights.npz") == digest(tmp_path / "2" / "weights.npz")
-    found = [json.loads((tmp_path / name / "evaluation.json").read_text()) for name in ("1", "2")]
-    assert found[0] == found[1]
-    assert found[0]["missions"] == 8
-    with open(tmp_path / "1" / "curve.csv", newline="") as file:
+    one, two, judged = (tmp_path / name for name in ("one", "two", "judged"))
+    small = ("--steps", 1024, "--slots", 8)
+    run_example("ppo.py", *small, "--missions", 0, "--threads", 1, "--out", one)
+    assert "straight_line" in run_example("ppo.py", *small, "--missions", 1, "--threads", 2, "--out", two)
+    assert digest(one / "weights.npz") == digest(two / "weights.npz")
+    with open(one / "curve.csv", newline="") as file:
         assert [row["steps"] for row in csv.DictReader(file)] == ["512", "1024"]
-    again = run_example("ppo.py", "--evaluate", tmp_path / "1" / "weights.npz", "--missions", 1, "--out", tmp_path / "again")
-    assert json.loads((tmp_path / "again" / "evaluation.json").read_text()) == found[0]
-    assert again
+    run_example("ppo.py", "--evaluate", one / "weights.npz", "--missions", 1, "--threads", 1, "--out", judged)
+    found = json.loads((judged / "evaluation.json").read_text())
+    assert found == json.loads((two / "evaluation.json").read_text())
+    assert found["missions"] == 8
 
 
 def test_results_are_printed_and_drawn(tiny_db: Path, tmp_path: Path) -> None:
