@@ -24,9 +24,8 @@ struct Slot {
   double reward_sum = 0.0;
   std::int64_t steps = 0;
   bool has_ended = false;
+  TrialRecord record;             ///< of the last flight that ended
   std::optional<EpisodeEnd> end;  ///< of the last step
-
-  bool is_flying() const { return flight.has_value() && !has_ended; }
 };
 
 bool has_crashed(Outcome outcome) {
@@ -162,10 +161,9 @@ double VectorEnv::Internals::reward_of_step(Slot& slot) const {
 }
 
 void VectorEnv::Internals::finish(Slot& slot, std::size_t index) {
-  Flight& flight = *slot.flight;
   const Episode& episode = slot.episode;
-  flight.record = end_flight(std::move(flight));
-  const TrialRecord& record = flight.record;
+  slot.record = end_flight(std::move(*slot.flight));
+  const TrialRecord& record = slot.record;
   slot.end = {.slot = index,
               .episode = episode.ordinal,
               .trial_key = trial_key(episode.spec),
@@ -229,7 +227,7 @@ std::size_t VectorEnv::trial_count() const { return internals_->source.trials().
 const std::vector<EpisodeEnd>& VectorEnv::ended() const { return internals_->ended; }
 
 const TrialRecord& VectorEnv::record(std::size_t slot) const {
-  return internals_->slots.at(slot).flight.value().record;
+  return internals_->slots.at(slot).record;
 }
 
 const TrialSpec& VectorEnv::trial(std::size_t slot) const {

@@ -75,7 +75,7 @@ class VectorEnv {
   /// The episodes that ended in the last step, by slot.
   const std::vector<EpisodeEnd>& ended() const;
 
-  /// The last step's flight so far; for tests and those who look at one flight.
+  /// The last flight that ended in the slot, and what flies there now or ended in the last step.
   const TrialRecord& record(std::size_t slot) const;
   const TrialSpec& trial(std::size_t slot) const;
   const Scene& scene(std::size_t slot) const;

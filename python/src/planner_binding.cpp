@@ -59,8 +59,8 @@ std::string database_of(const std::string& given, const SweepSpec& sweep) {
 
 /// Flies the sweep in this process: its planners are Python's own.
 FlownSweep fly_sweep(const std::string& given, const std::optional<std::string>& text,
-                   const std::vector<std::string>& overrides, const std::string& given_database,
-                   const OnProgress& on_progress) {
+                     const std::vector<std::string>& overrides, const std::string& given_database,
+                     const OnProgress& on_progress) {
   static std::mutex one_at_a_time;
   const std::unique_lock lock(one_at_a_time, std::try_to_lock);
   if (!lock) throw InputError("another sweep is being flown in this process");

@@ -22,10 +22,10 @@
 #include "bindings.hpp"
 #include "config/sweep_file.hpp"
 #include "metrics/environment.hpp"
-#include "render/scene.hpp"
 #include "sensing/camera.hpp"
 #include "sweep/listed_missions.hpp"
 #include "text/number_text.hpp"
+#include "trial/map_scene.hpp"
 #include "trial/mission.hpp"
 #include "world/voxels.hpp"
 #include "yaml/yaml_tree.hpp"
@@ -54,38 +54,36 @@ constexpr std::size_t kPointsPerSignalCheck = 256;
 
 [[noreturn]] void refuse(const std::string& message) { throw nb::value_error(message.c_str()); }
 
-/// A map with what a sweep says around it. Stays where it is: the scene refers to the world.
-struct Place {
-  explicit Place(MapChoice choice)
+/// A map with what a sweep says around it.
+struct GivenMap {
+  explicit GivenMap(MapChoice choice)
       : trial(std::move(choice.trial)),
         listed(missions_of(choice.missions, trial)),
         warnings(std::move(choice.warnings)),
-        world(make_world(trial.map, trial.map_seed)),
-        scene(world) {}
+        map(trial) {}
 
   TrialSpec trial;
   std::vector<Mission> listed;
   std::vector<std::string> warnings;
-  World world;
-  Scene scene;
+  MapScene map;
 };
 
-std::unique_ptr<Place> make_place(MapChoice choice, std::optional<std::uint64_t> seed) {
+std::unique_ptr<GivenMap> make_map(MapChoice choice, std::optional<std::uint64_t> seed) {
   if (seed) choice.trial.map_seed = *seed;
-  return std::make_unique<Place>(std::move(choice));
+  return std::make_unique<GivenMap>(std::move(choice));
 }
 
-std::unique_ptr<Place> read_place(const std::string& given,
-                                  const std::vector<std::string>& overrides,
-                                  std::optional<std::uint64_t> seed) {
-  return make_place(read_map(given, overrides), seed);
+std::unique_ptr<GivenMap> read_given_map(const std::string& given,
+                                         const std::vector<std::string>& overrides,
+                                         std::optional<std::uint64_t> seed) {
+  return make_map(read_map(given, overrides), seed);
 }
 
-std::unique_ptr<Place> read_place_text(const std::string& text, const std::string& name,
-                                       const std::vector<std::string>& overrides,
-                                       std::optional<std::uint64_t> seed) {
+std::unique_ptr<GivenMap> read_map_text(const std::string& text, const std::string& name,
+                                        const std::vector<std::string>& overrides,
+                                        std::optional<std::uint64_t> seed) {
   const Document document{.root = parse_yaml(text, name), .included = {}};
-  return make_place(map_of_document(document, name, {}, overrides), seed);
+  return make_map(map_of_document(document, name, {}, overrides), seed);
 }
 
 /// The sensor that these overrides of a sweep's key `sensor` make; read as a map's are.
@@ -132,17 +130,17 @@ Pose pose_at(const Poses& poses, std::size_t i) {
   return pose;
 }
 
-std::size_t vertex_count(const Place& place) {
+std::size_t vertex_count(const GivenMap& given) {
   std::size_t count = 0;
-  for (const Instance& instance : place.world.instances) {
-    count += place.world.prototypes[instance.prototype].mesh.vertices.size();
+  for (const Instance& instance : given.map.world.instances) {
+    count += given.map.world.prototypes[instance.prototype].mesh.vertices.size();
   }
   return count;
 }
 
-void write_mesh(const Place& place, const PointsOut& vertices, const TrianglesOut& triangles) {
-  const World& world = place.world;
-  const std::size_t count = vertex_count(place);
+void write_mesh(const GivenMap& given, const PointsOut& vertices, const TrianglesOut& triangles) {
+  const World& world = given.map.world;
+  const std::size_t count = vertex_count(given);
   if (vertices.shape(0) != count || triangles.shape(0) != triangle_count(world)) {
     refuse("vertices and triangles are not of this map's sizes");
   }
@@ -171,7 +169,7 @@ void write_mesh(const Place& place, const PointsOut& vertices, const TrianglesOu
   }
 }
 
-void write_depth(const Place& place, const CameraSpec& sensor, const Poses& T_world_camera,
+void write_depth(const GivenMap& given, const CameraSpec& sensor, const Poses& T_world_camera,
                  std::uint64_t seed, const ImagesOut& depth_m) {
   const auto width = static_cast<std::size_t>(sensor.width_px);
   const auto height = static_cast<std::size_t>(sensor.height_px);
@@ -184,13 +182,13 @@ void write_depth(const Place& place, const CameraSpec& sensor, const Poses& T_wo
   CameraImages images;
   for (std::size_t i = 0; i < count; ++i) {
     check_signals();
-    camera.expose(place.scene, pose_at(T_world_camera, i), {}, {.depth = true},
+    camera.expose(given.map.scene, pose_at(T_world_camera, i), {}, {.depth = true},
                   stream_seed(stream_seed(seed, "depth"), i), images);
     std::copy(images.depth_m.begin(), images.depth_m.end(), depth_m.data() + i * width * height);
   }
 }
 
-void write_nearest(const Place& place, const Points& points_world, double limit_m,
+void write_nearest(const GivenMap& given, const Points& points_world, double limit_m,
                    const NumbersOut& distances_m, const PointsOut& nearest_world) {
   const std::size_t count = points_world.shape(0);
   if (distances_m.shape(0) != count || nearest_world.shape(0) != count) {
@@ -202,7 +200,7 @@ void write_nearest(const Place& place, const Points& points_world, double limit_
     if (i % kPointsPerSignalCheck == 0) check_signals();
     const Vector3d point = point_at(points_world, i);
     check_point(point, "points_world", i);
-    NearestPoint found = place.scene.nearest(point, limit_m);
+    NearestPoint found = given.map.scene.nearest(point, limit_m);
     if (std::isinf(found.distance_m)) {
       found.point_world.setConstant(std::numeric_limits<double>::quiet_NaN());
     }
@@ -213,14 +211,14 @@ void write_nearest(const Place& place, const Points& points_world, double limit_
   }
 }
 
-std::pair<Cells, std::array<double, 3>> occupancy(const Place& place, double resolution_m) {
+std::pair<Cells, std::array<double, 3>> occupancy(const GivenMap& given, double resolution_m) {
   if (!(resolution_m > 0.0 && resolution_m <= kGreatestCell_m)) {
     refuse("resolution_m must be above 0 and at most 1000");
   }
   auto grid = std::make_unique<VoxelGrid>();
   {
     const nb::gil_scoped_release released;
-    *grid = surface_voxels(place.world, resolution_m);
+    *grid = surface_voxels(given.map.world, resolution_m);
   }
   const std::array<double, 3> origin = to_array(grid->lowest_world);
   const std::size_t sizes[] = {grid->columns, grid->rows, grid->layers};
@@ -235,16 +233,16 @@ std::pair<Cells, std::array<double, 3>> occupancy(const Place& place, double res
 using MissionRow = std::array<double, 7>;
 
 /// Start, goal and heading of each.
-std::vector<MissionRow> missions(const Place& place, std::int64_t count) {
+std::vector<MissionRow> missions(const GivenMap& given, std::int64_t count) {
   if (count < 0 || count > 1'000'000) refuse("count must be within [0, 1000000]");
-  if (!place.listed.empty() && count > static_cast<std::int64_t>(place.listed.size())) {
-    refuse("the sweep lists only " + std::to_string(place.listed.size()) + " missions");
+  if (!given.listed.empty() && count > static_cast<std::int64_t>(given.listed.size())) {
+    refuse("the sweep lists only " + std::to_string(given.listed.size()) + " missions");
   }
   const nb::gil_scoped_release released;
   std::vector<MissionRow> rows;
   for (std::int64_t i = 0; i < count; ++i) {
     check_signals();
-    const std::optional<Mission> found = the_mission(place.scene, place.trial, i, place.listed);
+    const std::optional<Mission> found = the_mission(given.map.scene, given.trial, i, given.listed);
     if (!found) {
       throw InputError("mission " + std::to_string(i) +
                        ": no start or goal is free_radius_m from every surface");
@@ -260,9 +258,9 @@ std::vector<MissionRow> missions(const Place& place, std::int64_t count) {
 using ObstacleRow = std::pair<std::string, std::array<double, 4>>;
 
 /// Kind; position and width of each.
-std::vector<ObstacleRow> obstacles(const Place& place) {
+std::vector<ObstacleRow> obstacles(const GivenMap& given) {
   std::vector<ObstacleRow> rows;
-  for (const Obstacle& obstacle : place.world.obstacles) {
+  for (const Obstacle& obstacle : given.map.world.obstacles) {
     const Vector3d& at = obstacle.position_world;
     rows.push_back({obstacle.kind, {at.x(), at.y(), at.z(), obstacle.width_m}});
   }
@@ -280,16 +278,17 @@ void bind_world(nb::module_& m) {
   m.def("read_sensor", &read_sensor, nb::arg("overrides"), Released(),
         "The camera that overrides such as `sensor.width_px=64` make.");
 
-  nb::class_<Place>(m, "World", "A map and its ray tracer; see avoidbench.World.")
-      .def_prop_ro("generator", [](const Place& p) { return std::string(kind(p.trial.map)); })
-      .def_prop_ro("seed", [](const Place& p) { return p.trial.map_seed; })
-      .def_prop_ro("warnings", [](const Place& p) { return p.warnings; })
-      .def_prop_ro("digest", [](const Place& p) { return p.world.digest; })
-      .def_prop_ro("bounds_m", [](const Place& p) { return corners(p.world.bounds); })
-      .def_prop_ro("flight_bounds_m", [](const Place& p) { return corners(p.world.flight_bounds); })
-      .def_prop_ro("obstacle_count", [](const Place& p) { return obstacle_count(p.world); })
+  nb::class_<GivenMap>(m, "World", "A map and its ray tracer; see avoidbench.World.")
+      .def_prop_ro("generator", [](const GivenMap& p) { return std::string(kind(p.trial.map)); })
+      .def_prop_ro("seed", [](const GivenMap& p) { return p.trial.map_seed; })
+      .def_prop_ro("warnings", [](const GivenMap& p) { return p.warnings; })
+      .def_prop_ro("digest", [](const GivenMap& p) { return p.map.world.digest; })
+      .def_prop_ro("bounds_m", [](const GivenMap& p) { return corners(p.map.world.bounds); })
+      .def_prop_ro("flight_bounds_m",
+                   [](const GivenMap& p) { return corners(p.map.world.flight_bounds); })
+      .def_prop_ro("obstacle_count", [](const GivenMap& p) { return obstacle_count(p.map.world); })
       .def_prop_ro("vertex_count", &vertex_count)
-      .def_prop_ro("triangle_count", [](const Place& p) { return triangle_count(p.world); })
+      .def_prop_ro("triangle_count", [](const GivenMap& p) { return triangle_count(p.map.world); })
       .def("obstacles", &obstacles)
       .def("missions", &missions, nb::arg("count"))
       .def("occupancy", &occupancy, nb::arg("resolution_m"))
@@ -299,9 +298,9 @@ void bind_world(nb::module_& m) {
            nb::arg("seed"), nb::arg("depth_m").noconvert())
       .def("write_nearest", &write_nearest, nb::arg("points_world").noconvert(), nb::arg("limit_m"),
            nb::arg("distances_m").noconvert(), nb::arg("nearest_world").noconvert());
-  m.def("read_world", &read_place, nb::arg("given"), nb::arg("overrides"), nb::arg("seed").none(),
-        Released(), "The map of a generator, a file or a built-in sweep.");
-  m.def("read_world_text", &read_place_text, nb::arg("text"), nb::arg("name"), nb::arg("overrides"),
+  m.def("read_world", &read_given_map, nb::arg("given"), nb::arg("overrides"),
+        nb::arg("seed").none(), Released(), "The map of a generator, a file or a built-in sweep.");
+  m.def("read_world_text", &read_map_text, nb::arg("text"), nb::arg("name"), nb::arg("overrides"),
         nb::arg("seed").none(), Released(),
         "The map of a document in YAML; `name` stands in messages.");
 }
