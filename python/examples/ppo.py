@@ -254,7 +254,7 @@ def fly_straight(missions: int, out: Path) -> Flights:
 
 
 def wilson(count: int, of: int) -> tuple[float, float]:
-    """The 95 % interval of a rate, as the report has it."""
+    """The 95 % interval of a rate (Wilson 1927), of missions that are independent. The report's is wider where those of one map are alike."""
     z, rate = 1.959963984540054, count / of
     middle, half = rate + z * z / (2 * of), z * np.sqrt(rate * (1 - rate) / of + z * z / (4 * of * of))
     return float((middle - half) / (1 + z * z / of)), float((middle + half) / (1 + z * z / of))
