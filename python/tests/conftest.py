@@ -22,6 +22,16 @@ TINY: dict[str, Any] = {
     "max_speed_mps": 3,
 }
 
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--long", action="store_true", help="as many steps and resets as the slow tests do")
+
+
+@pytest.fixture(scope="session")
+def is_long(request: pytest.FixtureRequest) -> bool:
+    return bool(request.config.getoption("--long"))
+
+
 Program = Callable[..., bytes]
 
 

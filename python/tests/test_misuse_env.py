@@ -482,8 +482,8 @@ except KeyboardInterrupt:
 
 
 def test_a_search_for_a_mission_is_interrupted() -> None:
-    # The goal is to be free for 10 m around, which it is nowhere; each try makes a map.
-    sweep = changed(SMALL, maps={"seeds": list(range(1, 100))}, mission={"free_radius_m": 10})
+    # Nowhere are 1.95 m free around a start; each of a thousand tries makes a map.
+    sweep = changed(SMALL, maps={"seeds": list(range(1, 100)), "poisson_radius_m": 2.0}, mission={"free_radius_m": 1.95})
     status, output = outcome_of(NO_MISSION, json.dumps(sweep), signal_after="go", timeout_s=60)
     assert (status, output) == (0, "interrupted\n")
 
