@@ -62,7 +62,9 @@ EpisodeSource::~EpisodeSource() = default;
 const PlannedTrial& EpisodeSource::trial_of(const Request& request, std::int64_t attempt) const {
   if (order_ == EpisodeOrder::in_turn) {
     const auto ordinal = static_cast<std::size_t>(request.ordinal + attempt);
-    return trials_[(request.slot + ordinal * slots_) % trials_.size()];
+    // Where the slots are a multiple of the trials, a slot whose trial can't be flown takes others.
+    const std::size_t more = static_cast<std::size_t>(attempt) / trials_.size();
+    return trials_[(request.slot + ordinal * slots_ + more) % trials_.size()];
   }
   std::uint64_t seed = stream_seed(request.seed, "episode");
   seed = stream_seed(seed, static_cast<std::uint64_t>(request.slot));

@@ -13,8 +13,8 @@
 #include "base/digest.hpp"
 #include "base/input_error.hpp"
 #include "base/spec_json.hpp"
-#include "plugin/own_planners.hpp"
 #include "plugin/planner_library.hpp"
+#include "plugin/planner_table.hpp"
 #include "process/isolated_run.hpp"
 
 namespace avoidbench {

@@ -10,7 +10,6 @@
 #include "base/input_error.hpp"
 #include "plugin/elf_symbols.hpp"
 #include "plugin/float_guard.hpp"
-#include "plugin/own_planners.hpp"
 #include "plugin/planner_table.hpp"
 #include "process/locale_guard.hpp"
 

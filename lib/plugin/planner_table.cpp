@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
+#include <mutex>
 #include <set>
 #include <span>
 #include <string_view>
@@ -173,6 +175,20 @@ void add_profile_problems(const ab_planner& table, std::vector<std::string>& pro
   }
 }
 
+struct OwnPlanners {
+  std::mutex mutex;
+  std::map<std::filesystem::path, const ab_planner*> tables;
+};
+
+OwnPlanners& own_planners() {
+  static OwnPlanners planners;
+  return planners;
+}
+
+std::filesystem::path plain(const std::filesystem::path& file) {
+  return std::filesystem::absolute(file).lexically_normal();
+}
+
 }  // namespace
 
 std::vector<std::string> choice_words(const std::string& choices) {
@@ -261,6 +277,20 @@ PlannerDescription describe_table(const ab_planner& table) {
     }
   }
   return planner;
+}
+
+void register_own_planner(const std::filesystem::path& file, const ab_planner& table) {
+  require_sound_table(file, table);
+  OwnPlanners& planners = own_planners();
+  const std::lock_guard lock(planners.mutex);
+  planners.tables[plain(file)] = &table;
+}
+
+const ab_planner* own_planner(const std::filesystem::path& file) {
+  OwnPlanners& planners = own_planners();
+  const std::lock_guard lock(planners.mutex);
+  const auto found = planners.tables.find(plain(file));
+  return found == planners.tables.end() ? nullptr : found->second;
 }
 
 }  // namespace avoidbench

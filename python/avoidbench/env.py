@@ -145,11 +145,11 @@ class _Flights:
 
     @property
     def terminated(self) -> NDArray[np.bool_]:
-        return self._ends[0].astype(np.bool_)
+        return np.asarray(self._ends[0] != 0)
 
     @property
     def truncated(self) -> NDArray[np.bool_]:
-        return self._ends[1].astype(np.bool_)
+        return np.asarray(self._ends[1] != 0)
 
     def step(self, actions: ArrayLike, begins_next: bool) -> None:
         """`actions`: (slots, width)."""
@@ -341,7 +341,7 @@ class AvoidbenchEnv(gymnasium.Env[Observation, NDArray[Any]]):
         self._depth = depth
         self._flights: _Flights | None = _Flights(sweep, 1, 1, set, observe, depth, action, frame, trajectory_points, trajectory_horizon_s,
                                                   reward, order, seed, kept_maps, policy)
-        self.observation_space = self._flights.observation_space
+        self.observation_space = self._flights.observation_space  # type: ignore[assignment]
         self.action_space = self._flights.action_space
         self.step_s = self._flights.step_s
         """Simulated seconds between two observations."""
@@ -379,14 +379,14 @@ class AvoidbenchEnv(gymnasium.Env[Observation, NDArray[Any]]):
             info = end
         return self._seen(), float(flights.rewards[0]), bool(flights.terminated[0]), bool(flights.truncated[0]), info
 
-    def render(self) -> NDArray[np.uint8] | None:  # type: ignore[override]
+    def render(self) -> NDArray[np.uint8] | None:
         """The newest depth, near is bright; None without a render_mode."""
         flights = self._open()
         if self.render_mode is None:
             return None
         depth = flights.views["depth"][0, 0]
-        space = self.observation_space["depth"]  # type: ignore[index]
-        near = depth / float(space.high.max())
+        space = flights.observation_space["depth"]
+        near = depth / float(space.high.max())  # type: ignore[attr-defined]
         bright = np.sqrt(near) if self._depth == "inverse" else np.where(depth > 0.0, 1.0 - near, 0.0)
         return np.repeat(np.round(255.0 * bright).astype(np.uint8)[..., np.newaxis], 3, axis=2)
 

@@ -19,7 +19,7 @@
 #include "bindings.hpp"
 #include "config/sweep_file.hpp"
 #include "metrics/metric_table.hpp"
-#include "plugin/own_planners.hpp"
+#include "plugin/planner_table.hpp"
 #include "replay/provenance.hpp"
 #include "store/database.hpp"
 #include "sweep/listed_missions.hpp"

@@ -20,7 +20,7 @@ import pytest
 from conftest import TINY, fly
 
 import avoidbench
-from avoidbench import program as program_module
+from avoidbench import _location
 from avoidbench.program import find_program
 
 SHORT = {**TINY, "planners": ["straight_line"]}
@@ -230,9 +230,9 @@ def fake_program(path: Path, script: str) -> Path:
 def test_where_the_program_is_looked_for(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     package = tmp_path / "build" / "python" / "avoidbench"
     package.mkdir(parents=True)
-    monkeypatch.setattr(program_module, "__file__", str(package / "program.py"))
+    monkeypatch.setattr(_location, "__file__", str(package / "_location.py"))
     monkeypatch.setenv("PATH", str(tmp_path / "bin"))
-    monkeypatch.delenv("AVOIDBENCH_PROGRAM")
+    monkeypatch.delenv("AVOIDBENCH_PROGRAM", raising=False)
     with pytest.raises(avoidbench.ProgramError) as caught:
         find_program()
     for words in ("AVOIDBENCH_PROGRAM", str(package / "program/bin/avoidbench"), str(tmp_path / "build/avoidbench"),
@@ -240,6 +240,10 @@ def test_where_the_program_is_looked_for(tmp_path: Path, monkeypatch: pytest.Mon
         assert words in str(caught.value)
     for place in (tmp_path / "bin", tmp_path / "build", package / "program" / "bin"):  # each before the one before it
         file = fake_program(place / "avoidbench", "exit 0\n")
+        if place == tmp_path / "bin":  # a script there may be this package's own
+            with pytest.raises(avoidbench.ProgramError):
+                find_program()
+            file.write_bytes(b"\x7fELF")
         assert find_program() == file
     own = fake_program(tmp_path / "own", "exit 0\n")
     monkeypatch.setenv("AVOIDBENCH_PROGRAM", str(own))

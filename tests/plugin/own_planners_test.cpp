@@ -1,4 +1,4 @@
-#include "plugin/own_planners.hpp"
+#include "plugin/planner_table.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
