@@ -105,6 +105,7 @@ PlannerLibrary PlannerLibrary::load_checked(const std::filesystem::path& file, C
   if (const ab_planner* own = own_planner(file)) {
     PlannerLibrary library;
     library.table_ = own;
+    library.thread_owner_ = new_thread_owner();  // else the host's threads would be its own
     library.description_ = describe_table(*own);
     library.description_.file = file;
     return library;

@@ -3,8 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include "avoidbench/planner.hpp"
 #include "base/digest.hpp"
@@ -39,6 +43,13 @@ class Riser {
   Settings settings_;
 };
 
+/// Processor time of this thread.
+double thread_time_s() {
+  std::timespec time{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
 /// A file of its own for each test, which is no library.
 std::filesystem::path source_file() {
   const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
@@ -64,6 +75,30 @@ TEST(OwnPlanners, AreFoundDescribedAndFlownAsLibrariesAre) {
   PlannerView view;
   view.q_world_body.setIdentity();
   EXPECT_EQ(planner.plan(view).command.velocity_world_mps[2], 2.5);
+}
+
+TEST(OwnPlanners, ThreadsOfTheHostAreNotTheirComputingTime) {
+  constexpr double kBusy_s = 0.1;
+  std::atomic<bool> may_begin = false;
+  std::thread host([&may_begin] {
+    may_begin.wait(false);
+    while (thread_time_s() < kBusy_s) {
+    }
+  });
+  const std::filesystem::path file = source_file();
+  register_own_planner(file, detail::Table<Riser>::value);
+  const PlannerLibrary library = PlannerLibrary::load(file);
+  PlannerInstance planner(library, conformance_setup(),
+                          resolve_parameters(library.description(), {}));
+  planner.reset({});
+  PlannerView view;
+  view.q_world_body.setIdentity();
+  planner.plan(view);
+  may_begin = true;
+  may_begin.notify_one();
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));  // so that it has computed something
+  EXPECT_LT(planner.plan(view).cpu_time_s, 0.01);
+  host.join();
 }
 
 TEST(OwnPlanners, TablesThatAreNotSoundAreRefusedAndNotKept) {
