@@ -39,6 +39,7 @@ for room in "${chosen[@]}"; do targets+=("$(tests_of "$room")"); done
 cmake --build build/asan --parallel "$(nproc)" --target "${targets[@]}"
 # Embree's and OpenCV's own threads and caches live until the process ends.
 export ASAN_OPTIONS=detect_leaks=1:strict_string_checks=1 UBSAN_OPTIONS=print_stacktrace=1
+export LSAN_OPTIONS=suppressions=$PWD/tests/support/leaks.supp:print_suppressions=0
 for room in "${chosen[@]}"; do
   echo "== $room"
   filter=$fast

@@ -98,7 +98,7 @@ TEST(ExportTrials, HasIdsStartsGoalsAndAxesAndTheWorstFirst) {
   EXPECT_EQ(field(rows, 1, "sensor.cameras.0.fov_x_deg"), "90");  // less is better: the worse one
   EXPECT_EQ(field(rows, 2, "sensor.cameras.0.fov_x_deg"), "60");
   EXPECT_EQ(field(rows, 2, "trial_id"), "1");
-  const Mission& mission = map_row(0, 2).record.missions[0].mission;
+  const Mission mission = map_row(0, 2).record.missions[0].mission;
   EXPECT_EQ(std::strtod(field(rows, 2, "goal_x_m").c_str(), nullptr), mission.goal_world.x());
   for (const std::string& name : rows.front()) EXPECT_NE(name, "map.poisson_radius_m");
 }

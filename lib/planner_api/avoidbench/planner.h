@@ -230,8 +230,8 @@ typedef struct ab_point {
   double yaw_rate_radps;
 } ab_point;
 
-/* Numbers are finite, and lengths, speeds, angles and so on not beyond 1e6. Anything else is an
- * error of the planner's. */
+/* Numbers are finite, and lengths, speeds and so on not beyond 1e6, yaws not beyond 1e5. Anything
+ * else is an error of the planner's. */
 typedef struct ab_command {
   uint32_t struct_size;
   uint32_t kind;
