@@ -56,7 +56,14 @@ mkdir "$root/ccache" "$root/src"
 mount -t proc proc "$root/proc"
 mount --rbind /dev "$root/dev"
 mount --bind "$cache" "$root/ccache"
-inside() { chroot "$root" env -C /src HOME=/root LC_ALL=C.UTF-8 TMPDIR=/tmp CCACHE_DIR=/ccache "$@"; }
+# pip trusts whom it trusts outside, too: a proxy may stand between.
+certificates=${PIP_CERT:-${SSL_CERT_FILE:-}}
+[ ! -f "$certificates" ] || cp "$certificates" "$root/etc/outside_certificates.pem"
+inside() {
+  local trusted=/etc/outside_certificates.pem
+  chroot "$root" env -C /src HOME=/root LC_ALL=C.UTF-8 TMPDIR=/tmp CCACHE_DIR=/ccache \
+    ${certificates:+PIP_CERT=$trusted SSL_CERT_FILE=$trusted REQUESTS_CA_BUNDLE=$trusted CURL_CA_BUNDLE=$trusted} "$@"
+}
 if [ -n "${FRESH_SYSTEM_BARE:-}" ]; then
   cp -r "$FRESH_SYSTEM_BARE/." "$root/src/"
   inside "$@"
