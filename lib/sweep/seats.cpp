@@ -87,7 +87,8 @@ void replace_process(Desk& desk, Seat& seat, const SandboxRules& rules) {
 }
 
 /// Hands the seat its next job, if there is one for it. A process flies one planner only, so that
-/// what one does to its process is no other one's misfortune. A worker that is gone is replaced
+/// what one does to its process is no other one's misfortune; and of a planner that keeps what it
+/// knows in globals one trial only. A worker that is gone is replaced
 /// once.
 void hand_out(Desk& desk, Seat& seat) {
   Run& run = desk.run;
@@ -97,9 +98,10 @@ void hand_out(Desk& desk, Seat& seat) {
   const std::string& flown = seat.memory.planner_label;
   const auto known = run.sandbox_rules.find(next.planner_label);
   const SandboxRules rules = known == run.sandbox_rules.end() ? SandboxRules{} : known->second;
-  const bool is_other_planner = !flown.empty() && flown != next.planner_label;
+  const bool may_stay =
+      flown.empty() || (flown == next.planner_label && !run.planners_with_globals.contains(flown));
   // A sandbox can't be changed from within: another planner's needs take another process.
-  if (is_other_planner || rules != seat.rules) replace_process(desk, seat, rules);
+  if (!may_stay || rules != seat.rules) replace_process(desk, seat, rules);
   seat.task = Task{.assignment = *assignment, .job = job_of(run, *assignment)};
   seat.memory = next;
   seat.silent_s = 0.0;

@@ -80,6 +80,19 @@ bool is_state_tick(const Perception& p, Tick tick) {
   return (tick + p.state_delay) % p.plan_period == 0;
 }
 
+StateView state_view(const VehicleState& state) {
+  return {.time_s = seconds(state.tick),
+          .position_world = state.position_world,
+          .velocity_world = state.velocity_world,
+          .rates_body = state.rates_body,
+          .q_world_body = state.q_world_body};
+}
+
+/// Whether the odometry's delay is over.
+bool is_told(const Perception& p, const VehicleState& past, Tick now) {
+  return past.tick <= now - p.state_delay;
+}
+
 }  // namespace
 
 Perception make_perception(const TrialSpec& spec, std::uint32_t needs, const VehicleState& start) {
@@ -103,7 +116,9 @@ Perception make_perception(const TrialSpec& spec, std::uint32_t needs, const Veh
                .plan_period = required_period(spec.rates.plan_hz),
                .odometry_state = {},
                .odometry_random = stream(seed, "odometry"),
-               .past = {}};
+               .past = {},
+               .sees_states = (needs & AB_SEES_STATES) != 0,
+               .states = {}};
   p.imu_state = make_imu(p.imu, p.imu_random);
   p.odometry_state = make_odometry(p.odometry, start, p.odometry_random);
   p.past.push_back(believed_state(p, start));
@@ -132,6 +147,10 @@ void sense(Perception& p, const Scene& scene, const VehicleModel& model, const V
     }
     if (truth.tick > 0 && is_state_tick(p, truth.tick)) p.past.push_back(believed_state(p, truth));
   }
+  // At ticks that flights have anyway: to be seen changes nothing.
+  if (p.sees_states && truth.tick % p.imu_period == 0) {
+    p.states.push_back(believed_state(p, truth));
+  }
   if (p.sees_imu && truth.tick % p.imu_period == 0) {
     p.imu_samples.push_back(sense_imu(p.imu, p.imu_state, model, truth, environment,
                                       seconds(p.imu_period), p.imu_random));
@@ -149,15 +168,7 @@ PlannerView planner_view(Perception& p, const VehicleState& truth) {
   // The newest state that is as old as the delay.
   while (p.past.size() > 1 && p.past[1].tick <= truth.tick - p.state_delay) p.past.pop_front();
   const VehicleState& state = p.is_perfect ? truth : p.past.front();
-  PlannerView view{.time_s = seconds(state.tick),
-                   .position_world = state.position_world,
-                   .velocity_world = state.velocity_world,
-                   .rates_body = state.rates_body,
-                   .q_world_body = state.q_world_body,
-                   .depth = {},
-                   .stereo = {},
-                   .color = {},
-                   .imu = {}};
+  PlannerView view{state_view(state), seconds(truth.tick), {}, {}, {}, {}, {}};
   for (std::size_t i = p.exposure_count; i-- > 0;) {  // newest first
     const Exposure& seen = p.exposures[i];
     if (seen.ready > truth.tick) continue;
@@ -177,6 +188,9 @@ PlannerView planner_view(Perception& p, const VehicleState& truth) {
     view.imu.push_back(
         {seconds(sample.tick), sample.rates_body_radps, sample.specific_force_body_mps2});
   }
+  for (const VehicleState& past : p.states) {
+    if (is_told(p, past, truth.tick)) view.states.push_back(state_view(past));
+  }
   return view;
 }
 
@@ -193,6 +207,7 @@ void forget_images(Perception& p, Tick tick) {
 void forget_seen(Perception& p, Tick now) {
   forget_images(p, now);
   p.imu_samples.clear();
+  std::erase_if(p.states, [&](const VehicleState& past) { return is_told(p, past, now); });
 }
 
 }  // namespace avoidbench

@@ -93,7 +93,7 @@ void keep_from_children(const std::array<int, 3>& fds) {
 
 /// All that a planner's instance is made from.
 std::string instance_key(const TrialSpec& spec) {
-  // Not latency, wind or mission: a planner is not told of them at creation.
+  // Not latency, wind or mission: a planner is not told of them at creation (see ab_mission).
   return spec_to_json(spec.planner).dump() + spec_to_json(spec.vehicle).dump() +
          spec_to_json(spec.sensor).dump() + spec_to_json(spec.rates).dump();
 }
