@@ -119,21 +119,22 @@ struct DistanceBounds {
 
 /// Bounds of the distance between the box centred at the origin and the triangle, widened by more
 /// than rounding. A few projections to and fro bring a pair of points close to the nearest; the gap
-/// along their line is the lower bound.
-DistanceBounds distance_bounds(const Vector3d& half, const Triangle& triangle) {
+/// along their line is the lower bound. Ends as soon as that is above `most`.
+DistanceBounds distance_bounds(const Vector3d& half, const Triangle& triangle, double most) {
   Vector3d on_box = Vector3d::Zero();
-  Vector3d between = Vector3d::Zero();
-  for (int i = 0; i < 3; ++i) {
+  DistanceBounds bounds{0.0, kInfinity};
+  for (int i = 0; i < 3 && bounds.lower <= most; ++i) {
     const Vector3d on_triangle = closest_point(on_box, triangle);
     on_box = on_triangle.cwiseMax(-half).cwiseMin(half);
-    between = on_triangle - on_box;
+    const Vector3d between = on_triangle - on_box;
+    const double upper = between.norm();
+    if (upper < 1e-9) return {0.0, upper + 1e-9};
+    const Vector3d direction = between / upper;
+    const double near_corner = std::min(
+        {direction.dot(triangle[0]), direction.dot(triangle[1]), direction.dot(triangle[2])});
+    bounds = {near_corner - half.dot(direction.cwiseAbs()) - 1e-9, upper + 1e-9};
   }
-  const double upper = between.norm();
-  if (upper < 1e-9) return {0.0, upper + 1e-9};
-  const Vector3d direction = between / upper;
-  const double near_corner = std::min(
-      {direction.dot(triangle[0]), direction.dot(triangle[1]), direction.dot(triangle[2])});
-  return {near_corner - half.dot(direction.cwiseAbs()) - 1e-9, upper + 1e-9};
+  return bounds;
 }
 
 }  // namespace
@@ -209,7 +210,7 @@ double Scene::body_clearance(const Vector3d& size_m, const Pose& T_world_body,
   for_triangles_within(search, [&](std::uint32_t instance, std::uint32_t triangle) {
     const Triangle corners =
         in_body(world_triangle(*internals_, instance, triangle), R_body_world, center);
-    const DistanceBounds bounds = distance_bounds(half, corners);
+    const DistanceBounds bounds = distance_bounds(half, corners, bound);
     if (bounds.lower > bound) return;
     candidates.push_back({bounds.lower, corners});
     bound = std::min(bound, bounds.upper);

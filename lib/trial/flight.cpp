@@ -69,11 +69,8 @@ void sample(Flight& flight) {
   if (!flight.record.samples.empty() && flight.record.samples.back().time_s == seconds(state.tick))
     return;
   const Pose T_world_body = pose_of(state);
-  const double nearest_m =
-      flight.scene->nearest(state.position_world, kClearanceLimit_m).distance_m;
-  const double limit_m = std::min(nearest_m, kClearanceLimit_m);  // the body holds its own centre
   const double clearance_m =
-      flight.scene->body_clearance(flight.collision_check.body_size_m, T_world_body, limit_m);
+      body_clearance(flight.collision_check, *flight.scene, T_world_body, kClearanceLimit_m);
   flight.record.samples.push_back(
       {.time_s = seconds(state.tick),
        .position_world = state.position_world,
@@ -82,7 +79,7 @@ void sample(Flight& flight) {
        .q_world_body = state.q_world_body,
        .rates_body_radps = state.rates_body,
        .reference_world = commanded_position(flight),
-       .clearance_m = std::min(clearance_m, limit_m),
+       .clearance_m = clearance_m,
        .rotor_power_w = rotor_power_w(flight.model, state)});
 }
 
@@ -90,8 +87,7 @@ void sample(Flight& flight) {
 void move_obstacles(Flight& flight, Tick dt) {
   if (flight.moving == nullptr) return;
   flight.moving->set_time(seconds(flight.state.tick));
-  // What was free around the last query shrinks by how far the fastest obstacle came.
-  flight.collision_check.free_radius_m -= flight.obstacle_speed_mps * seconds(dt);
+  move_obstacles(flight.collision_check, flight.obstacle_speed_mps * seconds(dt));
 }
 
 /// Records a contact that begins now. True when it is one more than a flight may survive.

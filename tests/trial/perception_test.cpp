@@ -88,7 +88,7 @@ std::vector<Seen> flown(const TrialSpec& spec, double duration_s, std::uint32_t 
 
 TEST(PlannerMissionOf, SaysTheLatencyWhereItIsKnown) {
   TrialSpec spec = small_trial();
-  const Aabb bounds({-1.0, -2.0, -3.0}, {4.0, 5.0, 6.0});
+  const Aabb bounds(Eigen::Vector3d(-1.0, -2.0, -3.0), Eigen::Vector3d(4.0, 5.0, 6.0));
   spec.latency.ms = 40.0;
   const PlannerMission mission = planner_mission(spec, {}, bounds);
   EXPECT_EQ(mission.lowest_world, bounds.min());
