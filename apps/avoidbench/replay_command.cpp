@@ -224,7 +224,7 @@ std::string repeat_text(const StoredTrial& stored, const ReplayFiles& files) {
   if (!hint.empty()) throw OptionError(text.substr(line_end + 1), "", hint);
   std::vector<InputProblem> problems;
   std::istringstream lines(text.substr(line_end + 1));
-  for (std::string line; std::getline(lines, line);) problems.push_back({.message = line});
+  for (std::string line; std::getline(lines, line);) problems.push_back({.file = {}, .message = line});
   throw InputError(std::move(problems));
 }
 
