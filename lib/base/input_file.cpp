@@ -75,6 +75,7 @@ std::size_t InputFile::read(std::span<char> bytes) {
     filled += static_cast<std::size_t>(count);
   }
   read_bytes_ += filled;
+  // Again, since the file may have grown since it was opened.
   check_size(read_bytes_);
   return filled;
 }
@@ -86,6 +87,7 @@ std::string InputFile::read_rest() {
   std::string text;
   std::size_t filled = 0;
   do {
+    // A byte more than expected: a read that ends before it has seen the file's end.
     text.resize(std::max<std::size_t>(filled + kPiece, expected + 1));
     filled += read(std::span(text).subspan(filled));
   } while (filled == text.size());

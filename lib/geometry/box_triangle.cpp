@@ -15,6 +15,7 @@ bool separates(const Vector3d& axis, const Vector3d& half_extents, const Triangl
   const double a = axis.dot(triangle[0]);
   const double b = axis.dot(triangle[1]);
   const double c = axis.dot(triangle[2]);
+  // The box's half shadow on the axis; the triangle's is between its least and greatest corner.
   const double reach = half_extents.dot(axis.cwiseAbs());
   return std::min({a, b, c}) > reach || std::max({a, b, c}) < -reach;
 }
@@ -37,6 +38,7 @@ double squared_segment_distance(const Vector3d& p0, const Vector3d& p1, const Ve
     } else {
       const double b = d1.dot(d2);
       const double denominator = a * e - b * b;
+      // Parallel segments have it 0: any s is as good, and t follows.
       if (denominator > kTiny) s = std::clamp((b * f - c * e) / denominator, 0.0, 1.0);
       t = (b * s + f) / e;
       if (t < 0.0) {
@@ -53,6 +55,8 @@ double squared_segment_distance(const Vector3d& p0, const Vector3d& p1, const Ve
 
 }  // namespace
 
+/// By the region that the point is in (Ericson §5.1.5): beyond a corner, beside an edge, or above
+/// the face. vc, vb and va are twice the areas of its barycentric parts.
 Vector3d closest_point(const Vector3d& point, const Triangle& triangle) {
   const auto& [a, b, c] = triangle;
   const Vector3d ab = b - a, ac = c - a, ap = point - a;
@@ -76,6 +80,8 @@ Vector3d closest_point(const Vector3d& point, const Triangle& triangle) {
   return a + ab * (vb * inverse) + ac * (vc * inverse);
 }
 
+/// Separating axes (Akenine-Möller 2001): the box's three, the triangle's normal, and the nine
+/// products of their edges.
 bool overlaps(const Vector3d& half_extents, const Triangle& triangle) {
   const std::array<Vector3d, 3> edges{triangle[1] - triangle[0], triangle[2] - triangle[1],
                                       triangle[0] - triangle[2]};
@@ -93,6 +99,8 @@ bool overlaps(const Vector3d& half_extents, const Triangle& triangle) {
 
 double distance(const Vector3d& half_extents, const Triangle& triangle) {
   if (overlaps(half_extents, triangle)) return 0.0;
+  // Squared until the end. Two convex solids that do not overlap are nearest at a corner of one
+  // against a face of the other, or between two edges.
   double best = std::numeric_limits<double>::infinity();
   // A corner of the triangle against the box.
   for (const Vector3d& corner : triangle) {
