@@ -308,7 +308,7 @@ SweepResult combined(std::vector<SweepResult> parts) {
     for (const MapRow& row : part.maps) {
       const auto [entry, is_new] = maps.emplace(row.record.key, row);
       if (is_new) continue;
-      // A shard has measured only the missions that it flew.
+      // Databases may know unlike numbers of a map's missions.
       std::vector<MissionRecord>& missions = entry->second.record.missions;
       for (const MissionRecord& mission : row.record.missions) {
         const bool is_there =
