@@ -21,7 +21,9 @@ void read_list(const YamlNode& node, const FieldTree& field, const std::string& 
   if (!check_list(node, path, field.count, reading.problems)) return;
   const FieldTree& element = field.fields.front();
   const Json fresh = element.kind == FieldKind::block ? preset_json(element) : element.preset;
+  // A list of fixed length keeps its presets where an element is wrong.
   Json list = field.count ? value : Json(node.items.size(), fresh);
+  // Within a list, a list is a value.
   const bool lists_were_axes = std::exchange(reading.lists_are_axes, false);
   for (std::size_t i = 0; i < node.items.size(); ++i) {  // an element has no path of its own
     read_field(node.items[i], element, path + "[" + std::to_string(i) + "]", list[i], reading);
@@ -31,6 +33,7 @@ void read_list(const YamlNode& node, const FieldTree& field, const std::string& 
 }
 
 /// Whether several values are given.
+/// A list where one value is wanted, or a range; where a list is wanted, a list of lists.
 bool is_axis(const YamlNode& node, const FieldTree& field) {
   const bool is_list = node.kind == YamlNode::Kind::list;
   if (field.kind == FieldKind::block) return false;
@@ -44,11 +47,13 @@ void read_axis(const YamlNode& node, const FieldTree& field, const std::string& 
   const std::vector<YamlNode> nodes = axis_values(node, path, reading.problems);
   reading.lists_are_axes = false;
   for (const YamlNode& one : nodes) {
+    // Each value begins from what is there, as blocks and fixed lists keep what is not said.
     axis.values.push_back(value);
     read_field(one, field, path, axis.values.back(), reading);
   }
   reading.lists_are_axes = true;
   if (axis.values.empty()) return;
+  // The base flies the first value; one value alone is no axis.
   value = axis.values.front();
   if (nodes.size() > 1) reading.axes.push_back(std::move(axis));
 }
@@ -71,6 +76,7 @@ fs::path file_of(const std::string& name, const std::string& shelf, const fs::pa
   const bool is_path = name.find('/') != std::string::npos || name.ends_with(".yaml");
   if (is_path) return fs::path(name).is_absolute() ? fs::path(name) : folder / name;
   std::error_code error;
+  // vehicles/ beside the sweep, or beside the folder of sweeps.
   for (const fs::path& place : {folder / shelf, folder / ".." / shelf}) {
     const fs::path file = (place / (name + ".yaml")).lexically_normal();
     if (fs::is_regular_file(file, error)) return file;
@@ -98,6 +104,7 @@ void read_preset_file(const YamlNode& name, const fs::path& file, const FieldTre
     reading.problems.push_back(problem_at(name, path + ": presets lead in a circle"));
     return;
   }
+  // A vehicle's file describes one vehicle.
   const bool lists_were_axes = std::exchange(reading.lists_are_axes, false);
   ++reading.preset_level;
   try {
@@ -121,6 +128,7 @@ void read_name(const YamlNode& node, const FieldTree& block, const std::string& 
   const std::string shelf = what + "s";
   const fs::path folder = folder_of(node, reading.folder);
   const fs::path file = file_of(node.scalar, shelf, folder);
+  // A file wins over a built-in name: a user's own firefly is meant.
   if (!file.empty()) return read_preset_file(node, file, block, path, value, reading);
   const auto built_in = std::find(preset.choices.begin(), preset.choices.end(), node.scalar);
   if (built_in != preset.choices.end()) {
@@ -169,6 +177,7 @@ std::string read_key(MappingReader& mapping, const FieldTree& field, Json& block
   const std::string path = mapping.path_of(field.name);
   if (field.kind != FieldKind::variant) {
     if (node == nullptr) return "";
+    // `seeds: 3` is three seeds, `seeds: [3]` is seed 3.
     const bool is_count = field.name == "seeds" && node->kind == YamlNode::Kind::scalar;
     if (is_count && reading.lists_are_axes) {
       read_seed_count(*node, path, block[field.name], reading);
@@ -177,8 +186,10 @@ std::string read_key(MappingReader& mapping, const FieldTree& field, Json& block
     }
     return "";
   }
+  // Variants: first the word, then the fields that this kind has.
   Json kind = block.at(field.name);
   if (node != nullptr) keep(read_choice(*node, path, field.choices, reading.problems), kind);
+  // Another kind than the one before: its fields go, and the new kind's presets come.
   if (kind != block.at(field.name)) {
     for (const FieldTree& old : field.find(block.at(field.name).get<std::string>())->fields) {
       block.erase(old.name);
@@ -199,9 +210,11 @@ void read_block(const YamlNode& node, const FieldTree& block, const std::string&
   const bool may_be_name = has_presets && (reading.preset_level == 0 || path.ends_with(']'));
   if (may_be_name && node.kind == YamlNode::Kind::scalar) {
     read_name(node, block, path, value, reading);
+    // Behind read_name(), whose file remembers places too: the last one counts.
     return reading.remember(path, node);
   }
   MappingReader mapping(node, path, reading);
+  // First of all: the other keys are laid over what the preset says.
   if (const YamlNode* preset = has_presets ? mapping.take("preset") : nullptr) {
     if (preset->kind == YamlNode::Kind::scalar) {
       read_name(*preset, block, path, value, reading);

@@ -148,6 +148,7 @@ FieldTree make_sensor_tree() {
 }
 
 FieldTree make_sweep_tree() {
+  // The fields of SweepSpec, rearranged as sweep files have them.
   FieldTree fields = field_tree("", SweepSpec{}, "");
   const auto take = [&](std::string_view name) {
     const auto found = std::find_if(fields.fields.begin(), fields.fields.end(),
@@ -156,6 +157,7 @@ FieldTree make_sweep_tree() {
     fields.fields.erase(found);
     return taken;
   };
+  // The program fills these in.
   for (const char* filled_in : {"mission_index", "planner", "latency_digest", "missions_digest"})
     take(filled_in);
   FieldTree name = take("sweep"), trials = take("trials"), maps = take("map");
@@ -208,9 +210,11 @@ const FieldTree& sensor_tree() {
   return tree;
 }
 
+/// From keys of files to a spec: `maps` is `map` there, and its seeds the field beside it.
 SweepSpec sweep_from(nlohmann::json keys) {
   keys["map"] = std::move(keys.at("maps"));
   keys["map_seed"] = keys["map"].at("seeds");
+  // Keys that are null were not said: the spec's own value stays.
   nlohmann::json all = spec_to_json(SweepSpec{});
   for (const auto& [name, value] : keys.items()) {
     if (!value.is_null()) all[name] = value;
@@ -247,6 +251,8 @@ std::string sweep_path(const std::string& path) {
 }
 
 std::string unit_of(std::string_view name) {
+  // The first ending that fits counts, so longer ones stand before their own endings (_per_sqrt_s
+  // before _s).
   static constexpr std::array<std::pair<std::string_view, std::string_view>, 24> kUnits{{
       {"_per_sqrt_s", "/√s"},
       {"_radps2", "rad/s²"},
