@@ -22,6 +22,7 @@ VehicleSpec hummingbird_rotors_spec() {
   return vehicle;
 }
 
+/// Ascending Technologies' Firefly as in RotorS: six rotors at 60°, the first at 30° from x.
 VehicleSpec firefly_spec() {
   constexpr double kArm = 0.215, kHeight = 0.036281567;
   const double cos30 = 0.5 * std::sqrt(3.0);
@@ -51,6 +52,7 @@ void check_vehicle(const VehicleSpec& vehicle) {
     problems.push_back(std::move(problem));
   };
   const std::size_t count = vehicle.rotors.size();
+  // Nothing else makes sense then.
   if (count == 0 || count > kMaxRotors) {
     add("rotors: " + std::to_string(count) + " of them, not one to eight");
     throw InputError(problems);
