@@ -167,6 +167,7 @@ bool has_ended(pid_t worker) {
                              IsolatedOutput& output, double time_limit_s, const Pipe& verdicts,
                              int words_fd, pid_t parent) noexcept {
   const Clock::time_point end = after(time_limit_s);
+  // A caller may ignore it, and its children would then leave no status.
   ::signal(SIGCHLD, SIG_DFL);
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);
   adopt_orphans();
@@ -191,6 +192,7 @@ bool has_ended(pid_t worker) {
     if (signal > 0 && signal != SIGCHLD) break;
     verdict.in_time = has_ended(worker);
   }
+  // In any case: what the worker has left behind goes with it.
   verdict.status = kill_all(worker);
   [[maybe_unused]] const ssize_t written = ::write(verdicts.write_end, &verdict, sizeof verdict);
   ::_exit(0);
@@ -250,6 +252,7 @@ void IsolatedOutput::claim() {
 }
 
 bool IsolatedOutput::write(std::string_view bytes) {
+  // A child that planner code forked has no say.
   if (::getpid() != owner_) ::_exit(0);
   if (bytes.size() > kMostBytes - written_) return false;
   ::mprotect(shared_, sizeof(Shared), PROT_READ | PROT_WRITE);
@@ -288,6 +291,7 @@ IsolatedEnd run_isolated(const std::function<void(IsolatedOutput&)>& work, doubl
     }
     if (watcher < 0) fail("fork", errno);
   }
+  // Only the watcher's end is left: the pipe ends with it.
   verdicts.close_write_end();
   words.close_write_end();
 
@@ -300,6 +304,7 @@ IsolatedEnd run_isolated(const std::function<void(IsolatedOutput&)>& work, doubl
     is_over = true;
     is_reported = ::read(verdicts.read_end, &verdict, sizeof verdict) == sizeof verdict;
   }
+  // A watcher that a planner has stopped or killed.
   if (!is_reported) ::kill(watcher, SIGKILL);
   // Always waited for: a caller may fork again at once, and must find no zombie of ours.
   while (::waitpid(watcher, nullptr, 0) < 0 && errno == EINTR) {

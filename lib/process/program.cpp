@@ -64,6 +64,7 @@ ProgramEnd run_program(const std::vector<std::string>& command, Standard output)
   const int error =
       ::posix_spawnp(&pid, arguments[0], &actions, nullptr, arguments.data(), ::environ);
   posix_spawn_file_actions_destroy(&actions);
+  // Else reading would wait for this process's own end.
   if (pipe[1] >= 0) ::close(pipe[1]);
   ProgramEnd end;
   if (pipe[0] >= 0) end.output = read_to_end(pipe[0]);
@@ -71,6 +72,7 @@ ProgramEnd run_program(const std::vector<std::string>& command, Standard output)
   return end;
 }
 
+/// The first interpreter that finds the modules; it does not import them.
 std::string python_with(const std::vector<std::string>& modules, const std::string& purpose) {
   const char* chosen = std::getenv("AVOIDBENCH_PYTHON");
   const std::vector<std::string> candidates =

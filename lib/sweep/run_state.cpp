@@ -42,6 +42,7 @@ std::optional<std::vector<double>> latencies_of(Run& run, const TrialSpec& spec)
   return latencies_s;
 }
 
+/// Stored first: a run that is killed after it need not measure the map again.
 void commit_map(Run& run, MapPlan& map, MapRecord record) {
   record.key = map.key;
   nlohmann::json spec = spec_to_json(map.spec.map);
@@ -96,6 +97,7 @@ void report_progress(const Run& run) {
   if (run.options.on_progress) run.options.on_progress(run.progress);
 }
 
+/// Maps that the database has need not be measured.
 void recall_maps(Run& run) {
   for (MapPlan& map : run.schedule.maps) {
     if (waiting_count(map) == 0) continue;
@@ -131,6 +133,7 @@ Job job_of(Run& run, const Assignment& assignment) {
 
 void take_result(Run& run, const Assignment& assignment, JobResult result) {
   MapPlan& map = run.schedule.maps[assignment.map];
+  // No map, no file: an error of the run, not an outcome of a trial.
   if (!result.error.empty()) throw InputError(run.sweep.name + ": " + result.error);
   if (assignment.trial) {
     commit_trial(run, assignment, std::move(*result.trial), std::move(result.metrics),
@@ -141,6 +144,7 @@ void take_result(Run& run, const Assignment& assignment, JobResult result) {
 }
 
 void take_death(Run& run, const Assignment& assignment, const Job& job, const Death& death) {
+  // No planner is in the process then: the fault is the machine's or ours.
   if (!assignment.trial) {
     throw InputError("the worker that measured a map of " + run.sweep.name +
                      " ended: " + death.reason +
@@ -148,6 +152,7 @@ void take_death(Run& run, const Assignment& assignment, const Job& job, const De
                      "; run the same command again, with fewer workers if memory is short");
   }
   TrialRecord record;
+  // As far as it came; the outcome is the death's.
   if (death.flown) record = *death.flown;
   record.outcome = death.outcome;
   record.reason = death.reason;
@@ -155,6 +160,7 @@ void take_death(Run& run, const Assignment& assignment, const Job& job, const De
   if (!death.last_words.empty()) {
     run.last_words[run.schedule.keys[*assignment.trial]] = death.last_words;
   }
+  // How long the flight took is not known.
   commit_trial(run, assignment, std::move(record), std::move(metrics), std::nan(""));
 }
 

@@ -95,6 +95,7 @@ void hand_out(Desk& desk, Seat& seat) {
   if (!assignment) return;
   const Memory next = memory_after(run, *assignment);
   const std::string& flown = seat.memory.planner_label;
+  // A map job has no planner: the strictest rules.
   const auto known = run.sandbox_rules.find(next.planner_label);
   const SandboxRules rules = known == run.sandbox_rules.end() ? SandboxRules{} : known->second;
   const bool is_other_planner = !flown.empty() && flown != next.planner_label;
@@ -220,6 +221,7 @@ void take_next_results(Desk& desk) {
   for (Seat& seat : desk.seats) {
     if (!seat.task) continue;
     const int job_fd = seat.process.has_more_to_send() ? seat.process.job_fd() : -1;
+    // Two a seat; poll() passes over those with a negative number.
     waiting.push_back({.fd = seat.process.result_fd(), .events = POLLIN, .revents = 0});
     waiting.push_back({.fd = job_fd, .events = POLLOUT, .revents = 0});
     busy.push_back(&seat);

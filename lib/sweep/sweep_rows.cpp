@@ -22,6 +22,7 @@ nlohmann::json axis_json(const Axis& axis) {
   if (axis.path == "map.file" || axis.path == "wind.field.file") {
     for (nlohmann::json& value : values) {
       const std::string file = value.get<std::string>();
+      // A name alone would not say which contents were flown.
       value = {{"file", file}, {"file_digest", file.empty() ? "" : file_digest(file)}};
       forget_folder(value);
     }
@@ -64,6 +65,7 @@ void write_latency(nlohmann::json& base, const SweepSpec& sweep,
 
 }  // namespace
 
+/// Databases keep no paths: they are of one machine, and may tell of its owner.
 void forget_folder(nlohmann::json& block) {
   if (!block.contains("file")) return;
   block["file"] = file_name(block["file"]);

@@ -91,6 +91,7 @@ MapRecord map_from_json(const json& from) {
   return map;
 }
 
+/// Samples go as bytes beside the JSON, which would take several times as much and long to read.
 json trial_to_json(const TrialRecord& record) {
   json collisions = json::array();
   for (const Collision& collision : record.collisions) {
@@ -124,16 +125,19 @@ TrialRecord trial_from_json(const json& from) {
 /// Whether the answer has what the job asks for, and as much of it.
 bool answers(const JobResult& result, const Job& job) {
   if (result.token != job.token) return false;
+  // An error is an answer, whatever else is missing.
   if (!result.error.empty()) return true;
   if (job.mission) return result.trial && result.metrics.size() == metric_table().size();
   const auto count = static_cast<std::size_t>(job.mission_count);
   if (!result.map || result.map->missions.size() != count) return false;
+  // Missions are looked up by their place: it has to be their index.
   for (std::size_t i = 0; i < count; ++i) {
     if (result.map->missions[i].index != static_cast<std::int64_t>(i)) return false;
   }
   return true;
 }
 
+/// Throws what nlohmann::json throws at the first part that is missing or of another type.
 JobResult parsed(const Message& message) {
   JobResult result;
   result.token = message.json.at("token");
