@@ -47,6 +47,7 @@ double fitting_parameter(const MapTarget& target, MapsFound& found) {
   double best_error = std::min(std::abs(at_low - target.wanted), std::abs(at_high - target.wanted));
   // A fifth of the tolerance is near enough: single seeds scatter by more.
   for (int i = 0; i < kHalvings && best_error > 0.2 * target.within; ++i) {
+    // In thousandths, as parameters are written.
     const double middle = std::round(500.0 * (low + high)) / 1000.0;
     if (middle <= low || middle >= high) break;
     const double value = mean_at(target, middle, found);
@@ -54,6 +55,7 @@ double fitting_parameter(const MapTarget& target, MapsFound& found) {
       best_error = std::abs(value - target.wanted);
       best = middle;
     }
+    // Bisection, whichever way the measure goes with the parameter.
     ((value < target.wanted) == (at_low < at_high) ? low : high) = middle;
   }
   return best;

@@ -60,6 +60,7 @@ MissionRecord make_mission_record(const TrialSpec& spec, const Scene& scene, Cle
     return mission;
   }
   mission.mission = *made;
+  // Made missions stand in free places by their making.
   if (!listed.empty()) {
     mission.invalid_reason = problem_of_places(scene, spec.mission, *made);
     if (!mission.invalid_reason.empty()) return mission;
@@ -82,6 +83,7 @@ MapRecord make_map_record(const TrialSpec& spec, const Scene& scene, std::int64_
                           const std::vector<Mission>& listed) {
   const World& world = scene.world();
   const BodyMeasure body = body_measure(to_eigen(spec.vehicle.body_size_m));
+  // One grid for all: what one measure has asked of the scene the others know.
   ClearanceGrid grid(scene, world.bounds, kMapCell_m);
   const Traversability trav = traversability(scene, grid, body);
   MapRecord map{.key = {},

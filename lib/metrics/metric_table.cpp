@@ -245,6 +245,7 @@ std::span<const MapMetricDef> map_metric_table() { return kMapTable; }
 std::vector<double> compute_metrics(const MetricInput& input) {
   std::vector<double> values;
   for (const MetricDef& metric : kTable) {
+    // A metric of finished trials has no value in others.
     const bool applies = metric.population == Population::all || finished(input);
     values.push_back(applies ? metric.compute(input) : kNaN);
   }
