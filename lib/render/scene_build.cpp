@@ -16,6 +16,7 @@ TrianglePlane make_plane(const Vector3f& a, const Vector3f& b, const Vector3f& c
   const Vector3d origin = a.cast<double>();
   const Vector3d cross = (b.cast<double>() - origin).cross(c.cast<double>() - origin);
   const double length = cross.norm();
+  // A triangle without an area has no plane: all its numbers are 0.
   const Vector3d normal = length > 0.0 ? Vector3d(cross / length) : Vector3d::Zero();
   return {normal.x(), normal.y(), normal.z(), normal.dot(origin)};
 }
@@ -104,6 +105,7 @@ void build_flattened(Scene::Internals& scene) {
     scene.placements[i].planes = scene.planes.back().data();
     if (mesh.triangles.empty()) continue;
     const embree::GeometryHandle geometry = make_geometry(vertices, mesh);
+    // By the instance's own number, which Embree gives back with each hit.
     rtcAttachGeometryByID(scene.top.get(), geometry.get(), i);
   }
 }
@@ -217,6 +219,7 @@ std::unique_ptr<Scene::Internals> build_internals(const World& world,
   check_world(world);
   auto scene = std::make_unique<Scene::Internals>();
   scene->world = &world;
+  // What moves stays an instance, of which only the place changes.
   scene->flattened = world.motions.empty() && triangle_count(world) <= flatten_triangles;
   scene->top = make_scene();
   if (!world.motions.empty()) {
@@ -244,6 +247,7 @@ void move_instances(Scene::Internals& scene, double time_s) {
     Instance moved = world.instances[motion.instance];
     moved.T_world_prototype.translation() += displacement_world(motion, time_s).cast<float>();
     Placement& placement = scene.placements[motion.instance];
+    // Planes are in the prototype's frame, which does not move.
     const TrianglePlane* const planes = placement.planes;
     placement = make_placement(moved);
     placement.planes = planes;
@@ -255,6 +259,7 @@ void move_instances(Scene::Internals& scene, double time_s) {
     rtcCommitGeometry(geometry);
     scene.bounds[motion.instance] = instance_bounds(mesh, placement);
   }
+  // Boxes and instances have moved: both hierarchies are built again.
   rtcCommitGeometry(rtcGetGeometry(scene.instance_boxes.get(), 0));
   commit(scene.instance_boxes.get());
   commit(scene.top.get());

@@ -110,6 +110,7 @@ void Camera::Internals::expose_pair(const Scene& scene, const Pose& pose,
   // One gain for both eyes, as in real rigs: a matcher compares grey values.
   develop(sensor.image, light, shares, gain, left_random, images.left);
 
+  // The camera's x axis is to the right: from the left eye to the right one.
   const Vector3d to_right = pose.linear().col(0) * sensor.baseline_m;
   const Pose right = Eigen::Translation3d(to_right) * pose;
   const CameraMotion right_motion{motion.velocity_world + motion.rates_world_radps.cross(to_right),
@@ -182,6 +183,7 @@ Camera& Camera::operator=(Camera&&) noexcept = default;
 void Camera::expose(const Scene& scene, const Pose& T_world_camera, const CameraMotion& motion,
                     const ImageNeeds& needs, std::uint64_t seed, CameraImages& images) {
   Internals& self = *internals_;
+  // A matcher needs both images, whether the planner sees them or not.
   const bool matches = needs.depth && self.matcher != nullptr;
   if (needs.stereo || matches) self.expose_pair(scene, T_world_camera, motion, seed, images);
   if (needs.color) self.expose_color(scene, T_world_camera, motion, seed, images);

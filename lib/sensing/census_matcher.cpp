@@ -171,6 +171,7 @@ void finish(const Kernels& kernels, const Buffers& buffers, int tolerance_px,
     for (int x = 0; x < frame.width_px; ++x) {
       // 1/16 px to the nearest whole one, as the right image's are.
       const int d = (buffers.left_median[x] + 8) >> 4;
+      // The right image has to say the same at the partner, x - d.
       const bool valid =
           d <= x && std::abs(d - buffers.right_median[x - std::min(d, x)]) <= tolerance_px;
       out[x] = valid ? buffers.left_median[x] : kInvalidDisparity;

@@ -60,6 +60,7 @@ double error_size_px(std::span<const float> truth_m, std::span<const float> meas
   double mean = 0.0, count = 0.0;
   for (std::size_t i = 0; i < errors.size(); ++i) {
     errors[i] -= truth[i];
+    // Outliers and invalid pixels tell nothing of patches.
     if (!(std::abs(errors[i]) <= 1.0F) || measured_m[i] > 1e9F) {
       errors[i] = std::numeric_limits<float>::quiet_NaN();
       continue;
@@ -71,9 +72,11 @@ double error_size_px(std::span<const float> truth_m, std::span<const float> meas
   // Errors alike over more than that are a shift of the whole, not patches.
   constexpr std::size_t kMost = 40;
   double variance = 0.0, last = 1.0;
+  // The lag at which the errors' autocorrelation along rows has fallen to one half.
   for (std::size_t lag = 0; lag < std::min(kMost, width); ++lag) {
     double sum = 0.0, pairs = 0.0;
     for (std::size_t i = 0; i + lag < errors.size(); ++i) {
+      // Pairs within one row only.
       if (i % width + lag >= width) continue;
       const double product =
           (static_cast<double>(errors[i]) - mean) * (static_cast<double>(errors[i + lag]) - mean);
@@ -116,6 +119,7 @@ DepthStatistics depth_statistics(std::span<const DepthSample> samples, bool edge
     squares += error * error;
     depth_sum += measured - truth;
     depth_squares += (measured - truth) * (measured - truth);
+    // A pixel of disparity is z² / (f b) of depth.
     expected += truth * truth / disparity_at_1m_px;
   }
   const auto count = static_cast<double>(finite - outliers);
