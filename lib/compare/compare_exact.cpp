@@ -12,6 +12,7 @@
 namespace avoidbench {
 namespace {
 
+/// A metric and its place among those of either table.
 struct ComparedColumn {
   std::string name;
   std::size_t base, now;

@@ -28,6 +28,7 @@ nlohmann::json json_below(const FieldTree& block, const std::string& prefix,
       json[field.name] = field.preset;
     }
     if (field.kind != FieldKind::variant) continue;
+    // The kind that was said, else the default; only its fields come with it.
     for (const SaidKind& said : kinds) {
       if (said.path == path) json[field.name] = said.kind;
     }

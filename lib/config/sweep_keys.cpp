@@ -9,6 +9,7 @@ namespace {
 
 using Facts = std::vector<std::pair<std::string, std::string>>;
 
+/// A key of sweep files that is no field of a spec.
 FieldTree own_key(std::string name, FieldKind kind, std::string doc, Facts facts) {
   FieldTree tree;
   tree.name = std::move(name);
@@ -141,6 +142,7 @@ FieldTree make_sensor_tree() {
                    {"or", "sensor: {more_cameras: [d435_like, oak_d_like]}"},
                    {"axis", "a list of such values"},
                    {"see", "docs/sensors.md, Rigs"}};
+    // The list's element: a camera that may begin with a preset, too.
     field.fields.front() = with_preset<CameraSpec>(std::move(field.fields.front()),
                                                    {built_in.begin(), built_in.end()});
   }
@@ -179,6 +181,7 @@ FieldTree make_sweep_tree() {
   sweep.fields = {std::move(name), include_key(),  take("seed"),    std::move(trials),
                   until_key(),     planners_key(), max_speed_key(), std::move(maps)};
   for (FieldTree& field : fields.fields) {
+    // Those of the trees for files of their own, which know presets.
     if (field.name == "vehicle") field.fields = vehicle_tree().fields;
     if (field.name == "sensor") field.fields = sensor_tree().fields;
     if (field.name == "mission") {

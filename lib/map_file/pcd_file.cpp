@@ -89,6 +89,7 @@ PcdHeader read_pcd_header(LineCursor& lines, const std::string& file) {
     // Binary data after a header without DATA may look like lines for long.
     if (lines.line > kMostLines) break;
     if (words.empty() || words[0].starts_with('#')) continue;
+    // Both are passed over: points stay in the file's own frame.
     if (words[0] == "VERSION" || words[0] == "VIEWPOINT") {
     } else if (words[0] == "FIELDS") {
       header.fields.clear();
@@ -154,6 +155,7 @@ std::size_t point_size(const PcdHeader& header) {
 
 FilePoints ascii_points(const PcdHeader& header, LineCursor& lines, const std::string& file) {
   const std::array<Place, 3> xyz = xyz_of(header, file);
+  // What stands behind the last coordinate is not looked at.
   const std::size_t last = std::max({xyz[0].word, xyz[1].word, xyz[2].word});
   FilePoints points;
   for (std::uint64_t i = 0; i < header.points;) {

@@ -10,6 +10,7 @@
 namespace avoidbench {
 namespace {
 
+/// π (3 - √5).
 constexpr double kGoldenAngle_rad = 2.39996322972865332;
 
 struct BushHabit {
@@ -100,6 +101,7 @@ double obstacle_width_m(const PlantModel& model, double scale, double height_m) 
     const double angle = math::kPi * k / kDirections;
     const double x = math::cos(angle);
     const double y = math::sin(angle);
+    // From 0: the root's own place counts in.
     double least = 0.0, most = 0.0;
     for (const Eigen::Vector3f& vertex : model.prototype.mesh.vertices) {
       if (static_cast<double>(vertex.z()) > own_height_m) continue;

@@ -64,6 +64,7 @@ Eigen::Vector3d turned_from(const Eigen::Vector3d& axis, double angle_rad, doubl
   // Any direction that is not nearly the axis.
   const Eigen::Vector3d reference =
       std::abs(axis.z()) < 0.9 ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitX();
+  // Two directions square to the axis and to each other.
   const Eigen::Vector3d side = axis.cross(reference).normalized();
   const Eigen::Vector3d other = axis.cross(side);
   const Eigen::Vector3d away = math::cos(turn_rad) * side + math::sin(turn_rad) * other;

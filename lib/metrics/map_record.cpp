@@ -35,6 +35,7 @@ std::string problem_of_places(const Scene& scene, const MissionSpec& spec, const
     if (!problem.empty()) return std::string(name) + " " + place_text(place) + " " + problem;
   }
   const Eigen::Vector3d course = mission.goal_world - mission.start_world;
+  // Horizontally, as reaching the goal is judged.
   const double distance_m = math::hypot(course.x(), course.y());
   if (distance_m <= spec.goal_radius_m) {
     return "start " + place_text(mission.start_world) + " is " + fixed_digits(distance_m, 2) +
@@ -72,6 +73,7 @@ MissionRecord make_mission_record(const TrialSpec& spec, const Scene& scene, Cle
   }
   mission.is_valid = true;
   mission.reference_length_m = path_length_m(*path);
+  // Draws by the mission's index: what was measured before makes no difference.
   mission.difficulty = mission_difficulty(
       scene, *path, radius_m,
       stream_seed(stream_seed(spec.seed, "difficulty"), static_cast<std::uint64_t>(index)));

@@ -99,6 +99,8 @@ void PrintTrimmer::trim() {
 
 PrintsCaptured::PrintsCaptured(const PrintCapture& capture) {
   flush_streams();
+  // Above the standard streams' numbers: one of them may be closed, and a copy under its number
+  // would be written over below.
   out_ = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
   err_ = ::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
   ::dup2(capture.fd(), STDOUT_FILENO);

@@ -28,6 +28,7 @@ std::string read_to_end(int descriptor) {
   return text;
 }
 
+/// -1 where a signal ended it.
 int exit_code_of(pid_t pid) {
   int status = 0;
   while (::waitpid(pid, &status, 0) < 0) {

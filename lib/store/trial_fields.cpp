@@ -51,6 +51,7 @@ constexpr NamedField kNamedFields[] = {
 };
 
 constexpr std::string_view kParameterPrefix = "planner.";
+/// No parameters, though "planner." stands before them: fields of the choice itself.
 constexpr std::string_view kOwnOfPlanner[] = {"label", "plugin", "file_digest"};
 
 /// Text in quotes for SQL or a JSON path: quotes within are doubled.

@@ -83,6 +83,7 @@ bool TrialTableReader::next() {
   if (!statement_->step()) return false;
   for (std::size_t i = 0; i < row_.size(); ++i) row_[i] = statement_->value(static_cast<int>(i));
   if (seed_column_ < row_.size()) {
+    // SQLite's integers have a sign: a seed is stored by its bits.
     TableValue& seed = row_[seed_column_];
     if (const auto* bits = std::get_if<std::int64_t>(&seed)) {
       seed = std::bit_cast<std::uint64_t>(*bits);
@@ -102,6 +103,7 @@ std::vector<std::string> generators_of(const Database& database,
   for (const SweepInfo& sweep : sweeps) s.bind_text(sweep.name).bind_integer(sweep.revision);
   std::vector<std::string> generators;
   while (s.step()) {
+    // Sorted: equal names follow each other.
     if (generators.empty() || generators.back() != s.text(0)) generators.push_back(s.text(0));
   }
   return generators;

@@ -123,6 +123,7 @@ void write_record(const Database& db, const TrialRow& row) {
       "INSERT OR REPLACE INTO trajectories (trial_key, sample_count, samples_digest, "
       "samples, is_packed) VALUES (?,?,?,?,1)");
   trajectory.bind_text(row.key).bind_integer(static_cast<std::int64_t>(row.record.samples.size()));
+  // Digested as samples, not as they are packed.
   trajectory.bind_text(Digest().add_bytes(samples).hex()).bind_blob(packed_samples(samples)).run();
 
   Statement calls(

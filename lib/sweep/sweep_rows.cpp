@@ -77,7 +77,9 @@ void forget_folders(nlohmann::json& trial) {
 }
 
 std::string trial_json(const TrialSpec& spec) {
+  // Keys are sorted by name: equal specs have equal texts.
   nlohmann::json canonical = spec_to_json(spec);
+  // The planner's file_digest says which library it was, wherever that lay.
   canonical["planner"].erase("file");
   forget_folders(canonical);
   forget_unused_latency(canonical);
@@ -112,6 +114,7 @@ std::string sweep_json(const SweepSpec& sweep, const std::vector<PlannedTrial>& 
 }
 
 PlannerRow planner_row(const PlannerChoice& choice) {
+  // The library is loaded again, and may have been replaced meanwhile.
   const PlannerDescription planner = describe_planner(choice.file);
   if (planner.file_digest != choice.file_digest) {
     throw InputError({.file = choice.file, .message = "changed since the sweep was read"});

@@ -147,6 +147,7 @@ std::vector<Contradiction> contradictions(const TrialSpec& spec) {
   try {
     check_vehicle(spec.vehicle);
   } catch (const InputError& error) {
+    // The contradiction's path says "vehicle" already.
     const std::string prefix = "vehicle ";
     for (const InputProblem& problem : error.problems()) {
       const bool says_vehicle = problem.message.starts_with(prefix);

@@ -78,6 +78,7 @@ SensorErrors measure_sensor(const TrialSpec& trial, std::int64_t mission_count,
   const World world = make_world(trial.map, trial.map_seed);
   check_kind(world, kind);
   const Scene scene(world);
+  // The sensor's own image without its noise and its limits of range.
   Pinhole ideal = sensor_camera(sensor);
   ideal.min_range_m = 0.0;
   ideal.max_range_m = std::numeric_limits<double>::infinity();

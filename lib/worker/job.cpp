@@ -37,6 +37,8 @@ Mission places_from_json(const json& from) {
 
 json mission_to_json(const MissionRecord& record) {
   json mission{
+      // Of a mission that is not valid, length and difficulty are NaN, for which JSON has no
+      // number.
       {"index", record.index},
       {"reference_length_m", number_to_json(record.reference_length_m)},
       {"traversability_obstruction", number_to_json(record.difficulty.traversability_obstruction)},
@@ -76,6 +78,7 @@ json map_to_json(const MapRecord& map) {
 }
 
 MapRecord map_from_json(const json& from) {
+  // The worker knows no keys: who asked gives the map its own.
   MapRecord map{.key = {},
                 .world_digest = from.at("world_digest"),
                 .obstacle_count = from.at("obstacle_count"),
@@ -95,6 +98,7 @@ MapRecord map_from_json(const json& from) {
 json trial_to_json(const TrialRecord& record) {
   json collisions = json::array();
   for (const Collision& collision : record.collisions) {
+    // By position, not by name: trial_from_json() reads them in this order.
     collisions.push_back(
         {collision.time_s, collision.speed_mps, collision.obstacle, collision.kind});
   }
@@ -203,6 +207,7 @@ Message result_message(const JobResult& result) {
 }
 
 std::optional<JobResult> result_from(const Message& message, const Job& job) {
+  // The last sample is cut off.
   if (message.bytes.size() % kSampleBytes != 0) return std::nullopt;
   try {
     JobResult result = parsed(message);
