@@ -41,6 +41,7 @@ InputFile::InputFile(const std::filesystem::path& path, std::uint64_t most_bytes
         path, is_missing ? "no such file" : std::string("can't be read: ") + std::strerror(errno));
   }
   check_kind(path, status.st_mode);
+  // Not to wait for a pipe's writer yet, nor to make a terminal this process's own.
   descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
   if (descriptor_ < 0) refuse_file(path, std::string("can't be read: ") + std::strerror(errno));
   try {

@@ -73,8 +73,8 @@ Parts flattened(const World& world) {
   return parts;
 }
 
-template <class T>
 /// As it is in memory, which is little-endian as these formats want it (see the assertion below).
+template <class T>
 void add_raw(const T& value, std::string& bytes) {
   bytes.append(reinterpret_cast<const char*>(&value), sizeof(T));
 }

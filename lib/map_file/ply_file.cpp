@@ -123,6 +123,7 @@ PlyHeader read_ply_header(LineCursor& lines, const std::string& file) {
     } else {
       fail_file(file, in_quotes(words[0]) + " is no word of a PLY header", lines.line);
     }
+    // Binary data after a header that does not end may look like lines for long.
     if (lines.line > kMostLines) break;
   }
   fail_file(file, "the header does not end ('end_header')", lines.line);
@@ -444,6 +445,7 @@ std::vector<MeshPart> parse_ply_mesh(const MeshSource& source) {
   if (face == nullptr || face->count == 0) {
     fail_file(file, "has no triangles; for a cloud of points use generator: point_cloud");
   }
+  // Each triangle names three: more are of no use to any.
   if (vertex->count > 3 * source.most_triangles) fail_vertices(source);
   MeshReader reader{.source = source, .header = header, .lines = lines};
   std::optional<LineCursor> faces;  // where they begin, if before the vertices

@@ -83,6 +83,7 @@ World make_avoidbench_indoor(const AvoidbenchIndoorSpec& spec, std::uint64_t map
   add_shell(hall, world);
 
   const std::vector<Eigen::Vector2d> feet = world_feet(field, spec);
+  // One ratio for diameter and height: the wide ones are the tall ones.
   const std::vector<double> ratios = avoidbench_size_ratios(field.map_seed, feet.size());
   const auto between = [](const std::array<double, 2>& ends, double ratio) {
     return ends[0] + (ends[1] - ends[0]) * ratio;

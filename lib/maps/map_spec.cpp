@@ -181,9 +181,9 @@ void check_contradictions(const OverhangsSpec& spec, std::vector<InputProblem>& 
               stretch_m(spec.area_m) / static_cast<double>(spec.barrier_count), problems);
 }
 
-template <class Spec>
 /// Every problem at once: ranges of single fields, then what contradicts itself. visit() takes a
 /// spec that can be changed, so it is given a copy.
+template <class Spec>
 void check_spec(const Spec& spec) {
   RangeCheck check;
   Spec copy = spec;

@@ -25,6 +25,7 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 Pose moved(const Pose& pose, const CameraMotion& motion, double time_s) {
   Pose later = pose;
   later.translation() += motion.velocity_world * time_s;
+  // Rates are in the world's frame, so the turn stands on the left.
   const double angle = motion.rates_world_radps.norm() * time_s;
   if (angle != 0.0) {
     const Vector3d imaginary = motion.rates_world_radps.normalized() * math::sin(0.5 * angle);
@@ -113,6 +114,7 @@ void Camera::Internals::expose_pair(const Scene& scene, const Pose& pose,
   // The camera's x axis is to the right: from the left eye to the right one.
   const Vector3d to_right = pose.linear().col(0) * sensor.baseline_m;
   const Pose right = Eigen::Translation3d(to_right) * pose;
+  // The right eye swings with the turn: v + ω × r.
   const CameraMotion right_motion{motion.velocity_world + motion.rates_world_radps.cross(to_right),
                                   motion.rates_world_radps};
   gather_light(scene, right, right_motion, Channels::grey);

@@ -33,10 +33,10 @@ struct Probabilities {
   double operator[](std::int64_t k) const { return values[static_cast<std::size_t>(k - first)]; }
 };
 
-/// From the mode outwards by `ratio(k)` = P(k + 1) / P(k), within [lowest, highest].
+/// From the mode, the greatest value, outwards by `ratio(k)` = P(k + 1) / P(k), within [lowest,
+/// highest]: sums of hundreds of thousands of terms need no logarithm each, and nothing underflows
+/// on the way.
 template <class Ratio>
-/// Neighbours by their ratio, from the greatest value on: sums of hundreds of thousands of terms
-/// need no logarithm each, and nothing underflows on the way.
 Probabilities around_mode(std::int64_t mode, double at_mode, std::int64_t lowest,
                           std::int64_t highest, const Ratio& ratio) {
   std::vector<double> down;

@@ -11,8 +11,8 @@ namespace {
 /// All are in memory, with their images, until the flight's end.
 constexpr std::size_t kMostMoments = 2000;
 
-template <class View>
 /// Of whichever kind of view it is: depth, the left eye of a pair, or colour.
+template <class View>
 SeenImage seen_image(const View& view, int width_px, int height_px) {
   SeenImage image{.time_s = view.time_s,
                   .width_px = width_px,

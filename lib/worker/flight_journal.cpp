@@ -35,6 +35,7 @@ struct PlanCallEntry {
 struct CollisionEntry {
   double time_s, speed_mps;
   std::int64_t obstacle;
+  // A longer one is cut.
   char kind[48];
 };
 

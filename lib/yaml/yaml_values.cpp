@@ -55,9 +55,9 @@ bool check_range(const YamlNode& node, const std::string& path, double value, Ra
   return false;
 }
 
-/// Whole numbers may be written as 12, 12.0 or 1.2e1.
+/// Whole numbers may be written as 12, 12.0 or 1.2e1. Read as a whole number first, since a double
+/// would lose the last digits of large seeds.
 template <class T>
-/// Read as a whole number first, since a double would lose the last digits of large seeds.
 std::optional<T> whole_of(const YamlNode& node, const std::string& path, Range range,
                           Problems& problems) {
   const auto problem = [&](const std::string& message) {
@@ -85,6 +85,7 @@ std::optional<T> whole_of(const YamlNode& node, const std::string& path, Range r
 /// A number that was computed for a range, at the range's place.
 YamlNode number_node(const YamlNode& place, double value) {
   std::array<char, 64> text{};
+  // So that 3 * 0.1 is 0.3 and not 0.30000000000000004.
   constexpr int kDigits = 12;
   const auto result = std::to_chars(text.data(), text.data() + text.size(), value,
                                     std::chars_format::general, kDigits);
