@@ -12,7 +12,7 @@
 namespace avoidbench {
 namespace {
 
-/// With a sign, what rounds to zero has none: neither +0.000 nor -0.000.
+/// What rounds to zero gets no sign even where one is asked for: neither +0.000 nor -0.000.
 std::string with_decimals(double value, int decimals, bool has_sign = false) {
   if (std::isnan(value)) return "–";
   const std::string digits = fixed_digits(value, decimals);

@@ -47,7 +47,6 @@ Source open_source(const std::filesystem::path& path) {
     }
     return source;
   }
-  // 2 GB.
   constexpr std::uint64_t kMostBytes = 2'000'000'000;
   source.table = table_of_csv(read_input_file(path, kMostBytes), source.file);
   return source;

@@ -34,7 +34,7 @@ Stem grow_stem(const StemGrowth& growth, RandomStream& random) {
     const double x = random.uniform(-1.0, 1.0);
     const double y = random.uniform(-1.0, 1.0);
     const double z = random.uniform(-1.0, 1.0);
-    // Each joint turns a little up and a little aside: draws come in the same number for each stem.
+    // Each joint turns a little up and, by its three draws, a little aside.
     direction += Eigen::Vector3d::UnitZ() * (growth.rise / growth.segments) +
                  growth.wander * Eigen::Vector3d(x, y, z);
     direction.normalize();

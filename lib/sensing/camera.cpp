@@ -25,12 +25,12 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 Pose moved(const Pose& pose, const CameraMotion& motion, double time_s) {
   Pose later = pose;
   later.translation() += motion.velocity_world * time_s;
-  // Rates are in the world's frame, so the turn stands on the left.
   const double angle = motion.rates_world_radps.norm() * time_s;
   if (angle != 0.0) {
     const Vector3d imaginary = motion.rates_world_radps.normalized() * math::sin(0.5 * angle);
     const Eigen::Quaterniond turn(math::cos(0.5 * angle), imaginary.x(), imaginary.y(),
                                   imaginary.z());
+    // On the left, since rates are in the world's frame.
     later.linear() = turn * pose.linear();
   }
   return later;

@@ -97,7 +97,7 @@ VehicleModel make_model(const VehicleSpec& vehicle) {
   model.position_period = *period_ticks(vehicle.position_controller.rate_hz);
   model.rate_period = *period_ticks(vehicle.rate_controller.rate_hz);
   model.lee_period = *period_ticks(vehicle.lee_controller.rate_hz);
-  // The physics period in common use.
+  // Made once for the usual period of physics, 1 ms; step() makes others as they come.
   model.lag_step_s = seconds(kTicksPerMillisecond);
   model.lag_up = math::exp(-0.5 * model.lag_step_s / vehicle.time_constant_up_s);
   model.lag_down = math::exp(-0.5 * model.lag_step_s / vehicle.time_constant_down_s);

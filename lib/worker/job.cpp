@@ -37,9 +37,8 @@ Mission places_from_json(const json& from) {
 
 json mission_to_json(const MissionRecord& record) {
   json mission{
-      // Of a mission that is not valid, length and difficulty are NaN, for which JSON has no
-      // number.
       {"index", record.index},
+      // Of a mission that is not valid, these are NaN, for which JSON has no number.
       {"reference_length_m", number_to_json(record.reference_length_m)},
       {"traversability_obstruction", number_to_json(record.difficulty.traversability_obstruction)},
       {"view_occlusion", number_to_json(record.difficulty.view_occlusion)},
