@@ -25,6 +25,7 @@ fs::path folder_beside(const fs::path& database, const char* ending) {
   return folder;
 }
 
+/// False also where the file can't be read.
 bool has_digest(const fs::path& file, const std::string& digest) {
   std::error_code error;
   if (!fs::is_regular_file(file, error)) return false;

@@ -168,6 +168,7 @@ std::vector<PairValue> values_of(const TrialTable& base, const TrialTable& now,
   return values;
 }
 
+/// The row without its verdict, which judge() gives when all rows are there.
 MetricComparison row_of(const TrialTable& base, const TrialTable& now,
                         const std::vector<Pair>& pairs, std::size_t planner,
                         const std::string& metric, std::size_t replicate_count) {

@@ -51,6 +51,7 @@ std::vector<ComparedColumn> columns_of(const TrialTable& base, const TrialTable&
   return columns;
 }
 
+/// A difference for each thing that is not the same, also where one follows from another.
 void compare_pair(const TableTrial& before, const TableTrial& after,
                   const std::vector<ComparedColumn>& columns,
                   std::vector<Difference>& differences) {

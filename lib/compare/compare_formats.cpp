@@ -173,6 +173,7 @@ std::string figures(const MetricComparison& row) {
   return line + ", " + std::to_string(row.pair_count) + " pairs";
 }
 
+/// Rows that may not fail the comparison are skipped tests, with their figures.
 std::string junit_text(const Comparison& comparison) {
   std::vector<TestCase> cases;
   for (const MetricComparison& row : comparison.rows) {

@@ -148,6 +148,7 @@ Table table_of_trials(const std::string& name, const std::string& title,
   return table;
 }
 
+/// Of few flips all, of many the first; the title counts all of them.
 Table flip_table(const Comparison& comparison) {
   const std::size_t count = comparison.flips.size(), shown = std::min(kShownTrials, count);
   std::int64_t lost = 0, gained = 0;

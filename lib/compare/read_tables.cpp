@@ -32,6 +32,7 @@ bool may_be_database(const std::filesystem::path& path) {
   return count < start.size() || start.starts_with("SQLite format 3");
 }
 
+/// Sweeps without a finished trial are left out: nothing of them can be compared.
 Source open_source(const std::filesystem::path& path) {
   Source source{
       .file = path.string(), .database = std::nullopt, .sweeps = {}, .table = TrialTable{}};

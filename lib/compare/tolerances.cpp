@@ -29,6 +29,7 @@ std::optional<double> percent_from(std::string_view text) {
   return value ? std::optional(*value / 100.0) : std::nullopt;
 }
 
+/// What a file says of a metric; nothing where it says no such thing.
 std::optional<Tolerance> tolerance_from(const YamlNode& node) {
   if (node.kind != YamlNode::Kind::scalar) return std::nullopt;
   if (node.scalar == "ignore") return Tolerance{Tolerance::Kind::ignored, 0.0};

@@ -123,6 +123,7 @@ void read_comment(const CsvReader& reader, std::string_view line, TrialTable& ta
   }
 }
 
+/// A line of the table; fails, with its place, at the first field that can't be.
 TableTrial trial_of(const CsvReader& reader, const std::vector<std::string>& fields,
                     std::size_t metric_count) {
   if (fields.size() != kColumns.size() + metric_count) {

@@ -51,6 +51,7 @@ struct MapOfTable {
   std::map<std::int64_t, std::uint64_t> missions;
 };
 
+/// What trials need to know of their map: its part of their setting, and its missions' digests.
 MapOfTable map_of(const Database& database, const std::string& key,
                   const std::vector<std::string>& axes) {
   const std::optional<MapRow> row = database.read_map(key);

@@ -57,6 +57,7 @@ std::vector<Json> other_numbers(const FieldTree& field) {
   return others;
 }
 
+/// Values that an example may change the field to; none where nothing else is known to be good.
 std::vector<Json> other_values(const FieldTree& field) {
   std::vector<Json> others;
   switch (element_of(field).kind) {
@@ -339,6 +340,7 @@ std::vector<Explanation> about_top() {
   return {std::move(about)};
 }
 
+/// How it is written in a sweep's file, for one value and as an axis.
 Explanation about_parameter(const std::string& planner, const ParameterDef& parameter) {
   const FieldTree field = parameter_tree(parameter);
   Explanation about = about_values(planner + "." + field.name, field, parameter.unit);

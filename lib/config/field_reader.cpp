@@ -41,6 +41,7 @@ bool is_axis(const YamlNode& node, const FieldTree& field) {
   return is_list && !node.items.empty() && node.items.front().kind == YamlNode::Kind::list;
 }
 
+/// Each value is read as if it stood alone, and then kept as a value of an axis.
 void read_axis(const YamlNode& node, const FieldTree& field, const std::string& path, Json& value,
                Reading& reading) {
   ReadAxis axis{path, {}};
@@ -97,6 +98,7 @@ std::vector<std::string> known_names(const FieldTree& preset, const std::string&
   return {names.begin(), names.end()};
 }
 
+/// The file's problems keep their own places; those without one are told at `name`.
 void read_preset_file(const YamlNode& name, const fs::path& file, const FieldTree& block,
                       const std::string& path, Json& value, Reading& reading) {
   constexpr int kMostLevels = 8;

@@ -342,6 +342,7 @@ Schema SchemaWriter::field(const FieldTree& field, const std::string& name) {
   return schema;
 }
 
+/// One value or several: a list or a range of values, where the key may be an axis.
 Schema SchemaWriter::several(const FieldTree& field, const Schema& value, bool under_axes) {
   Schema schema;
   if (field.kind == FieldKind::number || field.kind == FieldKind::whole) {
@@ -502,6 +503,8 @@ void add_forms(const std::string& name, Schema whole, SchemaWriter& of_whole, co
   }
 }
 
+/// Of a file that describes one vehicle or sensor, whole or laid over another: lists are no axes
+/// there.
 Schema shelf_schema(const FieldTree& tree) {
   std::vector<FieldTree> fields{*sweep_tree().find("include")};
   fields.insert(fields.end(), tree.fields.begin(), tree.fields.end());

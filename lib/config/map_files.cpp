@@ -18,6 +18,7 @@ struct FileField {
   std::string* digest = nullptr;  ///< of `path`_digest; null if there is none
 };
 
+/// Also where it is wrong, after its problem was added: messages that follow then name the file.
 std::string absolute(const FileField& field, const std::string& file, Reading& reading) {
   if (file.empty()) return file;
   const fs::path given(file);
@@ -34,6 +35,7 @@ std::string absolute(const FileField& field, const std::string& file, Reading& r
   return found.string();
 }
 
+/// A digest that the sweep's file gives itself has to be the file's.
 void fill_digest(const FileField& field, Reading& reading) {
   try {
     const std::string digest = file_digest(*field.file);

@@ -34,6 +34,7 @@ struct WrittenMission {
   std::string map;
 };
 
+/// With the heading toward the goal where none was written.
 void add(const WrittenMission& written, SweepSpec& sweep) {
   if (!written.start || !written.goal) return;  // a problem was added
   const double yaw_rad = written.yaw_deg ? *written.yaw_deg * math::kDegree
@@ -133,6 +134,7 @@ struct Columns {
   }
 };
 
+/// The columns may stand in any order; the places' six are needed.
 Columns read_header(const std::vector<YamlNode>& fields, std::vector<InputProblem>& problems) {
   std::vector<std::string> known(kPlaceColumns.begin(), kPlaceColumns.end());
   known.insert(known.end(), {"yaw_deg", "map"});

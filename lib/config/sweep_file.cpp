@@ -98,6 +98,7 @@ void add_contradictions(const SweepSpec& sweep, Reading& reading) {
   });
 }
 
+/// In doubles, since the product of the axes' sizes may overflow whole numbers.
 void check_size(const YamlNode& root, const SweepSpec& sweep, Reading& reading) {
   double count = static_cast<double>(sweep.trials) *
                  static_cast<double>(std::max<std::size_t>(1, sweep.planners.size()));

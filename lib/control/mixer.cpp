@@ -27,6 +27,7 @@ double tilt_that_fits(const VehicleModel& model, const Rotors& tilt) {
   return part;
 }
 
+/// Each rotor's thrust within its limits, where not all that is asked for fits.
 RotorVector saturated(const VehicleModel& model, double thrust_n, const Rotors& tilt,
                       const Rotors& yaw) {
   const double highest = model.max_rotor_thrust_n;

@@ -64,6 +64,7 @@ GovernorTarget governor_target(const Command& command) {
   return target;
 }
 
+/// Rates and thrust go to the inner loop as they are, but for the vehicle's limits.
 void follow_rates(Tracker& tracker, const VehicleModel& model, const Command& command) {
   tracker.following_rates = true;
   tracker.following_trajectory = false;

@@ -45,6 +45,7 @@ std::vector<std::pair<std::string, std::int64_t>> by_count(
   return sorted;
 }
 
+/// Of the trials with one outcome: how many, whose, and a reason that stands for most.
 FailureKind kind_of(Outcome outcome, const std::vector<const TrialListing*>& trials) {
   FailureKind kind{.outcome = outcome,
                    .count = static_cast<std::int64_t>(trials.size()),

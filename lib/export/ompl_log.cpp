@@ -145,6 +145,7 @@ struct PlannerRuns {
   std::vector<std::string> trial_keys;  // in order of the lines
 };
 
+/// The lines of all runs on the experiment's map, and which properties these have.
 std::vector<PlannerRuns> read_runs(const Database& database, const OmplExperiment& experiment,
                                    std::vector<RunProperty>& properties) {
   TrialTableReader reader(database, {&experiment.sweep, 1}, experiment.flights.map_key);

@@ -39,6 +39,7 @@ bool is_number(const std::string& text) {
 /// The program says how to list what there is.
 [[noreturn]] void fail(const std::string& message) { throw OptionError(message, "", "list"); }
 
+/// Of a number that is no id, the nearest ones are offered.
 [[noreturn]] void throw_no_trial(std::vector<TrialListing> all, const std::string& trial) {
   if (!is_number(trial)) {
     fail("no trial whose key begins with '" + trial +
@@ -99,6 +100,7 @@ std::string field_header(const std::string& field, const std::vector<std::string
   return count == 1 ? last(field) : field;
 }
 
+/// People see start and goal as one text, programs each coordinate.
 std::vector<Column> trial_columns(const std::vector<std::string>& fields, bool is_for_people) {
   const Place words = Place::words;
   std::vector<Column> columns{{.name = "id"}};

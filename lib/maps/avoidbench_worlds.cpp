@@ -26,6 +26,7 @@ std::uint64_t scenery_seed(const Spec& spec, std::uint64_t map_number) {
   return stream_seed(static_cast<std::uint64_t>(spec.suite_seed), map_number);
 }
 
+/// x is across: flights go from the start's band to the goal's along y.
 template <class Spec>
 void set_bands(const Spec& spec, World& world) {
   // The bands are in the middle of the flight space's width.

@@ -58,6 +58,7 @@ bool check_box(const std::string& name, const BoxSpec& box, std::vector<std::str
   return true;
 }
 
+/// What can be said of the spec alone, without its file.
 template <class FileSpec>
 void check_fields(const FileSpec& spec, const std::vector<std::string>& extensions,
                   std::vector<std::string>& problems) {
@@ -226,6 +227,7 @@ Region band(const Aabb& bounds, double flight_height_m, bool is_goal) {
   return {{bounds.min().x() + side_m, near_m, z}, {bounds.max().x() - side_m, far_m, z}};
 }
 
+/// Fails where a region that was given, or the usual one, is not within the bounds.
 Region region_of(const std::string& file, const std::string& name, const BoxSpec& given,
                  const Aabb& bounds, double flight_height_m) {
   Region region = band(bounds, flight_height_m, name == "goal_region");

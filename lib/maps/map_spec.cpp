@@ -96,6 +96,8 @@ void check_contradictions(const HallSpec& spec, std::vector<InputProblem>& probl
   }
 }
 
+/// What both generators after the original have: a field of obstacles, the flight space as a part
+/// of it, and bands.
 template <class Spec>
 void check_suite(const Spec& spec, std::vector<InputProblem>& problems) {
   check_room("field_area_m", spec.field_area_m, "the greatest Poisson radius",

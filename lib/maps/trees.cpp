@@ -286,6 +286,8 @@ void dress_bough(Prototype& tree, const Species& species, const Stem& bough, dou
   }
 }
 
+/// Boughs from the lowest to the top of their leaders, each as long as the crown is wide there;
+/// then leaves at the leaders' tips.
 void grow_boughs(Prototype& tree, const Species& species, const std::vector<Stem>& leaders,
                  RandomStream& random) {
   for (int i = 0; i < species.bough_count; ++i) {

@@ -74,6 +74,7 @@ struct Open {
   }
 };
 
+/// All 26 around the cell, as far as they are in the grid.
 template <class Visit>
 void for_each_neighbour(const Search& search, std::int64_t index, Visit visit_neighbour) {
   const Vector3i cell = search.grid.cell(index);

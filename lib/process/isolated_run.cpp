@@ -134,6 +134,7 @@ void cut_off(int words_fd) {
   ::on_exit(leave_at_once, nullptr);
 }
 
+/// The process of the work: cut off from the caller's before it begins, and ended by _exit().
 [[noreturn]] void be_worker(const std::function<void(IsolatedOutput&)>& work,
                             IsolatedOutput& output, int words_fd, pid_t watcher) noexcept {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -163,6 +164,8 @@ bool has_ended(pid_t worker) {
          info.si_pid == worker;
 }
 
+/// Between the caller and the worker: waits for the worker's end or the time limit, ends all that
+/// the worker has left behind, and says how it went.
 [[noreturn]] void be_watcher(const std::function<void(IsolatedOutput&)>& work,
                              IsolatedOutput& output, double time_limit_s, const Pipe& verdicts,
                              int words_fd, pid_t parent) noexcept {

@@ -96,6 +96,7 @@ void commit(RTCScene scene) {
   embree::check_errors("building the map's bounding volume hierarchy");
 }
 
+/// Every instance as triangles of the world, in one hierarchy.
 void build_flattened(Scene::Internals& scene) {
   const World& world = *scene.world;
   for (std::uint32_t i = 0; i < world.instances.size(); ++i) {
@@ -110,6 +111,7 @@ void build_flattened(Scene::Internals& scene) {
   }
 }
 
+/// Each prototype once, with a hierarchy of its own, and instances that place it.
 void build_instanced(Scene::Internals& scene) {
   const World& world = *scene.world;
   for (const Prototype& prototype : world.prototypes) {
@@ -154,6 +156,8 @@ RTCBounds instance_bounds(const TriangleMesh& mesh, const Placement& placement) 
   return {low.x(), low.y(), low.z(), 0.0F, high.x(), high.y(), high.z(), 0.0F};
 }
 
+/// Boxes of all instances for point queries, which look into an instance only where its box is near
+/// enough.
 void build_instance_boxes(Scene::Internals& scene) {
   const World& world = *scene.world;
   for (std::size_t i = 0; i < world.instances.size(); ++i) {
@@ -194,6 +198,7 @@ double lowest_ceiling_m(const Scene::Internals& scene) {
   return lowest;
 }
 
+/// Indices are used unchecked from here on.
 void check_world(const World& world) {
   for (const Prototype& prototype : world.prototypes) {
     AB_CHECK(prototype.triangle_materials.size() == prototype.mesh.triangles.size(),

@@ -41,6 +41,7 @@ struct Binning {
   }
 };
 
+/// How a column's values become keys: as they are, or by bins of about equal count.
 Binning binning_of(const SweepResult& result, const Trials& trials, const GroupColumn& column) {
   Binning binning;
   const auto found = std::find(result.fields.begin(), result.fields.end(), column.field);

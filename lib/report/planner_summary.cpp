@@ -148,6 +148,7 @@ bool is_better_rate(const PlannerSummary& a, const Trials& trials_a, const Plann
          comparisons * wilcoxon_signed_rank(differences).p < kAlpha;
 }
 
+/// Marks the highest rate if it is significantly higher than each of the others.
 void mark_best_rate(std::vector<PlannerSummary>& planners, std::span<const Trials> trials) {
   // NaN, of planners without trials, counts as the lowest.
   const auto best =
@@ -166,6 +167,7 @@ void mark_best_rate(std::vector<PlannerSummary>& planners, std::span<const Trial
   best->is_best_rate = is_best;
 }
 
+/// The same of a metric's means, by the missions that both have flown.
 void mark_best_mean(std::vector<PlannerSummary>& planners, std::span<const Trials> trials,
                     std::size_t column, std::size_t metric, Better better) {
   if (better == Better::neither) return;

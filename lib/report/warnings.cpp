@@ -185,6 +185,7 @@ std::int64_t warn_of_stops(const SweepSummary& summary, const SweepResult& resul
   return left_out;
 }
 
+/// Not of a selection: what was left out on purpose is not missing.
 void warn_of_missing_trials(const SweepSummary& summary, const SweepResult& result,
                             const nlohmann::json& spec, Warnings& warnings) {
   const std::int64_t asked = asked_trials(spec);

@@ -44,6 +44,7 @@ struct Buffers {
   std::int16_t *left_median = nullptr, *right_median = nullptr;  ///< a row each
 };
 
+/// All buffers of a frame, in one order; `carver` counts them or hands them out.
 Buffers carve(const CensusSettings& settings, int width_px, int height_px, Carver& carver) {
   Buffers buffers;
   Frame& frame = buffers.frame;

@@ -145,6 +145,7 @@ void add_object(PacketHits& hits, const ObjectView& object, unsigned lanes) {
   hits.objects[hits.object_count++] = {lanes, &object};
 }
 
+/// What a packet of rays has met, as the kernels take it.
 void gather(Frame& frame, const PrimaryRays& rays, const RTCRayHit8& packet, std::size_t x,
             std::size_t y, PacketHits& hits) {
   hits.ray_x = packet.ray.dir_x;
@@ -218,6 +219,7 @@ void cast_shadows(const Frame& frame, Block& block, unsigned (&lit)[kBlockPacket
   }
 }
 
+/// Rays, what they met, shadows, light: for a block of four packets at once.
 void shade_block(Frame& frame, PrimaryRays& rays, int block_x, int block_y, Block& block) {
   rays.trace(block_x, block_y);
   const std::size_t x = static_cast<std::size_t>(block_x) * kBlockWidth;

@@ -56,6 +56,7 @@ Probabilities around_mode(std::int64_t mode, double at_mode, std::int64_t lowest
   return result;
 }
 
+/// Rates of 0 and 1, of which logarithms fail, have one value only.
 Probabilities binomial(std::int64_t trials, double rate) {
   if (rate <= 0.0) return {0, {1.0}};
   if (rate >= 1.0) return {trials, {1.0}};

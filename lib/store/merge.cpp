@@ -40,6 +40,7 @@ bool is_same_quantity(const MetricRow& a, const MetricRow& b) {
          a.population == b.population && a.is_measured == b.is_measured;
 }
 
+/// A column must not hold two quantities under one name.
 void check_metrics(const Database& into, const Database& from) {
   for (const MetricRow& metric : from.metrics()) {
     const auto same = std::find_if(into.metrics().begin(), into.metrics().end(),
@@ -191,6 +192,8 @@ std::string taking(const std::string& table, const std::string& condition) {
          table + " WHERE " + condition + " ON CONFLICT DO NOTHING;";
 }
 
+/// All rows that are new, in one script: planners, maps and missions, trials with their flights,
+/// and what belongs to which sweep.
 void take_rows(const Database& into, const Database& from) {
   std::string sql;
   for (const std::string table : {"planners", "maps", "missions"}) sql += taking(table, "true");

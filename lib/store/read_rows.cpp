@@ -145,6 +145,7 @@ std::vector<Collision> read_collisions(const Database& db, std::string_view key)
   return collisions;
 }
 
+/// Checked against count and digest; none for a trial without a stored flight.
 std::vector<Sample> read_samples(const Database& db, std::string_view key) {
   Statement s(db.handle(), db.path(),
               "SELECT trial_key, samples, is_packed, sample_count, samples_digest FROM "
@@ -165,6 +166,7 @@ std::vector<Sample> read_samples(const Database& db, std::string_view key) {
   return samples_from_bytes(bytes);
 }
 
+/// The same of the calls.
 std::vector<PlanCall> read_plan_calls(const Database& db, std::string_view key) {
   Statement s(db.handle(), db.path(),
               "SELECT trial_key, call_count, calls_digest, calls_json FROM plan_calls WHERE "

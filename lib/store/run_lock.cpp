@@ -101,6 +101,7 @@ std::string began_at(const std::string& pid) {
   return text;
 }
 
+/// Who holds the lock, for the message of who does not get it.
 std::string holder_text(int descriptor) {
   struct stat status = {};
   ::fstat(descriptor, &status);

@@ -32,6 +32,7 @@ struct Expected {
   std::map<std::string, std::string, std::less<>> indices;  ///< the SQL of each
 };
 
+/// By SQLite's own view of it, not by the text that made it.
 Table read_table(sqlite3* handle, const std::filesystem::path& path, std::string_view schema,
                  std::string_view name) {
   Table table;
@@ -92,6 +93,7 @@ std::string shown(const std::string& name) {
   return text;
 }
 
+/// Nothing is repaired or dropped here: it may be the user's own.
 [[noreturn]] void refuse_object(const std::filesystem::path& path, const std::string& kind,
                                 const std::string& name) {
   refuse_file(path,

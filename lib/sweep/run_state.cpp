@@ -70,6 +70,7 @@ void require_unchanged(Run& run, const PlannerChoice& planner) {
   throw InputError({.file = planner.file, .message = "the planner's file changed during the run"});
 }
 
+/// One transaction a trial: a run that is killed loses only the flights under way.
 void commit_trial(Run& run, const Assignment& assignment, TrialRecord record,
                   std::vector<double> metrics, double wall_time_s) {
   const TrialSpec spec = run.schedule.trials[*assignment.trial].spec();

@@ -157,6 +157,7 @@ void take_failure(Desk& desk, Seat& seat) {
   take_end(desk, seat, death_of(end, seat.process.notes(), seat.task->job.spec.planner));
 }
 
+/// An answer that can't be read counts as the worker's death.
 void take_answer(Desk& desk, Seat& seat) {
   const auto message = seat.process.answer();
   auto result = message ? result_from(*message, seat.task->job) : std::nullopt;

@@ -94,6 +94,7 @@ std::string bare_doc(const TextColumn& column) {
   return has_name ? column.doc.substr(colon + 2) : column.doc;
 }
 
+/// In booktabs' style; what columns mean stands above it in comments.
 std::string table_in_latex(const std::string& sweep, const Table& table) {
   const std::vector<TextColumn> columns = text_columns(table);
   std::string caption = table.title.empty() ? "" : in_latex(table.title) + ".";

@@ -65,6 +65,7 @@ Eigen::Vector3d commanded_position(const Flight& flight) {
   return reference(flight.tracker).position_world;
 }
 
+/// The state at this tick, with what is measured of it: clearance and power.
 void sample(Flight& flight) {
   const VehicleState& state = flight.state;
   // The end of a flight may be a sample's own tick.

@@ -55,6 +55,7 @@ Picture shaded(const World& world, const Pose& T_world_camera, double fov_x_rad,
   return picture;
 }
 
+/// The flight space from above at a slant, without what would hide it.
 Picture bird_view(const World& world, const MapView& view) {
   constexpr double kFov = 40.0 * math::kDegree;
   const Eigen::Vector3d center = world.flight_bounds.center();

@@ -80,6 +80,7 @@ std::string demangled(const std::string& symbol) {
   return without_sdk(status == 0 && text != nullptr ? text.get() : symbol);
 }
 
+/// Lines without a place in brackets are passed over.
 std::vector<Frame> frames_of(std::string_view report) {
   std::vector<Frame> frames;
   while (!report.empty()) {

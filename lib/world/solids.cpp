@@ -57,6 +57,7 @@ UnitSphere icosahedron() {
   return sphere;
 }
 
+/// With each triangle cut into four by the middles of its edges, moved out to the sphere.
 UnitSphere subdivided(const UnitSphere& coarse) {
   UnitSphere fine;
   fine.vertices = coarse.vertices;
