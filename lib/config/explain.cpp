@@ -281,6 +281,7 @@ std::vector<Explanation> about_block(const std::string& path, const FieldTree& b
   Explanation about;
   about.title = path + ": " + block.doc;
   const FieldTree* preset = block.find("preset");
+  // A name may stand for the block.
   if (preset != nullptr) {
     const std::string& last = preset->choices.back();
     about.facts = {{"type", "a name, or a mapping"},
@@ -416,6 +417,7 @@ std::vector<std::string> keys_ending(const std::vector<std::string>& keys, std::
 std::vector<std::string> suggestions(const std::string& key, const std::vector<std::string>& keys) {
   const std::string last = last_part(key);
   std::vector<std::string> found = keys_ending(keys, last);
+  // A misspelling of the whole path is the likeliest.
   const std::string whole(nearest_word(key, keys));
   if (!whole.empty()) found.insert(found.begin(), whole);
   if (found.empty() && !last.empty()) {

@@ -54,6 +54,7 @@ void check_latency(const YamlNode& root, const std::set<LatencyMode>& modes, Rea
     const std::string path = std::string("latency.") + use.key;
     const YamlNode* value = given(root, path);
     if (value == nullptr || mode == nullptr || !are_together(*mode, *value)) continue;
+    // At its default it changes nothing, whatever the mode.
     if (is_default(*value, use.preset)) continue;
     const bool is_used = std::any_of(use.modes.begin(), use.modes.end(),
                                      [&](LatencyMode one) { return modes.contains(one); });

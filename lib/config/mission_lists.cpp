@@ -216,6 +216,7 @@ void read_table(const std::filesystem::path& file, SweepSpec& sweep, Reading& re
       continue;
     }
     columns = read_header(fields, reading.problems);
+    // Rows can't be read by wrong columns.
     if (reading.problems.size() > before) return;
   }
   if (sweep.missions.size() > listed_before || reading.problems.size() > before) return;

@@ -305,6 +305,7 @@ void write_ompl_log(const Database& database, const OmplExperiment& experiment,
     rows.emplace(std::move(key), std::move(row));
   }
   std::vector<RunProperty> properties;
+  // All runs are read first: the preamble says how many planners follow.
   const std::vector<PlannerRuns> planners = read_runs(database, experiment, properties);
   write(preamble(experiment, planners));
   for (const PlannerRuns& planner : planners) {

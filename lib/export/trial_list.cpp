@@ -239,6 +239,7 @@ Table trial_table(const std::vector<TrialListing>& trials, const std::vector<std
   constexpr std::size_t kMostLetters = 16;
   std::vector<std::string> labels;
   for (const TrialListing& one : trials) labels.push_back(one.planner_label);
+  // Short for people; labels that differ stay different.
   if (is_for_people) labels = cut_apart(labels, kMostLetters);
   Table table = make_table("trials", "", trial_columns(fields, is_for_people));
   for (std::size_t i = 0; i < trials.size(); ++i) {
@@ -259,6 +260,7 @@ Table trial_table(const std::vector<TrialListing>& trials, const std::vector<std
     table.rows.push_back(std::move(row));
   }
   const std::size_t radius = column_at(table, "radius_m");
+  // Maps that are no Poisson-disc fields have no radius.
   if (!trials.empty() && !has_value(table, radius)) drop_column(table, radius);
   if (is_for_people) fit(table, fields);
   return table;

@@ -61,21 +61,28 @@ Vector3d closest_point(const Vector3d& point, const Triangle& triangle) {
   const auto& [a, b, c] = triangle;
   const Vector3d ab = b - a, ac = c - a, ap = point - a;
   const double d1 = ab.dot(ap), d2 = ac.dot(ap);
+  // Beyond corner a.
   if (d1 <= 0.0 && d2 <= 0.0) return a;
   const Vector3d bp = point - b;
   const double d3 = ab.dot(bp), d4 = ac.dot(bp);
+  // Beyond corner b.
   if (d3 >= 0.0 && d4 <= d3) return b;
   const double vc = d1 * d4 - d3 * d2;
+  // Beside edge ab.
   if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return a + ab * (d1 / (d1 - d3));
   const Vector3d cp = point - c;
   const double d5 = ab.dot(cp), d6 = ac.dot(cp);
+  // Beyond corner c.
   if (d6 >= 0.0 && d5 <= d6) return c;
   const double vb = d5 * d2 - d1 * d6;
+  // Beside edge ac.
   if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return a + ac * (d2 / (d2 - d6));
   const double va = d3 * d6 - d5 * d4;
+  // Beside edge bc.
   if (va <= 0.0 && (d4 - d3) >= 0.0 && (d5 - d6) >= 0.0) {
     return b + (c - b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)));
   }
+  // Above the face.
   const double inverse = 1.0 / (va + vb + vc);
   return a + ab * (vb * inverse) + ac * (vc * inverse);
 }

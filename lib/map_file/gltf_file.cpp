@@ -24,6 +24,7 @@ std::string place(const char* array, std::uint64_t index) {
 
 /// The bytes that base64 stands for; nothing where it is none.
 std::optional<std::string> base64_decoded(std::string_view text) {
+  // The number of letters says all that the padding says.
   while (text.ends_with('=')) text.remove_suffix(1);
   std::string bytes;
   bytes.reserve(text.size() / 4 * 3 + 2);

@@ -393,6 +393,7 @@ World make_point_cloud(const PointCloudSpec& spec) {
   FilePoints points = parse_point_cloud(read_bytes(spec), spec.file);
   to_world(spec, points);
   crop(spec, points);
+  // After cropping: stray points out of the bounds do no harm.
   check_extent(spec.file, box_around(points), "; stray points: give bounds");
   VoxelSurface surface = voxel_surface(points, spec.resolution_m, kMostTriangles);
   if (surface.mesh.triangles.empty()) {

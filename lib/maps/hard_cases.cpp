@@ -307,6 +307,7 @@ World make_dead_ends(const DeadEndsSpec& spec, std::uint64_t map_seed) {
 
 World make_poles(const PolesSpec& spec, std::uint64_t map_seed) {
   World world = empty_hall(spec);
+  // A stream for each question: another branch_ratio changes no place and no diameter.
   RandomStream positions = stream(map_seed, "positions");
   RandomStream diameters = stream(map_seed, "diameters");
   RandomStream kinds = stream(map_seed, "kinds");

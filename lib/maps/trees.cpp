@@ -270,6 +270,7 @@ void dress_bough(Prototype& tree, const Species& species, const Stem& bough, dou
     const double ratio =
         varied(0.45 + 0.35 * i / std::max(1, species.side_bough_count - 1), 0.12, random);
     const double angle = varied(48.0 * math::kDegree, 0.25, random);
+    // By turns to either side.
     const double turn = varied(i % 2 == 0 ? 0.2 : math::kPi - 0.2, 0.5, random);
     const double side_length_m = varied(0.5 * length_m * (1.15 - 0.5 * ratio), 0.2, random);
     const Stem side =

@@ -101,6 +101,7 @@ std::optional<Sphere> next_sphere(const Scene& scene, const Sphere& last, const 
   };
   // The path's own place, at a fixed cost.
   consider(aim, kAimCost);
+  // The others are scattered about it, twice as far aside as ahead.
   for (int i = 0; i < kSamples; ++i) {
     const double ahead_m = 0.25 * reach_m * draws.normal();
     const double left_m = 0.5 * reach_m * draws.normal(), up_m = 0.5 * reach_m * draws.normal();

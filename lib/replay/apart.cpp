@@ -28,6 +28,7 @@ double seconds_since(Clock::time_point begin) {
 Job job_of(StoredTrial stored, const PlannerDescription& planner,
            std::vector<std::string>& warnings) {
   PlannerChoice& choice = stored.spec.planner;
+  // Another library may have other parameters: it is given those that it takes.
   if (planner.file_digest != choice.file_digest) {
     warnings.push_back(other_library_warning(planner));
     const std::vector<ParameterValue> values = usable_values(choice, planner, warnings);
@@ -42,6 +43,7 @@ Job job_of(StoredTrial stored, const PlannerDescription& planner,
   }
   choice.file = planner.file.string();
   choice.file_digest = planner.file_digest;
+  // The mission as it was stored: nothing is measured again.
   MissionRecord mission;
   mission.index = stored.spec.mission_index;
   mission.mission = stored.mission;

@@ -28,6 +28,7 @@ std::filesystem::path planner_file(const PlannerChoice& choice, const ReplayFile
   if (!files.planner.empty()) return find_planner(files.planner, ".");
   std::vector<std::string> problems;
   std::vector<std::string> names{choice.plugin};
+  // `./my_planner.so` is looked for as `my_planner` too.
   const std::string bare = std::filesystem::path(choice.plugin).stem().string();
   if (bare != choice.plugin) names.push_back(bare);
   std::filesystem::path other;
@@ -43,6 +44,7 @@ std::filesystem::path planner_file(const PlannerChoice& choice, const ReplayFile
       }
     }
   }
+  // What a run kept, whatever has become of the file.
   if (const auto copy = kept_planner(files.database, choice.file_digest)) {
     kept = *copy;
     return kept;

@@ -106,6 +106,7 @@ DepthStatistics depth_statistics(std::span<const DepthSample> samples, bool edge
     const auto measured = static_cast<double>(sample.measured_m);
     if (sample.is_edge != edges || truth < nearest_m || truth >= farthest_m) continue;
     ++result.pixel_count;
+    // NaN is invalid; infinite depth, "nothing there", is valid and has no error.
     if (std::isnan(measured)) continue;
     ++valid;
     if (!std::isfinite(measured)) continue;
@@ -149,6 +150,7 @@ double fattening_px(std::span<const float> truth_m, std::span<const float> measu
     // Only the right side of near things: the left one is half hidden from the right eye.
     for (std::size_t x = reach; x + reach < width; ++x) {
       const float near = row[x], far = row[x + 1];
+      // A step from near to far.
       if (near - far <= 2.0F * kStep_px) continue;
       bool is_clean = true;  // the background goes on, and the near side was measured
       for (std::size_t k = 1; k <= reach; ++k) {

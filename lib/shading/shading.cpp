@@ -343,6 +343,7 @@ void render_radiance_by(const ShadingKernel& kernel, const Scene& scene, const P
               as_floats(rays.v(), rays.blocks_down() * kBlockHeight),
               ObjectViews(internals, T_world_camera, light.to_sun_world.normalized()),
               {}};
+  // Several samples of a pixel are added up in place.
   if (samples > 1) std::fill(radiance.begin(), radiance.end(), 0.0F);
   Block block(frame.light);
   for (int block_y = 0; block_y < rays.blocks_down(); ++block_y) {

@@ -106,6 +106,7 @@ RankTest wilcoxon_signed_rank(std::span<const double> differences) {
   const auto n = static_cast<double>(sizes.size());
   RankTest test;
   test.count = static_cast<std::int64_t>(sizes.size());
+  // Were both signs as likely, the sum's mean would be n (n + 1) / 4.
   test.z = corrected_z(positive_sum - 0.25 * n * (n + 1.0), variance);
   test.is_exact = sizes.size() <= kMostExact;
   test.p = test.is_exact ? exact_signed_rank_p(ranks, positive_sum) : two_sided_p(test.z);

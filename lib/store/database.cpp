@@ -262,6 +262,7 @@ void Database::require_in_place() {
                             (is_replaced ? "replaced by another file" : "deleted or moved") +
                             " while it was being written to";
   const std::string place = lock_->place_now().string();
+  // It is whole where it is now.
   if (!place.empty() && moved == SQLITE_OK) {
     refuse_file(*path_,
                 began + ". All that was committed is in " + place +

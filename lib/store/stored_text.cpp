@@ -111,6 +111,7 @@ json stored_sweep(const std::string& text) {
   const json trials = element(spec, "trials"), planners = element(spec, "planners");
   const json axes = element(spec, "axes"), until = element(spec, "until");
   const json trial_count = element(spec, "trial_count");
+  // What is missing is null, and allowed.
   const bool has_types = (trials.is_null() || trials.is_number_integer()) &&
                          (!spec.contains("trial_count") || trial_count.is_number_integer()) &&
                          (planners.is_null() || planners.is_array()) &&

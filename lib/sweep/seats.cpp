@@ -256,6 +256,7 @@ void fly_in(Desk& desk) {
       if (!seat.task && !run.is_stopped()) hand_out(desk, seat);
       is_busy = is_busy || seat.task.has_value();
     }
+    // Nothing left to hand out, and nobody who flies.
     if (!is_busy) return;
     if (run.is_stopped() && !stopped) stopped = Clock::now();
     // What is still in flight then is not stored: the next run flies it.

@@ -96,6 +96,7 @@ std::string sweep_json(const SweepSpec& sweep, const std::vector<PlannedTrial>& 
     planners.push_back(choice);
   }
   nlohmann::json base = spec_to_json(sweep.base);
+  // The planners stand beside it.
   base.erase("planner");
   forget_folders(base);
   write_latency(base, sweep, trials);

@@ -35,11 +35,13 @@ Picture error_picture(const std::vector<float>& truth_m, const std::vector<float
       std::fill_n(rgb, 3, kInvalid);
       continue;
     }
+    // Beyond the range there is nothing to see.
     const bool nothing = truth > max_range_m;
     if (nothing && !std::isfinite(measured)) continue;
     // Beyond the range is as far as its end: what lies there is no error of many metres.
     const double error = std::min(measured, max_range_m) - std::min(truth, max_range_m);
     const double share = std::clamp(error / kErrorScale_m, -1.0, 1.0);
+    // White fades to the full colour at kErrorScale_m.
     const auto faded = static_cast<std::uint8_t>(std::lround(255.0 * (1.0 - std::abs(share))));
     rgb[0] = share > 0.0 ? 255 : faded;
     rgb[1] = faded;

@@ -58,6 +58,7 @@ void check_wind(const WindSpec& wind) {
 
 Wind make_wind(const WindSpec& spec, std::uint64_t seed, double until_s) {
   check_wind(spec);
+  // Another wind.seed is another wind for the same trial.
   const std::uint64_t own_seed = stream_seed(seed, spec.seed);
   Wind wind;
   wind.spec = spec;

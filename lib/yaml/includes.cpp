@@ -56,8 +56,10 @@ void merge(YamlNode& under, YamlNode over, bool is_top) {
       under.keys.push_back(over.keys[i]);
       under.items.push_back(std::move(over.items[i]));
     } else if (over.items[i].kind == Kind::null) {
+      // `~` takes the key out.
       remove(under, below);
     } else {
+      // A name below, fields above: the name becomes the block's preset.
       const bool is_named = is_top && (key == "vehicle" || key == "sensor");
       if (is_named && over.items[i].kind == Kind::mapping &&
           under.items[below].kind == Kind::scalar) {
