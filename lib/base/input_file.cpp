@@ -19,6 +19,7 @@ bool is_held(const std::filesystem::path& path) {
   return folder == "/dev/fd" || folder == "/proc/self/fd" || path == "/dev/stdin";
 }
 
+/// Regular files, and pipes that this process was given.
 void check_kind(const std::filesystem::path& path, mode_t mode) {
   if (S_ISREG(mode) || (S_ISFIFO(mode) && is_held(path))) return;
   if (S_ISDIR(mode)) refuse_file(path, "is a folder, not a file");

@@ -12,6 +12,7 @@
 namespace avoidbench {
 namespace {
 
+/// A finite number from 0 on, where the text is nothing else.
 std::optional<double> number_from(std::string_view text) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

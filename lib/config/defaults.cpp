@@ -27,6 +27,7 @@ std::string comment_of(const FieldTree& field) {
   return field.doc + range_comment(field.range) + words + (words.empty() ? "" : ")");
 }
 
+/// Comments begin in one column, or two blanks behind a longer line.
 void add_line(const std::string& content, const std::string& comment, std::string& text) {
   constexpr std::size_t kCommentColumn = 36;
   std::string padded = content;

@@ -379,6 +379,7 @@ std::vector<Explanation> about_planner(const std::string& key,
   return {};
 }
 
+/// Of all kinds: a name that several have is one path.
 void add_paths(const FieldTree& block, const std::string& prefix, std::set<std::string>& paths) {
   for (const KindField& entry : all_fields(block)) {
     paths.insert(prefix + entry.field->name);

@@ -11,6 +11,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
+/// A value with a problem leaves the preset.
 template <class T>
 void keep(const std::optional<T>& read, Json& value) {
   if (read) value = *read;

@@ -429,6 +429,7 @@ Schema planner_schema(const FieldTree& max_speed, const std::vector<PlannerDescr
   return name_or(entry, names);
 }
 
+/// One planner stands for a list of one.
 Schema planners_schema(const FieldTree& key) {
   Schema list{{"type", "array"}, {"items", reference("planner")}, {"minItems", 1}};
   Schema schema{{"if", {{"type", "array"}}}, {"then", list}, {"else", reference("planner")}};
@@ -436,6 +437,7 @@ Schema planners_schema(const FieldTree& key) {
   return schema;
 }
 
+/// YAML reads names such as 2026 and true as other types; the pattern is of texts alone.
 Schema name_of_sweep(const FieldTree& key) {
   Schema schema{{"type", {"string", "number", "boolean"}},
                 {"pattern", "^[A-Za-z0-9_][A-Za-z0-9_.-]{0,99}$"}};

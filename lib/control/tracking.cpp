@@ -130,6 +130,7 @@ void advance_reference(Tracker& tracker, const VehicleModel& model, const Vehicl
   }
 }
 
+/// Position and attitude in one loop, down to the rotors' commands.
 void track_by_lee(Tracker& tracker, const VehicleModel& model, const VehicleState& state) {
   if (state.tick < tracker.next_position_tick) return;
   const ThrustAndTorque wanted = lee_control(model, state, tracker.reference);

@@ -67,6 +67,7 @@ std::string quoted(const std::string& word) {
   return nlohmann::json(word).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
+/// NaN and infinity are null.
 std::string json_text(const TableValue& value) {
   if (const auto* word = std::get_if<std::string>(&value)) return quoted(*word);
   if (const auto* count = std::get_if<std::int64_t>(&value)) return std::to_string(*count);
@@ -81,6 +82,7 @@ std::string csv_line(const TrialValues& row) {
   return line.line();
 }
 
+/// JSON Lines: an object a row.
 std::string json_line(const std::vector<std::string>& columns, const TrialValues& row) {
   std::string line = "{";
   for (std::size_t i = 0; i < row.size(); ++i) {

@@ -262,6 +262,7 @@ std::string progress_line(std::span<const Sample> samples, const Eigen::Vector3d
   return line + "\n";
 }
 
+/// NaN for a mission that the map lacks.
 Eigen::Vector3d goal_of(const MapRow& map, std::int64_t mission_index) {
   for (const MissionRecord& mission : map.record.missions) {
     if (mission.index == mission_index) return mission.mission.goal_world;

@@ -127,6 +127,7 @@ std::vector<Column> trial_columns(const std::vector<std::string>& fields, bool i
   return columns;
 }
 
+/// The number of columns where none has the name.
 std::size_t column_at(const Table& table, const std::string& name) {
   const auto found = std::find_if(table.columns.begin(), table.columns.end(),
                                   [&](const Column& column) { return column.name == name; });

@@ -6,6 +6,7 @@
 namespace avoidbench {
 namespace {
 
+/// NaN is none.
 bool has_value(const TableValue& value) {
   const auto* number = std::get_if<double>(&value);
   return !std::holds_alternative<std::monostate>(value) &&

@@ -65,6 +65,7 @@ void add_to_parts(const Prototype& prototype, const Eigen::Affine3f& place, Part
   }
 }
 
+/// Every instance at its place, by material.
 Parts flattened(const World& world) {
   Parts parts;
   for (const Instance& instance : world.instances) {

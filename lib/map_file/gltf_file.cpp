@@ -268,6 +268,7 @@ Eigen::Affine3d transform_of(const Gltf& from, const json& node) {
   return T;
 }
 
+/// "" where it has none.
 std::string_view name_of(const json& object) {
   const auto name = object.find("name");
   const bool is_text = name != object.end() && name->is_string();

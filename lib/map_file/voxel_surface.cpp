@@ -21,6 +21,7 @@ std::uint64_t packed(std::uint64_t high, std::uint64_t middle, std::uint64_t low
 
 std::uint64_t part(std::uint64_t key, unsigned index) { return (key >> (index * kBits)) & kMask; }
 
+/// Rounded down, also below 0.
 Cell cell_of(const Eigen::Vector3d& point, double resolution_m) {
   return {static_cast<std::int64_t>(std::floor(point.x() / resolution_m)),
           static_cast<std::int64_t>(std::floor(point.y() / resolution_m)),

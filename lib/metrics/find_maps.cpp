@@ -15,6 +15,7 @@ constexpr std::uint64_t kMeanSeeds = 3;
 // Twelve halvings of a range of four metres reach the three decimals that parameters have.
 constexpr int kHalvings = 12;
 
+/// What was measured before is not measured again.
 double measured(const MapTarget& target, double parameter, std::uint64_t seed, MapsFound& found) {
   for (const MapTried& tried : found.tried) {
     if (tried.parameter == parameter && tried.map_seed == seed) return tried.value;
@@ -24,6 +25,7 @@ double measured(const MapTarget& target, double parameter, std::uint64_t seed, M
   return value;
 }
 
+/// Over the same seeds for each parameter.
 double mean_at(const MapTarget& target, double parameter, MapsFound& found) {
   double sum = 0.0;
   for (std::uint64_t seed = 1; seed <= kMeanSeeds; ++seed) {

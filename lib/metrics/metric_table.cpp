@@ -38,6 +38,7 @@ double mean(const std::vector<double>& values) {
   return values.empty() ? kNaN : sum / static_cast<double>(values.size());
 }
 
+/// Of a sample: with n - 1.
 double standard_deviation(const std::vector<double>& values) {
   if (values.size() < 2) return kNaN;
   const double centre = mean(values);

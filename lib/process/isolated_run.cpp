@@ -102,6 +102,7 @@ void close_from(int first) {
   for (int fd = first; fd < most; ++fd) ::close(fd);
 }
 
+/// Neither the caller's handlers nor what it has blocked holds for the work.
 void use_default_signals() {
   for (int number = 1; number < NSIG; ++number) ::signal(number, SIG_DFL);
   sigset_t none;
@@ -158,6 +159,7 @@ int kill_all(pid_t worker) {
   return status;
 }
 
+/// Without reaping it: until then its number is given to no other process.
 bool has_ended(pid_t worker) {
   siginfo_t info{};
   return ::waitid(P_PID, static_cast<id_t>(worker), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&

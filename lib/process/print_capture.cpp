@@ -27,6 +27,7 @@ std::string bytes_at(int fd, std::size_t begin, std::size_t count) {
   return bytes;
 }
 
+/// C++'s streams and C's: either may still hold text.
 void flush_streams() {
   std::cout << std::flush;
   std::cerr << std::flush;

@@ -45,6 +45,7 @@ const double* number_in(const TableValue& value, double& storage) {
   return std::get_if<double>(&value);
 }
 
+/// Numbers by value, whichever way they are held.
 bool is_equal(const TableValue& a, const TableValue& b) {
   double storage_a = 0.0, storage_b = 0.0;
   const double* number_a = number_in(a, storage_a);

@@ -139,6 +139,7 @@ void transform_both(const Kernels& kernels, const Buffers& buffers,
   }
 }
 
+/// For the medians, which look one column beyond either border.
 void repeat_border_columns(const Frame& frame, std::int16_t* disparity) {
   for (int y = 0; y < frame.height_px; ++y) {
     std::int16_t* row = disparity + y * frame.disparity_stride;
@@ -147,6 +148,7 @@ void repeat_border_columns(const Frame& frame, std::int16_t* disparity) {
   }
 }
 
+/// Of 3 × 3 pixels; the first and the last row stand for those beyond.
 void median_row(const Kernels& kernels, const Frame& frame, const std::int16_t* disparity, int y,
                 std::int16_t* out) {
   const auto row = [&](int at) {

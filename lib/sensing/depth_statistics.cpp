@@ -11,6 +11,7 @@ namespace {
 
 constexpr float kStep_px = 2.0F;  ///< of disparity
 
+/// 0 for infinite depth; NaN stays NaN.
 std::vector<float> disparities(std::span<const float> depth_m, double at_1m_px) {
   std::vector<float> result(depth_m.size());
   for (std::size_t i = 0; i < depth_m.size(); ++i) {

@@ -56,6 +56,7 @@ double correlation_of(const std::vector<double>& x, const std::vector<double>& y
   return r == r ? std::clamp(r, -1.0, 1.0) : kNaN;
 }
 
+/// By the exponential of -2 |z|, which can't overflow.
 double tanh_of(double z) {
   const double e = math::exp(-2.0 * std::abs(z));
   const double size = (1.0 - e) / (1.0 + e);

@@ -36,6 +36,7 @@ std::string file_uri(const std::filesystem::path& path, bool is_immutable) {
   return is_immutable ? uri + "?immutable=1" : uri;
 }
 
+/// A file that is not there yet passes.
 void check_is_plain_file(const std::filesystem::path& path) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);

@@ -173,6 +173,7 @@ std::string fault_of(const Table& found, const Table& wanted,
   return "";
 }
 
+/// Metrics' columns are allowed beside those of schema.sql.
 void check_table(sqlite3* handle, const std::filesystem::path& path, std::string_view schema,
                  const std::string& name, const std::set<std::string>& metrics) {
   const Table& wanted = expected().tables.find(name)->second;

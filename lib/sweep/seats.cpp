@@ -77,6 +77,7 @@ void end_left_behind(Desk& desk, const std::string& label) {
   if (const int count = end_orphans(spared); count > 0) desk.run.left_behind[label] += count;
 }
 
+/// The new worker has neither a map nor a planner in memory.
 void replace_process(Desk& desk, Seat& seat, const SandboxRules& rules) {
   seat.process.kill();
   end_left_behind(desk, seat.memory.planner_label);

@@ -9,6 +9,7 @@
 namespace avoidbench {
 namespace {
 
+/// A whole number and nothing else.
 std::optional<std::int64_t> number_from(const std::string& text) {
   std::int64_t number = 0;
   const char* end = text.data() + text.size();

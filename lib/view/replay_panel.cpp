@@ -18,6 +18,7 @@ std::uint8_t* pixel(Picture& picture, int column, int row) {
 /// OpenCV's coordinates are 32-bit with fraction bits: planners may draw far beyond those.
 bool is_drawable(const Eigen::Vector2d& at) { return at.cwiseAbs().maxCoeff() < 1e5; }
 
+/// Left out where either end is too far away.
 void draw_segment(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Color& color,
                   int width_px, Panel& panel) {
   const Eigen::Vector2d a = panel.to_pixels(from), b = panel.to_pixels(to);

@@ -141,6 +141,7 @@ Between between(double at, std::size_t count) {
   return {low, low + 1, at - floor};
 }
 
+/// Of rising knots.
 Between between(double value, const std::vector<double>& knots) {
   const auto above = std::upper_bound(knots.begin(), knots.end(), value);
   if (above == knots.begin()) return {};

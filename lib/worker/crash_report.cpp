@@ -124,6 +124,7 @@ std::string place_of(const Frame& frame, std::string_view library_file) {
   return demangled(found.substr(0, plus)) + offset;
 }
 
+/// The system's libraries, in which a planner's fault may show.
 bool is_of_system(const Frame& frame) {
   for (const std::string_view name : {"libc.so", "libc-", "libstdc++", "libpthread", "libm.so",
                                       "libgcc_s", "ld-linux", "linux-vdso"}) {

@@ -23,6 +23,7 @@ void remove(YamlNode& mapping, std::size_t index) {
   mapping.items.erase(mapping.items.begin() + offset);
 }
 
+/// The number of keys where none has the name.
 std::size_t index_of(const YamlNode& mapping, const std::string& key) {
   const auto found = std::find_if(mapping.keys.begin(), mapping.keys.end(),
                                   [&](const YamlNode& other) { return other.scalar == key; });

@@ -38,6 +38,7 @@ std::optional<std::vector<Step>> parse_path(std::string_view path) {
   }
 }
 
+/// At the place of another node.
 YamlNode scalar_at(const YamlNode& place, const std::string& text) {
   YamlNode node = place;
   node.kind = YamlNode::Kind::scalar;

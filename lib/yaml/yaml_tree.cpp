@@ -23,6 +23,7 @@ constexpr std::size_t kMostValues = 100'000;
 constexpr std::size_t kMostLevels = 64;
 constexpr std::size_t kMostLetters = 20'000'000;  ///< of texts, aliases expanded
 
+/// With all keys and values below.
 std::size_t value_count(const YamlNode& node) {
   std::size_t count = 1 + node.keys.size();
   for (const YamlNode& item : node.items) count += value_count(item);
@@ -36,6 +37,7 @@ std::size_t letter_count(const YamlNode& node) {
   return count;
 }
 
+/// 1 for a scalar.
 std::size_t level_count(const YamlNode& node) {
   std::size_t deepest = 0;
   for (const YamlNode& item : node.items) deepest = std::max(deepest, level_count(item));
