@@ -44,6 +44,7 @@ std::optional<BodyContact> contact(CollisionCheck& check, const Scene& scene,
                                    const Pose& T_world_body) {
   constexpr double kHorizon_m = 3.0;  // a nearest-point query is cheaper within a radius
   const Eigen::Vector3d centre = T_world_body.translation();
+  // Still within the ball that the last query found free.
   if ((centre - check.asked_at_world).norm() < check.free_radius_m) return std::nullopt;
   nearest_surface(check, scene, centre, 0.5 * check.body_size_m.norm() + kHorizon_m);
   // The ball around the body's box is free, and so is every box whose centre moves less than what

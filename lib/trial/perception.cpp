@@ -23,9 +23,12 @@ CameraMotion motion_of(const VehicleState& truth, const Pose& T_body_camera) {
 /// Exposes every camera of a kind and says when its next exposure is.
 void expose(Perception& p, CameraGroup& group, const Scene& scene, const VehicleState& truth) {
   const Pose T_world_body = pose_of(truth);
+  // The image is exposed at the true pose and told with the believed one.
   const Pose T_believed_body = pose_of(believed_state(p, truth));
+  // An image that nobody asks for is not made; the next exposure is drawn all the same.
   const bool is_seen = p.image_needs.depth || p.image_needs.stereo || p.image_needs.color;
   for (std::size_t i = 0; is_seen && i < group.T_body_cameras.size(); ++i) {
+    // Buffers of images that were seen are used again.
     if (p.exposure_count == p.exposures.size()) p.exposures.emplace_back();
     Exposure& exposure = p.exposures[p.exposure_count++];
     exposure.tick = truth.tick;
@@ -43,6 +46,7 @@ void expose(Perception& p, CameraGroup& group, const Scene& scene, const Vehicle
   }
   ++group.image_index;
   group.next_exposure = group.image_index * group.period;
+  // Jitter is drawn by itself for each image and does not add up.
   if (group.most_jitter > 0) {
     group.next_exposure += static_cast<Tick>(
         group.jitter_random.below(static_cast<std::uint64_t>(group.most_jitter) + 1));
@@ -121,6 +125,7 @@ Perception make_perception(const TrialSpec& spec, std::uint32_t needs, const Veh
                .states = {}};
   p.imu_state = make_imu(p.imu, p.imu_random);
   p.odometry_state = make_odometry(p.odometry, start, p.odometry_random);
+  // Until the first state is old enough the planner sees the start.
   p.past.push_back(believed_state(p, start));
   return p;
 }
@@ -135,10 +140,12 @@ Tick next_sensing(const Perception& p, Tick now) {
   // odometry.
   if (p.is_perfect) return next;
   next = std::min(next, after(p.odometry_period));
+  // The next tick whose state a plan will see.
   return std::min(next,
                   ((now + p.state_delay) / p.plan_period + 1) * p.plan_period - p.state_delay);
 }
 
+/// Odometry first, since images are told with the pose that it believes.
 void sense(Perception& p, const Scene& scene, const VehicleModel& model, const VehicleState& truth,
            const Environment& environment) {
   if (!p.is_perfect) {
@@ -184,6 +191,7 @@ PlannerView planner_view(Perception& p, const VehicleState& truth) {
       view.color.push_back({time_s, seen.T_world_camera, seen.camera, images.color});
     }
   }
+  // Oldest first, as one integrates them.
   for (const ImuSample& sample : p.imu_samples) {
     view.imu.push_back(
         {seconds(sample.tick), sample.rates_body_radps, sample.specific_force_body_mps2});

@@ -66,6 +66,7 @@ std::vector<ParameterValue> parameter_values(const PlannerChoice& planner) {
 }
 
 PlannerMission planner_mission(const TrialSpec& spec, const Mission& mission, const Aabb& bounds) {
+  // By map and mission and not by planner: two planners that draw alike meet the same luck.
   const std::uint64_t map_stream = stream_seed(stream_seed(spec.seed, "planner"), spec.map_seed);
   return {.seed = stream_seed(map_stream, static_cast<std::uint64_t>(spec.mission_index)),
           .start_world = mission.start_world,
