@@ -83,6 +83,7 @@ TEST_F(SweepTest, APlannerWithGlobalsFliesEachTrialInANewProcess) {
                        .label = planner.name,
                        .file = file,
                        .file_digest = planner.file_digest,
+                       .parameters = {},
                        .needs = planner.needs}};
     run(sweep, told + ".db", 2);
     const Database database = Database::open_for_reading(folder_ / (told + ".db"));
