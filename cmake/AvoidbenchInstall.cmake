@@ -10,10 +10,13 @@ install(DIRECTORY configs maps docs DESTINATION ${data_folder} COMPONENT program
 install(FILES scripts/custom_metrics.py DESTINATION ${data_folder}/scripts COMPONENT programs)
 install(DIRECTORY scripts/plot scripts/slurm DESTINATION ${data_folder}/scripts COMPONENT programs USE_SOURCE_PERMISSIONS
         PATTERN __pycache__ EXCLUDE)
+# What planners in Python need, for the Python that the program starts.
+install(DIRECTORY python/avoidbench DESTINATION ${data_folder}/python COMPONENT programs FILES_MATCHING PATTERN "*.py"
+        PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY planners/template DESTINATION ${data_folder}/planners COMPONENT programs)
 install(FILES README.md CHANGELOG.md CITATION.cff LICENSE DESTINATION ${data_folder} COMPONENT programs)
 # The build tree has the same by links, and is a package to find, too.
-foreach(folder configs maps docs scripts planners/template)
+foreach(folder configs maps docs scripts planners/template python/avoidbench)
   get_filename_component(parent ${PROJECT_BINARY_DIR}/${data_folder}/${folder} DIRECTORY)
   file(MAKE_DIRECTORY ${parent})
   file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${folder} ${PROJECT_BINARY_DIR}/${data_folder}/${folder} SYMBOLIC)

@@ -5,9 +5,10 @@ set -euo pipefail
 
 usage() {
   cat <<'EOT'
-usage: scripts/new_planner.sh NAME
+usage: scripts/new_planner.sh NAME [--python]
 
-Writes planners/NAME and tests/planners/NAME in this repository, built with everything else.
+Writes planners/NAME and tests/planners/NAME in this repository, built with everything else; with --python a planner in Python, which
+needs no building, a sweep that flies it and its test.
 NAME is of a-z, 0-9 and _ and begins with a letter. For a project of its own: avoidbench planners new NAME
 EOT
 }
@@ -21,7 +22,10 @@ case "${1:-}" in
   -h | --help) usage; exit 0 ;;
   "") usage >&2; exit 2 ;;
 esac
-[ $# -eq 1 ] || { usage >&2; exit 2; }
+language=cpp
+[ "$1" != --python ] || set -- "${@:2}" --python
+if [ "${2:-}" = --python ]; then language=python; fi
+[ $# -eq 1 ] || [ "$# $language" = "2 python" ] || { usage >&2; exit 2; }
 name=$1
 [[ $name =~ ^[a-z][a-z0-9_]*$ ]] || fail "'$name' is no name: use a-z, 0-9 and _, and begin with a letter"
 case "$name" in
@@ -39,6 +43,19 @@ done
 write() { sed "s/@NAME@/$name/g; s/@CLASS@/$class/g" "$root/planners/template/$1" >"$2"; }
 
 mkdir -p "$planner_folder" "$test_folder"
+if [ $language = python ]; then
+  write planner.py.in "$planner_folder/$name.py"
+  write README.md.in "$planner_folder/README.md"
+  sed "s|\./build/planners/@NAME@.so|$name.py|; s/@NAME@/$name/g" "$root/planners/template/sweep.yaml.in" >"$planner_folder/sweep.yaml"
+  write repository_python_test_CMakeLists.txt.in "$test_folder/CMakeLists.txt"
+  cat <<EOT
+wrote planners/$name and tests/planners/$name. Next:
+  build/release/avoidbench planners check planners/$name/$name.py
+  build/release/avoidbench run planners/$name/sweep.yaml
+  cmake --preset release && ctest --test-dir build/release -R ${name}_planner
+EOT
+  exit 0
+fi
 write planner.cpp.in "$planner_folder/$name.cpp"
 write README.md.in "$planner_folder/README.md"
 write repository_CMakeLists.txt.in "$planner_folder/CMakeLists.txt"

@@ -53,12 +53,19 @@ std::string commands(const PlannerDescription& planner) {
 
 void list(const OutputOptions& options) {
   std::vector<std::string> problems;
+  std::string depends_on;
   Table table = make_list({"name", "version", "sees", "commands", "parameters", "summary"});
   for (const PlannerDescription& planner : list_planners(problems)) {
     table.rows.push_back(make_row(planner.name, planner.version, sees(planner), commands(planner),
                                   planner.parameters.size(), planner.summary));
+    for (std::size_t i = 1; i < planner.files.size(); ++i) {
+      depends_on += planner.name + " depends on " + planner.files[i].name + " (SHA-256 " +
+                    planner.files[i].digest.substr(0, 12) + ")\n";
+    }
   }
   write_table(table, options);
+  std::cout << std::flush;
+  std::cerr << depends_on;
   for (const std::string& problem : problems) std::cerr << "warning: " << problem << '\n';
   if (!table.rows.empty()) return;
   std::cerr << "no planner on the search path:\n";
@@ -99,6 +106,9 @@ void describe(const std::string& plugin, const OutputOptions& options) {
   }
   text += "  file      " + planner.file.string() + "\n";
   text += "  sha256    " + planner.file_digest + "\n";
+  for (const PlannerFile& file : planner.files) {
+    text += "  of        " + file.digest + "  " + file.name + "\n";
+  }
   if (!table.rows.empty()) text += "\n" + format_table(table, TableFormat::table);
   write_text(text, options.output);
 }

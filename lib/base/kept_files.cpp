@@ -16,6 +16,9 @@ namespace fs = std::filesystem;
 
 constexpr const char* kPlanners = ".planners";
 constexpr const char* kMaps = ".maps";
+constexpr const char* kLibrary = ".so";
+constexpr const char* kScript = ".py";
+constexpr const char* kProgram = ".run";  // whatever it was called: to be executed
 
 /// results/quick.db and .planners: results/quick.planners.
 fs::path folder_beside(const fs::path& database, const char* ending) {
@@ -93,16 +96,27 @@ std::vector<std::string> keep_files(const std::vector<FlownFile>& files, const f
   std::vector<std::string> problems;
   for (const FlownFile& flown : files) {
     const char* kind = flown.is_planner ? kPlanners : kMaps;
-    const std::string ending = flown.is_planner ? ".so" : fs::path(flown.file).extension().string();
+    const std::string own = fs::path(flown.file).extension().string();
+    const std::string ending = !flown.is_planner   ? own
+                               : !flown.is_program ? kLibrary
+                               : own == kScript    ? kScript
+                                                   : kProgram;
     const fs::path kept = folder_beside(database, kind) / (flown.digest + ending);
     const std::string problem = keep(flown.file, flown.digest, kept);
+    std::error_code error;
+    if (ending == kProgram) {
+      fs::permissions(kept, fs::perms::owner_exec, fs::perm_options::add, error);
+    }
     if (!problem.empty()) problems.push_back(problem);
   }
   return problems;
 }
 
 std::optional<fs::path> kept_planner(const fs::path& database, const std::string& digest) {
-  return find_kept(database, kPlanners, digest, ".so");
+  for (const char* ending : {kLibrary, kScript, kProgram}) {
+    if (auto file = find_kept(database, kPlanners, digest, ending)) return file;
+  }
+  return std::nullopt;
 }
 
 std::optional<fs::path> kept_map(const fs::path& database, const std::string& digest,

@@ -6,14 +6,16 @@
 #include <vector>
 
 /// Copies of the files that a database's trials were flown with, so that they can be flown again
-/// when the originals have changed: beside NAME.db, planners in NAME.planners/DIGEST.so, maps and
-/// wind fields in NAME.maps/DIGEST.ending. DIGEST is the SHA-256 of the file.
+/// when the originals have changed: beside NAME.db, planners in NAME.planners/DIGEST.so (.py or
+/// .run of programs), maps and wind fields in NAME.maps/DIGEST.ending. DIGEST is the SHA-256 of the
+/// file.
 namespace avoidbench {
 
 /// A file of a run, and the SHA-256 that it has to have.
 struct FlownFile {
   std::string file, digest;
-  bool is_planner = true;  ///< else a map or wind field
+  bool is_planner = true;   ///< else a map or wind field
+  bool is_program = false;  ///< of a planner: no library
 };
 
 /// Copies these files beside the database; what is there stays. Returns what could not be kept and

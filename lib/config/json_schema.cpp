@@ -403,13 +403,15 @@ Schema planner_schema(const FieldTree& max_speed, const std::vector<PlannerDescr
   std::vector<std::string> names;
   Schema rules = Schema::array();
   for (const PlannerDescription& planner : planners) {
-    names.push_back(planner.file.stem().string());
+    const bool is_script = planner.file.extension() == ".py";
+    names.push_back((is_script ? planner.file.filename() : planner.file.stem()).string());
     rules.push_back(planner_rule(planner, names.back(), writer));
   }
   constexpr int kLongestLabel = 100;
   Schema properties = Schema::object();
   properties["plugin"] = name_schema(names);
-  properties["plugin"]["description"] = "A planner's name, or its library as ./FILE.so.";
+  properties["plugin"]["description"] =
+      "A planner's name, its library or program as ./FILE, or `process` with parameters.command.";
   properties["label"] = {{"type", {"string", "number", "boolean"}},
                          {"minLength", 1},
                          {"maxLength", kLongestLabel},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <sstream>
 
 #include "plugin/planner_library.hpp"
 #include "text/visible_text.hpp"
@@ -20,6 +21,10 @@ struct GivenParameter {
 };
 
 constexpr const char* kMaxSpeed = "max_speed_mps";
+constexpr const char* kProcess = "process";  ///< instead of a planner's name: a command starts it
+constexpr const char* kWantsCommand =
+    "'process' is a planner that a command starts: it needs parameters: {command: [python3, "
+    "mine.py]}; without a command of its own, `plugin: ./mine.py` is enough";
 
 struct Entry {
   std::string path;  ///< "planners[0]"
@@ -37,18 +42,76 @@ const ParameterDef* parameter_def(const PlannerDescription& planner, const std::
 
 bool is_number(const ParameterDef& def) { return def.kind == AB_NUMBER || def.kind == AB_INTEGER; }
 
-std::optional<PlannerDescription> load(const YamlNode& node, const std::string& path,
-                                       Reading& reading) {
+/// Where a planner is, found by `find(folder)`, and what it says of itself.
+template <class Find>
+std::optional<PlannerDescription> described(const YamlNode& node, const std::string& path,
+                                            Reading& reading, Find&& find) {
   // Relative to the file that says so; what the command line gives, to where it was typed.
   const fs::path folder = folder_of(node, ".");
   try {
-    return describe_planner(find_planner(node.scalar, folder));
+    return describe_planner(find(folder));
   } catch (const InputError& error) {
     for (const InputProblem& problem : error.problems()) {
       reading.problems.push_back(problem_at(node, path + ": " + text(problem)));
     }
     return std::nullopt;
   }
+}
+
+std::optional<PlannerDescription> load(const YamlNode& node, const std::string& path,
+                                       Reading& reading) {
+  if (node.scalar == kProcess) {
+    reading.problems.push_back(problem_at(node, path + ": " + kWantsCommand));
+    return std::nullopt;
+  }
+  return described(node, path, reading, [&](const fs::path& folder) {
+    return PlannerSource(find_planner(node.scalar, folder));
+  });
+}
+
+/// The words of a command: a list of them, or a text that is cut at its spaces.
+std::vector<std::string> read_words(const YamlNode& node, const std::string& path,
+                                    Reading& reading) {
+  std::vector<std::string> words;
+  if (node.kind == YamlNode::Kind::list) {
+    for (std::size_t i = 0; i < node.items.size(); ++i) {
+      const std::string at = path + "[" + std::to_string(i) + "]";
+      if (const auto word = read_text(node.items[i], at, reading.problems)) words.push_back(*word);
+    }
+  } else if (const auto text = read_text(node, path, reading.problems)) {
+    std::istringstream stream(*text);
+    for (std::string word; stream >> word;) words.push_back(word);
+  } else {
+    return words;
+  }
+  if (words.empty() || words.front().empty()) {
+    reading.problems.push_back(problem_at(node, path + ": expected a program and its arguments"));
+    words.clear();
+  }
+  return words;
+}
+
+/// `plugin: process, parameters: {command: …}`: the planner that the command starts. `plugin` gets
+/// the name by which it is found again.
+std::optional<PlannerDescription> load_command(const YamlNode& plugin, const YamlNode* parameters,
+                                               const std::string& path, std::string& name,
+                                               Reading& reading) {
+  const YamlNode* command = parameters != nullptr ? parameters->find("command") : nullptr;
+  if (command == nullptr) {
+    reading.problems.push_back(problem_at(plugin, path + ".plugin: " + kWantsCommand));
+    return std::nullopt;
+  }
+  const std::string command_path = path + ".parameters.command";
+  const std::vector<std::string> words = read_words(*command, command_path, reading);
+  if (words.empty()) return std::nullopt;
+  return described(*command, command_path, reading, [&](const fs::path& folder) {
+    PlannerSource source = source_of_command(words, folder);
+    const auto at = std::find(source.command.begin(), source.command.end(), kFileWord);
+    name = words[static_cast<std::size_t>(at - source.command.begin())];
+    if (at == source.command.begin()) name = source.file.string();
+    if (name.find('/') == std::string::npos) name.insert(0, "./");
+    return source;
+  });
 }
 
 /// Reads one parameter's value or values, checked by the planner's declaration.
@@ -95,6 +158,8 @@ void read_parameters(const YamlNode& node, Entry& entry, Reading& reading) {
   }
   for (std::size_t i = 0; i < node.keys.size(); ++i) {
     const std::string& name = node.keys[i].scalar;
+    const bool is_command = !entry.planner.command.empty() && name == "command";
+    if (is_command) continue;  // read before, since it says whose parameters these are
     read_parameter(node.keys[i], name, node.items[i], path + "." + name, entry, reading);
   }
 }
@@ -124,7 +189,8 @@ std::optional<Entry> read_mapping(const YamlNode& node, const std::string& path,
     reading.add_problem(path, "lacks 'plugin', the planner's name or file");
   } else if (const auto name = read_text(*plugin, path + ".plugin", reading.problems)) {
     entry.plugin = *name;
-    planner = load(*plugin, path + ".plugin", reading);
+    planner = *name == kProcess ? load_command(*plugin, parameters, path, entry.plugin, reading)
+                                : load(*plugin, path + ".plugin", reading);
   }
   const YamlNode* max_speed = nullptr;
   if (!planner || parameter_def(*planner, kMaxSpeed) != nullptr)
@@ -167,6 +233,8 @@ PlannerChoice make_choice(const Entry& entry, const ParameterValues& given,
   if (!swept.empty()) result.label += "[" + swept + "]";
   result.file = fs::absolute(planner.file).lexically_normal().string();
   result.file_digest = planner.file_digest;
+  result.command = planner.command;
+  result.files = planner.files;
   result.needs = planner.needs;
   const std::vector<ParameterValue> values = resolve_parameters(planner, given);
   for (std::size_t i = 0; i < values.size(); ++i) {

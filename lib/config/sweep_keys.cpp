@@ -47,11 +47,11 @@ FieldTree until_key() {
 FieldTree planners_key() {
   return own_key(
       "planners", FieldKind::other,
-      "The planners to compare: names, or {plugin: NAME or ./FILE.so, label, parameters: {name: "
+      "The planners to compare: names, or {plugin: NAME or ./FILE, label, parameters: {name: "
       "value or list}, max_speed_mps}.",
       {{"type", "a name or mapping, or a list of them"},
        {"example", "planners: [straight_line, reactive]"},
-       {"or", "planners: [{plugin: ./my_planner.so, label: mine}]"},
+       {"or", "planners: [{plugin: ./my_planner.so, label: mine}, ./my_planner.py]"},
        {"axis", "planners: [{plugin: reactive, parameters: {margin_m: [0.3, 0.6]}}]"},
        {"see", "avoidbench planners list, planners describe NAME, config explain NAME.PARAMETER"}});
 }

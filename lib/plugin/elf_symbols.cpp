@@ -87,6 +87,25 @@ std::string shared_library_problem(const std::filesystem::path& file) {
   return "";
 }
 
+bool is_elf_program(const std::filesystem::path& file) {
+  constexpr std::size_t kMostHead = 65536;  // program headers lie behind the file's header
+  std::string bytes(kMostHead, '\0');
+  try {
+    bytes.resize(InputFile(file, kMostBytes).read(bytes));
+  } catch (const InputError&) {
+    return false;
+  }
+  const auto header = struct_at<Elf64_Ehdr>(bytes, 0);
+  if (!header || std::memcmp(header->e_ident, ELFMAG, SELFMAG) != 0) return false;
+  if (header->e_ident[EI_CLASS] != ELFCLASS64 || header->e_machine != EM_X86_64) return false;
+  if (header->e_type == ET_EXEC) return true;
+  for (std::uint64_t i = 0; i < header->e_phnum && header->e_type == ET_DYN; ++i) {
+    const auto part = struct_at<Elf64_Phdr>(bytes, header->e_phoff + i * sizeof(Elf64_Phdr));
+    if (part && part->p_type == PT_INTERP) return true;
+  }
+  return false;
+}
+
 std::vector<std::string> exported_symbols(const std::filesystem::path& file) {
   std::vector<std::string> names;
   visit_symbols(file, SHT_DYNSYM, [&](const Elf64_Sym& symbol, const std::string& name) {

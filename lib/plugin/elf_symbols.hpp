@@ -11,6 +11,10 @@ namespace avoidbench {
 /// empty when it is one.
 std::string shared_library_problem(const std::filesystem::path& file);
 
+/// Whether `file` is an ELF program of this machine, to be started rather than loaded: one that the
+/// system's linker has to prepare, or one that is bound to its addresses.
+bool is_elf_program(const std::filesystem::path& file);
+
 /// Names of the symbols that the shared library at `file` defines for others, in the order of its
 /// dynamic symbol table. Empty when the file has no such table or is damaged: read as data, never
 /// loaded.

@@ -9,6 +9,7 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <tuple>
 
 #include "base/digest.hpp"
 #include "base/input_error.hpp"
@@ -65,6 +66,7 @@ void visit(Visitor& v, Spec& p) {
   v.field("commands", p.commands, "");
   v.field("parameters", p.parameters, "");
   v.field("profiles", p.profiles, "");
+  v.field("file_names", p.file_names, "");
 }
 
 namespace {
@@ -86,11 +88,13 @@ double time_limit_s() {
 }
 
 /// The child's part. In CBOR doubles keep their bits and texts may be of any encoding.
-void describe(const std::filesystem::path& file, IsolatedOutput& output) {
+void describe(const PlannerSource& source, IsolatedOutput& output) {
   Json answer = Json::object();
-  enter_sandbox({}, sandbox_support());  // what it needs is not known before it was loaded
+  // What it needs is not known before it was asked; a program has at least to be started.
+  const SandboxRules rules{.processes = PlannerLibrary::is_program(source)};
+  enter_sandbox(rules, sandbox_support());
   try {
-    answer["planner"] = spec_to_json(PlannerLibrary::load_checked(file).description());
+    answer["planner"] = spec_to_json(PlannerLibrary::load_checked(source).description());
   } catch (const InputError& error) {
     for (const InputProblem& problem : error.problems()) {
       answer["problems"].push_back(problem.message);
@@ -117,16 +121,15 @@ std::string failure_text(const IsolatedEnd& end) {
   return text;
 }
 
-Answer asked(const std::filesystem::path& file, double limit_s) {
+Answer asked(const PlannerSource& source, double limit_s) {
   const IsolatedEnd end =
-      run_isolated([&](IsolatedOutput& output) { describe(file, output); }, limit_s);
+      run_isolated([&](IsolatedOutput& output) { describe(source, output); }, limit_s);
   if (!end.problem.empty()) return {std::nullopt, {failure_text(end)}};
   Answer answer;
   try {
     const Json json = Json::from_cbor(end.output);
     if (json.contains("planner")) {
       answer.planner = spec_from_json<PlannerDescription>(json.at("planner"));
-      answer.planner->file = file;
     } else {
       answer.problems = json.at("problems").get<std::vector<std::string>>();
     }
@@ -136,18 +139,20 @@ Answer asked(const std::filesystem::path& file, double limit_s) {
   return answer;
 }
 
-PlannerDescription description_from(const Answer& answer, const std::filesystem::path& file,
-                                    const std::string& digest) {
+PlannerDescription description_from(const Answer& answer, const PlannerSource& source) {
   if (!answer.planner) {
     std::vector<InputProblem> problems;
     for (const std::string& problem : answer.problems) {
-      problems.push_back({file.string(), 0, 0, problem});
+      problems.push_back({source.file.string(), 0, 0, problem});
     }
     throw InputError(std::move(problems));
   }
   PlannerDescription planner = *answer.planner;
-  planner.file = file;
-  planner.file_digest = digest;
+  planner.file = source.file;
+  planner.command = source.command;
+  planner.is_program = PlannerLibrary::is_program(source);
+  planner.files = planner_files(source.file, planner.file_names);
+  planner.file_digest = planner_digest(source.file, planner.files);
   return planner;
 }
 
@@ -159,25 +164,76 @@ SandboxRules sandbox_rules(std::uint32_t needs) {
           .network = (needs & AB_USES_NETWORK) != 0};
 }
 
-PlannerDescription describe_planner(const std::filesystem::path& file, double time_limit_s) {
-  PlannerLibrary::check(file);
-  const std::string digest = file_digest(file);
-  return description_from(asked(file, time_limit_s), file, digest);
+std::vector<PlannerFile> planner_files(const std::filesystem::path& file,
+                                       const std::vector<std::string>& names) {
+  std::vector<PlannerFile> files;
+  if (names.empty()) return files;
+  files.push_back({file.filename().string(), file_digest(file)});
+  for (const std::string& name : names) {
+    try {
+      files.push_back({name, file_digest(file.parent_path() / name)});
+    } catch (const InputError& error) {
+      throw InputError(
+          {.file = file.string(),
+           .message = "names a file that it depends on: " + std::string(error.what())});
+    }
+  }
+  return files;
 }
 
-PlannerDescription describe_planner(const std::filesystem::path& file) {
-  if (own_planner(file) != nullptr) return PlannerLibrary::load(file).description();
+std::string planner_digest(const std::filesystem::path& file,
+                           const std::vector<PlannerFile>& files) {
+  if (files.empty()) return file_digest(file);
+  Digest digest;
+  digest.add(std::string_view(AB_FILES_EXTENSION)).add(files.front().digest);
+  for (std::size_t i = 1; i < files.size(); ++i) {
+    // Of an absolute path only the name: the same planner in another place is the same planner.
+    const std::filesystem::path name(files[i].name);
+    digest.add(name.is_absolute() ? name.filename().string() : files[i].name);
+    digest.add(files[i].digest);
+  }
+  return digest.hex();
+}
+
+std::string digest_now(const std::filesystem::path& file, const std::vector<PlannerFile>& files) {
+  std::vector<std::string> names;
+  for (std::size_t i = 1; i < files.size(); ++i) names.push_back(files[i].name);
+  return planner_digest(file, planner_files(file, names));
+}
+
+PlannerDescription describe_planner(const PlannerSource& source, double time_limit_s) {
+  PlannerLibrary::check(source);
+  return description_from(asked(source, time_limit_s), source);
+}
+
+PlannerDescription describe_planner(const PlannerSource& source) {
+  if (own_planner(source.file) != nullptr) return PlannerLibrary::load(source).description();
   static std::mutex mutex;
-  // By path and digest: a planner is asked once a run, again when its file changes. Failures are
-  // kept, too, since a hang costs the whole time limit.
-  static std::map<std::pair<std::filesystem::path, std::string>, Answer> known;
-  PlannerLibrary::check(file);
-  const std::string digest = file_digest(file);
+  // By path, command and digest: a planner is asked once a run, again when its file changes.
+  // Failures are kept, too, since a hang costs the whole time limit.
+  struct Known {
+    Answer answer;
+    std::string digest;  ///< with the files that it names: they may be what decides them
+  };
+  static std::map<std::tuple<std::filesystem::path, std::vector<std::string>, std::string>, Known>
+      known;
+  PlannerLibrary::check(source);
   const std::lock_guard lock(mutex);
-  const auto key = std::make_pair(std::filesystem::absolute(file), digest);
-  auto answer = known.find(key);
-  if (answer == known.end()) answer = known.emplace(key, asked(file, time_limit_s())).first;
-  return description_from(answer->second, file, digest);
+  const auto key = std::make_tuple(std::filesystem::absolute(source.file), source.command,
+                                   file_digest(source.file));
+  auto found = known.find(key);
+  if (found != known.end() && found->second.answer.planner) {
+    const PlannerDescription now = description_from(found->second.answer, source);
+    if (now.file_digest == found->second.digest) return now;
+    known.erase(found);
+    found = known.end();
+  }
+  if (found == known.end()) {
+    found = known.emplace(key, Known{asked(source, time_limit_s()), ""}).first;
+  }
+  const PlannerDescription planner = description_from(found->second.answer, source);
+  found->second.digest = planner.file_digest;
+  return planner;
 }
 
 }  // namespace avoidbench

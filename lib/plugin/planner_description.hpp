@@ -7,10 +7,10 @@
 
 #include "avoidbench/planner.h"
 #include "process/sandbox.hpp"
+#include "program_planner/planner_source.hpp"
 
 namespace avoidbench {
 
-/// What a planner's library says of itself.
 struct ParameterDef {
   std::string name, unit, doc;
   std::int32_t kind = AB_NUMBER;  ///< AB_NUMBER …
@@ -29,27 +29,51 @@ struct ProfileDef {
   std::vector<Number> numbers;
 };
 
+/// A file that decides what a planner does; see ab_files.
+struct PlannerFile {
+  std::string
+      name;  ///< as the planner gives it: relative to the folder of its own file, or absolute
+  std::string digest;  ///< SHA-256
+};
+
+/// What a planner's library or program says of itself.
 struct PlannerDescription {
   std::string name, version, summary;
   std::uint32_t needs = 0, commands = 0;  ///< AB_SEES_… and AB_COMMAND_… bits
   std::vector<ParameterDef> parameters;
   std::vector<ProfileDef> profiles;
+  std::vector<std::string> file_names;  ///< of AB_FILES_EXTENSION
   std::filesystem::path file;
-  std::string file_digest;  ///< SHA-256 of the library
+  std::vector<std::string> command;  ///< of a program that is started in a way of its own
+  bool is_program = false;
+  std::string file_digest;         ///< see planner_digest()
+  std::vector<PlannerFile> files;  ///< empty, or its own file and then those that it names
 };
+
+/// The planner's own file and those that it names, as they are now. Empty where it names none.
+/// Throws InputError where one can't be read.
+std::vector<PlannerFile> planner_files(const std::filesystem::path& file,
+                                       const std::vector<std::string>& names);
+
+/// By what trials know a planner: the SHA-256 of its library or program; where it names further
+/// files, one of the SHA-256 of them all.
+std::string planner_digest(const std::filesystem::path& file,
+                           const std::vector<PlannerFile>& files);
+/// The same of the files of these names as they are now.
+std::string digest_now(const std::filesystem::path& file, const std::vector<PlannerFile>& files);
 
 /// What the sandbox grants a planner that declares these needs (AB_USES_… bits).
 SandboxRules sandbox_rules(std::uint32_t needs);
 
-/// What the library in `file` says of itself. To ask it is to run its constructors, which can do
-/// anything: they run in a process of their own (run_isolated) and in the sandbox, as far as the
+/// What a library or program says of itself. To ask it is to run its code, which can do anything:
+/// that runs in a process of their own (run_isolated) and in the sandbox, as far as the
 /// kernel has one; it is killed with all that it started after `time_limit_s`. Throws InputError
 /// that names the file and says what is wrong with it, as PlannerLibrary::load does, or how that
 /// process ended.
-PlannerDescription describe_planner(const std::filesystem::path& file, double time_limit_s);
+PlannerDescription describe_planner(const PlannerSource& source, double time_limit_s);
 
 /// The same within the time limit of the environment's AVOIDBENCH_LOAD_LIMIT_S, else 10 s. Asks
 /// again only for a file that changed since this process asked for it.
-PlannerDescription describe_planner(const std::filesystem::path& file);
+PlannerDescription describe_planner(const PlannerSource& source);
 
 }  // namespace avoidbench

@@ -1,5 +1,6 @@
 #include "plugin/planner_instance.hpp"
 
+#include <algorithm>
 #include <ctime>
 #include <exception>
 
@@ -10,6 +11,7 @@
 #include "plugin/float_guard.hpp"
 #include "plugin/host_buffers.hpp"
 #include "process/locale_guard.hpp"
+#include "program_planner/program_planner.hpp"
 
 namespace avoidbench {
 namespace {
@@ -55,6 +57,16 @@ struct PlannerInstance::Internals {
   void* instance = nullptr;
   CallClock* clock = nullptr;
   CpuMeter meter;
+  bool is_program = false;
+  double charged_program_s = 0.0;  ///< CPU time of the program that calls were charged for
+
+  /// What the program has used since it was asked last.
+  double program_time_s() {
+    if (!is_program) return 0.0;
+    const double before_s = charged_program_s;
+    charged_program_s = program_cpu_time_s(instance);
+    return std::max(0.0, charged_program_s - before_s);
+  }
 
   ~Internals() {
     // create() may have failed; a planner is destroyed only if there is one.
@@ -71,6 +83,7 @@ PlannerInstance::PlannerInstance(const PlannerLibrary& library, const PlannerSet
   internals_->table = &library.table();
   internals_->cameras = setup.cameras;
   internals_->clock = clock;
+  internals_->is_program = library.description().is_program;
   const SetupBuffers buffers(setup, values, internals_->table->needs);
   internals_->meter.begin_call();
   std::string problem = escaped_exception(clock, [&] {
@@ -100,6 +113,7 @@ std::string PlannerInstance::reset(const PlannerMission& mission) {
       escaped_exception(self.clock, [&] { status = self.table->reset(self.instance, &given); });
   // What reset() used is charged to no call.
   self.meter.settle();
+  self.program_time_s();
   if (!escaped.empty()) return escaped;
   return status == AB_OK ? "" : error_text("reset", self.host);
 }
@@ -117,7 +131,7 @@ PlanResult PlannerInstance::plan(const PlannerView& view) {
   std::string problem = escaped_exception(
       self.clock, [&] { status = self.table->plan(self.instance, &observation, &result.command); });
   result.wall_time_s = wall_clock_s() - wall_before_s;
-  result.cpu_time_s = self.meter.end_call();
+  result.cpu_time_s = self.meter.end_call() + self.program_time_s();
 
   if (problem.empty() && status == AB_OK) {
     problem = command_problem(result.command, self.table->commands);
@@ -128,6 +142,7 @@ PlanResult PlannerInstance::plan(const PlannerView& view) {
   }
   if (!problem.empty()) {
     result.reason = problem;
+    result.has_crashed = has_crashed();
     result.command = ab_command{};
     return result;
   }
@@ -143,6 +158,14 @@ PlanResult PlannerInstance::plan(const PlannerView& view) {
   }
   result.command.points = nullptr;
   return result;
+}
+
+bool PlannerInstance::has_crashed() const {
+  return internals_->is_program && program_has_ended(internals_->instance);
+}
+
+bool PlannerInstance::was_killed() const {
+  return internals_->is_program && program_was_killed(internals_->instance);
 }
 
 std::vector<std::string> PlannerInstance::take_log() { return internals_->host.take_log(); }

@@ -81,11 +81,12 @@ enum class PlanStatus { command, no_plan, gave_up, error };
 /// reason.
 struct PlanResult {
   PlanStatus status = PlanStatus::error;
-  std::string reason;    ///< of an error, or why it gave up
+  std::string reason;        ///< of an error, or why it gave up
+  bool has_crashed = false;  ///< of an error: the planner's program has ended
   ab_command command{};  ///< valid for PlanStatus::command; its `points` member is null, see below
   std::vector<ab_point> points;
   /// CPU time of the calling thread in the call, and of the planner's other threads in it and since
-  /// its last call; see CpuMeter.
+  /// its last call; see CpuMeter. Of a program also what all its threads used since its last call.
   double cpu_time_s = 0;
   double wall_time_s = 0;
 };
@@ -106,6 +107,11 @@ class PlannerInstance {
   /// Empty text on success, else why it failed.
   std::string reset(const PlannerMission& mission);
   PlanResult plan(const PlannerView& view);
+
+  /// Whether the call that failed last did so since the planner's program had ended.
+  bool has_crashed() const;
+  /// Whether it had ended by SIGKILL, which may be somebody else's doing.
+  bool was_killed() const;
 
   /// Lines the planner logged since the last call.
   std::vector<std::string> take_log();

@@ -12,6 +12,7 @@
 #include "plugin/float_guard.hpp"
 #include "plugin/planner_table.hpp"
 #include "process/locale_guard.hpp"
+#include "program_planner/program_planner.hpp"
 
 namespace avoidbench {
 namespace {
@@ -40,7 +41,11 @@ void check_file(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file, error)) refuse_file(file, "no such file");
   if (!std::filesystem::is_regular_file(file, error)) refuse_file(file, "is not a file");
   const std::string problem = shared_library_problem(file);
-  if (!problem.empty()) refuse_file(file, problem);
+  if (problem.empty()) return;
+  const bool is_other_kind = problem.starts_with("is not a shared library");
+  refuse_file(file, problem + (is_other_kind ? "; nor a program: those end in .py or may be "
+                                               "executed (chmod +x)"
+                                             : ""));
 }
 
 /// Threads that start for as long as it lives are the library's.
@@ -86,28 +91,54 @@ const ab_planner* table_from(const std::filesystem::path& file, TableFunction fu
 
 }  // namespace
 
-void PlannerLibrary::check(const std::filesystem::path& file) {
-  if (own_planner(file) != nullptr) return;
-  check_file(file);
-  check_symbol(file);
+bool PlannerLibrary::is_program(const PlannerSource& source) {
+  if (!source.command.empty()) return true;
+  if (own_planner(source.file) != nullptr || !can_be_started(source.file)) return false;
+  return is_elf_program(source.file) || !shared_library_problem(source.file).empty();
+}
+
+void PlannerLibrary::check(const PlannerSource& source) {
+  if (own_planner(source.file) != nullptr) return;
+  std::error_code error;
+  if (std::filesystem::is_regular_file(source.file, error) && is_program(source)) return;
+  check_file(source.file);
+  check_symbol(source.file);
 }
 
 bool PlannerLibrary::is_any_loaded() { return any_loaded; }
 
-PlannerLibrary PlannerLibrary::load(const std::filesystem::path& file, CallClock* clock) {
-  check(file);
-  PlannerLibrary library = load_checked(file, clock);
-  library.description_.file_digest = file_digest(file);
+PlannerLibrary PlannerLibrary::load(const PlannerSource& source, CallClock* clock) {
+  check(source);
+  PlannerLibrary library = load_checked(source, clock);
+  PlannerDescription& planner = library.description_;
+  planner.files = planner_files(source.file, planner.file_names);
+  planner.file_digest = planner_digest(source.file, planner.files);
   return library;
 }
 
-PlannerLibrary PlannerLibrary::load_checked(const std::filesystem::path& file, CallClock* clock) {
+PlannerLibrary PlannerLibrary::with_table(const PlannerSource& source, const ab_planner& table,
+                                          ThreadOwner owner) {
+  PlannerLibrary library;
+  library.table_ = &table;
+  library.thread_owner_ = owner;
+  library.description_ = describe_table(table);
+  library.description_.file = source.file;
+  library.description_.command = source.command;
+  return library;
+}
+
+PlannerLibrary PlannerLibrary::load_checked(const PlannerSource& source, CallClock* clock) {
+  const std::filesystem::path& file = source.file;
   if (const ab_planner* own = own_planner(file)) {
-    PlannerLibrary library;
-    library.table_ = own;
-    library.thread_owner_ = new_thread_owner();  // else the host's threads would be its own
-    library.description_ = describe_table(*own);
-    library.description_.file = file;
+    return with_table(source, *own,
+                      new_thread_owner());  // else the host's threads would be its own
+  }
+  if (is_program(source)) {
+    const TimedCall timed(clock);
+    const ab_planner& table = program_table(source);
+    require_sound_table(file, table);
+    PlannerLibrary library = with_table(source, table, new_thread_owner());
+    library.description_.is_program = true;
     return library;
   }
   // An absolute path: dlopen would look a bare name up in the system's folders.
@@ -130,13 +161,9 @@ PlannerLibrary PlannerLibrary::load_checked(const std::filesystem::path& file, C
   const auto function = reinterpret_cast<TableFunction>(dlsym(handle, wanted_symbol().c_str()));
   if (function == nullptr) refuse_file(file, "does not export " + wanted_symbol());
 
-  PlannerLibrary library;
-  library.table_ = table_from(file, function);
-  require_sound_table(file, *library.table_);
-  library.description_ = describe_table(*library.table_);
-  library.description_.file = file;
-  library.thread_owner_ = owner;
-  return library;
+  const ab_planner* table = table_from(file, function);
+  require_sound_table(file, *table);
+  return with_table(source, *table, owner);
 }
 
 }  // namespace avoidbench

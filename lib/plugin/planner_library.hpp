@@ -12,21 +12,25 @@
 
 namespace avoidbench {
 
-/// A loaded planner library, checked: symbol, ABI number, sizes, names, ranges, function pointers.
-/// It stays loaded until the process ends (never dlclose: a planner may have left threads or
-/// thread-local destructors behind).
+/// A loaded planner library, or a started program behind the same table, checked: symbol, ABI
+/// number, sizes, names, ranges, function pointers. It stays loaded until the process ends (never
+/// dlclose: a planner may have left threads or thread-local destructors behind).
 class PlannerLibrary {
  public:
   /// Loads it into this process, which runs its constructors here; see describe_planner. They count
   /// as a call of `clock`, where given. Throws InputError that says which file and what is wrong
   /// with it.
-  static PlannerLibrary load(const std::filesystem::path& file, CallClock* clock = nullptr);
+  static PlannerLibrary load(const PlannerSource& source, CallClock* clock = nullptr);
 
-  /// What load looks at before it runs code of the library. Throws InputError as it does.
-  static void check(const std::filesystem::path& file);
+  /// What load looks at before it runs code of the planner. Throws InputError as it does.
+  static void check(const PlannerSource& source);
 
   /// As load, of a file that was checked, without its digest.
-  static PlannerLibrary load_checked(const std::filesystem::path& file, CallClock* clock = nullptr);
+  static PlannerLibrary load_checked(const PlannerSource& source, CallClock* clock = nullptr);
+
+  /// Whether the planner is no library but a program, to be started: what a command starts, a .py,
+  /// and what may be executed and is no shared library.
+  static bool is_program(const PlannerSource& source);
 
   /// Whether code of any library was run in this process.
   static bool is_any_loaded();
@@ -36,6 +40,9 @@ class PlannerLibrary {
   ThreadOwner thread_owner() const { return thread_owner_; }  ///< of threads that loading started
 
  private:
+  static PlannerLibrary with_table(const PlannerSource& source, const ab_planner& table,
+                                   ThreadOwner owner);
+
   PlannerDescription description_;
   const ab_planner* table_ = nullptr;
   ThreadOwner thread_owner_ = kHostThreads;
@@ -45,14 +52,14 @@ class PlannerLibrary {
 /// tree's planners/ beside the program, the install's plugin folder.
 std::vector<std::filesystem::path> planner_search_path();
 
-/// The library file of `plugin`: a bare name is looked up as NAME.so along the search path;
-/// anything with a slash is a path, relative ones to `base_folder`. Throws InputError with the
-/// places tried and a suggestion.
+/// The file of `plugin`: a bare name is looked up as NAME.so along the search path, NAME.py as it
+/// is in `base_folder` and then there; anything with a slash is a path, relative ones to
+/// `base_folder`. Throws InputError with the places tried and a suggestion.
 std::filesystem::path find_planner(const std::string& plugin,
                                    const std::filesystem::path& base_folder);
 
-/// Every planner library on the search path, described and sorted by name; files that don't load
-/// are left out and named in `problems`.
+/// Every planner library and .py on the search path, described and sorted by name; files that don't
+/// load are left out and named in `problems`.
 std::vector<PlannerDescription> list_planners(std::vector<std::string>& problems);
 
 /// A parameter's value as configured: numbers for AB_NUMBER and AB_INTEGER, text for the rest.

@@ -4,6 +4,7 @@
 
 #include "base/data_folder.hpp"
 #include "base/input_error.hpp"
+#include "base/input_file.hpp"
 #include "plugin/planner_library.hpp"
 
 namespace avoidbench {
@@ -27,13 +28,26 @@ fs::path build_tree_planners(const fs::path& program) {
   return {};
 }
 
-/// Names of the planner libraries in the folders, without .so.
+/// Whether the file is a Python script that may be a planner: one that speaks of avoidbench, unlike
+/// what lies beside it to be imported.
+bool is_planner_script(const fs::path& file) {
+  constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 20U;
+  if (file.extension() != ".py") return false;
+  try {
+    return read_input_file(file, kMostBytes).find("avoidbench") != std::string::npos;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+/// Names of the planners in the folders: of libraries without .so, of Python's with .py.
 std::vector<std::string> names_in(const std::vector<fs::path>& folders) {
   std::set<std::string> names;
   for (const fs::path& folder : folders) {
     std::error_code error;
     for (const auto& entry : fs::directory_iterator(folder, error)) {
       if (entry.path().extension() == ".so") names.insert(entry.path().stem().string());
+      if (is_planner_script(entry.path())) names.insert(entry.path().filename().string());
     }
   }
   return {names.begin(), names.end()};
@@ -97,9 +111,14 @@ fs::path find_planner(const std::string& plugin, const fs::path& base_folder) {
     if (!fs::exists(file, error)) fail_path(file);
     return file;
   }
+  const bool is_script = plugin.ends_with(".py");
+  // Nobody means a library by that, so a script beside the sweep needs no ./ before its name.
+  if (is_script && fs::is_regular_file(base_folder / plugin, error)) {
+    return (base_folder / plugin).lexically_normal();
+  }
   const std::vector<fs::path> folders = planner_search_path();
   for (const fs::path& folder : folders) {
-    const fs::path file = folder / (plugin + ".so");
+    const fs::path file = folder / (is_script ? plugin : plugin + ".so");
     if (fs::is_regular_file(file, error)) return file;
   }
   fail_bare_name(plugin, folders);

@@ -175,6 +175,23 @@ void add_profile_problems(const ab_planner& table, std::vector<std::string>& pro
   }
 }
 
+/// The files that the planner says it depends on. A table that is none is passed over: a planner
+/// may answer any name of an extension with something of its own.
+std::vector<std::string> file_names_of(const ab_planner& table) {
+  constexpr std::uint32_t kMostFiles = 1000;
+  std::vector<std::string> names;
+  if (table.get_extension == nullptr) return names;
+  const auto* files =
+      static_cast<const ab_files*>(table.get_extension(nullptr, AB_FILES_EXTENSION));
+  if (files == nullptr || files->struct_size < sizeof(ab_files) || files->files == nullptr) {
+    return names;
+  }
+  for (std::uint32_t i = 0; i < std::min(files->file_count, kMostFiles); ++i) {
+    if (files->files[i] != nullptr) names.emplace_back(files->files[i]);
+  }
+  return names;
+}
+
 struct OwnPlanners {
   std::mutex mutex;
   std::map<std::filesystem::path, const ab_planner*> tables;
@@ -270,6 +287,7 @@ PlannerDescription describe_table(const ab_planner& table) {
     if (p.preset_text != nullptr) def.preset_text = p.preset_text;
     planner.parameters.push_back(std::move(def));
   }
+  planner.file_names = file_names_of(table);
   for (const ab_profile* profile : profiles_of(table)) {
     ProfileDef& def = planner.profiles.emplace_back(ProfileDef{profile->choice, profile->word, {}});
     for (std::uint32_t i = 0; i < profile->number_count; ++i) {

@@ -22,10 +22,11 @@ namespace {
 
 constexpr double kMib = 1024.0 * 1024.0;
 
-/// What /proc/PID/stat says. Nothing here allocates, for signal handlers.
+/// What /proc/PID/stat says: "PID (NAME) STATE PARENT GROUP …". Nothing here allocates, for signal
+/// handlers.
 struct ProcessState {
   char state = 0;  ///< R, S, T, Z, …; 0: no such process
-  pid_t parent = 0;
+  pid_t parent = 0, group = 0;
 };
 
 ProcessState state_of(pid_t pid) {
@@ -38,11 +39,13 @@ ProcessState state_of(pid_t pid) {
   const ssize_t length = ::read(file, text.data(), text.size() - 1);
   ::close(file);
   if (length <= 0) return {};
-  // "PID (NAME) STATE PARENT …"; a name may hold spaces and parentheses.
+  // A name may hold spaces and parentheses.
   const char* name_end = std::strrchr(text.data(), ')');
   if (name_end == nullptr || name_end + 4 >= text.data() + length) return {};
   ProcessState process{.state = name_end[2]};
-  std::from_chars(name_end + 4, text.data() + length, process.parent);
+  const char* end = text.data() + length;
+  const auto parent = std::from_chars(name_end + 4, end, process.parent);
+  if (parent.ptr < end) std::from_chars(parent.ptr + 1, end, process.group);
   return process;
 }
 
@@ -61,22 +64,55 @@ std::map<pid_t, ProcessState> all_processes() {
   return processes;
 }
 
+/// Whether a process of the list is `ancestor` or descends from it, but not from `spared` nor is
+/// one of these.
+bool is_below(const std::map<pid_t, ProcessState>& all, pid_t pid, pid_t ancestor,
+              const std::set<pid_t>& spared) {
+  // At most as many steps as processes: the list was not taken at one moment, and may hold a
+  // circle.
+  for (std::size_t i = 0; pid != ancestor && i < all.size() && !spared.contains(pid); ++i) {
+    const auto found = all.find(pid);
+    pid = found == all.end() ? 0 : found->second.parent;
+  }
+  return pid == ancestor;
+}
+
 /// Those that descend from this process, but not from `spared` nor one of these.
 std::map<pid_t, ProcessState> descendants(const std::set<pid_t>& spared) {
   const std::map<pid_t, ProcessState> all = all_processes();
   const pid_t self = ::getpid();
   std::map<pid_t, ProcessState> ours;
   for (const auto& [pid, process] : all) {
-    pid_t at = pid;
-    // At most as many steps as processes: the list was not taken at one moment, and may hold a
-    // circle.
-    for (std::size_t i = 0; at != self && i < all.size() && !spared.contains(at); ++i) {
-      const auto found = all.find(at);
-      at = found == all.end() ? 0 : found->second.parent;
-    }
-    if (at == self && pid != self) ours[pid] = process;
+    if (pid != self && is_below(all, pid, self, spared)) ours[pid] = process;
   }
   return ours;
+}
+
+/// The process, its descendants, and its group's.
+std::map<pid_t, ProcessState> family_of(pid_t root) {
+  const std::map<pid_t, ProcessState> all = all_processes();
+  std::map<pid_t, ProcessState> family;
+  for (const auto& [pid, process] : all) {
+    if (process.group == root || is_below(all, pid, root, {})) family[pid] = process;
+  }
+  return family;
+}
+
+/// Stops these processes, or kills them where all stand still or `is_time`: what starts processes
+/// without end would else go on between looks. Whether any was running.
+bool stop_or_kill(const std::map<pid_t, ProcessState>& processes, bool is_time) {
+  bool are_still = true, is_any = false;
+  for (const auto& [pid, process] : processes) {
+    // Dead already; somebody has yet to wait for it.
+    if (process.state == 'Z') continue;
+    is_any = true;
+    if (process.state == 'T') continue;
+    are_still = false;
+    ::kill(pid, SIGSTOP);
+  }
+  if (!are_still && !is_time) return is_any;
+  for (const auto& [pid, process] : processes) ::kill(pid, SIGKILL);
+  return is_any;
 }
 
 /// Resident memory in which each page counts by the share of one of those that have it.
@@ -139,25 +175,35 @@ int end_orphans(const std::set<pid_t>& spared, double time_limit_s) {
     // What goes on in ever new processes may be missed by one look.
     empty_looks = orphans.empty() ? empty_looks + 1 : 0;
     if (empty_looks == kEmptyLooks) break;
-    // Stopped first, all of them: what starts processes without end would else go on between looks.
-    bool are_still = true;
     for (const auto& [pid, process] : orphans) {
-      // Dead already; somebody has yet to wait for it.
-      if (process.state == 'Z') continue;
-      ended.insert(pid);
-      if (process.state == 'T') continue;
-      are_still = false;
-      ::kill(pid, SIGSTOP);
+      if (process.state != 'Z') ended.insert(pid);
+      ::waitpid(pid, nullptr, WNOHANG);  // of its own children only
     }
-    if (are_still || look % kMostLooks == 0) {
-      for (const auto& [pid, process] : orphans) {
-        ::kill(pid, SIGKILL);
-        ::waitpid(pid, nullptr, WNOHANG);  // of its own children only
-      }
-    }
+    stop_or_kill(orphans, look % kMostLooks == 0);
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   return static_cast<int>(ended.size());
+}
+
+int end_family(pid_t child, double time_limit_s) {
+  const std::chrono::duration<double> time_limit(time_limit_s);
+  constexpr int kMostLooks = 8;
+  const auto began = std::chrono::steady_clock::now();
+  for (int look = 1; std::chrono::steady_clock::now() - began < time_limit; ++look) {
+    const std::map<pid_t, ProcessState> family = family_of(child);
+    for (const auto& [pid, process] : family) {
+      // Of those that lost their parent and came to this process.
+      if (pid != child && process.state == 'Z') ::waitpid(pid, nullptr, WNOHANG);
+    }
+    if (!stop_or_kill(family, look % kMostLooks == 0)) break;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  // Last: its number must not be another's while it is looked for.
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0) {
+    if (errno != EINTR) return 0;
+  }
+  return status;
 }
 
 bool is_stopped_process(pid_t pid) { return state_of(pid).state == 'T'; }

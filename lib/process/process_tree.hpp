@@ -26,6 +26,10 @@ std::set<pid_t> own_children();
 /// faster for longer than `time_limit_s`.
 int end_orphans(const std::set<pid_t>& spared, double time_limit_s = 5.0);
 
+/// Ends a child of this process, all that descends from it and all of the process group that has
+/// its number, and waits for it. Its status, as waitpid gives it; 0 where it is no child.
+int end_family(pid_t child, double time_limit_s = 5.0);
+
 /// Whether a signal has stopped the process.
 bool is_stopped_process(pid_t pid);
 

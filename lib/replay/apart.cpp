@@ -43,6 +43,7 @@ Job job_of(StoredTrial stored, const PlannerDescription& planner,
   }
   choice.file = planner.file.string();
   choice.file_digest = planner.file_digest;
+  choice.files = planner.files;
   // The mission as it was stored: nothing is measured again.
   MissionRecord mission;
   mission.index = stored.spec.mission_index;

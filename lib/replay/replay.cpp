@@ -20,9 +20,19 @@
 namespace avoidbench {
 namespace {
 
-/// The library to fly with. Of one that was named by a path its bare name is tried, too. What a
-/// database names, or a run kept, is loaded, and with that run, only where it is the file that the
-/// trial was flown with; what the user names, in any case. `kept` gets the copy that is taken.
+/// Whether it is the file that the trial was flown with; where it names files, they too.
+bool has_digest(const std::filesystem::path& file, const PlannerChoice& choice) {
+  try {
+    return digest_now(file, choice.files) == choice.file_digest;
+  } catch (const InputError&) {
+    return false;  // one that it names is not there
+  }
+}
+
+/// The library or program to fly with. Of one that was named by a path its bare name is tried, too.
+/// What a database names, or a run kept, is loaded, and with that run, only where it is the file
+/// that the trial was flown with; what the user names, in any case. `kept` gets the copy that is
+/// taken.
 std::filesystem::path planner_file(const PlannerChoice& choice, const ReplayFiles& files,
                                    std::filesystem::path& kept) {
   if (!files.planner.empty()) return find_planner(files.planner, ".");
@@ -37,7 +47,7 @@ std::filesystem::path planner_file(const PlannerChoice& choice, const ReplayFile
     for (const std::filesystem::path& folder : files.folders) {
       try {
         const std::filesystem::path file = find_planner(name, folder);
-        if (file_digest(file) == choice.file_digest) return file;
+        if (has_digest(file, choice)) return file;
         if (other.empty()) other = file;
       } catch (const InputError& error) {
         problems.emplace_back(error.what());
@@ -134,9 +144,9 @@ StoredTrial with_files(StoredTrial stored, const ReplayFiles& files) {
   return completed(std::move(stored), files);
 }
 
-std::filesystem::path library_for(const PlannerChoice& choice, const ReplayFiles& files) {
+PlannerSource library_for(const PlannerChoice& choice, const ReplayFiles& files) {
   std::filesystem::path kept;
-  return planner_file(choice, files, kept);
+  return {planner_file(choice, files, kept), choice.command};
 }
 
 StoredTrial read_stored_trial(const Database& database, const std::string& key) {
@@ -172,7 +182,9 @@ Replay::Replay(StoredTrial stored, const ReplayFiles& files)
     : stored_(with_files(std::move(stored), files)),
       world_(make_world(stored_.spec.map, stored_.spec.map_seed)),
       scene_(world_),
-      library_(PlannerLibrary::load(planner_file(stored_.spec.planner, files, kept_planner_))) {
+      library_(PlannerLibrary::load(
+          PlannerSource(planner_file(stored_.spec.planner, files, kept_planner_),
+                        stored_.spec.planner.command))) {
   const PlannerDescription& planner = library_.description();
   if (world_.digest != stored_.world_digest) {
     warnings_.emplace_back("the map is another one than that of the stored trial");

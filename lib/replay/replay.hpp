@@ -39,7 +39,7 @@ StoredTrial with_files(StoredTrial stored, const ReplayFiles& files);
 
 /// The library to fly with, not loaded: what the user names, in any case; what the database names,
 /// only if it is the file that the trial was flown with. Throws InputError.
-std::filesystem::path library_for(const PlannerChoice& choice, const ReplayFiles& files);
+PlannerSource library_for(const PlannerChoice& choice, const ReplayFiles& files);
 
 /// The stored values of the parameters that the library declares, and presets of others; what does
 /// not fit is warned of.

@@ -16,4 +16,13 @@ FileState file_state(const std::filesystem::path& file) {
           .changed_ns = ns(found.st_ctim)};
 }
 
+std::vector<std::filesystem::path> files_of(const PlannerChoice& planner) {
+  const std::filesystem::path own = planner.file;
+  std::vector<std::filesystem::path> files{own};
+  for (std::size_t i = 1; i < planner.files.size(); ++i) {
+    files.push_back((own.parent_path() / planner.files[i].name).lexically_normal());
+  }
+  return files;
+}
+
 }  // namespace avoidbench

@@ -4,6 +4,9 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <vector>
+
+#include "trial/trial_spec.hpp"
 
 namespace avoidbench {
 
@@ -18,5 +21,8 @@ struct FileState {
 };
 
 FileState file_state(const std::filesystem::path& file);
+
+/// The planner's file and those that it names.
+std::vector<std::filesystem::path> files_of(const PlannerChoice& planner);
 
 }  // namespace avoidbench

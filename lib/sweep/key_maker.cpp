@@ -17,6 +17,7 @@ json keyed_json(const TrialSpec& spec) {
   fields["wind"]["field"].erase("file");
   fields["planner"].erase("file");
   fields["planner"].erase("plugin");
+  fields["planner"].erase("files");  // file_digest is made of them
   forget_unused_latency(fields);
   forget_unused_later_fields(fields);
   return fields;
@@ -33,12 +34,23 @@ void forget_unused_later_fields(nlohmann::json& trial) {
   if (trial.at("missions_digest") == "") trial.erase("missions_digest");
   nlohmann::json& sensor = trial.at("sensor");
   if (sensor.at("more_cameras").empty()) sensor.erase("more_cameras");
+  if (trial.contains("planner")) forget_unused_planner_fields(trial.at("planner"));
+}
+
+void forget_unused_planner_fields(nlohmann::json& planner) {
+  for (const char* field : {"command", "files"}) {
+    if (planner.contains(field) && planner.at(field).empty()) planner.erase(field);
+  }
 }
 
 void restore_later_fields(nlohmann::json& trial) {
   trial.emplace("missions_digest", "");
   if (trial.contains("sensor") && trial.at("sensor").is_object()) {
     trial.at("sensor").emplace("more_cameras", nlohmann::json::array());
+  }
+  if (trial.contains("planner") && trial.at("planner").is_object()) {
+    trial.at("planner").emplace("command", nlohmann::json::array());
+    trial.at("planner").emplace("files", nlohmann::json::array());
   }
 }
 

@@ -26,6 +26,9 @@ class KeyText {
 /// they had before.
 void forget_unused_later_fields(nlohmann::json& trial);
 
+/// The same of a planner's choice alone.
+void forget_unused_planner_fields(nlohmann::json& planner);
+
 /// Reverse of forget_unused_later_fields().
 void restore_later_fields(nlohmann::json& trial);
 

@@ -58,16 +58,18 @@ void commit_map(Run& run, MapPlan& map, MapRecord record) {
 /// A library that is written over while it is flown flies neither the old planner nor the new one,
 /// or crashes: such a trial is nobody's.
 void require_unchanged(Run& run, const PlannerChoice& planner) {
-  const auto known = run.planner_files.find(planner.file);
-  const FileState now = file_state(planner.file);
-  // Size, inode and times first: a digest of the file for each trial would cost more than short
+  // Size, inode and times first: a digest of the files for each trial would cost more than short
   // flights do.
-  if (known == run.planner_files.end() || known->second == now) return;
-  if (file_digest(planner.file) == planner.file_digest) {  // touched only
-    known->second = now;
-    return;
+  for (const std::filesystem::path& file : files_of(planner)) {
+    const auto known = run.planner_files.find(file.string());
+    const FileState now = file_state(file);
+    if (known == run.planner_files.end() || known->second == now) continue;
+    if (now.bytes < 0 || digest_now(planner.file, planner.files) != planner.file_digest) {
+      throw InputError(
+          {.file = file.string(), .message = "the planner's file changed during the run"});
+    }
+    known->second = now;  // touched only
   }
-  throw InputError({.file = planner.file, .message = "the planner's file changed during the run"});
 }
 
 /// One transaction a trial: a run that is killed loses only the flights under way.

@@ -10,6 +10,7 @@
 #include "base/kept_files.hpp"
 #include "diagnosis/spec_changes.hpp"
 #include "plugin/planner_description.hpp"
+#include "plugin/planner_library.hpp"
 #include "sweep/run_state.hpp"
 #include "sweep/seats.hpp"
 #include "sweep/sweep_rows.hpp"
@@ -137,7 +138,11 @@ std::vector<FlownFile> flown_files(const SweepSpec& sweep, const std::vector<Pla
                                    bool with_maps) {
   std::map<std::string, FlownFile> files;  // by digest
   for (const PlannerChoice& planner : sweep.planners) {
-    files[planner.file_digest] = {planner.file, planner.file_digest, true};
+    // A copy of one of several files alone is no planner.
+    if (!planner.files.empty()) continue;
+    files[planner.file_digest] = {.file = planner.file,
+                                  .digest = planner.file_digest,
+                                  .is_program = PlannerLibrary::is_program(planner.source())};
   }
   std::set<const TrialSpec*> seen;
   for (const PlannedTrial& trial : trials) {
@@ -179,7 +184,9 @@ RunSummary run_sweep(const SweepSpec& sweep, const RunRow& provenance, Database&
           .last_words = {}};
   for (const PlannerChoice& planner : sweep.planners) {
     // From here on a changed file ends the run, see require_unchanged().
-    run.planner_files[planner.file] = file_state(planner.file);
+    for (const std::filesystem::path& file : files_of(planner)) {
+      run.planner_files[file.string()] = file_state(file);
+    }
     run.sandbox_rules[planner.label] = sandbox_rules(planner.needs);
     if ((planner.needs & AB_USES_GLOBALS) != 0) run.planners_with_globals.insert(planner.label);
   }

@@ -93,6 +93,7 @@ std::string sweep_json(const SweepSpec& sweep, const std::vector<PlannedTrial>& 
   for (const PlannerChoice& planner : sweep.planners) {
     nlohmann::json choice = spec_to_json(planner);
     choice.erase("file");
+    forget_unused_planner_fields(choice);
     planners.push_back(choice);
   }
   nlohmann::json base = spec_to_json(sweep.base);
@@ -115,8 +116,8 @@ std::string sweep_json(const SweepSpec& sweep, const std::vector<PlannedTrial>& 
 }
 
 PlannerRow planner_row(const PlannerChoice& choice) {
-  // The library is loaded again, and may have been replaced meanwhile.
-  const PlannerDescription planner = describe_planner(choice.file);
+  // The planner is asked again, and may have been replaced meanwhile.
+  const PlannerDescription planner = describe_planner(choice.source());
   if (planner.file_digest != choice.file_digest) {
     throw InputError({.file = choice.file, .message = "changed since the sweep was read"});
   }

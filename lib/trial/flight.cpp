@@ -276,7 +276,8 @@ Tick answer(Flight& flight, const PlanResult& result) {
       break;
     case PlanStatus::error:
       call.status = AB_ERROR;
-      stop_flight(flight, Outcome::planner_error, result.reason);
+      stop_flight(flight, result.has_crashed ? Outcome::planner_crashed : Outcome::planner_error,
+                  result.reason);
       break;
   }
   flight.record.plan_calls.push_back(call);

@@ -45,7 +45,8 @@ TrialRecord run_trial(const TrialSpec& spec, const Scene& scene, const Mission& 
   // A planner that can't begin has flown a trial that ends at once.
   if (std::string error = planner.reset(planner_mission(spec, mission, scene.world().bounds));
       !error.empty()) {
-    stop_flight(flight, Outcome::planner_error, "reset: " + error);
+    stop_flight(flight, planner.has_crashed() ? Outcome::planner_crashed : Outcome::planner_error,
+                "reset: " + error);
   }
   while (const PlannerView* view = next_plan(flight)) {
     if (!may_call(flight, observer)) {

@@ -7,6 +7,7 @@
 #include "base/enum_text.hpp"
 #include "base/fields.hpp"
 #include "maps/map_spec.hpp"
+#include "plugin/planner_description.hpp"
 #include "sensing/imu.hpp"
 #include "sensing/odometry.hpp"
 #include "sensing/sensor_spec.hpp"
@@ -104,23 +105,37 @@ void visit(Visitor& v, Spec& s) {
   v.field("is_text", s.is_text, "Whether the value is the text.");
 }
 
+template <class Visitor, ConstOr<PlannerFile> Spec>
+void visit(Visitor& v, Spec& s) {
+  v.field("name", s.name, "Relative to the planner's own file.");
+  v.field("digest", s.digest, "SHA-256 of the file.");
+}
+
 /// A planner as chosen in a sweep.
 struct PlannerChoice {
   std::string plugin;                       ///< as named by the user
   std::string label;                        ///< what reports call it
-  std::string file;                         ///< the library found for it; not part of a trial's key
-  std::string file_digest;                  ///< SHA-256 of the library; part of a trial's key
+  std::string file;                         ///< the file found for it; not part of a trial's key
+  std::string file_digest;                  ///< planner_digest(); part of a trial's key
   std::vector<ParameterChoice> parameters;  ///< every declared parameter, in the planner's order
-  std::uint32_t needs = 0;                  ///< AB_… bits that it declares; follow from the file
+  /// How a program is started, where the sweep says so, with kFileWord for its file; part of a
+  /// trial's key where it is not empty.
+  std::vector<std::string> command = {};
+  std::vector<PlannerFile> files = {};  ///< that file_digest is made of, where there are several
+  std::uint32_t needs = 0;              ///< AB_… bits that it declares; follow from the file
+
+  PlannerSource source() const { return {file, command}; }
 };
 
 template <class Visitor, ConstOr<PlannerChoice> Spec>
 void visit(Visitor& v, Spec& s) {
   v.field("plugin", s.plugin, "Bare name, or path of a library.");
   v.field("label", s.label, "Name in reports; unique in a sweep.");
-  v.field("file", s.file, "The library found.");
-  v.field("file_digest", s.file_digest, "SHA-256 of the library.");
+  v.field("file", s.file, "The library or program found.");
+  v.field("file_digest", s.file_digest, "SHA-256 of the library or program.");
   v.field("parameters", s.parameters, "Values of all its parameters.");
+  v.field("command", s.command, "How a program is started, where the sweep says so.");
+  v.field("files", s.files, "Files that it depends on, where it names any.");
 }
 
 /// Everything that determines one trial. A trial is a pure function of this and the planner's file.

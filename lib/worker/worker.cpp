@@ -26,6 +26,7 @@
 #include "process/print_capture.hpp"
 #include "process/process_tree.hpp"
 #include "process/sandbox.hpp"
+#include "program_planner/program_prints.hpp"
 #include "trial/map_scene.hpp"
 #include "trial/planner_view.hpp"
 #include "trial/run_trial.hpp"
@@ -101,7 +102,7 @@ std::string instance_key(const TrialSpec& spec) {
 constexpr const char* kFileChanged = "the planner's file changed during the run";
 
 void require_unchanged(const PlannerChoice& planner) {
-  if (file_digest(planner.file) == planner.file_digest) return;
+  if (digest_now(planner.file, planner.files) == planner.file_digest) return;
   throw InputError({.file = planner.file, .message = kFileChanged});
 }
 
@@ -114,7 +115,8 @@ struct Worker::Internals {
   std::jthread watchdog;  // ends after the instances, whose destruction may hang
   std::string map_key;
   std::unique_ptr<MapScene> map;
-  std::map<std::string, PlannerLibrary> libraries;   // by file
+  // By file and command.
+  std::map<std::pair<std::string, std::vector<std::string>>, PlannerLibrary> libraries;
   std::map<std::string, PlannerInstance> instances;  // by instance_key
   std::optional<FlightJournal> journal;
   std::optional<PrintTrimmer> trimmer;
@@ -138,10 +140,10 @@ const MapScene& Worker::Internals::map_of(const TrialSpec& spec) {
 PlannerInstance& Worker::Internals::instance_of(const TrialSpec& spec) {
   const std::string key = instance_key(spec);
   if (const auto kept = instances.find(key); kept != instances.end()) return kept->second;
-  auto library = libraries.find(spec.planner.file);
+  const std::pair name(spec.planner.file, spec.planner.command);
+  auto library = libraries.find(name);
   if (library == libraries.end()) {
-    library =
-        libraries.emplace(spec.planner.file, PlannerLibrary::load(spec.planner.file, &clock)).first;
+    library = libraries.emplace(name, PlannerLibrary::load(spec.planner.source(), &clock)).first;
   }
   // Loaded now, flown under the sweep's digest: they must be the same file.
   if (library->second.description().file_digest != spec.planner.file_digest) {
@@ -165,7 +167,14 @@ TrialRecord Worker::Internals::fly(const Job& job, const Scene& scene) {
   }
   const std::vector<double>* recorded_s =
       job.recorded_latency_s ? &*job.recorded_latency_s : nullptr;
-  return run_trial(job.spec, scene, job.mission->mission, *planner, bookkeeper(), recorded_s);
+  const auto flown = [&] {
+    return run_trial(job.spec, scene, job.mission->mission, *planner, bookkeeper(), recorded_s);
+  };
+  TrialRecord record = flown();
+  if (record.outcome != Outcome::planner_crashed || !planner->was_killed()) return record;
+  // By somebody else, maybe, as a worker may be: flown again. A second time it counts.
+  if (journal) journal->restart();
+  return flown();
 }
 
 TrialObserver Worker::Internals::bookkeeper() {
@@ -265,6 +274,7 @@ int run_worker(const WorkerOptions& options) {
   Worker worker;
   if (options.journal_fd >= 0) worker.keep_journal(FlightJournal(options.journal_fd));
   worker.trim_prints();
+  pass_prints_on(STDOUT_FILENO);  // of planners that are programs
   worker.watch(options);
   // Until the parent closes the pipe of jobs.
   while (const auto message = receive_message(options.in_fd)) {

@@ -1,28 +1,38 @@
 """Obstacle-avoidance planners for multirotors in simulated maps: the program avoidbench, from Python.
 
 World frame: ENU, z up, metres. Cameras: RDF (x right, y down, z forward). `T_a_b` takes b's coordinates to a's.
-`gymnasium.make` knows the environments of avoidbench.registration once this is imported."""
+`gymnasium.make` knows the environments of avoidbench.registration once this is imported.
 
+Where the package has no extension, as beside an installed program, or where the program has started a planner, only what planners need is
+imported: NumPy is enough."""
+
+import os
 from importlib import import_module
+from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any
 
-from avoidbench import _location as _location  # first: tells the extension where the program lies
-from avoidbench._core import InputError
-from avoidbench.database_file import ResultsError
-from avoidbench.env import AvoidbenchEnv, AvoidbenchVectorEnv, Reward
-from avoidbench.flying import fly
 from avoidbench.planner import Planner
-from avoidbench.program import ProgramError
-from avoidbench.registration import register as _register
-from avoidbench.world import Missions, Nearest, Obstacle, Occupancy, World, look_at, make_world
+
+_IS_WHOLE = "AVOIDBENCH_PLANNER_FDS" not in os.environ and find_spec("avoidbench._core") is not None
+
+if TYPE_CHECKING or _IS_WHOLE:
+    from avoidbench import _location as _location  # first: tells the extension where the program lies
+    from avoidbench._core import InputError
+    from avoidbench.database_file import ResultsError
+    from avoidbench.env import AvoidbenchEnv, AvoidbenchVectorEnv, Reward
+    from avoidbench.flying import fly
+    from avoidbench.program import ProgramError
+    from avoidbench.registration import register as _register
+    from avoidbench.world import Missions, Nearest, Obstacle, Occupancy, World, look_at, make_world
+
+    InputError.__module__ = __name__
+    _register()
 
 if TYPE_CHECKING:
     from avoidbench.comparison import Comparison
     from avoidbench.results import Results, read
+    from avoidbench.serving import serve
     from avoidbench.sweep_run import run
-
-InputError.__module__ = __name__
-_register()
 
 __all__ = [
     "AvoidbenchEnv",
@@ -44,16 +54,22 @@ __all__ = [
     "make_world",
     "read",
     "run",
+    "serve",
 ]
 
-# These take pandas, which is imported when one of them is used.
-_MODULES = {"Comparison": "comparison", "Results": "results", "read": "results", "run": "sweep_run"}
+# Imported when one of them is used: most take pandas.
+_MODULES = {"Comparison": "comparison", "Results": "results", "read": "results", "run": "sweep_run", "serve": "serving"}
+# And these the extension, where it was not imported.
+_OF_EXTENSION = {"AvoidbenchEnv": "env", "AvoidbenchVectorEnv": "env", "InputError": "_core", "Missions": "world", "Nearest": "world",
+                 "Obstacle": "world", "Occupancy": "world", "ProgramError": "program", "ResultsError": "database_file", "Reward": "env",
+                 "World": "world", "fly": "flying", "look_at": "world", "make_world": "world"}
 
 
 def __getattr__(name: str) -> Any:
-    if name not in _MODULES:
+    module = _MODULES.get(name) or (None if _IS_WHOLE else _OF_EXTENSION.get(name))
+    if module is None:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return getattr(import_module(f"{__name__}.{_MODULES[name]}"), name)
+    return getattr(import_module(f"{__name__}.{module}"), name)
 
 
 def __dir__() -> list[str]:

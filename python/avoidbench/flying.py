@@ -16,6 +16,7 @@ from avoidbench import _core
 from avoidbench._input import plain_places
 from avoidbench._text import overrides, plain_text, yaml_text
 from avoidbench.planner import Planner
+from avoidbench.planner_files import planner_files
 from avoidbench.planner_table import Table
 
 if TYPE_CHECKING:
@@ -77,8 +78,8 @@ def fly(sweep: str | os.PathLike[str] | Mapping[str, Any], planner: type[Planner
 
     Args:
         sweep: a sweep file, the name of a built-in sweep ("quick"), or a dict that says what a file would.
-        planner: a subclass of Planner. The digest of the file that it is written in is part of its trials' keys; that of what it
-            imports or reads is not, so change `version` with them.
+        planner: a subclass of Planner. The digests of the file that it is written in, of the modules that this imports from its folder
+            and of the planner's `files` are part of its trials' keys; what else it reads is not, so change `version` with it.
         parameters: values of the planner's parameters.
         label: its name in reports; else its own.
         set: changes to the sweep, as the program's `--set`.
@@ -92,7 +93,9 @@ def fly(sweep: str | os.PathLike[str] | Mapping[str, Any], planner: type[Planner
     from avoidbench.results import Results
 
     table = Table(planner)
-    file = str(_source_file(planner))
+    script = _source_file(planner)
+    table.name_files(planner_files(script, planner.files))
+    file = str(script)
     _core.register_planner(file, table.address)
     _TABLES[f"{file} {table.address}"] = table
     chosen: dict[str, Any] = {"plugin": file, "parameters": dict(parameters or {})}

@@ -214,7 +214,8 @@ class GiveUp(Exception):
 
 class Planner:
     """A planner: subclass it, say what it sees and gives, and write plan(). Any other exception than GiveUp ends the trial with
-    planner_error and its text. avoidbench.fly() flies it over a sweep."""
+    planner_error and its text. avoidbench.fly() flies it over a sweep in this process; a sweep flies it as `plugin: ./its_file.py`, in
+    a process of its own (avoidbench.serving)."""
 
     name: ClassVar[str]
     """[a-z0-9_]+"""
@@ -226,6 +227,9 @@ class Planner:
     commands: ClassVar[Sequence[str]] = ("velocity",)
     """Of position, velocity, acceleration, trajectory, rates: what plan() may return."""
     parameters: ClassVar[Sequence[Parameter]] = ()
+    files: ClassVar[Sequence[str]] = ()
+    """Further files that decide what it does, as weights, relative to the folder of its own: trials of other contents are other trials.
+    The modules that its file imports from that folder count by themselves."""
 
     def __init__(self, setup: Setup) -> None:
         self.setup = setup

@@ -9,6 +9,7 @@ COMMANDS = {"position": 1, "velocity": 2, "acceleration": 4, "trajectory": 8, "r
 YAW_IS_RATE = 1
 NUMBER, INTEGER, CHOICE, TEXT = 0, 1, 2, 3
 ABI_VERSION = 1
+FILES_EXTENSION = b"avoidbench.files/1"
 
 Vector = c.c_double * 3
 Quaternion = c.c_double * 4
@@ -113,10 +114,14 @@ class PlannerStruct(c.Structure):
                 ("profiles", c.c_void_p)]
 
 
+class FilesStruct(c.Structure):
+    _fields_ = [("struct_size", c.c_uint32), ("file_count", c.c_uint32), ("files", c.POINTER(c.c_char_p))]
+
+
 STRUCTS: dict[str, Any] = {
     "ab_host": Host, "ab_parameter": ParameterStruct, "ab_value": Value, "ab_camera": CameraStruct, "ab_setup": SetupStruct,
     "ab_mission": MissionStruct, "ab_state": StateStruct, "ab_depth_image": DepthStruct, "ab_picture": PictureStruct,
     "ab_stereo_pair": StereoStruct, "ab_imu_sample": ImuStruct, "ab_observation": ObservationStruct, "ab_point": PointStruct,
-    "ab_command": CommandStruct, "ab_planner": PlannerStruct,
+    "ab_command": CommandStruct, "ab_planner": PlannerStruct, "ab_files": FilesStruct,
 }
 """By the names in planner.h."""

@@ -1,9 +1,10 @@
 """A class of avoidbench.Planner as the C table by which libraries are flown: the program's side sees no difference."""
 
 import ctypes as c
+import os
 import re
 import traceback
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -147,7 +148,7 @@ def _fill_points(command: abi.CommandStruct, trajectory: p.Trajectory) -> Any:
     return points
 
 
-def _fill(command: abi.CommandStruct, given: p.Command) -> Any:
+def fill_command(command: abi.CommandStruct, given: p.Command) -> Any:
     """Writes the command; what must live as long as it."""
     command.horizon_s = given.horizon_s
     if isinstance(given, p.Trajectory):
@@ -177,11 +178,11 @@ def _fill(command: abi.CommandStruct, given: p.Command) -> Any:
     return None
 
 
-def _line(error: BaseException) -> str:
-    """The exception and its innermost place, in one line."""
+def error_line(error: BaseException, *ours: str) -> str:
+    """The exception and its innermost place in no file of `ours` or this one, in one line."""
     frames = traceback.extract_tb(error.__traceback__)
     text = " ".join(f"{type(error).__name__}: {error}".split())
-    own = [frame for frame in frames if frame.filename != __file__]
+    own = [frame for frame in frames if frame.filename not in (__file__, *ours)]
     return f"{text} ({own[-1].filename.rsplit('/', 1)[-1]}:{own[-1].lineno})" if own else text
 
 
@@ -200,16 +201,29 @@ class Table:
         self._parameters = tuple(planner.parameters)
         self._instances: dict[int, _Instance] = {}
         self._last = 0
-        structs = [_parameter_struct(parameter) for parameter in self._parameters]
+        self.parameter_structs = [_parameter_struct(parameter) for parameter in self._parameters]
+        structs = self.parameter_structs
         pointers = (c.POINTER(abi.ParameterStruct) * max(len(structs), 1))(*[c.pointer(struct) for struct in structs])
+        self._files = abi.FilesStruct()
         # ctypes keeps neither functions nor structs alive that a struct points to.
-        self._kept: list[Any] = [structs, pointers]
+        self._kept: list[Any] = [pointers]
         self.struct = abi.PlannerStruct(
             struct_size=c.sizeof(abi.PlannerStruct), abi_version=abi.ABI_VERSION, name=name.encode(), version=planner.version.encode(),
             summary=(planner.summary or name).encode(), needs=self._bits("sees", planner.sees, abi.SEES) | abi.SEES["state"],
             commands=self._bits("commands", planner.commands, abi.COMMANDS), parameter_count=len(structs),
             parameters=c.cast(pointers, c.POINTER(c.POINTER(abi.ParameterStruct))), create=abi.Create(self._create),
-            destroy=abi.Destroy(self._destroy), reset=abi.Reset(self._reset), plan=abi.Plan(self._plan))
+            destroy=abi.Destroy(self._destroy), reset=abi.Reset(self._reset), plan=abi.Plan(self._plan),
+            get_extension=abi.GetExtension(self._get_extension))
+
+    def name_files(self, files: Sequence[str]) -> None:
+        """The files that the planner depends on, from now on: before it is registered."""
+        names = (c.c_char_p * max(len(files), 1))(*[os.fsencode(file) for file in files])
+        self._files = abi.FilesStruct(struct_size=c.sizeof(abi.FilesStruct), file_count=len(files),
+                                      files=c.cast(names, c.POINTER(c.c_char_p)))
+        self._kept.append(names)
+
+    def _get_extension(self, number: int | None, name: bytes) -> int | None:
+        return c.addressof(self._files) if name == abi.FILES_EXTENSION and self._files.file_count else None
 
     @property
     def address(self) -> int:
@@ -228,7 +242,7 @@ class Table:
             made = _setup(setup.contents, self._parameters)
             planner = self._class(made)
         except BaseException as error:
-            host.contents.set_error(host.contents.context, _line(error).encode())
+            host.contents.set_error(host.contents.context, error_line(error).encode())
             return 0
         self._last += 1
         self._instances[self._last] = _Instance(planner, host.contents, made.cameras)
@@ -245,7 +259,7 @@ class Table:
             instance.host.set_error(instance.host.context, str(error).encode())
             return abi.AB_GIVE_UP
         except BaseException as error:  # none may leave a call
-            instance.host.set_error(instance.host.context, _line(error).encode())
+            instance.host.set_error(instance.host.context, error_line(error).encode())
             return abi.AB_ERROR
 
     def _reset(self, number: int, mission: Any) -> int:
@@ -262,7 +276,7 @@ class Table:
                 return abi.AB_NO_PLAN
             if not isinstance(given, p.Command):
                 raise TypeError(f"plan() gave {type(given).__name__}, which is no command")
-            instance.points = _fill(command.contents, given)
+            instance.points = fill_command(command.contents, given)
             return abi.AB_OK
 
         return self._guarded(number, call)

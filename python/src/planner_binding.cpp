@@ -117,6 +117,7 @@ nb::typed<nb::dict, nb::str, nb::int_> struct_sizes() {
   sizes["ab_point"] = sizeof(ab_point);
   sizes["ab_command"] = sizeof(ab_command);
   sizes["ab_planner"] = sizeof(ab_planner);
+  sizes["ab_files"] = sizeof(ab_files);
   return sizes;
 }
 

@@ -77,6 +77,28 @@ TEST(OwnPlanners, AreFoundDescribedAndFlownAsLibrariesAre) {
   EXPECT_EQ(planner.plan(view).command.velocity_world_mps[2], 2.5);
 }
 
+class Named : public Riser {
+ public:
+  using Riser::Riser;
+  static constexpr std::array files{"weights.bin"};
+};
+
+TEST(OwnPlanners, FilesThatAClassNamesAreInItsDigest) {
+  const std::filesystem::path file = source_file();
+  const std::filesystem::path weights = file.parent_path() / "weights.bin";
+  std::filesystem::remove(weights);
+  register_own_planner(file, detail::Table<Named>::value);
+  EXPECT_THROW(describe_planner(file), InputError) << "they must be there";
+  std::ofstream(weights) << "1";
+  const PlannerDescription before = describe_planner(file);
+  ASSERT_EQ(before.files.size(), 2U);
+  EXPECT_EQ(before.files[0].digest, file_digest(file));
+  EXPECT_EQ(before.files[1].name, "weights.bin");
+  EXPECT_NE(before.file_digest, file_digest(file));
+  std::ofstream(weights) << "2";
+  EXPECT_NE(describe_planner(file).file_digest, before.file_digest);
+}
+
 TEST(OwnPlanners, ThreadsOfTheHostAreNotTheirComputingTime) {
   constexpr double kBusy_s = 0.1;
   std::atomic<bool> may_begin = false;

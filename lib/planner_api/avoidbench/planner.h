@@ -297,7 +297,8 @@ typedef struct ab_planner {
   ab_status (*reset)(void* instance, const ab_mission* mission);
   /* One command for what is seen now. command->struct_size is set and the rest zero on entry. */
   ab_status (*plan)(void* instance, const ab_observation* observation, ab_command* command);
-  /* A further table of the planner by its name and version, or null. May be null itself. */
+  /* A further table of the planner by its name and version, e.g. AB_FILES_EXTENSION, or null. May
+   * be null itself. */
   const void* (*get_extension)(void* instance, const char* id);
   /* Added later: older hosts and planners end before this. */
   uint32_t profile_count, reserved2;
@@ -340,6 +341,22 @@ typedef struct ab_debug {
    * note in the log. Only during a call of the planner and in the thread of that call. */
   void (*draw)(void* context, const ab_drawing* drawing);
 } ab_debug;
+
+/* ---------------------------------------------------------------------------------------------
+ * Extension "avoidbench.files/1": further files that decide what the planner does: weights,
+ * configurations, scripts. Got from the planner by get_extension(NULL, AB_FILES_EXTENSION), before
+ * there is an instance, which gives an ab_files or null; it stays as long as the planner's table.
+ * The digests of the files are part of the digest by which trials know the planner, and a file that
+ * changes while a sweep runs ends the run. So a planner that has get_extension must bear that its
+ * instance is null. */
+#define AB_FILES_EXTENSION "avoidbench.files/1"
+
+typedef struct ab_files {
+  uint32_t struct_size;
+  uint32_t file_count;
+  const char* const* files; /* file_count paths of regular files, '/' between folders; relative ones
+                               to the folder of the planner's own file, which is not among them */
+} ab_files;
 
 /* The one exported symbol. `host_api` is the host's AVOIDBENCH_ABI_VERSION; null where the planner
  * can't serve it. */

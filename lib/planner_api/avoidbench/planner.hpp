@@ -19,7 +19,8 @@
  *   AVOIDBENCH_PLANNER(Drift)
  *
  * Also understood: `static constexpr const char* version` and `summary`; `profiles`, other sets of
- * defaults (see profile()); a constructor (const ab_setup&, const ab_host&); a class without
+ * defaults (see profile()); `files`, a std::array<const char*, n> of files that it depends on (see
+ * AB_FILES_EXTENSION); a constructor (const ab_setup&, const ab_host&); a class without
  * `parameters`. Where parameters name members, settings_from() fills in all of them. An exception
  * that leaves the class becomes AB_ERROR with its text; GiveUp, thrown by give_up("reason"), ends
  * the trial with planner_gave_up. What ab_command.points refers to must live until the next call.
@@ -456,6 +457,20 @@ struct Profiles<Planner, std::void_t<decltype(Planner::profiles)>> {
   static constexpr const ab_profile* const* pointers = array.data();
 };
 
+template <class Planner, class = void>
+struct Files {
+  static constexpr auto get_extension = static_cast<const void* (*)(void*, const char*)>(nullptr);
+};
+template <class Planner>
+struct Files<Planner, std::void_t<decltype(Planner::files)>> {
+  static constexpr ab_files value{struct_size_of<ab_files>(),
+                                  static_cast<std::uint32_t>(Planner::files.size()),
+                                  Planner::files.data()};
+  static const void* get_extension(void*, const char* id) {
+    return id != nullptr && std::string_view(id) == AB_FILES_EXTENSION ? &value : nullptr;
+  }
+};
+
 template <class Planner>
 struct Instance {
   Instance(const ab_host& given_host, const ab_setup& setup)
@@ -545,7 +560,7 @@ struct Table {
                                     &destroy<Planner>,
                                     &reset<Planner>,
                                     &plan<Planner>,
-                                    nullptr,
+                                    Files<Planner>::get_extension,
                                     static_cast<std::uint32_t>(Profiles<Planner>::count),
                                     0,
                                     Profiles<Planner>::pointers};
