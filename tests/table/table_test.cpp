@@ -321,7 +321,7 @@ TEST(Csv, NoFieldIsAFormula) {
 }
 
 TEST(Csv, EveryWordReadsBack) {
-  const std::string letters = "'=+-@\t\r\n\",a5. ";
+  const std::string letters = "'=+-@\t\r\n\",a5. #";
   RandomStream random = stream(1, "csv words");
   int numbers = 0;
   for (int round = 0; round < 20000; ++round) {
@@ -330,12 +330,21 @@ TEST(Csv, EveryWordReadsBack) {
     const std::string field = csv_field(word), bare = unquoted(field);
     EXPECT_EQ(text_of_csv_field(bare), word) << field;
     if (bare.find_first_of("=+-@\t\r") == 0) {
+  EXPECT_EQ(csv_field("+-5"), "'+-5");
       ++numbers;
       EXPECT_NO_THROW(static_cast<void>(std::stod(bare))) << bare;
     }
   }
   EXPECT_GT(numbers, 10);
 }
+/// Else the readers of tables take its line for a comment.
+TEST(Csv, NoFieldBeginsAComment) {
+  EXPECT_EQ(csv_field("#1"), "\"#1\"");
+  EXPECT_EQ(csv_field("a#1"), "a#1");
+  CsvRow row;
+  EXPECT_EQ(row.add_words({"#1", "x"}).line(), "\"#1\",x\r\n");
+}
+
 
 }  // namespace
 }  // namespace avoidbench
