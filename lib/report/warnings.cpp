@@ -10,6 +10,7 @@
 #include "statistics/stop_rule.hpp"
 #include "text/number_text.hpp"
 #include "text/words.hpp"
+#include "trial/map_fields.hpp"
 
 namespace avoidbench {
 namespace {
@@ -64,11 +65,6 @@ void warn_of_unclear_differences(const SweepSummary& summary, Warnings& warnings
   if (!unclear.empty()) {
     warnings.push_back("success rates that can't be told apart: " + joined(unclear, ", "));
   }
-}
-
-/// Whether values of this path are maps of their own (a map's record is that of one body in it).
-bool makes_maps(const std::string& path) {
-  return path.starts_with("map.") || path == "map_seed" || path.starts_with("vehicle.");
 }
 
 /// Paths that the sweep varies, of which `is_wanted(path)` holds, with the number of their values.

@@ -175,6 +175,42 @@ TEST(Summary, TellsHowMuchOfTheSweepIsMissing) {
   EXPECT_TRUE(has_warning(summary_of(result), "2 of its 14 trials are not flown yet"));
 }
 
+/// The same trials in another setting.
+void fly_again(SweepResult& result) {
+  const std::vector<TrialSummary> once = result.trials;
+  for (TrialSummary trial : once) {
+    trial.key += " again";
+    result.trials.push_back(trial);
+  }
+}
+
+std::string asks_along(const std::string& path) {
+  return R"({"axes":[{"path":")" + path + R"(","values":[1,2]}],"planners":[{},{}],"trials":4})";
+}
+
+TEST(Summary, SettingsThatShareAMapShareItsInvalidMissions) {
+  SweepResult result = result_of(1, 3, [](char, int, int) { return true; });
+  result.maps[0] = map_row(0, 4, true);
+  fly_again(result);
+  // Whatever body there is in the map, its mass makes no other mission.
+  for (const std::string path : {"vehicle.mass_kg", "wind.mean_world_mps", "latency.ms"}) {
+    result.spec_json = asks_along(path);
+    const SweepSummary summary = summary_of(result);
+    EXPECT_FALSE(has_warning(summary, "not done")) << path;
+    EXPECT_TRUE(has_warning(summary, "groups of planner," + path + " tell them apart")) << path;
+  }
+}
+
+TEST(Summary, SettingsWithMapsOfTheirOwnLackTrialsOfTheirOwn) {
+  SweepResult result = result_of(2, 3, [](char, int, int) { return true; });
+  result.maps[1] = map_row(1, 4, true);
+  for (const std::string path : {"seed", "map_seed", "map.poisson_radius_m",
+                                 "mission.goal_radius_m", "vehicle.body_size_m"}) {
+    result.spec_json = asks_along(path);
+    EXPECT_TRUE(has_warning(summary_of(result), "2 of its 14 trials are not flown yet")) << path;
+  }
+}
+
 TEST(Summary, TellsOfMeasuredLatency) {
   SweepResult result = result_of(1, 3, [](char, int, int) { return true; });
   EXPECT_FALSE(has_warning(summary_of(result), "latency"));
