@@ -185,11 +185,12 @@ std::int64_t warn_of_stops(const SweepSummary& summary, const SweepResult& resul
 void warn_of_missing_trials(const SweepSummary& summary, const SweepResult& result,
                             const nlohmann::json& spec, Warnings& warnings) {
   const std::int64_t asked = asked_trials(spec);
-  if (asked == 0 || !summary.conditions.empty()) return;
-  // An invalid mission is flown by no planner, in none of the settings that share its map.
-  const std::int64_t invalid = summary.invalid_mission_count * flights_of_mission(spec);
   const auto planner_count =
       static_cast<std::int64_t>(spec.value("planners", nlohmann::json::array()).size());
+  // A spec that asks for trials of no planner is damaged.
+  if (asked == 0 || planner_count == 0 || !summary.conditions.empty()) return;
+  // An invalid mission is flown by no planner, in none of the settings that share its map.
+  const std::int64_t invalid = summary.invalid_mission_count * flights_of_mission(spec);
   const std::int64_t left_out =
       warn_of_stops(summary, result, spec, (asked - invalid) / planner_count, warnings);
   const std::int64_t missing =

@@ -211,6 +211,13 @@ TEST(Summary, SettingsWithMapsOfTheirOwnLackTrialsOfTheirOwn) {
   }
 }
 
+/// Such a spec is a damaged one; who reads it from a database says so.
+TEST(Summary, ASweepOfNoPlannersLacksNoTrials) {
+  SweepResult result = result_of(2, 3, [](char, int, int) { return true; });
+  result.spec_json = R"({"trial_count":40,"until":"success_rate ci<0.9"})";
+  EXPECT_FALSE(has_warning(summary_of(result), "not done"));
+}
+
 TEST(Summary, TellsOfMeasuredLatency) {
   SweepResult result = result_of(1, 3, [](char, int, int) { return true; });
   EXPECT_FALSE(has_warning(summary_of(result), "latency"));
