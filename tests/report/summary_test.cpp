@@ -314,5 +314,28 @@ TEST(Summary, ShardsTogetherAreTheWhole) {
   EXPECT_THROW(combined(shards), InputError);
 }
 
+TEST(Summary, TheOrderOfDatabasesChangesNoBit) {
+  const SweepResult whole = result_of(3, 7, [](char, int, int) { return true; });
+  std::vector<SweepResult> parts(2, whole);
+  for (std::size_t map = 0; map < whole.maps.size(); ++map) {
+    for (std::size_t part = 0; part < 2; ++part) {
+      std::erase_if(parts[part].maps[map].record.missions, [&](const MissionRecord& mission) {
+        return mission.index % 3 == 0 ? part == 0 : part == 1;
+      });
+    }
+  }
+  const auto indices = [](const std::vector<SweepResult>& parts_in_order) {
+    std::vector<std::int64_t> all;
+    const SweepResult result = combined(parts_in_order);
+    for (const MapRow& map : result.maps) {
+      for (const MissionRecord& mission : map.record.missions) all.push_back(mission.index);
+    }
+    return all;
+  };
+  const std::vector<std::int64_t> in_order = indices({whole, parts[1]});
+  EXPECT_EQ(indices({parts[0], parts[1]}), in_order);
+  EXPECT_EQ(indices({parts[1], parts[0]}), in_order);
+}
+
 }  // namespace
 }  // namespace avoidbench
