@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstdio>
@@ -8,6 +9,7 @@
 #include "compare/trial_table.hpp"
 #include "table/csv.hpp"
 #include "text/utf8.hpp"
+#include "text/visible_text.hpp"
 
 namespace avoidbench {
 namespace {
@@ -15,6 +17,9 @@ namespace {
 constexpr std::string_view kTitle = "# avoidbench trials, format 1";
 constexpr std::array<std::string_view, 8> kColumns{
     "planner", "generator", "map_seed", "setting", "mission_index", "map", "mission", "outcome"};
+
+/// Before the fields of a metric's definition. No field: with its # in quotes it would be none.
+constexpr std::string_view kMetric = "# metric,";
 
 /// Digests as 16 digits, whatever their leading zeros.
 std::string in_hex(std::uint64_t value) {
@@ -31,13 +36,14 @@ class CsvReader {
  public:
   CsvReader(const std::string& text, const std::string& source) : rest_(text), source_(source) {}
 
-  /// The next line without its end; false after the last.
+  /// The next row or comment without its end; false after the last.
   bool next(std::string_view& line) {
     if (rest_.empty()) return false;
-    line = rest_.substr(0, rest_.find('\n'));
+    line_ = next_line_;
+    line = rest_.substr(0, end_of_line());
     rest_.remove_prefix(std::min(rest_.size(), line.size() + 1));
+    next_line_ += 1 + static_cast<int>(std::count(line.begin(), line.end(), '\n'));
     if (line.ends_with('\r')) line.remove_suffix(1);
-    ++line_;
     return true;
   }
 
@@ -45,7 +51,7 @@ class CsvReader {
     throw InputError(InputProblem{.file = source_, .line = line_, .message = message});
   }
 
-  // Quotes may begin anywhere in a field; a field has no line break, since lines are split before.
+  // Quotes may begin anywhere in a field.
   std::vector<std::string> fields(std::string_view line) const {
     std::vector<std::string> all(1);
     bool is_quoted = false;
@@ -85,9 +91,22 @@ class CsvReader {
   }
 
  private:
+  /// Where the line ends: line ends in quotes belong to their field (RFC 4180). A quote in a
+  /// comment of a person's opens nothing.
+  std::size_t end_of_line() const {
+    const bool has_fields = !rest_.starts_with('#') || rest_.starts_with(kMetric);
+    bool is_quoted = false;
+    for (std::size_t i = 0; i < rest_.size(); ++i) {
+      // The two quotes of an escaped one close and open again.
+      if (has_fields && rest_[i] == '"') is_quoted = !is_quoted;
+      if (rest_[i] == '\n' && !is_quoted) return i;
+    }
+    return std::string_view::npos;
+  }
+
   std::string_view rest_;
   const std::string& source_;
-  int line_ = 0;
+  int line_ = 0, next_line_ = 1;
 };
 
 /// A table has to be read by later programs, whose metrics may have changed: it brings the
@@ -118,9 +137,19 @@ void read_comment(const CsvReader& reader, std::string_view line, TrialTable& ta
       if (!word.empty()) table.axes.emplace_back(word);
     }
   }
-  if (line.starts_with("# metric,")) {
+  if (line.starts_with(kMetric)) {
     table.metrics.push_back(metric_of(reader, reader.fields(line)));
   }
+}
+
+/// Older programs put no quotes around labels that begin with #: their trials would vanish.
+void check_is_no_trial(const CsvReader& reader, std::string_view line, std::size_t metric_count) {
+  // By its commas: a person's comment may have any quotes.
+  const auto commas = static_cast<std::size_t>(std::count(line.begin(), line.end(), ','));
+  if (commas + 1 < kColumns.size() + metric_count) return;
+  reader.fail(
+      "either a comment or a trial whose label begins with #: put the label in quotes, or bless "
+      "the table again");
 }
 
 /// A line of the table; fails, with its place, at the first field that can't be.
@@ -158,8 +187,9 @@ std::string csv_of_table(const TrialTable& table) {
   title += ": what `avoidbench compare` needs of each trial, as it wrote it";
   for (const std::string& path : table.axes) axes += " " + path;
   std::string out = comment_line(title);
-  // Without the revision: the file is compared by name.
-  out += comment_line("# sweep: " + table.sweep.substr(0, table.sweep.find('@')));
+  // Without the revision: the file is compared by name. A database of somebody else's may have any
+  // name, and a comment is one line.
+  out += comment_line("# sweep: " + visible_line(table.sweep.substr(0, table.sweep.find('@'))));
   out += comment_line(axes);
   CsvRow header;
   for (const std::string_view column : kColumns) header.add(column);
@@ -167,8 +197,9 @@ std::string csv_of_table(const TrialTable& table) {
     // Left out, so that the file does not change from run to run.
     if (metric.is_measured) continue;
     CsvRow definition;
-    definition.add_words({"# metric", metric.name, std::to_string(metric.version), metric.unit});
-    out += definition.add_words({text(metric.better), text(metric.population)}).line();
+    definition.add_words({metric.name, std::to_string(metric.version), metric.unit});
+    definition.add_words({text(metric.better), text(metric.population)});
+    out += std::string(kMetric) + definition.line();
     header.add(metric.name);
   }
   out += header.line();
@@ -202,6 +233,7 @@ TrialTable table_of_csv(const std::string& text, const std::string& source) {
   while (reader.next(line)) {
     if (line.empty()) continue;
     if (line.starts_with('#')) {
+      if (has_header) check_is_no_trial(reader, line, table.metrics.size());
       read_comment(reader, line, table);
     } else if (!has_header) {
       std::vector<std::string> wanted(kColumns.begin(), kColumns.end());

@@ -128,7 +128,8 @@ void read_parameter(const YamlNode& key, const std::string& name, const YamlNode
     return;
   }
   GivenParameter given{name, {}};
-  for (const YamlNode& item : axis_values(node, path, reading.problems)) {
+  const std::vector<YamlNode> items = axis_values(node, path, reading.problems);
+  for (const YamlNode& item : items) {
     ParameterValue value;
     if (is_number(*def)) {
       const auto number = read_number(item, path, Range{}, reading.problems);
@@ -138,6 +139,11 @@ void read_parameter(const YamlNode& key, const std::string& name, const YamlNode
       const auto text = read_text(item, path, reading.problems);
       if (!text) continue;
       value.text = *text;
+      if (items.size() > 1 && visible_line(*text) != *text) {
+        reading.problems.push_back(problem_at(
+            item,
+            path + ": one of several values is part of a label: expected printable characters"));
+      }
     }
     for (const std::string& problem : problems_of(value)) {
       const std::string what = problem.substr(problem.find(": ") + 2);

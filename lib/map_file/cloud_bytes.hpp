@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <charconv>
 #include <cmath>
@@ -100,6 +101,25 @@ inline std::vector<std::string_view> words_of(std::string_view line) {
   return words;
 }
 
+/// 0 or infinity, with its sign, for a decimal number that is too near 0 or too far from it for a
+/// double: from_chars() does not say which.
+inline double beyond_double(std::string_view word) {
+  const double sign = word.starts_with('-') ? -1.0 : 1.0;
+  if (sign < 0.0) word.remove_prefix(1);
+  const std::string_view digits = word.substr(0, word.find_first_of("eE"));
+  std::string_view power = word.substr(std::min(word.size(), digits.size() + 1));
+  if (power.starts_with('+')) power.remove_prefix(1);
+  std::int64_t exponent = 0;
+  const auto read = std::from_chars(power.data(), power.data() + power.size(), exponent);
+  // The first digit that is not 0, in places behind the point.
+  const auto point = static_cast<std::int64_t>(std::min(digits.find('.'), digits.size()));
+  const auto first =
+      static_cast<std::int64_t>(std::min(digits.find_first_not_of("0."), digits.size()));
+  const bool is_tiny =
+      read.ec == std::errc::result_out_of_range ? power.starts_with('-') : exponent < first - point;
+  return std::copysign(is_tiny ? 0.0 : std::numeric_limits<double>::infinity(), sign);
+}
+
 /// The whole word as a number; "nan" and "inf" are numbers here.
 template <class T>
 std::optional<T> number_in(std::string_view word) {
@@ -107,12 +127,7 @@ std::optional<T> number_in(std::string_view word) {
   T value{};
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (error == std::errc::result_out_of_range && end == word.data() + word.size()) {
-    if constexpr (std::is_floating_point_v<T>) {  // too near 0, or too far from it
-      const bool is_tiny = word.find_first_of("eE") < word.rfind('-');
-      return is_tiny && word.rfind('-') != std::string_view::npos
-                 ? T{0}
-                 : std::numeric_limits<T>::infinity();
-    }
+    if constexpr (std::is_floating_point_v<T>) return static_cast<T>(beyond_double(word));
   }
   if (error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
   return value;

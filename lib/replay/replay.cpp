@@ -60,7 +60,11 @@ std::filesystem::path planner_file(const PlannerChoice& choice, const ReplayFile
     return kept;
   }
   if (other.empty()) {
-    throw OptionError(problems.front() + "; another library may be named", "", "library");
+    // Without folders nothing was looked for, and there are no problems.
+    const std::string problem =
+        problems.empty() ? "no planner '" + choice.plugin + "': there is no folder to look in"
+                         : problems.front();
+    throw OptionError(problem + "; another library may be named", "", "library");
   }
   throw OptionError(
       {.file = other.string(),

@@ -26,14 +26,14 @@ std::string trimmed(const std::string& text) {
 }
 
 /// Truth values are numbers in the results.
-TableValue value_of(const std::string& text) {
+Condition::Value value_of(const std::string& word) {
   double number = 0.0;
-  const char* end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, number);
-  if (error == std::errc{} && rest == end) return number;
-  if (text == "true") return 1.0;
-  if (text == "false") return 0.0;
-  return text;
+  const char* end = word.data() + word.size();
+  const auto [rest, error] = std::from_chars(word.data(), end, number);
+  if (error == std::errc{} && rest == end) return {.word = word, .number = number};
+  if (word == "true") return {.word = word, .number = 1.0};
+  if (word == "false") return {.word = word, .number = 0.0};
+  return {.word = word, .number = std::nullopt};
 }
 
 /// The value as a double, in `storage` if it is held as a whole number; null where it is none.
@@ -46,12 +46,11 @@ const double* number_in(const TableValue& value, double& storage) {
 }
 
 /// Numbers by value, whichever way they are held.
-bool is_equal(const TableValue& a, const TableValue& b) {
-  double storage_a = 0.0, storage_b = 0.0;
-  const double* number_a = number_in(a, storage_a);
-  const double* number_b = number_in(b, storage_b);
-  if (number_a != nullptr && number_b != nullptr) return *number_a == *number_b;
-  return a == b;
+bool is_equal(const TableValue& value, const Condition::Value& wanted) {
+  if (const auto* words = std::get_if<std::string>(&value)) return *words == wanted.word;
+  double storage = 0.0;
+  const double* number = number_in(value, storage);
+  return number != nullptr && wanted.number && *number == *wanted.number;
 }
 
 std::size_t field_of(const SweepResult& result, const Condition& condition) {
@@ -99,7 +98,7 @@ Condition parse_condition(const std::string& text) {
     if (comma == std::string::npos) break;
     rest.erase(0, comma + 1);
   }
-  if (!takes_several && !std::holds_alternative<double>(condition.values.front())) {
+  if (!takes_several && !condition.values.front().number) {
     throw OptionError("'" + text + "': " + std::string(sign->first) + " compares with a number",
                       "where");
   }
@@ -109,14 +108,14 @@ Condition parse_condition(const std::string& text) {
 bool holds(const Condition& condition, const TableValue& value) {
   const bool is_one_of =
       std::any_of(condition.values.begin(), condition.values.end(),
-                  [&](const TableValue& wanted) { return is_equal(value, wanted); });
+                  [&](const Condition::Value& wanted) { return is_equal(value, wanted); });
   if (condition.comparison == Comparison::equal) return is_one_of;
   if (condition.comparison == Comparison::unequal) return !is_one_of;
   double storage = 0.0;
   const double* number = number_in(value, storage);
   // Nothing and texts are neither below nor above a number.
   if (number == nullptr) return false;
-  const double limit = std::get<double>(condition.values.front());
+  const double limit = condition.values.front().number.value();
   switch (condition.comparison) {
     case Comparison::less:
       return *number < limit;
@@ -143,17 +142,17 @@ void check_values(std::span<const SweepResult* const> results,
       const std::size_t field = field_of(*result, condition);
       for (const TrialSummary& trial : result->trials) there.insert(trial.fields[field]);
     }
-    for (const TableValue& value : condition.values) {
+    for (const Condition::Value& value : condition.values) {
       const auto is_meant = [&](const TableValue& one) { return is_equal(one, value); };
       if (std::any_of(there.begin(), there.end(), is_meant)) continue;
       std::vector<std::string> words;
       for (const TableValue& one : there) {
         if (!std::holds_alternative<std::monostate>(one)) words.push_back(text_of(one));
       }
-      const std::string near = did_you_mean(text_of(value), words);
+      const std::string near = did_you_mean(value.word, words);
       const std::size_t count = words.size();
       words.resize(std::min(kMostShown, count));
-      throw OptionError("'" + condition.text + "': no trial has " + text_of(value) + near +
+      throw OptionError("'" + condition.text + "': no trial has " + value.word + near +
                             "; there are: " + joined(words) + (count > kMostShown ? ", …" : ""),
                         "where");
     }

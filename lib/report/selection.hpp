@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,16 +15,22 @@ struct Condition {
 
   std::string field;
   Comparison comparison = Comparison::equal;
-  std::vector<TableValue> values;  ///< equal: to one of them; unequal: to all of them; else one
-  std::string text;                ///< as it was written
+  /// A value as it was written, which is what texts are compared with, and as a number if it is
+  /// one: a label may well be `2`.
+  struct Value {
+    std::string word;
+    std::optional<double> number;
+  };
+  std::vector<Value> values;  ///< equal: to one of them; unequal: to all of them; else one
+  std::string text;           ///< as it was written
 };
 
 /// Reads FIELD OP VALUE with OP one of = (or ==) != < <= > >=; = and != take several values,
 /// separated by commas. Throws InputError for anything else.
 Condition parse_condition(const std::string& text);
 
-/// Numbers compare as numbers, whole or not; a text never equals a number, and is never less or
-/// greater than one. A field without value fulfils != only.
+/// Numbers compare as numbers, whole or not; a text equals the value as it was written, and is
+/// never less or greater than a number. A field without value fulfils != only.
 bool holds(const Condition& condition, const TableValue& value);
 
 /// Throws OptionError, with the values that there are, where `=` or `!=` names a value that no

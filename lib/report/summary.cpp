@@ -316,6 +316,9 @@ SweepResult combined(std::vector<SweepResult> parts) {
                         [&](const MissionRecord& other) { return other.index == mission.index; });
         if (!is_there) missions.push_back(mission);
       }
+      // Sums over missions depend on their order in the last bit.
+      std::sort(missions.begin(), missions.end(),
+                [](const auto& a, const auto& b) { return a.index < b.index; });
     }
   }
   all.planners.clear();

@@ -10,6 +10,7 @@
 #include "statistics/stop_rule.hpp"
 #include "text/number_text.hpp"
 #include "text/words.hpp"
+#include "trial/map_fields.hpp"
 
 namespace avoidbench {
 namespace {
@@ -64,11 +65,6 @@ void warn_of_unclear_differences(const SweepSummary& summary, Warnings& warnings
   if (!unclear.empty()) {
     warnings.push_back("success rates that can't be told apart: " + joined(unclear, ", "));
   }
-}
-
-/// Whether values of this path are maps of their own (a map's record is that of one body in it).
-bool makes_maps(const std::string& path) {
-  return path.starts_with("map.") || path == "map_seed" || path.starts_with("vehicle.");
 }
 
 /// Paths that the sweep varies, of which `is_wanted(path)` holds, with the number of their values.
@@ -189,11 +185,12 @@ std::int64_t warn_of_stops(const SweepSummary& summary, const SweepResult& resul
 void warn_of_missing_trials(const SweepSummary& summary, const SweepResult& result,
                             const nlohmann::json& spec, Warnings& warnings) {
   const std::int64_t asked = asked_trials(spec);
-  if (asked == 0 || !summary.conditions.empty()) return;
-  // An invalid mission is flown by no planner, in none of the settings that share its map.
-  const std::int64_t invalid = summary.invalid_mission_count * flights_of_mission(spec);
   const auto planner_count =
       static_cast<std::int64_t>(spec.value("planners", nlohmann::json::array()).size());
+  // A spec that asks for trials of no planner is damaged.
+  if (asked == 0 || planner_count == 0 || !summary.conditions.empty()) return;
+  // An invalid mission is flown by no planner, in none of the settings that share its map.
+  const std::int64_t invalid = summary.invalid_mission_count * flights_of_mission(spec);
   const std::int64_t left_out =
       warn_of_stops(summary, result, spec, (asked - invalid) / planner_count, warnings);
   const std::int64_t missing =

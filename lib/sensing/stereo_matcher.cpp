@@ -102,7 +102,8 @@ class CensusMatcher : public StereoMatcher {
 
  private:
   CensusSettings settings_;
-  bool zero_is_invalid_;  ///< as in the original, which knows whole pixels alone
+  /// As in the original, which knows whole pixels alone. The matcher itself has another mark.
+  bool zero_is_invalid_;
   int width_px_, height_px_;
   CensusWorkspace workspace_;
   std::vector<std::int16_t> sixteenths_;

@@ -10,6 +10,7 @@
 #include "store/schema_check.hpp"
 #include "store/statement.hpp"
 #include "store/stored_text.hpp"
+#include "trial/map_fields.hpp"
 
 namespace avoidbench {
 namespace {
@@ -229,12 +230,6 @@ std::int64_t count_of(const Database& database, const std::string& sql) {
   return statement.integer(0);
 }
 
-/// Whether an axis of this path makes other maps or missions: see map_key() of the room sweep.
-bool changes_map(const std::string& path) {
-  return path.starts_with("map") || path.starts_with("mission.") || path == "seed" ||
-         path == "vehicle.body_size_m";
-}
-
 /// The shards that a set of "2/3", "" … lacks; not more than a thousand.
 std::vector<std::string> lost_of(const std::set<std::string>& seen) {
   // A file may say that it is one of a billion shards.
@@ -325,7 +320,7 @@ std::vector<SweepCompleteness> sweep_completeness(const Database& database) {
     // An invalid mission of a map is one of every combination of the axes that leave the map alone.
     std::int64_t per_mission = planners;
     for (const nlohmann::json& axis : axes) {
-      if (!changes_map(axis.at("path"))) {
+      if (!makes_maps(axis.at("path").get_ref<const std::string&>())) {
         per_mission *= static_cast<std::int64_t>(axis.at("values").size());
       }
     }

@@ -131,6 +131,10 @@ json stored_sweep(const std::string& text) {
   const auto is_below_zero = [](const json& number) {
     return !number.is_null() && number.get<double>() < 0.0;
   };
+  // trial_count stands there only where missions are listed, and counts those of the planners.
+  if (planners.empty() && !trial_count.is_null() && trial_count.get<double>() > 0.0) {
+    throw BadText("that of a sweep with trials and no planners");
+  }
   const bool is_negative = is_below_zero(trials) || is_below_zero(trial_count);
   if (!trial_count.is_null()) count = std::max(count, trial_count.get<double>());
   if (is_negative || count > kMostTrials) throw BadText("that of a sweep of too many trials");

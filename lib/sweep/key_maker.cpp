@@ -104,7 +104,7 @@ std::string trial_key(const TrialSpec& spec) {
 
 std::string map_key(const TrialSpec& spec) {
   // Only what a map's record depends on: the world, the missions and the body that they are
-  // measured for. Other axes share the map.
+  // measured for. Other axes share the map: makes_maps() of trial/map_fields.hpp says the same.
   json canonical = {{"map", spec_to_json(spec.map)},
                     {"map_seed", spec.map_seed},
                     {"seed", spec.seed},

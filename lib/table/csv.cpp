@@ -11,7 +11,7 @@ namespace {
 
 /// A sign before a number is no formula: -3 stays a number.
 bool is_number(std::string_view word) {
-  if (word.starts_with('+')) word.remove_prefix(1);
+  if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);
   double value = 0.0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   return error == std::errc() && end == word.data() + word.size();
@@ -32,7 +32,10 @@ bool may_be_formula(std::string_view word) {
 std::string csv_field(std::string_view word) {
   const std::string mark = may_be_formula(word) ? "'" : "";
   // RFC 4180: quotes around what has a comma, a quote or a line's end; quotes within are doubled.
-  if (word.find_first_of(",\"\r\n") == std::string_view::npos) return mark + std::string(word);
+  // And around what begins with #: at the beginning of a line it would be taken for a comment.
+  const bool is_bare =
+      word.find_first_of(",\"\r\n") == std::string_view::npos && !word.starts_with('#');
+  if (is_bare) return mark + std::string(word);
   std::string quoted = "\"" + mark;
   for (const char c : word) {
     if (c == '"') quoted += '"';

@@ -9,10 +9,11 @@
 
 namespace avoidbench {
 
-/// A word as a field of a CSV file: in quotes where it needs them (RFC 4180). A spreadsheet takes a
-/// text that begins with = + - @, a tab or CR for a formula, which may do anything; such a text,
-/// but no number, gets an apostrophe before it, as OWASP advises. So does one that looks like that
-/// with apostrophes already before it, so that text_of_csv_field() gives back every word.
+/// A word as a field of a CSV file: in quotes where it needs them (RFC 4180), and where it begins
+/// with #, so that no reader takes its line for a comment. A spreadsheet takes a text that begins
+/// with = + - @, a tab or CR for a formula, which may do anything; such a text, but no number, gets
+/// an apostrophe before it, as OWASP advises. So does one that looks like that with apostrophes
+/// already before it, so that text_of_csv_field() gives back every word.
 std::string csv_field(std::string_view word);
 
 /// The word that csv_field() made this of, its quotes already taken off.

@@ -59,9 +59,8 @@ std::string in_latex(std::string_view text) {
   return escaped;
 }
 
-/// A cell; what is marked as best is bold instead.
-std::string cell_in_latex(const std::string& cell) {
-  const std::size_t star = cell.find('*');
+/// A cell; what is marked as best, by a star at this place, is bold instead.
+std::string cell_in_latex(const std::string& cell, std::size_t star) {
   if (star == std::string::npos) return in_latex(cell);
   return R"(\textbf{)" + in_latex(cell.substr(0, star)) + "}" + in_latex(cell.substr(star + 1));
 }
@@ -104,9 +103,7 @@ std::string table_in_latex(const std::string& sweep, const Table& table) {
     alignment += column.is_key || column.is_words ? 'l' : 'r';
     has_units = has_units || !column.unit.empty();
     if (!column.doc.empty()) out += "% " + column.header + ": " + bare_doc(column) + "\n";
-    for (const std::string& cell : column.cells) {
-      has_best = has_best || (!column.is_words && cell.find('*') != std::string::npos);
-    }
+    for (const std::size_t star : column.stars) has_best = has_best || star != std::string::npos;
   }
   if (has_best) caption += " Bold: significantly best.";
   out += "\\begin{table}\n  \\centering\n";
@@ -125,7 +122,7 @@ std::string table_in_latex(const std::string& sweep, const Table& table) {
           c.is_key && &c == &columns.front() && columns.size() > 1 && columns[1].is_key;
       repeats = repeats && is_group && c.cells[row] == c.cells[row - 1];
       if (repeats) return "";
-      return c.is_words ? in_latex(c.cells[row]) : cell_in_latex(c.cells[row]);
+      return cell_in_latex(c.cells[row], c.stars[row]);
     });
   }
   return out + "  \\bottomrule\n  \\end{tabular}\n\\end{table}\n";

@@ -176,7 +176,8 @@ std::vector<TextColumn> text_columns(const Table& table) {
                     .doc = column.doc,
                     .is_key = column.place == Place::key,
                     .is_words = column.place == Place::words,
-                    .cells = {}};
+                    .cells = {},
+                    .stars = {}};
     text.width = std::max(display_width(text.header), display_width(text.unit));
     // make_table() puts the two bounds behind their value.
     const bool has_interval =
@@ -194,6 +195,7 @@ std::vector<TextColumn> text_columns(const Table& table) {
       std::string cell = std::move(cells[at]);
       // The star belongs to the number, so it stands right behind it; the others keep its place
       // free.
+      text.stars.push_back(row[i].is_best ? cell.size() : std::string::npos);
       if (has_star) cell += row[i].is_best ? "*" : " ";
       if (has_interval && std::holds_alternative<double>(row[i].value)) {
         const std::string lower = cell_text(row[i + 1], decimals);

@@ -31,6 +31,9 @@ struct TextColumn {
   bool is_key = false;
   bool is_words = false;  ///< as Place::words
   std::vector<std::string> cells;
+  /// Of each cell, where the star stands that marks it as best; npos: it is not the best. Texts may
+  /// have stars of their own.
+  std::vector<std::size_t> stars;
   std::size_t width = 0;  ///< terminal columns of the widest of all these
 };
 

@@ -108,8 +108,7 @@ std::string row_text(const std::vector<TextColumn>& columns, const std::vector<s
     return repeats ? "" : c.cells[row];
   };
   const auto paint = [&](const TextColumn& c, const std::string& text) {
-    const bool is_best = !c.is_key && !c.is_words && c.cells[row].find('*') != std::string::npos;
-    return is_best ? painted(text, kGreen, style) : text;
+    return c.stars[row] != std::string::npos ? painted(text, kGreen, style) : text;
   };
   return trimmed(block_line(columns, block, cell, paint)) + "\n";
 }

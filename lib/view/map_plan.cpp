@@ -46,6 +46,7 @@ Plan lay_out(const World& world, const MapView& view) {
 void paint_ground_plan(const World& world, const Plan& plan, const MapView& view,
                        Picture& picture) {
   const Scene scene(world);
+  const Aabb& bounds = world.flight_bounds;
   const Region& starts = world.start_region;
   // The middle of the heights at which missions start; above the ground where the map says so.
   const double flight_m = 0.5 * (starts.lowest.z() + starts.highest.z());
@@ -61,9 +62,10 @@ void paint_ground_plan(const World& world, const Plan& plan, const MapView& view
         const double down = row + (sample_row + 0.5) / view.samples;
         const double x = plan.low_world.x() + (across - plan.left_px) / plan.pixels_per_m;
         const double y = plan.low_world.y() + (plan.bottom_px - down) / plan.pixels_per_m;
-        const bool is_inside =
-            x >= world.flight_bounds.min().x() - 0.5 && x <= world.flight_bounds.max().x() + 0.5;
-        const Color color = is_inside ? plan_color(scene, x, y, cut_z_m(x, y)) : kPaper;
+        const bool is_on_map =
+            x >= bounds.min().x() - kMargin_m && x <= bounds.max().x() + kMargin_m &&
+            y >= bounds.min().y() - kMargin_m && y <= bounds.max().y() + kMargin_m;
+        const Color color = is_on_map ? plan_color(scene, x, y, cut_z_m(x, y)) : kPaper;
         for (std::size_t i = 0; i < 3; ++i) sum[i] += color[i];
       }
       for (std::size_t i = 0; i < 3; ++i) {

@@ -104,9 +104,8 @@ FlightJournal::FlightJournal() {
 FlightJournal::FlightJournal(int fd) : is_of_worker_(true) {
   struct stat file {};
   const bool is_one = ::fstat(fd, &file) == 0 && file.st_size == static_cast<off_t>(kBytes);
-  if (!is_one) return;
-  void* memory = ::mmap(nullptr, kBytes, PROT_NONE, MAP_SHARED, fd, 0);
-  ::close(fd);  // no way leads to it but this memory
+  void* memory = is_one ? ::mmap(nullptr, kBytes, PROT_NONE, MAP_SHARED, fd, 0) : MAP_FAILED;
+  if (fd >= 0) ::close(fd);  // no way leads to it but this memory
   if (memory == MAP_FAILED) return;
   ::madvise(memory, kBytes, MADV_DONTFORK);  // nor for a planner's children
   memory_ = static_cast<std::byte*>(memory);

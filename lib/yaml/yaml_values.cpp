@@ -137,6 +137,10 @@ std::vector<YamlNode> range_values(const YamlNode& node, const std::string& path
 
   double count = *third;
   if (by_step) {
+    if (*third == 0.0) {
+      add_problem(*node.find("step"), path + ".step", "must not be 0", problems);
+      return {};
+    }
     const double steps = (*to - *from) / *third;
     if (!(steps >= 0.0)) {
       add_problem(*node.find("step"), path + ".step", "leads away from 'to'", problems);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 
@@ -78,6 +79,53 @@ TEST(TrialTable, CsvKeepsEveryBit) {
   EXPECT_EQ(comparison.equal_count, 8);
   EXPECT_TRUE(comparison.differences.empty());
   EXPECT_EQ(comparison.metrics.size(), 2U);
+}
+
+TEST(TrialTable, CsvKeepsEveryTrialWhateverItsLabel) {
+  TrialTable table = compare_samples::empty_table("t.csv");
+  for (const char* label : {"#1", "#", "# metric,x,1,m,less,all", "# axes: seed", "a\nb", "a\r\nb",
+                            "a\r", "\n", "\"", "\n#1,\"", "'#1", "a#1", ""}) {
+    for (int mission = 0; mission < 2; ++mission) {
+      table.trials.push_back(compare_samples::trial(label, 0, mission, true));
+      table.trials.back().identity.setting = "note=x\ny";
+    }
+  }
+  compare_samples::sort(table);
+  const std::string csv = csv_of_table(table);
+  const TrialTable read = table_of_csv(csv, "t.csv");
+  ASSERT_EQ(read.trials.size(), table.trials.size());
+  EXPECT_EQ(csv_of_table(read), csv);
+  for (std::size_t i = 0; i < read.trials.size(); ++i) {
+    EXPECT_EQ(read.trials[i].identity.planner, table.trials[i].identity.planner);
+    EXPECT_EQ(read.trials[i].identity.setting, "note=x\ny");
+  }
+  // Lines are counted on through fields of several.
+  EXPECT_NE(test::message_of([&] { table_of_csv(csv + "x\r\n", "t.csv"); })
+                .find("t.csv:" + std::to_string(1 + std::count(csv.begin(), csv.end(), '\n')) +
+                      ": 1 fields instead of"),
+            std::string::npos);
+  EXPECT_NE(test::message_of([&] {
+              table_of_csv(csv + "\"x\r\n", "t.csv");
+            }).find("a quote is not closed"),
+            std::string::npos);
+}
+
+/// Written before fields that begin with # were quoted.
+TEST(TrialTable, ATrialThatLooksLikeACommentIsToldAndNotLeftOut) {
+  TrialTable table = compare_samples::finished_table("t.csv", 1, 2, "#1");
+  for (const TableTrial& one : compare_samples::finished_table("", 1, 2, "ego").trials) {
+    table.trials.push_back(one);
+  }
+  std::string csv = csv_of_table(table);
+  for (std::size_t at = csv.find("\"#1\""); at != std::string::npos; at = csv.find("\"#1\"")) {
+    csv.replace(at, 4, "#1");
+  }
+  const std::string message = test::message_of([&] { table_of_csv(csv, "t.csv"); });
+  EXPECT_NE(message.find("t.csv:12: "), std::string::npos) << message;
+  EXPECT_NE(message.find("a trial whose label begins with #"), std::string::npos) << message;
+  // A comment of a person's is still one.
+  csv = csv_of_table(compare_samples::finished_table("t.csv", 1, 2));
+  EXPECT_EQ(table_of_csv(csv + "# flown on \"Monday, twice\r\n", "t.csv").trials.size(), 2U);
 }
 
 TEST(TrialTable, DamagedCsvIsToldWithItsLine) {

@@ -5,6 +5,7 @@
 
 #include "config/sweep_fixture.hpp"
 #include "config/sweep_keys.hpp"
+#include "trial/map_fields.hpp"
 
 namespace avoidbench {
 namespace {
@@ -95,6 +96,33 @@ TEST_F(SweepFiles, EveryFieldCanBeAnAxisInItsPlace) {
     SCOPED_TRACE(head + path.path + "=" + value);
     EXPECT_EQ(problems(head, {path.path + "=" + value}), "");
   }
+}
+
+/// What counts a sweep's missions by the names of its axes has to agree with the keys of maps.
+TEST(MapKey, DependsOnTheFieldsThatMakeMaps) {
+  const Json base = spec_to_json(TrialSpec{}), fields = base.flatten();
+  const std::string key = map_key(TrialSpec{});
+  int making = 0;
+  for (const auto& [pointer, value] : fields.items()) {
+    if (!value.is_number() && !value.is_boolean()) continue;
+    Json changed = base;
+    Json& field = changed.at(Json::json_pointer(pointer));
+    if (value.is_boolean()) {
+      field = !value.get<bool>();
+    } else if (value.is_number_float()) {
+      field = value.get<double>() + 0.125;
+    } else {
+      field = value.get<std::int64_t>() + 1;
+    }
+    std::string path = pointer.substr(1);
+    std::replace(path.begin(), path.end(), '/', '.');
+    // An axis has whole lists.
+    while (path.find_last_not_of("0123456789") == path.rfind('.')) path.erase(path.rfind('.'));
+    EXPECT_EQ(map_key(spec_from_json<TrialSpec>(changed)) != key, makes_maps(path)) << path;
+    making += makes_maps(path) ? 1 : 0;
+  }
+  EXPECT_GT(making, 10);
+  EXPECT_TRUE(makes_maps("map.file"));  // by its digest
 }
 
 TEST_F(SweepFiles, SeedsOfMissionsCanBeAnAxis) {

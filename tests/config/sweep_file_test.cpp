@@ -325,6 +325,15 @@ TEST_F(SweepFiles, ProblemsOfPlanners) {
   EXPECT_EQ(of("{plugin: tunable, label: \"\"}"),
             "s.yaml:3:30: planners[0].label: expected 1 to 100 printable characters without outer "
             "spaces");
+  EXPECT_EQ(of("{plugin: tunable, label: \"a\\nb\"}"),
+            "s.yaml:3:30: planners[0].label: expected 1 to 100 printable characters without outer "
+            "spaces");
+  // Values of which there are several become part of labels.
+  EXPECT_EQ(of("{plugin: tunable, parameters: {note: [x, \"a\\nb\"]}}"),
+            "s.yaml:3:46: planners[0].parameters.note: one of several values is part of a label: "
+            "expected printable characters");
+  EXPECT_EQ(of("{plugin: tunable, parameters: {note: \"a\\nb\"}}"), "");
+  EXPECT_EQ(of("{plugin: tunable, parameters: {note: [\"a\\nb\"]}}"), "");
   EXPECT_EQ(of("{plugin: tunable, parameters: {horizn_m: 3}}"),
             "s.yaml:3:36: planners[0].parameters.horizn_m: planner tunable has no such parameter "
             "(did you "

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/random.hpp"
+#include "map_file/cloud_bytes.hpp"
 #include "map_file/lzf.hpp"
 #include "map_file/point_cloud_file.hpp"
 #include "map_file/voxel_surface.hpp"
@@ -60,6 +62,33 @@ TEST(PointCloud, PointsThatAreNotFiniteAreLeftOut) {
       "float z\nend_header\n";
   EXPECT_EQ(parse_point_cloud(header + "1 2 3\nnan nan nan\n4 inf 6\n1e999 0 1e-999\n", "a").size(),
             1U);
+}
+
+TEST(PointCloud, NumbersBeyondADoubleAreZeroOrInfiniteWithTheirSign) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const std::string zeros(400, '0');
+  const std::pair<std::string, double> cases[] = {{"1e400", infinity},
+                                                  {"-1e400", -infinity},
+                                                  {"1e-400", 0.0},
+                                                  {"-1e-400", -0.0},
+                                                  {"0." + zeros + "1", 0.0},
+                                                  {"-." + zeros + "1", -0.0},
+                                                  {"1" + zeros, infinity},
+                                                  {"-1" + zeros + ".5", -infinity},
+                                                  {"0." + zeros + "1e+1", 0.0},
+                                                  {"0." + zeros + "1e800", infinity},
+                                                  {"1" + zeros + "e-800", 0.0},
+                                                  {"1" + zeros + "e-10", infinity},
+                                                  {"0e400", 0.0},
+                                                  {"-0e99999999999999999999", -0.0},
+                                                  {"1e99999999999999999999", infinity},
+                                                  {"-1E-99999999999999999999", -0.0}};
+  for (const auto& [word, value] : cases) {
+    const auto number = number_in<double>(word);
+    ASSERT_TRUE(number.has_value()) << word;
+    EXPECT_EQ(*number, value) << word;
+    EXPECT_EQ(std::signbit(*number), std::signbit(value)) << word;
+  }
 }
 
 double area_m2(const TriangleMesh& mesh) {

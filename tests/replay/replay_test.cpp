@@ -136,5 +136,19 @@ TEST_F(ReplayTest, SaysWhatIsMissing) {
   EXPECT_TRUE(elsewhere.warnings().empty());
 }
 
+TEST(LibraryFor, NoFolderToLookInIsAnError) {
+  PlannerChoice choice;
+  choice.plugin = "mine";
+  ReplayFiles files;
+  files.folders.clear();
+  try {
+    library_for(choice, files);
+    FAIL() << "a planner out of no folder";
+  } catch (const OptionError& error) {
+    EXPECT_EQ(std::string(error.what()).find("no planner 'mine'"), 0U) << error.what();
+    EXPECT_EQ(error.hint(), "library");
+  }
+}
+
 }  // namespace
 }  // namespace avoidbench

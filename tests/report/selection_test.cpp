@@ -55,6 +55,15 @@ TEST(Condition, WhatHasNoValueFulfilsOnlyUnequal) {
   EXPECT_FALSE(holds(parse_condition("x < 3"), std::string("2")));  // a text is no number
 }
 
+TEST(Condition, ATextEqualsWhatWasWritten) {
+  EXPECT_TRUE(holds(parse_condition("planner = 2"), std::string("2")));
+  EXPECT_TRUE(holds(parse_condition("planner = ego, true"), std::string("true")));
+  EXPECT_TRUE(holds(parse_condition("planner == 1e3"), std::string("1e3")));
+  EXPECT_FALSE(holds(parse_condition("planner = 2.0"), std::string("2")));
+  EXPECT_FALSE(holds(parse_condition("planner != 2"), std::string("2")));
+  EXPECT_TRUE(holds(parse_condition("x = 2.0"), whole(2)));
+}
+
 TEST(Condition, RefusesWhatItCantRead) {
   for (const char* text : {"", "x", "x <", "< 3", "x < ego", "x = ", "x = 1,", "x ! 3"}) {
     EXPECT_THROW(parse_condition(text), InputError) << text;
@@ -91,6 +100,9 @@ TEST(Selection, AValueThatNoTrialHasIsAnErrorThatNamesThoseThereAre) {
       problem("map.poisson_radius_m == 2.6"),
       "'map.poisson_radius_m == 2.6': no trial has 2.6 (did you mean 2.5?); there are: 2.5, 3");
   EXPECT_EQ(problem("map.poisson_radius_m < 1"), "");
+  for (TrialSummary& trial : two.trials) trial.fields[0] = std::string("2");
+  EXPECT_EQ(problem("planner = 2"), "");
+  EXPECT_EQ(problem("planner = true"), "'planner = true': no trial has true; there are: 2, ego");
 }
 
 TEST(Selection, NothingLeftIsAnError) {

@@ -175,6 +175,49 @@ TEST(Summary, TellsHowMuchOfTheSweepIsMissing) {
   EXPECT_TRUE(has_warning(summary_of(result), "2 of its 14 trials are not flown yet"));
 }
 
+/// The same trials in another setting.
+void fly_again(SweepResult& result) {
+  const std::vector<TrialSummary> once = result.trials;
+  for (TrialSummary trial : once) {
+    trial.key += " again";
+    result.trials.push_back(trial);
+  }
+}
+
+std::string asks_along(const std::string& path) {
+  return R"({"axes":[{"path":")" + path + R"(","values":[1,2]}],"planners":[{},{}],"trials":4})";
+}
+
+TEST(Summary, SettingsThatShareAMapShareItsInvalidMissions) {
+  SweepResult result = result_of(1, 3, [](char, int, int) { return true; });
+  result.maps[0] = map_row(0, 4, true);
+  fly_again(result);
+  // Whatever body there is in the map, its mass makes no other mission.
+  for (const std::string path : {"vehicle.mass_kg", "wind.mean_world_mps", "latency.ms"}) {
+    result.spec_json = asks_along(path);
+    const SweepSummary summary = summary_of(result);
+    EXPECT_FALSE(has_warning(summary, "not done")) << path;
+    EXPECT_TRUE(has_warning(summary, "groups of planner," + path + " tell them apart")) << path;
+  }
+}
+
+TEST(Summary, SettingsWithMapsOfTheirOwnLackTrialsOfTheirOwn) {
+  SweepResult result = result_of(2, 3, [](char, int, int) { return true; });
+  result.maps[1] = map_row(1, 4, true);
+  for (const std::string path : {"seed", "map_seed", "map.poisson_radius_m",
+                                 "mission.goal_radius_m", "vehicle.body_size_m"}) {
+    result.spec_json = asks_along(path);
+    EXPECT_TRUE(has_warning(summary_of(result), "2 of its 14 trials are not flown yet")) << path;
+  }
+}
+
+/// Such a spec is a damaged one; who reads it from a database says so.
+TEST(Summary, ASweepOfNoPlannersLacksNoTrials) {
+  SweepResult result = result_of(2, 3, [](char, int, int) { return true; });
+  result.spec_json = R"({"trial_count":40,"until":"success_rate ci<0.9"})";
+  EXPECT_FALSE(has_warning(summary_of(result), "not done"));
+}
+
 TEST(Summary, TellsOfMeasuredLatency) {
   SweepResult result = result_of(1, 3, [](char, int, int) { return true; });
   EXPECT_FALSE(has_warning(summary_of(result), "latency"));
@@ -269,6 +312,29 @@ TEST(Summary, ShardsTogetherAreTheWhole) {
   EXPECT_EQ(a.overall[0].means[1].interval.upper, b.overall[0].means[1].interval.upper);
   shards[1].metrics[0].version = 9;
   EXPECT_THROW(combined(shards), InputError);
+}
+
+TEST(Summary, TheOrderOfDatabasesChangesNoBit) {
+  const SweepResult whole = result_of(3, 7, [](char, int, int) { return true; });
+  std::vector<SweepResult> parts(2, whole);
+  for (std::size_t map = 0; map < whole.maps.size(); ++map) {
+    for (std::size_t part = 0; part < 2; ++part) {
+      std::erase_if(parts[part].maps[map].record.missions, [&](const MissionRecord& mission) {
+        return mission.index % 3 == 0 ? part == 0 : part == 1;
+      });
+    }
+  }
+  const auto indices = [](const std::vector<SweepResult>& parts_in_order) {
+    std::vector<std::int64_t> all;
+    const SweepResult result = combined(parts_in_order);
+    for (const MapRow& map : result.maps) {
+      for (const MissionRecord& mission : map.record.missions) all.push_back(mission.index);
+    }
+    return all;
+  };
+  const std::vector<std::int64_t> in_order = indices({whole, parts[1]});
+  EXPECT_EQ(indices({parts[0], parts[1]}), in_order);
+  EXPECT_EQ(indices({parts[1], parts[0]}), in_order);
 }
 
 }  // namespace

@@ -113,6 +113,8 @@ TEST(DamagedRows, AreNamedByTableAndRow) {
         {"UPDATE sweeps SET spec_json = '{\"axes\":[{\"path\":\"a~b\",\"values\":[]}]}'", sweep},
         {"UPDATE sweeps SET spec_json = '{\"trials\":1e300}'", sweep},
         {"UPDATE sweeps SET spec_json = '{\"trials\":-1}'", sweep},
+        {"UPDATE sweeps SET spec_json = '{\"trial_count\":4}'", sweep},
+        {"UPDATE sweeps SET spec_json = '{\"trial_count\":4,\"planners\":[]}'", sweep},
         {"UPDATE trials SET spec_json = 'x'", "damaged: table trials, row "},
         {"UPDATE metric_definitions SET better = 'most'", "metric_definitions"},
         {"UPDATE plan_calls SET calls_json = '[[1,2]]'", "damaged: table plan_calls, row "},

@@ -80,6 +80,23 @@ TEST(Merge, SaysWhatIsMissing) {
   EXPECT_EQ(complete[0].lost_shards, (std::vector<std::string>{"2/3", "3/3"}));
 }
 
+/// An axis that shares its maps flies each of their invalid missions in none of its settings.
+TEST(Merge, InvalidMissionsAreNotMissing) {
+  const TemporaryFolder folder;
+  const std::pair<const char*, std::int64_t> cases[] = {{"vehicle.mass_kg", 12},
+                                                        {"mission.time_limit_s", 14},
+                                                        {"vehicle.body_size_m", 14},
+                                                        {"seed", 14}};
+  for (const auto& [path, wanted] : cases) {
+    Database db = Database::open_for_run(folder / (std::string(path) + ".db"), kMetrics);
+    db.add_run(run_row());
+    db.add_sweep(sweep_row(R"({"trials":4,"planners":[{},{}],"axes":[{"path":")" +
+                           std::string(path) + R"(","values":[1,2]}]})"));
+    db.add_map(map_row(0, 4, true), "forest");
+    EXPECT_EQ(sweep_completeness(db)[0].wanted, wanted) << path;
+  }
+}
+
 TEST(Merge, RefusesOtherResultsOfOneTrialAndChangesNothing) {
   const TemporaryFolder folder;
   write_part(folder / "1.db", "", trials_of("a"));

@@ -190,6 +190,22 @@ TEST(Table, LatexEscapesAndSetsTheBestInBold) {
   EXPECT_EQ(text.find(" & --"), text.rfind(" & --"));  // one cell is not defined
 }
 
+TEST(Table, AStarOfALabelIsNoMarkOfTheBest) {
+  Section some = section();
+  some.tables[0].rows[0][0].value = std::string("a*b*");
+  const std::string marked = format_sections({&some, 1}, TableFormat::latex);
+  EXPECT_NE(marked.find("  a*b* & 120 & \\textbf{0.88} [0.80, 0.93]"), std::string::npos) << marked;
+  some.tables[0].rows[0][2].is_best = false;
+  some.tables[0].rows[1][5].value = std::string("5*");  // a text among numbers
+  const std::string plain = format_sections({&some, 1}, TableFormat::latex);
+  EXPECT_EQ(plain.find("\\textbf"), std::string::npos) << plain;
+  EXPECT_EQ(plain.find("Bold"), std::string::npos) << plain;
+  EXPECT_NE(plain.find("5*"), std::string::npos) << plain;
+  const std::string coloured =
+      format_sections({&some, 1}, TableFormat::table, {.width = 100, .is_coloured = true});
+  EXPECT_EQ(coloured.find("\033[32m"), std::string::npos);
+}
+
 TEST(Table, ColoursOnlyWhereAsked) {
   const Section sections[] = {section()};
   const std::string plain = format_sections(sections, TableFormat::table);
@@ -314,14 +330,23 @@ TEST(Csv, NoFieldIsAFormula) {
   EXPECT_EQ(csv_field("\t=1"), "'\t=1");
   EXPECT_EQ(csv_field("\r=1"), "\"'\r=1\"");
   EXPECT_EQ(csv_field("'=1"), "''=1");
+  EXPECT_EQ(csv_field("+-5"), "'+-5");
   for (const std::string word : {"-5", "+5", "-0.25", "-1e-300", "-inf", "a=b", "ego", "'quoted'",
                                  "O'Neill", "'", "", "1-2"}) {
     EXPECT_EQ(csv_field(word), word);
   }
 }
 
+/// Else the readers of tables take its line for a comment.
+TEST(Csv, NoFieldBeginsAComment) {
+  EXPECT_EQ(csv_field("#1"), "\"#1\"");
+  EXPECT_EQ(csv_field("a#1"), "a#1");
+  CsvRow row;
+  EXPECT_EQ(row.add_words({"#1", "x"}).line(), "\"#1\",x\r\n");
+}
+
 TEST(Csv, EveryWordReadsBack) {
-  const std::string letters = "'=+-@\t\r\n\",a5. ";
+  const std::string letters = "'=+-@\t\r\n\",a5. #";
   RandomStream random = stream(1, "csv words");
   int numbers = 0;
   for (int round = 0; round < 20000; ++round) {

@@ -57,6 +57,25 @@ TEST(Plan, FitsTheMap) {
   EXPECT_EQ(view.width_px, 480);  // captions need that
 }
 
+TEST(Plan, IsPaperBeyondTheMap) {
+  World world = test::flight_world();  // its floor goes on for 10 m
+  std::string note;
+  for (const bool is_tall : {true, false}) {
+    MapView view;
+    view.width_px = is_tall ? 300 : 700;
+    view.height_px = is_tall ? 700 : 300;
+    view.samples = 1;
+    const Picture picture = plan_view(world, TrialSpec{}, view, note);
+    const Color paper{236, 236, 234};
+    for (const double at : {0.2, 0.8}) {  // on both sides of the map
+      const Eigen::Vector2d beyond =
+          is_tall ? Eigen::Vector2d(150, 700 * at) : Eigen::Vector2d(700 * at, 150);
+      EXPECT_EQ(pixel(picture, beyond), paper) << beyond.transpose();
+    }
+    EXPECT_NE(pixel(picture, {0.5 * view.width_px, 0.5 * view.height_px}), paper);
+  }
+}
+
 TrialRecord crash_into(std::int64_t obstacle, const std::string& kind) {
   TrialRecord record;
   record.outcome = Outcome::collided;

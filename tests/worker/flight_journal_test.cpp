@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fcntl.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <csignal>
@@ -128,6 +130,14 @@ TEST(FlightJournal, WithoutMemoryNothingIsKeptAndNothingBreaks) {
   none.restart();
   none.add(TrialRecord{}, 1.0);
   EXPECT_FALSE(none.flown().has_value());
+}
+
+TEST(FlightJournal, AFileThatIsNoJournalIsClosedToo) {
+  const int fd = ::memfd_create("short", MFD_CLOEXEC);
+  ASSERT_GE(fd, 0);
+  FlightJournal none(fd);
+  none.add(TrialRecord{}, 1.0);
+  EXPECT_EQ(::fcntl(fd, F_GETFD), -1);
 }
 
 }  // namespace

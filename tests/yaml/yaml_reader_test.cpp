@@ -234,7 +234,9 @@ TEST(YamlReader, ProblemsOfAxes) {
        "f.yaml:1:38: s.fov_x_deg.count: expected a whole number of at least 2, found 1"},
       {"fov_x_deg: {from: 60, to: 90, step: -1}",
        "f.yaml:1:37: s.fov_x_deg.step: leads away from 'to'"},
-      {"fov_x_deg: {from: 60, to: 90, step: 0}",
+      {"fov_x_deg: {from: 60, to: 90, step: 0}", "f.yaml:1:37: s.fov_x_deg.step: must not be 0"},
+      {"fov_x_deg: {from: 60, to: 60, step: 0}", "f.yaml:1:37: s.fov_x_deg.step: must not be 0"},
+      {"fov_x_deg: {from: 60, to: 90, step: 0.001}",
        "f.yaml:1:12: s.fov_x_deg: the range has more than 10000 values"},
       {"fov_x_deg: {from: 60, till: 90, count: 3}",
        "f.yaml:1:23: s.fov_x_deg.till: unknown key of a range; a range is {from, to, count} or "
