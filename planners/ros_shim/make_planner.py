@@ -172,7 +172,7 @@ def parameter_lines(tree, prefix, expressions):
 
 
 class Node:
-    def __init__(self, tree, planner, sources, expressions):
+    def __init__(self, tree, sources, expressions):
         values = tree.map(["name", "main", "namespace", "remap", "params", "args"])
         if "name" not in values:
             raise tree.problem("a node has a name")
@@ -186,7 +186,7 @@ class Node:
         found = [source for source in sources if source.stem == stem]
         if not found:
             raise place.problem(f"no source {stem}.cpp among SOURCES: main says whose main() the node runs")
-        self.source, self.symbol = found[0], f"ros_shim_main_{planner}_{re.sub(r'[^A-Za-z0-9_]', '_', stem)}"
+        self.source, self.symbol = found[0], f"ros_shim_main_{re.sub(r'[^A-Za-z0-9_]', '_', stem)}"
         text = self.source.read_text(encoding="utf-8", errors="replace")
         text = re.sub(r"//[^\n]*|/\*.*?\*/", " ", text, flags=re.DOTALL)
         match = MAIN.search(text)
@@ -322,7 +322,7 @@ class Planner:
         self.lead_s = values["lead_s"].number(0, 600) if "lead_s" in values else 2.0
         self.parameters = [Parameter(one) for one in values["parameters"].list()] if "parameters" in values else []
         expressions = Expressions(self.parameters)
-        self.nodes = [Node(one, name, sources, expressions) for one in values["nodes"].list()]
+        self.nodes = [Node(one, sources, expressions) for one in values["nodes"].list()]
         for later, node in enumerate(self.nodes):
             for other in self.nodes[:later]:
                 if node.name == other.name or node.source == other.source:
@@ -404,7 +404,7 @@ def main():
         header = asked.out / f"main_{node.source.stem}.h"
         write(header, f"// By make_planner.py: the node's main() under a name of its own.\nint main({node.signature}) "
                       f'__asm__("{node.symbol}");\n')
-        listing.append(f'set_property(SOURCE "{node.source}" APPEND PROPERTY COMPILE_OPTIONS "SHELL:-include \\"{header}\\"")')
+        listing.append(f'set_property(SOURCE "{node.source}" APPEND PROPERTY COMPILE_OPTIONS -include "{header}")')
     write(asked.out / "mains.cmake", "\n".join(listing) + "\n")
     return 0
 

@@ -98,7 +98,7 @@ class TypedSynchronizer {
   }
   template <std::size_t... index>
   void give(const std::vector<ros_shim::AnyMessage>& set, std::index_sequence<index...>) {
-    signal_.call(ros_shim::static_pointer_cast<const M>(set[index])...);
+    signal_.call(ros_shim::cast_pointer<const M>(set[index])...);
   }
 
   Signal<const ros_shim::shared_ptr<const M>&...> signal_;

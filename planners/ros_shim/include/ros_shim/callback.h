@@ -25,7 +25,7 @@ template <class M>
 struct PointerAdapter {
   using Message = typename std::remove_const<M>::type;
   static shared_ptr<const Message> shared(const Delivery& delivery) {
-    return static_pointer_cast<const Message>(delivery.message);
+    return cast_pointer<const Message>(delivery.message);
   }
   static shared_ptr<const Message> pointer(const Delivery& delivery, std::true_type) {
     return shared(delivery);
@@ -47,7 +47,7 @@ template <class M>
 struct EventAdapter {
   using Message = typename std::remove_const<M>::type;
   static ros::MessageEvent<M> given(const Delivery& delivery) {
-    return ros::MessageEvent<M>(static_pointer_cast<const Message>(delivery.message),
+    return ros::MessageEvent<M>(cast_pointer<const Message>(delivery.message),
                                 delivery.publisher, ros::Time().fromNSec(delivery.received_ns));
   }
 };

@@ -36,7 +36,7 @@ shared_ptr<T> make_shared(Arguments&&... arguments) {
   return boost::make_shared<T>(std::forward<Arguments>(arguments)...);
 }
 template <class T, class U>
-shared_ptr<T> static_pointer_cast(const shared_ptr<U>& pointer) {
+shared_ptr<T> cast_pointer(const shared_ptr<U>& pointer) {
   return boost::static_pointer_cast<T>(pointer);
 }
 #else
@@ -49,7 +49,7 @@ shared_ptr<T> make_shared(Arguments&&... arguments) {
   return std::make_shared<T>(std::forward<Arguments>(arguments)...);
 }
 template <class T, class U>
-shared_ptr<T> static_pointer_cast(const shared_ptr<U>& pointer) {
+shared_ptr<T> cast_pointer(const shared_ptr<U>& pointer) {
   return std::static_pointer_cast<T>(pointer);
 }
 #endif
