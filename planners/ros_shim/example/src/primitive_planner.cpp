@@ -2,9 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace ros_example {
 namespace {
+
+const double kCell = 0.2;  // m
+
+int cellOf(double x) { return static_cast<int>(std::floor(x / kCell)); }
 
 double along(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
@@ -87,7 +92,6 @@ void PrimitivePlanner::depthCallback(const sensor_msgs::ImageConstPtr& image,
       cv_bridge::toCvShare(image, sensor_msgs::image_encodings::TYPE_16UC1);
   const geometry_msgs::Quaternion& q = pose->pose.orientation;
   const geometry_msgs::Point& p = pose->pose.position;
-  std::vector<Vector> points;
   for (int v = 0; v < depth->image.rows; v += 4) {
     const uint16_t* row = depth->image.ptr<uint16_t>(v);
     for (int u = 0; u < depth->image.cols; u += 4) {
@@ -96,17 +100,28 @@ void PrimitivePlanner::depthCallback(const sensor_msgs::ImageConstPtr& image,
       const Vector c{(u - cx_) / fx_ * z, (v - cy_) / fy_ * z, z};
       const Vector t{2 * (q.y * c.z - q.z * c.y), 2 * (q.z * c.x - q.x * c.z),
                      2 * (q.x * c.y - q.y * c.x)};
-      points.push_back({p.x + c.x + q.w * t.x + q.y * t.z - q.z * t.y,
-                        p.y + c.y + q.w * t.y + q.z * t.x - q.x * t.z,
-                        p.z + c.z + q.w * t.z + q.x * t.y - q.y * t.x});
+      const Vector w{p.x + c.x + q.w * t.x + q.y * t.z - q.z * t.y,
+                     p.y + c.y + q.w * t.y + q.z * t.x - q.x * t.z,
+                     p.z + c.z + q.w * t.z + q.x * t.y - q.y * t.x};
+      seen_[{cellOf(w.x), cellOf(w.y), cellOf(w.z)}] = image->header.stamp;
     }
   }
-  // Every fourth image: what lies beside is remembered for a while.
-  if (seen_.size() > 1 && (image->header.stamp - seen_[seen_.size() - 2].first).toSec() < 0.2) {
-    seen_.pop_back();
+  // What lies beside is remembered for a while.
+  for (auto cell = seen_.begin(); cell != seen_.end();) {
+    const bool is_old = (image->header.stamp - cell->second).toSec() > memory_time_;
+    cell = is_old ? seen_.erase(cell) : std::next(cell);
   }
-  seen_.emplace_back(image->header.stamp, points);
-  while ((image->header.stamp - seen_.front().first).toSec() > memory_time_) seen_.pop_front();
+}
+
+std::vector<Vector> PrimitivePlanner::obstaclesNear(const Vector& position) const {
+  std::vector<Vector> near;
+  for (const auto& cell : seen_) {
+    const Vector centre{(cell.first[0] + 0.5) * kCell, (cell.first[1] + 0.5) * kCell,
+                        (cell.first[2] + 0.5) * kCell};
+    const Vector d = minus(centre, position);
+    if (along(d, d) < 36.0 && std::abs(d.z) < 1.5) near.push_back(centre);
+  }
+  return near;
 }
 
 void PrimitivePlanner::changeState(State state) {
@@ -162,16 +177,15 @@ Primitive PrimitivePlanner::primitiveTo(const Motion& from, const Vector& veloci
 }
 
 /// The least distance to what was seen, up to 1.5 m.
-double PrimitivePlanner::clearance(const Primitive& primitive) const {
+double PrimitivePlanner::clearance(const Primitive& primitive,
+                                   const std::vector<Vector>& obstacles) {
   double least = 1.5 * 1.5;
   for (double t = 0.1; t <= primitive.duration; t += 0.1) {
     Motion motion;
     evaluate(primitive, t, motion);
-    for (const auto& image : seen_) {
-      for (const Vector& point : image.second) {
-        const Vector d = minus(point, motion.position);
-        least = std::min(least, along(d, d));
-      }
+    for (const Vector& point : obstacles) {
+      const Vector d = minus(point, motion.position);
+      least = std::min(least, along(d, d));
     }
   }
   return std::sqrt(least);
@@ -188,6 +202,7 @@ void PrimitivePlanner::plan() {
     return;
   }
   const double base = atan2(to.y, to.x);
+  const std::vector<Vector> obstacles = obstaclesNear(from.position);
   bool found = false;
   double best_cost = 0.0;
   Primitive best;
@@ -198,7 +213,7 @@ void PrimitivePlanner::plan() {
       const double speed = share * fastest;
       const Primitive tried = primitiveTo(
           from, {speed * cos(heading), speed * sin(heading), 0.0}, duration, height);
-      const double clear = clearance(tried);
+      const double clear = clearance(tried, obstacles);
       if (clear < margin_) continue;
       Motion end;
       evaluate(tried, duration, end);

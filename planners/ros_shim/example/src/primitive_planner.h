@@ -12,7 +12,7 @@
 #include <sensor_msgs/Image.h>
 
 #include <array>
-#include <deque>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -45,7 +45,8 @@ class PrimitivePlanner {
   Motion motionNow() const;
   Primitive primitiveTo(const Motion& from, const Vector& velocity, double duration,
                         double height) const;
-  double clearance(const Primitive& primitive) const;
+  std::vector<Vector> obstaclesNear(const Vector& position) const;
+  static double clearance(const Primitive& primitive, const std::vector<Vector>& obstacles);
   void publish(Primitive primitive, int kind);
 
   ros::Subscriber goal_sub_, odom_sub_;
@@ -66,7 +67,7 @@ class PrimitivePlanner {
   Vector goal_;
   Primitive primitive_;
   ros::Time last_plan_;
-  std::deque<std::pair<ros::Time, std::vector<Vector>>> seen_;
+  std::map<std::array<int, 3>, ros::Time> seen_;  // cells with something in them, and since when
 };
 
 /// A coordinate of a primitive and its first two derivatives.
