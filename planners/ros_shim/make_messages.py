@@ -125,7 +125,7 @@ def read_line(message, line, file, number):
     if not code.strip():
         return
     words = [(match[0], Place(file, number, match.start() + 1)) for match in re.finditer(r"[^\s=]+", code)]
-    if not words:
+    if code.lstrip().startswith("="):
         raise Place(file, number, code.index("=") + 1).problem("a type and a name come before =")
     place = words[0][1]
     kind, package, count = field_type(message, words[0][0], place)
@@ -141,7 +141,8 @@ def read_line(message, line, file, number):
     rest = code[at.column - 1 + len(name):]
     if rest.lstrip().startswith("="):
         value = rest.lstrip()[1:].strip()
-        where = Place(file, number, len(code) - len(rest) + rest.index("=") + 2)
+        behind = rest[rest.index("=") + 1:]
+        where = Place(file, number, len(code) - len(behind.lstrip() or behind) + 1)
         if package or count is not None:
             raise place.problem("a constant is of a built-in type and no array")
         if not value and kind != "string":
