@@ -45,7 +45,8 @@ void resume(Core& core, Node& node) {
     } catch (const std::exception& error) {
       throw std::runtime_error("node " + node.full_name + ": " + error.what());
     } catch (...) {
-      throw std::runtime_error("node " + node.full_name + ": an exception that is no std::exception");
+      throw std::runtime_error("node " + node.full_name +
+                               ": an exception that is no std::exception");
     }
   }
 }
@@ -116,7 +117,8 @@ void run_scheduler(Core& core, std::int64_t to_ns) {
     if (Node* node = next_ready(core)) {
       resume(core, *node);
       if (++turns > kMostTurnsAtOnce) {
-        throw std::runtime_error("node " + node->full_name + " never lets time go on: callbacks at " +
+        throw std::runtime_error("node " + node->full_name +
+                                 " never lets time go on: callbacks at " +
                                  std::to_string(core.now_ns) + " ns follow each other without end");
       }
       continue;

@@ -46,8 +46,8 @@ struct Node {
   int background_spinners = 0;
   std::int64_t wake_ns = 0;
   std::int64_t polled_ns = -1;
-  int polls = 0;           ///< of an empty queue, at polled_ns
-  int farewells = 0;       ///< times it was resumed since the end
+  int polls = 0;      ///< of an empty queue, at polled_ns
+  int farewells = 0;  ///< times it was resumed since the end
   std::exception_ptr failure;
 };
 
@@ -102,8 +102,8 @@ void advance(std::int64_t to_ns);
 void set_now(std::int64_t to_ns);
 /// As advance(), with everything but one node standing still.
 void advance_only(Node& node, std::int64_t to_ns);
-/// Ends all nodes: ros::ok() is false and every wait ends, so that their mains return. Those that do
-/// not are unwound.
+/// Ends all nodes: ros::ok() is false and every wait ends, so that their mains return. Those that
+/// do not are unwound.
 void end_nodes();
 Node* find_node(const std::string& name);
 

@@ -63,9 +63,12 @@ void require_finite(const double (&values)[3], const char* what) {
 
 const char* word_of(Level level) {
   switch (level) {
-    case Level::error: return "error: ";
-    case Level::fatal: return "fatal: ";
-    default: return "";
+    case Level::error:
+      return "error: ";
+    case Level::fatal:
+      return "fatal: ";
+    default:
+      return "";
   }
 }
 
@@ -175,7 +178,8 @@ std::optional<ab_command> Flight::plan(const ab_observation& seen) {
   for (std::uint32_t i = 0; i < seen.depth_count; ++i) {
     newest_s = std::max(newest_s, seen.depth[i]->time_s);
   }
-  for (std::uint32_t i = 0; i < seen.imu_count; ++i) newest_s = std::max(newest_s, seen.imu[i].time_s);
+  for (std::uint32_t i = 0; i < seen.imu_count; ++i)
+    newest_s = std::max(newest_s, seen.imu[i].time_s);
   const std::int64_t to_ns = std::max(now_ns(), ros_time_ns(newest_s));
   observations_->publish(seen, to_ns);
   advance(to_ns);

@@ -19,7 +19,8 @@ void require_name(const std::string& name) {
   for (std::size_t i = 0; i < name.size(); ++i) {
     const char c = name[i];
     const bool is_digit = c >= '0' && c <= '9';
-    const bool fits = i == 0 ? (is_name_character(c) && !is_digit) || c == '~' : is_name_character(c);
+    const bool fits =
+        i == 0 ? (is_name_character(c) && !is_digit) || c == '~' : is_name_character(c);
     if (!fits) {
       throw std::invalid_argument("\"" + name + "\" is no name in ROS: character " +
                                   std::to_string(i + 1));

@@ -139,19 +139,20 @@ Observations::Observations(const PlannerSpec& spec, const ab_setup& setup,
   for (const DepthTopic& one : spec.depth) add_info(one.info_topic, depth_info_);
   for (const PictureTopic& one : spec.pictures) add_info(one.info_topic, picture_info_);
   for (const CameraPoseTopic& one : spec.camera_poses) {
-    camera_poses_.push_back(
-        one.type == PoseType::pose_stamped ? host_.advertise<geometry_msgs::PoseStamped>(one.topic, 1)
-        : one.type == PoseType::odometry
-            ? host_.advertise<nav_msgs::Odometry>(one.topic, 1)
-            : host_.advertise<geometry_msgs::TransformStamped>(one.topic, 1));
+    camera_poses_.push_back(one.type == PoseType::pose_stamped
+                                ? host_.advertise<geometry_msgs::PoseStamped>(one.topic, 1)
+                            : one.type == PoseType::odometry
+                                ? host_.advertise<nav_msgs::Odometry>(one.topic, 1)
+                                : host_.advertise<geometry_msgs::TransformStamped>(one.topic, 1));
   }
   for (const GoalTopic& one : spec.goals) {
     goals_.push_back(one.type == GoalType::pose_stamped
                          ? host_.advertise<geometry_msgs::PoseStamped>(one.topic, 1)
                      : one.type == GoalType::point_stamped
                          ? host_.advertise<geometry_msgs::PointStamped>(one.topic, 1)
-                     : one.type == GoalType::path ? host_.advertise<nav_msgs::Path>(one.topic, 1)
-                                                  : host_.advertise<geometry_msgs::Pose>(one.topic, 1));
+                     : one.type == GoalType::path
+                         ? host_.advertise<nav_msgs::Path>(one.topic, 1)
+                         : host_.advertise<geometry_msgs::Pose>(one.topic, 1));
   }
   goal_due_ns_.assign(spec.goals.size(), 0);
 }
@@ -325,7 +326,8 @@ void Observations::publish_goals() {
                                            : std::numeric_limits<std::int64_t>::max();
     const double upright[4] = {1.0, 0.0, 0.0, 0.0};
     geometry_msgs::PoseStamped stamped;
-    stamped.header = header_of(sequence_, 1e-9 * static_cast<double>(now_ns() - kStart_ns), topic.frame);
+    stamped.header =
+        header_of(sequence_, 1e-9 * static_cast<double>(now_ns() - kStart_ns), topic.frame);
     stamped.pose = pose_of(mission_.goal_world_m, upright);
     if (topic.type == GoalType::pose_stamped) {
       goals_[k].publish(stamped);

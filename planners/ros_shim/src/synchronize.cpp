@@ -148,8 +148,8 @@ bool ApproximateMatcher::is_proven() {
 }
 
 void ApproximateMatcher::consider(const Edges& edges) {
-  const bool is_worse = is_no_better(edges.last_ns - candidate_last_ns_,
-                                     edges.first_ns - candidate_first_ns_);
+  const bool is_worse =
+      is_no_better(edges.last_ns - candidate_last_ns_, edges.first_ns - candidate_first_ns_);
   if (!is_worse) make_candidate(edges);
   step(edges.first);
 }

@@ -10,7 +10,8 @@
 namespace ros_shim {
 
 std::int64_t nanoseconds_of(double seconds) {
-  if (!(std::abs(seconds) < 9.0e9)) throw std::runtime_error("a time of no finite number of seconds");
+  if (!(std::abs(seconds) < 9.0e9))
+    throw std::runtime_error("a time of no finite number of seconds");
   // Whole seconds apart, so that the rest keeps its digits.
   const double whole = std::floor(seconds);
   return static_cast<std::int64_t>(whole) * 1000000000 +

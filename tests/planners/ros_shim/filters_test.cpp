@@ -32,11 +32,11 @@ template <class Policy>
 Pairs pairs_of(const std::vector<std::pair<char, int>>& messages, std::uint32_t queue_size = 10) {
   message_filters::Synchronizer<Policy> synchronizer{Policy(queue_size)};
   Pairs pairs;
-  synchronizer.registerCallback(std::function<void(const PointStamped::ConstPtr&,
-                                                   const PoseStamped::ConstPtr&)>(
-      [&](const PointStamped::ConstPtr& a, const PoseStamped::ConstPtr& b) {
-        pairs.emplace_back(stamp_ms(*a), stamp_ms(*b));
-      }));
+  synchronizer.registerCallback(
+      std::function<void(const PointStamped::ConstPtr&, const PoseStamped::ConstPtr&)>(
+          [&](const PointStamped::ConstPtr& a, const PoseStamped::ConstPtr& b) {
+            pairs.emplace_back(stamp_ms(*a), stamp_ms(*b));
+          }));
   for (const auto& [topic, stamp] : messages) {
     if (topic == 'a') {
       synchronizer.template add<0>(stamped<PointStamped>(stamp));

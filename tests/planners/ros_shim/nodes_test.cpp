@@ -46,9 +46,8 @@ TEST(RosTopics, AnyFormOfCallbackGetsTheMessage) {
                           "n", 5, [](const std_msgs::Int32::ConstPtr& message) {
                             taken.push_back(100000 * message->data);
                           });
-                      const ros::Subscriber g =
-                          node.subscribe<std_msgs::Int32>("n", 5, &Taker::take, &taker,
-                                                          ros::TransportHints().tcpNoDelay());
+                      const ros::Subscriber g = node.subscribe<std_msgs::Int32>(
+                          "n", 5, &Taker::take, &taker, ros::TransportHints().tcpNoDelay());
                       ros::spin();
                     },
                     [&] {
@@ -212,21 +211,20 @@ TEST(RosNodes, AnExceptionSaysWhichNodeItIsOf) {
 
 TEST(RosNames, AreResolvedAndRemapped) {
   std::map<std::string, std::string> names;
-  SimulatedRos ros(
-      {[&] {
-        ros::NodeHandle node, own("~"), group("group"), below(own, "fsm/x");
-        names["global"] = node.resolveName("/a/b/");
-        names["relative"] = node.resolveName("a");
-        names["own"] = own.resolveName("a");
-        names["group"] = group.resolveName("a");
-        names["below"] = below.resolveName("a");
-        names["remapped"] = own.resolveName("odom");
-        names["remapped_topic"] = own.advertise<std_msgs::Int32>("odom", 1).getTopic();
-        EXPECT_THROW(node.resolveName("a b"), std::invalid_argument);
-        EXPECT_THROW(node.advertise<std_msgs::Int32>("~n", 1), std::invalid_argument);
-        EXPECT_EQ(ros::this_node::getName(), "/a");
-      }},
-      {{"~odom", "/vehicle/odom"}});
+  SimulatedRos ros({[&] {
+                     ros::NodeHandle node, own("~"), group("group"), below(own, "fsm/x");
+                     names["global"] = node.resolveName("/a/b/");
+                     names["relative"] = node.resolveName("a");
+                     names["own"] = own.resolveName("a");
+                     names["group"] = group.resolveName("a");
+                     names["below"] = below.resolveName("a");
+                     names["remapped"] = own.resolveName("odom");
+                     names["remapped_topic"] = own.advertise<std_msgs::Int32>("odom", 1).getTopic();
+                     EXPECT_THROW(node.resolveName("a b"), std::invalid_argument);
+                     EXPECT_THROW(node.advertise<std_msgs::Int32>("~n", 1), std::invalid_argument);
+                     EXPECT_EQ(ros::this_node::getName(), "/a");
+                   }},
+                   {{"~odom", "/vehicle/odom"}});
   ros.run_to(0.1);
   EXPECT_EQ(names, (std::map<std::string, std::string>{{"global", "/a/b"},
                                                        {"relative", "/a"},

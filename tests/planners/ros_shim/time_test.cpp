@@ -89,14 +89,15 @@ TEST(RosTimer, StopsStartsAndChangesItsPeriod) {
     ros::NodeHandle node;
     ros::Timer timer;
     timer = node.createTimer(ros::Duration(0.1), ros::TimerCallback([&](const ros::TimerEvent& e) {
-      ticks.push_back(now_s());
-      EXPECT_EQ(e.current_real, ros::Time::now());
-      EXPECT_EQ(e.current_expected, e.current_real);
-      if (ticks.size() == 2) timer.setPeriod(ros::Duration(0.3));
-      if (ticks.size() == 3) timer.stop();
-    }));
-    ros::Timer starter = node.createTimer(
-        ros::Duration(1.0), ros::TimerCallback([&](const ros::TimerEvent&) { timer.start(); }), true);
+                               ticks.push_back(now_s());
+                               EXPECT_EQ(e.current_real, ros::Time::now());
+                               EXPECT_EQ(e.current_expected, e.current_real);
+                               if (ticks.size() == 2) timer.setPeriod(ros::Duration(0.3));
+                               if (ticks.size() == 3) timer.stop();
+                             }));
+    ros::Timer starter =
+        node.createTimer(ros::Duration(1.0),
+                         ros::TimerCallback([&](const ros::TimerEvent&) { timer.start(); }), true);
     ros::spin();
   }});
   ros.run_to(1.4);

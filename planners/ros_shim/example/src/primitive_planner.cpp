@@ -35,7 +35,8 @@ boost::array<double, 6> quintic(double p, double v, double a, const double* p1, 
   }
   const double dp = *p1 - p - v * T - 0.5 * a * T * T;
   const double alpha = (720 * dp - 360 * T * dv + 60 * T * T * da) / (T * T * T * T * T);
-  const double beta = (-360 * T * dp + 168 * T * T * dv - 24 * T * T * T * da) / (T * T * T * T * T);
+  const double beta =
+      (-360 * T * dp + 168 * T * T * dv - 24 * T * T * T * da) / (T * T * T * T * T);
   const double gamma =
       (60 * T * T * dp - 24 * T * T * T * dv + 3 * T * T * T * T * da) / (T * T * T * T * T);
   return {{p, v, a / 2, gamma / 6, beta / 24, alpha / 120}};
@@ -65,10 +66,11 @@ void PrimitivePlanner::init(ros::NodeHandle& nh) {
   if (fx_ <= 0.0) ROS_ERROR("camera/fx is not set: nothing will be seen");
 
   goal_sub_ = nh.subscribe("goal", 1, &PrimitivePlanner::goalCallback, this);
-  odom_sub_ =
-      nh.subscribe("odom", 1, &PrimitivePlanner::odomCallback, this, ros::TransportHints().tcpNoDelay());
+  odom_sub_ = nh.subscribe("odom", 1, &PrimitivePlanner::odomCallback, this,
+                           ros::TransportHints().tcpNoDelay());
   image_sub_.reset(new message_filters::Subscriber<sensor_msgs::Image>(nh, "depth", 10));
-  pose_sub_.reset(new message_filters::Subscriber<geometry_msgs::PoseStamped>(nh, "camera_pose", 10));
+  pose_sub_.reset(
+      new message_filters::Subscriber<geometry_msgs::PoseStamped>(nh, "camera_pose", 10));
   sync_.reset(new message_filters::Synchronizer<Policy>(Policy(10), *image_sub_, *pose_sub_));
   sync_->registerCallback(boost::bind(&PrimitivePlanner::depthCallback, this, _1, _2));
   primitive_pub_ = nh.advertise<Primitive>("/primitive", 10);
@@ -167,12 +169,12 @@ Primitive PrimitivePlanner::primitiveTo(const Motion& from, const Vector& veloci
                                         double height) const {
   Primitive primitive;
   primitive.duration = duration;
-  primitive.x = quintic(from.position.x, from.velocity.x, from.acceleration.x, nullptr, velocity.x,
-                        duration);
-  primitive.y = quintic(from.position.y, from.velocity.y, from.acceleration.y, nullptr, velocity.y,
-                        duration);
-  primitive.z = quintic(from.position.z, from.velocity.z, from.acceleration.z, &height, 0.0,
-                        duration);
+  primitive.x =
+      quintic(from.position.x, from.velocity.x, from.acceleration.x, nullptr, velocity.x, duration);
+  primitive.y =
+      quintic(from.position.y, from.velocity.y, from.acceleration.y, nullptr, velocity.y, duration);
+  primitive.z =
+      quintic(from.position.z, from.velocity.z, from.acceleration.z, &height, 0.0, duration);
   return primitive;
 }
 
@@ -211,8 +213,8 @@ void PrimitivePlanner::plan() {
     const double heading = base + 0.2 * turn;
     for (const double share : {1.0, 0.6, 0.3}) {
       const double speed = share * fastest;
-      const Primitive tried = primitiveTo(
-          from, {speed * cos(heading), speed * sin(heading), 0.0}, duration, height);
+      const Primitive tried =
+          primitiveTo(from, {speed * cos(heading), speed * sin(heading), 0.0}, duration, height);
       const double clear = clearance(tried, obstacles);
       if (clear < margin_) continue;
       Motion end;

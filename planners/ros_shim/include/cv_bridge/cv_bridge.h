@@ -1,9 +1,9 @@
 #ifndef CV_BRIDGE_CV_BRIDGE_H
 #define CV_BRIDGE_CV_BRIDGE_H
 
+#include <opencv2/core/core_c.h>
 #include <cstring>
 #include <opencv2/core.hpp>
-#include <opencv2/core/core_c.h>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 #include <string>
@@ -89,7 +89,7 @@ namespace detail {
 /// OpenCV's view of a message's pixels.
 inline cv::Mat view_of(const sensor_msgs::Image& message) {
   const int type = getCvType(message.encoding);
-  const std::size_t row = static_cast<std::size_t>(message.width) * CV_ELEM_SIZE(type);
+  const std::size_t row = message.width * static_cast<std::size_t>(CV_ELEM_SIZE(type));
   if (message.step < row || message.data.size() < std::size_t{message.step} * message.height) {
     throw Exception("Image is wrongly formed: its data is shorter than its height and step say");
   }
@@ -111,12 +111,12 @@ inline int color_code(const std::string& from, const std::string& to) {
     int code;
   };
   const Code codes[] = {
-      {"rgb", "bgr", cv::COLOR_RGB2BGR},    {"bgr", "rgb", cv::COLOR_BGR2RGB},
-      {"rgb", "mono", cv::COLOR_RGB2GRAY},  {"bgr", "mono", cv::COLOR_BGR2GRAY},
-      {"mono", "rgb", cv::COLOR_GRAY2RGB},  {"mono", "bgr", cv::COLOR_GRAY2BGR},
-      {"rgba", "rgb", cv::COLOR_RGBA2RGB},  {"rgba", "bgr", cv::COLOR_RGBA2BGR},
-      {"bgra", "bgr", cv::COLOR_BGRA2BGR},  {"bgra", "rgb", cv::COLOR_BGRA2RGB},
-      {"rgb", "rgba", cv::COLOR_RGB2RGBA},  {"bgr", "bgra", cv::COLOR_BGR2BGRA},
+      {"rgb", "bgr", cv::COLOR_RGB2BGR},     {"bgr", "rgb", cv::COLOR_BGR2RGB},
+      {"rgb", "mono", cv::COLOR_RGB2GRAY},   {"bgr", "mono", cv::COLOR_BGR2GRAY},
+      {"mono", "rgb", cv::COLOR_GRAY2RGB},   {"mono", "bgr", cv::COLOR_GRAY2BGR},
+      {"rgba", "rgb", cv::COLOR_RGBA2RGB},   {"rgba", "bgr", cv::COLOR_RGBA2BGR},
+      {"bgra", "bgr", cv::COLOR_BGRA2BGR},   {"bgra", "rgb", cv::COLOR_BGRA2RGB},
+      {"rgb", "rgba", cv::COLOR_RGB2RGBA},   {"bgr", "bgra", cv::COLOR_BGR2BGRA},
       {"rgba", "mono", cv::COLOR_RGBA2GRAY}, {"bgra", "mono", cv::COLOR_BGRA2GRAY},
       {"mono", "rgba", cv::COLOR_GRAY2RGBA}, {"mono", "bgra", cv::COLOR_GRAY2BGRA}};
   for (const Code& code : codes) {
@@ -144,8 +144,9 @@ inline cv::Mat converted(const cv::Mat& image, const std::string& from, const st
     }
     const int bits_from = names::bitDepth(from), bits_to = names::bitDepth(to);
     cv::Mat scaled;
-    const double scale = bits_from == bits_to ? 1.0 : bits_from == 8 ? 65535.0 / 255.0
-                                                                     : 255.0 / 65535.0;
+    const double scale = bits_from == bits_to ? 1.0
+                         : bits_from == 8     ? 65535.0 / 255.0
+                                              : 255.0 / 65535.0;
     result.convertTo(scaled, CV_MAT_DEPTH(type), scale);
     return scaled;
   }

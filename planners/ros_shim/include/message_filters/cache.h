@@ -15,7 +15,7 @@ namespace message_filters {
 template <class M>
 class Cache : public SimpleFilter<M> {
  public:
-  using ConstPtr = ros_shim::shared_ptr<const M>;
+  using ConstPtr = typename SimpleFilter<M>::ConstPtr;
 
   explicit Cache(unsigned size = 1) : size_(size) {}
   template <class Filter>
@@ -29,8 +29,8 @@ class Cache : public SimpleFilter<M> {
   template <class Filter>
   void connectInput(Filter& filter) {
     input_.disconnect();
-    input_ = filter.registerCallback(std::function<void(const ConstPtr&)>(
-        [this](const ConstPtr& message) { add(message); }));
+    input_ = filter.registerCallback(
+        std::function<void(const ConstPtr&)>([this](const ConstPtr& message) { add(message); }));
   }
   void setCacheSize(unsigned size) { size_ = size; }
   void add(const ConstPtr& message) {

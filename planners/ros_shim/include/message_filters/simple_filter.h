@@ -55,9 +55,8 @@ class SimpleFilter {
   }
   template <class T, class P>
   Connection registerCallback(void (T::*callback)(P), T* object) {
-    return signal_.add([callback, object](const ConstPtr& message) {
-      (object->*callback)(message);
-    });
+    return signal_.add(
+        [callback, object](const ConstPtr& message) { (object->*callback)(message); });
   }
   void setName(const std::string& name) { name_ = name; }
   const std::string& getName() { return name_; }

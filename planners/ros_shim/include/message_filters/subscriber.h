@@ -36,9 +36,9 @@ class Subscriber : public SubscriberBase, public SimpleFilter<M> {
   }
   void subscribe() override {
     if (topic_.empty()) return;
-    using ConstPtr = ros_shim::shared_ptr<const M>;
     subscriber_ = node_.template subscribe<M>(
-        topic_, queue_size_, [this](const ConstPtr& message) { this->signalMessage(message); });
+        topic_, queue_size_,
+        [this](const ros_shim::shared_ptr<const M>& message) { this->signalMessage(message); });
   }
   void unsubscribe() override { subscriber_.shutdown(); }
   std::string getTopic() const { return topic_; }

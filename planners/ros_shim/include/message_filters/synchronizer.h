@@ -49,23 +49,22 @@ class TypedSynchronizer {
   }
   template <class T, class... P>
   Connection registerCallback(void (T::*callback)(P...), T* object) {
-    return signal_.add(
-        [callback, object](const ros_shim::shared_ptr<const M>&... messages) {
-          (object->*callback)(messages...);
-        });
+    return signal_.add([callback, object](const ros_shim::shared_ptr<const M>&... messages) {
+      (object->*callback)(messages...);
+    });
   }
   template <class T, class... P>
   Connection registerCallback(void (T::*callback)(P...) const, T* object) {
-    return signal_.add(
-        [callback, object](const ros_shim::shared_ptr<const M>&... messages) {
-          (object->*callback)(messages...);
-        });
+    return signal_.add([callback, object](const ros_shim::shared_ptr<const M>&... messages) {
+      (object->*callback)(messages...);
+    });
   }
 
   /// The message of topic `index`, without a filter.
   template <std::size_t index>
-  void add(const ros_shim::shared_ptr<
-           const typename std::tuple_element<index, std::tuple<M...>>::type>& message) {
+  void add(
+      const ros_shim::shared_ptr<const typename std::tuple_element<index, std::tuple<M...>>::type>&
+          message) {
     using Message = typename std::tuple_element<index, std::tuple<M...>>::type;
     ros_shim::Stamped stamped;
     stamped.stamp_ns = ros::message_traits::TimeStamp<Message>::value(*message).toNSec();
@@ -89,8 +88,8 @@ class TypedSynchronizer {
   template <std::size_t index, class Filter, class... Rest>
   void connect(Filter& filter, Rest&... rest) {
     using Message = typename std::tuple_element<index, std::tuple<M...>>::type;
-    inputs_.push_back(filter.registerCallback(
-        std::function<void(const ros_shim::shared_ptr<const Message>&)>(
+    inputs_.push_back(
+        filter.registerCallback(std::function<void(const ros_shim::shared_ptr<const Message>&)>(
             [this](const ros_shim::shared_ptr<const Message>& message) {
               this->template add<index>(message);
             })));

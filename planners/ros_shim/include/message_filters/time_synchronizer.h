@@ -9,8 +9,7 @@ template <class... M>
 class TimeSynchronizer : public Synchronizer<sync_policies::ExactTime<M...>> {
  public:
   using Policy = sync_policies::ExactTime<M...>;
-  explicit TimeSynchronizer(std::uint32_t queue_size)
-      : Synchronizer<Policy>(Policy(queue_size)) {}
+  explicit TimeSynchronizer(std::uint32_t queue_size) : Synchronizer<Policy>(Policy(queue_size)) {}
   /// The filters, then the size of the queue.
   template <class First, class Second>
   TimeSynchronizer(First& first, Second& second, std::uint32_t queue_size)

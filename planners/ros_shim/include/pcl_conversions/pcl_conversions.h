@@ -75,14 +75,22 @@ struct FieldReader {
   float read(const std::uint8_t* point) const {
     if (offset < 0) return 0.0F;
     switch (type) {
-      case sensor_msgs::PointField::FLOAT32: return value<float>(point);
-      case sensor_msgs::PointField::FLOAT64: return value<double>(point);
-      case sensor_msgs::PointField::UINT8: return value<std::uint8_t>(point);
-      case sensor_msgs::PointField::UINT16: return value<std::uint16_t>(point);
-      case sensor_msgs::PointField::UINT32: return value<std::uint32_t>(point);
-      case sensor_msgs::PointField::INT8: return value<std::int8_t>(point);
-      case sensor_msgs::PointField::INT16: return value<std::int16_t>(point);
-      default: return value<std::int32_t>(point);
+      case sensor_msgs::PointField::FLOAT32:
+        return value<float>(point);
+      case sensor_msgs::PointField::FLOAT64:
+        return value<double>(point);
+      case sensor_msgs::PointField::UINT8:
+        return value<std::uint8_t>(point);
+      case sensor_msgs::PointField::UINT16:
+        return value<std::uint16_t>(point);
+      case sensor_msgs::PointField::UINT32:
+        return value<std::uint32_t>(point);
+      case sensor_msgs::PointField::INT8:
+        return value<std::int8_t>(point);
+      case sensor_msgs::PointField::INT16:
+        return value<std::int16_t>(point);
+      default:
+        return value<std::int32_t>(point);
     }
   }
   template <class T>

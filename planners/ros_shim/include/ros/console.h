@@ -11,10 +11,10 @@
 
 #define ROS_SHIM_PRINT(level, ...) \
   ::ros_shim::log(::ros_shim::Level::level, ::ros_shim::formatted(__VA_ARGS__))
-#define ROS_SHIM_STREAM(level, what)                               \
-  do {                                                             \
-    std::ostringstream ros_shim_line;                              \
-    ros_shim_line << what;                                         \
+#define ROS_SHIM_STREAM(level, what)                                \
+  do {                                                              \
+    std::ostringstream ros_shim_line;                               \
+    ros_shim_line << what;                                          \
     ::ros_shim::log(::ros_shim::Level::level, ros_shim_line.str()); \
   } while (false)
 #define ROS_SHIM_IF(condition, statement) \
@@ -32,12 +32,12 @@
     }                                  \
   } while (false)
 // The first line comes at once; with DELAYED a period after the first call.
-#define ROS_SHIM_THROTTLE(period, first, statement)                              \
-  do {                                                                           \
-    static double ros_shim_last_s = first;                                       \
-    if (::ros_shim::is_due(ros_shim_last_s, static_cast<double>(period))) {      \
-      statement;                                                                 \
-    }                                                                            \
+#define ROS_SHIM_THROTTLE(period, first, statement)                         \
+  do {                                                                      \
+    static double ros_shim_last_s = first;                                  \
+    if (::ros_shim::is_due(ros_shim_last_s, static_cast<double>(period))) { \
+      statement;                                                            \
+    }                                                                       \
   } while (false)
 #define ROS_SHIM_LONG_AGO (-1e9)
 #define ROS_SHIM_NOW (1e-9 * static_cast<double>(::ros_shim::now_ns()))

@@ -218,8 +218,10 @@ class NodeHandle {
  private:
   std::string topic_name(const std::string& topic) const {
     if (!topic.empty() && topic[0] == '~') {
-      throw std::invalid_argument("Using ~ names with NodeHandle methods is not allowed: use "
-                                  "NodeHandle(\"~\") for " + topic);
+      throw std::invalid_argument(
+          "Using ~ names with NodeHandle methods is not allowed: use "
+          "NodeHandle(\"~\") for " +
+          topic);
     }
     return resolveName(topic);
   }

@@ -37,12 +37,8 @@ class WallRate {
   Rate rate_;
 };
 
-inline Duration::Duration(const Rate& rate) {
-  fromNSec(rate.expectedCycleTime().toNSec());
-}
-inline WallDuration::WallDuration(const Rate& rate) {
-  fromNSec(rate.expectedCycleTime().toNSec());
-}
+inline Duration::Duration(const Rate& rate) { fromNSec(rate.expectedCycleTime().toNSec()); }
+inline WallDuration::WallDuration(const Rate& rate) { fromNSec(rate.expectedCycleTime().toNSec()); }
 
 }  // namespace ros
 

@@ -25,14 +25,14 @@ template <class M>
 struct PointerAdapter {
   using Message = typename std::remove_const<M>::type;
   static shared_ptr<const Message> shared(const Delivery& delivery) {
-    return cast_pointer<const Message>(delivery.message);
+    return ros_shim::cast_pointer<const Message>(delivery.message);
   }
   static shared_ptr<const Message> pointer(const Delivery& delivery, std::true_type) {
     return shared(delivery);
   }
   /// Who may change the message gets a copy: other subscribers have the same one.
   static shared_ptr<Message> pointer(const Delivery& delivery, std::false_type) {
-    return make_shared<Message>(*shared(delivery));
+    return ros_shim::make_shared<Message>(*shared(delivery));
   }
   static shared_ptr<M> given(const Delivery& delivery) {
     return pointer(delivery, std::is_const<M>());
@@ -47,7 +47,7 @@ template <class M>
 struct EventAdapter {
   using Message = typename std::remove_const<M>::type;
   static ros::MessageEvent<M> given(const Delivery& delivery) {
-    return ros::MessageEvent<M>(cast_pointer<const Message>(delivery.message),
+    return ros::MessageEvent<M>(ros_shim::cast_pointer<const Message>(delivery.message),
                                 delivery.publisher, ros::Time().fromNSec(delivery.received_ns));
   }
 };

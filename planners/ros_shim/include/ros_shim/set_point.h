@@ -86,7 +86,8 @@ SetPoints points_of_pose_stamped(const M& message, std::int64_t now_ns) {
 template <class M>
 SetPoints points_of_position_target(const M& message, std::int64_t now_ns) {
   const unsigned mask = message.type_mask;
-  if ((mask & 512U) != 0) throw std::runtime_error("a PositionTarget with a force, not acceleration");
+  if ((mask & 512U) != 0)
+    throw std::runtime_error("a PositionTarget with a force, not acceleration");
   const auto all_of = [mask](unsigned bits) { return (mask & bits) == 0; };
   SetPoint point;
   point.time_ns = now_ns;

@@ -15,11 +15,15 @@ namespace point_cloud2_detail {
 inline std::uint32_t size_of(std::uint8_t type) {
   switch (type) {
     case PointField::INT8:
-    case PointField::UINT8: return 1;
+    case PointField::UINT8:
+      return 1;
     case PointField::INT16:
-    case PointField::UINT16: return 2;
-    case PointField::FLOAT64: return 8;
-    default: return 4;
+    case PointField::UINT16:
+      return 2;
+    case PointField::FLOAT64:
+      return 8;
+    default:
+      return 4;
   }
 }
 
@@ -29,8 +33,8 @@ inline std::uint32_t size_of(std::uint8_t type) {
 template <class V, class Cloud>
 class PointCloud2IteratorOf {
  public:
-  using Byte = typename std::conditional<std::is_const<V>::value, const std::uint8_t,
-                                         std::uint8_t>::type;
+  using Byte =
+      typename std::conditional<std::is_const<V>::value, const std::uint8_t, std::uint8_t>::type;
 
   PointCloud2IteratorOf(Cloud& cloud, const std::string& name) : step_(cloud.point_step) {
     for (const auto& field : cloud.fields) {
