@@ -115,11 +115,12 @@ void spin_once() {
     node.polls = 0;
   }
   // Time stands still until this node waits: one that polls again at the same moment has nothing
-  // else to do.
+  // else to do. A message ends its wait.
   constexpr int kPolls = 2;
+  constexpr std::int64_t kPause_ns = 1000000;
   if (++node.polls < kPolls && core.is_running) return;
   node.polls = 0;
-  wait(core.now_ns + 1, true);
+  wait(core.now_ns + kPause_ns, true);
 }
 
 void spin_in_background(bool on) { core().current->background_spinners += on ? 1 : -1; }

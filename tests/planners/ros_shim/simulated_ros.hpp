@@ -59,7 +59,7 @@ class SimulatedRos {
 
 /// Seconds since the begin.
 inline double now_s() {
-  return 1e-9 * static_cast<double>(ros_shim::now_ns() - SimulatedRos::kBegin_ns);
+  return static_cast<double>(ros_shim::now_ns() - SimulatedRos::kBegin_ns) / 1e9;
 }
 
 }  // namespace ros_shim::test

@@ -39,7 +39,6 @@ TEST(RosTime, AddsAndSubtractsExactly) {
   EXPECT_EQ(moved.toNSec(), 100500000001);
   EXPECT_DOUBLE_EQ(ros::Time(3, 250000000).toSec(), 3.25);
   EXPECT_TRUE(ros::Time().isZero());
-  EXPECT_EQ(ros::Duration(ros::Rate(ros::Duration(0.02))), ros::Duration(0.02));
 }
 
 TEST(RosTime, PrintsNineDigits) {

@@ -38,8 +38,8 @@ void init_node(const std::string& name);
 bool is_node_initialized();
 /// Callbacks until the flight ends.
 void spin();
-/// The callbacks that wait now. A node that asks again and again while time stands still, waits
-/// for the next moment instead.
+/// The callbacks that wait now. A node that asks again while time stands still and nothing has
+/// come, waits for the next message, a millisecond at most.
 void spin_once();
 /// Callbacks run while the node sleeps too (ros::AsyncSpinner).
 void spin_in_background(bool on);
@@ -58,8 +58,8 @@ std::string resolved(const std::string& space, const std::string& name);
 int topic_of(const std::string& resolved_name, const char* type);
 /// A publisher of the topic comes (+1) or goes (-1).
 void count_publishers(int topic, int change);
-/// `latched`: subscribers that come later get the topic's last message. `publisher_limit` is not a
-/// limit of anything here: messages never wait at the publisher.
+/// `latched`: subscribers that come later get the topic's last message. Messages never wait
+/// at the publisher.
 void publish(int topic, AnyMessage message, bool latched);
 /// The number of the subscription. Of its messages at most `limit` wait (0: any number); then the
 /// oldest is dropped.
