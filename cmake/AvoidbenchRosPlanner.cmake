@@ -138,6 +138,9 @@ function(avoidbench_ros_planner name)
     target_include_directories(${name}_nodes PRIVATE ${AVOIDBENCH_ROS_SHIM}/include_pcl)
   endif()
   target_compile_definitions(${name}_nodes PRIVATE ${ROS_DEFINITIONS})
+  # Compilers of ROS's days let numbers be narrowed in braces.
+  target_compile_options(${name}_nodes PRIVATE $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-narrowing>
+                         $<$<COMPILE_LANG_AND_ID:CXX,Clang>:-Wno-c++11-narrowing>)
   target_link_libraries(${name}_nodes PRIVATE avoidbench_ros_headers ${libraries})
   set_target_properties(${name}_nodes PROPERTIES POSITION_INDEPENDENT_CODE ON UNITY_BUILD OFF CXX_STANDARD ${ROS_STANDARD}
                         CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS ON CXX_VISIBILITY_PRESET hidden)

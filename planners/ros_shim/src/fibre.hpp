@@ -43,9 +43,10 @@ class Fibre {
     void* caught = nullptr;
     unsigned uncaught = 0;
   } exceptions_;
-  void* sanitizer_stack_ = nullptr;
-  const void* caller_stack_ = nullptr;
-  std::size_t caller_size_ = 0;
+  // for the address sanitizer
+  [[maybe_unused]] void* sanitizer_stack_ = nullptr;
+  [[maybe_unused]] const void* caller_stack_ = nullptr;
+  [[maybe_unused]] std::size_t caller_size_ = 0;
   bool is_started_ = false, is_done_ = false;
 };
 

@@ -26,5 +26,5 @@ YAML
 "$program" run hall.yaml --jobs 2 --db two.db --quiet
 "$program" compare one.db two.db --exact
 "$program" replay one.db --verify
-reached=$(sqlite3 one.db "SELECT count(*) FROM trial WHERE outcome = 'reached_goal'")
+reached=$(sqlite3 one.db "SELECT count(*) FROM trials WHERE finished = 1")
 [ "$reached" -eq 4 ] || { echo "$reached of 4 flights reached the goal" >&2; exit 1; }

@@ -58,8 +58,8 @@ class DurationBase {
   T& operator+=(const T& other) { return fromNSec(toNSec() + other.toNSec()); }
   T& operator-=(const T& other) { return fromNSec(toNSec() - other.toNSec()); }
   T& operator*=(double scale) { return fromSec(toSec() * scale); }
-  bool operator==(const T& other) const { return toNSec() == other.toNSec(); }
-  bool operator!=(const T& other) const { return toNSec() != other.toNSec(); }
+  friend bool operator==(const T& a, const T& b) { return a.toNSec() == b.toNSec(); }
+  friend bool operator!=(const T& a, const T& b) { return a.toNSec() != b.toNSec(); }
   bool operator<(const T& other) const { return toNSec() < other.toNSec(); }
   bool operator>(const T& other) const { return toNSec() > other.toNSec(); }
   bool operator<=(const T& other) const { return toNSec() <= other.toNSec(); }

@@ -52,8 +52,8 @@ class TimeBase {
   T operator-(const D& duration) const { return T().fromNSec(toNSec() - duration.toNSec()); }
   T& operator+=(const D& duration) { return fromNSec(toNSec() + duration.toNSec()); }
   T& operator-=(const D& duration) { return fromNSec(toNSec() - duration.toNSec()); }
-  bool operator==(const T& other) const { return toNSec() == other.toNSec(); }
-  bool operator!=(const T& other) const { return toNSec() != other.toNSec(); }
+  friend bool operator==(const T& a, const T& b) { return a.toNSec() == b.toNSec(); }
+  friend bool operator!=(const T& a, const T& b) { return a.toNSec() != b.toNSec(); }
   bool operator<(const T& other) const { return toNSec() < other.toNSec(); }
   bool operator>(const T& other) const { return toNSec() > other.toNSec(); }
   bool operator<=(const T& other) const { return toNSec() <= other.toNSec(); }
