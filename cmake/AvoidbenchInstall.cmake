@@ -1,6 +1,7 @@
 # cmake --install. The program and the planners install themselves; here come what belongs to them (configurations, maps, docs,
 # scripts, the template of a planner; laid out as in the sources, so that what names each other finds it) and the SDK (component
-# sdk): headers and a CMake package `avoidbench` with avoidbench::planner_api and avoidbench_planner().
+# sdk): headers and a CMake package `avoidbench` with avoidbench::planner_api, avoidbench_planner() and
+# avoidbench_ros_planner().
 include(CMakePackageConfigHelpers)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/avoidbench)
@@ -28,11 +29,16 @@ install(TARGETS avoidbench_planner_api EXPORT avoidbench_targets COMPONENT sdk)
 install(EXPORT avoidbench_targets FILE avoidbench-targets.cmake NAMESPACE avoidbench:: DESTINATION ${package_folder}
         COMPONENT sdk)
 export(EXPORT avoidbench_targets NAMESPACE avoidbench:: FILE ${PROJECT_BINARY_DIR}/avoidbench-targets.cmake)
-file(COPY cmake/AvoidbenchPlanner.cmake DESTINATION ${PROJECT_BINARY_DIR})
+file(COPY cmake/AvoidbenchPlanner.cmake cmake/AvoidbenchRosPlanner.cmake DESTINATION ${PROJECT_BINARY_DIR})
+file(CREATE_LINK ${PROJECT_SOURCE_DIR}/planners/ros_shim ${PROJECT_BINARY_DIR}/ros_shim SYMBOLIC)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/avoidbench-config.cmake.in
                               ${PROJECT_BINARY_DIR}/avoidbench-config.cmake INSTALL_DESTINATION ${package_folder})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/avoidbench-config-version.cmake
                                  COMPATIBILITY SameMajorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/avoidbench-config.cmake ${PROJECT_BINARY_DIR}/avoidbench-config-version.cmake
-              ${PROJECT_SOURCE_DIR}/cmake/AvoidbenchPlanner.cmake
+              ${PROJECT_SOURCE_DIR}/cmake/AvoidbenchPlanner.cmake ${PROJECT_SOURCE_DIR}/cmake/AvoidbenchRosPlanner.cmake
         DESTINATION ${package_folder} COMPONENT sdk)
+# The stand-ins for ROS 1 are sources: avoidbench_ros_planner() builds them with the planner.
+install(DIRECTORY planners/ros_shim DESTINATION ${package_folder} COMPONENT sdk
+        PATTERN CMakeLists.txt EXCLUDE PATTERN example EXCLUDE PATTERN __pycache__ EXCLUDE)
+install(DIRECTORY planners/ros_shim/example/ DESTINATION ${data_folder}/planners/ros_example COMPONENT programs)

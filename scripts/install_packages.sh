@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# install_packages.sh build|python|test|slow|plot: installs the Debian/Ubuntu packages that a build, the Python package, the tests, the tests
-# labelled slow too, or the pictures of `report --plots` need, and says which. Does nothing, and needs no root, if they are all there.
+# install_packages.sh build|python|ros|test|slow|plot: installs the Debian/Ubuntu packages that a build, the Python package, planners written
+# for ROS 1 (docs/ros.md), the tests, the tests labelled slow too, or the pictures of `report --plots` need, and says which.
+# Does nothing, and needs no root, if they are all there.
 set -euo pipefail
 
 # make: CMake's own choice where nothing says ninja, as for planners outside of the repository.
@@ -11,10 +12,11 @@ build_packages=(
 )
 plot_packages=(python3 python3-matplotlib python3-numpy python3-pandas)  # scripts/plot, scripts/custom_metrics.py
 python_packages=(python3-venv python3-dev)
+ros_packages=(g++ cmake make python3 python3-yaml libeigen3-dev libopencv-core-dev libopencv-imgproc-dev libboost-dev)
 # llvm: its symbolizer; without it the sanitizers can't name functions, and what tests/support/leaks.supp names is not found.
 test_packages=(
-  "${plot_packages[@]}" "${python_packages[@]}" clang clang-format clang-tidy libclang-rt-14-dev llvm libgtest-dev libgmock-dev
-  python3-jsonschema python3-yaml valgrind locales
+  "${plot_packages[@]}" "${python_packages[@]}" "${ros_packages[@]}" clang clang-format clang-tidy libclang-rt-14-dev llvm
+  libgtest-dev libgmock-dev python3-jsonschema valgrind locales
 )
 # A Slurm of one node, for the test of scripts/slurm (the system's own services play no part), and what scripts/fresh_system.sh needs.
 slow_packages=(munge slurmctld slurmd slurm-client debootstrap)
@@ -24,8 +26,9 @@ case "${1:-build}" in
   python) packages=("${build_packages[@]}" "${python_packages[@]}") ;;
   test) packages=("${build_packages[@]}" "${test_packages[@]}") ;;
   slow) packages=("${build_packages[@]}" "${test_packages[@]}" "${slow_packages[@]}") ;;
+  ros) packages=("${ros_packages[@]}") ;;
   plot) packages=("${plot_packages[@]}") ;;
-  *) echo "usage: $0 build|python|test|slow|plot" >&2; exit 2 ;;
+  *) echo "usage: $0 build|python|ros|test|slow|plot" >&2; exit 2 ;;
 esac
 
 is_installed() { dpkg-query -W -f '${Status}' "$1" 2>/dev/null | grep -q '^install ok installed'; }

@@ -1,0 +1,155 @@
+#include <algorithm>
+#include <cmath>
+
+#include "avoidbench/planner.hpp"
+#include "avoidbench/portable_math.hpp"
+#include "flight.hpp"
+
+namespace ros_shim {
+namespace {
+
+namespace portable = avoidbench::portable;
+
+double seconds(std::int64_t nanoseconds) { return 1e-9 * static_cast<double>(nanoseconds); }
+
+double yaw_of(const ab_state& state) {
+  const double* q = state.q_world_body;
+  return yaw_of_quaternion(q[1], q[2], q[3], q[0]);
+}
+
+/// The motion `after_s` later at a constant acceleration.
+ab_point point_after(const SetPoint& from, double after_s) {
+  ab_point point{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double v = from.velocity_mps[i], a = from.acceleration_mps2[i];
+    point.position_world_m[i] = from.position_m[i] + (v + 0.5 * a * after_s) * after_s;
+    point.velocity_world_mps[i] = v + a * after_s;
+    point.acceleration_world_mps2[i] = a;
+    point.jerk_world_mps3[i] = from.jerk_mps3[i];
+  }
+  point.yaw_rad = from.yaw_rad + from.yaw_rate_radps * after_s;
+  point.yaw_rate_radps = from.yaw_rate_radps;
+  return point;
+}
+
+/// Yaws go on from one point to the next without a turn of 360°.
+void unwind_yaws(std::vector<ab_point>& points) {
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const double before = points[i - 1].yaw_rad;
+    points[i].yaw_rad = before + portable::wrapped_angle(points[i].yaw_rad - before);
+  }
+}
+
+}  // namespace
+
+double yaw_of_quaternion(double x, double y, double z, double w) {
+  return portable::atan2(2.0 * (w * z + x * y), 1.0 - 2.0 * (y * y + z * z));
+}
+
+Commands::Commands(const CommandForm& form, const ab_setup& setup)
+    : form_(form), plan_period_s_(setup.plan_period_s), gravity_mps2_(setup.gravity_mps2) {}
+
+void Commands::take(SetPoints points) {
+  if (points.empty()) return;
+  if (form_.body_velocity) {
+    for (SetPoint& point : points) point.in_heading_frame = true;
+  }
+  if (is_ahead_) {
+    ahead_.insert(ahead_.end(), points.begin(), points.end());
+  } else {
+    last_ = std::move(points);
+  }
+}
+
+void Commands::begin_ahead(std::int64_t now_ns) {
+  ahead_.clear();
+  // What the server said last begins the trajectory.
+  if (last_.size() == 1 && seconds(now_ns - last_[0].time_ns) <= form_.stale_s) ahead_ = last_;
+  is_ahead_ = true;
+}
+
+void Commands::end_ahead() { is_ahead_ = false; }
+
+std::optional<ab_command> Commands::answer(std::int64_t now_ns, const ab_state& state) {
+  const SetPoints& points = ahead_.size() > 1 ? ahead_ : last_;
+  if (points.empty()) return std::nullopt;
+  if (seconds(now_ns - points.back().time_ns) > form_.stale_s) return std::nullopt;
+  if (points.size() == 1) return of_one(points[0], now_ns, state);
+  return of_many(points, now_ns);
+}
+
+ab_command Commands::of_one(const SetPoint& point, std::int64_t now_ns, const ab_state& state) {
+  const double age_s = std::max(0.0, seconds(now_ns - point.time_ns));
+  if (point.has_rates) {
+    if (!(form_.hover_thrust > 0.0)) {
+      throw std::runtime_error("thrust is commanded, and the topics file has no hover_thrust");
+    }
+    return avoidbench::make_rates_command(point.rates_body_radps,
+                                          point.thrust / form_.hover_thrust * gravity_mps2_);
+  }
+  if (point.has_position && point.has_velocity) {
+    // Two plan periods of it: the next answer comes after one.
+    points_.assign(2, point_after(point, age_s));
+    points_[1] = point_after(point, age_s + 2.0 * plan_period_s_);
+    points_[1].time_s = 2.0 * plan_period_s_;
+    unwind_yaws(points_);
+    return avoidbench::make_trajectory_command(points_);
+  }
+  ab_command command{};
+  const double yaw_rad = yaw_of(state);
+  if (point.has_position) {
+    command = avoidbench::make_position_command(point.position_m, point.yaw_rad);
+    if (!point.has_yaw) command.yaw_rad = yaw_rad;
+    return command;
+  }
+  if (point.has_velocity) {
+    avoidbench::Vec3 velocity = point.velocity_mps;
+    if (point.in_heading_frame) {
+      const double c = portable::cos(yaw_rad), s = portable::sin(yaw_rad);
+      velocity = {c * velocity[0] - s * velocity[1], s * velocity[0] + c * velocity[1],
+                  velocity[2]};
+    }
+    command = avoidbench::make_velocity_command(velocity, point.yaw_rad);
+  } else if (point.has_acceleration) {
+    command = avoidbench::make_acceleration_command(point.acceleration_mps2, point.yaw_rad);
+  } else {
+    throw std::runtime_error("a command that says neither where nor how fast");
+  }
+  if (!point.has_yaw) {
+    command.flags = AB_YAW_IS_RATE;
+    command.yaw_rate_radps = point.has_yaw_rate ? point.yaw_rate_radps : 0.0;
+  }
+  return command;
+}
+
+ab_command Commands::of_many(const SetPoints& points, std::int64_t now_ns) {
+  const double step_s = std::max(form_.step_s, 1e-3);
+  points_.clear();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!points[i].has_position) throw std::runtime_error("a trajectory without positions");
+    const double after_s = seconds(points[i].time_ns - now_ns);
+    const bool is_last_before = i + 1 == points.size() || points[i + 1].time_ns > now_ns;
+    if (after_s <= 0.0) {
+      // The one that holds now, brought to now.
+      if (is_last_before) points_.push_back(point_after(points[i], -after_s));
+      continue;
+    }
+    // A trajectory that begins later: its beginning holds until then.
+    if (points_.empty()) points_.push_back(point_after(points[i], 0.0));
+    const bool is_last = i + 1 == points.size();
+    if (!is_last && after_s < points_.back().time_s + step_s - 1e-9) continue;
+    points_.push_back(point_after(points[i], 0.0));
+    points_.back().time_s = after_s;
+  }
+  if (points_.size() < 2) {
+    points_.resize(2, points_.front());
+    for (std::size_t i = 0; i < 3; ++i) {
+      points_[1].velocity_world_mps[i] = points_[1].acceleration_world_mps2[i] = 0.0;
+    }
+    points_[1].time_s = 2.0 * plan_period_s_;
+  }
+  unwind_yaws(points_);
+  return avoidbench::make_trajectory_command(points_);
+}
+
+}  // namespace ros_shim

@@ -1,0 +1,204 @@
+#include "flight.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <exception>
+#include <new>
+#include <stdexcept>
+
+#include "rewind.hpp"
+
+namespace ros_shim {
+namespace {
+
+Given given_of(const ab_setup& setup, const ab_mission& mission) {
+  Given given;
+  given.vehicle_max_speed_mps = setup.max_speed_mps;
+  given.vehicle_max_acceleration_mps2 = setup.max_acceleration_mps2;
+  given.vehicle_max_yaw_rate_radps = setup.max_yaw_rate_radps;
+  given.gravity_mps2 = setup.gravity_mps2;
+  given.plan_period_s = setup.plan_period_s;
+  given.body_length_m = setup.body_size_m[0];
+  given.body_width_m = setup.body_size_m[1];
+  given.body_height_m = setup.body_size_m[2];
+  given.body_radius_m = setup.body_radius_m;
+  if (const ab_camera* camera = setup.depth_camera) {
+    given.width_px = camera->width_px;
+    given.height_px = camera->height_px;
+    given.fx_px = camera->fx_px;
+    given.fy_px = camera->fy_px;
+    given.cx_px = camera->cx_px;
+    given.cy_px = camera->cy_px;
+    given.camera_rate_hz = camera->rate_hz;
+    given.min_range_m = camera->min_range_m;
+    given.max_range_m = camera->max_range_m;
+    given.baseline_m = camera->baseline_m;
+    given.camera_x_m = camera->position_body_m[0];
+    given.camera_y_m = camera->position_body_m[1];
+    given.camera_z_m = camera->position_body_m[2];
+  }
+  given.start_x_m = mission.start_world_m[0];
+  given.start_y_m = mission.start_world_m[1];
+  given.start_z_m = mission.start_world_m[2];
+  given.start_yaw_rad = mission.start_yaw_rad;
+  given.goal_x_m = mission.goal_world_m[0];
+  given.goal_y_m = mission.goal_world_m[1];
+  given.goal_z_m = mission.goal_world_m[2];
+  given.goal_radius_m = mission.goal_radius_m;
+  given.time_limit_s = mission.time_limit_s;
+  given.seed = static_cast<double>(mission.seed % 2147483648U);  // as a ROS integer
+  for (std::uint32_t i = 0; i < setup.value_count; ++i) {
+    given.numbers.push_back(setup.values[i]->number);
+    given.texts.emplace_back(setup.values[i]->text != nullptr ? setup.values[i]->text : "");
+  }
+  return given;
+}
+
+void require_finite(const double (&values)[3], const char* what) {
+  for (const double value : values) {
+    if (!std::isfinite(value)) throw std::runtime_error(std::string(what) + " is not finite");
+  }
+}
+
+const char* word_of(Level level) {
+  switch (level) {
+    case Level::error:
+      return "error: ";
+    case Level::fatal:
+      return "fatal: ";
+    default:
+      return "";
+  }
+}
+
+template <class Call>
+ab_status guarded(const ab_host* host, Call&& call) noexcept {
+  try {
+    return call();
+  } catch (const std::exception& error) {
+    host->set_error(host->context, error.what());
+  } catch (...) {
+    host->set_error(host->context, "an exception that is no std::exception");
+  }
+  return AB_ERROR;
+}
+
+/// A flight with the host it tells of errors.
+struct Guarded {
+  const ab_host* host;
+  std::unique_ptr<Flight> flight;
+};
+
+void* begin(const ab_host* host, const ab_setup* setup, const ab_mission* mission) {
+  auto guarded_flight = std::make_unique<Guarded>();
+  guarded_flight->host = host;
+  const ab_status status = guarded(host, [&]() -> ab_status {
+    guarded_flight->flight = std::make_unique<Flight>(*host, *setup, *mission);
+    return AB_OK;
+  });
+  return status == AB_OK ? guarded_flight.release() : nullptr;
+}
+
+ab_status plan(void* flight, const ab_observation* seen, ab_command* command) {
+  Guarded& self = *static_cast<Guarded*>(flight);
+  return guarded(self.host, [&]() -> ab_status {
+    const std::optional<ab_command> planned = self.flight->plan(*seen);
+    if (!planned) return AB_NO_PLAN;
+    const std::uint32_t room = command->struct_size;
+    std::memcpy(command, &*planned, std::min<std::size_t>(room, sizeof(ab_command)));
+    command->struct_size = room;
+    return AB_OK;
+  });
+}
+
+void end(void* flight) {
+  Guarded* self = static_cast<Guarded*>(flight);
+  guarded(self->host, [&]() -> ab_status {
+    self->flight.reset();
+    return AB_OK;
+  });
+  delete self;
+}
+
+constexpr CopyTable kCopyTable{&begin, &plan, &end};
+
+}  // namespace
+
+Flight::Flight(const ab_host& host, const ab_setup& setup, const ab_mission& mission)
+    : spec_(planner_spec()), plan_period_s_(setup.plan_period_s) {
+  require_finite(mission.start_world_m, "the mission's start");
+  require_finite(mission.goal_world_m, "the mission's goal");
+  set_core(std::make_unique<Core>());
+  Core& core = ros_shim::core();
+  const ab_host* const to = &host;
+  core.write_log = [to](Level level, const std::string& text) {
+    const bool is_bad = level != Level::info;
+    to->log(to->context, is_bad ? AB_LOG_WARNING : AB_LOG_INFO, (word_of(level) + text).c_str());
+  };
+  for (const auto& [package, folder] : spec_.packages) core.packages[package] = folder;
+  const std::int64_t lead_ns = nanoseconds_of(spec_.lead_s);
+  core.now_ns = kStart_ns - lead_ns;
+  try {
+    observations_ = std::make_unique<Observations>(spec_, setup, mission);
+    commands_ = std::make_unique<Commands>(spec_.command, setup);
+    ros::NodeHandle node;
+    command_ = spec_.subscribe(node, spec_.command,
+                               [this](SetPoints points) { commands_->take(std::move(points)); });
+    for (const NodeSpec& one : spec_.nodes) add_node(one);
+    spec_.set_parameters(given_of(setup, mission));
+    // Until the trial begins the nodes start; the vehicle hovers and tells so.
+    const std::int64_t period_ns = std::max<std::int64_t>(1000000, nanoseconds_of(plan_period_s_));
+    for (std::int64_t at_ns = core.now_ns; at_ns < kStart_ns; at_ns += period_ns) {
+      advance(at_ns);
+      observations_->publish_start();
+    }
+  } catch (...) {
+    command_.shutdown();
+    observations_.reset();
+    end_nodes();
+    set_core(nullptr);
+    throw;
+  }
+}
+
+Flight::~Flight() {
+  command_.shutdown();
+  observations_.reset();
+  end_nodes();
+  set_core(nullptr);
+}
+
+std::optional<ab_command> Flight::plan(const ab_observation& seen) {
+  const ab_state& state = *seen.state;
+  require_finite(state.position_world_m, "the position");
+  require_finite(state.velocity_world_mps, "the velocity");
+  // The newest that is seen: a delayed state is not the present.
+  double newest_s = state.time_s;
+  for (std::uint32_t i = 0; i < seen.depth_count; ++i) {
+    newest_s = std::max(newest_s, seen.depth[i]->time_s);
+  }
+  for (std::uint32_t i = 0; i < seen.imu_count; ++i)
+    newest_s = std::max(newest_s, seen.imu[i].time_s);
+  const std::int64_t to_ns = std::max(now_ns(), ros_time_ns(newest_s));
+  observations_->publish(seen, to_ns);
+  advance(to_ns);
+  if (!spec_.command.node.empty()) run_ahead();
+  return commands_->answer(to_ns, state);
+}
+
+void Flight::run_ahead() {
+  Node* const node = find_node(spec_.command.node);
+  if (node == nullptr || node->fibre->is_done()) return;
+  commands_->begin_ahead(now_ns());
+  const Rewind rewind(*node);
+  advance_only(*node, now_ns() + nanoseconds_of(spec_.command.horizon_s));
+  commands_->end_ahead();
+}
+
+}  // namespace ros_shim
+
+/// For the loader: the library is opened once more for each trial, and this is of that copy.
+extern "C" __attribute__((visibility("default"))) const ros_shim::CopyTable* ros_shim_copy_v1() {
+  return &ros_shim::kCopyTable;
+}

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "avoidbench/planner.h"
+#include "planner_spec.hpp"
+
+namespace ros_shim {
+
+/// Observations to topics.
+class Observations {
+ public:
+  Observations(const PlannerSpec& spec, const ab_setup& setup, const ab_mission& mission);
+  /// Publishes what is seen, at the present time; IMU samples at theirs, for which it lets the
+  /// nodes go on. `start`: no observation yet, the vehicle hovers at the mission's start.
+  void publish(const ab_observation& seen, std::int64_t to_ns);
+  void publish_start();
+
+ private:
+  void publish_state(const ab_state& state);
+  void publish_depth(const ab_depth_image& image);
+  void publish_cloud(const ab_depth_image& image, std::size_t index);
+  void publish_picture(const ab_picture& picture, int eye);
+  void publish_goals();
+
+  const PlannerSpec* spec_;
+  ab_mission mission_;
+  std::vector<ab_camera> cameras_;
+  ros::NodeHandle host_;
+  std::vector<ros::Publisher> odometry_, poses_, twists_, imu_, camera_poses_, depth_, depth_info_,
+      clouds_, pictures_, picture_info_, goals_;
+  std::vector<std::int64_t> goal_due_ns_;
+  std::uint32_t sequence_ = 0;
+};
+
+/// Set points to answers.
+class Commands {
+ public:
+  Commands(const CommandForm& form, const ab_setup& setup);
+  void take(SetPoints points);
+  /// The answer at ROS time `now_ns`; none where no set point came or the last one is old.
+  std::optional<ab_command> answer(std::int64_t now_ns, const ab_state& state);
+  /// Set points that come from now on are of a server that is run ahead.
+  void begin_ahead(std::int64_t now_ns);
+  void end_ahead();
+
+ private:
+  ab_command of_one(const SetPoint& point, std::int64_t now_ns, const ab_state& state);
+  ab_command of_many(const SetPoints& points, std::int64_t now_ns);
+
+  CommandForm form_;
+  double plan_period_s_, gravity_mps2_;
+  SetPoints last_, ahead_;
+  bool is_ahead_ = false;
+  std::vector<ab_point> points_;
+};
+
+/// One trial's nodes, from their start to their end.
+class Flight {
+ public:
+  Flight(const ab_host& host, const ab_setup& setup, const ab_mission& mission);
+  ~Flight();
+  Flight(const Flight&) = delete;
+  Flight& operator=(const Flight&) = delete;
+  std::optional<ab_command> plan(const ab_observation& seen);
+
+ private:
+  void run_ahead();
+
+  PlannerSpec spec_;
+  double plan_period_s_;
+  std::unique_ptr<Observations> observations_;
+  std::unique_ptr<Commands> commands_;
+  ros::Subscriber command_;
+};
+
+/// What the copy of the library that flies a trial is called by.
+struct CopyTable {
+  void* (*begin)(const ab_host* host, const ab_setup* setup, const ab_mission* mission);
+  ab_status (*plan)(void* flight, const ab_observation* seen, ab_command* command);
+  void (*end)(void* flight);
+};
+
+/// The ROS time of a trial's time 0. Not zero: planners take a stamp of zero for none.
+constexpr std::int64_t kStart_ns = 100000000000;
+std::int64_t ros_time_ns(double time_s);
+
+}  // namespace ros_shim

@@ -1,0 +1,350 @@
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "avoidbench/planner.hpp"
+#include "avoidbench/portable_math.hpp"
+#include "flight.hpp"
+#include "geometry_msgs/PointStamped.h"
+#include "geometry_msgs/PoseStamped.h"
+#include "geometry_msgs/TransformStamped.h"
+#include "geometry_msgs/TwistStamped.h"
+#include "nav_msgs/Odometry.h"
+#include "nav_msgs/Path.h"
+#include "sensor_msgs/CameraInfo.h"
+#include "sensor_msgs/Image.h"
+#include "sensor_msgs/Imu.h"
+#include "sensor_msgs/PointCloud2.h"
+
+namespace ros_shim {
+namespace {
+
+template <class To>
+void set_xyz(To& to, const double (&from)[3]) {
+  to.x = from[0];
+  to.y = from[1];
+  to.z = from[2];
+}
+
+geometry_msgs::Pose pose_of(const double (&position_m)[3], const double (&q_wxyz)[4]) {
+  geometry_msgs::Pose pose;
+  set_xyz(pose.position, position_m);
+  pose.orientation.w = q_wxyz[0];
+  pose.orientation.x = q_wxyz[1];
+  pose.orientation.y = q_wxyz[2];
+  pose.orientation.z = q_wxyz[3];
+  return pose;
+}
+
+std_msgs::Header header_of(std::uint32_t sequence, double time_s, const std::string& frame) {
+  std_msgs::Header header;
+  header.seq = sequence;
+  header.stamp.fromNSec(ros_time_ns(time_s));
+  header.frame_id = frame;
+  return header;
+}
+
+template <class M, class Topics>
+std::vector<ros::Publisher> advertised(ros::NodeHandle& host, const Topics& topics) {
+  std::vector<ros::Publisher> made;
+  for (const auto& one : topics) made.push_back(host.advertise<M>(one.topic, 1));
+  return made;
+}
+
+sensor_msgs::CameraInfo info_of(const std_msgs::Header& header, int width_px, int height_px,
+                                double fx_px, double fy_px, double cx_px, double cy_px,
+                                double baseline_m) {
+  sensor_msgs::CameraInfo info;
+  info.header = header;
+  info.width = static_cast<std::uint32_t>(width_px);
+  info.height = static_cast<std::uint32_t>(height_px);
+  info.distortion_model = "plumb_bob";
+  info.D.assign(5, 0.0);
+  info.K[0] = info.P[0] = fx_px;
+  info.K[2] = info.P[2] = cx_px;
+  info.K[4] = info.P[5] = fy_px;
+  info.K[5] = info.P[6] = cy_px;
+  info.K[8] = info.P[10] = 1.0;
+  info.R[0] = info.R[4] = info.R[8] = 1.0;
+  info.P[3] = -fx_px * baseline_m;  // of a right eye; a left one has 0
+  return info;
+}
+
+template <class Pixel>
+void put_pixel(std::vector<std::uint8_t>& data, std::size_t index, Pixel value) {
+  std::memcpy(data.data() + index * sizeof(Pixel), &value, sizeof(Pixel));
+}
+
+sensor_msgs::Image depth_message(const ab_depth_image& image, const DepthTopic& topic) {
+  sensor_msgs::Image message;
+  const bool in_mm = topic.format == PixelFormat::unsigned_mm;
+  const std::size_t size = in_mm ? sizeof(std::uint16_t) : sizeof(float);
+  message.width = static_cast<std::uint32_t>(image.width_px);
+  message.height = static_cast<std::uint32_t>(image.height_px);
+  message.encoding = in_mm ? "16UC1" : "32FC1";
+  message.step = static_cast<std::uint32_t>(size) * message.width;
+  const std::size_t count = std::size_t{message.width} * message.height;
+  message.data.resize(count * size);
+  for (std::size_t i = 0; i < count; ++i) {
+    float depth_m = image.depth_m[i];
+    if (std::isnan(depth_m)) depth_m = static_cast<float>(topic.invalid_m);
+    if (std::isinf(depth_m)) depth_m = static_cast<float>(topic.no_return_m);
+    if (!in_mm) {
+      put_pixel(message.data, i, depth_m);
+      continue;
+    }
+    const float mm = std::round(depth_m * 1000.0F);
+    // Beyond 65.5 m there is no number: as no return.
+    put_pixel(message.data, i, static_cast<std::uint16_t>(mm > 0.0F && mm <= 65535.0F ? mm : 0.0F));
+  }
+  return message;
+}
+
+sensor_msgs::PointCloud2 empty_cloud() {
+  sensor_msgs::PointCloud2 cloud;
+  const char* const names[] = {"x", "y", "z"};
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    sensor_msgs::PointField field;
+    field.name = names[i];
+    field.offset = 4 * i;
+    field.datatype = sensor_msgs::PointField::FLOAT32;
+    field.count = 1;
+    cloud.fields.push_back(field);
+  }
+  cloud.height = 1;
+  cloud.point_step = 12;
+  cloud.is_dense = 1;
+  return cloud;
+}
+
+}  // namespace
+
+std::int64_t ros_time_ns(double time_s) { return kStart_ns + nanoseconds_of(time_s); }
+
+Observations::Observations(const PlannerSpec& spec, const ab_setup& setup,
+                           const ab_mission& mission)
+    : spec_(&spec), mission_(mission) {
+  for (std::uint32_t i = 0; i < setup.camera_count; ++i) cameras_.push_back(*setup.cameras[i]);
+  odometry_ = advertised<nav_msgs::Odometry>(host_, spec.odometry);
+  poses_ = advertised<geometry_msgs::PoseStamped>(host_, spec.poses);
+  twists_ = advertised<geometry_msgs::TwistStamped>(host_, spec.twists);
+  imu_ = advertised<sensor_msgs::Imu>(host_, spec.imu);
+  depth_ = advertised<sensor_msgs::Image>(host_, spec.depth);
+  pictures_ = advertised<sensor_msgs::Image>(host_, spec.pictures);
+  clouds_ = advertised<sensor_msgs::PointCloud2>(host_, spec.clouds);
+  const auto add_info = [this](const std::string& topic, std::vector<ros::Publisher>& to) {
+    to.push_back(topic.empty() ? ros::Publisher()
+                               : host_.advertise<sensor_msgs::CameraInfo>(topic, 1));
+  };
+  for (const DepthTopic& one : spec.depth) add_info(one.info_topic, depth_info_);
+  for (const PictureTopic& one : spec.pictures) add_info(one.info_topic, picture_info_);
+  for (const CameraPoseTopic& one : spec.camera_poses) {
+    camera_poses_.push_back(one.type == PoseType::pose_stamped
+                                ? host_.advertise<geometry_msgs::PoseStamped>(one.topic, 1)
+                            : one.type == PoseType::odometry
+                                ? host_.advertise<nav_msgs::Odometry>(one.topic, 1)
+                                : host_.advertise<geometry_msgs::TransformStamped>(one.topic, 1));
+  }
+  for (const GoalTopic& one : spec.goals) {
+    goals_.push_back(one.type == GoalType::pose_stamped
+                         ? host_.advertise<geometry_msgs::PoseStamped>(one.topic, 1)
+                     : one.type == GoalType::point_stamped
+                         ? host_.advertise<geometry_msgs::PointStamped>(one.topic, 1)
+                     : one.type == GoalType::path
+                         ? host_.advertise<nav_msgs::Path>(one.topic, 1)
+                         : host_.advertise<geometry_msgs::Pose>(one.topic, 1));
+  }
+  goal_due_ns_.assign(spec.goals.size(), 0);
+}
+
+void Observations::publish_start() {
+  ab_state state{};
+  state.time_s = 1e-9 * static_cast<double>(now_ns() - kStart_ns);
+  std::copy(std::begin(mission_.start_world_m), std::end(mission_.start_world_m),
+            state.position_world_m);
+  const double half = 0.5 * mission_.start_yaw_rad;
+  state.q_world_body[0] = avoidbench::portable::cos(half);
+  state.q_world_body[3] = avoidbench::portable::sin(half);
+  publish_state(state);
+}
+
+void Observations::publish(const ab_observation& seen, std::int64_t to_ns) {
+  for (std::uint32_t i = 0; i < seen.imu_count && !imu_.empty(); ++i) {
+    const ab_imu_sample& sample = seen.imu[i];
+    const std::int64_t at_ns = ros_time_ns(sample.time_s);
+    if (at_ns > now_ns() && at_ns <= to_ns) advance(at_ns);
+    for (std::size_t k = 0; k < imu_.size(); ++k) {
+      sensor_msgs::Imu message;
+      message.header = header_of(sequence_, sample.time_s, spec_->imu[k].frame);
+      message.orientation_covariance[0] = -1.0;  // ROS's sign for: no orientation
+      set_xyz(message.angular_velocity, sample.rates_body_radps);
+      set_xyz(message.linear_acceleration, sample.specific_force_body_mps2);
+      imu_[k].publish(message);
+    }
+  }
+  // What was due before this observation saw the one before.
+  if (to_ns > now_ns()) {
+    advance(to_ns - 1);
+    set_now(to_ns);
+  }
+  publish_state(*seen.state);
+  // Oldest first, as they were taken.
+  for (std::uint32_t i = seen.depth_count; i-- > 0;) publish_depth(*seen.depth[i]);
+  for (std::uint32_t i = seen.stereo_count; i-- > 0;) {
+    publish_picture(*seen.stereo[i]->left, 0);
+    publish_picture(*seen.stereo[i]->right, 1);
+  }
+  for (std::uint32_t i = seen.color_count; i-- > 0;) publish_picture(*seen.color[i], 2);
+  publish_goals();
+  ++sequence_;
+}
+
+void Observations::publish_state(const ab_state& state) {
+  const avoidbench::Vec3 world{state.velocity_world_mps[0], state.velocity_world_mps[1],
+                               state.velocity_world_mps[2]};
+  const double q_body_world[4] = {state.q_world_body[0], -state.q_world_body[1],
+                                  -state.q_world_body[2], -state.q_world_body[3]};
+  const avoidbench::Vec3 body = avoidbench::rotated(q_body_world, world);
+  for (std::size_t k = 0; k < odometry_.size(); ++k) {
+    const OdometryTopic& topic = spec_->odometry[k];
+    nav_msgs::Odometry message;
+    message.header = header_of(sequence_, state.time_s, topic.frame);
+    message.child_frame_id = topic.child_frame;
+    message.pose.pose = pose_of(state.position_world_m, state.q_world_body);
+    const avoidbench::Vec3& velocity = topic.body_velocity ? body : world;
+    message.twist.twist.linear.x = velocity[0];
+    message.twist.twist.linear.y = velocity[1];
+    message.twist.twist.linear.z = velocity[2];
+    set_xyz(message.twist.twist.angular, state.rates_body_radps);
+    odometry_[k].publish(message);
+  }
+  for (std::size_t k = 0; k < poses_.size(); ++k) {
+    geometry_msgs::PoseStamped message;
+    message.header = header_of(sequence_, state.time_s, spec_->poses[k].frame);
+    message.pose = pose_of(state.position_world_m, state.q_world_body);
+    poses_[k].publish(message);
+  }
+  for (std::size_t k = 0; k < twists_.size(); ++k) {
+    geometry_msgs::TwistStamped message;
+    message.header = header_of(sequence_, state.time_s, spec_->twists[k].frame);
+    set_xyz(message.twist.linear, state.velocity_world_mps);
+    set_xyz(message.twist.angular, state.rates_body_radps);
+    twists_[k].publish(message);
+  }
+}
+
+void Observations::publish_depth(const ab_depth_image& image) {
+  for (std::size_t k = 0; k < camera_poses_.size(); ++k) {
+    const CameraPoseTopic& topic = spec_->camera_poses[k];
+    if (topic.camera != image.camera) continue;
+    const std_msgs::Header header = header_of(sequence_, image.time_s, topic.frame);
+    const geometry_msgs::Pose pose = pose_of(image.position_world_m, image.q_world_camera);
+    if (topic.type == PoseType::pose_stamped) {
+      geometry_msgs::PoseStamped message;
+      message.header = header;
+      message.pose = pose;
+      camera_poses_[k].publish(message);
+    } else if (topic.type == PoseType::odometry) {
+      nav_msgs::Odometry message;
+      message.header = header;
+      message.pose.pose = pose;
+      camera_poses_[k].publish(message);
+    } else {
+      geometry_msgs::TransformStamped message;
+      message.header = header;
+      set_xyz(message.transform.translation, image.position_world_m);
+      message.transform.rotation = pose.orientation;
+      camera_poses_[k].publish(message);
+    }
+  }
+  for (std::size_t k = 0; k < depth_.size(); ++k) {
+    const DepthTopic& topic = spec_->depth[k];
+    if (topic.camera != image.camera) continue;
+    sensor_msgs::Image message = depth_message(image, topic);
+    message.header = header_of(sequence_, image.time_s, topic.frame);
+    if (!topic.info_topic.empty()) {
+      depth_info_[k].publish(info_of(message.header, image.width_px, image.height_px, image.fx_px,
+                                     image.fy_px, image.cx_px, image.cy_px, 0.0));
+    }
+    depth_[k].publish(message);
+  }
+  for (std::size_t k = 0; k < clouds_.size(); ++k) {
+    if (spec_->clouds[k].camera == image.camera) publish_cloud(image, k);
+  }
+}
+
+void Observations::publish_cloud(const ab_depth_image& image, std::size_t index) {
+  const CloudTopic& topic = spec_->clouds[index];
+  sensor_msgs::PointCloud2 cloud = empty_cloud();
+  cloud.header = header_of(sequence_, image.time_s, topic.frame);
+  for (int row = 0; row < image.height_px; row += topic.stride_px) {
+    for (int column = 0; column < image.width_px; column += topic.stride_px) {
+      const auto pixel = static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width_px) +
+                         static_cast<std::size_t>(column);
+      const double depth_m = static_cast<double>(image.depth_m[pixel]);
+      if (!std::isfinite(depth_m) || depth_m <= 0.0) continue;
+      const avoidbench::Vec3 point = avoidbench::pixel_in_world(image, column, row, depth_m);
+      const std::size_t at = cloud.data.size();
+      cloud.data.resize(at + 12);
+      for (std::size_t i = 0; i < 3; ++i) {
+        put_pixel(cloud.data, at / 4 + i, static_cast<float>(point[i]));
+      }
+    }
+  }
+  cloud.width = static_cast<std::uint32_t>(cloud.data.size() / 12);
+  cloud.row_step = static_cast<std::uint32_t>(cloud.data.size());
+  clouds_[index].publish(cloud);
+}
+
+void Observations::publish_picture(const ab_picture& picture, int eye) {
+  for (std::size_t k = 0; k < pictures_.size(); ++k) {
+    const PictureTopic& topic = spec_->pictures[k];
+    if (topic.eye != eye || topic.camera != picture.camera) continue;
+    sensor_msgs::Image message;
+    message.header = header_of(sequence_, picture.time_s, topic.frame);
+    message.width = static_cast<std::uint32_t>(picture.width_px);
+    message.height = static_cast<std::uint32_t>(picture.height_px);
+    message.encoding = picture.channels == 3 ? "rgb8" : "mono8";
+    message.step = picture.channels * message.width;
+    message.data.assign(picture.pixels,
+                        picture.pixels + std::size_t{message.step} * message.height);
+    if (!topic.info_topic.empty()) {
+      const double baseline_m = eye == 1 ? cameras_.at(picture.camera).baseline_m : 0.0;
+      picture_info_[k].publish(info_of(message.header, picture.width_px, picture.height_px,
+                                       picture.fx_px, picture.fy_px, picture.cx_px, picture.cy_px,
+                                       baseline_m));
+    }
+    pictures_[k].publish(message);
+  }
+}
+
+void Observations::publish_goals() {
+  for (std::size_t k = 0; k < goals_.size(); ++k) {
+    const GoalTopic& topic = spec_->goals[k];
+    if (now_ns() < goal_due_ns_[k]) continue;
+    goal_due_ns_[k] = topic.repeat_s > 0.0 ? now_ns() + nanoseconds_of(topic.repeat_s)
+                                           : std::numeric_limits<std::int64_t>::max();
+    const double upright[4] = {1.0, 0.0, 0.0, 0.0};
+    geometry_msgs::PoseStamped stamped;
+    stamped.header =
+        header_of(sequence_, 1e-9 * static_cast<double>(now_ns() - kStart_ns), topic.frame);
+    stamped.pose = pose_of(mission_.goal_world_m, upright);
+    if (topic.type == GoalType::pose_stamped) {
+      goals_[k].publish(stamped);
+    } else if (topic.type == GoalType::pose) {
+      goals_[k].publish(stamped.pose);
+    } else if (topic.type == GoalType::point_stamped) {
+      geometry_msgs::PointStamped message;
+      message.header = stamped.header;
+      message.point = stamped.pose.position;
+      goals_[k].publish(message);
+    } else {
+      nav_msgs::Path message;
+      message.header = stamped.header;
+      message.poses.push_back(stamped);
+      goals_[k].publish(message);
+    }
+  }
+}
+
+}  // namespace ros_shim

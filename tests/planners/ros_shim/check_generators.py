@@ -1,0 +1,129 @@
+#!/usr/bin/env python3
+"""check_generators.py SHIM: make_messages.py and make_planner.py on good and on bad files; each problem is told with its place."""
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+shim = pathlib.Path(sys.argv[1])
+failures = []
+
+
+def expect(what, condition, seen=""):
+    if not condition:
+        failures.append(f"{what}\n{seen}")
+
+
+def run(script, *words):
+    done = subprocess.run([sys.executable, "-B", shim / script, *map(str, words)], capture_output=True, text=True)
+    return done.returncode, done.stderr.strip(), done.stdout
+
+
+# .msg text -> the problem, as line:column: text
+BAD_MESSAGES = {
+    "float64": '1:1: "float64" without a name',
+    "float64 x\n\nfloat64 x": '3:9: "x" is there already',
+    "float64 2x": '1:9: "2x" is no name: letters, digits and _, a letter first',
+    "float64[-1] x": '1:1: "float64[-1]" is no type: as float64, geometry_msgs/Point, uint8[] or float64[9]',
+    "float64[0] x": "1:1: an array of no elements",
+    "  Poimt p": "1:3: there is no message own_msgs/Poimt: is its package among MESSAGES?",
+    "geometry_msgs/Poimt p": "1:1: there is no message geometry_msgs/Poimt: is its package among MESSAGES?",
+    "uint8 A=256": "1:9: 256 is not of uint8: from 0 to 255",
+    "uint8 A = 1.5": '1:11: "1.5" is no whole number',
+    "int32 class": '1:7: "class" is a word of C++',
+    "float64 x 5": '1:11: "5" behind the name; ROS 1 has no defaults',
+    "uint8 A=": "1:9: a constant without a value",
+    "time T=1": "1:8: a constant can't be a time",
+    "uint8[2] A=1": "1:1: a constant is of a built-in type and no array",
+    "Bad inner": "1:1: own_msgs/Bad contains itself",
+    "= 1": "1:1: a type and a name come before =",
+}
+GOOD_MESSAGE = """# all that there is
+bool YES=true
+int8 LOW = -128   # a comment
+uint64 MOST=18446744073709551615
+float32 HALF=0.5
+string WORDS= "quoted" # and all that is left
+Header header
+time stamp
+duration[] periods
+char c
+byte b
+geometry_msgs/Point[3] corners
+Other[] others
+string name
+"""
+GOOD_TOPICS = """nodes:
+  - name: planner
+    params: {gain: "${2 * max_speed_mps}"}
+publish:
+  odometry: {topic: /odom}
+command: {topic: /cmd, type: geometry_msgs/Twist}
+"""
+# (what is replaced, by what) -> the problem
+BAD_TOPICS = {
+    ("  odometry: {topic: /odom}", "  odometri: {topic: /odom}"): '5:3: "odometri" is none of odometry, ',
+    ("topic: /odom}", "topic: /odom, frames: a}"): '5:28: there is no "frames" here; did you mean frame?',
+    ("name: planner", "name: other"): "2:11: no source other.cpp among SOURCES",
+    ("max_speed_mps}", "max_sped_mps}"): '3:20: "max_sped_mps" is nothing that a trial gives: ',
+    ("2 * max_speed_mps", "2 **"): '3:20: "2 **" is no expression',
+    ("geometry_msgs/Twist", "geometry_msgs/Point"): "6:30: Point is none of PositionCommand, ",
+    ("type: geometry_msgs/Twist", "type: Twist"): '6:30: "Twist" is no type of a message, as geometry_msgs/Twist',
+    ("publish:", "publis:"): '4:1: there is no "publis" here; did you mean publish?',
+    ("nodes:", "lead_s: soon\nnodes:"): '1:9: "soon" is no number',
+    ("  odometry: {topic: /odom}", "  odometry: {topic: /odom"): "6:",
+    ("command: {topic: /cmd,", "command: {ahead: {node: planer, horizon_s: 1}, topic: /cmd,"): '6:25: "planer" is none of planner',
+}
+
+with tempfile.TemporaryDirectory() as name:
+    folder = pathlib.Path(name)
+    package = folder / "own_msgs" / "msg"
+    package.mkdir(parents=True)
+    stock = [word for one in sorted((shim / "messages").iterdir()) for word in ("--known", one)]
+    for text, problem in BAD_MESSAGES.items():
+        (package / "Bad.msg").write_text(text + "\n")
+        code, said, _ = run("make_messages.py", "--out", folder / "out", *stock, package.parent)
+        expect(f"{text!r}: exit code 1", code == 1, said)
+        expect(f"{text!r}: {problem}", said == f"{(package / 'Bad.msg').resolve()}:{problem}", said)
+    (package / "Bad.msg").unlink()
+
+    (package / "Good.msg").write_text(GOOD_MESSAGE)
+    (package / "Other.msg").write_text("float64 x\n")
+    code, said, _ = run("make_messages.py", "--out", folder / "out", *stock, package.parent)
+    expect("a good message", code == 0, said)
+    header = (folder / "out/own_msgs/Good.h").read_text()
+    for line in ("enum { YES = 1 };", "enum { LOW = -128 };", "18446744073709551615ULL", "= 0.5F;",
+                 r'"\042quoted\042 # and all that is left"', "::std_msgs::Header_<ContainerAllocator> header;", "ros::Time stamp;",
+                 "std::vector<ros::Duration> periods;", "std::uint8_t c{};", "std::int8_t b{};",
+                 "ros_shim::array<::geometry_msgs::Point_<ContainerAllocator>, 3> corners{};",
+                 "std::vector<::own_msgs::Other_<ContainerAllocator>> others;", '#include "own_msgs/Other.h"',
+                 "using GoodConstPtr = ros_shim::shared_ptr<const Good>;"):
+        expect(f"{line} in the header", line in header, header)
+    (package.parent / "package.xml").write_text("<package><name>named_msgs</name></package>")
+    _, _, listed = run("make_messages.py", "--list", package.parent)
+    expect("a package's name is in its package.xml", listed.split() == ["named_msgs/Good.h", "named_msgs/Other.h"], listed)
+    code, said, _ = run("make_messages.py", "--out", folder / "out", folder / "nowhere")
+    expect("a folder that is not there", code == 1 and said.endswith("nowhere: no such folder"), said)
+
+    source = folder / "planner.cpp"
+    source.write_text("#include <ros/ros.h>\nint main(int argc, char** argv) {}\n")
+    topics = folder / "topics.yaml"
+    words = ("--name", "good", "--topics", topics, "--out", folder / "made", source)
+    for (old, new), problem in BAD_TOPICS.items():
+        expect(f"{old!r} is in the topics", old in GOOD_TOPICS)
+        topics.write_text(GOOD_TOPICS.replace(old, new))
+        code, said, _ = run("make_planner.py", *words)
+        expect(f"{new!r}: exit code 1", code == 1, said)
+        expect(f"{new!r}: {problem}", said.startswith(f"{topics}:{problem}"), said)
+    topics.write_text(GOOD_TOPICS)
+    code, said, _ = run("make_planner.py", *words)
+    expect("good topics", code == 0, said)
+    made = (folder / "made/good_planner.cpp").read_text()
+    expect("an expression", 'set_parameter("/planner/gain", Value((2.0 * given.vehicle_max_speed_mps)));' in made, made)
+    expect("a main of its own name", "ros_shim_main_planner" in (folder / "made/main_planner.h").read_text())
+    source.write_text("int Main() {}  // int main(int argc, char** argv)\n")
+    code, said, _ = run("make_planner.py", *words)
+    expect("a source without main()", code == 1 and "has no int main(" in said, said)
+
+print("\n".join(failures) if failures else "all as it should be")
+sys.exit(1 if failures else 0)

@@ -1,0 +1,131 @@
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "planner_spec.hpp"
+#include "simulated_ros.hpp"
+
+// The runtime's objects name them; no test flies them.
+namespace ros_shim {
+PlannerSpec planner_spec() { return {}; }
+const ab_planner planner_table{};
+}  // namespace ros_shim
+
+namespace ros_shim::test {
+namespace {
+
+TEST(RosTime, KeepsNanosecondsInRange) {
+  EXPECT_EQ(ros::Duration(-0.1).sec, -1);
+  EXPECT_EQ(ros::Duration(-0.1).nsec, 900000000);
+  EXPECT_EQ(ros::Duration(1, 1500000000), ros::Duration(2, 500000000));
+  EXPECT_EQ(ros::Duration(0, -1).toNSec(), -1);
+  EXPECT_EQ(ros::Time(1, 1500000000), ros::Time(2.5));
+  EXPECT_EQ(ros::Time(1.9999999999), ros::Time(2, 0));
+  EXPECT_THROW(ros::Time(-0.1), std::runtime_error);
+  EXPECT_THROW(ros::Duration(1e12), std::runtime_error);
+}
+
+TEST(RosTime, AddsAndSubtractsExactly) {
+  const ros::Time t(100, 1);
+  EXPECT_EQ((t - ros::Time(99, 2)).toNSec(), 999999999);
+  EXPECT_EQ(t + ros::Duration(0, 999999999), ros::Time(101, 0));
+  EXPECT_EQ(t - ros::Duration(0, 2), ros::Time(99, 999999999));
+  EXPECT_EQ(ros::Duration(0.5) * 3.0, ros::Duration(1.5));
+  EXPECT_EQ(-ros::Duration(0.25), ros::Duration(-0.25));
+  EXPECT_LT(ros::Duration(-0.25), ros::Duration());
+  ros::Time moved = t;
+  moved += ros::Duration(1.0);
+  moved -= ros::Duration(0.5);
+  EXPECT_EQ(moved.toNSec(), 100500000001);
+  EXPECT_DOUBLE_EQ(ros::Time(3, 250000000).toSec(), 3.25);
+  EXPECT_TRUE(ros::Time().isZero());
+}
+
+TEST(RosTime, PrintsNineDigits) {
+  std::ostringstream out;
+  out << ros::Time(12, 5000) << ' ' << ros::Duration(-1.5);
+  EXPECT_EQ(out.str(), "12.000005000 -1.500000000");
+}
+
+TEST(RosClock, SleepsAndRatesFollowSimulatedTime) {
+  std::vector<double> woken;
+  SimulatedRos ros({[&] {
+    ros::Duration(0.5).sleep();
+    woken.push_back(now_s());
+    ros::Rate rate(10.0);
+    for (int i = 0; i < 3 && ros::ok(); ++i) {
+      rate.sleep();
+      woken.push_back(now_s());
+    }
+  }});
+  ros.run_to(0.4);
+  EXPECT_TRUE(woken.empty());
+  ros.run_to(2.0);
+  EXPECT_EQ(woken, (std::vector<double>{0.5, 0.6, 0.7, 0.8}));
+  EXPECT_DOUBLE_EQ(now_s(), 2.0);
+}
+
+TEST(RosTimer, TicksInTheOrderOfTimeThenOfCreation) {
+  std::string order;
+  SimulatedRos ros({[&] {
+    ros::NodeHandle node;
+    const auto says = [&](char letter) {
+      return ros::TimerCallback([&order, letter](const ros::TimerEvent&) { order += letter; });
+    };
+    ros::Timer slow = node.createTimer(ros::Duration(0.2), says('s'));
+    ros::Timer fast = node.createTimer(ros::Duration(0.1), says('f'));
+    ros::Timer once = node.createTimer(ros::Duration(0.2), says('o'), true);
+    ros::Timer later = node.createTimer(ros::Duration(0.1), says('l'), false, false);
+    ros::spin();
+  }});
+  ros.run_to(0.45);
+  EXPECT_EQ(order, "fsfofsf");
+}
+
+TEST(RosTimer, StopsStartsAndChangesItsPeriod) {
+  std::vector<double> ticks;
+  SimulatedRos ros({[&] {
+    ros::NodeHandle node;
+    ros::Timer timer;
+    timer = node.createTimer(ros::Duration(0.1), ros::TimerCallback([&](const ros::TimerEvent& e) {
+                               ticks.push_back(now_s());
+                               EXPECT_EQ(e.current_real, ros::Time::now());
+                               EXPECT_EQ(e.current_expected, e.current_real);
+                               if (ticks.size() == 2) timer.setPeriod(ros::Duration(0.3));
+                               if (ticks.size() == 3) timer.stop();
+                             }));
+    ros::Timer starter =
+        node.createTimer(ros::Duration(1.0),
+                         ros::TimerCallback([&](const ros::TimerEvent&) { timer.start(); }), true);
+    ros::spin();
+  }});
+  ros.run_to(1.4);
+  EXPECT_EQ(ticks, (std::vector<double>{0.1, 0.2, 0.5, 1.3}));
+}
+
+TEST(RosTimer, ATickThatSleepsHoldsTheOthersOfItsNode) {
+  std::vector<double> slow, other;
+  SimulatedRos ros({[&] {
+                      ros::NodeHandle node;
+                      ros::Timer timer = node.createTimer(
+                          ros::Duration(0.1), ros::TimerCallback([&](const ros::TimerEvent&) {
+                            slow.push_back(now_s());
+                            ros::Duration(0.25).sleep();
+                          }));
+                      ros::spin();
+                    },
+                    [&] {
+                      ros::NodeHandle node;
+                      ros::Timer timer = node.createTimer(
+                          ros::Duration(0.1), ros::TimerCallback([&](const ros::TimerEvent&) {
+                            other.push_back(now_s());
+                          }));
+                      ros::spin();
+                    }});
+  ros.run_to(0.65);
+  EXPECT_EQ(slow, (std::vector<double>{0.1, 0.35, 0.6}));
+  EXPECT_EQ(other, (std::vector<double>{0.1, 0.2, 0.3, 0.4, 0.5, 0.6}));
+}
+
+}  // namespace
+}  // namespace ros_shim::test
