@@ -6,8 +6,8 @@
 #include "env/vector_env.hpp"
 
 // Steps of a vector of flights, each 1/30 s of simulated time: how many a second, and with pictures
-// what Embree alone takes for as many of them. And the first reset, which makes the maps and searches
-// the missions' reference paths.
+// what Embree alone takes for as many of them. And the first reset, which makes the maps and
+// searches the missions' reference paths.
 namespace avoidbench {
 namespace {
 
