@@ -37,9 +37,9 @@ struct Reply {
   bool is_plan = false;  ///< of plan(), not of reset()
   ab_command command{};  ///< its points are null
   std::vector<ab_point> points;
-  std::string error;    ///< given to set_error
-  std::string escaped;  ///< an exception that crossed the interface
-  std::string changed;  ///< an input that the planner wrote to
+  std::string error;         ///< given to set_error
+  std::string escaped;       ///< an exception that crossed the interface
+  std::string changed;       ///< an input that the planner wrote to
   double wall_time_s = 0.0;  ///< of the call
   double cpu_time_s = 0.0;   ///< in it: of the whole process, and of a planner's program
 };
