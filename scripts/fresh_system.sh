@@ -82,7 +82,7 @@ echo "== the packages of test.sh"
 inside scripts/install_packages.sh test
 configured --preset release -DAVOIDBENCH_TESTS=ON -DAVOIDBENCH_BENCH=ON
 configured --preset clang
-for program in clang-format clang-tidy clang++ ctest git python3 valgrind; do
+for program in clang-format clang-tidy clang++ llvm-symbolizer ctest git python3 valgrind; do
   inside which "$program" >/dev/null || { echo "no list names $program" >&2; exit 1; }
 done
 inside scripts/install_packages.sh test 2>&1 | grep . && { echo "install_packages.sh: the second time it should have nothing to do" >&2; exit 1; }

@@ -13,9 +13,10 @@ build_packages=(
 plot_packages=(python3 python3-matplotlib python3-numpy python3-pandas)  # scripts/plot, scripts/custom_metrics.py
 python_packages=(python3-venv python3-dev)
 ros_packages=(g++ cmake make python3 python3-yaml libeigen3-dev libopencv-core-dev libopencv-imgproc-dev libboost-dev)
+# llvm: its symbolizer; without it the sanitizers can't name functions, and what tests/support/leaks.supp names is not found.
 test_packages=(
-  "${plot_packages[@]}" "${python_packages[@]}" "${ros_packages[@]}" clang clang-format clang-tidy libclang-rt-14-dev libgtest-dev libgmock-dev
-  python3-jsonschema valgrind locales
+  "${plot_packages[@]}" "${python_packages[@]}" "${ros_packages[@]}" clang clang-format clang-tidy libclang-rt-14-dev llvm
+  libgtest-dev libgmock-dev python3-jsonschema valgrind locales
 )
 # A Slurm of one node, for the test of scripts/slurm (the system's own services play no part), and what scripts/fresh_system.sh needs.
 slow_packages=(munge slurmctld slurmd slurm-client debootstrap)

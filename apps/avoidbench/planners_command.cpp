@@ -32,13 +32,15 @@ std::string sees(const PlannerDescription& planner) {
                                    {AB_SEES_STEREO, "stereo"},
                                    {AB_SEES_COLOR, "color"},
                                    {AB_SEES_IMU, "imu"},
+                                   {AB_SEES_STATES, "states"},
                                    {AB_SEES_WORLD, "world (privileged)"}});
 }
 
 std::string uses(const PlannerDescription& planner) {
   return bit_names(planner.needs, {{AB_USES_PROCESSES, "processes"},
                                    {AB_USES_DEVICES, "devices"},
-                                   {AB_USES_NETWORK, "network"}});
+                                   {AB_USES_NETWORK, "network"},
+                                   {AB_USES_GLOBALS, "globals"}});
 }
 
 std::string commands(const PlannerDescription& planner) {

@@ -195,23 +195,60 @@ std::string place_line(const Sample& sample) {
          fixed_digits(sample.time_s, 3) + " s";
 }
 
-/// Flies it again; whether it is the same. Counts a flight with a kept copy of the planner.
+/// What a child says of a flight that it flew again.
+constexpr char kFlownCopy = 'c', kFlownFile = 'f', kNotFlown = 'e';
+
+/// Flies it again: one of the marks above, and lines about what differs, or why it can't be flown.
+std::string repeat_text(const StoredTrial& stored, const ReplayFiles& files) {
+  try {
+    const Replay replay(stored, files);
+    std::vector<std::string> log;
+    const TrialRecord flown = replay.fly({}, log);
+    std::string text(1, replay.kept_planner_file().empty() ? kFlownFile : kFlownCopy);
+    const std::vector<std::string> found = differences(replay.stored().row.record, flown);
+    for (const std::string& line : found) text += "  " + visible_line(line) + '\n';
+    if (found.empty()) return text;
+    for (const std::string& line : replay.warnings()) text += "  note: " + line + '\n';
+    return text;
+  } catch (const OptionError& error) {
+    return kNotFlown + error.hint() + '\n' + error.what();
+  } catch (const InputError& error) {
+    return kNotFlown + std::string("\n") + error.what();
+  }
+}
+
+/// The error that a child could not fly for.
+[[noreturn]] void throw_not_flown(const std::string& text) {
+  const std::size_t line_end = text.find('\n');
+  const std::string hint = text.substr(1, line_end - 1);
+  if (!hint.empty()) throw OptionError(text.substr(line_end + 1), "", hint);
+  std::vector<InputProblem> problems;
+  std::istringstream lines(text.substr(line_end + 1));
+  for (std::string line; std::getline(lines, line);) problems.push_back({.file = {}, .message = line});
+  throw InputError(std::move(problems));
+}
+
+/// Flies it again in a process of its own, so that no planner knows of another trial; whether it is
+/// the same. Counts a flight with a kept copy of the planner.
 bool is_repeated(const Database& database, const TrialListing& trial, const ReplayFiles& files,
                  std::int64_t& with_copy) {
+  constexpr double kMostTime_s = 3600.0;  // as a trial of a run
   const StoredTrial stored = possible_trial(database, trial.key);
-  const PrintCapture prints;
-  std::optional<PrintsCaptured> captured(prints);
-  const Replay replay(stored, files);
-  with_copy += replay.kept_planner_file().empty() ? 0 : 1;
-  std::vector<std::string> log;
-  const TrialRecord flown = replay.fly({}, log);
-  captured.reset();
-  const std::vector<std::string> found = differences(replay.stored().row.record, flown);
-  if (found.empty()) return true;
+  const IsolatedEnd end = run_isolated(
+      [&](IsolatedOutput& output) { output.write(repeat_text(stored, files)); }, kMostTime_s);
+  std::string lines;
+  if (!end.problem.empty() || end.output.empty()) {
+    lines = "  flown again it " + (end.problem.empty() ? "says nothing" : end.problem) + '\n';
+  } else if (end.output.front() == kNotFlown) {
+    throw_not_flown(end.output);
+  } else {
+    with_copy += end.output.front() == kFlownCopy ? 1 : 0;
+    lines = end.output.substr(1);
+  }
+  if (lines.empty()) return true;
   std::cout << "trial " << trial.id << " (" << trial.key.substr(0, 8) << ", "
-            << visible_line(trial.planner_label) << ") differs:\n";
-  for (const std::string& line : found) std::cout << "  " << visible_line(line) << '\n';
-  for (const std::string& line : replay.warnings()) std::cout << "  note: " << line << '\n';
+            << visible_line(trial.planner_label) << ") differs:\n"
+            << lines;
   return false;
 }
 

@@ -21,6 +21,7 @@ void set_program_file(const fs::path& file) { named_program() = file; }
 
 fs::path program_file() {
   std::error_code error;
+  // Within Python the interpreter is what runs: the extension names the program.
   if (!named_program().empty()) return named_program();
   return fs::read_symlink("/proc/self/exe", error);
 }
@@ -28,6 +29,7 @@ fs::path program_file() {
 fs::path installation_prefix() {
   std::error_code error;
   const fs::path program = program_file();
+  // Upwards from the program: bin/ of an installation, or a folder of a build.
   for (fs::path folder = program.parent_path(); folder.has_relative_path();
        folder = folder.parent_path()) {
     if (fs::is_directory(data_of(folder) / "configs", error)) return folder;

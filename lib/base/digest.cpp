@@ -15,6 +15,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "x86-64 only");
 
 sha256_ctx* context(std::array<std::byte, 128>& state) {
+  // The header has room for the state and knows nothing of nettle.
   static_assert(sizeof(sha256_ctx) <= 128 && std::is_trivially_copyable_v<sha256_ctx>);
   return std::launder(reinterpret_cast<sha256_ctx*>(state.data()));
 }
@@ -38,6 +39,7 @@ Digest& Digest::add(std::uint64_t value) { return add_bytes(std::as_bytes(std::s
 
 Digest& Digest::add(double value) { return add(std::bit_cast<std::uint64_t>(value)); }
 
+/// Takes the state's end: sha256_digest() begins anew.
 std::string Digest::hex() {
   std::array<std::uint8_t, SHA256_DIGEST_SIZE> bytes{};
   sha256_digest(context(state_), bytes.size(), bytes.data());
@@ -56,6 +58,7 @@ std::string file_digest(const std::filesystem::path& path) {
   InputFile file(path, kMostBytes);
   Digest digest;
   std::vector<char> buffer(1 << 16);
+  // A piece that is not full is the last one.
   for (std::size_t count = buffer.size(); count == buffer.size();) {
     count = file.read(buffer);
     digest.add_bytes(std::as_bytes(std::span(buffer.data(), count)));

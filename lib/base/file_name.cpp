@@ -12,9 +12,11 @@ std::string safe_file_name(std::string_view text) {
   };
   std::string name(text);
   for (char& c : name) c = is_plain(c) ? c : '_';
+  // Hidden files, and what looks like an option.
   if (name.starts_with('.') || name.starts_with('-')) name.front() = '_';
   const bool is_kept = name == text && !name.empty() && name.size() <= kMostLetters;
   if (is_kept) return name;
+  // Texts that become the same name stay apart by their digests.
   const std::string digest = Digest().add_bytes(std::as_bytes(std::span(text))).hex();
   return name.substr(0, kMostKept) + "-" + digest.substr(0, kDigestLetters);
 }

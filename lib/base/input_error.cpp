@@ -16,6 +16,8 @@ std::string joined(const std::vector<InputProblem>& problems) {
 }
 
 /// Insertions, deletions, substitutions and swaps of neighbours that turn `a` into `b`.
+/// Damerau's distance in its simple form (optimal string alignment): three rows of the table are
+/// enough.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
   std::iota(last.begin(), last.end(), std::size_t{0});
@@ -43,6 +45,7 @@ bool lacks_words_only(std::string_view name, std::string_view longer) {
   };
   while (!name.empty()) {
     const std::string_view word = next_word(name);
+    // Words of `longer` that `name` lacks are passed over.
     while (!longer.empty() && !longer.starts_with(word)) next_word(longer);
     if (next_word(longer) != word) return false;
   }
@@ -73,6 +76,7 @@ void refuse_file(const std::filesystem::path& file, std::string message) {
 
 std::string_view nearest_word(std::string_view word, std::span<const std::string> candidates) {
   std::string_view best;
+  // Two slips, or one in three letters; more is another word. Of equal ones the first counts.
   std::size_t best_distance = std::max<std::size_t>(2, word.size() / 3) + 1;
   for (const std::string& candidate : candidates) {
     // A word that lacks or adds a unit suffix is a likely slip: fov_deg for fov_x_deg, speed for

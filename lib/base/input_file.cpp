@@ -19,6 +19,7 @@ bool is_held(const std::filesystem::path& path) {
   return folder == "/dev/fd" || folder == "/proc/self/fd" || path == "/dev/stdin";
 }
 
+/// Regular files, and pipes that this process was given.
 void check_kind(const std::filesystem::path& path, mode_t mode) {
   if (S_ISREG(mode) || (S_ISFIFO(mode) && is_held(path))) return;
   if (S_ISDIR(mode)) refuse_file(path, "is a folder, not a file");
@@ -41,6 +42,7 @@ InputFile::InputFile(const std::filesystem::path& path, std::uint64_t most_bytes
         path, is_missing ? "no such file" : std::string("can't be read: ") + std::strerror(errno));
   }
   check_kind(path, status.st_mode);
+  // Not to wait for a pipe's writer yet, nor to make a terminal this process's own.
   descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
   if (descriptor_ < 0) refuse_file(path, std::string("can't be read: ") + std::strerror(errno));
   try {
@@ -75,6 +77,7 @@ std::size_t InputFile::read(std::span<char> bytes) {
     filled += static_cast<std::size_t>(count);
   }
   read_bytes_ += filled;
+  // Again, since the file may have grown since it was opened.
   check_size(read_bytes_);
   return filled;
 }
@@ -86,6 +89,7 @@ std::string InputFile::read_rest() {
   std::string text;
   std::size_t filled = 0;
   do {
+    // A byte more than expected: a read that ends before it has seen the file's end.
     text.resize(std::max<std::size_t>(filled + kPiece, expected + 1));
     filled += read(std::span(text).subspan(filled));
   } while (filled == text.size());

@@ -25,6 +25,7 @@ fs::path folder_beside(const fs::path& database, const char* ending) {
   return folder;
 }
 
+/// False also where the file can't be read.
 bool has_digest(const fs::path& file, const std::string& digest) {
   std::error_code error;
   if (!fs::is_regular_file(file, error)) return false;
@@ -38,6 +39,7 @@ bool has_digest(const fs::path& file, const std::string& digest) {
 /// Copies the file of this digest to `kept`; returns why it could not, or "".
 std::string keep(const fs::path& file, const std::string& digest, const fs::path& kept) {
   constexpr std::uint64_t kMostBytes = 256U << 20U;
+  // There already, and whole.
   if (has_digest(kept, digest)) return "";
   std::string bytes;
   try {
@@ -53,6 +55,7 @@ std::string keep(const fs::path& file, const std::string& digest, const fs::path
   std::ofstream stream(written, std::ios::binary);
   stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   stream.close();
+  // What was read and written has to be the file that the sweep was read with.
   const bool is_whole = stream.good() && has_digest(written, digest);
   if (is_whole) fs::rename(written, kept, error);
   if (is_whole && !error) return "";
@@ -69,9 +72,12 @@ std::optional<fs::path> find_kept(const fs::path& database, const char* kind,
   std::vector<fs::path> folders;
   std::error_code error;
   const fs::path parent = own.has_parent_path() ? own.parent_path() : fs::path(".");
+  // Databases are renamed and merged: another one's folder may hold the file. The digest decides in
+  // any case.
   for (const auto& entry : fs::directory_iterator(parent, error)) {
     if (entry.path().extension() == kind) folders.push_back(entry.path());
   }
+  // Folders are listed in no particular order.
   std::sort(folders.begin(), folders.end());
   folders.insert(folders.begin(), own);
   for (const fs::path& folder : folders) {
@@ -111,6 +117,7 @@ std::vector<std::string> merge_kept_files(const fs::path& into, const fs::path& 
     const fs::path target = folder_beside(into, kind);
     for (const auto& entry : fs::directory_iterator(folder_beside(from, kind), error)) {
       const std::string digest = entry.path().stem().string();
+      // Names are not trusted: only files whose digest is their name are copied.
       if (!has_digest(entry.path(), digest)) continue;
       const std::string problem = keep(entry.path(), digest, target / entry.path().filename());
       if (!problem.empty()) problems.push_back(problem);

@@ -12,6 +12,7 @@ namespace {
 /// Σ coefficients[i] x^i
 double polynomial(const std::array<double, 8>& coefficients, double x) {
   double value = 0.0;
+  // Horner's rule.
   for (auto c = coefficients.rbegin(); c != coefficients.rend(); ++c) value = value * x + *c;
   return value;
 }
@@ -64,6 +65,7 @@ double normal_quantile(double p) {
     const double r = 0.180625 - q * q;
     return q * polynomial(kMiddleTop, r) / polynomial(kMiddleBottom, r);
   }
+  // By the smaller tail, whose probability has all its digits.
   const double r = std::sqrt(-math::log(q < 0.0 ? p : 1.0 - p));
   const double size = r <= 5.0 ? polynomial(kTailTop, r - 1.6) / polynomial(kTailBottom, r - 1.6)
                                : polynomial(kFarTop, r - 5.0) / polynomial(kFarBottom, r - 5.0);

@@ -35,6 +35,7 @@ std::vector<float> make_coarse_normals() {
         normal_quantile((static_cast<double>(i) + 0.5) / static_cast<double>(kCoarseLevels));
     square_sum += quantiles[i] * quantiles[i];
   }
+  // Middles of shares have a little less variance than the normal.
   const double scale = std::sqrt(static_cast<double>(kCoarseLevels) / square_sum);
   std::vector<float> normals;
   for (const double quantile : quantiles) normals.push_back(static_cast<float>(scale * quantile));
@@ -44,6 +45,8 @@ std::vector<float> make_coarse_normals() {
 }  // namespace
 
 RandomStream::RandomStream(std::uint64_t seed) : state_{} {
+  // As xoshiro's authors advise: SplitMix64 never gives four zeros, the one state that can't be
+  // left.
   for (std::uint64_t& word : state_) word = split_mix(seed);
 }
 
@@ -76,6 +79,8 @@ std::uint64_t RandomStream::below(std::uint64_t count) {
   return value % count;
 }
 
+/// Marsaglia's polar method, which makes two of them at once; the second one is kept for the next
+/// call.
 double RandomStream::normal() {
   if (has_spare_) {
     has_spare_ = false;
@@ -97,6 +102,7 @@ void RandomStream::coarse_normals(std::span<float> values) {
   static const std::vector<float> kNormals = make_coarse_normals();
   constexpr std::size_t kPerDraw = 5;  // of 12 bits each
   for (std::size_t i = 0; i < values.size(); i += kPerDraw) {
+    // A rest of fewer than five takes a whole draw, too.
     std::uint64_t word = bits();
     const std::size_t count = std::min(kPerDraw, values.size() - i);
     for (std::size_t k = 0; k < count; ++k, word >>= kCoarseBits) {
@@ -111,6 +117,8 @@ std::uint64_t stream_seed(std::uint64_t seed, std::string_view name) {
   return stream_seed(seed, hash);
 }
 
+/// Mixed before and after: neighbouring seeds or indices give unlike streams, and (1, 2) is not (2,
+/// 1).
 std::uint64_t stream_seed(std::uint64_t seed, std::uint64_t index) {
   std::uint64_t state = seed;
   const std::uint64_t mixed = split_mix(state) ^ index;

@@ -43,6 +43,7 @@ struct MapSums {
   double count = 0.0, before = 0.0, after = 0.0;
 };
 
+/// In order of the maps' digests, so that sums and draws are the same on every run.
 std::vector<MapSums> sums_by_map(const std::vector<PairValue>& values) {
   std::map<std::uint64_t, MapSums> by_map;
   for (const PairValue& value : values) {
@@ -68,9 +69,12 @@ Interval mean_interval(const std::vector<double>& sums, const std::vector<double
     }
     return sum / count;
   };
+  // Each interval draws from a stream of its name: other rows do not change it.
   if (sums.size() <= kMostBootstrapMaps) {
     return bca_interval(sums.size(), mean_of, stream(1, name), replicate_count);
   }
+  // The mean is a ratio, sum over count, of which both vary from map to map; its variance is that
+  // of the residuals sum − mean × count (linearised ratio estimator).
   double sum = 0.0, count = 0.0, squares = 0.0;
   for (std::size_t i = 0; i < sums.size(); ++i) {
     sum += sums[i];
@@ -85,6 +89,7 @@ Interval mean_interval(const std::vector<double>& sums, const std::vector<double
   return {mean - half_width, mean + half_width};
 }
 
+/// The least change that matters, in the metric's unit: a share of the base's mean, or a number.
 double limit_of(const CompareSettings& settings, const std::string& metric, double base_mean,
                 bool& is_ignored) {
   const auto own = settings.tolerances.find(metric);
@@ -98,6 +103,7 @@ double limit_of(const CompareSettings& settings, const std::string& metric, doub
 void fill_figures(const std::vector<PairValue>& values, std::size_t replicate_count,
                   MetricComparison& row) {
   row.pair_count = static_cast<std::int64_t>(values.size());
+  // What can't be known stays NaN, and a row of NaN is not gated.
   row.base_mean = row.new_mean = row.change = row.p = row.adjusted_p = kNaN;
   row.change_interval = row.new_interval = {kNaN, kNaN};
   if (values.empty()) return;
@@ -125,6 +131,8 @@ void fill_figures(const std::vector<PairValue>& values, std::size_t replicate_co
   row.change = is_equal ? 0.0 : row.new_mean - row.base_mean;
   row.change_interval = mean_interval(changes, counts, "compare change", replicate_count);
   row.new_interval = mean_interval(sums, counts, "compare new", replicate_count);
+  // McNemar's test sees only the pairs that ended differently; the differences of the others need
+  // ranks, since they are far from normal.
   if (row.metric == kSuccessRate) {
     row.p = mcnemar_exact_p(lost, gained);
   } else {
@@ -132,6 +140,8 @@ void fill_figures(const std::vector<PairValue>& values, std::size_t replicate_co
   }
 }
 
+/// The values of the pairs that a metric speaks of (see compare.hpp); the success rate is a metric
+/// of 0 and 1.
 std::vector<PairValue> values_of(const TrialTable& base, const TrialTable& now,
                                  const std::vector<Pair>& pairs, const std::string& metric) {
   std::vector<PairValue> values;
@@ -149,6 +159,7 @@ std::vector<PairValue> values_of(const TrialTable& base, const TrialTable& now,
   for (const auto& [i, k] : pairs) {
     const TableTrial& before = base.trials[i];
     const TableTrial& after = now.trials[k];
+    // Both have to have finished: else a planner that fails on hard missions would improve by it.
     if (!takes_failures && !(finished(before) && finished(after))) continue;
     const double old_value = before.metrics[base_column], new_value = after.metrics[new_column];
     if (!std::isfinite(old_value) || !std::isfinite(new_value)) continue;
@@ -157,6 +168,7 @@ std::vector<PairValue> values_of(const TrialTable& base, const TrialTable& now,
   return values;
 }
 
+/// The row without its verdict, which judge() gives when all rows are there.
 MetricComparison row_of(const TrialTable& base, const TrialTable& now,
                         const std::vector<Pair>& pairs, std::size_t planner,
                         const std::string& metric, std::size_t replicate_count) {
@@ -175,6 +187,8 @@ MetricComparison row_of(const TrialTable& base, const TrialTable& now,
 }
 
 /// Corrects the p of what may fail the comparison, and judges.
+/// Two limits: beyond chance (p) and beyond the tolerance. Only metrics that may fail the
+/// comparison are tests; those that may not don't make it harder for the others.
 void judge(const CompareSettings& settings, Comparison& comparison) {
   std::vector<double> p;
   std::vector<std::size_t> gated;
@@ -189,11 +203,13 @@ void judge(const CompareSettings& settings, Comparison& comparison) {
     gated.push_back(i);
     p.push_back(row.p);
   }
+  // Over all planners and metrics at once: alpha is of the whole comparison.
   const std::vector<double> adjusted = holm_adjusted(p);
   comparison.test_count = static_cast<std::int64_t>(gated.size());
   for (std::size_t i = 0; i < gated.size(); ++i) {
     MetricComparison& row = comparison.rows[gated[i]];
     row.adjusted_p = adjusted[i];
+    // A rank test may find a shift where the means agree: no change, no verdict.
     const bool is_sure = row.adjusted_p < settings.alpha && row.change != 0.0;
     const bool is_large = std::abs(row.change) > 0.0 && std::abs(row.change) >= row.limit;
     const bool is_worse = (row.better == Better::less) == (row.change > 0.0);
@@ -204,6 +220,8 @@ void judge(const CompareSettings& settings, Comparison& comparison) {
   }
 }
 
+/// The success rate is always first. `finished` is the same in other words, and would be tested
+/// twice.
 std::vector<std::string> wanted_metrics(const TrialTable& base, const TrialTable& now,
                                         const CompareSettings& settings) {
   const auto has = [](const TrialTable& table, std::string_view name) {
@@ -214,6 +232,8 @@ std::vector<std::string> wanted_metrics(const TrialTable& base, const TrialTable
   const bool wants_all = settings.metrics == std::vector<std::string>{"all"};
   if (wants_all) {
     for (const MetricRow& metric : now.metrics) {
+      // What only one side has can't be paired; a metric that was asked for by name is an error
+      // there.
       if (metric.name != "finished" && has(base, metric.name)) names.push_back(metric.name);
     }
     return names;
@@ -252,6 +272,7 @@ void tell_unpaired(Comparison& comparison) {
 void tell_few_pairs(Comparison& comparison) {
   std::string few;
   for (const PlannerPairs& planner : comparison.planners) {
+    // All of them lost, against Holm's strictest step: the smallest p of all `tests`.
     const double least_p = mcnemar_exact_p(planner.pair_count, 0);
     const auto tests = static_cast<double>(comparison.test_count);
     if (planner.pair_count == 0 || least_p * tests < comparison.alpha) continue;
@@ -277,6 +298,8 @@ void tell_other_missions(const TrialTable& base, const TrialTable& now,
 
 }  // namespace
 
+/// Both tables are in order of identities, which no two trials of one share: one walk finds all
+/// pairs.
 std::vector<Pair> paired_trials(const TrialTable& base, const TrialTable& now) {
   std::vector<Pair> pairs;
   for (std::size_t i = 0, k = 0; i < base.trials.size() && k < now.trials.size();) {
@@ -299,6 +322,7 @@ Pair common_metric(const TrialTable& base, const TrialTable& now, const std::str
                                   .message = "has no metric " + name + did_you_mean(name, names)});
   };
   const Pair columns{position(base), position(now)};
+  // A version stands for a formula: two of them are two metrics of one name.
   const int before = base.metrics[columns.first].version;
   const int after = now.metrics[columns.second].version;
   if (before != after) {
@@ -323,12 +347,14 @@ Comparison compare_tables(const TrialTable& base, const TrialTable& now,
   comparison.new_sweep = now.sweep;
   comparison.alpha = settings.alpha;
   const std::vector<std::string> metrics = wanted_metrics(base, now, settings);
+  // Unknown names and versions fail here, before anything is computed.
   for (const std::string& name : metrics) {
     if (name != kSuccessRate) common_metric(base, now, name);
   }
 
   std::map<std::string, PlannerPairs> counts;
   std::map<std::string, std::vector<Pair>> trials;
+  // All trials count as unpaired first; each pair then takes one from both sides.
   for (const TableTrial& trial : base.trials) ++counts[trial.identity.planner].only_base_count;
   for (const TableTrial& trial : now.trials) ++counts[trial.identity.planner].only_new_count;
   const std::vector<Pair> pairs = paired_trials(base, now);
@@ -355,6 +381,7 @@ Comparison compare_tables(const TrialTable& base, const TrialTable& now,
     if (flip.before == Outcome::reached_goal) return 0;
     return flip.after == Outcome::reached_goal ? 1 : 2;
   };
+  // Stable: within a kind of flip they stay in order of identities.
   std::stable_sort(comparison.flips.begin(), comparison.flips.end(),
                    [&](const Flip& a, const Flip& b) { return rank(a) < rank(b); });
   for (auto& [planner, count] : counts) {

@@ -12,11 +12,13 @@
 namespace avoidbench {
 namespace {
 
+/// A metric and its place among those of either table.
 struct ComparedColumn {
   std::string name;
   std::size_t base, now;
 };
 
+/// 0 and −0 differ here, as the bits do; NaN stands for "no value" and has many bit patterns.
 bool same_bits(double a, double b) {
   return (std::isnan(a) && std::isnan(b)) ||
          std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
@@ -32,6 +34,7 @@ std::vector<ComparedColumn> columns_of(const TrialTable& base, const TrialTable&
     return std::any_of(table.metrics.begin(), table.metrics.end(),
                        [&](const MetricRow& metric) { return metric.name == name; });
   };
+  // Measured ones depend on the host and never repeat.
   for (const MetricRow& metric : now.metrics) {
     if (metric.is_measured) continue;
     if (!has(base, metric.name)) {
@@ -48,6 +51,7 @@ std::vector<ComparedColumn> columns_of(const TrialTable& base, const TrialTable&
   return columns;
 }
 
+/// A difference for each thing that is not the same, also where one follows from another.
 void compare_pair(const TableTrial& before, const TableTrial& after,
                   const std::vector<ComparedColumn>& columns,
                   std::vector<Difference>& differences) {
@@ -89,6 +93,7 @@ ExactComparison compare_exactly(const TrialTable& base, const TrialTable& now) {
     result.differences.push_back(
         {.identity = trial.identity, .what = "trial", .before = before, .after = after});
   };
+  // A merge of two lists in order of identities; what one side lacks is told at its place.
   std::size_t i = 0, k = 0;
   while (i < base.trials.size() || k < now.trials.size()) {
     const bool has_base = i < base.trials.size(), has_new = k < now.trials.size();

@@ -15,9 +15,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// JSON has no NaN: null.
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 std::string dumped(const Json& json) {
+  // Bytes that are no UTF-8 (of labels, of file names) are replaced and do not throw.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -119,6 +121,7 @@ std::string in_xml(std::string_view text) {
   return escaped;
 }
 
+/// CI systems show a metric of a planner as a test: class and name.
 struct TestCase {
   std::string planner, metric;
   std::string failure;  ///< "" where it passed
@@ -126,6 +129,7 @@ struct TestCase {
   std::string details;
 };
 
+/// The counts stand twice, at all suites and at the one: readers take either.
 std::string junit_of(const std::string& suite, const std::vector<TestCase>& cases) {
   const auto failures = std::count_if(cases.begin(), cases.end(),
                                       [](const TestCase& test) { return !test.failure.empty(); });
@@ -153,6 +157,7 @@ std::string junit_of(const std::string& suite, const std::vector<TestCase>& case
   return out + "  </testsuite>\n</testsuites>\n";
 }
 
+/// One line: what a page of a CI system shows of a test.
 std::string figures(const MetricComparison& row) {
   const std::string unit = row.unit.empty() ? "" : " " + row.unit;
   if (row.pair_count == 0) return "no pair of trials";
@@ -168,6 +173,7 @@ std::string figures(const MetricComparison& row) {
   return line + ", " + std::to_string(row.pair_count) + " pairs";
 }
 
+/// Rows that may not fail the comparison are skipped tests, with their figures.
 std::string junit_text(const Comparison& comparison) {
   std::vector<TestCase> cases;
   for (const MetricComparison& row : comparison.rows) {
@@ -184,6 +190,7 @@ std::string junit_text(const Comparison& comparison) {
 }
 
 std::string junit_text(const ExactComparison& comparison) {
+  // By planner and by what differs: a test case has all trials in which its metric differs.
   std::map<std::pair<std::string, std::string>, std::vector<const Difference*>> found;
   for (const Difference& difference : comparison.differences) {
     found[{difference.identity.planner, difference.what}].push_back(&difference);
@@ -208,6 +215,7 @@ std::string junit_text(const ExactComparison& comparison) {
   return junit_of("avoidbench compare, exact, " + comparison.new_sweep, cases);
 }
 
+/// {planner: {metric: {value, lower_value, upper_value}}}; all metrics, gated or not.
 std::string bencher_text(const Comparison& comparison) {
   Json all = Json::object();
   for (const MetricComparison& row : comparison.rows) {
@@ -227,6 +235,7 @@ std::string bencher_text(const Comparison& comparison) {
 std::string github_text(const Comparison& comparison, Better better) {
   Json all = Json::array();
   for (const MetricComparison& row : comparison.rows) {
+    // That tool knows one direction a file, so the rate is in both, in each as its direction wants.
     const bool is_turned = row.metric == "success_rate" && better == Better::less;
     if (std::isnan(row.new_mean) || (row.better != better && !is_turned)) continue;
     Json entry{{"name", comparison.planners[row.planner].planner + " / " +
@@ -235,6 +244,8 @@ std::string github_text(const Comparison& comparison, Better better) {
                {"value", is_turned ? 1.0 - row.new_mean : row.new_mean}};
     if (std::isfinite(row.new_interval.lower) && std::isfinite(row.new_interval.upper)) {
       entry["range"] =
+          // The tool's range is one text: half the width, although BCa's intervals are not
+          // symmetric.
           "± " + significant_digits(0.5 * (row.new_interval.upper - row.new_interval.lower), 5);
     }
     entry["extra"] = figures(row) + ": " + std::string(text(row.verdict));

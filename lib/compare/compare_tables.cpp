@@ -12,6 +12,7 @@
 namespace avoidbench {
 namespace {
 
+/// What rounds to zero gets no sign even where one is asked for: neither +0.000 nor -0.000.
 std::string with_decimals(double value, int decimals, bool has_sign = false) {
   if (std::isnan(value)) return "–";
   const std::string digits = fixed_digits(value, decimals);
@@ -22,6 +23,7 @@ std::string with_decimals(double value, int decimals, bool has_sign = false) {
 
 /// Decimals that show `digits` digits of a number of this size, at most 6.
 int decimals_for(double size, int digits) {
+  // One decimal less for each power of ten of the number, one more for each below 1.
   int decimals = digits - 1;
   for (double limit = 10.0; size >= limit && decimals > 0; limit *= 10.0) --decimals;
   for (double limit = 1.0; size < limit && size > 0.0 && decimals < 6; limit *= 0.1) ++decimals;
@@ -49,6 +51,8 @@ std::string p_text(double p) {
   return p < 0.0005 ? "<0.001" : with_decimals(p, 3);
 }
 
+/// The column's abbreviation, with the unit, and what it stands for; the metric's own name and ""
+/// where there is none.
 std::pair<std::string, std::string> short_name(const MetricComparison& row) {
   constexpr std::pair<std::string_view, std::string_view> kShort[] = {
       {"success_rate", "SR"},         {"path_optimality_pct", "PO"},
@@ -101,6 +105,7 @@ Table metric_table_of(const Comparison& comparison) {
   for (const MetricComparison& row : comparison.rows) {
     const int decimals = decimals_of_means(row), finer = decimals_of_change(row);
     const Interval& interval = row.change_interval;
+    // Zeros with decimals would look like rounded changes.
     const bool is_untouched = row.change == 0.0 && interval.lower == 0.0 && interval.upper == 0.0;
     std::string change = with_decimals(row.change, finer, true), range;
     if (is_untouched) {
@@ -143,6 +148,7 @@ Table table_of_trials(const std::string& name, const std::string& title,
   return table;
 }
 
+/// Of few flips all, of many the first; the title counts all of them.
 Table flip_table(const Comparison& comparison) {
   const std::size_t count = comparison.flips.size(), shown = std::min(kShownTrials, count);
   std::int64_t lost = 0, gained = 0;
@@ -150,6 +156,7 @@ Table flip_table(const Comparison& comparison) {
     lost += planner.lost_count;
     gained += planner.gained_count;
   }
+  // Neither lost nor won: collided before, timed out now.
   const auto others = static_cast<std::int64_t>(count) - lost - gained;
   std::string title = "Trials with another outcome: " + std::to_string(lost) + " lost, " +
                       std::to_string(gained) + " won, " + std::to_string(others) +
@@ -213,6 +220,7 @@ Section comparison_section(const Comparison& comparison) {
   }
   for (const MetricComparison& row : comparison.rows) {
     const auto [name, meaning] = short_name(row);
+    // Each abbreviation once: every planner has the same metrics.
     if (row.planner == comparison.rows.front().planner && !meaning.empty()) {
       section.notes.emplace_back(name.substr(0, name.find(',')), meaning);
     }
@@ -235,7 +243,9 @@ std::string exact_text(const ExactComparison& comparison) {
     out += wrapped(visible_line("Warning: " + warning), kWidth, 9) + "\n";
   }
   std::size_t trial_count = 0;
+  // Trials beyond the limit are still counted.
   for (std::size_t i = 0; i < comparison.differences.size(); ++trial_count) {
+    // Differences of one trial adjoin: the run of them is a paragraph.
     const TrialIdentity& identity = comparison.differences[i].identity;
     std::string line;
     std::size_t end = i;

@@ -21,7 +21,8 @@ bool has(const std::vector<std::string>& labels, const std::string& label) {
   return std::find(labels.begin(), labels.end(), label) != labels.end();
 }
 
-/// The two labels. A label may have a colon itself: the first split that fits both sides.
+/// The two labels. A label may have a colon itself: splits are tried from the last colon on, and
+/// the first that fits both sides counts.
 std::pair<std::string, std::string> split(const std::string& wanted,
                                           const std::vector<std::string>& base,
                                           const std::vector<std::string>& now) {
@@ -32,9 +33,11 @@ std::pair<std::string, std::string> split(const std::string& wanted,
     if (has(base, labels.first) && has(now, labels.second)) return labels;
   }
   if (has(base, wanted) && has(now, wanted)) return {wanted, wanted};
+  // Nothing fits: keep() says which label of the last split a side lacks.
   return labels;
 }
 
+/// Both sides' trials get one label, so that their identities pair.
 void keep(TrialTable& table, const std::vector<std::string>& labels, const std::string& label,
           const std::string& shown) {
   if (!has(labels, label)) {

@@ -14,6 +14,7 @@ namespace {
 
 std::string percent(double ratio) { return significant_digits(100.0 * ratio, 4) + " %"; }
 
+/// Ranges are asked as "not within", so that NaN is refused too.
 void check(const PowerQuestion& question) {
   const auto is_ratio = [](double value) { return value > 0.0 && value < 1.0; };
   if (!(question.success_rate > 0.0 && question.success_rate <= 1.0)) {
@@ -39,6 +40,7 @@ void check(const PowerQuestion& question) {
     throw OptionError(std::to_string(*question.trials) + ": at least 1", "trials");
 }
 
+/// The same question by several tests: they differ by what they assume.
 Table needed_table(const PowerQuestion& question, double lower_rate, double discordance) {
   Table table = make_table("trials", "Trials per planner",
                            {{.name = "test", .header = "by", .place = Place::key},
@@ -60,6 +62,7 @@ Table needed_table(const PowerQuestion& question, double lower_rate, double disc
   return table;
 }
 
+/// The other direction: what a number of trials that one can afford tells.
 Table found_table(const PowerQuestion& question, double lower_rate) {
   Table table =
       make_table("found", "With " + std::to_string(*question.trials) + " trials per planner",
@@ -69,6 +72,7 @@ Table found_table(const PowerQuestion& question, double lower_rate) {
       two_rates_power_exact(question.success_rate, lower_rate, *question.trials, question.alpha);
   table.rows.push_back(make_row("power of Fisher's exact test", power, Cell{}, Cell{}));
   for (const double rate : {question.success_rate, lower_rate}) {
+    // A whole number of trials near the rate.
     const auto finished =
         static_cast<std::int64_t>(std::nearbyint(rate * static_cast<double>(*question.trials)));
     table.rows.push_back(make_row("a success rate of " + percent(rate), rate,
@@ -82,6 +86,8 @@ Table found_table(const PowerQuestion& question, double lower_rate) {
 Section power_section(const PowerQuestion& question) {
   check(question);
   const double lower_rate = question.success_rate - question.detect;
+  // Two planners that know nothing of each other differ where one finishes and the other does not:
+  // p (1 − q) + q (1 − p).
   const double independent =
       question.success_rate * (1.0 - lower_rate) + lower_rate * (1.0 - question.success_rate);
   const double discordance = question.discordance.value_or(independent);

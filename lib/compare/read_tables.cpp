@@ -24,6 +24,7 @@ struct Source {
 };
 
 /// Whether the file begins as databases do, or is too short for a table.
+/// What is too short for a table is opened as a database, whose reader says what is wrong with it.
 bool may_be_database(const std::filesystem::path& path) {
   InputFile file(path, std::numeric_limits<std::uint64_t>::max());
   std::string start(16, '\0');
@@ -31,11 +32,13 @@ bool may_be_database(const std::filesystem::path& path) {
   return count < start.size() || start.starts_with("SQLite format 3");
 }
 
+/// Sweeps without a finished trial are left out: nothing of them can be compared.
 Source open_source(const std::filesystem::path& path) {
   Source source{
       .file = path.string(), .database = std::nullopt, .sweeps = {}, .table = TrialTable{}};
   if (may_be_database(path)) {
     source.database = Database::open_for_reading(path);
+    // Throws where a digest is wrong; rows without digests only warn.
     source.warning = undigested_text(*source.database, check_digests(*source.database, false));
     for (SweepInfo& sweep : source.database->read_sweeps()) {
       if (sweep.trial_count > 0) source.sweeps.push_back(std::move(sweep));
@@ -55,6 +58,7 @@ std::vector<std::string> names_of(const Source& source) {
   std::vector<std::string> names;
   if (!source.database) names.push_back(source.table.sweep);
   for (const SweepInfo& sweep : source.sweeps) {
+    // Revisions of a name adjoin.
     if (names.empty() || names.back() != sweep.name) names.push_back(sweep.name);
   }
   return names;
@@ -67,6 +71,7 @@ const SweepInfo& sweep_of(const Source& source, const std::string& wanted) {
   for (const SweepInfo& sweep : source.sweeps) {
     const bool is_wanted =
         wanted == sweep.name || wanted == sweep.name + "@" + std::to_string(sweep.revision);
+    // The last match: without a revision, the latest.
     if (is_wanted) found = &sweep;
   }
   if (found == nullptr) {
@@ -92,6 +97,7 @@ TrialTable take(Source& source, const std::string& wanted, const std::vector<std
         .file = source.file,
         .message = "is a table of sweep " + source.table.sweep + ", not of " + wanted});
   }
+  // A CSV has one table, which is taken once.
   return std::move(source.table);
 }
 
@@ -100,6 +106,7 @@ std::vector<std::string> axes_of(const Source& source, const std::string& wanted
 }
 
 /// The names of the sweeps to compare, where none was asked for.
+/// The one sweep of each file, whatever they are called, or the one name that both have.
 std::pair<std::string, std::string> only_sweeps(const Source& base, const Source& now) {
   const std::vector<std::string> names = names_of(base), others = names_of(now);
   if (names.size() == 1 && others.size() == 1) return {names.front(), others.front()};

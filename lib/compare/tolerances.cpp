@@ -12,6 +12,7 @@
 namespace avoidbench {
 namespace {
 
+/// A finite number from 0 on, where the text is nothing else.
 std::optional<double> number_from(std::string_view text) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -29,6 +30,7 @@ std::optional<double> percent_from(std::string_view text) {
   return value ? std::optional(*value / 100.0) : std::nullopt;
 }
 
+/// What a file says of a metric; nothing where it says no such thing.
 std::optional<Tolerance> tolerance_from(const YamlNode& node) {
   if (node.kind != YamlNode::Kind::scalar) return std::nullopt;
   if (node.scalar == "ignore") return Tolerance{Tolerance::Kind::ignored, 0.0};
@@ -43,6 +45,8 @@ std::optional<Tolerance> tolerance_from(const YamlNode& node) {
 }  // namespace
 
 Tolerance min_effect_from(std::string_view text) {
+  // 0.05 is a share here, not a number in the metric's unit as in a file: it is for metrics of all
+  // units.
   std::optional<double> share = percent_from(text);
   if (!share) share = number_from(text);
   if (!share) {
@@ -62,6 +66,7 @@ void read_tolerances(const std::filesystem::path& file, const std::vector<std::s
         problem_at(root, "expected a mapping (metric: tolerance), found " + found_text(root)));
   }
   std::vector<std::string> known = metrics;
+  // `success_rate` is no metric of a table, `default` none at all.
   known.insert(known.end(), {"default", "success_rate"});
   for (std::size_t i = 0; i < root.keys.size(); ++i) {
     const std::string& name = root.keys[i].scalar;

@@ -16,6 +16,7 @@ constexpr std::string_view kTitle = "# avoidbench trials, format 1";
 constexpr std::array<std::string_view, 8> kColumns{
     "planner", "generator", "map_seed", "setting", "mission_index", "map", "mission", "outcome"};
 
+/// Digests as 16 digits, whatever their leading zeros.
 std::string in_hex(std::uint64_t value) {
   std::array<char, 24> buffer{};
   std::snprintf(buffer.data(), buffer.size(), "%016llx", static_cast<unsigned long long>(value));
@@ -44,6 +45,7 @@ class CsvReader {
     throw InputError(InputProblem{.file = source_, .line = line_, .message = message});
   }
 
+  // Quotes may begin anywhere in a field; a field has no line break, since lines are split before.
   std::vector<std::string> fields(std::string_view line) const {
     std::vector<std::string> all(1);
     bool is_quoted = false;
@@ -69,6 +71,7 @@ class CsvReader {
     Number value{};
     const char* end = field.data() + field.size();
     std::from_chars_result read{};
+    // An empty field is a metric without a value; whole numbers have no such.
     if constexpr (std::is_floating_point_v<Number>) {
       if (field.empty()) return std::numeric_limits<Number>::quiet_NaN();
       read = std::from_chars(field.data(), end, value);
@@ -87,6 +90,8 @@ class CsvReader {
   int line_ = 0;
 };
 
+/// A table has to be read by later programs, whose metrics may have changed: it brings the
+/// definitions that comparing needs.
 MetricRow metric_of(const CsvReader& reader, const std::vector<std::string>& fields) {
   const auto better = enum_from_text<Better>(fields.size() == 6 ? fields[4] : "");
   const auto population = enum_from_text<Population>(fields.size() == 6 ? fields[5] : "");
@@ -102,6 +107,7 @@ MetricRow metric_of(const CsvReader& reader, const std::vector<std::string>& fie
   return metric;
 }
 
+/// Comments that are not known are passed over.
 void read_comment(const CsvReader& reader, std::string_view line, TrialTable& table) {
   if (line.starts_with("# sweep: ")) table.sweep = line.substr(9);
   if (line.starts_with("# axes:")) {
@@ -117,6 +123,7 @@ void read_comment(const CsvReader& reader, std::string_view line, TrialTable& ta
   }
 }
 
+/// A line of the table; fails, with its place, at the first field that can't be.
 TableTrial trial_of(const CsvReader& reader, const std::vector<std::string>& fields,
                     std::size_t metric_count) {
   if (fields.size() != kColumns.size() + metric_count) {
@@ -124,6 +131,7 @@ TableTrial trial_of(const CsvReader& reader, const std::vector<std::string>& fie
                 std::to_string(kColumns.size() + metric_count));
   }
   TableTrial trial;
+  // Without the apostrophe that guards spreadsheets from formulas.
   trial.identity = {.planner = std::string(text_of_csv_field(fields[0])),
                     .generator = std::string(text_of_csv_field(fields[1])),
                     .map_seed = reader.number<std::uint64_t>(fields[2], "map_seed"),
@@ -150,11 +158,13 @@ std::string csv_of_table(const TrialTable& table) {
   title += ": what `avoidbench compare` needs of each trial, as it wrote it";
   for (const std::string& path : table.axes) axes += " " + path;
   std::string out = comment_line(title);
+  // Without the revision: the file is compared by name.
   out += comment_line("# sweep: " + table.sweep.substr(0, table.sweep.find('@')));
   out += comment_line(axes);
   CsvRow header;
   for (const std::string_view column : kColumns) header.add(column);
   for (const MetricRow& metric : table.metrics) {
+    // Left out, so that the file does not change from run to run.
     if (metric.is_measured) continue;
     CsvRow definition;
     definition.add_words({"# metric", metric.name, std::to_string(metric.version), metric.unit});
@@ -203,6 +213,8 @@ TrialTable table_of_csv(const std::string& text, const std::string& source) {
     } else {
       table.trials.push_back(trial_of(reader, reader.fields(line), table.metrics.size()));
       const std::size_t count = table.trials.size();
+      // Pairing and the comparison bit for bit walk through trials in order; an edited file may
+      // have lost it.
       if (count > 1 && !(table.trials[count - 2].identity < table.trials[count - 1].identity)) {
         reader.fail("trials are not in order, or this one is there twice");
       }

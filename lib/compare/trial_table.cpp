@@ -15,10 +15,12 @@ namespace {
 
 using nlohmann::json;
 
+/// Enough to tell worlds apart; 0 for a row without a digest.
 std::uint64_t first_64_bits(const std::string& digest) {
   return digest.size() < 16 ? 0 : std::stoull(digest.substr(0, 16), nullptr, 16);
 }
 
+/// The same only in the same world, between the same places, to the last bit.
 std::uint64_t mission_digest(const MapRecord& map, const Mission& mission) {
   Digest digest;
   digest.add(map.world_digest);
@@ -49,6 +51,7 @@ struct MapOfTable {
   std::map<std::int64_t, std::uint64_t> missions;
 };
 
+/// What trials need to know of their map: its part of their setting, and its missions' digests.
 MapOfTable map_of(const Database& database, const std::string& key,
                   const std::vector<std::string>& axes) {
   const std::optional<MapRow> row = database.read_map(key);
@@ -57,6 +60,7 @@ MapOfTable map_of(const Database& database, const std::string& key,
   map.generator = row->generator;
   map.map_seed = row->map_seed;
   map.digest = first_64_bits(row->record.world_digest);
+  // Without throwing: a spec that can't be read has no values.
   const json spec = json::parse(row->spec_json, nullptr, false);
   for (const std::string& path : axes) {
     if (path.starts_with("map.")) append_setting(map.setting, path, map_value(spec, path));
@@ -67,6 +71,7 @@ MapOfTable map_of(const Database& database, const std::string& key,
   return map;
 }
 
+/// The table is in order: twins adjoin.
 void check_identities(const TrialTable& table) {
   const auto twin = std::adjacent_find(
       table.trials.begin(), table.trials.end(),
@@ -103,10 +108,12 @@ TrialTable table_of_sweep(const Database& database, const SweepInfo& sweep,
     labels[planner_key(planner)] = planner.label;
   }
   std::map<std::string, MapOfTable> maps;
+  // A map's settings are in its own row, once for all its trials.
   std::vector<std::string> paths = axes;  // of a trial's own settings
   std::erase_if(paths, [](const std::string& path) { return path.starts_with("map."); });
   table.trials.reserve(static_cast<std::size_t>(sweep.trial_count));
   visit_trials(database, sweep.name, sweep.revision, paths, [&](VisitedTrial trial) {
+    // Each map is read once, when its first trial comes.
     auto found = maps.find(trial.map_key);
     if (found == maps.end()) {
       found = maps.emplace(trial.map_key, map_of(database, trial.map_key, axes)).first;
@@ -126,6 +133,7 @@ TrialTable table_of_sweep(const Database& database, const SweepInfo& sweep,
     row.outcome = trial.outcome;
     row.metrics = std::move(trial.metrics);
   });
+  // The order that pairing relies on; the database's is that of flying.
   std::sort(table.trials.begin(), table.trials.end(),
             [](const TableTrial& a, const TableTrial& b) { return a.identity < b.identity; });
   check_identities(table);

@@ -20,12 +20,14 @@ std::string range_comment(Range range) {
   return above ? " At most " + number_text(range.highest) + "." : "";
 }
 
+/// What the file says of a key: doc, range, words. "doc [0, 1] (a | b)".
 std::string comment_of(const FieldTree& field) {
   std::string words;
   for (const std::string& word : field.choices) words += (words.empty() ? " (" : " | ") + word;
   return field.doc + range_comment(field.range) + words + (words.empty() ? "" : ")");
 }
 
+/// Comments begin in one column, or two blanks behind a longer line.
 void add_line(const std::string& content, const std::string& comment, std::string& text) {
   constexpr std::size_t kCommentColumn = 36;
   std::string padded = content;
@@ -34,6 +36,7 @@ void add_line(const std::string& content, const std::string& comment, std::strin
 }
 
 /// The fields in the order of the tree.
+/// JSON objects are in order of names; people expect that of the documentation.
 nlohmann::ordered_json in_order(const FieldTree& block, const Json& values) {
   nlohmann::ordered_json ordered = nlohmann::ordered_json::object();
   for (const FieldTree& field : block.fields) ordered[field.name] = values.at(field.name);
@@ -45,12 +48,14 @@ nlohmann::ordered_json in_order(const FieldTree& block, const Json& values) {
 void add_block(const FieldTree& block, const Json& values, const std::string& indent,
                bool with_others, std::string& text) {
   for (const FieldTree& field : block.fields) {
+    // A key that is no field, such as mission.list: named, commented out.
     if (field.kind == FieldKind::other && !field.facts.empty()) {
       add_line(indent + "# " + field.name + ":", field.doc, text);
     }
     if (field.kind == FieldKind::other) continue;  // a preset is told above
     const std::string key = indent + field.name + ":";
     const Json& value = values.at(field.name);
+    // A list of mappings, such as cameras: one line each.
     const bool has_blocks =
         field.kind == FieldKind::list && field.fields.front().kind == FieldKind::block;
     if (field.kind == FieldKind::block) {
@@ -62,11 +67,13 @@ void add_block(const FieldTree& block, const Json& values, const std::string& in
         text += indent + "  - " + flow_yaml(in_order(field.fields.front(), element)) + "\n";
       }
     } else {
+      // The tree has one seed; the key takes a list of them.
       const bool is_list = field.name == "seeds";
       add_line(key + " " + flow_yaml(is_list ? Json::array({value}) : value), comment_of(field),
                text);
     }
     if (field.kind != FieldKind::variant) continue;
+    // The fields of the kind that the value names stand beside the variant.
     add_block(*field.find(value.get<std::string>()), values, indent, with_others, text);
     for (const FieldTree& kind : field.fields) {
       if (!with_others || value == kind.name) continue;
@@ -97,6 +104,7 @@ void add_key(const FieldTree& key, const Json& defaults, std::string& text) {
     const auto example = std::find_if(key.facts.begin(), key.facts.end(),
                                       [](const auto& fact) { return fact.first == "example"; });
     if (key.name == "axes") text += "\n";
+    // Of keys without a default only the name has to be there; `planners` is above.
     add_line((key.name == "sweep" ? "" : "# ") + example->second, comment_of(key), text);
   }
 }
@@ -119,11 +127,13 @@ std::string scalar_yaml(const nlohmann::ordered_json& json) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
            c == '.' || c == '/';
   };
+  // What would be read as a number, a truth or nothing has to stand in quotes.
   YamlNode node;
   node.kind = YamlNode::Kind::scalar;
   node.scalar = text;
   const bool means_itself = !text.empty() && !number_of(node) && text != "true" &&
                             text != "false" && text != "null" && text.front() != '.';
+  // JSON's quotes and escapes are YAML's too.
   return means_itself && std::all_of(text.begin(), text.end(), is_plain) ? text : json.dump();
 }
 

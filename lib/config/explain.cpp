@@ -26,6 +26,8 @@ const FieldTree& element_of(const FieldTree& field) {
 }
 
 /// Other numbers than the preset, from near to far, or lists with all their numbers changed alike.
+/// A user learns more from an example that changes something; so changes are tried until one is
+/// within the range and, for whole numbers, whole.
 std::vector<Json> other_numbers(const FieldTree& field) {
   const FieldTree& element = element_of(field);
   const Range range = element.range;
@@ -55,6 +57,7 @@ std::vector<Json> other_numbers(const FieldTree& field) {
   return others;
 }
 
+/// Values that an example may change the field to; none where nothing else is known to be good.
 std::vector<Json> other_values(const FieldTree& field) {
   std::vector<Json> others;
   switch (element_of(field).kind) {
@@ -98,6 +101,7 @@ std::string example_line(const std::string& path, const std::vector<SaidKind>& k
   for (const SaidKind& said : kinds) set(said.path, said.kind);
   set(path, value);
   const std::string text = flow_yaml(document);
+  // Without the outer braces: the document is a mapping.
   return text.substr(1, text.size() - 2);
 }
 
@@ -106,6 +110,7 @@ std::string example_line(const std::string& path, const std::vector<SaidKind>& k
 std::vector<Json> example_values(const std::string& path, const KindField& field) {
   if (field.field->preset.is_null() || field.field->preset == "") return {};
   std::vector<Json> values{field.field->preset};
+  // A trial with all at its preset, except for the kinds that the field needs.
   Json base = spec_to_json(TrialSpec{});
   const std::size_t dot = path.find('.');
   if (dot != std::string::npos) {  // the block with the kinds that the field needs
@@ -116,6 +121,7 @@ std::vector<Json> example_values(const std::string& path, const KindField& field
     }
     base[key == "maps" ? "map" : key].update(preset_json(*sweep_tree().find(key), kinds));
   }
+  // The presets of an unusual kind may contradict others already: only more of it counts.
   const std::size_t before = contradictions(spec_from_json<TrialSpec>(base)).size();
   for (const Json& other : other_values(*field.field)) {
     const auto changed = spec_from_json<TrialSpec>(trial_with(base, path, other));
@@ -222,6 +228,7 @@ void add_examples(const std::string& path, const KindField& entry, Explanation& 
     about.facts.emplace_back("axis", "no: write one sweep for each");
     return;
   }
+  // First the preset, then another value: the example is one that changes something.
   const std::vector<Json> values = example_values(path, entry);
   const bool is_text = values.empty() && field.kind == FieldKind::text;
   if (!values.empty()) about.facts.emplace_back("example", line(values.back()));
@@ -238,6 +245,7 @@ void add_examples(const std::string& path, const KindField& entry, Explanation& 
     if (field.kind == FieldKind::number) {
       range["count"] = 3;
     } else {
+      // A count of whole numbers might fall between them.
       range["step"] = high.get<std::int64_t>() - low.get<std::int64_t>();
     }
     about.facts.emplace_back("or", line(range));
@@ -273,6 +281,7 @@ std::vector<Explanation> about_block(const std::string& path, const FieldTree& b
   Explanation about;
   about.title = path + ": " + block.doc;
   const FieldTree* preset = block.find("preset");
+  // A name may stand for the block.
   if (preset != nullptr) {
     const std::string& last = preset->choices.back();
     about.facts = {{"type", "a name, or a mapping"},
@@ -284,6 +293,7 @@ std::vector<Explanation> about_block(const std::string& path, const FieldTree& b
                    {"or", path + ": {preset: " + last + ", name: mine}"}};
   }
   about.columns = kColumns;
+  // The block first, then a table of kinds for each variant in it.
   std::vector<Explanation> all;
   for (const FieldTree& field : block.fields) {
     about.keys.push_back(row(field));
@@ -331,6 +341,7 @@ std::vector<Explanation> about_top() {
   return {std::move(about)};
 }
 
+/// How it is written in a sweep's file, for one value and as an axis.
 Explanation about_parameter(const std::string& planner, const ParameterDef& parameter) {
   const FieldTree field = parameter_tree(parameter);
   Explanation about = about_values(planner + "." + field.name, field, parameter.unit);
@@ -368,6 +379,7 @@ std::vector<Explanation> about_planner(const std::string& key,
   return {};
 }
 
+/// Of all kinds: a name that several have is one path.
 void add_paths(const FieldTree& block, const std::string& prefix, std::set<std::string>& paths) {
   for (const KindField& entry : all_fields(block)) {
     paths.insert(prefix + entry.field->name);
@@ -406,6 +418,7 @@ std::vector<std::string> keys_ending(const std::vector<std::string>& keys, std::
 std::vector<std::string> suggestions(const std::string& key, const std::vector<std::string>& keys) {
   const std::string last = last_part(key);
   std::vector<std::string> found = keys_ending(keys, last);
+  // A misspelling of the whole path is the likeliest.
   const std::string whole(nearest_word(key, keys));
   if (!whole.empty()) found.insert(found.begin(), whole);
   if (found.empty() && !last.empty()) {
@@ -420,6 +433,7 @@ std::vector<std::string> suggestions(const std::string& key, const std::vector<s
       if (last_part(other).find(last) != std::string::npos) found.push_back(other);
     }
   }
+  // Each once, in the order of likelihood.
   std::set<std::string> seen;
   std::erase_if(found, [&](const std::string& other) { return !seen.insert(other).second; });
   constexpr std::size_t kMostShown = 5;
@@ -427,6 +441,7 @@ std::vector<std::string> suggestions(const std::string& key, const std::vector<s
   return found;
 }
 
+/// Several kinds may have a field of one name: where they say the same of it, it is told once.
 bool is_alike(const KindField& a, const KindField& b) {
   return a.field->doc == b.field->doc && a.field->preset == b.field->preset &&
          a.field->range.lowest == b.field->range.lowest &&
@@ -461,6 +476,7 @@ std::vector<Explanation> explain(const std::string& key,
                                  const std::vector<PlannerDescription>& planners) {
   if (key.empty()) return about_top();
   const bool is_planners = key.starts_with("planners.");
+  // planners.NAME is NAME: planners' names are in no block of the sweep.
   const std::string path = is_planners ? key.substr(key.find('.') + 1) : sweep_path(key);
   const std::vector<KindField> found = fields_at(sweep_tree(), path);
   if (found.empty()) {
@@ -469,6 +485,7 @@ std::vector<Explanation> explain(const std::string& key,
     const std::vector<std::string> keys = all_keys(planners);
     const bool is_last = path.find('.') == std::string::npos;
     const std::vector<std::string> ending = keys_ending(keys, path);
+    // poisson_radius_m alone is enough where only one path ends so.
     if (is_last && ending.size() == 1) return explain(ending.front(), planners);
     const std::vector<std::string> meant = suggestions(path, keys);
     throw InputError("no key '" + key + "'" +

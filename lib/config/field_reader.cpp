@@ -11,6 +11,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
+/// A value with a problem leaves the preset.
 template <class T>
 void keep(const std::optional<T>& read, Json& value) {
   if (read) value = *read;
@@ -21,7 +22,9 @@ void read_list(const YamlNode& node, const FieldTree& field, const std::string& 
   if (!check_list(node, path, field.count, reading.problems)) return;
   const FieldTree& element = field.fields.front();
   const Json fresh = element.kind == FieldKind::block ? preset_json(element) : element.preset;
+  // A list of fixed length keeps its presets where an element is wrong.
   Json list = field.count ? value : Json(node.items.size(), fresh);
+  // Within a list, a list is a value.
   const bool lists_were_axes = std::exchange(reading.lists_are_axes, false);
   for (std::size_t i = 0; i < node.items.size(); ++i) {  // an element has no path of its own
     read_field(node.items[i], element, path + "[" + std::to_string(i) + "]", list[i], reading);
@@ -31,6 +34,7 @@ void read_list(const YamlNode& node, const FieldTree& field, const std::string& 
 }
 
 /// Whether several values are given.
+/// A list where one value is wanted, or a range; where a list is wanted, a list of lists.
 bool is_axis(const YamlNode& node, const FieldTree& field) {
   const bool is_list = node.kind == YamlNode::Kind::list;
   if (field.kind == FieldKind::block) return false;
@@ -38,17 +42,20 @@ bool is_axis(const YamlNode& node, const FieldTree& field) {
   return is_list && !node.items.empty() && node.items.front().kind == YamlNode::Kind::list;
 }
 
+/// Each value is read as if it stood alone, and then kept as a value of an axis.
 void read_axis(const YamlNode& node, const FieldTree& field, const std::string& path, Json& value,
                Reading& reading) {
   ReadAxis axis{path, {}};
   const std::vector<YamlNode> nodes = axis_values(node, path, reading.problems);
   reading.lists_are_axes = false;
   for (const YamlNode& one : nodes) {
+    // Each value begins from what is there, as blocks and fixed lists keep what is not said.
     axis.values.push_back(value);
     read_field(one, field, path, axis.values.back(), reading);
   }
   reading.lists_are_axes = true;
   if (axis.values.empty()) return;
+  // The base flies the first value; one value alone is no axis.
   value = axis.values.front();
   if (nodes.size() > 1) reading.axes.push_back(std::move(axis));
 }
@@ -71,6 +78,7 @@ fs::path file_of(const std::string& name, const std::string& shelf, const fs::pa
   const bool is_path = name.find('/') != std::string::npos || name.ends_with(".yaml");
   if (is_path) return fs::path(name).is_absolute() ? fs::path(name) : folder / name;
   std::error_code error;
+  // vehicles/ beside the sweep, or beside the folder of sweeps.
   for (const fs::path& place : {folder / shelf, folder / ".." / shelf}) {
     const fs::path file = (place / (name + ".yaml")).lexically_normal();
     if (fs::is_regular_file(file, error)) return file;
@@ -91,6 +99,7 @@ std::vector<std::string> known_names(const FieldTree& preset, const std::string&
   return {names.begin(), names.end()};
 }
 
+/// The file's problems keep their own places; those without one are told at `name`.
 void read_preset_file(const YamlNode& name, const fs::path& file, const FieldTree& block,
                       const std::string& path, Json& value, Reading& reading) {
   constexpr int kMostLevels = 8;
@@ -98,6 +107,7 @@ void read_preset_file(const YamlNode& name, const fs::path& file, const FieldTre
     reading.problems.push_back(problem_at(name, path + ": presets lead in a circle"));
     return;
   }
+  // A vehicle's file describes one vehicle.
   const bool lists_were_axes = std::exchange(reading.lists_are_axes, false);
   ++reading.preset_level;
   try {
@@ -121,6 +131,7 @@ void read_name(const YamlNode& node, const FieldTree& block, const std::string& 
   const std::string shelf = what + "s";
   const fs::path folder = folder_of(node, reading.folder);
   const fs::path file = file_of(node.scalar, shelf, folder);
+  // A file wins over a built-in name: a user's own firefly is meant.
   if (!file.empty()) return read_preset_file(node, file, block, path, value, reading);
   const auto built_in = std::find(preset.choices.begin(), preset.choices.end(), node.scalar);
   if (built_in != preset.choices.end()) {
@@ -169,6 +180,7 @@ std::string read_key(MappingReader& mapping, const FieldTree& field, Json& block
   const std::string path = mapping.path_of(field.name);
   if (field.kind != FieldKind::variant) {
     if (node == nullptr) return "";
+    // `seeds: 3` is three seeds, `seeds: [3]` is seed 3.
     const bool is_count = field.name == "seeds" && node->kind == YamlNode::Kind::scalar;
     if (is_count && reading.lists_are_axes) {
       read_seed_count(*node, path, block[field.name], reading);
@@ -177,8 +189,10 @@ std::string read_key(MappingReader& mapping, const FieldTree& field, Json& block
     }
     return "";
   }
+  // Variants: first the word, then the fields that this kind has.
   Json kind = block.at(field.name);
   if (node != nullptr) keep(read_choice(*node, path, field.choices, reading.problems), kind);
+  // Another kind than the one before: its fields go, and the new kind's presets come.
   if (kind != block.at(field.name)) {
     for (const FieldTree& old : field.find(block.at(field.name).get<std::string>())->fields) {
       block.erase(old.name);
@@ -199,9 +213,11 @@ void read_block(const YamlNode& node, const FieldTree& block, const std::string&
   const bool may_be_name = has_presets && (reading.preset_level == 0 || path.ends_with(']'));
   if (may_be_name && node.kind == YamlNode::Kind::scalar) {
     read_name(node, block, path, value, reading);
+    // Behind read_name(), whose file remembers places too: the last one counts.
     return reading.remember(path, node);
   }
   MappingReader mapping(node, path, reading);
+  // First of all: the other keys are laid over what the preset says.
   if (const YamlNode* preset = has_presets ? mapping.take("preset") : nullptr) {
     if (preset->kind == YamlNode::Kind::scalar) {
       read_name(*preset, block, path, value, reading);

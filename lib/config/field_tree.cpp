@@ -8,6 +8,7 @@ void add_fields(const FieldTree& block, const std::vector<SaidKind>& kinds,
   for (const FieldTree& field : block.fields) {
     all.push_back({&field, kinds});
     if (field.kind != FieldKind::variant) continue;
+    // A kind's fields stand beside the variant, not below it.
     for (const FieldTree& of_kind : field.fields) {
       std::vector<SaidKind> said = kinds;
       said.push_back({field.name, of_kind.name});
@@ -27,6 +28,7 @@ nlohmann::json json_below(const FieldTree& block, const std::string& prefix,
       json[field.name] = field.preset;
     }
     if (field.kind != FieldKind::variant) continue;
+    // The kind that was said, else the default; only its fields come with it.
     for (const SaidKind& said : kinds) {
       if (said.path == path) json[field.name] = said.kind;
     }
@@ -70,6 +72,7 @@ std::vector<KindField> fields_at(const FieldTree& block, std::string_view path) 
       for (const KindField& inner : fields_at(*entry.field, path.substr(dot + 1))) {
         KindField whole = entry;
         whole.field = inner.field;
+        // Paths of kinds count from the outermost block.
         for (const SaidKind& said : inner.kinds) {
           whole.kinds.push_back({first + "." + said.path, said.kind});
         }

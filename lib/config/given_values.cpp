@@ -13,6 +13,7 @@ namespace {
 
 /// The value of a path of the file, in its block or among the axes; null where it is not given.
 const YamlNode* given(const YamlNode& root, const std::string& path) {
+  // Of two parts: a block of the sweep, and its key.
   const std::size_t dot = path.find('.');
   if (const YamlNode* block = root.find(path.substr(0, dot))) {
     if (const YamlNode* value = block->find(path.substr(dot + 1))) return value;
@@ -24,6 +25,7 @@ const YamlNode* given(const YamlNode& root, const std::string& path) {
 /// Whether two values were written together: in one file, or both on the command line.
 bool are_together(const YamlNode& a, const YamlNode& b) {
   const auto origin = [](const YamlNode& node) {
+    // Overrides have no line; their sources, one option each, are one origin.
     return node.line == 0 || !node.source ? std::string() : *node.source;
   };
   return origin(a) == origin(b);
@@ -52,6 +54,7 @@ void check_latency(const YamlNode& root, const std::set<LatencyMode>& modes, Rea
     const std::string path = std::string("latency.") + use.key;
     const YamlNode* value = given(root, path);
     if (value == nullptr || mode == nullptr || !are_together(*mode, *value)) continue;
+    // At its default it changes nothing, whatever the mode.
     if (is_default(*value, use.preset)) continue;
     const bool is_used = std::any_of(use.modes.begin(), use.modes.end(),
                                      [&](LatencyMode one) { return modes.contains(one); });
@@ -67,6 +70,7 @@ void check_latency(const YamlNode& root, const std::set<LatencyMode>& modes, Rea
 
 /// Heights of starts and goals above the floor; 0 where the map comes from a file.
 double flight_height_m(const MapSpec& map) {
+  // By the fields that the map's spec has: from a file, in the original's way, or any other.
   return std::visit(
       [](const auto& spec) {
         if constexpr (requires { spec.bounds; }) {
@@ -92,6 +96,7 @@ double longest_flight_m(const MapSpec& map) {
             for (const BoxSpec* box : {&start, &goal}) {
               if (box->lowest_m.size() != 3 || box->highest_m.size() != 3) return HUGE_VAL;
             }
+            // The farthest corners of the two boxes, axis by axis.
             const double most_m = std::max(std::abs(goal.highest_m[axis] - start.lowest_m[axis]),
                                            std::abs(start.highest_m[axis] - goal.lowest_m[axis]));
             square_m2 += most_m * most_m;
@@ -129,6 +134,7 @@ std::vector<Problem> problems_of(const TrialSpec& trial, IsGiven is_given) {
   if (mission.goal_radius_m >= longest_m) {
     problems.push_back({"mission.goal_radius_m",
                         goal + " is not below the greatest distance from start_region to " +
+                            // In whole centimetres.
                             "goal_region, " + number_text(std::round(100.0 * longest_m) / 100.0) +
                             " m: every flight is over before it begins"});
   }
@@ -155,6 +161,7 @@ bool fits_free_space(const TrialSpec& trial) {
 
 void check_given_values(const YamlNode& root, const SweepSpec& sweep, Reading& reading) {
   std::set<LatencyMode> modes;
+  // A message may come from hundreds of combinations.
   std::set<std::string> seen;
   const auto is_given = [&](const std::string& path) { return given(root, path) != nullptr; };
   for_each_combination(sweep, [&](const TrialSpec& trial) {

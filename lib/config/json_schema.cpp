@@ -27,6 +27,7 @@ Schema number_json(double value) {
 
 Schema preset_of(const nlohmann::json& preset) {
   if (preset.is_number_float()) return number_json(preset.get<double>());
+  // Ordered and plain JSON are two types: by way of text.
   if (!preset.is_array()) return Schema::parse(preset.dump());
   Schema list = Schema::array();
   for (const nlohmann::json& element : preset) list.push_back(preset_of(element));
@@ -116,6 +117,7 @@ void add_range_keys(Range range, Schema& schema) {
 /// The value, a list of values, or for numbers a range. The keywords of one type do not touch the
 /// others, which makes for better messages than anyOf does.
 Schema scalar_axis(const FieldTree& field, const Schema& value) {
+  // A choice is an enum, which has no type that a list could be added to.
   if (field.kind == FieldKind::choice) {
     Schema list{{"type", "array"}};
     add_values(value, list);
@@ -142,6 +144,7 @@ Schema several_schema(const FieldTree& field, const Schema& value, bool under_ax
     list["type"] = "array";
     return list;
   }
+  // [1, 2, 3] is one value of a list; [[1, 2, 3], [4, 5, 6]] are two.
   return {{"if", {{"type", "array"}, {"contains", {{"type", "array"}}}}},
           {"then", list},
           {"else", value}};
@@ -174,6 +177,7 @@ void add_property(const std::string& name, Schema schema, Schema& properties) {
   Schema& first = properties[name];
   if (first == schema) return;
   const bool is_union = first.size() == 1 && first.contains("anyOf");
+  // The second form makes a union of it, further ones join that.
   if (!is_union) {
     Schema options = Schema::array();
     options.push_back(std::move(first));
@@ -254,6 +258,8 @@ class SchemaWriter {
 };
 
 Schema SchemaWriter::block(const std::vector<FieldTree>& fields, const std::string& name) {
+  // One variant after the other: the definition of a kind is the block with its fields, in which
+  // the next variant is looked for.
   const auto variant = std::find_if(fields.begin(), fields.end(), is_open);
   if (variant == fields.end()) {
     Schema properties = Schema::object();
@@ -281,7 +287,9 @@ Schema SchemaWriter::block(const std::vector<FieldTree>& fields, const std::stri
   }
   const bool has_preset = std::any_of(
       fields.begin(), fields.end(), [](const FieldTree& field) { return field.name == "preset"; });
+  // The kind may be said elsewhere: every kind's fields are let through.
   if (is_over_) unsaid = define("any_" + variant->name, of_any);
+  // A preset says the kind, too.
   if (has_preset && !is_over_) {
     unsaid = {{"if", {{"required", {"preset"}}}},
               {"then", define("any_" + variant->name, of_any)},
@@ -334,9 +342,11 @@ Schema SchemaWriter::field(const FieldTree& field, const std::string& name) {
   return schema;
 }
 
+/// One value or several: a list or a range of values, where the key may be an axis.
 Schema SchemaWriter::several(const FieldTree& field, const Schema& value, bool under_axes) {
   Schema schema;
   if (field.kind == FieldKind::number || field.kind == FieldKind::whole) {
+    // "numbers.0.to.any": one definition for each range, shared by all fields that have it.
     const auto end = [](double bound) { return std::isfinite(bound) ? number_text(bound) : "any"; };
     const std::string name = std::string(field.kind == FieldKind::number ? "numbers" : "wholes") +
                              "." + end(field.range.lowest) + ".to." + end(field.range.highest);
@@ -377,6 +387,7 @@ Schema planner_rule(const PlannerDescription& planner, const std::string& name,
   }
   Schema of_planner = Schema::object();
   of_planner["max_speed_mps"] =
+      // A planner without this parameter can't be given it: no value fits.
       parameters.contains("max_speed_mps") ? Schema(parameters["max_speed_mps"]) : Schema(false);
   of_planner["parameters"] = {{"type", {"object", "null"}},
                               {"description", planner.summary},
@@ -418,6 +429,7 @@ Schema planner_schema(const FieldTree& max_speed, const std::vector<PlannerDescr
   return name_or(entry, names);
 }
 
+/// One planner stands for a list of one.
 Schema planners_schema(const FieldTree& key) {
   Schema list{{"type", "array"}, {"items", reference("planner")}, {"minItems", 1}};
   Schema schema{{"if", {{"type", "array"}}}, {"then", list}, {"else", reference("planner")}};
@@ -425,6 +437,7 @@ Schema planners_schema(const FieldTree& key) {
   return schema;
 }
 
+/// YAML reads names such as 2026 and true as other types; the pattern is of texts alone.
 Schema name_of_sweep(const FieldTree& key) {
   Schema schema{{"type", {"string", "number", "boolean"}},
                 {"pattern", "^[A-Za-z0-9_][A-Za-z0-9_.-]{0,99}$"}};
@@ -449,10 +462,12 @@ Schema laid_over(const Schema& schema) {
     return all;
   }
   if (!schema.is_object()) return schema;
+  // A range's keys may be given in two files: that all are there can't be asked of one.
   const bool is_range = schema.contains("properties") && schema["properties"].contains("step");
   Schema result = Schema::object();
   for (const auto& [key, value] : schema.items()) {
     if (is_range && (key == "required" || key == "dependentSchemas")) continue;
+    // Conditions and words are not values that could be empty.
     if (key == "if" || key == "enum" || key == "default") {
       result[key] = value;
     } else if (key == "$ref" && value != "#/$defs/planner") {
@@ -490,6 +505,8 @@ void add_forms(const std::string& name, Schema whole, SchemaWriter& of_whole, co
   }
 }
 
+/// Of a file that describes one vehicle or sensor, whole or laid over another: lists are no axes
+/// there.
 Schema shelf_schema(const FieldTree& tree) {
   std::vector<FieldTree> fields{*sweep_tree().find("include")};
   fields.insert(fields.end(), tree.fields.begin(), tree.fields.end());

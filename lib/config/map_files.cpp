@@ -18,9 +18,11 @@ struct FileField {
   std::string* digest = nullptr;  ///< of `path`_digest; null if there is none
 };
 
+/// Also where it is wrong, after its problem was added: messages that follow then name the file.
 std::string absolute(const FileField& field, const std::string& file, Reading& reading) {
   if (file.empty()) return file;
   const fs::path given(file);
+  // Relative to the file that says it, which may be an included one.
   const fs::path folder = folder_of(reading.place(field.path), ".");
   const fs::path found =
       fs::absolute(given.is_absolute() ? given : folder / given).lexically_normal();
@@ -33,6 +35,7 @@ std::string absolute(const FileField& field, const std::string& file, Reading& r
   return found.string();
 }
 
+/// A digest that the sweep's file gives itself has to be the file's.
 void fill_digest(const FileField& field, Reading& reading) {
   try {
     const std::string digest = file_digest(*field.file);
@@ -47,6 +50,7 @@ void fill_digest(const FileField& field, Reading& reading) {
 }
 
 void resolve(const FileField& field, SweepSpec& sweep, Reading& reading) {
+  // The file may be an axis: then each of its values is one.
   Axis* axis = axis_of(sweep, trial_path(field.path));
   const std::size_t before = reading.problems.size();
   if (axis == nullptr) {
@@ -58,6 +62,7 @@ void resolve(const FileField& field, SweepSpec& sweep, Reading& reading) {
     *field.file = axis->values.front().get<std::string>();
   }
   if (reading.problems.size() > before || field.digest == nullptr) return;
+  // One file's digest is computed here, once; those of an axis when trials are made.
   if (axis == nullptr && !field.file->empty()) fill_digest(field, reading);
   if (axis == nullptr || field.digest->empty()) return;
   reading.add_problem(field.path + "_digest", "can't be that of several files");
@@ -91,6 +96,7 @@ void resolve_files(SweepSpec& sweep, Reading& reading) {
   }
   WindFieldSpec& wind = sweep.base.wind.field;
   const FileField wind_field{"wind.field.file", &wind.file, &wind.file_digest};
+  // Only files that are there are read.
   const std::size_t before = reading.problems.size();
   resolve(wind_field, sweep, reading);
   if (reading.problems.size() == before) check_wind_fields(wind_field, sweep, reading);

@@ -34,6 +34,7 @@ struct WrittenMission {
   std::string map;
 };
 
+/// With the heading toward the goal where none was written.
 void add(const WrittenMission& written, SweepSpec& sweep) {
   if (!written.start || !written.goal) return;  // a problem was added
   const double yaw_rad = written.yaw_deg ? *written.yaw_deg * math::kDegree
@@ -42,6 +43,7 @@ void add(const WrittenMission& written, SweepSpec& sweep) {
                             .mission = {.start_world = *written.start,
                                         .goal_world = *written.goal,
                                         .start_yaw_rad = yaw_rad},
+                            // So that what is found wrong later, on the map itself, has its line.
                             .place = problem_at(written.node, "")});
 }
 
@@ -95,6 +97,7 @@ std::vector<YamlNode> fields_of(std::string_view line, const YamlNode& row,
   std::vector<YamlNode> fields;
   bool is_quoted = false;
   const auto begin_field = [&](std::size_t at) {
+    // A node at the row's place: readers of YAML values then serve for tables too.
     fields.push_back(row);
     fields.back().kind = YamlNode::Kind::scalar;
     fields.back().column = static_cast<int>(at) + 1;
@@ -103,6 +106,7 @@ std::vector<YamlNode> fields_of(std::string_view line, const YamlNode& row,
   for (std::size_t i = 0; i < line.size(); ++i) {
     std::string& field = fields.back().scalar;
     if (is_quoted && line.substr(i).starts_with("\"\"")) {
+      // A doubled quote is one.
       field += line[i++];
     } else if (line[i] == '"') {
       is_quoted = !is_quoted;
@@ -130,10 +134,12 @@ struct Columns {
   }
 };
 
+/// The columns may stand in any order; the places' six are needed.
 Columns read_header(const std::vector<YamlNode>& fields, std::vector<InputProblem>& problems) {
   std::vector<std::string> known(kPlaceColumns.begin(), kPlaceColumns.end());
   known.insert(known.end(), {"yaw_deg", "map"});
   Columns columns;
+  // What spreadsheets of some countries write.
   if (fields.size() == 1 && fields[0].scalar.find_first_of(";\t") != std::string::npos) {
     problems.push_back(problem_at(fields[0], "columns must be parted by commas"));
     return columns;
@@ -148,6 +154,7 @@ Columns read_header(const std::vector<YamlNode>& fields, std::vector<InputProble
     } else if (std::find(columns.names.begin(), columns.names.end(), name) != columns.names.end()) {
       problems.push_back(problem_at(field, "a second column '" + name + "'"));
     }
+    // Also a wrong one, so that columns keep their numbers.
     columns.names.push_back(name);
   }
   for (const std::string& name : kPlaceColumns) {
@@ -188,6 +195,7 @@ void read_row(const std::vector<YamlNode>& fields, const Columns& columns, Sweep
 /// Lines end with LF or CR LF; empty ones, and those that begin with #, are passed over.
 void read_table(const std::filesystem::path& file, SweepSpec& sweep, Reading& reading) {
   constexpr std::uint64_t kMostBytes = 64U << 20U;
+  // A table of a thousand wrong rows has said enough.
   constexpr std::size_t kMostProblems = 20;
   const std::string text = read_input_file(file, kMostBytes);
   std::string_view rest = text;
@@ -208,6 +216,7 @@ void read_table(const std::filesystem::path& file, SweepSpec& sweep, Reading& re
       continue;
     }
     columns = read_header(fields, reading.problems);
+    // Rows can't be read by wrong columns.
     if (reading.problems.size() > before) return;
   }
   if (sweep.missions.size() > listed_before || reading.problems.size() > before) return;
@@ -253,6 +262,7 @@ void settle_missions(const YamlNode& root, SweepSpec& sweep, Reading& reading) {
   if (sweep.missions.empty()) return;
   std::set<std::string> names, maps, empty_maps;
   std::int64_t most = 0;
+  // Which maps there are depends on the axes.
   for_each_combination(sweep, [&](const TrialSpec& trial) {
     const std::vector<std::string> of_map = map_names(trial);
     names.insert(of_map.begin(), of_map.end());
@@ -273,6 +283,7 @@ void settle_missions(const YamlNode& root, SweepSpec& sweep, Reading& reading) {
     reading.add_problem("mission", "no mission is listed for map " + map);
   }
   if (said(root, "trials") == nullptr) {
+    // Nothing said: all that are listed.
     sweep.trials = most;
   } else if (sweep.trials > most) {
     reading.add_problem("trials", std::to_string(sweep.trials) + " is more than the " +

@@ -19,6 +19,7 @@ Json::json_pointer pointer(const std::string& path) {
 }
 
 /// {a: {b: value}} for "a.b"; every level stands at the place of `key`.
+/// So that an axis' value is read by the reader of blocks, with the same checks and messages.
 YamlNode nested(const std::string& path, const YamlNode& key, const YamlNode& value) {
   const std::size_t dot = path.find('.');
   YamlNode name = key;
@@ -45,9 +46,12 @@ std::string path_problem(const std::string& path, const FieldTree& trial, const 
   if (path.find('[') != std::string::npos)
     return "elements of lists can't be axes; give whole lists";
   if (path.empty() || path.front() == '.' || path.back() == '.' ||
+      // These have a meaning in JSON pointers.
       path.find("..") != std::string::npos || path.find_first_of("/~") != std::string::npos) {
     return "no dotted path such as wind.mean_world_mps";
   }
+  // A variant's kind brings other fields with it, which would be missing or unknown for some of the
+  // axis' values.
   for (const KindField& found : fields_at(trial, path)) {
     if (found.field->kind != FieldKind::variant) continue;
     return "a " + found.field->name + " can't be an axis; write one sweep for each";
@@ -69,11 +73,13 @@ void read_axis(const YamlNode& key, const YamlNode& node, SweepSpec& sweep, Read
     reading.problems.push_back(problem_at(key, "axes." + key.scalar + ": " + problem));
     return;
   }
+  // An axis of thousands of wrong values has said enough.
   constexpr std::size_t kMostProblems = 5;
   Axis axis{path, {}};
   Reading found;  // of its own: the places of blocks are those of the blocks
   for (const YamlNode& value : axis_values(node, "axes." + key.scalar, found.problems)) {
     Json trial = base;
+    // Into a whole trial: a field of a kind is there only in a trial of that kind.
     read_block(nested(path, key, value), trial_tree, "", trial, found);
     if (found.problems.size() >= kMostProblems) break;
     if (found.problems.empty()) axis.values.push_back(trial.at(pointer(path)));
@@ -85,6 +91,7 @@ void read_axis(const YamlNode& key, const YamlNode& node, SweepSpec& sweep, Read
 
 /// All combinations from this axis on.
 void combine(const SweepSpec& sweep, std::size_t axis, Json& trial, const Check& check) {
+  // Trials are made from JSON only at the end of a combination.
   if (axis == sweep.axes.size()) return check(spec_from_json<TrialSpec>(trial));
   for (const Json& value : sweep.axes[axis].values) {
     trial.at(pointer(sweep.axes[axis].path)) = value;

@@ -30,6 +30,7 @@ nlohmann::json read_keys(MappingReader& mapping, bool with_own, Reading& reading
   nlohmann::json keys = preset_json(sweep_tree());
   for (const FieldTree& key : sweep_tree().fields) {
     if (key.name == "include") continue;  // followed before
+    // Keys with facts are the sweep's own: no lists stand for axes there.
     const bool is_own = !key.facts.empty();
     const bool is_plain = key.kind != FieldKind::other && key.name != "max_speed_mps";
     reading.lists_are_axes = !is_own;
@@ -48,6 +49,7 @@ void check_name(const YamlNode& root, const std::string& name, Reading& reading)
   if (node == nullptr) {
     reading.problems.push_back(problem_at(root, "lacks 'sweep', the name of the result set"));
   } else if (node->kind == YamlNode::Kind::scalar && safe_file_name(name) != name) {
+    // The name becomes that of a file.
     reading.problems.push_back(problem_at(
         *node, "sweep: " + found_text(*node) +
                    " is no name of A-Z a-z 0-9 _ . - that begins with a letter, digit or _"));
@@ -96,6 +98,7 @@ void add_contradictions(const SweepSpec& sweep, Reading& reading) {
   });
 }
 
+/// In doubles, since the product of the axes' sizes may overflow whole numbers.
 void check_size(const YamlNode& root, const SweepSpec& sweep, Reading& reading) {
   double count = static_cast<double>(sweep.trials) *
                  static_cast<double>(std::max<std::size_t>(1, sweep.planners.size()));
@@ -108,6 +111,7 @@ void check_size(const YamlNode& root, const SweepSpec& sweep, Reading& reading) 
 
 /// In the order of the file, then those of other files, one after the other; each once.
 [[noreturn]] void fail(std::vector<InputProblem> problems, const std::string& main_file) {
+  // Other files follow in the order of their first problem; the command line comes last.
   std::map<std::string, std::size_t> file_order{{main_file, 0}};
   for (const InputProblem& problem : problems) {
     const bool is_file = problem.line > 0;  // or an option of the command line
@@ -152,6 +156,7 @@ YamlNode under_maps(YamlNode map) {
 std::vector<std::string> from_root(std::vector<std::string> overrides) {
   for (std::string& option : overrides) {
     const FieldTree* key = sweep_tree().find(option.substr(0, option.find_first_of(".=")));
+    // What is no block of a sweep is a field of its maps.
     if (key == nullptr || !key->facts.empty()) option = "maps." + option;
   }
   return overrides;
@@ -164,12 +169,15 @@ SweepSpec sweep_from_document(const Document& document, const fs::path& file) {
   if (file.has_parent_path()) reading.folder = file.parent_path();
   MappingReader mapping(root, "", reading);
   if (!reading.problems.empty()) fail(reading.problems, file.string());
+  // The values of all fields as JSON, with every problem of theirs in `reading`.
   const nlohmann::json keys = read_keys(mapping, true, reading);
   SweepSpec sweep = sweep_from(keys);
   check_name(root, sweep.name, reading);
   sweep.until = stop_rule_from(keys.at("until"), reading);
   sweep.axes = axes_of_blocks(reading);
+  // What follows looks at the values together: only where each by itself is sound.
   const bool is_sound = reading.problems.empty();
+  // After the blocks: axes begin from what these say.
   if (const YamlNode* node = root.find("axes")) read_axes(*node, sweep, reading);
   resolve_files(sweep, reading);
   read_missions(root, sweep, reading);
@@ -230,12 +238,14 @@ MapChoice read_map(const std::string& given, const std::vector<std::string>& ove
 MapChoice map_of_document(const Document& document, const std::string& name, const fs::path& folder,
                           const std::vector<std::string>& overrides) {
   YamlNode root = document.root;
+  // A map's own file has the generator at the top.
   if (root.find("generator") != nullptr) root = under_maps(std::move(root));
   apply_overrides(root, from_root(overrides));
 
   Reading reading;
   if (!folder.empty()) reading.folder = folder;
   MappingReader mapping(root, "", reading);
+  // A sweep's file serves as well: its own keys are passed over.
   SweepSpec sweep = sweep_from(read_keys(mapping, false, reading));
   resolve_files(sweep, reading);
   read_missions(root, sweep, reading);

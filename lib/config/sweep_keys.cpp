@@ -9,6 +9,7 @@ namespace {
 
 using Facts = std::vector<std::pair<std::string, std::string>>;
 
+/// A key of sweep files that is no field of a spec.
 FieldTree own_key(std::string name, FieldKind kind, std::string doc, Facts facts) {
   FieldTree tree;
   tree.name = std::move(name);
@@ -141,6 +142,7 @@ FieldTree make_sensor_tree() {
                    {"or", "sensor: {more_cameras: [d435_like, oak_d_like]}"},
                    {"axis", "a list of such values"},
                    {"see", "docs/sensors.md, Rigs"}};
+    // The list's element: a camera that may begin with a preset, too.
     field.fields.front() = with_preset<CameraSpec>(std::move(field.fields.front()),
                                                    {built_in.begin(), built_in.end()});
   }
@@ -148,6 +150,7 @@ FieldTree make_sensor_tree() {
 }
 
 FieldTree make_sweep_tree() {
+  // The fields of SweepSpec, rearranged as sweep files have them.
   FieldTree fields = field_tree("", SweepSpec{}, "");
   const auto take = [&](std::string_view name) {
     const auto found = std::find_if(fields.fields.begin(), fields.fields.end(),
@@ -156,6 +159,7 @@ FieldTree make_sweep_tree() {
     fields.fields.erase(found);
     return taken;
   };
+  // The program fills these in.
   for (const char* filled_in : {"mission_index", "planner", "latency_digest", "missions_digest"})
     take(filled_in);
   FieldTree name = take("sweep"), trials = take("trials"), maps = take("map");
@@ -177,6 +181,7 @@ FieldTree make_sweep_tree() {
   sweep.fields = {std::move(name), include_key(),  take("seed"),    std::move(trials),
                   until_key(),     planners_key(), max_speed_key(), std::move(maps)};
   for (FieldTree& field : fields.fields) {
+    // Those of the trees for files of their own, which know presets.
     if (field.name == "vehicle") field.fields = vehicle_tree().fields;
     if (field.name == "sensor") field.fields = sensor_tree().fields;
     if (field.name == "mission") {
@@ -208,9 +213,11 @@ const FieldTree& sensor_tree() {
   return tree;
 }
 
+/// From keys of files to a spec: `maps` is `map` there, and its seeds the field beside it.
 SweepSpec sweep_from(nlohmann::json keys) {
   keys["map"] = std::move(keys.at("maps"));
   keys["map_seed"] = keys["map"].at("seeds");
+  // Keys that are null were not said: the spec's own value stays.
   nlohmann::json all = spec_to_json(SweepSpec{});
   for (const auto& [name, value] : keys.items()) {
     if (!value.is_null()) all[name] = value;
@@ -247,6 +254,8 @@ std::string sweep_path(const std::string& path) {
 }
 
 std::string unit_of(std::string_view name) {
+  // The first ending that fits counts, so longer ones stand before their own endings (_per_sqrt_s
+  // before _s).
   static constexpr std::array<std::pair<std::string_view, std::string_view>, 24> kUnits{{
       {"_per_sqrt_s", "/√s"},
       {"_radps2", "rad/s²"},

@@ -5,6 +5,7 @@
 namespace avoidbench {
 namespace {
 
+/// The first thing that is wrong, or "".
 std::string trajectory_problem(const std::vector<TrajectoryPoint>& points) {
   if (points.size() < 2) return "a trajectory of fewer than two points";
   double before_s = -1.0;

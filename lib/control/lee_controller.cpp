@@ -36,6 +36,7 @@ ThrustAndTorque lee_control(const VehicleModel& model, const VehicleState& state
 
   const Vector3d position_error = state.position_world - reference.position_world;
   const Vector3d velocity_error = state.velocity_world - reference.velocity_world;
+  // Gains are forces here, unlike those of the other controller: N per metre and per m/s.
   const Vector3d feedback_n = to_eigen(gains.position_n_per_m).cwiseProduct(position_error) +
                               to_eigen(gains.velocity_ns_per_m).cwiseProduct(velocity_error);
   Vector3d demand = reference.acceleration_world - feedback_n / mass_kg;
@@ -46,7 +47,9 @@ ThrustAndTorque lee_control(const VehicleModel& model, const VehicleState& state
   const Matrix3d R_wanted = wanted_axes(demand, reference.yaw_rad);
   const Matrix3d turn = R_wanted.transpose() * R;
   const Vector3d attitude_error =
+      // The vee map: the skew matrix of the paper, as a vector.
       0.5 * Vector3d(turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0), turn(1, 0) - turn(0, 1));
+  // A yaw rate is about the wanted z axis; `turn` brings it into the body's.
   Vector3d rates_wanted = turn.transpose() * Vector3d(0.0, 0.0, reference.yaw_rate_radps);
   Vector3d gyroscopic_nm = Vector3d::Zero();
   if (gains.feed_forward) {
@@ -55,6 +58,7 @@ ThrustAndTorque lee_control(const VehicleModel& model, const VehicleState& state
     gyroscopic_nm = state.rates_body.cross(model.inertia_kgm2.cwiseProduct(state.rates_body));
   }
   ThrustAndTorque wanted;
+  // Rotors only push.
   wanted.thrust_n = std::max(0.0, mass_kg * demand.dot(R.col(2)));
   wanted.torque_body_nm =
       gyroscopic_nm - to_eigen(gains.attitude_nm_per_rad).cwiseProduct(attitude_error) -

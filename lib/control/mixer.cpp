@@ -14,6 +14,8 @@ using Rotors = std::array<double, kMaxRotors>;
 double tilt_that_fits(const VehicleModel& model, const Rotors& tilt) {
   const double highest = model.max_rotor_thrust_n;
   double part = 1.0;
+  // Each pair of rotors limits it: one that tilts down has to stay above 0 while the other, tilting
+  // up, stays below its greatest. Eight rotors have 64 pairs.
   for (std::size_t i = 0; i < static_cast<std::size_t>(model.rotor_count); ++i) {
     for (std::size_t j = 0; j < static_cast<std::size_t>(model.rotor_count); ++j) {
       // Rotor i may not stop before rotor j is at its greatest: -s tᵢ/aᵢ <= (highest - s tⱼ)/aⱼ.
@@ -25,12 +27,14 @@ double tilt_that_fits(const VehicleModel& model, const Rotors& tilt) {
   return part;
 }
 
+/// Each rotor's thrust within its limits, where not all that is asked for fits.
 RotorVector saturated(const VehicleModel& model, double thrust_n, const Rotors& tilt,
                       const Rotors& yaw) {
   const double highest = model.max_rotor_thrust_n;
   // In this order, as autopilots do: roll and pitch keep the vehicle upright and come first, then
   // collective thrust, then yaw, which takes what is left.
   const double part = tilt_that_fits(model, tilt);
+  // The collective thrusts at which this much tilt fits.
   double least_n = 0.0, greatest_n = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < static_cast<std::size_t>(model.rotor_count); ++i) {
     least_n = std::max(least_n, -part * tilt[i] / model.mixing[i][0]);
@@ -42,6 +46,7 @@ RotorVector saturated(const VehicleModel& model, double thrust_n, const Rotors& 
   Rotors base{};
   for (std::size_t i = 0; i < static_cast<std::size_t>(model.rotor_count); ++i) {
     base[i] = std::clamp(model.mixing[i][0] * collective_n + part * tilt[i], 0.0, highest);
+    // Smaller from rotor to rotor, as each needs.
     if (base[i] + yaw_part * yaw[i] > highest) yaw_part = (highest - base[i]) / yaw[i];
     if (base[i] + yaw_part * yaw[i] < 0.0) yaw_part = -base[i] / yaw[i];
   }
@@ -59,6 +64,7 @@ RotorVector mix_thrusts(const VehicleModel& model, double thrust_n,
                         const Eigen::Vector3d& torque_body_nm) {
   RotorVector thrusts(model.rotor_count);
   Rotors tilt{}, yaw{};
+  // Most of the time all fits, and nothing has to be weighed.
   bool fits = true;
   for (int i = 0; i < model.rotor_count; ++i) {
     const auto k = static_cast<std::size_t>(i);
@@ -74,6 +80,7 @@ RotorVector mix_thrusts(const VehicleModel& model, double thrust_n,
 RotorVector mix(const VehicleModel& model, double thrust_n, const Eigen::Vector3d& torque_body_nm) {
   RotorVector values = mix_thrusts(model, thrust_n, torque_body_nm);
   for (int i = 0; i < model.rotor_count; ++i) {
+    // Thrust is k_f Ω².
     values[i] = std::sqrt(values[i] / model.spec.thrust_coefficient_ns2);
   }
   return values;

@@ -47,7 +47,9 @@ Vector3d twice_quaternion_vector(const Matrix3d& R) {
   const double w_squared_4 = 1.0 + R(0, 0) + R(1, 1) + R(2, 2);
   const Vector3d skew(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1));
   constexpr double kFarFromHalfTurn = 0.1;
+  // 2 q = skew / (2 w): short, and exact enough where w is not small.
   if (w_squared_4 > kFarFromHalfTurn) return skew / std::sqrt(w_squared_4);
+  // Near half a turn, by the greatest of the four components.
   const Eigen::Quaterniond q(R);
   return (q.w() < 0.0 ? -2.0 : 2.0) * q.vec();
 }
@@ -73,10 +75,12 @@ FlatState flat_state(const Reference& reference, const Vector3d& drag_per_s, dou
   const double dx = drag_per_s.x(), dy = drag_per_s.y(), dz = drag_per_s.z();
   const double sin_yaw = math::sin(reference.yaw_rad), cos_yaw = math::cos(reference.yaw_rad);
   const Vector3d x_heading(cos_yaw, sin_yaw, 0.0), y_heading(-sin_yaw, cos_yaw, 0.0);
+  // What thrust and drag together have to give.
   const Vector3d pull = a + Vector3d(0.0, 0.0, gravity_mps2);
 
   FlatState flat;
   flat.rates_body_radps.setZero();
+  // The paper's α, β, γ: what the axes x, y and z are across to or along.
   const Vector3d alpha = pull + dx * v, beta = pull + dy * v, gamma = pull + dz * v;
   const Vector3d across = y_heading.cross(alpha);
   if (!(across.norm() > kAlmostZero)) {
@@ -103,6 +107,7 @@ FlatState flat_state(const Reference& reference, const Vector3d& drag_per_s, dou
   const double b3 = -y_heading.dot(z_body), c3 = y_heading.cross(z_body).norm();
   const double d3 = reference.yaw_rate_radps * x_heading.dot(x_body);
   const double determinant = b1 * c3 - b3 * c1;
+  // Else the rates stay zero.
   if (std::abs(determinant) > kAlmostZero && std::abs(a2) > kAlmostZero) {
     const double wz = (b1 * d3 - b3 * d1) / determinant;
     flat.rates_body_radps << (d2 - c2 * wz) / a2, (c3 * d1 - c1 * d3) / determinant, wz;
@@ -120,11 +125,13 @@ RateTarget position_control(const VehicleModel& model, const VehicleState& state
   const Vector3d position_error = reference.position_world - state.position_world;
   const Vector3d velocity_error = reference.velocity_world - state.velocity_world;
   Vector3d demand = reference.acceleration_world;
+  // Errors are limited: a far goal is no reason for a violent start.
   demand.head<2>() += gains.kp_xy * limited_across(position_error, gains.position_error_max_xy_m) +
                       gains.kd_xy * limited_across(velocity_error, gains.velocity_error_max_xy_mps);
   demand.z() += gains.kp_z * limited(position_error.z(), gains.position_error_max_z_m) +
                 gains.kd_z * limited(velocity_error.z(), gains.velocity_error_max_z_mps) + g;
   const Matrix3d& R_reference = flat.R_world_body;
+  // Drag at the reference's velocity, in its own axes.
   demand += R_reference * (drag.cwiseProduct(R_reference.transpose() * reference.velocity_world));
   demand = tilt_limited(demand, gains.min_thrust_mps2, model.spec.max_tilt_rad);
 
@@ -133,6 +140,7 @@ RateTarget position_control(const VehicleModel& model, const VehicleState& state
   const Matrix3d R_wanted = axes_along(demand, y_heading);
   const Vector3d error = twice_quaternion_vector(R.transpose() * R_wanted);
   const Vector3d gain(gains.k_roll_pitch, gains.k_roll_pitch, gains.k_yaw);
+  // The reference's rates, from its axes to the body's.
   const Vector3d feed_forward = R.transpose() * (R_reference * flat.rates_body_radps);
   RateTarget target;
   for (int i = 0; i < 3; ++i) {
@@ -140,6 +148,8 @@ RateTarget position_control(const VehicleModel& model, const VehicleState& state
                                          model.spec.max_rates_radps[static_cast<std::size_t>(i)]);
   }
   const double most = model.max_rotor_thrust_n * model.rotor_count * model.inverse_mass;
+  // The demand's part along the true thrust axis: all that thrust can do before the body has
+  // turned.
   target.thrust_mps2 = std::min(std::max(demand.dot(R.col(2)), gains.min_thrust_mps2), most);
   return target;
 }

@@ -9,6 +9,8 @@ Eigen::Vector3d rate_torque(const VehicleModel& model, const VehicleState& state
                             const RateTarget& target) {
   using Eigen::Vector3d;
   const RateControllerSpec& gains = model.spec.rate_controller;
+  // By the rotors' present speeds: as the low-level controller estimates torque, without knowing
+  // the lag.
   RotorVector thrust_n(model.rotor_count);
   for (int i = 0; i < model.rotor_count; ++i) {
     const double speed = state.rotor_speed_radps[i];
@@ -18,6 +20,7 @@ Eigen::Vector3d rate_torque(const VehicleModel& model, const VehicleState& state
   const Vector3d& inertia = model.inertia_kgm2;
   const Vector3d& wanted = target.rates_body_radps;
   const Vector3d& rates = state.rates_body;
+  // The torque that keeps up the wanted rates.
   const Vector3d steady = wanted.cross(inertia.cwiseProduct(wanted));
   return to_eigen(gains.p_nms_per_rad).cwiseProduct(wanted - rates) +
          to_eigen(gains.d_ratio).cwiseProduct(steady - torque_now) +

@@ -25,11 +25,13 @@ double closing_acceleration(const VehicleModel& model, double error) {
   // Where the root's slope equals the gain: both value and slope go on without a step.
   const double root_from = jerk / (gain * gain);
   const double value =
+      // As for speed over distance: proportional, then a root.
       error < root_from ? gain * error : std::sqrt(2.0 * jerk * (error - 0.5 * root_from));
   return std::min(value, model.spec.max_acceleration_mps2);
 }
 
 /// The velocity error at which closing_acceleration() is `acceleration`.
+/// The inverse of closing_acceleration(), part by part.
 double closing_error(const VehicleModel& model, double acceleration) {
   const double gain = model.acceleration_gain, jerk = model.acceleration_jerk;
   if (acceleration < jerk / gain) return acceleration / gain;
@@ -52,6 +54,7 @@ WantedVelocity wanted_velocity(const VehicleModel& model, const Reference& refer
           with_norm_at_most(target.value_world, model.spec.max_acceleration_mps2);
       const double size = wanted.norm();
       if (!(size > 0.0)) return {with_norm_at_most(v, max_speed), Vector3d::Zero()};
+      // A velocity ahead by as much as makes the law below ask for this acceleration.
       return {with_norm_at_most(v + (closing_error(model, size) / size) * wanted, max_speed),
               Vector3d::Zero()};
     }
@@ -60,6 +63,7 @@ WantedVelocity wanted_velocity(const VehicleModel& model, const Reference& refer
   }
   const Vector3d way = target.value_world - reference.position_world;
   const double distance = way.norm();
+  // At the goal there is no direction; the slope there is the gain.
   if (!(distance > 0.0)) return {Vector3d::Zero(), -model.speed_curve.gain * v};
   const Speed speed = allowed_speed(model.speed_curve, distance);
   const Vector3d direction = way / distance;
@@ -80,9 +84,11 @@ void govern_yaw(const VehicleModel& model, const GovernorTarget& target, double 
   if (target.yaw_is_rate) {
     wanted = std::min(std::max(wanted, -max_rate), max_rate);
   } else {
+    // The shorter way round.
     const double error = math::wrapped_angle(target.yaw - reference.yaw_rad);
     const Speed speed = allowed_speed(model.yaw_curve, std::abs(error));
     wanted = error < 0.0 ? -speed.value : speed.value;
+    // The wanted rate falls as the error does: fed forward, as above.
     change = -speed.slope * rate;
   }
   const double most = model.spec.max_yaw_acceleration_radps2;
@@ -94,6 +100,7 @@ void govern_yaw(const VehicleModel& model, const GovernorTarget& target, double 
 }  // namespace
 
 Speed allowed_speed(const BrakingCurve& curve, double distance) {
+  // From the target outwards: proportional, root, cap; the ramp between the last two is below.
   if (distance < curve.root_from) return {curve.gain * distance, curve.gain};
   if (distance < curve.ramp_from) {
     const double speed = std::sqrt(2.0 * curve.deceleration * (distance - 0.5 * curve.root_from));

@@ -19,6 +19,7 @@ using Eigen::Vector3d;
 /// A reference that runs away from a vehicle that can't follow (wind, a push) is kept this near.
 constexpr double kLeashM = 2.0;
 
+/// The reference that the vehicle itself would be: where one begins that did not lead it before.
 Reference reference_from(const VehicleModel& model, const VehicleState& state) {
   Reference reference;
   reference.position_world = state.position_world;
@@ -30,6 +31,7 @@ Reference reference_from(const VehicleModel& model, const VehicleState& state) {
   reference.acceleration_world =
       size > most ? Vector3d(acceleration * (most / size)) : acceleration;
   reference.yaw_rad = yaw_of(state.q_world_body);
+  // The yaw rate is about the world's vertical.
   reference.yaw_rate_radps = (state.q_world_body * state.rates_body).z();
   return reference;
 }
@@ -62,6 +64,7 @@ GovernorTarget governor_target(const Command& command) {
   return target;
 }
 
+/// Rates and thrust go to the inner loop as they are, but for the vehicle's limits.
 void follow_rates(Tracker& tracker, const VehicleModel& model, const Command& command) {
   tracker.following_rates = true;
   tracker.following_trajectory = false;
@@ -100,6 +103,7 @@ void advance_reference(Tracker& tracker, const VehicleModel& model, const Vehicl
   // A planner that falls silent leaves a vehicle that brakes, not one that flies on.
   if (tracker.horizon_tick > 0 && state.tick >= tracker.horizon_tick) hold(tracker, model, state);
   if (tracker.following_rates) {
+    // Under body rates nothing leads; the next command begins from the vehicle.
     tracker.reference = reference_from(model, state);
     return;
   }
@@ -107,6 +111,7 @@ void advance_reference(Tracker& tracker, const VehicleModel& model, const Vehicl
     const double time_s = seconds(state.tick - tracker.command.start_tick);
     const std::vector<TrajectoryPoint>& points = tracker.command.trajectory;
     tracker.reference = sample_trajectory(points, time_s, tracker.piece);
+    // Flown to its end: rest at the last point.
     if (time_s >= points.back().time_s) {
       go_to_target(tracker, {GovernorGoal::position, points.back().position_world, false,
                              points.back().yaw_rad});
@@ -125,6 +130,7 @@ void advance_reference(Tracker& tracker, const VehicleModel& model, const Vehicl
   }
 }
 
+/// Position and attitude in one loop, down to the rotors' commands.
 void track_by_lee(Tracker& tracker, const VehicleModel& model, const VehicleState& state) {
   if (state.tick < tracker.next_position_tick) return;
   const ThrustAndTorque wanted = lee_control(model, state, tracker.reference);
@@ -154,6 +160,7 @@ void accept(Tracker& tracker, const VehicleModel& model, const Command& command,
   // ours.
   AB_CHECK(command_problem(command).empty(), command_problem(command));
   AB_CHECK(state.tick >= tracker.reference_tick, state.tick, tracker.reference_tick);
+  // Up to now by the old command; from now on by the new one.
   advance_reference(tracker, model, state);
   tracker.command = command;
   tracker.horizon_tick =
@@ -165,6 +172,7 @@ void accept(Tracker& tracker, const VehicleModel& model, const Command& command,
   } else {
     go_to_target(tracker, governor_target(command));
   }
+  // A new command is not kept waiting for the controllers' own rate.
   tracker.next_position_tick = state.tick;
   tracker.next_rate_tick = state.tick;
 }
@@ -182,6 +190,7 @@ RotorVector track(Tracker& tracker, const VehicleModel& model, const VehicleStat
     track_by_lee(tracker, model, state);
     return tracker.rotor_command_radps;
   }
+  // Outer loop, at its own rate: rates and thrust for the inner one.
   if (!tracker.following_rates && state.tick >= tracker.next_position_tick) {
     tracker.rate_target = position_control(model, state, tracker.reference);
     tracker.next_position_tick =

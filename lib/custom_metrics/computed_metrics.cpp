@@ -20,6 +20,7 @@ using math::kNaN;
 /// For SQLite: statements may read, and nothing else.
 int only_reading(void* /*unused*/, int action, const char* /*unused*/, const char* /*unused*/,
                  const char* /*unused*/, const char* /*unused*/) {
+  // load_extension() stays off unless a program turns it on; ATTACH and PRAGMA are other actions.
   const bool is_reading = action == SQLITE_SELECT || action == SQLITE_READ ||
                           action == SQLITE_FUNCTION || action == SQLITE_RECURSIVE;
   return is_reading ? SQLITE_OK : SQLITE_DENY;
@@ -44,13 +45,16 @@ struct Finalize {
 };
 using Prepared = std::unique_ptr<sqlite3_stmt, Finalize>;
 
+/// The one statement that a metric's file may hold.
 Prepared prepare(sqlite3* handle, const std::string& sql) {
   sqlite3_stmt* statement = nullptr;
   const char* rest = nullptr;
   const int code =
+      // Preparing alone runs nothing, and the authorizer refuses here what would write.
       sqlite3_prepare_v2(handle, sql.data(), static_cast<int>(sql.size()), &statement, &rest);
   Prepared prepared(statement);
   if (code != SQLITE_OK) throw InputError(sqlite3_errmsg(handle));
+  // Comments and blanks alone make no statement, and no error either.
   if (!prepared) throw InputError("holds no SELECT");
   // What follows may be comments and blanks only.
   sqlite3_stmt* next = nullptr;
@@ -75,6 +79,7 @@ std::map<std::string, std::string> descriptions(const std::string& sql) {
 
 double number_at(sqlite3_stmt* row, int column) {
   switch (sqlite3_column_type(row, column)) {
+    // A trial that the metric does not speak of.
     case SQLITE_NULL:
       return kNaN;
     case SQLITE_INTEGER:
@@ -86,6 +91,7 @@ double number_at(sqlite3_stmt* row, int column) {
   }
 }
 
+/// By bits, so that NaN is equal to itself.
 bool are_equal(const std::vector<double>& a, const std::vector<double>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](double x, double y) {
     return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
@@ -101,6 +107,7 @@ MetricRow described_metric(const std::string& name, std::string doc) {
   MetricRow metric;
   metric.name = name;
   metric.version = 1;
+  // "[m/s]" anywhere in the description is the unit, and is taken out with a blank before it.
   const std::size_t open = doc.find('['), close = doc.find(']', open);
   if (close != std::string::npos) {
     metric.unit = doc.substr(open + 1, close - open - 1);
@@ -141,11 +148,13 @@ ComputedMetrics query_metrics(const Database& database, const std::string& sql) 
   if (columns.empty()) throw InputError("the SELECT has no column beside trial_key");
   int code = SQLITE_ROW;
   while ((code = sqlite3_step(statement.get())) == SQLITE_ROW) {
+    // SQLite converts numbers to text here; a key is text anyway.
     const unsigned char* key = sqlite3_column_text(statement.get(), key_column);
     if (key == nullptr) throw InputError("the SELECT has a row without trial_key");
     std::vector<double> values;
     for (const int column : columns) values.push_back(number_at(statement.get(), column));
     const std::string trial = reinterpret_cast<const char*>(key);
+    // Joins may repeat a row; equal values are no contradiction.
     const auto [there, is_new] = computed.values.emplace(trial, values);
     if (!is_new && !are_equal(there->second, values)) {
       throw InputError("the SELECT has two rows of trial " + trial.substr(0, 12) +
@@ -157,6 +166,7 @@ ComputedMetrics query_metrics(const Database& database, const std::string& sql) 
 }
 
 void add_metrics(const ComputedMetrics& computed, SweepResult& result) {
+  // Two metrics of one name could not be told apart in reports.
   for (const MetricRow& metric : computed.metrics) {
     for (const MetricRow& there : result.metrics) {
       if (there.name == metric.name) {

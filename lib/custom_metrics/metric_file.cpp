@@ -14,12 +14,15 @@
 namespace avoidbench {
 namespace {
 
+/// 1 MiB: nobody writes more SQL or Python for a metric.
 constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 20U;
 
 /// What scripts/custom_metrics.py printed: {"metrics": [{"name", "doc"}], "values": {KEY: [1.5,
 /// null]}}.
 ComputedMetrics metrics_from(const std::string& printed) {
   ComputedMetrics computed;
+  // Throws json's own exceptions, which run_python() catches: whatever else stands on standard
+  // output is not JSON.
   const nlohmann::json result = nlohmann::json::parse(printed);
   for (const nlohmann::json& metric : result.at("metrics")) {
     computed.metrics.push_back(described_metric(metric.at("name").get<std::string>(),
@@ -42,6 +45,7 @@ ComputedMetrics run_python(const std::filesystem::path& file, const Database& da
                                       (data_folder() / "scripts" / "custom_metrics.py").string(),
                                       file.string(), database.path().string()},
                                      Standard::kept);
+  // Python has written its traceback to standard error, which was left open to the user.
   if (end.code != 0) throw InputError("failed: see above");
   try {
     return metrics_from(end.output);
@@ -62,6 +66,7 @@ ComputedMetrics computed_by(const std::filesystem::path& file, const Database& d
         file.extension() == ".sql" ? query_metrics(database, text) : run_python(file, database);
     for (MetricRow& metric : computed.metrics) {
       const std::string source =
+          // The digest tells later which text of the file gave the numbers.
           file.filename().string() + ", SHA-256 " + file_digest(file).substr(0, 12);
       metric.doc += " (" + source + ")";
       metric.source = source;

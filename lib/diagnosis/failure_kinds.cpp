@@ -12,6 +12,7 @@ namespace {
 /// A planner's own reason may be a page: a line of it is enough, `replay` shows all.
 constexpr std::size_t kMostReasonBytes = 160;
 
+/// A comma or dash at a number's side becomes part of the mark, which does no harm.
 bool is_of_number(char c) { return (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '+'; }
 
 /// The reason with each number as one mark, so that two flights into trees have the same.
@@ -38,11 +39,13 @@ std::string shortened(std::string text) {
 std::vector<std::pair<std::string, std::int64_t>> by_count(
     const std::map<std::string, std::int64_t>& counts) {
   std::vector<std::pair<std::string, std::int64_t>> sorted(counts.begin(), counts.end());
+  // The map's order, by name, stays among equal counts.
   std::stable_sort(sorted.begin(), sorted.end(),
                    [](const auto& a, const auto& b) { return a.second > b.second; });
   return sorted;
 }
 
+/// Of the trials with one outcome: how many, whose, and a reason that stands for most.
 FailureKind kind_of(Outcome outcome, const std::vector<const TrialListing*>& trials) {
   FailureKind kind{.outcome = outcome,
                    .count = static_cast<std::int64_t>(trials.size()),
@@ -50,6 +53,7 @@ FailureKind kind_of(Outcome outcome, const std::vector<const TrialListing*>& tri
                    .alike_count = 0,
                    .example = {}};
   std::map<std::string, std::int64_t> planners;
+  // Of reasons that are alike the most frequent one is told, by its first trial.
   std::map<std::string, std::vector<const TrialListing*>> reasons;
   for (const TrialListing* trial : trials) {
     ++planners[trial->planner_label];
@@ -58,6 +62,7 @@ FailureKind kind_of(Outcome outcome, const std::vector<const TrialListing*>& tri
   kind.planners = by_count(planners);
   for (const auto& [pattern, alike] : reasons) {
     const auto count = static_cast<std::int64_t>(alike.size());
+    // The first of equal ones, in order of patterns: the same each time.
     if (count <= kind.alike_count) continue;
     kind.alike_count = count;
     kind.example = *alike.front();

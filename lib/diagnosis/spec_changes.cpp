@@ -9,6 +9,7 @@ namespace {
 using nlohmann::json;
 using Values = std::map<std::string, std::string>;  ///< path, value as JSON
 
+/// Lists are values as a whole: their elements have no names to compare by.
 void add_leaves(const json& value, const std::string& path, Values& values) {
   if (!value.is_object()) {
     values[path] = value.dump();
@@ -27,6 +28,8 @@ Values values_of(const json& sweep) {
     values[axis.value("path", "")] = axis.value("values", json::array()).dump();
   }
   for (const auto& [key, value] : sweep.items()) {
+    // Counts and seeds of the sweep itself. Objects and lists among them are base, axes and
+    // planners, which are compared by themselves.
     if (value.is_primitive() && key != "name") values[key] = value.dump();
   }
   return values;
@@ -44,6 +47,7 @@ Values planner_values(const json& planner) {
   return values;
 }
 
+/// By label, which is unique in a sweep: order does not matter.
 std::map<std::string, Values> planners_of(const json& sweep) {
   std::map<std::string, Values> planners;
   for (const json& planner : sweep.value("planners", json::array())) {
@@ -54,6 +58,7 @@ std::map<std::string, Values> planners_of(const json& sweep) {
 
 /// What differs, as "name 1 → 2".
 std::vector<std::string> differing(const Values& former, const Values& now) {
+  // The paths of both sides.
   Values all = former;
   all.insert(now.begin(), now.end());
   std::vector<std::string> changes;
@@ -84,6 +89,7 @@ std::vector<std::string> spec_changes(std::string_view former_json, std::string_
       continue;
     }
     Values was = before->second, is = values;
+    // Digests mean nothing to people: that it is another file is enough.
     if (was["file"] != is["file"]) changes.push_back("planner " + label + ": another file");
     was.erase("file");
     is.erase("file");

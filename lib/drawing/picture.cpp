@@ -11,6 +11,9 @@
 #include "base/input_error.hpp"
 
 namespace avoidbench {
+/// Text and scales have fixed sizes in pixels: bands of 22 px hold one line of text of 0.45 times
+/// OpenCV's plain font, and helpers that draw into a band leave pictures alone that are too small
+/// for it.
 namespace {
 
 std::size_t byte_count(int width_px, int height_px) {
@@ -25,6 +28,7 @@ cv::Mat pixels(Picture& picture) {
 /// The colours of the scale, from near to far.
 cv::Mat scale_colors() {
   cv::Mat levels(1, 256, CV_8UC1), colors;
+  // OpenCV's Turbo goes from blue to red; near is red here.
   for (int i = 0; i < 256; ++i) levels.at<std::uint8_t>(0, i) = static_cast<std::uint8_t>(255 - i);
   cv::applyColorMap(levels, colors, cv::COLORMAP_TURBO);
   cv::cvtColor(colors, colors, cv::COLOR_BGR2RGB);
@@ -42,6 +46,8 @@ cv::Mat height_colors() {
 
 constexpr int kFractionBits = 4;  ///< of coordinates that OpenCV draws at
 
+/// OpenCV takes whole numbers with fraction bits, so that lines lie between pixels where they
+/// should.
 int fixed_point(double pixels) {
   return static_cast<int>(std::lround(std::ldexp(pixels, kFractionBits)));
 }
@@ -51,6 +57,7 @@ cv::Scalar scalar(const Color& color) {
           static_cast<double>(color[2])};
 }
 
+/// A cv::Mat is a view, though it is passed by value: the picture's own pixels change.
 void darken(cv::Mat image) { image.convertTo(image, -1, 0.35); }
 
 void write_text(cv::Mat image, const std::string& text, cv::Point corner) {
@@ -76,6 +83,7 @@ Picture depth_picture(std::span<const float> depth_m, int width_px, int height_p
   Picture picture = make_picture(width_px, height_px);
   AB_CHECK(depth_m.size() * 3 == picture.rgb.size(), depth_m.size(), width_px, height_px);
   AB_CHECK(nearest_m < farthest_m, nearest_m, farthest_m);
+  // Grey is in no colour of the scale; black means that there is no return.
   constexpr std::uint8_t kInvalid = 96;
   const cv::Mat colors = scale_colors();
   for (std::size_t i = 0; i < depth_m.size(); ++i) {
@@ -99,6 +107,7 @@ void add_depth_scale(Picture& picture, double nearest_m, double farthest_m) {
   cv::Mat image = pixels(picture);
   const int top = picture.height_px - kBand;
   darken(image.rowRange(top, picture.height_px));
+  // The 256 colours, stretched to the bar.
   cv::Mat bar;
   cv::resize(scale_colors(), bar, cv::Size(width, kBand - 12), 0, 0, cv::INTER_LINEAR);
   bar.copyTo(image(cv::Rect(kMargin, top + 6, bar.cols, bar.rows)));
@@ -184,6 +193,7 @@ int text_width_px(const std::string& text) {
 }
 
 void draw_label(Picture& picture, const std::string& text, int x_px, int y_px, const Color& color) {
+  // What letters of this font take above and below their base line.
   constexpr int kMargin_px = 4, kAbove_px = 11, kBelow_px = 4;
   const int width = text_width_px(text);
   const int x = std::clamp(x_px, kMargin_px, std::max(kMargin_px, picture.width_px - width - 4));
@@ -238,6 +248,7 @@ void paste(const Picture& part, int left_px, int top_px, Picture& picture) {
 Picture resized(const Picture& picture, int width_px, int height_px) {
   Picture result = make_picture(width_px, height_px);
   cv::Mat pixels_of_result = pixels(result);
+  // A copy, since OpenCV takes no view of const pixels.
   Picture given = picture;
   cv::resize(pixels(given), pixels_of_result, pixels_of_result.size(), 0, 0, cv::INTER_NEAREST);
   return result;

@@ -39,8 +39,8 @@ struct ActionSpec {
   double horizon_s = 1.0;
 };
 
-/// How depth is written into arrays. Metric: metres, no return is max_range_m, invalid is 0.
-/// Inverse: min_range_m / depth, in [0, 1]; no return and invalid are 0.
+/// How depth is written into arrays. Metric: metres; no return is max_range_m. Inverse: min_range_m
+/// over that, in [0, 1]. In both 0 is invalid: nearer than min_range_m, or not matched by stereo.
 enum class DepthEncoding { metric, inverse };
 
 template <>

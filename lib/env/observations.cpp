@@ -15,12 +15,10 @@ T* offset(T* array, std::size_t count) {
 }
 
 float encoded(float depth_m, const ViewShape& shape, DepthEncoding encoding) {
+  if (std::isnan(depth_m)) return 0.0F;
   const auto near_m = static_cast<float>(shape.min_range_m);
-  const auto far_m = static_cast<float>(shape.max_range_m);
-  if (encoding == DepthEncoding::metric) {
-    return std::isnan(depth_m) ? 0.0F : std::min(depth_m, far_m);
-  }
-  return std::isfinite(depth_m) ? near_m / std::max(depth_m, near_m) : 0.0F;
+  const float seen_m = std::min(depth_m, static_cast<float>(shape.max_range_m));
+  return encoding == DepthEncoding::metric ? seen_m : near_m / std::max(seen_m, near_m);
 }
 
 template <class Number>

@@ -15,6 +15,7 @@
 #include "env/thread_pool.hpp"
 #include "metrics/metric_table.hpp"
 #include "trial/flight.hpp"
+#include "trial/planner_view.hpp"
 
 namespace avoidbench {
 namespace {
@@ -64,11 +65,6 @@ class Interruption {
 
 bool has_crashed(Outcome outcome) {
   return outcome == Outcome::collided || outcome == Outcome::left_bounds;
-}
-
-/// How long after an observation its command takes effect.
-double latency_s(const LatencySpec& latency) {
-  return latency.mode == LatencyMode::fixed ? seconds(ticks(latency.ms / 1000.0)) : 0.0;
 }
 
 bool are_alike(const ViewShape& a, const ViewShape& b) {
@@ -226,8 +222,8 @@ void VectorEnv::Internals::fly(Slot& slot, std::size_t index, std::span<const do
                                const EnvArrays& arrays) {
   Flight& flight = *slot.flight;
   if (!flight.outcome) {
-    answer(flight,
-           plan_result(spec.action, action, flight.view, latency_s(slot.episode.spec.latency)));
+    answer(flight, plan_result(spec.action, action, flight.view,
+                               known_latency_s(slot.episode.spec.latency).value()));
   }
   look(slot, index, arrays);
   arrays.reward[index] = reward_of_step(slot);

@@ -25,6 +25,8 @@ std::string trajectory_csv(std::span<const Sample> samples) {
   return csv;
 }
 
+/// The trajectory format of TUM's RGB-D benchmark, which evo and other tools read: seconds, metres,
+/// quaternion with w last.
 std::string trajectory_tum(std::span<const Sample> samples) {
   std::string tum = "# timestamp tx ty tz qx qy qz qw\n";
   for (const Sample& s : samples) {

@@ -21,6 +21,7 @@ namespace {
 
 using TrialValues = std::vector<TableValue>;
 
+/// How TrialTableReader orders rows within a file: merging relies on it.
 constexpr std::string_view kOrder[] = {"sweep",   "revision",      "planner",  "planner_key",
                                        "map_key", "mission_index", "trial_key"};
 
@@ -44,6 +45,7 @@ int compared(const TrialValues& a, const TrialValues& b, const std::vector<std::
   return 0;
 }
 
+/// Rows of several databases stand in one table: they must mean the same, column by column.
 void check_same_columns(const std::vector<std::string>& first,
                         const std::vector<std::string>& columns, const Database& database) {
   if (columns == first) return;
@@ -65,6 +67,7 @@ std::string quoted(const std::string& word) {
   return nlohmann::json(word).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
+/// NaN and infinity are null.
 std::string json_text(const TableValue& value) {
   if (const auto* word = std::get_if<std::string>(&value)) return quoted(*word);
   if (const auto* count = std::get_if<std::int64_t>(&value)) return std::to_string(*count);
@@ -79,6 +82,7 @@ std::string csv_line(const TrialValues& row) {
   return line.line();
 }
 
+/// JSON Lines: an object a row.
 std::string json_line(const std::vector<std::string>& columns, const TrialValues& row) {
   std::string line = "{";
   for (std::size_t i = 0; i < row.size(); ++i) {
@@ -98,6 +102,7 @@ class MergedRows {
  public:
   MergedRows(std::vector<TrialTableReader> readers, const std::vector<std::string>& columns)
       : readers_(std::move(readers)), order_(order_of(columns)) {
+    // Each reader stands on its next row; one without any goes.
     std::erase_if(readers_, [](TrialTableReader& reader) { return !reader.next(); });
   }
 
@@ -112,6 +117,7 @@ class MergedRows {
                            });
       TrialValues row = least->row();
       if (!least->next()) readers_.erase(least);
+      // The same trial in two databases: in order, the two adjoin.
       if (!last_.empty() && compared(last_, row, order_) == 0) continue;
       last_ = row;
       return row;
@@ -147,6 +153,7 @@ void take_rows(MergedRows& rows, std::optional<std::size_t> sorted,
     }
     return;
   }
+  // Sorting takes all rows in memory; without it, one is enough.
   std::vector<TrialValues> all;
   std::vector<TableValue> values;
   for (std::optional<TrialValues> row = rows.next(); row; row = rows.next()) {
@@ -183,6 +190,7 @@ std::vector<std::string> columns_left_out(std::span<const Database> databases,
 void export_trials(std::span<const Database> databases, std::string_view wanted, TrialFormat format,
                    const std::function<void(const std::string&)>& write,
                    const TrialOrder& trial_order) {
+  // By database: those of the sweep that is wanted, which a database may lack.
   const std::vector<std::vector<SweepInfo>> sweeps = chosen_sweeps(databases, wanted);
   std::vector<SweepInfo> all_sweeps;
   for (const auto& some : sweeps) all_sweeps.insert(all_sweeps.end(), some.begin(), some.end());
@@ -192,6 +200,7 @@ void export_trials(std::span<const Database> databases, std::string_view wanted,
   for (std::size_t i = 0; i < databases.size(); ++i) {
     if (sweeps[i].empty()) continue;
     if (first == nullptr) first = &databases[i];
+    // The axes of all sweeps are columns in each, so that the columns are the same.
     readers.emplace_back(databases[i], sweeps[i], std::string_view(), axes);
     check_same_columns(readers.front().columns(), readers.back().columns(), databases[i]);
   }
@@ -204,6 +213,7 @@ void export_trials(std::span<const Database> databases, std::string_view wanted,
     shown.push_back(i);
     names.push_back(columns[i]);
   }
+  // Among all columns: one may sort by what is not shown.
   std::optional<std::size_t> sorted;
   if (!trial_order.field.empty()) sorted = column_of(trial_order.field, columns);
   if (format == TrialFormat::csv) write(header(names));

@@ -65,6 +65,7 @@ class TrialFields {
     return word == nullptr ? std::string() : *word;
   }
   double real(const std::string& name) const {
+    // Whole numbers count as reals; nothing and texts are NaN.
     const TableValue& value = (*this)[name];
     if (const auto* real = std::get_if<double>(&value)) return *real;
     if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
@@ -89,6 +90,7 @@ std::string stored_value(const TrialFields& trial, const std::string& name) {
 
 std::string planning_time(const TrialFields& trial, const std::string&) {
   constexpr double kSecondsPerMs = 0.001;
+  // Mean over the calls times their number.
   return finite(kSecondsPerMs * trial.real("processing_time_ms") * trial.real("plan_call_count"));
 }
 
@@ -96,6 +98,7 @@ std::string is_solved(const TrialFields& trial, const std::string&) {
   return trial.text("outcome") == text(Outcome::reached_goal) ? "1" : "0";
 }
 
+/// The outcome's number among the values that the preamble lists.
 std::string status(const TrialFields& trial, const std::string&) {
   const std::string outcome = trial.text("outcome");
   for (std::size_t i = 0; i < std::size(EnumText<Outcome>::entries); ++i) {
@@ -104,11 +107,14 @@ std::string status(const TrialFields& trial, const std::string&) {
   return "";
 }
 
+/// Only of a flight that arrived: the way up to a crash is no solution.
 std::string solution_length(const TrialFields& trial, const std::string&) {
   return trial.text("outcome") == text(Outcome::reached_goal) ? finite(trial.real("path_length_m"))
                                                               : "";
 }
 
+/// The properties of a run, in the order of its line's values. Those that the database lacks (an
+/// older program's) are left out.
 std::vector<RunProperty> run_properties(const Database& database, const TrialFields& fields) {
   std::vector<RunProperty> properties;
   if (fields.has("processing_time_ms") && fields.has("plan_call_count")) {
@@ -139,12 +145,14 @@ struct PlannerRuns {
   std::vector<std::string> trial_keys;  // in order of the lines
 };
 
+/// The lines of all runs on the experiment's map, and which properties these have.
 std::vector<PlannerRuns> read_runs(const Database& database, const OmplExperiment& experiment,
                                    std::vector<RunProperty>& properties) {
   TrialTableReader reader(database, {&experiment.sweep, 1}, experiment.flights.map_key);
   TrialFields trial(reader);
   properties = run_properties(database, trial);
   std::vector<PlannerRuns> planners;
+  // Rows come by planner: a planner's runs adjoin.
   while (reader.next()) {
     trial.set(reader.row());
     const std::string key = trial.text("planner_key");
@@ -155,11 +163,13 @@ std::vector<PlannerRuns> read_runs(const Database& database, const OmplExperimen
                           .trial_keys = {}});
     }
     for (const RunProperty& property : properties) {
+      // An empty value is one that OMPL's scripts take as missing.
       planners.back().lines += property.value(trial, property.name) + "; ";
     }
     planners.back().lines += "\n";
     planners.back().trial_keys.push_back(trial.text("trial_key"));
   }
+  // Names must differ in a log: labels may be alike for two files, or become alike as words.
   std::map<std::string, int> uses;
   for (const PlannerRuns& planner : planners) ++uses[planner.name];
   for (PlannerRuns& planner : planners) {
@@ -168,6 +178,7 @@ std::vector<PlannerRuns> read_runs(const Database& database, const OmplExperimen
   return planners;
 }
 
+/// The log's head, line by line as OMPL's grammar wants them.
 std::string preamble(const OmplExperiment& experiment, const std::vector<PlannerRuns>& planners) {
   const RunRow& run = experiment.flights.first_run;
   const MapRecord& map = experiment.map.record;
@@ -192,6 +203,7 @@ std::string preamble(const OmplExperiment& experiment, const std::vector<Planner
   }
   text += "Running on " + as_word(run.host) + "\n";
   text += "Starting at " + date_text(run.started_at) + "\n";
+  // The set-up, then the host's processor and the build, both as free text.
   text += "<<<|\n" + as_line("map " + experiment.map.spec_json) +
           as_line("map_key " + map.key + ", world " + map.world_digest) +
           as_line("sweep " + experiment.sweep.name + ", revision " +
@@ -235,12 +247,14 @@ std::string common_properties(const PlannerRow& planner) {
 /// The flight in steps of at least `period_s`, its last sample among them.
 std::string progress_line(std::span<const Sample> samples, const Eigen::Vector3d& goal_world,
                           double period_s) {
+  // A run has a line in any case, since lines are counted.
   if (samples.empty()) return "0,nan,nan,nan,;\n";
   std::string line;
   double next_s = 0.0;
   for (const Sample& sample : samples) {
     const bool is_due = sample.time_s >= next_s || &sample == &samples.back();
     if (!is_due) continue;
+    // The next multiple of the period, so that times don't drift where samples are late.
     next_s = (std::floor(sample.time_s / period_s) + 1.0) * period_s;
     line += shortest(sample.time_s) + "," + shortest((sample.position_world - goal_world).norm()) +
             "," + shortest(sample.velocity_world.norm()) + "," + number(sample.clearance_m) + ",;";
@@ -248,6 +262,7 @@ std::string progress_line(std::span<const Sample> samples, const Eigen::Vector3d
   return line + "\n";
 }
 
+/// NaN for a mission that the map lacks.
 Eigen::Vector3d goal_of(const MapRow& map, std::int64_t mission_index) {
   for (const MissionRecord& mission : map.record.missions) {
     if (mission.index == mission_index) return mission.mission.goal_world;
@@ -257,6 +272,8 @@ Eigen::Vector3d goal_of(const MapRow& map, std::int64_t mission_index) {
 
 }  // namespace
 
+/// An experiment of OMPL is one problem for several planners: here, one map. Its name is the
+/// file's.
 std::vector<OmplExperiment> ompl_experiments(const Database& database, const SweepInfo& sweep) {
   std::vector<OmplExperiment> experiments;
   for (MapFlights& flights : read_map_flights(database, sweep)) {
@@ -278,6 +295,8 @@ std::vector<OmplExperiment> ompl_experiments(const Database& database, const Swe
   return experiments;
 }
 
+/// Planner by planner: common properties, properties of runs with a line a run, and the progress of
+/// each run, for which its flight is read from the database one at a time.
 void write_ompl_log(const Database& database, const OmplExperiment& experiment,
                     double progress_period_s,
                     const std::function<void(const std::string&)>& write) {
@@ -287,6 +306,7 @@ void write_ompl_log(const Database& database, const OmplExperiment& experiment,
     rows.emplace(std::move(key), std::move(row));
   }
   std::vector<RunProperty> properties;
+  // All runs are read first: the preamble says how many planners follow.
   const std::vector<PlannerRuns> planners = read_runs(database, experiment, properties);
   write(preamble(experiment, planners));
   for (const PlannerRuns& planner : planners) {

@@ -30,6 +30,7 @@ std::string ids_of(const std::vector<TrialListing>& trials) {
   return ids + (trials.size() > kMost ? ", …" : "");
 }
 
+/// Up to nine digits, so that it fits an id; longer ones are beginnings of keys.
 bool is_number(const std::string& text) {
   return !text.empty() && text.size() < 10 &&
          std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
@@ -38,6 +39,7 @@ bool is_number(const std::string& text) {
 /// The program says how to list what there is.
 [[noreturn]] void fail(const std::string& message) { throw OptionError(message, "", "list"); }
 
+/// Of a number that is no id, the nearest ones are offered.
 [[noreturn]] void throw_no_trial(std::vector<TrialListing> all, const std::string& trial) {
   if (!is_number(trial)) {
     fail("no trial whose key begins with '" + trial +
@@ -55,6 +57,7 @@ bool is_number(const std::string& text) {
 std::vector<TrialListing> named(const std::vector<TrialListing>& all, const std::string& trial) {
   std::vector<TrialListing> found;
   for (const TrialListing& one : all) {
+    // An id wins: a key may begin with digits too, and is then given with more of them.
     if (is_number(trial) && one.id == std::atoll(trial.c_str())) return {one};
   }
   for (const TrialListing& one : all) {
@@ -97,6 +100,7 @@ std::string field_header(const std::string& field, const std::vector<std::string
   return count == 1 ? last(field) : field;
 }
 
+/// People see start and goal as one text, programs each coordinate.
 std::vector<Column> trial_columns(const std::vector<std::string>& fields, bool is_for_people) {
   const Place words = Place::words;
   std::vector<Column> columns{{.name = "id"}};
@@ -123,6 +127,7 @@ std::vector<Column> trial_columns(const std::vector<std::string>& fields, bool i
   return columns;
 }
 
+/// The number of columns where none has the name.
 std::size_t column_at(const Table& table, const std::string& name) {
   const auto found = std::find_if(table.columns.begin(), table.columns.end(),
                                   [&](const Column& column) { return column.name == name; });
@@ -153,10 +158,12 @@ void fit(Table& table, const std::vector<std::string>& fields) {
   const auto is_too_wide = [&] {
     std::size_t width = 0;
     for (const TextColumn& column : text_columns(table)) width += column.width + kGap;
+    // Without the last column, the reason, which is wrapped.
     return width - text_columns(table).back().width - kGap > kMost;
   };
   std::vector<std::string> names{"map", "radius_m"};
   names.insert(names.end(), fields.begin(), fields.end());
+  // One after the other, and only as long as it is too wide.
   for (const std::string& name : names) {
     const std::size_t at = column_at(table, name);
     const bool can_go = at < table.columns.size() && table.rows.size() > 1;
@@ -183,6 +190,8 @@ std::vector<TrialListing> chosen_trials(const std::vector<TrialListing>& all,
         (choice.outcome.empty() || text(one.outcome) == choice.outcome) &&
         (!choice.map_seed || one.map_seed == *choice.map_seed) &&
         (!choice.mission || one.mission_index == *choice.mission) &&
+        // A user types 2.4, which a computed radius may miss by rounding; NaN of other maps is
+        // never near.
         (!choice.radius_m || std::abs(one.poisson_radius_m - *choice.radius_m) < 1e-6);
     return !is_meant;
   });
@@ -201,6 +210,7 @@ std::vector<std::string> listed_fields(const Database& database, const TrialOrde
   std::erase_if(fields, [](const std::string& path) {
     return path == "map.poisson_radius_m" || path == "map_seed";  // have columns of their own
   });
+  // What trials are sorted by is shown.
   const bool is_new = std::find(fields.begin(), fields.end(), order.field) == fields.end();
   if (!order.field.empty() && is_new) fields.push_back(order.field);
   return fields;
@@ -230,6 +240,7 @@ Table trial_table(const std::vector<TrialListing>& trials, const std::vector<std
   constexpr std::size_t kMostLetters = 16;
   std::vector<std::string> labels;
   for (const TrialListing& one : trials) labels.push_back(one.planner_label);
+  // Short for people; labels that differ stay different.
   if (is_for_people) labels = cut_apart(labels, kMostLetters);
   Table table = make_table("trials", "", trial_columns(fields, is_for_people));
   for (std::size_t i = 0; i < trials.size(); ++i) {
@@ -250,6 +261,7 @@ Table trial_table(const std::vector<TrialListing>& trials, const std::vector<std
     table.rows.push_back(std::move(row));
   }
   const std::size_t radius = column_at(table, "radius_m");
+  // Maps that are no Poisson-disc fields have no radius.
   if (!trials.empty() && !has_value(table, radius)) drop_column(table, radius);
   if (is_for_people) fit(table, fields);
   return table;

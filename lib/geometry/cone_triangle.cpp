@@ -24,11 +24,14 @@ double distance_to_edge(const Vector3d& axis, double cosine, const Vector3d& fro
   const double c = from.dot(axis) * from.dot(axis) - square * from.squaredNorm();
   const double root = b * b - a * c;
   if (root < 0.0) return kInfinity;
+  // Without the difference of two nearly equal numbers; a is 0 where the edge is as steep as the
+  // cone.
   const double q = -(b + std::copysign(std::sqrt(root), b));
   double least = kInfinity;
   for (const double t : {a != 0.0 ? q / a : kInfinity, q != 0.0 ? c / q : kInfinity}) {
     if (!(t >= 0.0 && t <= 1.0)) continue;
     const Vector3d point = from + t * way;
+    // The equation has the cone's mirror image, too.
     if (point.dot(axis) > 0.0) least = std::min(least, point.norm());
   }
   return least;
@@ -39,6 +42,7 @@ double distance_to_edge(const Vector3d& axis, double cosine, const Vector3d& fro
 double distance_inside(const Vector3d& axis, double cosine, const Triangle& triangle) {
   Vector3d normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
   const double twice_area = normal.norm();
+  // No plane; its edges count.
   if (twice_area < 1e-15) return kInfinity;
   normal /= twice_area;
   double height = normal.dot(triangle[0]);
@@ -46,10 +50,12 @@ double distance_inside(const Vector3d& axis, double cosine, const Triangle& tria
     height = -height;
     normal = -normal;
   }
+  // Of all directions on the cone, the one nearest to the normal meets the plane first.
   Vector3d aside = normal - normal.dot(axis) * axis;
   if (aside.norm() < 1e-12) aside = axis.unitOrthogonal();  // a circle: all of it is as near
   const Vector3d ray = cosine * axis + std::sqrt(1.0 - cosine * cosine) * aside.normalized();
   const double rise = ray.dot(normal);
+  // It never meets the plane, or the apex is in it.
   if (rise <= 1e-12 || height <= 1e-12) return kInfinity;
   const double far = height / rise;
   const Vector3d point = far * ray;
@@ -65,6 +71,7 @@ double distance(const ConeShell& shell, const Triangle& triangle) {
   if (along >= shell.cos_outer * away && along <= shell.cos_inner * away) return away;
   double least = kInfinity;
   for (const double cosine : {shell.cos_inner, shell.cos_outer}) {
+    // A cone of no opening is only its axis.
     if (cosine >= 1.0) continue;
     for (std::size_t i = 0; i < 3; ++i) {
       least =

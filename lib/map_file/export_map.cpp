@@ -21,8 +21,10 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 constexpr std::size_t kMaterials = 7;
+/// In order of Material.
 constexpr std::array<const char*, kMaterials> kMaterialNames{
     "soil", "bark", "leaf", "brick", "concrete", "painted_metal", "lamp"};
+/// Linear RGB, as glTF wants it.
 constexpr std::array<std::array<float, 3>, kMaterials> kMaterialColours{{{0.36F, 0.27F, 0.18F},
                                                                          {0.32F, 0.24F, 0.17F},
                                                                          {0.22F, 0.40F, 0.14F},
@@ -42,6 +44,7 @@ using Parts = std::array<Part, kMaterials>;
 /// Adds the mesh's triangles, each to the part of its material.
 void add_to_parts(const Prototype& prototype, const Eigen::Affine3f& place, Parts& parts) {
   constexpr std::uint32_t kNone = ~0U;
+  // A vertex is copied into each part that uses it, once.
   std::array<std::vector<std::uint32_t>, kMaterials> numbers;  // of a vertex within a part
   for (std::size_t i = 0; i < prototype.mesh.triangles.size(); ++i) {
     const auto material = static_cast<std::size_t>(prototype.triangle_materials[i]);
@@ -62,6 +65,7 @@ void add_to_parts(const Prototype& prototype, const Eigen::Affine3f& place, Part
   }
 }
 
+/// Every instance at its place, by material.
 Parts flattened(const World& world) {
   Parts parts;
   for (const Instance& instance : world.instances) {
@@ -70,6 +74,7 @@ Parts flattened(const World& world) {
   return parts;
 }
 
+/// As it is in memory, which is little-endian as these formats want it (see the assertion below).
 template <class T>
 void add_raw(const T& value, std::string& bytes) {
   bytes.append(reinterpret_cast<const char*>(&value), sizeof(T));
@@ -91,6 +96,7 @@ std::ofstream opened(const fs::path& file) {
   return out;
 }
 
+/// Closing writes what is still in the buffer: only then an error of the disk is seen.
 void finish(std::ofstream& out, const fs::path& file) {
   out.close();
   if (!out) throw InputError(file.string() + ": writing failed; is the disk full?");
@@ -124,6 +130,7 @@ struct GlbWriter {
   }
 
   json primitive_of(const Part& part) {
+    // OpenGL's numbers, by which glTF names types and uses of buffers.
     constexpr int kFloat = 5126, kUnsignedInt = 5125, kVertices = 34962, kIndices = 34963;
     std::size_t begin = buffer.size();
     Eigen::AlignedBox3f box;
@@ -132,6 +139,7 @@ struct GlbWriter {
       box.extend(vertex);
     }
     json& positions = add_accessor(begin, part.vertices.size(), "VEC3", kFloat, kVertices);
+    // glTF demands the bounds of positions.
     positions["min"] = {box.min().x(), box.min().y(), box.min().z()};
     positions["max"] = {box.max().x(), box.max().y(), box.max().z()};
     begin = buffer.size();
@@ -173,6 +181,7 @@ struct GlbWriter {
       const std::string name =
           world.obstacles[instance.obstacle].kind + '_' + std::to_string(instance.obstacle);
       json matrix = json::array();
+      // Column by column, in both.
       for (const float number : instance.T_world_prototype.matrix().reshaped()) {
         matrix.push_back(number);
       }
@@ -185,7 +194,10 @@ struct GlbWriter {
   std::string bytes() {
     out["buffers"] = json::array({{{"byteLength", buffer.size()}}});
     std::string text = out.dump();
+    // Chunks are multiples of four bytes: JSON is filled up with blanks, the buffer has only
+    // numbers of four.
     text.resize((text.size() + 3) / 4 * 4, ' ');
+    // A header of 12 bytes, and 8 before each of two chunks.
     const std::size_t size = 28 + text.size() + buffer.size();
     if (size > std::numeric_limits<std::uint32_t>::max()) {
       throw InputError("the map is too large for .glb, which holds 4 GiB; write .ply");
@@ -252,6 +264,7 @@ void write_ply(const World& world, const fs::path& file) {
   for (const Part& part : flattened(world)) {
     for (const Eigen::Vector3f& vertex : part.vertices) add_raw(vertex, vertices);
     for (const auto& triangle : part.triangles) {
+      // The count of the list, one byte.
       faces += '\3';
       for (const std::uint32_t corner : triangle) add_raw(first + corner, faces);
     }
@@ -279,8 +292,10 @@ void write_stl(const World& world, const fs::path& file) {
     for (const auto& [a, b, c] : part.triangles) {
       const auto& [from, left, right] =
           std::tie(part.vertices[a], part.vertices[b], part.vertices[c]);
+      // The triangle's normal; zero for one without an area.
       add_raw((left - from).cross(right - from).normalized().eval(), bytes);
       for (const Eigen::Vector3f* corner : {&from, &left, &right}) add_raw(*corner, bytes);
+      // The count of attribute bytes: none.
       bytes.append(2, '\0');
     }
   }
@@ -310,6 +325,7 @@ void export_mesh(const World& world, const fs::path& file) {
   format->write(world, file);
 }
 
+/// One point in the middle of each full voxel.
 void export_point_cloud(const VoxelGrid& grid, const fs::path& file) {
   check_ending(file, ".ply", "a point cloud");
   std::vector<float> numbers;
@@ -331,6 +347,8 @@ void export_point_cloud(const VoxelGrid& grid, const fs::path& file) {
   finish(out, file);
 }
 
+/// The grid's bytes as they are, z slowest, x fastest; beside it a JSON file that says where it
+/// lies, which NumPy's format has no place for.
 void export_occupancy(const VoxelGrid& grid, const fs::path& file) {
   check_ending(file, ".npy", "an occupancy grid");
   std::string header = "{'descr': '|u1', 'fortran_order': False, 'shape': (" +
@@ -353,6 +371,7 @@ void export_occupancy(const VoxelGrid& grid, const fs::path& file) {
   beside += ".json";
   std::ofstream text = opened(beside);
   const Eigen::Vector3d& low = grid.lowest_world;
+  // Enough digits to read back the same double.
   text.precision(17);
   text << "{\"lowest_world_m\": [" << low.x() << ", " << low.y() << ", " << low.z()
        << "], \"resolution_m\": " << grid.size_m << ", \"axes\": \"z y x\"}\n";

@@ -14,6 +14,8 @@ namespace {
 
 using nlohmann::json;
 
+/// Far below 2^53: every whole number of a JSON double is exact, and sums of two of them don't
+/// overflow.
 constexpr std::uint64_t kMostWhole = std::uint64_t{1} << 40U;
 
 std::string place(const char* array, std::uint64_t index) {
@@ -22,11 +24,13 @@ std::string place(const char* array, std::uint64_t index) {
 
 /// The bytes that base64 stands for; nothing where it is none.
 std::optional<std::string> base64_decoded(std::string_view text) {
+  // The number of letters says all that the padding says.
   while (text.ends_with('=')) text.remove_suffix(1);
   std::string bytes;
   bytes.reserve(text.size() / 4 * 3 + 2);
   std::uint32_t group = 0;
   unsigned bits = 0;
+  // Six bits a letter; a byte is complete with each eighth bit.
   for (const char c : text) {
     std::uint32_t digit = 0;
     if (c >= 'A' && c <= 'Z') {
@@ -101,6 +105,8 @@ struct Gltf {
     return *value;
   }
 
+  // The bytes of a buffer: the chunk BIN, or base64 within the JSON, which is decoded once. Other
+  // files are not opened: a map is one file with one digest.
   std::string_view buffer(std::uint64_t index) {
     const json& buffer = element("buffers", index);
     const std::uint64_t length = needed(buffer, "byteLength");
@@ -121,8 +127,10 @@ struct Gltf {
       }
       bytes = decoded[index];
     } else if (index != 0 || binary.empty()) {
+      // Only the first buffer may be without uri: it is the chunk BIN.
       fail(place("buffers", index) + " has no bytes");
     }
+    // There may be more: chunks are filled up to four bytes.
     if (length > bytes.size()) {
       fail("is truncated: " + place("buffers", index) + " has " + std::to_string(length) +
            " bytes, there are " + std::to_string(bytes.size()));
@@ -140,6 +148,8 @@ struct Gltf {
     Numbers found;
     found.component = needed(accessor, "componentType");
     found.count = needed(accessor, "count");
+    // accessor → bufferView → buffer: each must lie within the next. Without a bufferView an
+    // accessor would be all zeros, which no mesh needs.
     const json& view = element("bufferViews", needed(accessor, "bufferView"));
     std::string_view bytes = buffer(needed(view, "buffer"));
     const std::uint64_t from = whole(view, "byteOffset").value_or(0);
@@ -152,7 +162,9 @@ struct Gltf {
     const std::uint64_t size = numbers * component_size(found.component, name);
     found.stride = whole(view, "byteStride").value_or(0);
     if (found.stride == 0) found.stride = size;
+    // glTF's own limit.
     if (found.stride < size || found.stride > 252) fail(name + ": byteStride can't be");
+    // By dividing: count · stride of a damaged file could overflow.
     const bool is_inside =
         found.count == 0 || (offset <= length && size <= length - offset &&
                              found.count - 1 <= (length - offset - size) / found.stride);
@@ -161,6 +173,7 @@ struct Gltf {
     return found;
   }
 
+  // Unsigned byte, unsigned short, unsigned int, float; signed ones hold no positions or indices.
   std::uint64_t component_size(std::uint64_t component, const std::string& name) const {
     if (component == 5121) return 1;
     if (component == 5123) return 2;
@@ -200,12 +213,14 @@ std::vector<std::uint64_t> triangle_list(const std::vector<std::uint64_t>& corne
                                          std::uint64_t mode) {
   std::vector<std::uint64_t> list;
   if (corners.size() < 3) return list;
+  // 4: triangles, 5: strip, 6: fan.
   if (mode == 4) {
     list = corners;
     list.resize(corners.size() / 3 * 3);
     return list;
   }
   for (std::size_t i = 0; i + 2 < corners.size(); ++i) {
+    // In a strip every second triangle is turned round, as its corners come the other way.
     const std::size_t odd = i % 2;
     const std::array<std::uint64_t, 3> triangle =
         mode == 5 ? std::array{corners[i], corners[i + 1 + odd], corners[i + 2 - odd]}
@@ -217,6 +232,7 @@ std::vector<std::uint64_t> triangle_list(const std::vector<std::uint64_t>& corne
 
 /// The product of a node's translation, rotation and scale, or its matrix, column by column.
 Eigen::Affine3d transform_of(const Gltf& from, const json& node) {
+  // A list of numbers of this length; `usual` where the key is missing.
   const auto numbers = [&]<std::size_t count>(const char* key, std::array<float, count> usual) {
     const auto found = node.find(key);
     if (found == node.end()) return usual;
@@ -236,11 +252,13 @@ Eigen::Affine3d transform_of(const Gltf& from, const json& node) {
   Eigen::Affine3d T = Eigen::Affine3d::Identity();
   if (node.contains("matrix")) {
     T.matrix() = Eigen::Map<const Eigen::Matrix4f>(matrix.data()).cast<double>();
+    // The last row is taken as 0 0 0 1, whatever it says.
     T.makeAffine();
     return T;
   }
   // In single precision, from which maps have their digests.
   Eigen::Matrix3f linear;
+  // The rotation's matrix, of a unit quaternion.
   linear << 1.0F - 2.0F * (y * y + z * z), 2.0F * (x * y - z * w), 2.0F * (x * z + y * w),
       2.0F * (x * y + z * w), 1.0F - 2.0F * (x * x + z * z), 2.0F * (y * z - x * w),
       2.0F * (x * z - y * w), 2.0F * (y * z + x * w), 1.0F - 2.0F * (x * x + y * y);
@@ -250,6 +268,7 @@ Eigen::Affine3d transform_of(const Gltf& from, const json& node) {
   return T;
 }
 
+/// "" where it has none.
 std::string_view name_of(const json& object) {
   const auto name = object.find("name");
   const bool is_text = name != object.end() && name->is_string();
@@ -268,6 +287,7 @@ struct Gatherer {
     std::vector<std::array<std::uint32_t, 3>> triangles;
     Material material;
   };
+  // Read once each; nodes then take copies.
   std::vector<std::vector<Surface>> meshes = {};
   std::uint64_t triangle_count = 0;
   std::vector<bool> is_there = {};  ///< which nodes
@@ -293,17 +313,20 @@ struct Gatherer {
         primitive["extensions"].contains("KHR_draco_mesh_compression")) {
       from.fail(name + " is compressed by Draco, which is not read; export it uncompressed");
     }
+    // A primitive without positions is nothing to bump into.
     const auto attributes = primitive.find("attributes");
     if (attributes == primitive.end() || !attributes->is_object()) return;
     const auto position = from.whole(*attributes, "POSITION");
     if (!position) return;
     const std::vector<Eigen::Vector3f> vertices = from.positions(*position);
+    // Without indices the vertices are the corners, in order.
     std::vector<std::uint64_t> corners(vertices.size());
     for (std::size_t i = 0; i < corners.size(); ++i) corners[i] = i;
     if (const auto index = from.whole(primitive, "indices")) corners = from.indices(*index);
     corners = triangle_list(corners, mode);
     if (corners.empty()) return;
     count(corners.size() / 3);
+    // Vertices may be shared by primitives: each surface keeps only those that it names, in order.
     std::vector<std::uint64_t> used = corners;
     std::sort(used.begin(), used.end());
     used.erase(std::unique(used.begin(), used.end()), used.end());
@@ -334,8 +357,10 @@ struct Gatherer {
   }
 
   void add_surface(const Surface& surface, const Eigen::Affine3d& T_file_mesh, MeshPart& part) {
+    // A small mesh that many nodes use is large as a map.
     count(surface.triangles.size());
     const auto first = static_cast<std::uint32_t>(part.vertices.size());
+    // A mirrored mesh turns inside out: its corners are put back in order.
     const bool is_mirrored = T_file_mesh.linear().determinant() < 0.0;
     for (auto [a, b, c] : surface.triangles) {
       if (is_mirrored) std::swap(b, c);
@@ -407,6 +432,7 @@ std::string_view take_chunks(std::string_view bytes, const std::string& file,
   }
   bytes = bytes.substr(0, word(8));
   std::string_view text;
+  // The first chunk of each kind counts; kinds that are not known are passed over, as glTF says.
   for (std::size_t at = 12; at + 8 <= bytes.size();) {
     const std::size_t size = word(at);
     const std::string_view kind = bytes.substr(at + 4, 4);
@@ -443,6 +469,7 @@ std::vector<MeshPart> parse_gltf(const MeshSource& source) {
       !version->get_ref<const std::string&>().starts_with("2.")) {
     fail_file(file, "is no glTF of version 2");
   }
+  // All meshes first, then the scene, which says where they stand.
   Gatherer gatherer{.from = gltf, .source = source};
   gatherer.add_meshes();
   if (gatherer.triangle_count == 0) fail_file(file, "has no triangles");

@@ -23,8 +23,10 @@ std::optional<std::string> lzf_decompressed(std::string_view compressed, std::si
     if (left() < (count == 7 ? 2U : 1U)) return std::nullopt;
     if (count == 7) count += next();
     count += 2;
+    // 13 bits: 5 of the control byte, 8 of the next.
     const std::size_t distance = ((control & 31U) << 8U) + next() + 1;
     if (distance > out.size() || size - out.size() < count) return std::nullopt;
+    // Byte by byte: what is copied may overlap what it makes, and repeats then.
     for (std::size_t i = 0; i < count; ++i) out.push_back(out[out.size() - distance]);
   }
   if (out.size() != size) return std::nullopt;

@@ -8,6 +8,8 @@
 
 namespace avoidbench {
 
+/// Lower-case words joined by _, without the numbers that editors put behind copies: "Tree.001" is
+/// a tree.
 std::string obstacle_kind(std::string_view name) {
   constexpr std::size_t kMost = 40;
   std::string kind;
@@ -23,6 +25,7 @@ std::string obstacle_kind(std::string_view name) {
   while (!kind.empty() && (kind.back() == '_' || (kind.back() >= '0' && kind.back() <= '9'))) {
     kind.pop_back();
   }
+  // Names that exporters give where nobody gave one.
   if (kind.empty() || kind == "defaultobject" || kind == "nodes") return "mesh";
   if (kind == "floor" || kind == "terrain") return "ground";
   return kind == "roof" ? "ceiling" : kind;
@@ -33,10 +36,12 @@ Material material_named(std::string_view name, Material fallback) {
 }
 
 Eigen::Vector3d offset_near(const Eigen::Vector3d& vertex) {
+  // Up to here a float tells half a millimetre.
   constexpr double kNear = 4096.0, kLimit = 1e12;
   Eigen::Vector3d offset = Eigen::Vector3d::Zero();
   for (int axis = 0; axis < 3; ++axis) {
     const double value = vertex[axis];
+    // Whole metres: a double takes them off without rounding.
     if (std::abs(value) > kNear && std::abs(value) < kLimit) offset[axis] = std::floor(value);
   }
   return offset;
@@ -50,6 +55,7 @@ Eigen::Vector3d take_position(std::string_view& words, const std::string& file, 
     if (!number) {
       fail_file(file, word.empty() ? "too few numbers" : in_quotes(word) + " is no number", line);
     }
+    // As a float, in which it is kept: 1e300 would become infinite.
     if (!std::isfinite(static_cast<float>(*number))) {
       fail_file(file, "vertex: " + in_quotes(word) + " is not finite", line);
     }

@@ -47,8 +47,10 @@ struct ObjReader {
   void add_vertex(std::string_view words, int line) {
     const Eigen::Vector3d position = take_position(words, source.file, line);
     const std::string_view w = take_word(words);
+    // "v x y z w"; "v x y z r g b" has three more words.
     const bool has_w = !w.empty() && take_word(words).empty();  // more words are a color
     if (has_w && number_in<double>(w) != 1.0) fail_file(source.file, "a vertex's w is not 1", line);
+    // The first vertex stands for all: those of a map are near each other.
     if (vertices.empty()) offset = offset_near(position);
     if (vertices.size() >= 3 * source.most_triangles) fail_vertices(source);
     vertices.emplace_back((position - offset).cast<float>());
@@ -65,6 +67,7 @@ struct ObjReader {
   void heed_pending() {
     const auto [object, new_group, surface] = std::exchange(pending, {});
     if (object) {
+      // An object that was named before goes on; a group of a name begins a new part each time.
       const auto known = part_of_name.find(*object);
       if (known == part_of_name.end()) {
         begin_part(*object);
@@ -85,6 +88,7 @@ struct ObjReader {
     Copy& copy = copies[vertex];
     MeshPart& to = parts[part];
     if (copy.part != part) {
+      // The first use in this part: it gets a copy there.
       copy = {part, static_cast<std::uint32_t>(to.vertices.size())};
       to.vertices.push_back(vertices[vertex].cast<double>() + offset);
     }

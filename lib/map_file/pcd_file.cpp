@@ -65,6 +65,7 @@ void read_column(const std::vector<std::string_view>& words, PcdHeader& header,
     }
     const auto number = number_in<std::uint64_t>(word);
     const bool is_size = words[0] == "SIZE";
+    // So that sizes of points don't overflow.
     if (!number || *number > (is_size ? 8 : kMostCount) || *number == 0) {
       fail_file(file, std::string(words[0]) + ": " + in_quotes(word) + " can't be", line);
     }
@@ -85,8 +86,10 @@ PcdHeader read_pcd_header(LineCursor& lines, const std::string& file) {
   std::optional<std::uint64_t> points, width, height;
   while (const auto line = lines.next()) {
     const std::vector<std::string_view> words = words_of(*line);
+    // Binary data after a header without DATA may look like lines for long.
     if (lines.line > kMostLines) break;
     if (words.empty() || words[0].starts_with('#')) continue;
+    // Both are passed over: points stay in the file's own frame.
     if (words[0] == "VERSION" || words[0] == "VIEWPOINT") {
     } else if (words[0] == "FIELDS") {
       header.fields.clear();
@@ -102,6 +105,7 @@ PcdHeader read_pcd_header(LineCursor& lines, const std::string& file) {
       points = whole_number(words, file, lines.line);
     } else if (words[0] == "DATA") {
       header.data = words.size() == 2 ? words[1] : "";
+      // POINTS is their product, and may be left out.
       if (!points && width && *width > 0 && height.value_or(1) <= UINT64_MAX / *width) {
         points = *width * height.value_or(1);
       }
@@ -115,6 +119,7 @@ PcdHeader read_pcd_header(LineCursor& lines, const std::string& file) {
   fail_file(file, "the header does not end ('DATA ascii|binary|binary_compressed')", lines.line);
 }
 
+/// x, y and z may stand anywhere among the fields, and have any type.
 std::array<Place, 3> xyz_of(const PcdHeader& header, const std::string& file) {
   std::array<Place, 3> places{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -150,6 +155,7 @@ std::size_t point_size(const PcdHeader& header) {
 
 FilePoints ascii_points(const PcdHeader& header, LineCursor& lines, const std::string& file) {
   const std::array<Place, 3> xyz = xyz_of(header, file);
+  // What stands behind the last coordinate is not looked at.
   const std::size_t last = std::max({xyz[0].word, xyz[1].word, xyz[2].word});
   FilePoints points;
   for (std::uint64_t i = 0; i < header.points;) {
@@ -171,6 +177,7 @@ FilePoints ascii_points(const PcdHeader& header, LineCursor& lines, const std::s
       if (word.empty()) fail_file(file, "too few numbers", lines.line);
       word = take_word(*line);
     }
+    // NaN marks a pixel without a return in clouds of images: it is no point.
     add_if_finite(point, points);
     ++i;
   }
@@ -186,6 +193,7 @@ struct Column {
 
 FilePoints column_points(const std::array<Column, 3>& columns, std::uint64_t count) {
   FilePoints points;
+  // The count was held against the bytes before.
   points.reserve(count);
   for (std::uint64_t i = 0; i < count; ++i) {
     Eigen::Vector3d point;
@@ -223,6 +231,7 @@ FilePoints compressed_points(const PcdHeader& header, std::string_view rest,
   }
   const std::array<Place, 3> xyz = xyz_of(header, file);
   const std::size_t stride = point_size(header);
+  // No stream is that good: the size is wrong, and nothing is allocated for it.
   if (size / stride < header.points || size > kMostLzfRatio * compressed_size) {
     fail_file(file, "its compressed points can't be those the header promises");
   }
@@ -237,6 +246,7 @@ FilePoints compressed_points(const PcdHeader& header, std::string_view rest,
         break;
       }
     }
+    // A field's numbers stand together for all points, behind those of the fields before it.
     columns[axis] = {bytes->data() + xyz[axis].byte * header.points, number_size, xyz[axis].type};
   }
   return column_points(columns, header.points);

@@ -123,6 +123,7 @@ PlyHeader read_ply_header(LineCursor& lines, const std::string& file) {
     } else {
       fail_file(file, in_quotes(words[0]) + " is no word of a PLY header", lines.line);
     }
+    // Binary data after a header that does not end may look like lines for long.
     if (lines.line > kMostLines) break;
   }
   fail_file(file, "the header does not end ('end_header')", lines.line);
@@ -180,6 +181,7 @@ bool take_binary(const Element& element, bool is_big_endian, std::string_view& r
       if (rest.size() < count_size) return false;
       const double listed = load_number(rest.data(), property.count_type, is_big_endian);
       rest.remove_prefix(count_size);
+      // A number takes one byte at least: a larger count is beyond the end.
       if (!(listed >= 0.0 && listed <= static_cast<double>(rest.size()))) return false;
       count = static_cast<std::size_t>(listed);
     }
@@ -192,7 +194,9 @@ bool take_binary(const Element& element, bool is_big_endian, std::string_view& r
 
 void skip_binary(const Element& element, bool is_big_endian, std::string_view& rest,
                  const std::string& file) {
+  // Without lists it is one step, however many there are.
   if (const auto size = fixed_size(element)) {
+    // An element without properties has no bytes: else it would be divided by.
     if (*size == 0) return;
     if (rest.size() / *size < element.count) fail_short(file, element, rest.size() / *size);
     rest.remove_prefix(*size * element.count);
@@ -283,6 +287,7 @@ bool for_each_number(const PlyHeader& header, const Element& element, LineCursor
     double count = 1.0;
     if (element.properties[p].is_list) {
       count = take_number();
+      // A number takes one letter at least.
       if (!(count >= 0.0 && count <= static_cast<double>(line->size()))) {
         fail_file(file, "too few numbers", lines.line);
       }
@@ -337,11 +342,13 @@ struct MeshReader {
       }
       if (i == 0) offset = offset_near(position);
       vertices.emplace_back((position - offset).cast<float>());
+      // What single precision kept of it, and no more: digests depend on it.
       part.vertices.push_back(vertices.back().cast<double>() + offset);
     }
   }
 
   void add_face(std::uint64_t index) {
+    // Points and lines that some writers leave as faces.
     if (face.size() < 3) return;
     if (face.size() > kMostCorners) fail_corners(source.file, line());
     triangle_count += face.size() - 2;
@@ -368,6 +375,7 @@ struct MeshReader {
       face.clear();
       take(element, i, [&](std::size_t property, std::size_t, double value) {
         if (property != list) return;
+        // NaN is refused by this too.
         if (!(value >= 0.0 && value < static_cast<double>(vertices.size()))) {
           fail_file(source.file, name_of("face", i) + " names a vertex that is not there", line());
         }
@@ -378,6 +386,7 @@ struct MeshReader {
   }
 
   void skip(const Element& element) {
+    // In text even an element of nothing has its lines.
     if (element.properties.empty() && !is_text()) return;
     const auto ignore = [](std::size_t, std::size_t, double) {};
     for (std::uint64_t i = 0; i < element.count; ++i) take(element, i, ignore);
@@ -407,6 +416,8 @@ FilePoints parse_ply_points(std::string_view bytes, const std::string& file) {
                         ", not a cloud of points: use generator: mesh");
   }
   const bool is_big_endian = header.encoding == Encoding::big_endian;
+  // Elements stand in the order of the header: what comes before the vertices has to be gone
+  // through.
   for (const Element& element : header.elements) {
     const bool is_vertex = element.name == "vertex";
     if (header.encoding != Encoding::ascii) {
@@ -434,6 +445,7 @@ std::vector<MeshPart> parse_ply_mesh(const MeshSource& source) {
   if (face == nullptr || face->count == 0) {
     fail_file(file, "has no triangles; for a cloud of points use generator: point_cloud");
   }
+  // Each triangle names three: more are of no use to any.
   if (vertex->count > 3 * source.most_triangles) fail_vertices(source);
   MeshReader reader{.source = source, .header = header, .lines = lines};
   std::optional<LineCursor> faces;  // where they begin, if before the vertices
@@ -441,6 +453,7 @@ std::vector<MeshPart> parse_ply_mesh(const MeshSource& source) {
     if (&element == vertex) {
       reader.add_vertices(element);
     } else if (&element == face && vertex < face) {
+      // Faces name vertices by number: those that stand first are read in a second go.
       reader.add_faces(element);
     } else {
       if (&element == face) faces = reader.lines;

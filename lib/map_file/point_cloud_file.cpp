@@ -3,6 +3,7 @@
 namespace avoidbench {
 
 FilePoints parse_point_cloud(std::string_view bytes, const std::string& file) {
+  // The contents decide, not the file's name.
   const std::string_view word = bytes.substr(0, bytes.find_first_of(" \t\r\n"));
   if (word == "ply") return parse_ply_points(bytes, file);
   const bool is_pcd = bytes.starts_with('#') || word == "VERSION" || word == "FIELDS";

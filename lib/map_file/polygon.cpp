@@ -9,6 +9,7 @@ namespace {
 
 /// The corner that both triangles of a quad share: a quad has one concave corner at most.
 std::uint32_t shared_corner(const std::vector<Eigen::Vector3f>& corners) {
+  // A concave corner's diagonal lies inside, the other one outside.
   for (std::uint32_t i = 0; i < 4; ++i) {
     const auto direction_to = [&](std::uint32_t other) {
       const Eigen::Vector3d v = corners[(i + other) % 4].cast<double>() - corners[i].cast<double>();
@@ -31,6 +32,7 @@ std::vector<Eigen::Vector2d> flattened(const std::vector<Eigen::Vector3f>& corne
   }
   Eigen::Index up = 0;
   normal.cwiseAbs().maxCoeff(&up);
+  // The two other axes, in the order in which the polygon turns counter-clockwise.
   Eigen::Index right = (up + 1) % 3, ahead = (up + 2) % 3;
   if (normal[up] < 0.0) std::swap(right, ahead);
   std::vector<Eigen::Vector2d> flat;
@@ -61,6 +63,8 @@ struct EarCutter {
     if (area < -slack) return false;
     if (area <= slack) return true;  // flat: it holds nothing
     for (std::uint32_t i = next[after]; i != before; i = next[i]) {
+      // A hole is joined to the border by an edge that is gone along twice: its corners are there
+      // twice.
       const bool is_same_place = corners[i] == corners[before] || corners[i] == corners[ear] ||
                                  corners[i] == corners[after];
       if (is_same_place) continue;
@@ -77,6 +81,7 @@ struct EarCutter {
     const auto count = static_cast<std::uint32_t>(corners.size());
     next.resize(count);
     for (std::uint32_t i = 0; i < count; ++i) next[i] = (i + 1) % count;
+    // A ring of corners that are left; `before` and `ear` go round it.
     std::uint32_t before = count - 1, ear = 0;
     std::uint32_t left = count, refused = 0;
     while (left > 3) {
@@ -87,11 +92,14 @@ struct EarCutter {
         --left;
         refused = 0;
       } else {
+        // Once round without an ear: there is none.
         if (++refused == left) return false;
         before = ear;
       }
       ear = after;
     }
+    // The last triangle begins with its least number: else its first corner would depend on where
+    // the walk stopped.
     const std::uint32_t first = std::min({before, ear, next[ear]});
     triangles.push_back({first, next[first], next[next[first]]});
     return turn(before, ear, next[ear]) >= -slack;
@@ -133,6 +141,7 @@ bool cut_polygon(const std::vector<Eigen::Vector3f>& corners,
     return true;
   }
   const std::vector<Eigen::Vector2d> flat = flattened(corners);
+  // Exactly first: slack is only for polygons that need it.
   if (!EarCutter{flat, 0.0}.cut(triangles) && !EarCutter{flat, rounding_of(flat)}.cut(triangles)) {
     return false;
   }

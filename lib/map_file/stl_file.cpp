@@ -6,6 +6,8 @@
 namespace avoidbench {
 namespace {
 
+/// 80 bytes of text and the count; a triangle is a normal and three corners in floats, and two
+/// bytes.
 constexpr std::size_t kHeader = 84, kTriangle = 50;
 
 using Corners = std::array<Eigen::Vector3f, 3>;
@@ -50,6 +52,7 @@ void add_ascii(StlPart& part) {
   std::size_t corner = 0;
   bool is_open = false, has_ended = false;
   while (auto line = lines.next()) {
+    // Words are taken one by one: loops and normals are passed over.
     const std::string_view key = take_word(*line);
     if (key == "vertex") {
       if (!is_open || corner >= 3) fail_file(file, "a vertex too many", lines.line);
@@ -68,6 +71,7 @@ void add_ascii(StlPart& part) {
                !key.empty()) {
       fail_file(file, in_quotes(key) + " is no word of an STL file", lines.line);
     }
+    // A file of several solids ends with the last of them.
     if (!key.empty()) has_ended = key == "endsolid";
   }
   if (!has_ended) fail_file(file, "is truncated: it does not end by 'endsolid'", lines.line);

@@ -9,6 +9,7 @@
 namespace avoidbench {
 namespace {
 
+/// Three indices of 21 bits fit 64: sorting numbers is far simpler than sorting triples.
 constexpr unsigned kBits = 21;
 constexpr std::uint64_t kMask = (std::uint64_t{1} << kBits) - 1;
 
@@ -20,6 +21,7 @@ std::uint64_t packed(std::uint64_t high, std::uint64_t middle, std::uint64_t low
 
 std::uint64_t part(std::uint64_t key, unsigned index) { return (key >> (index * kBits)) & kMask; }
 
+/// Rounded down, also below 0.
 Cell cell_of(const Eigen::Vector3d& point, double resolution_m) {
   return {static_cast<std::int64_t>(std::floor(point.x() / resolution_m)),
           static_cast<std::int64_t>(std::floor(point.y() / resolution_m)),
@@ -69,6 +71,7 @@ Faces faces_across(const std::vector<std::uint64_t>& voxels, unsigned axis) {
   std::vector<std::uint64_t> columns;  // neighbours along the axis stand beside each other
   columns.reserve(voxels.size());
   for (const std::uint64_t voxel : voxels) {
+    // In the packed order the axis is the lowest part: neighbours along it differ by 1.
     columns.push_back(packed(part(voxel, 2 - v), part(voxel, 2 - u), part(voxel, 2 - axis)));
   }
   std::sort(columns.begin(), columns.end());
@@ -76,6 +79,8 @@ Faces faces_across(const std::vector<std::uint64_t>& voxels, unsigned axis) {
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const std::uint64_t key = columns[i];
     const std::uint64_t face = packed(part(key, 0), part(key, 2), part(key, 1));
+    // No neighbour: a face to the outside. The parts never carry over, since indices stay below
+    // 2^21 − 1.
     if (i == 0 || columns[i - 1] + 1 != key) faces.low.push_back(face);
     if (i + 1 == columns.size() || key + 1 != columns[i + 1]) faces.high.push_back(face);
   }
@@ -96,12 +101,14 @@ std::vector<Rectangle> merged(const std::vector<std::uint64_t>& faces) {
   std::uint64_t row_key = ~std::uint64_t{0};
   std::size_t candidate = 0;
   for (std::size_t i = 0; i < faces.size();) {
+    // Layer and row together.
     const std::uint64_t key = faces[i] >> kBits;
     std::size_t end = i + 1;
     while (end < faces.size() && faces[end] == faces[end - 1] + 1 && faces[end] >> kBits == key) {
       ++end;
     }
     if (key != row_key) {
+      // The next row of the same layer; not the first row of the next one.
       const bool follows = key == row_key + 1 && (key & kMask) != 0;
       before = follows ? std::move(now) : std::vector<std::size_t>{};
       now.clear();
@@ -110,10 +117,12 @@ std::vector<Rectangle> merged(const std::vector<std::uint64_t>& faces) {
     }
     const std::uint64_t u0 = faces[i] & kMask;
     const std::uint64_t u1 = u0 + (end - i);
+    // Both rows are in order of u: the candidate only moves on.
     while (candidate < before.size() && rectangles[before[candidate]].u0 < u0) ++candidate;
     const bool is_equal = candidate < before.size() && rectangles[before[candidate]].u0 == u0 &&
                           rectangles[before[candidate]].u1 == u1;
     if (is_equal) {
+      // The rectangle of the row before grows by this row.
       ++rectangles[before[candidate]].v1;
       now.push_back(before[candidate]);
     } else {
@@ -137,6 +146,7 @@ void add_rectangle(const Rectangle& rectangle, const Frame& frame, TriangleMesh&
   const unsigned u = (frame.axis + 1) % 3, v = (frame.axis + 2) % 3;
   const auto position = [&](unsigned axis, std::uint64_t index) {
     const std::int64_t cell = frame.lowest[axis] + static_cast<std::int64_t>(index);
+    // From the whole index, not from a sum: equal corners of two faces get equal bits.
     return static_cast<float>(static_cast<double>(cell) * frame.resolution_m);
   };
   const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
@@ -148,6 +158,7 @@ void add_rectangle(const Rectangle& rectangle, const Frame& frame, TriangleMesh&
     vertex[v] = position(v, is_far_v ? rectangle.v1 : rectangle.v0);
     mesh.vertices.push_back(vertex);
   }
+  // Counter-clockwise seen from the empty side.
   if (frame.is_high) {
     mesh.triangles.push_back({first, first + 1, first + 2});
     mesh.triangles.push_back({first, first + 2, first + 3});
@@ -173,6 +184,7 @@ VoxelSurface voxel_surface(const FilePoints& points, double resolution_m,
     sides[2 * axis + 1] = merged(faces.high);
     surface.triangle_count += 2 * (sides[2 * axis].size() + sides[2 * axis + 1].size());
   }
+  // Only counted: the caller says how many there would be.
   if (surface.triangle_count > most_triangles) return surface;
   surface.mesh.vertices.reserve(2 * surface.triangle_count);
   surface.mesh.triangles.reserve(surface.triangle_count);

@@ -35,6 +35,7 @@ class PlaceGrid {
   }
   void take(const Place& place) { cell(column(place), row(place)) = place; }
   bool is_free(const Place& place) {
+    // A cell's diagonal is the radius: what is nearer than that is within two cells.
     const int first_column = std::max(column(place) - 2, 0);
     const int last_column = std::min(column(place) + 2, columns_ - 1);
     const int last_row = std::min(row(place) + 2, rows_ - 1);
@@ -43,6 +44,7 @@ class PlaceGrid {
         const Place& taken = cell(c, r);
         const float dx = taken.x() - place.x();
         const float dy = taken.y() - place.y();
+        // A place at (0, 0) itself would count as an empty cell, in the original too.
         if (taken != Place::Zero() && dx * dx + dy * dy < squared_radius_) return false;
       }
     }
@@ -72,6 +74,7 @@ class PlaceGrid {
 Place ring_point(const Place& centre, float squared_radius, DotnetRandom& random) {
   const float angle_rad = 2.0F * kPi * static_cast<float>(random.next_double());
   const float ratio = static_cast<float>(random.next_double());
+  // Uniform by area: its square is uniform from r² to 4 r².
   const float distance_m = std::sqrt(ratio * 3.0F * squared_radius + squared_radius);
   const auto cosine = static_cast<float>(math::cos(static_cast<double>(angle_rad)));
   const auto sine = static_cast<float>(math::sin(static_cast<double>(angle_rad)));
@@ -82,6 +85,7 @@ Place ring_point(const Place& centre, float squared_radius, DotnetRandom& random
 /// truncation that make its first x and each chosen index 0, though a number is drawn for each.
 std::vector<Place> sample(const Place& size_m, float radius_m, std::int32_t seed) {
   DotnetRandom random(seed);
+  // The draws that the original makes and does not use keep the sequence in step.
   random.next(1, 100);
   // NOLINTNEXTLINE(bugprone-integer-division): the original's own
   const float first_x_m = static_cast<float>(random.next(1, 100) / 100) * size_m.x();
@@ -93,6 +97,7 @@ std::vector<Place> sample(const Place& size_m, float radius_m, std::int32_t seed
   grid.take(places.front());
   while (!active.empty()) {
     random.next_double();
+    // Truncation makes the chosen index 0 each time.
     const Place centre = active.front();
     bool is_found = false;
     for (int i = 0; i < kCandidatesPerPlace && !is_found; ++i) {
@@ -117,6 +122,7 @@ AvoidbenchField make_avoidbench_field(const FieldSuite& suite, std::uint64_t num
   const Place size_m(static_cast<float>(suite.area_m[0]), static_cast<float>(suite.area_m[1]));
   AB_CHECK(size_m.minCoeff() > 0.0F && suite.radius_origin_m > 0.0 && suite.radius_span_m >= 0.0,
            size_m.transpose(), suite.radius_origin_m, suite.radius_span_m);
+  // The lower 32 bits, as a product of two ints leaves them.
   GlibcRandom random(static_cast<std::uint32_t>(static_cast<std::uint64_t>(suite.seed) * number));
   const float ratio = static_cast<float>(random.next() % kSteps) / static_cast<float>(kSteps);
   AvoidbenchField field;

@@ -26,8 +26,10 @@ std::uint64_t scenery_seed(const Spec& spec, std::uint64_t map_number) {
   return stream_seed(static_cast<std::uint64_t>(spec.suite_seed), map_number);
 }
 
+/// x is across: flights go from the start's band to the goal's along y.
 template <class Spec>
 void set_bands(const Spec& spec, World& world) {
+  // The bands are in the middle of the flight space's width.
   const double side_m = 0.5 * (spec.range_m[0] - spec.band_width_m);
   const double last_x_m = spec.range_m[0] - side_m;
   world.start_region = {{side_m, spec.start_band_m[0], spec.start_height_m},
@@ -53,6 +55,7 @@ World make_avoidbench_forest(const AvoidbenchForestSpec& spec, std::uint64_t map
   World world;
   add_ground(size_m, spec.ground_relief_m, seed, world);
   PlantRules rules{.bush_ratio = spec.bush_ratio, .height_m = spec.start_height_m};
+  // Plants are kept on the ground around the flight space too, since they are seen from there.
   const Eigen::Vector2d margin(kGroundMargin_m, kGroundMargin_m);
   rules.kept = {-margin, Eigen::Vector2d(size_m[0], size_m[1]) + margin};
   add_plants(world_feet(field, spec), rules, seed, world);
@@ -69,6 +72,7 @@ World make_avoidbench_indoor(const AvoidbenchIndoorSpec& spec, std::uint64_t map
   World world;
   world.flight_bounds = Aabb(Eigen::Vector3d::Zero(),
                              Eigen::Vector3d(spec.range_m[0], spec.range_m[1], spec.range_m[2]));
+  // The hall holds the flight space and the whole field of obstacles.
   world.bounds = world.flight_bounds;
   world.bounds.extend(Eigen::Vector3d(-spec.range_origin_m[0], -spec.range_origin_m[1], 0.0));
   world.bounds.extend(Eigen::Vector3d(spec.field_area_m[0] - spec.range_origin_m[0],
@@ -80,6 +84,7 @@ World make_avoidbench_indoor(const AvoidbenchIndoorSpec& spec, std::uint64_t map
   add_shell(hall, world);
 
   const std::vector<Eigen::Vector2d> feet = world_feet(field, spec);
+  // One ratio for diameter and height: the wide ones are the tall ones.
   const std::vector<double> ratios = avoidbench_size_ratios(field.map_seed, feet.size());
   const auto between = [](const std::array<double, 2>& ends, double ratio) {
     return ends[0] + (ends[1] - ends[0]) * ratio;

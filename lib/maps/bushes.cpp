@@ -10,6 +10,7 @@
 namespace avoidbench {
 namespace {
 
+/// π (3 - √5).
 constexpr double kGoldenAngle_rad = 2.39996322972865332;
 
 struct BushHabit {
@@ -36,6 +37,7 @@ PlantModel grow_bush(const BushHabit& habit) {
   bush.name = habit.name;
   for (int i = 0; i < habit.blob_count; ++i) {
     // Blobs spiral outwards and down from the highest, in the middle.
+    // The square root spreads the blobs evenly by area, and the golden angle around the middle.
     const double out = std::sqrt((i + 0.25) / habit.blob_count);
     const double turn = kGoldenAngle_rad * i + varied(0.4, 1.0, random);
     const double size_m = varied(0.52 * habit.radius_m * (1.15 - 0.35 * out), 0.12, random);
@@ -78,6 +80,7 @@ std::vector<PlantModel> bush_models() {
 }
 
 double obstacle_width_m(const PlantModel& model, double scale, double height_m) {
+  // In the model's own metres, before it is scaled.
   const double own_height_m = height_m / scale;
   const std::vector<double>& heights = model.trunk_heights_m;
   if (!heights.empty()) {
@@ -92,11 +95,13 @@ double obstacle_width_m(const PlantModel& model, double scale, double height_m) 
     return 2.0 * scale * radius_m;
   }
   double widest_m = 0.0;
+  // Every 10°, over half a turn: a width is the same from both sides.
   constexpr int kDirections = 18;
   for (int k = 0; k < kDirections; ++k) {
     const double angle = math::kPi * k / kDirections;
     const double x = math::cos(angle);
     const double y = math::sin(angle);
+    // From 0: the root's own place counts in.
     double least = 0.0, most = 0.0;
     for (const Eigen::Vector3f& vertex : model.prototype.mesh.vertices) {
       if (static_cast<double>(vertex.z()) > own_height_m) continue;

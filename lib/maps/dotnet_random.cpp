@@ -28,6 +28,7 @@ DotnetRandom::DotnetRandom(std::int32_t seed) {
   state_[kLags - 1] = last;
   std::int32_t step = 1;
   for (std::size_t i = 1; i < kLags; ++i) {
+    // 21 and 55 have no common factor: each place but the last is met once.
     const std::size_t place = kSpread * i % kLags - 1;
     state_[place] = step;
     step = difference(last, step);
@@ -42,6 +43,7 @@ DotnetRandom::DotnetRandom(std::int32_t seed) {
 
 std::int32_t DotnetRandom::next() {
   std::int32_t value = difference(state_[at_], state_[(at_ + kLags - kShortLag) % kLags]);
+  // .NET's own: it keeps next_double() below 1.
   if (value == kModulus) --value;
   state_[at_] = value;
   at_ = (at_ + 1) % kLags;

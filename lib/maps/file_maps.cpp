@@ -43,6 +43,7 @@ bool check_box(const std::string& name, const BoxSpec& box, std::vector<std::str
     const std::string field = name + (values == &box.lowest_m ? ".lowest_m" : ".highest_m");
     if (values->size() != 3) problems.push_back(field + ": expected [x, y, z]");
     for (const double value : *values) {
+      // Not "greater", so that NaN is refused.
       if (!(std::abs(value) <= kMostCoordinate_m)) {
         problems.push_back(field + ": " + number(value) + " is outside [-10000, 10000]");
       }
@@ -57,6 +58,7 @@ bool check_box(const std::string& name, const BoxSpec& box, std::vector<std::str
   return true;
 }
 
+/// What can be said of the spec alone, without its file.
 template <class FileSpec>
 void check_fields(const FileSpec& spec, const std::vector<std::string>& extensions,
                   std::vector<std::string>& problems) {
@@ -81,6 +83,7 @@ void check_fields(const FileSpec& spec, const std::vector<std::string>& extensio
   }
   const bool has_start = check_box("start_region", spec.start_region, problems);
   const bool has_goal = check_box("goal_region", spec.goal_region, problems);
+  // The rest is of regions within given bounds.
   if (!check_box("bounds", spec.bounds, problems)) return;
   const Aabb bounds = box_of(spec.bounds);
   if (bounds.sizes().minCoeff() < kLeastBounds_m) {
@@ -92,6 +95,7 @@ void check_fields(const FileSpec& spec, const std::vector<std::string>& extensio
   if (has_goal && !bounds.contains(box_of(spec.goal_region))) {
     problems.push_back("goal_region: is not within bounds");
   }
+  // The flight height is where a region lies that is not given.
   if (!(has_start && has_goal) && spec.flight_height_m >= bounds.sizes().z()) {
     problems.push_back("flight_height_m: " + number(spec.flight_height_m) +
                        " is not below the height of bounds, " + number(bounds.sizes().z()));
@@ -101,6 +105,7 @@ void check_fields(const FileSpec& spec, const std::vector<std::string>& extensio
 template <class FileSpec>
 std::string read_bytes(const FileSpec& spec) {
   std::string bytes = read_map_file(spec.file, kMostBytes);
+  // A sweep that was read holds its file's digest: each worker must fly on that file.
   if (!spec.file_digest.empty() && bytes_digest(bytes) != spec.file_digest) {
     fail_file(spec.file,
               "is not the file it was: its SHA-256 is not file_digest, " + spec.file_digest);
@@ -139,6 +144,7 @@ Aabb box_around(const FilePoints& points) {
 void check_extent(const std::string& file, const Aabb& box, const std::string& hint) {
   const Eigen::Vector3d size = box.sizes();
   const std::string found = "spans " + size_text(size);
+  // Also refuses what became infinite by scaling.
   if (!(size.maxCoeff() <= kMostExtent_m)) {
     fail_file(file, found +
                         ", more than 2000 m: if its unit is not the metre, set scale (0.001 for "
@@ -148,6 +154,7 @@ void check_extent(const std::string& file, const Aabb& box, const std::string& h
   if (size.maxCoeff() < kLeastExtent_m) {
     fail_file(file, found + ", less than 1 m: set scale, the metres in one unit of the file");
   }
+  // After the size: a wrong scale moves a map far away, too.
   const double farthest_m =
       std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
   if (farthest_m > kMostCoordinate_m) {
@@ -166,6 +173,7 @@ double share_within(const Aabb& bounds, const Aabb& box) {
   if (common.isEmpty()) return 0.0;
   double share = 1.0;
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    // A flat map has no thickness to share.
     const double size = box.sizes()[axis];
     if (size > 0.0) share *= common.sizes()[axis] / size;
   }
@@ -190,11 +198,13 @@ void check_up_axis(const FileSpec& spec, const Aabb& box) {
                              " set up_axis: " + other + ", else give bounds");
   }
   const Aabb bounds = box_of(spec.bounds);
+  // The bounds hold a part of it: the axis may well be right.
   if (share_within(bounds, box) > kAtMost) return;
   const Eigen::Vector3d origin(spec.origin_m[0], spec.origin_m[1], spec.origin_m[2]);
   for (const auto& [up, name] : EnumText<UpAxis>::entries) {
     Aabb other;
     for (const Eigen::Vector3d& p : {box.min(), box.max()}) {
+      // Back to the file's axes, then as the other axis would turn them.
       other.extend(turned(up, turned_back(spec.up_axis, p + origin)) - origin);
     }
     if (share_within(bounds, other) < kAtLeast) continue;
@@ -207,6 +217,7 @@ void check_up_axis(const FileSpec& spec, const Aabb& box) {
 /// A band along x at one end of y, at the flight height.
 Region band(const Aabb& bounds, double flight_height_m, bool is_goal) {
   const Eigen::Vector3d size = bounds.sizes();
+  // As in forests and halls, scaled to the size of the map.
   const double side_m = std::min(2.0, 0.1 * size.x());
   const double depth_m = size.y() * (6.0 / 40.0);
   const double wall_m = std::min(1.0, 0.25 * depth_m);
@@ -216,6 +227,7 @@ Region band(const Aabb& bounds, double flight_height_m, bool is_goal) {
   return {{bounds.min().x() + side_m, near_m, z}, {bounds.max().x() - side_m, far_m, z}};
 }
 
+/// Fails where a region that was given, or the usual one, is not within the bounds.
 Region region_of(const std::string& file, const std::string& name, const BoxSpec& given,
                  const Aabb& bounds, double flight_height_m) {
   Region region = band(bounds, flight_height_m, name == "goal_region");
@@ -251,6 +263,8 @@ Prototype welded(const MeshPart& part, const Eigen::Vector3d& foot) {
   }
   std::vector<std::uint32_t> order(all.size());
   std::iota(order.begin(), order.end(), 0U);
+  // Equal vertices stand together when sorted; stable, so that the first in the file stands for
+  // them.
   const auto key = [&](std::uint32_t i) { return std::tuple(all[i].x(), all[i].y(), all[i].z()); };
   std::stable_sort(order.begin(), order.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
@@ -266,10 +280,12 @@ Prototype welded(const MeshPart& part, const Eigen::Vector3d& foot) {
   for (std::size_t i = 0; i < part.triangles.size(); ++i) {
     const auto& [a, b, c] = part.triangles[i];
     const Eigen::Vector3d from = all[a].cast<double>();
+    // Exactly no area: thin triangles are real.
     if ((all[b].cast<double>() - from).cross(all[c].cast<double>() - from).isZero(0.0)) continue;
     std::array<std::uint32_t, 3> corners{first[a], first[b], first[c]};
     for (std::uint32_t& corner_index : corners) {
       std::uint32_t& used = index[corner_index];
+      // Vertices that only triangles without area used are left out.
       if (used == kUnused) {
         used = static_cast<std::uint32_t>(prototype.mesh.vertices.size());
         prototype.mesh.vertices.push_back(all[corner_index]);
@@ -336,6 +352,7 @@ void crop(const PointCloudSpec& spec, FilePoints& points) {
 
 /// A resolution at which the surface should have few enough triangles, two digits.
 double coarser_m(double resolution_m, std::uint64_t triangles) {
+  // Surfaces grow with the square of the resolution; 5 % more, since the guess is rough.
   const double ratio = static_cast<double>(triangles) / static_cast<double>(kMostTriangles);
   return std::ceil(resolution_m * std::sqrt(ratio) * 1.05 * 100.0) / 100.0;
 }
@@ -376,6 +393,7 @@ World make_point_cloud(const PointCloudSpec& spec) {
   FilePoints points = parse_point_cloud(read_bytes(spec), spec.file);
   to_world(spec, points);
   crop(spec, points);
+  // After cropping: stray points out of the bounds do no harm.
   check_extent(spec.file, box_around(points), "; stray points: give bounds");
   VoxelSurface surface = voxel_surface(points, spec.resolution_m, kMostTriangles);
   if (surface.mesh.triangles.empty()) {
@@ -390,6 +408,7 @@ World make_point_cloud(const PointCloudSpec& spec) {
   prototype.name = "cloud";
   prototype.mesh = std::move(surface.mesh);
   prototype.triangle_materials.assign(prototype.mesh.triangles.size(), spec.material);
+  // Of the voxels, which reach beyond their points.
   Aabb box;
   for (const Eigen::Vector3f& vertex : prototype.mesh.vertices) box.extend(vertex.cast<double>());
   world.prototypes.push_back(std::move(prototype));

@@ -15,7 +15,6 @@ namespace {
 constexpr double kOutside_m = 3.0;  // how far a vehicle may swing out of the area
 // The bounds reach below the ground, which undulates: who is under it has collided already.
 constexpr double kDepthBelowGround_m = 1.0;
-// Starts and goals keep off the forest's sides, where there is nothing to avoid.
 
 /// Which plants are bushes: the wanted number of them, those of the least draws.
 std::vector<bool> draw_bushes(std::size_t plant_count, double bush_ratio, RandomStream random) {
@@ -23,6 +22,7 @@ std::vector<bool> draw_bushes(std::size_t plant_count, double bush_ratio, Random
   for (double& draw : draws) draw = random.uniform();
   std::vector<std::size_t> order(plant_count);
   std::iota(order.begin(), order.end(), std::size_t{0});
+  // Exactly so many, not each by its own draw: a map's share of bushes is that of the spec.
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return draws[a] < draws[b]; });
   const auto bush_count =
@@ -45,6 +45,7 @@ PlantPose draw_pose(RandomStream& random) {
   const double scale = random.uniform(0.82, 1.18);
   const Eigen::Quaterniond turn = yaw_rotation(yaw);
   const double sine = math::sin(0.5 * tilt);
+  // About a level axis in the direction of tilt_turn.
   const Eigen::Quaterniond lean(math::cos(0.5 * tilt), sine * math::cos(tilt_turn),
                                 sine * math::sin(tilt_turn), 0.0);
   return {(lean * turn).toRotationMatrix(), scale};
@@ -65,6 +66,7 @@ void add_plants(std::span<const Eigen::Vector2d> feet, const PlantRules& rules, 
                 World& world) {
   const std::vector<PlantModel> trees = tree_models();
   const std::vector<PlantModel> bushes = bush_models();
+  // All models are in each forest, also those that no plant has: indices stay the same.
   const auto first_tree = static_cast<std::uint32_t>(world.prototypes.size());
   for (const PlantModel& model : trees) world.prototypes.push_back(model.prototype);
   const auto first_bush = static_cast<std::uint32_t>(world.prototypes.size());
@@ -72,6 +74,7 @@ void add_plants(std::span<const Eigen::Vector2d> feet, const PlantRules& rules, 
 
   const std::vector<bool> is_bush =
       draw_bushes(feet.size(), rules.bush_ratio, stream(seed, "kinds"));
+  // A stream for each question: another bush_ratio changes no pose.
   RandomStream choices = stream(seed, "prototypes");
   RandomStream poses = stream(seed, "poses");
   double width_sum_m = 0.0, count = 0.0;
@@ -106,6 +109,7 @@ void set_forest_bounds(const std::array<double, 2>& size_m, double ceiling_m, Wo
   world.flight_bounds = Aabb(Eigen::Vector3d(0.0, 0.0, -kDepthBelowGround_m),
                              Eigen::Vector3d(size_m[0], size_m[1], ceiling_m));
   const Eigen::Vector3d outside(kOutside_m, kOutside_m, 0.0);
+  // A vehicle that swings out of the area and comes back has not left the map.
   world.bounds = Aabb(world.flight_bounds.min() - outside, world.flight_bounds.max() + outside);
 }
 
@@ -124,6 +128,7 @@ World make_forest(const ForestSpec& spec, std::uint64_t map_seed) {
   const double band_m = band_depth_m(depth_m);
   const double last_x_m = width_m - kBandSideMargin_m;
   const double height_m = spec.flight_height_m;
+  // Bands at both ends of y: flights go along +y.
   world.start_region = {{kBandSideMargin_m, 0.0, height_m}, {last_x_m, band_m, height_m}};
   world.goal_region = {{kBandSideMargin_m, depth_m - band_m, height_m},
                        {last_x_m, depth_m, height_m}};

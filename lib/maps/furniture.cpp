@@ -16,10 +16,12 @@ using Eigen::Vector3d;
 Prototype crate_stack(double side_m, double height_m, RandomStream& draws) {
   Prototype stack;
   stack.name = "crates";
+  // Crates of about their own width in height, at least one.
   const int count = std::max(1, static_cast<int>(std::lround(height_m / side_m)));
   const double crate_m = height_m / count;
   for (int i = 0; i < count; ++i) {
     const double half_m = 0.5 * side_m * draws.uniform(0.85, 1.0);
+    // No crate stands out of the square that the placement kept free.
     const double room_m = 0.5 * side_m - half_m;
     const double x = draws.uniform(-room_m, room_m), y = draws.uniform(-room_m, room_m);
     // A millimetre into the one below: faces that coincide would flicker between the two.
@@ -72,6 +74,7 @@ double furniture_width_m(FurnitureKind kind, double size_m) {
 }
 
 void add_furniture(const Furniture& piece, double ceiling_m, std::uint64_t seed, World& world) {
+  // A stream for each piece: one more draw in a kind leaves the others as they are.
   RandomStream draws = stream(seed, "furniture");
   const double width_m = furniture_width_m(piece.kind, piece.size_m);
   const double height_m = std::min(0.95 * ceiling_m, draws.uniform(1.6, 3.2));

@@ -25,6 +25,7 @@ GlibcRandom::GlibcRandom(std::uint32_t seed) {
 }
 
 std::int32_t GlibcRandom::next() {
+  // r[i] = r[i - 3] + r[i - 31]: the oldest is r[i - 31], and its place takes the sum.
   std::uint32_t& value = state_[oldest_];
   value += state_[(oldest_ + kLags - kShortLag) % kLags];
   oldest_ = (oldest_ + 1) % kLags;

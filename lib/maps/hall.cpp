@@ -34,6 +34,8 @@ void add_motions(const HallSpec& spec, std::uint64_t seed, World& world) {
     const Eigen::Vector3d direction(math::cos(heading_rad), math::sin(heading_rad), 0.0);
     world.motions.push_back({.instance = i,
                              .amplitude_world = reach_m * direction,
+                             // So that the greatest speed, amplitude · 2π / period, is the one that
+                             // was drawn.
                              .period_s = math::kTau * reach_m / speed_mps,
                              .phase = phase});
   }
@@ -41,6 +43,7 @@ void add_motions(const HallSpec& spec, std::uint64_t seed, World& world) {
 
 /// What stands at a place, by a draw in [0, 1); nothing: a cylinder.
 std::optional<FurnitureKind> furniture_kind(const HallSpec& spec, double draw) {
+  // The shares lie one after the other in [0, 1).
   if (draw < spec.crates_ratio) return FurnitureKind::crates;
   draw -= spec.crates_ratio;
   if (draw < spec.shelf_ratio) return FurnitureKind::shelf;
@@ -51,6 +54,7 @@ std::optional<FurnitureKind> furniture_kind(const HallSpec& spec, double draw) {
 
 }  // namespace
 
+/// What is there in every map and no obstacle to count.
 bool is_scenery(std::string_view kind) {
   static constexpr std::array<std::string_view, 4> kScenery{"ground", "wall", "ceiling", "lamp"};
   return std::find(kScenery.begin(), kScenery.end(), kind) != kScenery.end();
@@ -73,6 +77,7 @@ void add_turned_obstacle(World& world, Prototype prototype, Obstacle obstacle, d
   instance.prototype = static_cast<std::uint32_t>(world.prototypes.size());
   instance.obstacle = static_cast<std::uint32_t>(world.obstacles.size());
   instance.T_world_prototype.translation() = obstacle.position_world.cast<float>();
+  // The identity stays exact.
   if (yaw_rad != 0.0) {
     instance.T_world_prototype.linear() = upright_turn(yaw_rad);
   }
@@ -87,12 +92,14 @@ void add_slab(World& world, std::string_view name, std::string_view kind, Materi
   obstacle.kind = kind;
   obstacle.position_world = {0.5 * (lowest.x() + highest.x()), 0.5 * (lowest.y() + highest.y()),
                              lowest.z()};
+  // Prototypes have their foot at the origin; single precision is finest there.
   Prototype slab;
   slab.name = name;
   add_box(slab, lowest - obstacle.position_world, highest - obstacle.position_world, material);
   add_obstacle(world, std::move(slab), std::move(obstacle));
 }
 
+/// Six slabs around the inside, which touch and do not overlap.
 void add_shell(const Aabb& inside, World& world) {
   const Eigen::Vector3d& a = inside.min();
   const Eigen::Vector3d& b = inside.max();
@@ -152,6 +159,7 @@ World make_hall(const HallSpec& spec, std::uint64_t map_seed) {
       Aabb(Eigen::Vector3d::Zero(), Eigen::Vector3d(width_m, depth_m, spec.height_m));
   add_shell(world.flight_bounds, world);
 
+  // Feet are drawn in the area less the widest cylinder's radius: none stands in a wall.
   const double inset_m = 0.5 * spec.cylinder_diameter_m[1];
   RandomStream positions = stream(map_seed, "positions");
   RandomStream diameters = stream(map_seed, "diameters");
@@ -159,6 +167,8 @@ World make_hall(const HallSpec& spec, std::uint64_t map_seed) {
   RandomStream kinds = stream(map_seed, "kinds");
   std::vector<Cylinder> cylinders;
   std::vector<Furniture> furniture;
+  // All draws are made at each place, whatever comes to stand there, so that other ratios leave the
+  // places and sizes alone.
   for (const Eigen::Vector2d& place : poisson_disc(
            {width_m - 2.0 * inset_m, depth_m - 2.0 * inset_m}, spec.poisson_radius_m, positions)) {
     const Eigen::Vector2d foot(place.x() + inset_m, place.y() + inset_m);
@@ -171,6 +181,7 @@ World make_hall(const HallSpec& spec, std::uint64_t map_seed) {
       cylinders.push_back(
           {.foot_world = foot,
            .diameter_m = diameter_m,
+           // One that reaches the ceiling goes into it.
            .top_m = top_m < spec.height_m ? top_m : spec.height_m + kCylinderSink_m});
     }
   }

@@ -59,6 +59,7 @@ struct Labyrinth {
 
 /// Opens the wall between two neighbouring cells.
 void open_wall(Labyrinth& maze, std::size_t from, std::size_t to) {
+  // Neighbours in a row differ by 1, in a column by the number of columns.
   const auto [low, high] = std::minmax(from, to);
   (high - low == maze.columns ? maze.north : maze.east)[low] = false;
 }
@@ -66,6 +67,7 @@ void open_wall(Labyrinth& maze, std::size_t from, std::size_t to) {
 /// Depth-first search from the first cell: every cell is reached by exactly one way.
 void carve(Labyrinth& maze, RandomStream& draws) {
   std::vector<bool> is_reached(maze.columns * maze.rows, false);
+  // The way back to the first cell, as a stack: recursion would be as deep as the maze is long.
   std::vector<std::size_t> way{0};
   is_reached[0] = true;
   while (!way.empty()) {
@@ -80,6 +82,7 @@ void carve(Labyrinth& maze, RandomStream& draws) {
     consider(column + 1 < maze.columns, cell + 1);
     consider(row > 0, cell - maze.columns);
     consider(row + 1 < maze.rows, cell + maze.columns);
+    // A dead end: back to the last cell that has a neighbour left.
     if (count == 0) {
       way.pop_back();
       continue;
@@ -96,6 +99,7 @@ void open_loops(Labyrinth& maze, double ratio, RandomStream& draws) {
   for (std::size_t row = 0; row < maze.rows; ++row) {
     for (std::size_t column = 0; column < maze.columns; ++column) {
       const std::size_t cell = maze.at(column, row);
+      // Both are drawn at each cell, so that the outer walls don't shift the sequence.
       const bool opens_east = draws.uniform() < ratio;
       const bool opens_north = draws.uniform() < ratio;
       if (opens_east && column + 1 < maze.columns) maze.east[cell] = false;
@@ -122,6 +126,7 @@ void for_runs(std::size_t count, const IsClosed& is_closed, const Add& add) {
 void add_labyrinth(const Labyrinth& maze, const Eigen::Vector2d& corner,
                    const Eigen::Vector2d& cell_m, std::array<std::size_t, 2> entrances,
                    double height_m, World& world) {
+  // Walls reach half their thickness beyond their lines, which closes corners.
   const Eigen::Vector2d half(0.5 * kWall_m, 0.5 * kWall_m);
   const auto add = [&](const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
     add_partition(corner + from.cwiseProduct(cell_m) - half,
@@ -220,6 +225,7 @@ World make_maze(const MazeSpec& spec, std::uint64_t map_seed) {
   RandomStream entrances = stream(map_seed, "entrances");
   const std::size_t in = entrances.below(maze.columns);
   const std::size_t out = entrances.below(maze.columns);
+  // Cells share the area evenly: corridors are at least as wide as asked for.
   const Eigen::Vector2d cell_m(size_m.x() / static_cast<double>(maze.columns),
                                size_m.y() / static_cast<double>(maze.rows));
   add_labyrinth(maze, {0.0, stretch.low_m}, cell_m, {in, out}, spec.height_m, world);
@@ -238,14 +244,17 @@ World make_gap_walls(const GapWallsSpec& spec, std::uint64_t map_seed) {
   for (std::int64_t wall = 0; wall < spec.wall_count; ++wall) {
     const double share = (static_cast<double>(wall) + 0.5) / static_cast<double>(spec.wall_count);
     const double y = stretch.low_m + share * (stretch.high_m - stretch.low_m);
+    // From gap to gap: the pieces of wall between them, and at last the one up to the hall's side.
     double from_x = -kSlabSink_m;
     for (std::int64_t gap = 0; gap < spec.gaps_per_wall; ++gap) {
       // One in each equal part of the wall.
       const double x = part_m * static_cast<double>(gap) + places.uniform(0.0, part_m - gap_m);
       add_partition({from_x, y - 0.5 * kWall_m}, {x, y + 0.5 * kWall_m}, -kSlabSink_m, high, world);
       from_x = x + gap_m;
+      // Drawn in any case, so that gap_height_m does not change where the gaps are.
       const double sill = sills.uniform(spec.sill_m[0], spec.sill_m[1]);
       if (spec.gap_height_m <= 0.0) continue;
+      // A gap never reaches above the ceiling: its sill comes down instead.
       const double bottom_m = std::min(sill, spec.height_m - spec.gap_height_m);
       const Eigen::Vector2d low(x, y - 0.5 * kWall_m), far(from_x, y + 0.5 * kWall_m);
       if (bottom_m > 0.0) add_partition(low, far, -kSlabSink_m, bottom_m, world);
@@ -270,6 +279,7 @@ World make_dead_ends(const DeadEndsSpec& spec, std::uint64_t map_seed) {
   const Stretch stretch = between_bands(spec.area_m);
   const auto prototype = static_cast<std::uint32_t>(world.prototypes.size());
   world.prototypes.push_back(trap_prototype(spec));
+  // The farthest corner of a trap from its middle: within that circle it may turn as it likes.
   const double reach_m = trap_reach_m(spec);
   const double inset_m = reach_m + 0.5 * spec.passage_m;
   RandomStream positions = stream(map_seed, "positions");
@@ -278,6 +288,7 @@ World make_dead_ends(const DeadEndsSpec& spec, std::uint64_t map_seed) {
   const Eigen::Vector2d size_m(spec.area_m[0] - 2.0 * inset_m,
                                stretch.high_m - stretch.low_m - 2.0 * reach_m);
   for (const Eigen::Vector2d& place :
+       // Between any two circles a passage is left.
        poisson_disc({size_m.x(), size_m.y()}, 2.0 * reach_m + spec.passage_m, positions)) {
     const double yaw = turns.uniform(-spec.yaw_deg, spec.yaw_deg) * math::kDegree;
     Obstacle trap{.kind = "trap", .width_m = spec.trap_width_m + 2.0 * kWall_m};
@@ -296,6 +307,7 @@ World make_dead_ends(const DeadEndsSpec& spec, std::uint64_t map_seed) {
 
 World make_poles(const PolesSpec& spec, std::uint64_t map_seed) {
   World world = empty_hall(spec);
+  // A stream for each question: another branch_ratio changes no place and no diameter.
   RandomStream positions = stream(map_seed, "positions");
   RandomStream diameters = stream(map_seed, "diameters");
   RandomStream kinds = stream(map_seed, "kinds");
@@ -322,8 +334,10 @@ World make_overhangs(const OverhangsSpec& spec, std::uint64_t map_seed) {
   const Stretch stretch = between_bands(spec.area_m);
   RandomStream kinds = stream(map_seed, "kinds");
   RandomStream positions = stream(map_seed, "positions");
+  // By chance the first one is to be flown under or over; then by turns.
   bool is_under = kinds.uniform() < 0.5;
   for (std::int64_t i = 0; i < spec.barrier_count; ++i) {
+    // Within the middle of its equal part, so that two barriers never touch.
     const double share = (static_cast<double>(i) + positions.uniform(0.3, 0.7)) /
                          static_cast<double>(spec.barrier_count);
     const double y = stretch.low_m + share * (stretch.high_m - stretch.low_m);

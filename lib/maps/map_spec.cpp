@@ -55,6 +55,7 @@ void check_below(std::string_view name, double value, std::string_view limit_nam
                              std::string(limit_name) + ", " + number_text(limit)));
 }
 
+/// A field has to be two radii wide, or hardly more than one thing stands in it.
 void check_room(std::string_view name, const std::array<double, 2>& area_m,
                 std::string_view radius_name, double radius_m,
                 std::vector<InputProblem>& problems) {
@@ -77,6 +78,7 @@ void check_contradictions(const HallSpec& spec, std::vector<InputProblem>& probl
   if (least > greatest) {
     problems.push_back(problem("cylinder_diameter_m: the least diameter is above the greatest"));
   }
+  // Middles are at least that far apart.
   if (greatest >= spec.poisson_radius_m) {
     problems.push_back(
         problem("cylinder_diameter_m: cylinders as wide as poisson_radius_m may "
@@ -94,6 +96,8 @@ void check_contradictions(const HallSpec& spec, std::vector<InputProblem>& probl
   }
 }
 
+/// What both generators after the original have: a field of obstacles, the flight space as a part
+/// of it, and bands.
 template <class Spec>
 void check_suite(const Spec& spec, std::vector<InputProblem>& problems) {
   check_room("field_area_m", spec.field_area_m, "the greatest Poisson radius",
@@ -179,6 +183,8 @@ void check_contradictions(const OverhangsSpec& spec, std::vector<InputProblem>& 
               stretch_m(spec.area_m) / static_cast<double>(spec.barrier_count), problems);
 }
 
+/// Every problem at once: ranges of single fields, then what contradicts itself. visit() takes a
+/// spec that can be changed, so it is given a copy.
 template <class Spec>
 void check_spec(const Spec& spec) {
   RangeCheck check;
@@ -237,6 +243,7 @@ void check_map(const MapSpec& spec) {
   std::visit([](const auto& held) { check_spec(held); }, spec);
 }
 
+/// Checked here too: specs come from databases and messages as well as from sweep files.
 World make_world(const MapSpec& spec, std::uint64_t map_seed) {
   return std::visit(
       [map_seed](const auto& held) {

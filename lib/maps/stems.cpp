@@ -14,6 +14,7 @@ struct Place {
   double ratio = 0.0;
 };
 
+/// By rings, not by length: on a stem of uneven rings the middle ratio is the middle ring.
 Place place_on(const Stem& stem, double ratio) {
   const double scaled = std::clamp(ratio, 0.0, 1.0) * static_cast<double>(stem.size() - 1);
   const std::size_t ring = std::min(static_cast<std::size_t>(scaled), stem.size() - 2);
@@ -33,6 +34,7 @@ Stem grow_stem(const StemGrowth& growth, RandomStream& random) {
     const double x = random.uniform(-1.0, 1.0);
     const double y = random.uniform(-1.0, 1.0);
     const double z = random.uniform(-1.0, 1.0);
+    // Each joint turns a little up and, by its three draws, a little aside.
     direction += Eigen::Vector3d::UnitZ() * (growth.rise / growth.segments) +
                  growth.wander * Eigen::Vector3d(x, y, z);
     direction.normalize();
@@ -59,8 +61,10 @@ Eigen::Vector3d stem_direction(const Stem& stem, double ratio) {
 }
 
 Eigen::Vector3d turned_from(const Eigen::Vector3d& axis, double angle_rad, double turn_rad) {
+  // Any direction that is not nearly the axis.
   const Eigen::Vector3d reference =
       std::abs(axis.z()) < 0.9 ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitX();
+  // Two directions square to the axis and to each other.
   const Eigen::Vector3d side = axis.cross(reference).normalized();
   const Eigen::Vector3d other = axis.cross(side);
   const Eigen::Vector3d away = math::cos(turn_rad) * side + math::sin(turn_rad) * other;

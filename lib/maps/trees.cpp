@@ -11,7 +11,9 @@ namespace avoidbench {
 namespace {
 
 constexpr double kGoldenAngle_rad = 2.39996322972865332;
+/// The trunk begins below the ground, which is uneven.
 constexpr double kRootDepth_m = 0.35;
+/// Above it foliage is coarse: vehicles fly lower.
 constexpr double kFineFoliageBelow_m = 3.8;
 constexpr int kLowTuftCount = 3;
 constexpr double kHighTuftRatio = 1.15;  // a few large tufts fill the crown
@@ -154,12 +156,15 @@ Stem grow_trunk(const Species& species, RandomStream& random) {
   const double first_turn = random.uniform(0.0, math::kTau);
   const double second_turn = random.uniform(0.0, math::kTau);
   Stem trunk;
+  // Rings are close where the roots flare, and farther apart above. The last one is moved to the
+  // trunk's top.
   for (double z :
        {-kRootDepth_m, 0.0, 0.12, 0.35, 0.8, 1.5, 2.2, 3.0, 3.9, 4.8, 5.8, 6.8, 7.6, 20.0}) {
     const bool last = z > top_m - 0.3;
     if (last) z = top_m;
     const double rise_ratio = std::max(z, 0.0) / species.height_m;
     const double sway = species.trunk_wander_m * std::sqrt(rise_ratio);
+    // The sine at the foot is taken off: the trunk's foot is at the origin.
     const double x = sway * (math::sin(first_turn + 5.0 * rise_ratio) - math::sin(first_turn));
     const double y = sway * (math::sin(second_turn + 6.5 * rise_ratio) - math::sin(second_turn));
     const double flare = math::exp(-std::max(z, 0.0) / 0.25);
@@ -181,6 +186,7 @@ std::vector<Stem> grow_leaders(const Species& species, const Stem& trunk, Random
   for (int i = 0; i < species.leader_count; ++i) {
     const double lean = varied(24.0 * math::kDegree, 0.25, random);
     const double turn = varied(math::kTau * i / species.leader_count + 1.0, 0.06, random);
+    // So long that its tip is about as high as the tree.
     const double length_m =
         varied((species.height_m - species.first_bough_m) / math::cos(lean), 0.1, random);
     const double root_ratio = 1.0 - 0.12 * i / species.leader_count;
@@ -201,6 +207,7 @@ double crown_profile(const Species& species, double ratio) {
   const double widest = species.widest_ratio;
   if (ratio < widest) return 0.62 + 0.38 * ratio / widest;
   const double above = (ratio - widest) / (1.0 - widest);
+  // A cone, as of conifers; others are round above their widest place.
   if (widest <= 0.0) return 1.0 - 0.9 * above;
   return std::sqrt(1.0 - 0.85 * above * above);
 }
@@ -209,6 +216,7 @@ void add_leaf_tuft(Prototype& tree, const Species& species, const Eigen::Vector3
                    const Eigen::Vector3d& along, double size, RandomStream& random) {
   const double radius_m = varied(species.cluster_radius_m * size, 0.22, random);
   const double flatness = varied(species.cluster_flatness, 0.15, random);
+  // Less steep than the bough; the hair along x gives an upright one a direction.
   const Eigen::Vector3d ahead =
       (along - 0.5 * along.z() * Eigen::Vector3d::UnitZ() + Eigen::Vector3d(1e-6, 0, 0))
           .normalized();
@@ -248,6 +256,7 @@ void add_cluster(Prototype& tree, const Species& species, const Eigen::Vector3d&
 /// Side boughs and foliage of one bough.
 void dress_bough(Prototype& tree, const Species& species, const Stem& bough, double length_m,
                  RandomStream& random) {
+  // A draw for each tip, whether it bears foliage or not.
   const auto add_foliage = [&](const Stem& stem, double ratio, double size) {
     const double draw = random.uniform();
     const Eigen::Vector3d place = stem_point(stem, ratio);
@@ -261,6 +270,7 @@ void dress_bough(Prototype& tree, const Species& species, const Stem& bough, dou
     const double ratio =
         varied(0.45 + 0.35 * i / std::max(1, species.side_bough_count - 1), 0.12, random);
     const double angle = varied(48.0 * math::kDegree, 0.25, random);
+    // By turns to either side.
     const double turn = varied(i % 2 == 0 ? 0.2 : math::kPi - 0.2, 0.5, random);
     const double side_length_m = varied(0.5 * length_m * (1.15 - 0.5 * ratio), 0.2, random);
     const Stem side =
@@ -277,9 +287,12 @@ void dress_bough(Prototype& tree, const Species& species, const Stem& bough, dou
   }
 }
 
+/// Boughs from the lowest to the top of their leaders, each as long as the crown is wide there;
+/// then leaves at the leaders' tips.
 void grow_boughs(Prototype& tree, const Species& species, const std::vector<Stem>& leaders,
                  RandomStream& random) {
   for (int i = 0; i < species.bough_count; ++i) {
+    // Boughs go round the leaders by turns.
     const Stem& leader = leaders[static_cast<std::size_t>(i) % leaders.size()];
     const double top_m = leader.back().centre.z();
     const double crown_ratio = (i + 0.5) / species.bough_count;
@@ -292,10 +305,12 @@ void grow_boughs(Prototype& tree, const Species& species, const std::vector<Stem
     const double angle_deg = species.lowest_angle_deg +
                              (species.highest_angle_deg - species.lowest_angle_deg) * crown_ratio;
     const double angle = varied(angle_deg * math::kDegree, 0.12, random);
+    // The golden angle: no bough stands right above another one.
     const double turn = kGoldenAngle_rad * i + varied(0.3, 1.0, random);
     const double reach_m = species.crown_radius_m * crown_profile(species, crown_ratio);
     const double length_m = varied(reach_m, 0.18, random);
     const double root_radius_m =
+        // A bough is never thicker than the stem that bears it.
         std::clamp(0.03 * length_m, 0.012, 0.6 * stem_radius_m(leader, ratio) + 0.008);
     const Stem bough = grow_stem({.root = stem_point(leader, ratio),
                                   .direction = turned_from(Eigen::Vector3d::UnitZ(), angle, turn),
@@ -338,6 +353,7 @@ void add_dead_twigs(Prototype& tree, const Species& species, const Stem& trunk,
 }
 
 PlantModel grow_tree(const Species& species) {
+  // By the species' own seed: the same six trees in all maps.
   RandomStream random = stream(species.seed, "tree");
   PlantModel model;
   Prototype& tree = model.prototype;

@@ -24,6 +24,7 @@ Eigen::Vector3i grid_size(const Aabb& region, double cell_m) {
 
 ClearanceGrid::ClearanceGrid(const Scene& scene, const Aabb& region, double cell_m)
     : scene_(&scene), region_(region), origin_(region.min()), cell_m_(cell_m) {
+  // A large map gets coarser cells.
   while (region.sizes().prod() / (cell_m_ * cell_m_ * cell_m_) > kMaxCells) cell_m_ *= 1.1;
   size_ = grid_size(region, cell_m_);
   clearance_m_.assign(static_cast<std::size_t>(cell_count()), -1.0F);
@@ -64,6 +65,7 @@ double ClearanceGrid::clearance_m(const Eigen::Vector3i& cell) {
   return static_cast<double>(kept);
 }
 
+/// A neighbour's clearance and the way to it: clearances change no faster than places do.
 double ClearanceGrid::upper_bound_m(const Eigen::Vector3i& cell) const {
   double bound_m = kFar_m;
   for (int axis = 0; axis < 3; ++axis) {
@@ -85,6 +87,7 @@ double ClearanceGrid::interpolated_bound_m(const Eigen::Vector3d& point) {
   Eigen::Vector3d share;
   for (int axis = 0; axis < 3; ++axis) {
     const double floor = std::floor(scaled[axis]);
+    // No eight centres around the point: no bound.
     if (floor < 0.0 || floor + 1.0 >= size_[axis]) return 0.0;
     low[axis] = static_cast<int>(floor);
     share[axis] = scaled[axis] - floor;
@@ -106,6 +109,8 @@ double ClearanceGrid::interpolated_bound_m(const Eigen::Vector3d& point) {
   return 0.5 * (mean_m + std::sqrt(mean_m * mean_m - 2.0 * spread_m2)) - kFloatRounding_m;
 }
 
+/// The cheapest bound that is enough: the cell's own, then that of the eight cells around, then the
+/// scene's answer.
 double ClearanceGrid::lower_bound_m(const Eigen::Vector3d& point, double enough_m) {
   const Eigen::Vector3i cell = cell_of(point);
   const double offset_m = (point - centre(cell)).norm() + kFloatRounding_m;
@@ -125,6 +130,7 @@ double ClearanceGrid::lower_bound_m(const Eigen::Vector3d& point, double enough_
 bool ClearanceGrid::is_free(const Eigen::Vector3d& point, double radius_m) {
   const Eigen::Vector3i cell = cell_of(point);
   const double offset_m = (point - centre(cell)).norm() + kFloatRounding_m;
+  // Too near for certain: nothing has to be asked.
   if (clearance_m(cell) + offset_m < radius_m) return false;
   return lower_bound_m(point, radius_m) >= radius_m;
 }
@@ -189,6 +195,7 @@ bool is_inside(const Scene& scene, const Eigen::Vector3d& point_world) {
        {Eigen::Vector3d(1, 0.013, 0.007), Eigen::Vector3d(-0.51, 0.86, 0.011),
         Eigen::Vector3d(0.02, 0.03, 1)}) {
     const RayHit hit = scene.first_hit(point_world, direction);
+    // The back of a surface is met first: the ray came from inside.
     if (std::isfinite(hit.distance_m) && hit.normal_world.dot(direction) > 0.0) ++behind;
   }
   return behind >= 2;

@@ -27,6 +27,7 @@ struct Station {
 
 /// At `along_m` from the path's start; beyond its end, the end.
 Station station(const Path& path, double along_m) {
+  // The last piece ends the walk at the latest.
   for (std::size_t i = 1;; ++i) {
     const Vector3d piece = path[i] - path[i - 1];
     const double length_m = piece.norm();
@@ -52,6 +53,7 @@ struct Sphere {
   double radius_m = 0.0;
 };
 
+/// The free ball around a place, less the body's: the room for the body's centre.
 Sphere free_sphere(const Scene& scene, const Vector3d& center, double body_radius_m) {
   const double limit_m = kSensing_m + body_radius_m;
   const double clearance_m = std::min(limit_m, scene.nearest(center, limit_m).distance_m);
@@ -66,6 +68,7 @@ double ball_volume(double radius_m) {
 std::optional<double> shared_volume(const Sphere& a, const Sphere& b) {
   const double d = (a.center - b.center).norm();
   const double small = std::min(a.radius_m, b.radius_m), large = std::max(a.radius_m, b.radius_m);
+  // Apart, or one within the other: they have no circle in common.
   if (small <= 0.0 || d < large - small || d > large + small || d <= 0.0) return std::nullopt;
   const auto cap = [](double radius, double height) {
     return std::numbers::pi / 3.0 * height * height * (3.0 * radius - height);
@@ -96,7 +99,9 @@ std::optional<Sphere> next_sphere(const Scene& scene, const Sphere& last, const 
     best_score = score;
     best = sphere;
   };
+  // The path's own place, at a fixed cost.
   consider(aim, kAimCost);
+  // The others are scattered about it, twice as far aside as ahead.
   for (int i = 0; i < kSamples; ++i) {
     const double ahead_m = 0.25 * reach_m * draws.normal();
     const double left_m = 0.5 * reach_m * draws.normal(), up_m = 0.5 * reach_m * draws.normal();
@@ -116,7 +121,9 @@ std::vector<double> corridor_radii(const Scene& scene, const Path& path, double 
   last.radius_m = std::max(last.radius_m, kLeast_m);
   std::vector<double> radii{last.radius_m};
   double along_m = 0.0;
+  // Until the path's end is within the last sphere.
   while ((path.back() - last.center).norm() >= last.radius_m && radii.size() < kMostSpheres) {
+    // The first place of the path outside of the last sphere.
     Vector3d aim = last.center;
     while ((aim - last.center).norm() < last.radius_m && along_m < length_m) {
       along_m += kStep_m;
@@ -162,12 +169,14 @@ std::array<double, kRings.size()> nearest_in_rings(const Scene& scene, const Sta
   scene.visit_triangles(middle, reach_m, [&](const Triangle& corners_world) {
     Triangle corners = corners_world;
     for (Vector3d& corner : corners) corner -= at.place;
+    // Most triangles are farther than what each ring has found already: no cone is asked then.
     const double least_m = closest_point(Vector3d::Zero(), corners).norm();
     for (std::size_t i = 0; i < kRings.size(); ++i) {
       if (least_m >= std::min(nearest_m[i], kSensing_m)) continue;
       const double found_m = distance(shells[i], corners);
       if (found_m <= kSensing_m) nearest_m[i] = std::min(nearest_m[i], found_m);
     }
+    // The search does not shrink: each ring has a nearest surface of its own.
     return reach_m;
   });
   return nearest_m;
@@ -180,6 +189,7 @@ double traversability_obstruction(const Scene& scene, const Path& path, double r
   constexpr int kCorridors = 8;
   AB_CHECK(path.size() >= 2, path.size());
   RandomStream draws = stream(seed, "traversability_obstruction");
+  // Corridors are drawn at random: the widest of eight counts.
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < kCorridors; ++i) {
     std::vector<double> radii = corridor_radii(scene, path, radius_m, draws);
@@ -213,6 +223,7 @@ double angle_over_length_1pm(const Path& path) {
   for (std::size_t i = 2; i < path.size(); ++i) {
     const Vector3d in = path[i - 1] - path[i - 2], out = path[i] - path[i - 1];
     const double angle_rad = math::atan2(in.cross(out).norm(), in.dot(out));
+    // 0 straight on, e - 1 at a right angle.
     sum += math::exp(2.0 * angle_rad / std::numbers::pi) - 1.0;
   }
   return sum / path_length_m(path);

@@ -72,6 +72,7 @@ double stepped_distance_m(const VoxelGrid& points, const Aabb& box, const Eigen:
     const Eigen::Vector3d step(points.size_m * math::sin(heading_rad),
                                points.size_m * math::cos(heading_rad), 0.0);
     int count = 1;
+    // In steps of the grid, until a point is near or the box ends.
     while (!has_point_near(points, from + count * step)) {
       ++count;
       if (box.contains(from + count * step)) continue;
@@ -106,6 +107,7 @@ Traversability traversability(const Scene& scene, ClearanceGrid& grid, const Bod
       const double heading_rad = math::kTau * i / kHeadings;
       const Eigen::Vector3d direction(math::cos(heading_rad), math::sin(heading_rad), 0.0);
       const double limit_m = distance_to_side_m(world.flight_bounds, from, direction);
+      // What the same flights would be on the empty map.
       unhindered_m += limit_m;
       if (!is_blocked) flown_m += grid.free_distance_m(from, direction, limit_m, body.radius_m);
       ++flights;
@@ -119,6 +121,7 @@ Traversability traversability_pointcloud(const World& world, double resolution_m
                                          const BodyMeasure& body) {
   const Aabb& box = world.flight_bounds;
   const VoxelGrid points = surface_voxels(world, resolution_m);
+  // The same grid without points: the empty map in the original's own steps.
   VoxelGrid none = points;
   std::fill(none.is_occupied.begin(), none.is_occupied.end(), std::uint8_t{0});
   // The original leaves a margin of half a metre and more at each side.

@@ -15,6 +15,7 @@ constexpr std::uint64_t kMeanSeeds = 3;
 // Twelve halvings of a range of four metres reach the three decimals that parameters have.
 constexpr int kHalvings = 12;
 
+/// What was measured before is not measured again.
 double measured(const MapTarget& target, double parameter, std::uint64_t seed, MapsFound& found) {
   for (const MapTried& tried : found.tried) {
     if (tried.parameter == parameter && tried.map_seed == seed) return tried.value;
@@ -24,6 +25,7 @@ double measured(const MapTarget& target, double parameter, std::uint64_t seed, M
   return value;
 }
 
+/// Over the same seeds for each parameter.
 double mean_at(const MapTarget& target, double parameter, MapsFound& found) {
   double sum = 0.0;
   for (std::uint64_t seed = 1; seed <= kMeanSeeds; ++seed) {
@@ -47,6 +49,7 @@ double fitting_parameter(const MapTarget& target, MapsFound& found) {
   double best_error = std::min(std::abs(at_low - target.wanted), std::abs(at_high - target.wanted));
   // A fifth of the tolerance is near enough: single seeds scatter by more.
   for (int i = 0; i < kHalvings && best_error > 0.2 * target.within; ++i) {
+    // In thousandths, as parameters are written.
     const double middle = std::round(500.0 * (low + high)) / 1000.0;
     if (middle <= low || middle >= high) break;
     const double value = mean_at(target, middle, found);
@@ -54,6 +57,7 @@ double fitting_parameter(const MapTarget& target, MapsFound& found) {
       best_error = std::abs(value - target.wanted);
       best = middle;
     }
+    // Bisection, whichever way the measure goes with the parameter.
     ((value < target.wanted) == (at_low < at_high) ? low : high) = middle;
   }
   return best;

@@ -41,9 +41,11 @@ std::optional<std::vector<Eigen::Vector3d>> accelerations_world(const Samples& s
   for (std::size_t i = 1; i < samples.size(); ++i) {
     const Sample &before = samples[i - 1], &after = samples[i];
     const double step_s = after.time_s - before.time_s;
+    // Samples farther apart than that say nothing at this rate.
     if (step_s > 1.0 / kJerkRate_hz + kSameMoment_s) return std::nullopt;
     const double next_s =
         samples.front().time_s + static_cast<double>(accelerations.size()) / kJerkRate_hz;
+    // The next time of the 50 Hz grid has not come yet.
     if (after.time_s < next_s - kSameMoment_s) continue;
     const bool is_same = after.time_s <= next_s + kSameMoment_s;
     const double share = is_same ? 1.0 : (next_s - before.time_s) / step_s;
@@ -59,6 +61,7 @@ double jerk_integral_mps2(const Samples& samples) {
   if (!accelerations) return std::numeric_limits<double>::quiet_NaN();
   double sum = 0.0;
   for (std::size_t i = 1; i < accelerations->size(); ++i) {
+    // |jerk| dt of a step is the change of the acceleration.
     sum += ((*accelerations)[i] - (*accelerations)[i - 1]).norm();
   }
   return sum;
@@ -100,6 +103,7 @@ double mean_curvature_1pm(const Samples& samples) {
   double bending = 0.0, length_m = 0.0;
   for (std::size_t i = 1; i + 1 < points.size(); ++i) {
     const Eigen::Vector3d before = points[i] - points[i - 1], after = points[i + 1] - points[i];
+    // Menger's curvature: four times the triangle's area over the product of its sides.
     const double sides = before.norm() * after.norm() * (points[i + 1] - points[i - 1]).norm();
     const double step_m = 0.5 * (before.norm() + after.norm());
     bending += ratio(2.0 * before.cross(after).norm(), sides) * step_m;
@@ -130,6 +134,7 @@ double tracking_rmse_m(const Samples& samples) {
   double sum = 0.0;
   std::size_t count = 0;
   for (const Sample& sample : samples) {
+    // Under body rates no position is commanded.
     if (!sample.reference_world.allFinite()) continue;
     sum += (sample.reference_world - sample.position_world).squaredNorm();
     ++count;
@@ -146,6 +151,7 @@ double rotor_energy_j(const Samples& samples) {
 
 double progress_pct(const Eigen::Vector3d& start, const Eigen::Vector3d& goal,
                     const Eigen::Vector3d& end) {
+  // AvoidBench eq. (7): of the way that is left, the part along the line from start to goal.
   const Eigen::Vector3d a = goal - start;
   const Eigen::Vector3d c = a - (end - start);
   return (1.0 - std::abs(a.dot(c) / a.squaredNorm())) * 100.0;

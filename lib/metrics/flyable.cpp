@@ -17,6 +17,7 @@ std::int64_t flyable_missions(const TrialSpec& trial, std::int64_t mission_count
                        [](const MissionRecord& mission) { return mission.is_valid; });
 }
 
+/// Null where the map is not read from a file.
 UpAxis* up_axis_of(MapSpec& map) {
   return std::visit(
       [](auto& spec) -> UpAxis* {
@@ -69,12 +70,14 @@ std::int64_t placed_missions(const TrialSpec& trial, std::int64_t mission_count)
 std::string unflyable_hint(const TrialSpec& trial, std::int64_t mission_count) {
   constexpr std::int64_t kTried = 5;
   const std::int64_t tried = std::clamp<std::int64_t>(mission_count, 1, kTried);
+  // Two causes with unlike remedies: no place for a start or goal, or no way between them.
   const bool is_placed = placed_missions(trial, tried) > 0;
   std::string hint = is_placed ? "no way leads from a start to its goal"
                                : "no start or goal has " + shortest(trial.mission.free_radius_m) +
                                      " m of free space around it (mission.free_radius_m)";
   TrialSpec copy = trial;
   std::string axis;
+  // With a file's map the wrong axis may point up.
   if (const UpAxis* up = up_axis_of(copy.map)) {
     const World world = make_world(trial.map, trial.map_seed);
     hint += "; the map spans " + size_text(world.bounds.sizes()) +

@@ -30,6 +30,7 @@ double map_measure(const TrialSpec& trial, std::uint64_t map_seed, std::string_v
   const World world = make_world(trial.map, map_seed);
   const Scene scene(world);
   for (const MapMetricDef& metric : map_metric_table()) {
+    // Measures of a map need no mission.
     if (metric.name == name) return metric.value(make_map_record(trial, scene, 0));
   }
   for (const MissionMetricDef& metric : mission_metric_table()) {

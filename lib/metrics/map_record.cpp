@@ -35,6 +35,7 @@ std::string problem_of_places(const Scene& scene, const MissionSpec& spec, const
     if (!problem.empty()) return std::string(name) + " " + place_text(place) + " " + problem;
   }
   const Eigen::Vector3d course = mission.goal_world - mission.start_world;
+  // Horizontally, as reaching the goal is judged.
   const double distance_m = math::hypot(course.x(), course.y());
   if (distance_m <= spec.goal_radius_m) {
     return "start " + place_text(mission.start_world) + " is " + fixed_digits(distance_m, 2) +
@@ -60,6 +61,7 @@ MissionRecord make_mission_record(const TrialSpec& spec, const Scene& scene, Cle
     return mission;
   }
   mission.mission = *made;
+  // Made missions stand in free places by their making.
   if (!listed.empty()) {
     mission.invalid_reason = problem_of_places(scene, spec.mission, *made);
     if (!mission.invalid_reason.empty()) return mission;
@@ -71,6 +73,7 @@ MissionRecord make_mission_record(const TrialSpec& spec, const Scene& scene, Cle
   }
   mission.is_valid = true;
   mission.reference_length_m = path_length_m(*path);
+  // Draws by the mission's index: what was measured before makes no difference.
   mission.difficulty = mission_difficulty(
       scene, *path, radius_m,
       stream_seed(stream_seed(spec.seed, "difficulty"), static_cast<std::uint64_t>(index)));
@@ -82,6 +85,7 @@ MapRecord make_map_record(const TrialSpec& spec, const Scene& scene, std::int64_
                           const std::vector<Mission>& listed) {
   const World& world = scene.world();
   const BodyMeasure body = body_measure(to_eigen(spec.vehicle.body_size_m));
+  // One grid for all: what one measure has asked of the scene the others know.
   ClearanceGrid grid(scene, world.bounds, kMapCell_m);
   const Traversability trav = traversability(scene, grid, body);
   MapRecord map{.key = {},

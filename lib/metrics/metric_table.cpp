@@ -38,6 +38,7 @@ double mean(const std::vector<double>& values) {
   return values.empty() ? kNaN : sum / static_cast<double>(values.size());
 }
 
+/// Of a sample: with n - 1.
 double standard_deviation(const std::vector<double>& values) {
   if (values.size() < 2) return kNaN;
   const double centre = mean(values);
@@ -245,6 +246,7 @@ std::span<const MapMetricDef> map_metric_table() { return kMapTable; }
 std::vector<double> compute_metrics(const MetricInput& input) {
   std::vector<double> values;
   for (const MetricDef& metric : kTable) {
+    // A metric of finished trials has no value in others.
     const bool applies = metric.population == Population::all || finished(input);
     values.push_back(applies ? metric.compute(input) : kNaN);
   }

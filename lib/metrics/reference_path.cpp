@@ -74,6 +74,7 @@ struct Open {
   }
 };
 
+/// All 26 around the cell, as far as they are in the grid.
 template <class Visit>
 void for_each_neighbour(const Search& search, std::int64_t index, Visit visit_neighbour) {
   const Vector3i cell = search.grid.cell(index);
@@ -131,7 +132,9 @@ Path any_angle_search(Search& search) {
   while (!open.empty()) {
     const std::int64_t index = open.top().index;
     open.pop();
+    // Settled by an earlier entry: entries stay in the queue when a better one is pushed.
     if (search.closed[at(index)]) continue;
+    // Lazy: the line of sight is looked at only when the cell's turn has come.
     if (!search.is_sighted[at(index)]) {
       const double hoped_m = search.cost_m[at(index)];
       if (!settle_parent(search, index)) continue;
@@ -147,6 +150,7 @@ Path any_angle_search(Search& search) {
     // Every cell of the region ends the search, not the goal's centre alone: the nearest entry
     // counts.
     if (search.goal.contains(search.place(index))) return path_to(search, index);
+    // Theta*: neighbours hang on this cell's parent by a straight line, not on this cell.
     const std::int64_t parent = search.parent[at(index)];
     const Vector3d from = search.place(parent);
     for_each_neighbour(search, index, [&](std::int64_t next) {

@@ -64,6 +64,7 @@ Vector3d along_surfaces(const Vector3d& pull, const std::vector<Vector3d>& norma
 Vector3d slid(ClearanceGrid& grid, double radius_m, const Vector3d& before, Vector3d vertex,
               const Vector3d& after) {
   for (const double step_m : kSteps_m) {
+    // The way shortens fastest along the sum of the unit vectors to both neighbours.
     const Vector3d pull = (before - vertex).normalized() + (after - vertex).normalized();
     std::vector<Vector3d> normals;
     Vector3d direction = pull;
@@ -81,6 +82,7 @@ Vector3d slid(ClearanceGrid& grid, double radius_m, const Vector3d& before, Vect
       }
       // Two surfaces leave a line to move along, a third none.
       if (normals.size() == 2) break;
+      // The surface's normal, toward the ball.
       normals.push_back((*blocked - grid.nearest_surface(*blocked)).normalized());
       direction = along_surfaces(pull, normals);
     }
@@ -93,6 +95,7 @@ void pull_end(ClearanceGrid& grid, double radius_m, const GoalRegion& goal, Path
   const Vector3d& before = path[path.size() - 2];
   Vector3d& end = path.back();
   const auto offer = [&](const Vector3d& place) {
+    // The way there may enter the region before.
     const Vector3d entered = first_entry(goal, before, place).value_or(place);
     const bool is_shorter = (entered - before).norm() < (end - before).norm();
     if (!is_shorter || !goal.contains(entered) || !grid.region().contains(entered)) return;
@@ -109,6 +112,7 @@ void pull_end(ClearanceGrid& grid, double radius_m, const GoalRegion& goal, Path
       Vector3d turned(c * out.x() - s * out.y(), s * out.x() + c * out.y(), 0.0);
       turned *= goal.radius_m / std::max(1e-9, turned.norm());
       offer({goal.center_world.x() + turned.x(), goal.center_world.y() + turned.y(), end.z()});
+      // Up and down too: the region is reached at any height.
       offer(end + side * step_m * Vector3d::UnitZ());
     }
   }
@@ -173,6 +177,7 @@ std::optional<Vector3d> first_entry(const GoalRegion& goal, const Vector3d& from
   const Eigen::Vector2d start = (from - goal.center_world).head<2>();
   const Eigen::Vector2d way = (to - from).head<2>();
   const double radius_m = goal.radius_m * (1.0 - 1e-12);
+  // |start + s way| = radius: the lesser root s of a s² + 2 b s + c, without cancellation.
   const double a = way.squaredNorm(), b = start.dot(way);
   const double c = start.squaredNorm() - radius_m * radius_m;
   const double root = b * b - a * c;
@@ -204,6 +209,7 @@ void pull_taut(ClearanceGrid& grid, double radius_m, const GoalRegion& goal, Pat
     split_before_goal(grid, radius_m, goal, path);
     for (int round = 0; round < kMostRounds; ++round) {
       const double before_m = path_length_m(path);
+      // Each vertex against its neighbours as they are now.
       for (std::size_t i = 1; i + 1 < path.size(); ++i) {
         path[i] = pulled(grid, radius_m, path[i - 1], path[i], path[i + 1]);
         path[i] = slid(grid, radius_m, path[i - 1], path[i], path[i + 1]);

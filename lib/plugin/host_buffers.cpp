@@ -73,6 +73,17 @@ void check_size(std::span<const Pixel> pixels, const CameraSetup& camera, std::s
   AB_CHECK(pixels.size() == expected, pixels.size(), expected);
 }
 
+ab_state to_state(const StateView& view) {
+  ab_state out{};
+  set_size(out);
+  out.time_s = view.time_s;
+  copy(view.position_world, out.position_world_m);
+  copy(view.velocity_world, out.velocity_world_mps);
+  copy(view.q_world_body, out.q_world_body);
+  copy(view.rates_body, out.rates_body_radps);
+  return out;
+}
+
 ab_camera to_camera(const CameraSetup& camera) {
   ab_camera out{};
   set_size(out);
@@ -183,23 +194,20 @@ ab_mission to_mission(const PlannerMission& mission) {
   copy(mission.goal_world, out.goal_world_m);
   out.goal_radius_m = mission.goal_radius_m;
   out.time_limit_s = mission.time_limit_s;
+  copy(mission.lowest_world, out.lowest_world_m);
+  copy(mission.highest_world, out.highest_world_m);
+  out.command_latency_s = mission.command_latency_s;
   return out;
 }
 
 const ab_observation& ObservationBuffers::fill(const PlannerView& view,
                                                const std::vector<CameraSetup>& cameras,
                                                std::uint32_t needs) {
-  state_ = ab_state{};
-  set_size(state_);
-  state_.time_s = view.time_s;
-  copy(view.position_world, state_.position_world_m);
-  copy(view.velocity_world, state_.velocity_world_mps);
-  copy(view.q_world_body, state_.q_world_body);
-  copy(view.rates_body, state_.rates_body_radps);
-
+  state_ = to_state(view);
   observation_ = ab_observation{};
   set_size(observation_);
   observation_.state = &state_;
+  observation_.time_s = view.call_time_s;
   images_.clear();
   if ((needs & AB_SEES_DEPTH) != 0) {
     for (const DepthView& seen : view.depth) {
@@ -216,6 +224,13 @@ const ab_observation& ObservationBuffers::fill(const PlannerView& view,
   fill_stereo((needs & AB_SEES_STEREO) != 0 ? view.stereo : std::vector<StereoView>{}, cameras);
   fill_color((needs & AB_SEES_COLOR) != 0 ? view.color : std::vector<ColorView>{}, cameras);
   fill_imu((needs & AB_SEES_IMU) != 0 ? view.imu : std::vector<ImuView>{});
+  states_.clear();
+  if ((needs & AB_SEES_STATES) != 0) {
+    for (const StateView& seen : view.states) states_.push_back(to_state(seen));
+  }
+  point_to(states_, state_pointers_);
+  observation_.state_count = static_cast<std::uint32_t>(states_.size());
+  observation_.states = state_pointers_.data();
   return observation_;
 }
 
@@ -288,6 +303,8 @@ void ObservationBuffers::poison() {
   fill_with_rubbish(colors_);
   fill_with_rubbish(color_pointers_);
   fill_with_rubbish(imu_);
+  fill_with_rubbish(states_);
+  fill_with_rubbish(state_pointers_);
 }
 
 }  // namespace avoidbench

@@ -85,6 +85,8 @@ class ObservationBuffers {
   std::vector<const ab_stereo_pair*> pair_pointers_;
   std::vector<const ab_picture*> color_pointers_;
   std::vector<ab_imu_sample> imu_;
+  std::vector<ab_state> states_;
+  std::vector<const ab_state*> state_pointers_;
 };
 
 }  // namespace avoidbench

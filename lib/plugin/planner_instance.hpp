@@ -30,6 +30,8 @@ struct PlannerMission {
   std::uint64_t seed = 0;
   Eigen::Vector3d start_world = Eigen::Vector3d::Zero(), goal_world = Eigen::Vector3d::Zero();
   double start_yaw_rad = 0, goal_radius_m = 0, time_limit_s = 0;
+  Eigen::Vector3d lowest_world = Eigen::Vector3d::Zero(), highest_world = Eigen::Vector3d::Zero();
+  double command_latency_s = 0;  ///< NaN: measured
 };
 
 /// What a planner sees in one call. Images newest first; their pixels must live until plan()
@@ -56,14 +58,20 @@ struct ImuView {
   double time_s = 0;
   Eigen::Vector3d rates_body, specific_force_body_mps2;
 };
-struct PlannerView {
+/// As the odometry says it.
+struct StateView {
   double time_s = 0;
   Eigen::Vector3d position_world, velocity_world, rates_body;
   Eigen::Quaterniond q_world_body;
+};
+/// The newest state, and what came since the last call.
+struct PlannerView : StateView {
+  double call_time_s = 0;  ///< now; time_s is older where the odometry has a delay
   std::vector<DepthView> depth;
   std::vector<StereoView> stereo;
   std::vector<ColorView> color;
-  std::vector<ImuView> imu;  ///< oldest first
+  std::vector<ImuView> imu;       ///< oldest first
+  std::vector<StateView> states;  ///< oldest first
 };
 
 enum class PlanStatus { command, no_plan, gave_up, error };

@@ -22,9 +22,9 @@ constexpr std::size_t kLeastParameterSize = offsetof(ab_parameter, preset_text) 
 constexpr std::size_t kProfilesEnd = offsetof(ab_planner, profiles) + sizeof(void*);
 constexpr std::size_t kLeastProfileSize = offsetof(ab_profile, numbers) + sizeof(void*);
 constexpr std::uint32_t kMostParameters = 1000;
-constexpr std::uint32_t kKnownNeeds = AB_SEES_STATE | AB_SEES_DEPTH | AB_SEES_STEREO |
-                                      AB_SEES_COLOR | AB_SEES_IMU | AB_SEES_WORLD |
-                                      AB_USES_PROCESSES | AB_USES_DEVICES | AB_USES_NETWORK;
+constexpr std::uint32_t kKnownNeeds =
+    AB_SEES_STATE | AB_SEES_DEPTH | AB_SEES_STEREO | AB_SEES_COLOR | AB_SEES_IMU | AB_SEES_WORLD |
+    AB_SEES_STATES | AB_USES_PROCESSES | AB_USES_DEVICES | AB_USES_NETWORK | AB_USES_GLOBALS;
 constexpr std::uint32_t kKnownCommands = AB_COMMAND_POSITION | AB_COMMAND_VELOCITY |
                                          AB_COMMAND_ACCELERATION | AB_COMMAND_TRAJECTORY |
                                          AB_COMMAND_RATES;

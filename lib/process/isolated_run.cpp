@@ -102,6 +102,7 @@ void close_from(int first) {
   for (int fd = first; fd < most; ++fd) ::close(fd);
 }
 
+/// Neither the caller's handlers nor what it has blocked holds for the work.
 void use_default_signals() {
   for (int number = 1; number < NSIG; ++number) ::signal(number, SIG_DFL);
   sigset_t none;
@@ -134,6 +135,7 @@ void cut_off(int words_fd) {
   ::on_exit(leave_at_once, nullptr);
 }
 
+/// The process of the work: cut off from the caller's before it begins, and ended by _exit().
 [[noreturn]] void be_worker(const std::function<void(IsolatedOutput&)>& work,
                             IsolatedOutput& output, int words_fd, pid_t watcher) noexcept {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -157,16 +159,20 @@ int kill_all(pid_t worker) {
   return status;
 }
 
+/// Without reaping it: until then its number is given to no other process.
 bool has_ended(pid_t worker) {
   siginfo_t info{};
   return ::waitid(P_PID, static_cast<id_t>(worker), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
          info.si_pid == worker;
 }
 
+/// Between the caller and the worker: waits for the worker's end or the time limit, ends all that
+/// the worker has left behind, and says how it went.
 [[noreturn]] void be_watcher(const std::function<void(IsolatedOutput&)>& work,
                              IsolatedOutput& output, double time_limit_s, const Pipe& verdicts,
                              int words_fd, pid_t parent) noexcept {
   const Clock::time_point end = after(time_limit_s);
+  // A caller may ignore it, and its children would then leave no status.
   ::signal(SIGCHLD, SIG_DFL);
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);
   adopt_orphans();
@@ -191,6 +197,7 @@ bool has_ended(pid_t worker) {
     if (signal > 0 && signal != SIGCHLD) break;
     verdict.in_time = has_ended(worker);
   }
+  // In any case: what the worker has left behind goes with it.
   verdict.status = kill_all(worker);
   [[maybe_unused]] const ssize_t written = ::write(verdicts.write_end, &verdict, sizeof verdict);
   ::_exit(0);
@@ -250,6 +257,7 @@ void IsolatedOutput::claim() {
 }
 
 bool IsolatedOutput::write(std::string_view bytes) {
+  // A child that planner code forked has no say.
   if (::getpid() != owner_) ::_exit(0);
   if (bytes.size() > kMostBytes - written_) return false;
   ::mprotect(shared_, sizeof(Shared), PROT_READ | PROT_WRITE);
@@ -288,6 +296,7 @@ IsolatedEnd run_isolated(const std::function<void(IsolatedOutput&)>& work, doubl
     }
     if (watcher < 0) fail("fork", errno);
   }
+  // Only the watcher's end is left: the pipe ends with it.
   verdicts.close_write_end();
   words.close_write_end();
 
@@ -300,6 +309,7 @@ IsolatedEnd run_isolated(const std::function<void(IsolatedOutput&)>& work, doubl
     is_over = true;
     is_reported = ::read(verdicts.read_end, &verdict, sizeof verdict) == sizeof verdict;
   }
+  // A watcher that a planner has stopped or killed.
   if (!is_reported) ::kill(watcher, SIGKILL);
   // Always waited for: a caller may fork again at once, and must find no zombie of ours.
   while (::waitpid(watcher, nullptr, 0) < 0 && errno == EINTR) {

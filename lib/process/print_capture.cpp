@@ -13,6 +13,7 @@
 namespace avoidbench {
 namespace {
 
+/// Where writing goes on: the file's own size is fixed.
 std::size_t printed_bytes(int fd) {
   const off_t end = ::lseek(fd, 0, SEEK_CUR);
   if (end < 0) return 0;
@@ -26,6 +27,7 @@ std::string bytes_at(int fd, std::size_t begin, std::size_t count) {
   return bytes;
 }
 
+/// C++'s streams and C's: either may still hold text.
 void flush_streams() {
   std::cout << std::flush;
   std::cerr << std::flush;
@@ -48,6 +50,7 @@ PrintCapture::PrintCapture() {
                         ::fcntl(fd_, F_ADD_SEALS, F_SEAL_GROW | F_SEAL_SHRINK | F_SEAL_SEAL) == 0;
   if (is_sized) return;
   if (fd_ >= 0) ::close(fd_);
+  // What is printed is lost then, and planners can print all the same.
   fd_ = ::open("/dev/null", O_RDWR | O_CLOEXEC);
 }
 
@@ -82,6 +85,7 @@ bool PrintTrimmer::is_still() const {
          now.st_ino == file_.st_ino;
 }
 
+/// Head and tail stay; the mark between them says how much is gone, that of earlier times included.
 void PrintTrimmer::trim() {
   if (fd_ < 0 || printed_bytes(fd_) <= kMostKept || !is_still()) return;
   const std::size_t end = printed_bytes(fd_);
@@ -96,6 +100,8 @@ void PrintTrimmer::trim() {
 
 PrintsCaptured::PrintsCaptured(const PrintCapture& capture) {
   flush_streams();
+  // Above the standard streams' numbers: one of them may be closed, and a copy under its number
+  // would be written over below.
   out_ = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
   err_ = ::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
   ::dup2(capture.fd(), STDOUT_FILENO);

@@ -127,7 +127,8 @@ std::set<pid_t> own_children() {
 
 int end_orphans(const std::set<pid_t>& spared, double time_limit_s) {
   const std::chrono::duration<double> time_limit(time_limit_s);
-  // At those that do not stop, as in a call that can't be interrupted.
+  // Of looks: after so many all are killed, although some have not stopped, as in a call that can't
+  // be interrupted; and after so many empty ones nobody is left.
   constexpr int kMostLooks = 8, kEmptyLooks = 3;
   const auto began = std::chrono::steady_clock::now();
   std::set<pid_t> ended;
@@ -167,6 +168,7 @@ double resident_mib_of_family(double enough_mib) {
     const double own_mib = resident_mib();
     if (own_mib <= enough_mib) return own_mib;  // the exact answer takes a hundred times as long
   }
+  // Pages that several share count once in all: each process has its part.
   double sum_mib = proportional_mib("self");
   if (is_alone) return sum_mib;
   for (const auto& [pid, process] : descendants({}))

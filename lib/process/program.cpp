@@ -28,6 +28,7 @@ std::string read_to_end(int descriptor) {
   return text;
 }
 
+/// -1 where a signal ended it.
 int exit_code_of(pid_t pid) {
   int status = 0;
   while (::waitpid(pid, &status, 0) < 0) {
@@ -64,6 +65,7 @@ ProgramEnd run_program(const std::vector<std::string>& command, Standard output)
   const int error =
       ::posix_spawnp(&pid, arguments[0], &actions, nullptr, arguments.data(), ::environ);
   posix_spawn_file_actions_destroy(&actions);
+  // Else reading would wait for this process's own end.
   if (pipe[1] >= 0) ::close(pipe[1]);
   ProgramEnd end;
   if (pipe[0] >= 0) end.output = read_to_end(pipe[0]);
@@ -71,6 +73,7 @@ ProgramEnd run_program(const std::vector<std::string>& command, Standard output)
   return end;
 }
 
+/// The first interpreter that finds the modules; it does not import them.
 std::string python_with(const std::vector<std::string>& modules, const std::string& purpose) {
   const char* chosen = std::getenv("AVOIDBENCH_PYTHON");
   const std::vector<std::string> candidates =

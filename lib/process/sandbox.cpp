@@ -45,7 +45,9 @@ void allow(int ruleset, const char* path, std::uint64_t access) {
   ::close(folder);
 }
 
+/// As much as the kernel's version of Landlock can do; false where it refuses.
 bool enter_landlock(const SandboxRules& rules, int abi) {
+  // What is handled and not allowed below is refused: reading is not handled.
   RulesetAttributes attributes{.handled_access_fs = kWriteFile | kRemoveDirToMakeSym};
   // Older kernels refuse a struct that is longer than the one they know.
   std::size_t size = sizeof attributes.handled_access_fs;

@@ -80,6 +80,8 @@ class Filter {
       const auto offset = offsetof(seccomp_data, args) +
                           sizeof(std::uint64_t) * static_cast<std::size_t>(signal_argument);
       of_argument(call, kPidArgument,
+                  // Another process: over the three that are left. This one: load the signal and
+                  // compare it.
                   {{BPF_JMP | BPF_JEQ | BPF_K, 0, 3, pid},
                    {BPF_LD | BPF_W | BPF_ABS, 0, 0, static_cast<std::uint32_t>(offset)},
                    {BPF_JMP | BPF_JEQ | BPF_K, 0, 1, signal}});
@@ -96,6 +98,7 @@ class Filter {
   }
 
   bool install() {
+    // What no rule has refused.
     add(BPF_RET | BPF_K, SECCOMP_RET_ALLOW, 0, 0);
     const sock_fprog program{static_cast<unsigned short>(code_.size()), code_.data()};
     return ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;

@@ -15,6 +15,7 @@ Pinhole make_pinhole(std::int32_t width_px, std::int32_t height_px, double fov_x
   camera.height_px = height_px;
   camera.fx_px = 0.5 * width_px / math::tan(0.5 * fov_x_rad);
   camera.fy_px = camera.fx_px;
+  // Pixels' middles have whole coordinates, so the image's middle is at (width - 1) / 2.
   camera.cx_px = 0.5 * (width_px - 1);
   camera.cy_px = 0.5 * (height_px - 1);
   camera.max_range_m = max_range_m;

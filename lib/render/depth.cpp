@@ -68,6 +68,7 @@ struct Row {
   /// plane_depth() of the four lanes, to the bit, at most the farthest; +inf where nothing was hit,
   /// NaN below the nearest.
   __m128 depths(const float* embree_depths, const DepthRange& range) const {
+    // The plane's depth where it agrees with Embree's own within 0.1 %, else Embree's.
     const __m128 depth = _mm_div_ps(numerators, denominators);
     const __m128 embree = _mm_load_ps(embree_depths);
     const __m128 no_sign = _mm_castsi128_ps(_mm_set1_epi32(0x7fffffff));

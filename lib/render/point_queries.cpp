@@ -61,6 +61,7 @@ void run_query(RTCScene scene, const Vector3d& center, const Search& search, dou
   query.x = static_cast<float>(center.x());
   query.y = static_cast<float>(center.y());
   query.z = static_cast<float>(center.z());
+  // Infinite at first, so that shrink() sets the true one.
   query.radius = std::numeric_limits<float>::infinity();
   shrink(&query, search, scale);
   RTCPointQueryContext context;
@@ -103,6 +104,7 @@ void for_triangles_within(Search& search, Visit visit) {
     const std::uint32_t prototype = held.scene.world->instances[held.instance].prototype;
     run_query(held.scene.prototypes[prototype].get(), held.center_in_planes, held, placement.scale,
               offer, entered->userPtr);
+    // What was found within this instance narrows the search among the others.
     return shrink(entered->query, held, 1.0);
   };
   run_query(search.scene.instance_boxes.get(), search.center_world, search, 1.0, enter, &callback);
@@ -119,21 +121,24 @@ struct DistanceBounds {
 
 /// Bounds of the distance between the box centred at the origin and the triangle, widened by more
 /// than rounding. A few projections to and fro bring a pair of points close to the nearest; the gap
-/// along their line is the lower bound.
-DistanceBounds distance_bounds(const Vector3d& half, const Triangle& triangle) {
+/// along their line is the lower bound. Ends as soon as that is above `most`.
+DistanceBounds distance_bounds(const Vector3d& half, const Triangle& triangle, double most) {
   Vector3d on_box = Vector3d::Zero();
-  Vector3d between = Vector3d::Zero();
-  for (int i = 0; i < 3; ++i) {
+  DistanceBounds bounds{0.0, kInfinity};
+  for (int i = 0; i < 3 && bounds.lower <= most; ++i) {
     const Vector3d on_triangle = closest_point(on_box, triangle);
     on_box = on_triangle.cwiseMax(-half).cwiseMin(half);
-    between = on_triangle - on_box;
+    const Vector3d between = on_triangle - on_box;
+    const double upper = between.norm();
+    // They touch: the line between them has no direction.
+    if (upper < 1e-9) return {0.0, upper + 1e-9};
+    const Vector3d direction = between / upper;
+    // Along that line: where the triangle begins, less how far the box reaches.
+    const double near_corner = std::min(
+        {direction.dot(triangle[0]), direction.dot(triangle[1]), direction.dot(triangle[2])});
+    bounds = {near_corner - half.dot(direction.cwiseAbs()) - 1e-9, upper + 1e-9};
   }
-  const double upper = between.norm();
-  if (upper < 1e-9) return {0.0, upper + 1e-9};
-  const Vector3d direction = between / upper;
-  const double near_corner = std::min(
-      {direction.dot(triangle[0]), direction.dot(triangle[1]), direction.dot(triangle[2])});
-  return {near_corner - half.dot(direction.cwiseAbs()) - 1e-9, upper + 1e-9};
+  return bounds;
 }
 
 }  // namespace
@@ -176,6 +181,7 @@ std::optional<BodyContact> Scene::touch(const Vector3d& size_m, const Pose& T_wo
   AB_CHECK((half.array() >= 0.0).all() && center.allFinite(), size_m.transpose());
   const Eigen::Matrix3d R_body_world = T_world_body.linear().transpose();
   std::optional<BodyContact> contact;
+  // All triangles that the ball around the box meets.
   Search search(*internals_, center, half.norm());
   for_triangles_within(search, [&](std::uint32_t instance, std::uint32_t triangle) {
     // Any touching triangle ends the flight; the lowest is named, so that the record does not
@@ -209,7 +215,7 @@ double Scene::body_clearance(const Vector3d& size_m, const Pose& T_world_body,
   for_triangles_within(search, [&](std::uint32_t instance, std::uint32_t triangle) {
     const Triangle corners =
         in_body(world_triangle(*internals_, instance, triangle), R_body_world, center);
-    const DistanceBounds bounds = distance_bounds(half, corners);
+    const DistanceBounds bounds = distance_bounds(half, corners, bound);
     if (bounds.lower > bound) return;
     candidates.push_back({bounds.lower, corners});
     bound = std::min(bound, bounds.upper);

@@ -17,9 +17,11 @@ std::size_t padded(std::size_t count, int step) {
 
 /// (pixel − principal point) / focal length for each sample of a row or a column.
 std::vector<double> ray_slopes(std::int32_t size_px, int samples, int step, double c, double f) {
+  // Whole blocks: rays beyond the image's border are traced and not used.
   std::vector<double> slopes(
       padded(static_cast<std::size_t>(size_px) * static_cast<std::size_t>(samples), step));
   for (std::size_t i = 0; i < slopes.size(); ++i) {
+    // Samples are in the middles of equal parts of a pixel.
     const double pixel = (static_cast<double>(i) + 0.5) / samples - 0.5;
     slopes[i] = (pixel - c) / f;
   }
@@ -99,6 +101,7 @@ void PrimaryRays::trace(int block_x, int block_y) {
       _mm_store_ps(packet.ray.dir_x + lane, _mm_add_ps(column_x, _mm_set1_ps(rows_[0][y])));
       _mm_store_ps(packet.ray.dir_y + lane, _mm_add_ps(column_y, _mm_set1_ps(rows_[1][y])));
       _mm_store_ps(packet.ray.dir_z + lane, _mm_add_ps(column_z, _mm_set1_ps(rows_[2][y])));
+      // Embree writes over length and hit: both are set again for each block.
       _mm_store_ps(packet.ray.tfar + lane, range);
       _mm_store_si128(reinterpret_cast<__m128i*>(packet.hit.geomID + lane), nothing);
     }

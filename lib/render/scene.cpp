@@ -77,9 +77,11 @@ RayHit Scene::first_hit(const Vector3d& origin_world, const Vector3d& direction_
 }
 
 bool Scene::occluded(const Vector3d& from_world, const Vector3d& to_world) const {
+  // The direction is the whole way: 1 is its end.
   RTCRay ray = make_ray(from_world, to_world - from_world, 1.0);
   const ScopedFlushToZero flush;
   embree::occlude(internals_->top.get(), ray);
+  // Embree says -inf where something is met.
   return ray.tfar < 0.0F;
 }
 

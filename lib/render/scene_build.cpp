@@ -16,6 +16,7 @@ TrianglePlane make_plane(const Vector3f& a, const Vector3f& b, const Vector3f& c
   const Vector3d origin = a.cast<double>();
   const Vector3d cross = (b.cast<double>() - origin).cross(c.cast<double>() - origin);
   const double length = cross.norm();
+  // A triangle without an area has no plane: all its numbers are 0.
   const Vector3d normal = length > 0.0 ? Vector3d(cross / length) : Vector3d::Zero();
   return {normal.x(), normal.y(), normal.z(), normal.dot(origin)};
 }
@@ -95,6 +96,7 @@ void commit(RTCScene scene) {
   embree::check_errors("building the map's bounding volume hierarchy");
 }
 
+/// Every instance as triangles of the world, in one hierarchy.
 void build_flattened(Scene::Internals& scene) {
   const World& world = *scene.world;
   for (std::uint32_t i = 0; i < world.instances.size(); ++i) {
@@ -104,10 +106,12 @@ void build_flattened(Scene::Internals& scene) {
     scene.placements[i].planes = scene.planes.back().data();
     if (mesh.triangles.empty()) continue;
     const embree::GeometryHandle geometry = make_geometry(vertices, mesh);
+    // By the instance's own number, which Embree gives back with each hit.
     rtcAttachGeometryByID(scene.top.get(), geometry.get(), i);
   }
 }
 
+/// Each prototype once, with a hierarchy of its own, and instances that place it.
 void build_instanced(Scene::Internals& scene) {
   const World& world = *scene.world;
   for (const Prototype& prototype : world.prototypes) {
@@ -152,6 +156,8 @@ RTCBounds instance_bounds(const TriangleMesh& mesh, const Placement& placement) 
   return {low.x(), low.y(), low.z(), 0.0F, high.x(), high.y(), high.z(), 0.0F};
 }
 
+/// Boxes of all instances for point queries, which look into an instance only where its box is near
+/// enough.
 void build_instance_boxes(Scene::Internals& scene) {
   const World& world = *scene.world;
   for (std::size_t i = 0; i < world.instances.size(); ++i) {
@@ -192,6 +198,7 @@ double lowest_ceiling_m(const Scene::Internals& scene) {
   return lowest;
 }
 
+/// Indices are used unchecked from here on.
 void check_world(const World& world) {
   for (const Prototype& prototype : world.prototypes) {
     AB_CHECK(prototype.triangle_materials.size() == prototype.mesh.triangles.size(),
@@ -217,6 +224,7 @@ std::unique_ptr<Scene::Internals> build_internals(const World& world,
   check_world(world);
   auto scene = std::make_unique<Scene::Internals>();
   scene->world = &world;
+  // What moves stays an instance, of which only the place changes.
   scene->flattened = world.motions.empty() && triangle_count(world) <= flatten_triangles;
   scene->top = make_scene();
   if (!world.motions.empty()) {
@@ -244,6 +252,7 @@ void move_instances(Scene::Internals& scene, double time_s) {
     Instance moved = world.instances[motion.instance];
     moved.T_world_prototype.translation() += displacement_world(motion, time_s).cast<float>();
     Placement& placement = scene.placements[motion.instance];
+    // Planes are in the prototype's frame, which does not move.
     const TrianglePlane* const planes = placement.planes;
     placement = make_placement(moved);
     placement.planes = planes;
@@ -255,6 +264,7 @@ void move_instances(Scene::Internals& scene, double time_s) {
     rtcCommitGeometry(geometry);
     scene.bounds[motion.instance] = instance_bounds(mesh, placement);
   }
+  // Boxes and instances have moved: both hierarchies are built again.
   rtcCommitGeometry(rtcGetGeometry(scene.instance_boxes.get(), 0));
   commit(scene.instance_boxes.get());
   commit(scene.top.get());

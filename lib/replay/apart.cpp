@@ -28,6 +28,7 @@ double seconds_since(Clock::time_point begin) {
 Job job_of(StoredTrial stored, const PlannerDescription& planner,
            std::vector<std::string>& warnings) {
   PlannerChoice& choice = stored.spec.planner;
+  // Another library may have other parameters: it is given those that it takes.
   if (planner.file_digest != choice.file_digest) {
     warnings.push_back(other_library_warning(planner));
     const std::vector<ParameterValue> values = usable_values(choice, planner, warnings);
@@ -42,6 +43,7 @@ Job job_of(StoredTrial stored, const PlannerDescription& planner,
   }
   choice.file = planner.file.string();
   choice.file_digest = planner.file_digest;
+  // The mission as it was stored: nothing is measured again.
   MissionRecord mission;
   mission.index = stored.spec.mission_index;
   mission.mission = stored.mission;
@@ -55,6 +57,7 @@ Job job_of(StoredTrial stored, const PlannerDescription& planner,
 /// A kept copy, whose name is its digest, under the name that the library had as it was flown.
 std::string under_flown_name(std::string text, const PlannerChoice& planner) {
   const std::filesystem::path file = planner.file;
+  // Then it was loaded under its own name.
   if (file.stem() != planner.file_digest) return text;
   const std::string kept = file.filename().string();
   const std::string flown = std::filesystem::path(planner.plugin).stem().string() + ".so";
@@ -78,19 +81,24 @@ std::optional<Death> timeout_of(double flown_s, double silent_s, const ApartOpti
 /// Waits for the answer to the job, or for the worker's death.
 std::optional<JobResult> answer_of(WorkerProcess& process, const Job& job,
                                    const ApartOptions& options, Death& death) {
+  // How long it may take until a death or a timeout is seen.
   constexpr int kWait_ms = 200;
   const Clock::time_point began = Clock::now();
   Clock::time_point heard = began;
   while (true) {
     pollfd waiting[] = {{.fd = process.result_fd(), .events = POLLIN, .revents = 0}};
     ::poll(waiting, 1, kWait_ms);
+    // A worker that lives makes a note every second.
     if (process.listen()) heard = Clock::now();
+    // Asked before the pipe is read: an answer that was written just before the end is then still
+    // found.
     const bool has_ended = process.has_ended();
     const bool can_send = !process.has_more_to_send() || process.send_more();
     const WorkerProcess::Answer answer = process.receive();
     if (answer == WorkerProcess::Answer::whole) {
       const auto message = process.answer();
       auto result = message ? result_from(*message, job) : std::nullopt;
+      // An answer that can't be read is as bad as none.
       if (!result) death = broken_pipes();
       if (result && result->is_out_of_memory) death = too_much_memory();
       return result && !result->is_out_of_memory ? result : std::nullopt;
@@ -133,11 +141,13 @@ ApartFlight fly_apart(const StoredTrial& stored, const ReplayFiles& files,
   }
   Death death;
   const std::optional<JobResult> result = answer_of(process, job, options, death);
+  // The trial could not be begun at all: that is no outcome.
   if (result && !result->error.empty()) throw InputError(result->error);
   if (result) {
     flight.record = *result->trial;
     flight.has_begun = !flight.record.samples.empty();
   } else {
+    // The samples and calls up to the death, from memory that is shared with the worker.
     add_flight(death, process);
     flight.has_begun = death.flown.has_value();
     if (death.flown) flight.record = *death.flown;

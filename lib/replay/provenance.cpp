@@ -15,6 +15,7 @@ namespace {
 std::string cpu_model() {
   std::ifstream file("/proc/cpuinfo");
   for (std::string line; std::getline(file, line);) {
+    // ARM's /proc/cpuinfo has no such line.
     if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
   }
   return "unknown";
@@ -33,6 +34,7 @@ std::string command_line() {
 RunRow run_on_this_host() {
   utsname system{};
   ::uname(&system);
+  // UTC, in ISO 8601.
   const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
   std::tm utc{};
   ::gmtime_r(&now, &utc);

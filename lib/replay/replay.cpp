@@ -28,9 +28,11 @@ std::filesystem::path planner_file(const PlannerChoice& choice, const ReplayFile
   if (!files.planner.empty()) return find_planner(files.planner, ".");
   std::vector<std::string> problems;
   std::vector<std::string> names{choice.plugin};
+  // `./my_planner.so` is looked for as `my_planner` too.
   const std::string bare = std::filesystem::path(choice.plugin).stem().string();
   if (bare != choice.plugin) names.push_back(bare);
   std::filesystem::path other;
+  // The digest decides, not the folder: a file of the right name and another digest is passed over.
   for (const std::string& name : names) {
     for (const std::filesystem::path& folder : files.folders) {
       try {
@@ -42,6 +44,7 @@ std::filesystem::path planner_file(const PlannerChoice& choice, const ReplayFile
       }
     }
   }
+  // What a run kept, whatever has become of the file.
   if (const auto copy = kept_planner(files.database, choice.file_digest)) {
     kept = *copy;
     return kept;
@@ -63,6 +66,8 @@ std::string found_file(const std::string& what, const std::string& name, const s
                        const std::string& given, const std::string& subfolder,
                        const ReplayFiles& files) {
   std::vector<std::filesystem::path> places;
+  // What the user names comes first and is taken whatever its digest: the world's digest is
+  // compared later.
   if (!given.empty()) places.emplace_back(given);
   for (const std::filesystem::path& folder : files.folders) {
     places.push_back(folder / name);
@@ -97,6 +102,7 @@ std::string seconds_text(double time_s) { return fixed_digits(time_s, 4) + " s";
 template <class Element, class Equal>
 std::optional<std::size_t> first_difference(const std::vector<Element>& a,
                                             const std::vector<Element>& b, Equal&& equal) {
+  // Runs of unlike length differ where the shorter one ends.
   const auto [in_a, in_b] = std::mismatch(a.begin(), a.end(), b.begin(), b.end(), equal);
   if (in_a == a.end() && in_b == b.end()) return std::nullopt;
   return static_cast<std::size_t>(in_a - a.begin());
@@ -145,12 +151,14 @@ StoredTrial read_stored_trial(const Database& database, const std::string& key) 
   } catch (const BadText& bad) {
     throw_damaged(database.path(), "trials", key, std::string("spec_json: ") + bad.what());
   }
+  // The same fact in two places of the row: they may differ only in a damaged file.
   if (stored.spec.mission_index != stored.row.mission_index) {
     throw_damaged(database.path(), "trials", key, "spec_json is of another mission");
   }
   const std::optional<MapRow> map = database.read_map(stored.row.map_key);
   for (const MissionRecord& mission : map ? map->record.missions : std::vector<MissionRecord>{}) {
     if (mission.index != stored.row.mission_index) continue;
+    // Invalid missions are never flown.
     if (!mission.is_valid) break;
     stored.mission = mission.mission;
     stored.world_digest = map->record.world_digest;
@@ -159,6 +167,7 @@ StoredTrial read_stored_trial(const Database& database, const std::string& key) 
   throw_damaged(database.path(), "trials", key, "its mission is not there or can't be flown");
 }
 
+/// The scene refers to the world, and the library is loaded last: its digest was compared before.
 Replay::Replay(StoredTrial stored, const ReplayFiles& files)
     : stored_(with_files(std::move(stored), files)),
       world_(make_world(stored_.spec.map, stored_.spec.map_seed)),
@@ -168,6 +177,7 @@ Replay::Replay(StoredTrial stored, const ReplayFiles& files)
   if (world_.digest != stored_.world_digest) {
     warnings_.emplace_back("the map is another one than that of the stored trial");
   }
+  // The key holds the result version: another key of the same spec is another version.
   if (trial_key(stored_.spec) != stored_.row.key) {
     warnings_.push_back(
         "the trial was flown by a program whose results differ: see CHANGELOG.md, Results change");
@@ -187,6 +197,7 @@ std::vector<ParameterValue> usable_values(const PlannerChoice& stored,
                                           std::vector<std::string>& warnings) {
   ParameterValues given;
   for (const ParameterChoice& choice : stored.parameters) {
+    // One at a time, so that one that the library no longer takes leaves the others alone.
     ParameterValues one{{choice.name, {.number = choice.number, .text = choice.text}}};
     const std::vector<std::string> problems = check_parameters(planner, one);
     if (problems.empty()) {
@@ -212,8 +223,10 @@ TrialRecord Replay::fly(const TrialObserver& observer, std::vector<std::string>&
     record.reason = error.what();
     return record;
   }
+  // What was printed while the planner was made, before what it prints in flight.
   log = planner->take_log();
   planner->want_drawings(true);
+  // A trial whose latency was measured repeats only with the times of then.
   const auto recorded_s = recorded_latencies(stored_.spec, stored_.row.record);
   TrialRecord record = run_trial(stored_.spec, scene_, stored_.mission, *planner, observer,
                                  recorded_s ? &*recorded_s : nullptr);

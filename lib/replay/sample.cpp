@@ -21,6 +21,8 @@ double share_from(const std::string& text) {
 }
 
 bool is_sampled(const std::string& key, double share) {
+  // The key's first 32 bits are as good as random, and fixed: the sample of a share is the same on
+  // every machine, and a larger share holds the smaller one's trials.
   const auto number = static_cast<double>(std::stoul(key.substr(0, 8), nullptr, 16));
   return number < share * 4294967296.0;
 }

@@ -51,6 +51,7 @@ struct FieldCheck {
   bool check_kind(const std::string& wanted) {
     if constexpr (index < std::variant_size_v<Variant>) {
       using Kind = std::variant_alternative_t<index, Variant>;
+      // Tries the variant's kinds one after the other, at compile time.
       if (wanted != Kind::kind) return check_kind<Variant, index + 1>(wanted);
       Kind held{};
       visit(*this, held);
@@ -65,6 +66,7 @@ template <class T>
 void check_number(const json& given, const std::string& path, Range range) {
   bool has_type = given.is_number();
   if constexpr (std::is_integral_v<T>) {
+    // JSON reads a whole number below 0 as signed, others as unsigned; 1.0 is neither.
     has_type = std::is_signed_v<T> ? given.is_number_integer() : given.is_number_unsigned();
   }
   if (!has_type) throw BadText(path + " is no number of its kind");
@@ -73,6 +75,7 @@ void check_number(const json& given, const std::string& path, Range range) {
     throw BadText(path + " is outside of its range");
   }
   if constexpr (std::is_integral_v<T>) {
+    // A number too large for T would be cut without a word.
     const bool fits = static_cast<double>(given.get<T>()) == value;
     if (!fits) throw BadText(path + " is outside of its range");
   }
@@ -85,6 +88,7 @@ void check_value(const json& given, const std::string& path, const T& value, Ran
       throw BadText(path + " is nothing that this avoidbench knows");
     }
   } else if constexpr (detail::IsSequence<T>::value) {
+    // Against a damaged spec: a list in a spec is short.
     constexpr std::size_t kMost = 10000;
     constexpr bool has_any_size = requires(T & sequence) { sequence.resize(0); };
     const bool has_size =
@@ -106,6 +110,8 @@ void check_value(const json& given, const std::string& path, const T& value, Ran
   }
 }
 
+/// Where a sweep file is read such rates are rounded; a stored one that is not whole ticks was
+/// written by nobody, and would fail deep within the flight.
 void check_rates(const TrialSpec& spec) {
   for (const double rate_hz :
        {spec.rates.physics_hz, spec.rates.plan_hz, spec.rates.sample_hz, spec.sensor.rate_hz,
@@ -129,9 +135,11 @@ TrialSpec stored_spec(const std::string& spec_json) {
     throw BadText("it names no planner and latency");
   }
   trial.at("planner").emplace("file", "");  // databases keep no paths
+  // Undo what storing leaves out, so that all fields are there to be checked.
   restore_latency(trial);
   restore_later_fields(trial);
   check_value(trial, "", TrialSpec{}, Range{});
+  // Only now: spec_from_json() trusts types and ranges.
   const TrialSpec spec = spec_from_json<TrialSpec>(trial);
   try {
     check_map(spec.map);

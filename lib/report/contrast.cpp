@@ -29,6 +29,7 @@ struct Sums {
 
 using SumPair = std::array<Sums, 2>;
 
+/// One element a map that either planner flew; the other's sums are zero then.
 std::vector<SumPair> sums_by_map(const Trials& trials_1, const Trials& trials_2) {
   std::map<std::size_t, SumPair> by_map;
   for (const std::size_t side : {0U, 1U}) {
@@ -44,12 +45,15 @@ std::vector<SumPair> sums_by_map(const Trials& trials_1, const Trials& trials_2)
   return sums;
 }
 
+/// The contrast factor over the maps that a bootstrap drew, each as often as it was drawn. Rates
+/// are smoothed, since a draw may hold no failure at all, for which the factor is undefined.
 double smoothed_factor(const std::vector<SumPair>& maps, std::span<const std::size_t> drawn) {
   SumPair all;
   for (const std::size_t map : drawn) {
     all[0].add(maps[map][0]);
     all[1].add(maps[map][1]);
   }
+  // NaN takes this draw out of the interval.
   if (all[0].trials == 0 || all[1].trials == 0) return kNaN;
   return contrast_factor(all[0].smoothed_rate(), all[0].mean_length_m(), all[1].smoothed_rate(),
                          all[1].mean_length_m());
@@ -73,12 +77,14 @@ Contrast contrast_of(const PlannerSummary& planner_1, const Trials& trials_1,
   const std::vector<SumPair> maps = sums_by_map(trials_1, trials_2);
   std::vector<std::size_t> every(maps.size());
   std::iota(every.begin(), every.end(), std::size_t{0});
+  // Each map once: the estimate itself.
   contrast.smoothed_factor = smoothed_factor(maps, every);
   contrast.smoothed_interval = {kNaN, kNaN};
   if (maps.size() >= kLeastMaps) {
     contrast.smoothed_interval = bca_interval(
         maps.size(),
         [&](std::span<const std::size_t> drawn) { return smoothed_factor(maps, drawn); },
+        // A stream of its own, so that the interval is the same in every report.
         stream(1, "contrast_factor"));
   }
   return contrast;

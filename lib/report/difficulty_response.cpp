@@ -7,10 +7,12 @@
 
 namespace avoidbench {
 
+/// A map is one point of the fit: its trials share its traversability.
 DifficultyResponse difficulty_response(std::size_t planner, const Trials& trials,
                                        const std::vector<MapRow>& maps) {
   std::vector<double> traversabilities, rates;
   std::vector<std::int64_t> successes, counts;
+  // Trials are in order of maps: a run of them is a map.
   for (std::size_t first = 0; first < trials.size();) {
     const std::size_t map = trials[first].map;
     std::int64_t count = 0, success_count = 0;
@@ -19,6 +21,7 @@ DifficultyResponse difficulty_response(std::size_t planner, const Trials& trials
       success_count += trials[first].trial->outcome == Outcome::reached_goal ? 1 : 0;
     }
     const double traversability = maps[map].record.traversability_normalized_ratio;
+    // A map whose traversability was not measured.
     if (std::isnan(traversability)) continue;
     traversabilities.push_back(traversability);
     successes.push_back(success_count);

@@ -27,6 +27,7 @@ MapSummary summary_of(std::size_t index, const MapRecord& map) {
   return summary;
 }
 
+/// Over the maps that have both values, which may be fewer for one measure than for another.
 EnvironmentCorrelation correlation_of(std::string measure,
                                       const std::vector<double>& traversabilities,
                                       const std::vector<double>& values) {
@@ -67,10 +68,12 @@ EnvironmentSummary environment_summary(const SweepResult& result, const Trials& 
   const auto record = [&](const MapSummary& map) -> const MapRecord& {
     return result.maps[map.map].record;
   };
+  // Maps without a measured traversability come last.
   const auto rank = [&](const MapSummary& map) {
     const double ratio = record(map).traversability_normalized_ratio;
     return std::isnan(ratio) ? std::numeric_limits<double>::infinity() : ratio;
   };
+  // Equal ones stay in the order of the result, which is that of their keys.
   std::stable_sort(summary.maps.begin(), summary.maps.end(),
                    [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
 
@@ -81,12 +84,14 @@ EnvironmentSummary environment_summary(const SweepResult& result, const Trials& 
     for (const MapSummary& map : summary.maps) values.push_back(value_of(map));
     EnvironmentCorrelation correlation =
         correlation_of(std::move(measure), traversabilities, values);
+    // A measure that is the same on all maps correlates with nothing.
     if (correlation.map_count > 0 && correlation.lowest < correlation.highest) {
       summary.correlations.push_back(std::move(correlation));
     }
   };
   add("relative_gap_size", [&](const MapSummary& map) { return record(map).relative_gap_size; });
   add("obstacle_density_1pm2", [&](const MapSummary& map) {
+    // Maps from files have no obstacles that are counted: their 0 is no density.
     const bool is_field = !is_from_file(result.maps[map.map].generator);
     return is_field ? record(map).obstacle_density_1pm2 : std::numeric_limits<double>::quiet_NaN();
   });

@@ -13,6 +13,7 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// A number of the map's spec, NaN where it has none of this name.
 double spec_number(const MapRow& map, const char* name) {
+  // Without throwing: a spec that can't be read has no such number either.
   const nlohmann::json spec = nlohmann::json::parse(map.spec_json, nullptr, false);
   if (!spec.is_object() || !spec.contains(name) || !spec[name].is_number()) {
     return std::numeric_limits<double>::quiet_NaN();
@@ -26,6 +27,7 @@ void drop_if_empty(Table& table, std::string_view name) {
                                    [&](const Column& one) { return one.name == name; });
   const auto at = column - table.columns.begin();
   const bool is_empty = std::all_of(table.rows.begin(), table.rows.end(), [&](const Row& row) {
+    // make_row() makes no value of NaN.
     return std::holds_alternative<std::monostate>(row[static_cast<std::size_t>(at)].value);
   });
   if (!is_empty || table.rows.empty()) return;
@@ -62,6 +64,7 @@ Table map_table(const SweepSummary& summary) {
        machine_column("invalid_mission_count"),
        {.name = "trial_count", .header = "trials"},
        {.name = "finished_count", .header = "finished"}});
+  // Only in formats for programs, unless it is asked for by name.
   table.is_for_people = false;
   for (const MapSummary& map : summary.environment.maps) {
     const MapRow& row = summary.maps[map.map];
@@ -69,6 +72,7 @@ Table map_table(const SweepSummary& summary) {
     const bool is_field = !is_from_file(row.generator);
     const Cell count{.value = is_field ? TableValue(record.obstacle_count) : TableValue()};
     table.rows.push_back(
+        // Several generators' maps may have one seed.
         make_row(row.generator + " " + record.key.substr(0, 6), row.map_seed,
                  spec_number(row, "poisson_radius_m"), count, record.traversability,
                  record.traversability_normalized_ratio, record.relative_gap_size,

@@ -11,6 +11,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// The first time at which this end of the curve's interval is at one half or below.
 double first_time(const std::vector<SurvivalPoint>& curve, double Interval::*end) {
   const auto found = std::find_if(curve.begin(), curve.end(), [&](const SurvivalPoint& point) {
+    // At the curve's end all have arrived, and its interval is of no width.
     return point.survival == 0.0 || point.interval.*end <= 0.5;
   });
   return found == curve.end() ? kInfinity : found->time_s;
@@ -19,6 +20,8 @@ double first_time(const std::vector<SurvivalPoint>& curve, double Interval::*end
 }  // namespace
 
 FlightTimes flight_times(std::size_t planner, const Trials& trials) {
+  // Failures are followed up to the longest trial's end, which is after every arrival: they never
+  // arrive by then.
   double end_s = 0.0;
   for (const TrialOnMap& on_map : trials) end_s = std::max(end_s, on_map.trial->end_time_s);
   std::vector<double> times_s;
@@ -35,6 +38,7 @@ FlightTimes flight_times(std::size_t planner, const Trials& trials) {
                         survival_quantile(curve, 0.75)};
   result.median_interval_s = {first_time(curve, &Interval::lower),
                               first_time(curve, &Interval::upper)};
+  // Thinned for plots; the last point stays, since it has the share that ever arrives.
   const std::size_t step = (curve.size() + kMostCurvePoints - 1) / kMostCurvePoints;
   for (std::size_t i = 0; i < curve.size(); ++i) {
     if (i % step == 0 || i + 1 == curve.size()) result.curve.push_back(curve[i]);

@@ -12,6 +12,7 @@
 namespace avoidbench {
 namespace {
 
+/// More are a slip, such as grouping by a measured number.
 constexpr std::size_t kMostGroups = 1000;
 
 double number_of(const TableValue& value, const std::string& field) {
@@ -29,6 +30,7 @@ struct Binning {
   TableValue place(const TrialSummary& trial, const std::string& name) const {
     const TableValue& value = trial.fields[field];
     if (last_values.empty() || std::holds_alternative<std::monostate>(value)) return value;
+    // The first bin whose greatest value is not below: bins are closed above.
     const auto bin =
         std::lower_bound(last_values.begin(), last_values.end(), number_of(value, name));
     return static_cast<std::int64_t>(bin - last_values.begin());
@@ -39,6 +41,7 @@ struct Binning {
   }
 };
 
+/// How a column's values become keys: as they are, or by bins of about equal count.
 Binning binning_of(const SweepResult& result, const Trials& trials, const GroupColumn& column) {
   Binning binning;
   const auto found = std::find(result.fields.begin(), result.fields.end(), column.field);
@@ -57,9 +60,12 @@ Binning binning_of(const SweepResult& result, const Trials& trials, const GroupC
   const std::size_t bin_count = std::min(column.bin_count, sorted.size());
   std::size_t first = 0;
   for (std::size_t bin = 0; bin < bin_count; ++bin) {
+    // Bin k ends at the (k + 1)/n-th value, rounded up, unless ties have taken more than that.
     std::size_t end = std::max(first, ((bin + 1) * sorted.size() + bin_count - 1) / bin_count);
+    // Values that are equal never end up in two bins.
     while (end > first && end < sorted.size() && sorted[end] == sorted[end - 1])
       ++end;  // ties stay
+    // Ties of the bin before took all of this one.
     if (end == first) continue;
     binning.last_values.push_back(sorted[end - 1]);
     binning.names.emplace_back(range_text(sorted[first], sorted[end - 1]));
@@ -91,6 +97,7 @@ std::vector<GroupedTrials> group_trials(const SweepResult& result, const Trials&
   for (const GroupColumn& column : columns) {
     binnings.push_back(binning_of(result, trials, column));
   }
+  // The map's order is that of the table: by the first column, then the second, …
   std::map<std::vector<TableValue>, Trials> by_place;
   for (const TrialOnMap& on_map : trials) {
     std::vector<TableValue> place;
@@ -98,6 +105,7 @@ std::vector<GroupedTrials> group_trials(const SweepResult& result, const Trials&
       place.push_back(binnings[i].place(*on_map.trial, columns[i].field));
     }
     by_place[place].push_back(on_map);
+    // Within the loop, so that a million groups are never made.
     if (by_place.size() > kMostGroups) {
       throw OptionError(columns.back().field + ": more than " + std::to_string(kMostGroups) +
                             " groups; " + columns.back().field + "/5 makes five of equal map count",
@@ -116,6 +124,7 @@ std::vector<GroupedTrials> group_trials(const SweepResult& result, const Trials&
 }
 
 std::string range_text(double lowest, double highest) {
+  // Ratios and metres with three decimals, counts and other large numbers with one.
   const int decimals = std::max(std::abs(lowest), std::abs(highest)) < 10.0 ? 3 : 1;
   return fixed_digits(lowest, decimals) + "–" + fixed_digits(highest, decimals);
 }

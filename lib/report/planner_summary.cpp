@@ -18,6 +18,7 @@ struct MapSum {
   double sum = 0.0, count = 0.0;
 };
 
+/// Trials are in order of maps, so that a map's are a run.
 std::vector<MapSum> sums_by_map(const Trials& trials, std::size_t metric) {
   std::vector<MapSum> sums;
   std::size_t map = 0;
@@ -32,6 +33,8 @@ std::vector<MapSum> sums_by_map(const Trials& trials, std::size_t metric) {
   return sums;
 }
 
+/// The mean over all trials of the drawn maps: a map with more trials weighs more, as in the mean
+/// that the table shows.
 double mean_of(std::span<const MapSum> sums, std::span<const std::size_t> drawn) {
   MapSum all;
   for (const std::size_t map : drawn) {
@@ -53,6 +56,7 @@ MetricMean metric_mean(const Trials& trials, std::size_t metric) {
   result.mean = count > 0.0 ? sum / count : kNaN;
   double squares = 0.0;
   for (const TrialOnMap& on_map : trials) {
+    // In a second pass: squares less the squared mean lose digits where the mean is large.
     const double deviation = on_map.trial->metrics[metric] - result.mean;
     if (!std::isnan(deviation)) squares += deviation * deviation;
   }
@@ -87,6 +91,8 @@ double mission_mean(const Trials& trials, std::size_t metric, std::size_t& at) {
 std::vector<double> paired_differences(const Trials& a, const Trials& b, std::size_t metric) {
   std::vector<double> differences;
   std::size_t in_a = 0, in_b = 0;
+  // Both in order of map and mission: one walk. A mission may have several trials, of several
+  // settings; they count once, by their mean.
   while (in_a < a.size() && in_b < b.size()) {
     if (is_before(a[in_a], b[in_b])) {
       ++in_a;
@@ -125,6 +131,7 @@ Interval success_interval(const Trials& trials, std::int64_t finished_count) {
     finished.push_back(count.finished);
     flown.push_back(count.trials);
   }
+  // Few maps don't say how maps differ: then it is the interval of these maps alone.
   if (flown.size() >= kLeastMaps) return clustered_wilson_interval(finished, flown);
   return wilson_interval(finished_count, static_cast<std::int64_t>(trials.size()));
 }
@@ -133,6 +140,7 @@ Interval success_interval(const Trials& trials, std::int64_t finished_count) {
 bool is_better_rate(const PlannerSummary& a, const Trials& trials_a, const PlannerSummary& b,
                     const Trials& trials_b, double comparisons) {
   if (a.success_rate <= b.success_rate) return false;
+  // Bonferroni: the best is compared with each of the others.
   const double p = fisher_exact_p(a.finished_count, a.trial_count, b.finished_count, b.trial_count);
   if (comparisons * p >= kAlpha) return false;
   const std::vector<double> differences = rate_differences(trials_a, trials_b);
@@ -140,7 +148,9 @@ bool is_better_rate(const PlannerSummary& a, const Trials& trials_a, const Plann
          comparisons * wilcoxon_signed_rank(differences).p < kAlpha;
 }
 
+/// Marks the highest rate if it is significantly higher than each of the others.
 void mark_best_rate(std::vector<PlannerSummary>& planners, std::span<const Trials> trials) {
+  // NaN, of planners without trials, counts as the lowest.
   const auto best =
       std::max_element(planners.begin(), planners.end(), [](const auto& a, const auto& b) {
         return a.success_rate < b.success_rate ||
@@ -157,6 +167,7 @@ void mark_best_rate(std::vector<PlannerSummary>& planners, std::span<const Trial
   best->is_best_rate = is_best;
 }
 
+/// The same of a metric's means, by the missions that both have flown.
 void mark_best_mean(std::vector<PlannerSummary>& planners, std::span<const Trials> trials,
                     std::size_t column, std::size_t metric, Better better) {
   if (better == Better::neither) return;
@@ -165,6 +176,7 @@ void mark_best_mean(std::vector<PlannerSummary>& planners, std::span<const Trial
   for (std::size_t i = 0; i < planners.size(); ++i) {
     const double mean = planners[i].means[column].mean;
     if (std::isnan(mean)) continue;
+    // The first of equal ones; it is then not significantly better than the other.
     if (best == planners.size() || sign * mean > sign * planners[best].means[column].mean) best = i;
   }
   if (best == planners.size()) return;
@@ -172,6 +184,7 @@ void mark_best_mean(std::vector<PlannerSummary>& planners, std::span<const Trial
   for (std::size_t i = 0; i < planners.size(); ++i) {
     if (i == best) continue;
     const RankTest test = wilcoxon_signed_rank(paired_differences(trials[best], trials[i], metric));
+    // One that is not clearly worse is enough: then nobody is the best.
     if (sign * test.z <= 0.0 || comparisons * test.p >= kAlpha) return;
   }
   planners[best].means[column].is_best = true;
@@ -183,6 +196,7 @@ std::vector<double> rate_differences(const Trials& a, const Trials& b) {
   const std::vector<MapCount> counts_a = counts_by_map(a), counts_b = counts_by_map(b);
   std::vector<double> differences;
   std::size_t in_b = 0;
+  // Both in order of maps.
   for (const MapCount& count : counts_a) {
     while (in_b < counts_b.size() && counts_b[in_b].map < count.map) ++in_b;
     if (in_b == counts_b.size() || counts_b[in_b].map != count.map) continue;

@@ -71,6 +71,8 @@ Table flight_time_curve_table(const SweepSummary& summary) {
   for (const FlightTimes& times : summary.flight_times) {
     for (const SurvivalPoint& point : times.curve) {
       table.rows.push_back(make_row(summary.planners[times.planner], point.time_s,
+                                    // From "not yet" to "arrived", which turns the interval's ends
+                                    // around.
                                     1.0 - point.survival, 1.0 - point.interval.upper,
                                     1.0 - point.interval.lower));
     }

@@ -25,6 +25,7 @@ std::string trimmed(const std::string& text) {
   return text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
+/// Truth values are numbers in the results.
 TableValue value_of(const std::string& text) {
   double number = 0.0;
   const char* end = text.data() + text.size();
@@ -35,6 +36,7 @@ TableValue value_of(const std::string& text) {
   return text;
 }
 
+/// The value as a double, in `storage` if it is held as a whole number; null where it is none.
 const double* number_in(const TableValue& value, double& storage) {
   if (const auto* whole = std::get_if<std::int64_t>(&value)) {
     storage = static_cast<double>(*whole);
@@ -43,6 +45,7 @@ const double* number_in(const TableValue& value, double& storage) {
   return std::get_if<double>(&value);
 }
 
+/// Numbers by value, whichever way they are held.
 bool is_equal(const TableValue& a, const TableValue& b) {
   double storage_a = 0.0, storage_b = 0.0;
   const double* number_a = number_in(a, storage_a);
@@ -69,6 +72,7 @@ std::string text_of(const TableValue& value) {
 Condition parse_condition(const std::string& text) {
   Condition condition;
   condition.text = trimmed(text);
+  // A field's name has none of these signs: what is before the first of them is the field.
   const std::size_t at = text.find_first_of("=!<>");
   const auto* const sign =
       std::find_if(std::begin(kSigns), std::end(kSigns), [&](const auto& candidate) {
@@ -87,6 +91,7 @@ Condition parse_condition(const std::string& text) {
       condition.comparison == Comparison::equal || condition.comparison == Comparison::unequal;
   std::string rest = text.substr(at + sign->first.size());
   while (true) {
+    // Several values mean "one of them" (or none of them); an inequality has one limit.
     const std::size_t comma = takes_several ? rest.find(',') : std::string::npos;
     const std::string word = trimmed(rest.substr(0, comma));
     if (word.empty()) throw OptionError("'" + text + "': a value is missing", "where");
@@ -109,6 +114,7 @@ bool holds(const Condition& condition, const TableValue& value) {
   if (condition.comparison == Comparison::unequal) return !is_one_of;
   double storage = 0.0;
   const double* number = number_in(value, storage);
+  // Nothing and texts are neither below nor above a number.
   if (number == nullptr) return false;
   const double limit = std::get<double>(condition.values.front());
   switch (condition.comparison) {
@@ -123,6 +129,8 @@ bool holds(const Condition& condition, const TableValue& value) {
   }
 }
 
+/// A value that no trial has is likely misspelt. Without this, a condition with `=` would leave
+/// nothing and one with `!=` leave out nothing, both in silence.
 void check_values(std::span<const SweepResult* const> results,
                   const std::vector<Condition>& conditions) {
   constexpr std::size_t kMostShown = 12;
@@ -155,6 +163,7 @@ void check_values(std::span<const SweepResult* const> results,
 SweepResult selected(SweepResult result, const std::vector<Condition>& conditions) {
   std::set<std::string> maps, planners;
   for (const Condition& condition : conditions) {
+    // Conditions hold together: each takes out what it refuses.
     const std::size_t field = field_of(result, condition);
     std::erase_if(result.trials, [&](const TrialSummary& trial) {
       return !holds(condition, trial.fields[field]);
@@ -165,6 +174,7 @@ SweepResult selected(SweepResult result, const std::vector<Condition>& condition
     maps.insert(trial.map_key);
     planners.insert(trial.planner_key);
   }
+  // Maps and planners without a trial that is left would stand in tables with zeros.
   std::erase_if(result.maps, [&](const MapRow& map) { return !maps.contains(map.record.key); });
   std::erase_if(result.planners,
                 [&](const PlannerRow& row) { return !planners.contains(planner_key(row)); });

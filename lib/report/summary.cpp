@@ -13,6 +13,7 @@ namespace {
 constexpr std::size_t kGroupCount = 5;
 constexpr std::string_view kPlanner = "planner";
 
+/// Labels, with the beginning of the key behind those that two planners share.
 std::vector<std::string> unique_labels(const std::vector<PlannerRow>& planners) {
   std::vector<std::string> labels;
   for (const PlannerRow& planner : planners) {
@@ -51,6 +52,8 @@ Trials trials_on_maps(const SweepResult& result) {
   for (const TrialSummary& trial : result.trials) {
     trials.push_back({.trial = &trial, .map = indices.at(trial.map_key)});
   }
+  // The order that sums, runs of maps and pairing rely on. The key makes it the same for several
+  // trials of a mission, whatever the order of flying.
   std::sort(trials.begin(), trials.end(), [](const TrialOnMap& a, const TrialOnMap& b) {
     return std::tie(a.map, a.trial->mission_index, a.trial->key) <
            std::tie(b.map, b.trial->mission_index, b.trial->key);
@@ -99,6 +102,7 @@ std::vector<std::vector<std::size_t>> map_groups(const SweepResult& result, cons
   const std::size_t count = std::min(kGroupCount, maps.size());
   std::vector<std::vector<std::size_t>> groups(count);
   for (std::size_t i = 0; i < maps.size(); ++i) {
+    // i · n / N in whole numbers: groups differ by one map at most.
     groups[i * count / maps.size()].push_back(maps[i].second);
   }
   return groups;
@@ -108,6 +112,7 @@ std::vector<MapGroup> groups_of(const SweepResult& result, const Trials& trials,
                                 std::span<const std::size_t> metrics,
                                 std::span<const MetricRow> rows) {
   const auto groups = map_groups(result, trials);
+  // One group is the whole table again.
   if (groups.size() < 2) return {};
   std::vector<MapGroup> summaries_of_groups;
   for (const std::vector<std::size_t>& maps : groups) {
@@ -135,6 +140,7 @@ std::int64_t map_count_of(const Trials& trials) {
 void mark_best_rows(std::vector<GroupRow>& rows, const std::vector<Trials>& trials,
                     std::size_t planner_column, std::span<const std::size_t> metrics,
                     std::span<const MetricRow> metric_rows) {
+  // Rows that differ in the planner only: they have flown the same.
   std::map<std::vector<TableValue>, std::vector<std::size_t>> rivals;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     std::vector<TableValue> keys = rows[i].keys;
@@ -192,6 +198,7 @@ void name_planners(SweepResult& result, const std::vector<std::string>& labels) 
 void add_pairs_and_curves(SweepSummary& summary, const SweepResult& result,
                           const std::vector<Trials>& planners) {
   for (std::size_t one = 0; one < planners.size(); ++one) {
+    // Each pair once: the factor the other way round is its inverse.
     for (std::size_t two = one + 1; two < planners.size(); ++two) {
       summary.contrasts.push_back(
           contrast_of(summary.overall[one], planners[one], summary.overall[two], planners[two]));
@@ -208,6 +215,7 @@ void add_pairs_and_curves(SweepSummary& summary, const SweepResult& result,
 std::vector<std::string> ReportQuery::fields() const {
   std::vector<std::string> fields;
   const auto add = [&](const std::string& field) {
+    // Each once, in the order asked for.
     if (std::find(fields.begin(), fields.end(), field) == fields.end()) fields.push_back(field);
   };
   for (const GroupColumn& column : group_by) add(column.field);
@@ -238,6 +246,7 @@ SweepSummary summarize(SweepResult result, const ReportQuery& query) {
   for (const std::size_t index : indices) summary.metrics.push_back(result.metrics[index]);
 
   for (const Condition& condition : query.where) summary.conditions.push_back(condition.text);
+  // Before anything is counted: all that follows is of the trials that are left.
   result = selected(std::move(result), query.where);
   if (result.trials.empty()) {
     throw InputError("no trial of sweep " + summary.name + " fulfils all conditions");
@@ -248,6 +257,7 @@ SweepSummary summarize(SweepResult result, const ReportQuery& query) {
   }
   name_planners(result, summary.planners);
   summary.trial_count = static_cast<std::int64_t>(result.trials.size());
+  // Invalid missions are in the maps, not among the trials.
   for (const MapRow& map : result.maps) {
     summary.mission_count += static_cast<std::int64_t>(map.record.missions.size());
     for (const MissionRecord& mission : map.record.missions) {
@@ -266,10 +276,13 @@ SweepSummary summarize(SweepResult result, const ReportQuery& query) {
   add_pairs_and_curves(summary, result, planners);
   summary.environment = environment_summary(result, trials);
   summary.warnings = warnings_of(summary, result);
+  // Last: everything above reads them.
   summary.maps = std::move(result.maps);
   return summary;
 }
 
+/// Shards or machines of one sweep as one result. What is in several of them counts once, and
+/// sorting by keys makes the order of the databases irrelevant.
 SweepResult combined(std::vector<SweepResult> parts) {
   if (parts.size() == 1) return std::move(parts.front());
   SweepResult all = parts.front();
@@ -286,6 +299,7 @@ SweepResult combined(std::vector<SweepResult> parts) {
                        " define their metrics differently: report them one by one");
     }
     for (const PlannerRow& row : part.planners)
+      // By label, then by key. No label has a zero byte.
       planners.emplace(row.label + '\0' + planner_key(row), row);
     for (const TrialSummary& row : part.trials) trials.emplace(row.key, row);
     versions.insert(part.program_versions.begin(), part.program_versions.end());
@@ -294,6 +308,7 @@ SweepResult combined(std::vector<SweepResult> parts) {
     for (const MapRow& row : part.maps) {
       const auto [entry, is_new] = maps.emplace(row.record.key, row);
       if (is_new) continue;
+      // Databases may know unlike numbers of a map's missions.
       std::vector<MissionRecord>& missions = entry->second.record.missions;
       for (const MissionRecord& mission : row.record.missions) {
         const bool is_there =

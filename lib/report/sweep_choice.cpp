@@ -16,8 +16,10 @@ std::vector<std::vector<SweepInfo>> chosen_sweeps(std::span<const Database> data
     const std::vector<SweepInfo> sweeps = database.read_sweeps();  // by name, then revision
     std::vector<SweepInfo>& of_this = chosen.emplace_back();
     for (std::size_t i = 0; i < sweeps.size(); ++i) {
+      // The last of its name: older revisions are taken only where one is named.
       const bool is_latest = i + 1 == sweeps.size() || sweeps[i + 1].name != sweeps[i].name;
       const std::string exact = sweeps[i].name + "@" + std::to_string(sweeps[i].revision);
+      // What one may type, for the hint.
       names.push_back(is_latest ? sweeps[i].name : exact);
       const bool is_wanted =
           wanted == exact || (is_latest && (wanted.empty() || wanted == sweeps[i].name));

@@ -10,6 +10,7 @@ namespace {
 
 /// A metric's name without unit.
 std::string bare_name(const MetricRow& metric) {
+  // Longer suffixes first where one ends with another: _ms and _mps before _s, _1pm before _m.
   for (const std::string_view suffix :
        {"_pct", "_ratio", "_mps", "_ms", "_1pm", "_m", "_s", "_j"}) {
     if (metric.name.ends_with(suffix))
@@ -51,6 +52,7 @@ std::string metric_doc(const MetricRow& metric) {
 
 /// `keys`, then the columns of a summary.
 std::vector<Column> summary_columns(std::vector<Column> keys, std::span<const MetricRow> metrics) {
+  // Columns come as summary_cells() gives the cells.
   keys.insert(keys.end(),
               {{.name = "trial_count", .header = "trials"},
                machine_column("finished_count"),
@@ -138,6 +140,7 @@ Table grouped_table(const SweepSummary& summary) {
   for (const GroupColumn& column : summary.group_columns) {
     title += (title.empty() ? "By " : ", ") + column.field;
     keys.push_back({.name = column.field,
+                    // The last part of the path, as "poisson_radius_m" of "map.poisson_radius_m".
                     .header = column.field.substr(column.field.rfind('.') + 1),
                     .place = Place::key});
   }
@@ -156,6 +159,7 @@ Table grouped_table(const SweepSummary& summary) {
 Table outcome_table(const SweepSummary& summary) {
   constexpr std::string_view kHeaders[] = {"goal",    "collided", "left",    "time out",
                                            "gave up", "error",    "crashed", "hung"};
+  // In order of Outcome.
   static_assert(std::size(kHeaders) == kOutcomeCount);
   Table table = make_table("outcomes", "Outcomes", {planner_column()});
   for (std::size_t i = 0; i < kOutcomeCount; ++i) {
@@ -277,6 +281,7 @@ Section sweep_section(const SweepSummary& summary, std::span<const std::string> 
   section.tables.push_back(planner_table(summary));
   if (!summary.groups.empty()) section.tables.push_back(group_table(summary));
   if (!summary.group_columns.empty()) {
+    // The table by traversability, where there is one.
     section.tables.back().is_for_people = summary.groups.empty();  // the other one was asked for
     section.tables.push_back(grouped_table(summary));
   }
@@ -289,6 +294,8 @@ Section sweep_section(const SweepSummary& summary, std::span<const std::string> 
   if (!summary.environment.correlations.empty()) {
     section.tables.push_back(correlation_table(summary));
   }
+  // All tables are made in any case: formats for programs have them all, and is_for_people decides
+  // what a person sees.
   if (tables.empty()) {
     show_usual(section.tables, summary, detail);
   } else {
@@ -328,6 +335,7 @@ Section side_by_side(std::span<const SweepSummary> summaries, Detail detail) {
       for (Cell& cell : row) cell.is_best = false;  // among its own sweep's planners
     }
   }
+  // Rows of a planner together, its sweeps in the order asked for.
   std::stable_sort(table.rows.begin(), table.rows.end(),
                    [](const auto& a, const auto& b) { return a.front().value < b.front().value; });
   return {.name = "all",

@@ -4,6 +4,7 @@ namespace avoidbench {
 
 Table make_table(std::string name, std::string title, const std::vector<Column>& columns) {
   Table table{.name = std::move(name), .title = std::move(title)};
+  // A column with an interval is three: the value and its two ends.
   for (const Column& column : columns) {
     table.columns.push_back(column);
     if (!column.has_interval) continue;

@@ -27,6 +27,7 @@ void warn_of_few_trials(const SweepSummary& summary, Warnings& warnings) {
     warnings.push_back("fewer than 10 trials of " + joined(few, ", ") +
                        ": hardly more than anecdotes");
   }
+  // Cells of the table that is shown: the groups asked for, or else those by traversability.
   std::int64_t few_cells = 0, cells = 0;
   const auto count = [&](const PlannerSummary& cell) {
     few_cells += cell.trial_count < kFewTrials ? 1 : 0;
@@ -53,6 +54,7 @@ void warn_of_unclear_differences(const SweepSummary& summary, Warnings& warnings
     const PlannerSummary& b = summary.overall[contrast.planner_2];
     std::string pair =
         summary.planners[contrast.planner_1] + " / " + summary.planners[contrast.planner_2];
+    // Equal rates would take endlessly many.
     if (a.success_rate != b.success_rate) {
       const double trials = std::ceil(two_rates_trials(a.success_rate, b.success_rate));
       pair += " (would take some " + fixed_digits(trials, 0) + " trials each)";
@@ -128,6 +130,7 @@ void warn_of_mixtures(const SweepSummary& summary, const SweepResult& result,
                          planner.label);
     }
   }
+  // The groups were asked for to tell them apart.
   if (!summary.group_rows.empty()) return;
   using Flight = std::tuple<std::string_view, std::string_view, std::int64_t>;
   std::vector<Flight> flights;
@@ -135,6 +138,7 @@ void warn_of_mixtures(const SweepSummary& summary, const SweepResult& result,
   for (const TrialSummary& trial : result.trials) {
     flights.emplace_back(trial.planner_key, trial.map_key, trial.mission_index);
   }
+  // Two flights of one planner on one mission: they differ in a setting.
   std::sort(flights.begin(), flights.end());
   if (std::adjacent_find(flights.begin(), flights.end()) == flights.end()) return;
   std::vector<std::string> axes;
@@ -168,6 +172,7 @@ std::int64_t warn_of_stops(const SweepSummary& summary, const SweepResult& resul
   const StopRule rule = parse_stop_rule(text);
   std::int64_t left_out = 0;
   for (const PlannerSummary& planner : summary.overall) {
+    // It has flown all: the rule had no part in it.
     if (planner.trial_count >= asked_a_planner) continue;
     if (!is_enough(rule, planner.finished_count, planner.trial_count)) continue;
     const std::string& label = result.planners[planner.planner].label;
@@ -180,6 +185,7 @@ std::int64_t warn_of_stops(const SweepSummary& summary, const SweepResult& resul
   return left_out;
 }
 
+/// Not of a selection: what was left out on purpose is not missing.
 void warn_of_missing_trials(const SweepSummary& summary, const SweepResult& result,
                             const nlohmann::json& spec, Warnings& warnings) {
   const std::int64_t asked = asked_trials(spec);
@@ -200,7 +206,9 @@ void warn_of_missing_trials(const SweepSummary& summary, const SweepResult& resu
 
 }  // namespace
 
+/// The gravest first: what is missing, then what is few, then what is unlike.
 std::vector<std::string> warnings_of(const SweepSummary& summary, const SweepResult& result) {
+  // An older or foreign spec that can't be read warns of less and throws nothing.
   const nlohmann::json parsed = nlohmann::json::parse(result.spec_json, nullptr, false);
   const nlohmann::json spec = parsed.is_object() ? parsed : nlohmann::json::object();
   Warnings warnings;

@@ -30,6 +30,7 @@ Pose moved(const Pose& pose, const CameraMotion& motion, double time_s) {
     const Vector3d imaginary = motion.rates_world_radps.normalized() * math::sin(0.5 * angle);
     const Eigen::Quaterniond turn(math::cos(0.5 * angle), imaginary.x(), imaginary.y(),
                                   imaginary.z());
+    // On the left, since rates are in the world's frame.
     later.linear() = turn * pose.linear();
   }
   return later;
@@ -110,8 +111,10 @@ void Camera::Internals::expose_pair(const Scene& scene, const Pose& pose,
   // One gain for both eyes, as in real rigs: a matcher compares grey values.
   develop(sensor.image, light, shares, gain, left_random, images.left);
 
+  // The camera's x axis is to the right: from the left eye to the right one.
   const Vector3d to_right = pose.linear().col(0) * sensor.baseline_m;
   const Pose right = Eigen::Translation3d(to_right) * pose;
+  // The right eye swings with the turn: v + ω × r.
   const CameraMotion right_motion{motion.velocity_world + motion.rates_world_radps.cross(to_right),
                                   motion.rates_world_radps};
   gather_light(scene, right, right_motion, Channels::grey);
@@ -182,6 +185,7 @@ Camera& Camera::operator=(Camera&&) noexcept = default;
 void Camera::expose(const Scene& scene, const Pose& T_world_camera, const CameraMotion& motion,
                     const ImageNeeds& needs, std::uint64_t seed, CameraImages& images) {
   Internals& self = *internals_;
+  // A matcher needs both images, whether the planner sees them or not.
   const bool matches = needs.depth && self.matcher != nullptr;
   if (needs.stereo || matches) self.expose_pair(scene, T_world_camera, motion, seed, images);
   if (needs.color) self.expose_color(scene, T_world_camera, motion, seed, images);

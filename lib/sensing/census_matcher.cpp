@@ -44,6 +44,7 @@ struct Buffers {
   std::int16_t *left_median = nullptr, *right_median = nullptr;  ///< a row each
 };
 
+/// All buffers of a frame, in one order; `carver` counts them or hands them out.
 Buffers carve(const CensusSettings& settings, int width_px, int height_px, Carver& carver) {
   Buffers buffers;
   Frame& frame = buffers.frame;
@@ -138,6 +139,7 @@ void transform_both(const Kernels& kernels, const Buffers& buffers,
   }
 }
 
+/// For the medians, which look one column beyond either border.
 void repeat_border_columns(const Frame& frame, std::int16_t* disparity) {
   for (int y = 0; y < frame.height_px; ++y) {
     std::int16_t* row = disparity + y * frame.disparity_stride;
@@ -146,6 +148,7 @@ void repeat_border_columns(const Frame& frame, std::int16_t* disparity) {
   }
 }
 
+/// Of 3 × 3 pixels; the first and the last row stand for those beyond.
 void median_row(const Kernels& kernels, const Frame& frame, const std::int16_t* disparity, int y,
                 std::int16_t* out) {
   const auto row = [&](int at) {
@@ -171,6 +174,7 @@ void finish(const Kernels& kernels, const Buffers& buffers, int tolerance_px,
     for (int x = 0; x < frame.width_px; ++x) {
       // 1/16 px to the nearest whole one, as the right image's are.
       const int d = (buffers.left_median[x] + 8) >> 4;
+      // The right image has to say the same at the partner, x - d.
       const bool valid =
           d <= x && std::abs(d - buffers.right_median[x - std::min(d, x)]) <= tolerance_px;
       out[x] = valid ? buffers.left_median[x] : kInvalidDisparity;

@@ -55,6 +55,7 @@ void NormalField::draw(std::size_t width_px, std::size_t height_px, RandomStream
   lattice_.resize(cells_across_ * cells(height_px));
   random.coarse_normals(lattice_);
   row_cells_.resize(cells_across_);
+  // Weights depend on the width alone.
   if (row_.size() == width_px) return;
   row_.resize(width_px);
   left_.clear();
@@ -63,6 +64,7 @@ void NormalField::draw(std::size_t width_px, std::size_t height_px, RandomStream
   for (std::size_t x = 0; x < width_px; ++x) {
     const double at = static_cast<double>(x) / size_px_;
     const double cell = std::floor(at);
+    // Where each cell of the lattice begins in a row of pixels.
     while (first_pixel_.size() <= static_cast<std::size_t>(cell)) first_pixel_.push_back(x);
     const auto [left, right] = even_weights(at - cell);
     left_.push_back(left);
@@ -71,6 +73,7 @@ void NormalField::draw(std::size_t width_px, std::size_t height_px, RandomStream
   first_pixel_.push_back(width_px);
 }
 
+/// Bilinear in two steps: between two rows of the lattice, then along the row.
 const std::vector<float>& NormalField::row(std::size_t y) {
   const double at = static_cast<double>(y) / size_px_;
   const double cell = std::floor(at);
@@ -94,6 +97,8 @@ DepthNoise::DepthNoise(const DepthNoisySpec& spec)
       errors_(spec.noise_size_px),
       covered_below_(normal_limit(spec.half_occlusion_ratio)) {}
 
+/// Fattened edges first, then holes and errors in patches and dropped pixels; row by row, what is
+/// hidden goes and the rest is moved and rounded.
 void DepthNoise::apply(const NoisyDepthView& view, const SeenSurfaces& seen, RandomStream& random,
                        std::span<float> depth_m) {
   AB_CHECK(depth_m.size() == view.width_px * view.height_px, depth_m.size());
@@ -101,6 +106,7 @@ void DepthNoise::apply(const NoisyDepthView& view, const SeenSurfaces& seen, Ran
   const auto at_1m = static_cast<float>(view.disparity_at_1m_px);
   find_textures(seen.opacity);
   disparity_.resize(depth_m.size());
+  // Infinite depth is disparity 0.
   for (std::size_t i = 0; i < depth_m.size(); ++i) disparity_[i] = at_1m / depth_m[i];
   fatten(view.width_px, view.height_px);
   holes_.draw(view.width_px, view.height_px, random);
@@ -115,6 +121,7 @@ void DepthNoise::fatten(std::size_t width, std::size_t height) {
   if (reach == 0) return;
   rows_max_.resize(disparity_.size());
   max_.resize(width);
+  // The greatest of a square: of its rows first, then of those.
   for (std::size_t y = 0; y < height; ++y) {
     running_max(&disparity_[y * width], width, reach, &rows_max_[y * width]);
   }
@@ -136,6 +143,8 @@ void DepthNoise::fatten(std::size_t width, std::size_t height) {
 void DepthNoise::occlude_row(const std::vector<float>& patches, float* disparity) const {
   float leftmost = kInfinity;  // column in the right image of all that lies further right
   auto position = static_cast<float>(patches.size());
+  // From the right: a pixel is covered where one to its right has come at least as far to the left
+  // in the right image.
   for (std::size_t x = patches.size(); x-- > 0;) {
     position -= 1.0F;
     const float exact = disparity[x];

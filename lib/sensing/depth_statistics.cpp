@@ -11,6 +11,7 @@ namespace {
 
 constexpr float kStep_px = 2.0F;  ///< of disparity
 
+/// 0 for infinite depth; NaN stays NaN.
 std::vector<float> disparities(std::span<const float> depth_m, double at_1m_px) {
   std::vector<float> result(depth_m.size());
   for (std::size_t i = 0; i < depth_m.size(); ++i) {
@@ -60,6 +61,7 @@ double error_size_px(std::span<const float> truth_m, std::span<const float> meas
   double mean = 0.0, count = 0.0;
   for (std::size_t i = 0; i < errors.size(); ++i) {
     errors[i] -= truth[i];
+    // Outliers and invalid pixels tell nothing of patches.
     if (!(std::abs(errors[i]) <= 1.0F) || measured_m[i] > 1e9F) {
       errors[i] = std::numeric_limits<float>::quiet_NaN();
       continue;
@@ -71,9 +73,11 @@ double error_size_px(std::span<const float> truth_m, std::span<const float> meas
   // Errors alike over more than that are a shift of the whole, not patches.
   constexpr std::size_t kMost = 40;
   double variance = 0.0, last = 1.0;
+  // The lag at which the errors' autocorrelation along rows has fallen to one half.
   for (std::size_t lag = 0; lag < std::min(kMost, width); ++lag) {
     double sum = 0.0, pairs = 0.0;
     for (std::size_t i = 0; i + lag < errors.size(); ++i) {
+      // Pairs within one row only.
       if (i % width + lag >= width) continue;
       const double product =
           (static_cast<double>(errors[i]) - mean) * (static_cast<double>(errors[i + lag]) - mean);
@@ -103,6 +107,7 @@ DepthStatistics depth_statistics(std::span<const DepthSample> samples, bool edge
     const auto measured = static_cast<double>(sample.measured_m);
     if (sample.is_edge != edges || truth < nearest_m || truth >= farthest_m) continue;
     ++result.pixel_count;
+    // NaN is invalid; infinite depth, "nothing there", is valid and has no error.
     if (std::isnan(measured)) continue;
     ++valid;
     if (!std::isfinite(measured)) continue;
@@ -116,6 +121,7 @@ DepthStatistics depth_statistics(std::span<const DepthSample> samples, bool edge
     squares += error * error;
     depth_sum += measured - truth;
     depth_squares += (measured - truth) * (measured - truth);
+    // A pixel of disparity is z² / (f b) of depth.
     expected += truth * truth / disparity_at_1m_px;
   }
   const auto count = static_cast<double>(finite - outliers);
@@ -145,6 +151,7 @@ double fattening_px(std::span<const float> truth_m, std::span<const float> measu
     // Only the right side of near things: the left one is half hidden from the right eye.
     for (std::size_t x = reach; x + reach < width; ++x) {
       const float near = row[x], far = row[x + 1];
+      // A step from near to far.
       if (near - far <= 2.0F * kStep_px) continue;
       bool is_clean = true;  // the background goes on, and the near side was measured
       for (std::size_t k = 1; k <= reach; ++k) {

@@ -44,6 +44,7 @@ void develop(const ImageSpec& image, std::span<const float> light, std::span<con
   AB_CHECK(pixels.size() == light.size() && light.size() % vignette.size() == 0, light.size());
   const std::size_t channels = light.size() / vignette.size();
   const bool has_noise = image.full_well_e > 0.0;
+  // In units of the full well, which light of 1 fills.
   const double per_electron = has_noise ? 1.0 / image.full_well_e : 0.0;
   const auto shot_variance = static_cast<float>(per_electron);
   const double read_sigma = image.read_noise_e * per_electron;
@@ -62,6 +63,7 @@ void develop(const ImageSpec& image, std::span<const float> light, std::span<con
       // Poisson noise as a normal: a full well has thousands of electrons.
       level += std::sqrt(level * shot_variance + read_variance) * normals[i];
       level = std::min(std::max(level, 0.0F), 1.0F);
+      // Rounded by truncation: levels are never negative.
       const float half_up = level * static_cast<float>(srgb.size() - 1) + 0.5F;
       pixels[at] = srgb[static_cast<std::size_t>(half_up)];
     }

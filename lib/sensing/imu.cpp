@@ -10,6 +10,7 @@ namespace {
 
 using Eigen::Vector3d;
 
+/// One after the other: the order in which a call's arguments are evaluated is not fixed.
 Vector3d normals(RandomStream& random) {
   const double x = random.normal();
   const double y = random.normal();
@@ -55,6 +56,7 @@ ImuSample true_imu(const ImuSpec& imu, const VehicleModel& model, const VehicleS
   const Vector3d arm = to_eigen(imu.position_body_m);
   const Vector3d& rates = vehicle.rates_body;
   const Vector3d turning = angular_acceleration_body(model, vehicle, environment);
+  // What an accelerometer feels: the acceleration without gravity's part.
   const Vector3d felt_world =
       acceleration_world(model, vehicle, environment) + Vector3d(0.0, 0.0, model.spec.gravity_mps2);
   ImuSample sample;

@@ -10,6 +10,7 @@ namespace {
 
 using Eigen::Vector3d;
 
+/// One after the other, as in imu.cpp: the order of a call's arguments is not fixed.
 Vector3d normals(double sigma, RandomStream& random) {
   const double x = random.normal();
   const double y = random.normal();
@@ -53,6 +54,7 @@ void advance(OdometryState& state, const OdometrySpec& odometry, const VehicleSt
              double dt_s, RandomStream& random) {
   // The drift hangs on the way, not on time: who hovers does not drift.
   const Vector3d way = truth.position_world - state.anchor_true_world;
+  // A random walk along the way: its deviation grows with the root of the way.
   const double drift_m = odometry.position_drift_ratio * std::sqrt(way.norm());
   // The way is added as it was believed, turned by the drift of the yaw: errors of heading become
   // errors of position, as in real odometry.

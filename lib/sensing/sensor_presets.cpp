@@ -5,6 +5,7 @@ namespace {
 
 /// Puts the middle between the eyes where the body's mounting is.
 SensorSpec with_centered_eyes(SensorSpec sensor) {
+  // The mounting is the left eye's, and body y is to the left.
   sensor.mounting.position_body_m[1] += 0.5 * sensor.baseline_m;
   return sensor;
 }

@@ -8,6 +8,7 @@ Eigen::Matrix3d rotation(double angle_rad, const Eigen::Vector3d& axis) {
   const double c = math::cos(angle_rad), s = math::sin(angle_rad);
   const Eigen::Matrix3d cross{
       {0.0, -axis.z(), axis.y()}, {axis.z(), 0.0, -axis.x()}, {-axis.y(), axis.x(), 0.0}};
+  // Rodrigues' formula.
   return Eigen::Matrix3d::Identity() + s * cross + (1.0 - c) * cross * cross;
 }
 
@@ -36,6 +37,7 @@ Pose T_body_camera(const MountingSpec& mounting) {
   pitched.col(2) = Eigen::Vector3d(cosine, 0.0, -sine);   // forward
   Pose pose = Pose::Identity();
   pose.linear() = pitched;
+  // Roll about the camera's own axis; below, yaw about the body's vertical.
   if (mounting.roll_deg != 0.0) {
     pose.linear() *= rotation(mounting.roll_deg * math::kDegree, Eigen::Vector3d::UnitZ());
   }

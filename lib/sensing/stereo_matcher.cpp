@@ -32,6 +32,7 @@ class SgbmMatcher : public StereoMatcher {
       : size_(width_px, height_px), border_(static_cast<int>(spec.disparities)) {
     cv::setNumThreads(1);  // one trial a core; the result does not depend on it
     const int block = static_cast<int>(spec.block_px);
+    // Costs are sums over a block: penalties grow with its pixels.
     const auto penalty = [&](double factor) { return static_cast<int>(factor * block * block); };
     constexpr int kPrefilterCap = 31;
     matcher_ = cv::StereoSGBM::create(

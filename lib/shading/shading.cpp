@@ -59,6 +59,7 @@ class ObjectViews {
   void make(unsigned instance) {
     const World& world = *scene_.world;
     const Placement& placement = scene_.placements[instance];
+    // Into the object's own frame and size, in which textures lie: they move with it.
     const Eigen::Matrix3d R = placement.linear_prototype_world * placement.scale;
     ObjectView& view = views_[instance];
     copy(R * axes_.col(0), view.right);
@@ -101,6 +102,7 @@ struct LastFacet {
     const Placement& placement = scene.placements[instance];
     const TrianglePlane& p = placement.planes[triangle];
     const Vector3d normal(p.nx, p.ny, p.nz);
+    // Planes of a flattened scene are in the world already.
     copy(scene.flattened
              ? normal
              : Vector3d(placement.linear_world_prototype * normal * (1.0 / placement.scale)),
@@ -134,6 +136,7 @@ struct Frame {
 };
 
 void add_object(PacketHits& hits, const ObjectView& object, unsigned lanes) {
+  // A packet of eight lanes sees eight objects at most.
   for (int i = 0; i < hits.object_count; ++i) {
     if (hits.objects[i].object != &object) continue;
     hits.objects[i].lanes |= lanes;
@@ -142,6 +145,7 @@ void add_object(PacketHits& hits, const ObjectView& object, unsigned lanes) {
   hits.objects[hits.object_count++] = {lanes, &object};
 }
 
+/// What a packet of rays has met, as the kernels take it.
 void gather(Frame& frame, const PrimaryRays& rays, const RTCRayHit8& packet, std::size_t x,
             std::size_t y, PacketHits& hits) {
   hits.ray_x = packet.ray.dir_x;
@@ -157,6 +161,7 @@ void gather(Frame& frame, const PrimaryRays& rays, const RTCRayHit8& packet, std
   std::fill_n(hits.material_lanes, kMaterialCount, 0U);
   const unsigned* instances = rays.instances(packet);
   const unsigned* triangles = packet.hit.primID;
+  // Lanes that met the same triangle are taken together, until none is left.
   for (unsigned left = hits.hit; left != 0;) {
     const int lane = std::countr_zero(left);
     const unsigned lanes =
@@ -200,6 +205,7 @@ void cast_shadows(const Frame& frame, Block& block, unsigned (&lit)[kBlockPacket
     if (lit[i] != 0) {
       std::copy_n(surface.shadow_length, 8, rays.tfar);
     } else {
+      // Rays of negative length are switched off for Embree.
       std::fill_n(rays.tfar, 8, -1.0F);
     }
     any |= lit[i];
@@ -213,6 +219,7 @@ void cast_shadows(const Frame& frame, Block& block, unsigned (&lit)[kBlockPacket
   }
 }
 
+/// Rays, what they met, shadows, light: for a block of four packets at once.
 void shade_block(Frame& frame, PrimaryRays& rays, int block_x, int block_y, Block& block) {
   rays.trace(block_x, block_y);
   const std::size_t x = static_cast<std::size_t>(block_x) * kBlockWidth;
@@ -224,12 +231,14 @@ void shade_block(Frame& frame, PrimaryRays& rays, int block_x, int block_y, Bloc
     PacketSurface& surface = block.surfaces[i];
     surface.facing_sun = 0;
     if (hits.hit != 0) {
+      // Where and what was hit; which lanes face the sun.
       frame.kernel.locate(frame.light, hits, surface);
     } else {
       std::fill_n(surface.shadow_length, kPacketLanes, -1.0F);
     }
     lit[i] = surface.facing_sun;
   }
+  // Shadows of all four packets are one stream of rays.
   if (frame.has_shadows) cast_shadows(frame, block, lit);
   for (std::size_t i = 0; i < kBlockPackets; ++i) {
     frame.kernel.shade(frame.light, block.hits[i], block.surfaces[i], lit[i], block.lights[i]);
@@ -245,6 +254,7 @@ struct Image {
 
 /// Writes (or, of several samples, adds) a block's light to the pixels at (x, y) of the samples.
 void store_block(const Image& image, const Block& block, std::size_t x, std::size_t y) {
+  // Blocks at the right and lower border stand out of the image.
   const std::size_t columns = std::min<std::size_t>(kBlockWidth, image.width * image.samples - x);
   const std::size_t rows = std::min<std::size_t>(kBlockHeight, image.height * image.samples - y);
   const auto channels = static_cast<std::size_t>(image.channels);
@@ -257,6 +267,7 @@ void store_block(const Image& image, const Block& block, std::size_t x, std::siz
     const float* from[3] = {(is_grey ? light.grey : light.rgb[0]) + first_lane,
                             light.rgb[1] + first_lane, light.rgb[2] + first_lane};
     float* line = &image.radiance[(y + row) / image.samples * image.width * channels];
+    // The usual case of cameras, row by row.
     if (is_grey && is_single && columns == kBlockWidth) {
       std::copy_n(from[0], kBlockWidth, line + x);
       continue;
@@ -281,6 +292,7 @@ FrameLight frame_light(const Scene::Internals& scene, const Pinhole& camera,
   frame.sun = static_cast<float>(light.sun);
   frame.sky = static_cast<float>(light.sky);
   frame.haze_per_m = static_cast<float>(1.0 / light.haze_range_m);
+  // The width of a sample at a distance of 1 m: textures are smoothed by it.
   frame.pixel_slope = static_cast<float>(1.0 / (camera.fx_px * samples));
   // Below that the sun is at the horizon and would reach no ceiling within a map.
   const bool is_above = to_sun.z() > 1e-3;
@@ -331,6 +343,7 @@ void render_radiance_by(const ShadingKernel& kernel, const Scene& scene, const P
               as_floats(rays.v(), rays.blocks_down() * kBlockHeight),
               ObjectViews(internals, T_world_camera, light.to_sun_world.normalized()),
               {}};
+  // Several samples of a pixel are added up in place.
   if (samples > 1) std::fill(radiance.begin(), radiance.end(), 0.0F);
   Block block(frame.light);
   for (int block_y = 0; block_y < rays.blocks_down(); ++block_y) {
@@ -356,6 +369,7 @@ void render_shaded(const Scene& scene, const Pinhole& camera, const Pose& T_worl
   const SrgbTable& srgb = srgb_table();
   for (std::size_t i = 0; i < rgb.size(); ++i) {
     const float level = std::min(soft_highlights(radiance[i]), 1.0F);
+    // The table's last index.
     rgb[i] = srgb[static_cast<std::size_t>(std::lround(4096.0F * level))];
   }
 }

@@ -10,6 +10,7 @@ namespace {
 SrgbTable make_srgb_table() {
   SrgbTable table{};
   for (std::size_t i = 0; i < table.size(); ++i) {
+    // IEC 61966-2-1.
     const double linear = static_cast<double>(i) / static_cast<double>(table.size() - 1);
     const double encoded =
         linear <= 0.0031308 ? 12.92 * linear : 1.055 * math::pow(linear, 1.0 / 2.4) - 0.055;

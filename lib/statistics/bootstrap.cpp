@@ -17,6 +17,7 @@ using math::kNaN;
 
 using Statistic = std::function<double(std::span<const std::size_t>)>;
 
+/// The statistic of `replicate_count` draws of as many clusters as there are, with replacement.
 std::vector<double> replicates(std::size_t cluster_count, const Statistic& statistic,
                                RandomStream& random, std::size_t replicate_count) {
   std::vector<std::size_t> drawn(cluster_count);
@@ -50,6 +51,7 @@ std::optional<double> acceleration_of(std::size_t cluster_count, const Statistic
   std::vector<double> values;
   for (std::size_t left_out = 0; left_out < cluster_count; ++left_out) {
     std::iota(others.begin(), others.end(), std::size_t{0});
+    // All but one: numbers from the one left out on move up by one.
     for (std::size_t i = left_out; i < others.size(); ++i) others[i] = i + 1;
     values.push_back(statistic(others));
   }
@@ -62,12 +64,14 @@ std::optional<double> acceleration_of(std::size_t cluster_count, const Statistic
     cubes += deviation * deviation * deviation;
   }
   const double acceleration = cubes / (6.0 * squares * std::sqrt(squares));
+  // The statistic is the same whichever cluster is left out.
   if (!std::isfinite(acceleration)) return std::nullopt;
   return acceleration;
 }
 
 }  // namespace
 
+/// Linear between the two nearest values (type 7 of Hyndman and Fan, as NumPy and R).
 double quantile(std::span<const double> values, double ratio) {
   if (values.empty()) return kNaN;
   std::vector<double> sorted(values.begin(), values.end());
@@ -79,6 +83,8 @@ double quantile(std::span<const double> values, double ratio) {
   return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
 }
 
+/// AvoidBench, eq. (10): flights fail like a Poisson process along the way, at −log(rate) / length
+/// per metre.
 double contrast_factor(double success_rate_1, double reference_length_1_m, double success_rate_2,
                        double reference_length_2_m) {
   const bool is_defined = success_rate_1 > 0.0 && success_rate_1 < 1.0 && success_rate_2 > 0.0 &&
@@ -106,6 +112,8 @@ Interval bca_interval(std::size_t cluster_count, const Statistic& statistic, Ran
   // covers 94 to 95 % instead of 91 to 93.
   const double widened =
       std::sqrt(n / (n - 1.0)) * student_t_quantile(0.5 + 0.5 * confidence, n - 1.0);
+  // Which percentile to take in place of z's: bias b and acceleration a move it to Φ(b + (b + z) /
+  // (1 − a (b + z))).
   const auto level = [&](double z) {
     if (!acceleration) return normal_cdf(z);
     const double shifted = *bias + z;

@@ -42,6 +42,7 @@ bool is_constant(const std::vector<double>& values) {
 
 double correlation_of(const std::vector<double>& x, const std::vector<double>& y) {
   if (x.size() < 2 || is_constant(x) || is_constant(y)) return kNaN;
+  // In two passes: sums of products less products of sums would cancel.
   const double mean_x = mean_of(x);
   const double mean_y = mean_of(y);
   double xy = 0.0, xx = 0.0, yy = 0.0;
@@ -51,9 +52,11 @@ double correlation_of(const std::vector<double>& x, const std::vector<double>& y
     yy += (y[i] - mean_y) * (y[i] - mean_y);
   }
   const double r = xy / (std::sqrt(xx) * std::sqrt(yy));
+  // Rounding may take it a bit beyond 1.
   return r == r ? std::clamp(r, -1.0, 1.0) : kNaN;
 }
 
+/// By the exponential of -2 |z|, which can't overflow.
 double tanh_of(double z) {
   const double e = math::exp(-2.0 * std::abs(z));
   const double size = (1.0 - e) / (1.0 + e);
@@ -74,6 +77,7 @@ double spearman_correlation(std::span<const double> x, std::span<const double> y
 
 Interval correlation_interval(double r, std::size_t count, bool is_spearman, double confidence) {
   if (count < 4 || !(std::abs(r) < 1.0)) return {kNaN, kNaN};
+  // Fisher's z = artanh r, about normal.
   const double centre = 0.5 * math::log((1.0 + r) / (1.0 - r));
   const double variance =
       // Bonett and Wright (2000): ranks are a little less certain than values.

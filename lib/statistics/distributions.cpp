@@ -19,6 +19,7 @@ double beta_fraction(double x, double a, double b) {
   double c = 1.0;
   double d = 1.0 / away_from_zero(1.0 - (a + b) * x / (a + 1.0));
   double fraction = d;
+  // Each turn takes an even and an odd term of the fraction.
   for (int term = 1; term < kMostTerms; ++term) {
     const double m = term;
     const double even = m * (b - m) * x / ((a + 2.0 * m - 1.0) * (a + 2.0 * m));
@@ -30,6 +31,7 @@ double beta_fraction(double x, double a, double b) {
     c = away_from_zero(1.0 + odd / c);
     const double factor = d * c;
     fraction *= factor;
+    // A factor that no longer changes the last bit.
     if (std::abs(factor - 1.0) < 1e-16) break;
   }
   return fraction;
@@ -41,9 +43,11 @@ double normal_cdf(double z) {
   if (z != z) return kNaN;
   const double size = std::abs(z);
   const double density = math::exp(-0.5 * z * z) / std::sqrt(math::kTau);
+  // The series converges fast near 0, the fraction far from it.
   if (size < 2.0) {  // Φ = 1/2 + φ Σ z^(2k+1) / (2k+1)!!
     double term = z;
     double sum = z;
+    // Fixed numbers of terms, more than enough up to 2 and from 2 on.
     for (int k = 1; k < 60; ++k) {
       term *= z * z / (2.0 * k + 1.0);
       sum += term;
@@ -67,6 +71,7 @@ double log_gamma(double x) {
   }
   const double y = 1.0 / (x * x);
   const double series =
+      // Bernoulli's numbers: B_2k / (2k (2k − 1)) x^(1 − 2k).
       (1.0 / 12.0 + y * (-1.0 / 360.0 +
                          y * (1.0 / 1260.0 + y * (-1.0 / 1680.0 +
                                                   y * (1.0 / 1188.0 + y * (-691.0 / 360360.0 +
@@ -85,6 +90,7 @@ double beta_cdf(double x, double a, double b) {
   if (x >= 1.0) return 1.0;
   const double front = math::exp(log_gamma(a + b) - log_gamma(a) - log_gamma(b) + a * math::log(x) +
                                  b * math::log(1.0 - x));
+  // Where the fraction converges slowly, by symmetry: I_x(a, b) = 1 − I_(1−x)(b, a).
   if (x < (a + 1.0) / (a + b + 2.0)) return front * beta_fraction(x, a, b) / a;
   return 1.0 - front * beta_fraction(1.0 - x, b, a) / b;
 }
@@ -93,6 +99,7 @@ double beta_quantile(double p, double a, double b) {
   AB_CHECK(p >= 0.0 && p <= 1.0, p);
   double below = 0.0;
   double above = 1.0;
+  // Until no double lies between: the same on every machine, whatever the slope.
   while (true) {
     const double middle = 0.5 * (below + above);
     if (middle <= below || middle >= above) return middle;
@@ -103,6 +110,7 @@ double beta_quantile(double p, double a, double b) {
 double binomial_cdf(double k, double n, double rate) {
   if (k < 0.0) return 0.0;
   if (k >= n) return 1.0;
+  // The binomial's sum is an incomplete beta function.
   return beta_cdf(1.0 - rate, n - k, k + 1.0);
 }
 

@@ -31,6 +31,7 @@ struct Information {
   double determinant() const { return intercept * slope - both * both; }
 };
 
+/// The logistic function, without overflow on either side.
 double probability_of(double logit) {
   const double e = math::exp(-std::abs(logit));
   return logit < 0.0 ? e / (1.0 + e) : 1.0 / (1.0 + e);
@@ -62,6 +63,7 @@ bool step(std::span<const Point> points, double& intercept, double& slope,
     information.both += weight * point.x;
     information.slope += weight * point.x * point.x;
   }
+  // The 2 × 2 system solved by Cramer's rule.
   const double determinant = information.determinant();
   const double to_intercept =
       (information.slope * gradient_intercept - information.both * gradient_slope) / determinant;
@@ -80,6 +82,7 @@ bool step(std::span<const Point> points, double& intercept, double& slope,
   intercept += length * to_intercept;
   slope += length * to_slope;
   const double moved = std::max(std::abs(to_intercept), std::abs(to_slope));
+  // A step that only rounding could make is the end.
   return moved > 1e-13 * (1.0 + std::abs(intercept) + std::abs(slope));
 }
 
@@ -105,10 +108,12 @@ LogisticFit logistic_fit(std::span<const double> x, std::span<const std::int64_t
   }
   LogisticFit fit;
   if (points.empty()) return fit;
+  // No success at all, or no failure.
   const bool is_one_kind =
       with_success.least > with_success.greatest || with_failure.least > with_failure.greatest;
   if (!is_one_kind && !(all.least < all.greatest)) return fit;
   // The likelihood then grows for ever with the slope: there is no finite maximum to converge to.
+  // All successes on one side of all failures.
   fit.is_separated = is_one_kind || with_success.greatest <= with_failure.least ||
                      with_failure.greatest <= with_success.least;
   if (fit.is_separated) return fit;
@@ -127,6 +132,7 @@ LogisticFit logistic_fit(std::span<const double> x, std::span<const std::int64_t
   const double determinant = information.determinant();
   fit.is_converged = fit.is_converged && determinant > 0.0 && std::isfinite(slope);
   if (!fit.is_converged) return fit;
+  // Back to x's own unit, and with it the covariance.
   const double ratio = centre / scale;
   const double variance_intercept = information.slope / determinant;
   const double both = -information.both / determinant;

@@ -42,8 +42,10 @@ double twice_smaller_tail(std::span<const double> counts, std::size_t seen) {
 double exact_signed_rank_p(std::span<const double> ranks, double positive_sum) {
   const std::vector<std::size_t> whole = doubled(ranks);
   std::vector<double> counts(std::accumulate(whole.begin(), whole.end(), std::size_t{0}) + 1, 0.0);
+  // One rank after the other: with its sign positive, all sums move up by it.
   counts[0] = 1.0;
   for (const std::size_t rank : whole) {
+    // Downwards, so that a rank is taken once only.
     for (std::size_t sum = counts.size() - 1; sum >= rank; --sum) counts[sum] += counts[sum - rank];
   }
   return twice_smaller_tail(counts, static_cast<std::size_t>(2.0 * positive_sum));
@@ -77,6 +79,7 @@ std::vector<double> average_ranks(std::span<const double> values) {
   for (std::size_t first = 0; first < order.size();) {
     std::size_t last = first;
     while (last + 1 < order.size() && values[order[last + 1]] == values[order[first]]) ++last;
+    // The mean of the places first + 1 … last + 1.
     const double rank = 1.0 + 0.5 * static_cast<double>(first + last);
     for (std::size_t i = first; i <= last; ++i) ranks[order[i]] = rank;
     first = last + 1;
@@ -103,6 +106,7 @@ RankTest wilcoxon_signed_rank(std::span<const double> differences) {
   const auto n = static_cast<double>(sizes.size());
   RankTest test;
   test.count = static_cast<std::int64_t>(sizes.size());
+  // Were both signs as likely, the sum's mean would be n (n + 1) / 4.
   test.z = corrected_z(positive_sum - 0.25 * n * (n + 1.0), variance);
   test.is_exact = sizes.size() <= kMostExact;
   test.p = test.is_exact ? exact_signed_rank_p(ranks, positive_sum) : two_sided_p(test.z);
@@ -110,6 +114,7 @@ RankTest wilcoxon_signed_rank(std::span<const double> differences) {
 }
 
 RankTest mann_whitney(std::span<const double> x, std::span<const double> y) {
+  // The values of x first: their ranks are then the first ones.
   std::vector<double> both;
   std::copy_if(x.begin(), x.end(), std::back_inserter(both), [](double v) { return v == v; });
   const std::size_t x_count = both.size();
@@ -142,6 +147,7 @@ std::vector<double> holm_adjusted(std::span<const double> p) {
                    [&](std::size_t a, std::size_t b) { return p[a] < p[b]; });
   std::vector<double> adjusted(p.begin(), p.end());
   double greatest = 0.0;
+  // The smallest p times the number of tests, the next times one less, and so on.
   for (std::size_t i = 0; i < order.size(); ++i) {
     const auto left = static_cast<double>(order.size() - i);
     // Never below that of a smaller p: the order of the tests is kept.

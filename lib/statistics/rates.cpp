@@ -76,6 +76,8 @@ Interval clustered_wilson_interval(std::span<const std::int64_t> successes,
   if (rate > 0.0 && rate < 1.0) {
     double squares = 0.0;
     for (std::size_t i = 0; i < trials.size(); ++i) {
+      // The rate is a ratio of two sums over clusters: the linearised variance is that of these
+      // residuals.
       const double residual =
           static_cast<double>(successes[i]) - rate * static_cast<double>(trials[i]);
       squares += residual * residual;
@@ -85,6 +87,7 @@ Interval clustered_wilson_interval(std::span<const std::int64_t> successes,
     // trials. Never below 1, since that is chance.
     effective = n / std::max(1.0, variance / (rate * (1.0 - rate) / n));
   }
+  // As many independent trials as would be as certain.
   return score_interval(rate, effective,
                         student_t_quantile(0.5 + 0.5 * confidence, clusters - 1.0));
 }
@@ -99,6 +102,7 @@ double fisher_exact_p(std::int64_t successes_1, std::int64_t trials_1, std::int6
            successes_2 <= trials_2);
   const std::int64_t trials = trials_1 + trials_2;
   const std::int64_t successes = successes_1 + successes_2;
+  // In logarithms: factorials of hundreds of trials overflow.
   std::vector<double> log_factorial(static_cast<std::size_t>(trials) + 1, 0.0);
   for (std::size_t i = 2; i < log_factorial.size(); ++i) {
     log_factorial[i] = log_factorial[i - 1] + math::log(static_cast<double>(i));
@@ -114,6 +118,7 @@ double fisher_exact_p(std::int64_t successes_1, std::int64_t trials_1, std::int6
   };
   const double seen = probability(successes_1);
   double p = 0.0;
+  // All tables with the same margins.
   for (std::int64_t k = std::max<std::int64_t>(0, successes - trials_2);
        k <= std::min(trials_1, successes); ++k) {
     const double other = probability(k);
@@ -125,6 +130,7 @@ double fisher_exact_p(std::int64_t successes_1, std::int64_t trials_1, std::int6
 
 double mcnemar_exact_p(std::int64_t only_first, std::int64_t only_second) {
   AB_CHECK(only_first >= 0 && only_second >= 0, only_first, only_second);
+  // Of the missions that differ, half would go either way by chance.
   const auto fewer = static_cast<double>(std::min(only_first, only_second));
   const auto both = static_cast<double>(only_first + only_second);
   return std::min(1.0, 2.0 * binomial_cdf(fewer, both, 0.5));

@@ -33,7 +33,9 @@ struct Probabilities {
   double operator[](std::int64_t k) const { return values[static_cast<std::size_t>(k - first)]; }
 };
 
-/// From the mode outwards by `ratio(k)` = P(k + 1) / P(k), within [lowest, highest].
+/// From the mode, the greatest value, outwards by `ratio(k)` = P(k + 1) / P(k), within [lowest,
+/// highest]: sums of hundreds of thousands of terms need no logarithm each, and nothing underflows
+/// on the way.
 template <class Ratio>
 Probabilities around_mode(std::int64_t mode, double at_mode, std::int64_t lowest,
                           std::int64_t highest, const Ratio& ratio) {
@@ -54,6 +56,7 @@ Probabilities around_mode(std::int64_t mode, double at_mode, std::int64_t lowest
   return result;
 }
 
+/// Rates of 0 and 1, of which logarithms fail, have one value only.
 Probabilities binomial(std::int64_t trials, double rate) {
   if (rate <= 0.0) return {0, {1.0}};
   if (rate >= 1.0) return {trials, {1.0}};
@@ -101,9 +104,11 @@ std::int64_t smallest_from_which(double guess, double power,
   const auto swing = static_cast<std::int64_t>(10.0 + 3.0 * std::sqrt(guess));  // of the sawtooth
   // Exact power jumps up and down with n, since tests of counts are discrete: it is not enough to
   // find one n that suffices.
+  // First a number that suffices, then from a swing above it down to the last that does not.
   std::int64_t above = around + swing;
   while (power_of(above) < power) above += swing;
   std::int64_t last_bad = above;
+  // Within one more swing there may be a number that does not suffice.
   for (std::int64_t n = above + swing; n > above; --n) {
     if (power_of(n) < power) return n + 1;
   }
@@ -118,6 +123,8 @@ double hoeffding_trials(double half_width, double confidence) {
 }
 
 double two_rates_trials(double rate_1, double rate_2, double power, double alpha) {
+  // The normal approximation: the pooled variance under equality for the level, each rate's own for
+  // the power.
   const double mean = 0.5 * (rate_1 + rate_2);
   const double equal = normal_quantile(1.0 - 0.5 * alpha) * std::sqrt(2.0 * mean * (1.0 - mean));
   const double unequal =
@@ -133,6 +140,8 @@ double two_rates_power_exact(double rate_1, double rate_2, std::int64_t trials, 
   if (trials < 1) return 0.0;
   const Probabilities first = binomial(trials, rate_1);
   const Probabilities second = binomial(trials, rate_2);
+  // Over the sum of both successes, on which Fisher's test conditions, and over all splits of it
+  // that it calls different.
   double power = 0.0;
   for (std::int64_t sum = first.first + second.first; sum < first.end() + second.end() - 1; ++sum) {
     // Fisher's p is twice the tail, as both samples are of one size.
@@ -156,6 +165,7 @@ std::int64_t two_rates_trials_exact(double rate_1, double rate_2, double power, 
   check_level(alpha, "alpha");
   if (rate_1 == rate_2) throw InputError("no number of trials tells equal rates apart");
   const double normal = two_rates_trials(rate_1, rate_2, power, alpha);
+  // Casagrande, Pike and Smith's correction for continuity.
   const double root = 1.0 + std::sqrt(1.0 + 4.0 / (normal * std::abs(rate_1 - rate_2)));
   const double corrected = 0.25 * normal * root * root;
   // Exact counts of so many take long, and the corrected normal one is as good.
@@ -173,6 +183,7 @@ std::int64_t paired_rates_trials(double rate, double change, double discordance,
   check_level(power, "the power");
   check_level(alpha, "alpha");
   if (change == 0.0) throw InputError("no number of missions tells equal rates apart");
+  // The two ways to differ: their sum is the discordance, their difference the change.
   const double only_first = 0.5 * (discordance - change);
   const double only_second = 0.5 * (discordance + change);
   constexpr double kRounding = 1e-12;
@@ -193,6 +204,7 @@ std::int64_t paired_rates_trials(double rate, double change, double discordance,
     const auto i = static_cast<std::size_t>(differing);
     if (i >= power_by_differing.size()) power_by_differing.resize(i + 1, -1.0);
     if (power_by_differing[i] < 0.0) {
+      // McNemar's test is a sign test of the missions that differ.
       const std::int64_t critical = critical_value(binomial(differing, 0.5), 0.5 * alpha);
       const Probabilities seen =
           binomial(differing, std::clamp(only_second / discordance, 0.0, 1.0));
@@ -222,6 +234,7 @@ std::int64_t wilson_width_trials(double rate, double half_width, double confiden
   const auto half = [&](double n) {
     return z * std::sqrt(rate * (1.0 - rate) / n + 0.25 * z * z / (n * n)) / (1.0 + z * z / n);
   };
+  // By doubling, then halving the gap: the width falls with n.
   double above = 1.0;
   while (half(above) > half_width) above *= 2.0;
   double below = std::floor(0.5 * above);

@@ -61,6 +61,7 @@ bool is_enough(const StopRule& rule, std::int64_t finished_count, std::int64_t t
 std::vector<std::int64_t> looks(std::int64_t mission_count) {
   std::vector<std::int64_t> counts;
   for (std::int64_t look = 1; look <= kLooks; ++look) {
+    // Each tenth of the missions, rounded up; few missions have fewer looks.
     const std::int64_t count = (look * mission_count + kLooks - 1) / kLooks;
     if (counts.empty() || count > counts.back()) counts.push_back(count);
   }

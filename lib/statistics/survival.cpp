@@ -38,6 +38,7 @@ std::vector<SurvivalPoint> kaplan_meier(std::span<const double> times_s,
   std::vector<SurvivalPoint> points;
   double survival = 1.0;
   double greenwood = 0.0;
+  // One step for each time: all trials that end at it.
   for (std::size_t first = 0; first < order.size();) {
     const double time_s = times_s[order[first]];
     std::size_t end = first;
@@ -46,6 +47,7 @@ std::vector<SurvivalPoint> kaplan_meier(std::span<const double> times_s,
       events += is_event[order[end]] ? 1 : 0;
     }
     if (events > 0) {
+      // All that have not ended before.
       const auto at_risk = static_cast<double>(order.size() - first);
       const double left = at_risk - static_cast<double>(events);
       survival *= left / at_risk;

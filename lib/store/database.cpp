@@ -23,6 +23,7 @@ std::string file_uri(const std::filesystem::path& path, bool is_immutable) {
   std::string uri = "file:";
   for (const char c : std::filesystem::absolute(path).string()) {
     const auto byte = static_cast<unsigned char>(c);
+    // All else is escaped: ?, # and % have a meaning in a URI.
     if (std::isalnum(byte) != 0 || c == '/' || c == '.' || c == '-' || c == '_') {
       uri += c;
     } else {
@@ -31,9 +32,11 @@ std::string file_uri(const std::filesystem::path& path, bool is_immutable) {
       uri += kDigits[byte & 15U];
     }
   }
+  // "immutable": SQLite neither locks nor looks for a log.
   return is_immutable ? uri + "?immutable=1" : uri;
 }
 
+/// A file that is not there yet passes.
 void check_is_plain_file(const std::filesystem::path& path) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
@@ -96,6 +99,7 @@ sqlite3* copy_in_memory(sqlite3* handle, const std::filesystem::path& path) {
   harden(memory);
   sqlite3_backup* backup = sqlite3_backup_init(memory, "main", handle, "main");
   AB_CHECK(backup != nullptr);
+  // All pages at once; a reader's lock keeps them from changing meanwhile.
   sqlite3_backup_step(backup, -1);
   const int code = sqlite3_backup_finish(backup);
   if (code == SQLITE_OK) return memory;
@@ -110,6 +114,7 @@ void Database::Close::operator()(sqlite3* handle) const {
   // Where somebody still reads it, it stays in WAL mode, which does no harm; what is committed is
   // in the file as far as readers let it.
   if (is_writer) {
+    // Without waiting: nobody who still reads is to hold up the end.
     sqlite3_busy_handler(handle, nullptr, nullptr);
     sqlite3_exec(handle, "ROLLBACK", nullptr, nullptr, nullptr);  // what an exception left open
     sqlite3_exec(handle, "PRAGMA journal_mode = DELETE", nullptr, nullptr, nullptr);
@@ -128,6 +133,7 @@ Database& Database::operator=(Database&& other) noexcept = default;
 Database::~Database() = default;
 
 void Database::close() {
+  // In this order: see RunLock.
   handle_.reset();
   lock_.reset();
 }
@@ -136,6 +142,7 @@ int Database::wait_for_lock(void* context, int count) {
   constexpr int kLongestPause_ms = 100;
   auto& wait = *static_cast<Wait*>(context);
   const auto now = std::chrono::steady_clock::now();
+  // SQLite counts its calls for one lock from 0.
   if (count == 0) wait.began = now;
   const double waited_s = std::chrono::duration<double>(now - wait.began).count();
   wait.has_given_up = wait.on_wait ? !wait.on_wait(waited_s) : waited_s >= kLockTimeout_s;
@@ -145,10 +152,12 @@ int Database::wait_for_lock(void* context, int count) {
   return 1;
 }
 
+/// Opens and hardens, and believes nothing yet: what the file holds is checked by the two callers.
 Database Database::connect(const std::filesystem::path& path, int flags, bool is_immutable,
                            OnWait on_wait) {
   sqlite3* handle = nullptr;
   const std::string uri = file_uri(path, is_immutable);
+  // Also where it fails there is a handle, which has the message and has to be closed.
   const int code = sqlite3_open_v2(uri.c_str(), &handle, flags | SQLITE_OPEN_URI, nullptr);
   Database database(path, std::unique_ptr<sqlite3, Close>(handle, Close{.is_writer = false}));
   if (code != SQLITE_OK) throw_sqlite_error(handle, code, path);
@@ -165,6 +174,7 @@ Database Database::open_for_run(const std::filesystem::path& path,
   Database database =
       connect(path, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, false, std::move(on_wait));
   sqlite3* handle = database.handle();
+  // First whether it is ours at all: a foreign file is not even locked.
   database.check_identity();
   // SQLite opens what it may only read without a word, and fails at the first write.
   if (sqlite3_db_readonly(handle, "main") == 1) {
@@ -178,12 +188,14 @@ Database Database::open_for_run(const std::filesystem::path& path,
   // fsync a trial is nothing beside its flight.
   execute(handle, path,
           "PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON;");
+  // Schema and metrics in one transaction: a program that is killed here leaves the file as it was.
   Transaction transaction(handle, path);
   database.create_schema();
   check_columns(handle, path, "main");
   database.bring_metrics(metrics);
   transaction.commit();
   database.use_own_views();
+  // From here on it is ours: closing may take its log in.
   database.handle_.get_deleter().is_writer = true;
   return database;
 }
@@ -195,6 +207,7 @@ Database Database::open_for_reading(const std::filesystem::path& path) {
   Database database = connect(path, SQLITE_OPEN_READONLY, false, {});
   // A database in WAL mode needs files beside it even for reading. Where the folder can't be
   // written and no writer has left any, the file is complete and can be read alone.
+  // The first statement that looks into the file: opening alone reads nothing.
   const int code = sqlite3_exec(database.handle(), "SELECT count(*) FROM sqlite_schema", nullptr,
                                 nullptr, nullptr);
   const int primary_code = code & 0xff;
@@ -216,6 +229,7 @@ Database Database::open_for_reading(const std::filesystem::path& path) {
     database.uri_.clear();
     database.create_schema();
   }
+  // From here on names and types of columns can be relied on.
   check_columns(database.handle(), path, "main");
   database.check_integrity(false);
   // Rows are spread over the whole of a large file: what is mapped into memory is read without a
@@ -229,6 +243,7 @@ Database Database::open_for_reading(const std::filesystem::path& path) {
 
 void Database::checkpoint() {
   if (lock_ == nullptr) return;
+  // Passive: what readers still need stays in the log, and nobody is waited for.
   sqlite3_wal_checkpoint_v2(handle(), "main", SQLITE_CHECKPOINT_PASSIVE, nullptr, nullptr);
   require_in_place();
 }
@@ -248,6 +263,7 @@ void Database::require_in_place() {
                             (is_replaced ? "replaced by another file" : "deleted or moved") +
                             " while it was being written to";
   const std::string place = lock_->place_now().string();
+  // It is whole where it is now.
   if (!place.empty() && moved == SQLITE_OK) {
     refuse_file(*path_,
                 began + ". All that was committed is in " + place +
@@ -266,6 +282,7 @@ std::string Database::rescued_copy() {
   constexpr int kMostCopies = 100;
   std::filesystem::path folder = std::filesystem::absolute(*path_).parent_path();
   sqlite3_limit(handle(), SQLITE_LIMIT_ATTACHED, 1);  // VACUUM attaches what it writes
+  // Beside the lost file first, then where the user is, then where anybody may write.
   for (const std::filesystem::path& place :
        {folder, std::filesystem::current_path(), std::filesystem::temp_directory_path()}) {
     for (int i = 1; i <= kMostCopies; ++i) {
@@ -280,6 +297,7 @@ std::string Database::rescued_copy() {
         return copy.string();
       } catch (const InputError&) {
         std::filesystem::remove(copy, error);  // half a copy
+        // This folder can't be written: the next one.
         break;
       }
     }
@@ -289,6 +307,7 @@ std::string Database::rescued_copy() {
 
 void Database::use_own_views() {
   // What a file's views say is up to who wrote it, or an older program.
+  // A temporary view shadows one of the file's of the same name.
   std::string views = with_replaced(views_sql(metrics_), "CREATE VIEW ", "CREATE TEMP VIEW ");
   execute(handle(), path(), views);
   sqlite3_db_config(handle(), SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);  // but for temporary ones
@@ -353,6 +372,7 @@ void Database::check_references() const {
     Statement lost(handle(), path(), "PRAGMA foreign_key_check(" + table + ")");
     if (!lost.step()) continue;
     const std::string parent = lost.text(2);
+    // Column 1 is the row's id, NULL for tables without; column 2 the table that lacks its row.
     std::string key = "(of a sweep)";
     if (!lost.is_null(1)) {
       Statement row(handle(), path(), "SELECT trial_key FROM " + table + " WHERE rowid = ?");
@@ -363,6 +383,8 @@ void Database::check_references() const {
   }
 }
 
+/// A new file gets schema.sql; an older one what later versions added, step by step. Nothing is
+/// ever taken out or renamed, so that rows stay as they are.
 void Database::create_schema() {
   Statement statement(handle(), path(), "SELECT count(*) FROM sqlite_schema");
   statement.step();
@@ -425,6 +447,7 @@ void Database::bring_metrics(std::span<const MetricDef> metrics) {
   }
   if (!problems.empty()) throw InputError(problems);
 
+  // Texts may be improved without a new version; what the values mean may not.
   Statement define(
       handle(), path(),
       "INSERT INTO metric_definitions (name, position, version, unit, doc, formula, "
@@ -438,6 +461,7 @@ void Database::bring_metrics(std::span<const MetricDef> metrics) {
         std::none_of(metrics_.begin(), metrics_.end(),
                      [&](const MetricRow& stored) { return stored.name == row.name; });
     if (is_new) {
+      // Trials that are there keep NULL: they were not measured so.
       execute(handle(), path(), "ALTER TABLE trials ADD COLUMN " + sql_name(row.name) + " REAL");
     }
     define.bind_text(row.name).bind_integer(static_cast<std::int64_t>(i)).bind_integer(row.version);
@@ -446,6 +470,7 @@ void Database::bring_metrics(std::span<const MetricDef> metrics) {
     define.bind_integer(row.is_measured ? 1 : 0).run();
   }
   metrics_ = wanted;
+  // Views list the metrics' columns: they are made anew.
   for (const std::string_view view : kViews) {
     execute(handle(), path(), "DROP VIEW IF EXISTS " + sql_name(view));
   }

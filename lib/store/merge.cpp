@@ -40,6 +40,7 @@ bool is_same_quantity(const MetricRow& a, const MetricRow& b) {
          a.population == b.population && a.is_measured == b.is_measured;
 }
 
+/// A column must not hold two quantities under one name.
 void check_metrics(const Database& into, const Database& from) {
   for (const MetricRow& metric : from.metrics()) {
     const auto same = std::find_if(into.metrics().begin(), into.metrics().end(),
@@ -61,6 +62,7 @@ std::string list_of(const std::vector<std::string>& columns) {
 }
 
 /// "m.a IS NOT s.a OR …" for the columns named.
+/// IS NOT tells NULL from values, and NULL equals itself.
 std::string differs(const std::vector<std::string>& columns, const std::string& ours,
                     const std::string& theirs) {
   std::string text;
@@ -88,6 +90,7 @@ std::vector<std::string> columns_without(const std::string& table,
 /// A query of the keys of rows of `table` that both files have, with other values.
 std::string differing_rows(const std::string& table, const std::string& keys,
                            const std::string& condition) {
+  // The first key names the row in messages.
   return "SELECT m." + keys.substr(0, keys.find(',')) + " FROM main." + table + " m JOIN shard." +
          table + " s USING (" + keys + ") WHERE " + condition;
 }
@@ -105,6 +108,7 @@ std::string differing_events(const std::string& one, const std::string& other) {
 /// Refuses a file that holds a row of ours with other values. What a clock measured may differ, and
 /// so may runs, attempts and how samples are packed.
 void check_agreement(const Database& into, const Database& from) {
+  // Digests cover what may differ, such as wall times: the columns themselves are compared.
   std::vector<std::string> results =
       columns_without("trials", {"trial_key", "attempt", "run_id", "wall_time_s", "spec_json",
                                  "row_digest", "flight_digest"});
@@ -130,9 +134,11 @@ void check_agreement(const Database& into, const Database& from) {
                       all_of("trajectories", {"trial_key", "samples", "is_packed"}))},
       {"the calls of trial", differing_rows("plan_calls", "trial_key",
                                             all_of("plan_calls", {"trial_key", "calls_json"}))},
+      // EXCEPT sees one direction only.
       {"an event of trial", differing_events("main", "shard")},
       {"an event of trial", differing_events("shard", "main")},
       {"trial",
+       // Flights or calls that only one of the two has.
        "SELECT trial_key FROM main.trials JOIN shard.trials USING (trial_key) WHERE "
        "(trial_key IN (SELECT trial_key FROM main.trajectories)) IS NOT "
        "(trial_key IN (SELECT trial_key FROM shard.trajectories)) OR "
@@ -153,6 +159,7 @@ void check_agreement(const Database& into, const Database& from) {
 void take_runs(const Database& into) {
   const std::vector<std::string> columns = columns_without("runs", {"run_id"});
   const std::string list = list_of(columns);
+  // Runs have no key: equal in all columns is the same run.
   const std::string same = "NOT (" + differs(columns, "m", "s") + ")";
   execute(into.handle(), into.path(),
           "INSERT INTO main.runs (" + list + ") SELECT " + list +
@@ -166,6 +173,8 @@ void take_runs(const Database& into) {
 /// Sweeps that are not there yet, and temp.sweep_of: their revisions here.
 void take_sweeps(const Database& into) {
   execute(into.handle(), into.path(),
+          // A sweep of equal name and content is there already; another content becomes the next
+          // revision, in the order of the other file's revisions.
           "INSERT INTO main.sweeps (sweep, revision, spec_json) SELECT s.sweep, "
           "(SELECT coalesce(max(revision), 0) FROM main.sweeps m WHERE m.sweep = s.sweep) + "
           "row_number() OVER (PARTITION BY s.sweep ORDER BY s.revision), s.spec_json FROM "
@@ -183,18 +192,22 @@ std::string taking(const std::string& table, const std::string& condition) {
          table + " WHERE " + condition + " ON CONFLICT DO NOTHING;";
 }
 
+/// All rows that are new, in one script: planners, maps and missions, trials with their flights,
+/// and what belongs to which sweep.
 void take_rows(const Database& into, const Database& from) {
   std::string sql;
   for (const std::string table : {"planners", "maps", "missions"}) sql += taking(table, "true");
   std::vector<std::string> own = columns_without("trials", {"run_id"});
   for (const MetricRow& metric : from.metrics()) own.push_back(metric.name);
   const std::string trials = list_of(own);
+  // Which trials are new has to be known before they are added: their flights follow by it.
   sql +=
       "CREATE TEMP TABLE added AS SELECT trial_key FROM shard.trials WHERE trial_key NOT IN "
       "(SELECT trial_key FROM main.trials);"
       "INSERT INTO main.trials (" +
       trials + ", run_id) SELECT " + trials +
       ", (SELECT ours FROM temp.run_of WHERE theirs = run_id) FROM shard.trials WHERE trial_key IN "
+      // Ids of trials count in the order in which they were flown.
       "(SELECT trial_key FROM temp.added) ORDER BY rowid;";
   for (const std::string table : {"trajectories", "plan_calls", "events"}) {
     // Only those of trials that are new here: rows that are there stay as they are.
@@ -227,11 +240,13 @@ std::vector<std::string> lost_of(const std::set<std::string>& seen) {
   // A file may say that it is one of a billion shards.
   constexpr std::size_t kMost = 1000;
   std::vector<std::string> lost;
+  // A whole run flew all shards.
   if (seen.contains("")) return lost;
   std::set<std::string> counts;
   for (const std::string& shard : seen) counts.insert(shard.substr(shard.find('/') + 1));
   for (const std::string& text : counts) {
     int count = 0;
+    // What is no number stays 0: no shard of it is missing.
     std::from_chars(text.data(), text.data() + text.size(), count);
     for (int i = 1; i <= count && lost.size() < kMost; ++i) {
       const std::string shard = std::to_string(i) + "/" + text;
@@ -244,6 +259,7 @@ std::vector<std::string> lost_of(const std::set<std::string>& seen) {
 }  // namespace
 
 MergeResult merge_database(Database& into, const std::filesystem::path& from) {
+  // The file is checked as for reading, digests and all, by a connection of its own.
   const Database checked = Database::open_for_reading(from);
   std::error_code error;
   if (std::filesystem::equivalent(from, into.path(), error))
@@ -259,6 +275,7 @@ MergeResult merge_database(Database& into, const std::filesystem::path& from) {
   // With the flights: what is taken over is never looked at again so closely.
   result.undigested_trials = check_digests(checked, true);
   {
+    // In a block: detached before anything is looked at again.
     const Attached attached(into, checked);
     Transaction transaction(into.handle(), into.path());
     // Again, for the file as it is attached now: another one may have taken its place.
@@ -270,6 +287,7 @@ MergeResult merge_database(Database& into, const std::filesystem::path& from) {
       take_sweeps(into);
       take_rows(into, checked);
     } catch (const InputError&) {
+      // A row that breaks a constraint is the file's fault, not the disk's.
       if ((sqlite3_errcode(into.handle()) & 0xff) != SQLITE_CONSTRAINT) throw;
       refuse_file(from, std::string("damaged: its rows contradict each other (") +
                             sqlite3_errmsg(into.handle()) + "); nothing was merged");
@@ -297,10 +315,12 @@ std::vector<SweepCompleteness> sweep_completeness(const Database& database) {
                           .lost_shards = {}};
     const auto planners =
         static_cast<std::int64_t>(spec.value("planners", nlohmann::json::array()).size());
+    // Planners × missions per map × values of every axis, the maps' seeds among them.
     one.wanted = planners * spec.value("trials", std::int64_t{0});
     for (const nlohmann::json& axis : axes) {
       one.wanted *= static_cast<std::int64_t>(axis.at("values").size());
     }
+    // Where missions are listed, maps have unlike numbers of them: the spec says the sum.
     one.wanted = spec.value("trial_count", one.wanted);
     // An invalid mission of a map is one of every combination of the axes that leave the map alone.
     std::int64_t per_mission = planners;

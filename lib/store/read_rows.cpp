@@ -34,10 +34,12 @@ void check_json(const Statement& s, const std::string& text, Parse parse) {
   }
 }
 
+/// Of a row of kMapColumns, and below of kMissionColumns: their order is that of the numbers here.
 MapRow map_of(const Statement& s) {
   MapRow row;
   row.record.key = s.text(0);
   row.generator = s.text(1);
+  // The same 64 bits: SQLite knows signed numbers only.
   row.map_seed = std::bit_cast<std::uint64_t>(s.integer(2));
   row.spec_json = s.text(3);
   check_json(s, row.spec_json, stored_object);
@@ -65,6 +67,7 @@ bool is_possible(const MissionRecord& record) {
   for (const double number : numbers) {
     if (std::isinf(number) || (record.is_valid && std::isnan(number))) return false;
   }
+  // NaN has passed: an invalid mission has no length.
   const bool has_length = !(record.reference_length_m < 0.0);
   return has_length && record.index >= 0 && record.index < kMostMissions;
 }
@@ -95,6 +98,7 @@ PlannerRow planner_of(const Statement& s) {
                  .parameters_json = s.text(4),
                  .is_privileged = s.integer(5) != 0};
   check_json(s, row.parameters_json, stored_object);
+  // A planner's row is checked by its own key.
   if (planner_key(row) != s.text(6))
     s.damaged("planner_key is not the digest of the other columns");
   return row;
@@ -141,6 +145,7 @@ std::vector<Collision> read_collisions(const Database& db, std::string_view key)
   return collisions;
 }
 
+/// Checked against count and digest; none for a trial without a stored flight.
 std::vector<Sample> read_samples(const Database& db, std::string_view key) {
   Statement s(db.handle(), db.path(),
               "SELECT trial_key, samples, is_packed, sample_count, samples_digest FROM "
@@ -149,16 +154,19 @@ std::vector<Sample> read_samples(const Database& db, std::string_view key) {
   if (!s.step()) return {};
   const auto count = static_cast<std::size_t>(std::max<std::int64_t>(0, s.integer(3)));
   const auto bytes = s.integer(2) != 0 ? unpacked_samples(s.blob(1), count)
+                                       // Older programs stored the samples unpacked.
                                        : std::vector<std::byte>(s.blob(1).begin(), s.blob(1).end());
   const bool has_size = bytes.size() % (kSampleDoubles * sizeof(double)) == 0 &&
                         bytes.size() / (kSampleDoubles * sizeof(double)) == count;
   if (!has_size) s.damaged("its samples can't be unpacked");
+  // The digest is of the samples, not of their packing, which may change.
   if (Digest().add_bytes(bytes).hex() != s.text(4)) {
     s.damaged("its samples are not those that were stored (samples_digest)");
   }
   return samples_from_bytes(bytes);
 }
 
+/// The same of the calls.
 std::vector<PlanCall> read_plan_calls(const Database& db, std::string_view key) {
   Statement s(db.handle(), db.path(),
               "SELECT trial_key, call_count, calls_digest, calls_json FROM plan_calls WHERE "
@@ -197,6 +205,7 @@ std::optional<double> reference_length_m(const MapRow& map, std::int64_t mission
 /// Of these keys, by label; each must be there.
 std::vector<PlannerRow> planners_of(const Database& db, std::set<std::string> keys) {
   std::vector<PlannerRow> planners = planner_rows(db);
+  // erase() takes each wanted key out of the set: what is left in it was not found.
   std::erase_if(planners,
                 [&](const PlannerRow& planner) { return keys.erase(planner_key(planner)) == 0; });
   if (!keys.empty()) {
@@ -226,6 +235,7 @@ TrialSummary summary_of(const Database& db, const Statement& row) {
                      .end_time_s = row.real(6),
                      .metrics = metrics_of(db, row, 7)};
   const double end_s = trial.end_time_s;
+  // A worker that died has no end of its flight; whoever arrived has.
   const bool must_have_end = trial.outcome == Outcome::reached_goal;
   if (std::isinf(end_s) || end_s < 0.0 || (must_have_end && std::isnan(end_s))) {
     row.damaged("end_time_s is no time");
@@ -235,6 +245,7 @@ TrialSummary summary_of(const Database& db, const Statement& row) {
 
 /// What listings() reads, with these fields behind it, up to what follows the joins.
 std::string listing_query(const Database& db, const std::vector<std::string>& fields) {
+  // The row's number is the id that users type.
   return "SELECT t.rowid, t.trial_key, p.label, m.generator, m.map_seed, "
          "json_extract(m.spec_json, '$.poisson_radius_m'), t.mission_index, t.outcome, t.reason, "
          "t.end_time_s, i.start_x_m, i.start_y_m, i.start_z_m, i.goal_x_m, i.goal_y_m, i.goal_z_m" +
@@ -286,6 +297,7 @@ constexpr std::string_view kOfSweep = " WHERE s.sweep = ? AND s.revision = ? ";
 /// A query that ends in kOfSweep, with the sweep's name and revision.
 std::unique_ptr<Statement> of_sweep(const Database& db, const SweepResult& sweep,
                                     std::string_view sql) {
+  // On the heap, since statements don't move.
   auto statement = std::make_unique<Statement>(db.handle(), db.path(), sql);
   statement->bind_text(sweep.name).bind_integer(sweep.revision);
   return statement;
@@ -307,6 +319,8 @@ void read_sweep_spec(const Database& db, SweepResult& result) {
 /// Reads maps and missions; the place of each map by its key.
 std::map<std::string, std::size_t> read_sweep_maps(const Database& db, SweepResult& result) {
   const auto maps = of_sweep(db, result,
+                             // By the sweep's missions, not by its trials: maps that nobody has
+                             // flown yet belong to it too.
                              "SELECT DISTINCT " + std::string(kMapColumns) +
                                  " FROM sweep_missions s JOIN maps m USING (map_key)" +
                                  std::string(kOfSweep) + "ORDER BY m.map_key");
@@ -359,6 +373,7 @@ std::optional<MapRow> Database::read_map(std::string_view key) const {
   missions.rows_of("missions").bind_text(key);
   while (missions.step()) {
     row.record.missions.push_back(mission_of(missions));
+    // Missions are drawn one after the other, so a map has them from 0 on without a gap.
     const bool is_next = row.record.missions.back().index + 1 ==
                          static_cast<std::int64_t>(row.record.missions.size());
     if (!is_next) missions.damaged("a mission before this one is missing");
@@ -368,6 +383,7 @@ std::optional<MapRow> Database::read_map(std::string_view key) const {
 
 std::optional<TrialRow> Database::read_trial(std::string_view key) const {
   Statement s(handle(), path(),
+              // A trial may belong to several sweeps: any one, but always the same.
               "SELECT t.trial_key, (SELECT min(sweep) FROM sweep_trials x WHERE x.trial_key = "
               "t.trial_key), t.map_key, p.label, p.file_digest, t.mission_index, t.spec_json, "
               "t.outcome, t.reason, t.end_time_s, t.wall_time_s" +
@@ -388,6 +404,7 @@ std::optional<TrialRow> Database::read_trial(std::string_view key) const {
   row.record.end_time_s = s.real(9);
   row.wall_time_s = s.real(10);
   row.metrics = metrics_of(*this, s, 11);
+  // Only one trial: its flight is looked at too.
   check_digests_of(*this, key);
   read_flight(*this, key, row.record);
   return row;
@@ -448,6 +465,7 @@ std::vector<SweepInfo> Database::read_sweeps() const {
 
 SweepResult Database::read_sweep(std::string_view name, std::int64_t revision,
                                  const std::vector<std::string>& fields) const {
+  // A run may commit trials between two of the queries below.
   const OneMoment moment(handle());
   SweepResult result{.name = std::string(name),
                      .revision = revision,
@@ -484,6 +502,7 @@ SweepResult Database::read_sweep(std::string_view name, std::int64_t revision,
     const auto length_m = reference_length_m(result.maps[map->second], trial.mission_index);
     if (!length_m) trials->damaged("its mission is not there");
     trial.reference_length_m = *length_m;
+    // Most trials have a planner that was seen before: looking is cheaper than a node made in vain.
     if (!planner_keys.contains(trial.planner_key)) planner_keys.insert(trial.planner_key);
     runs.insert(trials->integer(5));
     for (std::size_t i = 0; i < fields.size(); ++i) {

@@ -20,6 +20,7 @@ static_assert(std::endian::native == std::endian::little,
 
 using SampleNumbers = std::array<double, kSampleDoubles>;
 
+/// The order of the numbers is that in schema.sql: it is the format.
 SampleNumbers numbers(const Sample& s) {
   const auto& p = s.position_world;
   const auto& v = s.velocity_world;
@@ -46,6 +47,7 @@ Sample sample(const SampleNumbers& n) {
   return s;
 }
 
+/// JSON has no NaN.
 nlohmann::json json_number(double value) {
   return value == value ? nlohmann::json(value) : nlohmann::json(nullptr);
 }
@@ -54,6 +56,7 @@ double number_of(const nlohmann::json& json) {
   return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
 }
 
+/// By reference: another type throws, where get() would round a number.
 std::int64_t whole(const nlohmann::json& json) { return json.get_ref<const std::int64_t&>(); }
 
 }  // namespace
@@ -125,6 +128,8 @@ std::string plan_calls_json(std::span<const PlanCall> calls) {
     row.push_back(json_number(call.wall_time_s));
     row.push_back(call.status);
     row.push_back(call.command_kind);
+    // Only of flights whose latency was measured: the others' texts stay as they were before there
+    // was such.
     if (call.latency_s == call.latency_s) row.push_back(call.latency_s);
     rows.push_back(std::move(row));
   }
@@ -144,6 +149,7 @@ std::vector<PlanCall> plan_calls_from_json(std::string_view json) {
   return calls;
 }
 
+/// Without times, which the host measures: flown again, the digest is the same.
 std::string plan_calls_digest(std::span<const PlanCall> calls) {
   Digest digest;
   for (const PlanCall& call : calls) {

@@ -34,6 +34,8 @@ std::string row_query(const std::vector<std::string>& columns, bool is_of_one) {
 
 constexpr int kFirstColumn = 3;
 
+/// Name, type and bytes of each value that is not NULL, one after the other. `bytes` is a buffer to
+/// use again.
 std::string row_digest(const Statement& row, const std::vector<std::string>& columns,
                        std::string& bytes) {
   bytes.clear();
@@ -51,6 +53,8 @@ class FlightDigests {
                  std::string("SELECT t.trial_key, r.sample_count, r.samples_digest, c.call_count, "
                              "c.calls_digest FROM trials t LEFT JOIN trajectories r USING "
                              "(trial_key) LEFT JOIN plan_calls c USING (trial_key)") +
+                     // The order in which check_digests() goes through the rows: both walk side by
+                     // side, and no flight is looked up by its key.
                      (is_of_one ? " WHERE t.trial_key = ?" : " ORDER BY t.rowid")),
         events_(db.handle(), db.path(),
                 "SELECT event_index, kind, time_s, speed_mps, obstacle_index, obstacle_kind FROM "
@@ -75,6 +79,7 @@ class FlightDigests {
         events_.append_value(events_.column_name(i), i, bytes_);
       }
     }
+    // Ready for the next key.
     events_.run();
     digest = Digest().add(bytes_).hex();
     return true;
@@ -99,6 +104,7 @@ void check_flight(const Statement& row, const std::string& digest) {
 
 }  // namespace
 
+/// flight_digest first: row_digest covers it.
 void write_digests(const Database& db, std::string_view trial_key) {
   std::string key, digest, bytes;
   FlightDigests(db, true).of(trial_key).next(key, digest);
@@ -124,6 +130,7 @@ std::int64_t check_digests(const Database& db, bool flights) {
   std::string bytes, key, digest;
   std::int64_t without = 0;
   while (row.step()) {
+    // As many flights as rows, unless a joined table has a key twice.
     if (flights && !flight_digests.next(key, digest)) row.damaged("it is there twice");
     if (row.is_null(1)) {
       ++without;

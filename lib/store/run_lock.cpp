@@ -22,6 +22,8 @@ namespace {
 constexpr off_t kLockByte = off_t{1} << 62;  // SQLite locks bytes at 2^30
 
 /// 0, or errno.
+/// Of the open file description (OFD), not of the process: SQLite opens and closes descriptors of
+/// the same file, which would drop a lock of the process.
 int try_lock(int descriptor) {
   struct flock lock = {};
   lock.l_type = F_WRLCK;
@@ -37,6 +39,8 @@ bool is_number(const std::string& name) {
 }
 
 /// Whether a file of /proc/PID/fdinfo says that the descriptor holds our lock of this inode.
+/// "lock: 1: OFDLCK ADVISORY WRITE -1 08:01:1234 4611686018427387904 …": the inode behind the
+/// device, then the first byte.
 bool holds_lock(const std::filesystem::path& fdinfo, ino_t inode) {
   // By steps: g++ 14 takes the sum of short strings for an access out of bounds.
   std::string number = ":", byte = " ";
@@ -57,10 +61,12 @@ bool holds_lock(const std::filesystem::path& fdinfo, ino_t inode) {
 /// The process of this machine that holds the lock, as far as we may look; "" for none.
 std::string holder_of(ino_t inode) {
   std::error_code error;
+  // The kernel names no owner of such a lock (F_OFD_GETLK says -1): /proc is searched.
   for (const auto& process : std::filesystem::directory_iterator("/proc", error)) {
     const std::string pid = process.path().filename().string();
     if (!is_number(pid)) continue;
     std::error_code hidden;
+    // Without rights to look it counts as not found.
     std::filesystem::directory_iterator descriptors(process.path() / "fdinfo", hidden), end;
     for (; !hidden && descriptors != end; descriptors.increment(hidden)) {
       if (holds_lock(descriptors->path(), inode)) return pid;
@@ -95,6 +101,7 @@ std::string began_at(const std::string& pid) {
   return text;
 }
 
+/// Who holds the lock, for the message of who does not get it.
 std::string holder_text(int descriptor) {
   struct stat status = {};
   ::fstat(descriptor, &status);
@@ -133,6 +140,7 @@ RunLock::RunLock(const std::filesystem::path& file)
 
 RunLock::~RunLock() { ::close(descriptor_); }
 
+/// By inode and device: the same name may be another file.
 bool RunLock::is_in_place() const {
   struct stat now = {}, ours = {};
   return ::fstat(descriptor_, &ours) == 0 && ::stat(file_.c_str(), &now) == 0 &&
@@ -142,6 +150,8 @@ bool RunLock::is_in_place() const {
 std::filesystem::path RunLock::place_now() const {
   std::error_code error;
   const std::filesystem::path name =
+      // The kernel says where the open file is now; " (deleted)" is no file, which the check below
+      // finds.
       std::filesystem::read_symlink("/proc/self/fd/" + std::to_string(descriptor_), error);
   struct stat now = {}, ours = {};
   const bool is_there = !error && ::fstat(descriptor_, &ours) == 0 &&

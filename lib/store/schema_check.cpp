@@ -32,6 +32,7 @@ struct Expected {
   std::map<std::string, std::string, std::less<>> indices;  ///< the SQL of each
 };
 
+/// By SQLite's own view of it, not by the text that made it.
 Table read_table(sqlite3* handle, const std::filesystem::path& path, std::string_view schema,
                  std::string_view name) {
   Table table;
@@ -58,6 +59,8 @@ Table read_table(sqlite3* handle, const std::filesystem::path& path, std::string
   return table;
 }
 
+/// schema.sql itself is run in memory and looked at: there is no second description that could lag
+/// behind.
 Expected made_by_schema() {
   sqlite3* opened = nullptr;
   AB_CHECK(sqlite3_open(":memory:", &opened) == SQLITE_OK);
@@ -90,6 +93,7 @@ std::string shown(const std::string& name) {
   return text;
 }
 
+/// Nothing is repaired or dropped here: it may be the user's own.
 [[noreturn]] void refuse_object(const std::filesystem::path& path, const std::string& kind,
                                 const std::string& name) {
   refuse_file(path,
@@ -112,6 +116,7 @@ struct Object {
   std::int64_t root_page = 0;
 };
 
+/// By name and kind; columns are compared by check_columns().
 bool is_ours(const Object& object) {
   const auto& [tables, indices] = expected();
   if (object.type == "table") {
@@ -121,6 +126,7 @@ bool is_ours(const Object& object) {
   if (object.type != "index" || !tables.contains(object.table)) return false;
   const auto index = indices.find(object.name);
   if (index != indices.end()) return index->second == object.sql;
+  // SQLite's own, of a PRIMARY KEY or UNIQUE.
   return object.sql.empty() && object.name.starts_with("sqlite_autoindex_");
 }
 
@@ -129,6 +135,8 @@ bool is_of_sqlite(const Object& object) {
   return object.type == "table" && object.root_page > 0 && object.name.starts_with("sqlite_stat");
 }
 
+/// Of a user, and beside our tables: nothing of it acts on them. Triggers and indices of our tables
+/// do.
 bool is_apart(const Object& object) {
   const auto& tables = expected().tables;
   if (object.type == "index") return !tables.contains(object.table);
@@ -139,6 +147,7 @@ bool is_apart(const Object& object) {
 /// What is wrong with the table, or "".
 std::string fault_of(const Table& found, const Table& wanted,
                      const std::set<std::string>& metrics) {
+  // STRICT: only then types of values can be relied on.
   if (!found.is_strict || found.is_without_rowid != wanted.is_without_rowid) {
     return "is of another kind than avoidbench makes it";
   }
@@ -146,6 +155,7 @@ std::string fault_of(const Table& found, const Table& wanted,
   for (const Column& column : found.columns) {
     const auto same = std::find_if(wanted.columns.begin(), wanted.columns.end(),
                                    [&](const Column& other) { return other.name == column.name; });
+    // All metrics' columns are alike.
     const Column metric{.name = column.name, .type = "REAL", .default_value = {}};
     const bool is_expected = same != wanted.columns.end()
                                  ? column == *same
@@ -163,6 +173,7 @@ std::string fault_of(const Table& found, const Table& wanted,
   return "";
 }
 
+/// Metrics' columns are allowed beside those of schema.sql.
 void check_table(sqlite3* handle, const std::filesystem::path& path, std::string_view schema,
                  const std::string& name, const std::set<std::string>& metrics) {
   const Table& wanted = expected().tables.find(name)->second;
@@ -212,6 +223,8 @@ const std::vector<std::string>& columns_of(std::string_view table) {
   return found->second.names;
 }
 
+/// What else a file holds could run as soon as it is touched: a trigger, a view that shadows a
+/// table, a virtual table.
 void check_objects(sqlite3* handle, const std::filesystem::path& path, std::string_view schema,
                    Extras extras) {
   Statement s(

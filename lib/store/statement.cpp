@@ -10,6 +10,7 @@
 namespace avoidbench {
 namespace {
 
+/// What a user can do about it, where SQLite's message says only what happened.
 std::string meaning(int primary_code, const std::string& message) {
   switch (primary_code) {
     case SQLITE_FULL:
@@ -63,8 +64,10 @@ void find_bad_json(sqlite3* handle, const std::filesystem::path& path) {
 
 void throw_sqlite_error(sqlite3* handle, int code, const std::filesystem::path& path) {
   const std::string message = handle != nullptr ? sqlite3_errmsg(handle) : sqlite3_errstr(code);
+  // The lower byte; the rest says more precisely what SQLite did.
   const int primary_code = code & 0xff;
   AB_CHECK(primary_code != SQLITE_MISUSE, path, message);
+  // SQL does not say in which row.
   if (handle != nullptr && message == "malformed JSON") find_bad_json(handle, path);
   throw InputError(InputProblem{.file = path.string(), .message = meaning(primary_code, message)});
 }
@@ -100,7 +103,9 @@ void Statement::wrong_type(int column, std::string_view wanted) const {
 }
 
 Statement& Statement::bind_text(std::string_view value) {
+  // Reasons come from planners: any bytes.
   if (!is_utf8(value)) return bind_text(as_utf8(value));
+  // A null pointer would be NULL.
   const char* data = value.empty() ? "" : value.data();
   check(sqlite3_bind_text64(statement_, ++bound_count_, data, value.size(), SQLITE_TRANSIENT,
                             SQLITE_UTF8));
@@ -121,6 +126,7 @@ Statement& Statement::bind_real(double value) {
 
 Statement& Statement::bind_blob(std::span<const std::byte> value) {
   ++bound_count_;
+  // As above: an empty blob is not NULL.
   check(value.empty() ? sqlite3_bind_zeroblob(statement_, bound_count_, 0)
                       : sqlite3_bind_blob64(statement_, bound_count_, value.data(), value.size(),
                                             SQLITE_TRANSIENT));
@@ -143,6 +149,7 @@ void Statement::run() {
 }
 
 std::string Statement::text(int column) const {
+  // The type is asked before the value, which SQLite would convert.
   const int type = sqlite3_column_type(statement_, column);
   if (type == SQLITE_NULL) return "";
   if (type != SQLITE_TEXT) wrong_type(column, "text");
@@ -201,6 +208,7 @@ TableValue Statement::value(int column) const {
   }
 }
 
+/// Sizes and types are part of it, so that no two rows give the same bytes.
 void Statement::append_value(std::string_view name, int column, std::string& bytes) const {
   const auto append = [&bytes](const auto& number) {
     bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
@@ -225,10 +233,13 @@ void Statement::append_value(std::string_view name, int column, std::string& byt
 
 Transaction::Transaction(sqlite3* handle, const std::filesystem::path& path)
     : handle_(handle), path_(path) {
+  // The lock for writing is taken at once: a transaction that first reads and then wants to write
+  // may find that it can't.
   execute(handle_, path_, "BEGIN IMMEDIATE");
 }
 
 Transaction::~Transaction() {
+  // SQLite itself rolls back after some errors, such as a full disk.
   if (is_open_ && sqlite3_get_autocommit(handle_) == 0) {
     sqlite3_exec(handle_, "ROLLBACK", nullptr, nullptr, nullptr);
   }

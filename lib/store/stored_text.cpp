@@ -27,6 +27,7 @@ std::size_t character_size(std::string_view text) {
 }
 
 /// The deepest nesting of brackets and braces outside strings.
+/// Looked at before parsing: what is nested a million deep would overflow the call stack.
 std::size_t depth_of(std::string_view text) {
   std::size_t depth = 0, deepest = 0;
   bool is_in_string = false;
@@ -46,6 +47,7 @@ std::size_t depth_of(std::string_view text) {
   return deepest;
 }
 
+/// Paths become part of SQL and of columns' names: letters, digits and few signs only.
 bool is_path(const json& path) {
   if (!path.is_string()) return false;
   const std::string& text = path.get_ref<const std::string&>();
@@ -68,6 +70,8 @@ void throw_damaged(const std::filesystem::path& path, std::string_view table, st
   constexpr std::size_t kMost = 40;
   throw InputError(InputProblem{.file = path.string(),
                                 .message = "damaged: table " + std::string(table) + ", row " +
+                                           // Keys are shown by their beginning, which is enough to
+                                           // name a trial.
                                            as_utf8(key.substr(0, key.size() == 64 ? 12 : kMost)) +
                                            ": " + std::string(what)});
 }
@@ -99,12 +103,15 @@ json stored_object(const std::string& text) {
   return object;
 }
 
+/// Types and sizes are checked once here, so that readers of specs can multiply them without a
+/// thought.
 json stored_sweep(const std::string& text) {
   constexpr double kMostTrials = 1e15;
   json spec = stored_object(text);
   const json trials = element(spec, "trials"), planners = element(spec, "planners");
   const json axes = element(spec, "axes"), until = element(spec, "until");
   const json trial_count = element(spec, "trial_count");
+  // What is missing is null, and allowed.
   const bool has_types = (trials.is_null() || trials.is_number_integer()) &&
                          (!spec.contains("trial_count") || trial_count.is_number_integer()) &&
                          (planners.is_null() || planners.is_array()) &&

@@ -16,6 +16,7 @@ struct NamedField {
   std::string_view name, sql;
 };
 
+/// Aliases: t trials, p planners, m maps, i missions, r runs.
 constexpr NamedField kNamedFields[] = {
     {"planner", "p.label"},
     {"planner_name", "p.name"},
@@ -50,8 +51,10 @@ constexpr NamedField kNamedFields[] = {
 };
 
 constexpr std::string_view kParameterPrefix = "planner.";
+/// No parameters, though "planner." stands before them: fields of the choice itself.
 constexpr std::string_view kOwnOfPlanner[] = {"label", "plugin", "file_digest"};
 
+/// Text in quotes for SQL or a JSON path: quotes within are doubled.
 std::string in_quotes(std::string_view text, char quote) {
   std::string out(1, quote);
   for (const char c : text) {
@@ -76,6 +79,8 @@ std::string json_path(std::string_view dotted) {
   return in_quotes(path, '\'');
 }
 
+/// Named fields first, then metrics, then a planner's parameters, then any path of the spec. The
+/// text is safe in SQL: names are known, or quoted.
 std::string sql_of(const Database& db, const std::string& field) {
   for (const NamedField& named : kNamedFields) {
     if (named.name == field) return std::string(named.sql);
@@ -87,6 +92,7 @@ std::string sql_of(const Database& db, const std::string& field) {
     const std::string name = field.substr(kParameterPrefix.size());
     if (std::find(std::begin(kOwnOfPlanner), std::end(kOwnOfPlanner), name) ==
         std::end(kOwnOfPlanner)) {
+      // Parameters are a list of {name, number, text, is_text} in the spec.
       return "(SELECT CASE WHEN json_extract(value, '$.is_text') THEN json_extract(value, "
              "'$.text') ELSE json_extract(value, '$.number') END FROM json_each(t.spec_json, "
              "'$.planner.parameters') WHERE json_extract(value, '$.name') = " +
@@ -173,6 +179,7 @@ std::vector<std::string> axis_fields(std::span<const SweepInfo> sweeps) {
   return fields;
 }
 
+/// A path is not known until a trial is looked at: where no trial has it, it is likely misspelt.
 void refuse_empty_field(const Database& db, const SweepResult& result, std::size_t field) {
   const std::string& name = result.fields[field];
   if (name.find('.') == std::string::npos || result.trials.empty()) return;

@@ -22,6 +22,7 @@ std::string trial_query(std::size_t sweep_count, bool is_of_one_map,
   const std::string from = axis_columns.empty()
                                ? " FROM trial_table v"
                                : " FROM trial_table v JOIN trials t ON t.trial_key = v.trial_key";
+  // The axes' columns stand behind the view's, as the reader below expects.
   return "SELECT v.*" + axis_columns + from + " WHERE (v.sweep, v.revision) IN (VALUES " +
          places_of(sweep_count) + ")" + (is_of_one_map ? " AND v.map_key = ?" : "") +
          " ORDER BY v.sweep, v.revision, v.planner, v.planner_key, v.map_key, v.mission_index, "
@@ -52,6 +53,7 @@ TrialTableReader::TrialTableReader(const Database& database, std::span<const Swe
   statement_ = std::make_unique<Statement>(
       database.handle(), database.path(),
       trial_query(sweeps.size(), !map_key.empty(), field_columns(database, apart)));
+  // From behind, as `v.*` may be followed by more columns.
   const auto key = [&] {
     for (int i = statement_->column_count(); i-- > 0;) {
       if (statement_->column_name(i) == "trial_key") return i;
@@ -66,6 +68,7 @@ TrialTableReader::TrialTableReader(const Database& database, std::span<const Swe
   for (int i = 0; i < statement_->column_count(); ++i) {
     columns_.push_back(statement_->column_name(i));
   }
+  // SQL's names of the last columns are expressions: the axes' paths stand for them.
   std::copy(apart.begin(), apart.end(), columns_.end() - static_cast<std::ptrdiff_t>(apart.size()));
   row_.resize(columns_.size());
   const auto seed = std::find(columns_.begin(), columns_.end(), "map_seed");
@@ -80,6 +83,7 @@ bool TrialTableReader::next() {
   if (!statement_->step()) return false;
   for (std::size_t i = 0; i < row_.size(); ++i) row_[i] = statement_->value(static_cast<int>(i));
   if (seed_column_ < row_.size()) {
+    // SQLite's integers have a sign: a seed is stored by its bits.
     TableValue& seed = row_[seed_column_];
     if (const auto* bits = std::get_if<std::int64_t>(&seed)) {
       seed = std::bit_cast<std::uint64_t>(*bits);
@@ -99,6 +103,7 @@ std::vector<std::string> generators_of(const Database& database,
   for (const SweepInfo& sweep : sweeps) s.bind_text(sweep.name).bind_integer(sweep.revision);
   std::vector<std::string> generators;
   while (s.step()) {
+    // Sorted: equal names follow each other.
     if (generators.empty() || generators.back() != s.text(0)) generators.push_back(s.text(0));
   }
   return generators;
@@ -118,6 +123,7 @@ std::vector<MapFlights> read_map_flights(const Database& database, const SweepIn
                        .time_limit_s = maps.real(1),
                        .wall_time_s = maps.real(2)});
   }
+  // The first run that flew on the map; later ones may have added to it.
   Statement run(
       database.handle(), database.path(),
       "SELECT r.started_at, r.program_version, r.git_hash, r.compiler, r.flags, r.host, "

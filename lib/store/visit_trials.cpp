@@ -41,6 +41,7 @@ void visit_trials(const Database& database, std::string_view sweep, std::int64_t
   // Rows are found by key, all over the file: pages that several share are to stay in memory.
   execute(database.handle(), database.path(), "PRAGMA cache_size = -65536");  // KiB
   std::string columns;
+  // As JSON text, so that 1 and "1" differ.
   for (std::size_t i = 0; i < paths.size(); ++i) columns += ", t.spec_json -> ?";
   for (const MetricRow& metric : database.metrics()) columns += ", t." + sql_name(metric.name);
   Statement s(database.handle(), database.path(),

@@ -63,6 +63,7 @@ void insert_missions(const Database& db, const MapRow& row) {
                    "INSERT INTO missions (map_key, mission_index, start_x_m, start_y_m, start_z_m, "
                    "goal_x_m, goal_y_m, goal_z_m, start_yaw_rad, reference_length_m, "
                    "traversability_obstruction, view_occlusion, angle_over_length_1pm, is_valid, "
+                   // More missions may have been asked for before than now, or fewer.
                    "invalid_reason) VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?) ON CONFLICT DO NOTHING");
   for (const MissionRecord& m : row.record.missions) {
     const Eigen::Vector3d& start = m.mission.start_world;
@@ -77,6 +78,8 @@ void insert_missions(const Database& db, const MapRow& row) {
   }
 }
 
+/// A map of this key is there: all that both know of it must be the same, or results of two
+/// programs would stand in one file.
 void check_same_map(const Database& db, const MapRow& stored, const MapRow& row) {
   bool agrees = same(stored.record, row.record);
   std::map<std::int64_t, const MissionRecord*> missions;
@@ -94,6 +97,7 @@ void check_same_map(const Database& db, const MapRow& stored, const MapRow& row)
   }
 }
 
+/// A trial that is flown again takes its row over: id and key stay, `attempt` rises.
 std::string insert_trial_sql(const Database& db) {
   std::string columns, marks, updates;
   for (const MetricRow& metric : db.metrics()) {
@@ -119,6 +123,7 @@ void write_record(const Database& db, const TrialRow& row) {
       "INSERT OR REPLACE INTO trajectories (trial_key, sample_count, samples_digest, "
       "samples, is_packed) VALUES (?,?,?,?,1)");
   trajectory.bind_text(row.key).bind_integer(static_cast<std::int64_t>(row.record.samples.size()));
+  // Digested as samples, not as they are packed.
   trajectory.bind_text(Digest().add_bytes(samples).hex()).bind_blob(packed_samples(samples)).run();
 
   Statement calls(
@@ -150,6 +155,7 @@ void insert_sweep_trials(const Database& db, std::string_view sweep, std::int64_
                          std::span<const std::string> keys) {
   Statement trial(
       db.handle(), db.path(),
+      // By SELECT: a key that has no trial adds nothing.
       "INSERT INTO sweep_trials (sweep, revision, trial_key) SELECT ?, ?, trial_key FROM "
       "trials WHERE trial_key = ? ON CONFLICT DO NOTHING");
   Statement mission(
@@ -196,6 +202,7 @@ std::int64_t Database::add_run(const RunRow& row) {
 }
 
 std::int64_t Database::add_sweep(const SweepRow& row) {
+  // Finding and adding in one, though nobody else writes: half of it must not be committed.
   Transaction transaction(handle(), path());
   std::int64_t revision = 0;
   {
@@ -231,6 +238,7 @@ void Database::add_planner(const PlannerRow& given) {
   insert.bind_text(key).bind_text(row.label).bind_text(row.name).bind_text(row.version);
   insert.bind_text(row.file_digest).bind_text(row.parameters_json);
   insert.bind_integer(row.is_privileged ? 1 : 0).run();
+  // By what the caller knows of it; the stored text may be another one.
   planners_[{given.label, given.file_digest}] = key;
 }
 

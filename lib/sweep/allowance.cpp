@@ -26,6 +26,7 @@ double cgroup_memory_mib(double all_mib) {
        {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"}) {
     std::ifstream file(name);
     double bytes = 0.0;
+    // "max" is no number; version 1 says "no limit" by a number beyond all memory.
     if (file >> bytes && bytes > 0.0) return std::min(all_mib, bytes / kMib);
   }
   return all_mib;
@@ -36,6 +37,7 @@ double cgroup_memory_mib(double all_mib) {
 int allowed_cpus() {
   cpu_set_t set;
   CPU_ZERO(&set);
+  // The CPUs that this process may run on, and no more than its container's quota.
   int count = ::sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : 1;
   if (const double quota = cgroup_quota(); quota > 0.0) {
     count = std::min(count, static_cast<int>(std::ceil(quota)));

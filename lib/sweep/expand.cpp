@@ -35,6 +35,8 @@ void fill_latencies(std::vector<PlannedTrial>& trials) {
 }
 
 /// `digests` are those of maps' and winds' files, by path.
+/// The last axis runs fastest, planners within a mission: trials of one map adjoin, and all
+/// planners fly its first mission before the second.
 void expand_axes(const SweepSpec& sweep, std::size_t axis, const json& spec,
                  std::map<std::string, std::string>& digests, std::vector<PlannedTrial>& trials) {
   if (axis < sweep.axes.size()) {
@@ -49,6 +51,7 @@ void expand_axes(const SweepSpec& sweep, std::size_t axis, const json& spec,
   }
   TrialSpec trial = spec_from_json<TrialSpec>(spec);
   const auto fill_digest = [&](const std::string& file, std::string& digest) {
+    // Each file is read once, however many trials use it.
     if (file.empty() || !digest.empty()) return;
     std::string& known = digests[file];
     if (known.empty()) known = file_digest(file);
@@ -87,6 +90,7 @@ void add_problems(const SweepSpec& sweep, const TrialSpec& trial,
     listed.push_back(&one);
     missions.push_back(one.mission);
   }
+  // Only as many as are flown.
   missions.resize(static_cast<std::size_t>(mission_count(sweep, trial)));
   const World world = make_world(trial.map, trial.map_seed);
   const std::vector<std::string> found = mission_problems(trial, Scene(world), missions);
@@ -118,6 +122,7 @@ TrialSpec PlannedTrial::spec() const {
 
 std::vector<PlannedTrial> expand(const SweepSpec& sweep) {
   std::vector<PlannedTrial> trials;
+  // Exact without listed missions, else an estimate for the reservation.
   std::size_t count = sweep.planners.size() * static_cast<std::size_t>(sweep.trials);
   for (const Axis& axis : sweep.axes) count *= axis.values.size();
   trials.reserve(count);
@@ -130,6 +135,7 @@ std::vector<PlannedTrial> expand(const SweepSpec& sweep) {
 std::vector<std::string> map_names(const TrialSpec& trial) {
   MapSpec map = trial.map;
   const FileOfMap file = file_of(map);
+  // A made map is named by its seed, one from a file by its name with or without ending.
   if (file.file == nullptr) return {std::to_string(trial.map_seed)};
   const std::filesystem::path path = *file.file;
   return {path.filename().string(), path.stem().string()};
@@ -170,6 +176,7 @@ void check_listed_missions(const SweepSpec& sweep, const std::vector<PlannedTria
   std::set<std::string> seen_maps;
   std::vector<InputProblem> problems;
   for (const PlannedTrial& trial : trials) {
+    // Each map once, and only those whose missions the database has not found good already.
     const std::string key = keys.map_key(trial);
     if (!seen_maps.insert(key).second) continue;
     const auto count = static_cast<std::size_t>(mission_count(sweep, *trial.setting));

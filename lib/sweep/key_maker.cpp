@@ -11,6 +11,7 @@ using nlohmann::json;
 
 /// A TrialSpec's JSON without what is no part of its key.
 json keyed_json(const TrialSpec& spec) {
+  // Where files lie says nothing of the result: their digests stand for them.
   json fields = spec_to_json(spec);
   fields["map"].erase("file");  // its file_digest stays
   fields["wind"]["field"].erase("file");
@@ -22,6 +23,7 @@ json keyed_json(const TrialSpec& spec) {
 }
 
 std::string key_of(std::string_view canonical) {
+  // A program whose results differ has other keys.
   return Digest().add(canonical).add(std::uint64_t{kResultVersion}).hex();
 }
 
@@ -40,6 +42,8 @@ void restore_later_fields(nlohmann::json& trial) {
   }
 }
 
+/// The canonical text in three parts, between which the two fields of a single trial stand: a key
+/// then costs two joins and a digest instead of a whole JSON.
 KeyText::KeyText(const TrialSpec& setting) {
   const json fields = keyed_json(setting);
   std::string* part = &before_digest_;
@@ -87,6 +91,8 @@ std::string trial_key(const TrialSpec& spec) {
 }
 
 std::string map_key(const TrialSpec& spec) {
+  // Only what a map's record depends on: the world, the missions and the body that they are
+  // measured for. Other axes share the map.
   json canonical = {{"map", spec_to_json(spec.map)},
                     {"map_seed", spec.map_seed},
                     {"seed", spec.seed},

@@ -69,7 +69,9 @@ void forget_unused_latency(nlohmann::json& trial) {
   nlohmann::json& latency = trial.at("latency");
   const std::string mode = latency.at("mode");
   const bool is_of_a_machine = mode == "measured" || mode == "replay";
+  // A mode's keys hold what it uses: another `ms` in mode measured flies the same.
   latency.erase(is_of_a_machine ? "ms" : "scale");
+  // Its digest stands for it.
   latency.erase("database");
   if (mode != "replay") trial.erase("latency_digest");
 }
@@ -83,6 +85,7 @@ void restore_latency(nlohmann::json& trial) {
 
 bool measures_latency(const SweepSpec& sweep) {
   bool is_swept = false;
+  // An axis wins over the base.
   for (const Axis& axis : sweep.axes) {
     if (axis.path != "latency.mode") continue;
     is_swept = true;

@@ -42,6 +42,7 @@ std::optional<std::vector<double>> latencies_of(Run& run, const TrialSpec& spec)
   return latencies_s;
 }
 
+/// Stored first: a run that is killed after it need not measure the map again.
 void commit_map(Run& run, MapPlan& map, MapRecord record) {
   record.key = map.key;
   nlohmann::json spec = spec_to_json(map.spec.map);
@@ -69,6 +70,7 @@ void require_unchanged(Run& run, const PlannerChoice& planner) {
   throw InputError({.file = planner.file, .message = "the planner's file changed during the run"});
 }
 
+/// One transaction a trial: a run that is killed loses only the flights under way.
 void commit_trial(Run& run, const Assignment& assignment, TrialRecord record,
                   std::vector<double> metrics, double wall_time_s) {
   const TrialSpec spec = run.schedule.trials[*assignment.trial].spec();
@@ -96,6 +98,7 @@ void report_progress(const Run& run) {
   if (run.options.on_progress) run.options.on_progress(run.progress);
 }
 
+/// Maps that the database has need not be measured.
 void recall_maps(Run& run) {
   for (MapPlan& map : run.schedule.maps) {
     if (waiting_count(map) == 0) continue;
@@ -131,6 +134,7 @@ Job job_of(Run& run, const Assignment& assignment) {
 
 void take_result(Run& run, const Assignment& assignment, JobResult result) {
   MapPlan& map = run.schedule.maps[assignment.map];
+  // No map, no file: an error of the run, not an outcome of a trial.
   if (!result.error.empty()) throw InputError(run.sweep.name + ": " + result.error);
   if (assignment.trial) {
     commit_trial(run, assignment, std::move(*result.trial), std::move(result.metrics),
@@ -141,6 +145,7 @@ void take_result(Run& run, const Assignment& assignment, JobResult result) {
 }
 
 void take_death(Run& run, const Assignment& assignment, const Job& job, const Death& death) {
+  // No planner is in the process then: the fault is the machine's or ours.
   if (!assignment.trial) {
     throw InputError("the worker that measured a map of " + run.sweep.name +
                      " ended: " + death.reason +
@@ -148,6 +153,7 @@ void take_death(Run& run, const Assignment& assignment, const Job& job, const De
                      "; run the same command again, with fewer workers if memory is short");
   }
   TrialRecord record;
+  // As far as it came; the outcome is the death's.
   if (death.flown) record = *death.flown;
   record.outcome = death.outcome;
   record.reason = death.reason;
@@ -155,6 +161,7 @@ void take_death(Run& run, const Assignment& assignment, const Job& job, const De
   if (!death.last_words.empty()) {
     run.last_words[run.schedule.keys[*assignment.trial]] = death.last_words;
   }
+  // How long the flight took is not known.
   commit_trial(run, assignment, std::move(record), std::move(metrics), std::nan(""));
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,7 @@ struct Run {
   RecordedLatencies recorded;
   std::map<std::string, FileState> planner_files;     ///< by path, as they were at the beginning
   std::map<std::string, SandboxRules> sandbox_rules;  ///< by planner label
+  std::set<std::string> planners_with_globals;        ///< labels: see AB_USES_GLOBALS
   std::vector<UnflownTrial> unflown;
   std::map<std::string, int> left_behind;  ///< processes, by label of the planner that left them
   std::map<std::string, std::string> last_words;  ///< of workers that died, by key of their trial

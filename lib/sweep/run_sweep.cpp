@@ -173,6 +173,7 @@ RunSummary run_sweep(const SweepSpec& sweep, const RunRow& provenance, Database&
           .recorded = {},
           .planner_files = {},
           .sandbox_rules = {},
+          .planners_with_globals = {},
           .unflown = {},
           .left_behind = {},
           .last_words = {}};
@@ -180,6 +181,7 @@ RunSummary run_sweep(const SweepSpec& sweep, const RunRow& provenance, Database&
     // From here on a changed file ends the run, see require_unchanged().
     run.planner_files[planner.file] = file_state(planner.file);
     run.sandbox_rules[planner.label] = sandbox_rules(planner.needs);
+    if ((planner.needs & AB_USES_GLOBALS) != 0) run.planners_with_globals.insert(planner.label);
   }
   std::set<std::string> skip = keys_to_skip(database, options);
   std::vector<PlannedTrial> trials = expand(sweep);

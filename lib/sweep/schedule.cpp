@@ -21,6 +21,7 @@ TrialGroup& group_of(MapPlan& map, const std::string& label) {
 }
 
 /// Whether each of the keys has been there before.
+/// Different settings may have one key, such as two that differ in what their mode does not use.
 std::vector<bool> repeated(const std::vector<std::string>& keys) {
   std::vector<std::size_t> order(keys.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -68,15 +69,18 @@ std::vector<PlannedTrial> trials_of(const Shard& shard, std::vector<PlannedTrial
   // Groups differ in time, by planner and by map; four or more of them even that out.
   constexpr std::size_t kLeastGroups = 4;  // a shard, so that shards are of about one size
   KeyMaker keys;
+  // What stays together in a shard: trials of one planner on one map, whose building they share.
   std::vector<std::string> units;
   for (const PlannedTrial& trial : trials) {
     units.push_back(Digest().add(keys.map_key(trial)).add(trial.planner_label()).hex());
   }
   const auto count = static_cast<std::size_t>(shard.count);
+  // Too few groups to share out: single trials.
   if (std::set<std::string>(units.begin(), units.end()).size() < kLeastGroups * count) {
     std::transform(trials.begin(), trials.end(), units.begin(),
                    [&](const PlannedTrial& trial) { return keys.trial_key(trial); });
   }
+  // By the order of digests, which is as good as random and the same on every machine.
   std::map<std::string, std::size_t> rank;
   for (const std::string& unit : units) rank[unit] = 0;
   std::size_t next = 0;
@@ -108,6 +112,7 @@ Schedule make_schedule(std::vector<PlannedTrial> trials,
     schedule.keys.push_back(keys.trial_key(trial));
     const auto [entry, is_new] = map_by_key.emplace(keys.map_key(trial), schedule.maps.size());
     if (is_new) {
+      // Any trial of the map stands for it: its key says that they agree in all that the map needs.
       MapPlan plan;
       plan.key = entry->first;
       plan.spec = trial.spec();
@@ -131,6 +136,8 @@ Schedule make_schedule(std::vector<PlannedTrial> trials,
   return schedule;
 }
 
+/// In this order: the same planner on the map at hand, any planner there, a map to measure, the
+/// largest group anywhere.
 std::optional<Assignment> next_assignment(Schedule& schedule, const Memory& memory) {
   if (memory.map && is_ready(schedule.maps[*memory.map])) {
     for (TrialGroup& group : schedule.maps[*memory.map].groups) {

@@ -77,6 +77,7 @@ void end_left_behind(Desk& desk, const std::string& label) {
   if (const int count = end_orphans(spared); count > 0) desk.run.left_behind[label] += count;
 }
 
+/// The new worker has neither a map nor a planner in memory.
 void replace_process(Desk& desk, Seat& seat, const SandboxRules& rules) {
   seat.process.kill();
   end_left_behind(desk, seat.memory.planner_label);
@@ -87,7 +88,8 @@ void replace_process(Desk& desk, Seat& seat, const SandboxRules& rules) {
 }
 
 /// Hands the seat its next job, if there is one for it. A process flies one planner only, so that
-/// what one does to its process is no other one's misfortune. A worker that is gone is replaced
+/// what one does to its process is no other one's misfortune; and of a planner that keeps what it
+/// knows in globals one trial only. A worker that is gone is replaced
 /// once.
 void hand_out(Desk& desk, Seat& seat) {
   Run& run = desk.run;
@@ -95,11 +97,13 @@ void hand_out(Desk& desk, Seat& seat) {
   if (!assignment) return;
   const Memory next = memory_after(run, *assignment);
   const std::string& flown = seat.memory.planner_label;
+  // A map job has no planner: the strictest rules.
   const auto known = run.sandbox_rules.find(next.planner_label);
   const SandboxRules rules = known == run.sandbox_rules.end() ? SandboxRules{} : known->second;
-  const bool is_other_planner = !flown.empty() && flown != next.planner_label;
+  const bool may_stay =
+      flown.empty() || (flown == next.planner_label && !run.planners_with_globals.contains(flown));
   // A sandbox can't be changed from within: another planner's needs take another process.
-  if (is_other_planner || rules != seat.rules) replace_process(desk, seat, rules);
+  if (!may_stay || rules != seat.rules) replace_process(desk, seat, rules);
   seat.task = Task{.assignment = *assignment, .job = job_of(run, *assignment)};
   seat.memory = next;
   seat.silent_s = 0.0;
@@ -156,6 +160,7 @@ void take_failure(Desk& desk, Seat& seat) {
   take_end(desk, seat, death_of(end, seat.process.notes(), seat.task->job.spec.planner));
 }
 
+/// An answer that can't be read counts as the worker's death.
 void take_answer(Desk& desk, Seat& seat) {
   const auto message = seat.process.answer();
   auto result = message ? result_from(*message, seat.task->job) : std::nullopt;
@@ -220,6 +225,7 @@ void take_next_results(Desk& desk) {
   for (Seat& seat : desk.seats) {
     if (!seat.task) continue;
     const int job_fd = seat.process.has_more_to_send() ? seat.process.job_fd() : -1;
+    // Two a seat; poll() passes over those with a negative number.
     waiting.push_back({.fd = seat.process.result_fd(), .events = POLLIN, .revents = 0});
     waiting.push_back({.fd = job_fd, .events = POLLOUT, .revents = 0});
     busy.push_back(&seat);
@@ -253,6 +259,7 @@ void fly_in(Desk& desk) {
       if (!seat.task && !run.is_stopped()) hand_out(desk, seat);
       is_busy = is_busy || seat.task.has_value();
     }
+    // Nothing left to hand out, and nobody who flies.
     if (!is_busy) return;
     if (run.is_stopped() && !stopped) stopped = Clock::now();
     // What is still in flight then is not stored: the next run flies it.

@@ -9,6 +9,7 @@
 namespace avoidbench {
 namespace {
 
+/// A whole number and nothing else.
 std::optional<std::int64_t> number_from(const std::string& text) {
   std::int64_t number = 0;
   const char* end = text.data() + text.size();
@@ -28,9 +29,11 @@ std::optional<std::int64_t> number_of(const char* variable) {
 
 /// This task's place among `count` shards, from 1.
 std::int64_t task_index(const std::string& text, std::optional<std::int64_t> count) {
+  // Slurm, PBS, and indexed jobs of Kubernetes, which count from 0.
   if (const auto task = number_of("SLURM_ARRAY_TASK_ID")) {
     // An array of fewer tasks flies some of the shards again: they keep their numbers.
     if (count && number_of("SLURM_ARRAY_TASK_COUNT").value_or(*count) != *count) return *task;
+    // Arrays may begin at any number.
     return *task - number_of("SLURM_ARRAY_TASK_MIN").value_or(1) + 1;
   }
   if (const auto task = number_of("PBS_ARRAY_INDEX")) return *task;

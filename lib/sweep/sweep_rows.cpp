@@ -22,6 +22,7 @@ nlohmann::json axis_json(const Axis& axis) {
   if (axis.path == "map.file" || axis.path == "wind.field.file") {
     for (nlohmann::json& value : values) {
       const std::string file = value.get<std::string>();
+      // A name alone would not say which contents were flown.
       value = {{"file", file}, {"file_digest", file.empty() ? "" : file_digest(file)}};
       forget_folder(value);
     }
@@ -64,6 +65,7 @@ void write_latency(nlohmann::json& base, const SweepSpec& sweep,
 
 }  // namespace
 
+/// Databases keep no paths: they are of one machine, and may tell of its owner.
 void forget_folder(nlohmann::json& block) {
   if (!block.contains("file")) return;
   block["file"] = file_name(block["file"]);
@@ -75,7 +77,9 @@ void forget_folders(nlohmann::json& trial) {
 }
 
 std::string trial_json(const TrialSpec& spec) {
+  // Keys are sorted by name: equal specs have equal texts.
   nlohmann::json canonical = spec_to_json(spec);
+  // The planner's file_digest says which library it was, wherever that lay.
   canonical["planner"].erase("file");
   forget_folders(canonical);
   forget_unused_latency(canonical);
@@ -92,6 +96,7 @@ std::string sweep_json(const SweepSpec& sweep, const std::vector<PlannedTrial>& 
     planners.push_back(choice);
   }
   nlohmann::json base = spec_to_json(sweep.base);
+  // The planners stand beside it.
   base.erase("planner");
   forget_folders(base);
   write_latency(base, sweep, trials);
@@ -110,6 +115,7 @@ std::string sweep_json(const SweepSpec& sweep, const std::vector<PlannedTrial>& 
 }
 
 PlannerRow planner_row(const PlannerChoice& choice) {
+  // The library is loaded again, and may have been replaced meanwhile.
   const PlannerDescription planner = describe_planner(choice.file);
   if (planner.file_digest != choice.file_digest) {
     throw InputError({.file = choice.file, .message = "changed since the sweep was read"});

@@ -9,6 +9,7 @@
 namespace avoidbench {
 namespace {
 
+/// A sign before a number is no formula: -3 stays a number.
 bool is_number(std::string_view word) {
   if (word.starts_with('+')) word.remove_prefix(1);
   double value = 0.0;
@@ -18,6 +19,7 @@ bool is_number(std::string_view word) {
 
 /// Whether a spreadsheet would take the word, or what follows its apostrophes, for a formula.
 bool may_be_formula(std::string_view word) {
+  // Apostrophes of the text itself get one more, so that taking one off gives the text back.
   const std::size_t start = word.find_first_not_of('\'');
   if (start == std::string_view::npos) return false;
   word.remove_prefix(start);
@@ -29,6 +31,7 @@ bool may_be_formula(std::string_view word) {
 
 std::string csv_field(std::string_view word) {
   const std::string mark = may_be_formula(word) ? "'" : "";
+  // RFC 4180: quotes around what has a comma, a quote or a line's end; quotes within are doubled.
   if (word.find_first_of(",\"\r\n") == std::string_view::npos) return mark + std::string(word);
   std::string quoted = "\"" + mark;
   for (const char c : word) {
@@ -50,6 +53,7 @@ void CsvRow::begin_field() {
 
 CsvRow& CsvRow::add(double value) {
   begin_field();
+  // No value is an empty field, which programs read as missing.
   if (!std::isnan(value)) text_ += shortest(value);
   return *this;
 }
@@ -75,6 +79,7 @@ CsvRow& CsvRow::add_value(const TableValue& value) {
 }
 
 CsvRow& CsvRow::add_vector(const double* xyz) {
+  // Three empty fields for no vector, so that the columns stay.
   for (int i = 0; i < 3; ++i) xyz == nullptr ? begin_field() : static_cast<void>(add(xyz[i]));
   return *this;
 }

@@ -10,6 +10,7 @@
 namespace avoidbench {
 namespace {
 
+/// Columns that name a row, in order of first use; the header has those of all tables.
 std::vector<std::string> key_names(std::span<const Section> sections) {
   std::vector<std::string> names;
   for (const Section& section : sections) {
@@ -24,6 +25,8 @@ std::vector<std::string> key_names(std::span<const Section> sections) {
   return names;
 }
 
+/// Long form: a line a number, with the keys of its row. Tables of unlike columns then share one
+/// file.
 std::string csv_of(std::span<const Section> sections) {
   const std::vector<std::string> keys = key_names(sections);
   CsvRow header;
@@ -33,12 +36,14 @@ std::string csv_of(std::span<const Section> sections) {
   for (const Section& section : sections) {
     for (const Table& table : section.tables) {
       for (const Row& row : table.rows) {
+        // The beginning that all numbers of the row share.
         CsvRow start;
         start.add_words({section.name, table.name});
         for (const std::string& key : keys) {
           const auto column = std::find_if(table.columns.begin(), table.columns.end(),
                                            [&](const Column& one) { return one.name == key; });
           const auto i = static_cast<std::size_t>(column - table.columns.begin());
+          // An empty field for a key that this table lacks.
           start.add_value(i < row.size() ? row[i].value : TableValue{});
         }
         for (std::size_t i = 0; i < row.size(); ++i) {
@@ -57,6 +62,7 @@ nlohmann::ordered_json json_of(const Cell& cell) {
   if (const auto* count = std::get_if<std::int64_t>(&cell.value)) return *count;
   if (const auto* seed = std::get_if<std::uint64_t>(&cell.value)) return *seed;
   const auto* value = std::get_if<double>(&cell.value);
+  // JSON has neither NaN nor infinity.
   if (value == nullptr || !std::isfinite(*value)) return nullptr;
   return *value;
 }
@@ -88,6 +94,7 @@ nlohmann::ordered_json json_of(const Section& section) {
 }
 
 std::string dumped(const nlohmann::ordered_json& json) {
+  // Bytes that are no UTF-8 are replaced and do not throw.
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
@@ -141,6 +148,7 @@ std::string format_sections(std::span<const Section> sections, TableFormat forma
     for (const Section& section : sections) all.push_back(json_of(section));
     return dumped(all);
   }
+  // Data formats have texts as they are; what people see in a terminal is made safe.
   for (const Section& given : sections) {
     const Section section = visible_section(given);
     if (!out.empty()) out += "\n";
@@ -154,6 +162,7 @@ std::string format_sections(std::span<const Section> sections, TableFormat forma
 std::string format_table(const Table& table, TableFormat format, const TextStyle& style) {
   if (format == TableFormat::csv) return csv_of(table);
   if (format == TableFormat::json) return dumped(rows_json(table));
+  // A table without a title is a list: no heading.
   const Section section{.name = {}, .tables = {table}};
   return format_sections({&section, 1}, format, style);
 }

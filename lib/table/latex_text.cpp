@@ -7,6 +7,8 @@ namespace avoidbench {
 namespace {
 
 /// What LaTeX reads otherwise, and the signs of our headers that pdfLaTeX's fonts lack.
+/// Tried in this order, so that longer ones stand before their beginnings (P_τ before _, ^2 before
+/// ^).
 constexpr std::pair<std::string_view, std::string_view> kSigns[] = {
     {"P_τ", R"($P_\tau$)"},
     {"\\", R"(\textbackslash{})"},
@@ -41,6 +43,7 @@ std::string in_latex(std::string_view text) {
   std::string escaped;
   while (!text.empty()) {
     bool is_sign = false;
+    // About thirty comparisons a letter: texts are short.
     for (const auto& [sign, latex] : kSigns) {
       if (!text.starts_with(sign)) continue;
       escaped += latex;
@@ -49,6 +52,7 @@ std::string in_latex(std::string_view text) {
       break;
     }
     if (is_sign) continue;
+    // Byte by byte: bytes of other letters of several bytes go through unchanged.
     escaped += text.front();
     text.remove_prefix(1);
   }
@@ -62,6 +66,7 @@ std::string cell_in_latex(const std::string& cell) {
   return R"(\textbf{)" + in_latex(cell.substr(0, star)) + "}" + in_latex(cell.substr(star + 1));
 }
 
+/// Labels of LaTeX take letters, digits and hyphens safely.
 std::string label_of(const std::string& sweep, const std::string& table) {
   std::string label = "tab:";
   for (const char c : sweep + "-" + table) {
@@ -82,12 +87,14 @@ std::string line_of(const std::vector<TextColumn>& columns,
 
 /// A column's doc without the name for machines that it begins with.
 std::string bare_doc(const TextColumn& column) {
+  // "success_rate: finished of all …": one word with an underscore before the colon.
   const std::size_t colon = column.doc.find(": ");
   const bool has_name =
       colon != std::string::npos && column.doc.find(' ') > colon && column.doc.find('_') < colon;
   return has_name ? column.doc.substr(colon + 2) : column.doc;
 }
 
+/// In booktabs' style; what columns mean stands above it in comments.
 std::string table_in_latex(const std::string& sweep, const Table& table) {
   const std::vector<TextColumn> columns = text_columns(table);
   std::string caption = table.title.empty() ? "" : in_latex(table.title) + ".";
@@ -111,6 +118,7 @@ std::string table_in_latex(const std::string& sweep, const Table& table) {
   if (has_units) out += line_of(columns, [](const TextColumn& c) { return in_latex(c.unit); });
   out += "  \\midrule\n";
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    // As in a terminal: the first of several keys is shown once a group.
     bool repeats = row > 0;
     out += line_of(columns, [&](const TextColumn& c) -> std::string {
       const bool is_group =

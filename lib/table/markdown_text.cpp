@@ -9,6 +9,7 @@ namespace {
 std::string in_markdown(const std::string& text) {
   std::string escaped;
   for (const char c : text) {
+    // "](" would make a link of what a planner is called.
     const bool ends_link_text = c == '(' && escaped.ends_with(']');
     const bool is_mark = c == '|' || c == '*' || c == '_' || c == '<' || c == '`' || c == '\\';
     if (is_mark || ends_link_text) escaped += '\\';
@@ -22,6 +23,7 @@ std::string in_markdown(const std::string& text) {
 std::string markdown_text(const Section& section) {
   std::string out = section.title.empty() ? "" : "## " + in_markdown(section.title) + "\n\n";
   const std::vector<std::string> warnings = shown_warnings(section);
+  // One block quote, with an empty line of it between the warnings and none at its end.
   for (const std::string& warning : warnings)
     out += "> **Warning:** " + in_markdown(warning) + "\n>\n";
   if (!warnings.empty()) out.replace(out.size() - 2, 2, "\n");
@@ -43,6 +45,7 @@ std::string markdown_text(const Section& section) {
       for (const TextColumn& column : columns) out += " " + in_markdown(column.cells[row]) + " |";
       out += "\n";
     }
+    // An empty line between tables; a list ends where its rows end.
     if (!table.title.empty()) out += "\n";
   }
   const auto lines = legend(section);
@@ -60,6 +63,7 @@ std::string markdown_text(const Section& section) {
 }
 
 std::vector<std::string> shown_warnings(const Section& section) {
+  // In brief, several warnings become one line: each up to where its reasons begin.
   if (!section.is_brief || section.warnings.size() < 2) return section.warnings;
   std::string all;
   for (const std::string& warning : section.warnings) {
@@ -77,8 +81,10 @@ std::vector<std::pair<std::string, std::string>> legend(const Section& section) 
     for (const Column& column : table.columns) {
       const std::pair<std::string, std::string> line{column.header,
                                                      section.is_brief ? column.brief : column.doc};
+      // What is only in formats for programs needs no explanation here.
       const bool is_shown = column.place == Place::key || column.place == Place::value;
       if (!is_shown || line.second.empty()) continue;
+      // Columns that several tables share are explained once.
       if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(line);
     }
   }

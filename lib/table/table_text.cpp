@@ -15,6 +15,8 @@ struct CodeRange {
   char32_t first, last;
 };
 
+/// East Asian width and combining marks, as whole blocks of Unicode: few enough for a table by
+/// hand, right for what labels and headers have.
 constexpr CodeRange kCombining[] = {
     {0x300, 0x36f}, {0x200b, 0x200f}, {0x20d0, 0x20ff}, {0xfe00, 0xfe0f}};
 constexpr CodeRange kWide[] = {{0x1100, 0x115f}, {0x2e80, 0xa4cf},   {0xac00, 0xd7a3},
@@ -35,6 +37,7 @@ char32_t next_character(std::string_view utf8, std::size_t& at) {
   const char32_t first = byte(at);
   std::size_t length = 1;
   char32_t code = first;
+  // The leading byte says how many follow; its upper bits are taken off.
   if (first >= 0xf0) {
     length = 4;
     code = first & 0x07U;
@@ -45,6 +48,7 @@ char32_t next_character(std::string_view utf8, std::size_t& at) {
     length = 2;
     code = first & 0x1fU;
   }
+  // Cut off at the text's end: its first byte alone.
   if (at + length > utf8.size()) length = 1;
   for (std::size_t i = 1; i < length; ++i) code = (code << 6U) | (byte(at + i) & 0x3fU);
   at += length;
@@ -61,6 +65,7 @@ std::string with_decimals(double value, int decimals) {
   if (std::isinf(value)) return value < 0.0 ? "-inf" : "inf";
   double least = 1.0;  // that is not shown as zero
   for (int i = 0; i < decimals; ++i) least *= 0.1;
+  // "<0.01" and not "0.00": a small p or ratio is not zero.
   if (value > 0.0 && value < 0.5 * least) return "<" + with_decimals(least, decimals);
   return fixed_digits(value, decimals);
 }
@@ -77,6 +82,7 @@ int decimals_of(const Table& table, std::size_t column) {
   int decimals = 2;
   for (double limit = 10.0; greatest >= limit && decimals > 0; limit *= 10.0) --decimals;
   for (double limit = 1.0; greatest < limit && decimals < 6; limit *= 0.1) ++decimals;
+  // Ratios look alike with two decimals, whether their greatest is 1 or 0.3.
   return greatest <= 1.0 && greatest > 0.1 ? 2 : decimals;
 }
 
@@ -120,6 +126,8 @@ std::vector<std::string> cut_apart(const std::vector<std::string>& texts, std::s
     return head + text.substr(at);
   };
   using Cut = std::function<std::string(const std::string&)>;
+  // From the shortest way to the whole text: texts that begin alike are shown with beginning and
+  // end, and in full if those are alike too.
   const Cut cuts[] = {[&](const std::string& text) { return cut_to_width(text, width); }, in_middle,
                       [](const std::string& text) { return text; }};
   std::vector<std::string> shown(texts.size());
@@ -130,6 +138,7 @@ std::vector<std::string> cut_apart(const std::vector<std::string>& texts, std::s
       if (!is_clear[i]) shown[i] = cut(texts[i]);
       texts_of[shown[i]].insert(texts[i]);
     }
+    // What stands for one text only keeps its cut; the others try the next one.
     for (std::size_t i = 0; i < texts.size(); ++i) is_clear[i] = texts_of[shown[i]].size() == 1;
   }
   return shown;
@@ -139,6 +148,7 @@ std::string wrapped(std::string_view text, std::size_t width, std::size_t indent
   std::string lines;
   std::size_t used = 0;
   while (!text.empty()) {
+    // Lines break at spaces only; a word longer than a line stands out of it.
     const std::size_t space = text.find(' ', text.find_first_not_of(' '));
     const std::string_view word = text.substr(0, space);  // with the spaces before it
     text.remove_prefix(word.size());
@@ -168,9 +178,11 @@ std::vector<TextColumn> text_columns(const Table& table) {
                     .is_words = column.place == Place::words,
                     .cells = {}};
     text.width = std::max(display_width(text.header), display_width(text.unit));
+    // make_table() puts the two bounds behind their value.
     const bool has_interval =
         i + 2 < table.columns.size() && table.columns[i + 1].place == Place::bound;
     int decimals = decimals_of(table, i);
+    // A value with its bounds takes three numbers' room.
     if (has_interval) decimals = std::min(decimals, 2);
     const bool has_star = std::any_of(table.rows.begin(), table.rows.end(),
                                       [&](const auto& row) { return row[i].is_best; });
@@ -186,6 +198,7 @@ std::vector<TextColumn> text_columns(const Table& table) {
       if (has_interval && std::holds_alternative<double>(row[i].value)) {
         const std::string lower = cell_text(row[i + 1], decimals);
         const std::string upper = cell_text(row[i + 2], decimals);
+        // NaN: no interval.
         cell += lower == "–" ? "" : " [" + lower + ", " + upper + "]";
       }
       text.width = std::max(text.width, display_width(cell));

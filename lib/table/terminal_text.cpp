@@ -36,10 +36,12 @@ std::vector<std::size_t> next_block(const std::vector<TextColumn>& columns, std:
     block.push_back(i);
     width += columns[i].width + kGap.size();
   }
+  // The keys stand in each block, so that its rows can be read.
   const std::size_t key_count = block.size();
   for (; first < columns.size(); ++first) {
     if (columns[first].is_key) continue;
     const std::size_t more = columns[first].width + kGap.size();
+    // One column at least, however narrow the terminal: else this would never end.
     if (block.size() > key_count && width + more > line_width + kGap.size()) break;
     block.push_back(first);
     width += more;
@@ -48,6 +50,7 @@ std::vector<std::size_t> next_block(const std::vector<TextColumn>& columns, std:
 }
 
 std::string trimmed(std::string line) {
+  // Of a line of spaces only nothing stays: npos + 1 is 0.
   line.erase(line.find_last_not_of(' ') + 1);
   return line;
 }
@@ -75,6 +78,7 @@ std::string block_line(const std::vector<TextColumn>& columns,
 std::string head_text(const Table& table, const std::vector<TextColumn>& columns,
                       const std::vector<std::size_t>& block, bool is_first,
                       const TextStyle& style) {
+  // Colours are put on after widths were counted, since they have none.
   const auto line = [&](auto text_of, std::string_view colour) {
     return painted(trimmed(block_line(columns, block, text_of)), colour, style) + "\n";
   };
@@ -123,6 +127,7 @@ std::string list_text(std::vector<TextColumn> columns, std::size_t row_count,
     others.push_back(i);
     left += columns[i].width + kGap.size();
   }
+  // The last column gets what is left of the line, and in a narrow terminal at least kLeastWidth.
   const std::size_t room = std::max(left + kLeastWidth, style.width) - left;
   const auto line = [&](const std::string& start, const std::string& end) {
     std::string text = wrapped(end, room, 0);
@@ -144,6 +149,7 @@ std::string list_text(std::vector<TextColumn> columns, std::size_t row_count,
 
 std::string table_text(const Table& table, const TextStyle& style) {
   const std::vector<TextColumn> columns = text_columns(table);
+  // A list of the program's commands, not a table of results.
   if (table.title.empty()) return list_text(columns, table.rows.size(), style);
   std::string out;
   for (std::size_t first = 0; first < columns.size();) {

@@ -29,6 +29,7 @@ void add_fields(const std::string& block, const InputError& error, Found& found)
 
 /// `path`: "sensor", or that of one of its more_cameras.
 void check_matcher(const std::string& path, const CameraSpec& sensor, Found& found) {
+  // Both matchers take multiples of 16.
   const auto check_disparities = [&](std::int64_t disparities) {
     if (disparities % 16 != 0) {
       found.push_back({path + ".disparities", std::to_string(disparities) +
@@ -109,6 +110,7 @@ std::vector<std::pair<std::string, double*>> rates_hz(TrialSpec& spec) {
   return rates;
 }
 
+/// Of the two periods in whole ticks around the exact one, that whose rate is nearer.
 double nearest_rate_hz(double rate_hz) {
   if (period_ticks(rate_hz)) return rate_hz;
   const double exact = static_cast<double>(kTicksPerSecond) / rate_hz;
@@ -145,6 +147,7 @@ std::vector<Contradiction> contradictions(const TrialSpec& spec) {
   try {
     check_vehicle(spec.vehicle);
   } catch (const InputError& error) {
+    // The contradiction's path says "vehicle" already.
     const std::string prefix = "vehicle ";
     for (const InputProblem& problem : error.problems()) {
       const bool says_vehicle = problem.message.starts_with(prefix);

@@ -23,6 +23,7 @@ Tick latency_of_call(const Flight& flight, double wall_time_s) {
   const LatencySpec& latency = flight.spec->latency;
   if (latency.mode == LatencyMode::zero) return 0;
   if (latency.mode == LatencyMode::fixed) return ticks(latency.ms / 1000.0);
+  // From here on the latency is measured: now, or in the recorded flight.
   if (flight.recorded_latency_s == nullptr) return ticks(latency.scale * wall_time_s);
   const std::size_t call = flight.record.plan_calls.size();
   const std::vector<double>& recorded_s = *flight.recorded_latency_s;
@@ -49,6 +50,7 @@ void apply_due_commands(Flight& flight) {
     if (command) {
       accept(flight.tracker, flight.model, *command, believed);
     } else {
+      // No plan: the vehicle brakes.
       hold(flight.tracker, flight.model, believed);
     }
     flight.pending.pop_front();
@@ -63,17 +65,15 @@ Eigen::Vector3d commanded_position(const Flight& flight) {
   return reference(flight.tracker).position_world;
 }
 
+/// The state at this tick, with what is measured of it: clearance and power.
 void sample(Flight& flight) {
   const VehicleState& state = flight.state;
   // The end of a flight may be a sample's own tick.
   if (!flight.record.samples.empty() && flight.record.samples.back().time_s == seconds(state.tick))
     return;
   const Pose T_world_body = pose_of(state);
-  const double nearest_m =
-      flight.scene->nearest(state.position_world, kClearanceLimit_m).distance_m;
-  const double limit_m = std::min(nearest_m, kClearanceLimit_m);  // the body holds its own centre
   const double clearance_m =
-      flight.scene->body_clearance(flight.collision_check.body_size_m, T_world_body, limit_m);
+      body_clearance(flight.collision_check, *flight.scene, T_world_body, kClearanceLimit_m);
   flight.record.samples.push_back(
       {.time_s = seconds(state.tick),
        .position_world = state.position_world,
@@ -82,7 +82,7 @@ void sample(Flight& flight) {
        .q_world_body = state.q_world_body,
        .rates_body_radps = state.rates_body,
        .reference_world = commanded_position(flight),
-       .clearance_m = std::min(clearance_m, limit_m),
+       .clearance_m = clearance_m,
        .rotor_power_w = rotor_power_w(flight.model, state)});
 }
 
@@ -90,8 +90,7 @@ void sample(Flight& flight) {
 void move_obstacles(Flight& flight, Tick dt) {
   if (flight.moving == nullptr) return;
   flight.moving->set_time(seconds(flight.state.tick));
-  // What was free around the last query shrinks by how far the fastest obstacle came.
-  flight.collision_check.free_radius_m -= flight.obstacle_speed_mps * seconds(dt);
+  move_obstacles(flight.collision_check, flight.obstacle_speed_mps * seconds(dt));
 }
 
 /// Records a contact that begins now. True when it is one more than a flight may survive.
@@ -145,6 +144,7 @@ std::optional<Outcome> ended(Flight& flight) {
 /// The next tick at which anything but physics happens, or the next of the physics' own grid.
 Tick next_tick(const Flight& flight) {
   const Tick now = flight.state.tick;
+  // The next multiple of a period, counted from tick 0.
   const auto after = [now](Tick period) { return (now / period + 1) * period; };
   Tick next = std::min({after(flight.physics_period), after(flight.plan_period),
                         after(flight.sample_period), next_sensing(flight.perception, now)});
@@ -160,6 +160,7 @@ void fly_on(Flight& flight) {
   // After commands: the sample's reference is the one that is followed from now on.
   if (now % flight.sample_period == 0) sample(flight);
   if (!flight.stopped) {
+    // By what the vehicle believes; it moves by the truth.
     const RotorVector rotors = track(flight.tracker, flight.model, believed_state(flight));
     const Tick dt = next_tick(flight) - now;
     flight.state = step(flight.model, flight.state, rotors, flight.environment, dt);
@@ -171,6 +172,7 @@ void fly_on(Flight& flight) {
 /// From begin_flight(), or from the tick of the last plan, to the next tick.
 void resume(Flight& flight) {
   if (flight.is_asked) {
+    // A caller that asks for the next plan must have answered this one.
     AB_CHECK(flight.is_answered || flight.stopped);
     flight.is_asked = false;
     if (flight.is_answered) forget_seen(flight.perception, flight.state.tick);
@@ -227,6 +229,7 @@ const PlannerView* next_plan(Flight& flight) {
   resume(flight);
   while (!flight.outcome) {
     const VehicleState& state = flight.state;
+    // The order within a tick: wind, senses, plan, commands, sample, step, end.
     flight.environment = environment_at(flight.wind, state.tick, state.position_world);
     sense(flight.perception, *flight.scene, flight.model, state, flight.environment);
     // Before commands take effect: with zero latency what is planned now acts now.
@@ -249,6 +252,7 @@ Tick answer(Flight& flight, const PlanResult& result) {
   PlanCall call{.time_s = seconds(flight.state.tick),
                 .cpu_time_s = result.cpu_time_s,
                 .wall_time_s = result.wall_time_s};
+  // A busy planner is not called: commands can't overtake each other.
   if (is_measured(flight.spec->latency)) {
     call.latency_s = seconds(latency);
     flight.busy_until = due;
@@ -257,10 +261,12 @@ Tick answer(Flight& flight, const PlanResult& result) {
     case PlanStatus::command:
       call.status = AB_OK;
       call.command_kind = result.command.kind;
+      // A trajectory's time begins when it takes effect.
       flight.pending.push_back({due, vehicle_command(result, due)});
       break;
     case PlanStatus::no_plan:
       call.status = AB_NO_PLAN;
+      // Also "no plan" takes effect a latency later.
       flight.pending.push_back({due, std::nullopt});
       break;
     case PlanStatus::gave_up:
@@ -284,6 +290,7 @@ void stop_flight(Flight& flight, Outcome outcome, std::string reason) {
 
 TrialRecord end_flight(Flight&& flight) {
   AB_CHECK(flight.outcome.has_value());
+  // The last sample's acceleration is that of the wind at the end.
   flight.environment = environment_at(flight.wind, flight.state.tick, flight.state.position_world);
   sample(flight);
   flight.record.outcome = *flight.outcome;

@@ -23,9 +23,12 @@ CameraMotion motion_of(const VehicleState& truth, const Pose& T_body_camera) {
 /// Exposes every camera of a kind and says when its next exposure is.
 void expose(Perception& p, CameraGroup& group, const Scene& scene, const VehicleState& truth) {
   const Pose T_world_body = pose_of(truth);
+  // The image is exposed at the true pose and told with the believed one.
   const Pose T_believed_body = pose_of(believed_state(p, truth));
+  // An image that nobody asks for is not made; the next exposure is drawn all the same.
   const bool is_seen = p.image_needs.depth || p.image_needs.stereo || p.image_needs.color;
   for (std::size_t i = 0; is_seen && i < group.T_body_cameras.size(); ++i) {
+    // Buffers of images that were seen are used again.
     if (p.exposure_count == p.exposures.size()) p.exposures.emplace_back();
     Exposure& exposure = p.exposures[p.exposure_count++];
     exposure.tick = truth.tick;
@@ -43,6 +46,7 @@ void expose(Perception& p, CameraGroup& group, const Scene& scene, const Vehicle
   }
   ++group.image_index;
   group.next_exposure = group.image_index * group.period;
+  // Jitter is drawn by itself for each image and does not add up.
   if (group.most_jitter > 0) {
     group.next_exposure += static_cast<Tick>(
         group.jitter_random.below(static_cast<std::uint64_t>(group.most_jitter) + 1));
@@ -80,6 +84,19 @@ bool is_state_tick(const Perception& p, Tick tick) {
   return (tick + p.state_delay) % p.plan_period == 0;
 }
 
+StateView state_view(const VehicleState& state) {
+  return {.time_s = seconds(state.tick),
+          .position_world = state.position_world,
+          .velocity_world = state.velocity_world,
+          .rates_body = state.rates_body,
+          .q_world_body = state.q_world_body};
+}
+
+/// Whether the odometry's delay is over.
+bool is_told(const Perception& p, const VehicleState& past, Tick now) {
+  return past.tick <= now - p.state_delay;
+}
+
 }  // namespace
 
 Perception make_perception(const TrialSpec& spec, std::uint32_t needs, const VehicleState& start) {
@@ -103,9 +120,12 @@ Perception make_perception(const TrialSpec& spec, std::uint32_t needs, const Veh
                .plan_period = required_period(spec.rates.plan_hz),
                .odometry_state = {},
                .odometry_random = stream(seed, "odometry"),
-               .past = {}};
+               .past = {},
+               .sees_states = (needs & AB_SEES_STATES) != 0,
+               .states = {}};
   p.imu_state = make_imu(p.imu, p.imu_random);
   p.odometry_state = make_odometry(p.odometry, start, p.odometry_random);
+  // Until the first state is old enough the planner sees the start.
   p.past.push_back(believed_state(p, start));
   return p;
 }
@@ -120,10 +140,12 @@ Tick next_sensing(const Perception& p, Tick now) {
   // odometry.
   if (p.is_perfect) return next;
   next = std::min(next, after(p.odometry_period));
+  // The next tick whose state a plan will see.
   return std::min(next,
                   ((now + p.state_delay) / p.plan_period + 1) * p.plan_period - p.state_delay);
 }
 
+/// Odometry first, since images are told with the pose that it believes.
 void sense(Perception& p, const Scene& scene, const VehicleModel& model, const VehicleState& truth,
            const Environment& environment) {
   if (!p.is_perfect) {
@@ -131,6 +153,10 @@ void sense(Perception& p, const Scene& scene, const VehicleModel& model, const V
       advance(p.odometry_state, p.odometry, truth, seconds(p.odometry_period), p.odometry_random);
     }
     if (truth.tick > 0 && is_state_tick(p, truth.tick)) p.past.push_back(believed_state(p, truth));
+  }
+  // At ticks that flights have anyway: to be seen changes nothing.
+  if (p.sees_states && truth.tick % p.imu_period == 0) {
+    p.states.push_back(believed_state(p, truth));
   }
   if (p.sees_imu && truth.tick % p.imu_period == 0) {
     p.imu_samples.push_back(sense_imu(p.imu, p.imu_state, model, truth, environment,
@@ -149,15 +175,7 @@ PlannerView planner_view(Perception& p, const VehicleState& truth) {
   // The newest state that is as old as the delay.
   while (p.past.size() > 1 && p.past[1].tick <= truth.tick - p.state_delay) p.past.pop_front();
   const VehicleState& state = p.is_perfect ? truth : p.past.front();
-  PlannerView view{.time_s = seconds(state.tick),
-                   .position_world = state.position_world,
-                   .velocity_world = state.velocity_world,
-                   .rates_body = state.rates_body,
-                   .q_world_body = state.q_world_body,
-                   .depth = {},
-                   .stereo = {},
-                   .color = {},
-                   .imu = {}};
+  PlannerView view{state_view(state), seconds(truth.tick), {}, {}, {}, {}, {}};
   for (std::size_t i = p.exposure_count; i-- > 0;) {  // newest first
     const Exposure& seen = p.exposures[i];
     if (seen.ready > truth.tick) continue;
@@ -173,9 +191,13 @@ PlannerView planner_view(Perception& p, const VehicleState& truth) {
       view.color.push_back({time_s, seen.T_world_camera, seen.camera, images.color});
     }
   }
+  // Oldest first, as one integrates them.
   for (const ImuSample& sample : p.imu_samples) {
     view.imu.push_back(
         {seconds(sample.tick), sample.rates_body_radps, sample.specific_force_body_mps2});
+  }
+  for (const VehicleState& past : p.states) {
+    if (is_told(p, past, truth.tick)) view.states.push_back(state_view(past));
   }
   return view;
 }
@@ -193,6 +215,7 @@ void forget_images(Perception& p, Tick tick) {
 void forget_seen(Perception& p, Tick now) {
   forget_images(p, now);
   p.imu_samples.clear();
+  std::erase_if(p.states, [&](const VehicleState& past) { return is_told(p, past, now); });
 }
 
 }  // namespace avoidbench

@@ -54,6 +54,8 @@ struct Perception {
   OdometryState odometry_state;
   RandomStream odometry_random;
   std::deque<VehicleState> past;  ///< estimates at plan ticks less the delay, oldest first
+  bool sees_states = false;
+  std::vector<VehicleState> states;  ///< estimates at the IMU's ticks that the planner has not seen
 };
 
 /// At the start of a trial. `needs` are the planner's (AB_SEES_…).

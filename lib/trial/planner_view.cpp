@@ -1,6 +1,7 @@
 #include "trial/planner_view.hpp"
 
 #include "base/check.hpp"
+#include "base/math.hpp"
 #include "base/random.hpp"
 
 namespace avoidbench {
@@ -25,6 +26,11 @@ CommandKind command_kind(std::uint32_t kind) {
 }
 
 }  // namespace
+
+std::optional<double> known_latency_s(const LatencySpec& latency) {
+  if (is_measured(latency)) return std::nullopt;
+  return latency.mode == LatencyMode::fixed ? seconds(ticks(latency.ms / 1000.0)) : 0.0;
+}
 
 PlannerSetup planner_setup(const TrialSpec& spec) {
   PlannerSetup setup;
@@ -59,14 +65,18 @@ std::vector<ParameterValue> parameter_values(const PlannerChoice& planner) {
   return values;
 }
 
-PlannerMission planner_mission(const TrialSpec& spec, const Mission& mission) {
+PlannerMission planner_mission(const TrialSpec& spec, const Mission& mission, const Aabb& bounds) {
+  // By map and mission and not by planner: two planners that draw alike meet the same luck.
   const std::uint64_t map_stream = stream_seed(stream_seed(spec.seed, "planner"), spec.map_seed);
   return {.seed = stream_seed(map_stream, static_cast<std::uint64_t>(spec.mission_index)),
           .start_world = mission.start_world,
           .goal_world = mission.goal_world,
           .start_yaw_rad = mission.start_yaw_rad,
           .goal_radius_m = spec.mission.goal_radius_m,
-          .time_limit_s = spec.mission.time_limit_s};
+          .time_limit_s = spec.mission.time_limit_s,
+          .lowest_world = bounds.min(),
+          .highest_world = bounds.max(),
+          .command_latency_s = known_latency_s(spec.latency).value_or(math::kNaN)};
 }
 
 Command vehicle_command(const PlanResult& result, Tick start_tick) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "control/command.hpp"
 #include "plugin/planner_instance.hpp"
 #include "trial/mission.hpp"
@@ -9,14 +11,17 @@
 /// The trial's types as the planner interface has them, and back.
 namespace avoidbench {
 
+/// From a plan call to when its command acts; nothing where that is measured.
+std::optional<double> known_latency_s(const LatencySpec& latency);
+
 PlannerSetup planner_setup(const TrialSpec& spec);
 
 /// One value for each parameter that `spec.planner` lists, in the planner's own order.
 std::vector<ParameterValue> parameter_values(const PlannerChoice& planner);
 
 /// The planner's seed follows from the sweep's, the map's and the mission's; it can't be told from
-/// other streams.
-PlannerMission planner_mission(const TrialSpec& spec, const Mission& mission);
+/// other streams. `bounds` are the map's.
+PlannerMission planner_mission(const TrialSpec& spec, const Mission& mission, const Aabb& bounds);
 
 /// The command of a plan call that takes effect at `start_tick`.
 Command vehicle_command(const PlanResult& result, Tick start_tick);

@@ -42,7 +42,9 @@ TrialRecord run_trial(const TrialSpec& spec, const Scene& scene, const Mission& 
   Flight flight = begin_flight(spec, scene, mission, planner.needs(), recorded_latency_s);
   planner.take_log();  // of an earlier trial
   planner.take_drawings();
-  if (std::string error = planner.reset(planner_mission(spec, mission)); !error.empty()) {
+  // A planner that can't begin has flown a trial that ends at once.
+  if (std::string error = planner.reset(planner_mission(spec, mission, scene.world().bounds));
+      !error.empty()) {
     stop_flight(flight, Outcome::planner_error, "reset: " + error);
   }
   while (const PlannerView* view = next_plan(flight)) {

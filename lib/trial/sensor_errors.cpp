@@ -34,6 +34,7 @@ void keep_kind(const World& world, const std::string& kind,
     const std::uint32_t obstacle = world.instances[instances[i]].obstacle;
     const bool is_kind =
         obstacle < world.obstacles.size() && world.obstacles[obstacle].kind == kind;
+    // Infinite depth: what add_samples() leaves out.
     if (!is_kind) truth_m[i] = std::numeric_limits<float>::infinity();
   }
 }
@@ -77,6 +78,7 @@ SensorErrors measure_sensor(const TrialSpec& trial, std::int64_t mission_count,
   const World world = make_world(trial.map, trial.map_seed);
   check_kind(world, kind);
   const Scene scene(world);
+  // The sensor's own image without its noise and its limits of range.
   Pinhole ideal = sensor_camera(sensor);
   ideal.min_range_m = 0.0;
   ideal.max_range_m = std::numeric_limits<double>::infinity();
@@ -92,6 +94,7 @@ SensorErrors measure_sensor(const TrialSpec& trial, std::int64_t mission_count,
   for (const Pose& T_world_body : poses_along_missions(scene, trial, mission_count)) {
     for (const MountingSpec& mounting : mountings(sensor)) {
       const Pose T_world_camera = T_world_body * T_body_camera(mounting);
+      // Noise of its own for each image.
       camera.expose(scene, T_world_camera, {}, {.depth = true}, stream_seed(trial.seed, index++),
                     images);
       render_depth(scene, ideal, T_world_camera, truth_m, instances);

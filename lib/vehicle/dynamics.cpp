@@ -91,6 +91,7 @@ Motion derivative(const VehicleModel& model, const Motion& m, const RotorLoads& 
   const double ax = m.velocity.x() - environment.wind_world_mps.x();
   const double ay = m.velocity.y() - environment.wind_world_mps.y();
   const double az = m.velocity.z() - environment.wind_world_mps.z();
+  // By the transposed matrix: from the world to the body.
   const double u = r00 * ax + r10 * ay + r20 * az;
   const double v = r01 * ax + r11 * ay + r21 * az;
   const double w = r02 * ax + r12 * ay + r22 * az;
@@ -103,6 +104,7 @@ Motion derivative(const VehicleModel& model, const Motion& m, const RotorLoads& 
   const double hub_x = u * n.s + q * n.sz - r * n.sy;
   const double hub_y = v * n.s + r * n.sx - p * n.sz;
   const double hub_z = w * n.s + p * n.sy - q * n.sx;
+  // r × F of each rotor's drag force, summed.
   double torque_x = n.torque_x + across * (v * n.sz + r * n.sxz - p * n.szz) -
                     along * (w * n.sy + p * n.syy - q * n.sxy);
   double torque_y = n.torque_y - across * (u * n.sz + q * n.szz - r * n.syz) +
@@ -110,6 +112,7 @@ Motion derivative(const VehicleModel& model, const Motion& m, const RotorLoads& 
   double torque_z = n.torque_z + reaction_z - across * (v * n.sx + r * n.sxx - p * n.sxz) +
                     across * (u * n.sy + q * n.syz - r * n.syy);
   const double rolling = spec.rolling_moment_coefficient_kgm;
+  // The rolling moment is along the hub's velocity across the axis.
   torque_x -= rolling * (u * n.r + q * n.rz - r * n.ry);
   torque_y -= rolling * (v * n.r + r * n.rx - p * n.rz);
 
@@ -131,6 +134,7 @@ Motion derivative(const VehicleModel& model, const Motion& m, const RotorLoads& 
 
   const double im = model.inverse_mass;
   const Vector3d& external = environment.force_world_n;
+  // Position, velocity, quaternion (½ q ⊗ ω), rates.
   return {m.velocity,
           {im * (r00 * force_x + r01 * force_y + r02 * force_z + external.x()),
            im * (r10 * force_x + r11 * force_y + r12 * force_z + external.y()),
@@ -263,6 +267,7 @@ double rotor_power_w(const VehicleModel& model, const VehicleState& state) {
     const double speed = state.rotor_speed_radps[i];
     sum += speed * speed * speed;
   }
+  // Drag torque k_m k_f Ω², times Ω.
   return model.spec.moment_coefficient_m * model.spec.thrust_coefficient_ns2 * sum;
 }
 

@@ -24,11 +24,14 @@ BrakingCurve make_curve(double max_speed, double deceleration, double jerk, doub
   curve.max_speed = max_speed;
   curve.deceleration = a;
   curve.jerk = jerk;
+  // At the target the deceleration falls at gain times itself: within the jerk.
   curve.gain = std::min(jerk / a, max_gain);
   curve.root_from = a / (curve.gain * curve.gain);
+  // Where the ramp begins: a full ramp of deceleration takes a²/2j off the speed.
   const double ramp_speed = max_speed - 0.5 * a * a / jerk;
   curve.ramp_from = 0.5 * ramp_speed * ramp_speed / a + 0.5 * curve.root_from;
   const double ramp_s = a / jerk;
+  // From there the way of that ramp, jerk constant.
   curve.cap_from = curve.ramp_from + ramp_s * (max_speed - a * ramp_s / 6.0);
   return curve;
 }
@@ -58,6 +61,7 @@ void set_rotors(VehicleModel& model) {
     model.hover_speed_radps[i] = std::sqrt(hover_n / spec.thrust_coefficient_ns2);
     speed_sum += model.hover_speed_radps[i];
   }
+  // At hover speeds, where drag over velocity is about constant.
   const double across = spec.rotor_drag_coefficient_kg * speed_sum;
   const double along = spec.rotor_axial_drag_coefficient_kg * speed_sum;
   model.drag_per_s = (to_eigen(spec.linear_drag_kgps) + Eigen::Vector3d(across, across, along)) *
@@ -83,6 +87,7 @@ VehicleModel make_model(const VehicleSpec& vehicle) {
   constexpr double kBraking = 0.8, kBrakingJerk = 0.4, kClosingJerk = 0.5, kMaxGain = 4.0;
   model.speed_curve = make_curve(vehicle.max_speed_mps, kBraking * vehicle.max_acceleration_mps2,
                                  kBrakingJerk * vehicle.max_jerk_mps3, kMaxGain);
+  // Faster than the curve that it follows.
   model.acceleration_gain = 1.8 * model.speed_curve.gain;
   model.acceleration_jerk = kClosingJerk * vehicle.max_jerk_mps3;
   const double yaw_braking = kBraking * vehicle.max_yaw_acceleration_radps2;
@@ -92,6 +97,7 @@ VehicleModel make_model(const VehicleSpec& vehicle) {
   model.position_period = *period_ticks(vehicle.position_controller.rate_hz);
   model.rate_period = *period_ticks(vehicle.rate_controller.rate_hz);
   model.lee_period = *period_ticks(vehicle.lee_controller.rate_hz);
+  // Made once for the usual period of physics, 1 ms; step() makes others as they come.
   model.lag_step_s = seconds(kTicksPerMillisecond);
   model.lag_up = math::exp(-0.5 * model.lag_step_s / vehicle.time_constant_up_s);
   model.lag_down = math::exp(-0.5 * model.lag_step_s / vehicle.time_constant_down_s);

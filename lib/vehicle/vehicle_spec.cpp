@@ -22,6 +22,7 @@ VehicleSpec hummingbird_rotors_spec() {
   return vehicle;
 }
 
+/// Ascending Technologies' Firefly as in RotorS: six rotors at 60°, the first at 30° from x.
 VehicleSpec firefly_spec() {
   constexpr double kArm = 0.215, kHeight = 0.036281567;
   const double cos30 = 0.5 * std::sqrt(3.0);
@@ -51,6 +52,7 @@ void check_vehicle(const VehicleSpec& vehicle) {
     problems.push_back(std::move(problem));
   };
   const std::size_t count = vehicle.rotors.size();
+  // Nothing else makes sense then.
   if (count == 0 || count > kMaxRotors) {
     add("rotors: " + std::to_string(count) + " of them, not one to eight");
     throw InputError(problems);
@@ -73,6 +75,7 @@ void check_vehicle(const VehicleSpec& vehicle) {
       add("controller rate_hz: the period is not a whole number of ticks of 1/36000 s");
     }
   }
+  // A rotor's thrust is k ω².
   const double max_thrust_n = vehicle.thrust_coefficient_ns2 * vehicle.max_rotor_speed_radps *
                               vehicle.max_rotor_speed_radps;
   const auto mixing = pseudo_inverse(allocation_matrix(vehicle));
@@ -85,6 +88,7 @@ void check_vehicle(const VehicleSpec& vehicle) {
     const double a = vehicle.max_acceleration_mps2;
     bool hovers = true, accelerates = true;
     for (int i = 0; i < static_cast<int>(count); ++i) {
+      // Column 0 is collective thrust: this rotor's part of the weight, divided by g.
       const double share = (*mixing)(i, 0) * vehicle.mass_kg;
       hovers = hovers && share > 0.0 && share * g < max_thrust_n;
       accelerates = accelerates && share * std::sqrt(g * g + a * a) < max_thrust_n;

@@ -10,6 +10,7 @@
 namespace avoidbench {
 namespace {
 
+/// Paper is where the world ends; what moves is marked by the way that it takes.
 constexpr Color kPaper{236, 236, 234}, kGround{214, 209, 199}, kPath{255, 255, 255},
     kPathRim{20, 20, 20}, kMoving{230, 120, 20};
 constexpr int kBand_px = 22;  ///< of caption and scales
@@ -27,6 +28,7 @@ struct Plan {
   }
 };
 
+/// As large as fits between the bands, in the middle of what is left.
 Plan lay_out(const World& world, const MapView& view) {
   const Eigen::Vector2d margin_m = Eigen::Vector2d::Constant(kMargin_m);
   const Eigen::Vector2d low = world.flight_bounds.min().head<2>() - margin_m;
@@ -39,10 +41,13 @@ Plan lay_out(const World& world, const MapView& view) {
           .bottom_px = kBand_px + 0.5 * (height_px + scale * size.y())};
 }
 
+/// One plan_color() per sample, samples × samples of them a pixel on a regular grid; their mean is
+/// of sRGB values, as they are, which is good enough for edges.
 void paint_ground_plan(const World& world, const Plan& plan, const MapView& view,
                        Picture& picture) {
   const Scene scene(world);
   const Region& starts = world.start_region;
+  // The middle of the heights at which missions start; above the ground where the map says so.
   const double flight_m = 0.5 * (starts.lowest.z() + starts.highest.z());
   const auto cut_z_m = [&](double x, double y) {
     return flight_m + (world.heights_above_ground ? ground_height_m(world, x, y) : 0.0);
@@ -83,6 +88,7 @@ void draw_region(const Plan& plan, const Region& region, const Color& color, Pic
 /// The mission over the map, and what there is to say of it.
 std::string draw_mission(const Scene& scene, const TrialSpec& trial, const MapView& view,
                          const Plan& plan, Picture& picture) {
+  // The same mission that a trial of this index flies.
   const auto mission = the_mission(scene, trial, view.mission_index, view.listed_missions);
   const std::string name = "mission " + std::to_string(view.mission_index);
   if (!mission) {
@@ -92,6 +98,7 @@ std::string draw_mission(const Scene& scene, const TrialSpec& trial, const MapVi
   const double radius_m = body_measure(to_eigen(trial.vehicle.body_size_m)).radius_m;
   const auto path = reference_path(grid, *mission, trial.mission.goal_radius_m, radius_m);
   if (path) {
+    // Pale on a dark rim: seen on any ground.
     std::vector<Eigen::Vector2d> points;
     for (const Eigen::Vector3d& point : *path) points.push_back(plan.to_pixels(point));
     draw_line(picture, points, kPathRim, 5);
@@ -120,6 +127,8 @@ Color color_below(const Scene& scene, double x_m, double y_m, double from_z_m, d
   const double above_m = from.z() - hit.distance_m - ground_height_m(world, x_m, y_m);
   const Color flat = kind == "ground" ? kGround : height_color(above_m / highest_m);
   const Eigen::Vector3d up = hit.normal_world.z() < 0.0 ? -hit.normal_world : hit.normal_world;
+  // Lambert's law with a light from the upper left of the plan, and an ambient part so that no side
+  // is black.
   const double light = std::max(0.0, up.dot(Eigen::Vector3d(-0.5, 0.5, 0.7071)));
   Color color{};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -132,15 +141,19 @@ Color plan_color(const Scene& scene, double x_m, double y_m, double cut_z_m) {
   constexpr double kVeil = 0.3;
   const World& world = scene.world();
   const double highest_m = world.flight_bounds.sizes().z();
+  // Above the cut and everything that the world has.
   const double top_z_m = std::max(cut_z_m, world.bounds.max().z()) + 1.0;
   const Color of_top = color_below(scene, x_m, y_m, top_z_m, highest_m);
   const RayHit top = scene.first_hit({x_m, y_m, top_z_m}, -Eigen::Vector3d::UnitZ());
+  // From above, something is met before the cut: a crown, say, or the inside of what is cut.
   const bool is_covered = top_z_m - top.distance_m > cut_z_m;
+  // Cut solids are filled with what is seen from above: their inside has no surface below the cut.
   if (!is_covered || is_inside(scene, {x_m, y_m, cut_z_m})) return of_top;
   return mixed(color_below(scene, x_m, y_m, cut_z_m, highest_m), of_top, kVeil);
 }
 
 void fit_plan(const World& world, int longest_px, MapView& view) {
+  // A narrow map gets paper beside it.
   constexpr double kLeastWidth_px = 480.0, kLeastHeight_px = 240.0;  // for the captions
   const Eigen::Vector2d size_m =
       world.flight_bounds.sizes().head<2>() + Eigen::Vector2d::Constant(2.0 * kMargin_m);
@@ -155,6 +168,7 @@ Picture plan_view(const World& world, const TrialSpec& trial, const MapView& vie
   const Plan plan = lay_out(world, view);
   const double highest_m = world.flight_bounds.sizes().z();
   Picture picture = make_picture(view.width_px, view.height_px);
+  // The roof would hide all; missions are laid out in the whole world, below.
   paint_ground_plan(without_roof(world), plan, view, picture);
   for (const Motion& motion : world.motions) {
     const Eigen::Vector3d middle =

@@ -30,6 +30,7 @@ World without(const World& world, std::initializer_list<std::string_view> kinds,
 }
 
 /// A camera at `eye` that looks at `target`; image up is as near to `up` as can be.
+/// Axes of cameras: x to the right, y down, z forward.
 Pose look_at(const Eigen::Vector3d& eye, const Eigen::Vector3d& target, const Eigen::Vector3d& up) {
   const Eigen::Vector3d forward = (target - eye).normalized();
   const Eigen::Vector3d right = forward.cross(up).normalized();
@@ -41,6 +42,7 @@ Pose look_at(const Eigen::Vector3d& eye, const Eigen::Vector3d& target, const Ei
   return pose;
 }
 
+/// Without a limit of range: `view.samples` rays a side of each pixel see up to the world's end.
 Picture shaded(const World& world, const Pose& T_world_camera, double fov_x_rad, bool has_haze,
                const MapView& view) {
   const Scene scene(world);
@@ -53,13 +55,17 @@ Picture shaded(const World& world, const Pose& T_world_camera, double fov_x_rad,
   return picture;
 }
 
+/// The flight space from above at a slant, without what would hide it.
 Picture bird_view(const World& world, const MapView& view) {
   constexpr double kFov = 40.0 * math::kDegree;
   const Eigen::Vector3d center = world.flight_bounds.center();
+  // From above and the lower left of a plan.
   const Eigen::Vector3d away = Eigen::Vector3d(-0.55, -0.8, 0.75).normalized();
   const Pose axes = look_at(center + away, center, Eigen::Vector3d::UnitZ());
   const double tan_x = math::tan(0.5 * kFov);
   const double tan_y = tan_x * view.height_px / view.width_px;
+  // For each corner, the least distance at which the cone of the field of view holds it, 8 % more
+  // than that for a margin.
   double distance_m = 0.0;  // at which every corner of the flight space is in the picture
   for (int k = 0; k < 8; ++k) {
     const Eigen::Vector3d corner =
@@ -73,6 +79,8 @@ Picture bird_view(const World& world, const MapView& view) {
                 look_at(eye, center, Eigen::Vector3d::UnitZ()), kFov, false, view);
 }
 
+/// The true depth of this sensor's field of view and range, without its errors, at the picture's
+/// own size.
 Picture depth_view(const World& world, const TrialSpec& trial, const MapView& view) {
   const Scene scene(world);
   const Pinhole camera =

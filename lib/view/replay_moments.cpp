@@ -8,8 +8,10 @@
 namespace avoidbench {
 namespace {
 
+/// All are in memory, with their images, until the flight's end.
 constexpr std::size_t kMostMoments = 2000;
 
+/// Of whichever kind of view it is: depth, the left eye of a pair, or colour.
 template <class View>
 SeenImage seen_image(const View& view, int width_px, int height_px) {
   SeenImage image{.time_s = view.time_s,
@@ -32,9 +34,11 @@ SeenImage seen_image(const View& view, int width_px, int height_px) {
 MomentRecorder::MomentRecorder(std::vector<double> at_s, double every_s, const TrialSpec& spec)
     : at_s_(std::move(at_s)), every_s_(every_s), cameras_(rig_cameras(spec.sensor)) {
   std::sort(at_s_.begin(), at_s_.end());
+  // Never reached by a call: finish() keeps the flight's end in its place.
   if (at_s_.empty() && every_s_ <= 0.0) at_s_.push_back(std::numeric_limits<double>::infinity());
 }
 
+/// Both lists of times are merged as they are needed, in order.
 double MomentRecorder::next_s() const {
   constexpr double kNever = std::numeric_limits<double>::infinity();
   const double at = at_index_ < at_s_.size() ? at_s_[at_index_] : kNever;
@@ -47,15 +51,17 @@ void MomentRecorder::keep(double time_s) {
     throw OptionError("more than " + std::to_string(kMostMoments) + " pictures; show fewer", "",
                       "every");
   }
+  // The latest call before the moment, under the moment's own time.
   moments_.push_back(latest_);
   moments_.back().time_s = time_s;
   const double next = next_s();
+  // Both pointers go past this time, so that a time in both lists is one moment.
   while (at_index_ < at_s_.size() && at_s_[at_index_] <= next) ++at_index_;
   if (every_s_ > 0.0 && every_s_ * static_cast<double>(every_index_) <= next) ++every_index_;
 }
 
 void MomentRecorder::see(const PlannerView& seen) {
-  // Newest first, so that the oldest is overwritten by what comes before it.
+  // Views come newest first: from the last one on, newer ones overwrite older ones of a camera.
   const auto take = [&](const auto& views) {
     for (auto view = views.rbegin(); view != views.rend(); ++view) {
       if (latest_.images.size() <= view->camera) latest_.images.resize(view->camera + 1);
@@ -70,6 +76,7 @@ void MomentRecorder::see(const PlannerView& seen) {
 }
 
 void MomentRecorder::planned(const PlanStep& step) {
+  // Moments before this call have the call before it: it is what the vehicle was flying by.
   while (next_s() < step.time_s) keep(next_s());
   latest_.call_s = step.time_s;
   latest_.believed = step.believed;
@@ -78,6 +85,7 @@ void MomentRecorder::planned(const PlanStep& step) {
   see(step.view);
 }
 
+/// No result and no drawings: those of the call before stay.
 void MomentRecorder::planning(const PlanCallAhead& call) {
   while (next_s() < call.time_s) keep(next_s());
   latest_.call_s = call.time_s;
@@ -87,6 +95,7 @@ void MomentRecorder::planning(const PlanCallAhead& call) {
 
 std::vector<Moment> MomentRecorder::finish(double end_s) {
   while (next_s() < end_s) keep(next_s());
+  // What was asked for after the end is shown once, as the end is.
   if (at_index_ < at_s_.size() || every_s_ > 0.0) keep(end_s);
   return std::move(moments_);
 }

@@ -15,14 +15,17 @@ std::uint8_t* pixel(Picture& picture, int column, int row) {
 }
 
 /// Whether OpenCV can draw to this place.
+/// OpenCV's coordinates are 32-bit with fraction bits: planners may draw far beyond those.
 bool is_drawable(const Eigen::Vector2d& at) { return at.cwiseAbs().maxCoeff() < 1e5; }
 
+/// Left out where either end is too far away.
 void draw_segment(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Color& color,
                   int width_px, Panel& panel) {
   const Eigen::Vector2d a = panel.to_pixels(from), b = panel.to_pixels(to);
   if (is_drawable(a) && is_drawable(b)) draw_line(panel.picture, {a, b}, color, width_px);
 }
 
+/// The part of a drawing that is far from the panel's plane, paler, or the part that is near it.
 void draw_one(const Drawing& drawing, bool is_far, Panel& panel) {
   const Color own = color_of(drawing.color_rgb);
   const Color color = is_far ? mixed(own, kWhite, 0.65) : own;
@@ -34,6 +37,7 @@ void draw_one(const Drawing& drawing, bool is_far, Panel& panel) {
   if (drawing.kind == DrawingKind::points || drawing.kind == DrawingKind::text) {
     const double diameter_px = size_px > 0.0 ? size_px : 3.0;
     for (const Eigen::Vector3d& point : points) {
+      // A margin of 50 px: a disc's edge or a label may reach into the picture.
       const Eigen::Vector2d at = panel.to_pixels(point);
       const bool is_shown = fits(point) && at.x() > -50.0 && at.y() > -50.0 &&
                             at.x() < panel.picture.width_px + 50.0 &&
@@ -47,6 +51,8 @@ void draw_one(const Drawing& drawing, bool is_far, Panel& panel) {
     return;
   }
   const int width_px = size_px > 0.0 ? std::max(1, static_cast<int>(std::lround(size_px))) : 2;
+  // Segments are pairs of points; in a polyline each point but the first ends one and begins the
+  // next.
   const std::size_t step = drawing.kind == DrawingKind::segments ? 2 : 1;
   for (std::size_t i = 0; i + 1 < points.size(); i += step) {
     if (fits(points[i])) draw_segment(points[i], points[i + 1], color, width_px, panel);
@@ -57,6 +63,7 @@ void draw_one(const Drawing& drawing, bool is_far, Panel& panel) {
 
 Eigen::Vector2d Panel::to_pixels(const Eigen::Vector3d& point) const {
   const Eigen::Vector3d offset = point - low_world;
+  // Rows count down, `up` goes up.
   return {pixels_per_m * offset.dot(right), picture.height_px - pixels_per_m * offset.dot(up)};
 }
 
@@ -65,6 +72,7 @@ Eigen::Vector3d Panel::world_at(double column_px, double row_px) const {
 }
 
 double Panel::distance_m(const Eigen::Vector3d& point) const {
+  // The normal, toward whom looks at the panel.
   return std::abs((point - low_world).dot(right.cross(up)));
 }
 
@@ -75,6 +83,7 @@ Panel make_panel(int width_px, int height_px, const Eigen::Vector3d& center,
               .right = right,
               .up = up,
               .pixels_per_m = width_px / width_m};
+  // From the centre to the lower left corner.
   panel.low_world -= 0.5 * (width_m * right + height_px / panel.pixels_per_m * up);
   return panel;
 }
@@ -86,6 +95,7 @@ void paint_white(Panel& panel) {
 void paint_plan(const Scene& scene, double cut_z_m, Panel& panel) {
   for (int row = 0; row < panel.picture.height_px; ++row) {
     for (int column = 0; column < panel.picture.width_px; ++column) {
+      // Of the pixel's middle.
       const Eigen::Vector3d at = panel.world_at(column + 0.5, row + 0.5);
       const Color color = mixed(plan_color(scene, at.x(), at.y(), cut_z_m), kWhite, 0.25);
       std::copy(color.begin(), color.end(), pixel(panel.picture, column, row));
@@ -102,7 +112,9 @@ void paint_silhouette(const Scene& scene, const Eigen::Vector3d& center_world, d
   for (int row = 0; row < panel.picture.height_px; ++row) {
     for (int column = 0; column < panel.picture.width_px; ++column) {
       const Eigen::Vector2d pixel_center(column + 0.5, row + 0.5);
+      // Rays are cast only for pixels that may be tinted.
       if ((pixel_center - center).norm() > radius_px) continue;
+      // From so far away that all of the scene is between.
       const Eigen::Vector3d from = panel.world_at(column + 0.5, row + 0.5) + kFar_m * away;
       if (!std::isfinite(scene.first_hit(from, -away).distance_m)) continue;
       tint(panel.picture, column, row, 1, 1, color, 0.45);
@@ -123,8 +135,10 @@ void paint_below(const Scene& scene, double from_z_m, Panel& panel) {
 }
 
 void paint_slice(const Scene& scene, double radius_m, Panel& panel) {
+  // A nearest-point query a pixel would be four times as many.
   constexpr int kBlock_px = 2;
   constexpr Color kSurface{20, 20, 20}, kNear{230, 40, 30};
+  // Half of a block's diagonal is 0.71 of its side: no surface slips between two blocks.
   const double surface_m = 0.75 * kBlock_px / panel.pixels_per_m;
   const double limit_m = std::max(radius_m, surface_m);
   for (int row = 0; row < panel.picture.height_px; row += kBlock_px) {
@@ -140,6 +154,7 @@ void paint_slice(const Scene& scene, double radius_m, Panel& panel) {
 }
 
 void draw(const std::vector<Drawing>& drawings, Panel& panel) {
+  // All far parts first, so that no far part of one drawing hides a near part of another.
   for (const bool is_far : {true, false}) {
     for (const Drawing& drawing : drawings) draw_one(drawing, is_far, panel);
   }
@@ -150,6 +165,7 @@ void draw_path(const std::vector<Eigen::Vector3d>& points, const Color& color, i
   std::vector<Eigen::Vector2d> pixels;
   for (const Eigen::Vector3d& point : points) {
     const Eigen::Vector2d at = panel.to_pixels(point);
+    // Left out, not cut there: the line goes on from its neighbours.
     if (point.allFinite() && is_drawable(at)) pixels.push_back(at);
   }
   if (pixels.size() < 2) return;
@@ -159,12 +175,14 @@ void draw_path(const std::vector<Eigen::Vector3d>& points, const Color& color, i
 
 void draw_box(const Eigen::Vector3d& size_m, const Pose& T_world_body, const Color& color,
               Panel& panel) {
+  // Corner i has bit 0 for x, bit 1 for y, bit 2 for z.
   const auto corner = [&](unsigned bits) -> Eigen::Vector3d {
     const Eigen::Vector3d sign((bits & 1U) != 0 ? 0.5 : -0.5, (bits & 2U) != 0 ? 0.5 : -0.5,
                                (bits & 4U) != 0 ? 0.5 : -0.5);
     return T_world_body * sign.cwiseProduct(size_m);
   };
   for (unsigned bits = 0; bits < 8; ++bits) {
+    // Each edge once: from the corner that lacks the axis' bit to the one that has it.
     for (const unsigned axis : {1U, 2U, 4U}) {
       if ((bits & axis) == 0) draw_segment(corner(bits), corner(bits | axis), color, 2, panel);
     }
@@ -173,6 +191,7 @@ void draw_box(const Eigen::Vector3d& size_m, const Pose& T_world_body, const Col
 
 void add_legend(const std::vector<LegendLine>& lines, Picture& picture) {
   constexpr int kRow_px = 18, kTop_px = 26, kLetter_px = 9;
+  // Planners may draw hundreds of things with labels of any length.
   constexpr std::size_t kMostLines = 12, kMostLetters = 40;
   std::vector<LegendLine> shown;
   std::size_t letters = 0;

@@ -34,6 +34,7 @@ struct Layout {
 
 /// The layout that shows a path of this extent larger.
 Layout layout_of(const Eigen::Vector2d& size_m) {
+  // A path this much wider than high is shown larger across the sheet.
   constexpr double kWide = 1.25;
   Layout layout;
   layout.is_wide = size_m.x() > kWide * size_m.y();
@@ -51,6 +52,7 @@ __attribute__((format(printf, 1, 2))) std::string formatted(const char* format, 
   char line[256];
   va_list arguments;
   va_start(arguments, format);
+  // Longer lines are cut.
   std::vsnprintf(line, sizeof line, format, arguments);
   va_end(arguments);
   return line;
@@ -58,6 +60,8 @@ __attribute__((format(printf, 1, 2))) std::string formatted(const char* format, 
 
 /// The last sample not after `time_s`.
 const Sample& sample_at(const TrialRecord& record, double time_s) {
+  // Times are sums of periods: a sample at the very moment counts even where rounding puts it
+  // behind.
   auto after = std::upper_bound(record.samples.begin(), record.samples.end(), time_s + 1e-9,
                                 [](double time, const Sample& s) { return time < s.time_s; });
   return after == record.samples.begin() ? *after : *std::prev(after);
@@ -81,6 +85,7 @@ std::vector<Vector3d> commanded(const Moment& moment) {
     case AB_COMMAND_VELOCITY:
       return {from, from + vector(command.velocity_world_mps)};
     case AB_COMMAND_ACCELERATION:
+      // Constant acceleration for a second, in tenths.
       for (int i = 0; i <= 10; ++i) {
         const double t = 0.1 * i;
         points.push_back(from + t * moment.believed.velocity_world +
@@ -118,6 +123,7 @@ std::string command_text(const Moment& moment) {
 }
 
 /// The part of the path in a panel, coloured by speed.
+/// What comes later lies below, thin and grey.
 void draw_flown(const TrialRecord& record, double until_s, double most_mps, int width_px,
                 Panel& panel) {
   std::vector<Vector3d> before, later;
@@ -173,6 +179,8 @@ struct ReplaySheets::Internals {
   const World& world;
   const TrialRecord& record;
   std::string title;
+  // The fastest of the flight, so that all its sheets have one scale; not 0 for a flight that never
+  // moved.
   double most_mps = 0.1;
   double radius_m;
   std::optional<double> built_s;  // of the scenes; they change only where things move
@@ -203,6 +211,8 @@ void ReplaySheets::Internals::find_extent() {
   layout = layout_of(extent.sizes() + Eigen::Vector2d::Constant(kAround_m));
 }
 
+/// Scenes and the plan are costly: they are made once where nothing moves, else for each moment.
+/// Old ones go first, since scenes refer to their worlds.
 void ReplaySheets::Internals::build(double time_s) {
   if (built_s && (world.motions.empty() || *built_s == time_s)) return;
   built_s = time_s;
@@ -210,6 +220,7 @@ void ReplaySheets::Internals::build(double time_s) {
   scene.reset();
   roofless_scene.reset();
   frozen = world;
+  // What moves is put where it is at this time, and then stands.
   for (const Motion& motion : world.motions) {
     frozen.instances[motion.instance].T_world_prototype.translation() +=
         displacement_world(motion, time_s).cast<float>();
@@ -224,6 +235,7 @@ void ReplaySheets::Internals::build(double time_s) {
   map = make_panel(layout.overview_width_px, layout.overview_height_px,
                    {extent.center().x(), extent.center().y(), 0.0}, Vector3d::UnitX(),
                    Vector3d::UnitY(), width_m);
+  // Cut at the median height of the flight, which one climb does not move.
   std::vector<double> heights_m;
   for (const Sample& s : record.samples) heights_m.push_back(s.position_world.z());
   const auto middle = heights_m.begin() + static_cast<std::ptrdiff_t>(heights_m.size() / 2);
@@ -250,6 +262,8 @@ Panel ReplaySheets::Internals::overview(const Moment& moment) {
   return panel;
 }
 
+/// From the bottom up: surfaces, mission, drawings, path, command, what was struck, and the vehicle
+/// on top.
 Panel ReplaySheets::Internals::detail(const Moment& moment, const Panel& empty, bool from_above) {
   Panel panel = empty;
   const Sample& now = sample_at(record, moment.time_s);
@@ -257,6 +271,7 @@ Panel ReplaySheets::Internals::detail(const Moment& moment, const Panel& empty, 
   if (from_above) draw_mission(stored.mission, stored.spec.mission.goal_radius_m, panel);
   draw(moment.drawings, panel);
   draw_flown(record, moment.time_s, most_mps, 2, panel);
+  // What the controller followed: away from the path where the vehicle lags.
   std::vector<Vector3d> references;
   for (const Sample& s : record.samples) {
     const bool is_recent = s.time_s > moment.time_s - 3.0 && s.time_s <= moment.time_s + 1e-9;
@@ -267,6 +282,7 @@ Panel ReplaySheets::Internals::detail(const Moment& moment, const Panel& empty, 
   if (shows_contact(moment)) draw_struck(*struck, panel);
   draw_box(to_eigen(stored.spec.vehicle.body_size_m),
            make_pose(now.position_world, now.q_world_body), kVehicle, panel);
+  // Body x is forward.
   const Vector3d nose = now.position_world + 0.6 * (now.q_world_body * Vector3d::UnitX());
   draw_path({now.position_world, nose}, kVehicle, 2, 0, panel);
   return panel;
@@ -276,6 +292,7 @@ Panel ReplaySheets::Internals::from_above(const Moment& moment) {
   const Sample& now = sample_at(record, moment.time_s);
   Panel panel = make_panel(kDetail_px, kDetail_px, now.position_world, Vector3d::UnitX(),
                            Vector3d::UnitY(), kDetail_m);
+  // What is more than half a metre above the vehicle is left out.
   paint_below(*roofless_scene, now.position_world.z() + 0.5, panel);
   panel = detail(moment, panel, true);
   std::vector<LegendLine> legend{{kCommand, command_text(moment)},
@@ -299,6 +316,7 @@ Panel ReplaySheets::Internals::from_aside(const Moment& moment) {
   const Sample& now = sample_at(record, moment.time_s);
   Vector3d along = now.velocity_world;
   along.z() = 0.0;
+  // Slower than this the direction of the velocity is chance.
   const bool is_flying = along.norm() > 0.3;
   if (!is_flying) {
     along = now.q_world_body * Vector3d::UnitX();
@@ -307,6 +325,7 @@ Panel ReplaySheets::Internals::from_aside(const Moment& moment) {
   along.normalize();
   Panel panel = make_panel(layout.side_width_px, kSideHeight_px, now.position_world, along,
                            Vector3d::UnitZ(), kDetail_m);
+  // The view is not centred on low flights: little of it is below the ground.
   const double ground_m =
       ground_height_m(world, now.position_world.x(), now.position_world.y()) - 0.4;
   panel.low_world.z() = std::max(panel.low_world.z(), ground_m);
@@ -322,6 +341,7 @@ Picture ReplaySheets::Internals::images(const Moment& moment) {
   std::vector<SeenImage> seen = moment.images;
   std::string caption = "what the planner saw last";
   if (seen.empty()) {
+    // A planner that asks for no images still flies somewhere: show what a camera would have seen.
     const Sample& now = sample_at(record, moment.time_s);
     Pinhole camera = sensor_camera(stored.spec.sensor);
     SeenImage& image = seen.emplace_back();
@@ -336,6 +356,7 @@ Picture ReplaySheets::Internals::images(const Moment& moment) {
                  image.depth_m);
     caption = "ideal depth; this planner saw no image";
   }
+  // As square as can be, filled row by row.
   const int columns = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(seen.size()))));
   const int rows = (static_cast<int>(seen.size()) + columns - 1) / columns;
   const int cell_width = layout.side_width_px / columns,
@@ -343,6 +364,7 @@ Picture ReplaySheets::Internals::images(const Moment& moment) {
   Picture sheet = make_picture(layout.side_width_px, layout.image_height_px);
   double newest_s = seen.front().time_s;
   for (std::size_t i = 0; i < seen.size(); ++i) {
+    // A camera that has not exposed yet.
     if (seen[i].width_px == 0) continue;
     newest_s = std::max(newest_s, seen[i].time_s);
     const int column = static_cast<int>(i) % columns, row = static_cast<int>(i) / columns;

@@ -35,10 +35,13 @@ Picture error_picture(const std::vector<float>& truth_m, const std::vector<float
       std::fill_n(rgb, 3, kInvalid);
       continue;
     }
+    // Beyond the range there is nothing to see.
     const bool nothing = truth > max_range_m;
     if (nothing && !std::isfinite(measured)) continue;
+    // Beyond the range is as far as its end: what lies there is no error of many metres.
     const double error = std::min(measured, max_range_m) - std::min(truth, max_range_m);
     const double share = std::clamp(error / kErrorScale_m, -1.0, 1.0);
+    // White fades to the full colour at kErrorScale_m.
     const auto faded = static_cast<std::uint8_t>(std::lround(255.0 * (1.0 - std::abs(share))));
     rgb[0] = share > 0.0 ? 255 : faded;
     rgb[1] = faded;
@@ -59,6 +62,8 @@ std::string figures(const DepthStatistics& s) {
 }
 
 /// Puts rows of cells into one picture: each column as wide, each row as high as its largest.
+/// Two passes: heights and the number of columns, then widths, since a column is as wide as its
+/// widest cell in any row.
 Picture tiled(const std::vector<std::vector<Picture>>& rows) {
   constexpr int kGap = 4;
   std::vector<int> lefts{0}, tops{0};
@@ -115,6 +120,8 @@ std::vector<Cell> cells_of(const CameraSpec& sensor, CameraImages& images,
                           {"right", cell(grey_picture(images.right, width, height), "right")},
                           {"color", cell(std::move(color), "colour")}};
   if (is_stereo(sensor)) {
+    // The disparity at half a metre is red. depth_picture() makes small numbers red, so what is
+    // missing to it is drawn.
     const double most_px = disparity_at_1m_px(sensor) / 0.5;
     std::vector<float> from_most = images.disparity_px;
     for (float& disparity : from_most) disparity = static_cast<float>(most_px) - disparity;
@@ -139,6 +146,8 @@ std::vector<std::vector<Picture>> arranged(std::vector<std::vector<Cell>> camera
   for (std::vector<Cell>& cells : cameras) {
     for (Cell& one : cells) {
       if (view != "sheet" && one.view != view) continue;
+      // One camera: two rows. More cameras: of what is seen only the left image, to keep rows
+      // short.
       const bool starts_row = view == "sheet" && cameras.size() == 1 && one.view == "depth";
       const bool is_left_out =
           view == "sheet" && cameras.size() > 1 && is_seen(one.view) && one.view != "left";
@@ -172,6 +181,7 @@ SensorSheet make_sensor_sheet(const SensorSpec& sensor, const Scene& scene,
   SensorSheet sheet;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const CameraSpec& kind = all[i].kind;
+    // The truth is without the sensor's limits, so that an error beyond them shows, too.
     Pinhole ideal = sensor_camera(kind);
     ideal.min_range_m = 0.0;
     ideal.max_range_m = std::numeric_limits<double>::infinity();
@@ -180,9 +190,13 @@ SensorSheet make_sensor_sheet(const SensorSpec& sensor, const Scene& scene,
     std::vector<float> truth_m(static_cast<std::size_t>(kind.width_px * kind.height_px));
     const Pose T_world_camera = T_world_body * T_body_camera(all[i].mounting);
     camera.expose(scene, T_world_camera, {}, {.depth = true, .stereo = true, .color = true},
+                  // A stream of its own, so that a camera's noise does not depend on how many
+                  // others there are.
                   stream_seed(seed, i), images);
     render_depth(scene, ideal, T_world_camera, truth_m);
     std::vector<DepthSample> samples;
+    // At edges a pixel's depth is of either side: figures are of what is farther from them than
+    // this.
     constexpr int kEdge_px = 8;
     const double at_1m_px = disparity_at_1m_px(kind);
     add_samples(truth_m, images.depth_m, static_cast<int>(kind.width_px), at_1m_px, kEdge_px,

@@ -15,6 +15,7 @@ Eigen::Vector3d body_at(const TrialRecord& record, double time_s) {
   const auto after = std::upper_bound(record.samples.begin(), record.samples.end(), time_s,
                                       [](double time, const Sample& s) { return time < s.time_s; });
   const Sample& last = after == record.samples.begin() ? *after : *std::prev(after);
+  // Samples are periods apart: constant velocity since the last one.
   return last.position_world + (time_s - last.time_s) * last.velocity_world;
 }
 
@@ -39,6 +40,8 @@ StruckObstacle::StruckObstacle(World struck, double contact_s, const Eigen::Vect
     : world(std::move(struck)),
       scene(world),
       time_s(contact_s),
+      // The place of the obstacle that is nearest to the body's centre: a contact has no recorded
+      // place.
       contact_world(scene.nearest(body_world).point_world),
       is_shown(collision.kind != "ground" && collision.kind != "ceiling"),
       label("touched " + ascii(collision.kind) + " " + std::to_string(collision.obstacle) + " at " +
@@ -63,9 +66,11 @@ void draw_struck(const StruckObstacle& struck, Panel& panel) {
     paint_silhouette(struck.scene, struck.contact_world, kShown_m, kStruck, panel);
   }
   const Eigen::Vector2d at = panel.to_pixels(struck.contact_world);
+  // Not drawn at the border: the cross would be at a wrong place.
   const bool is_inside = at.x() >= 0.0 && at.y() >= 0.0 && at.x() < panel.picture.width_px &&
                          at.y() < panel.picture.height_px;
   if (!is_inside) return;
+  // The pale rim first, the cross over it.
   for (const int width_px : {6, 3}) {
     for (const double side : {-1.0, 1.0}) {
       draw_line(

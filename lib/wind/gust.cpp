@@ -22,12 +22,15 @@ Eigen::Vector3d gust_velocity_world(const GustSpec& gust, std::uint64_t seed, do
   if (velocity.isZero(0.0) || !(time_s > gust.start_s)) return Eigen::Vector3d::Zero();
   double number = 0.0, start_s = gust.start_s;
   if (gust.period_s > 0.0) {
+    // Which gust may blow at this time: check_wind() keeps them from overlapping.
     number = std::floor((time_s - gust.start_s) / gust.period_s);
     start_s += number * gust.period_s;
   }
   if (gust.start_jitter_s > 0.0 || gust.random_heading) {
     // A stream for each gust by its number: any time can be asked for, in any order.
     RandomStream random(stream_seed(seed, static_cast<std::uint64_t>(number)));
+    // Both draws in any case and in this order, so that one of the two settings does not change the
+    // other.
     start_s += gust.start_jitter_s * random.uniform();
     const double turn_rad = math::kTau * random.uniform();
     if (gust.random_heading) {

@@ -27,6 +27,7 @@ std::vector<Kick> make_kicks(const KickSpec& kicks, std::uint64_t seed, double u
   const Tick duration = std::max<Tick>(1, ticks(kicks.duration_s));
   RandomStream random(seed);
   double time_s = 0.0;
+  // A Poisson process: gaps are exponential.
   while (true) {
     // 1 - u is never 0.
     time_s -= mean_gap_s * math::log(1.0 - random.uniform());

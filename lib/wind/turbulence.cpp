@@ -32,6 +32,8 @@ double moment(int n, double d) {
 /// After a step of `d` time constants; from nothing to the stationary state where it is infinite.
 LateralFilter lateral_filter(double d) {
   LateralFilter filter;
+  // Two states a and b of one white noise: a' = -a + w, b' = -b + a, with time in constants T. Over
+  // a step, a keeps e^-d of itself and gives b d e^-d.
   filter.keep = math::exp(-d);
   filter.feed = d * filter.keep;
   filter.noise_11 = std::sqrt(moment(0, d));
@@ -54,6 +56,7 @@ TurbulenceScales turbulence_scales(const TurbulenceSpec& turbulence) {
       break;
   }
   constexpr double kFootM = 0.3048;
+  // Only f takes the height in feet; lengths stay in metres.
   const double height_ft = turbulence.height_m / kFootM;
   const double f = 0.177 + 0.000823 * height_ft;
   const double sigma_w = 0.1 * turbulence.wind_6m_mps;
@@ -67,6 +70,7 @@ DrydenFilter make_dryden(const std::array<double, 3>& length_m, double airspeed_
     return dt_s * airspeed_mps / length_m[axis];
   };
   DrydenFilter filter;
+  // First order: dt V / L time constants a step; the noise keeps its variance at 1.
   filter.keep_u = math::exp(-time_constants(0));
   filter.noise_u = std::sqrt(2.0 * moment(0, time_constants(0)));
   filter.lateral = {lateral_filter(time_constants(1)), lateral_filter(time_constants(2))};
@@ -87,6 +91,7 @@ void advance(DrydenState& state, const DrydenFilter& filter, RandomStream& rando
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const LateralFilter& step = filter.lateral[axis];
     auto& [a, b] = state.lateral[axis];
+    // b before a: it takes a's old value.
     const double first = random.normal();
     const double second = random.normal();
     b = step.keep * b + step.feed * a + step.noise_21 * first + step.noise_22 * second;

@@ -30,6 +30,7 @@ void start_turbulence(Wind& wind, std::uint64_t seed) {
 
 Vector3d turbulence_world(const Wind& wind) {
   const Vector3d velocity = wind.sigma_mps.cwiseProduct(unit_velocity(wind.turbulence));
+  // From the wind's axes to the world's: turned about z by its heading.
   const Vector3d& x = wind.along_world;
   return {x.x() * velocity.x() - x.y() * velocity.y(), x.y() * velocity.x() + x.x() * velocity.y(),
           velocity.z()};
@@ -57,6 +58,7 @@ void check_wind(const WindSpec& wind) {
 
 Wind make_wind(const WindSpec& spec, std::uint64_t seed, double until_s) {
   check_wind(spec);
+  // Another wind.seed is another wind for the same trial.
   const std::uint64_t own_seed = stream_seed(seed, spec.seed);
   Wind wind;
   wind.spec = spec;
@@ -72,6 +74,7 @@ Wind make_wind(const WindSpec& spec, std::uint64_t seed, double until_s) {
     wind.force_until = wind.force_from + ticks(spec.force_gust.duration_s);
   }
   start_turbulence(wind, stream_seed(own_seed, "turbulence"));
+  // Nothing changes with time or place: one constant for the whole flight.
   wind.is_steady = wind.field.is_empty() && wind.kicks.empty() && !wind.is_turbulent &&
                    wind.force_from == wind.force_until &&
                    to_eigen(spec.gust.amplitude_world_mps).isZero(0.0);
@@ -90,6 +93,7 @@ Environment environment_at(Wind& wind, Tick tick, const Vector3d& position_world
   }
   now.wind_world_mps += gust_velocity_world(wind.spec.gust, wind.gust_seed, seconds(tick));
   if (wind.is_turbulent) {
+    // In whole steps of its own period, however often it is asked.
     while (wind.turbulence_tick + wind.turbulence_period <= tick) {
       advance(wind.turbulence, wind.dryden, wind.turbulence_random);
       wind.turbulence_tick += wind.turbulence_period;
@@ -99,6 +103,7 @@ Environment environment_at(Wind& wind, Tick tick, const Vector3d& position_world
   if (tick >= wind.force_from && tick < wind.force_until) {
     now.force_world_n += to_eigen(wind.spec.force_gust.force_world_n);
   }
+  // Kicks that are over are never looked at again.
   while (wind.first_kick < wind.kicks.size() && wind.kicks[wind.first_kick].until <= tick) {
     ++wind.first_kick;
   }

@@ -34,6 +34,8 @@ struct Entry {
   std::vector<std::size_t> places;
 };
 
+/// Words of a file in any order and on any lines: a key with a colon, then its numbers up to the
+/// next key. Comments go from # to the line's end.
 class FieldReader {
  public:
   FieldReader(std::string_view text, std::string file) : text_(text), file_(std::move(file)) {
@@ -129,6 +131,7 @@ struct Between {
   double part = 0.0;
 };
 
+/// Of evenly spaced knots, `at` in steps from the first.
 Between between(double at, std::size_t count) {
   const double last = static_cast<double>(count - 1);
   if (!(at > 0.0)) return {};
@@ -138,6 +141,7 @@ Between between(double at, std::size_t count) {
   return {low, low + 1, at - floor};
 }
 
+/// Of rising knots.
 Between between(double value, const std::vector<double>& knots) {
   const auto above = std::upper_bound(knots.begin(), knots.end(), value);
   if (above == knots.begin()) return {};
@@ -178,6 +182,7 @@ WindField parse_wind_field(std::string_view text, const std::string& file) {
   }
   const std::size_t count = columns * field.layers.size();
   field.wind_mps.assign(count, Vector3d::Zero());
+  // x fastest, then y, then the layers, as in RotorS' files.
   for (const auto& [key, axis] : {std::pair("u", 0), std::pair("v", 1), std::pair("w", 2)}) {
     const std::vector<double>& numbers = reader.entry(key, count).numbers;
     for (std::size_t i = 0; i < count; ++i) field.wind_mps[i][axis] = numbers[i];
@@ -200,6 +205,7 @@ Vector3d wind_at(const WindField& field, const Vector3d& position_world) {
   const Between x = between((position_world.x() - field.min_x_m) / field.step_x_m, field.count_x);
   const Between y = between((position_world.y() - field.min_y_m) / field.step_y_m, field.count_y);
   const std::size_t columns = field.count_x * field.count_y;
+  // Each column has its own ground and top: the layers are shares of the height between them.
   const auto in_column = [&](std::size_t ix, std::size_t iy) {
     const std::size_t column = ix + iy * field.count_x;
     const double bottom = field.bottom_m[column], top = field.top_m[column];
@@ -207,6 +213,7 @@ Vector3d wind_at(const WindField& field, const Vector3d& position_world) {
     return mixed(field.wind_mps[column + z.low * columns],
                  field.wind_mps[column + z.high * columns], z.part);
   };
+  // Up and down within the four columns around, then along x, then along y.
   const Vector3d low = mixed(in_column(x.low, y.low), in_column(x.high, y.low), x.part);
   const Vector3d high = mixed(in_column(x.low, y.high), in_column(x.high, y.high), x.part);
   return mixed(low, high, y.part);

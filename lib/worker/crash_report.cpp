@@ -22,12 +22,14 @@
 namespace avoidbench {
 namespace {
 
+/// What a process does to itself by a fault; other signals come from outside.
 constexpr std::array kCrashes{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 // Deep recursion is cut off; the places that name the fault are the innermost.
 constexpr int kMostFrames = 64;
 // Enough to know the call path, short enough for a line in a table.
 constexpr std::size_t kMostPlaces = 4;
 
+/// Globals, since a signal handler takes no argument.
 volatile int report_fd = -1;
 volatile int hung_exit_code = 0;  ///< not 0: the signal asks a thread that hangs where it is
 
@@ -42,6 +44,7 @@ void write_stack(int number) {
 void take_signals() {
   struct sigaction action {};
   action.sa_handler = write_stack;
+  // SA_RESETHAND: a fault within the handler ends the process. SA_NODEFER: raise() works at once.
   action.sa_flags = static_cast<int>(SA_ONSTACK | SA_RESETHAND | SA_NODEFER);
   for (const int number : kCrashes) ::sigaction(number, &action, nullptr);
 }
@@ -58,6 +61,7 @@ std::string without_sdk(const std::string& symbol) {
     const std::string begin = "avoidbench::detail::" + std::string(name) + "<";
     const std::size_t at = symbol.find(begin);
     if (at == std::string::npos) continue;
+    // The type is what stands between the brackets, which may be nested.
     std::size_t end = at + begin.size();
     for (int depth = 1; end < symbol.size(); ++end) {
       depth += symbol[end] == '<' ? 1 : symbol[end] == '>' ? -1 : 0;
@@ -76,6 +80,7 @@ std::string demangled(const std::string& symbol) {
   return without_sdk(status == 0 && text != nullptr ? text.get() : symbol);
 }
 
+/// Lines without a place in brackets are passed over.
 std::vector<Frame> frames_of(std::string_view report) {
   std::vector<Frame> frames;
   while (!report.empty()) {
@@ -97,6 +102,7 @@ std::vector<Frame> frames_of(std::string_view report) {
 std::vector<Frame> planner_frames(std::string_view report) {
   std::vector<Frame> frames = frames_of(report);
   if (frames.empty()) return frames;
+  // The innermost frame is the handler's own: it names the program, whatever it is called.
   const std::string program = frames.front().library;
   std::erase_if(frames, [&](const Frame& frame) { return frame.library == program; });
   return frames;
@@ -118,6 +124,7 @@ std::string place_of(const Frame& frame, std::string_view library_file) {
   return demangled(found.substr(0, plus)) + offset;
 }
 
+/// The system's libraries, in which a planner's fault may show.
 bool is_of_system(const Frame& frame) {
   for (const std::string_view name : {"libc.so", "libc-", "libstdc++", "libpthread", "libm.so",
                                       "libgcc_s", "ld-linux", "linux-vdso"}) {
@@ -144,6 +151,7 @@ void report_crashes(int fd) {
 void end_hanging(int exit_code) {
   hung_exit_code = exit_code;
   take_signals();  // the planner may have taken them itself
+  // To the first thread, in which planners are called: its number is the process's.
   ::syscall(SYS_tgkill, ::getpid(), ::getpid(), SIGABRT);
   // Enough for a stack. A thread that blocks signals, or is deep in the kernel, writes none.
   ::usleep(500'000);
@@ -176,6 +184,7 @@ std::string crash_site(std::string_view report, std::string_view library_file) {
   if (!places.empty()) {
     return std::filesystem::path(library_file).filename().string() + ": " + places;
   }
+  // None of the planner's own: the innermost function of another library.
   for (const Frame& frame : planner_frames(report)) {
     // Offsets in libraries of others change with their versions.
     if (!is_of_system(frame) && !frame.symbol.empty()) return frame.library + ": " + frame.symbol;

@@ -35,6 +35,7 @@ struct PlanCallEntry {
 struct CollisionEntry {
   double time_s, speed_mps;
   std::int64_t obstacle;
+  // A longer one is cut.
   char kind[48];
 };
 
@@ -65,6 +66,7 @@ bool take(TrialRecord& record, std::uint32_t what, std::span<const std::byte> by
   }
   const auto collision = entry_of<CollisionEntry>(bytes);
   if (what != collision_entry || !collision) return false;
+  // The kind may fill its room without a zero at the end.
   const std::size_t length = ::strnlen(collision->kind, sizeof collision->kind);
   record.collisions.push_back({.time_s = collision->time_s,
                                .speed_mps = collision->speed_mps,
@@ -82,6 +84,8 @@ struct FlightJournal::Header {
 };
 
 FlightJournal::FlightJournal() {
+  // Memory without a name in any folder; null where the system has none, and then a dead worker's
+  // flight is not known.
   fd_ = ::memfd_create("avoidbench_flight", MFD_CLOEXEC | MFD_ALLOW_SEALING);
   if (fd_ < 0) return;
   // Its size is fixed: who maps it can't be made to read beyond its end.
@@ -148,6 +152,7 @@ void FlightJournal::restart() {
   close_pages();
 }
 
+/// Entry first, then how much is used: a worker killed in between leaves whole entries only.
 void FlightJournal::append(int what, const void* bytes, std::size_t size) {
   Header header;
   std::memcpy(&header, memory_, sizeof header);
@@ -169,6 +174,7 @@ void FlightJournal::add(const TrialRecord& record, double time_s) {
     const std::vector<std::byte> bytes = sample_bytes({&record.samples[samples_], 1});
     append(sample_entry, bytes.data(), bytes.size());
   }
+  // Each kind goes on where the last call left it.
   for (; plan_calls_ < record.plan_calls.size(); ++plan_calls_) {
     const PlanCall& call = record.plan_calls[plan_calls_];
     const PlanCallEntry entry{call.time_s,    call.cpu_time_s, call.wall_time_s,
@@ -189,6 +195,7 @@ std::optional<TrialRecord> FlightJournal::flown() const {
   if (memory_ == nullptr || is_of_worker_) return std::nullopt;
   Header header;
   std::memcpy(&header, memory_, sizeof header);
+  // The worker's planner may have written anything: sizes are checked before they are used.
   const bool is_sane =
       std::isfinite(header.time_s) && header.time_s >= 0.0 && header.used <= kBytes - sizeof header;
   if (!is_sane) return std::nullopt;

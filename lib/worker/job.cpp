@@ -38,6 +38,7 @@ Mission places_from_json(const json& from) {
 json mission_to_json(const MissionRecord& record) {
   json mission{
       {"index", record.index},
+      // Of a mission that is not valid, these are NaN, for which JSON has no number.
       {"reference_length_m", number_to_json(record.reference_length_m)},
       {"traversability_obstruction", number_to_json(record.difficulty.traversability_obstruction)},
       {"view_occlusion", number_to_json(record.difficulty.view_occlusion)},
@@ -76,6 +77,7 @@ json map_to_json(const MapRecord& map) {
 }
 
 MapRecord map_from_json(const json& from) {
+  // The worker knows no keys: who asked gives the map its own.
   MapRecord map{.key = {},
                 .world_digest = from.at("world_digest"),
                 .obstacle_count = from.at("obstacle_count"),
@@ -91,9 +93,11 @@ MapRecord map_from_json(const json& from) {
   return map;
 }
 
+/// Samples go as bytes beside the JSON, which would take several times as much and long to read.
 json trial_to_json(const TrialRecord& record) {
   json collisions = json::array();
   for (const Collision& collision : record.collisions) {
+    // By position, not by name: trial_from_json() reads them in this order.
     collisions.push_back(
         {collision.time_s, collision.speed_mps, collision.obstacle, collision.kind});
   }
@@ -124,16 +128,19 @@ TrialRecord trial_from_json(const json& from) {
 /// Whether the answer has what the job asks for, and as much of it.
 bool answers(const JobResult& result, const Job& job) {
   if (result.token != job.token) return false;
+  // An error is an answer, whatever else is missing.
   if (!result.error.empty()) return true;
   if (job.mission) return result.trial && result.metrics.size() == metric_table().size();
   const auto count = static_cast<std::size_t>(job.mission_count);
   if (!result.map || result.map->missions.size() != count) return false;
+  // Missions are looked up by their place: it has to be their index.
   for (std::size_t i = 0; i < count; ++i) {
     if (result.map->missions[i].index != static_cast<std::int64_t>(i)) return false;
   }
   return true;
 }
 
+/// Throws what nlohmann::json throws at the first part that is missing or of another type.
 JobResult parsed(const Message& message) {
   JobResult result;
   result.token = message.json.at("token");
@@ -199,6 +206,7 @@ Message result_message(const JobResult& result) {
 }
 
 std::optional<JobResult> result_from(const Message& message, const Job& job) {
+  // The last sample is cut off.
   if (message.bytes.size() % kSampleBytes != 0) return std::nullopt;
   try {
     JobResult result = parsed(message);

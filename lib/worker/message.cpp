@@ -53,6 +53,7 @@ std::optional<Message> message_of(const Header& header, std::span<const std::byt
   const auto text = body.first(header.text_bytes);
   const auto bytes = body.subspan(header.text_bytes);
   const char* begin = reinterpret_cast<const char*>(text.data());
+  // Without throwing: what is no JSON is no message.
   Message message{.json = nlohmann::json::parse(begin, begin + text.size(), nullptr, false),
                   .bytes = {bytes.begin(), bytes.end()}};
   if (!message.json.is_object()) return std::nullopt;
@@ -115,6 +116,7 @@ std::optional<Message> MessageInbox::take() {
   return message_of(header, std::span(bytes_).subspan(sizeof header));
 }
 
+/// JSON has neither NaN nor infinity, and null would not say which.
 nlohmann::json number_to_json(double value) {
   if (std::isnan(value)) return "nan";
   if (std::isinf(value)) return value > 0 ? "inf" : "-inf";

@@ -93,7 +93,7 @@ void keep_from_children(const std::array<int, 3>& fds) {
 
 /// All that a planner's instance is made from.
 std::string instance_key(const TrialSpec& spec) {
-  // Not latency, wind or mission: a planner is not told of them at creation.
+  // Not latency, wind or mission: a planner is not told of them at creation (see ab_mission).
   return spec_to_json(spec.planner).dump() + spec_to_json(spec.vehicle).dump() +
          spec_to_json(spec.sensor).dump() + spec_to_json(spec.rates).dump();
 }
@@ -107,6 +107,8 @@ void require_unchanged(const PlannerChoice& planner) {
 
 }  // namespace
 
+/// Members are destroyed from the last to the first: instances before their libraries, both while
+/// the watchdog still looks at them.
 struct Worker::Internals {
   CallClock clock;
   std::jthread watchdog;  // ends after the instances, whose destruction may hang
@@ -169,6 +171,7 @@ TrialRecord Worker::Internals::fly(const Job& job, const Scene& scene) {
 TrialObserver Worker::Internals::bookkeeper() {
   TrialObserver observer;
   if (!journal && !trimmer) return observer;
+  // Before each call: what a dead worker leaves is then all up to the call that it died in.
   observer.planning = [this](const PlanCallAhead& call) {
     if (journal) journal->add(call.record, call.time_s);
     if (trimmer) trimmer->trim();
@@ -186,6 +189,7 @@ JobResult Worker::work(const Job& job) {
   const auto began = std::chrono::steady_clock::now();
   JobResult result;
   result.token = job.token;
+  // The flight before must not be taken for this one's.
   if (internals_->journal) internals_->journal->restart();
   if (internals_->trimmer) internals_->trimmer->restart();
   try {
@@ -229,6 +233,7 @@ void Worker::watch(const WorkerOptions& options) {
         ::_exit(kMemoryExitCode);
       }
       // A byte each second tells the parent that the process lives, whatever its planner does.
+      // EBADF: the planner has closed it. A full pipe is no harm.
       if (look % kLooksASecond == 0 && ::write(options.notes_fd, "", 1) < 0 && errno == EBADF) {
         ::_exit(kPipesExitCode);
       }
@@ -261,6 +266,7 @@ int run_worker(const WorkerOptions& options) {
   if (options.journal_fd >= 0) worker.keep_journal(FlightJournal(options.journal_fd));
   worker.trim_prints();
   worker.watch(options);
+  // Until the parent closes the pipe of jobs.
   while (const auto message = receive_message(options.in_fd)) {
     const JobResult result = worker.work(job_from(*message));
     // A child that a planner forked and that went on as if it were its parent: it has no say.

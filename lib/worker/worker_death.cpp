@@ -39,6 +39,7 @@ Death death_of(const ProcessEnd& end, const std::string& notes, const PlannerCho
     default:
       break;
   }
+  // The place in the planner, if its stack could be written.
   const std::string site = crash_site(notes, planner.file);
   return {.reason = "the worker ended by " + end.text + (site.empty() ? "" : " in " + site)};
 }

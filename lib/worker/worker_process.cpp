@@ -36,6 +36,7 @@ constexpr int kAboveChild = kJournalFd + 5;
 constexpr const char* kTunables =
     "GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-FMA4,-FMA_Usable,-FMA4_Usable";
 
+/// The environment as it is, with the one variable set; pointers into `environ`, which has to stay.
 std::vector<char*> child_environment() {
   std::vector<char*> variables;
   for (char** variable = environ; *variable != nullptr; ++variable) {
@@ -111,6 +112,7 @@ WorkerProcess::WorkerProcess(const std::vector<std::string>& command) {
   job_fd_ = jobs.take_write_end();
   result_fd_ = results.take_read_end();
   notes_fd_ = notes.take_read_end();
+  // One thread of the parent serves all workers: it must wait for none of them.
   for (const int fd : {job_fd_, result_fd_, notes_fd_}) ::fcntl(fd, F_SETFL, O_NONBLOCK);
   // The child must not hang on a parent that is busy: a lost sign of life is no harm.
   ::fcntl(notes.write_end, F_SETFL, O_NONBLOCK);
@@ -192,6 +194,7 @@ bool WorkerProcess::send(const Message& job, std::size_t most_answer_bytes) {
   return send_more();
 }
 
+/// As much as the pipe takes; the rest is sent when poll() says that it takes more.
 bool WorkerProcess::send_more() {
   std::size_t done = 0;
   while (done < unsent_.size()) {
@@ -207,6 +210,7 @@ bool WorkerProcess::send_more() {
 
 WorkerProcess::Answer WorkerProcess::receive() {
   std::array<std::byte, 65536> bytes;
+  // All that is there now.
   while (true) {
     const ssize_t got = ::read(result_fd_, bytes.data(), bytes.size());
     if (got < 0 && errno == EINTR) continue;
@@ -235,6 +239,7 @@ bool WorkerProcess::listen() {
     if (got <= 0) return heard;
     heard = true;
     for (const char byte : std::span(bytes).first(static_cast<std::size_t>(got))) {
+      // Zeros are signs of life, the rest is a crash report.
       if (byte != 0 && notes_.size() < kMostNotes) notes_ += byte;
     }
   }

@@ -59,6 +59,8 @@ Prototype ground_prototype(const HeightField& ground) {
           ground.heights_m[std::size_t{row} * ground.columns + column]);
     }
   }
+  // Each cell is two triangles that meet in the diagonal from its low to its high corner;
+  // ground_height_m() has the same.
   for (std::uint32_t row = 0; row + 1 < ground.rows; ++row) {
     for (std::uint32_t column = 0; column + 1 < ground.columns; ++column) {
       const std::uint32_t low = row * ground.columns + column;
@@ -73,10 +75,12 @@ Prototype ground_prototype(const HeightField& ground) {
 
 double ground_height_m(const HeightField& ground, double x_m, double y_m) {
   if (ground.heights_m.empty()) return 0.0;
+  // In cells; beyond the field the ground goes on as at its edge.
   const double x = std::clamp((x_m - ground.low_x_m) / ground.cell_m, 0.0,
                               static_cast<double>(ground.columns - 1));
   const double y =
       std::clamp((y_m - ground.low_y_m) / ground.cell_m, 0.0, static_cast<double>(ground.rows - 1));
+  // A point on the last line of corners belongs to the cell before it.
   const std::uint32_t column = std::min(static_cast<std::uint32_t>(x), ground.columns - 2);
   const std::uint32_t row = std::min(static_cast<std::uint32_t>(y), ground.rows - 2);
   const auto height = [&](std::uint32_t c, std::uint32_t r) {
@@ -86,6 +90,7 @@ double ground_height_m(const HeightField& ground, double x_m, double y_m) {
   const double v = y - row;
   const double low = height(column, row);
   const double high = height(column + 1, row + 1);
+  // The triangle below the diagonal, or the one above: the plane through its three corners.
   if (u >= v) {
     const double corner = height(column + 1, row);
     return low + u * (corner - low) + v * (high - corner);

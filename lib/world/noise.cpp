@@ -6,6 +6,8 @@
 namespace avoidbench {
 namespace {
 
+/// Multiply and shift, with the constants of SplitMix64. In whole numbers, so that it is the same
+/// everywhere.
 std::uint64_t lattice_hash(std::int64_t x, std::int64_t y, std::int64_t z, std::uint64_t seed) {
   std::uint64_t h = seed;
   for (const std::int64_t value : {x, y, z}) {
@@ -33,6 +35,7 @@ double mix(double a, double b, double t) { return a + t * (b - a); }
 
 double gradient_noise(const Eigen::Vector3d& point, std::uint64_t seed) {
   const Eigen::Vector3d low(std::floor(point.x()), std::floor(point.y()), std::floor(point.z()));
+  // The unit cube around the point: each corner pulls by its own direction's slope.
   const Eigen::Vector3d offset = point - low;
   std::array<double, 8> corners{};
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -44,6 +47,7 @@ double gradient_noise(const Eigen::Vector3d& point, std::uint64_t seed) {
                      static_cast<std::int64_t>(place.z()), seed);
     corners[i] = gradient_product(hash, offset - corner);
   }
+  // Mixed along x, then y, then z.
   const double x = fade(offset.x());
   const double y = fade(offset.y());
   const double low_z = mix(mix(corners[0], corners[1], x), mix(corners[2], corners[3], x), y);
@@ -55,6 +59,7 @@ double fractal_noise(const Eigen::Vector3d& point, int octaves, std::uint64_t se
   double sum = 0.0;
   double scale = 1.0;
   for (int octave = 0; octave < octaves; ++octave) {
+    // Each octave has its own seed: else all would be 0 at the same lattice points.
     sum += gradient_noise(point * scale, seed + static_cast<std::uint64_t>(octave)) / scale;
     scale *= 2.0;
   }

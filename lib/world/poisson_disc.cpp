@@ -104,6 +104,7 @@ class SampleGrid {
 
 /// A point of the ring between one and two radii around `centre`, uniform by area.
 Eigen::Vector2d ring_point(const Eigen::Vector2d& centre, double radius_m, RandomStream& random) {
+  // By trying points of the square, of which 3π/16, six in ten, are in the ring.
   Eigen::Vector2d offset;
   double squared = 0.0;
   do {
@@ -118,8 +119,10 @@ Eigen::Vector2d ring_point(const Eigen::Vector2d& centre, double radius_m, Rando
 void sample_outwards(double radius_m, const Eigen::Vector2d& first, SampleGrid& grid,
                      RandomStream& random) {
   grid.add(first);
+  // Samples around which there may still be room.
   std::vector<std::size_t> active{0};
   while (!active.empty()) {
+    // Any of them, as Bridson does.
     const std::size_t chosen = static_cast<std::size_t>(random.below(active.size()));
     const Eigen::Vector2d centre = grid.samples()[active[chosen]];
     bool found = false;
@@ -131,6 +134,7 @@ void sample_outwards(double radius_m, const Eigen::Vector2d& first, SampleGrid& 
       grid.add(point);
     }
     if (!found) {
+      // The last one takes its place: taking out costs the same however many there are.
       active[chosen] = active.back();
       active.pop_back();
     }
@@ -144,6 +148,7 @@ void fill_gaps(const Eigen::Vector2d& size_m, double radius_m, SampleGrid& grid,
   std::vector<Eigen::Vector2d> squares, quarters;
   for (std::int64_t row = 0; row < grid.rows(); ++row) {
     for (std::int64_t column = 0; column < grid.columns(); ++column) {
+      // The sample in it covers it whole: the cell's diagonal is under the radius.
       if (grid.occupied(column, row)) continue;
       squares.emplace_back(static_cast<double>(column) * grid.cell_m(),
                            static_cast<double>(row) * grid.cell_m());
@@ -153,6 +158,8 @@ void fill_gaps(const Eigen::Vector2d& size_m, double radius_m, SampleGrid& grid,
        side_m *= 0.5) {
     quarters.clear();
     for (const Eigen::Vector2d& low : squares) {
+      // One disc alone has to hold it; a square that two discs hold together is quartered until
+      // they do.
       if (low.x() >= size_m.x() || low.y() >= size_m.y() || grid.covered(low, side_m)) continue;
       const double x = random.uniform(low.x(), std::min(low.x() + side_m, size_m.x()));
       const double y = random.uniform(low.y(), std::min(low.y() + side_m, size_m.y()));

@@ -12,6 +12,7 @@ namespace avoidbench {
 namespace {
 
 constexpr double kMostCells = 5e8;
+constexpr std::size_t kTrianglesPerPoll = 256;
 
 /// The cells along one axis that [low, high] touches, [first, last).
 struct CellRange {
@@ -49,7 +50,7 @@ void mark(const Triangle& triangle, VoxelGrid& grid) {
 
 }  // namespace
 
-VoxelGrid surface_voxels(const World& world, double size_m) {
+VoxelGrid surface_voxels(const World& world, double size_m, const std::function<void()>& poll) {
   const Eigen::Vector3d sizes = world.bounds.sizes();
   const Eigen::Vector3d counts = (sizes / size_m).array().ceil().max(1.0);
   if (counts.prod() > kMostCells) {
@@ -63,10 +64,12 @@ VoxelGrid surface_voxels(const World& world, double size_m) {
                  .layers = static_cast<std::size_t>(counts.z()),
                  .is_occupied = {}};
   grid.is_occupied.assign(grid.columns * grid.rows * grid.layers, 0);
+  std::size_t marked = 0;
   for (const Instance& instance : world.instances) {
     const TriangleMesh& mesh = world.prototypes[instance.prototype].mesh;
     const Eigen::Affine3d place = instance.T_world_prototype.cast<double>();
     for (const auto& corners : mesh.triangles) {
+      if (poll && marked++ % kTrianglesPerPoll == 0) poll();
       Triangle triangle;
       for (std::size_t i = 0; i < 3; ++i) {
         triangle[i] = place * mesh.vertices[corners[i]].cast<double>() - grid.lowest_world;

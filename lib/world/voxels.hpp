@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "world/world.hpp"
@@ -28,7 +29,7 @@ struct VoxelGrid {
 
 /// The cells of the map's bounds that a surface touches; what is inside solids stays empty.
 /// Exact: boxes against triangles. Throws InputError where there would be more than 500 million
-/// cells.
-VoxelGrid surface_voxels(const World& world, double size_m);
+/// cells. `poll`, where given, is called now and then; what it throws ends the work.
+VoxelGrid surface_voxels(const World& world, double size_m, const std::function<void()>& poll = {});
 
 }  // namespace avoidbench

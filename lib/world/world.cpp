@@ -15,6 +15,7 @@ void add(Digest& digest, const Eigen::Vector3d& v) { digest.add(v.x()).add(v.y()
 
 template <class T>
 void add(Digest& digest, const std::vector<T>& values) {
+  // The count first: else numbers could move from one list to the next unseen.
   digest.add(static_cast<std::uint64_t>(values.size()));
   digest.add_array(std::span<const T>(values));
 }
@@ -27,6 +28,7 @@ std::size_t bytes(const std::vector<T>& values) {
 }  // namespace
 
 std::string world_digest(const World& world) {
+  // Arrays are digested as bytes: they must have no padding.
   static_assert(sizeof(Eigen::Vector3f) == 12 && sizeof(Material) == 1);
   Digest digest;
   // A name for what is digested: other contents need another one.

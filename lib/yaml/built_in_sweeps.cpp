@@ -31,6 +31,7 @@ std::vector<BuiltInSweep> built_in_sweeps() {
     if (entry.path().extension() != ".yaml") continue;
     sweeps.push_back({entry.path().stem().string(), first_comment(entry.path()), entry.path()});
   }
+  // Folders are listed in no particular order.
   std::sort(sweeps.begin(), sweeps.end(),
             [](const auto& a, const auto& b) { return a.name < b.name; });
   return sweeps;
@@ -38,6 +39,7 @@ std::vector<BuiltInSweep> built_in_sweeps() {
 
 fs::path sweep_file(const fs::path& given) {
   std::error_code error;
+  // `quick` may be a sweep's name; `quick.yaml`, `./quick` and `-` can only be files.
   const bool is_bare = !given.has_parent_path() && !given.has_extension() && given != "-";
   // A link that leads nowhere is a file all the same: reading it says what is wrong.
   if (!is_bare || fs::exists(given, error) || fs::is_symlink(given, error)) return given;

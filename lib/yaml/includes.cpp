@@ -7,11 +7,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Nested, each within the one before. Files that two others include are no circle, but n levels of
+/// such pairs are read 2^n times.
 constexpr std::size_t kMostIncludes = 8;
 constexpr std::size_t kMostFiles = 64;
 
 using Kind = YamlNode::Kind;
 
+/// A value of an axis, `{from, to, count}`, and no block of keys: it is replaced as a whole.
 bool is_range(const YamlNode& node) { return node.find("from") != nullptr; }
 
 void remove(YamlNode& mapping, std::size_t index) {
@@ -20,6 +23,7 @@ void remove(YamlNode& mapping, std::size_t index) {
   mapping.items.erase(mapping.items.begin() + offset);
 }
 
+/// The number of keys where none has the name.
 std::size_t index_of(const YamlNode& mapping, const std::string& key) {
   const auto found = std::find_if(mapping.keys.begin(), mapping.keys.end(),
                                   [&](const YamlNode& other) { return other.scalar == key; });
@@ -39,6 +43,8 @@ void become_preset(YamlNode& name) {
 }
 
 /// Lays `over` on `under`, which stays where `over` says nothing.
+/// Recursive, key by key. A key is taken over with its value so that messages point to where the
+/// value that counts was given. Only at the top (`is_top`) does a name stand for a block of fields.
 void merge(YamlNode& under, YamlNode over, bool is_top) {
   if (over.kind != Kind::mapping || under.kind != Kind::mapping || is_range(over)) {
     under = std::move(over);
@@ -51,8 +57,10 @@ void merge(YamlNode& under, YamlNode over, bool is_top) {
       under.keys.push_back(over.keys[i]);
       under.items.push_back(std::move(over.items[i]));
     } else if (over.items[i].kind == Kind::null) {
+      // `~` takes the key out.
       remove(under, below);
     } else {
+      // A name below, fields above: the name becomes the block's preset.
       const bool is_named = is_top && (key == "vehicle" || key == "sensor");
       if (is_named && over.items[i].kind == Kind::mapping &&
           under.items[below].kind == Kind::scalar) {
@@ -62,11 +70,14 @@ void merge(YamlNode& under, YamlNode over, bool is_top) {
       merge(under.items[below], std::move(over.items[i]), false);
     }
   }
+  // The merged mapping stands where the last file has it: what lacks a key is said there.
   under.source = over.source;
   under.line = over.line;
   under.column = over.column;
 }
 
+/// Reads a file and what it includes, depth first: the included ones in their order, each over the
+/// ones before it, and the file itself over all of them.
 struct Reader {
   std::vector<fs::path> open;  ///< canonical paths of the files being read, outermost first
   std::vector<std::string> included;
@@ -80,11 +91,14 @@ struct Reader {
       open.pop_back();
       return root;
     }
+    // A copy, since the key is taken out of the tree that holds it.
     const YamlNode named = *include;
+    // The key is spent here: for readers of the tree `include` is unknown.
     remove(root, index_of(root, "include"));
     YamlNode merged;
     merged.kind = Kind::mapping;
     std::vector<InputProblem> problems;
+    // All included files are read even if one fails, so that each can say what is wrong with it.
     for (const YamlNode& name : names(named)) {
       try {
         merge(merged, read_included(name), true);
@@ -115,9 +129,11 @@ struct Reader {
   }
 
   YamlNode read_included(const YamlNode& name) {
+    // Relative to the file that names it; an absolute path replaces the folder.
     const fs::path file = (folder_of(name, ".") / name.scalar).lexically_normal();
     std::error_code error;
     const fs::path canonical = fs::weakly_canonical(file, error);
+    // Only files that are still open make a circle: two files may include the same third one.
     if (std::find(open.begin(), open.end(), canonical) != open.end()) {
       std::string circle;
       for (const fs::path& outer : open) circle += outer.filename().string() + " → ";
@@ -147,6 +163,7 @@ struct Reader {
   }
 };
 
+/// The scalar as YAML that reads back as the same: what is not certainly plain goes in quotes.
 std::string scalar_text(const YamlNode& node) {
   if (node.kind == Kind::null) return "~";
   const auto is_plain = [](char c) {
@@ -177,6 +194,7 @@ std::string flow_text(const YamlNode& node) {
   return is_list ? "[" + all + "]" : "{" + all + "}";
 }
 
+/// Adds a line and, from one column on where it fits, the place that it is from.
 void add_line(const std::string& content, const YamlNode& place, std::string& text) {
   constexpr std::size_t kCommentColumn = 44;
   std::string padded = content;
@@ -186,6 +204,8 @@ void add_line(const std::string& content, const YamlNode& place, std::string& te
   text += "\n";
 }
 
+/// Blocks down to where a value stands alone; each such value gets its line with its place. A list
+/// of mappings has a line per element, since elements may be from different files.
 void add_mapping(const YamlNode& mapping, const std::string& indent, std::string& text) {
   for (std::size_t i = 0; i < mapping.keys.size(); ++i) {
     const YamlNode& item = mapping.items[i];
@@ -217,6 +237,7 @@ Document read_document(const fs::path& file) {
 }
 
 fs::path folder_of(const YamlNode& node, const fs::path& otherwise) {
+  // What the command line gave has a source too, its option, which is no file: it has no line.
   if (!node.source || node.line == 0) return otherwise;
   const fs::path folder = fs::path(*node.source).parent_path();
   return folder.empty() ? fs::path(".") : folder;

@@ -7,6 +7,7 @@
 namespace avoidbench {
 namespace {
 
+/// `planners[0]` of a path: a key, then positions in the lists below it.
 struct Step {
   std::string key;
   std::vector<std::size_t> indices;
@@ -37,6 +38,7 @@ std::optional<std::vector<Step>> parse_path(std::string_view path) {
   }
 }
 
+/// At the place of another node.
 YamlNode scalar_at(const YamlNode& place, const std::string& text) {
   YamlNode node = place;
   node.kind = YamlNode::Kind::scalar;
@@ -72,6 +74,8 @@ void forget_place(YamlNode& node) {
   for (YamlNode& item : node.items) forget_place(item);
 }
 
+/// Sets `path` in the tree to `value`, adding what is missing on the way. Returns what is wrong, ""
+/// where nothing is. The tree may be half changed then; nobody reads it after a problem.
 std::string apply_override(YamlNode& root, const std::string& path, const YamlNode& value) {
   const auto steps = parse_path(path);
   if (!steps) return "'" + path + "' is no dotted path such as maps.poisson_radius_m";
@@ -81,6 +85,7 @@ std::string apply_override(YamlNode& root, const std::string& path, const YamlNo
     YamlNode* found = node->find(step.key);
     if (found == nullptr) {
       node->keys.push_back(scalar_at(value, step.key));
+      // Nothing yet: become_mapping() makes a mapping of it if the path goes on.
       YamlNode added = scalar_at(value, "");
       added.kind = YamlNode::Kind::null;
       node->items.push_back(std::move(added));

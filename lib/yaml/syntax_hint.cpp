@@ -21,10 +21,14 @@ char closing(char open) { return open == '[' ? ']' : '}'; }
 std::string quoted(char sign) { return {'\'', sign, '\''}; }
 
 /// Goes through a document sign by sign, past quotes and comments.
+/// It knows just enough YAML to tell brackets and quotes that structure a document from those that
+/// are letters of a text. It is asked only about documents that the library has refused, so what it
+/// takes for wrong by mistake never refuses a good one.
 class Scanner {
  public:
   Scanner(std::string_view text, const std::string& source) : text_(text), source_(source) {}
 
+  // The first thing that is wrong, or else the innermost bracket that the end leaves open.
   std::optional<InputProblem> problem() {
     for (; at_ < text_.size() && !found_; step()) look();
     if (found_) return found_;
@@ -66,8 +70,10 @@ class Scanner {
     return before_ == '\n' || (is_behind_sign && is_after_space_);
   }
 
+  // Looks at the sign that step() will go past; quotes, comments and words it skips itself.
   void look() {
     const char c = text_[at_];
+    // Within brackets, lines may be indented by anything.
     if (c == '\t' && is_indent_ && open_.empty()) {
       found_ = at(place_, {"a tab indents this line; YAML takes spaces only"});
     } else if (c == '#' && (is_indent_ || is_after_space_)) {
@@ -79,6 +85,7 @@ class Scanner {
     } else if ((c == '[' || c == '{') && begins_value()) {
       open_.push_back({.sign = c, .place = place_});
     } else if ((c == ']' || c == '}') && (!open_.empty() || begins_value())) {
+      // Outside of all brackets a closing one is a letter unless a value begins with it.
       close(c);
     }
   }
@@ -103,6 +110,8 @@ class Scanner {
     skipped_ = before;
   }
 
+  // Up to the closing quote. Within "…" a backslash and within '…' a second quote take the sign
+  // behind them with them.
   void skip_quoted(char quote) {
     const Place begin = place_;
     step();

@@ -5,6 +5,7 @@
 namespace avoidbench {
 
 void Reading::remember(const std::string& path, const YamlNode& node) {
+  // Only the place is kept: a node may hold a whole subtree.
   YamlNode place;
   place.source = node.source;
   place.line = node.line;
@@ -12,6 +13,8 @@ void Reading::remember(const std::string& path, const YamlNode& node) {
   places_.insert_or_assign(path, std::move(place));
 }
 
+/// Cuts `path` at its last dots until something is known. The outermost block, "", always is: the
+/// reader of a document begins with it.
 const YamlNode& Reading::place(std::string path) const {
   while (true) {
     const auto found = places_.find(path);
@@ -43,12 +46,15 @@ const YamlNode* MappingReader::take(std::string_view name) {
   return node;
 }
 
+/// Names that were asked for are those that exist, so a reader asks for all that it knows, also for
+/// those that it goes on to ignore.
 void MappingReader::finish(const std::string& kind) {
   for (const YamlNode& key : node_.keys) {
     if (std::find(names_.begin(), names_.end(), key.scalar) != names_.end()) continue;
     std::string message = path_of(key.scalar) + ": unknown key";
     if (!kind.empty()) message += " for " + kind;
     std::string hint = did_you_mean(key.scalar, names_);
+    // A longer list hides the message; a likely name is offered in its place.
     constexpr std::size_t kMostListed = 12;
     if (hint.empty() && names_.size() <= kMostListed) {
       for (const std::string& name : names_) hint += (hint.empty() ? " (known: " : ", ") + name;

@@ -17,10 +17,13 @@
 namespace avoidbench {
 namespace {
 
+/// Against documents that are small as files and huge as trees: each alias is a copy, and ten
+/// levels of ten aliases each are ten thousand million values.
 constexpr std::size_t kMostValues = 100'000;
 constexpr std::size_t kMostLevels = 64;
 constexpr std::size_t kMostLetters = 20'000'000;  ///< of texts, aliases expanded
 
+/// With all keys and values below.
 std::size_t value_count(const YamlNode& node) {
   std::size_t count = 1 + node.keys.size();
   for (const YamlNode& item : node.items) count += value_count(item);
@@ -34,6 +37,7 @@ std::size_t letter_count(const YamlNode& node) {
   return count;
 }
 
+/// 1 for a scalar.
 std::size_t level_count(const YamlNode& node) {
   std::size_t deepest = 0;
   for (const YamlNode& item : node.items) deepest = std::max(deepest, level_count(item));
@@ -41,6 +45,8 @@ std::size_t level_count(const YamlNode& node) {
 }
 
 /// Builds the tree from the parser's events.
+/// From events, not from the library's own tree, so that the limits above hold while a document is
+/// read and not only after it.
 class TreeBuilder : public YAML::EventHandler {
  public:
   explicit TreeBuilder(const std::string& source)
@@ -58,10 +64,13 @@ class TreeBuilder : public YAML::EventHandler {
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     const auto found = anchored_.find(anchor);
     YamlNode place = make(YamlNode::Kind::null, mark);
+    // An anchor is known when its node is complete, so only an alias within that node is unknown
+    // here; the parser itself refuses names that were never given.
     if (found == anchored_.end()) fail(place, "an alias within what it stands for");
     charge(place, value_count(found->second));
     charge_letters(place, letter_count(found->second));
     if (open_.size() + level_count(found->second) > kMostLevels) fail_levels(place);
+    // The copy stands where the alias does; what it holds keeps the places of the original.
     YamlNode copy = found->second;
     copy.line = place.line;
     copy.column = place.column;
@@ -72,6 +81,7 @@ class TreeBuilder : public YAML::EventHandler {
                 const std::string& value) override {
     YamlNode node = make(YamlNode::Kind::scalar, mark);
     node.scalar = value;
+    // The parser gives scalars in quotes and blocks of text (| and >) the tag "!", plain ones "?".
     node.is_quoted = tag == "!" || tag == "tag:yaml.org,2002:str";
     const bool is_plain_null = !node.is_quoted && (value == "~" || value == "null");
     if (is_plain_null) node.kind = YamlNode::Kind::null;
@@ -123,6 +133,8 @@ class TreeBuilder : public YAML::EventHandler {
     if (letters_ > kMostLetters) fail(place, "more than 20 MB of text, aliases expanded");
   }
 
+  // Trees are counted, copied and destroyed by recursion, so what is too deep would overflow the
+  // call stack: it is refused before it is there.
   void begin(YamlNode node, YAML::anchor_t anchor) {
     if (open_.size() >= kMostLevels) fail_levels(node);
     open_.push_back({std::move(node), anchor});
@@ -135,8 +147,10 @@ class TreeBuilder : public YAML::EventHandler {
     finish(std::move(closed.node), closed.anchor);
   }
 
+  // A node is complete: it is counted, kept if it has an anchor, and put into the one around it.
   void finish(YamlNode node, YAML::anchor_t anchor) {
     charge(node, 1);
+    // The copy that later aliases are made of takes memory too.
     if (anchor != 0) {
       charge(node, value_count(node));
       charge_letters(node, letter_count(node));
@@ -147,6 +161,7 @@ class TreeBuilder : public YAML::EventHandler {
       return;
     }
     YamlNode& parent = open_.back().node;
+    // Keys and values come in turns.
     const bool is_key =
         parent.kind == YamlNode::Kind::mapping && parent.keys.size() == parent.items.size();
     if (is_key) {
@@ -160,6 +175,7 @@ class TreeBuilder : public YAML::EventHandler {
   /// own keys, which win.
   static void expand_merge_key(YamlNode& mapping) {
     std::size_t at = 0;
+    // `"<<"` in quotes is a key like any other.
     const auto is_merge = [](const YamlNode& key) { return key.scalar == "<<" && !key.is_quoted; };
     while (at < mapping.keys.size() && !is_merge(mapping.keys[at])) ++at;
     if (at == mapping.keys.size()) return;
@@ -173,6 +189,7 @@ class TreeBuilder : public YAML::EventHandler {
         fail(part, "<<: expected a mapping, as in `<<: *anchor`, found " + found_text(part));
       }
       for (std::size_t i = 0; i < part.keys.size(); ++i) {
+        // The mapping's own keys are there already, and so are those of earlier parts: both win.
         if (mapping.find(part.keys[i].scalar) != nullptr) continue;
         mapping.keys.push_back(part.keys[i]);
         mapping.items.push_back(part.items[i]);
@@ -180,6 +197,8 @@ class TreeBuilder : public YAML::EventHandler {
     }
   }
 
+  // YAML wants keys to differ, but its libraries keep the first or the last of equal ones in
+  // silence.
   static void add_key(YamlNode& mapping, YamlNode key) {
     if (key.kind != YamlNode::Kind::scalar)
       fail(key, "a key must be text, found " + found_text(key));
@@ -229,6 +248,7 @@ std::string found_text(const YamlNode& node) {
   constexpr std::size_t kMostShown = 40;
   if (node.scalar.size() <= kMostShown) return '"' + visible_line(node.scalar) + '"';
   const std::string_view start = std::string_view(node.scalar).substr(0, kMostShown);
+  // Not in the middle of a letter.
   return '"' + visible_line(start.substr(0, kMostShown - unfinished_bytes(start))) + "…\"";
 }
 
@@ -243,11 +263,13 @@ YamlNode parse_yaml(const std::string& text, const std::string& source) {
     }
     YamlNode root = std::move(*builder.root);
     builder.root.reset();
+    // root is set again only by a second document that holds something.
     if (parser.HandleNextDocument(builder) && builder.root) {
       throw InputError(problem_at(*builder.root, "a second document; one is expected"));
     }
     return root;
   } catch (const YAML::Exception& error) {
+    // The library's place is where it gave up; a hint's is where the mistake was made.
     if (auto hint = syntax_hint(text, source)) throw InputError(std::move(*hint));
     const bool has_place = !error.mark.is_null();
     throw InputError(InputProblem{source, has_place ? error.mark.line + 1 : 0,

@@ -31,9 +31,11 @@ std::optional<T> parsed(const YamlNode& node, bool& too_large) {
   too_large = false;
   if (!is_plain(node)) return std::nullopt;
   std::string_view text = node.scalar;
+  // from_chars takes no plus sign; "+-1" is none of its either.
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
   T value{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  // Text behind the number: no number at all, even if what is before it would overflow.
   if (end != text.data() + text.size()) return std::nullopt;
   too_large = error == std::errc::result_out_of_range;
   if (error != std::errc{}) return std::nullopt;
@@ -53,7 +55,8 @@ bool check_range(const YamlNode& node, const std::string& path, double value, Ra
   return false;
 }
 
-/// Whole numbers may be written as 12, 12.0 or 1.2e1.
+/// Whole numbers may be written as 12, 12.0 or 1.2e1. Read as a whole number first, since a double
+/// would lose the last digits of large seeds.
 template <class T>
 std::optional<T> whole_of(const YamlNode& node, const std::string& path, Range range,
                           Problems& problems) {
@@ -71,6 +74,7 @@ std::optional<T> whole_of(const YamlNode& node, const std::string& path, Range r
       return problem("expected a whole number, found " + found_text(node));
     }
     if (*number < 0.0 && !std::is_signed_v<T>) return problem(node.scalar + " is below 0");
+    // Beyond 2^53 not every whole number is a double: which one was meant is unknown.
     if (std::abs(*number) > kLargestExact) return problem(node.scalar + " is too large");
     whole = static_cast<T>(*number);
   }
@@ -78,8 +82,10 @@ std::optional<T> whole_of(const YamlNode& node, const std::string& path, Range r
   return fits ? whole : std::nullopt;
 }
 
+/// A number that was computed for a range, at the range's place.
 YamlNode number_node(const YamlNode& place, double value) {
   std::array<char, 64> text{};
+  // So that 3 * 0.1 is 0.3 and not 0.30000000000000004.
   constexpr int kDigits = 12;
   const auto result = std::to_chars(text.data(), text.data() + text.size(), value,
                                     std::chars_format::general, kDigits);
@@ -136,6 +142,7 @@ std::vector<YamlNode> range_values(const YamlNode& node, const std::string& path
       add_problem(*node.find("step"), path + ".step", "leads away from 'to'", problems);
       return {};
     }
+    // 0.3 / 0.1 is 2.9999999999999996: the end is meant to be among the values.
     count = std::floor(steps + 1e-9) + 1.0;
   } else if (std::floor(count) != count || count < 1.0 || (count == 1.0 && *from != *to)) {
     add_problem(*node.find("count"), path + ".count",
@@ -150,6 +157,7 @@ std::vector<YamlNode> range_values(const YamlNode& node, const std::string& path
   std::vector<YamlNode> values;
   for (int k = 0; k < static_cast<int>(count); ++k) {
     const double i = k;
+    // By multiplying: a running sum would add up the rounding of the step.
     const double value = by_step       ? *from + i * *third
                          : count > 1.0 ? *from + i * (*to - *from) / (count - 1.0)
                                        : *from;
@@ -159,6 +167,7 @@ std::vector<YamlNode> range_values(const YamlNode& node, const std::string& path
 }
 
 /// The same text for values that mean the same: 3 and 3.0, also in lists.
+/// Used to find values of an axis that are given twice, which would fly each trial of theirs twice.
 std::string meaning(const YamlNode& node) {
   const std::optional<double> number = number_of(node);
   if (number) return number_text(*number);
@@ -175,6 +184,7 @@ std::string meaning(const YamlNode& node) {
 
 std::string number_text(double value) {
   std::array<char, 64> text{};
+  // 0.0001 up to 10^15 without exponent.
   const auto plain = std::abs(value) < 1e15 && (value == 0.0 || std::abs(value) >= 1e-4)
                          ? std::chars_format::fixed
                          : std::chars_format::general;
@@ -185,6 +195,7 @@ std::string number_text(double value) {
 std::optional<double> number_of(const YamlNode& node) {
   bool too_large = false;
   const std::optional<double> number = parsed<double>(node, too_large);
+  // from_chars also reads "inf" and "nan".
   return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
@@ -193,6 +204,7 @@ std::optional<double> read_number(const YamlNode& node, const std::string& path,
   bool too_large = false;
   const std::optional<double> number = parsed<double>(node, too_large);
   const bool is_infinite_text =
+      // YAML's own words for them, which from_chars does not know.
       is_plain(node) && (node.scalar.find(".inf") != std::string::npos || node.scalar == ".nan");
   if (too_large) {
     add_problem(node, path, node.scalar + " is too large or too small", problems);

@@ -3,6 +3,7 @@
 import json
 import math
 import os
+import re
 from collections.abc import Mapping
 from typing import Any
 
@@ -49,6 +50,12 @@ def yaml_text(value: Any, name: str) -> str:
 
     Raises TypeError for what YAML has no word for, ValueError for numbers that are not finite; `name` stands in the message."""
     return json.dumps(_plain(value, name), ensure_ascii=False, allow_nan=False)
+
+
+def without_columns(message: str, name: str, shown: str | None = None) -> str:
+    """A message about what yaml_text() wrote, without the places in that one line: what is wrong stands there by its key, and nobody saw
+    the line. `name`: what the text is called there; `shown`: what it is called instead."""
+    return re.sub(rf"^{re.escape(name)}(:1:\d+)?(?=: )", shown or name, message, flags=re.MULTILINE)
 
 
 def overrides(fields: Mapping[str, Any], prefix: str = "") -> list[str]:

@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from avoidbench import _core
 from avoidbench._core import InputError
+from avoidbench._input import plain_places
 from avoidbench._text import overrides, plain_text, yaml_text
 
 Observation = dict[str, NDArray[Any]]
@@ -124,7 +125,8 @@ class _Flights:
             **{name: _real(value, f"reward.{name}") for name, value in asdict(weights).items()},
         }
         given, text = _sweep_text(sweep)
-        self.core = _core.SteppedFlights(given, text, overrides(set or {}), options)
+        with plain_places(given if text is not None else None):
+            self.core = _core.SteppedFlights(given, text, overrides(set or {}), options)
         for warning in self.core.warnings:
             warnings.warn(warning, stacklevel=4)
         shape = self.core.shape()
@@ -223,8 +225,8 @@ class AvoidbenchVectorEnv(gymnasium.vector.VectorEnv[Observation, NDArray[Any], 
             rates; imu (N, K, 7) float32: time, rates, specific force of the samples since the last step, newest last, zeros before;
             stereo (N, C, 2, H, W) uint8, grey, left and right; color (N, C, H, W, 3) uint8, RGB. Images are the newest that came; at an
             episode's end they are of its last moments.
-        depth: "inverse": least range / depth, 0 where nothing returns or nothing is known; "metric": metres, the greatest range where
-            nothing returns, 0 where nothing is known.
+        depth: "metric": metres, the greatest range where nothing returns; "inverse": the least range over that. In both 0 is where
+            nothing is known: nearer than the least range, not matched by stereo, or no image yet.
         action: "velocity" (vx, vy, vz, yaw rate), "acceleration" (ax, ay, az, yaw rate), "rates_thrust" (body rates, thrust over mass:
             9.81 hovers), or "trajectory" (for each of `trajectory_points` x, y, z and yaw, from where the vehicle is and looks now,
             evenly spaced over `trajectory_horizon_s`). They take effect after the sweep's latency.

@@ -13,6 +13,7 @@ from types import FrameType, TracebackType
 from typing import TYPE_CHECKING, Any
 
 from avoidbench import _core
+from avoidbench._input import plain_places
 from avoidbench._text import overrides, plain_text, yaml_text
 from avoidbench.planner import Planner
 from avoidbench.planner_table import Table
@@ -107,7 +108,9 @@ def fly(sweep: str | os.PathLike[str] | Mapping[str, Any], planner: type[Planner
             bar.n = done
             bar.refresh()
 
-        flown = _core.fly_sweep(given, text, changes, "" if database is None else plain_text(os.fspath(database), "database"), show)
+        file_of_results = "" if database is None else plain_text(os.fspath(database), "database")
+        with plain_places(given if text is not None else None):
+            flown = _core.fly_sweep(given, text, changes, file_of_results, show)
     for warning in flown["warnings"]:
         warnings.warn(warning, stacklevel=2)
     if stopping.is_asked:

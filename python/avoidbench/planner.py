@@ -76,6 +76,11 @@ class Mission:
     goal_radius_m: float
     """The goal is reached within this horizontal distance."""
     time_limit_s: float
+    lowest_world_m: Vector
+    highest_world_m: Vector
+    """The map's box, from ground to ceiling: the trial ends where the vehicle's centre leaves it."""
+    command_latency_s: float
+    """From a call to when its command acts; NaN where that is measured: as long as the call takes."""
 
 
 @dataclass(frozen=True)
@@ -125,8 +130,8 @@ class ImuSamples:
 
 
 @dataclass(frozen=True)
-class Observation:
-    """What a planner sees in one call; images since the last call, newest first, of what it declares in `sees`."""
+class State:
+    """As the odometry says it."""
 
     time_s: float
     """Since the start of the trial; of the past where the odometry has a delay."""
@@ -134,10 +139,20 @@ class Observation:
     velocity_world_mps: Vector
     q_world_body: Vector
     rates_body_radps: Vector
+
+
+@dataclass(frozen=True)
+class Observation(State):
+    """What a planner sees in one call: the newest state, and since the last call, of what it declares in `sees`, images, newest first,
+    samples of the IMU, and states at the IMU's rate, oldest first."""
+
     depth: tuple[DepthImage, ...] = ()
     stereo: tuple[StereoPair, ...] = ()
     color: tuple[Picture, ...] = ()
     imu: ImuSamples | None = None
+    call_time_s: float = float("nan")
+    """Of this call; time_s is older where the odometry has a delay."""
+    states: tuple[State, ...] = ()
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -207,7 +222,7 @@ class Planner:
     summary: ClassVar[str] = ""
     """One line."""
     sees: ClassVar[Sequence[str]] = ("state",)
-    """Of state, depth, stereo, color, imu."""
+    """Of state, depth, stereo, color, imu, states."""
     commands: ClassVar[Sequence[str]] = ("velocity",)
     """Of position, velocity, acceleration, trajectory, rates: what plan() may return."""
     parameters: ClassVar[Sequence[Parameter]] = ()

@@ -4,7 +4,7 @@ import ctypes as c
 from typing import Any
 
 AB_OK, AB_NO_PLAN, AB_ERROR, AB_GIVE_UP = 0, 1, -1, 2
-SEES = {"state": 1, "depth": 2, "stereo": 4, "color": 8, "imu": 16}
+SEES = {"state": 1, "depth": 2, "stereo": 4, "color": 8, "imu": 16, "states": 64}
 COMMANDS = {"position": 1, "velocity": 2, "acceleration": 4, "trajectory": 8, "rates": 16}
 YAW_IS_RATE = 1
 NUMBER, INTEGER, CHOICE, TEXT = 0, 1, 2, 3
@@ -46,7 +46,8 @@ class SetupStruct(c.Structure):
 
 class MissionStruct(c.Structure):
     _fields_ = [("struct_size", c.c_uint32), ("reserved", c.c_uint32), ("seed", c.c_uint64), ("start_world_m", Vector),
-                ("start_yaw_rad", c.c_double), ("goal_world_m", Vector), ("goal_radius_m", c.c_double), ("time_limit_s", c.c_double)]
+                ("start_yaw_rad", c.c_double), ("goal_world_m", Vector), ("goal_radius_m", c.c_double), ("time_limit_s", c.c_double),
+                ("lowest_world_m", Vector), ("highest_world_m", Vector), ("command_latency_s", c.c_double)]
 
 
 class StateStruct(c.Structure):
@@ -81,7 +82,8 @@ class ObservationStruct(c.Structure):
     _fields_ = [("struct_size", c.c_uint32), ("depth_count", c.c_uint32), ("state", c.POINTER(StateStruct)),
                 ("depth", c.POINTER(c.POINTER(DepthStruct))), ("stereo_count", c.c_uint32), ("color_count", c.c_uint32),
                 ("stereo", c.POINTER(c.POINTER(StereoStruct))), ("color", c.POINTER(c.POINTER(PictureStruct))), ("imu_count", c.c_uint32),
-                ("reserved", c.c_uint32), ("imu", c.POINTER(ImuStruct))]
+                ("reserved", c.c_uint32), ("imu", c.POINTER(ImuStruct)), ("time_s", c.c_double), ("state_count", c.c_uint32),
+                ("reserved2", c.c_uint32), ("states", c.POINTER(c.POINTER(StateStruct)))]
 
 
 class PointStruct(c.Structure):

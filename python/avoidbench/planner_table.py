@@ -68,7 +68,7 @@ def _setup(struct: abi.SetupStruct, parameters: tuple[p.Parameter, ...]) -> p.Se
 
 def _mission(struct: abi.MissionStruct) -> p.Mission:
     return p.Mission(struct.seed, _vector(struct.start_world_m), struct.start_yaw_rad, _vector(struct.goal_world_m), struct.goal_radius_m,
-                     struct.time_limit_s)
+                     struct.time_limit_s, _vector(struct.lowest_world_m), _vector(struct.highest_world_m), struct.command_latency_s)
 
 
 def _pixels(pointer: Any, shape: tuple[int, ...]) -> NDArray[Any]:
@@ -97,6 +97,11 @@ def _imu(struct: abi.ObservationStruct) -> p.ImuSamples:
     return p.ImuSamples(numbers[:, 0], numbers[:, 1:4], numbers[:, 4:7])
 
 
+def _state(struct: abi.StateStruct) -> p.State:
+    return p.State(struct.time_s, _vector(struct.position_world_m), _vector(struct.velocity_world_mps), _vector(struct.q_world_body),
+                   _vector(struct.rates_body_radps))
+
+
 def _observation(struct: abi.ObservationStruct, sees_imu: bool) -> p.Observation:
     state = struct.state.contents
     stereo = [struct.stereo[i].contents for i in range(struct.stereo_count)]
@@ -106,7 +111,9 @@ def _observation(struct: abi.ObservationStruct, sees_imu: bool) -> p.Observation
         depth=tuple(_depth(struct.depth[i].contents) for i in range(struct.depth_count)),
         stereo=tuple(p.StereoPair(_picture(pair.left.contents), _picture(pair.right.contents), pair.baseline_m) for pair in stereo),
         color=tuple(_picture(struct.color[i].contents) for i in range(struct.color_count)),
-        imu=_imu(struct) if sees_imu else None)
+        imu=_imu(struct) if sees_imu else None,
+        call_time_s=struct.time_s,
+        states=tuple(_state(struct.states[i].contents) for i in range(struct.state_count)))
 
 
 def _three(values: Any, name: str) -> list[float]:

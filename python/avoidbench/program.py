@@ -18,8 +18,8 @@ WARNING_MARK = "warning: "
 class ProgramError(RuntimeError):
     """The avoidbench program was not found, refused what it was given, or failed.
 
-    str() is the program's own message; what is wrong in a file has its place: FILE:LINE:COLUMN.
-    A sweep that is given as a dict is called "standard input" there.
+    str() is the program's own message; what is wrong in a file has its place: FILE:LINE:COLUMN,
+    and what is wrong in a dict its key.
 
     Attributes:
         command: the program and its arguments; empty where there is no program.

@@ -18,6 +18,7 @@ from typing import Any
 
 from tqdm.auto import tqdm
 
+from avoidbench._text import without_columns
 from avoidbench.database_file import all_sweeps, opened
 from avoidbench.program import ProgramError, error_of, find_program, path_argument, run_program, warn_of
 from avoidbench.results import Results
@@ -275,6 +276,8 @@ def run(sweep: Sweep, *, set: Mapping[str, Any] | Sequence[str] | None = None, j
     bar = _Bar(progress)
     command, exit_code, is_interrupted = _fly(arguments, input_text, bar)
     stderr = "\n".join(bar.lines)
+    if is_dict:
+        stderr = without_columns(stderr, "standard input", "the sweep")
     if is_interrupted:
         raise KeyboardInterrupt("stopped; all that was flown is kept, and the same call goes on from there")
     if exit_code not in (_EXIT_DONE, _EXIT_UNFLOWN):

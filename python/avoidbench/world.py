@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from avoidbench import _core
+from avoidbench._input import plain_places
 from avoidbench._text import overrides, plain_text, yaml_text
 
 _MOST_SEED = 2**64 - 1
@@ -315,7 +316,8 @@ def make_world(source: str | os.PathLike[str] | Mapping[str, Any], *, seed: Supp
     options = overrides(fields)
     map_seed = None if seed is None else _seed(seed, "seed")
     if isinstance(source, Mapping):
-        core = _core.read_world_text(yaml_text(source, "source"), "source", options, map_seed)
+        with plain_places("source"):
+            core = _core.read_world_text(yaml_text(source, "source"), "source", options, map_seed)
     elif isinstance(source, (str, os.PathLike)):
         given = plain_text(os.fspath(source), "source")
         if given == "-":

@@ -218,7 +218,7 @@ std::pair<Cells, std::array<double, 3>> occupancy(const GivenMap& given, double 
   auto grid = std::make_unique<VoxelGrid>();
   {
     const nb::gil_scoped_release released;
-    *grid = surface_voxels(given.map.world, resolution_m);
+    *grid = surface_voxels(given.map.world, resolution_m, check_signals);
   }
   const std::array<double, 3> origin = to_array(grid->lowest_world);
   const std::size_t sizes[] = {grid->columns, grid->rows, grid->layers};

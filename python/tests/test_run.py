@@ -90,7 +90,7 @@ def test_what_is_wrong_has_its_place(tmp_path: Path) -> None:
     assert caught.value.exit_code == 2 and caught.value.command[1] == "run"
     copied = pickle.loads(pickle.dumps(caught.value))
     assert (str(copied), copied.exit_code) == (str(caught.value), 2)
-    with pytest.raises(avoidbench.ProgramError, match=r"^standard input:1:\d+: trials: -1 is outside"):
+    with pytest.raises(avoidbench.ProgramError, match=r"^the sweep: trials: -1 is outside"):
         avoidbench.run({**SHORT, "trials": -1}, progress=False, database=tmp_path / "x.db")
     with pytest.raises(avoidbench.ProgramError, match="no built-in sweep of this name; built in: .*quick"):
         avoidbench.run("nosuch", progress=False)

@@ -6,7 +6,8 @@
 #include "env/vector_env.hpp"
 
 // Steps of a vector of flights, each 1/30 s of simulated time: how many a second, and with pictures
-// what Embree alone takes for as many of them.
+// what Embree alone takes for as many of them. And the first reset, which makes the maps and searches
+// the missions' reference paths.
 namespace avoidbench {
 namespace {
 
@@ -19,7 +20,7 @@ EnvSpec env_spec(const MapSpec& map, bool has_depth, std::int64_t threads) {
   spec.sweep.base.sensor.width_px = 64;
   spec.sweep.base.sensor.height_px = 48;
   spec.sweep.axes = {{.path = "map_seed", .values = {1, 2, 3, 4}}};
-  spec.sweep.trials = 20;
+  spec.sweep.trials = 4;  // few missions: all are known after the first reset
   spec.slots = kSlots;
   spec.threads = threads;
   spec.needs = has_depth ? AB_SEES_DEPTH : 0U;
@@ -104,6 +105,16 @@ void env_steps(benchmark::State& state, const MapSpec& map, bool has_depth) {
   if (has_depth) state.counters["times_bare_loop"] = median(ratios);
 }
 
+/// Every slot's first mission is one that nobody flew yet.
+void env_first_reset(benchmark::State& state, const MapSpec& map) {
+  for (auto _ : state) {
+    EnvSpec spec = env_spec(map, false, state.range(0));
+    spec.sweep.trials = 100;
+    const Learner learner(spec);
+    benchmark::DoNotOptimize(learner.pose.data());
+  }
+}
+
 const MapSpec kHall = HallSpec{};
 const MapSpec kForest = ForestSpec{.area_m = {40.0, 40.0}, .poisson_radius_m = 3.5};
 BENCHMARK_CAPTURE(env_steps, hall_depth, kHall, true)
@@ -126,6 +137,8 @@ BENCHMARK_CAPTURE(env_steps, forest_state, kForest, false)
     ->Arg(2)
     ->UseManualTime()
     ->Iterations(200);
+BENCHMARK_CAPTURE(env_first_reset, hall, kHall)->Arg(1)->Arg(2)->UseRealTime()->Iterations(1);
+BENCHMARK_CAPTURE(env_first_reset, forest, kForest)->Arg(1)->Arg(2)->UseRealTime()->Iterations(1);
 
 }  // namespace
 }  // namespace avoidbench

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <cstring>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -222,14 +223,53 @@ TEST(VectorEnv, DepthIsWrittenAsAsked) {
   for (std::size_t i = 0; i < metric.depth.size(); ++i) {
     ASSERT_GT(metric.depth[i], 0.0F);
     ASSERT_LE(metric.depth[i], 15.0F);
-    if (metric.depth[i] == 15.0F) {
-      ASSERT_EQ(inverse.depth[i], 0.0F);
-    } else {
-      ASSERT_FLOAT_EQ(inverse.depth[i], 0.1F / metric.depth[i]);
-      ++near;
-    }
+    ASSERT_FLOAT_EQ(inverse.depth[i], 0.1F / metric.depth[i]);
+    near += metric.depth[i] < 15.0F ? 1U : 0U;
   }
   EXPECT_GT(near, 0U);
+}
+
+/// How a picture of these depths is written.
+std::vector<float> written_depth(const std::vector<float>& depth_m, DepthEncoding encoding) {
+  const ViewShape shape{.cameras = 1,
+                        .height_px = 1,
+                        .width_px = depth_m.size(),
+                        .min_range_m = 0.5,
+                        .max_range_m = 10.0};
+  std::vector<float> written(depth_m.size(), -1.0F);
+  PlannerView view;
+  view.q_world_body.setIdentity();
+  view.depth.push_back({.depth_m = depth_m});
+  write_view(view, Eigen::Vector3d::Zero(), shape, encoding, {.depth = written.data()});
+  return written;
+}
+
+TEST(Observations, TellNothingInRangeFromNothingKnown) {
+  const auto infinity = std::numeric_limits<float>::infinity();
+  const std::vector<float> depth_m{0.5F, 2.0F, 10.0F, infinity, static_cast<float>(math::kNaN)};
+  EXPECT_THAT(written_depth(depth_m, DepthEncoding::metric),
+              testing::ElementsAre(0.5F, 2.0F, 10.0F, 10.0F, 0.0F));
+  EXPECT_THAT(written_depth(depth_m, DepthEncoding::inverse),
+              testing::ElementsAre(1.0F, 0.25F, 0.05F, 0.05F, 0.0F));
+}
+
+TEST(Observations, BeforeTheFirstImageNothingIsKnown) {
+  const ViewShape shape{.cameras = 2, .height_px = 2, .width_px = 3};
+  std::vector<float> depth(12, 7.0F);
+  std::vector<std::uint8_t> stereo(24, 7), color(36, 7);
+  clear_images(shape, {.depth = depth.data(), .stereo = stereo.data(), .color = color.data()});
+  EXPECT_THAT(depth, testing::Each(0.0F));
+  EXPECT_THAT(stereo, testing::Each(0));
+  EXPECT_THAT(color, testing::Each(0));
+  // A camera without a new picture keeps its last one.
+  const std::vector<float> image(6, 1.0F);
+  PlannerView view;
+  view.q_world_body.setIdentity();
+  view.depth.push_back({.camera = 1, .depth_m = image});
+  const ViewShape ranged{
+      .cameras = 2, .height_px = 2, .width_px = 3, .min_range_m = 0.5, .max_range_m = 10.0};
+  write_view(view, Eigen::Vector3d::Zero(), ranged, DepthEncoding::metric, {.depth = depth.data()});
+  EXPECT_THAT(depth, testing::ElementsAre(0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1));
 }
 
 TEST(VectorEnv, RewardsAreProgressLessTimeAndTheEnd) {
@@ -359,6 +399,40 @@ TEST(VectorEnv, AnInterruptedResetLeavesNothingHalfBegun) {
   const auto interrupt = [] { throw std::runtime_error("interrupted"); };
   EXPECT_THROW(stepped.env.reset(1, {}, stepped.arrays, interrupt), std::runtime_error);
   EXPECT_EQ(error_of([&] { stepped.step(); }), "slot 0: reset() comes before step()");
+}
+
+TEST(VectorEnv, AnInterruptedSearchForAMissionEndsInEveryThread) {
+  // Bodies with more free space around them than the hall has: no mission can be flown.
+  EnvSpec spec = env_spec(4, 2);
+  spec.sweep.base.mission.free_radius_m = 6.0;
+  Stepped stepped(spec);
+  int polls = 0;
+  const auto interrupt = [&polls] {
+    if (++polls > 3) throw std::runtime_error("interrupted");
+  };
+  EXPECT_THROW(stepped.env.reset(1, {}, stepped.arrays, interrupt), std::runtime_error);
+  EXPECT_THAT(error_of([&] { stepped.reset(); }), HasSubstr("missions of the sweep can be flown"));
+}
+
+TEST(VectorEnv, AFlightThatStartsAtItsGoalEndsInItsFirstStep) {
+  EnvSpec spec = env_spec(1);
+  spec.sweep.base.mission.goal_radius_m = 100.0;
+  Stepped stepped(spec);
+  stepped.reset();
+  EXPECT_EQ(stepped.terminated[0], 0);
+  stepped.step();
+  EXPECT_EQ(stepped.terminated[0], 1);
+  ASSERT_EQ(stepped.env.ended().size(), 1U);
+  EXPECT_EQ(stepped.env.ended()[0].outcome, Outcome::reached_goal);
+  EXPECT_EQ(stepped.env.ended()[0].steps, 1);
+}
+
+TEST(VectorEnv, InverseDepthNeedsALeastRange) {
+  EnvSpec spec = env_spec(1);
+  spec.sweep.base.sensor.min_range_m = 0.0;
+  EXPECT_THAT(error_of([&] { const VectorEnv env(spec); }), HasSubstr("min_range_m, which is 0"));
+  spec.depth = DepthEncoding::metric;
+  const VectorEnv metric(spec);
 }
 
 TEST(VectorEnv, AForkedProcessIsToldAndEnds) {

@@ -63,6 +63,40 @@ class Observations : public ::testing::Test {
   ObservationBuffers buffers;
 };
 
+TEST_F(Observations, AllStatesArriveWhereTheyAreAskedFor) {
+  view.call_time_s = 0.7;
+  for (const double time_s : {0.60, 0.65}) {
+    view.states.push_back({.time_s = time_s,
+                           .position_world = {time_s, 2.0, 3.0},
+                           .velocity_world = {0.1, 0.2, 0.3},
+                           .rates_body = {0.4, 0.5, 0.6},
+                           .q_world_body = Eigen::Quaterniond(0.5, 0.5, -0.5, 0.5)});
+  }
+  const ab_observation& seen = buffers.fill(view, setup.cameras, AB_SEES_STATES);
+  EXPECT_EQ(seen.time_s, 0.7);
+  ASSERT_EQ(seen.state_count, 2U);
+  const ab_state& last = *seen.states[1];
+  EXPECT_EQ(last.struct_size, sizeof(ab_state));
+  EXPECT_EQ(last.time_s, 0.65);
+  EXPECT_EQ(last.position_world_m[0], 0.65);
+  EXPECT_EQ(last.velocity_world_mps[1], 0.2);
+  EXPECT_EQ(last.rates_body_radps[2], 0.6);
+  EXPECT_EQ(last.q_world_body[2], -0.5);
+  EXPECT_EQ(buffers.fill(view, setup.cameras, AB_SEES_STATE).state_count, 0U);
+}
+
+TEST(MissionOf, SaysTheMapsBoxAndTheLatency) {
+  PlannerMission mission;
+  mission.lowest_world = {-1.0, -2.0, -3.0};
+  mission.highest_world = {4.0, 5.0, 6.0};
+  mission.command_latency_s = 0.033;
+  const ab_mission told = to_mission(mission);
+  EXPECT_EQ(told.struct_size, sizeof(ab_mission));
+  EXPECT_EQ(told.lowest_world_m[2], -3.0);
+  EXPECT_EQ(told.highest_world_m[1], 5.0);
+  EXPECT_EQ(told.command_latency_s, 0.033);
+}
+
 TEST_F(Observations, PicturesAndSamplesArriveWithTheirTimesAndPlaces) {
   const ab_observation& seen = buffers.fill(
       view, setup.cameras, AB_SEES_DEPTH | AB_SEES_STEREO | AB_SEES_COLOR | AB_SEES_IMU);

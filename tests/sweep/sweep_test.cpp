@@ -74,6 +74,28 @@ TEST_F(SweepTest, APlannerThatCrashesOrHangsCostsItsOwnTrials) {
   EXPECT_EQ(hung, 2);
 }
 
+TEST_F(SweepTest, APlannerWithGlobalsFliesEachTrialInANewProcess) {
+  for (const std::string told : {"AB_USES_GLOBALS", "0"}) {
+    SweepSpec sweep = small_sweep();
+    const std::string file = std::string(PLANNERS) + "/global_state_" + told + ".so";
+    const PlannerDescription planner = PlannerLibrary::load(file).description();
+    sweep.planners = {{.plugin = file,
+                       .label = planner.name,
+                       .file = file,
+                       .file_digest = planner.file_digest,
+                       .needs = planner.needs}};
+    run(sweep, told + ".db", 2);
+    const Database database = Database::open_for_reading(folder_ / (told + ".db"));
+    int good = 0, failed = 0;
+    for (const auto& [key, outcome] : database.finished_trials()) {
+      good += outcome == Outcome::planner_gave_up ? 1 : 0;
+      failed += outcome == Outcome::planner_error ? 1 : 0;
+    }
+    EXPECT_EQ(good + failed, 4) << told;
+    EXPECT_EQ(failed == 0, told != "0") << "without the flag processes are used again";
+  }
+}
+
 TEST_F(SweepTest, ACrashAndAHangLeaveTheirPathUpToTheCall) {
   SweepSpec sweep = small_sweep();
   sweep.axes[0].values = {1};

@@ -61,7 +61,7 @@ TEST(Flight, APlannerSteppedByHandFliesThatOfRunTrial) {
   const PlannerLibrary library = PlannerLibrary::load(spec.planner.file);
   PlannerInstance planner(library, planner_setup(spec), parameter_values(spec.planner));
   const TrialRecord whole = run_trial(spec, scene, mission, planner);
-  ASSERT_TRUE(planner.reset(planner_mission(spec, mission)).empty());
+  ASSERT_TRUE(planner.reset(planner_mission(spec, mission, scene.world().bounds)).empty());
   Flight flight = begin_flight(spec, scene, mission, planner.needs());
   while (const PlannerView* view = next_plan(flight)) answer(flight, planner.plan(*view));
   expect_same(end_flight(std::move(flight)), whole);

@@ -23,8 +23,8 @@ struct Seen {
   std::vector<std::uint32_t> cameras;
   std::vector<std::size_t> pixels;
   std::vector<std::string> digests;
-  std::vector<double> imu_s;
-  Eigen::Vector3d position, image_position;
+  std::vector<double> imu_s, states_s;
+  Eigen::Vector3d position, image_position, last_state_position;
 };
 
 TrialSpec small_trial() {
@@ -58,8 +58,10 @@ std::vector<Seen> flown(const TrialSpec& spec, double duration_s, std::uint32_t 
                 .pixels = {},
                 .digests = {},
                 .imu_s = {},
+                .states_s = {},
                 .position = view.position_world,
-                .image_position = {}};
+                .image_position = {},
+                .last_state_position = {}};
       for (const DepthView& image : view.depth) {
         seen.image_s.push_back(image.time_s);
         seen.cameras.push_back(image.camera);
@@ -70,6 +72,11 @@ std::vector<Seen> flown(const TrialSpec& spec, double duration_s, std::uint32_t 
       EXPECT_EQ(view.stereo.size(), (needs & AB_SEES_STEREO) != 0 ? view.depth.size() : 0U);
       EXPECT_EQ(view.color.size(), (needs & AB_SEES_COLOR) != 0 ? view.depth.size() : 0U);
       for (const ImuView& sample : view.imu) seen.imu_s.push_back(sample.time_s);
+      for (const StateView& state : view.states) {
+        seen.states_s.push_back(state.time_s);
+        seen.last_state_position = state.position_world;
+      }
+      EXPECT_EQ(view.call_time_s, seconds(now));
       forget_seen(perception, now);
       all.push_back(seen);
     }
@@ -77,6 +84,42 @@ std::vector<Seen> flown(const TrialSpec& spec, double duration_s, std::uint32_t 
   }
   EXPECT_GT(all.size(), 5U);
   return all;
+}
+
+TEST(PlannerMissionOf, SaysTheLatencyWhereItIsKnown) {
+  TrialSpec spec = small_trial();
+  const Aabb bounds(Eigen::Vector3d(-1.0, -2.0, -3.0), Eigen::Vector3d(4.0, 5.0, 6.0));
+  spec.latency.ms = 40.0;
+  const PlannerMission mission = planner_mission(spec, {}, bounds);
+  EXPECT_EQ(mission.lowest_world, bounds.min());
+  EXPECT_EQ(mission.highest_world, bounds.max());
+  EXPECT_DOUBLE_EQ(mission.command_latency_s, 0.04);
+  spec.latency.mode = LatencyMode::zero;
+  EXPECT_EQ(planner_mission(spec, {}, bounds).command_latency_s, 0.0);
+  for (const LatencyMode mode : {LatencyMode::measured, LatencyMode::replay}) {
+    spec.latency.mode = mode;
+    EXPECT_TRUE(std::isnan(planner_mission(spec, {}, bounds).command_latency_s));
+  }
+}
+
+TEST(Perception, ShowsEachStateOnceAtTheRateOfTheImu) {
+  for (const double delay_ms : {0.0, 47.0}) {
+    TrialSpec spec = small_trial();
+    spec.odometry.delay_ms = delay_ms;
+    std::vector<double> all_s;
+    for (const Seen& seen : flown(spec, 0.5, AB_SEES_STATES)) {
+      all_s.insert(all_s.end(), seen.states_s.begin(), seen.states_s.end());
+      if (seen.states_s.empty()) continue;
+      EXPECT_LE(seen.states_s.back(), seen.call_s - 0.001 * delay_ms + 1e-9);
+      EXPECT_GT(seen.states_s.back(), seen.call_s - 0.001 * delay_ms - 0.005);
+      EXPECT_NEAR(seen.last_state_position.x(), 2.0 * seen.states_s.back(), 1e-9);
+    }
+    ASSERT_GT(all_s.size(), 80U) << delay_ms;
+    for (std::size_t i = 0; i < all_s.size(); ++i) {
+      EXPECT_NEAR(all_s[i], 0.005 * static_cast<double>(i), 1e-9) << delay_ms;
+    }
+  }
+  EXPECT_TRUE(flown(small_trial(), 0.2).back().states_s.empty()) << "nobody asked";
 }
 
 TEST(Perception, AnImageIsSeenAtOnceWithoutDelay) {

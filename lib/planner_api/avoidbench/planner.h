@@ -48,13 +48,17 @@ typedef int32_t ab_status;
 #define AB_SEES_STEREO 4u /* left and right, grey, 8 bits */
 #define AB_SEES_COLOR 8u  /* left, RGB, 8 bits */
 #define AB_SEES_IMU 16u
-#define AB_SEES_WORLD 32u /* privileged: reported apart in every table */
+#define AB_SEES_WORLD 32u  /* privileged: reported apart in every table */
+#define AB_SEES_STATES 64u /* all states since the last call, not only the newest */
 /* Also ab_planner.needs: what it does beside computing and reading files. Planners fly in a sandbox
  * that refuses the rest; without these flags fork() and socket() fail, as writing to files always
  * does. */
 #define AB_USES_PROCESSES 256u /* starts programs and signals them */
 #define AB_USES_DEVICES 512u   /* writes to files in /dev, as GPU drivers do */
 #define AB_USES_NETWORK 1024u  /* opens sockets */
+/* What it keeps in global variables, as programs do that were written to run once: each trial is
+ * flown by a new process, in which one instance is made and reset once. */
+#define AB_USES_GLOBALS 2048u
 
 /* ab_planner.commands: what the planner may return, and ab_command.kind: what it did return. */
 #define AB_COMMAND_POSITION 1u     /* position_world_m, yaw */
@@ -147,6 +151,11 @@ typedef struct ab_mission {
   double goal_world_m[3];
   double goal_radius_m; /* the goal is reached within this horizontal distance */
   double time_limit_s;
+  /* Added later: older hosts end before this. */
+  double lowest_world_m[3], highest_world_m[3]; /* the map's box, from ground to ceiling: the trial
+                                                   ends where the vehicle's centre leaves it */
+  double command_latency_s; /* from a call to when its command acts; NaN where that is measured: as
+                               long as the call takes */
 } ab_mission;
 
 typedef struct ab_state {
@@ -217,6 +226,11 @@ typedef struct ab_observation {
   uint32_t imu_count;
   uint32_t reserved;
   const ab_imu_sample* imu; /* AB_SEES_IMU; imu_count samples, oldest first */
+  /* Added later: older hosts end before this. */
+  double time_s; /* of this call; state->time_s is older where the odometry has a delay */
+  uint32_t state_count, reserved2;
+  const ab_state* const* states; /* AB_SEES_STATES: since the last call, at the IMU's rate, oldest
+                                    first; state_count pointers */
 } ab_observation;
 
 /* Points lie in an array, so this struct never grows within ABI 1. */
