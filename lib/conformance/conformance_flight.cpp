@@ -115,6 +115,9 @@ ConformanceFlight wall_flight() {
   flight.mission.goal_world = {12.0, 0.0, 2.0};
   flight.mission.goal_radius_m = 0.8;
   flight.mission.time_limit_s = 60.0;
+  flight.mission.lowest_world = {-10.0, -20.0, 0.0};
+  flight.mission.highest_world = {30.0, 20.0, 6.0};
+  flight.mission.command_latency_s = 0.033;
   // Two thirds of a second at 30 Hz: a planner that maps has seen enough by then to give a command.
   for (int i = 0; i < 20; ++i) {
     Frame frame;
@@ -217,7 +220,7 @@ Reply Probe::plan(const Frame& frame) {
   pixels_.clear();
   for (const std::vector<float>& image : frame.images) pixels_.push_back(fenced(image));
   PlannerView view;
-  view.time_s = frame.time_s;
+  view.time_s = view.call_time_s = frame.time_s;
   view.position_world = frame.position_world;
   view.velocity_world = frame.velocity_world;
   view.rates_body.setZero();
@@ -234,6 +237,7 @@ Reply Probe::plan(const Frame& frame) {
     view.stereo.push_back({frame.time_s, T_world_camera, 0, grey_, grey_});
     view.color.push_back({frame.time_s, T_world_camera, 0, rgb_});
   }
+  view.states.push_back(static_cast<const StateView&>(view));
   view.imu.push_back({frame.time_s, Eigen::Vector3d::Zero(), {0.0, 0.0, 9.81}});
   const ab_observation& observation = observation_.fill(view, setup_.cameras, table_->needs);
   const ab_observation before = observation;

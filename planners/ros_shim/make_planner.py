@@ -18,8 +18,8 @@ from topics_file import Problem
 # What ${…} may name beside the planner's own parameters: the members of ros_shim::Given.
 GIVEN = """vehicle_max_speed_mps vehicle_max_acceleration_mps2 vehicle_max_yaw_rate_radps gravity_mps2 plan_period_s body_length_m
 body_width_m body_height_m body_radius_m width_px height_px fx_px fy_px cx_px cy_px camera_rate_hz min_range_m max_range_m baseline_m
-camera_x_m camera_y_m camera_z_m start_x_m start_y_m start_z_m start_yaw_rad goal_x_m goal_y_m goal_z_m goal_radius_m time_limit_s
-seed""".split()
+camera_x_m camera_y_m camera_z_m start_x_m start_y_m start_z_m start_yaw_rad goal_x_m goal_y_m goal_z_m goal_radius_m
+lowest_x_m lowest_y_m lowest_z_m highest_x_m highest_y_m highest_z_m command_latency_s time_limit_s seed""".split()
 ALIASES = {"max_speed_mps": "vehicle_max_speed_mps", "max_acceleration_mps2": "vehicle_max_acceleration_mps2",
            "max_yaw_rate_radps": "vehicle_max_yaw_rate_radps"}
 FUNCTIONS = {"min": "std::min", "max": "std::max", "abs": "std::abs", "floor": "std::floor", "ceil": "std::ceil", "round": "std::round"}

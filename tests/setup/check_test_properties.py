@@ -11,7 +11,7 @@ import re
 import subprocess
 import sys
 
-SCRIPT = re.compile(r"[a-z]+\.[a-z0-9_]+")
+SCRIPT = re.compile(r"[a-z_]+\.[a-z0-9_]+")
 CASE = re.compile(r"[a-z_]+\.([A-Za-z0-9]+/)?(?P<suite>[A-Z][A-Za-z0-9]*)(/[A-Za-z0-9_]+)?\.[A-Z][A-Za-z0-9]*(/[A-Za-z0-9_]+)?")
 
 

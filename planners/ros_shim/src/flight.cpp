@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <exception>
 #include <new>
@@ -46,6 +47,16 @@ Given given_of(const ab_setup& setup, const ab_mission& mission) {
   given.goal_y_m = mission.goal_world_m[1];
   given.goal_z_m = mission.goal_world_m[2];
   given.goal_radius_m = mission.goal_radius_m;
+  // Hosts of before these were there say nothing of them.
+  if (mission.struct_size >= sizeof(ab_mission)) {
+    given.lowest_x_m = mission.lowest_world_m[0];
+    given.lowest_y_m = mission.lowest_world_m[1];
+    given.lowest_z_m = mission.lowest_world_m[2];
+    given.highest_x_m = mission.highest_world_m[0];
+    given.highest_y_m = mission.highest_world_m[1];
+    given.highest_z_m = mission.highest_world_m[2];
+    given.command_latency_s = mission.command_latency_s;
+  }
   given.time_limit_s = mission.time_limit_s;
   given.seed = static_cast<double>(mission.seed % 2147483648U);  // as a ROS integer
   for (std::uint32_t i = 0; i < setup.value_count; ++i) {
@@ -173,14 +184,10 @@ std::optional<ab_command> Flight::plan(const ab_observation& seen) {
   const ab_state& state = *seen.state;
   require_finite(state.position_world_m, "the position");
   require_finite(state.velocity_world_mps, "the velocity");
-  // The newest that is seen: a delayed state is not the present.
-  double newest_s = state.time_s;
-  for (std::uint32_t i = 0; i < seen.depth_count; ++i) {
-    newest_s = std::max(newest_s, seen.depth[i]->time_s);
-  }
-  for (std::uint32_t i = 0; i < seen.imu_count; ++i)
-    newest_s = std::max(newest_s, seen.imu[i].time_s);
-  const std::int64_t to_ns = std::max(now_ns(), ros_time_ns(newest_s));
+  // A delayed state is not the present. Hosts of before they said the time: the state's.
+  const bool has_time = seen.struct_size >= offsetof(ab_observation, state_count);
+  const double call_s = has_time ? seen.time_s : state.time_s;
+  const std::int64_t to_ns = std::max(now_ns(), ros_time_ns(call_s));
   observations_->publish(seen, to_ns);
   advance(to_ns);
   if (!spec_.command.node.empty()) run_ahead();

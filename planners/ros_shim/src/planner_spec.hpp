@@ -24,7 +24,10 @@ struct Given {
   double camera_x_m = 0.0, camera_y_m = 0.0, camera_z_m = 0.0;
   double start_x_m = 0.0, start_y_m = 0.0, start_z_m = 0.0, start_yaw_rad = 0.0;
   double goal_x_m = 0.0, goal_y_m = 0.0, goal_z_m = 0.0, goal_radius_m = 0.0;
+  double lowest_x_m = 0.0, lowest_y_m = 0.0, lowest_z_m = 0.0;  ///< the map's box
+  double highest_x_m = 0.0, highest_y_m = 0.0, highest_z_m = 0.0;
   double time_limit_s = 0.0, seed = 0.0;
+  double command_latency_s = 0.0;  ///< NaN: measured
   std::vector<double> numbers;     ///< of the planner's own parameters, in their order
   std::vector<std::string> texts;  ///< likewise
 };
