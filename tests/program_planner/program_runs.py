@@ -165,7 +165,9 @@ def killed(runs, kills):
             process.communicate()
     for part in range((kills + 4) // 5):
         runs.run(sweep, f"killed{part}.db", "--jobs", "2")
-        runs.expect(f"rows of run {part} after its kills", rows(runs.folder / f"killed{part}.db")["trial"] == whole["trial"])
+        found = rows(runs.folder / f"killed{part}.db")["trial"]
+        others = [row[:6] for row in found if row not in whole["trial"]]
+        runs.expect(f"rows of run {part} after its kills", found == whole["trial"], (len(found), others))
     runs.expect_nothing_left("after kills")
 
 
