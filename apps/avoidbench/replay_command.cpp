@@ -20,6 +20,7 @@
 #include "process/isolated_run.hpp"
 #include "process/print_capture.hpp"
 #include "process/sandbox.hpp"
+#include "program_planner/program_prints.hpp"
 #include "replay/apart.hpp"
 #include "replay/replay.hpp"
 #include "replay/sample.hpp"
@@ -224,7 +225,8 @@ std::string repeat_text(const StoredTrial& stored, const ReplayFiles& files) {
   if (!hint.empty()) throw OptionError(text.substr(line_end + 1), "", hint);
   std::vector<InputProblem> problems;
   std::istringstream lines(text.substr(line_end + 1));
-  for (std::string line; std::getline(lines, line);) problems.push_back({.file = {}, .message = line});
+  for (std::string line; std::getline(lines, line);)
+    problems.push_back({.file = {}, .message = line});
   throw InputError(std::move(problems));
 }
 
@@ -433,6 +435,7 @@ void replay(const ReplayOptions& options) {
   if (ended_worker(listing)) return replay_apart(database, stored, listing, files, options);
   const PrintCapture prints;
   std::optional<PrintsCaptured> captured(prints);
+  pass_prints_on(STDOUT_FILENO);  // planners that are programs are captured there as libraries are
   const Replay replay(stored, files);
   captured.reset();
   for (const std::string& warning : replay.warnings()) std::cerr << "warning: " << warning << '\n';

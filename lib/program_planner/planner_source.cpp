@@ -19,7 +19,13 @@ const std::string& python_of_planners() {
   static std::mutex mutex;
   static std::string python;
   const std::lock_guard lock(mutex);
-  if (python.empty()) python = python_with({"numpy"}, "a planner in Python needs");
+  constexpr const char* kPurpose = "a planner in Python needs";
+  try {
+    if (python.empty()) python = python_with({"numpy"}, kPurpose);
+  } catch (const InputError&) {
+    // Somebody may have ended the Python that was asked, as the kernel short of memory does.
+    python = python_with({"numpy"}, kPurpose);
+  }
   return python;
 }
 

@@ -165,7 +165,9 @@ def killed(runs, kills):
             process.communicate()
     for part in range((kills + 4) // 5):
         runs.run(sweep, f"killed{part}.db", "--jobs", "2")
-        runs.expect(f"rows of run {part} after its kills", rows(runs.folder / f"killed{part}.db")["trial"] == whole["trial"])
+        found = rows(runs.folder / f"killed{part}.db")["trial"]
+        others = [row[:6] for row in found if row not in whole["trial"]]
+        runs.expect(f"rows of run {part} after its kills", found == whole["trial"], (len(found), others))
     runs.expect_nothing_left("after kills")
 
 
@@ -246,6 +248,7 @@ def files_of_planners(runs):
 
     runs.run(sweep, "files.db")
     first = keys()
+    latest = first[0]
     runs.run(sweep, "files.db")
     runs.expect("nothing has changed: nothing is flown again", keys() == first and len(first) == 1, keys())
     for name, text in (("weights.txt", "2\n"), ("own_gains.py", "GAIN = 0.5\n")):
@@ -253,8 +256,17 @@ def files_of_planners(runs):
         (own / name).write_text(text)
         runs.run(sweep, "files.db")
         runs.expect(f"another {name} makes other trials", len(keys()) == len(before) + 1, keys())
-    replayed = runs.call("replay", runs.folder / "files.db", "--trial", keys()[0][:12])
-    runs.expect("replay asks for the files that were flown, or flies them", replayed.returncode in (0, 1, 2), replayed.stderr)
+        (latest,) = set(keys()) - set(before)
+
+    def replay(key):
+        return subprocess.run([runs.program, "replay", runs.folder / "files.db", key[:12]], capture_output=True, text=True, cwd=own,
+                              env=runs.environment)
+
+    replayed = replay(latest)
+    runs.expect("replay flies it, and shows what it prints", replayed.returncode == 0 and "seen at" in replayed.stdout,
+                replayed.stdout + replayed.stderr)
+    replayed = replay(first[0])
+    runs.expect("replay does not fly a trial of other files", replayed.returncode == 2 and "mine.py" in replayed.stderr, replayed.stderr)
     # While a sweep flies.
     sweep.write_text(SMALL.replace("trials: 3", "trials: 40").replace("time_limit_s: 20", "time_limit_s: 30") + "  - mine.py\n")
     process = runs.start(sweep, "changed.db", "--jobs", "1")
