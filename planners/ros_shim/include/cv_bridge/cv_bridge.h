@@ -125,7 +125,7 @@ inline int color_code(const std::string& from, const std::string& to) {
   throw Exception("No conversion from [" + from + "] to [" + to + "]");
 }
 
-/// Pixels of one encoding as another: depths are converted without a scale, but for named ones of 8
+/// Pixels of one encoding as another: depths are converted without a scale, except named ones of 8
 /// and 16 bits, as in ROS.
 inline cv::Mat converted(const cv::Mat& image, const std::string& from, const std::string& to) {
   namespace names = sensor_msgs::image_encodings;
