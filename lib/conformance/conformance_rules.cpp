@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "conformance/conformance_flight.hpp"
+#include "conformance/own_process.hpp"
 #include "plugin/elf_symbols.hpp"
 
 namespace avoidbench {
@@ -36,24 +37,28 @@ std::string with_context(const std::string& finding, const std::string& context)
 /// Replies of a new instance, flown alone.
 std::vector<Reply> alone(const PlannerLibrary& library, const ConformanceFlight& flight,
                          Looking looking = Looking::nobody) {
-  Probe probe(library.table(), presets(library), false, looking);
-  return probe.is_created() ? probe.fly(flight) : std::vector<Reply>{};
+  return replies_in_own_process(library, [&] {
+    Probe probe(library.table(), presets(library), false, looking);
+    return probe.is_created() ? probe.fly(flight) : std::vector<Reply>{};
+  });
 }
 
 /// Any breach of the interface while flying; also AB_ERROR where `errors_allowed` is false.
 std::string flight_problem(const PlannerLibrary& library, const ConformanceFlight& flight,
                            bool errors_allowed) {
-  Probe probe(library.table(), presets(library));
-  if (!probe.is_created()) return probe.problem();
-  const std::vector<Reply> replies = probe.fly(flight);
-  for (std::size_t i = 0; i < replies.size(); ++i) {
-    std::string problem = reply_problem(replies[i], library.table());
-    if (problem.empty() && !errors_allowed && replies[i].status == AB_ERROR) {
-      problem = "AB_ERROR: " + replies[i].error;
+  return in_own_process(library, [&]() -> std::string {
+    Probe probe(library.table(), presets(library));
+    if (!probe.is_created()) return probe.problem();
+    const std::vector<Reply> replies = probe.fly(flight);
+    for (std::size_t i = 0; i < replies.size(); ++i) {
+      std::string problem = reply_problem(replies[i], library.table());
+      if (problem.empty() && !errors_allowed && replies[i].status == AB_ERROR) {
+        problem = "AB_ERROR: " + replies[i].error;
+      }
+      if (!problem.empty()) return place(i) + ": " + problem;
     }
-    if (!problem.empty()) return place(i) + ": " + problem;
-  }
-  return "";
+    return "";
+  });
 }
 
 std::string exports_one_symbol(const PlannerLibrary& library) {
@@ -90,7 +95,8 @@ std::string describes_itself(const PlannerLibrary& library) {
 }
 
 std::string creates_with_presets(const PlannerLibrary& library) {
-  return Probe(library.table(), presets(library)).problem();
+  return in_own_process(library,
+                        [&] { return Probe(library.table(), presets(library)).problem(); });
 }
 
 std::string creates_over_its_ranges(const PlannerLibrary& library) {
@@ -103,9 +109,11 @@ std::string creates_over_its_ranges(const PlannerLibrary& library) {
       tried.push_back({def.highest, ""});
     }
     for (const ParameterValue& value : tried) {
-      const Probe probe(library.table(), resolve_parameters(planner, {{def.name, value}}));
+      const std::string problem = in_own_process(library, [&] {
+        return Probe(library.table(), resolve_parameters(planner, {{def.name, value}})).problem();
+      });
       const std::string given = value.text.empty() ? std::to_string(value.number) : value.text;
-      if (!probe.is_created()) return "with " + def.name + " = " + given + ": " + probe.problem();
+      if (!problem.empty()) return "with " + def.name + " = " + given + ": " + problem;
     }
   }
   return "";
@@ -122,6 +130,7 @@ std::string flies_toward_a_wall(const PlannerLibrary& library) {
 }
 
 std::string reset_forgets(const PlannerLibrary& library) {
+  if (needs_own_process(library)) return "";  // no instance is reset twice
   Probe probe(library.table(), presets(library));
   if (!probe.is_created()) return probe.problem();
   const ConformanceFlight flight = wall_flight();
@@ -138,10 +147,13 @@ std::string a_new_instance_is_like_a_reset_one(const PlannerLibrary& library) {
   const ConformanceFlight flight = wall_flight();
   const std::vector<Reply> first = alone(library, flight);
   return with_context(first_difference(first, alone(library, flight)),
-                      "from a second instance: instances share something");
+                      needs_own_process(library)
+                          ? "in a second process: something differs from run to run"
+                          : "from a second instance: instances share something");
 }
 
 std::string instances_are_apart(const PlannerLibrary& library) {
+  if (needs_own_process(library)) return "";  // there is one in a process
   const ConformanceFlight flight = wall_flight();
   ConformanceFlight other = flight;
   other.mission.goal_world.y() -= 6.0;
@@ -159,6 +171,7 @@ std::string instances_are_apart(const PlannerLibrary& library) {
 }
 
 std::string instances_may_run_at_once(const PlannerLibrary& library) {
+  if (needs_own_process(library)) return "";
   const ConformanceFlight flight = wall_flight();
   const std::vector<Reply> expected = alone(library, flight);
   std::vector<Reply> a, b;
@@ -173,9 +186,11 @@ std::string instances_may_run_at_once(const PlannerLibrary& library) {
 std::string keeps_no_input(const PlannerLibrary& library) {
   const ConformanceFlight flight = wall_flight();
   const std::vector<Reply> expected = alone(library, flight);
-  Probe probe(library.table(), presets(library), true);
-  if (!probe.is_created()) return probe.problem();
-  return with_context(first_difference(expected, probe.fly(flight)),
+  const std::vector<Reply> poisoned = replies_in_own_process(library, [&] {
+    Probe probe(library.table(), presets(library), true);
+    return probe.is_created() ? probe.fly(flight) : std::vector<Reply>{};
+  });
+  return with_context(first_difference(expected, poisoned),
                       "when inputs are overwritten after each call: it keeps a pointer to them");
 }
 
@@ -237,14 +252,18 @@ std::string errors_have_a_text(const PlannerLibrary& library) {
   ConformanceFlight nowhere = wall_flight();
   nowhere.mission.goal_world.setConstant(nan);
   for (const ConformanceFlight* flight : {&lost, &nowhere}) {
-    Probe probe(library.table(), presets(library));
-    if (!probe.is_created()) return probe.problem();
-    for (const Reply& reply : probe.fly(*flight)) {
-      if (!reply.escaped.empty()) return "an exception crossed the interface: " + reply.escaped;
-      if (reply.status == AB_ERROR && reply.error.empty()) {
-        return "AB_ERROR without a text for set_error";
+    const std::string problem = in_own_process(library, [&]() -> std::string {
+      Probe probe(library.table(), presets(library));
+      if (!probe.is_created()) return probe.problem();
+      for (const Reply& reply : probe.fly(*flight)) {
+        if (!reply.escaped.empty()) return "an exception crossed the interface: " + reply.escaped;
+        if (reply.status == AB_ERROR && reply.error.empty()) {
+          return "AB_ERROR without a text for set_error";
+        }
       }
-    }
+      return "";
+    });
+    if (!problem.empty()) return problem;
   }
   return "";
 }
@@ -268,13 +287,18 @@ constexpr ConformanceRule kRules[] = {
      "finite, inputs untouched.",
      flies_toward_a_wall},
     {"reset_forgets",
-     "After reset, equal inputs give equal commands, bit for bit, whatever was flown before.",
+     "After reset, equal inputs give equal commands, bit for bit, whatever was flown before. (Of a "
+     "planner that declares AB_USES_GLOBALS no instance is reset twice.)",
      reset_forgets},
-    {"a_new_instance_is_like_a_reset_one", "Two instances one after the other give equal commands.",
+    {"a_new_instance_is_like_a_reset_one",
+     "Two instances one after the other give equal commands; with AB_USES_GLOBALS, in two "
+     "processes.",
      a_new_instance_is_like_a_reset_one},
-    {"instances_are_apart", "Two instances called in turn do not disturb each other.",
+    {"instances_are_apart",
+     "Two instances called in turn do not disturb each other; with AB_USES_GLOBALS there is one.",
      instances_are_apart},
-    {"instances_may_run_at_once", "Two instances called from two threads give the same as alone.",
+    {"instances_may_run_at_once",
+     "Two instances called from two threads give the same as alone; not with AB_USES_GLOBALS.",
      instances_may_run_at_once},
     {"keeps_no_input",
      "What is passed into a call is not read after it: setup, mission, state and images.",

@@ -4,6 +4,7 @@
 
 #include "conformance/conformance.hpp"
 #include "conformance/conformance_flight.hpp"
+#include "conformance/own_process.hpp"
 #include "process/isolated_run.hpp"
 
 namespace avoidbench {
@@ -18,17 +19,18 @@ double median(std::vector<double> values) {
 }
 
 /// Flies toward the wall again and again. The first flight is not counted: it loads and allocates.
+/// Of a planner that needs a process for each trial there is no other.
 CallTimes measured(const std::filesystem::path& file) {
-  constexpr int kMostFlights = 10;
   constexpr auto kEnough = std::chrono::seconds(2);
   const PlannerLibrary library = PlannerLibrary::load(file);
+  const int most_flights = needs_own_process(library) ? 1 : 10;
   Probe probe(library.table(), resolve_parameters(library.description(), {}));
   CallTimes times;
   if (!probe.is_created()) return times;
   std::vector<double> wall_s, cpu_s;
   const auto began = std::chrono::steady_clock::now();
-  for (int i = 0; i < kMostFlights; ++i) {
-    const bool is_first = i == 0;
+  for (int i = 0; i < most_flights; ++i) {
+    const bool is_first = i == 0 && most_flights > 1;
     for (const Reply& reply : probe.fly(wall_flight())) {
       if (is_first || !reply.is_plan) continue;
       ++times.count;

@@ -14,7 +14,8 @@ using testing::HasSubstr;
 
 TEST(Conformance, HonestPlannersPassEveryRule) {
   for (const std::filesystem::path& file :
-       {bad_planner("honest"), bad_planner("sees_all"), std::filesystem::path(C_PLANNER)}) {
+       {bad_planner("honest"), bad_planner("sees_all"), bad_planner("globals"),
+        std::filesystem::path(C_PLANNER)}) {
     const auto results = check_conformance(file);
     EXPECT_GE(results.size(), 15U);
     for (const ConformanceResult& result : results) {
@@ -58,6 +59,10 @@ INSTANTIATE_TEST_SUITE_P(
         BadCase{"stateful", "reset_forgets", "it remembers"},
         BadCase{"shared_state", "a_new_instance_is_like_a_reset_one", "instances share something"},
         BadCase{"shared_state", "instances_are_apart", "instances share something"},
+        BadCase{"untold_globals", "a_new_instance_is_like_a_reset_one",
+                "instances share something"},
+        BadCase{"globals_segfault", "flies_toward_a_wall", "crashed by signal 11"},
+        BadCase{"globals_segfault", "errors_have_a_text", "crashed by signal 11"},
         BadCase{"keeps_pointer", "keeps_no_input", "keeps a pointer"},
         BadCase{"draws_differently", "drawing_changes_nothing", "when its drawings are wanted"},
         BadCase{"needs_debug", "drawing_changes_nothing", "has no extension avoidbench.debug/1"},

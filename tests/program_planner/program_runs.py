@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 """Sweeps flown by planners that are programs.
 
-    program_runs.py PROGRAM PROGRAMS SOURCES [--kills N]
+    program_runs.py PROGRAM PROGRAMS SOURCES TORTURE [--kills N]
 
 The rows of straight_line are the library's to the last bit where it flies as a program in C and in Python: with one worker and two, and
 after SIGKILLs of the run and of its processes; replay and the conformance suite take it. Programs that break, hang or leave something
 behind cost their own trials only; a file that a planner depends on and that changes stops the run. PROGRAMS: the folder of the test
-programs. Exit code 77: no Python with NumPy here."""
+programs; TORTURE: the library of tests/sweep/planners/torture.cpp. Exit code 77: no Python with NumPy here."""
 import argparse
 import os
 import pathlib
@@ -46,11 +46,19 @@ HOSTILE = [  # the way, the outcome, a part of the reason
     ("spin", "planner_hung", "longer than the plan timeout"), ("stop", "planner_hung", "longer than the plan timeout"),
 ]
 
+# The way: what it is of a program. It can reach neither the worker's pipes nor its rounding.
+TORTURE = {
+    "nothing": "reached_goal", "segfault": HAS_ENDED, "abort": HAS_ENDED, "exit": HAS_ENDED, "throw": "planner_error", "loop": "planner_hung",
+    "memory": "planner_crashed", "overflow": HAS_ENDED, "close": "planner_error", "print": "reached_goal", "nan": "planner_error",
+    "thread": HAS_ENDED, "scribble": "planner_error", "round": "reached_goal", "reopen": "planner_error", "terminate": HAS_ENDED,
+}
+
 
 class Runs:
     def __init__(self, given, folder):
         self.program = given.program
         self.programs, self.sources = pathlib.Path(given.programs).absolute(), pathlib.Path(given.sources).absolute()
+        self.torture = pathlib.Path(given.torture).absolute()
         self.folder = pathlib.Path(folder)
         self.problems = 0
         # A mark by which what is left behind is known.
@@ -209,6 +217,31 @@ def hostile(runs):
     runs.expect_nothing_left("after hostile programs")
 
 
+def tortured(runs):
+    """The ways of tests/sweep/planners/torture.cpp, of the same source as a library and as a program."""
+    head = SMALL.replace("seeds: 2", "seeds: 1").replace("trials: 3", "trials: 2")
+    limits = ("--jobs", "2", "--plan-timeout", "2", "--memory-limit", "512")
+    wall_s, found = {}, {}
+    for door, plugin in (("library", runs.torture), ("program", runs.programs / "torture")):
+        planners = ["{plugin: straight_line, label: good}"]
+        planners += [f"{{plugin: {plugin}, label: {way}, parameters: {{way: {way}}}}}" for way in TORTURE]
+        began = time.monotonic()
+        runs.run(runs.sweep("torture.yaml", planners, head), f"torture_{door}.db", *limits)
+        wall_s[door] = time.monotonic() - began
+        found[door] = rows(runs.folder / f"torture_{door}.db")
+        runs.expect_nothing_left(f"after torture by a {door}")
+    runs.expect("good planner's rows: the same beside tortured libraries and programs",
+                by_label(found["library"], "good") == by_label(found["program"], "good"))
+    db = sqlite3.connect(runs.folder / "torture_program.db")
+    for way, outcome in TORTURE.items():
+        given = [one for one, in db.execute("SELECT outcome FROM trials JOIN planners USING (planner_key) WHERE label = ?", (way,))]
+        runs.expect(f"torture through the door: {way} is {outcome}", given == [outcome] * 2, given)
+    for way in ("nothing", "print"):
+        runs.expect(f"{way}: the library's rows", by_label(found["library"], way) == by_label(found["program"], way))
+    print(f"    wall time by the program {wall_s['program']:.1f} s, by the library {wall_s['library']:.1f} s: "
+          f"ratio {wall_s['program'] / wall_s['library']:.2f}")
+
+
 PLANNER = '''
 import avoidbench
 from avoidbench.planner import Planner, Velocity
@@ -305,6 +338,7 @@ def main():
     parser.add_argument("program")
     parser.add_argument("programs")
     parser.add_argument("sources")
+    parser.add_argument("torture")
     parser.add_argument("--kills", type=int, default=20)
     parser.add_argument("--only", default="")
     given = parser.parse_args()
@@ -316,7 +350,7 @@ def main():
     try:
         runs = Runs(given, folder)
         parts = {"mistakes": mistakes, "checked": checked, "same_bits": same_bits, "files": files_of_planners, "hostile": hostile,
-                 "killed": lambda all_runs: killed(all_runs, given.kills)}
+                 "tortured": tortured, "killed": lambda all_runs: killed(all_runs, given.kills)}
         for name, part in parts.items():
             if given.only in ("", name):
                 part(runs)
