@@ -46,11 +46,13 @@ HOSTILE = [  # the way, the outcome, a part of the reason
     ("spin", "planner_hung", "longer than the plan timeout"), ("stop", "planner_hung", "longer than the plan timeout"),
 ]
 
-# The way: what it is of a program. It can reach neither the worker's pipes nor its rounding.
+# The way: what it may be of a program. It reaches neither the worker's pipes nor its rounding, and overwrites the segment's head, which
+# the host writes again. Memory fills slowly on some machines; a thread may crash after the trial's end.
 TORTURE = {
-    "nothing": "reached_goal", "segfault": HAS_ENDED, "abort": HAS_ENDED, "exit": HAS_ENDED, "throw": "planner_error", "loop": "planner_hung",
-    "memory": "planner_crashed", "overflow": HAS_ENDED, "close": "planner_error", "print": "reached_goal", "nan": "planner_error",
-    "thread": HAS_ENDED, "scribble": "planner_error", "round": "reached_goal", "reopen": "planner_error", "terminate": HAS_ENDED,
+    "nothing": ["reached_goal"], "segfault": [HAS_ENDED], "abort": [HAS_ENDED], "exit": [HAS_ENDED], "throw": ["planner_error"],
+    "loop": ["planner_hung"], "memory": ["planner_crashed", "planner_hung"], "overflow": [HAS_ENDED], "close": [HAS_ENDED],
+    "print": ["reached_goal"], "nan": ["planner_error"], "thread": [HAS_ENDED, "reached_goal"], "scribble": ["reached_goal"],
+    "round": ["reached_goal"], "reopen": [HAS_ENDED], "terminate": [HAS_ENDED],
 }
 
 
@@ -220,7 +222,7 @@ def hostile(runs):
 def tortured(runs):
     """The ways of tests/sweep/planners/torture.cpp, of the same source as a library and as a program."""
     head = SMALL.replace("seeds: 2", "seeds: 1").replace("trials: 3", "trials: 2")
-    limits = ("--jobs", "2", "--plan-timeout", "2", "--memory-limit", "512")
+    limits = ("--jobs", "2", "--plan-timeout", "2", "--memory-limit", "200")
     wall_s, found = {}, {}
     for door, plugin in (("library", runs.torture), ("program", runs.programs / "torture")):
         planners = ["{plugin: straight_line, label: good}"]
@@ -233,9 +235,10 @@ def tortured(runs):
     runs.expect("good planner's rows: the same beside tortured libraries and programs",
                 by_label(found["library"], "good") == by_label(found["program"], "good"))
     db = sqlite3.connect(runs.folder / "torture_program.db")
-    for way, outcome in TORTURE.items():
+    for way, outcomes in TORTURE.items():
         given = [one for one, in db.execute("SELECT outcome FROM trials JOIN planners USING (planner_key) WHERE label = ?", (way,))]
-        runs.expect(f"torture through the door: {way} is {outcome}", given == [outcome] * 2, given)
+        is_so = len(given) == 2 and set(given) <= set(outcomes)
+        runs.expect(f"torture through the door: {way} is {' or '.join(outcomes)}", is_so, given)
     for way in ("nothing", "print"):
         runs.expect(f"{way}: the library's rows", by_label(found["library"], way) == by_label(found["program"], way))
     print(f"    wall time by the program {wall_s['program']:.1f} s, by the library {wall_s['library']:.1f} s: "
