@@ -212,7 +212,8 @@ class Node:
 
 # publish: name -> (keys, needs); `topic` and `frame` are in all of them
 PUBLISH = {
-    "odometry": (["child_frame", "velocity"], "AB_SEES_STATE"), "pose": ([], "AB_SEES_STATE"), "twist": ([], "AB_SEES_STATE"),
+    "odometry": (["child_frame", "velocity", "all_states"], "AB_SEES_STATE"), "pose": (["all_states"], "AB_SEES_STATE"),
+    "twist": (["all_states"], "AB_SEES_STATE"),
     "imu": ([], "AB_SEES_IMU"), "camera_pose": (["type", "camera"], "AB_SEES_DEPTH"),
     "depth": (["encoding", "info", "no_return_m", "invalid_m", "camera"], "AB_SEES_DEPTH"),
     "cloud": (["stride_px", "camera"], "AB_SEES_DEPTH"), "left": (["info", "camera"], "AB_SEES_STEREO"),
@@ -248,13 +249,14 @@ def publish_line(kind, tree):
     frame = quoted(values["frame"].text() if "frame" in values else body.get(kind, "world"))
     camera = values["camera"].integer(0) if "camera" in values else 0
     info = quoted(values["info"].text()) if "info" in values else '""'
+    all_states = str("all_states" in values and values["all_states"].truth()).lower()
     if kind == "odometry":
         child = quoted(values["child_frame"].text() if "child_frame" in values else "body")
         in_body = "velocity" in values and values["velocity"].word(["world", "body"]) == "body"
-        return f"  spec.odometry.push_back({{{topic}, {frame}, {child}, {str(in_body).lower()}}});"
+        return f"  spec.odometry.push_back({{{topic}, {frame}, {child}, {str(in_body).lower()}, {all_states}}});"
     if kind in ("pose", "twist", "imu"):
         member = {"pose": "poses", "twist": "twists", "imu": "imu"}[kind]
-        return f"  spec.{member}.push_back({{{topic}, {frame}}});"
+        return f"  spec.{member}.push_back({{{topic}, {frame}, {all_states}}});"
     if kind == "camera_pose":
         kind_of = values["type"].word(list(POSE_TYPES)) if "type" in values else "geometry_msgs/PoseStamped"
         return f"  spec.camera_poses.push_back({{{topic}, {frame}, {POSE_TYPES[kind_of]}, {camera}}});"
@@ -340,7 +342,10 @@ class Planner:
             if kind not in PUBLISH:
                 raise place.problem(f'"{kind}" is none of {", ".join(PUBLISH)}')
             self.needs.add(PUBLISH[kind][1])
-            self.published += [publish_line(kind, one) for one in value.list()]
+            lines = [publish_line(kind, one) for one in value.list()]
+            if kind in ("odometry", "pose", "twist") and any(line.endswith(", true});") for line in lines):
+                self.needs.add("AB_SEES_STATES")
+            self.published += lines
         self.command = Command(values["command"], self.nodes)
 
     def cpp(self):

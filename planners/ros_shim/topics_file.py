@@ -87,6 +87,12 @@ class Tree:
             raise self.problem(f"{value} is no whole number")
         return value
 
+    def truth(self):
+        value = self.scalar()
+        if not isinstance(value, bool):
+            raise self.problem(f'"{self.node.value}" is neither true nor false')
+        return value
+
     def word(self, words):
         value = self.text()
         if value not in words:

@@ -13,13 +13,17 @@ namespace ros_shim {
 class Observations {
  public:
   Observations(const PlannerSpec& spec, const ab_setup& setup, const ab_mission& mission);
-  /// Publishes what is seen, at the present time; IMU samples at theirs, for which it lets the
-  /// nodes go on. `start`: no observation yet, the vehicle hovers at the mission's start.
+  /// Publishes what is seen, at the present time; IMU samples and earlier states at theirs, for
+  /// which it lets the nodes go on. `start`: no observation yet, the vehicle hovers at the
+  /// mission's start.
   void publish(const ab_observation& seen, std::int64_t to_ns);
   void publish_start();
 
  private:
-  void publish_state(const ab_state& state);
+  enum class StateTopics { of_the_newest, of_all_states };
+  void publish_samples(const ab_observation& seen, std::int64_t to_ns);
+  void publish_imu(const ab_imu_sample& sample);
+  void publish_state(const ab_state& state, StateTopics which);
   void publish_depth(const ab_depth_image& image);
   void publish_cloud(const ab_depth_image& image, std::size_t index);
   void publish_picture(const ab_picture& picture, int eye);
@@ -33,6 +37,7 @@ class Observations {
       clouds_, pictures_, picture_info_, goals_;
   std::vector<std::int64_t> goal_due_ns_;
   std::uint32_t sequence_ = 0;
+  bool sees_states_ = false;
 };
 
 /// Set points to answers.

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -155,6 +156,10 @@ Observations::Observations(const PlannerSpec& spec, const ab_setup& setup,
                          : host_.advertise<geometry_msgs::Pose>(one.topic, 1));
   }
   goal_due_ns_.assign(spec.goals.size(), 0);
+  const auto wants_all = [](const auto& topic) { return topic.all_states; };
+  sees_states_ = std::any_of(spec.odometry.begin(), spec.odometry.end(), wants_all) ||
+                 std::any_of(spec.poses.begin(), spec.poses.end(), wants_all) ||
+                 std::any_of(spec.twists.begin(), spec.twists.end(), wants_all);
 }
 
 void Observations::publish_start() {
@@ -165,29 +170,46 @@ void Observations::publish_start() {
   const double half = 0.5 * mission_.start_yaw_rad;
   state.q_world_body[0] = avoidbench::portable::cos(half);
   state.q_world_body[3] = avoidbench::portable::sin(half);
-  publish_state(state);
+  publish_state(state, StateTopics::of_the_newest);
+  publish_state(state, StateTopics::of_all_states);
+}
+
+/// What was sampled since the last call, each at its own time, for which the nodes go on.
+void Observations::publish_samples(const ab_observation& seen, std::int64_t to_ns) {
+  const std::uint32_t imu_count = imu_.empty() ? 0 : seen.imu_count;
+  const std::uint32_t state_count = sees_states_ ? seen.state_count : 0;
+  for (std::uint32_t i = 0, k = 0; i < imu_count || k < state_count;) {
+    const bool is_imu =
+        k == state_count || (i < imu_count && seen.imu[i].time_s <= seen.states[k]->time_s);
+    const std::int64_t at_ns = ros_time_ns(is_imu ? seen.imu[i].time_s : seen.states[k]->time_s);
+    if (at_ns > now_ns() && at_ns <= to_ns) advance(at_ns);
+    if (is_imu) {
+      publish_imu(seen.imu[i++]);
+    } else {
+      publish_state(*seen.states[k++], StateTopics::of_all_states);
+    }
+  }
+}
+
+void Observations::publish_imu(const ab_imu_sample& sample) {
+  for (std::size_t k = 0; k < imu_.size(); ++k) {
+    sensor_msgs::Imu message;
+    message.header = header_of(sequence_, sample.time_s, spec_->imu[k].frame);
+    message.orientation_covariance[0] = -1.0;  // ROS's sign for: no orientation
+    set_xyz(message.angular_velocity, sample.rates_body_radps);
+    set_xyz(message.linear_acceleration, sample.specific_force_body_mps2);
+    imu_[k].publish(message);
+  }
 }
 
 void Observations::publish(const ab_observation& seen, std::int64_t to_ns) {
-  for (std::uint32_t i = 0; i < seen.imu_count && !imu_.empty(); ++i) {
-    const ab_imu_sample& sample = seen.imu[i];
-    const std::int64_t at_ns = ros_time_ns(sample.time_s);
-    if (at_ns > now_ns() && at_ns <= to_ns) advance(at_ns);
-    for (std::size_t k = 0; k < imu_.size(); ++k) {
-      sensor_msgs::Imu message;
-      message.header = header_of(sequence_, sample.time_s, spec_->imu[k].frame);
-      message.orientation_covariance[0] = -1.0;  // ROS's sign for: no orientation
-      set_xyz(message.angular_velocity, sample.rates_body_radps);
-      set_xyz(message.linear_acceleration, sample.specific_force_body_mps2);
-      imu_[k].publish(message);
-    }
-  }
+  publish_samples(seen, to_ns);
   // What was due before this observation saw the one before.
   if (to_ns > now_ns()) {
     advance(to_ns - 1);
     set_now(to_ns);
   }
-  publish_state(*seen.state);
+  publish_state(*seen.state, StateTopics::of_the_newest);
   // Oldest first, as they were taken.
   for (std::uint32_t i = seen.depth_count; i-- > 0;) publish_depth(*seen.depth[i]);
   for (std::uint32_t i = seen.stereo_count; i-- > 0;) {
@@ -199,7 +221,8 @@ void Observations::publish(const ab_observation& seen, std::int64_t to_ns) {
   ++sequence_;
 }
 
-void Observations::publish_state(const ab_state& state) {
+void Observations::publish_state(const ab_state& state, StateTopics which) {
+  const bool all = which == StateTopics::of_all_states;
   const avoidbench::Vec3 world{state.velocity_world_mps[0], state.velocity_world_mps[1],
                                state.velocity_world_mps[2]};
   const double q_body_world[4] = {state.q_world_body[0], -state.q_world_body[1],
@@ -207,6 +230,7 @@ void Observations::publish_state(const ab_state& state) {
   const avoidbench::Vec3 body = avoidbench::rotated(q_body_world, world);
   for (std::size_t k = 0; k < odometry_.size(); ++k) {
     const OdometryTopic& topic = spec_->odometry[k];
+    if (topic.all_states != all) continue;
     nav_msgs::Odometry message;
     message.header = header_of(sequence_, state.time_s, topic.frame);
     message.child_frame_id = topic.child_frame;
@@ -219,12 +243,14 @@ void Observations::publish_state(const ab_state& state) {
     odometry_[k].publish(message);
   }
   for (std::size_t k = 0; k < poses_.size(); ++k) {
+    if (spec_->poses[k].all_states != all) continue;
     geometry_msgs::PoseStamped message;
     message.header = header_of(sequence_, state.time_s, spec_->poses[k].frame);
     message.pose = pose_of(state.position_world_m, state.q_world_body);
     poses_[k].publish(message);
   }
   for (std::size_t k = 0; k < twists_.size(); ++k) {
+    if (spec_->twists[k].all_states != all) continue;
     geometry_msgs::TwistStamped message;
     message.header = header_of(sequence_, state.time_s, spec_->twists[k].frame);
     set_xyz(message.twist.linear, state.velocity_world_mps);

@@ -35,9 +35,11 @@ struct Given {
 struct OdometryTopic {
   std::string topic, frame, child_frame;
   bool body_velocity = false;  ///< as ROS's convention has it; most planners want the world's
+  bool all_states = false;     ///< one for each state since the last call, not the newest alone
 };
 struct PoseTopic {
   std::string topic, frame;
+  bool all_states = false;
 };
 enum class PoseType { pose_stamped, odometry, transform_stamped };
 struct CameraPoseTopic {

@@ -64,6 +64,7 @@ command: {topic: /cmd, type: geometry_msgs/Twist}
 BAD_TOPICS = {
     ("  odometry: {topic: /odom}", "  odometri: {topic: /odom}"): '5:3: "odometri" is none of odometry, ',
     ("topic: /odom}", "topic: /odom, frames: a}"): '5:28: there is no "frames" here; did you mean frame?',
+    ("topic: /odom}", "topic: /odom, all_states: 1}"): '5:40: "1" is neither true nor false',
     ("name: planner", "name: other"): "2:11: no source other.cpp among SOURCES",
     ("max_speed_mps}", "max_sped_mps}"): '3:20: "max_sped_mps" is nothing that a trial gives: ',
     ("2 * max_speed_mps", "2 **"): '3:20: "2 **" is no expression',
@@ -121,6 +122,11 @@ with tempfile.TemporaryDirectory() as name:
     made = (folder / "made/good_planner.cpp").read_text()
     expect("an expression", 'set_parameter("/planner/gain", Value((2.0 * given.vehicle_max_speed_mps)));' in made, made)
     expect("a main of its own name", "ros_shim_main_planner" in (folder / "made/main_planner.h").read_text())
+    expect("one state a call is all that it sees", "AB_SEES_STATES" not in made, made)
+    topics.write_text(GOOD_TOPICS.replace("topic: /odom", "topic: /odom, all_states: true"))
+    run("make_planner.py", *words)
+    made = (folder / "made/good_planner.cpp").read_text()
+    expect("all states", "AB_SEES_STATES" in made and '"/odom", "world", "body", false, true' in made, made)
     source.write_text("int Main() {}  // int main(int argc, char** argv)\n")
     code, said, _ = run("make_planner.py", *words)
     expect("a source without main()", code == 1 and "has no int main(" in said, said)
