@@ -182,6 +182,23 @@ std::string read_label(const YamlNode& node, const std::string& path, Reading& r
   return *label;
 }
 
+/// Parameters of the planner that stand beside 'plugin', where they have no meaning.
+void refuse_misplaced_parameters(const YamlNode& node, const std::string& path,
+                                 const PlannerDescription& planner, MappingReader& mapping,
+                                 Reading& reading) {
+  for (std::size_t i = 0; i < node.keys.size(); ++i) {
+    const std::string& name = node.keys[i].scalar;
+    const bool has_meaning =
+        name == "plugin" || name == "label" || name == "parameters" || name == kMaxSpeed;
+    if (has_meaning || parameter_def(planner, name) == nullptr) continue;
+    mapping.take(name);
+    const std::string value = node.items[i].scalar.empty() ? "…" : node.items[i].scalar;
+    reading.problems.push_back(problem_at(node.keys[i], path + "." + name + ": a parameter of " +
+                                                            planner.name + ": write parameters: {" +
+                                                            name + ": " + value + "}"));
+  }
+}
+
 /// A mapping's entry, or nothing where its library could not be loaded.
 std::optional<Entry> read_mapping(const YamlNode& node, const std::string& path, Reading& reading) {
   Entry entry;
@@ -201,6 +218,7 @@ std::optional<Entry> read_mapping(const YamlNode& node, const std::string& path,
   const YamlNode* max_speed = nullptr;
   if (!planner || parameter_def(*planner, kMaxSpeed) != nullptr)
     max_speed = mapping.take(kMaxSpeed);
+  if (planner) refuse_misplaced_parameters(node, path, *planner, mapping, reading);
   mapping.finish();
   if (label != nullptr) entry.label = read_label(*label, path + ".label", reading);
   if (!planner) return std::nullopt;

@@ -322,6 +322,9 @@ TEST_F(SweepFiles, ProblemsOfPlanners) {
             "s.yaml:3:5: planners[0]: lacks 'plugin', the planner's name or file");
   EXPECT_EQ(of("{plugin: tunable, labell: x}"),
             "s.yaml:3:23: planners[0].labell: unknown key (did you mean label?)");
+  EXPECT_EQ(of("{plugin: tunable, horizon_m: 6}"),
+            "s.yaml:3:23: planners[0].horizon_m: a parameter of tunable: write parameters: "
+            "{horizon_m: 6}");
   EXPECT_EQ(of("{plugin: tunable, label: \"\"}"),
             "s.yaml:3:30: planners[0].label: expected 1 to 100 printable characters without outer "
             "spaces");
