@@ -60,6 +60,7 @@ std::string trajectory_problem(const ab_command& command) {
     const std::string place = "trajectory point " + std::to_string(i) + ": ";
     const std::string problem = point_problem(command.points[i]);
     if (!problem.empty()) return place + problem;
+    // Exactly: a trajectory begins when the command takes effect (planner.h).
     if (i == 0 && command.points[0].time_s != 0.0) return place + "the first time is not 0";
     if (i > 0 && command.points[i].time_s <= command.points[i - 1].time_s) {
       return place + "times do not rise";

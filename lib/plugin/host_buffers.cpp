@@ -9,6 +9,7 @@
 namespace avoidbench {
 namespace {
 
+// Eight of these bytes are no address of x86-64: who follows such a pointer crashes at once.
 constexpr int kRubbish = 0xA7;
 
 void copy(const Eigen::Vector3d& from, double (&to)[3]) {
@@ -144,6 +145,7 @@ std::vector<Drawing> HostSide::take_drawings() {
 
 SetupBuffers::SetupBuffers(const PlannerSetup& setup, const std::vector<ParameterValue>& values,
                            std::uint32_t needs) {
+  // All texts before the first value: strings move when the vector grows.
   for (const ParameterValue& value : values) texts_.push_back(value.text);
   for (std::size_t i = 0; i < values.size(); ++i) {
     ab_value value{};
@@ -166,6 +168,7 @@ SetupBuffers::SetupBuffers(const PlannerSetup& setup, const std::vector<Paramete
   setup_.body_radius_m = 0.5 * setup.body_size_m.norm();
   setup_.plan_period_s = setup.plan_period_s;
   setup_.gravity_mps2 = setup.gravity_mps2;
+  // Who declares no eyes gets no camera, so that no result depends on what was not declared.
   if ((needs & (AB_SEES_DEPTH | AB_SEES_STEREO | AB_SEES_COLOR)) == 0) return;
   for (const CameraSetup& camera : setup.cameras) cameras_.push_back(to_camera(camera));
   point_to(cameras_, camera_pointers_);
@@ -242,6 +245,7 @@ void ObservationBuffers::fill_stereo(const std::vector<StereoView>& seen,
     const CameraSetup& camera = cameras[view.camera];
     const Eigen::Isometry3d T_world_right =
         view.T_world_camera * Eigen::Translation3d(camera.baseline_m, 0.0, 0.0);
+    // planner.h: the right eye is the same camera, baseline_m further along camera x.
     for (const bool is_left : {true, false}) {
       const std::span<const std::uint8_t> pixels = is_left ? view.left : view.right;
       check_size(pixels, camera, 1);
@@ -251,6 +255,7 @@ void ObservationBuffers::fill_stereo(const std::vector<StereoView>& seen,
       eyes_.back().pixels = pixels.data();
     }
   }
+  // Only now, when eyes_ moves no more.
   for (std::size_t i = 0; i < seen.size(); ++i) {
     ab_stereo_pair pair{};
     set_size(pair);
@@ -281,6 +286,7 @@ void ObservationBuffers::fill_color(const std::vector<ColorView>& seen,
 
 void ObservationBuffers::fill_imu(const std::vector<ImuView>& seen) {
   imu_.clear();
+  // Samples lie one after the other, not behind pointers: their struct never grows in ABI 1.
   for (const ImuView& view : seen) {
     ab_imu_sample sample{};
     sample.time_s = view.time_s;

@@ -94,6 +94,7 @@ const ab_planner* table_from(const std::filesystem::path& file, TableFunction fu
 bool PlannerLibrary::is_program(const PlannerSource& source) {
   if (!source.command.empty()) return true;
   if (own_planner(source.file) != nullptr || !can_be_started(source.file)) return false;
+  // What may be executed may still be a library: linkers set the bit for both.
   return is_elf_program(source.file) || !shared_library_problem(source.file).empty();
 }
 
@@ -134,6 +135,7 @@ PlannerLibrary PlannerLibrary::load_checked(const PlannerSource& source, CallClo
                       new_thread_owner());  // else the host's threads would be its own
   }
   if (is_program(source)) {
+    // A program that hangs before it describes itself is seen by the watchdog like any call.
     const TimedCall timed(clock);
     const ab_planner& table = program_table(source);
     require_sound_table(file, table);

@@ -42,6 +42,7 @@ bool is_planner_script(const fs::path& file) {
 
 /// Names of the planners in the folders: of libraries without .so, of Python's with .py.
 std::vector<std::string> names_in(const std::vector<fs::path>& folders) {
+  // Each name once: a file in an earlier folder hides those in later ones.
   std::set<std::string> names;
   for (const fs::path& folder : folders) {
     std::error_code error;
@@ -91,13 +92,17 @@ std::vector<fs::path> planner_search_path() {
   std::string rest = configured != nullptr ? configured : "";
   while (!rest.empty()) {
     const std::size_t colon = rest.find(':');
+    // Empty entries are passed over. To the shell they are the working folder, from which no code
+    // should come unasked.
     if (colon != 0) add_folder(folders, rest.substr(0, colon));
     rest = colon == std::string::npos ? "" : rest.substr(colon + 1);
   }
   const fs::path program = program_file();
   if (program.empty()) return folders;
+  // Before what is installed: these are of this very build.
   const fs::path built = build_tree_planners(program);
   if (!built.empty()) add_folder(folders, built);
+  // The program is in PREFIX/bin.
   add_folder(folders, program.parent_path().parent_path() / AVOIDBENCH_PLUGIN_FOLDER);
   return folders;
 }

@@ -21,6 +21,7 @@ constexpr std::size_t kLeastTableSize = offsetof(ab_planner, get_extension) + si
 constexpr std::size_t kLeastParameterSize = offsetof(ab_parameter, preset_text) + sizeof(char*);
 constexpr std::size_t kProfilesEnd = offsetof(ab_planner, profiles) + sizeof(void*);
 constexpr std::size_t kLeastProfileSize = offsetof(ab_profile, numbers) + sizeof(void*);
+// A count beyond is rubbish: following it would read far behind the table.
 constexpr std::uint32_t kMostParameters = 1000;
 constexpr std::uint32_t kKnownNeeds =
     AB_SEES_STATE | AB_SEES_DEPTH | AB_SEES_STEREO | AB_SEES_COLOR | AB_SEES_IMU | AB_SEES_WORLD |
@@ -141,6 +142,7 @@ std::string profile_problem(const ab_planner& table, const ab_profile* profile) 
     return "is of the word " + in_quotes(profile->word) + ", which is no choice of '" +
            choice->name + "'";
   }
+  // Each is of another parameter.
   if (profile->number_count > table.parameter_count) return "has more numbers than parameters";
   if (profile->number_count > 0 && profile->numbers == nullptr) return "has null for its numbers";
   for (std::uint32_t i = 0; i < profile->number_count; ++i) {
@@ -150,6 +152,7 @@ std::string profile_problem(const ab_planner& table, const ab_profile* profile) 
         parameter != nullptr && (parameter->kind == AB_NUMBER || parameter->kind == AB_INTEGER);
     if (!is_number) return "has " + in_quotes(name) + ", which is no parameter of numbers";
     const bool is_whole = parameter->kind == AB_NUMBER || std::floor(number) == number;
+    // Negated, so that NaN is refused.
     if (!(number >= parameter->lowest && number <= parameter->highest) || !is_whole) {
       return "has a number for '" + std::string(name) + "' that the parameter can't have";
     }
@@ -181,6 +184,7 @@ std::vector<std::string> file_names_of(const ab_planner& table) {
   constexpr std::uint32_t kMostFiles = 1000;
   std::vector<std::string> names;
   if (table.get_extension == nullptr) return names;
+  // Null, since there is no instance yet (planner.h).
   const auto* files =
       static_cast<const ab_files*>(table.get_extension(nullptr, AB_FILES_EXTENSION));
   if (files == nullptr || files->struct_size < sizeof(ab_files) || files->files == nullptr) {
@@ -202,6 +206,7 @@ OwnPlanners& own_planners() {
   return planners;
 }
 
+/// One key for all ways to write a path.
 std::filesystem::path plain(const std::filesystem::path& file) {
   return std::filesystem::absolute(file).lexically_normal();
 }
@@ -221,6 +226,7 @@ std::vector<std::string> choice_words(const std::string& choices) {
 }
 
 std::vector<std::string> table_problems(const ab_planner& table) {
+  // Nothing else is looked at where the layout is not known.
   if (table.struct_size < kLeastTableSize) {
     return {"its table has struct_size " + std::to_string(table.struct_size) + ", less than the " +
             std::to_string(kLeastTableSize) + " bytes of ABI " +
@@ -254,6 +260,7 @@ std::vector<std::string> table_problems(const ab_planner& table) {
   check_function("plan", table.plan != nullptr);
   const std::size_t before = problems.size();
   add_parameter_problems(table, problems);
+  // Profiles name parameters, so these must be sound first.
   if (problems.size() == before) add_profile_problems(table, problems);
   return problems;
 }

@@ -80,6 +80,7 @@ bool are_alike(const ab_planner& a, const ab_planner& b) {
            std::string_view(other != nullptr ? other : "");
   };
   return same(a.name, b.name) && same(a.version, b.version) &&
+         // program_table() has added the flag to one of them.
          (a.needs | AB_USES_PROCESSES) == (b.needs | AB_USES_PROCESSES) &&
          a.commands == b.commands && a.parameter_count == b.parameter_count;
 }
@@ -99,10 +100,13 @@ ProgramPointer taken_program(ServedPlanner& planner) {
     while (!planner.idle.empty()) {
       ProgramPointer program = std::move(planner.idle.back());
       planner.idle.pop_back();
+      // One that died while it had nothing to do is no trial's failure: another one starts.
       if (program->still_lives()) return program;
     }
   }
+  // Not under the lock: a start takes long, and other instances want their programs.
   Described described = described_program(planner.source);
+  // The file may have been written over since; its table would no longer be true.
   if (!are_alike(described.table->table, planner.described->table)) {
     throw InputError("the program " + name_of(planner) +
                      " describes itself otherwise than when it was started first");
@@ -145,6 +149,7 @@ ab_status asked(ProgramInstance& self, std::uint32_t kind, Write&& write, Read&&
   self.has_ended = self.was_killed = false;
   try {
     if (self.program == nullptr) {
+      // Nothing can be asked until reset() starts another.
       throw ProgramFault("the program " + name_of(*self.planner) + " has ended before", true);
     }
     const FlatAnswer answer(self.program->ask(kind, write));
@@ -178,6 +183,7 @@ ab_status begin_program(ProgramInstance& self,
     tell_error(self, error.what());
     return AB_ERROR;
   }
+  // What it has used for instances before is not this one's.
   self.used_before_s -= self.program->cpu_time_s();
   const ab_status status = asked(self, AB_PROCESS_CREATE, write_setup, kNothing);
   if (!self.was_killed || starts_left == 1) return status;
@@ -194,6 +200,7 @@ void* create_instance(ServedPlanner& planner, const ab_host* host, const ab_setu
     return self->setup_offset;
   });
   if (status == AB_OK) return self.release();
+  // A program that refuses a setup is sound and serves the next one.
   give_back(planner, std::move(self->program));
   return nullptr;
 }
@@ -201,6 +208,7 @@ void* create_instance(ServedPlanner& planner, const ab_host* host, const ab_setu
 void destroy_instance(void* instance) {
   const std::unique_ptr<ProgramInstance> self(static_cast<ProgramInstance*>(instance));
   if (self->program == nullptr) return;
+  // Its status tells nothing more: a program that fails here is dropped by asked().
   asked(*self, AB_PROCESS_DESTROY, std::function<std::uint64_t(Segment&)>(), kNothing);
   give_back(*self->planner, std::move(self->program));
 }
@@ -209,6 +217,7 @@ ab_status reset_instance(void* instance, const ab_mission* mission) {
   ProgramInstance& self = *static_cast<ProgramInstance*>(instance);
   if (self.program == nullptr) {
     // The one that flew the last trial ended in it; this trial is flown by another.
+    // The same bytes at the same place: the offsets in them still hold.
     const ab_status status = begin_program(self, [&self](Segment& segment) {
       segment.add(self.setup.data(), self.setup.size());
       return self.setup_offset;
@@ -226,6 +235,7 @@ ab_status plan_in_program(void* instance, const ab_observation* observation, ab_
       self, AB_PROCESS_PLAN,
       [observation](Segment& segment) { return write_flat(segment, *observation); },
       [&](const FlatAnswer& answer) {
+        // The caller's word of how much it can read, not the program's.
         const std::uint32_t size = command->struct_size;
         *command = read_command(answer, self.points);
         command->struct_size = size;
@@ -315,6 +325,7 @@ const ab_planner& program_table(const PlannerSource& source) {
   Described described = described_program(planner->source);
   planner->described = std::move(described.table);
   ab_planner& table = planner->described->table;
+  // Without it the worker's sandbox would let nothing start.
   table.needs |= AB_USES_PROCESSES;
   const SlotFunctions& functions = kSlotFunctions[all.count];
   table.create = functions.create;
@@ -322,6 +333,7 @@ const ab_planner& program_table(const PlannerSource& source) {
   table.reset = reset_instance;
   table.plan = plan_in_program;
   table.get_extension = functions.get_extension;
+  // It has described itself already and serves the first instance.
   planner->idle.push_back(std::move(described.program));
   all.planners[all.count] = std::move(planner);
   return all.planners[all.count++]->described->table;

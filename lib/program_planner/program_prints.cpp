@@ -55,6 +55,7 @@ void ProgramPrints::close_write_end() {
 }
 
 bool ProgramPrints::drain() {
+  // Half a megabyte a look: who prints without end must not keep the host from the answer.
   constexpr int kMostReads = 8;
   std::array<char, 65536> bytes;
   for (int i = 0; i < kMostReads && is_open_; ++i) {
