@@ -104,6 +104,7 @@ PlannerSetup conformance_setup() {
   camera.cy_px = 59.5;
   // From RDF (right, down, forward) to FLU (forward, left, up).
   camera.T_body_camera.linear() << 0, 0, 1, -1, 0, 0, 0, -1, 0;
+  // Place, rate, ranges, body and latency are those of the default sensor, vehicle and sweep.
   camera.T_body_camera.translation() << 0.2, 0.0, 0.05;
   camera.rate_hz = 30.0;
   camera.min_range_m = 0.1;

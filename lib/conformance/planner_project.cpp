@@ -41,6 +41,7 @@ std::string class_name(const std::string& name) {
     if (letter == '_') {
       is_first = true;
     } else {
+      // Of a-z alone, so no locale has a say.
       words += is_first ? static_cast<char>(std::toupper(letter)) : letter;
       is_first = false;
     }

@@ -33,6 +33,7 @@ struct Spline {
 /// its end (Thomas' algorithm on its second derivatives).
 Spline make_spline(std::vector<Vector3d> position, const Vector3d& start_velocity,
                    double period_s) {
+  // Two at least: the vehicle's own place and the action's first.
   const std::size_t last = position.size() - 1;
   const double h = period_s;
   std::vector<double> above(last + 1, 0.0);  // of the diagonal, after elimination
@@ -199,6 +200,7 @@ PlanResult plan_result(const ActionSpec& spec, std::span<const double> action,
       break;
     case ActionKind::rates_thrust:
       command.kind = AB_COMMAND_RATES;
+      // Of the body, whatever frame the spec names.
       put(command.rates_body_radps, vector_at(action, 0));
       command.thrust_mps2 = action[3];
       return result;

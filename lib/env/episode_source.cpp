@@ -51,6 +51,7 @@ EpisodeSource::EpisodeSource(const EnvSpec& spec)
       kept_maps_(static_cast<std::size_t>(spec.kept_maps)),
       listed_(spec.sweep.missions),
       trials_(trials_for(spec.sweep, spec.policy)) {
+  // trial_of() divides by their number.
   if (trials_.empty()) throw InputError("the sweep has no trials");
   for (const PlannedTrial& trial : trials_) {
     // Settings that differ in nothing of the scene share one map by this key.
@@ -141,6 +142,7 @@ void EpisodeSource::build_ahead(const std::stop_token& stop) {
       std::unique_lock lock(mutex_);
       if (!requested_.wait(lock, stop, [this] { return !requests_.empty(); })) return;
       if (stop.stop_requested()) return;
+      // In the order asked: nobody's map waits for that of a later request.
       request = requests_.front();
       requests_.pop_front();
     }

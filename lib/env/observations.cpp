@@ -29,6 +29,7 @@ void write(Number*& to, const Eigen::Vector3d& from) {
 
 void write_imu(const std::vector<ImuView>& samples, const ViewShape& shape, float* to) {
   const std::size_t shown = std::min(samples.size(), shape.imu_samples);
+  // Empty places come first: the newest sample is always in the last one.
   to = std::fill_n(to, (shape.imu_samples - shown) * kImuWidth, 0.0F);
   for (std::size_t i = samples.size() - shown; i < samples.size(); ++i) {
     *to++ = static_cast<float>(samples[i].time_s);

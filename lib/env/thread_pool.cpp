@@ -23,6 +23,7 @@ bool ThreadPool::take(std::size_t& piece) {
   const std::lock_guard lock(mutex_);
   if (next_ >= count_) return false;
   piece = next_++;
+  // Under the same lock: else for_each() could see all taken and nobody busy.
   ++busy_;
   return true;
 }

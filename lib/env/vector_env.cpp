@@ -121,6 +121,7 @@ VectorEnv::Internals::Internals(const EnvSpec& env_spec)
       source((check_numbers(spec), spec)),
       seed(spec.seed),
       slots(static_cast<std::size_t>(spec.slots)),
+      // More threads than slots would have nothing to do.
       pool(static_cast<std::size_t>(std::min(spec.threads, spec.slots))) {
   const TrialSpec& first = *source.trials().front().setting;
   shape = view_shape(first);
@@ -193,6 +194,7 @@ void VectorEnv::Internals::look(Slot& slot, std::size_t index, const EnvArrays& 
   arrays.truncated[index] = is_timeout ? 1 : 0;
 }
 
+/// Along the reference path, not toward the goal: the way around an obstacle is no loss.
 double VectorEnv::Internals::reward_of_step(Slot& slot) const {
   const Flight& flight = *slot.flight;
   const double gained_m =

@@ -90,10 +90,12 @@ std::string command_kind_text(std::uint32_t kind) {
 
 std::string command_problem(const ab_command& command, std::uint32_t declared) {
   const std::string name = command_kind_text(command.kind);
+  // command_kind_text() gives a number only to what is no kind.
   if (name.starts_with("kind ")) return "a command of the unknown " + name;
   if ((command.kind & declared) == 0) {
     return "a command of kind " + name + ", which the planner does not declare";
   }
+  // Not passed over: a planner that means more by a flag would be flown otherwise.
   if ((command.flags & ~AB_YAW_IS_RATE) != 0) {
     return "a command with unknown flags " + std::to_string(command.flags);
   }

@@ -45,6 +45,7 @@ class ThreadLedger {
   /// Threads that are not known yet become those of the owner that was given last.
   void set_current(ThreadOwner owner) {
     const std::lock_guard lock(mutex_);
+    // The usual case: one planner's calls follow each other.
     if (owner == current_) return;
     adopt_unknown();
     current_ = owner;
@@ -79,6 +80,7 @@ class ThreadLedger {
  private:
   bool knows(pid_t id) const {
     return std::any_of(threads_.begin(), threads_.end(), [id](const KnownThread& thread) {
+      // The number of one that ended may be a new one's.
       return thread.id == id && !thread.has_ended;
     });
   }

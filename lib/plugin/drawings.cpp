@@ -79,6 +79,7 @@ void DrawingBoard::draw(const ab_drawing& drawing) {
 std::vector<Drawing> DrawingBoard::take() {
   std::vector<Drawing> taken;
   taken.swap(drawings_);
+  // The limit is one call's.
   point_count_ = 0;
   is_full_ = false;
   return taken;

@@ -32,6 +32,7 @@ std::string text_at(const std::string& bytes, const Elf64_Shdr& table, std::uint
   return {begin, strnlen(begin, table.sh_size - index)};
 }
 
+/// As the dynamic linker sees it: defined here, neither local nor hidden.
 bool is_exported(const Elf64_Sym& symbol) {
   const unsigned binding = ELF64_ST_BIND(symbol.st_info);
   const unsigned visibility = ELF64_ST_VISIBILITY(symbol.st_other);
@@ -48,6 +49,7 @@ void visit_symbols(const std::filesystem::path& file, std::uint32_t type, Visit&
   const auto header = struct_at<Elf64_Ehdr>(bytes, 0);
   if (!header) return;
   const auto section = [&](std::uint64_t index) {
+    // A damaged offset may wrap around; what lies outside is refused all the same.
     return struct_at<Elf64_Shdr>(bytes, header->e_shoff + index * sizeof(Elf64_Shdr));
   };
   for (std::uint64_t i = 0; i < header->e_shnum; ++i) {

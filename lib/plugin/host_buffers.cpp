@@ -18,6 +18,7 @@ void copy(const Eigen::Vector3d& from, double (&to)[3]) {
   to[2] = from.z();
 }
 
+/// w first, as planner.h has it; Eigen keeps it last.
 void copy(const Eigen::Quaterniond& from, double (&to)[4]) {
   to[0] = from.w();
   to[1] = from.x();
@@ -106,6 +107,7 @@ ab_camera to_camera(const CameraSetup& camera) {
 }  // namespace
 
 HostSide::HostSide(bool has_debug) : has_debug_(has_debug) {
+  // Planners keep the table's address and hand back the context: this object never moves.
   set_size(table_);
   table_.abi_version = AVOIDBENCH_ABI_VERSION;
   table_.context = this;
@@ -113,6 +115,7 @@ HostSide::HostSide(bool has_debug) : has_debug_(has_debug) {
     static_cast<HostSide*>(context)->error_ = text != nullptr ? text : "";
   };
   table_.log = [](void* context, std::int32_t level, const char* text) {
+    // A level that is not known is taken for information.
     const std::string prefix = level == AB_LOG_WARNING ? "warning: " : "";
     static_cast<HostSide*>(context)->log_.push_back(prefix + (text != nullptr ? text : ""));
   };
@@ -206,6 +209,7 @@ ab_mission to_mission(const PlannerMission& mission) {
 const ab_observation& ObservationBuffers::fill(const PlannerView& view,
                                                const std::vector<CameraSetup>& cameras,
                                                std::uint32_t needs) {
+  // Memory of the last call is used again: none is allocated at each of them.
   state_ = to_state(view);
   observation_ = ab_observation{};
   set_size(observation_);

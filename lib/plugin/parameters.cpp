@@ -55,6 +55,7 @@ std::vector<std::string> check_parameters(const PlannerDescription& planner,
 std::vector<ParameterValue> resolve_parameters(const PlannerDescription& planner,
                                                const ParameterValues& given) {
   const std::vector<std::string> problems = check_parameters(planner, given);
+  // Whoever reads a user's values has checked them: here it would be a fault of ours.
   AB_CHECK(problems.empty(), problems.front());
   ParameterValues all = given;
   // Texts first, since profiles are chosen by them.

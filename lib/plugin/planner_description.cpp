@@ -31,6 +31,7 @@ struct Answer {
 
 }  // namespace
 
+// Between child and parent only: no person reads these names, so they have no docs.
 template <class Visitor, ConstOr<ParameterDef> Spec>
 void visit(Visitor& v, Spec& p) {
   v.field("name", p.name, "");
@@ -71,6 +72,7 @@ void visit(Visitor& v, Spec& p) {
 
 namespace {
 
+// Loading runs constructors alone; what takes long belongs into create().
 constexpr double kTimeLimit_s = 10.0;
 constexpr const char* kTimeLimitName = "AVOIDBENCH_LOAD_LIMIT_S";
 
@@ -134,8 +136,8 @@ Answer asked(const PlannerSource& source, double limit_s) {
     } else {
       answer.problems = json.at("problems").get<std::vector<std::string>>();
     }
-  // The planner shares the child's memory, so it may have written over the answer.
   } catch (const Json::exception& error) {
+    // The planner shares the child's memory, so it may have written over the answer.
     answer = {std::nullopt, {std::string("damaged its own description: ") + error.what()}};
   }
   return answer;
@@ -149,6 +151,7 @@ PlannerDescription description_from(const Answer& answer, const PlannerSource& s
     }
     throw InputError(std::move(problems));
   }
+  // A copy: the answer is kept as it came, for whoever asks next.
   PlannerDescription planner = *answer.planner;
   planner.file = source.file;
   planner.command = source.command;

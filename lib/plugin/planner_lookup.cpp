@@ -12,6 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Each once: the build's own may be on the path, too.
 void add_folder(std::vector<fs::path>& folders, const fs::path& folder) {
   const fs::path plain = folder.lexically_normal();
   if (std::find(folders.begin(), folders.end(), plain) == folders.end()) folders.push_back(plain);
@@ -34,6 +35,7 @@ bool is_planner_script(const fs::path& file) {
   constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 20U;
   if (file.extension() != ".py") return false;
   try {
+    // The whole file: an import may stand anywhere.
     return read_input_file(file, kMostBytes).find("avoidbench") != std::string::npos;
   } catch (const InputError&) {
     return false;
@@ -134,6 +136,7 @@ std::vector<PlannerDescription> list_planners(std::vector<std::string>& problems
   std::vector<PlannerDescription> planners;
   for (const std::string& name : names_in(folders)) {
     try {
+      // One that does not load must not hide the others.
       planners.push_back(describe_planner(find_planner(name, ".")));
     } catch (const InputError& error) {
       problems.emplace_back(error.what());

@@ -63,6 +63,7 @@ std::string choice_problem(const ab_parameter& p) {
   return known ? "" : "the preset '" + std::string(p.preset_text) + "' is none of the choices";
 }
 
+/// In this order: each pointer is looked at before it is followed.
 std::string parameter_problem(const ab_parameter* p) {
   if (p == nullptr) return "is null";
   if (p->struct_size < kLeastParameterSize) {
@@ -91,6 +92,7 @@ std::string parameter_problem(const ab_parameter* p) {
   return problem.empty() ? "" : in_quotes(p->name) + ": " + problem;
 }
 
+/// All of them, so that an author mends them in one go.
 void add_parameter_problems(const ab_planner& table, std::vector<std::string>& problems) {
   if (table.parameter_count > kMostParameters) {
     problems.push_back(std::to_string(table.parameter_count) + " parameters: more than " +
@@ -118,6 +120,7 @@ std::span<const ab_profile* const> profiles_of(const ab_planner& table) {
   return {table.profiles, table.profile_count};
 }
 
+/// Of a table whose parameters are sound.
 const ab_parameter* parameter_of(const ab_planner& table, const char* name) {
   if (name == nullptr) return nullptr;
   for (std::uint32_t i = 0; i < table.parameter_count; ++i) {
@@ -196,6 +199,7 @@ std::vector<std::string> file_names_of(const ab_planner& table) {
   return names;
 }
 
+/// Planners that live in this process, such as Python's classes, by the files that stand for them.
 struct OwnPlanners {
   std::mutex mutex;
   std::map<std::filesystem::path, const ab_planner*> tables;
@@ -213,6 +217,7 @@ std::filesystem::path plain(const std::filesystem::path& file) {
 
 }  // namespace
 
+/// Nothing between two bars is a word, too, for choice_problem() to refuse.
 std::vector<std::string> choice_words(const std::string& choices) {
   std::vector<std::string> words(1);
   for (const char c : choices) {
@@ -242,6 +247,7 @@ std::vector<std::string> table_problems(const ab_planner& table) {
   }
   if (table.version == nullptr) problems.emplace_back("its version is null");
   if (table.summary == nullptr) problems.emplace_back("its summary is null");
+  // An unknown bit may ask for what this host does not give.
   const auto check_bits = [&](const char* what, std::uint32_t bits, std::uint32_t known) {
     if (bits == 0) problems.push_back(std::string("it declares no ") + what);
     if ((bits & ~known) != 0) {
@@ -273,6 +279,7 @@ void require_sound_table(const std::filesystem::path& file, const ab_planner& ta
   if (!problems.empty()) throw InputError(std::move(problems));
 }
 
+/// All is copied: descriptions go from process to process and outlive the table.
 PlannerDescription describe_table(const ab_planner& table) {
   PlannerDescription planner;
   planner.name = table.name;
@@ -291,6 +298,7 @@ PlannerDescription describe_table(const ab_planner& table) {
     def.highest = p.highest;
     def.preset = p.preset;
     if (p.kind == AB_CHOICE) def.choices = choice_words(p.choices);
+    // Of numbers it may be null.
     if (p.preset_text != nullptr) def.preset_text = p.preset_text;
     planner.parameters.push_back(std::move(def));
   }

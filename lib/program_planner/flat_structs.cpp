@@ -27,6 +27,7 @@ std::uint64_t write_struct(Segment& segment, const Struct& value) {
   return segment.add(&value, sizeof value);
 }
 
+/// What a struct points to is written before it, since it holds the offsets.
 std::uint64_t write_picture(Segment& segment, const ab_picture& picture) {
   ab_picture copy = picture;
   const auto pixels = static_cast<std::size_t>(copy.width_px) *
@@ -107,6 +108,7 @@ std::uint64_t write_flat(Segment& segment, const ab_observation& observation) {
 }
 
 FlatAnswer::FlatAnswer(const std::vector<std::byte>& bytes) : bytes_(bytes) {
+  // copy_answer() takes no answer that is shorter.
   std::memcpy(&head_, bytes_.data(), sizeof head_);
 }
 
@@ -196,6 +198,7 @@ const char* DescribedTable::kept(const FlatAnswer& answer, const void* offset, c
 
 void DescribedTable::read_parameters(const FlatAnswer& answer) {
   constexpr const char* kWhat = "a parameter";
+  // Before anything is allocated by a count that the program says.
   if (table.parameter_count > kMostTexts) throw BadAnswer("it has too many parameters");
   for (const std::uint64_t at : answer.array<std::uint64_t>(
            offset_in(table.parameters), table.parameter_count, "the parameters")) {

@@ -81,14 +81,15 @@ PlannerSource source_of_command(const std::vector<std::string>& words, const fs:
     const bool is_relative =
         words[0].find('/') != std::string::npos && !fs::path(words[0]).is_absolute();
     if (is_relative) command[0] = "./" + program.lexically_relative(file.parent_path()).string();
+    // No further word is looked at: one file stands for the planner in keys.
     return {file, command};
-  // No further word is looked at: one file stands for the planner in keys.
   }
   command[0] = kFileWord;
   return {program, command};
 }
 
 bool can_be_started(const fs::path& file) {
+  // A script needs no right to be executed: Python reads it.
   return file.extension() == ".py" || may_be_executed(file);
 }
 

@@ -114,6 +114,7 @@ ProgramPointer taken_program(ServedPlanner& planner) {
   return std::move(described.program);
 }
 
+/// Only sound programs come here: asked() has dropped the others.
 void give_back(ServedPlanner& planner, ProgramPointer program) {
   if (program == nullptr || !program->is_alive()) return;
   const std::lock_guard lock(planner.mutex);
@@ -153,6 +154,7 @@ ab_status asked(ProgramInstance& self, std::uint32_t kind, Write&& write, Read&&
       throw ProgramFault("the program " + name_of(*self.planner) + " has ended before", true);
     }
     const FlatAnswer answer(self.program->ask(kind, write));
+    // First, so that people see it where the rest of the answer is wrong.
     take_log(self, answer);
     if (answer.head().error != 0) tell_error(self, answer.text(answer.head().error, "the error"));
     if (answer.head().status == AB_OK) read(answer);
@@ -289,6 +291,7 @@ std::string state_of_file(const std::filesystem::path& file) {
 }
 
 /// Ends what has nothing to do, with all that it has started.
+/// The death signal of exit alone would spare what they have started.
 void end_idle_programs() {
   for (const auto& planner : slots().planners) {
     if (planner == nullptr) continue;
@@ -306,6 +309,7 @@ const ab_planner& program_table(const PlannerSource& source) {
   const std::string state = state_of_file(absolute.file);
   Slots& all = slots();
   const std::lock_guard lock(all.mutex);
+  // A file that was written to is another planner, with programs of its own.
   for (std::size_t i = 0; i < all.count; ++i) {
     const ServedPlanner& known = *all.planners[i];
     if (known.source.file == absolute.file && known.source.command == absolute.command &&
@@ -327,6 +331,7 @@ const ab_planner& program_table(const PlannerSource& source) {
   ab_planner& table = planner->described->table;
   // Without it the worker's sandbox would let nothing start.
   table.needs |= AB_USES_PROCESSES;
+  // A program's own functions are in another process: these ask it.
   const SlotFunctions& functions = kSlotFunctions[all.count];
   table.create = functions.create;
   table.destroy = destroy_instance;

@@ -20,6 +20,7 @@ namespace {
 
 std::atomic<int> prints_fd{-1};
 
+// last_lines() tells three lines of it.
 constexpr std::size_t kMostTail = 4096;
 constexpr std::size_t kMostPassedOn = 16384;  // of what one look finds: floods are cut
 

@@ -26,6 +26,7 @@ constexpr std::uint64_t kStep = std::uint64_t{1} << 20U;
 }  // namespace
 
 Segment::Segment() {
+  // The program gets a copy of the descriptor; what else is started does not.
   fd_ = ::memfd_create("avoidbench_planner", MFD_CLOEXEC | MFD_ALLOW_SEALING);
   if (fd_ < 0) no_memory("memfd_create", errno);
   grow(kFirstBytes);

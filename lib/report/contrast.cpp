@@ -70,6 +70,7 @@ Contrast contrast_of(const PlannerSummary& planner_1, const Trials& trials_1,
                                     planner_2.success_rate, planner_2.mean_reference_length_m);
   contrast.fisher_p = fisher_exact_p(planner_1.finished_count, planner_1.trial_count,
                                      planner_2.finished_count, planner_2.trial_count);
+  // Fisher's test takes trials for independent; maps like these are another question.
   const std::vector<double> differences = rate_differences(trials_1, trials_2);
   contrast.map_p =
       // With five maps even five equal differences are p = 0.0625: no test could find anything.

@@ -34,12 +34,11 @@ std::vector<MapSum> sums_by_map(const Trials& trials, std::size_t metric) {
 }
 
 /// The mean over all trials of the drawn maps: a map with more trials weighs more, as in the mean
-/// that the table shows.
+/// that the table shows. Maps are drawn, not trials, since trials of one map resemble each other.
 double mean_of(std::span<const MapSum> sums, std::span<const std::size_t> drawn) {
   MapSum all;
   for (const std::size_t map : drawn) {
     all.sum += sums[map].sum;
-    // Trials of one map resemble each other, so maps are drawn, not trials.
     all.count += sums[map].count;
   }
   return all.count > 0.0 ? all.sum / all.count : kNaN;

@@ -46,7 +46,7 @@ const double* number_in(const TableValue& value, double& storage) {
 }
 
 /// Numbers by value, whichever way they are held.
-// As "3" and "3.0" are one number; words are compared as words, also "007".
+/// "3" and "3.0" are one number; words are compared as words, also "007".
 bool is_equal(const TableValue& value, const Condition::Value& wanted) {
   if (const auto* words = std::get_if<std::string>(&value)) return *words == wanted.word;
   double storage = 0.0;

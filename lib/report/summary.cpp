@@ -224,6 +224,7 @@ std::vector<std::string> ReportQuery::fields() const {
   return fields;
 }
 
+/// AvoidBench's own, and the wall time: CPU time does not show what a planner waits for.
 std::vector<std::string> default_metrics(const SweepResult& result) {
   std::vector<std::string> names;
   for (const std::string_view name :
