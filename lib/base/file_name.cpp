@@ -5,6 +5,7 @@
 namespace avoidbench {
 
 std::string safe_file_name(std::string_view text) {
+  // 80 letters, a dash and 8 of the digest: a name made here is kept as it is if it comes again.
   constexpr std::size_t kMostLetters = 100, kMostKept = 80, kDigestLetters = 8;
   const auto is_plain = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||

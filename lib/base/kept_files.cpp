@@ -105,6 +105,7 @@ std::vector<std::string> keep_files(const std::vector<FlownFile>& files, const f
     const std::string problem = keep(flown.file, flown.digest, kept);
     std::error_code error;
     if (ending == kProgram) {
+      // A new file has no right to be run, whatever the copied one had.
       fs::permissions(kept, fs::perms::owner_exec, fs::perm_options::add, error);
     }
     if (!problem.empty()) problems.push_back(problem);

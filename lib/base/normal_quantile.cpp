@@ -67,6 +67,7 @@ double normal_quantile(double p) {
   }
   // By the smaller tail, whose probability has all its digits.
   const double r = std::sqrt(-math::log(q < 0.0 ? p : 1.0 - p));
+  // AS 241 centres its polynomials at 1.6 and 5.
   const double size = r <= 5.0 ? polynomial(kTailTop, r - 1.6) / polynomial(kTailBottom, r - 1.6)
                                : polynomial(kFarTop, r - 5.0) / polynomial(kFarBottom, r - 5.0);
   return q < 0.0 ? -size : size;

@@ -18,6 +18,7 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr std::string_view kSuccessRate = "success_rate";
+/// Few: Holm's correction over all thirty would hide losses that five tests show.
 constexpr std::array<std::string_view, 6> kUsualMetrics{
     "path_optimality_pct",  "energy_optimality", "average_goal_velocity_mps",
     "mission_progress_pct", "min_clearance_m",   "processing_time_ms"};
@@ -60,6 +61,7 @@ std::vector<MapSums> sums_by_map(const std::vector<PairValue>& values) {
 /// The interval of a mean of all values, given each map's sum of them and count.
 Interval mean_interval(const std::vector<double>& sums, const std::vector<double>& counts,
                        std::string_view name, std::size_t replicate_count) {
+  // One map says nothing of how maps differ.
   if (sums.size() < 2) return {kNaN, kNaN};
   const auto mean_of = [&](std::span<const std::size_t> drawn) {
     double sum = 0.0, count = 0.0;
@@ -94,6 +96,7 @@ double limit_of(const CompareSettings& settings, const std::string& metric, doub
                 bool& is_ignored) {
   const auto own = settings.tolerances.find(metric);
   const Tolerance& tolerance = own == settings.tolerances.end() ? settings.tolerance : own->second;
+  // Not returned with the limit: 0 is a tolerance, too.
   is_ignored = tolerance.kind == Tolerance::Kind::ignored;
   if (tolerance.kind == Tolerance::Kind::relative) return tolerance.value * std::abs(base_mean);
   return tolerance.value;
@@ -133,6 +136,7 @@ void fill_figures(const std::vector<PairValue>& values, std::size_t replicate_co
   row.new_interval = mean_interval(sums, counts, "compare new", replicate_count);
   // McNemar's test sees only the pairs that ended differently; the differences of the others need
   // ranks, since they are far from normal.
+  // Of 0 and 1 a rank test would count the ties of all that ended alike.
   if (row.metric == kSuccessRate) {
     row.p = mcnemar_exact_p(lost, gained);
   } else {
@@ -161,6 +165,7 @@ std::vector<PairValue> values_of(const TrialTable& base, const TrialTable& now,
     const TableTrial& after = now.trials[k];
     // Both have to have finished: else a planner that fails on hard missions would improve by it.
     if (!takes_failures && !(finished(before) && finished(after))) continue;
+    // Not measured in one of the two: a pair needs both.
     const double old_value = before.metrics[base_column], new_value = after.metrics[new_column];
     if (!std::isfinite(old_value) || !std::isfinite(new_value)) continue;
     values.push_back({.map = before.map, .before = old_value, .after = new_value});
@@ -211,6 +216,7 @@ void judge(const CompareSettings& settings, Comparison& comparison) {
     row.adjusted_p = adjusted[i];
     // A rank test may find a shift where the means agree: no change, no verdict.
     const bool is_sure = row.adjusted_p < settings.alpha && row.change != 0.0;
+    // A tolerance of 0 means any change, but not none.
     const bool is_large = std::abs(row.change) > 0.0 && std::abs(row.change) >= row.limit;
     const bool is_worse = (row.better == Better::less) == (row.change > 0.0);
     row.verdict = Verdict::same;
@@ -377,6 +383,7 @@ Comparison compare_tables(const TrialTable& base, const TrialTable& now,
           {.identity = before.identity, .before = before.outcome, .after = after.outcome});
     }
   }
+  // What is lost first, then what is won, then what failed in another way.
   const auto rank = [](const Flip& flip) {
     if (flip.before == Outcome::reached_goal) return 0;
     return flip.after == Outcome::reached_goal ? 1 : 2;

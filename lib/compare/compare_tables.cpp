@@ -25,6 +25,7 @@ std::string with_decimals(double value, int decimals, bool has_sign = false) {
 int decimals_for(double size, int digits) {
   // One decimal less for each power of ten of the number, one more for each below 1.
   int decimals = digits - 1;
+  // Ten times smaller is one decimal more; six at most, since 0 would take endlessly many.
   for (double limit = 10.0; size >= limit && decimals > 0; limit *= 10.0) --decimals;
   for (double limit = 1.0; size < limit && size > 0.0 && decimals < 6; limit *= 0.1) ++decimals;
   return decimals;
@@ -48,6 +49,7 @@ int decimals_of_change(const MetricComparison& row) {
 
 std::string p_text(double p) {
   if (std::isnan(p)) return "–";
+  // Three decimals would round it to 0.000, which no p is.
   return p < 0.0005 ? "<0.001" : with_decimals(p, 3);
 }
 

@@ -91,6 +91,7 @@ TrialTable take(Source& source, const std::string& wanted, const std::vector<std
     table.warning = source.warning;
     return table;
   }
+  // A table in CSV is of one revision, which it does not name.
   const bool is_wanted = wanted == source.table.sweep || wanted == source.table.sweep + "@1";
   if (!is_wanted) {
     throw InputError(InputProblem{
@@ -133,6 +134,7 @@ TablePair read_tables(const std::filesystem::path& base, const std::filesystem::
   }
   // What is an axis in one of them tells trials apart in both.
   std::vector<std::string> axes = axes_of(first, wanted.first);
+  // In both tables, so that identities have the same parts; table_of_sweep() takes each once.
   for (std::string& path : axes_of(second, wanted.second)) axes.push_back(std::move(path));
   return {.base = take(first, wanted.first, axes), .now = take(second, wanted.second, axes)};
 }

@@ -427,6 +427,7 @@ std::vector<std::string> suggestions(const std::string& key, const std::vector<s
     const std::string_view nearest = nearest_word(last, lasts);
     if (!nearest.empty()) found = keys_ending(keys, nearest);
   }
+  // Two letters are a part of almost every key.
   constexpr std::size_t kLeastPart = 3;
   if (found.empty() && last.size() >= kLeastPart) {
     for (const std::string& other : keys) {

@@ -89,6 +89,7 @@ bool is_number(const FieldTree& field) {
 
 /// {from, to, count} or {from, to, step}.
 void add_range_keys(Range range, Schema& schema) {
+  // As many as the reader of ranges takes.
   constexpr int kMostValues = 10000;
   Schema ends = Schema::object();
   add_range(range, ends);
@@ -407,6 +408,7 @@ Schema planner_schema(const FieldTree& max_speed, const std::vector<PlannerDescr
     names.push_back((is_script ? planner.file.filename() : planner.file.stem()).string());
     rules.push_back(planner_rule(planner, names.back(), writer));
   }
+  // As read_label() has it.
   constexpr int kLongestLabel = 100;
   Schema properties = Schema::object();
   properties["plugin"] = name_schema(names);

@@ -64,6 +64,7 @@ Place read_place(const YamlNode& node, const std::string& path, Reading& reading
 
 void read_entry(const YamlNode& node, const std::string& path, SweepSpec& sweep, Reading& reading) {
   MappingReader mapping(node, path, reading);
+  // The reader has told what it is instead.
   if (node.kind != YamlNode::Kind::mapping) return;
   WrittenMission written{.node = node, .start = {}, .goal = {}, .yaw_deg = {}, .map = {}};
   for (const auto& [name, place] :

@@ -109,6 +109,7 @@ std::optional<PlannerDescription> load_command(const YamlNode& plugin, const Yam
     const auto at = std::find(source.command.begin(), source.command.end(), kFileWord);
     name = words[static_cast<std::size_t>(at - source.command.begin())];
     if (at == source.command.begin()) name = source.file.string();
+    // A bare name would be looked for among the installed planners.
     if (name.find('/') == std::string::npos) name.insert(0, "./");
     return source;
   });
@@ -122,6 +123,7 @@ void read_parameter(const YamlNode& key, const std::string& name, const YamlNode
   };
   const ParameterDef* def = parameter_def(entry.planner, name);
   if (def == nullptr) {
+    // The check of any value says that there is no such parameter, and which is near.
     for (const std::string& problem : problems_of({})) {
       reading.problems.push_back(problem_at(key, entry.path + ".parameters." + problem));
     }
@@ -146,6 +148,7 @@ void read_parameter(const YamlNode& key, const std::string& name, const YamlNode
       }
     }
     for (const std::string& problem : problems_of(value)) {
+      // The path names the parameter already.
       const std::string what = problem.substr(problem.find(": ") + 2);
       reading.problems.push_back(problem_at(item, path + ": " + what));
     }
@@ -216,6 +219,7 @@ std::optional<Entry> read_mapping(const YamlNode& node, const std::string& path,
                                 : load(*plugin, path + ".plugin", reading);
   }
   const YamlNode* max_speed = nullptr;
+  // Of a planner that was not found nobody knows: no second complaint about this key.
   if (!planner || parameter_def(*planner, kMaxSpeed) != nullptr)
     max_speed = mapping.take(kMaxSpeed);
   if (planner) refuse_misplaced_parameters(node, path, *planner, mapping, reading);
@@ -330,6 +334,7 @@ std::vector<PlannerChoice> read_planners(const YamlNode& node, const YamlNode* m
     const std::size_t before = reading.problems.size();
     std::optional<Entry> entry = read_entry(nodes[i], path, reading);
     if (entry && max_speed != nullptr) add_common_speed(*max_speed, nodes[i], *entry, reading);
+    // What is wrong with it was told; its labels could only bring more.
     if (!entry || reading.problems.size() > before) continue;
     const std::size_t first = planners.size();
     ParameterValues given;

@@ -135,6 +135,7 @@ void for_each_combination(const SweepSpec& sweep, const Check& check) {
   for (const Axis& axis : sweep.axes) total *= static_cast<double>(axis.values.size());
   Json first = spec_to_json(sweep.base);
   if (total <= kMostCombinations) return combine(sweep, 0, first, check);
+  // Too many to look at all: each axis by itself, the others at their first values.
   for (const Axis& axis : sweep.axes) first.at(pointer(axis.path)) = axis.values.front();
   for (const Axis& axis : sweep.axes) {
     Json trial = first;

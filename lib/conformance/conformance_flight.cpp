@@ -39,12 +39,15 @@ std::vector<float> wall_image(const CameraSetup& camera, const Eigen::Vector3d& 
   std::vector<float> depth_m;
   for (int row = 0; row < camera.height_px; ++row) {
     for (int column = 0; column < camera.width_px; ++column) {
+      // The camera looks along +x with RDF axes: columns grow to the right, rows downwards.
       const double left = -(column - camera.cx_px) / camera.fx_px;
       const double up = -(row - camera.cy_px) / camera.fy_px;
       double depth = kWall_m - eye_world.x();
       const double y = eye_world.y() + left * depth;
       if (y > kGapFrom_m && y < kGapTo_m) depth = kFarWall_m - eye_world.x();
+      // Rows below the horizon meet the ground at z = 0 before the wall, if it is near enough.
       if (up < 0.0) depth = std::min(depth, -eye_world.z() / up);
+      // As planner.h says of depth beyond the range: no return, not the range itself.
       depth_m.push_back(depth > camera.max_range_m ? std::numeric_limits<float>::infinity()
                                                    : static_cast<float>(depth));
     }
@@ -94,10 +97,14 @@ PlannerSetup conformance_setup() {
   CameraSetup& camera = setup.cameras.emplace_back();
   camera.width_px = 160;
   camera.height_px = 120;
+  // Half the width: a field of view of 90°. The centre lies between the two middle pixels, since
+  // whole coordinates are pixel centres.
   camera.fx_px = camera.fy_px = 80.0;
   camera.cx_px = 79.5;
   camera.cy_px = 59.5;
+  // From RDF (right, down, forward) to FLU (forward, left, up).
   camera.T_body_camera.linear() << 0, 0, 1, -1, 0, 0, 0, -1, 0;
+  // Place, rate, ranges, body and latency are those of the default sensor, vehicle and sweep.
   camera.T_body_camera.translation() << 0.2, 0.0, 0.05;
   camera.rate_hz = 30.0;
   camera.min_range_m = 0.1;
@@ -148,6 +155,7 @@ bool equal(const Reply& a, const Reply& b) {
   };
   if (a.status != b.status) return false;
   if (a.status != AB_OK) return true;
+  // Of a command that is none nothing is flown, so what else it holds may differ.
   // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): bytes that were copied, padding too
   return std::memcmp(&a.command, &b.command, sizeof(ab_command)) == 0 && same_points();
 }
@@ -162,6 +170,7 @@ std::string reply_problem(const Reply& reply, const ab_planner& table) {
     return "it returned AB_ERROR without a text for set_error";
   }
   if (reply.status != AB_OK || !reply.is_plan) return "";
+  // The reply keeps no pointer into the planner's memory; the check needs one to its own copy.
   ab_command command = reply.command;
   command.points = reply.points.empty() ? nullptr : reply.points.data();
   return command_problem(command, table.commands);
@@ -188,6 +197,7 @@ Probe::Probe(const ab_planner& table, const std::vector<ParameterValue>& values,
 }
 
 Probe::~Probe() {
+  // What destroy() throws has no place to be told; it must not end the host either.
   if (instance_ != nullptr) escaped_exception([this] { table_->destroy(instance_); });
 }
 
@@ -198,6 +208,7 @@ Reply Probe::reset(const PlannerMission& mission) {
   reply.escaped = escaped_exception([&] { reply.status = table_->reset(instance_, &given); });
   // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): bytes that were copied, padding too
   if (std::memcmp(&given, &before, sizeof given) != 0) reply.changed = "it wrote into the mission";
+  // Rubbish, not zeros: a start at the origin is zeros, too.
   if (poisoned_) std::memset(&given, 0xA7, sizeof given);
   reply.error = host_.take_error();
   return reply;
@@ -216,6 +227,7 @@ void Probe::paint(const std::vector<float>& depth_m) {
 }
 
 Reply Probe::plan(const Frame& frame) {
+  // Not freed: a late read must find what was overwritten, not a crash.
   std::move(pixels_.begin(), pixels_.end(), std::back_inserter(old_pixels_));
   pixels_.clear();
   for (const std::vector<float>& image : frame.images) pixels_.push_back(fenced(image));
@@ -223,6 +235,7 @@ Reply Probe::plan(const Frame& frame) {
   view.time_s = view.call_time_s = frame.time_s;
   view.position_world = frame.position_world;
   view.velocity_world = frame.velocity_world;
+  // Level and without rotation, as the pictures are drawn.
   view.rates_body.setZero();
   view.q_world_body.setIdentity();
   const Eigen::Isometry3d T_world_camera =
@@ -238,7 +251,9 @@ Reply Probe::plan(const Frame& frame) {
     view.color.push_back({frame.time_s, T_world_camera, 0, rgb_});
   }
   view.states.push_back(static_cast<const StateView&>(view));
+  // Specific force at rest: what an accelerometer measures is up, against gravity.
   view.imu.push_back({frame.time_s, Eigen::Vector3d::Zero(), {0.0, 0.0, 9.81}});
+  // The observation holds pointers alone, so what it points to is compared apart.
   const ab_observation& observation = observation_.fill(view, setup_.cameras, table_->needs);
   const ab_observation before = observation;
   const ab_state state_before = *observation.state;
@@ -260,16 +275,19 @@ Reply Probe::plan(const Frame& frame) {
   for (std::size_t i = 0; i < pixels_.size() && reply.changed.empty(); ++i) {
     reply.changed = change_in(pixels_[i], frame.images[i]);
   }
+  // A count that can't be true is not followed: reply_problem() names it, reading would crash.
   const bool has_points = reply.status == AB_OK && reply.command.kind == AB_COMMAND_TRAJECTORY &&
                           reply.command.points != nullptr &&
                           reply.command.point_count <= kMostTrajectoryPoints;
   if (has_points) {
     reply.points.assign(reply.command.points, reply.command.points + reply.command.point_count);
   }
+  // Two instances' arrays lie elsewhere, so equal replies must not differ by their addresses.
   reply.command.points = nullptr;
   reply.error = host_.take_error();
   if (poisoned_) {
     observation_.poison();
+    // A wall at 1 cm; the rubbish of the other buffers would be no depth (-5e-15).
     for (std::vector<float>& image : pixels_) std::fill(image.begin(), image.end(), 0.01F);
   }
   return reply;

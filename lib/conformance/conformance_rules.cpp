@@ -76,6 +76,7 @@ std::string exports_one_symbol(const PlannerLibrary& library) {
 std::string refuses_unknown_hosts(const PlannerLibrary& library) {
   if (library.description().is_program) return "";  // its protocol's version was checked
   const std::string path = std::filesystem::absolute(library.description().file).string();
+  // NOLOAD: the library that was described, not another file that lies there by now.
   void* handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NOLOAD);
   if (handle == nullptr) return "it is no longer loaded";
   using TableFunction = const ab_planner* (*)(std::uint32_t);
@@ -112,6 +113,8 @@ std::string creates_over_its_ranges(const PlannerLibrary& library) {
       const std::string problem = in_own_process(library, [&] {
         return Probe(library.table(), resolve_parameters(planner, {{def.name, value}})).problem();
       });
+      // The rest of the parameters keep their presets: ends of several ranges at once may
+      // contradict each other, and their number would multiply.
       const std::string given = value.text.empty() ? std::to_string(value.number) : value.text;
       if (!problem.empty()) return "with " + def.name + " = " + given + ": " + problem;
     }
@@ -123,6 +126,7 @@ std::string flies_toward_a_wall(const PlannerLibrary& library) {
   const std::string problem = flight_problem(library, wall_flight(), false);
   if (!problem.empty()) return problem;
   const std::vector<Reply> replies = alone(library, wall_flight());
+  // From 1 on, since the first reply is reset()'s, which is AB_OK without a command.
   for (std::size_t i = 1; i < replies.size(); ++i) {
     if (replies[i].status == AB_OK) return "";
   }
@@ -134,6 +138,7 @@ std::string reset_forgets(const PlannerLibrary& library) {
   Probe probe(library.table(), presets(library));
   if (!probe.is_created()) return probe.problem();
   const ConformanceFlight flight = wall_flight();
+  // Its own first flight is the measure: what differs between instances is the next rule's.
   const std::vector<Reply> first = probe.fly(flight);
   ConformanceFlight other = flight;
   // Another goal, aside: what is remembered of it turns the next flight.
@@ -162,6 +167,7 @@ std::string instances_are_apart(const PlannerLibrary& library) {
   if (!a.is_created() || !b.is_created()) return a.problem() + b.problem();
   std::vector<Reply> replies{a.reset(flight.mission)};
   b.reset(other.mission);
+  // Call by call, so that static variables that one call leaves are met by the other's next.
   for (std::size_t i = 0; i < flight.frames.size(); ++i) {
     replies.push_back(a.plan(flight.frames[i]));
     b.plan(other.frames[i]);
@@ -198,6 +204,7 @@ std::string drawing_changes_nothing(const PlannerLibrary& library) {
   const ConformanceFlight flight = wall_flight();
   const std::vector<Reply> expected = alone(library, flight);
   std::string finding =
+      // A host without the extension first: planners that don't ask for null crash there.
       with_context(first_difference(expected, alone(library, flight, Looking::impossible)),
                    "with a host that has no extension " AB_DEBUG_EXTENSION);
   if (!finding.empty()) return finding;
@@ -214,6 +221,7 @@ std::string survives_odd_images(const PlannerLibrary& library) {
                              {"an image of +inf", std::numeric_limits<float>::infinity()},
                              {"an image of zeros", 0.0F}};
   for (const Case& odd : kCases) {
+    // No errors: cameras see such things in flight (the sky, a wall nearer than their range).
     const std::string problem = flight_problem(library, uniform_flight(odd.depth_m), false);
     if (!problem.empty()) return std::string(odd.name) + ", " + problem;
   }
@@ -222,6 +230,7 @@ std::string survives_odd_images(const PlannerLibrary& library) {
   std::string problem = flight_problem(library, blind, false);
   if (!problem.empty()) return "no image, " + problem;
   ConformanceFlight late = wall_flight();
+  // As after a slow call: more images than one came since the last.
   for (Frame& frame : late.frames) frame.images.insert(frame.images.end(), 2, frame.images.front());
   problem = flight_problem(library, late, false);
   return problem.empty() ? "" : "three images a call, " + problem;
@@ -240,6 +249,7 @@ std::string survives_odd_goals(const PlannerLibrary& library) {
   problem = flight_problem(library, arrived, false);
   if (!problem.empty()) return "vehicle at the goal, " + problem;
   ConformanceFlight above = wall_flight();
+  // No horizontal direction leads there: planners that normalise one divide by zero.
   above.mission.goal_world = above.mission.start_world + Eigen::Vector3d(0.0, 0.0, 5.0);
   problem = flight_problem(library, above, false);
   return problem.empty() ? "" : "goal straight above, " + problem;
@@ -248,6 +258,7 @@ std::string survives_odd_goals(const PlannerLibrary& library) {
 std::string errors_have_a_text(const PlannerLibrary& library) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   ConformanceFlight lost = wall_flight();
+  // Errors are allowed here, silent ones and exceptions are not.
   for (Frame& frame : lost.frames) frame.position_world.setConstant(nan);
   ConformanceFlight nowhere = wall_flight();
   nowhere.mission.goal_world.setConstant(nan);

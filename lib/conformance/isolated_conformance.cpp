@@ -9,6 +9,7 @@
 namespace avoidbench {
 namespace {
 
+// Unit and record separator of ASCII: no text for people has them, and send() takes them out.
 constexpr char kFieldEnd = '\x1f';
 constexpr char kMessageEnd = '\x1e';
 
@@ -45,10 +46,12 @@ std::vector<ConformanceResult> check_conformance_isolated(const std::filesystem:
             file, [&](const ConformanceResult& rule) { send(output, 'b', rule); },
             [&](const ConformanceResult& rule) { send(output, 'e', rule); });
       },
+      // Shown: who checks a planner wants to see what it prints.
       time_limit_s, Prints::shown);
 
   std::vector<ConformanceResult> results;
   std::optional<ConformanceResult> tried;
+  // A message that was cut off by a crash has no end and is left out.
   std::string_view rest = run.output;
   for (std::size_t end = rest.find(kMessageEnd); end != std::string_view::npos;
        end = rest.find(kMessageEnd)) {
@@ -61,6 +64,7 @@ std::vector<ConformanceResult> check_conformance_isolated(const std::filesystem:
       results.push_back(parsed(message));
     }
   }
+  // A rule that was begun and never ended is what the planner did not survive.
   if (tried) {
     tried->passed = false;
     tried->finding = run.problem;

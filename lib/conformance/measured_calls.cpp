@@ -39,6 +39,7 @@ CallTimes measured(const std::filesystem::path& file) {
       cpu_s.push_back(reply.cpu_time_s);
       times.most_wall_s = std::max(times.most_wall_s, reply.wall_time_s);
     }
+    // After whole flights, so that each of the twenty calls counts alike.
     if (!is_first && std::chrono::steady_clock::now() - began > kEnough) break;
   }
   times.wall_s = median(wall_s);
@@ -55,6 +56,7 @@ std::optional<CallTimes> measure_calls_isolated(const std::filesystem::path& fil
   const IsolatedEnd run = run_isolated(
       [&](IsolatedOutput& output) {
         const CallTimes times = measured(file);
+        // Both sides are one program, forked, so that a struct's bytes mean the same.
         std::string bytes(sizeof times, '\0');
         std::memcpy(bytes.data(), &times, sizeof times);
         output.write(bytes);

@@ -14,8 +14,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Of a template: they have some kilobytes.
 constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 20U;
 
+// The name becomes a C identifier, a target of CMake and the table's name, which planner.h limits
+// to these letters.
 bool is_name(const std::string& name) {
   constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyz";
   return !name.empty() && kLetters.find(name.front()) != std::string::npos &&
@@ -38,6 +41,7 @@ std::string class_name(const std::string& name) {
     if (letter == '_') {
       is_first = true;
     } else {
+      // Of a-z alone, so no locale has a say.
       words += is_first ? static_cast<char>(std::toupper(letter)) : letter;
       is_first = false;
     }
@@ -51,6 +55,7 @@ std::string filled_in(std::string text, const std::string& name) {
   for (const auto& [word, value] : words) {
     for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at)) {
       text.replace(at, word.size(), value);
+      // Behind what was put in: a name can't be replaced again.
       at += value.size();
     }
   }
@@ -66,6 +71,7 @@ void write_planner_project(const std::string& name, const fs::path& folder,
                      "' is no name of a planner: use a-z, 0-9 and _, and begin with a letter");
   }
   if (is_taken(name)) throw InputError("the name '" + name + "' is taken by the build");
+  // All is read and looked at before anything is written, so that an error leaves no half project.
   std::vector<std::pair<fs::path, std::string>> files;
   for (const auto& [from, to] : {std::pair<std::string, std::string>{"planner.cpp", name + ".cpp"},
                                  {"CMakeLists.txt", "CMakeLists.txt"},
@@ -74,6 +80,8 @@ void write_planner_project(const std::string& name, const fs::path& folder,
     files.emplace_back(folder / to,
                        filled_in(read_input_file(templates / (from + ".in"), kMostBytes), name));
     std::error_code error;
+    // symlink_status: a dangling link is there, too; writing through it would make a file
+    // elsewhere.
     if (fs::exists(fs::symlink_status(files.back().first, error))) {
       throw InputError(files.back().first.string() + " exists already; nothing was written");
     }

@@ -41,6 +41,7 @@ ComputedMetrics metrics_from(const std::string& printed) {
 }
 
 ComputedMetrics run_python(const std::filesystem::path& file, const Database& database) {
+  // -B: no bytecode beside the user's file.
   const ProgramEnd end = run_program({python_with({"numpy"}, "metrics in Python need"), "-B",
                                       (data_folder() / "scripts" / "custom_metrics.py").string(),
                                       file.string(), database.path().string()},

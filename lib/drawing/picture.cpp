@@ -31,6 +31,7 @@ cv::Mat scale_colors() {
   // OpenCV's Turbo goes from blue to red; near is red here.
   for (int i = 0; i < 256; ++i) levels.at<std::uint8_t>(0, i) = static_cast<std::uint8_t>(255 - i);
   cv::applyColorMap(levels, colors, cv::COLORMAP_TURBO);
+  // applyColorMap() gives BGR; pictures are RGB.
   cv::cvtColor(colors, colors, cv::COLOR_BGR2RGB);
   return colors;
 }
@@ -44,6 +45,7 @@ cv::Mat height_colors() {
   return colors;
 }
 
+// Sixteenths of a pixel: finer than LINE_AA can show.
 constexpr int kFractionBits = 4;  ///< of coordinates that OpenCV draws at
 
 /// OpenCV takes whole numbers with fraction bits, so that lines lie between pixels where they
@@ -101,6 +103,7 @@ Picture depth_picture(std::span<const float> depth_m, int width_px, int height_p
 }
 
 void add_depth_scale(Picture& picture, double nearest_m, double farthest_m) {
+  // At either end a margin for the text of a distance: "12.5 m".
   constexpr int kBand = 22, kMargin = 64;
   const int width = picture.width_px - 2 * kMargin;
   if (picture.height_px < 2 * kBand || width < kMargin) return;
@@ -117,6 +120,7 @@ void add_depth_scale(Picture& picture, double nearest_m, double farthest_m) {
 
 Color height_color(double ratio) {
   static const cv::Mat colors = height_colors();
+  // In whole levels, as the table has them; interpolated colours would not be Viridis'.
   const int level = static_cast<int>(std::lround(255.0 * std::clamp(ratio, 0.0, 1.0)));
   const auto& color = colors.at<cv::Vec3b>(0, level);
   return {color[0], color[1], color[2]};
@@ -124,6 +128,7 @@ Color height_color(double ratio) {
 
 Color turbo_color(double ratio) {
   static const cv::Mat colors = scale_colors();  // from near, red, to far
+  // scale_colors() begins with the near end, red; here 0 is blue, as usual for Turbo.
   const int level = static_cast<int>(std::lround(255.0 * (1.0 - std::clamp(ratio, 0.0, 1.0))));
   const auto& color = colors.at<cv::Vec3b>(0, level);
   return {color[0], color[1], color[2]};
@@ -148,6 +153,7 @@ void add_scale_bar(Picture& picture, double pixels_per_m) {
   if (picture.height_px < 2 * kBand) return;
   double length_m = 1.0;  // 1, 2 or 5 times a power of ten: the longest within a quarter
   double power = 1e-3;
+  // From a millimetre to hundreds of kilometres.
   for (int decade = 0; decade < 9; ++decade, power *= 10.0) {
     for (const double step : {1.0, 2.0, 5.0}) {
       if (step * power * pixels_per_m <= 0.25 * picture.width_px) length_m = step * power;
@@ -214,6 +220,7 @@ Color mixed(const Color& color, const Color& other, double share) {
 void tint(Picture& picture, int left_px, int top_px, int width_px, int height_px,
           const Color& color, double share) {
   const int right = std::min(picture.width_px, left_px + width_px);
+  // Cut at the picture's edges: labels may lie across them.
   const int bottom = std::min(picture.height_px, top_px + height_px);
   for (int row = std::max(0, top_px); row < bottom; ++row) {
     for (int column = std::max(0, left_px); column < right; ++column) {
@@ -237,6 +244,7 @@ void add_caption(Picture& picture, const std::string& text) {
 void paste(const Picture& part, int left_px, int top_px, Picture& picture) {
   const int from_x = std::max(0, -left_px);
   const int columns = std::min(part.width_px, picture.width_px - left_px) - from_x;
+  // Nothing of it lies in the picture.
   if (columns <= 0) return;
   for (int y = std::max(0, -top_px); y < part.height_px && y + top_px < picture.height_px; ++y) {
     const auto from = part.rgb.begin() + 3 * (std::ptrdiff_t{y} * part.width_px + from_x);
@@ -250,6 +258,7 @@ Picture resized(const Picture& picture, int width_px, int height_px) {
   cv::Mat pixels_of_result = pixels(result);
   // A copy, since OpenCV takes no view of const pixels.
   Picture given = picture;
+  // Nearest: a pixel of a depth image stays one colour, and none is invented at edges.
   cv::resize(pixels(given), pixels_of_result, pixels_of_result.size(), 0, 0, cv::INTER_NEAREST);
   return result;
 }
@@ -265,6 +274,7 @@ void write_png(const Picture& picture, const std::filesystem::path& file) {
   image.height = static_cast<png_uint_32>(picture.height_px);
   image.format = PNG_FORMAT_RGB;
   AB_CHECK(picture.rgb.size() == byte_count(picture.width_px, picture.height_px));
+  // libpng's simplified interface; it writes rows without padding for a stride of 0.
   if (png_image_write_to_file(&image, file.c_str(), 0, picture.rgb.data(), 0, nullptr) == 0) {
     const std::string reason = image.message;
     png_image_free(&image);

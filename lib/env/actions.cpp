@@ -33,13 +33,16 @@ struct Spline {
 /// its end (Thomas' algorithm on its second derivatives).
 Spline make_spline(std::vector<Vector3d> position, const Vector3d& start_velocity,
                    double period_s) {
+  // Two at least: the vehicle's own place and the action's first.
   const std::size_t last = position.size() - 1;
   const double h = period_s;
   std::vector<double> above(last + 1, 0.0);  // of the diagonal, after elimination
   std::vector<Vector3d> acceleration(last + 1, Vector3d::Zero());
+  // First row, divided by its diagonal: 2 a[0] + a[1] = 6/h ((p[1] - p[0]) / h - v[0]).
   above[0] = 0.5;
   acceleration[0] = ((position[1] - position[0]) / h - start_velocity) * (3.0 / h);
   for (std::size_t i = 1; i < last; ++i) {
+    // The rows between: a[i-1] + 4 a[i] + a[i+1] = 6/h² (p[i+1] - 2 p[i] + p[i-1]).
     const Vector3d bend = (position[i + 1] - 2.0 * position[i] + position[i - 1]) * (6.0 / (h * h));
     const double diagonal = 4.0 - above[i - 1];
     above[i] = 1.0 / diagonal;
@@ -51,6 +54,7 @@ Spline make_spline(std::vector<Vector3d> position, const Vector3d& start_velocit
                 .position = std::move(position),
                 .velocity = {start_velocity},
                 .acceleration = std::move(acceleration)};
+  // The acceleration is linear in a piece, so the mean of its ends integrates it exactly.
   for (std::size_t i = 1; i <= last; ++i) {
     spline.velocity.push_back(spline.velocity[i - 1] +
                               0.5 * h * (spline.acceleration[i - 1] + spline.acceleration[i]));
@@ -72,6 +76,7 @@ ab_point point_of(double time_s, const Vector3d& position, const Vector3d& veloc
 
 /// The spline `time_s` after its beginning, which is before its end.
 ab_point point_at(const Spline& spline, const std::vector<double>& yaw_rad, double time_s) {
+  // Rounding may put the end into a piece behind the last one.
   const auto piece =
       std::min(static_cast<std::size_t>(time_s / spline.period_s), spline.position.size() - 2);
   const double h = spline.period_s, t = time_s - static_cast<double>(piece) * h;
@@ -87,6 +92,7 @@ ab_point point_at(const Spline& spline, const std::vector<double>& yaw_rad, doub
 std::vector<ab_point> trajectory_points(const ActionSpec& spec, std::span<const double> action,
                                         const PlannerView& view, const Eigen::Matrix3d& R_world,
                                         double latency_s) {
+  // Yaws are not wrapped: an action is a turn from the present yaw, which may pass 180°.
   const Vector3d nose = view.q_world_body * Vector3d::UnitX();
   std::vector<Vector3d> positions{view.position_world};
   std::vector<double> yaws{math::atan2(nose.y(), nose.x())};
@@ -98,10 +104,12 @@ std::vector<ab_point> trajectory_points(const ActionSpec& spec, std::span<const 
   const Spline spline = make_spline(std::move(positions), view.velocity_world, period_s);
   std::vector<ab_point> points;
   // A planner's latency may be longer than the horizon: then the end alone is left, held.
+  // A thousandth of a period is left, since a trajectory needs two points.
   const double begin_s = std::min(latency_s, spec.horizon_s - 1e-3 * period_s);
   points.push_back(point_at(spline, yaws, begin_s));
   for (std::size_t i = 1; i < spline.position.size(); ++i) {
     const double time_s = static_cast<double>(i) * period_s - begin_s;
+    // That knot is the beginning itself, and times must rise.
     if (time_s <= 1e-6 * period_s) continue;
     points.push_back(point_of(time_s, spline.position[i], spline.velocity[i],
                               spline.acceleration[i], yaws[i], (yaws[i] - yaws[i - 1]) / period_s));
@@ -137,10 +145,12 @@ ActionLimits action_limits(const ActionSpec& action, const VehicleSpec& vehicle)
     case ActionKind::rates_thrust: {
       for (const double rate : vehicle.max_rates_radps) add(-rate, rate);
       const VehicleModel model = make_model(vehicle);
+      // All rotors at full thrust; per kilogram, as thrust_mps2 of a command is.
       add(0.0, model.max_rotor_thrust_n * model.rotor_count * model.inverse_mass);
       break;
     }
     case ActionKind::trajectory: {
+      // As far as the vehicle comes in a straight line: what lies beyond can't be flown in time.
       const double farthest_m = vehicle.max_speed_mps * action.horizon_s;
       for (std::int64_t point = 0; point < action.points; ++point) {
         for (int i = 0; i < 3; ++i) add(-farthest_m, farthest_m);
@@ -190,6 +200,7 @@ PlanResult plan_result(const ActionSpec& spec, std::span<const double> action,
       break;
     case ActionKind::rates_thrust:
       command.kind = AB_COMMAND_RATES;
+      // Of the body, whatever frame the spec names.
       put(command.rates_body_radps, vector_at(action, 0));
       command.thrust_mps2 = action[3];
       return result;
@@ -199,6 +210,7 @@ PlanResult plan_result(const ActionSpec& spec, std::span<const double> action,
       command.point_count = static_cast<std::uint32_t>(result.points.size());
       return result;
   }
+  // Of velocities and accelerations: a rate, so that a policy that gives 0 keeps its heading.
   command.flags = AB_YAW_IS_RATE;
   command.yaw_rate_radps = action[3];
   return result;

@@ -14,6 +14,7 @@ namespace {
 constexpr std::int64_t kMostAttempts = 1000;
 
 std::vector<PlannedTrial> trials_for(SweepSpec sweep, const std::string& policy) {
+  // The policy stands in the keys as the only planner, whatever the sweep lists.
   PlannerChoice pilot;
   pilot.plugin = pilot.label = policy;
   sweep.planners = {pilot};
@@ -27,6 +28,7 @@ SharedMap::SharedMap(const TrialSpec& setting)
 
 const MeasuredMission& SharedMap::mission(const TrialSpec& setting, std::int64_t index,
                                           const std::vector<Mission>& listed) {
+  // Held while it measures: the search works in the grid, and who wants the same mission waits.
   const std::lock_guard lock(mutex_);
   const std::pair key{&setting, index};
   if (const auto known = missions_.find(key); known != missions_.end()) return known->second;
@@ -49,8 +51,10 @@ EpisodeSource::EpisodeSource(const EnvSpec& spec)
       kept_maps_(static_cast<std::size_t>(spec.kept_maps)),
       listed_(spec.sweep.missions),
       trials_(trials_for(spec.sweep, spec.policy)) {
+  // trial_of() divides by their number.
   if (trials_.empty()) throw InputError("the sweep has no trials");
   for (const PlannedTrial& trial : trials_) {
+    // Settings that differ in nothing of the scene share one map by this key.
     const auto [key, is_new] = map_keys_.try_emplace(trial.setting.get());
     if (is_new) key->second = map_scene_key(*trial.setting);
   }
@@ -66,6 +70,8 @@ const PlannedTrial& EpisodeSource::trial_of(const Request& request, std::int64_t
     const std::size_t more = static_cast<std::size_t>(attempt) / trials_.size();
     return trials_[(request.slot + ordinal * slots_ + more) % trials_.size()];
   }
+  // Each number opens a stream of its own. Drawn one after the other from one stream, an episode
+  // would depend on which slot came first.
   std::uint64_t seed = stream_seed(request.seed, "episode");
   seed = stream_seed(seed, static_cast<std::uint64_t>(request.slot));
   seed = stream_seed(seed, static_cast<std::uint64_t>(request.ordinal));
@@ -83,6 +89,7 @@ std::shared_ptr<SharedMap> EpisodeSource::map_of(const TrialSpec& setting) {
     entry->last_use = ++uses_;
     forget_maps();
   }
+  // Not under the source's lock: others get their maps while this one is made.
   const std::lock_guard lock(entry->making);
   if (entry->map == nullptr) entry->map = std::make_shared<SharedMap>(setting);
   return entry->map;
@@ -90,6 +97,7 @@ std::shared_ptr<SharedMap> EpisodeSource::map_of(const TrialSpec& setting) {
 
 /// Of more maps than are kept, those not used for longest. Flights keep theirs.
 void EpisodeSource::forget_maps() {
+  // The map that was just asked for was used last, so it stays.
   while (maps_.size() > std::max<std::size_t>(kept_maps_, 1)) {
     maps_.erase(std::min_element(maps_.begin(), maps_.end(), [](const auto& a, const auto& b) {
       return a.second->last_use < b.second->last_use;
@@ -107,6 +115,8 @@ Episode EpisodeSource::episode(std::uint64_t seed, std::size_t slot, std::int64_
     const MeasuredMission& mission =
         map->mission(setting, trial.mission_index, missions_of(listed_, setting));
     if (!mission.record.is_valid) continue;
+    // In turn the trials that were passed over are done with. At random the attempts are drawn by
+    // themselves, and ordinals stay a slot's count of episodes.
     const bool is_in_turn = order_ == EpisodeOrder::in_turn;
     return {.ordinal = is_in_turn ? ordinal + attempt : ordinal,
             .spec = trial.spec(),
@@ -132,10 +142,12 @@ void EpisodeSource::build_ahead(const std::stop_token& stop) {
       std::unique_lock lock(mutex_);
       if (!requested_.wait(lock, stop, [this] { return !requests_.empty(); })) return;
       if (stop.stop_requested()) return;
+      // In the order asked: nobody's map waits for that of a later request.
       request = requests_.front();
       requests_.pop_front();
     }
     try {
+      // Asked before each try: an end waits for one map at most.
       const auto heed_end = [&stop] {
         if (stop.stop_requested()) throw std::runtime_error("nobody waits for this map");
       };

@@ -17,6 +17,7 @@ T* offset(T* array, std::size_t count) {
 float encoded(float depth_m, const ViewShape& shape, DepthEncoding encoding) {
   if (std::isnan(depth_m)) return 0.0F;
   const auto near_m = static_cast<float>(shape.min_range_m);
+  // No return is +inf and becomes the range's end.
   const float seen_m = std::min(depth_m, static_cast<float>(shape.max_range_m));
   return encoding == DepthEncoding::metric ? seen_m : near_m / std::max(seen_m, near_m);
 }
@@ -28,6 +29,7 @@ void write(Number*& to, const Eigen::Vector3d& from) {
 
 void write_imu(const std::vector<ImuView>& samples, const ViewShape& shape, float* to) {
   const std::size_t shown = std::min(samples.size(), shape.imu_samples);
+  // Empty places come first: the newest sample is always in the last one.
   to = std::fill_n(to, (shape.imu_samples - shown) * kImuWidth, 0.0F);
   for (std::size_t i = samples.size() - shown; i < samples.size(); ++i) {
     *to++ = static_cast<float>(samples[i].time_s);
@@ -40,6 +42,7 @@ void write_imu(const std::vector<ImuView>& samples, const ViewShape& shape, floa
 template <class View, class Write>
 void for_newest(const std::vector<View>& views, const ViewShape& shape, const Write& write) {
   for (std::uint32_t camera = 0; camera < shape.cameras; ++camera) {
+    // Views come newest first, so the first of a camera is its newest.
     const auto newest = std::find_if(views.begin(), views.end(),
                                      [camera](const View& view) { return view.camera == camera; });
     if (newest != views.end()) write(*newest);
@@ -89,6 +92,7 @@ ViewShape view_shape(const TrialSpec& spec) {
     shape.max_range_m = is_first ? kind.max_range_m : std::max(shape.max_range_m, kind.max_range_m);
     ++shape.cameras;
   }
+  // Rounded up: where the rates do not divide each other, some periods hold one sample more.
   shape.imu_samples = static_cast<std::size_t>(std::ceil(spec.imu.rate_hz / spec.rates.plan_hz));
   return shape;
 }
@@ -110,6 +114,7 @@ void write_view(const PlannerView& view, const Eigen::Vector3d& goal_world, cons
   const Eigen::Matrix3d R_heading_world = rotation_world_heading(view.q_world_body).transpose();
   if (float* state = to.state; state != nullptr) {
     write(state, R_heading_world * view.velocity_world);
+    // Up in the body frame is roll and pitch without the heading, which tells a policy nothing.
     write(state, view.q_world_body.conjugate() * Eigen::Vector3d::UnitZ());
     write(state, view.rates_body);
   }

@@ -11,6 +11,7 @@ double arc_length_m(std::span<const Eigen::Vector3d> path, const Eigen::Vector3d
   for (std::size_t i = 1; i < path.size(); ++i) {
     const Eigen::Vector3d piece = path[i] - path[i - 1];
     const double length_m = piece.norm();
+    // A path may have the same point twice: such a piece has no direction.
     const double share =
         length_m > 0.0 ? std::clamp(piece.dot(place - path[i - 1]) / piece.squaredNorm(), 0.0, 1.0)
                        : 0.0;

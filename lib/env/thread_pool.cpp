@@ -8,12 +8,14 @@ namespace avoidbench {
 
 ThreadPool::ThreadPool(std::size_t threads) {
   AB_CHECK(threads >= 1);
+  // From 1: who calls for_each() is the first.
   for (std::size_t i = 1; i < threads; ++i) {
     helpers_.emplace_back([this](const std::stop_token& stop) { help(stop); });
   }
 }
 
 ThreadPool::~ThreadPool() {
+  // All are told before the first is waited for.
   for (std::jthread& helper : helpers_) helper.request_stop();
 }
 
@@ -21,11 +23,13 @@ bool ThreadPool::take(std::size_t& piece) {
   const std::lock_guard lock(mutex_);
   if (next_ >= count_) return false;
   piece = next_++;
+  // Under the same lock: else for_each() could see all taken and nobody busy.
   ++busy_;
   return true;
 }
 
 void ThreadPool::do_pieces(const std::function<void()>& poll) {
+  // Soon enough for Ctrl-C; each poll takes the interpreter's lock.
   constexpr std::chrono::milliseconds kPollPeriod(100);
   auto polled = std::chrono::steady_clock::now();
   std::size_t piece = 0;
@@ -38,7 +42,9 @@ void ThreadPool::do_pieces(const std::function<void()>& poll) {
     }
     {
       const std::lock_guard lock(mutex_);
+      // The lowest piece's, so that what is thrown does not depend on who was faster.
       if (failed && (!failure_.what || piece < failure_.piece)) failure_ = {piece, failed};
+      // Nobody is busy between pieces either; the caller is woken at the end alone.
       if (--busy_ == 0 && next_ >= count_) done_.notify_all();
     }
     if (poll && std::chrono::steady_clock::now() - polled >= kPollPeriod) {
@@ -76,6 +82,7 @@ void ThreadPool::for_each(std::size_t count, const std::function<void(std::size_
     interrupted = std::current_exception();
   }
   std::unique_lock lock(mutex_);
+  // What has not begun is taken back; what runs is waited for, since it uses `work`.
   if (interrupted) next_ = count_;
   done_.wait(lock, [this] { return busy_ == 0; });
   work_ = nullptr;

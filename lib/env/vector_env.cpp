@@ -117,9 +117,11 @@ struct VectorEnv::Internals {
 
 VectorEnv::Internals::Internals(const EnvSpec& env_spec)
     : spec(env_spec),
+      // Checked before anything is allocated, or a thread started, by these numbers.
       source((check_numbers(spec), spec)),
       seed(spec.seed),
       slots(static_cast<std::size_t>(spec.slots)),
+      // More threads than slots would have nothing to do.
       pool(static_cast<std::size_t>(std::min(spec.threads, spec.slots))) {
   const TrialSpec& first = *source.trials().front().setting;
   shape = view_shape(first);
@@ -133,6 +135,7 @@ VectorEnv::Internals::Internals(const EnvSpec& env_spec)
   const TrialSpec* seen = nullptr;
   for (const PlannedTrial& trial : source.trials()) {
     const TrialSpec& setting = *trial.setting;
+    // Trials of a setting mostly follow each other; one that comes again is only checked again.
     if (&setting == seen) continue;
     seen = &setting;
     require(!is_measured(setting.latency),
@@ -156,6 +159,7 @@ void VectorEnv::Internals::require_own_process() const {
 
 void VectorEnv::Internals::begin(Slot& slot, std::size_t index, const EnvArrays& arrays,
                                  Interruption& interruption) {
+  // First, since it points into the episode that is replaced.
   slot.flight.reset();
   slot.episode =
       source.episode(seed, index, slot.next_ordinal, [&interruption] { interruption.heed(); });
@@ -171,6 +175,7 @@ void VectorEnv::Internals::begin(Slot& slot, std::size_t index, const EnvArrays&
   slot.has_ended = false;
   arrays.terminated[index] = arrays.truncated[index] = 0;
   arrays.reward[index] = 0.0;
+  // Its map is made while this episode flies.
   source.prepare(seed, index, slot.next_ordinal);
 }
 
@@ -189,6 +194,7 @@ void VectorEnv::Internals::look(Slot& slot, std::size_t index, const EnvArrays& 
   arrays.truncated[index] = is_timeout ? 1 : 0;
 }
 
+/// Along the reference path, not toward the goal: the way around an obstacle is no loss.
 double VectorEnv::Internals::reward_of_step(Slot& slot) const {
   const Flight& flight = *slot.flight;
   const double gained_m =
@@ -221,6 +227,7 @@ void VectorEnv::Internals::finish(Slot& slot, std::size_t index) {
 void VectorEnv::Internals::fly(Slot& slot, std::size_t index, std::span<const double> action,
                                const EnvArrays& arrays) {
   Flight& flight = *slot.flight;
+  // A flight that is over where it begins takes no command; this step tells its end.
   if (!flight.outcome) {
     answer(flight, plan_result(spec.action, action, flight.view,
                                known_latency_s(slot.episode.spec.latency).value()));
@@ -233,6 +240,7 @@ void VectorEnv::Internals::fly(Slot& slot, std::size_t index, std::span<const do
 }
 
 void VectorEnv::Internals::gather_ends() {
+  // By slot, whoever was faster.
   for (Slot& slot : slots) {
     if (slot.end) ended.push_back(std::move(*slot.end));
     slot.end.reset();
@@ -253,6 +261,7 @@ void VectorEnv::Internals::for_each_slot(
       slot.flight.reset();
       slot.end.reset();
     }
+    // What the poll threw, not the "interrupted" of the other threads.
     interruption.rethrow();
     throw;
   }
@@ -313,6 +322,7 @@ void VectorEnv::step(std::span<const double> actions, bool begins_next, const En
   in.require_own_process();
   const std::size_t width = action_width(in.spec.action);
   AB_CHECK(actions.size() == width * in.slots.size(), actions.size());
+  // All are looked at before any flies: an error leaves every flight where it was.
   for (std::size_t i = 0; i < in.slots.size(); ++i) {
     const Slot& slot = in.slots[i];
     const std::string name = "slot " + std::to_string(i) + ": ";

@@ -45,6 +45,7 @@ std::string trajectory_text(std::span<const Sample> samples, TrajectoryFormat fo
   return format == TrajectoryFormat::tum ? trajectory_tum(samples) : trajectory_csv(samples);
 }
 
+/// As planner.h numbers them; what a damaged row says otherwise is an error, too.
 std::string_view plan_status_text(std::int32_t status) {
   switch (status) {
     case AB_OK:

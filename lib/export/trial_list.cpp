@@ -61,6 +61,7 @@ std::vector<TrialListing> named(const std::vector<TrialListing>& all, const std:
     if (is_number(trial) && one.id == std::atoll(trial.c_str())) return {one};
   }
   for (const TrialListing& one : all) {
+    // Shorter beginnings would fit too many keys.
     if (trial.size() >= 4 && one.key.starts_with(trial)) found.push_back(one);
   }
   if (found.empty()) throw_no_trial(all, trial);

@@ -174,6 +174,7 @@ struct GlbWriter {
 
   /// One node an instance under a root that turns z up to y up.
   void add_nodes(const World& world) {
+    // Column by column: x stays, y goes to −z, z to y.
     out["nodes"].push_back({{"name", "map"},
                             {"matrix", {1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1}},
                             {"children", json::array()}});
@@ -206,6 +207,7 @@ struct GlbWriter {
       add_raw(static_cast<std::uint32_t>(value), to);
     };
     std::string all = "glTF";
+    // Version 2 of the container.
     add_word(2, all);
     add_word(size, all);
     add_word(text.size(), all);
@@ -358,6 +360,7 @@ void export_occupancy(const VoxelGrid& grid, const fs::path& file) {
   constexpr std::size_t kBefore = 10;
   header.resize((kBefore + header.size() + 1 + 63) / 64 * 64 - kBefore - 1, ' ');
   header += '\n';
+  // Version 1.0 has two bytes for it.
   const auto length = static_cast<std::uint16_t>(header.size());
   std::ofstream out = opened(file);
   out.write("\x93NUMPY\x01\x00", 8);

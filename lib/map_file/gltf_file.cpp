@@ -378,6 +378,7 @@ struct Gatherer {
 
   /// Adds the node and those below; each may be there once, so that they are a tree.
   void add_node(std::uint64_t index, const Eigen::Affine3d& T_file_parent, int depth) {
+    // It calls itself: a deeper chain of nodes would use up the stack.
     constexpr int kMostDepth = 200;
     const json& node = from.element("nodes", index);
     const std::string name = place("nodes", index);
@@ -424,6 +425,7 @@ struct Gatherer {
 std::string_view take_chunks(std::string_view bytes, const std::string& file,
                              std::string_view& binary) {
   const auto word = [&](std::size_t at) { return load<std::uint32_t>(bytes.data() + at, false); };
+  // 12 of the header and 8 of a first chunk.
   if (bytes.size() < 20) fail_file(file, "is truncated: a .glb file has 20 bytes at least");
   if (word(4) != 2) fail_file(file, "is glTF " + std::to_string(word(4)) + "; 2 is read");
   if (word(8) > bytes.size()) {

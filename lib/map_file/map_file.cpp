@@ -22,10 +22,12 @@ std::string bytes_digest(std::string_view bytes) {
 }
 
 std::string extension_of(const std::string& file) {
+  // Of the name alone: folders have dots, too.
   const std::size_t dot = file.find_last_of("./");
   if (dot == std::string::npos || file[dot] == '/') return "";
   std::string extension = file.substr(dot + 1);
   for (char& c : extension) {
+    // std::tolower() would ask the locale.
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   }
   return extension;

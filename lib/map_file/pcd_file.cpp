@@ -60,6 +60,7 @@ void read_column(const std::vector<std::string_view>& words, PcdHeader& header,
     Field& field = header.fields[i];
     const std::string_view word = words[i + 1];
     if (words[0] == "TYPE") {
+      // No type of that name: refused where x, y or z has it.
       field.type = word.size() == 1 ? word[0] : '?';
       continue;
     }
@@ -106,6 +107,7 @@ PcdHeader read_pcd_header(LineCursor& lines, const std::string& file) {
     } else if (words[0] == "DATA") {
       header.data = words.size() == 2 ? words[1] : "";
       // POINTS is their product, and may be left out.
+      // Clouds without rows have a HEIGHT of 1 or none.
       if (!points && width && *width > 0 && height.value_or(1) <= UINT64_MAX / *width) {
         points = *width * height.value_or(1);
       }
@@ -239,6 +241,7 @@ FilePoints compressed_points(const PcdHeader& header, std::string_view rest,
   if (!bytes) fail_file(file, "its compressed points are damaged");
   std::array<Column, 3> columns{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
+    // The first of its name, as xyz_of() takes it.
     std::size_t number_size = 0;
     for (const Field& field : header.fields) {
       if (field.name == std::string(1, "xyz"[axis])) {

@@ -35,6 +35,7 @@ std::optional<NumberType> type_of(std::string_view word) {
     std::string_view text;
     NumberType type;
   };
+  // Those of the format's first description, and those with their bits, which writers use as well.
   constexpr std::array<Name, 18> kNames{{{"char", NumberType::i8},
                                          {"int8", NumberType::i8},
                                          {"uchar", NumberType::u8},
@@ -211,6 +212,7 @@ void skip_binary(const Element& element, bool is_big_endian, std::string_view& r
 FilePoints binary_points(const Element& vertex, bool is_big_endian, std::string_view rest,
                          const std::string& file) {
   const std::array<std::size_t, 3> xyz = xyz_of(vertex, file);
+  // Told at once where it can be; with lists it shows on the way.
   if (const auto size = fixed_size(vertex); size && rest.size() / *size < vertex.count) {
     fail_short(file, vertex, rest.size() / *size);
   }
@@ -233,6 +235,7 @@ FilePoints ascii_points(const Element& vertex, LineCursor& lines, const std::str
   const std::array<std::size_t, 3> xyz = xyz_of(vertex, file);
   const std::size_t last = *std::max_element(xyz.begin(), xyz.end());
   for (std::size_t i = 0; i < last; ++i) {
+    // Behind a list the place of a coordinate differs from line to line.
     if (vertex.properties[i].is_list) fail_file(file, "a list stands before x, y and z");
   }
   FilePoints points;
@@ -351,6 +354,7 @@ struct MeshReader {
     // Points and lines that some writers leave as faces.
     if (face.size() < 3) return;
     if (face.size() > kMostCorners) fail_corners(source.file, line());
+    // So many triangles it will be cut into.
     triangle_count += face.size() - 2;
     if (triangle_count > source.most_triangles) fail_triangles(source);
     corners.clear();
@@ -437,6 +441,7 @@ std::vector<MeshPart> parse_ply_mesh(const MeshSource& source) {
   const std::string& file = source.file;
   LineCursor lines{source.bytes};
   if (lines.next() != "ply") fail_file(file, "does not begin as a PLY file ('ply')", 1);
+  // From the beginning: the header's reader counts lines for its messages.
   lines = {source.bytes};
   const PlyHeader header = read_ply_header(lines, file);
   const Element* vertex = the_element(header, "vertex", file);

@@ -19,6 +19,7 @@ struct StlPart {
 
   void add(const Corners& corners) {
     if (part.triangles.size() >= source.most_triangles) fail_triangles(source);
+    // STL knows no shared vertices: each triangle brings its three.
     const auto first = static_cast<std::uint32_t>(part.vertices.size());
     for (const Eigen::Vector3f& corner : corners) {
       part.vertices.push_back(corner.cast<double>() + Eigen::Vector3d::Zero());  // -0 becomes 0

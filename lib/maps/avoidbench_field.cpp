@@ -14,6 +14,7 @@ namespace {
 using Place = Eigen::Vector2f;
 
 constexpr int kSteps = 200;  // of radii, and map seeds
+// Bridson's k.
 constexpr int kCandidatesPerPlace = 30;
 constexpr float kPi = 3.14159274F;  // the float next to π
 

@@ -31,6 +31,7 @@ constexpr std::array<BushHabit, 4> kHabits{
 };
 
 PlantModel grow_bush(const BushHabit& habit) {
+  // By its own seed: the same four bushes in all maps.
   RandomStream random = stream(habit.seed, "bush");
   PlantModel model;
   Prototype& bush = model.prototype;

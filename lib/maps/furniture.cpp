@@ -104,6 +104,7 @@ void add_lamps(const Aabb& hall, World& world) {
     for (int column = 0; column < columns; ++column) {
       const double x = hall.min().x() + (column + 0.5) * size.x() / columns;
       const double y = hall.min().y() + (row + 0.5) * size.y() / rows;
+      // A centimetre into the ceiling, so that no faces coincide.
       add_slab(world, "lamp", "lamp", Material::lamp, {x - 0.15, y - 0.6, hall.max().z() - 0.06},
                {x + 0.15, y + 0.6, hall.max().z() + 0.01});
     }

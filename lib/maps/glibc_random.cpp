@@ -16,6 +16,7 @@ std::int32_t park_miller(std::int32_t word) {
 }  // namespace
 
 GlibcRandom::GlibcRandom(std::uint32_t seed) {
+  // As srand() does: 0 would stay 0 for ever.
   auto word = static_cast<std::int32_t>(seed == 0 ? 1U : seed);
   for (std::uint32_t& value : state_) {
     value = static_cast<std::uint32_t>(word);

@@ -195,6 +195,7 @@ Prototype pole(const PolesSpec& spec, double diameter_m, bool is_branched, Rando
   add_rod(prototype, {0.0, 0.0, -kSlabSink_m}, {0.0, 0.0, spec.height_m + kSlabSink_m}, diameter_m,
           material);
   if (!is_branched) return prototype;
+  // Two to four.
   const std::uint64_t count = 2 + draws.below(3);
   for (std::uint64_t i = 0; i < count; ++i) {
     const Eigen::Vector3d root(0.0, 0.0, draws.uniform(0.2, 0.8) * spec.height_m);
@@ -284,6 +285,7 @@ World make_dead_ends(const DeadEndsSpec& spec, std::uint64_t map_seed) {
   const double inset_m = reach_m + 0.5 * spec.passage_m;
   RandomStream positions = stream(map_seed, "positions");
   RandomStream turns = stream(map_seed, "turns");
+  // The whole circle, and half a passage between it and the hall's sides.
   const Eigen::Vector2d corner(inset_m, stretch.low_m + reach_m);
   const Eigen::Vector2d size_m(spec.area_m[0] - 2.0 * inset_m,
                                stretch.high_m - stretch.low_m - 2.0 * reach_m);

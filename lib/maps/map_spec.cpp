@@ -156,6 +156,7 @@ void check_contradictions(const GapWallsSpec& spec, std::vector<InputProblem>& p
               spec.area_m[0] / static_cast<double>(spec.gaps_per_wall), problems);
   check_below("gap_height_m", spec.gap_height_m, "height_m", spec.height_m, problems);
   check_order("sill_m", spec.sill_m, problems);
+  // A metre for each wall.
   check_below("wall_count", static_cast<double>(spec.wall_count), "the metres between the bands",
               stretch_m(spec.area_m), problems);
 }
@@ -233,6 +234,7 @@ World make(const OverhangsSpec& spec, std::uint64_t map_seed) {
 FileOfMap file_of(MapSpec& spec) {
   return std::visit(
       []<class Spec>(Spec& held) -> FileOfMap {
+        // Only maps out of files have these fields.
         if constexpr (requires { held.file_digest; }) return {&held.file, &held.file_digest};
         return {};
       },

@@ -31,6 +31,7 @@ Stem grow_stem(const StemGrowth& growth, RandomStream& random) {
   for (int i = 0; i <= growth.segments; ++i) {
     const double taper = 1.0 - static_cast<double>(i) / growth.segments;
     stem.push_back({.centre = position, .radius_m = growth.root_radius_m * taper});
+    // Each by itself: compilers order the draws of one expression differently.
     const double x = random.uniform(-1.0, 1.0);
     const double y = random.uniform(-1.0, 1.0);
     const double z = random.uniform(-1.0, 1.0);

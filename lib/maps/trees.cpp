@@ -10,6 +10,7 @@
 namespace avoidbench {
 namespace {
 
+// π (3 − √5), 137.5°.
 constexpr double kGoldenAngle_rad = 2.39996322972865332;
 /// The trunk begins below the ground, which is uneven.
 constexpr double kRootDepth_m = 0.35;
@@ -242,6 +243,7 @@ void add_cluster(Prototype& tree, const Species& species, const Eigen::Vector3d&
   const double spread_m = 0.55 * species.cluster_radius_m * size;
   const int count = species.cluster_stretch > 1.5 ? 2 : kLowTuftCount;
   for (int i = 0; i < count; ++i) {
+    // Each by itself: compilers order the arguments of a call differently.
     const double x = random.uniform(-1.0, 1.0);
     const double y = random.uniform(-1.0, 1.0);
     const double z = random.uniform(-0.5, 0.5);

@@ -149,6 +149,7 @@ std::vector<double> corridor_radii(const Scene& scene, const Path& path, double 
 struct Ring {
   double inner_deg, outer_deg, weight;
 };
+// Weights add up to 1.
 constexpr std::array<Ring, 4> kRings{
     {{0.0, 15.0, 0.55}, {15.0, 22.5, 0.3}, {22.5, 30.0, 0.1}, {30.0, 36.0, 0.05}}};
 

@@ -18,6 +18,7 @@ double distance_to_side_m(const Aabb& box, const Eigen::Vector3d& from,
                           const Eigen::Vector3d& direction) {
   double distance_m = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 2; ++axis) {
+    // Never meets the sides of this axis.
     if (direction[axis] == 0.0) continue;
     const double side = direction[axis] > 0.0 ? box.max()[axis] : box.min()[axis];
     distance_m = std::min(distance_m, (side - from[axis]) / direction[axis]);
@@ -28,6 +29,7 @@ double distance_to_side_m(const Aabb& box, const Eigen::Vector3d& from,
 /// Calls visit(x, y) for positions `step_m` apart, centred in the box.
 template <class Visit>
 void for_each_position(const Aabb& box, double step_m, Visit visit_position) {
+  // Rounded down, so that they are not closer than step_m.
   const int nx = std::max(1, static_cast<int>(std::floor(box.sizes().x() / step_m)));
   const int ny = std::max(1, static_cast<int>(std::floor(box.sizes().y() / step_m)));
   for (int iy = 0; iy < ny; ++iy) {
@@ -45,6 +47,7 @@ bool has_point_near(const VoxelGrid& points, const Eigen::Vector3d& point) {
   std::array<std::int64_t, 3> low{}, high{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto cell = static_cast<std::int64_t>(std::floor(scaled[static_cast<int>(axis)]));
+    // A centre within one cell's size is that of a neighbour at most.
     low[axis] = std::max<std::int64_t>(0, cell - 1);
     high[axis] = std::min(static_cast<std::int64_t>(counts[axis]) - 1, cell + 1);
   }
@@ -69,6 +72,7 @@ double stepped_distance_m(const VoxelGrid& points, const Aabb& box, const Eigen:
   double sum_m = 0.0;
   for (int i = 0; i < kHeadings; ++i) {
     const double heading_rad = math::kTau * i / kHeadings;
+    // Headings are counted from y, as there.
     const Eigen::Vector3d step(points.size_m * math::sin(heading_rad),
                                points.size_m * math::cos(heading_rad), 0.0);
     int count = 1;

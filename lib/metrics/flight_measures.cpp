@@ -43,6 +43,7 @@ std::optional<std::vector<Eigen::Vector3d>> accelerations_world(const Samples& s
     const double step_s = after.time_s - before.time_s;
     // Samples farther apart than that say nothing at this rate.
     if (step_s > 1.0 / kJerkRate_hz + kSameMoment_s) return std::nullopt;
+    // From the first by multiplying: a running sum would drift off the grid.
     const double next_s =
         samples.front().time_s + static_cast<double>(accelerations.size()) / kJerkRate_hz;
     // The next time of the 50 Hz grid has not come yet.
@@ -93,6 +94,7 @@ double mean_clearance_m(const Samples& samples) {
 }
 
 double mean_curvature_1pm(const Samples& samples) {
+  // Nearer points, as a hovering vehicle makes, would count its trembling as bends.
   constexpr double kSpacing_m = 0.05;
   std::vector<Eigen::Vector3d> points;
   for (const Sample& sample : samples) {
@@ -125,6 +127,7 @@ double jerk_effort(const Samples& samples) {
   if (!accelerations) return std::numeric_limits<double>::quiet_NaN();
   double sum = 0.0;
   for (std::size_t i = 1; i < accelerations->size(); ++i) {
+    // |jerk|² dt of a step is (Δa / dt)² dt.
     sum += ((*accelerations)[i] - (*accelerations)[i - 1]).squaredNorm() * kJerkRate_hz;
   }
   return ratio(sum, flown_length_m(samples));

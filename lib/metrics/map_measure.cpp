@@ -15,6 +15,7 @@ double mission_mean(const MapRecord& map, double (*measure)(const MissionRecord&
     sum += value;
     count += 1.0;
   }
+  // Without any it is 0 / 0, NaN.
   return sum / count;
 }
 
@@ -37,6 +38,7 @@ double map_measure(const TrialSpec& trial, std::uint64_t map_seed, std::string_v
     if (metric.name != name) continue;
     return mission_mean(make_map_record(trial, scene, mission_count), metric.value);
   }
+  // Names come from map_measure_names().
   AB_CHECK(false, name);
   return 0.0;
 }

@@ -16,6 +16,7 @@ using In = const MetricInput&;
 bool finished(In in) { return in.record.outcome == Outcome::reached_goal; }
 
 double over(double numerator, double denominator) {
+  // No value where there is nothing to divide by: means leave NaN out.
   return denominator > 0.0 ? numerator / denominator : kNaN;
 }
 
@@ -106,6 +107,7 @@ constexpr MetricDef kTable[] = {
      "(1 - |a.c/|a|^2|) * 100, a = goal - start, c = goal - end", "AvoidBench eq. (7)", kMore, kAll,
      false,
      [](In in) {
+       // Who enters the goal's circle is still short of its middle: the formula stays below 100.
        if (finished(in)) return 100.0;
        return progress_pct(in.mission.mission.start_world, in.mission.mission.goal_world,
                            end_position(in));
@@ -134,6 +136,7 @@ constexpr MetricDef kTable[] = {
      "|end - goal| / |goal - start|", "after AvoidBench eq. (7)", kLess, kAll, false,
      [](In in) {
        const Mission& mission = in.mission.mission;
+       // As above: what is left to the middle is not missing.
        if (finished(in)) return 0.0;
        return over((end_position(in) - mission.goal_world).norm(),
                    (mission.goal_world - mission.start_world).norm());

@@ -29,6 +29,7 @@ std::string lateness(const CallTimes& times, double plan_period_s, double latenc
            (plan_period_s > 0.0 ? " of " + ms(plan_period_s) : "") + " (wall time of one " +
            ms(times.wall_s) + ")";
   }
+  // Who keeps the period may still be slower than the simulated planner is.
   if (latency_s > 0.0 && times.wall_s > latency_s) {
     return calls_of(planner) + " took " + ms(times.wall_s) +
            " of wall time, longer than the latency of " + ms(latency_s);

@@ -60,6 +60,7 @@ std::string trajectory_problem(const ab_command& command) {
     const std::string place = "trajectory point " + std::to_string(i) + ": ";
     const std::string problem = point_problem(command.points[i]);
     if (!problem.empty()) return place + problem;
+    // Exactly: a trajectory begins when the command takes effect (planner.h).
     if (i == 0 && command.points[0].time_s != 0.0) return place + "the first time is not 0";
     if (i > 0 && command.points[i].time_s <= command.points[i - 1].time_s) {
       return place + "times do not rise";
@@ -89,10 +90,12 @@ std::string command_kind_text(std::uint32_t kind) {
 
 std::string command_problem(const ab_command& command, std::uint32_t declared) {
   const std::string name = command_kind_text(command.kind);
+  // command_kind_text() gives a number only to what is no kind.
   if (name.starts_with("kind ")) return "a command of the unknown " + name;
   if ((command.kind & declared) == 0) {
     return "a command of kind " + name + ", which the planner does not declare";
   }
+  // Not passed over: a planner that means more by a flag would be flown otherwise.
   if ((command.flags & ~AB_YAW_IS_RATE) != 0) {
     return "a command with unknown flags " + std::to_string(command.flags);
   }

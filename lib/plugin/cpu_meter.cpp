@@ -45,6 +45,7 @@ class ThreadLedger {
   /// Threads that are not known yet become those of the owner that was given last.
   void set_current(ThreadOwner owner) {
     const std::lock_guard lock(mutex_);
+    // The usual case: one planner's calls follow each other.
     if (owner == current_) return;
     adopt_unknown();
     current_ = owner;
@@ -54,6 +55,7 @@ class ThreadLedger {
   void add_calling_thread() {
     const std::lock_guard lock(mutex_);
     const pid_t id = ::gettid();
+    // It may have been taken for a planner's when the threads were listed.
     std::erase_if(threads_, [id](const KnownThread& thread) { return thread.id == id; });
     threads_.push_back({.id = id, .owner = kHostThreads});
   }
@@ -67,7 +69,7 @@ class ThreadLedger {
       if (!thread.has_ended) {
         const double now_s = cpu_time_s(thread_clock(thread.id));
         // A clock that went back is that of another thread with the same number.
-        thread.has_ended = now_s < thread.used_s;  // or its number is another thread's
+        thread.has_ended = now_s < thread.used_s;
         if (!thread.has_ended) thread.used_s = now_s;
       }
       total_s += thread.used_s;
@@ -78,11 +80,13 @@ class ThreadLedger {
  private:
   bool knows(pid_t id) const {
     return std::any_of(threads_.begin(), threads_.end(), [id](const KnownThread& thread) {
+      // The number of one that ended may be a new one's.
       return thread.id == id && !thread.has_ended;
     });
   }
 
   void adopt_unknown() {
+    // First of all, since a number that is free again may be a new thread's by now.
     for (KnownThread& thread : threads_) {
       if (!thread.has_ended && cpu_time_s(thread_clock(thread.id)) < 0.0) thread.has_ended = true;
     }
@@ -123,6 +127,7 @@ void CpuMeter::begin_call() {
   static thread_local const bool is_known = (ledger().add_calling_thread(), true);
   static_cast<void>(is_known);
   threads_belong_to(self_);
+  // Last, so that the ledger's own work is not the call's.
   call_began_s_ = cpu_time_s(CLOCK_THREAD_CPUTIME_ID);
 }
 

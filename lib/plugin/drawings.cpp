@@ -8,6 +8,7 @@
 namespace avoidbench {
 namespace {
 
+// A label without an end is read no further.
 constexpr std::size_t kMostLabelBytes = 120;
 
 std::optional<DrawingKind> kind_of(std::uint32_t kind) {
@@ -55,11 +56,13 @@ void DrawingBoard::draw(const ab_drawing& drawing) {
   if (given.label != nullptr) kept.label.assign(given.label, strnlen(given.label, kMostLabelBytes));
   const std::size_t group = group_size(*kind);
   const std::size_t count =
+      // A text stands beside its first point; others mean nothing.
       *kind == DrawingKind::text ? std::min(given.point_count, 1U) : given.point_count;
   for (std::size_t first = 0; first + group <= count; first += group) {
     const double* xyz = given.points_world_m + 3 * first;
     const bool is_finite =
         std::all_of(xyz, xyz + 3 * group, [](double v) { return std::isfinite(v); });
+    // With segments the partner goes as well: pairs must stay pairs.
     if (!is_finite) continue;
     if (point_count_ + group > kMostDrawnPoints) {
       is_full_ = true;
@@ -76,6 +79,7 @@ void DrawingBoard::draw(const ab_drawing& drawing) {
 std::vector<Drawing> DrawingBoard::take() {
   std::vector<Drawing> taken;
   taken.swap(drawings_);
+  // The limit is one call's.
   point_count_ = 0;
   is_full_ = false;
   return taken;

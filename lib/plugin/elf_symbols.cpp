@@ -32,6 +32,7 @@ std::string text_at(const std::string& bytes, const Elf64_Shdr& table, std::uint
   return {begin, strnlen(begin, table.sh_size - index)};
 }
 
+/// As the dynamic linker sees it: defined here, neither local nor hidden.
 bool is_exported(const Elf64_Sym& symbol) {
   const unsigned binding = ELF64_ST_BIND(symbol.st_info);
   const unsigned visibility = ELF64_ST_VISIBILITY(symbol.st_other);
@@ -48,10 +49,12 @@ void visit_symbols(const std::filesystem::path& file, std::uint32_t type, Visit&
   const auto header = struct_at<Elf64_Ehdr>(bytes, 0);
   if (!header) return;
   const auto section = [&](std::uint64_t index) {
+    // A damaged offset may wrap around; what lies outside is refused all the same.
     return struct_at<Elf64_Shdr>(bytes, header->e_shoff + index * sizeof(Elf64_Shdr));
   };
   for (std::uint64_t i = 0; i < header->e_shnum; ++i) {
     const auto symbols = section(i);
+    // The file is cut off; what was found until here stands.
     if (!symbols) break;
     if (symbols->sh_type != type) continue;
     const auto strings = section(symbols->sh_link);
@@ -98,9 +101,11 @@ bool is_elf_program(const std::filesystem::path& file) {
   const auto header = struct_at<Elf64_Ehdr>(bytes, 0);
   if (!header || std::memcmp(header->e_ident, ELFMAG, SELFMAG) != 0) return false;
   if (header->e_ident[EI_CLASS] != ELFCLASS64 || header->e_machine != EM_X86_64) return false;
+  // Linked to fixed addresses: never a library.
   if (header->e_type == ET_EXEC) return true;
   for (std::uint64_t i = 0; i < header->e_phnum && header->e_type == ET_DYN; ++i) {
     const auto part = struct_at<Elf64_Phdr>(bytes, header->e_phoff + i * sizeof(Elf64_Phdr));
+    // Position-independent programs are ET_DYN, as libraries are, but ask for a dynamic linker.
     if (part && part->p_type == PT_INTERP) return true;
   }
   return false;
@@ -127,6 +132,7 @@ std::string function_at(const std::filesystem::path& file, std::uint64_t address
       begin = symbol.st_value;
     }
   };
+  // Functions that are not exported stand in this table alone; stripped libraries lack it.
   visit_symbols(file, SHT_SYMTAB, look);
   if (best.empty()) visit_symbols(file, SHT_DYNSYM, look);
   if (best.empty()) return "";

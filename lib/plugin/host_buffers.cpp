@@ -9,6 +9,7 @@
 namespace avoidbench {
 namespace {
 
+// Eight of these bytes are no address of x86-64: who follows such a pointer crashes at once.
 constexpr int kRubbish = 0xA7;
 
 void copy(const Eigen::Vector3d& from, double (&to)[3]) {
@@ -17,6 +18,7 @@ void copy(const Eigen::Vector3d& from, double (&to)[3]) {
   to[2] = from.z();
 }
 
+/// w first, as planner.h has it; Eigen keeps it last.
 void copy(const Eigen::Quaterniond& from, double (&to)[4]) {
   to[0] = from.w();
   to[1] = from.x();
@@ -105,6 +107,7 @@ ab_camera to_camera(const CameraSetup& camera) {
 }  // namespace
 
 HostSide::HostSide(bool has_debug) : has_debug_(has_debug) {
+  // Planners keep the table's address and hand back the context: this object never moves.
   set_size(table_);
   table_.abi_version = AVOIDBENCH_ABI_VERSION;
   table_.context = this;
@@ -112,6 +115,7 @@ HostSide::HostSide(bool has_debug) : has_debug_(has_debug) {
     static_cast<HostSide*>(context)->error_ = text != nullptr ? text : "";
   };
   table_.log = [](void* context, std::int32_t level, const char* text) {
+    // A level that is not known is taken for information.
     const std::string prefix = level == AB_LOG_WARNING ? "warning: " : "";
     static_cast<HostSide*>(context)->log_.push_back(prefix + (text != nullptr ? text : ""));
   };
@@ -144,6 +148,7 @@ std::vector<Drawing> HostSide::take_drawings() {
 
 SetupBuffers::SetupBuffers(const PlannerSetup& setup, const std::vector<ParameterValue>& values,
                            std::uint32_t needs) {
+  // All texts before the first value: strings move when the vector grows.
   for (const ParameterValue& value : values) texts_.push_back(value.text);
   for (std::size_t i = 0; i < values.size(); ++i) {
     ab_value value{};
@@ -166,6 +171,7 @@ SetupBuffers::SetupBuffers(const PlannerSetup& setup, const std::vector<Paramete
   setup_.body_radius_m = 0.5 * setup.body_size_m.norm();
   setup_.plan_period_s = setup.plan_period_s;
   setup_.gravity_mps2 = setup.gravity_mps2;
+  // Who declares no eyes gets no camera, so that no result depends on what was not declared.
   if ((needs & (AB_SEES_DEPTH | AB_SEES_STEREO | AB_SEES_COLOR)) == 0) return;
   for (const CameraSetup& camera : setup.cameras) cameras_.push_back(to_camera(camera));
   point_to(cameras_, camera_pointers_);
@@ -203,6 +209,7 @@ ab_mission to_mission(const PlannerMission& mission) {
 const ab_observation& ObservationBuffers::fill(const PlannerView& view,
                                                const std::vector<CameraSetup>& cameras,
                                                std::uint32_t needs) {
+  // Memory of the last call is used again: none is allocated at each of them.
   state_ = to_state(view);
   observation_ = ab_observation{};
   set_size(observation_);
@@ -242,6 +249,7 @@ void ObservationBuffers::fill_stereo(const std::vector<StereoView>& seen,
     const CameraSetup& camera = cameras[view.camera];
     const Eigen::Isometry3d T_world_right =
         view.T_world_camera * Eigen::Translation3d(camera.baseline_m, 0.0, 0.0);
+    // planner.h: the right eye is the same camera, baseline_m further along camera x.
     for (const bool is_left : {true, false}) {
       const std::span<const std::uint8_t> pixels = is_left ? view.left : view.right;
       check_size(pixels, camera, 1);
@@ -251,6 +259,7 @@ void ObservationBuffers::fill_stereo(const std::vector<StereoView>& seen,
       eyes_.back().pixels = pixels.data();
     }
   }
+  // Only now, when eyes_ moves no more.
   for (std::size_t i = 0; i < seen.size(); ++i) {
     ab_stereo_pair pair{};
     set_size(pair);
@@ -281,6 +290,7 @@ void ObservationBuffers::fill_color(const std::vector<ColorView>& seen,
 
 void ObservationBuffers::fill_imu(const std::vector<ImuView>& seen) {
   imu_.clear();
+  // Samples lie one after the other, not behind pointers: their struct never grows in ABI 1.
   for (const ImuView& view : seen) {
     ab_imu_sample sample{};
     sample.time_s = view.time_s;

@@ -20,6 +20,7 @@ std::string value_problem(const ParameterDef& def, const ParameterValue& value) 
     return "'" + value.text + "' is none of " + words + did_you_mean(value.text, def.choices);
   }
   if (def.kind == AB_TEXT) return "";
+  // Negated, so that NaN is outside.
   if (!(value.number >= def.lowest && value.number <= def.highest)) {
     const std::string unit = def.unit.empty() ? "" : " " + def.unit;
     return number_text(value.number) + " is outside [" + number_text(def.lowest) + ", " +
@@ -54,8 +55,10 @@ std::vector<std::string> check_parameters(const PlannerDescription& planner,
 std::vector<ParameterValue> resolve_parameters(const PlannerDescription& planner,
                                                const ParameterValues& given) {
   const std::vector<std::string> problems = check_parameters(planner, given);
+  // Whoever reads a user's values has checked them: here it would be a fault of ours.
   AB_CHECK(problems.empty(), problems.front());
   ParameterValues all = given;
+  // Texts first, since profiles are chosen by them.
   for (const ParameterDef& def : planner.parameters) {
     if (!def.preset_text.empty()) all.try_emplace(def.name, ParameterValue{0.0, def.preset_text});
   }

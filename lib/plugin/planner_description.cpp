@@ -31,6 +31,7 @@ struct Answer {
 
 }  // namespace
 
+// Between child and parent only: no person reads these names, so they have no docs.
 template <class Visitor, ConstOr<ParameterDef> Spec>
 void visit(Visitor& v, Spec& p) {
   v.field("name", p.name, "");
@@ -71,6 +72,7 @@ void visit(Visitor& v, Spec& p) {
 
 namespace {
 
+// Loading runs constructors alone; what takes long belongs into create().
 constexpr double kTimeLimit_s = 10.0;
 constexpr const char* kTimeLimitName = "AVOIDBENCH_LOAD_LIMIT_S";
 
@@ -107,6 +109,7 @@ void describe(const PlannerSource& source, IsolatedOutput& output) {
   const std::vector<std::uint8_t> bytes = Json::to_cbor(answer);
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   if (output.write(text)) return;
+  // The size is IsolatedOutput::kMostBytes.
   const auto too_long = Json::to_cbor({{"problems", {"its description is longer than 4 MiB"}}});
   output.write({reinterpret_cast<const char*>(too_long.data()), too_long.size()});
 }
@@ -134,6 +137,7 @@ Answer asked(const PlannerSource& source, double limit_s) {
       answer.problems = json.at("problems").get<std::vector<std::string>>();
     }
   } catch (const Json::exception& error) {
+    // The planner shares the child's memory, so it may have written over the answer.
     answer = {std::nullopt, {std::string("damaged its own description: ") + error.what()}};
   }
   return answer;
@@ -147,10 +151,12 @@ PlannerDescription description_from(const Answer& answer, const PlannerSource& s
     }
     throw InputError(std::move(problems));
   }
+  // A copy: the answer is kept as it came, for whoever asks next.
   PlannerDescription planner = *answer.planner;
   planner.file = source.file;
   planner.command = source.command;
   planner.is_program = PlannerLibrary::is_program(source);
+  // By this process, from the files as they lie there: a planner can't say its own digest.
   planner.files = planner_files(source.file, planner.file_names);
   planner.file_digest = planner_digest(source.file, planner.files);
   return planner;
@@ -184,6 +190,7 @@ std::vector<PlannerFile> planner_files(const std::filesystem::path& file,
 std::string planner_digest(const std::filesystem::path& file,
                            const std::vector<PlannerFile>& files) {
   if (files.empty()) return file_digest(file);
+  // The name goes first, so that no file's own digest is that of several.
   Digest digest;
   digest.add(std::string_view(AB_FILES_EXTENSION)).add(files.front().digest);
   for (std::size_t i = 1; i < files.size(); ++i) {
@@ -207,6 +214,7 @@ PlannerDescription describe_planner(const PlannerSource& source, double time_lim
 }
 
 PlannerDescription describe_planner(const PlannerSource& source) {
+  // Its code is this process's own: there is nothing to be protected from.
   if (own_planner(source.file) != nullptr) return PlannerLibrary::load(source).description();
   static std::mutex mutex;
   // By path, command and digest: a planner is asked once a run, again when its file changes.
@@ -223,6 +231,7 @@ PlannerDescription describe_planner(const PlannerSource& source) {
                                    file_digest(source.file));
   auto found = known.find(key);
   if (found != known.end() && found->second.answer.planner) {
+    // Digested anew: a file that it names may have changed.
     const PlannerDescription now = description_from(found->second.answer, source);
     if (now.file_digest == found->second.digest) return now;
     known.erase(found);

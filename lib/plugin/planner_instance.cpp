@@ -71,6 +71,7 @@ struct PlannerInstance::Internals {
   ~Internals() {
     // create() may have failed; a planner is destroyed only if there is one.
     if (instance == nullptr) return;
+    // Threads that start in destroy() are the planner's, too.
     meter.begin_call();
     escaped_exception(clock, [this] { table->destroy(instance); });
   }
@@ -107,6 +108,7 @@ std::string PlannerInstance::reset(const PlannerMission& mission) {
   Internals& self = *internals_;
   const ab_mission given = to_mission(mission);
   ab_status status = AB_ERROR;
+  // What an earlier call left would be taken for this one's reason.
   self.host.take_error();
   self.meter.begin_call();
   const std::string escaped =
@@ -126,6 +128,7 @@ PlanResult PlannerInstance::plan(const PlannerView& view) {
   ab_status status = AB_ERROR;
   self.host.take_error();
 
+  // Before the wall clock is read: the meter's own work is not the planner's time.
   self.meter.begin_call();
   const double wall_before_s = wall_clock_s();
   std::string problem = escaped_exception(
@@ -143,6 +146,7 @@ PlanResult PlannerInstance::plan(const PlannerView& view) {
   if (!problem.empty()) {
     result.reason = problem;
     result.has_crashed = has_crashed();
+    // Nothing of it is flown, and its pointer is the planner's.
     result.command = ab_command{};
     return result;
   }

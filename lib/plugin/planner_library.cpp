@@ -42,6 +42,7 @@ void check_file(const std::filesystem::path& file) {
   if (!std::filesystem::is_regular_file(file, error)) refuse_file(file, "is not a file");
   const std::string problem = shared_library_problem(file);
   if (problem.empty()) return;
+  // Not where it is a library that is wrong in another way: nobody meant a program then.
   const bool is_other_kind = problem.starts_with("is not a shared library");
   refuse_file(file, problem + (is_other_kind ? "; nor a program: those end in .py or may be "
                                                "executed (chmod +x)"
@@ -92,8 +93,10 @@ const ab_planner* table_from(const std::filesystem::path& file, TableFunction fu
 }  // namespace
 
 bool PlannerLibrary::is_program(const PlannerSource& source) {
+  // A command is a program by itself; what this process registered is none, whatever its file is.
   if (!source.command.empty()) return true;
   if (own_planner(source.file) != nullptr || !can_be_started(source.file)) return false;
+  // What may be executed may still be a library: linkers set the bit for both.
   return is_elf_program(source.file) || !shared_library_problem(source.file).empty();
 }
 
@@ -134,6 +137,7 @@ PlannerLibrary PlannerLibrary::load_checked(const PlannerSource& source, CallClo
                       new_thread_owner());  // else the host's threads would be its own
   }
   if (is_program(source)) {
+    // A program that hangs before it describes itself is seen by the watchdog like any call.
     const TimedCall timed(clock);
     const ab_planner& table = program_table(source);
     require_sound_table(file, table);
@@ -143,6 +147,7 @@ PlannerLibrary PlannerLibrary::load_checked(const PlannerSource& source, CallClo
   }
   // An absolute path: dlopen would look a bare name up in the system's folders.
   const std::string path = std::filesystem::absolute(file).string();
+  // Constructors run in dlopen(), too, and may change rounding and locale.
   const FloatGuard float_guard;
   const LocaleGuard locale_guard;
   const TimedCall timed(clock);

@@ -12,6 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Each once: the build's own may be on the path, too.
 void add_folder(std::vector<fs::path>& folders, const fs::path& folder) {
   const fs::path plain = folder.lexically_normal();
   if (std::find(folders.begin(), folders.end(), plain) == folders.end()) folders.push_back(plain);
@@ -34,6 +35,7 @@ bool is_planner_script(const fs::path& file) {
   constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 20U;
   if (file.extension() != ".py") return false;
   try {
+    // The whole file: an import may stand anywhere.
     return read_input_file(file, kMostBytes).find("avoidbench") != std::string::npos;
   } catch (const InputError&) {
     return false;
@@ -42,6 +44,7 @@ bool is_planner_script(const fs::path& file) {
 
 /// Names of the planners in the folders: of libraries without .so, of Python's with .py.
 std::vector<std::string> names_in(const std::vector<fs::path>& folders) {
+  // Each name once: a file in an earlier folder hides those in later ones.
   std::set<std::string> names;
   for (const fs::path& folder : folders) {
     std::error_code error;
@@ -91,13 +94,17 @@ std::vector<fs::path> planner_search_path() {
   std::string rest = configured != nullptr ? configured : "";
   while (!rest.empty()) {
     const std::size_t colon = rest.find(':');
+    // Empty entries are passed over. To the shell they are the working folder, from which no code
+    // should come unasked.
     if (colon != 0) add_folder(folders, rest.substr(0, colon));
     rest = colon == std::string::npos ? "" : rest.substr(colon + 1);
   }
   const fs::path program = program_file();
   if (program.empty()) return folders;
+  // Before what is installed: these are of this very build.
   const fs::path built = build_tree_planners(program);
   if (!built.empty()) add_folder(folders, built);
+  // The program is in PREFIX/bin.
   add_folder(folders, program.parent_path().parent_path() / AVOIDBENCH_PLUGIN_FOLDER);
   return folders;
 }
@@ -129,6 +136,7 @@ std::vector<PlannerDescription> list_planners(std::vector<std::string>& problems
   std::vector<PlannerDescription> planners;
   for (const std::string& name : names_in(folders)) {
     try {
+      // One that does not load must not hide the others.
       planners.push_back(describe_planner(find_planner(name, ".")));
     } catch (const InputError& error) {
       problems.emplace_back(error.what());

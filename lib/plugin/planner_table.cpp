@@ -21,6 +21,7 @@ constexpr std::size_t kLeastTableSize = offsetof(ab_planner, get_extension) + si
 constexpr std::size_t kLeastParameterSize = offsetof(ab_parameter, preset_text) + sizeof(char*);
 constexpr std::size_t kProfilesEnd = offsetof(ab_planner, profiles) + sizeof(void*);
 constexpr std::size_t kLeastProfileSize = offsetof(ab_profile, numbers) + sizeof(void*);
+// A count beyond is rubbish: following it would read far behind the table.
 constexpr std::uint32_t kMostParameters = 1000;
 constexpr std::uint32_t kKnownNeeds =
     AB_SEES_STATE | AB_SEES_DEPTH | AB_SEES_STEREO | AB_SEES_COLOR | AB_SEES_IMU | AB_SEES_WORLD |
@@ -62,6 +63,7 @@ std::string choice_problem(const ab_parameter& p) {
   return known ? "" : "the preset '" + std::string(p.preset_text) + "' is none of the choices";
 }
 
+/// In this order: each pointer is looked at before it is followed.
 std::string parameter_problem(const ab_parameter* p) {
   if (p == nullptr) return "is null";
   if (p->struct_size < kLeastParameterSize) {
@@ -90,6 +92,7 @@ std::string parameter_problem(const ab_parameter* p) {
   return problem.empty() ? "" : in_quotes(p->name) + ": " + problem;
 }
 
+/// All of them, so that an author mends them in one go.
 void add_parameter_problems(const ab_planner& table, std::vector<std::string>& problems) {
   if (table.parameter_count > kMostParameters) {
     problems.push_back(std::to_string(table.parameter_count) + " parameters: more than " +
@@ -117,6 +120,7 @@ std::span<const ab_profile* const> profiles_of(const ab_planner& table) {
   return {table.profiles, table.profile_count};
 }
 
+/// Of a table whose parameters are sound.
 const ab_parameter* parameter_of(const ab_planner& table, const char* name) {
   if (name == nullptr) return nullptr;
   for (std::uint32_t i = 0; i < table.parameter_count; ++i) {
@@ -141,6 +145,7 @@ std::string profile_problem(const ab_planner& table, const ab_profile* profile) 
     return "is of the word " + in_quotes(profile->word) + ", which is no choice of '" +
            choice->name + "'";
   }
+  // Each is of another parameter.
   if (profile->number_count > table.parameter_count) return "has more numbers than parameters";
   if (profile->number_count > 0 && profile->numbers == nullptr) return "has null for its numbers";
   for (std::uint32_t i = 0; i < profile->number_count; ++i) {
@@ -150,6 +155,7 @@ std::string profile_problem(const ab_planner& table, const ab_profile* profile) 
         parameter != nullptr && (parameter->kind == AB_NUMBER || parameter->kind == AB_INTEGER);
     if (!is_number) return "has " + in_quotes(name) + ", which is no parameter of numbers";
     const bool is_whole = parameter->kind == AB_NUMBER || std::floor(number) == number;
+    // Negated, so that NaN is refused.
     if (!(number >= parameter->lowest && number <= parameter->highest) || !is_whole) {
       return "has a number for '" + std::string(name) + "' that the parameter can't have";
     }
@@ -181,6 +187,7 @@ std::vector<std::string> file_names_of(const ab_planner& table) {
   constexpr std::uint32_t kMostFiles = 1000;
   std::vector<std::string> names;
   if (table.get_extension == nullptr) return names;
+  // Null, since there is no instance yet (planner.h).
   const auto* files =
       static_cast<const ab_files*>(table.get_extension(nullptr, AB_FILES_EXTENSION));
   if (files == nullptr || files->struct_size < sizeof(ab_files) || files->files == nullptr) {
@@ -192,6 +199,7 @@ std::vector<std::string> file_names_of(const ab_planner& table) {
   return names;
 }
 
+/// Planners that live in this process, such as Python's classes, by the files that stand for them.
 struct OwnPlanners {
   std::mutex mutex;
   std::map<std::filesystem::path, const ab_planner*> tables;
@@ -202,12 +210,14 @@ OwnPlanners& own_planners() {
   return planners;
 }
 
+/// One key for all ways to write a path.
 std::filesystem::path plain(const std::filesystem::path& file) {
   return std::filesystem::absolute(file).lexically_normal();
 }
 
 }  // namespace
 
+/// Nothing between two bars is a word, too, for choice_problem() to refuse.
 std::vector<std::string> choice_words(const std::string& choices) {
   std::vector<std::string> words(1);
   for (const char c : choices) {
@@ -221,6 +231,7 @@ std::vector<std::string> choice_words(const std::string& choices) {
 }
 
 std::vector<std::string> table_problems(const ab_planner& table) {
+  // Nothing else is looked at where the layout is not known.
   if (table.struct_size < kLeastTableSize) {
     return {"its table has struct_size " + std::to_string(table.struct_size) + ", less than the " +
             std::to_string(kLeastTableSize) + " bytes of ABI " +
@@ -236,6 +247,7 @@ std::vector<std::string> table_problems(const ab_planner& table) {
   }
   if (table.version == nullptr) problems.emplace_back("its version is null");
   if (table.summary == nullptr) problems.emplace_back("its summary is null");
+  // An unknown bit may ask for what this host does not give.
   const auto check_bits = [&](const char* what, std::uint32_t bits, std::uint32_t known) {
     if (bits == 0) problems.push_back(std::string("it declares no ") + what);
     if ((bits & ~known) != 0) {
@@ -254,6 +266,7 @@ std::vector<std::string> table_problems(const ab_planner& table) {
   check_function("plan", table.plan != nullptr);
   const std::size_t before = problems.size();
   add_parameter_problems(table, problems);
+  // Profiles name parameters, so these must be sound first.
   if (problems.size() == before) add_profile_problems(table, problems);
   return problems;
 }
@@ -266,6 +279,7 @@ void require_sound_table(const std::filesystem::path& file, const ab_planner& ta
   if (!problems.empty()) throw InputError(std::move(problems));
 }
 
+/// All is copied: descriptions go from process to process and outlive the table.
 PlannerDescription describe_table(const ab_planner& table) {
   PlannerDescription planner;
   planner.name = table.name;
@@ -284,6 +298,7 @@ PlannerDescription describe_table(const ab_planner& table) {
     def.highest = p.highest;
     def.preset = p.preset;
     if (p.kind == AB_CHOICE) def.choices = choice_words(p.choices);
+    // Of numbers it may be null.
     if (p.preset_text != nullptr) def.preset_text = p.preset_text;
     planner.parameters.push_back(std::move(def));
   }

@@ -77,6 +77,7 @@ ProgramEnd run_program(const std::vector<std::string>& command, Standard output)
 std::string python_with(const std::vector<std::string>& modules, const std::string& purpose) {
   const char* chosen = std::getenv("AVOIDBENCH_PYTHON");
   const std::vector<std::string> candidates =
+      // The first on the PATH may be a virtual environment that lacks what the system's Python has.
       chosen != nullptr && *chosen != '\0'
           ? std::vector<std::string>{chosen}
           : std::vector<std::string>{"python3", "/usr/bin/python3"};

@@ -111,6 +111,7 @@ std::string text(const SandboxRules& rules) {
 SandboxRules sandbox_rules_from(const std::string& text) {
   SandboxRules rules;
   for_each_rule([&](const char* name, bool SandboxRules::*member) {
+    // Between commas, so that no name is found within another.
     rules.*member = ("," + text + ",").find("," + std::string(name) + ",") != std::string::npos;
   });
   return rules;

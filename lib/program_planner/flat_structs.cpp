@@ -27,6 +27,7 @@ std::uint64_t write_struct(Segment& segment, const Struct& value) {
   return segment.add(&value, sizeof value);
 }
 
+/// What a struct points to is written before it, since it holds the offsets.
 std::uint64_t write_picture(Segment& segment, const ab_picture& picture) {
   ab_picture copy = picture;
   const auto pixels = static_cast<std::size_t>(copy.width_px) *
@@ -70,6 +71,7 @@ std::uint64_t write_flat(Segment& segment, const ab_setup& setup) {
     return write_struct(to, written);
   };
   set_offset(copy.values, write_pointers(segment, setup.values, setup.value_count, write_value));
+  // depth_camera is cameras[0] in ab_setup, and so in the segment.
   std::uint64_t first = 0;
   const auto write_camera = [&first](Segment& to, const ab_camera& camera) {
     const std::uint64_t offset = write_struct(to, camera);
@@ -96,6 +98,7 @@ std::uint64_t write_flat(Segment& segment, const ab_observation& observation) {
   set_offset(copy.color,
              write_pointers(segment, observation.color, observation.color_count, write_picture));
   const std::size_t imu_bytes = observation.imu_count * sizeof(ab_imu_sample);
+  // 0 is null: an empty array lies nowhere.
   set_offset(copy.imu, imu_bytes == 0 ? 0 : segment.add(observation.imu, imu_bytes));
   set_offset(copy.states, write_pointers(segment, observation.states, observation.state_count,
                                          [](Segment& to, const ab_state& state) {
@@ -105,6 +108,7 @@ std::uint64_t write_flat(Segment& segment, const ab_observation& observation) {
 }
 
 FlatAnswer::FlatAnswer(const std::vector<std::byte>& bytes) : bytes_(bytes) {
+  // copy_answer() takes no answer that is shorter.
   std::memcpy(&head_, bytes_.data(), sizeof head_);
 }
 
@@ -132,6 +136,7 @@ std::uint32_t FlatAnswer::checked_count(std::uint64_t offset, std::uint32_t coun
                                         const char* what) const {
   const std::uint64_t at = offset - Segment::kAnswerOffset;
   const bool is_inside = offset >= Segment::kAnswerOffset && at <= bytes_.size();
+  // Of none the offset may be anything.
   if (count > 0 && (!is_inside || count > (bytes_.size() - at) / size)) {
     throw BadAnswer(std::string(what) + ", " + std::to_string(count) +
                     " of them, lie outside of the answer");
@@ -140,6 +145,7 @@ std::uint32_t FlatAnswer::checked_count(std::uint64_t offset, std::uint32_t coun
 }
 
 std::string FlatAnswer::text(std::uint64_t offset, const char* what) const {
+  // Whether the text begins inside; where it ends is looked for below.
   char first = 0;
   copy(offset, &first, 1, what);
   const std::size_t at = offset - Segment::kAnswerOffset;
@@ -161,6 +167,7 @@ std::vector<std::string> FlatAnswer::texts(std::uint64_t offset, std::uint32_t c
 DescribedTable::DescribedTable(const FlatAnswer& answer) {
   const auto description = answer.sized<ab_process_description>(
       answer.head().body, sizeof(ab_process_description), "the description");
+  // First: another protocol may mean something else by all that follows.
   if (description.protocol != AB_PROCESS_PROTOCOL) {
     throw BadAnswer("it speaks protocol " + std::to_string(description.protocol) +
                     ", this avoidbench needs protocol " + std::to_string(AB_PROCESS_PROTOCOL));
@@ -171,6 +178,7 @@ DescribedTable::DescribedTable(const FlatAnswer& answer) {
   table.name = kept(answer, table.name, "the planner's name");
   table.version = kept(answer, table.version, "the planner's version");
   table.summary = kept(answer, table.summary, "the planner's summary");
+  // What the program has there are addresses of its own.
   table.create = nullptr;
   table.destroy = nullptr;
   table.reset = nullptr;
@@ -182,6 +190,7 @@ DescribedTable::DescribedTable(const FlatAnswer& answer) {
 }
 
 const char* DescribedTable::kept(const FlatAnswer& answer, const void* offset, const char* what) {
+  // Whether it may be null is for table_problems() to say.
   if (offset_in(offset) == 0) return nullptr;
   texts_.push_back(std::make_unique<std::string>(answer.text(offset_in(offset), what)));
   return texts_.back()->c_str();
@@ -189,6 +198,7 @@ const char* DescribedTable::kept(const FlatAnswer& answer, const void* offset, c
 
 void DescribedTable::read_parameters(const FlatAnswer& answer) {
   constexpr const char* kWhat = "a parameter";
+  // Before anything is allocated by a count that the program says.
   if (table.parameter_count > kMostTexts) throw BadAnswer("it has too many parameters");
   for (const std::uint64_t at : answer.array<std::uint64_t>(
            offset_in(table.parameters), table.parameter_count, "the parameters")) {
@@ -199,6 +209,7 @@ void DescribedTable::read_parameters(const FlatAnswer& answer) {
     }
     parameters_.push_back(parameter);
   }
+  // Only now, when parameters_ moves no more.
   for (const ab_parameter& parameter : parameters_) parameter_pointers_.push_back(&parameter);
   table.parameters = parameter_pointers_.data();
 }
@@ -217,6 +228,7 @@ void DescribedTable::read_profiles(const FlatAnswer& answer) {
     for (ab_named_number& number : numbers_.back()) number.name = kept(answer, number.name, kWhat);
     profiles_.push_back(profile);
   }
+  // As above: addresses are taken when nothing moves any more.
   for (std::size_t i = 0; i < profiles_.size(); ++i) {
     profiles_[i].numbers = numbers_[i].data();
     profile_pointers_.push_back(&profiles_[i]);
@@ -236,8 +248,10 @@ void DescribedTable::read_files(const FlatAnswer& answer, std::uint64_t offset) 
 }
 
 ab_command read_command(const FlatAnswer& answer, std::vector<ab_point>& points) {
+  // The struct as ABI 1 first had it.
   constexpr std::size_t kLeast = offsetof(ab_command, horizon_s) + sizeof(double);
   auto command = answer.sized<ab_command>(answer.head().body, kLeast, "the command");
+  // Null with a count is left to command_problem(), which names it.
   const bool has_points = offset_in(command.points) != 0;
   points = answer.array<ab_point>(offset_in(command.points), has_points ? command.point_count : 0,
                                   "the trajectory's points");

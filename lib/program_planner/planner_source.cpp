@@ -47,6 +47,7 @@ std::string program_named(const std::string& name, const fs::path& folder) {
   while (!rest.empty()) {
     const std::size_t colon = rest.find(':');
     const fs::path file = fs::path(rest.substr(0, colon)) / name;
+    // Absolute, since it is started in the planner's folder and a PATH may have relative entries.
     if (may_be_executed(file)) return fs::absolute(file).string();
     rest = colon == std::string::npos ? "" : rest.substr(colon + 1);
   }
@@ -80,6 +81,7 @@ PlannerSource source_of_command(const std::vector<std::string>& words, const fs:
     const bool is_relative =
         words[0].find('/') != std::string::npos && !fs::path(words[0]).is_absolute();
     if (is_relative) command[0] = "./" + program.lexically_relative(file.parent_path()).string();
+    // No further word is looked at: one file stands for the planner in keys.
     return {file, command};
   }
   command[0] = kFileWord;
@@ -87,6 +89,7 @@ PlannerSource source_of_command(const std::vector<std::string>& words, const fs:
 }
 
 bool can_be_started(const fs::path& file) {
+  // A script needs no right to be executed: Python reads it.
   return file.extension() == ".py" || may_be_executed(file);
 }
 
@@ -100,6 +103,7 @@ std::vector<std::string> words_to_start(const PlannerSource& source) {
   for (std::string& word : words) {
     if (word == kFileWord) word = file;
   }
+  // From the file's folder, where source_of_command() has written it from.
   words.front() = program_named(words.front(), fs::path(file).parent_path());
   return words;
 }
@@ -116,6 +120,7 @@ std::vector<std::string> environment_to_start() {
     variables.push_back("PYTHONPATH=" + folder + (has_path ? ":" + std::string(path) : ""));
   }
   const std::size_t own = variables.size();
+  // Ours alone: of a variable that is there twice some programs read the first, some the last.
   for (char** given = ::environ; *given != nullptr; ++given) {
     bool is_ours = false;
     for (std::size_t i = 0; i < own; ++i) {

@@ -80,6 +80,7 @@ bool are_alike(const ab_planner& a, const ab_planner& b) {
            std::string_view(other != nullptr ? other : "");
   };
   return same(a.name, b.name) && same(a.version, b.version) &&
+         // program_table() has added the flag to one of them.
          (a.needs | AB_USES_PROCESSES) == (b.needs | AB_USES_PROCESSES) &&
          a.commands == b.commands && a.parameter_count == b.parameter_count;
 }
@@ -99,10 +100,13 @@ ProgramPointer taken_program(ServedPlanner& planner) {
     while (!planner.idle.empty()) {
       ProgramPointer program = std::move(planner.idle.back());
       planner.idle.pop_back();
+      // One that died while it had nothing to do is no trial's failure: another one starts.
       if (program->still_lives()) return program;
     }
   }
+  // Not under the lock: a start takes long, and other instances want their programs.
   Described described = described_program(planner.source);
+  // The file may have been written over since; its table would no longer be true.
   if (!are_alike(described.table->table, planner.described->table)) {
     throw InputError("the program " + name_of(planner) +
                      " describes itself otherwise than when it was started first");
@@ -110,6 +114,7 @@ ProgramPointer taken_program(ServedPlanner& planner) {
   return std::move(described.program);
 }
 
+/// Only sound programs come here: asked() has dropped the others.
 void give_back(ServedPlanner& planner, ProgramPointer program) {
   if (program == nullptr || !program->is_alive()) return;
   const std::lock_guard lock(planner.mutex);
@@ -145,9 +150,11 @@ ab_status asked(ProgramInstance& self, std::uint32_t kind, Write&& write, Read&&
   self.has_ended = self.was_killed = false;
   try {
     if (self.program == nullptr) {
+      // Nothing can be asked until reset() starts another.
       throw ProgramFault("the program " + name_of(*self.planner) + " has ended before", true);
     }
     const FlatAnswer answer(self.program->ask(kind, write));
+    // First, so that people see it where the rest of the answer is wrong.
     take_log(self, answer);
     if (answer.head().error != 0) tell_error(self, answer.text(answer.head().error, "the error"));
     if (answer.head().status == AB_OK) read(answer);
@@ -178,6 +185,7 @@ ab_status begin_program(ProgramInstance& self,
     tell_error(self, error.what());
     return AB_ERROR;
   }
+  // What it has used for instances before is not this one's.
   self.used_before_s -= self.program->cpu_time_s();
   const ab_status status = asked(self, AB_PROCESS_CREATE, write_setup, kNothing);
   if (!self.was_killed || starts_left == 1) return status;
@@ -194,6 +202,7 @@ void* create_instance(ServedPlanner& planner, const ab_host* host, const ab_setu
     return self->setup_offset;
   });
   if (status == AB_OK) return self.release();
+  // A program that refuses a setup is sound and serves the next one.
   give_back(planner, std::move(self->program));
   return nullptr;
 }
@@ -201,6 +210,7 @@ void* create_instance(ServedPlanner& planner, const ab_host* host, const ab_setu
 void destroy_instance(void* instance) {
   const std::unique_ptr<ProgramInstance> self(static_cast<ProgramInstance*>(instance));
   if (self->program == nullptr) return;
+  // Its status tells nothing more: a program that fails here is dropped by asked().
   asked(*self, AB_PROCESS_DESTROY, std::function<std::uint64_t(Segment&)>(), kNothing);
   give_back(*self->planner, std::move(self->program));
 }
@@ -209,6 +219,7 @@ ab_status reset_instance(void* instance, const ab_mission* mission) {
   ProgramInstance& self = *static_cast<ProgramInstance*>(instance);
   if (self.program == nullptr) {
     // The one that flew the last trial ended in it; this trial is flown by another.
+    // The same bytes at the same place: the offsets in them still hold.
     const ab_status status = begin_program(self, [&self](Segment& segment) {
       segment.add(self.setup.data(), self.setup.size());
       return self.setup_offset;
@@ -226,6 +237,7 @@ ab_status plan_in_program(void* instance, const ab_observation* observation, ab_
       self, AB_PROCESS_PLAN,
       [observation](Segment& segment) { return write_flat(segment, *observation); },
       [&](const FlatAnswer& answer) {
+        // The caller's word of how much it can read, not the program's.
         const std::uint32_t size = command->struct_size;
         *command = read_command(answer, self.points);
         command->struct_size = size;
@@ -279,6 +291,7 @@ std::string state_of_file(const std::filesystem::path& file) {
 }
 
 /// Ends what has nothing to do, with all that it has started.
+/// The death signal of exit alone would spare what they have started.
 void end_idle_programs() {
   for (const auto& planner : slots().planners) {
     if (planner == nullptr) continue;
@@ -296,6 +309,7 @@ const ab_planner& program_table(const PlannerSource& source) {
   const std::string state = state_of_file(absolute.file);
   Slots& all = slots();
   const std::lock_guard lock(all.mutex);
+  // A file that was written to is another planner, with programs of its own.
   for (std::size_t i = 0; i < all.count; ++i) {
     const ServedPlanner& known = *all.planners[i];
     if (known.source.file == absolute.file && known.source.command == absolute.command &&
@@ -315,13 +329,16 @@ const ab_planner& program_table(const PlannerSource& source) {
   Described described = described_program(planner->source);
   planner->described = std::move(described.table);
   ab_planner& table = planner->described->table;
+  // Without it the worker's sandbox would let nothing start.
   table.needs |= AB_USES_PROCESSES;
+  // A program's own functions are in another process: these ask it.
   const SlotFunctions& functions = kSlotFunctions[all.count];
   table.create = functions.create;
   table.destroy = destroy_instance;
   table.reset = reset_instance;
   table.plan = plan_in_program;
   table.get_extension = functions.get_extension;
+  // It has described itself already and serves the first instance.
   planner->idle.push_back(std::move(described.program));
   all.planners[all.count] = std::move(planner);
   return all.planners[all.count++]->described->table;

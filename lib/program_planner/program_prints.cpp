@@ -20,6 +20,7 @@ namespace {
 
 std::atomic<int> prints_fd{-1};
 
+// last_lines() tells three lines of it.
 constexpr std::size_t kMostTail = 4096;
 constexpr std::size_t kMostPassedOn = 16384;  // of what one look finds: floods are cut
 
@@ -55,6 +56,7 @@ void ProgramPrints::close_write_end() {
 }
 
 bool ProgramPrints::drain() {
+  // Half a megabyte a look: who prints without end must not keep the host from the answer.
   constexpr int kMostReads = 8;
   std::array<char, 65536> bytes;
   for (int i = 0; i < kMostReads && is_open_; ++i) {

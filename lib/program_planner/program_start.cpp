@@ -33,6 +33,7 @@ class Starter {
     static std::mutex mutex;
     static Starter* starter = nullptr;
     const std::lock_guard lock(mutex);
+    // The old one is not deleted: threads that do not exist here may hold its locks.
     if (starter == nullptr || starter->process_ != ::getpid()) starter = new Starter;
     return *starter;
   }
@@ -66,6 +67,7 @@ class Starter {
 
 /// From here to exec() nothing may allocate: other threads of the process may have held locks.
 void say(int fd, const char* what, int error) {
+  // strerror() may translate, and so allocate; this gives a constant.
   const char* parts[] = {"can't be started: ", what, ": ", ::strerrordesc_np(error), "\n"};
   for (const char* part : parts) {
     if (part != nullptr && ::write(fd, part, std::strlen(part)) < 0) return;
@@ -73,6 +75,7 @@ void say(int fd, const char* what, int error) {
 }
 
 void use_own_signals() {
+  // Handlers end with exec(), but what is ignored stays ignored: a program would inherit SIGPIPE's.
   for (int number = 1; number < NSIG; ++number) ::signal(number, SIG_DFL);
   sigset_t none;
   ::sigemptyset(&none);
@@ -83,6 +86,7 @@ void close_all_from(int first) {
   if (::syscall(SYS_close_range, first, ~0U, 0) == 0) return;
   rlimit limit{};  // before Linux 5.9
   ::getrlimit(RLIMIT_NOFILE, &limit);
+  // Some containers allow a thousand million descriptors, which would take minutes.
   const int most = static_cast<int>(std::min<rlim_t>(limit.rlim_cur, 1 << 16));
   for (int fd = first; fd < most; ++fd) ::close(fd);
 }
@@ -108,11 +112,13 @@ struct HighFds {
 [[noreturn]] void be_program(char* const* words, char* const* variables, const char* folder,
                              const HighFds& fds, pid_t parent) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  // A parent that ended before prctl() sends no signal any more.
   if (::getppid() != parent) ::_exit(127);
   ::setpgid(0, 0);
   const int nothing = ::open("/dev/null", O_RDONLY);
   ::dup2(nothing, STDIN_FILENO);
   ::dup2(fds.prints, STDOUT_FILENO);
+  // Copies are not closed by exec(), as the originals are.
   ::dup2(fds.prints, STDERR_FILENO);
   ::dup2(fds.socket, kProgramSocketFd);
   ::dup2(fds.segment, kProgramSegmentFd);

@@ -14,6 +14,7 @@
 namespace avoidbench {
 namespace {
 
+// Room for images of 320 × 240. Where it grows the program has to map it anew: in large steps.
 constexpr std::uint64_t kFirstBytes = Segment::kRequestOffset + (std::uint64_t{1} << 20U);
 constexpr std::uint64_t kStep = std::uint64_t{1} << 20U;
 
@@ -25,11 +26,13 @@ constexpr std::uint64_t kStep = std::uint64_t{1} << 20U;
 }  // namespace
 
 Segment::Segment() {
+  // The program gets a copy of the descriptor; what else is started does not.
   fd_ = ::memfd_create("avoidbench_planner", MFD_CLOEXEC | MFD_ALLOW_SEALING);
   if (fd_ < 0) no_memory("memfd_create", errno);
   grow(kFirstBytes);
   write_header();
   // A program that made it smaller would end the host at its next look.
+  // The last seal: one of the program's own could forbid the host to write, or to grow it.
   ::fcntl(fd_, F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_SEAL);
 }
 
@@ -65,8 +68,10 @@ void Segment::begin_request(std::uint32_t sequence, std::uint32_t kind) {
 }
 
 std::uint64_t Segment::add(const void* bytes, std::size_t count) {
+  // Structs begin at multiples of 8 (process_protocol.h).
   const std::uint64_t at = (used_ + 7U) & ~std::uint64_t{7};
   const std::uint64_t end = kRequestOffset + at + count;
+  // A quarter more than is needed, so that images that differ a little don't move it each time.
   if (end > bytes_) grow((end + end / 4 + kStep) / kStep * kStep);
   write(kRequestOffset + at, bytes, count);
   used_ = at + count;

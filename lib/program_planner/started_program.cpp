@@ -73,6 +73,7 @@ void StartedProgram::start(const std::vector<std::string>& words, const std::str
                         .prints_fd = prints_.write_fd(),
                         .socket_fd = sockets.ends[1],
                         .segment_fd = segment_.fd()});
+  // With it open here, the pipe would have no end when the program has one.
   prints_.close_write_end();
   socket_ = std::exchange(sockets.ends[0], -1);
   // Without one, an end is seen by looking ten times a second.
@@ -88,6 +89,7 @@ const std::vector<std::byte>& StartedProgram::ask(
   segment_.end_request(write_body ? write_body(segment_) : 0);
   ssize_t sent = 0;
   do {
+    // EPIPE in place of SIGPIPE; and who reads nothing must not stop the host.
     sent = ::send(socket_, &word, sizeof word, MSG_NOSIGNAL | MSG_DONTWAIT);
   } while (sent < 0 && errno == EINTR);
   if (sent < 0 && errno == EPIPE) fail_as_ended();
@@ -107,6 +109,7 @@ void StartedProgram::wait_for_word(ab_process_word expected) {
   while (!has_word) {
     if (!wait_for_events(has_word)) fail_as_ended();
   }
+  // Room for two, so that a second one is seen.
   std::array<std::byte, 2 * sizeof(ab_process_word)> bytes{};
   const ssize_t count = ::recv(socket_, bytes.data(), bytes.size(), MSG_DONTWAIT);
   if (count == 0 || (count < 0 && errno == ECONNRESET)) fail_as_ended();
@@ -124,8 +127,10 @@ bool StartedProgram::wait_for_events(bool& has_word) {
   std::array<pollfd, 3> waiting{pollfd{socket_, POLLIN, 0}, pollfd{prints_.read_fd(), POLLIN, 0},
                                 pollfd{pid_fd_, POLLIN, 0}};  // a negative one is passed over
   const bool has_pid_fd = pid_fd_ >= 0;
+  // However long: the worker's watchdog ends what takes too long.
   ::poll(waiting.data(), waiting.size(), has_pid_fd ? -1 : kLook_ms);
   has_word = waiting[0].revents != 0;
+  // A full pipe would stop the program in its print, and with it the answer.
   if (waiting[1].revents != 0) prints_.drain();
   if (has_word) return true;
   return has_pid_fd ? waiting[2].revents == 0 : !has_ended();
@@ -133,6 +138,7 @@ bool StartedProgram::wait_for_events(bool& has_word) {
 
 bool StartedProgram::has_ended() const {
   siginfo_t info{};
+  // WNOWAIT: not reaped here, so that its number stays its own until end_family().
   return ::waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
          info.si_pid == pid_;
 }
@@ -155,6 +161,7 @@ void StartedProgram::fail_as_ended() {
   constexpr int kLooks = 200, kLook_us = 1000;
   for (int i = 0; i < kLooks && !has_ended(); ++i) ::usleep(kLook_us);
   if (!has_ended()) fail("has closed its socket");
+  // Before the end: its last words may still lie in the pipe.
   prints_.drain();
   const int status = kill();
   const std::string printed = prints_.last_lines();

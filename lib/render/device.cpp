@@ -9,6 +9,7 @@
 namespace avoidbench {
 
 std::string ray_tracing_isa() {
+  // Needed where somebody asks before main().
   __builtin_cpu_init();
   const bool has_avx2 = __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
   return has_avx2 ? "avx2" : "sse4.2";
@@ -18,6 +19,8 @@ namespace embree {
 namespace {
 
 DeviceHandle new_device() {
+  // One thread, since trials fly one a core. A fixed instruction set, since the last bits of hits
+  // differ between them (DECISIONS, render).
   const std::string settings = "threads=1,isa=" + ray_tracing_isa();
   DeviceHandle handle(rtcNewDevice(settings.c_str()));
   AB_CHECK(handle != nullptr, "Embree error", static_cast<int>(rtcGetDeviceError(nullptr)));
@@ -32,7 +35,9 @@ RTCDevice device() {
 }
 
 void check_errors(const char* doing) {
+  // The first error since it was asked last.
   const RTCError error = rtcGetDeviceError(device());
+  // The only one that a user can do something about.
   if (error == RTC_ERROR_OUT_OF_MEMORY) {
     throw InputError(std::string("out of memory while ") + doing +
                      ": take a smaller map, a larger poisson_radius_m, or fewer workers");

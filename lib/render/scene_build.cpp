@@ -69,6 +69,7 @@ std::vector<Vector3f> flattened_vertices(const TriangleMesh& mesh, const Placeme
 template <class T>
 void set_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format,
                 const std::vector<T>& values) {
+  // Copied, not shared: Embree reads 16 bytes at a vertex, and pads its own buffers for that.
   void* const buffer = rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(T), values.size());
   embree::check_errors("copying a map's triangles");
   std::memcpy(buffer, static_cast<const void*>(values.data()), values.size() * sizeof(T));
@@ -104,6 +105,7 @@ void build_flattened(Scene::Internals& scene) {
     const std::vector<Vector3f> vertices = flattened_vertices(mesh, scene.placements[i]);
     scene.planes.push_back(make_planes(vertices, mesh));
     scene.placements[i].planes = scene.planes.back().data();
+    // Its planes, none, are there all the same: they are found by the instance's number.
     if (mesh.triangles.empty()) continue;
     const embree::GeometryHandle geometry = make_geometry(vertices, mesh);
     // By the instance's own number, which Embree gives back with each hit.

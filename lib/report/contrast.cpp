@@ -70,8 +70,10 @@ Contrast contrast_of(const PlannerSummary& planner_1, const Trials& trials_1,
                                     planner_2.success_rate, planner_2.mean_reference_length_m);
   contrast.fisher_p = fisher_exact_p(planner_1.finished_count, planner_1.trial_count,
                                      planner_2.finished_count, planner_2.trial_count);
+  // Fisher's test takes trials for independent; maps like these are another question.
   const std::vector<double> differences = rate_differences(trials_1, trials_2);
   contrast.map_p =
+      // With five maps even five equal differences are p = 0.0625: no test could find anything.
       differences.size() < kLeastMapsToTest ? kNaN : wilcoxon_signed_rank(differences).p;
 
   const std::vector<SumPair> maps = sums_by_map(trials_1, trials_2);
@@ -81,6 +83,7 @@ Contrast contrast_of(const PlannerSummary& planner_1, const Trials& trials_1,
   contrast.smoothed_factor = smoothed_factor(maps, every);
   contrast.smoothed_interval = {kNaN, kNaN};
   if (maps.size() >= kLeastMaps) {
+    // BCa over maps, not trials: trials of one map resemble each other.
     contrast.smoothed_interval = bca_interval(
         maps.size(),
         [&](std::span<const std::size_t> drawn) { return smoothed_factor(maps, drawn); },

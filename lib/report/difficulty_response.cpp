@@ -38,6 +38,7 @@ DifficultyResponse difficulty_response(std::size_t planner, const Trials& trials
   response.midpoint_interval = logistic_midpoint_interval(fit);
   response.is_separated = fit.is_separated;
   response.spearman = spearman_correlation(traversabilities, rates);
+  // Fisher's z; ranks spread more than values, which `true` asks for.
   response.spearman_interval = correlation_interval(response.spearman, rates.size(), true);
   return response;
 }

@@ -40,6 +40,7 @@ EnvironmentCorrelation correlation_of(std::string measure,
   EnvironmentCorrelation result;
   result.measure = std::move(measure);
   result.map_count = static_cast<std::int64_t>(y.size());
+  // No mean, no lowest: environment_summary() leaves it out.
   if (y.empty()) return result;
   double sum = 0.0;
   for (const double value : y) sum += value;

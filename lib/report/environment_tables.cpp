@@ -80,6 +80,7 @@ Table map_table(const SweepSummary& summary) {
                  map.view_occlusion, map.angle_over_length_1pm, map.mission_count,
                  map.invalid_mission_count, map.trial_count, map.finished_count));
   }
+  // Maps of other generators than the original's have no such number.
   for (const char* name :
        {"poisson_radius_m", "obstacle_count", "relative_gap_size", "obstacle_density_1pm2"}) {
     drop_if_empty(table, name);

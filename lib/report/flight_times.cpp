@@ -36,9 +36,11 @@ FlightTimes flight_times(std::size_t planner, const Trials& trials) {
   result.planner = planner;
   result.quartiles_s = {survival_quantile(curve, 0.25), survival_quantile(curve, 0.5),
                         survival_quantile(curve, 0.75)};
+  // The curve falls, and its interval's lower end falls below one half first.
   result.median_interval_s = {first_time(curve, &Interval::lower),
                               first_time(curve, &Interval::upper)};
   // Thinned for plots; the last point stays, since it has the share that ever arrives.
+  // Rounded up, so that there are not more than kMostCurvePoints, and the last.
   const std::size_t step = (curve.size() + kMostCurvePoints - 1) / kMostCurvePoints;
   for (std::size_t i = 0; i < curve.size(); ++i) {
     if (i % step == 0 || i + 1 == curve.size()) result.curve.push_back(curve[i]);

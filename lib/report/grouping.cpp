@@ -29,6 +29,7 @@ struct Binning {
 
   TableValue place(const TrialSummary& trial, const std::string& name) const {
     const TableValue& value = trial.fields[field];
+    // No value is a group of its own.
     if (last_values.empty() || std::holds_alternative<std::monostate>(value)) return value;
     // The first bin whose greatest value is not below: bins are closed above.
     const auto bin =
@@ -57,6 +58,7 @@ Binning binning_of(const SweepResult& result, const Trials& trials, const GroupC
   }
   std::vector<double> sorted;
   for (const auto& [value, map] : values) sorted.push_back(value);
+  // Fewer values than bins: one value a bin.
   const std::size_t bin_count = std::min(column.bin_count, sorted.size());
   std::size_t first = 0;
   for (std::size_t bin = 0; bin < bin_count; ++bin) {

@@ -34,7 +34,7 @@ std::vector<MapSum> sums_by_map(const Trials& trials, std::size_t metric) {
 }
 
 /// The mean over all trials of the drawn maps: a map with more trials weighs more, as in the mean
-/// that the table shows.
+/// that the table shows. Maps are drawn, not trials, since trials of one map resemble each other.
 double mean_of(std::span<const MapSum> sums, std::span<const std::size_t> drawn) {
   MapSum all;
   for (const std::size_t map : drawn) {
@@ -142,6 +142,8 @@ bool is_better_rate(const PlannerSummary& a, const Trials& trials_a, const Plann
   if (a.success_rate <= b.success_rate) return false;
   // Bonferroni: the best is compared with each of the others.
   const double p = fisher_exact_p(a.finished_count, a.trial_count, b.finished_count, b.trial_count);
+  // Fisher's test speaks of these missions; maps like these are for the next one, where there are
+  // enough of them to test at all.
   if (comparisons * p >= kAlpha) return false;
   const std::vector<double> differences = rate_differences(trials_a, trials_b);
   return differences.size() < kLeastMapsToTest ||
@@ -184,6 +186,8 @@ void mark_best_mean(std::vector<PlannerSummary>& planners, std::span<const Trial
   for (std::size_t i = 0; i < planners.size(); ++i) {
     if (i == best) continue;
     const RankTest test = wilcoxon_signed_rank(paired_differences(trials[best], trials[i], metric));
+    // z has the sign of the differences, so a test that is significant the other way does not
+    // count.
     // One that is not clearly worse is enough: then nobody is the best.
     if (sign * test.z <= 0.0 || comparisons * test.p >= kAlpha) return;
   }

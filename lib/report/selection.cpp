@@ -46,6 +46,7 @@ const double* number_in(const TableValue& value, double& storage) {
 }
 
 /// Numbers by value, whichever way they are held.
+/// "3" and "3.0" are one number; words are compared as words, also "007".
 bool is_equal(const TableValue& value, const Condition::Value& wanted) {
   if (const auto* words = std::get_if<std::string>(&value)) return *words == wanted.word;
   double storage = 0.0;
@@ -73,6 +74,7 @@ Condition parse_condition(const std::string& text) {
   condition.text = trimmed(text);
   // A field's name has none of these signs: what is before the first of them is the field.
   const std::size_t at = text.find_first_of("=!<>");
+  // The longer signs stand first in the list, so "<=" is not taken for "<".
   const auto* const sign =
       std::find_if(std::begin(kSigns), std::end(kSigns), [&](const auto& candidate) {
         return at != std::string::npos &&

@@ -184,6 +184,7 @@ std::vector<GroupRow> group_rows(const SweepResult& result, const Trials& trials
 /// Planners' labels in the trials' field `planner` as they are shown: none stands for two planners.
 void name_planners(SweepResult& result, const std::vector<std::string>& labels) {
   const auto field = std::find(result.fields.begin(), result.fields.end(), kPlanner);
+  // Fields are read where a condition or a group asks for them.
   if (field == result.fields.end()) return;
   std::map<std::string, std::string> label_of_key;
   for (std::size_t i = 0; i < labels.size(); ++i) {
@@ -223,9 +224,11 @@ std::vector<std::string> ReportQuery::fields() const {
   return fields;
 }
 
+/// AvoidBench's own, and the wall time: CPU time does not show what a planner waits for.
 std::vector<std::string> default_metrics(const SweepResult& result) {
   std::vector<std::string> names;
   for (const std::string_view name :
+       // A database of before a metric lacks it.
        {"path_optimality_pct", "energy_optimality", "average_goal_velocity_mps",
         "mission_progress_pct", "processing_time_ms", "processing_wall_time_ms"}) {
     for (const MetricRow& metric : result.metrics) {
@@ -285,6 +288,7 @@ SweepSummary summarize(SweepResult result, const ReportQuery& query) {
 /// sorting by keys makes the order of the databases irrelevant.
 SweepResult combined(std::vector<SweepResult> parts) {
   if (parts.size() == 1) return std::move(parts.front());
+  // Name, revision and spec are the same in all parts: they are of one sweep.
   SweepResult all = parts.front();
   std::map<std::string, PlannerRow> planners;
   std::map<std::string, MapRow> maps;
@@ -301,6 +305,7 @@ SweepResult combined(std::vector<SweepResult> parts) {
     for (const PlannerRow& row : part.planners)
       // By label, then by key. No label has a zero byte.
       planners.emplace(row.label + '\0' + planner_key(row), row);
+    // One key, one trial, bit for bit: whichever comes first.
     for (const TrialSummary& row : part.trials) trials.emplace(row.key, row);
     versions.insert(part.program_versions.begin(), part.program_versions.end());
     all.latest_revision = std::max(all.latest_revision, part.latest_revision);

@@ -174,6 +174,7 @@ Table outcome_table(const SweepSummary& summary) {
   return table;
 }
 
+/// The factor as papers give it stands beside the smoothed one, since it is undefined at 0 and 1.
 Table pair_table(const SweepSummary& summary) {
   Table table = make_table(
       "pairs", "Pairs of planners",

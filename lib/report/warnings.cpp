@@ -15,6 +15,7 @@
 namespace avoidbench {
 namespace {
 
+// With 5 successes of 10 Wilson's 95 % interval still goes from 24 to 76 %.
 constexpr std::int64_t kFewTrials = 10;
 
 using Warnings = std::vector<std::string>;
@@ -57,6 +58,7 @@ void warn_of_unclear_differences(const SweepSummary& summary, Warnings& warnings
         summary.planners[contrast.planner_1] + " / " + summary.planners[contrast.planner_2];
     // Equal rates would take endlessly many.
     if (a.success_rate != b.success_rate) {
+      // By their own rates: how many would show this difference, if it is one.
       const double trials = std::ceil(two_rates_trials(a.success_rate, b.success_rate));
       pair += " (would take some " + fixed_digits(trials, 0) + " trials each)";
     }
@@ -83,6 +85,7 @@ std::vector<std::pair<std::string, std::int64_t>> axes_of(const nlohmann::json& 
 /// How often the sweep flies a mission: planners times settings on the same map.
 std::int64_t flights_of_mission(const nlohmann::json& spec) {
   auto count = static_cast<std::int64_t>(spec.value("planners", nlohmann::json::array()).size());
+  // Axes that make no maps are settings: each flies the same missions again.
   for (const auto& [path, size] : axes_of(spec, [](const auto& p) { return !makes_maps(p); })) {
     count *= size;
   }

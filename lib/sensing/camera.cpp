@@ -147,6 +147,7 @@ void Camera::Internals::match(CameraImages& images) {
     if (step > 0.0F && depth < 1e6F) {
       depth = static_cast<float>(static_cast<std::int64_t>(depth / step)) * step;
     }
+    // NaN, where nothing matched, is neither farther nor nearer: it stays.
     const float in_range = depth > farthest ? kInfinity : depth;
     images.depth_m[i] = depth < nearest ? kNaN : in_range;
   }

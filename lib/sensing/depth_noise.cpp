@@ -177,6 +177,7 @@ DepthNoise::Texture DepthNoise::texture_of(float opacity) const {
 /// What follows from the surfaces' opacities. Kept where they are as in the last image.
 void DepthNoise::find_textures(std::span<const float> opacity) {
   const std::size_t known = textures_.size();
+  // One more, for pixels that show no surface.
   textures_.resize(opacity.size() + 1);
   for (std::size_t i = 0; i < textures_.size(); ++i) {
     const float wanted = i < opacity.size() ? opacity[i] : 0.0F;
@@ -223,6 +224,7 @@ void measure(const Measuring& measuring, const Texture& texture, std::size_t cou
 /// Single pixels, at distances that follow the geometric distribution.
 void DepthNoise::drop_pixels(RandomStream& random) {
   if (spec_.dropout_ratio <= 0.0) return;
+  // A ratio of 1 has a logarithm then, too.
   const double log_kept = math::log(std::max(1.0 - spec_.dropout_ratio, 1e-300));
   const auto count = static_cast<double>(disparity_.size());
   for (double at = -1.0;;) {

@@ -29,6 +29,7 @@ std::vector<float> vignette(const ImageSpec& image, const Pinhole& camera) {
 double exposure_gain(const ImageSpec& image, double mean_light) {
   if (image.brightness == 0.0) return 1.0;
   // The limits of the automatic exposure: four stops up and down.
+  // A black image would ask for an infinite gain.
   return std::clamp(image.brightness / std::max(mean_light, 1e-9), 1.0 / 16.0, 16.0);
 }
 

@@ -31,6 +31,7 @@ Pinhole sensor_camera(const CameraSpec& camera) {
 Pose T_body_camera(const MountingSpec& mounting) {
   const double sine = math::sin(mounting.pitch_deg * math::kDegree);
   const double cosine = math::cos(mounting.pitch_deg * math::kDegree);
+  // Columns are the camera's axes in the body frame; a positive pitch looks down.
   Eigen::Matrix3d pitched;
   pitched.col(0) = Eigen::Vector3d(0.0, -1.0, 0.0);       // right
   pitched.col(1) = Eigen::Vector3d(-sine, 0.0, -cosine);  // down

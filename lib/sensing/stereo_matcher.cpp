@@ -52,6 +52,7 @@ class SgbmMatcher : public StereoMatcher {
       float* to =
           &disparity_px[static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.width)];
       for (int x = 0; x < size_.width; ++x) {
+        // OpenCV counts in sixteenths of a pixel.
         const float disparity = static_cast<float>(from[x]) * (1.0F / 16.0F);
         // The partner would lie left of the right image: in the border, which repeats a column.
         const bool seen_right = disparity <= static_cast<float>(x) + 0.5F;

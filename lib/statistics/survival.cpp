@@ -51,6 +51,7 @@ std::vector<SurvivalPoint> kaplan_meier(std::span<const double> times_s,
       const auto at_risk = static_cast<double>(order.size() - first);
       const double left = at_risk - static_cast<double>(events);
       survival *= left / at_risk;
+      // Infinite where none are left; the interval is NaN then.
       greenwood += static_cast<double>(events) / (at_risk * left);
       points.push_back({.time_s = time_s,
                         .survival = survival,

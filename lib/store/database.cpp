@@ -79,6 +79,8 @@ std::string views_sql(std::span<const MetricRow> metrics) {
 
 /// Nothing that a file says may run code, write elsewhere or reach another file.
 void harden(sqlite3* handle) {
+  // DEFENSIVE: SQL can't write to SQLite's own tables. TRUSTED_SCHEMA off: views and defaults call
+  // no function that does something. DQS off: "x" is a name, never a text.
   sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
   sqlite3_db_config(handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
   sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
@@ -88,6 +90,7 @@ void harden(sqlite3* handle) {
   // No statement of ours attaches another file, except merge and the rescue, which raise this for
   // their own.
   sqlite3_limit(handle, SQLITE_LIMIT_ATTACHED, 0);
+  // Damaged cells are found when a page is read, not when they are followed.
   sqlite3_exec(handle, "PRAGMA cell_size_check = ON; PRAGMA temp_store = MEMORY", nullptr, nullptr,
                nullptr);
 }

@@ -152,6 +152,7 @@ std::vector<Sample> read_samples(const Database& db, std::string_view key) {
               "trajectories WHERE trial_key = ?");
   s.rows_of("trajectories").bind_text(key);
   if (!s.step()) return {};
+  // Negative in a damaged file; the sizes below then contradict it.
   const auto count = static_cast<std::size_t>(std::max<std::int64_t>(0, s.integer(3)));
   const auto bytes = s.integer(2) != 0 ? unpacked_samples(s.blob(1), count)
                                        // Older programs stored the samples unpacked.
@@ -331,6 +332,7 @@ std::map<std::string, std::size_t> read_sweep_maps(const Database& db, SweepResu
     indices.emplace(result.maps.back().record.key, result.maps.size() - 1);
   }
   const auto missions =
+      // In order of the index, by which reference_length_m() looks them up.
       of_sweep(db, result,
                "SELECT " + std::string(kMissionColumns) +
                    " FROM sweep_missions s JOIN missions i USING (map_key, mission_index)" +

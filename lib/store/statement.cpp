@@ -66,6 +66,7 @@ void throw_sqlite_error(sqlite3* handle, int code, const std::filesystem::path& 
   const std::string message = handle != nullptr ? sqlite3_errmsg(handle) : sqlite3_errstr(code);
   // The lower byte; the rest says more precisely what SQLite did.
   const int primary_code = code & 0xff;
+  // SQLite was called wrongly: our own error, not the file's.
   AB_CHECK(primary_code != SQLITE_MISUSE, path, message);
   // SQL does not say in which row.
   if (handle != nullptr && message == "malformed JSON") find_bad_json(handle, path);
@@ -107,6 +108,7 @@ Statement& Statement::bind_text(std::string_view value) {
   if (!is_utf8(value)) return bind_text(as_utf8(value));
   // A null pointer would be NULL.
   const char* data = value.empty() ? "" : value.data();
+  // TRANSIENT: SQLite copies it, since callers pass what ends before the statement runs.
   check(sqlite3_bind_text64(statement_, ++bound_count_, data, value.size(), SQLITE_TRANSIENT,
                             SQLITE_UTF8));
   return *this;
@@ -119,6 +121,7 @@ Statement& Statement::bind_integer(std::int64_t value) {
 
 Statement& Statement::bind_real(double value) {
   ++bound_count_;
+  // SQL has no NaN.
   check(std::isnan(value) ? sqlite3_bind_null(statement_, bound_count_)
                           : sqlite3_bind_double(statement_, bound_count_, value));
   return *this;
@@ -218,6 +221,7 @@ void Statement::append_value(std::string_view name, int column, std::string& byt
     bytes += text;
   };
   const int type = sqlite3_column_type(statement_, column);
+  // Left out, so that columns which later programs add change no digest.
   if (type == SQLITE_NULL) return;
   append_text(name);
   append(static_cast<std::uint64_t>(type));

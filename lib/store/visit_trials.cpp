@@ -27,6 +27,7 @@ std::string sqlite_path(std::string_view path) {
 
 std::vector<std::string> axis_paths(std::string_view sweep_spec_json) {
   std::vector<std::string> paths;
+  // From a file of anybody's: what is no spec has no axes.
   const auto spec = nlohmann::json::parse(sweep_spec_json, nullptr, false);
   if (!spec.is_object() || !spec.contains("axes") || !spec["axes"].is_array()) return paths;
   for (const nlohmann::json& axis : spec["axes"]) {

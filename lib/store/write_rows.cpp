@@ -196,6 +196,7 @@ std::int64_t Database::add_run(const RunRow& row) {
   insert.bind_text(row.compiler).bind_text(row.flags).bind_text(row.host).bind_text(row.cpu);
   insert.bind_text(row.isa).bind_text(row.command_line).bind_text(row.shard);
   insert.bind_text(row.sandbox).step();
+  // RETURNING gives a row, and the statement is done only behind it: run() steps to the end.
   run_id_ = insert.integer(0);
   insert.run();
   return run_id_;
@@ -205,6 +206,7 @@ std::int64_t Database::add_sweep(const SweepRow& row) {
   // Finding and adding in one, though nobody else writes: half of it must not be committed.
   Transaction transaction(handle(), path());
   std::int64_t revision = 0;
+  // The same spec has the revision that it had.
   {
     Statement find(handle(), path(),
                    "SELECT revision FROM sweeps WHERE sweep = ? AND spec_json = ?");

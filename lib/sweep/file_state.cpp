@@ -9,6 +9,8 @@ FileState file_state(const std::filesystem::path& file) {
   struct stat found {};
   if (::stat(file.c_str(), &found) != 0) return {};
   const auto ns = [](const timespec& time) { return time.tv_sec * kNanoseconds + time.tv_nsec; };
+  // Device and inode tell a file that was replaced by renaming; the time of change one whose time
+  // of writing was set back.
   return {.device = found.st_dev,
           .inode = found.st_ino,
           .bytes = found.st_size,
@@ -19,6 +21,7 @@ FileState file_state(const std::filesystem::path& file) {
 std::vector<std::filesystem::path> files_of(const PlannerChoice& planner) {
   const std::filesystem::path own = planner.file;
   std::vector<std::filesystem::path> files{own};
+  // The first of a planner's files is its own.
   for (std::size_t i = 1; i < planner.files.size(); ++i) {
     files.push_back((own.parent_path() / planner.files[i].name).lexically_normal());
   }

@@ -31,6 +31,7 @@ std::string key_of(std::string_view canonical) {
 }  // namespace
 
 void forget_unused_later_fields(nlohmann::json& trial) {
+  // Sweeps of before these fields keep their keys, byte for byte.
   if (trial.at("missions_digest") == "") trial.erase("missions_digest");
   nlohmann::json& sensor = trial.at("sensor");
   if (sensor.at("more_cameras").empty()) sensor.erase("more_cameras");
@@ -61,6 +62,7 @@ KeyText::KeyText(const TrialSpec& setting) {
   std::string* part = &before_digest_;
   for (const auto& [name, value] : fields.items()) {
     *part += (before_digest_.empty() ? "{\"" : ",\"") + name + "\":";
+    // By name: latency_digest comes before mission_index.
     if (name == "latency_digest") {
       part = &before_index_;
       has_digest_ = true;
@@ -83,6 +85,7 @@ KeyMaker::Setting& KeyMaker::of(const PlannedTrial& trial) {
   constexpr std::size_t kMostSettings = 1024;  // some 5 kB each
   const auto known = settings_.find(trial.setting.get());
   if (known != settings_.end()) return known->second;
+  // All at once: trials of one setting follow each other, so hardly any is missed.
   if (settings_.size() == kMostSettings) settings_.clear();
   return settings_.emplace(trial.setting.get(), Setting{trial.setting, KeyText(*trial.setting), ""})
       .first->second;

@@ -16,6 +16,7 @@ RunEstimate estimate_run(const std::vector<PlannedTrial>& trials, const Database
   for (const PlannedTrial& trial : trials) {
     if (finished.contains(keys.trial_key(trial))) continue;
     ++estimate.missing;
+    // What a trial of a planner costs that has flown none, nobody knows.
     const auto cost = costs.find(trial.planner_label());
     if (cost == costs.end()) {
       ++estimate.unknown;

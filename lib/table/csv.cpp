@@ -76,6 +76,7 @@ CsvRow& CsvRow::add_value(const TableValue& value) {
   if (const auto* number = std::get_if<double>(&value)) return add(*number);
   if (const auto* word = std::get_if<std::string>(&value)) return add(std::string_view(*word));
   begin_field();
+  // Not by way of a double, which would lose digits of large seeds.
   if (const auto* count = std::get_if<std::int64_t>(&value)) text_ += std::to_string(*count);
   if (const auto* seed = std::get_if<std::uint64_t>(&value)) text_ += std::to_string(*seed);
   return *this;

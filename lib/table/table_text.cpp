@@ -108,6 +108,7 @@ std::string cut_to_width(std::string_view utf8, std::size_t width) {
   while (at < utf8.size()) {
     std::size_t next = at;
     const std::size_t more = width_of(next_character(utf8, next));
+    // One more for the ellipsis.
     if (used + more + 1 > width) break;
     used += more;
     at = next;
@@ -119,6 +120,7 @@ std::vector<std::string> cut_apart(const std::vector<std::string>& texts, std::s
   const auto in_middle = [&](const std::string& text) {
     if (display_width(text) <= width) return text;
     const std::string head = cut_to_width(text, width - width / 2);
+    // The ellipsis at the head's end is none of the text's.
     std::size_t at = head.size() - std::string_view("…").size();
     while (at < text.size() && display_width(std::string_view(text).substr(at)) > width / 2) {
       next_character(text, at);

@@ -47,6 +47,7 @@ void check_matcher(const std::string& path, const CameraSpec& sensor, Found& fou
     if (sgm->block_px % 2 == 0) {
       found.push_back({path + ".block_px", std::to_string(sgm->block_px) + " is not odd"});
     }
+    // OpenCV's matcher asks for P2 > P1; the paper (Hirschmüller 2008) and census allow P2 = P1.
     if (sgm->p1_factor >= sgm->p2_factor) {
       found.push_back({path + ".p1_factor", shortest(sgm->p1_factor) + " is not below p2_factor, " +
                                                 shortest(sgm->p2_factor)});
@@ -70,6 +71,7 @@ void check_camera(const std::string& path, const CameraSpec& sensor, Found& foun
                                                 " is not below max_range_m, " +
                                                 shortest(sensor.max_range_m)});
   }
+  // A later image would be overtaken by the next, and a longer exposure run into it.
   const double period_ms = 1000.0 / sensor.rate_hz;
   for (const auto& [name, time_ms] :
        {std::pair(".jitter_ms", sensor.jitter_ms), std::pair(".exposure_ms", sensor.exposure_ms)}) {
@@ -114,6 +116,7 @@ std::vector<std::pair<std::string, double*>> rates_hz(TrialSpec& spec) {
 double nearest_rate_hz(double rate_hz) {
   if (period_ticks(rate_hz)) return rate_hz;
   const double exact = static_cast<double>(kTicksPerSecond) / rate_hz;
+  // No period is shorter than a tick.
   const double below = static_cast<double>(kTicksPerSecond) / std::max(1.0, std::floor(exact));
   const double above = static_cast<double>(kTicksPerSecond) / std::max(1.0, std::ceil(exact));
   return std::abs(below - rate_hz) < std::abs(above - rate_hz) ? below : above;

@@ -19,6 +19,7 @@ CommandKind command_kind(std::uint32_t kind) {
       return CommandKind::acceleration;
     case AB_COMMAND_TRAJECTORY:
       return CommandKind::trajectory;
+    // command_problem() has refused all that is no kind.
     default:
       AB_CHECK(kind == AB_COMMAND_RATES, kind);
       return CommandKind::rates;
@@ -29,6 +30,7 @@ CommandKind command_kind(std::uint32_t kind) {
 
 std::optional<double> known_latency_s(const LatencySpec& latency) {
   if (is_measured(latency)) return std::nullopt;
+  // By way of ticks: what planners are told is what is flown.
   return latency.mode == LatencyMode::fixed ? seconds(ticks(latency.ms / 1000.0)) : 0.0;
 }
 

@@ -99,6 +99,8 @@ SensorErrors measure_sensor(const TrialSpec& trial, std::int64_t mission_count,
                     images);
       render_depth(scene, ideal, T_world_camera, truth_m, instances);
       keep_kind(world, kind, instances, truth_m);
+      // At edges a pixel's depth is of either side: figures are of what is farther from them than
+      // this.
       constexpr int kEdge_px = 8;
       add_samples(truth_m, images.depth_m, width, at_1m_px, kEdge_px, result.samples);
       edges.add(fattening_px(truth_m, images.depth_m, width, at_1m_px, kEdge_px));

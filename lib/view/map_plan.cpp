@@ -131,6 +131,7 @@ Color color_below(const Scene& scene, double x_m, double y_m, double from_z_m, d
   const Eigen::Vector3d up = hit.normal_world.z() < 0.0 ? -hit.normal_world : hit.normal_world;
   // Lambert's law with a light from the upper left of the plan, and an ambient part so that no side
   // is black.
+  // A vector of length 1, 45° above the ground.
   const double light = std::max(0.0, up.dot(Eigen::Vector3d(-0.5, 0.5, 0.7071)));
   Color color{};
   for (std::size_t i = 0; i < 3; ++i) {

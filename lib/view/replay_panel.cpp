@@ -33,6 +33,7 @@ void draw_one(const Drawing& drawing, bool is_far, Panel& panel) {
     return (panel.distance_m(point) > kNearPlane_m) == is_far;
   };
   const std::vector<Eigen::Vector3d>& points = drawing.points_world;
+  // A slip in a planner's size must not fill the picture.
   const double size_px = std::clamp(drawing.size_px, 0.0, 100.0);
   if (drawing.kind == DrawingKind::points || drawing.kind == DrawingKind::text) {
     const double diameter_px = size_px > 0.0 ? size_px : 3.0;

@@ -128,6 +128,7 @@ void draw_flown(const TrialRecord& record, double until_s, double most_mps, int 
                 Panel& panel) {
   std::vector<Vector3d> before, later;
   for (const Sample& s : record.samples) {
+    // With the slack of sample_at(), so that the path ends at the vehicle.
     (s.time_s <= until_s + 1e-9 ? before : later).push_back(s.position_world);
   }
   draw_path(later, kLater, 1, 0, panel);
@@ -141,6 +142,7 @@ void draw_flown(const TrialRecord& record, double until_s, double most_mps, int 
 void add_speed_scale(double most_mps, Picture& picture) {
   constexpr int kWidth = 140, kRight = 96;
   const int left = picture.width_px - kWidth - kRight, y = picture.height_px - 12;
+  // As wide as a band is high: the dark ground of the scale.
   draw_line(picture, {{left - 70.0, y + 1.0}, {picture.width_px + 0.0, y + 1.0}}, {70, 70, 70}, 23);
   for (int i = 0; i < kWidth; ++i) {
     const double x = left + i;
@@ -165,6 +167,7 @@ Picture image_picture(const SeenImage& image, double shown_m) {
     return depth_picture(image.depth_m, image.width_px, image.height_px, 0.0, shown_m);
   }
   Picture picture = make_picture(image.width_px, image.height_px);
+  // Grey pictures have one byte a pixel, colour has three.
   const bool is_color = image.bytes.size() == picture.rgb.size();
   for (std::size_t i = 0; i < picture.rgb.size(); ++i) {
     picture.rgb[i] = image.bytes[is_color ? i : i / 3];

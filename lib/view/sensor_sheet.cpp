@@ -14,6 +14,7 @@ namespace avoidbench {
 namespace {
 
 constexpr double kErrorScale_m = 1.0;  ///< at which an error's colour is full
+// The grey of depth_picture().
 constexpr std::uint8_t kInvalid = 96;
 
 Picture grey_picture(const std::vector<std::uint8_t>& pixels, int width_px, int height_px) {

@@ -14,6 +14,7 @@ double gust_profile(const GustSpec& gust, double since_start_s) {
   if (!(since_start_s > 0.0 && since_start_s < length_s)) return 0.0;
   const double from_end_s = std::min(since_start_s, length_s - since_start_s);
   if (from_end_s >= gust.rise_s) return 1.0;
+  // MIL-F-8785C, 3.7.1.3; the way down is the same, read backwards.
   return 0.5 * (1.0 - math::cos(math::kPi * from_end_s / gust.rise_s));
 }
 

@@ -58,6 +58,7 @@ TurbulenceScales turbulence_scales(const TurbulenceSpec& turbulence) {
   constexpr double kFootM = 0.3048;
   // Only f takes the height in feet; lengths stay in metres.
   const double height_ft = turbulence.height_m / kFootM;
+  // MIL-F-8785C, 3.7.3: the low-altitude model.
   const double f = 0.177 + 0.000823 * height_ft;
   const double sigma_w = 0.1 * turbulence.wind_6m_mps;
   const double sigma_u = sigma_w / math::pow(f, 0.4);

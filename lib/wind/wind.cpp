@@ -46,6 +46,7 @@ void check_wind(const WindSpec& wind) {
     problems.push_back(std::move(problem));
   };
   const GustSpec& gust = wind.gust;
+  // Up, held and down again, begun as late as it may.
   const double longest_s = 2.0 * gust.rise_s + gust.hold_s + gust.start_jitter_s;
   if (gust.period_s > 0.0 && gust.period_s < longest_s) {
     add("gust.period_s: shorter than a gust with its jitter (2 rise_s + hold_s + start_jitter_s)");

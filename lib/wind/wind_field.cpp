@@ -95,6 +95,7 @@ class FieldReader {
 
  private:
   void begin_entry(std::string_view word, std::size_t place) {
+    // Those of RotorS' reader, so that its files work.
     static const std::vector<std::string> kKeys = {
         "min_x",    "min_y", "n_x", "n_y", "res_x", "res_y", "vertical_spacing_factors",
         "bottom_z", "top_z", "u",   "v",   "w"};

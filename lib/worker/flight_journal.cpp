@@ -104,6 +104,7 @@ FlightJournal::FlightJournal() {
 FlightJournal::FlightJournal(int fd) : is_of_worker_(true) {
   struct stat file {};
   const bool is_one = ::fstat(fd, &file) == 0 && file.st_size == static_cast<off_t>(kBytes);
+  // Closed until something is added: what runs in between is the planner's.
   void* memory = is_one ? ::mmap(nullptr, kBytes, PROT_NONE, MAP_SHARED, fd, 0) : MAP_FAILED;
   if (fd >= 0) ::close(fd);  // no way leads to it but this memory
   if (memory == MAP_FAILED) return;
@@ -186,6 +187,7 @@ void FlightJournal::add(const TrialRecord& record, double time_s) {
     collision.kind.copy(entry.kind, sizeof entry.kind);
     append(collision_entry, &entry, sizeof entry);
   }
+  // Last: up to this time the entries are whole.
   std::memcpy(memory_ + offsetof(Header, time_s), &time_s, sizeof time_s);
   close_pages();
 }

@@ -70,6 +70,7 @@ json map_to_json(const MapRecord& map) {
           {"triangle_count", map.triangle_count},
           {"traversability", map.traversability},
           {"traversability_normalized_ratio", map.traversability_normalized_ratio},
+          // NaN where no Poisson radius keeps the obstacles apart.
           {"relative_gap_size", number_to_json(map.relative_gap_size)},
           {"obstacle_density_1pm2", map.obstacle_density_1pm2},
           {"free_volume_ratio", map.free_volume_ratio},
@@ -127,6 +128,7 @@ TrialRecord trial_from_json(const json& from) {
 
 /// Whether the answer has what the job asks for, and as much of it.
 bool answers(const JobResult& result, const Job& job) {
+  // Else it is another job's answer, or none of the worker's own.
   if (result.token != job.token) return false;
   // An error is an answer, whatever else is missing.
   if (!result.error.empty()) return true;

@@ -15,6 +15,7 @@ namespace {
 
 // So that sums of sizes can't overflow; the true limit is the inbox's, of each job's answer.
 constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 32U;
+// "avBnMsg1".
 constexpr std::uint64_t kMagic =
     0x6176426e4d736731;  ///< begins a message: a planner may write here
 

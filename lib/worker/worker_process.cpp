@@ -33,6 +33,7 @@ constexpr int kAboveChild = kJournalFd + 5;
 /// The C library picks variants of sin, exp, … by the processor; those with fused multiply-add
 /// differ in the last bit. Planners use the C library, so workers run without those variants: the
 /// same planner gives the same bits everywhere.
+/// The names with _Usable are those of older versions of the C library.
 constexpr const char* kTunables =
     "GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-FMA4,-FMA_Usable,-FMA4_Usable";
 

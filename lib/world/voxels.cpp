@@ -11,6 +11,7 @@
 namespace avoidbench {
 namespace {
 
+// Half a gigabyte: a cell is a byte.
 constexpr double kMostCells = 5e8;
 constexpr std::size_t kTrianglesPerPoll = 256;
 
@@ -52,6 +53,7 @@ void mark(const Triangle& triangle, VoxelGrid& grid) {
 
 VoxelGrid surface_voxels(const World& world, double size_m, const std::function<void()>& poll) {
   const Eigen::Vector3d sizes = world.bounds.sizes();
+  // The last cells may reach beyond the bounds, so that all of these are covered.
   const Eigen::Vector3d counts = (sizes / size_m).array().ceil().max(1.0);
   if (counts.prod() > kMostCells) {
     throw InputError("a resolution of " + significant_digits(size_m, 6) +

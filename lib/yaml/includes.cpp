@@ -173,6 +173,7 @@ std::string scalar_text(const YamlNode& node) {
   const bool needs_quotes = node.is_quoted || node.scalar.empty() || node.scalar == "-" ||
                             !std::all_of(node.scalar.begin(), node.scalar.end(), is_plain);
   if (!needs_quotes) return node.scalar;
+  // In single quotes nothing has a meaning but the quote, which is doubled.
   std::string quoted = "'";
   for (const char c : node.scalar) {
     quoted += c;

@@ -116,6 +116,7 @@ class TreeBuilder : public YAML::EventHandler {
     YamlNode node;
     node.kind = kind;
     node.source = source_;
+    // The parser counts from 0.
     node.line = mark.is_null() ? 0 : mark.line + 1;
     node.column = mark.is_null() ? 0 : mark.column + 1;
     return node;
