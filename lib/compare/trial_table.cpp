@@ -1,6 +1,7 @@
 #include "compare/trial_table.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -17,7 +18,9 @@ using nlohmann::json;
 
 /// Enough to tell worlds apart; 0 for a row without a digest.
 std::uint64_t first_64_bits(const std::string& digest) {
-  return digest.size() < 16 ? 0 : std::stoull(digest.substr(0, 16), nullptr, 16);
+  std::uint64_t bits = 0;
+  if (digest.size() >= 16) std::from_chars(digest.data(), digest.data() + 16, bits, 16);
+  return bits;
 }
 
 /// The same only in the same world, between the same places, to the last bit.

@@ -74,7 +74,6 @@ std::vector<Reply> to_replies(std::string_view bytes) {
 }
 
 IsolatedEnd isolated(const std::function<std::string()>& work) {
-  // Twenty answers of the longest trajectories fit.
   return run_isolated([&](IsolatedOutput& output) { AB_CHECK(output.write(work())); }, kTimeLimit_s,
                       Prints::shown);
 }

@@ -25,14 +25,6 @@ bool is_name(const std::string& name) {
          name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos;
 }
 
-/// Names that CMake has for targets of its own, or the program for its own files.
-bool is_taken(const std::string& name) {
-  for (const char* taken : {"all", "clean", "help", "install", "program", "test"}) {
-    if (name == taken) return true;
-  }
-  return name.starts_with("avoidbench");
-}
-
 /// my_planner: MyPlanner.
 std::string class_name(const std::string& name) {
   std::string words;
@@ -47,6 +39,17 @@ std::string class_name(const std::string& name) {
     }
   }
   return words;
+}
+
+/// Names that CMake has for targets of its own, or the program for its own files.
+bool is_taken(const std::string& name) {
+  for (const char* taken : {"all", "clean", "edit_cache", "help", "install",
+                            "list_install_components", "program", "rebuild_cache", "test"}) {
+    if (name == taken) return true;
+  }
+  // The template's code uses a Vec3, which is what class_name() would call the planner.
+  return name.starts_with("avoidbench") || name.starts_with("package") ||
+         class_name(name) == "Vec3";
 }
 
 std::string filled_in(std::string text, const std::string& name) {
@@ -89,9 +92,10 @@ void write_planner_project(const std::string& name, const fs::path& folder,
   std::error_code error;
   fs::create_directories(folder, error);
   for (const auto& [file, text] : files) {
-    if (!(std::ofstream(file, std::ios::binary) << text).flush()) {
-      throw InputError(file.string() + ": can't be written");
-    }
+    if ((std::ofstream(file, std::ios::binary) << text).flush()) continue;
+    // None was there before.
+    for (const auto& [written, of] : files) fs::remove(written, error);
+    throw InputError(file.string() + ": can't be written");
   }
 }
 

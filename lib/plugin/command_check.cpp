@@ -1,5 +1,6 @@
 #include "plugin/command_check.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 
@@ -39,13 +40,21 @@ std::string first_problem(std::initializer_list<std::string> problems) {
 }
 
 std::string point_problem(const ab_point& point) {
-  if (!std::isfinite(point.time_s)) return "time_s is not finite";
-  return first_problem({vector_problem("position_world_m", point.position_world_m),
+  return first_problem({number_problem("time_s", point.time_s),
+                        vector_problem("position_world_m", point.position_world_m),
                         vector_problem("velocity_world_mps", point.velocity_world_mps),
                         vector_problem("acceleration_world_mps2", point.acceleration_world_mps2),
                         vector_problem("jerk_world_mps3", point.jerk_world_mps3),
                         number_problem("yaw_rad", point.yaw_rad, kMostYaw),
-                        number_problem("yaw_rate_radps", point.yaw_rate_radps)});
+                        number_problem("yaw_rate_radps", point.yaw_rate_radps, kMostYaw)});
+}
+
+/// What two points mean together: the cubic between them swings out by up to 4/27 of a rate times
+/// the time, and the tracker has no precise sine and cosine of far angles.
+std::string turn_problem(const ab_point& from, const ab_point& to) {
+  const double rate_radps = std::max(std::abs(from.yaw_rate_radps), std::abs(to.yaw_rate_radps));
+  return number_problem("yaw_rate_radps times the time between the points",
+                        rate_radps * (to.time_s - from.time_s), kMostYaw);
 }
 
 std::string trajectory_problem(const ab_command& command) {
@@ -65,6 +74,9 @@ std::string trajectory_problem(const ab_command& command) {
     if (i > 0 && command.points[i].time_s <= command.points[i - 1].time_s) {
       return place + "times do not rise";
     }
+    const std::string turn =
+        i > 0 ? turn_problem(command.points[i - 1], command.points[i]) : std::string();
+    if (!turn.empty()) return place + turn;
   }
   return "";
 }

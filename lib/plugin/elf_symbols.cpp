@@ -68,6 +68,16 @@ void visit_symbols(const std::filesystem::path& file, std::uint32_t type, Visit&
   }
 }
 
+/// Whether a file's dynamic section has the flag of position-independent programs.
+bool says_program(const std::string& bytes, const Elf64_Phdr& dynamic) {
+  for (std::uint64_t at = 0; at + sizeof(Elf64_Dyn) <= dynamic.p_filesz; at += sizeof(Elf64_Dyn)) {
+    const auto entry = struct_at<Elf64_Dyn>(bytes, dynamic.p_offset + at);
+    if (!entry || entry->d_tag == DT_NULL) return false;
+    if (entry->d_tag == DT_FLAGS_1) return (entry->d_un.d_val & DF_1_PIE) != 0;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::string shared_library_problem(const std::filesystem::path& file) {
@@ -91,10 +101,9 @@ std::string shared_library_problem(const std::filesystem::path& file) {
 }
 
 bool is_elf_program(const std::filesystem::path& file) {
-  constexpr std::size_t kMostHead = 65536;  // program headers lie behind the file's header
-  std::string bytes(kMostHead, '\0');
+  std::string bytes;
   try {
-    bytes.resize(InputFile(file, kMostBytes).read(bytes));
+    bytes = InputFile(file, kMostBytes).read_rest();
   } catch (const InputError&) {
     return false;
   }
@@ -105,8 +114,10 @@ bool is_elf_program(const std::filesystem::path& file) {
   if (header->e_type == ET_EXEC) return true;
   for (std::uint64_t i = 0; i < header->e_phnum && header->e_type == ET_DYN; ++i) {
     const auto part = struct_at<Elf64_Phdr>(bytes, header->e_phoff + i * sizeof(Elf64_Phdr));
-    // Position-independent programs are ET_DYN, as libraries are, but ask for a dynamic linker.
+    // Position-independent programs are ET_DYN, as libraries are, but ask for a dynamic linker or,
+    // where they are static, say that they are programs.
     if (part && part->p_type == PT_INTERP) return true;
+    if (part && part->p_type == PT_DYNAMIC && says_program(bytes, *part)) return true;
   }
   return false;
 }

@@ -183,20 +183,32 @@ void add_profile_problems(const ab_planner& table, std::vector<std::string>& pro
 
 /// The files that the planner says it depends on. A table that is none is passed over: a planner
 /// may answer any name of an extension with something of its own.
-std::vector<std::string> file_names_of(const ab_planner& table) {
-  constexpr std::uint32_t kMostFiles = 1000;
-  std::vector<std::string> names;
-  if (table.get_extension == nullptr) return names;
+const ab_files* files_of(const ab_planner& table) {
+  if (table.get_extension == nullptr) return nullptr;
   // Null, since there is no instance yet (planner.h).
   const auto* files =
       static_cast<const ab_files*>(table.get_extension(nullptr, AB_FILES_EXTENSION));
-  if (files == nullptr || files->struct_size < sizeof(ab_files) || files->files == nullptr) {
-    return names;
-  }
-  for (std::uint32_t i = 0; i < std::min(files->file_count, kMostFiles); ++i) {
+  const bool is_table = files != nullptr && files->struct_size >= sizeof(ab_files);
+  return is_table && files->files != nullptr ? files : nullptr;
+}
+
+std::vector<std::string> file_names_of(const ab_planner& table) {
+  std::vector<std::string> names;
+  const ab_files* files = files_of(table);
+  for (std::uint32_t i = 0; files != nullptr && i < files->file_count; ++i) {
     if (files->files[i] != nullptr) names.emplace_back(files->files[i]);
   }
   return names;
+}
+
+/// A file that is left out would change nothing that trials are known by.
+void check_files(const ab_planner& table, std::vector<std::string>& problems) {
+  constexpr std::uint32_t kMostFiles = 1000;
+  const ab_files* files = files_of(table);
+  if (files == nullptr || files->file_count <= kMostFiles) return;
+  problems.push_back("it names " + std::to_string(files->file_count) +
+                     " files that it depends on; at most " + std::to_string(kMostFiles) +
+                     " are followed");
 }
 
 /// Planners that live in this process, such as Python's classes, by the files that stand for them.
@@ -268,6 +280,7 @@ std::vector<std::string> table_problems(const ab_planner& table) {
   add_parameter_problems(table, problems);
   // Profiles name parameters, so these must be sound first.
   if (problems.size() == before) add_profile_problems(table, problems);
+  if (problems.empty()) check_files(table, problems);
   return problems;
 }
 

@@ -54,7 +54,10 @@ ProgramEnd run_program(const std::vector<std::string>& command, Standard output)
   posix_spawn_file_actions_init(&actions);
   std::array<int, 2> pipe{-1, -1};
   if (output == Standard::kept) {
-    if (::pipe2(pipe.data(), O_CLOEXEC) != 0) return {};
+    if (::pipe2(pipe.data(), O_CLOEXEC) != 0) {
+      posix_spawn_file_actions_destroy(&actions);
+      return {};
+    }
     posix_spawn_file_actions_adddup2(&actions, pipe[1], STDOUT_FILENO);
   } else if (output == Standard::dropped) {
     for (const int descriptor : {STDOUT_FILENO, STDERR_FILENO}) {

@@ -124,7 +124,10 @@ struct HighFds {
   ::dup2(fds.segment, kProgramSegmentFd);
   close_all_from(kProgramSegmentFd + 1);
   use_own_signals();
-  if (::chdir(folder) != 0) say(STDERR_FILENO, folder, errno);
+  if (::chdir(folder) != 0) {
+    say(STDERR_FILENO, folder, errno);
+    ::_exit(127);
+  }
   ::execve(words[0], words, variables);
   say(STDERR_FILENO, words[0], errno);
   ::_exit(127);

@@ -286,8 +286,13 @@ std::string Database::rescued_copy() {
   std::filesystem::path folder = std::filesystem::absolute(*path_).parent_path();
   sqlite3_limit(handle(), SQLITE_LIMIT_ATTACHED, 1);  // VACUUM attaches what it writes
   // Beside the lost file first, then where the user is, then where anybody may write.
-  for (const std::filesystem::path& place :
-       {folder, std::filesystem::current_path(), std::filesystem::temp_directory_path()}) {
+  std::vector<std::filesystem::path> places{folder};
+  std::error_code none;  // a folder that is gone is no place
+  for (std::filesystem::path place :
+       {std::filesystem::current_path(none), std::filesystem::temp_directory_path(none)}) {
+    if (!place.empty()) places.push_back(std::move(place));
+  }
+  for (const std::filesystem::path& place : places) {
     for (int i = 1; i <= kMostCopies; ++i) {
       std::filesystem::path copy = place / path_->stem();
       copy += i == 1 ? ".rescued.db" : ".rescued" + std::to_string(i) + ".db";

@@ -103,6 +103,27 @@ json stored_object(const std::string& text) {
   return object;
 }
 
+namespace {
+
+/// Whether what warnings read of a sweep's base trial has its types. What is missing is null.
+bool has_base_types(const json& base) {
+  if (base.is_null()) return true;
+  if (!base.is_object()) return false;
+  const json latency = element(base, "latency"), rates = element(base, "rates");
+  if (!(latency.is_null() || latency.is_object()) || !(rates.is_null() || rates.is_object())) {
+    return false;
+  }
+  const auto has = [](const json& block, const char* name, auto is_type) {
+    return !block.contains(name) || is_type(block.at(name));
+  };
+  const auto is_text = [](const json& value) { return value.is_string(); };
+  const auto is_number = [](const json& value) { return value.is_number(); };
+  return has(latency, "mode", is_text) && has(latency, "ms", is_number) &&
+         has(rates, "plan_hz", is_number);
+}
+
+}  // namespace
+
 /// Types and sizes are checked once here, so that readers of specs can multiply them without a
 /// thought.
 json stored_sweep(const std::string& text) {
@@ -112,11 +133,11 @@ json stored_sweep(const std::string& text) {
   const json axes = element(spec, "axes"), until = element(spec, "until");
   const json trial_count = element(spec, "trial_count");
   // What is missing is null, and allowed.
-  const bool has_types = (trials.is_null() || trials.is_number_integer()) &&
-                         (!spec.contains("trial_count") || trial_count.is_number_integer()) &&
-                         (planners.is_null() || planners.is_array()) &&
-                         (axes.is_null() || axes.is_array()) &&
-                         (until.is_null() || until.is_string());
+  const bool has_types =
+      (trials.is_null() || trials.is_number_integer()) &&
+      (!spec.contains("trial_count") || trial_count.is_number_integer()) &&
+      (planners.is_null() || planners.is_array()) && (axes.is_null() || axes.is_array()) &&
+      (until.is_null() || until.is_string()) && has_base_types(element(spec, "base"));
   if (!has_types) throw BadText("that of a sweep whose parts have other types");
   double count = 1.0;  // an axis without values counts as one with one: no part is too large
   if (!trials.is_null()) count *= std::max(1.0, trials.get<double>());

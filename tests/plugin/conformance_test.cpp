@@ -15,7 +15,7 @@ using testing::HasSubstr;
 TEST(Conformance, HonestPlannersPassEveryRule) {
   for (const std::filesystem::path& file :
        {bad_planner("honest"), bad_planner("sees_all"), bad_planner("globals"),
-        std::filesystem::path(C_PLANNER)}) {
+        bad_planner("long_trajectories"), std::filesystem::path(C_PLANNER)}) {
     const auto results = check_conformance(file);
     EXPECT_GE(results.size(), 15U);
     for (const ConformanceResult& result : results) {

@@ -162,6 +162,17 @@ TEST(CommandCheck, AbsurdNumbersAreNoCommands) {
   trajectory.point_count = 2;
   EXPECT_THAT(command_problem(trajectory, AB_COMMAND_TRAJECTORY),
               HasSubstr("trajectory point 1: velocity_world_mps is 1e+12"));
+  points[1].velocity_world_mps[0] = 0.0;
+  EXPECT_EQ(command_problem(trajectory, AB_COMMAND_TRAJECTORY), "");
+  // Each number may be meant; together they turn by more than sine and cosine can tell.
+  points[0].yaw_rate_radps = 5e4;
+  points[1].time_s = 10.0;
+  EXPECT_EQ(command_problem(trajectory, AB_COMMAND_TRAJECTORY),
+            "trajectory point 1: yaw_rate_radps times the time between the points is 5e+05, beyond "
+            "±1e+05: no such command is meant");
+  points[0].yaw_rate_radps = 0.0;
+  points[1].time_s = 1e200;
+  EXPECT_THAT(command_problem(trajectory, AB_COMMAND_TRAJECTORY), HasSubstr("time_s is 1e+200"));
 }
 
 TEST(CommandCheck, EveryKindMustBeFinite) {

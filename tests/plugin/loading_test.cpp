@@ -70,6 +70,11 @@ TEST(Loading, SaysWhatIsWrongWithProfiles) {
             HasSubstr("profile 8 is null")));
 }
 
+TEST(Loading, RefusesMoreFilesThanItFollows) {
+  EXPECT_THAT(load_error(bad_planner("many_files")),
+              HasSubstr("it names 1001 files that it depends on; at most 1000 are followed"));
+}
+
 TEST(Loading, TakesATableOfBeforeProfiles) {
   const PlannerLibrary library = PlannerLibrary::load(bad_planner("before_profiles"));
   EXPECT_TRUE(library.description().profiles.empty());
@@ -88,6 +93,13 @@ TEST(Loading, RefusesWhatIsNoLibrary) {
   EXPECT_THAT(load_error(folder / "half.so"), HasSubstr("half.so: "));
   EXPECT_THAT(load_error(folder), HasSubstr("is not a file"));
   EXPECT_THAT(load_error(folder / "none.so"), HasSubstr("no such file"));
+}
+
+TEST(ElfSymbols, TellProgramsFromLibraries) {
+  EXPECT_TRUE(is_elf_program("/proc/self/exe"));
+  EXPECT_TRUE(is_elf_program(STATIC_PROGRAM));
+  EXPECT_FALSE(is_elf_program(bad_planner("honest")));
+  EXPECT_FALSE(is_elf_program("/nowhere"));
 }
 
 TEST(ElfSymbols, NameTheFunctionOfAnAddress) {

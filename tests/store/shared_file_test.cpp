@@ -149,6 +149,20 @@ TEST(SharedFile, AReplacedFileIsRescuedAndTheOtherLeftAlone) {
   EXPECT_EQ(keys_in(folder / "r.rescued.db").size(), 2U);
 }
 
+TEST(SharedFile, AFileIsRescuedWhereTheWorkingFolderIsGone) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "gone");
+  Database db = begun(folder / "r.db");
+  db.add_trial(first());
+  std::filesystem::remove(folder / "r.db");
+  const auto current = std::filesystem::current_path();
+  std::filesystem::current_path(folder / "gone");
+  std::filesystem::remove(folder / "gone");
+  const std::string message = message_of([&] { db.checkpoint(); });
+  std::filesystem::current_path(current);
+  EXPECT_TRUE(has(message, "saved in " + (folder / "r.rescued.db").string())) << message;
+}
+
 TEST(SharedFile, AFileDeletedWithItsFolderIsRescuedElsewhere) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder / "gone");
