@@ -89,9 +89,9 @@ def of_trajectory(message, now_ns):
     return points
 
 
-READERS = {"PositionCommand": of_position_command, "Twist": of_twist, "TwistStamped": lambda message, now_ns: of_twist(message.twist, now_ns),
-           "PoseStamped": of_pose_stamped, "PositionTarget": of_position_target, "AttitudeTarget": of_attitude_target,
-           "MultiDOFJointTrajectory": of_trajectory}
+READERS = {"PositionCommand": of_position_command, "Twist": of_twist,
+           "TwistStamped": lambda message, now_ns: of_twist(message.twist, now_ns), "PoseStamped": of_pose_stamped,
+           "PositionTarget": of_position_target, "AttitudeTarget": of_attitude_target, "MultiDOFJointTrajectory": of_trajectory}
 
 
 def trajectory_of(points):

@@ -48,7 +48,7 @@ class Live:
         self.start_wait_s = number("start_wait_s", 8.0, 0.1, 600.0)
         self.wait_for = [one.text() for one in values["wait_for"].list()] if "wait_for" in values else None
         if not self.has_own_master and self.launch:
-            raise values["launch"].problem("with master: running somebody else starts the nodes: launch is for a master of the bridge's own")
+            raise values["launch"].problem("with master: running somebody else starts the nodes: launch is for an own one")
 
 
 class Node(topics_spec.NodeSpec):
@@ -93,7 +93,7 @@ class LiveFile:
     def _check_nodes(self, tree):
         running = [node for node in self.nodes if node.words]
         if running and not self.live.has_own_master:
-            raise running[0].values["run"].problem("with master: running somebody else starts the nodes: run is for a master of the bridge's own")
+            raise running[0].values["run"].problem("with master: running somebody else starts the nodes: run is for an own one")
         if self.live.has_own_master and not running and not self.live.launch:
             raise tree.problem("nothing starts a node here: a node's run, live: {launch: …}, or live: {master: running}")
         for node in running:
@@ -116,7 +116,7 @@ class LiveFile:
         return tuple(dict.fromkeys(["state", *(topics_spec.PUBLISH[one["kind"]][1] for one in self.published)]))
 
     def decisive_files(self):
-        """What decides how the nodes fly, beside the topics file: files that commands name, and `files`. Relative ones lie below its folder."""
+        """What decides how the nodes fly, beside the topics file: files that commands name, and `files`, relative to its folder."""
         found = list(self.live.files)
         words = [word for node in self.nodes for word in node.words] + self.live.launch[:1]
         found += [word for word in words if "/" in word or "." in word]

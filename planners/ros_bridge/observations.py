@@ -70,7 +70,8 @@ def cloud_message(header, image, camera, stride_px):
     rows, columns = np.mgrid[0:image.depth_m.shape[0]:stride_px, 0:image.depth_m.shape[1]:stride_px]
     is_seen = np.isfinite(depth) & (depth > 0.0)
     z = depth[is_seen]
-    in_camera = np.stack([(columns[is_seen] - camera.cx_px) / camera.fx_px * z, (rows[is_seen] - camera.cy_px) / camera.fy_px * z, z], axis=1)
+    x, y = (columns[is_seen] - camera.cx_px) / camera.fx_px * z, (rows[is_seen] - camera.cy_px) / camera.fy_px * z
+    in_camera = np.stack([x, y, z], axis=1)
     points = (in_camera @ rotation_of(image.q_world_camera).T + image.position_world_m).astype("<f4")
     fields = [PointField(name=name, offset=4 * i, datatype=PointField.FLOAT32, count=1) for i, name in enumerate("xyz")]
     return PointCloud2(header=header, height=1, width=len(points), fields=fields, point_step=12, row_step=12 * len(points),

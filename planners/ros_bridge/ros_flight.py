@@ -156,7 +156,8 @@ class RosFlight:
     def begin(self, mission):
         """A trial: parameters, nodes, and lead_s in which the vehicle hovers."""
         if math.isnan(mission.command_latency_s) and self._live.clock_rate > 0.0:
-            raise StartProblem("latency: {mode: measured} would count the pauses of the clock: take latency: {ms: …}, or live: {clock_rate: 0}")
+            raise StartProblem("latency: {mode: measured} would count the pauses of the clock: "
+                               "take latency: {ms: …}, or live: {clock_rate: 0}")
         with self._wait:
             self._commands.forget()
         self._set_parameters(mission)

@@ -149,8 +149,8 @@ class Command(topics_spec.CommandSpec):
         self.function = READERS[self.form]
         kinds = ("trajectory",) if self.ahead_node else self.kinds
         self.bits = " | ".join(f"AB_COMMAND_{kind.upper()}" for kind in kinds)
-        self.cpp = (f"  spec.command = {{{quoted(self.topic)}, {str(self.in_body).lower()}, {real(self.hover_thrust)}, {real(self.stale_s)}, "
-                    f"{quoted(self.ahead_node)}, {real(self.horizon_s)}, {real(self.step_s)}}};")
+        self.cpp = (f"  spec.command = {{{quoted(self.topic)}, {str(self.in_body).lower()}, {real(self.hover_thrust)}, "
+                    f"{real(self.stale_s)}, {quoted(self.ahead_node)}, {real(self.horizon_s)}, {real(self.step_s)}}};")
 
 
 class Planner:

@@ -198,21 +198,24 @@ def reach(runs):
     runs.expect_no_trace("after them")
     sandbox = sqlite3.connect(runs.folder / "reach.db").execute("SELECT sandbox FROM runs").fetchall()[0][0]
     runs.expect("in the sandbox, with network", "network" in sandbox or "none" in sandbox, sandbox)
-    verified = subprocess.run([runs.program, "replay", runs.folder / "reach.db", "--verify"], cwd=runs.work, env=runs.environment, capture_output=True, text=True)
-    runs.expect("replay --verify says what it finds", verified.returncode in (0, 1) and "flown again" in verified.stdout + verified.stderr,
-                verified.stdout + verified.stderr)
+    verified = subprocess.run([runs.program, "replay", runs.folder / "reach.db", "--verify"], cwd=runs.work, env=runs.environment,
+                              capture_output=True, text=True)
+    said = verified.stdout + verified.stderr
+    runs.expect("replay --verify says what it finds", verified.returncode in (0, 1) and "flown again" in said, said)
 
 
 def outcomes(runs):
     ways = {"exits": ("planner_crashed", "the node node ended with exit code 3"), "segfault": ("planner_crashed", "ended by signal 11"),
-            "writes": ("planner_crashed", "run --no-sandbox lets them"), "silent": ("timed_out", "")}
-    planners = [(way, runs.write(f"{way}_topics.yaml", TOPICS.replace("WAY", way).replace("start_wait_s", "answer_wait_s: 0, start_wait_s"))) for way in ways]
-    planners.append(("unsaid", runs.write("unsaid_topics.yaml", TOPICS.replace("WAY", "unsaid").replace("/cmd_vel", "/cmd_velo"))))
-    ways["unsaid"] = ("planner_error", "nobody publishes /cmd_velo (geometry_msgs/TwistStamped); there is /cmd_vel")
-    planners.append(("unheard", runs.write("unheard_topics.yaml", TOPICS.replace("WAY", "unheard").replace("  goal:", "  imu: {topic: /imu}\n  goal:"))))
-    ways["unheard"] = ("planner_error", "nobody subscribes to /imu")
-    planners.append(("stranger", runs.write("stranger_topics.yaml", TOPICS.replace("WAY", "stranger").replace("geometry_msgs/TwistStamped", "own_msgs/Twist"))))
-    ways["stranger"] = ("planner_error", "there is no Python class of own_msgs/Twist")
+            "writes": ("planner_crashed", "run --no-sandbox lets them"), "silent": ("timed_out", ""),
+            "unsaid": ("planner_error", "nobody publishes /cmd_velo (geometry_msgs/TwistStamped); there is /cmd_vel"),
+            "unheard": ("planner_error", "nobody subscribes to /imu"),
+            "stranger": ("planner_error", "there is no Python class of own_msgs/Twist")}
+    changes = {"unsaid": ("/cmd_vel", "/cmd_velo"), "unheard": ("  goal:", "  imu: {topic: /imu}\n  goal:"),
+               "stranger": ("geometry_msgs/TwistStamped", "own_msgs/Twist")}
+    planners = []
+    for way in ways:
+        text = TOPICS.replace("WAY", way).replace(*changes.get(way, ("start_wait_s", "answer_wait_s: 0, start_wait_s")))
+        planners.append((way, runs.write(f"{way}_topics.yaml", text)))
     found, _ = runs.flies("outcomes", planners, jobs=2)
     for label, (outcome, reason) in ways.items():
         rows = [row for row in found if row[0] == label]
@@ -259,6 +262,10 @@ def launched(runs):
     runs.expect_no_trace("after launch files")
 
 
+def have_flown(found, count):
+    return len(found) == count and all(row[1] in ("reached_goal", "collided") for row in found)
+
+
 def running(runs):
     """Nodes of somebody else, beside a roscore, and nodes that live on from trial to trial."""
     log = runs.folder / "ros_log"
@@ -273,9 +280,9 @@ def running(runs):
             time.sleep(0.1)
         started.append(subprocess.Popen(["./node.py", "straight"], cwd=runs.work, env=own))
         runs.environment.update(ROS_MASTER_URI=uri, ROS_IP="127.0.0.1")
-        text = TOPICS.replace("WAY", "runs").replace("  - {name: node, run: [./node.py, runs]}", "  - {name: node}").replace("live: {", "live: {master: running, ")
+        text = TOPICS.replace(", run: [./node.py, WAY]", "").replace("WAY", "runs").replace("live: {", "live: {master: running, ")
         found, _ = runs.flies("running", [("runs", runs.write("running_topics.yaml", text))], trials=2)
-        runs.expect("nodes that run already fly two trials", len(found) == 2 and all(row[1] in ("reached_goal", "collided") for row in found), found)
+        runs.expect("nodes that run already fly two trials", have_flown(found, 2), found)
         runs.expect("and live on", started[1].poll() is None)
     finally:
         for process in reversed(started):
@@ -285,9 +292,10 @@ def running(runs):
     runs.expect("a master that is gone", "no master answers at" in found[0][2], found)
     never = TOPICS.replace("WAY", "never").replace("live: {", "live: {restart: never, ")
     found, _ = runs.flies("never", [("never", runs.write("never_topics.yaml", never))], trials=2)
-    runs.expect("nodes that are never started again fly two trials", len(found) == 2 and all(row[1] in ("reached_goal", "collided") for row in found), found)
+    runs.expect("nodes that are never started again fly two trials", have_flown(found, 2), found)
     measured = HEAD.replace("{mode: fixed, ms: 33}", "{mode: measured}").replace("TRIALS", "1")
-    (runs.work / "measured.yaml").write_text(measured + f"  - {{plugin: process, parameters: {{command: [{runs.bridge}, never_topics.yaml]}}}}\n")
+    measured += f"  - {{plugin: process, parameters: {{command: [{runs.bridge}, never_topics.yaml]}}}}\n"
+    (runs.work / "measured.yaml").write_text(measured)
     runs.run(runs.work / "measured.yaml", "measured.db", "--jobs", "1", "--plan-timeout", "60")
     found = runs.rows("measured")
     runs.expect("measured latency with pauses is refused", "would count the pauses" in found[0][2], found)
