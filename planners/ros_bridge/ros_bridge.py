@@ -23,7 +23,7 @@ def missing_modules():
 
 def take_python_of_ros():
     """ROS's packages belong to one Python, which need not be the first one on the PATH: that of the system is asked, too."""
-    missing = missing_modules()
+    missing = missing_modules() + (["Python 3.10"] if sys.version_info < (3, 10) else [])
     if not missing:
         return
     if MARK not in os.environ and os.access(SYSTEM_PYTHON, os.X_OK) and not sys.executable.startswith(SYSTEM_PYTHON):

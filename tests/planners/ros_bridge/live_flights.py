@@ -3,8 +3,8 @@
 
     live_flights.py PROGRAM SOURCES [--only PART]
 
-The example reaches its goals with two workers that never hear each other; nodes that end, or are ended, cost their own trials; a launch
-file and a master that runs already; nothing is left: no process, no file. Exit code 77: no rospy here."""
+The example reaches its goals with two workers that never hear each other; all that can be published is heard; nodes that end, or are
+ended, cost their own trials; a launch file and a master that runs already; nothing is left: no process, no file. Exit code 77: no rospy here."""
 import argparse
 import os
 import pathlib
@@ -110,6 +110,87 @@ while not rospy.is_shutdown():
         os._exit(9)
     time.sleep(0.3)
 """
+# Hears all that can be published, looks at its sizes, and flies by trajectories to the goal only when all was there.
+LISTENER = f"""#!{PYTHON}
+import math, os
+import numpy as np
+import rospy
+from geometry_msgs.msg import PointStamped, Pose, PoseStamped, Transform, TransformStamped, Twist, TwistStamped
+from nav_msgs.msg import Odometry, Path
+from sensor_msgs.msg import CameraInfo, Image, Imu, PointCloud2
+from trajectory_msgs.msg import MultiDOFJointTrajectory, MultiDOFJointTrajectoryPoint
+
+BYTES = {{"32FC1": 4, "16UC1": 2, "mono8": 1, "rgb8": 3}}
+heard = {{}}
+
+
+def is_right(topic, m):
+    if isinstance(m, Image):
+        return m.step == m.width * BYTES[m.encoding] and len(m.data) == m.step * m.height and m.encoding in topic
+    if isinstance(m, PointCloud2):
+        points = np.frombuffer(m.data, "<f4").reshape(-1, 3)
+        return len(points) == m.width and np.isfinite(points).all() and (abs(points) < 100).all()
+    if isinstance(m, CameraInfo):
+        return m.width == 96 and m.K[0] > 0 and (m.P[3] < 0) == (topic == "/right_info")
+    if isinstance(m, Imu):
+        return abs(m.linear_acceleration.z - 9.8) < 8
+    if isinstance(m, Path):
+        return len(m.poses) == 1
+    return True
+
+
+def take(m, topic):
+    if not is_right(topic, m):
+        print(f"{{topic}} is wrong: {{str(m)[:200]}}", flush=True)
+        os._exit(4)
+    heard[topic] = m
+    if topic != "/odom" or len(heard) < len(TOPICS):
+        return
+    p, goal = m.pose.pose.position, heard["/goal_path"].poses[0].pose.position
+    away = math.dist((p.x, p.y), (goal.x, goal.y))
+    command = MultiDOFJointTrajectory()
+    command.header.stamp = rospy.Time.now()
+    for i in range(6):
+        point, part = MultiDOFJointTrajectoryPoint(time_from_start=rospy.Duration(0.3 * i)), min(1.0, 0.2 * i / max(away, 0.01))
+        place, speed = Transform(), Twist()
+        place.translation.x, place.translation.y = p.x + part * (goal.x - p.x), p.y + part * (goal.y - p.y)
+        place.translation.z, place.rotation.w = goal.z, 1.0
+        speed.linear.x, speed.linear.y = ((b - a) / max(away, 0.3) * 0.66 for a, b in ((p.x, goal.x), (p.y, goal.y)))
+        point.transforms, point.velocities = [place], [speed]
+        command.points.append(point)
+    publisher.publish(command)
+
+
+TOPICS = {{"/odom": Odometry, "/pose": PoseStamped, "/twist": TwistStamped, "/imu": Imu, "/depth_16UC1": Image, "/depth_32FC1": Image,
+          "/depth_info": CameraInfo, "/cloud": PointCloud2, "/camera_pose": PoseStamped, "/camera_odom": Odometry,
+          "/camera_transform": TransformStamped, "/left_mono8": Image, "/right_mono8": Image, "/right_info": CameraInfo,
+          "/color_rgb8": Image, "/goal_path": Path, "/goal_pose": Pose, "/goal_point": PointStamped, "/goal": PoseStamped}}
+rospy.init_node("listener")
+publisher = rospy.Publisher("/trajectory", MultiDOFJointTrajectory, queue_size=1)
+for topic, kind in TOPICS.items():
+    rospy.Subscriber(topic, kind, take, topic, buff_size=2 ** 20)
+rospy.spin()
+"""
+ALL_TOPICS = """
+nodes:
+  - {name: listener, run: ./listener.py}
+publish:
+  odometry: {topic: /odom, velocity: body}
+  pose: {topic: /pose}
+  twist: {topic: /twist}
+  imu: {topic: /imu}
+  depth: [{topic: /depth_16UC1, encoding: 16UC1}, {topic: /depth_32FC1, info: /depth_info}]
+  cloud: {topic: /cloud, stride_px: 3}
+  camera_pose: [{topic: /camera_pose}, {topic: /camera_odom, type: nav_msgs/Odometry},
+                {topic: /camera_transform, type: geometry_msgs/TransformStamped}]
+  left: {topic: /left_mono8}
+  right: {topic: /right_mono8, info: /right_info}
+  color: {topic: /color_rgb8}
+  goal: [{topic: /goal_path, type: nav_msgs/Path, repeat_s: 0.5}, {topic: /goal_pose, type: geometry_msgs/Pose},
+         {topic: /goal_point, type: geometry_msgs/PointStamped}, {topic: /goal}]
+command: {topic: /trajectory, type: trajectory_msgs/MultiDOFJointTrajectory}
+live: {clock_rate: 4, start_wait_s: 30}
+"""
 LAUNCH = """<launch>
   <arg name="speed"/>
   <node pkg="live_test" type="flyer.py" name="flyer">
@@ -137,15 +218,17 @@ class LiveRuns(Runs):
         self.environment.update(TMPDIR=str(self.folder / "tmp"), HOME=str(self.folder / "home"))
         executable(self.work / "node.py", NODE)
         executable(self.work / "watcher.py", WATCHER)
+        executable(self.work / "listener.py", LISTENER)
         shutil.copy(self.example / "flyer.py", self.work / "flyer.py")
         self.shared = self.shared_memory()
 
     def shared_memory(self):
         return {file.name for file in pathlib.Path("/dev/shm").iterdir()}
 
-    def flies(self, name, planners, trials=1, jobs=1):
+    def flies(self, name, planners, trials=1, jobs=1, sensor="depth_ideal, width_px: 160, height_px: 120"):
         """The rows (label, outcome, reason) of a run, and what it said."""
-        text = HEAD.replace("TRIALS", str(trials)) + "".join(
+        head = HEAD.replace("TRIALS", str(trials)).replace("depth_ideal, width_px: 160, height_px: 120", sensor)
+        text = head + "".join(
             f"  - {{plugin: process, label: {label}, parameters: {{command: [{self.bridge}, {topics}]}}}}\n" for label, topics in planners)
         sweep = self.work / f"{name}.yaml"
         sweep.write_text(text)
@@ -202,6 +285,12 @@ def reach(runs):
                               capture_output=True, text=True)
     said = verified.stdout + verified.stderr
     runs.expect("replay --verify says what it finds", verified.returncode in (0, 1) and "flown again" in said, said)
+
+
+def heard(runs):
+    found, _ = runs.flies("heard", [("all", runs.write("all_topics.yaml", ALL_TOPICS))], sensor="stereo_sgm, width_px: 96, height_px: 72")
+    runs.expect("all that can be published is heard, and a trajectory flown", have_flown(found, 1), found)
+    runs.expect_no_trace("after it")
 
 
 def outcomes(runs):
@@ -317,7 +406,7 @@ def main():
     folder = tempfile.mkdtemp()
     try:
         runs = LiveRuns(given, folder)
-        for part in (reach, outcomes, killed, launched, running):
+        for part in (reach, heard, outcomes, killed, launched, running):
             if given.only in ("", part.__name__):
                 part(runs)
     finally:
