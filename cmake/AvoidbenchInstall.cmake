@@ -15,6 +15,11 @@ install(DIRECTORY scripts/plot scripts/slurm DESTINATION ${data_folder}/scripts 
 install(DIRECTORY python/avoidbench DESTINATION ${data_folder}/python COMPONENT programs FILES_MATCHING PATTERN "*.py"
         PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY planners/template DESTINATION ${data_folder}/planners COMPONENT programs)
+# Real ROS 1 nodes; it reads the topics files of the stand-ins for ROS by their reader, which lies beside it.
+install(DIRECTORY planners/ros_bridge DESTINATION ${data_folder}/planners COMPONENT programs USE_SOURCE_PERMISSIONS
+        PATTERN __pycache__ EXCLUDE)
+install(FILES planners/ros_shim/topics_file.py planners/ros_shim/topics_spec.py DESTINATION ${data_folder}/planners/ros_shim
+        COMPONENT programs)
 install(FILES README.md CHANGELOG.md CITATION.cff LICENSE DESTINATION ${data_folder} COMPONENT programs)
 # The build tree has the same by links, and is a package to find, too.
 foreach(folder configs maps docs scripts planners/template python/avoidbench)

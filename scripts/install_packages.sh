@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# install_packages.sh build|python|ros|test|slow|plot: installs the Debian/Ubuntu packages that a build, the Python package, planners written
-# for ROS 1 (docs/ros.md), the tests, the tests labelled slow too, or the pictures of `report --plots` need, and says which.
+# install_packages.sh build|python|ros|ros_live|test|slow|plot: installs the Debian/Ubuntu packages that a build, the Python package,
+# planners written for ROS 1 (docs/ros.md), real ROS 1 nodes, the tests, the tests labelled slow too, or the pictures of
+# `report --plots` need, and says which.
 # Does nothing, and needs no root, if they are all there.
 set -euo pipefail
 
@@ -13,13 +14,20 @@ build_packages=(
 plot_packages=(python3 python3-matplotlib python3-numpy python3-pandas)  # scripts/plot, scripts/custom_metrics.py
 python_packages=(python3-venv python3-dev)
 ros_packages=(g++ cmake make python3 python3-yaml libeigen3-dev libopencv-core-dev libopencv-imgproc-dev libboost-dev)
+# What planners/ros_bridge needs of ROS 1 itself.
+ros_live_packages=(
+  python3 python3-numpy python3-yaml python3-rospy python3-rosmaster python3-roslaunch python3-rosparam python3-std-msgs
+  python3-geometry-msgs python3-nav-msgs python3-sensor-msgs python3-trajectory-msgs python3-rosgraph-msgs
+)
 # llvm: its symbolizer; without it the sanitizers can't name functions, and what tests/support/leaks.supp names is not found.
 test_packages=(
   "${plot_packages[@]}" "${python_packages[@]}" "${ros_packages[@]}" clang clang-format clang-tidy libclang-rt-14-dev llvm
   libgtest-dev libgmock-dev python3-jsonschema valgrind locales
 )
 # A Slurm of one node, for the test of scripts/slurm (the system's own services play no part), and what scripts/fresh_system.sh needs.
+# ROS 1 where the system still has it: its test says that it was passed over.
 slow_packages=(munge slurmctld slurmd slurm-client debootstrap)
+if apt-cache show python3-rospy >/dev/null 2>&1; then slow_packages+=("${ros_live_packages[@]}"); fi
 
 case "${1:-build}" in
   build) packages=("${build_packages[@]}") ;;
@@ -27,8 +35,9 @@ case "${1:-build}" in
   test) packages=("${build_packages[@]}" "${test_packages[@]}") ;;
   slow) packages=("${build_packages[@]}" "${test_packages[@]}" "${slow_packages[@]}") ;;
   ros) packages=("${ros_packages[@]}") ;;
+  ros_live) packages=("${ros_live_packages[@]}") ;;
   plot) packages=("${plot_packages[@]}") ;;
-  *) echo "usage: $0 build|python|ros|test|slow|plot" >&2; exit 2 ;;
+  *) echo "usage: $0 build|python|ros|ros_live|test|slow|plot" >&2; exit 2 ;;
 esac
 
 is_installed() { dpkg-query -W -f '${Status}' "$1" 2>/dev/null | grep -q '^install ok installed'; }

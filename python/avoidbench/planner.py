@@ -226,6 +226,8 @@ class Planner:
     """Of state, depth, stereo, color, imu, states."""
     commands: ClassVar[Sequence[str]] = ("velocity",)
     """Of position, velocity, acceleration, trajectory, rates: what plan() may return."""
+    uses: ClassVar[Sequence[str]] = ()
+    """Of processes, devices, network, globals: what it does beside computing and reading files (AB_USES_… of planner.h)."""
     parameters: ClassVar[Sequence[Parameter]] = ()
     files: ClassVar[Sequence[str]] = ()
     """Further files that decide what it does, as weights, relative to the folder of its own: trials of other contents are other trials.

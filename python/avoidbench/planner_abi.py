@@ -5,6 +5,7 @@ from typing import Any
 
 AB_OK, AB_NO_PLAN, AB_ERROR, AB_GIVE_UP = 0, 1, -1, 2
 SEES = {"state": 1, "depth": 2, "stereo": 4, "color": 8, "imu": 16, "states": 64}
+USES = {"processes": 256, "devices": 512, "network": 1024, "globals": 2048}
 COMMANDS = {"position": 1, "velocity": 2, "acceleration": 4, "trajectory": 8, "rates": 16}
 YAW_IS_RATE = 1
 NUMBER, INTEGER, CHOICE, TEXT = 0, 1, 2, 3

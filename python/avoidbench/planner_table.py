@@ -209,7 +209,8 @@ class Table:
         self._kept: list[Any] = [pointers]
         self.struct = abi.PlannerStruct(
             struct_size=c.sizeof(abi.PlannerStruct), abi_version=abi.ABI_VERSION, name=name.encode(), version=planner.version.encode(),
-            summary=(planner.summary or name).encode(), needs=self._bits("sees", planner.sees, abi.SEES) | abi.SEES["state"],
+            summary=(planner.summary or name).encode(),
+            needs=self._bits("sees", planner.sees, abi.SEES) | abi.SEES["state"] | self._bits("uses", planner.uses, abi.USES),
             commands=self._bits("commands", planner.commands, abi.COMMANDS), parameter_count=len(structs),
             parameters=c.cast(pointers, c.POINTER(c.POINTER(abi.ParameterStruct))), create=abi.Create(self._create),
             destroy=abi.Destroy(self._destroy), reset=abi.Reset(self._reset), plan=abi.Plan(self._plan),

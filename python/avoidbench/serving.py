@@ -273,8 +273,12 @@ def _script_of(planner: type[p.Planner]) -> Path:
     return Path(inspect.getfile(planner)).absolute()
 
 
-def serve(planner: type[p.Planner]) -> None:
+def serve(planner: type[p.Planner], *, is_script_file: bool = True) -> None:
     """Serves `planner` until the program avoidbench, which started this process, lets go of it. Call it at the end of the script.
+
+    is_script_file: whether the planner's file, of which trials know it, is the script that defines the class. With
+    `command: [my_tool, model.yaml]` it is model.yaml: `files` are relative to its folder then, and modules of the script count only
+    where `files` names them.
 
     Raises TypeError and ValueError for what the class declares wrongly. Started by hand it says how a planner is flown, with exit
     code 2."""
@@ -282,7 +286,7 @@ def serve(planner: type[p.Planner]) -> None:
     if given is None:
         sys.exit(f"{planner.name} is a planner: name this file in a sweep of avoidbench, as plugin: ./{Path(sys.argv[0]).name}")
     socket, segment = (int(fd) for fd in given.split(","))
-    files = planner_files(_script_of(planner), planner.files)
+    files = planner_files(_script_of(planner), planner.files) if is_script_file else [str(name) for name in planner.files]
     _Server(planner, files, socket, _Segment(segment)).run()
 
 

@@ -186,6 +186,10 @@ def test_wrong_declarations_are_refused(tmp_path: Path) -> None:
         name = "sees"
         sees = ("lidar",)
 
+    class Uses(Planner):
+        name = "uses"
+        uses = ("files",)
+
     class Text(Planner):
         name = "text"
         commands = "velocity"
@@ -194,7 +198,8 @@ def test_wrong_declarations_are_refused(tmp_path: Path) -> None:
         name = "preset"
         parameters = (Parameter("a", 3.0, "Beyond its range.", lowest=0, highest=1),)
 
-    for planner, error, words in ((NoName, ValueError, "NoName.name"), (Sees, ValueError, "'lidar' is none of"), (Text, TypeError, "a list"),
+    for planner, error, words in ((NoName, ValueError, "NoName.name"), (Sees, ValueError, "'lidar' is none of"),
+                                  (Uses, ValueError, "'files' is none of processes"), (Text, TypeError, "a list"),
                                   (Preset, avoidbench.InputError, "the preset is outside"), (int, TypeError, "a subclass of")):
         with pytest.raises(error, match=words):
             fly(planner, tmp_path)

@@ -1,0 +1,256 @@
+"""What a topics file says (docs/ros.md), checked and with every preset filled in: for make_planner.py, which writes C++ of it, and for
+planners/ros_bridge, which flies by it."""
+import ast
+import re
+
+# What ${…} may name beside the planner's own parameters: the members of ros_shim::Given.
+GIVEN = """vehicle_max_speed_mps vehicle_max_acceleration_mps2 vehicle_max_yaw_rate_radps gravity_mps2 plan_period_s body_length_m
+body_width_m body_height_m body_radius_m width_px height_px fx_px fy_px cx_px cy_px camera_rate_hz min_range_m max_range_m baseline_m
+camera_x_m camera_y_m camera_z_m start_x_m start_y_m start_z_m start_yaw_rad goal_x_m goal_y_m goal_z_m goal_radius_m
+lowest_x_m lowest_y_m lowest_z_m highest_x_m highest_y_m highest_z_m command_latency_s time_limit_s seed""".split()
+ALIASES = {"max_speed_mps": "vehicle_max_speed_mps", "max_acceleration_mps2": "vehicle_max_acceleration_mps2",
+           "max_yaw_rate_radps": "vehicle_max_yaw_rate_radps"}
+FUNCTIONS = ("min", "max", "abs", "floor", "ceil", "round")
+OPERATORS = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/"}
+# The last part of a message's type -> the commands it may become, as avoidbench.Planner names them
+COMMANDS = {
+    "PositionCommand": ("trajectory",), "Twist": ("velocity",), "TwistStamped": ("velocity",), "PoseStamped": ("position",),
+    "PositionTarget": ("position", "velocity", "acceleration", "trajectory"), "AttitudeTarget": ("rates",),
+    "MultiDOFJointTrajectory": ("trajectory", "position"),
+}
+# What is published -> (keys beside `topic` and `frame`, what the planner sees for it)
+PUBLISH = {
+    "odometry": (["child_frame", "velocity", "all_states"], "state"), "pose": (["all_states"], "state"),
+    "twist": (["all_states"], "state"), "imu": ([], "imu"),
+    "camera_pose": (["type", "camera"], "depth"), "depth": (["encoding", "info", "no_return_m", "invalid_m", "camera"], "depth"),
+    "cloud": (["stride_px", "camera"], "depth"), "left": (["info", "camera"], "stereo"), "right": (["info", "camera"], "stereo"),
+    "color": (["info", "camera"], "color"), "goal": (["type", "repeat_s"], "state"),
+}
+FRAMES = {"imu": "body", "twist": "world", "depth": "camera", "left": "camera", "right": "camera", "color": "camera"}
+POSE_TYPES = ("geometry_msgs/PoseStamped", "nav_msgs/Odometry", "geometry_msgs/TransformStamped")
+GOAL_TYPES = ("geometry_msgs/PoseStamped", "geometry_msgs/PointStamped", "nav_msgs/Path", "geometry_msgs/Pose")
+# Keys of a topics file; each says which of the two takes it, where it is one of them alone.
+KEYS = ["version", "summary", "lead_s", "nodes", "params", "packages", "parameters", "publish", "command", "live"]
+NODE_KEYS = ["name", "main", "run", "namespace", "remap", "params", "args"]
+TYPE = re.compile(r"[A-Za-z]\w*/[A-Za-z]\w*")
+
+
+class Parameter:
+    """One that the planner declares to avoidbench."""
+
+    def __init__(self, tree):
+        known = ["name", "unit", "kind", "default", "lowest", "highest", "choices", "doc"]
+        values = tree.map(known)
+        for key in ("name", "default", "doc"):
+            if key not in values:
+                raise tree.problem(f"a parameter has a {key}")
+        self.name, self.doc = values["name"].text(), values["doc"].text()
+        if not re.fullmatch(r"[a-z][a-z0-9_]*", self.name):
+            raise values["name"].problem(f'"{self.name}" is no name of a parameter: small letters, digits and _')
+        self.unit = values["unit"].text() if "unit" in values else ""
+        self.kind = values["kind"].word(["number", "integer", "choice", "text"]) if "kind" in values else "number"
+        self.lowest = self.highest = self.preset = 0.0
+        self.choices = self.preset_text = None
+        preset = values["default"]
+        if self.kind in ("number", "integer"):
+            for key in ("lowest", "highest"):
+                if key not in values:
+                    raise tree.problem(f"a {self.kind} has a {key}")
+            self.lowest, self.highest = values["lowest"].number(), values["highest"].number()
+            self.preset = (preset.integer if self.kind == "integer" else preset.number)(self.lowest, self.highest)
+        elif self.kind == "choice":
+            if "choices" not in values:
+                raise tree.problem("a choice has choices: [one, another]")
+            self.choices = [one.text() for one in values["choices"].list()]
+            self.preset_text = preset.word(self.choices)
+        else:
+            self.preset_text = preset.text()
+
+    def is_text(self):
+        return self.kind in ("choice", "text")
+
+
+class Expressions:
+    """${…}: arithmetic over what a trial gives, as a tree of tuples: ("number", 2.0), ("given", name), ("own", index),
+    ("negative", a), ("+", a, b), ("min", a, b) and so on."""
+
+    def __init__(self, parameters):
+        self.parameters = parameters
+
+    def names(self):
+        return sorted([parameter.name for parameter in self.parameters] + GIVEN + list(ALIASES))
+
+    def _value_of(self, name, tree):
+        for index, parameter in enumerate(self.parameters):
+            if parameter.name == name:
+                if parameter.is_text():
+                    raise tree.problem(f"{name} is a text: it stands alone, ${{{name}}}")
+                return "own", index
+        name = ALIASES.get(name, name)
+        if name in GIVEN:
+            return "given", name
+        raise tree.problem(f'"{name}" is nothing that a trial gives: {", ".join(self.names())}')
+
+    def _arithmetic(self, node, tree):
+        if isinstance(node, ast.BinOp) and type(node.op) in OPERATORS:
+            return OPERATORS[type(node.op)], self._arithmetic(node.left, tree), self._arithmetic(node.right, tree)
+        if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
+            return "negative", self._arithmetic(node.operand, tree)
+        if isinstance(node, ast.Constant) and type(node.value) in (int, float):
+            return "number", float(node.value)
+        if isinstance(node, ast.Name):
+            return self._value_of(node.id, tree)
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in FUNCTIONS and not node.keywords:
+            arguments = [self._arithmetic(one, tree) for one in node.args]
+            if len(arguments) != (2 if node.func.id in ("min", "max") else 1):
+                raise tree.problem(f"{node.func.id} takes {'two values' if node.func.id in ('min', 'max') else 'one value'}")
+            return node.func.id, *arguments
+        raise tree.problem("${…} knows numbers, names, + - * /, brackets and " + ", ".join(FUNCTIONS))
+
+    def read(self, text, tree):
+        """The tree of `${…}`; of a parameter alone that is a text or whole ("own text" or "own integer", its index)."""
+        if not re.fullmatch(r"\$\{[^{}]*\}", text.strip()):
+            raise tree.problem("${…} is a whole value, not a part of one")
+        inner = text.strip()[2:-1].strip()
+        for index, parameter in enumerate(self.parameters):
+            if parameter.name == inner and parameter.is_text():
+                return "own text", index
+            if parameter.name == inner and parameter.kind == "integer":
+                return "own integer", index
+        try:
+            node = ast.parse(inner, mode="eval").body
+        except SyntaxError:
+            raise tree.problem(f'"{inner}" is no expression') from None
+        return self._arithmetic(node, tree)
+
+
+def value_of(tree, expressions):
+    """A value for the parameter server: numbers, texts, lists, maps, and tuples for ${…}."""
+    if tree.is_list():
+        return [value_of(one, expressions) for one in tree.list()]
+    if tree.is_map():
+        return {key: value_of(value, expressions) for key, _, value in tree.items()}
+    value = tree.scalar()
+    if value is None:
+        raise tree.problem("a value stands here")
+    return expressions.read(value, tree) if isinstance(value, str) and "${" in value else value
+
+
+def leaves(tree, prefix, expressions):
+    """(name, value) of each leaf of a map, as rosparam loads it."""
+    found = []
+    for key, _, value in tree.items():
+        name = prefix + key.strip("/")
+        found += leaves(value, name + "/", expressions) if value.is_map() else [(name, value_of(value, expressions))]
+    return found
+
+
+class NodeSpec:
+    """One of `nodes`, as far as both take it the same way."""
+
+    def __init__(self, tree, expressions):
+        values = tree.map(NODE_KEYS)
+        if "name" not in values:
+            raise tree.problem("a node has a name")
+        self.values, self.place = values, values["name"]
+        self.name = values["name"].text()
+        if not re.fullmatch(r"[A-Za-z]\w*", self.name):
+            raise values["name"].problem(f'"{self.name}" is no name of a node')
+        self.space = "/" + values["namespace"].text().strip("/") if "namespace" in values else "/"
+        self.remappings = []
+        for key, key_place, value in values["remap"].items() if "remap" in values else []:
+            self.remappings.append((key, value.text()))
+            for one in (key, value.text()):
+                if not re.fullmatch(r"[~/A-Za-z][\w/]*", one):
+                    raise key_place.problem(f'"{one}" is no name in ROS')
+        self.arguments = [one.text() for one in values["args"].list()] if "args" in values else []
+        self.full_name = f"{self.space if self.space != '/' else ''}/{self.name}"
+        self.parameters = leaves(values["params"], self.full_name + "/", expressions) if "params" in values else []
+
+
+def _length(values, key, preset):
+    """Metres, where inf and nan are words too."""
+    if key not in values:
+        return preset
+    value = values[key].scalar()
+    if isinstance(value, str) and value in ("inf", "nan"):
+        value = float(value)
+    if isinstance(value, bool) or not isinstance(value, (int, float)):
+        raise values[key].problem("a number of metres, inf or nan stands here")
+    return float(value)
+
+
+def published(kind, tree):
+    """One topic of `publish`: its keys by name, presets for those that are not there; `place` is the topic's."""
+    values = tree.map(["topic", "frame", *PUBLISH[kind][0]])
+    if "topic" not in values:
+        raise tree.problem(f"{kind} has a topic")
+    found = {"kind": kind, "topic": values["topic"].text(), "place": values["topic"],
+             "frame": values["frame"].text() if "frame" in values else FRAMES.get(kind, "world"),
+             "camera": values["camera"].integer(0) if "camera" in values else 0,
+             "info": values["info"].text() if "info" in values else "",
+             "all_states": "all_states" in values and values["all_states"].truth()}
+    if kind == "odometry":
+        found["child_frame"] = values["child_frame"].text() if "child_frame" in values else "body"
+        found["in_body"] = "velocity" in values and values["velocity"].word(["world", "body"]) == "body"
+    elif kind == "camera_pose":
+        found["type"] = values["type"].word(POSE_TYPES) if "type" in values else POSE_TYPES[0]
+    elif kind == "depth":
+        found["in_mm"] = "encoding" in values and values["encoding"].word(["32FC1", "16UC1"]) == "16UC1"
+        found["no_return_m"] = _length(values, "no_return_m", 0.0 if found["in_mm"] else float("inf"))
+        found["invalid_m"] = _length(values, "invalid_m", 0.0 if found["in_mm"] else float("nan"))
+    elif kind == "cloud":
+        found["stride_px"] = values["stride_px"].integer(1, 1000) if "stride_px" in values else 1
+    elif kind == "goal":
+        found["type"] = values["type"].word(GOAL_TYPES) if "type" in values else GOAL_TYPES[0]
+        found["repeat_s"] = float(values["repeat_s"].number(0)) if "repeat_s" in values else 0.0
+    return found
+
+
+def all_published(tree):
+    """All topics of `publish`, in the file's order."""
+    found = []
+    for kind, place, value in tree.items():
+        if kind not in PUBLISH:
+            raise place.problem(f'"{kind}" is none of {", ".join(PUBLISH)}')
+        found += [published(kind, one) for one in value.list()]
+    return found
+
+
+def seen_of(topics):
+    """What a planner sees of which these topics are published, as avoidbench.Planner names it."""
+    states = ["states"] if any(one["all_states"] for one in topics) else []
+    return tuple(dict.fromkeys(["state", *(PUBLISH[one["kind"]][1] for one in topics), *states]))
+
+
+class CommandSpec:
+    """`command`: where it comes out and what it becomes."""
+
+    def __init__(self, tree, node_names):
+        values = tree.map(["topic", "type", "form", "frame", "hover_thrust", "stale_s", "ahead"])
+        for key in ("topic", "type"):
+            if key not in values:
+                raise tree.problem(f"command has a {key}")
+        self.values = values
+        self.topic, self.type = values["topic"].text(), values["type"].text()
+        if not TYPE.fullmatch(self.type):
+            raise values["type"].problem(f'"{self.type}" is no type of a message, as geometry_msgs/Twist')
+        self.form = values["form"].word(list(COMMANDS)) if "form" in values else self.type.split("/")[1]
+        if self.form not in COMMANDS:
+            raise values["type"].problem(f"{self.form} is none of {', '.join(COMMANDS)}; form: says whose members it has")
+        self.kinds = COMMANDS[self.form]
+        self.in_body = "frame" in values and values["frame"].word(["world", "body"]) == "body"
+        self.hover_thrust = float(values["hover_thrust"].number(1e-6, 1e6)) if "hover_thrust" in values else 0.0
+        if self.form == "AttitudeTarget" and not self.hover_thrust:
+            raise tree.problem("an AttitudeTarget needs hover_thrust: the thrust at which the vehicle hovers")
+        self.stale_s = float(values["stale_s"].number(1e-3, 1e6)) if "stale_s" in values else 0.5
+        self.ahead_node, self.horizon_s, self.step_s = "", 0.0, 0.05
+        if "ahead" in values:
+            ahead = values["ahead"].map(["node", "horizon_s", "step_s"])
+            if "node" not in ahead or "horizon_s" not in ahead:
+                raise values["ahead"].problem("ahead has the node that serves set points, and horizon_s")
+            self.ahead_node = ahead["node"].word(node_names)
+            self.horizon_s = ahead["horizon_s"].number(1e-3, 60)
+            self.step_s = ahead["step_s"].number(1e-3, 60) if "step_s" in ahead else self.step_s
+            if self.form != "PositionCommand":
+                raise values["ahead"].problem("only PositionCommand is run ahead: it has position, velocity and acceleration")
