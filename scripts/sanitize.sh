@@ -2,8 +2,23 @@
 # sanitize.sh [ROOM…|--all]: builds the tests of these rooms, or planners (planners/ego), with address and undefined-behaviour sanitizers
 # (build/asan) and runs them; of planners without the longest flights. Without arguments: what changed (changed_files.sh), of more than
 # two rooms those with the most changed files, and a rotating eighth of all rooms; the tests labelled slow only with --all.
+#   --python [PYTEST ARGUMENTS…]    the Python extension instead, by the package's tests; they fly with the program of build/release
 set -euo pipefail
 cd "$(dirname "$0")/.."
+
+if [ "${1:-}" = --python ]; then
+  shift
+  [ -x build/release/avoidbench ] || { echo "build/release/avoidbench is not there: build it first" >&2; exit 1; }
+  scripts/python_venv.sh
+  cmake --preset asan -DAVOIDBENCH_UNITY=ON -DAVOIDBENCH_PYTHON=ON "-DPython_EXECUTABLE=$PWD/build/venv/bin/python" >/dev/null
+  cmake --build build/asan --parallel "$(nproc)" --target _core
+  [ $# -gt 0 ] || set -- python/tests --ignore=python/tests/test_ppo_slow.py
+  # Python is no sanitized program: the runtime is loaded before it, and the C++ library, whose exceptions the runtime looks for.
+  # Leaks are looked for by test_env_leaks.py: Python leaves objects at its end. Crashes that tests want are theirs to handle.
+  exec env "LD_PRELOAD=$(clang++ -print-file-name=libclang_rt.asan-x86_64.so):$(clang++ -print-file-name=libstdc++.so.6)" \
+    ASAN_OPTIONS=detect_leaks=0:handle_segv=0 UBSAN_OPTIONS=print_stacktrace=1 AVOIDBENCH_PROGRAM="$PWD/build/release/avoidbench" \
+    PYTHONPATH="$PWD/build/asan/python" PYTHONDONTWRITEBYTECODE=1 build/venv/bin/python -m pytest -p no:cacheprovider "$@"
+fi
 
 mapfile -t rooms < <(grep -vE '^\s*(#|$)' lib/ORDER | cut -d: -f1 | tr -d ' ')
 rooms+=(planners/*/)

@@ -8,6 +8,7 @@
 
 #include "base/check.hpp"
 #include "base/input_file.hpp"
+#include "base/poll.hpp"
 
 namespace avoidbench {
 namespace {
@@ -60,6 +61,7 @@ std::string file_digest(const std::filesystem::path& path) {
   std::vector<char> buffer(1 << 16);
   // A piece that is not full is the last one.
   for (std::size_t count = buffer.size(); count == buffer.size();) {
+    poll_caller();
     count = file.read(buffer);
     digest.add_bytes(std::as_bytes(std::span(buffer.data(), count)));
   }

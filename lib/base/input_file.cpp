@@ -9,9 +9,12 @@
 #include <cstring>
 
 #include "base/input_error.hpp"
+#include "base/poll.hpp"
 
 namespace avoidbench {
 namespace {
+
+constexpr std::size_t kMostAtOnce = std::size_t{1} << 24U;  // then whoever waits is asked again
 
 /// Whether the path names a descriptor that this process was started with.
 bool is_held(const std::filesystem::path& path) {
@@ -70,7 +73,9 @@ void InputFile::check_size(std::uint64_t bytes) const {
 std::size_t InputFile::read(std::span<char> bytes) {
   std::size_t filled = 0;
   while (filled < bytes.size()) {
-    const ssize_t count = ::read(descriptor_, bytes.data() + filled, bytes.size() - filled);
+    poll_caller();
+    const std::size_t piece = std::min(bytes.size() - filled, kMostAtOnce);
+    const ssize_t count = ::read(descriptor_, bytes.data() + filled, piece);
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) refuse_file(path_, std::string("can't be read: ") + std::strerror(errno));
     if (count == 0) break;

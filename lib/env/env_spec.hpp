@@ -59,7 +59,9 @@ struct RewardSpec {
 };
 
 /// Which trial of the sweep is flown next in a slot. Random: drawn from (seed, slot, episode)
-/// alone. In turn: slot s of N flies the trials s, s + N, s + 2 N, … of the sweep and begins again.
+/// alone. In turn: slot s of N flies the trials s, s + N, s + 2 N, … of the sweep, each once, then
+/// begins again: its next round. Trials that can't be flown are passed over. In the rounds 0 of all
+/// slots each trial is flown once: a slot without a trial of its own begins with round 1.
 enum class EpisodeOrder { random, in_turn };
 
 template <>

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "base/check.hpp"
+#include "base/poll.hpp"
 #include "base/random.hpp"
 #include "sweep/listed_missions.hpp"
 
@@ -63,12 +64,23 @@ EpisodeSource::EpisodeSource(const EnvSpec& spec)
 
 EpisodeSource::~EpisodeSource() = default;
 
+EpisodeSource::SlotTrials EpisodeSource::trials_of(std::size_t slot) const {
+  const std::size_t stride = std::min(slots_, trials_.size());
+  const std::size_t first = slot % stride;
+  // Of more slots than trials those beyond fly what others fly, too.
+  return {.first = first,
+          .stride = stride,
+          .count = (trials_.size() - first + stride - 1) / stride,
+          .first_round = static_cast<std::int64_t>(slot / stride)};
+}
+
 const PlannedTrial& EpisodeSource::trial_of(const Request& request, std::int64_t attempt) const {
   if (order_ == EpisodeOrder::in_turn) {
-    const auto ordinal = static_cast<std::size_t>(request.ordinal + attempt);
-    // Where the slots are a multiple of the trials, a slot whose trial can't be flown takes others.
-    const std::size_t more = static_cast<std::size_t>(attempt) / trials_.size();
-    return trials_[(request.slot + ordinal * slots_ + more) % trials_.size()];
+    const SlotTrials own = trials_of(request.slot);
+    const auto place = static_cast<std::size_t>(request.ordinal + attempt) % own.count;
+    // A slot none of whose trials can be flown takes others': by then its round is not 0.
+    const std::size_t more = static_cast<std::size_t>(attempt) / own.count;
+    return trials_[(own.first + place * own.stride + more) % trials_.size()];
   }
   // Each number opens a stream of its own. Drawn one after the other from one stream, an episode
   // would depend on which slot came first.
@@ -107,6 +119,8 @@ void EpisodeSource::forget_maps() {
 
 Episode EpisodeSource::episode(std::uint64_t seed, std::size_t slot, std::int64_t ordinal,
                                const std::function<void()>& poll) {
+  std::optional<PollScope> polled;  // maps take seconds to make
+  if (poll) polled.emplace(poll);
   for (std::int64_t attempt = 0; attempt < kMostAttempts; ++attempt) {
     if (poll) poll();
     const PlannedTrial& trial = trial_of({seed, slot, ordinal}, attempt);
@@ -115,13 +129,16 @@ Episode EpisodeSource::episode(std::uint64_t seed, std::size_t slot, std::int64_
     const MeasuredMission& mission =
         map->mission(setting, trial.mission_index, missions_of(listed_, setting));
     if (!mission.record.is_valid) continue;
+    Episode found{
+        .ordinal = ordinal, .spec = trial.spec(), .map = std::move(map), .mission = &mission};
     // In turn the trials that were passed over are done with. At random the attempts are drawn by
     // themselves, and ordinals stay a slot's count of episodes.
-    const bool is_in_turn = order_ == EpisodeOrder::in_turn;
-    return {.ordinal = is_in_turn ? ordinal + attempt : ordinal,
-            .spec = trial.spec(),
-            .map = std::move(map),
-            .mission = &mission};
+    if (order_ == EpisodeOrder::in_turn) {
+      const SlotTrials own = trials_of(slot);
+      found.ordinal += attempt;
+      found.round = own.first_round + found.ordinal / static_cast<std::int64_t>(own.count);
+    }
+    return found;
   }
   throw InputError("none of " + std::to_string(kMostAttempts) +
                    " missions of the sweep can be flown: `avoidbench maps` says why not");

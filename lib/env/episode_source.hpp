@@ -47,6 +47,8 @@ class SharedMap {
 struct Episode {
   std::int64_t ordinal =
       0;  ///< in its slot, from 0; of the invalid trials that were passed over, too
+  std::int64_t round =
+      0;  ///< in turn: how often the slot has flown its trials before; see EpisodeOrder
   TrialSpec spec;
   std::shared_ptr<SharedMap> map;
   const MeasuredMission* mission = nullptr;  ///< the map's
@@ -66,8 +68,8 @@ class EpisodeSource {
   const std::vector<PlannedTrial>& trials() const { return trials_; }
 
   /// Waits for the map where it is not made yet. Throws InputError where a map can't be made, or
-  /// where no mission that was tried can be flown. `poll` is called before each try; what it throws
-  /// ends the search.
+  /// where no mission that was tried can be flown. `poll` is called before each try and while maps
+  /// are made; what it throws ends the search.
   Episode episode(std::uint64_t seed, std::size_t slot, std::int64_t ordinal,
                   const std::function<void()>& poll = {});
 
@@ -81,8 +83,14 @@ class EpisodeSource {
     std::int64_t ordinal = 0;
   };
   struct Entry;
+  /// In turn: every `stride`-th trial from `first` on, `count` of them.
+  struct SlotTrials {
+    std::size_t first = 0, stride = 1, count = 1;
+    std::int64_t first_round = 0;
+  };
 
   const PlannedTrial& trial_of(const Request& request, std::int64_t attempt) const;
+  SlotTrials trials_of(std::size_t slot) const;
   std::shared_ptr<SharedMap> map_of(const TrialSpec& setting);
   void forget_maps();
   void build_ahead(const std::stop_token& stop);

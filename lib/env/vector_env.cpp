@@ -213,6 +213,7 @@ void VectorEnv::Internals::finish(Slot& slot, std::size_t index) {
   const TrialRecord& record = slot.record;
   slot.end = {.slot = index,
               .episode = episode.ordinal,
+              .round = episode.round,
               .trial_key = trial_key(episode.spec),
               .map_seed = episode.spec.map_seed,
               .mission_index = episode.spec.mission_index,
@@ -288,6 +289,10 @@ const TrialRecord& VectorEnv::record(std::size_t slot) const {
 
 const TrialSpec& VectorEnv::trial(std::size_t slot) const {
   return internals_->slots.at(slot).episode.spec;
+}
+
+std::int64_t VectorEnv::round(std::size_t slot) const {
+  return internals_->slots.at(slot).episode.round;
 }
 
 const Scene& VectorEnv::scene(std::size_t slot) const {

@@ -27,6 +27,7 @@ struct EnvArrays {
 struct EpisodeEnd {
   std::size_t slot = 0;
   std::int64_t episode = 0;  ///< Episode::ordinal
+  std::int64_t round = 0;    ///< Episode::round
   std::string trial_key;     ///< of the spec, as a sweep's trial of this policy has it
   std::uint64_t map_seed = 0;
   std::int64_t mission_index = 0;
@@ -78,6 +79,7 @@ class VectorEnv {
   /// The last flight that ended in the slot, and what flies there now or ended in the last step.
   const TrialRecord& record(std::size_t slot) const;
   const TrialSpec& trial(std::size_t slot) const;
+  std::int64_t round(std::size_t slot) const;  ///< Episode::round of the same
   const Scene& scene(std::size_t slot) const;
 
  private:

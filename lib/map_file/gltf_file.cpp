@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "base/poll.hpp"
 #include "map_file/cloud_bytes.hpp"
 #include "map_file/mesh_readers.hpp"
 
@@ -305,6 +306,7 @@ struct Gatherer {
   }
 
   void add_primitive(const json& primitive, const std::string& name, std::vector<Surface>& to) {
+    poll_caller();
     if (!primitive.is_object()) from.fail(name + ": a primitive is no object");
     const std::uint64_t mode = from.whole(primitive, "mode").value_or(4);
     if (mode < 4) return;  // points and lines
@@ -338,6 +340,7 @@ struct Gatherer {
       return static_cast<std::uint32_t>(at - used.begin());
     };
     for (std::size_t i = 0; i < corners.size(); i += 3) {
+      poll_caller();
       surface.triangles.push_back(
           {index_of(corners[i]), index_of(corners[i + 1]), index_of(corners[i + 2])});
     }
@@ -363,6 +366,7 @@ struct Gatherer {
     // A mirrored mesh turns inside out: its corners are put back in order.
     const bool is_mirrored = T_file_mesh.linear().determinant() < 0.0;
     for (auto [a, b, c] : surface.triangles) {
+      poll_caller();
       if (is_mirrored) std::swap(b, c);
       part.triangles.push_back({first + a, first + b, first + c});
       part.materials.push_back(surface.material);

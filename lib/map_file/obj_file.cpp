@@ -3,6 +3,7 @@
 #include <map>
 #include <utility>
 
+#include "base/poll.hpp"
 #include "map_file/cloud_bytes.hpp"
 #include "map_file/mesh_readers.hpp"
 #include "map_file/polygon.hpp"
@@ -147,7 +148,10 @@ struct ObjReader {
 std::vector<MeshPart> parse_obj(const MeshSource& source) {
   ObjReader reader{.source = source};
   LineCursor lines{source.bytes};
-  while (const auto line = lines.next()) reader.add_line(*line, lines.line);
+  while (const auto line = lines.next()) {
+    poll_caller();
+    reader.add_line(*line, lines.line);
+  }
   return std::move(reader.parts);
 }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/poll.hpp"
 #include "map_file/cloud_bytes.hpp"
 #include "map_file/lzf.hpp"
 #include "map_file/point_cloud_file.hpp"
@@ -161,6 +162,7 @@ FilePoints ascii_points(const PcdHeader& header, LineCursor& lines, const std::s
   const std::size_t last = std::max({xyz[0].word, xyz[1].word, xyz[2].word});
   FilePoints points;
   for (std::uint64_t i = 0; i < header.points;) {
+    poll_caller();
     auto line = lines.next();
     if (!line) fail_short(file, header, i, lines.line);
     std::string_view word = take_word(*line);
@@ -198,6 +200,7 @@ FilePoints column_points(const std::array<Column, 3>& columns, std::uint64_t cou
   // The count was held against the bytes before.
   points.reserve(count);
   for (std::uint64_t i = 0; i < count; ++i) {
+    poll_caller();
     Eigen::Vector3d point;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const Column& column = columns[axis];

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/poll.hpp"
 #include "map_file/cloud_bytes.hpp"
 #include "map_file/mesh_readers.hpp"
 #include "map_file/point_cloud_file.hpp"
@@ -219,6 +220,7 @@ FilePoints binary_points(const Element& vertex, bool is_big_endian, std::string_
   FilePoints points;
   std::vector<Taken> taken;
   for (std::uint64_t i = 0; i < vertex.count; ++i) {
+    poll_caller();
     if (!take_binary(vertex, is_big_endian, rest, taken)) fail_short(file, vertex, i);
     Eigen::Vector3d point;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -240,6 +242,7 @@ FilePoints ascii_points(const Element& vertex, LineCursor& lines, const std::str
   }
   FilePoints points;
   for (std::uint64_t i = 0; i < vertex.count; ++i) {
+    poll_caller();
     auto line = lines.next();
     if (!line) fail_short(file, vertex, i, lines.line);
     Eigen::Vector3d point = Eigen::Vector3d::Zero();
@@ -326,6 +329,7 @@ struct MeshReader {
   /// Calls `act(property, k, value)` for each number of the element's next one, the index-th.
   template <class Act>
   void take(const Element& element, std::uint64_t index, Act&& act) {
+    poll_caller();
     begin = lines.rest.data();
     if (for_each_number(header, element, lines, source.file, act)) return;
     fail_short(source.file, element, index, line());

@@ -1,5 +1,6 @@
 #include <array>
 
+#include "base/poll.hpp"
 #include "map_file/cloud_bytes.hpp"
 #include "map_file/mesh_readers.hpp"
 
@@ -18,6 +19,7 @@ struct StlPart {
   MeshPart part = {.kind = obstacle_kind(""), .vertices = {}, .triangles = {}, .materials = {}};
 
   void add(const Corners& corners) {
+    poll_caller();
     if (part.triangles.size() >= source.most_triangles) fail_triangles(source);
     // STL knows no shared vertices: each triangle brings its three.
     const auto first = static_cast<std::uint32_t>(part.vertices.size());

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/check.hpp"
+#include "base/poll.hpp"
 
 namespace avoidbench {
 namespace {
@@ -51,6 +52,7 @@ std::vector<std::uint64_t> full_voxels(const FilePoints& points, double resoluti
   std::vector<std::uint64_t> voxels;
   voxels.reserve(points.size());
   for (const Eigen::Vector3d& point : points) {
+    poll_caller();
     const Cell cell = cell_of(point, resolution_m);
     voxels.push_back(packed(static_cast<std::uint64_t>(cell[0] - lowest[0]),
                             static_cast<std::uint64_t>(cell[1] - lowest[1]),
@@ -67,6 +69,7 @@ struct Faces {
 };
 
 Faces faces_across(const std::vector<std::uint64_t>& voxels, unsigned axis) {
+  poll_caller();
   const unsigned u = (axis + 1) % 3, v = (axis + 2) % 3;
   std::vector<std::uint64_t> columns;  // neighbours along the axis stand beside each other
   columns.reserve(voxels.size());
@@ -101,6 +104,7 @@ std::vector<Rectangle> merged(const std::vector<std::uint64_t>& faces) {
   std::uint64_t row_key = ~std::uint64_t{0};
   std::size_t candidate = 0;
   for (std::size_t i = 0; i < faces.size();) {
+    poll_caller();
     // Layer and row together.
     const std::uint64_t key = faces[i] >> kBits;
     std::size_t end = i + 1;

@@ -5,6 +5,7 @@
 
 #include "base/check.hpp"
 #include "base/math.hpp"
+#include "base/poll.hpp"
 #include "maps/dotnet_random.hpp"
 #include "maps/glibc_random.hpp"
 
@@ -97,6 +98,7 @@ std::vector<Place> sample(const Place& size_m, float radius_m, std::int32_t seed
   std::vector<Place> active = places;
   grid.take(places.front());
   while (!active.empty()) {
+    poll_caller();
     random.next_double();
     // Truncation makes the chosen index 0 each time.
     const Place centre = active.front();

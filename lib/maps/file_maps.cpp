@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/poll.hpp"
 #include "map_file/map_file.hpp"
 #include "map_file/mesh_file.hpp"
 #include "map_file/point_cloud_file.hpp"
@@ -20,6 +21,7 @@ constexpr std::size_t kFewestPoints = 10;
 constexpr double kMostExtent_m = 2000.0, kLeastExtent_m = 1.0;
 constexpr double kMostCoordinate_m = 10'000.0;  // single precision is finer than 1 mm up to there
 constexpr double kLeastBounds_m = 1.0;
+constexpr std::size_t kComparedPerPoll = 1024;
 
 std::string number(double value) { return significant_digits(value + 0.0, 6); }  // no "-0"
 
@@ -263,11 +265,14 @@ Prototype welded(const MeshPart& part, const Eigen::Vector3d& foot) {
   }
   std::vector<std::uint32_t> order(all.size());
   std::iota(order.begin(), order.end(), 0U);
+  std::size_t compared = 0;
   // Equal vertices stand together when sorted; stable, so that the first in the file stands for
   // them.
   const auto key = [&](std::uint32_t i) { return std::tuple(all[i].x(), all[i].y(), all[i].z()); };
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    if (++compared % kComparedPerPoll == 0) poll_caller();
+    return key(a) < key(b);
+  });
   std::vector<std::uint32_t> first(all.size());  // the first vertex at the same place
   for (std::size_t i = 0; i < order.size(); ++i) {
     const bool is_same = i > 0 && all[order[i]] == all[order[i - 1]];
@@ -278,6 +283,7 @@ Prototype welded(const MeshPart& part, const Eigen::Vector3d& foot) {
   constexpr std::uint32_t kUnused = ~0U;
   std::vector<std::uint32_t> index(all.size(), kUnused);
   for (std::size_t i = 0; i < part.triangles.size(); ++i) {
+    poll_caller();
     const auto& [a, b, c] = part.triangles[i];
     const Eigen::Vector3d from = all[a].cast<double>();
     // Exactly no area: thin triangles are real.

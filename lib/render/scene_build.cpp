@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <cstring>
+#include <exception>
 #include <limits>
 
 #include "base/check.hpp"
+#include "base/poll.hpp"
 #include "render/device.hpp"
 #include "render/scene_internals.hpp"
 
@@ -97,10 +99,35 @@ void commit(RTCScene scene) {
   embree::check_errors("building the map's bounding volume hierarchy");
 }
 
+/// As commit(), but whoever waits for it may end it: what poll_caller() throws is thrown.
+void commit_polled(RTCScene scene) {
+  if (!is_polled()) return commit(scene);
+  std::exception_ptr thrown;
+  const auto goes_on = [](void* where, double) {
+    // No exception may pass through Embree.
+    try {
+      poll_caller();
+    } catch (...) {
+      *static_cast<std::exception_ptr*>(where) = std::current_exception();
+      return false;
+    }
+    return true;
+  };
+  rtcSetSceneProgressMonitorFunction(scene, goes_on, &thrown);
+  rtcCommitScene(scene);
+  rtcSetSceneProgressMonitorFunction(scene, nullptr, nullptr);
+  if (thrown) {
+    rtcGetDeviceError(embree::device());  // that it was ended
+    std::rethrow_exception(thrown);
+  }
+  embree::check_errors("building the map's bounding volume hierarchy");
+}
+
 /// Every instance as triangles of the world, in one hierarchy.
 void build_flattened(Scene::Internals& scene) {
   const World& world = *scene.world;
   for (std::uint32_t i = 0; i < world.instances.size(); ++i) {
+    poll_caller();
     const TriangleMesh& mesh = world.prototypes[world.instances[i].prototype].mesh;
     const std::vector<Vector3f> vertices = flattened_vertices(mesh, scene.placements[i]);
     scene.planes.push_back(make_planes(vertices, mesh));
@@ -124,7 +151,7 @@ void build_instanced(Scene::Internals& scene) {
           make_geometry(prototype.mesh.vertices, prototype.mesh);
       rtcAttachGeometryByID(scene.prototypes.back().get(), geometry.get(), 0);
     }
-    commit(scene.prototypes.back().get());
+    commit_polled(scene.prototypes.back().get());
   }
   for (std::uint32_t i = 0; i < world.instances.size(); ++i) {
     const std::uint32_t prototype = world.instances[i].prototype;
@@ -163,6 +190,7 @@ RTCBounds instance_bounds(const TriangleMesh& mesh, const Placement& placement) 
 void build_instance_boxes(Scene::Internals& scene) {
   const World& world = *scene.world;
   for (std::size_t i = 0; i < world.instances.size(); ++i) {
+    poll_caller();
     const TriangleMesh& mesh = world.prototypes[world.instances[i].prototype].mesh;
     scene.bounds.push_back(instance_bounds(mesh, scene.placements[i]));
   }
@@ -235,6 +263,7 @@ std::unique_ptr<Scene::Internals> build_internals(const World& world,
     rtcSetSceneBuildQuality(scene->top.get(), RTC_BUILD_QUALITY_LOW);
   }
   for (const Instance& instance : world.instances) {
+    poll_caller();
     scene->placements.push_back(make_placement(instance));
   }
   scene->lowest_ceiling_m = lowest_ceiling_m(*scene);
@@ -244,7 +273,7 @@ std::unique_ptr<Scene::Internals> build_internals(const World& world,
     build_instanced(*scene);
     build_instance_boxes(*scene);
   }
-  commit(scene->top.get());
+  commit_polled(scene->top.get());
   return scene;
 }
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "base/check.hpp"
+#include "base/poll.hpp"
 
 namespace avoidbench {
 namespace {
@@ -122,6 +123,7 @@ void sample_outwards(double radius_m, const Eigen::Vector2d& first, SampleGrid& 
   // Samples around which there may still be room.
   std::vector<std::size_t> active{0};
   while (!active.empty()) {
+    poll_caller();
     // Any of them, as Bridson does.
     const std::size_t chosen = static_cast<std::size_t>(random.below(active.size()));
     const Eigen::Vector2d centre = grid.samples()[active[chosen]];
@@ -158,6 +160,7 @@ void fill_gaps(const Eigen::Vector2d& size_m, double radius_m, SampleGrid& grid,
        side_m *= 0.5) {
     quarters.clear();
     for (const Eigen::Vector2d& low : squares) {
+      poll_caller();
       // One disc alone has to hold it; a square that two discs hold together is quartered until
       // they do.
       if (low.x() >= size_m.x() || low.y() >= size_m.y() || grid.covered(low, side_m)) continue;

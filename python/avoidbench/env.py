@@ -233,7 +233,8 @@ class AvoidbenchVectorEnv(gymnasium.vector.VectorEnv[Observation, NDArray[Any], 
         frame: of velocities, accelerations and trajectories: "heading" or "world".
         reward: a Reward; a function of (observation, actions, default reward, terminated, truncated), arrays over N, that gives (N,);
             or None for zeros. What the function gives must be finite; where it raises, the step was flown all the same.
-        order: "random", or "in_turn": slot s flies the trials s, s + N, … of the sweep and begins again.
+        order: "random", or "in_turn": slot s flies the trials s, s + N, … of the sweep, then begins again: see `rounds`. Missions that
+            can't be flown are passed over.
         seed: of the first reset() without a seed.
         autoreset_mode: Gymnasium's. NEXT_STEP: the step after an end begins the next episode, without a reward. SAME_STEP: an end gives
             the first observation of the next episode, the last one is in infos["final_obs"]. DISABLED: reset(options={"reset_mask": …}).
@@ -241,8 +242,9 @@ class AvoidbenchVectorEnv(gymnasium.vector.VectorEnv[Observation, NDArray[Any], 
         kept_maps: maps in memory beside those that fly.
         policy: the planner's label in trial keys.
 
-    infos of an episode's end (with Gymnasium's masks, "_outcome" and so on): outcome, reason, trial_key, map_seed, mission_index, episode_index,
-    end_time_s, steps, reward_sum (of what reward gave), and in "metrics" each metric of `avoidbench metrics`, NaN where it is of no meaning.
+    infos of an episode's end (with Gymnasium's masks, "_outcome" and so on): outcome, reason, trial_key, map_seed, mission_index,
+    episode_index, round (see `rounds`), end_time_s, steps, reward_sum (of what reward gave), and in "metrics" each metric of
+    `avoidbench metrics`, NaN where it is of no meaning.
 
     Raises InputError, a ValueError, with file, line and column for what is wrong in a sweep; TypeError and ValueError for the rest."""
 
@@ -273,6 +275,13 @@ class AvoidbenchVectorEnv(gymnasium.vector.VectorEnv[Observation, NDArray[Any], 
         if self._flights is None:
             raise gymnasium.error.ClosedEnvironmentError("the environment is closed: make another one")
         return self._flights
+
+    @property
+    def rounds(self) -> NDArray[np.int64]:
+        """(N,): in order "in_turn", how often each slot has flown its trials before the one that it flies now; infos["round"] has it of an
+        end. The episodes of round 0 are each trial that can be flown, once: a slot without a trial of its own begins with round 1. In
+        random order 0."""
+        return np.array(self._open().core.rounds(), np.int64)
 
     def _seen(self) -> Observation:
         views = self._open().views
@@ -380,6 +389,11 @@ class AvoidbenchEnv(gymnasium.Env[Observation, NDArray[Any]]):
             end.pop("slot")
             info = end
         return self._seen(), float(flights.rewards[0]), bool(flights.terminated[0]), bool(flights.truncated[0]), info
+
+    @property
+    def round(self) -> int:
+        """In order "in_turn", how often the trials have been flown before the one that flies now: as AvoidbenchVectorEnv.rounds."""
+        return int(self._open().core.rounds()[0])
 
     def render(self) -> NDArray[np.uint8] | None:
         """The newest depth, near is bright; None without a render_mode."""

@@ -223,21 +223,17 @@ def train(steps: int, seed: int, out: Path, slots: int = 64, threads: int | None
 def fly_held_out(policy: Network, missions: int, threads: int | None = None) -> Flights:
     """The missions of the held-out maps, each flown once, without the training's noise."""
     sweep = forest("ppo_held_out", HELD_OUT_SEEDS, missions)
-    # Slot s flies the trials s, s + slots, …: as many rounds fly all of them.
     flights = avoidbench.AvoidbenchVectorEnv(sweep, len(HELD_OUT_SEEDS), threads=threads, depth="metric", order="in_turn",
                                              autoreset_mode="SameStep")
-    rounds = flights.trial_count // flights.num_envs
     found: Flights = {}
-    flown = np.zeros(flights.num_envs, int)
     seen, _ = flights.reset()
-    while (flown < rounds).any():
+    while (flights.rounds == 0).any():
         seen, _, terminated, truncated, infos = flights.step(command(seen, policy(features(seen))))
         for slot in np.flatnonzero(terminated | truncated):
             end = infos["final_info"]
-            # A slot that is done goes on with missions that it has flown: these count once.
-            found.setdefault((int(end["map_seed"][slot]), int(end["mission_index"][slot])),
-                             (str(end["outcome"][slot]), float(end["end_time_s"][slot])))
-            flown[slot] += 1
+            if end["round"][slot] == 0:  # a slot that is done begins again
+                mission = int(end["map_seed"][slot]), int(end["mission_index"][slot])
+                found[mission] = str(end["outcome"][slot]), float(end["end_time_s"][slot])
     flights.close()
     return found
 

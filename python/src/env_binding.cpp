@@ -120,6 +120,13 @@ class SteppedFlights {
     return env_->ended();
   }
 
+  std::vector<std::int64_t> rounds() {
+    const Turn turn(is_flying_);
+    std::vector<std::int64_t> rounds;
+    for (std::size_t slot = 0; slot < slots(); ++slot) rounds.push_back(env_->round(slot));
+    return rounds;
+  }
+
  private:
   std::size_t slots() const { return static_cast<std::size_t>(env_->spec().slots); }
 
@@ -153,6 +160,7 @@ NamedValues dict_of(const EpisodeEnd& end) {
   NamedValues dict;
   dict["slot"] = end.slot;
   dict["episode_index"] = end.episode;  // "episode" is what Gymnasium's wrappers write
+  dict["round"] = end.round;
   dict["trial_key"] = end.trial_key;
   dict["map_seed"] = end.map_seed;
   dict["mission_index"] = end.mission_index;
@@ -255,6 +263,8 @@ void bind_env(nb::module_& m) {
       .def("step", &SteppedFlights::step, nb::arg("actions"), nb::arg("begins_next"),
            "Flies each slot to its next observation; float64 actions, slot after slot.")
       .def("ended", &ended, "The episodes that ended in the last step, a dict each, by slot.")
+      .def("rounds", &SteppedFlights::rounds,
+           "How often each slot has flown its trials before, in turn.")
       .def("shape", &shape_of, "Sizes and ranges of observations and actions.")
       .def_prop_ro("warnings", &SteppedFlights::warnings, "What was read otherwise than written.");
 }

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "base/input_error.hpp"
+#include "base/poll.hpp"
 #include "base/random.hpp"
 #include "bindings.hpp"
 #include "config/sweep_file.hpp"
@@ -76,12 +77,14 @@ std::unique_ptr<GivenMap> make_map(MapChoice choice, std::optional<std::uint64_t
 std::unique_ptr<GivenMap> read_given_map(const std::string& given,
                                          const std::vector<std::string>& overrides,
                                          std::optional<std::uint64_t> seed) {
+  const PollScope polled(check_signals);
   return make_map(read_map(given, overrides), seed);
 }
 
 std::unique_ptr<GivenMap> read_map_text(const std::string& text, const std::string& name,
                                         const std::vector<std::string>& overrides,
                                         std::optional<std::uint64_t> seed) {
+  const PollScope polled(check_signals);
   const Document document{.root = parse_yaml(text, name), .included = {}};
   return make_map(map_of_document(document, name, {}, overrides), seed);
 }

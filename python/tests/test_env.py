@@ -73,7 +73,7 @@ def test_make_vec_gives_the_vector() -> None:
 
 @pytest.mark.parametrize("mode", list(AutoresetMode))
 def test_a_vector_does_as_gymnasiums_own_vector_of_single_flights(mode: AutoresetMode) -> None:
-    options: dict[str, Any] = {"observe": ["depth", "state", "goal", "pose"], "order": "in_turn"}
+    options: dict[str, Any] = {"observe": ["depth", "state", "goal", "pose"]}
     ours = AvoidbenchVectorEnv(ONE, 3, threads=2, autoreset_mode=mode, **options)
     theirs = SyncVectorEnv([lambda: AvoidbenchEnv(ONE, **options)] * 3, autoreset_mode=mode)
     assert ours.metadata["autoreset_mode"] is theirs.metadata["autoreset_mode"] is mode
@@ -258,6 +258,26 @@ def test_in_turn_each_trial_is_flown_once() -> None:
                 flown += list(zip(infos["map_seed"].tolist(), infos["mission_index"].tolist(), infos["trial_key"], strict=True))
     assert {trial[:2] for trial in flown[:4]} == {(1, 0), (1, 1), (2, 0), (2, 1)}
     assert len({trial[2] for trial in flown[:4]}) == 4 and flown[4:] == flown[:4]
+
+
+@pytest.mark.parametrize("mode", [AutoresetMode.NEXT_STEP, AutoresetMode.SAME_STEP])
+@pytest.mark.parametrize("slots", [2, 3, 15])
+def test_in_turn_the_ends_of_round_0_are_each_trial_that_can_be_flown_once(slots: int, mode: AutoresetMode, tmp_path: Path) -> None:
+    # So wide that some missions have no free start or goal.
+    sweep = changed(SMALL, maps={"seeds": [1, 2, 3, 4, 5, 6]}, mission={"time_limit_s": 1, "free_radius_m": 1.7})
+    missions = fly({**sweep, "planners": ["straight_line"]}, tmp_path / "flown.db").missions
+    valid = missions[missions["is_valid"] == 1]
+    assert 2 < len(valid) < len(missions) == 12
+    flown = []
+    with closing(AvoidbenchVectorEnv(sweep, slots, threads=2, observe=["goal"], order="in_turn", autoreset_mode=mode)) as env:
+        env.reset()
+        while (env.rounds == 0).any():
+            infos = env.step(np.zeros((slots, 4)))[4]
+            ends = infos.get("final_info", infos)
+            for slot in np.flatnonzero(ends.get("_outcome", [])):
+                if ends["round"][slot] == 0:
+                    flown.append((int(ends["map_seed"][slot]), int(ends["mission_index"][slot])))
+    assert sorted(flown) == sorted(zip(valid["map_seed"], valid["mission_index"], strict=True))
 
 
 def test_the_greatest_map_seed_is_told() -> None:

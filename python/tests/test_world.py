@@ -3,6 +3,7 @@
 import json
 import signal
 import subprocess
+import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -253,3 +254,41 @@ def test_long_calls_can_be_interrupted() -> None:
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0)
         signal.signal(signal.SIGALRM, before)
+
+
+def bumps(cells: int) -> bytes:
+    """A binary STL of a field of bumps, 60 m × 60 m, of 2 · cells² triangles."""
+    at = np.linspace(0.0, 60.0, cells + 1)
+    x, y = np.meshgrid(at, at, indexing="ij")
+    v = np.stack([x, y, np.random.default_rng(1).uniform(0.0, 1.0, x.shape)], axis=-1)
+    a, b, c, d = v[:-1, :-1], v[1:, :-1], v[1:, 1:], v[:-1, 1:]
+    triangles = np.concatenate([np.stack(corners, axis=-2).reshape(-1, 3, 3) for corners in ((a, b, c), (a, c, d))])
+    records = np.zeros(len(triangles), [("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
+    records["corners"] = triangles
+    return bytes(80) + np.uint32(len(records)).tobytes() + records.tobytes()
+
+
+def test_making_a_map_is_interrupted_wherever_it_is(tmp_path: Path) -> None:
+    (tmp_path / "bumps.stl").write_bytes(bumps(600))
+
+    def make() -> float:
+        """The processor's time that it takes."""
+        began = time.process_time()
+        avoidbench.make_world("mesh", file=tmp_path / "bumps.stl", bounds={"lowest_m": [0, 0, 0], "highest_m": [60, 60, 10]})
+        return time.process_time() - began
+
+    def interrupt(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    whole_s = make()
+    before = signal.signal(signal.SIGPROF, interrupt)
+    try:
+        for share in (0.05, 0.2, 0.35, 0.5, 0.65):
+            signal.setitimer(signal.ITIMER_PROF, share * whole_s)
+            began = time.process_time()
+            with pytest.raises(KeyboardInterrupt):
+                make()
+            assert time.process_time() - began < (share + 0.2) * whole_s
+    finally:
+        signal.setitimer(signal.ITIMER_PROF, 0)
+        signal.signal(signal.SIGPROF, before)

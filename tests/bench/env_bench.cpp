@@ -1,13 +1,15 @@
 #include <benchmark/benchmark.h>
 
 #include <chrono>
+#include <functional>
+#include <thread>
 
 #include "bare_loop.hpp"
 #include "env/vector_env.hpp"
 
 // Steps of a vector of flights, each 1/30 s of simulated time: how many a second, and with pictures
-// what Embree alone takes for as many of them. And the first reset, which makes the maps and
-// searches the missions' reference paths.
+// what Embree alone takes for as many of them; what two threads gain, beside what they could. And
+// the first reset, which makes the maps and searches the missions' reference paths.
 namespace avoidbench {
 namespace {
 
@@ -105,6 +107,33 @@ void env_steps(benchmark::State& state, const MapSpec& map, bool has_depth) {
   if (has_depth) state.counters["times_bare_loop"] = median(ratios);
 }
 
+double wall_s(const std::function<void()>& work) {
+  const auto began = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+}
+
+/// How much faster two threads are than one, and beside it what the machine can give: two vectors
+/// of one thread each that share nothing, at the same time. All in turns, wall times of ten steps.
+void env_scaling(benchmark::State& state, const MapSpec& map, bool has_depth) {
+  Learner one(env_spec(map, has_depth, 1)), two(env_spec(map, has_depth, 2));
+  Learner apart(env_spec(map, has_depth, 1));
+  const auto steps = [](Learner& learner) {
+    for (int i = 0; i < 10; ++i) learner.step();
+  };
+  std::vector<double> shared, separate;
+  for (auto _ : state) {
+    const double one_s = wall_s([&] { steps(one); });
+    shared.push_back(one_s / wall_s([&] { steps(two); }));
+    separate.push_back(2.0 * one_s / wall_s([&] {
+                         const std::jthread other([&] { steps(apart); });
+                         steps(one);
+                       }));
+  }
+  state.counters["two_threads"] = median(shared);
+  state.counters["two_apart"] = median(separate);
+}
+
 /// Every slot's first mission is one that nobody flew yet.
 void env_first_reset(benchmark::State& state, const MapSpec& map) {
   for (auto _ : state) {
@@ -137,6 +166,8 @@ BENCHMARK_CAPTURE(env_steps, forest_state, kForest, false)
     ->Arg(2)
     ->UseManualTime()
     ->Iterations(200);
+BENCHMARK_CAPTURE(env_scaling, hall_state, kHall, false)->Iterations(40);
+BENCHMARK_CAPTURE(env_scaling, forest_state, kForest, false)->Iterations(40);
 BENCHMARK_CAPTURE(env_first_reset, hall, kHall)->Arg(1)->Arg(2)->UseRealTime()->Iterations(1);
 BENCHMARK_CAPTURE(env_first_reset, forest, kForest)->Arg(1)->Arg(2)->UseRealTime()->Iterations(1);
 

@@ -349,6 +349,53 @@ TEST(VectorEnv, InTurnEachTrialIsFlownOnce) {
   EXPECT_THAT(trials_flown(spec, 1, 3), testing::ElementsAre("1/1", "2/1", "1/1"));
 }
 
+TEST(VectorEnv, InTurnASlotFliesItsOwnTrialsAgainAndNoOthers) {
+  EnvSpec spec = env_spec(3);  // of four trials
+  spec.order = EpisodeOrder::in_turn;
+  EXPECT_THAT(trials_flown(spec, 0, 4), testing::ElementsAre("1/0", "2/1", "1/0", "2/1"));
+  EXPECT_THAT(trials_flown(spec, 1, 2), testing::ElementsAre("1/1", "1/1"));
+  EXPECT_THAT(trials_flown(spec, 2, 2), testing::ElementsAre("2/0", "2/0"));
+}
+
+/// How often each trial was flown in round 0, all slots being reset until none is in it.
+std::map<std::string, int> flown_in_round_0(const EnvSpec& spec) {
+  Stepped stepped(spec);
+  std::map<std::string, int> flown;
+  bool goes_on = true;
+  for (stepped.reset(); goes_on; stepped.reset(std::nullopt)) {
+    goes_on = false;
+    for (std::size_t slot = 0; slot < stepped.reward.size(); ++slot) {
+      if (stepped.env.round(slot) > 0) continue;
+      goes_on = true;
+      const TrialSpec& trial = stepped.env.trial(slot);
+      ++flown[std::to_string(trial.map_seed) + "/" + std::to_string(trial.mission_index)];
+    }
+  }
+  return flown;
+}
+
+TEST(VectorEnv, InTurnRoundZeroIsEachTrialThatCanBeFlownOnce) {
+  // So wide that some missions have no free start or goal.
+  EnvSpec spec = env_spec();
+  spec.order = EpisodeOrder::in_turn;
+  spec.sweep.base.mission.free_radius_m = 1.7;
+  spec.sweep.axes = {{.path = "map_seed", .values = {1, 2, 3, 4, 5, 6}}};
+  std::map<std::string, int> valid;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    TrialSpec trial = spec.sweep.base;
+    trial.map_seed = seed;
+    for (const MissionRecord& mission : make_map_record(trial, MapScene(trial).scene, 2).missions) {
+      if (mission.is_valid) valid[std::to_string(seed) + "/" + std::to_string(mission.index)] = 1;
+    }
+  }
+  ASSERT_GT(valid.size(), 2U);
+  ASSERT_LT(valid.size(), 12U);
+  for (const std::int64_t slots : {1, 2, 3, 5, 7, 12, 15}) {
+    spec.slots = slots;
+    EXPECT_EQ(flown_in_round_0(spec), valid) << slots << " slots";
+  }
+}
+
 TEST(VectorEnv, SaysWhatIsWrong) {
   Stepped stepped(env_spec(2));
   EXPECT_EQ(error_of([&] { stepped.step(); }), "slot 0: reset() comes before step()");

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "base/input_error.hpp"
+#include "base/poll.hpp"
 #include "map_file/export_map.hpp"
 #include "map_file/mesh_file.hpp"
 #include "maps/map_spec.hpp"
@@ -109,6 +110,13 @@ TEST(MeshMap, EveryFormatGivesTheSameTriangles) {
     if (first.empty()) first = triangles;
     EXPECT_EQ(triangles, first) << name;
     EXPECT_EQ(make_world(spec_of((folder.path / name).string()), 7).digest, world.digest) << name;
+  }
+}
+
+TEST(MeshMap, EveryReaderAsksWhetherToGoOn) {
+  for (const auto& [name, bytes] : test::all_meshes(brick_mesh())) {
+    const PollScope scope([] { throw std::runtime_error("enough"); });
+    EXPECT_THROW(parse_mesh(bytes, name, Material::brick, 100), std::runtime_error) << name;
   }
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/poll.hpp"
 #include "base/random.hpp"
 #include "map_file/cloud_bytes.hpp"
 #include "map_file/lzf.hpp"
@@ -54,6 +55,16 @@ TEST(PointCloud, EveryFormatGivesTheSamePointsAndWorld) {
     if (digest.empty()) digest = world.digest;
     EXPECT_EQ(world.digest, digest) << name;
   }
+}
+
+TEST(PointCloud, EveryReaderAsksWhetherToGoOn) {
+  const FilePoints points = random_points();
+  for (const auto& [name, bytes] : all_clouds(points)) {
+    const PollScope scope([] { throw std::runtime_error("enough"); });
+    EXPECT_THROW(parse_point_cloud(bytes, name), std::runtime_error) << name;
+  }
+  const PollScope scope([] { throw std::runtime_error("enough"); });
+  EXPECT_THROW(voxel_surface(points, 0.5, 1000), std::runtime_error);
 }
 
 TEST(PointCloud, PointsThatAreNotFiniteAreLeftOut) {

@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "base/poll.hpp"
 #include "render/depth.hpp"
 #include "support/test_worlds.hpp"
 
@@ -186,6 +187,32 @@ TEST(Scene, BothKindsAnswerPointQueriesWithTheSameBits) {
               instanced.body_clearance(size, pose, 30.0));
   }
   EXPECT_GT(touching, 20);
+}
+
+TEST(Scene, BuildingIsEndedByWhoeverWaitsForIt) {
+  TriangleMesh mesh;  // a hierarchy over one mesh of 320 000 triangles takes Embree 100 ms and more
+  RandomStream heights(3);
+  constexpr std::uint32_t kSide = 401;
+  for (std::uint32_t i = 0; i < kSide * kSide; ++i) {
+    mesh.vertices.emplace_back(static_cast<float>(i / kSide), static_cast<float>(i % kSide),
+                               static_cast<float>(heights.uniform()));
+  }
+  for (std::uint32_t i = 0; i + kSide + 1 < kSide * kSide; ++i) {
+    if (i % kSide == kSide - 1) continue;
+    mesh.triangles.push_back({i, i + kSide, i + kSide + 1});
+    mesh.triangles.push_back({i, i + kSide + 1, i + 1});
+  }
+  const World world = test::world_of(mesh);
+  for (const std::size_t flatten_triangles : {std::size_t{0}, std::size_t{1'000'000}}) {
+    int polls = 0;
+    const PollScope scope([&polls] {
+      if (++polls > 2) throw std::runtime_error("enough");
+    });
+    EXPECT_THROW(Scene(world, flatten_triangles), std::runtime_error);
+    polls = -1'000'000;
+    EXPECT_NEAR(Scene(world, flatten_triangles).nearest({50.0, 50.0, 20.0}).distance_m, 19.0, 1.0)
+        << "another goes well";
+  }
 }
 
 TEST(Scene, ClearanceOverAFloorIsTheHeightOfTheLowestCorner) {
