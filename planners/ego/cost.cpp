@@ -7,6 +7,37 @@ using Eigen::Index;
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
+/// What of a vector's parts lies beyond ±most.
+Vector3d beyond(const Vector3d& value, double most) {
+  return value - value.cwiseMax(-most).cwiseMin(most);
+}
+
+/// As add_feasibility(), along each axis.
+double add_excess_of_axes(const Matrix3Xd& points, double interval_s,
+                          const planning::MotionLimits& limits, double weight,
+                          Matrix3Xd& gradient) {
+  const double inverse = 1.0 / interval_s, inverse2 = inverse * inverse;
+  double cost = 0.0;
+  for (Index i = 0; i + 1 < points.cols(); ++i) {
+    const Vector3d excess = beyond((points.col(i + 1) - points.col(i)) * inverse, limits.speed_mps);
+    cost += excess.squaredNorm() * inverse2;
+    const Vector3d slope = (2.0 * weight * inverse2 * inverse) * excess;
+    gradient.col(i) -= slope;
+    gradient.col(i + 1) += slope;
+  }
+  for (Index i = 0; i + 2 < points.cols(); ++i) {
+    const Vector3d excess =
+        beyond((points.col(i + 2) - 2.0 * points.col(i + 1) + points.col(i)) * inverse2,
+               limits.acceleration_mps2);
+    cost += excess.squaredNorm();
+    const Vector3d slope = (2.0 * weight * inverse2) * excess;
+    gradient.col(i) += slope;
+    gradient.col(i + 1) -= 2.0 * slope;
+    gradient.col(i + 2) += slope;
+  }
+  return weight * cost;
+}
+
 }  // namespace
 
 double add_smoothness(const Matrix3Xd& points, double weight, Matrix3Xd& gradient) {
@@ -46,13 +77,16 @@ double add_collision(const Matrix3Xd& points, const Anchors& anchors, double saf
   return weight * cost;
 }
 
-double add_feasibility(const Matrix3Xd& points, double interval_s, double max_speed_mps,
-                       double max_acceleration_mps2, double weight, Matrix3Xd& gradient) {
+double add_feasibility(const Matrix3Xd& points, double interval_s,
+                       const planning::MotionLimits& limits, double weight, Matrix3Xd& gradient) {
+  if (limits.of == planning::LimitOf::axes) {
+    return add_excess_of_axes(points, interval_s, limits, weight, gradient);
+  }
   const double inverse = 1.0 / interval_s, inverse2 = inverse * inverse;
   double cost = 0.0;
   for (Index i = 0; i + 1 < points.cols(); ++i) {
     const Vector3d velocity = (points.col(i + 1) - points.col(i)) * inverse;
-    const double speed = velocity.norm(), excess = speed - max_speed_mps;
+    const double speed = velocity.norm(), excess = speed - limits.speed_mps;
     if (excess <= 0.0) continue;
     cost += excess * excess * inverse2;
     const Vector3d slope = (2.0 * weight * excess * inverse2 * inverse / speed) * velocity;
@@ -62,7 +96,7 @@ double add_feasibility(const Matrix3Xd& points, double interval_s, double max_sp
   for (Index i = 0; i + 2 < points.cols(); ++i) {
     const Vector3d acceleration =
         (points.col(i + 2) - 2.0 * points.col(i + 1) + points.col(i)) * inverse2;
-    const double size = acceleration.norm(), excess = size - max_acceleration_mps2;
+    const double size = acceleration.norm(), excess = size - limits.acceleration_mps2;
     if (excess <= 0.0) continue;
     cost += excess * excess;
     const Vector3d slope = (2.0 * weight * excess * inverse2 / size) * acceleration;

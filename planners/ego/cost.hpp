@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "planning/bspline.hpp"
+
 namespace ego {
 
 /// A point on an obstacle's surface and the unit direction away from it: what pushes one control
@@ -26,9 +28,11 @@ double add_smoothness(const Eigen::Matrix3Xd& points, double weight, Eigen::Matr
 double add_collision(const Eigen::Matrix3Xd& points, const Anchors& anchors,
                      double safety_distance_m, double weight, Eigen::Matrix3Xd& gradient);
 
-/// Σ of squared excess of velocity (over the interval squared) and of acceleration, by their norms.
-double add_feasibility(const Eigen::Matrix3Xd& points, double interval_s, double max_speed_mps,
-                       double max_acceleration_mps2, double weight, Eigen::Matrix3Xd& gradient);
+/// Σ of squared excess of velocity (over the interval squared) and of acceleration, by their norms
+/// or along each axis. The limit of jerk does not count.
+double add_feasibility(const Eigen::Matrix3Xd& points, double interval_s,
+                       const planning::MotionLimits& limits, double weight,
+                       Eigen::Matrix3Xd& gradient);
 
 /// Squared distance of each knot from its reference (3 x (n - 2)), along the reference counted
 /// 1/25, across it whole: "anisotropic" fitting.

@@ -41,18 +41,29 @@ Flight::Flight(const Settings& settings)
       surroundings_{planning::RollingGrid(settings.grid),
                     planning::PathSearch(search_spec(settings)), 0.0, 0.0, settings.body_size_m} {}
 
+void Flight::see(const ab_depth_image& image) {
+  if (settings_.map_period_s > 0.0) {
+    const double tick = std::floor(image.time_s / settings_.map_period_s + 1e-9);
+    if (!(tick > map_tick_)) return;
+    map_tick_ = tick;
+  }
+  surroundings_.grid.integrate(planning::without_border(image, settings_.image_border_ratio));
+}
+
 void Flight::reset(const ab_mission& mission) {
   line_start_ = avoidbench::as_vector(mission.start_world_m);
   goal_ = avoidbench::as_vector(mission.goal_world_m);
   has_mission_ = planning::is_place(line_start_) && planning::is_place(goal_);
   start_yaw_rad_ = std::isfinite(mission.start_yaw_rad) ? mission.start_yaw_rad : 0.0;
   random_ = planning::Random(mission.seed);
+  map_tick_ = -std::numeric_limits<double>::infinity();
   surroundings_.grid.reset(line_start_);
   const double low = std::min(line_start_.z(), goal_.z());
   const double high = std::max(line_start_.z(), goal_.z());
   surroundings_.lowest_m =
       std::min(std::max(low - settings_.departure_m, settings_.least_height_m), low);
-  surroundings_.highest_m = high + settings_.departure_m;
+  surroundings_.highest_m =
+      std::max(std::min(high + settings_.departure_m, settings_.ceiling_m), high);
   surroundings_.search.use_heights(surroundings_.lowest_m, surroundings_.highest_m);
   is_first_ = true;
   now_ = target_ = {};

@@ -24,8 +24,9 @@ bool is_flyable(const Settings& settings, const Bspline& curve, const Motion& st
   const double most_pull =
       std::max(settings.vehicle_acceleration_mps2, 1.02 * start.acceleration.norm());
   for (int i = 0; i <= kSteps; ++i) {
-    const double time_s = curve.duration_s() * i / kSteps;
-    if (velocity_at(curve, time_s).norm() > most_speed) return false;
+    const Vector3d velocity = velocity_at(curve, curve.duration_s() * i / kSteps);
+    const bool is_by_axes = settings.limits_per_axis != 0;
+    if ((is_by_axes ? velocity.cwiseAbs().maxCoeff() : velocity.norm()) > most_speed) return false;
   }
   for (Eigen::Index i = 0; i + 2 < curve.points.cols(); ++i) {  // piecewise linear between these
     const Vector3d pull =
@@ -48,8 +49,7 @@ std::optional<Bspline> within_limits(const Surroundings& surroundings, const Set
                                      const Request& request, Bspline curve) {
   constexpr int kMostTimes = 4;
   for (int time = 0; time < kMostTimes; ++time) {
-    const double stretch = stretch_needed(
-        curve, {settings.max_speed_mps, settings.max_acceleration_mps2, settings.max_jerk_mps3});
+    const double stretch = stretch_needed(curve, limits_of(settings));
     if (stretch <= 1.0 + settings.feasibility_tolerance) break;
     const Bspline slower = slowed(curve, std::min(stretch, 2.0), request.start, request.target);
     const Bspline smooth = refined(settings, slower);

@@ -80,8 +80,8 @@ void push_out(Surroundings& surroundings, const Settings& settings, double colli
     return smoothness +
            add_collision(curve.points, anchors, settings.safety_distance_m, collision_weight,
                          gradient) +
-           add_feasibility(curve.points, curve.interval_s, settings.max_speed_mps,
-                           settings.max_acceleration_mps2, weights.feasibility, gradient);
+           add_feasibility(curve.points, curve.interval_s, limits_of(settings), weights.feasibility,
+                           gradient);
   };
   for (int rebound = 0; rebound < kMostRebounds; ++rebound) {
     int iterations = 0;
@@ -129,8 +129,8 @@ Bspline refined(const Settings& settings, const Bspline& slower) {
   const auto add_costs = [&](Matrix3Xd& gradient) {
     return add_smoothness(curve.points, settings.weights.smoothness, gradient) +
            add_fitness(curve.points, references, settings.weights.fitness, gradient) +
-           add_feasibility(curve.points, curve.interval_s, settings.max_speed_mps,
-                           settings.max_acceleration_mps2, settings.weights.feasibility, gradient);
+           add_feasibility(curve.points, curve.interval_s, limits_of(settings),
+                           settings.weights.feasibility, gradient);
   };
   constexpr double kTolerance = 0.001;
   optimize(add_costs, kTolerance, nullptr, curve.points);

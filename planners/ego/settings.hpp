@@ -3,6 +3,7 @@
 #include <array>
 
 #include "avoidbench/planner.hpp"
+#include "planning/bspline.hpp"
 #include "planning/heading.hpp"
 #include "planning/preset.hpp"
 #include "planning/rolling_grid.hpp"
@@ -22,10 +23,11 @@ struct Settings {
   double gravity_mps2 = 9.81;
   double max_turn_rate_radps = 7.0;  ///< of the thrust; vehicles roll and pitch faster
   planning::RollingGridSpec grid;
-  double image_border_ratio = 0.05;
+  double image_border_ratio = 0.05, map_period_s = 0.0;
   Eigen::Vector3d body_size_m = Eigen::Vector3d(0.5, 0.5, 0.12);
   double departure_m = 1.0;  ///< how far it may climb above or sink below the missions' heights
-  double least_height_m = 0.5;
+  double least_height_m = 0.5, ceiling_m = 1000.0;
+  int limits_per_axis = 0;  ///< 0: speed and acceleration are limited by their norms
   double horizon_m = 7.5;
   double replan_distance_m = 1.5, keep_distance_m = 2.0, replan_period_s = 0.2;
   double emergency_s = 1.0;
@@ -72,6 +74,17 @@ inline constexpr std::array kParameters{
         "least_log_odds", "", -1.2, -20.0, 0.0,
         "A cell gets no freer than this: the nearer to 0, the sooner something "
         "that was missed before counts."),
+    avoidbench::parameter<&Settings::grid, &planning::RollingGridSpec::unknown_log_odds>(
+        "unknown_log_odds", "", 0.0, -20.0, 1.0, "From which a cell's first image counts."),
+    avoidbench::parameter<&Settings::grid, &planning::RollingGridSpec::passes_per_hit>(
+        "passes_per_hit", "", 2.0, 0.25, 10.0,
+        "An image hits a cell if fewer rays than this go on behind it for each that ends in it."),
+    avoidbench::integer_parameter<&Settings::grid, &planning::RollingGridSpec::keeps_grazed>(
+        "keeps_grazed", "", 1, 0, 1,
+        "1: cells of surfaces that are seen flat are hit and not missed; 0: they count as others."),
+    avoidbench::parameter<&Settings::map_period_s>(
+        "map_period_s", "s", 0.0, 0.0, 10.0,
+        "At most one image in each such period goes into the map; 0: all."),
     avoidbench::parameter<&Settings::grid, &planning::RollingGridSpec::inflation_m>(
         "inflation_m", "m", 0.5, 0.0, 2.0,
         "How far from an occupied cell along each axis the way counts as "
@@ -79,6 +92,15 @@ inline constexpr std::array kParameters{
     avoidbench::parameter<&Settings::departure_m>(
         "departure_m", "m", 1.0, 0.0, 50.0,
         "How far it climbs above or sinks below start and goal."),
+    avoidbench::parameter<&Settings::least_height_m>(
+        "least_height_m", "m", 0.5, -1000.0, 1000.0,
+        "It flies no lower than this, unless start or goal are."),
+    avoidbench::parameter<&Settings::ceiling_m>(
+        "ceiling_m", "m", 1000.0, -1000.0, 1000.0,
+        "It flies no higher than this, unless start or goal are."),
+    avoidbench::integer_parameter<&Settings::limits_per_axis>(
+        "limits_per_axis", "", 0, 0, 1,
+        "1: speed and acceleration are limited along each axis; 0: by their norms."),
     avoidbench::parameter<&Settings::horizon_m>(
         "horizon_m", "m", 7.5, 2.0, 30.0,
         "Distance of the local target along the way to the goal."),
@@ -120,7 +142,17 @@ inline constexpr std::array kPublished{
     ab_named_number{"hit_log_odds", 0.619},    ab_named_number{"miss_log_odds", -0.619},
     ab_named_number{"least_depth_m", 0.2},     ab_named_number{"image_border_ratio", 0.0},
     ab_named_number{"least_log_odds", -1.992}, ab_named_number{"safety_distance_m", 0.5},
-    ab_named_number{"inflation_m", 0.099},     ab_named_number{"replan_period_s", 0.0}};
+    ab_named_number{"inflation_m", 0.099},     ab_named_number{"replan_period_s", 0.0},
+    ab_named_number{"passes_per_hit", 1.0},    ab_named_number{"unknown_log_odds", -2.002},
+    ab_named_number{"keeps_grazed", 0.0},      ab_named_number{"map_period_s", 0.05},
+    ab_named_number{"departure_m", 50.0},      ab_named_number{"least_height_m", -0.01},
+    ab_named_number{"ceiling_m", 2.5},         ab_named_number{"limits_per_axis", 1.0}};
+
+/// What its curves are to keep.
+inline planning::MotionLimits limits_of(const Settings& settings) {
+  return {settings.max_speed_mps, settings.max_acceleration_mps2, settings.max_jerk_mps3,
+          settings.limits_per_axis != 0 ? planning::LimitOf::axes : planning::LimitOf::norm};
+}
 
 /// Never beyond what the vehicle of `setup` can do.
 Settings settings_from(const ab_setup& setup);

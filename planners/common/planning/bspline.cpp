@@ -111,8 +111,9 @@ double stretch_needed(const Bspline& spline, const MotionLimits& limits) {
       (velocity.rightCols(count - 2) - velocity.leftCols(count - 2)) / dt;
   const Eigen::Matrix3Xd jerk =
       (acceleration.rightCols(count - 3) - acceleration.leftCols(count - 3)) / dt;
-  const auto greatest = [](const Eigen::Matrix3Xd& values) {
-    return values.colwise().norm().maxCoeff();
+  const auto greatest = [&](const Eigen::Matrix3Xd& values) {
+    return limits.of == LimitOf::axes ? values.cwiseAbs().maxCoeff()
+                                      : values.colwise().norm().maxCoeff();
   };
   return std::max({greatest(velocity) / limits.speed_mps,
                    std::sqrt(greatest(acceleration) / limits.acceleration_mps2),

@@ -27,8 +27,12 @@ Eigen::Vector3d jerk_at(const Bspline& spline, double time_s);
 Bspline fitted(const std::vector<Eigen::Vector3d>& way_points, double interval_s,
                const Motion& start, const Motion& end);
 
+/// What limits hold: the length of a vector, or each of its parts along the world's axes.
+enum class LimitOf { norm, axes };
+
 struct MotionLimits {
   double speed_mps, acceleration_mps2, jerk_mps3;
+  LimitOf of = LimitOf::norm;
 };
 
 /// By how much time must be stretched for a motion to keep the limits at all times; 1 or less: it

@@ -57,6 +57,7 @@ RollingGrid::RollingGrid(const RollingGridSpec& spec) : spec_(spec) {
   lowest_ = thousandths(spec.lowest_log_odds);
   highest_ = thousandths(spec.highest_log_odds);
   occupied_above_ = thousandths(spec.occupied_above);
+  unknown_ = thousandths(spec.unknown_log_odds);
   side_ = 2 * static_cast<int>(std::ceil(spec.half_size_m / spec.resolution_m));
   lowest_z_ = floored(spec.lowest_m / spec.resolution_m);
   height_ = floored(spec.highest_m / spec.resolution_m) - lowest_z_ + 1;
@@ -65,7 +66,7 @@ RollingGrid::RollingGrid(const RollingGridSpec& spec) : spec_(spec) {
   reach_ = static_cast<int>(std::ceil(spec.inflation_m / spec.resolution_m - 1e-9));
   const auto columns = static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_);
   const std::size_t words = columns * static_cast<std::size_t>(words_);
-  log_odds_.assign(64 * words, 0);
+  log_odds_.assign(64 * words, unknown_);
   ends_in_.assign(64 * words, 0);
   for (auto* bits : {&known_, &occupied_, &inflated_, &settled_, &not_missed_})
     bits->assign(words, 0);
@@ -84,7 +85,7 @@ void RollingGrid::center_at(const Cell& center) {
 }
 
 void RollingGrid::reset(const Vector3d& center_world) {
-  std::fill(log_odds_.begin(), log_odds_.end(), std::int16_t{0});
+  std::fill(log_odds_.begin(), log_odds_.end(), unknown_);
   for (auto* bits : {&known_, &occupied_, &inflated_, &settled_}) {
     std::fill(bits->begin(), bits->end(), std::uint64_t{0});
   }
@@ -196,7 +197,7 @@ bool RollingGrid::forget_column(int x, int y) {
   const auto words = static_cast<std::ptrdiff_t>(words_);
   const std::size_t start = column_start(x, y);
   const auto word = static_cast<std::ptrdiff_t>(start / 64);
-  std::fill_n(log_odds_.begin() + static_cast<std::ptrdiff_t>(start), 64 * words, std::int16_t{0});
+  std::fill_n(log_odds_.begin() + static_cast<std::ptrdiff_t>(start), 64 * words, unknown_);
   std::uint64_t occupied = 0;
   for (std::ptrdiff_t w = 0; w < words; ++w)
     occupied |= occupied_[start / 64 + static_cast<std::size_t>(w)];

@@ -18,10 +18,13 @@ struct RollingGridSpec {
   double lowest_m = -0.5, highest_m = 6.0;  ///< along z: the grid does not roll up and down
   double hit = 0.85, miss = -0.62;          ///< added to a cell's log odds, once an image
   double lowest_log_odds = -2.0, highest_log_odds = 2.2;
-  double occupied_above = 1.39;  ///< probability 0.8: two images with a hit, from unknown
-  double least_ray_m = 0.1;      ///< nearer surfaces are not hit, nor are their cells missed
+  double unknown_log_odds = 0.0;  ///< from which a cell's first image counts
+  double occupied_above = 1.39;   ///< probability 0.8: two images with a hit, from unknown
+  double least_ray_m = 0.1;       ///< nearer surfaces are not hit, nor are their cells missed
   double longest_ray_m = 5.0;
-  int pixel_step = 2;  ///< of a block of so many by so many pixels, the nearest is taken
+  int pixel_step = 2;           ///< of a block of so many by so many pixels, the nearest is taken
+  double passes_per_hit = 2.0;  ///< a cell is hit if fewer rays go on behind it for each end in it
+  int keeps_grazed = 1;         ///< whether surfaces seen flat are hit and not missed; 0 or 1
   double inflation_m = 0.3;
 };
 
@@ -63,8 +66,9 @@ class RollingGrid {
   /// Takes an image in: cells with surfaces are hit, those before them missed; what is farther than
   /// the longest ray frees its cells up to there, +inf too. NaN and depths that are not positive
   /// say nothing, and an image whose pose or focal lengths are no numbers is left out. A cell
-  /// counts once an image: as hit where more than a third of the rays that touched it ended in it,
-  /// and it is not missed where a surface of which it may be part is grazed.
+  /// counts once an image: as hit where enough of the rays that touched it ended in it (more than a
+  /// third for two passes a hit), and it is not missed where a surface of which it may be part is
+  /// grazed, unless the spec says so.
   void integrate(const ab_depth_image& image);
 
   /// Marks all cells of this box as free, as the vehicle's own place is.
@@ -158,10 +162,11 @@ class RollingGrid {
 
   RollingGridSpec spec_;
   std::int16_t hit_ = 0, miss_ = 0, lowest_ = 0, highest_ = 0, occupied_above_ = 0;  ///< [1/1000]
+  std::int16_t unknown_ = 0;                                                         ///< [1/1000]
   int side_ = 0, height_ = 0, words_ = 0, lowest_z_ = 0, reach_ = 0;
   int first_x_ = 0, first_y_ = 0;                           ///< the least cell inside
   int ring_x_ = 0, ring_y_ = 0;                             ///< where the ring has it
-  std::vector<std::int16_t> log_odds_;                      ///< of each cell [1/1000]; unknown: 0
+  std::vector<std::int16_t> log_odds_;                      ///< of each cell [1/1000]
   std::vector<std::uint64_t> known_, occupied_, inflated_;  ///< a bit a cell, columns of z
   std::vector<std::uint64_t> settled_;                      ///< at the least log odds
 

@@ -355,8 +355,9 @@ bool RollingGrid::is_grazed(const View& view, const Vector3f& in_camera, int par
 /// behind it are as good as more.
 bool RollingGrid::is_hit(const View& view, const Vector3f& in_camera, int ends) const {
   constexpr int kEnough = 4;
-  // More than a third of the rays end here, even if all four behind were found.
-  if (2 * ends > kEnough) return true;
+  // Enough rays end here, even if all four behind were found.
+  const double hits = spec_.passes_per_hit * ends;
+  if (hits > kEnough) return true;
   const float depth = in_camera.z();
   if (!(depth > view.half_depth_m)) return true;  // too near to look
   const float u = in_camera.x() / depth * view.fu + view.cu - 0.5F;
@@ -374,7 +375,8 @@ bool RollingGrid::is_hit(const View& view, const Vector3f& in_camera, int ends) 
       passes += nearest_m_[static_cast<std::size_t>(block)] > behind ? 1 : 0;
     }
   }
-  return 2 * ends > std::min(passes, kEnough) || is_grazed(view, in_camera, 3);
+  return hits > std::min(passes, kEnough) ||
+         (spec_.keeps_grazed != 0 && is_grazed(view, in_camera, 3));
 }
 
 void RollingGrid::count_ends(const View& view) {
@@ -385,7 +387,7 @@ void RollingGrid::count_ends(const View& view) {
     // A cell counts once an image, whatever the number of its rays: log odds then measure images,
     // which differ, not pixels, which err together.
     const bool hits = is_hit(view, in_camera, ends_in_[end.index]);
-    if (!hits && is_grazed(view, in_camera, kGrazedParts)) continue;
+    if (!hits && spec_.keeps_grazed != 0 && is_grazed(view, in_camera, kGrazedParts)) continue;
     const bool was_occupied = ((occupied_[end.index / 64] >> (end.index % 64)) & 1U) != 0;
     const bool is_occupied = add(end.index, hits ? hit_ : miss_);
     if (is_occupied != was_occupied) mark_changed(first_x_ + end.x, first_y_ + end.y);
@@ -437,6 +439,7 @@ std::uint64_t RollingGrid::passed_cells(const View& view, const Column& column, 
     passed |= (is_passed & is_clear) << z;
     unclear |= (is_passed & (is_clear ^ 1U)) << z;
   }
+  if (spec_.keeps_grazed == 0) return passed | unclear;
   for (; unclear != 0; unclear &= unclear - 1) {
     const int z = std::countr_zero(unclear);
     if (!is_grazed(view, lowest + static_cast<float>(z) * step, kGrazedParts)) {

@@ -111,12 +111,16 @@ std::vector<Segment> static_storage(const void* inside) {
 
 }  // namespace
 
+/// All zero, as memory is that a process gets first: a member that nobody sets must not be what
+/// another trial left there.
 void* allocated(std::size_t size, std::size_t alignment) {
   void* block = nullptr;
   if (alignment <= alignof(std::max_align_t)) {
-    block = std::malloc(size > 0 ? size : 1);
+    block = std::calloc(1, size > 0 ? size : 1);
   } else if (::posix_memalign(&block, alignment, size) != 0) {
     block = nullptr;
+  } else {
+    std::memset(block, 0, size);
   }
   if (block != nullptr && ledger != nullptr && ledger->pauses == 0) note_made(block);
   return block;

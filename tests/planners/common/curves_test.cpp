@@ -85,6 +85,7 @@ TEST(Bspline, StretchKeepsTheLimits) {
   ASSERT_GT(ratio, 1.0);
   spline.interval_s *= ratio;
   EXPECT_NEAR(stretch_needed(spline, {2.0, 3.0, 1e6}), 1.0, 1e-9);
+  EXPECT_LT(stretch_needed(spline, {2.0, 3.0, 1e6, LimitOf::axes}), 0.99);
   for (double t = 0.0; t < spline.duration_s(); t += 0.01) {
     EXPECT_LE(velocity_at(spline, t).cwiseAbs().maxCoeff(), 2.0 + 1e-9);
     EXPECT_LE(acceleration_at(spline, t).cwiseAbs().maxCoeff(), 3.0 + 1e-9);

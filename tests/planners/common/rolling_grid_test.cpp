@@ -78,6 +78,56 @@ TEST(RollingGrid, NothingInRangeFreesUpToTheLongestRayAndNanSaysNothing) {
   }
 }
 
+/// Every third column of pixels ends 1 m ahead, the others go on: more than a third of the rays
+/// through a cell end in it, and less than half.
+TEST(RollingGrid, HowManyRaysMakeAHitIsSettled) {
+  RollingGridSpec spec = small();
+  Camera camera({0.0, 0.0, 2.0});
+  for (std::size_t i = 0; i < camera.depth_m.size(); i += 3) camera.depth_m[i] = 1.05F;
+  const auto occupied_near = [&] {
+    RollingGrid grid(spec);
+    grid.reset({0, 0, 2});
+    for (int i = 0; i < 8; ++i) grid.integrate(camera.seen());
+    const std::vector<Vector3d> centers = grid.occupied_centers();
+    return std::count_if(centers.begin(), centers.end(),
+                         [](const Vector3d& center) { return center.x() < 2.0; });
+  };
+  EXPECT_GT(occupied_near(), 100);
+  spec.passes_per_hit = 1.0;
+  EXPECT_GT(occupied_near(), 50);  // they are a surface that is grazed
+  spec.keeps_grazed = 0;
+  EXPECT_LT(occupied_near(), 5);
+}
+
+/// By the numbers of EGO-Planner's launch file.
+TEST(RollingGrid, UnknownSpaceBelowFreeTakesSixImagesToo) {
+  RollingGridSpec spec = small();
+  spec.hit = 0.619;
+  spec.miss = -0.619;
+  spec.lowest_log_odds = -1.992;
+  spec.unknown_log_odds = -2.002;
+  RollingGrid grid(spec);
+  Camera camera({0.0, 0.0, 2.0});
+  const Cell wall = grid.cell_of({3.0 + 1e-6, 0.05, 2.05});
+  const auto images_until_occupied = [&] {
+    int images = 0;
+    for (; images < 20 && grid.state(wall) != CellState::occupied; ++images) {
+      grid.integrate(camera.seen());
+    }
+    return images;
+  };
+  grid.reset({0, 0, 2});
+  EXPECT_EQ(images_until_occupied(), 6);
+  camera.fill(kInfinity);
+  for (int i = 0; i < 10; ++i) grid.integrate(camera.seen());
+  ASSERT_EQ(grid.state(wall), CellState::free);
+  camera.fill(3.0F);
+  EXPECT_EQ(images_until_occupied(), 6);
+  grid.move_to({100, 0, 2});
+  grid.move_to({0, 0, 2});
+  EXPECT_EQ(images_until_occupied(), 6);
+}
+
 TEST(RollingGrid, WhatWentAwayIsFreedAgain) {
   RollingGrid grid(small());
   grid.reset({0, 0, 2});

@@ -62,8 +62,11 @@ TEST(Cost, GradientsAreThoseOfFiniteDifferences) {
   expect_gradient([](const auto& p, auto& g) { return add_smoothness(p, 0.7, g); }, points, 0, 13);
   expect_gradient([&](const auto& p, auto& g) { return add_collision(p, anchors, 0.5, 2.0, g); },
                   points, 3, 10);
-  expect_gradient([](const auto& p, auto& g) { return add_feasibility(p, 0.2, 1.0, 2.0, 0.3, g); },
-                  points, 0, 13);
+  for (const planning::LimitOf of : {planning::LimitOf::norm, planning::LimitOf::axes}) {
+    const planning::MotionLimits limits{1.0, 2.0, 0.0, of};
+    expect_gradient([&](const auto& p, auto& g) { return add_feasibility(p, 0.2, limits, 0.3, g); },
+                    points, 0, 13);
+  }
   expect_gradient([&](const auto& p, auto& g) { return add_fitness(p, references, 1.5, g); },
                   points, 0, 13);
 }
@@ -72,9 +75,21 @@ TEST(Cost, EvenFlightCostsNothing) {
   Matrix3Xd points(3, 10), gradient = Matrix3Xd::Zero(3, 10);
   for (Index i = 0; i < 10; ++i) points.col(i) = static_cast<double>(i) * Vector3d(0.3, 0.1, 0.0);
   EXPECT_NEAR(add_smoothness(points, 1.0, gradient), 0.0, 1e-20);
-  EXPECT_EQ(add_feasibility(points, 0.2, 3.0, 4.0, 1.0, gradient), 0.0);
+  EXPECT_EQ(add_feasibility(points, 0.2, {3.0, 4.0, 0.0}, 1.0, gradient), 0.0);
   EXPECT_NEAR(add_fitness(points, points.middleCols(1, 8), 1.0, gradient), 0.0, 1e-20);
   EXPECT_NEAR(gradient.norm(), 0.0, 1e-12);
+}
+
+/// 2 m/s along each axis are 2.8 m/s along a diagonal.
+TEST(Cost, LimitsOfAxesLetDiagonalsBeFaster) {
+  Matrix3Xd points(3, 10), gradient = Matrix3Xd::Zero(3, 10);
+  for (Index i = 0; i < 10; ++i) points.col(i) = static_cast<double>(i) * Vector3d(0.38, 0.38, 0);
+  const planning::MotionLimits axes{2.0, 3.0, 0.0, planning::LimitOf::axes};
+  EXPECT_EQ(add_feasibility(points, 0.2, axes, 1.0, gradient), 0.0);
+  EXPECT_EQ(gradient.norm(), 0.0);
+  EXPECT_GT(add_feasibility(points, 0.2, {2.0, 3.0, 0.0}, 1.0, gradient), 0.0);
+  points.row(1) *= 1.1;  // 2.09 m/s
+  EXPECT_NEAR(add_feasibility(points, 0.2, axes, 1.0, gradient), 9 * 0.09 * 0.09 * 25.0, 1e-9);
 }
 
 TEST(Cost, CollisionIsTheCubicAndItsParabola) {

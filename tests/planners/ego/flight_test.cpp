@@ -11,7 +11,7 @@ const TrajectoryPlanner kEgo{.name = "ego",
                              .speed_limit_mps = 3.3,
                              .detour = 1.01,
                              .height_band_m = 0.1,
-                             .published_speed_limit_mps = 2.2,
+                             .published_speed_limit_mps = 2.2 * 1.42,  // along each axis
                              .is_random = false};
 
 INSTANTIATE_TEST_SUITE_P(Each, TrajectoryFlight, testing::Values(kEgo), name_of);
