@@ -14,7 +14,8 @@ namespace avoidbench {
 /// be touched except during write().
 class IsolatedOutput {
  public:
-  /// Twenty trajectories of the longest kind fit (conformance). What is not written takes no memory.
+  /// Twenty trajectories of the longest kind fit (conformance). What is not written takes no
+  /// memory.
   static constexpr std::size_t kMostBytes = std::size_t{32} << 20U;
 
   IsolatedOutput();

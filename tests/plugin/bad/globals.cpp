@@ -2,6 +2,10 @@
 
 // Flies one trial in a process, as it says: what it counts in a global variable turns each later
 // one.
+#ifndef NEEDS_OF_ITS_OWN
+#define NEEDS_OF_ITS_OWN AB_USES_GLOBALS
+#endif
+
 namespace {
 
 int calls = 0;
@@ -14,4 +18,4 @@ ab_status plan(void* instance, const ab_observation* seen, ab_command* command) 
 
 }  // namespace
 
-BAD_PLANNER(table.needs |= AB_USES_GLOBALS; table.plan = plan)
+BAD_PLANNER(table.needs |= NEEDS_OF_ITS_OWN; table.plan = plan)
