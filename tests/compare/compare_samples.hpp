@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <string>
+#include <string_view>
 
 #include "base/math.hpp"
 #include "base/random.hpp"
@@ -125,7 +126,7 @@ inline void crash(TableTrial& row) {
               static_cast<int>(row.identity.mission_index), false);
 }
 
-inline const MetricComparison& row_of(const Comparison& comparison, const std::string& metric) {
+inline const MetricComparison& row_of(const Comparison& comparison, std::string_view metric) {
   return *std::find_if(comparison.rows.begin(), comparison.rows.end(),
                        [&](const MetricComparison& row) { return row.metric == metric; });
 }
