@@ -303,16 +303,15 @@ void end_idle_programs() {
 
 }  // namespace
 
-const ab_planner& program_table(const PlannerSource& source) {
-  PlannerSource absolute = source;
-  absolute.file = std::filesystem::absolute(source.file).lexically_normal();
-  const std::string state = state_of_file(absolute.file);
+const ab_planner& program_table(PlannerSource source) {
+  source.file = std::filesystem::absolute(source.file).lexically_normal();
+  const std::string state = state_of_file(source.file);
   Slots& all = slots();
   const std::lock_guard lock(all.mutex);
   // A file that was written to is another planner, with programs of its own.
   for (std::size_t i = 0; i < all.count; ++i) {
     const ServedPlanner& known = *all.planners[i];
-    if (known.source.file == absolute.file && known.source.command == absolute.command &&
+    if (known.source.file == source.file && known.source.command == source.command &&
         known.state == state) {
       return known.described->table;
     }
@@ -323,7 +322,7 @@ const ab_planner& program_table(const PlannerSource& source) {
   }
   if (all.count == 0) std::atexit(end_idle_programs);
   auto planner = std::make_unique<ServedPlanner>();
-  planner->source = std::move(absolute);
+  planner->source = std::move(source);
   planner->state = state;
   planner->process = ::getpid();
   Described described = described_program(planner->source);

@@ -29,7 +29,7 @@ std::string label(std::int64_t map) {
 void make_world_of(benchmark::State& bench) {
   const TrialSpec trial = trial_on(bench.range(0), static_cast<double>(bench.range(1)));
   for (auto _ : bench) {
-    const World world = make_world(trial.map, trial.map_seed);
+    World world = make_world(trial.map, trial.map_seed);
     benchmark::DoNotOptimize(world.digest);
     bench.counters["instances"] = static_cast<double>(world.instances.size());
     bench.counters["MB"] = static_cast<double>(memory_bytes(world)) / 1e6;
