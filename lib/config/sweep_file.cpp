@@ -68,8 +68,11 @@ StopRule stop_rule_from(const nlohmann::json& until, Reading& reading) {
 
 /// Rounds the rates of the base and of the axes to whole ticks, with a warning for each.
 void round_rates(const Reading& reading, SweepSpec& sweep) {
-  for (const auto& [path, rate_hz] : rates_hz(sweep.base)) {
-    const auto rounded = [&, path = path](double given_hz) {
+  for (const auto& rate : rates_hz(sweep.base)) {
+    // Not as a structured binding, which clang lets no lambda take.
+    const auto& path = rate.first;
+    double* const rate_hz = rate.second;
+    const auto rounded = [&](double given_hz) {
       const double nearest_hz = nearest_rate_hz(given_hz);
       if (nearest_hz == given_hz) return given_hz;
       sweep.warnings.push_back(text(problem_at(
