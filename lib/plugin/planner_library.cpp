@@ -139,7 +139,7 @@ PlannerLibrary PlannerLibrary::load_checked(const PlannerSource& source, CallClo
   if (is_program(source)) {
     // A program that hangs before it describes itself is seen by the watchdog like any call.
     const TimedCall timed(clock);
-    const ab_planner& table = program_table(source);
+    const ab_planner& table = *program_table(source);
     require_sound_table(file, table);
     PlannerLibrary library = with_table(source, table, new_thread_owner());
     library.description_.is_program = true;

@@ -303,7 +303,7 @@ void end_idle_programs() {
 
 }  // namespace
 
-const ab_planner& program_table(PlannerSource source) {
+const ab_planner* program_table(PlannerSource source) {
   source.file = std::filesystem::absolute(source.file).lexically_normal();
   const std::string state = state_of_file(source.file);
   Slots& all = slots();
@@ -313,7 +313,7 @@ const ab_planner& program_table(PlannerSource source) {
     const ServedPlanner& known = *all.planners[i];
     if (known.source.file == source.file && known.source.command == source.command &&
         known.state == state) {
-      return known.described->table;
+      return &known.described->table;
     }
   }
   if (all.count == kMostSlots) {
@@ -340,7 +340,7 @@ const ab_planner& program_table(PlannerSource source) {
   // It has described itself already and serves the first instance.
   planner->idle.push_back(std::move(described.program));
   all.planners[all.count] = std::move(planner);
-  return all.planners[all.count++]->described->table;
+  return &all.planners[all.count++]->described->table;
 }
 
 bool is_program_table(const ab_planner& table) { return table.destroy == &destroy_instance; }

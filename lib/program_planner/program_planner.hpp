@@ -8,10 +8,10 @@
 /// program of its own. docs/process_planners.md has the protocol.
 namespace avoidbench {
 
-/// The planner of this program, which is started and asked for it. The table stays until the
-/// process ends; it is not checked. Throws InputError where the program can't be started, ends, or
-/// answers wrongly.
-const ab_planner& program_table(PlannerSource source);
+/// The planner of this program, which is started and asked for it. The table, never null, stays
+/// until the process ends; it is not checked. Throws InputError where the program can't be started,
+/// ends, or answers wrongly.
+const ab_planner* program_table(PlannerSource source);
 
 /// Whether the table is one of these.
 bool is_program_table(const ab_planner& table);

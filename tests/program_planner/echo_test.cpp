@@ -162,7 +162,7 @@ void expect_echo(const ab_planner& table, void* instance, const NoisySetup& setu
 }
 
 TEST(Echo, EveryBitGoesBothWays) {
-  const ab_planner& table = program_table(program_file_of("echo"));
+  const ab_planner& table = *program_table(program_file_of("echo"));
   KeepingHost host;
   const NoisySetup setup(1);
   void* instance = table.create(&host.table, &setup.all);
@@ -177,7 +177,7 @@ TEST(Echo, EveryBitGoesBothWays) {
 }
 
 TEST(Echo, TheSegmentGrowsWithWhatIsSeen) {
-  const ab_planner& table = program_table(program_file_of("echo"));
+  const ab_planner& table = *program_table(program_file_of("echo"));
   KeepingHost host;
   const NoisySetup setup(1);
   void* instance = table.create(&host.table, &setup.all);
@@ -200,7 +200,7 @@ TEST(Echo, TheSegmentGrowsWithWhatIsSeen) {
 }
 
 TEST(Echo, StatusesAndTheirTextsComeBack) {
-  const ab_planner& table = program_table(program_file_of("echo"));
+  const ab_planner& table = *program_table(program_file_of("echo"));
   KeepingHost host;
   const NoisySetup setup(1);
   void* instance = table.create(&host.table, &setup.all);
@@ -227,7 +227,7 @@ TEST(Echo, StatusesAndTheirTextsComeBack) {
 
 TEST(Echo, DescribesItself) {
   const std::filesystem::path file = program_file_of("echo");
-  const ab_planner& table = program_table(file);
+  const ab_planner& table = *program_table(file);
   EXPECT_STREQ(table.name, "echo");
   EXPECT_STREQ(table.version, "2.5");
   EXPECT_STREQ(table.summary, "Says what it was told.");
@@ -251,7 +251,7 @@ TEST(Echo, DescribesItself) {
   ASSERT_EQ(files->file_count, 2U);
   EXPECT_STREQ(files->files[1], "sub/other.txt");
   EXPECT_EQ(table.get_extension(nullptr, "another"), nullptr);
-  EXPECT_EQ(&program_table(file), &table) << "it is asked once";
+  EXPECT_EQ(program_table(file), &table) << "it is asked once";
 }
 
 }  // namespace

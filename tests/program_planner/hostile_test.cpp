@@ -88,7 +88,7 @@ TEST_P(HostileProgram, IsAnErrorOfItsCallAndNothingIsLeft) {
   const Case& hostile = GetParam();
   adopt_orphans();  // so that what it leaves is seen
   const std::set<pid_t> before = own_children();
-  const ab_planner& table = program_table(hostile_source(hostile.way));
+  const ab_planner& table = *program_table(hostile_source(hostile.way));
   KeepingHost host;
   const ab_setup setup{};
   const ab_mission mission{};
@@ -168,18 +168,18 @@ TEST(HostilePrograms, MayFailInAnyCall) {
   for (const auto& [way, error] : {std::pair{"create_fails", "no memory for it"},
                                    std::pair{"exit_in_create", "ended with exit code 7"}}) {
     KeepingHost host;
-    const ab_planner& table = program_table(hostile_source(way));
+    const ab_planner& table = *program_table(hostile_source(way));
     EXPECT_EQ(table.create(&host.table, &setup), nullptr);
     EXPECT_THAT(host.error, HasSubstr(error));
   }
   KeepingHost host;
-  const ab_planner& in_reset = program_table(hostile_source("exit_in_reset"));
+  const ab_planner& in_reset = *program_table(hostile_source("exit_in_reset"));
   void* instance = in_reset.create(&host.table, &setup);
   ASSERT_NE(instance, nullptr);
   EXPECT_EQ(in_reset.reset(instance, &mission), AB_ERROR);
   EXPECT_TRUE(program_has_ended(instance));
   in_reset.destroy(instance);
-  const ab_planner& in_destroy = program_table(hostile_source("exit_in_destroy"));
+  const ab_planner& in_destroy = *program_table(hostile_source("exit_in_destroy"));
   instance = in_destroy.create(&host.table, &setup);
   ASSERT_NE(instance, nullptr);
   in_destroy.destroy(instance);
@@ -189,7 +189,7 @@ TEST(HostilePrograms, MayFailInAnyCall) {
 }
 
 TEST(HostilePrograms, ThatWriteWhileTheyAreReadHarmNobody) {
-  const ab_planner& table = program_table(hostile_source("race"));
+  const ab_planner& table = *program_table(hostile_source("race"));
   KeepingHost host;
   const ab_setup setup{};
   const ab_mission mission{};

@@ -65,7 +65,7 @@ TEST(Programs, AreDescribedAsTheLibraryOfTheSameSource) {
 }
 
 TEST(Programs, OneServesTrialsAndInstancesAfterEachOther) {
-  const ab_planner& table = program_table(program_file_of("straight_line"));
+  const ab_planner& table = *program_table(program_file_of("straight_line"));
   KeepingHost host;
   ab_setup setup{};
   setup.struct_size = sizeof setup;
