@@ -31,4 +31,8 @@ function(avoidbench_precompiled target kind)
     target_precompile_headers(${carrier} PRIVATE ${headers})
   endif()
   target_precompile_headers(${target} REUSE_FROM ${carrier})
+  # clang 19 looks for the headers again where they are reused.
+  if(CMAKE_CXX_COMPILER_ID STREQUAL Clang)
+    target_include_directories(${target} SYSTEM PRIVATE $<TARGET_PROPERTY:Eigen3::Eigen,INTERFACE_INCLUDE_DIRECTORIES>)
+  endif()
 endfunction()
