@@ -38,8 +38,8 @@ bool may_call(const Flight& flight, const TrialObserver& observer) {
 
 TrialRecord run_trial(const TrialSpec& spec, const Scene& scene, const Mission& mission,
                       PlannerInstance& planner, const TrialObserver& observer,
-                      const std::vector<double>* recorded_latency_s) {
-  Flight flight = begin_flight(spec, scene, mission, planner.needs(), recorded_latency_s);
+                      const std::vector<double>* recorded_latency_s, const FlightChange& change) {
+  Flight flight = begin_flight(spec, scene, mission, planner.needs(), recorded_latency_s, change);
   planner.take_log();  // of an earlier trial
   planner.take_drawings();
   // A planner that can't begin has flown a trial that ends at once.
