@@ -102,6 +102,29 @@ void check_flight(const Statement& row, const std::string& digest) {
       "(flight_digest)");
 }
 
+/// What the digest covers, by name as in trials.
+std::vector<std::string> digested_of_what_if() {
+  std::vector<std::string> columns = columns_of("what_ifs");
+  std::erase(columns, "row_digest");
+  std::sort(columns.begin(), columns.end());
+  return columns;
+}
+
+/// The rows, or one: row_digest, then what it covers.
+std::string what_if_query(const std::vector<std::string>& columns) {
+  std::string sql = "SELECT row_digest";
+  for (const std::string& column : columns) sql += ", " + sql_name(column);
+  return sql + " FROM what_ifs";
+}
+
+std::string what_if_digest(const Statement& row, const std::vector<std::string>& columns) {
+  std::string bytes;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    row.append_value(columns[i], 1 + static_cast<int>(i), bytes);
+  }
+  return Digest().add(bytes).hex();
+}
+
 }  // namespace
 
 /// flight_digest first: row_digest covers it.
@@ -122,6 +145,7 @@ void write_digests(const Database& db, std::string_view trial_key) {
 }
 
 std::int64_t check_digests(const Database& db, bool flights) {
+  db.read_what_ifs();  // which checks theirs
   const std::vector<std::string> columns = digested_columns(db);
   Statement row(db.handle(), db.path(),
                 row_query(columns, false) + (flights ? " ORDER BY rowid" : ""));
@@ -157,6 +181,57 @@ std::string undigested_text(const Database& db, std::int64_t count) {
   if (count == 0) return "";
   return db.path().string() + ": " + std::to_string(count) +
          " trials have no digest to be checked by: an older avoidbench flew them";
+}
+
+void Database::add_what_if(const WhatIfRow& row) {
+  Transaction transaction(handle(), path());
+  Statement insert(handle(), path(),
+                   "INSERT OR REPLACE INTO what_ifs (trial_key, change, outcome, reason, "
+                   "end_time_s, program_version, planner_digest, record_digest, row_digest) VALUES "
+                   "(?,?,?,?,?,?,?,?,'')");
+  insert.bind_text(row.trial_key).bind_text(row.change).bind_text(text(row.outcome));
+  insert.bind_text(row.reason).bind_real(row.end_time_s).bind_text(row.program_version);
+  insert.bind_text(row.planner_digest).bind_text(row.record_digest).run();
+  // Of the row as it is stored: a reason may have been made UTF-8.
+  const std::vector<std::string> columns = digested_of_what_if();
+  std::string digest;
+  {
+    Statement stored(handle(), path(),
+                     what_if_query(columns) + " WHERE trial_key = ? AND change = ?");
+    stored.bind_text(row.trial_key).bind_text(row.change).step();
+    digest = what_if_digest(stored, columns);
+  }
+  Statement write(handle(), path(),
+                  "UPDATE what_ifs SET row_digest = ? WHERE trial_key = ? AND change = ?");
+  write.bind_text(digest).bind_text(row.trial_key).bind_text(row.change).run();
+  transaction.commit();
+  require_in_place();
+}
+
+std::vector<WhatIfRow> Database::read_what_ifs() const {
+  const std::vector<std::string> columns = digested_of_what_if();
+  const auto at = [&](std::string_view name) {
+    return 1 + static_cast<int>(std::find(columns.begin(), columns.end(), name) - columns.begin());
+  };
+  Statement s(handle(), path(), what_if_query(columns) + " ORDER BY trial_key, change");
+  s.rows_of("what_ifs", at("trial_key"));
+  std::vector<WhatIfRow> rows;
+  while (s.step()) {
+    if (s.text(0) != what_if_digest(s, columns)) {
+      s.damaged("its values are not those that were stored (row_digest)");
+    }
+    const auto outcome = enum_from_text<Outcome>(s.text(at("outcome")));
+    if (!outcome) s.damaged("this avoidbench does not know such an outcome");
+    rows.push_back({.trial_key = s.text(at("trial_key")),
+                    .change = s.text(at("change")),
+                    .outcome = *outcome,
+                    .reason = s.free_text(at("reason")),
+                    .end_time_s = s.real(at("end_time_s")),
+                    .program_version = s.free_text(at("program_version")),
+                    .planner_digest = s.text(at("planner_digest")),
+                    .record_digest = s.text(at("record_digest"))});
+  }
+  return rows;
 }
 
 }  // namespace avoidbench

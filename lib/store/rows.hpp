@@ -52,6 +52,18 @@ struct TrialRow {
   double wall_time_s = std::numeric_limits<double>::quiet_NaN();  ///< it took; NaN: not known
 };
 
+/// What became of a stored trial that was flown again with one thing changed.
+struct WhatIfRow {
+  std::string trial_key, change;
+  Outcome outcome = Outcome::timed_out;
+  std::string reason;
+  double end_time_s = 0.0;  ///< NaN where not known
+  std::string program_version, planner_digest;
+  std::string record_digest;  ///< record_digest() of the flight
+
+  bool operator==(const WhatIfRow&) const = default;
+};
+
 /// A metric's definition as stored beside the values.
 struct MetricRow {
   std::string name;
