@@ -2,6 +2,7 @@
 
 #include "commands.hpp"
 #include "database_choice.hpp"
+#include "explain_causes.hpp"
 #include "explain_what_if.hpp"
 
 namespace avoidbench {
@@ -10,8 +11,7 @@ namespace {
 void explain_trials(const ExplainOptions& options) {
   if (!options.minimal.empty()) return explain_minimal(options);
   if (!options.what_if.empty()) return explain_what_if(options);
-  throw InputError(
-      "explain: give --what-if LIST or --minimal FOLDER; see avoidbench explain --help");
+  explain_causes(options);
 }
 
 }  // namespace
@@ -27,13 +27,18 @@ ReplayFiles explain_files(const ExplainOptions& options, const Database& databas
 
 void add_explain_command(CLI::App& app) {
   const auto options = std::make_shared<ExplainOptions>();
-  CLI::App* command = app.add_subcommand(
-      "explain",
-      "Why trials failed: what would have cured them, and the smallest map that still fails");
+  CLI::App* command = app.add_subcommand("explain",
+                                         "Why trials failed: the cause of each, what would have "
+                                         "cured it, and the smallest map that still fails");
   command->footer(
+      "Causes are told by rules over what is measured of the flight, collisions from one more "
+      "flight "
+      "each, and stored\nin the database: report and compare show them. "
       "\nFlights with changes are stored in the database; the same command goes on where it was "
       "stopped. docs/explain.md\n\n"
       "Examples:\n"
+      "  avoidbench explain quick\n"
+      "  avoidbench explain quick 2 --png moment.png\n"
       "  avoidbench explain quick --what-if true_depth,no_latency,no_wind\n"
       "  avoidbench explain quick --what-if all --control 20 --format latex\n"
       "  avoidbench explain quick 2 --what-if all\n"
@@ -48,6 +53,11 @@ void add_explain_command(CLI::App& app) {
                       "Id of a trial, or the beginning of its key: only this one");
   command->add_option("--planner", options->choice.planner,
                       "Only trials of this planner, by its label");
+  command
+      ->add_option("--png", options->png,
+                   "Picture of TRIAL at the decisive moment: the last chance to stop before a "
+                   "collision, where it came nearest to the goal before a time-out")
+      ->type_name("FILE");
   add_what_if_options(*command, *options);
   command
       ->add_option("--library", options->planner_file,

@@ -18,6 +18,7 @@ struct ExplainOptions {
   TrialChoice choice;
   OutputOptions output;
   std::string planner_file, map_file, wind_file;
+  std::string png;
   int jobs = 0;
   double plan_timeout_s = 10.0;
   std::vector<std::string> what_if;     ///< names of changes

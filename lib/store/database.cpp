@@ -361,8 +361,8 @@ void Database::check_integrity(bool whole) const {
   // 256 MiB: reading all of a larger file would be felt at each start.
   constexpr std::uintmax_t kLargeBytes = std::uintmax_t{1} << 28U;
   constexpr std::string_view kThatDecide[] = {
-      "trials",         "missions", "sweep_trials",       "maps",    "planners", "sweeps",
-      "sweep_missions", "runs",     "metric_definitions", "what_ifs"};
+      "trials",         "missions", "sweep_trials",       "maps",     "planners",    "sweeps",
+      "sweep_missions", "runs",     "metric_definitions", "what_ifs", "explanations"};
   std::error_code error;
   const std::uintmax_t bytes = std::filesystem::file_size(path(), error);
   const bool is_large = !error && bytes > kLargeBytes;
@@ -388,12 +388,13 @@ void Database::check_integrity(bool whole) const {
 void Database::check_references() const {
   // Every row that readers look up from another one is there.
   for (const std::string table :
-       {"trials", "missions", "sweep_trials", "sweep_missions", "what_ifs"}) {
+       {"trials", "missions", "sweep_trials", "sweep_missions", "what_ifs", "explanations"}) {
     Statement lost(handle(), path(), "PRAGMA foreign_key_check(" + table + ")");
     if (!lost.step()) continue;
     const std::string parent = lost.text(2);
     // Column 1 is the row's id, NULL for tables without; column 2 the table that lacks its row.
-    std::string key = table == "what_ifs" ? "(flown again)" : "(of a sweep)";
+    std::string key =
+        table == "what_ifs" || table == "explanations" ? "(flown again)" : "(of a sweep)";
     if (!lost.is_null(1)) {
       Statement row(handle(), path(), "SELECT trial_key FROM " + table + " WHERE rowid = ?");
       row.bind_integer(lost.integer(1));
@@ -435,7 +436,9 @@ void Database::create_schema() {
             "PRAGMA user_version = 4;");
   }
   if (schema_version() < 5) {
-    execute(handle(), path(), made_by_schema("what_ifs") + "PRAGMA user_version = 5;");
+    execute(
+        handle(), path(),
+        made_by_schema("what_ifs") + made_by_schema("explanations") + "PRAGMA user_version = 5;");
   }
 }
 

@@ -95,6 +95,8 @@ class Database {
   /// Commits what became of a trial that was flown again with something changed, in place of an
   /// older row of the same trial and change. The trial must be there.
   void add_what_if(const WhatIfRow& row);
+  /// Commits why a trial failed, in place of an older row of the trial, which must be there.
+  void add_explanation(const ExplanationRow& row);
   /// Notes that these finished trials belong to `sweep` too; keys of unfinished ones are passed
   /// over.
   void add_to_sweep(std::string_view sweep, std::span<const std::string> keys);
@@ -116,6 +118,8 @@ class Database {
   std::map<std::string, TrialCost> mean_costs() const;  ///< by planner label
   /// By trial key, then change. Throws InputError for a row that is not as it was stored.
   std::vector<WhatIfRow> read_what_ifs() const;
+  /// By trial key. Throws as read_what_ifs().
+  std::vector<ExplanationRow> read_explanations() const;
   std::vector<PlannerRow> read_planners() const;  ///< by label, then key
   std::vector<SweepInfo> read_sweeps() const;     ///< by name, then revision
   /// The sweep with its trials, and of each trial these fields (trial_fields.hpp). Throws

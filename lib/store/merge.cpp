@@ -145,6 +145,11 @@ void check_agreement(const Database& into, const Database& from) {
                       "s.planner_digest AND (" +
                           differs({"outcome", "reason", "end_time_s", "record_digest"}, "m", "s") +
                           ")")},
+      {"the explanation of trial",
+       differing_rows("explanations", "trial_key",
+                      "m.rules_version IS s.rules_version AND m.record_digest IS s.record_digest "
+                      "AND (" +
+                          differs({"cause", "facts_json"}, "m", "s") + ")")},
       {"trial",
        // Flights or calls that only one of the two has.
        "SELECT trial_key FROM main.trials JOIN shard.trials USING (trial_key) WHERE "
@@ -221,7 +226,7 @@ void take_rows(const Database& into, const Database& from) {
     // Only those of trials that are new here: rows that are there stay as they are.
     sql += taking(table, "trial_key IN (SELECT trial_key FROM temp.added)");
   }
-  sql += taking("what_ifs", "true");
+  sql += taking("what_ifs", "true") + taking("explanations", "true");
   sql +=
       "INSERT INTO main.sweep_missions (sweep, revision, map_key, mission_index) SELECT "
       "s.sweep, o.ours, s.map_key, s.mission_index FROM shard.sweep_missions s JOIN temp.sweep_of "

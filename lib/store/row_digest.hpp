@@ -13,8 +13,8 @@
 ///   metrics that are added later change nothing. Left out are attempt and run_id, which follow
 ///   from the file that the trial is in.
 ///
-/// Rows of what_ifs have a row_digest, too, of all other columns; Database::add_what_if() writes it
-/// and read_what_ifs() checks it, both of this file.
+/// Rows of what_ifs and explanations have a row_digest, too, of all other columns: written by
+/// Database::add_what_if() and add_explanation(), checked where they are read, all of this file.
 namespace avoidbench {
 
 /// Writes both digests into the trial's row; for this room.

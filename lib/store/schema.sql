@@ -184,5 +184,15 @@ CREATE TABLE what_ifs (
   PRIMARY KEY (trial_key, change)
 ) STRICT, WITHOUT ROWID;
 
+CREATE TABLE explanations (
+  -- One row a failed trial of which `avoidbench explain` has told the cause.
+  trial_key TEXT PRIMARY KEY REFERENCES trials,
+  cause TEXT NOT NULL,            -- moved_into, tracking, out_of_view, …: docs/explain.md
+  facts_json TEXT NOT NULL,       -- what was measured, by name: {"contact_s": 3.21, …}
+  rules_version INTEGER NOT NULL, -- of the rules: an explanation by older ones is told anew
+  record_digest TEXT NOT NULL,    -- SHA-256 of the flight it is of: outcome, samples, calls, touches
+  row_digest TEXT NOT NULL        -- SHA-256 of the columns above, with their names
+) STRICT, WITHOUT ROWID;
+
 CREATE INDEX trials_by_mission ON trials (map_key, mission_index);
 CREATE INDEX sweep_trials_by_trial ON sweep_trials (trial_key);

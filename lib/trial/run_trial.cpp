@@ -14,6 +14,9 @@ void tell_planned(const Flight& flight, PlannerInstance& planner, const TrialObs
   if (!observer.planned) return;
   const VehicleState believed = believed_state(flight);
   std::vector<Drawing> drawings = planner.take_drawings();  // may add to the log
+  const PlaceLookUp look_up = [&planner](std::span<const Eigen::Vector3d> places_world) {
+    return planner.look_up(places_world);
+  };
   observer.planned({.time_s = seconds(flight.state.tick),
                     .effect_s = seconds(due),
                     .truth = flight.state,
@@ -21,7 +24,8 @@ void tell_planned(const Flight& flight, PlannerInstance& planner, const TrialObs
                     .view = flight.view,
                     .result = result,
                     .drawings = std::move(drawings),
-                    .log = planner.take_log()});
+                    .log = planner.take_log(),
+                    .look_up = look_up});
 }
 
 /// Asks the observer, where there is one.
