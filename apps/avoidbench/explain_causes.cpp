@@ -38,8 +38,13 @@ Stored stored_explanations(const Database& database) {
   return stored;
 }
 
-/// Whether the row is of this flight and by the rules of today.
+/// Whether the row is of this flight and by the rules of today, and can be read.
 bool is_current(const ExplanationRow& row, const StoredTrial& trial) {
+  try {
+    facts_from_json(row.facts_json);
+  } catch (const std::exception&) {  // somebody else's text
+    return false;
+  }
   return row.rules_version == kCauseRulesVersion && enum_from_text<Cause>(row.cause).has_value() &&
          row.record_digest == record_digest(trial.row.record);
 }
