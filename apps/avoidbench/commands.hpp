@@ -13,6 +13,7 @@ void add_power_command(CLI::App& app);
 void add_export_command(CLI::App& app);
 void add_compare_command(CLI::App& app);
 void add_replay_command(CLI::App& app);
+void add_explain_command(CLI::App& app);
 void add_merge_command(CLI::App& app);
 void add_planners_command(CLI::App& app);
 void add_maps_command(CLI::App& app);

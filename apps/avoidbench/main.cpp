@@ -113,6 +113,7 @@ void add_commands(CLI::App& app) {
   add_export_command(app);
   add_compare_command(app);
   add_replay_command(app);
+  add_explain_command(app);
   add_merge_command(app);
   add_planners_command(app);
   add_maps_command(app);

@@ -148,10 +148,11 @@ void add_report_command(CLI::App& app) {
       ->expected(1)
       ->take_all();
   command
-      ->add_option("--tables", options->tables,
-                   "Tables to show, separated by commas: planners, groups, grouped, outcomes, "
-                   "pairs, difficulty, flight_time, flight_time_curve, maps, environment (default: "
-                   "planners, outcomes, pairs, and groups if each has several maps)")
+      ->add_option(
+          "--tables", options->tables,
+          "Tables to show, separated by commas: planners, groups, grouped, outcomes, "
+          "causes, pairs, difficulty, flight_time, flight_time_curve, maps, environment (default: "
+          "planners, outcomes, pairs, and groups if each has several maps)")
       ->delimiter(',');
   command->add_flag("--all", options->is_all,
                     "Every table except maps and flight_time_curve, every warning, and what each "

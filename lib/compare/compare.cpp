@@ -290,6 +290,37 @@ void tell_few_pairs(Comparison& comparison) {
                                 "or compare bit for bit");
 }
 
+/// Of the pairs of one planner: how often each cause stands on either side. Nothing where a failure
+/// has none: a table of half the failures would say which were looked at.
+std::vector<CauseChange> cause_changes(const TrialTable& base, const TrialTable& now,
+                                       const std::string& planner, const std::vector<Pair>& pairs) {
+  std::map<std::string, std::pair<std::int64_t, std::int64_t>> only;  // base only, new only
+  std::map<std::string, CauseChange> changes;
+  for (const auto& [i, k] : pairs) {
+    const TableTrial &before = base.trials[i], &after = now.trials[k];
+    if (finished(before) != before.cause.empty() || finished(after) != after.cause.empty()) {
+      return {};
+    }
+    if (!before.cause.empty()) ++changes[before.cause].base_count;
+    if (!after.cause.empty()) ++changes[after.cause].new_count;
+    if (before.cause == after.cause) continue;
+    ++only[before.cause].first;
+    ++only[after.cause].second;
+  }
+  std::vector<CauseChange> found;
+  for (auto& [cause, change] : changes) {
+    change.planner = planner;
+    change.cause = cause;
+    change.pair_count = static_cast<std::int64_t>(pairs.size());
+    change.p = mcnemar_exact_p(only[cause].first, only[cause].second);
+    found.push_back(change);
+  }
+  std::stable_sort(found.begin(), found.end(), [](const CauseChange& a, const CauseChange& b) {
+    return a.new_count - a.base_count > b.new_count - b.base_count;
+  });
+  return found;
+}
+
 void tell_other_missions(const TrialTable& base, const TrialTable& now,
                          const std::vector<Pair>& pairs, Comparison& comparison) {
   const auto others = std::count_if(pairs.begin(), pairs.end(), [&](const Pair& pair) {
@@ -395,6 +426,9 @@ Comparison compare_tables(const TrialTable& base, const TrialTable& now,
     count.planner = planner;
     comparison.planners.push_back(count);
     if (count.pair_count == 0) continue;
+    for (CauseChange& change : cause_changes(base, now, planner, trials[planner])) {
+      comparison.causes.push_back(std::move(change));
+    }
     for (const std::string& metric : metrics) {
       comparison.rows.push_back(row_of(base, now, trials[planner], comparison.planners.size() - 1,
                                        metric, settings.replicate_count));

@@ -68,6 +68,14 @@ struct Flip {
   Outcome before = Outcome::timed_out, after = Outcome::timed_out;
 };
 
+/// How often a planner's trials failed for one cause, over the pairs of which every failure has a
+/// cause on both sides.
+struct CauseChange {
+  std::string planner, cause;
+  std::int64_t pair_count = 0, base_count = 0, new_count = 0;
+  double p = 1.0;  ///< of no change: McNemar's exact test, not corrected
+};
+
 struct PlannerPairs {
   std::string planner;
   std::int64_t pair_count = 0, only_base_count = 0, only_new_count = 0;
@@ -82,6 +90,7 @@ struct Comparison {
   std::vector<PlannerPairs> planners;
   std::vector<MetricComparison> rows;  ///< by planner, then as the metrics were asked for
   std::vector<Flip> flips;             ///< lost ones, gained ones, other failures; each by identity
+  std::vector<CauseChange> causes;     ///< by planner, those that grew most first
   std::vector<std::string> warnings;
 };
 

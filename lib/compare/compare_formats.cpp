@@ -50,7 +50,8 @@ Json json_of(const MetricComparison& row, const std::string& planner) {
 }
 
 std::string json_text(const Comparison& comparison) {
-  Json planners = Json::array(), rows = Json::array(), flips = Json::array();
+  Json planners = Json::array(), rows = Json::array(), flips = Json::array(),
+       causes = Json::array();
   for (const PlannerPairs& planner : comparison.planners) {
     planners.push_back({{"planner", planner.planner},
                         {"pair_count", planner.pair_count},
@@ -68,6 +69,14 @@ std::string json_text(const Comparison& comparison) {
     entry["after"] = text(flip.after);
     flips.push_back(std::move(entry));
   }
+  for (const CauseChange& change : comparison.causes) {
+    causes.push_back({{"planner", change.planner},
+                      {"cause", change.cause},
+                      {"pair_count", change.pair_count},
+                      {"base_count", change.base_count},
+                      {"new_count", change.new_count},
+                      {"p", number(change.p)}});
+  }
   return dumped({{"base", comparison.base},
                  {"new", comparison.now},
                  {"base_sweep", comparison.base_sweep},
@@ -79,7 +88,8 @@ std::string json_text(const Comparison& comparison) {
                  {"warnings", comparison.warnings},
                  {"planners", planners},
                  {"metrics", rows},
-                 {"flips", flips}});
+                 {"flips", flips},
+                 {"causes", causes}});
 }
 
 std::string json_text(const ExactComparison& comparison) {

@@ -172,6 +172,24 @@ Table flip_table(const Comparison& comparison) {
                          });
 }
 
+Table cause_change_table(const Comparison& comparison) {
+  Table table = make_table(
+      "causes", "Causes of failures",
+      {planner_column(),
+       {.name = "cause", .place = Place::key},
+       {.name = "base_count", .header = "base"},
+       {.name = "new_count", .header = "new"},
+       {.name = "p",
+        .header = "p cause",
+        .doc = "that a cause is as frequent as before (McNemar's exact test over the pairs), not "
+               "corrected, and no verdict"}});
+  for (const CauseChange& change : comparison.causes) {
+    table.rows.push_back(make_row(change.planner, change.cause, change.base_count, change.new_count,
+                                  p_text(change.p)));
+  }
+  return table;
+}
+
 Table difference_table(const ExactComparison& comparison) {
   const std::size_t count = comparison.differences.size(), shown = std::min(kShownTrials, count);
   return table_of_trials(
@@ -217,6 +235,7 @@ Section comparison_section(const Comparison& comparison) {
                   .tables = {metric_table_of(comparison)},
                   .warnings = comparison.warnings};
   if (!comparison.flips.empty()) section.tables.push_back(flip_table(comparison));
+  if (!comparison.causes.empty()) section.tables.push_back(cause_change_table(comparison));
   if (comparison.flips.size() > kShownTrials) {
     section.notes.emplace_back("…", "the JSON lists all trials with another outcome");
   }

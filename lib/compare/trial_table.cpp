@@ -134,6 +134,7 @@ TrialTable table_of_sweep(const Database& database, const SweepInfo& sweep,
     row.map = map.digest;
     row.mission = map.missions.at(trial.mission_index);
     row.outcome = trial.outcome;
+    row.cause = std::move(trial.cause);
     row.metrics = std::move(trial.metrics);
   });
   // The order that pairing relies on; the database's is that of flying.

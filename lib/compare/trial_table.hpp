@@ -35,6 +35,7 @@ struct TableTrial {
       0;  ///< of a digest of world, start and goal: whether both flew the same mission
   Outcome outcome = Outcome::timed_out;
   std::vector<double> metrics;  ///< one an element of TrialTable::metrics, NaN where there is none
+  std::string cause = {};       ///< of a failure, where `explain` has told it; not in a CSV
 };
 
 /// The trials of one sweep, from a database or from a table that was committed.

@@ -180,6 +180,7 @@ Probe::Probe(const ab_planner& table, const std::vector<ParameterValue>& values,
              Looking looking)
     : table_(&table),
       poisoned_(poisoned),
+      is_asking_(looking == Looking::asking),
       setup_(conformance_setup()),
       host_(looking != Looking::impossible) {
   host_.want_drawings(looking == Looking::somebody);
@@ -293,10 +294,49 @@ Reply Probe::plan(const Frame& frame) {
   return reply;
 }
 
+std::string Probe::ask_map(const Eigen::Vector3d& around_world) {
+  if (table_->get_extension == nullptr) return "";
+  std::string problem;
+  const std::string escaped = escaped_exception([&] {
+    const auto* map =
+        static_cast<const ab_map*>(table_->get_extension(instance_, AB_MAP_EXTENSION));
+    if (map == nullptr) return;
+    if (map->struct_size < sizeof(ab_map) || map->look_up == nullptr) {
+      problem = "its " AB_MAP_EXTENSION " is shorter than that, or has no look_up";
+      return;
+    }
+    std::vector<double> points;
+    // Behind, beside and before it, and as far as no map goes.
+    for (const double way_m : {-1.0, 0.0, 0.5, 1.0, 2.0, 4.0, 1e6}) {
+      const Eigen::Vector3d place = around_world + Eigen::Vector3d(way_m, 0.1 * way_m, 0.0);
+      points.insert(points.end(), {place.x(), place.y(), place.z()});
+    }
+    const std::size_t count = points.size() / 3;
+    constexpr std::uint8_t kNoAnswer = 0xA7;
+    // One more than asked for: what lies behind is not the planner's.
+    std::vector<std::uint8_t> places(count + 1, kNoAnswer);
+    const ab_status status =
+        map->look_up(instance_, points.data(), static_cast<std::uint32_t>(count), places.data());
+    host_.take_error();
+    if (status == AB_ERROR) return;  // it can't say
+    if (status != AB_OK) problem = "look_up returned " + std::to_string(status);
+    if (places.back() != kNoAnswer) problem = "look_up wrote past the places";
+    places.pop_back();
+    if (*std::max_element(places.begin(), places.end()) > AB_PLACE_OCCUPIED) {
+      problem = "look_up gave a place that is no AB_PLACE_…";
+    }
+  });
+  return escaped.empty() ? problem : "an exception crossed look_up: " + escaped;
+}
+
 std::vector<Reply> Probe::fly(const ConformanceFlight& flight) {
   std::vector<Reply> replies;
   replies.push_back(reset(flight.mission));
-  for (const Frame& frame : flight.frames) replies.push_back(plan(frame));
+  if (is_asking_) replies.back().map_problem = ask_map(flight.mission.start_world);
+  for (const Frame& frame : flight.frames) {
+    replies.push_back(plan(frame));
+    if (is_asking_) replies.back().map_problem = ask_map(frame.position_world);
+  }
   return replies;
 }
 

@@ -40,6 +40,7 @@ struct Reply {
   std::string error;         ///< given to set_error
   std::string escaped;       ///< an exception that crossed the interface
   std::string changed;       ///< an input that the planner wrote to
+  std::string map_problem;   ///< of what it said of places after the call
   double wall_time_s = 0.0;  ///< of the call
   double cpu_time_s = 0.0;   ///< in it: of the whole process, and of a planner's program
 };
@@ -50,8 +51,9 @@ bool equal(const Reply& a, const Reply& b);
 /// Why this reply breaks the interface, whatever was asked; empty when it does not.
 std::string reply_problem(const Reply& reply, const ab_planner& table);
 
-/// What a host does with drawings: it has no such extension, nobody looks, or somebody does.
-enum class Looking { impossible, nobody, somebody };
+/// What a host does with drawings: it has no such extension, nobody looks, or somebody does. The
+/// last: it asks what the planner knows of places (AB_MAP_EXTENSION), after each call.
+enum class Looking { impossible, nobody, somebody, asking };
 
 /// An instance called through its bare table, with inputs in buffers that are compared and, when
 /// `poisoned`, overwritten with rubbish after each call.
@@ -70,14 +72,16 @@ class Probe {
   Reply reset(const PlannerMission& mission);
   Reply plan(const Frame& frame);
   std::vector<Drawing> take_drawings() { return host_.take_drawings(); }
-  /// reset and then every frame.
+  /// Asks what the planner knows of places around this one; why its answer is none, or "".
+  std::string ask_map(const Eigen::Vector3d& around_world);
+  /// reset and then every frame; where somebody is asking, after each of these.
   std::vector<Reply> fly(const ConformanceFlight& flight);
 
  private:
   void paint(const std::vector<float>& depth_m);
 
   const ab_planner* table_;
-  bool poisoned_;
+  bool poisoned_, is_asking_;
   PlannerSetup setup_;
   HostSide host_;
   ObservationBuffers observation_;

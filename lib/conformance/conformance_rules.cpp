@@ -212,6 +212,16 @@ std::string drawing_changes_nothing(const PlannerLibrary& library) {
                       "when its drawings are wanted");
 }
 
+std::string being_asked_changes_nothing(const PlannerLibrary& library) {
+  const ConformanceFlight flight = wall_flight();
+  const std::vector<Reply> asked = alone(library, flight, Looking::asking);
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    if (!asked[i].map_problem.empty()) return "after " + place(i) + ": " + asked[i].map_problem;
+  }
+  return with_context(first_difference(alone(library, flight), asked),
+                      "when it is asked what it knows of places");
+}
+
 std::string survives_odd_images(const PlannerLibrary& library) {
   struct Case {
     const char* name;
@@ -318,6 +328,11 @@ constexpr ConformanceRule kRules[] = {
      "Commands are the same, bit for bit, with a host that has no " AB_DEBUG_EXTENSION
      " and with one where somebody looks at the drawings.",
      drawing_changes_nothing},
+    {"being_asked_changes_nothing",
+     "Commands are the same, bit for bit, when the planner is asked after each call what it knows "
+     "of "
+     "places (" AB_MAP_EXTENSION "), and its answers have a meaning.",
+     being_asked_changes_nothing},
     {"survives_odd_images",
      "Images of NaN, +inf or zeros, none and several at once give commands or no plan, not errors.",
      survives_odd_images},

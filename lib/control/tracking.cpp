@@ -183,6 +183,10 @@ void hold(Tracker& tracker, const VehicleModel& model, const VehicleState& state
   go_to_target(tracker, braking());
 }
 
+void advance(Tracker& tracker, const VehicleModel& model, const VehicleState& state) {
+  advance_reference(tracker, model, state);
+}
+
 RotorVector track(Tracker& tracker, const VehicleModel& model, const VehicleState& state) {
   AB_CHECK(state.tick >= tracker.reference_tick, state.tick, tracker.reference_tick);
   advance_reference(tracker, model, state);

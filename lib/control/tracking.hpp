@@ -45,6 +45,10 @@ void hold(Tracker& tracker, const VehicleModel& model, const VehicleState& state
 /// run at their own rates, or each step where that is slower, and their outputs are held between.
 RotorVector track(Tracker& tracker, const VehicleModel& model, const VehicleState& state);
 
+/// Brings the reference to the state's tick, as track() does first; track() at the same tick then
+/// finds it there.
+void advance(Tracker& tracker, const VehicleModel& model, const VehicleState& state);
+
 /// Where the vehicle ought to be at the tick last tracked; under a rates command, where it was.
 inline const Reference& reference(const Tracker& tracker) { return tracker.reference; }
 

@@ -57,6 +57,7 @@ struct PlannerInstance::Internals {
   void* instance = nullptr;
   CallClock* clock = nullptr;
   CpuMeter meter;
+  const ab_map* map = nullptr;  ///< where the planner answers AB_MAP_EXTENSION
   bool is_program = false;
   double charged_program_s = 0.0;  ///< CPU time of the program that calls were charged for
 
@@ -162,6 +163,50 @@ PlanResult PlannerInstance::plan(const PlannerView& view) {
   }
   result.command.points = nullptr;
   return result;
+}
+
+bool PlannerInstance::has_map() const {
+  Internals& self = *internals_;
+  if (self.table->get_extension == nullptr) return false;
+  // Asked each time: a planner may have it from reset() on only.
+  self.map = nullptr;
+  escaped_exception(self.clock, [&] {
+    const auto* map =
+        static_cast<const ab_map*>(self.table->get_extension(self.instance, AB_MAP_EXTENSION));
+    const bool is_table = map != nullptr && map->struct_size >= sizeof(ab_map);
+    self.map = is_table && map->look_up != nullptr ? map : nullptr;
+  });
+  return self.map != nullptr;
+}
+
+std::optional<std::vector<PlaceKnown>> PlannerInstance::look_up(
+    std::span<const Eigen::Vector3d> places_world) {
+  if (!has_map()) return std::nullopt;
+  Internals& self = *internals_;
+  std::vector<double> points;
+  points.reserve(3 * places_world.size());
+  for (const Eigen::Vector3d& place : places_world) {
+    points.insert(points.end(), {place.x(), place.y(), place.z()});
+  }
+  std::vector<std::uint8_t> answers(places_world.size(), AB_PLACE_UNKNOWN);
+  ab_status status = AB_ERROR;
+  self.meter.begin_call();
+  const std::string escaped = escaped_exception(self.clock, [&] {
+    status = self.map->look_up(self.instance, points.data(),
+                               static_cast<std::uint32_t>(places_world.size()), answers.data());
+  });
+  // What the question took is charged to no call of the planner.
+  self.meter.settle();
+  self.program_time_s();
+  self.host.take_error();
+  if (!escaped.empty() || status != AB_OK) return std::nullopt;
+  std::vector<PlaceKnown> known;
+  known.reserve(answers.size());
+  for (const std::uint8_t answer : answers) {
+    if (answer > AB_PLACE_OCCUPIED) return std::nullopt;  // no answer that has a meaning
+    known.push_back(static_cast<PlaceKnown>(answer));
+  }
+  return known;
 }
 
 bool PlannerInstance::has_crashed() const {

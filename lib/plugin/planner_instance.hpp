@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -74,6 +75,9 @@ struct PlannerView : StateView {
   std::vector<StateView> states;  ///< oldest first
 };
 
+/// What a planner knows of a place: AB_PLACE_….
+enum class PlaceKnown : std::uint8_t { unknown, free, occupied };
+
 enum class PlanStatus { command, no_plan, gave_up, error };
 
 /// What came back from one plan() call, copied out of the planner's memory and checked: a command
@@ -107,6 +111,11 @@ class PlannerInstance {
   /// Empty text on success, else why it failed.
   std::string reset(const PlannerMission& mission);
   PlanResult plan(const PlannerView& view);
+
+  /// Whether it says what it knows of places (AB_MAP_EXTENSION).
+  bool has_map() const;
+  /// What it knows of each; nothing where it has no map or can't say. Commands do not depend on it.
+  std::optional<std::vector<PlaceKnown>> look_up(std::span<const Eigen::Vector3d> places_world);
 
   /// Whether the call that failed last did so since the planner's program had ended.
   bool has_crashed() const;

@@ -176,6 +176,7 @@ StoredTrial read_stored_trial(const Database& database, const std::string& key) 
     if (!mission.is_valid) break;
     stored.mission = mission.mission;
     stored.world_digest = map->record.world_digest;
+    stored.reference_length_m = mission.reference_length_m;
     return stored;
   }
   throw_damaged(database.path(), "trials", key, "its mission is not there or can't be flown");

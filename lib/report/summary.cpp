@@ -277,6 +277,7 @@ SweepSummary summarize(SweepResult result, const ReportQuery& query) {
     summary.group_rows = group_rows(result, trials, query.group_by, indices, summary.metrics);
   }
   add_pairs_and_curves(summary, result, planners);
+  summary.causes = cause_counts(result.trials, result.planners);
   summary.environment = environment_summary(result, trials);
   summary.warnings = warnings_of(summary, result);
   // Last: everything above reads them.

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnosis/cause_counts.hpp"
 #include "report/contrast.hpp"
 #include "report/difficulty_response.hpp"
 #include "report/environment_summary.hpp"
@@ -58,6 +59,7 @@ struct SweepSummary {
   std::vector<Contrast> contrasts;
   std::vector<DifficultyResponse> difficulty;  ///< one a planner; empty for fewer than kLeastMaps
   std::vector<FlightTimes> flight_times;       ///< one a planner
+  std::vector<CauseCount> causes;              ///< of failures; empty where none is told
   EnvironmentSummary environment;
   std::vector<std::string> warnings;  ///< what the figures can't carry
 };

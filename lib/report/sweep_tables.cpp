@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "explain/causes.hpp"
 #include "report/table_rows.hpp"
 #include "text/words.hpp"
 
@@ -267,8 +268,39 @@ void keep_wanted(std::vector<Table>& tables, std::span<const std::string> names)
 
 }  // namespace
 
+Table causes_table(std::span<const CauseCount> counts, std::span<const std::string> planners) {
+  Table table = make_table("causes", "Causes of failures",
+                           {planner_column(),
+                            {.name = "cause", .place = Place::key},
+                            {.name = "failure_count", .header = "failures"},
+                            machine_column("planner_failure_count"),
+                            {.name = "share_pct",
+                             .header = "share",
+                             .unit = "%",
+                             .doc = "of the planner's failures",
+                             .decimals = 0}});
+  for (const CauseCount& count : counts) {
+    table.rows.push_back(make_row(
+        planners[count.planner], count.cause.empty() ? "(not told)" : count.cause, count.count,
+        count.failure_count,
+        100.0 * static_cast<double>(count.count) / static_cast<double>(count.failure_count)));
+  }
+  return table;
+}
+
+std::vector<std::pair<std::string, std::string>> cause_notes(std::span<const CauseCount> counts) {
+  std::vector<std::pair<std::string, std::string>> notes;
+  for (const CauseDef& def : cause_table()) {
+    const std::string_view name = text(def.cause);
+    const bool occurs = std::any_of(counts.begin(), counts.end(),
+                                    [&](const CauseCount& count) { return count.cause == name; });
+    if (occurs) notes.emplace_back(name, def.doc);
+  }
+  return notes;
+}
+
 std::vector<std::string> table_names() {
-  return {"planners",   "groups",      "grouped",           "outcomes", "pairs",
+  return {"planners",   "groups",      "grouped",           "outcomes", "causes",     "pairs",
           "difficulty", "flight_time", "flight_time_curve", "maps",     "environment"};
 }
 
@@ -287,6 +319,9 @@ Section sweep_section(const SweepSummary& summary, std::span<const std::string> 
     section.tables.push_back(grouped_table(summary));
   }
   section.tables.push_back(outcome_table(summary));
+  if (!summary.causes.empty()) {
+    section.tables.push_back(causes_table(summary.causes, summary.planners));
+  }
   if (!summary.contrasts.empty()) section.tables.push_back(pair_table(summary));
   if (!summary.difficulty.empty()) section.tables.push_back(difficulty_table(summary));
   section.tables.push_back(flight_time_table(summary));
@@ -317,6 +352,12 @@ Section sweep_section(const SweepSummary& summary, std::span<const std::string> 
                  : "best, and significantly so against every other planner (p < 0.05, "
                    "Bonferroni): rates by Fisher's exact test and Wilcoxon's of the maps' rates, "
                    "means by Wilcoxon's signed-rank test on the missions that both have");
+  }
+  const bool shows_causes =
+      std::any_of(section.tables.begin(), section.tables.end(),
+                  [](const Table& table) { return table.name == "causes" && table.is_for_people; });
+  if (shows_causes) {
+    for (auto& note : cause_notes(summary.causes)) section.notes.push_back(std::move(note));
   }
   section.notes.emplace_back("planners", versions_text(summary));
   return section;

@@ -33,4 +33,9 @@ Table correlation_table(const SweepSummary& summary);
 /// Every sweep's planners in one table; the summaries have the same metrics.
 Section side_by_side(std::span<const SweepSummary> summaries, Detail detail = Detail::all);
 
+/// Causes of failures, as the table `causes` of a sweep has them.
+Table causes_table(std::span<const CauseCount> counts, std::span<const std::string> planners);
+/// What the causes in it mean, for the legend.
+std::vector<std::pair<std::string, std::string>> cause_notes(std::span<const CauseCount> counts);
+
 }  // namespace avoidbench

@@ -78,4 +78,14 @@ VehicleState estimated(const OdometryState& state, const VehicleState& truth) {
   return estimate;
 }
 
+VehicleState estimated_as(const OdometryState& state, const VehicleState& estimate) {
+  const Eigen::Quaterniond back = yaw_rotation(-state.yaw_drift_rad);
+  VehicleState truth = estimate;
+  truth.position_world =
+      state.anchor_true_world + back * (estimate.position_world - state.anchor_world);
+  truth.velocity_world = back * estimate.velocity_world;
+  truth.q_world_body = (back * estimate.q_world_body).normalized();
+  return truth;
+}
+
 }  // namespace avoidbench

@@ -67,4 +67,7 @@ void advance(OdometryState& state, const OdometrySpec& odometry, const VehicleSt
 /// truth's. Velocity and position turn with the yaw drift.
 VehicleState estimated(const OdometryState& state, const VehicleState& truth);
 
+/// Reverse of estimated(), without its white noise: the truth that drift alone makes `estimate` of.
+VehicleState estimated_as(const OdometryState& state, const VehicleState& estimate);
+
 }  // namespace avoidbench

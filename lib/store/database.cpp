@@ -77,6 +77,17 @@ std::string views_sql(std::span<const MetricRow> metrics) {
                        "{metric_means}", means);
 }
 
+/// The statement of schema.sql that makes this table, for a file that lacks it.
+std::string made_by_schema(std::string_view table) {
+  constexpr std::string_view kCreate = "CREATE TABLE ";
+  const std::size_t begin = kSchemaSql.find(std::string(kCreate) + std::string(table) + " (");
+  AB_CHECK(begin != std::string_view::npos, table);
+  const std::size_t name = begin + kCreate.size();
+  // A table of this name that somebody else made is compared with ours later, as others are.
+  return std::string(kCreate) + "IF NOT EXISTS " +
+         std::string(kSchemaSql.substr(name, kSchemaSql.find(';', name) + 1 - name));
+}
+
 /// Nothing that a file says may run code, write elsewhere or reach another file.
 void harden(sqlite3* handle) {
   // DEFENSIVE: SQL can't write to SQLite's own tables. TRUSTED_SCHEMA off: views and defaults call
@@ -349,9 +360,9 @@ void Database::check_integrity(bool whole) const {
   // be gigabytes, and damage in them is seen when they are read.
   // 256 MiB: reading all of a larger file would be felt at each start.
   constexpr std::uintmax_t kLargeBytes = std::uintmax_t{1} << 28U;
-  constexpr std::string_view kThatDecide[] = {"trials",         "missions", "sweep_trials",
-                                              "maps",           "planners", "sweeps",
-                                              "sweep_missions", "runs",     "metric_definitions"};
+  constexpr std::string_view kThatDecide[] = {
+      "trials",         "missions", "sweep_trials",       "maps",     "planners",    "sweeps",
+      "sweep_missions", "runs",     "metric_definitions", "what_ifs", "explanations"};
   std::error_code error;
   const std::uintmax_t bytes = std::filesystem::file_size(path(), error);
   const bool is_large = !error && bytes > kLargeBytes;
@@ -376,12 +387,14 @@ void Database::check_integrity(bool whole) const {
 
 void Database::check_references() const {
   // Every row that readers look up from another one is there.
-  for (const std::string table : {"trials", "missions", "sweep_trials", "sweep_missions"}) {
+  for (const std::string table :
+       {"trials", "missions", "sweep_trials", "sweep_missions", "what_ifs", "explanations"}) {
     Statement lost(handle(), path(), "PRAGMA foreign_key_check(" + table + ")");
     if (!lost.step()) continue;
     const std::string parent = lost.text(2);
     // Column 1 is the row's id, NULL for tables without; column 2 the table that lacks its row.
-    std::string key = "(of a sweep)";
+    std::string key =
+        table == "what_ifs" || table == "explanations" ? "(flown again)" : "(of a sweep)";
     if (!lost.is_null(1)) {
       Statement row(handle(), path(), "SELECT trial_key FROM " + table + " WHERE rowid = ?");
       row.bind_integer(lost.integer(1));
@@ -421,6 +434,11 @@ void Database::create_schema() {
             "ALTER TABLE trials ADD COLUMN flight_digest TEXT;"
             "ALTER TABLE trials ADD COLUMN row_digest TEXT;"
             "PRAGMA user_version = 4;");
+  }
+  if (schema_version() < 5) {
+    execute(
+        handle(), path(),
+        made_by_schema("what_ifs") + made_by_schema("explanations") + "PRAGMA user_version = 5;");
   }
 }
 

@@ -21,7 +21,7 @@ struct sqlite3;
 namespace avoidbench {
 
 inline constexpr int kApplicationId = 0x6176426e;  ///< "avBn", in the SQLite header of our files
-inline constexpr int kSchemaVersion = 4;
+inline constexpr int kSchemaVersion = 5;
 
 class RunLock;
 
@@ -92,6 +92,11 @@ class Database {
   /// sweep, map and planner must have been added before. A trial that is there is replaced and its
   /// `attempt` rises by one.
   void add_trial(const TrialRow& row);
+  /// Commits what became of a trial that was flown again with something changed, in place of an
+  /// older row of the same trial and change. The trial must be there.
+  void add_what_if(const WhatIfRow& row);
+  /// Commits why a trial failed, in place of an older row of the trial, which must be there.
+  void add_explanation(const ExplanationRow& row);
   /// Notes that these finished trials belong to `sweep` too; keys of unfinished ones are passed
   /// over.
   void add_to_sweep(std::string_view sweep, std::span<const std::string> keys);
@@ -111,8 +116,12 @@ class Database {
   /// What shut the planner in when it flew this trial: RunRow::sandbox.
   std::string sandbox_of(std::string_view trial_key) const;
   std::map<std::string, TrialCost> mean_costs() const;  ///< by planner label
-  std::vector<PlannerRow> read_planners() const;        ///< by label, then key
-  std::vector<SweepInfo> read_sweeps() const;           ///< by name, then revision
+  /// By trial key, then change. Throws InputError for a row that is not as it was stored.
+  std::vector<WhatIfRow> read_what_ifs() const;
+  /// By trial key. Throws as read_what_ifs().
+  std::vector<ExplanationRow> read_explanations() const;
+  std::vector<PlannerRow> read_planners() const;  ///< by label, then key
+  std::vector<SweepInfo> read_sweeps() const;     ///< by name, then revision
   /// The sweep with its trials, and of each trial these fields (trial_fields.hpp). Throws
   /// InputError for a field that no trial can have.
   SweepResult read_sweep(std::string_view name, std::int64_t revision,

@@ -138,6 +138,18 @@ void check_agreement(const Database& into, const Database& from) {
       // EXCEPT sees one direction only.
       {"an event of trial", differing_events("main", "shard")},
       {"an event of trial", differing_events("shard", "main")},
+      // Other programs and planners may have flown them: such rows stay as they are here.
+      {"the what-if of trial",
+       differing_rows("what_ifs", "trial_key, change",
+                      "m.program_version IS s.program_version AND m.planner_digest IS "
+                      "s.planner_digest AND (" +
+                          differs({"outcome", "reason", "end_time_s", "record_digest"}, "m", "s") +
+                          ")")},
+      {"the explanation of trial",
+       differing_rows("explanations", "trial_key",
+                      "m.rules_version IS s.rules_version AND m.record_digest IS s.record_digest "
+                      "AND (" +
+                          differs({"cause", "facts_json"}, "m", "s") + ")")},
       {"trial",
        // Flights or calls that only one of the two has.
        "SELECT trial_key FROM main.trials JOIN shard.trials USING (trial_key) WHERE "
@@ -214,6 +226,7 @@ void take_rows(const Database& into, const Database& from) {
     // Only those of trials that are new here: rows that are there stay as they are.
     sql += taking(table, "trial_key IN (SELECT trial_key FROM temp.added)");
   }
+  sql += taking("what_ifs", "true") + taking("explanations", "true");
   sql +=
       "INSERT INTO main.sweep_missions (sweep, revision, map_key, mission_index) SELECT "
       "s.sweep, o.ours, s.map_key, s.mission_index FROM shard.sweep_missions s JOIN temp.sweep_of "

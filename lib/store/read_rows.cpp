@@ -497,8 +497,15 @@ SweepResult Database::read_sweep(std::string_view name, std::int64_t revision,
   trials->rows_of("trials");
   std::set<std::string> planner_keys;
   std::set<std::int64_t> runs;
+  std::map<std::string, std::string> causes;
+  for (ExplanationRow& row : read_explanations()) {
+    causes.emplace(std::move(row.trial_key), std::move(row.cause));
+  }
   while (trials->step()) {
     TrialSummary trial = summary_of(*this, *trials);
+    if (const auto cause = causes.find(trial.key); cause != causes.end()) {
+      trial.cause = cause->second;
+    }
     const auto map = map_indices.find(trial.map_key);
     if (map == map_indices.end()) trials->damaged("its map is not there");
     const auto length_m = reference_length_m(result.maps[map->second], trial.mission_index);

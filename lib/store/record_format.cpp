@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "base/check.hpp"
 #include "base/digest.hpp"
+#include "base/math.hpp"
+#include "store/stored_text.hpp"
 
 namespace avoidbench {
 namespace {
@@ -156,6 +159,20 @@ std::string plan_calls_digest(std::span<const PlanCall> calls) {
     digest.add(call.time_s);
     digest.add(static_cast<std::uint64_t>(static_cast<std::uint32_t>(call.status)));
     digest.add(std::uint64_t{call.command_kind});
+  }
+  return digest.hex();
+}
+
+std::string record_digest(const TrialRecord& record) {
+  Digest digest;
+  // What is no UTF-8 is stored otherwise: both have one digest.
+  digest.add(text(record.outcome)).add(as_utf8(record.reason));
+  // All NaNs are one: bits of NaN are not kept.
+  digest.add(std::isnan(record.end_time_s) ? math::kNaN : record.end_time_s);
+  digest.add_bytes(sample_bytes(record.samples)).add(plan_calls_digest(record.plan_calls));
+  for (const Collision& collision : record.collisions) {
+    digest.add(collision.time_s).add(collision.speed_mps).add(collision.kind);
+    digest.add(static_cast<std::uint64_t>(collision.obstacle));
   }
   return digest.hex();
 }

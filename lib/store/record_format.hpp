@@ -34,4 +34,7 @@ std::vector<PlanCall> plan_calls_from_json(std::string_view json);
 /// SHA-256 of what does not differ from run to run: time, status and command kind of each call.
 std::string plan_calls_digest(std::span<const PlanCall> calls);
 
+/// SHA-256 of all of a flight that does not differ from run to run: equal flights, equal digests.
+std::string record_digest(const TrialRecord& record);
+
 }  // namespace avoidbench

@@ -102,6 +102,56 @@ void check_flight(const Statement& row, const std::string& digest) {
       "(flight_digest)");
 }
 
+/// A table whose rows have a row_digest over their other columns.
+struct DigestedTable {
+  explicit DigestedTable(std::string table_name)
+      : name(std::move(table_name)), columns(columns_of(name)) {
+    std::erase(columns, "row_digest");
+    // By name, as in trials.
+    std::sort(columns.begin(), columns.end());
+  }
+
+  /// All rows: row_digest, then what it covers.
+  std::string query() const {
+    std::string sql = "SELECT row_digest";
+    for (const std::string& column : columns) sql += ", " + sql_name(column);
+    return sql + " FROM " + name;
+  }
+  int at(std::string_view column) const {
+    return 1 +
+           static_cast<int>(std::find(columns.begin(), columns.end(), column) - columns.begin());
+  }
+  std::string digest(const Statement& row) const {
+    std::string bytes;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      row.append_value(columns[i], 1 + static_cast<int>(i), bytes);
+    }
+    return Digest().add(bytes).hex();
+  }
+  void check(const Statement& row) const {
+    if (row.text(0) == digest(row)) return;
+    row.damaged("its values are not those that were stored (row_digest)");
+  }
+  /// Writes the digest of the row as it is stored: a text may have been made UTF-8.
+  void write_digest(const Database& db, const std::string& key,
+                    const std::vector<std::string_view>& key_values) const {
+    std::string written;
+    {
+      Statement stored(db.handle(), db.path(), query() + " WHERE " + key);
+      for (const std::string_view value : key_values) stored.bind_text(value);
+      stored.step();
+      written = digest(stored);
+    }
+    Statement write(db.handle(), db.path(), "UPDATE " + name + " SET row_digest = ? WHERE " + key);
+    write.bind_text(written);
+    for (const std::string_view value : key_values) write.bind_text(value);
+    write.run();
+  }
+
+  std::string name;
+  std::vector<std::string> columns;
+};
+
 }  // namespace
 
 /// flight_digest first: row_digest covers it.
@@ -122,6 +172,8 @@ void write_digests(const Database& db, std::string_view trial_key) {
 }
 
 std::int64_t check_digests(const Database& db, bool flights) {
+  db.read_what_ifs();  // both check theirs
+  db.read_explanations();
   const std::vector<std::string> columns = digested_columns(db);
   Statement row(db.handle(), db.path(),
                 row_query(columns, false) + (flights ? " ORDER BY rowid" : ""));
@@ -157,6 +209,70 @@ std::string undigested_text(const Database& db, std::int64_t count) {
   if (count == 0) return "";
   return db.path().string() + ": " + std::to_string(count) +
          " trials have no digest to be checked by: an older avoidbench flew them";
+}
+
+void Database::add_what_if(const WhatIfRow& row) {
+  Transaction transaction(handle(), path());
+  Statement insert(handle(), path(),
+                   "INSERT OR REPLACE INTO what_ifs (trial_key, change, outcome, reason, "
+                   "end_time_s, program_version, planner_digest, record_digest, row_digest) VALUES "
+                   "(?,?,?,?,?,?,?,?,'')");
+  insert.bind_text(row.trial_key).bind_text(row.change).bind_text(text(row.outcome));
+  insert.bind_text(row.reason).bind_real(row.end_time_s).bind_text(row.program_version);
+  insert.bind_text(row.planner_digest).bind_text(row.record_digest).run();
+  DigestedTable("what_ifs")
+      .write_digest(*this, "trial_key = ? AND change = ?", {row.trial_key, row.change});
+  transaction.commit();
+  require_in_place();
+}
+
+std::vector<WhatIfRow> Database::read_what_ifs() const {
+  const DigestedTable table("what_ifs");
+  Statement s(handle(), path(), table.query() + " ORDER BY trial_key, change");
+  s.rows_of(table.name, table.at("trial_key"));
+  std::vector<WhatIfRow> rows;
+  while (s.step()) {
+    table.check(s);
+    const auto outcome = enum_from_text<Outcome>(s.text(table.at("outcome")));
+    if (!outcome) s.damaged("this avoidbench does not know such an outcome");
+    rows.push_back({.trial_key = s.text(table.at("trial_key")),
+                    .change = s.text(table.at("change")),
+                    .outcome = *outcome,
+                    .reason = s.free_text(table.at("reason")),
+                    .end_time_s = s.real(table.at("end_time_s")),
+                    .program_version = s.free_text(table.at("program_version")),
+                    .planner_digest = s.text(table.at("planner_digest")),
+                    .record_digest = s.text(table.at("record_digest"))});
+  }
+  return rows;
+}
+
+void Database::add_explanation(const ExplanationRow& row) {
+  Transaction transaction(handle(), path());
+  Statement insert(handle(), path(),
+                   "INSERT OR REPLACE INTO explanations (trial_key, cause, facts_json, "
+                   "rules_version, record_digest, row_digest) VALUES (?,?,?,?,?,'')");
+  insert.bind_text(row.trial_key).bind_text(row.cause).bind_text(row.facts_json);
+  insert.bind_integer(row.rules_version).bind_text(row.record_digest).run();
+  DigestedTable("explanations").write_digest(*this, "trial_key = ?", {row.trial_key});
+  transaction.commit();
+  require_in_place();
+}
+
+std::vector<ExplanationRow> Database::read_explanations() const {
+  const DigestedTable table("explanations");
+  Statement s(handle(), path(), table.query() + " ORDER BY trial_key");
+  s.rows_of(table.name, table.at("trial_key"));
+  std::vector<ExplanationRow> rows;
+  while (s.step()) {
+    table.check(s);
+    rows.push_back({.trial_key = s.text(table.at("trial_key")),
+                    .cause = s.text(table.at("cause")),
+                    .facts_json = s.text(table.at("facts_json")),
+                    .rules_version = s.integer(table.at("rules_version")),
+                    .record_digest = s.text(table.at("record_digest"))});
+  }
+  return rows;
 }
 
 }  // namespace avoidbench

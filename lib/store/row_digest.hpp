@@ -12,14 +12,17 @@
 /// - `row_digest`, of the trial's other columns that have a value, each with its name, so that
 ///   metrics that are added later change nothing. Left out are attempt and run_id, which follow
 ///   from the file that the trial is in.
+///
+/// Rows of what_ifs and explanations have a row_digest, too, of all other columns: written by
+/// Database::add_what_if() and add_explanation(), checked where they are read, all of this file.
 namespace avoidbench {
 
 /// Writes both digests into the trial's row; for this room.
 void write_digests(const Database& database, std::string_view trial_key);
 
-/// Checks the rows of all trials against their row_digest, and with `flights` what is beside them
-/// against flight_digest. Throws InputError that names the first row that differs. Returns how many
-/// trials have no digest: an older program flew them.
+/// Checks the rows of all trials and what-ifs against their row_digest, and with `flights` what is
+/// beside trials against flight_digest. Throws InputError that names the first row that differs.
+/// Returns how many trials have no digest: an older program flew them.
 std::int64_t check_digests(const Database& database, bool flights);
 
 /// Checks one trial as check_digests() with flights.

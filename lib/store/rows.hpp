@@ -52,6 +52,27 @@ struct TrialRow {
   double wall_time_s = std::numeric_limits<double>::quiet_NaN();  ///< it took; NaN: not known
 };
 
+/// What became of a stored trial that was flown again with one thing changed.
+struct WhatIfRow {
+  std::string trial_key, change;
+  Outcome outcome = Outcome::timed_out;
+  std::string reason;
+  double end_time_s = 0.0;  ///< NaN where not known
+  std::string program_version, planner_digest;
+  std::string record_digest;  ///< record_digest() of the flight
+
+  bool operator==(const WhatIfRow&) const = default;
+};
+
+/// Why a stored trial failed (the room explain).
+struct ExplanationRow {
+  std::string trial_key, cause, facts_json;
+  std::int64_t rules_version = 0;
+  std::string record_digest;  ///< record_digest() of the flight that it is of
+
+  bool operator==(const ExplanationRow&) const = default;
+};
+
 /// A metric's definition as stored beside the values.
 struct MetricRow {
   std::string name;
@@ -104,6 +125,7 @@ struct TrialSummary {
   double end_time_s = 0.0;      ///< simulated
   std::vector<double> metrics;  ///< one an element of SweepResult::metrics, NaN where there is none
   std::vector<TableValue> fields = {};  ///< one an element of SweepResult::fields
+  std::string cause = {};  ///< of a failure, as `explain` has told it; "" where it has not
 };
 
 /// All that reports need of one sweep. Everything is ordered by key, whatever the order of

@@ -2,7 +2,7 @@
 -- and the program; NULL is "not defined" (a metric of the finished trials, in a trial that failed). Start with the views
 -- latest_trials, planner_summary, map_summary and plan_call_table of views.sql.
 PRAGMA application_id = 1635140206;  -- "avBn"
-PRAGMA user_version = 4;             -- of this schema
+PRAGMA user_version = 5;             -- of this schema
 
 CREATE TABLE runs (
   -- One row an invocation of `avoidbench run`: where trials come from. Nothing here is part of a result.
@@ -167,6 +167,31 @@ CREATE TABLE events (
   obstacle_index INTEGER NOT NULL,  -- of the world's obstacles; -1 for ground, walls and what is no obstacle
   obstacle_kind TEXT NOT NULL,
   PRIMARY KEY (trial_key, event_index)
+) STRICT, WITHOUT ROWID;
+
+CREATE TABLE what_ifs (
+  -- One row a trial flown again with one thing changed (`avoidbench explain DB --what-if`). The flight itself is not kept:
+  -- it is the same whenever it is flown.
+  trial_key TEXT NOT NULL REFERENCES trials,  -- of the trial as it was
+  change TEXT NOT NULL,           -- what was changed: true_depth, no_wind, …
+  outcome TEXT NOT NULL,          -- as in trials
+  reason TEXT NOT NULL,           -- one line for people
+  end_time_s REAL,                -- simulated
+  program_version TEXT NOT NULL,  -- `version git_hash` of what flew it
+  planner_digest TEXT NOT NULL,   -- SHA-256 of the planner that flew it
+  record_digest TEXT NOT NULL,    -- SHA-256 of the flight: outcome, samples, calls, touches
+  row_digest TEXT NOT NULL,       -- SHA-256 of the columns above that have a value, with their names
+  PRIMARY KEY (trial_key, change)
+) STRICT, WITHOUT ROWID;
+
+CREATE TABLE explanations (
+  -- One row a failed trial of which `avoidbench explain` has told the cause.
+  trial_key TEXT PRIMARY KEY REFERENCES trials,
+  cause TEXT NOT NULL,            -- moved_into, tracking, out_of_view, …: docs/explain.md
+  facts_json TEXT NOT NULL,       -- what was measured, by name: {"contact_s": 3.21, …}
+  rules_version INTEGER NOT NULL, -- of the rules: an explanation by older ones is told anew
+  record_digest TEXT NOT NULL,    -- SHA-256 of the flight it is of: outcome, samples, calls, touches
+  row_digest TEXT NOT NULL        -- SHA-256 of the columns above, with their names
 ) STRICT, WITHOUT ROWID;
 
 CREATE INDEX trials_by_mission ON trials (map_key, mission_index);

@@ -40,6 +40,7 @@ constexpr NamedField kNamedFields[] = {
     {"outcome", "t.outcome"},
     {"is_finished", "t.outcome = 'reached_goal'"},
     {"reason", "t.reason"},
+    {"cause", "(SELECT cause FROM explanations e WHERE e.trial_key = t.trial_key)"},
     {"end_time_s", "t.end_time_s"},
     {"attempt", "t.attempt"},
     {"program_version", "r.program_version"},

@@ -45,11 +45,12 @@ void visit_trials(const Database& database, std::string_view sweep, std::int64_t
   // As JSON text, so that 1 and "1" differ.
   for (std::size_t i = 0; i < paths.size(); ++i) columns += ", t.spec_json -> ?";
   for (const MetricRow& metric : database.metrics()) columns += ", t." + sql_name(metric.name);
-  Statement s(database.handle(), database.path(),
-              "SELECT t.planner_key, t.map_key, t.mission_index, t.outcome" + columns +
-                  ", t.trial_key" +
-                  " FROM sweep_trials s JOIN trials t USING (trial_key) WHERE s.sweep = ? AND "
-                  "s.revision = ?");
+  Statement s(
+      database.handle(), database.path(),
+      "SELECT t.planner_key, t.map_key, t.mission_index, t.outcome" + columns +
+          ", t.trial_key, (SELECT cause FROM explanations e WHERE e.trial_key = "
+          "t.trial_key) FROM sweep_trials s JOIN trials t USING (trial_key) WHERE s.sweep = ? AND "
+          "s.revision = ?");
   s.rows_of("trials", 4 + static_cast<int>(paths.size() + database.metrics().size()));
   for (const std::string& path : paths) s.bind_text(sqlite_path(path));
   s.bind_text(sweep).bind_integer(revision);
@@ -65,6 +66,7 @@ void visit_trials(const Database& database, std::string_view sweep, std::int64_t
     for (std::size_t i = 0; i < database.metrics().size(); ++i) {
       trial.metrics.push_back(s.real(column++));
     }
+    trial.cause = s.free_text(column + 1);  // behind the key
     visit(std::move(trial));
   }
 }

@@ -19,6 +19,7 @@ struct VisitedTrial {
   std::string planner_key, map_key;
   std::int64_t mission_index = 0;
   Outcome outcome = Outcome::timed_out;
+  std::string cause;            ///< of a failure, where it is told
   std::vector<double> metrics;  ///< in the order of Database::metrics(), NaN where there is none
   std::vector<std::string>
       settings;  ///< what its spec says at the paths, as JSON text; "" for none

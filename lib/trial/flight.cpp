@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "base/check.hpp"
+#include "control/perfect_tracking.hpp"
 #include "text/number_text.hpp"
 #include "trial/noise_seed.hpp"
 #include "trial/periods.hpp"
@@ -88,7 +89,7 @@ void sample(Flight& flight) {
 
 /// Brings what moves to the flight's own time.
 void move_obstacles(Flight& flight, Tick dt) {
-  if (flight.moving == nullptr) return;
+  if (flight.moving == nullptr || flight.change.still_at_s) return;
   flight.moving->set_time(seconds(flight.state.tick));
   move_obstacles(flight.collision_check, flight.obstacle_speed_mps * seconds(dt));
 }
@@ -153,6 +154,17 @@ Tick next_tick(const Flight& flight) {
   return next;
 }
 
+/// Moves the vehicle to where its reference is at this tick, if it has one.
+void put_on_reference(Flight& flight) {
+  // With what it believes, as a step's tracking; the leash of the reference sees no lag then.
+  advance(flight.tracker, flight.model, believed_state(flight));
+  if (flight.tracker.following_rates) return;
+  const VehicleState wanted = state_on(reference(flight.tracker), flight.model, flight.state);
+  // Not by white noise, of which there is another draw each tick of the odometry: the vehicle would
+  // jump to and fro.
+  flight.state = truth_believed_as(flight.perception, wanted);
+}
+
 /// What is due at this tick after the planner was asked, and the step to the next one.
 void fly_on(Flight& flight) {
   const Tick now = flight.state.tick;
@@ -164,6 +176,7 @@ void fly_on(Flight& flight) {
     const RotorVector rotors = track(flight.tracker, flight.model, believed_state(flight));
     const Tick dt = next_tick(flight) - now;
     flight.state = step(flight.model, flight.state, rotors, flight.environment, dt);
+    if (flight.change.tracks_perfectly) put_on_reference(flight);
     move_obstacles(flight, dt);
   }
   flight.outcome = ended(flight);
@@ -187,7 +200,8 @@ void resume(Flight& flight) {
 }  // namespace
 
 Flight begin_flight(const TrialSpec& spec, const Scene& scene, const Mission& mission,
-                    std::uint32_t needs, const std::vector<double>* recorded_latency_s) {
+                    std::uint32_t needs, const std::vector<double>* recorded_latency_s,
+                    const FlightChange& change) {
   AB_CHECK(spec.latency.mode != LatencyMode::replay || recorded_latency_s != nullptr);
   VehicleModel model = make_model(spec.vehicle);
   const VehicleState start = hovering_at(spec.vehicle, mission.start_world, mission.start_yaw_rad);
@@ -196,6 +210,7 @@ Flight begin_flight(const TrialSpec& spec, const Scene& scene, const Mission& mi
                 .scene = &scene,
                 .mission = &mission,
                 .recorded_latency_s = recorded_latency_s,
+                .change = change,
                 .moving = nullptr,
                 .obstacle_speed_mps = 0.0,
                 .model = std::move(model),
@@ -218,6 +233,10 @@ Flight begin_flight(const TrialSpec& spec, const Scene& scene, const Mission& mi
   if (const std::vector<Motion>& motions = scene.world().motions; !motions.empty()) {
     flight.moving = std::make_unique<Scene>(scene.world());
     flight.scene = flight.moving.get();
+    if (change.still_at_s) {
+      flight.moving->set_time(*change.still_at_s);
+      return flight;
+    }
     for (const Motion& motion : motions) {
       flight.obstacle_speed_mps = std::max(flight.obstacle_speed_mps, greatest_speed_mps(motion));
     }

@@ -8,6 +8,7 @@
 #include "control/tracking.hpp"
 #include "plugin/planner_instance.hpp"
 #include "trial/collision_check.hpp"
+#include "trial/flight_change.hpp"
 #include "trial/mission.hpp"
 #include "trial/perception.hpp"
 #include "trial/trial_record.hpp"
@@ -40,6 +41,7 @@ struct Flight {
   const Scene* scene = nullptr;
   const Mission* mission = nullptr;
   const std::vector<double>* recorded_latency_s = nullptr;
+  FlightChange change;
   std::unique_ptr<Scene> moving;    ///< the scene with a time of its own, where things move in it
   double obstacle_speed_mps = 0.0;  ///< of the fastest
 
@@ -66,7 +68,8 @@ struct Flight {
 
 /// At the start. `needs` says what is sensed (AB_SEES_…). `recorded_latency_s`: see run_trial().
 Flight begin_flight(const TrialSpec& spec, const Scene& scene, const Mission& mission,
-                    std::uint32_t needs, const std::vector<double>* recorded_latency_s = nullptr);
+                    std::uint32_t needs, const std::vector<double>* recorded_latency_s = nullptr,
+                    const FlightChange& change = {});
 
 /// Flies on until a plan is due: what the planner sees then, valid until the next call. Null: the
 /// trial has ended, and `outcome` says how. What was asked before must be answered, or stopped.

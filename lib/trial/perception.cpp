@@ -171,6 +171,10 @@ VehicleState believed_state(const Perception& p, const VehicleState& truth) {
   return p.is_perfect ? truth : estimated(p.odometry_state, truth);
 }
 
+VehicleState truth_believed_as(const Perception& p, const VehicleState& believed) {
+  return p.is_perfect ? believed : estimated_as(p.odometry_state, believed);
+}
+
 PlannerView planner_view(Perception& p, const VehicleState& truth) {
   // The newest state that is as old as the delay.
   while (p.past.size() > 1 && p.past[1].tick <= truth.tick - p.state_delay) p.past.pop_front();

@@ -71,6 +71,9 @@ void sense(Perception& perception, const Scene& scene, const VehicleModel& model
 /// What the vehicle's own controller takes for its state: the odometry's estimate, without delay.
 VehicleState believed_state(const Perception& perception, const VehicleState& truth);
 
+/// The truth of which the odometry, but for its white noise, says `believed`.
+VehicleState truth_believed_as(const Perception& perception, const VehicleState& believed);
+
 /// What the planner sees now. Pixels stay the perception's until forget_seen().
 PlannerView planner_view(Perception& perception, const VehicleState& truth);
 

@@ -14,6 +14,9 @@ void tell_planned(const Flight& flight, PlannerInstance& planner, const TrialObs
   if (!observer.planned) return;
   const VehicleState believed = believed_state(flight);
   std::vector<Drawing> drawings = planner.take_drawings();  // may add to the log
+  const PlaceLookUp look_up = [&planner](std::span<const Eigen::Vector3d> places_world) {
+    return planner.look_up(places_world);
+  };
   observer.planned({.time_s = seconds(flight.state.tick),
                     .effect_s = seconds(due),
                     .truth = flight.state,
@@ -21,7 +24,8 @@ void tell_planned(const Flight& flight, PlannerInstance& planner, const TrialObs
                     .view = flight.view,
                     .result = result,
                     .drawings = std::move(drawings),
-                    .log = planner.take_log()});
+                    .log = planner.take_log(),
+                    .look_up = look_up});
 }
 
 /// Asks the observer, where there is one.
@@ -38,8 +42,8 @@ bool may_call(const Flight& flight, const TrialObserver& observer) {
 
 TrialRecord run_trial(const TrialSpec& spec, const Scene& scene, const Mission& mission,
                       PlannerInstance& planner, const TrialObserver& observer,
-                      const std::vector<double>* recorded_latency_s) {
-  Flight flight = begin_flight(spec, scene, mission, planner.needs(), recorded_latency_s);
+                      const std::vector<double>* recorded_latency_s, const FlightChange& change) {
+  Flight flight = begin_flight(spec, scene, mission, planner.needs(), recorded_latency_s, change);
   planner.take_log();  // of an earlier trial
   planner.take_drawings();
   // A planner that can't begin has flown a trial that ends at once.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "plugin/planner_instance.hpp"
+#include "trial/flight_change.hpp"
 #include "trial/mission.hpp"
 #include "trial/trial_observer.hpp"
 #include "trial/trial_record.hpp"
@@ -16,8 +17,10 @@ namespace avoidbench {
 /// until then the planner is busy: it is not called. `recorded_latency_s` (one a call, those of an
 /// earlier flight) stand for the measured ones, and the flight is that one again; calls beyond
 /// their end act at once. The mode `replay` needs them, `zero` and `fixed` do not look at them.
+/// `change`: what is otherwise than the spec says.
 TrialRecord run_trial(const TrialSpec& spec, const Scene& scene, const Mission& mission,
                       PlannerInstance& planner, const TrialObserver& observer = {},
-                      const std::vector<double>* recorded_latency_s = nullptr);
+                      const std::vector<double>* recorded_latency_s = nullptr,
+                      const FlightChange& change = {});
 
 }  // namespace avoidbench

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -9,6 +11,10 @@
 #include "vehicle/state.hpp"
 
 namespace avoidbench {
+
+/// What the planner knows of places now: PlannerInstance::look_up().
+using PlaceLookUp = std::function<std::optional<std::vector<PlaceKnown>>(
+    std::span<const Eigen::Vector3d> places_world)>;
 
 /// One call of the planner as it happened. References are valid while the observer is called.
 struct PlanStep {
@@ -20,6 +26,7 @@ struct PlanStep {
   const PlanResult& result;
   std::vector<Drawing> drawings;  ///< since the last call; of PlannerInstance::want_drawings
   std::vector<std::string> log;   ///< lines since the last call
+  const PlaceLookUp& look_up;
 };
 
 /// A call of the planner that is about to be made. References as in PlanStep.

@@ -172,6 +172,8 @@ Message job_message(const Job& job) {
   message.json["listed_missions"] = listed;
   if (job.mission) message.json["mission"] = mission_to_json(*job.mission);
   if (job.recorded_latency_s) message.json["recorded_latency_s"] = *job.recorded_latency_s;
+  if (job.change.tracks_perfectly) message.json["tracks_perfectly"] = true;
+  if (job.change.still_at_s) message.json["still_at_s"] = *job.change.still_at_s;
   return message;
 }
 
@@ -181,9 +183,13 @@ Job job_from(const Message& message) {
           .mission_count = message.json.at("mission_count"),
           .listed_missions = {},
           .mission = std::nullopt,
-          .recorded_latency_s = std::nullopt};
+          .recorded_latency_s = std::nullopt,
+          .change = {}};
   if (const auto recorded = message.json.find("recorded_latency_s"); recorded != message.json.end())
     job.recorded_latency_s = recorded->get<std::vector<double>>();
+  job.change.tracks_perfectly = message.json.value("tracks_perfectly", false);
+  if (const auto still = message.json.find("still_at_s"); still != message.json.end())
+    job.change.still_at_s = still->get<double>();
   for (const json& mission : message.json.at("listed_missions"))
     job.listed_missions.push_back(places_from_json(mission));
   if (message.json.contains("mission")) job.mission = mission_from_json(message.json.at("mission"));

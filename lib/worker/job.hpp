@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "metrics/map_record.hpp"
+#include "trial/flight_change.hpp"
 #include "trial/trial_record.hpp"
 #include "trial/trial_spec.hpp"
 #include "worker/message.hpp"
@@ -22,6 +23,7 @@ struct Job {
   std::vector<Mission> listed_missions = {};  ///< of a map whose missions are not made
   std::optional<MissionRecord> mission;       ///< of a trial job
   std::optional<std::vector<double>> recorded_latency_s = {};  ///< of one that replays
+  FlightChange change = {};                                    ///< of a trial job
 };
 
 /// The answer: a map, a flown trial with its metrics, or why neither could be had.

@@ -168,7 +168,8 @@ TrialRecord Worker::Internals::fly(const Job& job, const Scene& scene) {
   const std::vector<double>* recorded_s =
       job.recorded_latency_s ? &*job.recorded_latency_s : nullptr;
   const auto flown = [&] {
-    return run_trial(job.spec, scene, job.mission->mission, *planner, bookkeeper(), recorded_s);
+    return run_trial(job.spec, scene, job.mission->mission, *planner, bookkeeper(), recorded_s,
+                     job.change);
   };
   TrialRecord record = flown();
   if (record.outcome != Outcome::planner_crashed || !planner->was_killed()) return record;

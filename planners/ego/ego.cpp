@@ -39,6 +39,11 @@ class Ego {
     return avoidbench::make_trajectory_command(points);
   }
 
+  /// For `avoidbench explain`.
+  std::uint8_t place_at(const avoidbench::Vec3& point_world_m) const {
+    return planning::place_of(flight_.surroundings().grid, point_world_m);
+  }
+
  private:
   /// For `avoidbench replay`: the map about the vehicle's height, what was tried and what is flown.
   void draw(const ab_state& state) const {

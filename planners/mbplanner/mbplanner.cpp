@@ -30,6 +30,11 @@ class Mbplanner {
     return command;
   }
 
+  /// For `avoidbench explain`.
+  std::uint8_t place_at(const avoidbench::Vec3& point_world_m) const {
+    return planning::place_of(pilot_.grid(), point_world_m);
+  }
+
  private:
   avoidbench::Canvas canvas_;
   mbplanner::Pilot pilot_;

@@ -23,6 +23,8 @@ class Pilot {
   /// Points to fly from now on; nothing where the state is not finite.
   std::optional<std::vector<ab_point>> plan(const ab_observation& seen);
 
+  const planning::RollingGrid& grid() const { return grid_; }
+
   /// The map at the height of flight, the newest tree and the course, for who looks.
   void draw(const avoidbench::Canvas& canvas) const;
 

@@ -13,7 +13,7 @@ from typing import NamedTuple, SupportsIndex
 
 # Of lib/store/schema.sql.
 APPLICATION_ID = 1635140206
-SCHEMA_VERSION = 4
+SCHEMA_VERSION = 5
 
 _LOCK_TIMEOUT_S = 10.0
 _LEAST_SQLITE = (3, 37, 0)  # reads STRICT tables

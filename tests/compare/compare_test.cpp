@@ -219,5 +219,25 @@ TEST(CompareExact, TellsSignedZerosApartAndTakesNoValueForNoValue) {
   EXPECT_EQ(compare_exactly(base, now).differences[0].after, "-0");
 }
 
+TEST(Compare, CausesThatGrew) {
+  const TrialTable base = finished_table("base.db", 2, 6);
+  TrialTable now = base;
+  for (std::size_t i = 0; i < 5; ++i) {
+    crash(now.trials[i]);
+    now.trials[i].cause = i < 4 ? "occluded" : "tracking";
+  }
+  Comparison comparison = compare_tables(base, now, {});
+  ASSERT_EQ(comparison.causes.size(), 2U);
+  EXPECT_EQ(comparison.causes[0].cause, "occluded");
+  EXPECT_EQ(comparison.causes[0].base_count, 0);
+  EXPECT_EQ(comparison.causes[0].new_count, 4);
+  EXPECT_EQ(comparison.causes[0].pair_count, 12);
+  EXPECT_NEAR(comparison.causes[0].p, 0.125, 1e-12);  // 2 / 2⁴
+  EXPECT_EQ(comparison.causes[1].new_count, 1);
+  // A failure whose cause nobody told could be of any.
+  now.trials[2].cause.clear();
+  EXPECT_TRUE(compare_tables(base, now, {}).causes.empty());
+}
+
 }  // namespace
 }  // namespace avoidbench

@@ -65,6 +65,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadCase{"globals_segfault", "errors_have_a_text", "crashed by signal 11"},
         BadCase{"keeps_pointer", "keeps_no_input", "keeps a pointer"},
         BadCase{"draws_differently", "drawing_changes_nothing", "when its drawings are wanted"},
+        BadCase{"asked_differently", "being_asked_changes_nothing", "when it is asked"},
+        BadCase{"odd_map", "being_asked_changes_nothing", "no AB_PLACE_"},
         BadCase{"needs_debug", "drawing_changes_nothing", "has no extension avoidbench.debug/1"},
         BadCase{"extra_symbol", "exports_one_avoidbench_symbol", "avoidbench_secret"},
         BadCase{"serves_all", "refuses_unknown_hosts", "ABI 0"},

@@ -48,6 +48,33 @@ TEST(Summary, CountsRatesAndMeansOverTheirPopulations) {
   EXPECT_EQ(summary.mission_count, 12);
 }
 
+TEST(Summary, CausesAreCountedByPlanner) {
+  SweepResult result = result_of(3, 4, [](char planner, int, int mission) {
+    return planner == 'a' ? mission != 3 : mission == 0;
+  });
+  EXPECT_TRUE(summary_of(result).causes.empty()) << "none is told";
+  std::size_t told = 0;
+  for (TrialSummary& trial : result.trials) {
+    if (trial.outcome == Outcome::reached_goal ||
+        trial.planner_key != planner_key(planner_row("b")))
+      continue;
+    trial.cause = ++told <= 5 ? "occluded" : told <= 7 ? "trap" : "";
+  }
+  const SweepSummary summary = summary_of(result);
+  ASSERT_EQ(summary.causes.size(), 4U);
+  EXPECT_EQ(summary.causes[0].cause, "") << "of a none is told";
+  EXPECT_EQ(summary.causes[0].count, 3);
+  EXPECT_EQ(summary.causes[1].cause, "occluded");
+  EXPECT_EQ(summary.causes[1].count, 5);
+  EXPECT_EQ(summary.causes[1].failure_count, 9);
+  EXPECT_EQ(summary.causes[2].cause, "trap");
+  EXPECT_EQ(summary.causes[3].cause, "") << "those not told come last";
+  EXPECT_EQ(summary.causes[3].count, 2);
+  const Section section = sweep_section(summary, {}, Detail::brief);
+  EXPECT_TRUE(std::any_of(section.notes.begin(), section.notes.end(),
+                          [](const auto& note) { return note.first == "occluded"; }));
+}
+
 TEST(Summary, InvalidMissionsAreShownNotCounted) {
   SweepResult result = result_of(2, 3, [](char, int, int) { return true; });
   result.maps[1] = map_row(1, 4, true);

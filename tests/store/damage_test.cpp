@@ -77,6 +77,8 @@ TEST(Damage, AnOlderSchemaIsReadAndBroughtUpByTheNextRun) {
   run_sql(folder / "o.db", "ALTER TABLE trials DROP COLUMN flight_digest");
   run_sql(folder / "o.db", "ALTER TABLE trials DROP COLUMN wall_time_s");
   run_sql(folder / "o.db", "ALTER TABLE trajectories DROP COLUMN is_packed");
+  run_sql(folder / "o.db", "DROP TABLE what_ifs");
+  run_sql(folder / "o.db", "DROP TABLE explanations");
   run_sql(folder / "o.db", "PRAGMA user_version = 1");
   {  // to be read as it is, which changes nothing
     const std::string before = file_digest(folder / "o.db");
@@ -84,6 +86,8 @@ TEST(Damage, AnOlderSchemaIsReadAndBroughtUpByTheNextRun) {
     EXPECT_EQ(old.finished_keys().size(), 1U);
     EXPECT_EQ(old.read_sweep("forest", 1).trials.size(), 1U);
     EXPECT_EQ(check_digests(old, true), 1);
+    EXPECT_TRUE(old.read_what_ifs().empty());
+    EXPECT_TRUE(old.read_explanations().empty());
     EXPECT_EQ(file_digest(folder / "o.db"), before);
     Database other = begun(folder / "other.db");
     EXPECT_TRUE(has(message_of([&] { merge_database(other, folder / "o.db"); }), "another schema"));

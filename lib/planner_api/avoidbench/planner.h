@@ -358,6 +358,27 @@ typedef struct ab_files {
                                to the folder of the planner's own file, which is not among them */
 } ab_files;
 
+/* ---------------------------------------------------------------------------------------------
+ * Extension "avoidbench.map/1": what the planner holds the space around it for, asked by who looks
+ * for why a flight failed (`avoidbench explain`). Got from the planner by get_extension(instance,
+ * AB_MAP_EXTENSION), which gives an ab_map or null; it stays as long as the instance. Asked between
+ * calls of reset() and plan() and in their thread; an answer never changes a command. */
+#define AB_MAP_EXTENSION "avoidbench.map/1"
+
+/* What the planner knows of a place. */
+#define AB_PLACE_UNKNOWN 0u
+#define AB_PLACE_FREE 1u     /* it has seen that nothing is there */
+#define AB_PLACE_OCCUPIED 2u /* a surface is there; not: the vehicle would be too near to one */
+
+typedef struct ab_map {
+  uint32_t struct_size;
+  uint32_t reserved;
+  /* One AB_PLACE_… for each of point_count places, 3 numbers each, all finite. AB_OK, or AB_ERROR
+   * where it can't say. */
+  ab_status (*look_up)(void* instance, const double* points_world_m, uint32_t point_count,
+                       uint8_t* places);
+} ab_map;
+
 /* The one exported symbol. `host_api` is the host's AVOIDBENCH_ABI_VERSION; null where the planner
  * can't serve it. */
 AB_EXPORT const ab_planner* avoidbench_planner_v1(uint32_t host_api);

@@ -20,10 +20,12 @@
  *
  * Also understood: `static constexpr const char* version` and `summary`; `profiles`, other sets of
  * defaults (see profile()); `files`, a std::array<const char*, n> of files that it depends on (see
- * AB_FILES_EXTENSION); a constructor (const ab_setup&, const ab_host&); a class without
- * `parameters`. Where parameters name members, settings_from() fills in all of them. An exception
- * that leaves the class becomes AB_ERROR with its text; GiveUp, thrown by give_up("reason"), ends
- * the trial with planner_gave_up. What ab_command.points refers to must live until the next call.
+ * AB_FILES_EXTENSION); `std::uint8_t place_at(const Vec3& point_world_m) const`, what it knows of a
+ * place as AB_PLACE_… (see AB_MAP_EXTENSION); a constructor (const ab_setup&, const ab_host&); a
+ * class without `parameters`. Where parameters name members, settings_from() fills in all of them.
+ * An exception that leaves the class becomes AB_ERROR with its text; GiveUp, thrown by
+ * give_up("reason"), ends the trial with planner_gave_up. What ab_command.points refers to must
+ * live until the next call.
  */
 #ifndef AVOIDBENCH_PLANNER_HPP
 #define AVOIDBENCH_PLANNER_HPP
@@ -368,16 +370,14 @@ struct Profiles<Planner, std::void_t<decltype(Planner::profiles)>> {
 
 template <class Planner, class = void>
 struct Files {
-  static constexpr auto get_extension = static_cast<const void* (*)(void*, const char*)>(nullptr);
+  static const ab_files* table() { return nullptr; }
 };
 template <class Planner>
 struct Files<Planner, std::void_t<decltype(Planner::files)>> {
   static constexpr ab_files value{struct_size_of<ab_files>(),
                                   static_cast<std::uint32_t>(Planner::files.size()),
                                   Planner::files.data()};
-  static const void* get_extension(void*, const char* id) {
-    return id != nullptr && std::string_view(id) == AB_FILES_EXTENSION ? &value : nullptr;
-  }
+  static const ab_files* table() { return &value; }
 };
 
 template <class Planner>
@@ -453,6 +453,40 @@ ab_status plan(void* instance, const ab_observation* observation, ab_command* co
   });
 }
 
+template <class Planner, class = void>
+struct Map {
+  static const ab_map* table() { return nullptr; }
+};
+template <class Planner>
+struct Map<Planner, std::void_t<decltype(std::declval<const Planner&>().place_at(Vec3{}))>> {
+  static ab_status look_up(void* instance, const double* points_world_m, std::uint32_t point_count,
+                           std::uint8_t* places) {
+    Instance<Planner>& self = *static_cast<Instance<Planner>*>(instance);
+    return guarded(self.host, [&]() -> ab_status {
+      const Planner& planner = self.planner;
+      for (std::uint32_t i = 0; i < point_count; ++i) {
+        const double* const point = points_world_m + 3 * static_cast<std::size_t>(i);
+        places[i] = planner.place_at(Vec3{point[0], point[1], point[2]});
+      }
+      return AB_OK;
+    });
+  }
+  static const ab_map* table() {
+    static constexpr ab_map value{struct_size_of<ab_map>(), 0, &look_up};
+    return &value;
+  }
+};
+
+/// AB_FILES_EXTENSION is asked for without an instance, others are of one.
+template <class Planner>
+const void* get_extension(void* instance, const char* id) {
+  if (id == nullptr) return nullptr;
+  const std::string_view name = id;
+  if (name == AB_FILES_EXTENSION) return Files<Planner>::table();
+  if (name == AB_MAP_EXTENSION && instance != nullptr) return Map<Planner>::table();
+  return nullptr;
+}
+
 template <class Planner>
 struct Table {
   static constexpr ab_planner value{struct_size_of<ab_planner>(),
@@ -469,7 +503,7 @@ struct Table {
                                     &destroy<Planner>,
                                     &reset<Planner>,
                                     &plan<Planner>,
-                                    Files<Planner>::get_extension,
+                                    &get_extension<Planner>,
                                     static_cast<std::uint32_t>(Profiles<Planner>::count),
                                     0,
                                     Profiles<Planner>::pointers};

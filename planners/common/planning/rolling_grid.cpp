@@ -314,4 +314,20 @@ void RollingGrid::clear_box(const Vector3d& center_world, const Vector3d& size_m
   inflate_changes();
 }
 
+std::uint8_t place_of(const RollingGrid& grid, const std::array<double, 3>& place_world) {
+  const Eigen::Vector3d place(place_world[0], place_world[1], place_world[2]);
+  if (!is_place(place)) return AB_PLACE_UNKNOWN;
+  const Cell cell = grid.cell_of(place);
+  if (!grid.contains(cell)) return AB_PLACE_UNKNOWN;
+  switch (grid.state(cell)) {
+    case CellState::occupied:
+      return AB_PLACE_OCCUPIED;
+    case CellState::free:
+      return AB_PLACE_FREE;
+    case CellState::unknown:
+      break;
+  }
+  return AB_PLACE_UNKNOWN;
+}
+
 }  // namespace planning

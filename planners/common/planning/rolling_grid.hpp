@@ -188,4 +188,7 @@ class RollingGrid {
   std::vector<float> row_m_, known_m_, shrunk_m_, no_window_m_;
 };
 
+/// What the grid knows of a place, as AB_PLACE_…; beyond it everything is unknown.
+std::uint8_t place_of(const RollingGrid& grid, const std::array<double, 3>& place_world);
+
 }  // namespace planning

@@ -1,0 +1,77 @@
+#include <memory>
+
+#include "commands.hpp"
+#include "database_choice.hpp"
+#include "explain_causes.hpp"
+#include "explain_what_if.hpp"
+
+namespace avoidbench {
+namespace {
+
+void explain_trials(const ExplainOptions& options) {
+  if (!options.minimal.empty()) return explain_minimal(options);
+  if (!options.what_if.empty()) return explain_what_if(options);
+  explain_causes(options);
+}
+
+}  // namespace
+
+ReplayFiles explain_files(const ExplainOptions& options, const Database& database) {
+  const std::filesystem::path given = options.database;
+  return {.planner = options.planner_file,
+          .map = options.map_file,
+          .wind = options.wind_file,
+          .folders = {".", given.parent_path(), database.path().parent_path()},
+          .database = database.path()};
+}
+
+void add_explain_command(CLI::App& app) {
+  const auto options = std::make_shared<ExplainOptions>();
+  CLI::App* command = app.add_subcommand("explain",
+                                         "Why trials failed: the cause of each, what would have "
+                                         "cured it, and the smallest map that still fails");
+  command->footer(
+      "Causes are told by rules over what is measured of the flight, collisions from one more "
+      "flight "
+      "each, and stored\nin the database: report and compare show them. "
+      "\nFlights with changes are stored in the database; the same command goes on where it was "
+      "stopped. docs/explain.md\n\n"
+      "Examples:\n"
+      "  avoidbench explain quick\n"
+      "  avoidbench explain quick 2 --png moment.png\n"
+      "  avoidbench explain quick --what-if true_depth,no_latency,no_wind\n"
+      "  avoidbench explain quick --what-if all --control 20 --format latex\n"
+      "  avoidbench explain quick 2 --what-if all\n"
+      "  avoidbench explain quick 2 --minimal scene && avoidbench run scene/sweep.yaml\n\n"
+      "Exit codes: 0 done, 1 a flight with nothing changed is not the stored one, or a worker was "
+      "killed from outside, 2 usage or input, 75 stopped by SIGTERM or SIGUSR1, 130 interrupted");
+  command
+      ->add_option("DB", options->database,
+                   "Database, or a sweep's file or name for results/NAME.db")
+      ->required();
+  command->add_option("TRIAL", options->choice.trial,
+                      "Id of a trial, or the beginning of its key: only this one");
+  command->add_option("--planner", options->choice.planner,
+                      "Only trials of this planner, by its label");
+  command
+      ->add_option("--png", options->png,
+                   "Picture of TRIAL at the decisive moment: the last chance to stop before a "
+                   "collision, where it came nearest to the goal before a time-out")
+      ->type_name("FILE");
+  add_what_if_options(*command, *options);
+  command
+      ->add_option("--library", options->planner_file,
+                   "Fly this planner library (default: what the sweep's name of it leads to, if "
+                   "that is the file that was flown)")
+      ->type_name("NAME|FILE");
+  command
+      ->add_option("--map-file", options->map_file,
+                   "File of the map (default: by its name beside sweep and database, or in maps/)")
+      ->type_name("FILE");
+  command->add_option("--wind-file", options->wind_file, "File of the wind field, likewise")
+      ->type_name("FILE");
+  add_output_options(*command, options->output);
+  command->callback([options] { explain_trials(*options); });
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,172 @@
+#pragma once
+
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "base/enum_text.hpp"
+#include "base/fields.hpp"
+
+namespace avoidbench {
+
+/// Why a trial failed. Of collisions in the order in which the rules are tried, then of time-outs,
+/// then of the rest.
+enum class Cause {
+  moved_into,
+  tracking,
+  out_of_view,
+  occluded,
+  too_late_for_speed,
+  not_sensed,
+  sensed_not_mapped,
+  mapped_not_avoided,
+  sensed_not_avoided,
+  no_plan_found,
+  blocked_goal,
+  hover_without_plan,
+  trap,
+  slow,
+  detour,
+  flew_out,
+  gave_up,
+  planner_failed,
+  unexplained
+};
+
+template <>
+struct EnumText<Cause> {
+  static constexpr std::pair<Cause, std::string_view> entries[] = {
+      {Cause::moved_into, "moved_into"},
+      {Cause::tracking, "tracking"},
+      {Cause::out_of_view, "out_of_view"},
+      {Cause::occluded, "occluded"},
+      {Cause::too_late_for_speed, "too_late_for_speed"},
+      {Cause::not_sensed, "not_sensed"},
+      {Cause::sensed_not_mapped, "sensed_not_mapped"},
+      {Cause::mapped_not_avoided, "mapped_not_avoided"},
+      {Cause::sensed_not_avoided, "sensed_not_avoided"},
+      {Cause::no_plan_found, "no_plan_found"},
+      {Cause::blocked_goal, "blocked_goal"},
+      {Cause::hover_without_plan, "hover_without_plan"},
+      {Cause::trap, "trap"},
+      {Cause::slow, "slow"},
+      {Cause::detour, "detour"},
+      {Cause::flew_out, "flew_out"},
+      {Cause::gave_up, "gave_up"},
+      {Cause::planner_failed, "planner_failed"},
+      {Cause::unexplained, "unexplained"}};
+};
+
+/// A cause as people are told of it. `rule`: over the names of Facts, as docs/explain.md has it.
+struct CauseDef {
+  Cause cause;
+  std::string_view doc, rule;
+};
+
+/// One a Cause, in their order.
+std::span<const CauseDef> cause_table();
+
+/// A stored explanation is told anew where the rules have changed since.
+inline constexpr int kCauseRulesVersion = 1;
+
+/// What was measured of a failed flight; NaN where it has no meaning for this one, or never was.
+/// Times are of the flight. "Patch": the surface within 0.25 m of where the body touched it.
+/// "Last chance": the last moment at which reaction and braking would have fitted into the way that
+/// was left to the contact.
+struct Facts {
+  static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+  // Of a collision.
+  double contact_s = kNone, contact_speed_mps = kNone;
+  double reaction_s = kNone;
+  double last_chance_s = kNone, last_chance_speed_mps = kNone, last_chance_way_m = kNone,
+         last_chance_need_m = kNone;
+  double in_cone_s = kNone, unoccluded_s = kNone, in_range_s = kNone, sensed_s = kNone,
+         mapped_s = kNone;
+  double seen_way_m = kNone, seen_need_m = kNone;
+  double depth_image_count = kNone, sensed_image_count = kNone, longest_gap_s = kNone;
+  double mapped_share = kNone;
+  double no_plan_share = kNone;
+  double tracking_error_m = kNone, commanded_clearance_m = kNone;
+  double wind_mps = kNone;
+  double obstacle_way_m = kNone, still_clearance_m = kNone;
+
+  // Of a time-out.
+  double flown_m = kNone, reference_length_m = kNone, mean_speed_mps = kNone;
+  double closest_m = kNone, closest_s = kNone;
+  double hover_share = kNone, late_no_plan_share = kNone;
+  double return_count = kNone;
+  double goal_clearance_m = kNone;
+
+  // Of a flight that left the map.
+  double commanded_outside_m = kNone;
+};
+
+template <class Visitor, ConstOr<Facts> Spec>
+void visit(Visitor& v, Spec& s) {
+  v.field("contact_s", s.contact_s, "Time of the contact that ended the flight, s.");
+  v.field("contact_speed_mps", s.contact_speed_mps, "Speed at the contact, m/s.");
+  v.field("reaction_s", s.reaction_s,
+          "From light to command: delay of images, plan period and latency, s.");
+  v.field("last_chance_s", s.last_chance_s,
+          "The last time at which reacting and braking still fitted into the way left, s.");
+  v.field("last_chance_speed_mps", s.last_chance_speed_mps, "Speed then, m/s.");
+  v.field("last_chance_way_m", s.last_chance_way_m,
+          "Way left then to the contact, along the flown path, m.");
+  v.field("last_chance_need_m", s.last_chance_need_m,
+          "Way that reacting and braking needed then, m.");
+  v.field("in_cone_s", s.in_cone_s,
+          "From when on the patch was in the field of view of three exposures; where it was within "
+          "the camera's distance by the last chance, of those, s.");
+  v.field("unoccluded_s", s.unoccluded_s, "The same, and nothing before it, s.");
+  v.field("in_range_s", s.in_range_s, "The same, and within the camera's range, s.");
+  v.field("sensed_s", s.sensed_s,
+          "From when on three images that the planner got showed it at its depth, s.");
+  v.field("mapped_s", s.mapped_s, "From when on the planner's map had it as occupied, s.");
+  v.field("seen_way_m", s.seen_way_m, "Way left to the contact at in_range_s, m.");
+  v.field("seen_need_m", s.seen_need_m, "Way that reacting and braking needed then, m.");
+  v.field("depth_image_count", s.depth_image_count, "Depth images that the planner was shown.");
+  v.field("sensed_image_count", s.sensed_image_count, "Those that showed it at its depth.");
+  v.field("longest_gap_s", s.longest_gap_s, "Longest time between two of these, s.");
+  v.field("mapped_share", s.mapped_share,
+          "Share of the patch that the planner's map had as occupied at the last chance.");
+  v.field("no_plan_share", s.no_plan_share,
+          "Share of calls without a plan from the last chance on.");
+  v.field("tracking_error_m", s.tracking_error_m,
+          "From the commanded place to the vehicle at the contact, m.");
+  v.field("commanded_clearance_m", s.commanded_clearance_m,
+          "Least clearance of the body on the commanded path, in the last two seconds, m.");
+  v.field("wind_mps", s.wind_mps, "Speed of the air at the contact, m/s.");
+  v.field("obstacle_way_m", s.obstacle_way_m,
+          "How far the obstacle had moved since the call whose command was flown, m.");
+  v.field("still_clearance_m", s.still_clearance_m,
+          "Least clearance of the body from there on, had the obstacle stood still, m.");
+  v.field("flown_m", s.flown_m, "Length of the flown path, m.");
+  v.field("reference_length_m", s.reference_length_m, "Length of the shortest path, m.");
+  v.field("mean_speed_mps", s.mean_speed_mps, "Flown length over time, m/s.");
+  v.field("closest_m", s.closest_m, "Least horizontal distance to the goal's centre, m.");
+  v.field("closest_s", s.closest_s, "When it was first within 0.5 m of that, s.");
+  v.field("hover_share", s.hover_share, "Share of the flight's second half below 0.1 m/s.");
+  v.field("late_no_plan_share", s.late_no_plan_share,
+          "Share of calls without a plan in the flight's second half.");
+  v.field("return_count", s.return_count,
+          "How often it came back to within 1 m of where it had been more than 2 m away from "
+          "since.");
+  v.field("goal_clearance_m", s.goal_clearance_m,
+          "Greatest distance to a surface within the goal's circle, m.");
+  v.field("commanded_outside_m", s.commanded_outside_m,
+          "How far outside the map the vehicle was told to be at the end; inside: negative, m.");
+}
+
+/// As stored: those that have a value, by name.
+std::string facts_json(const Facts& facts);
+/// Throws std::exception where the text is no JSON object of numbers.
+Facts facts_from_json(const std::string& text);
+
+struct CauseFound {
+  Cause cause = Cause::unexplained;
+  Facts facts;
+};
+
+}  // namespace avoidbench

@@ -1,0 +1,234 @@
+#include "explain/collision_cause.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/ticks.hpp"
+#include "explain/sight.hpp"
+#include "render/scene.hpp"
+#include "trial/noise_seed.hpp"
+#include "vehicle/vehicle_spec.hpp"
+#include "wind/wind.hpp"
+
+namespace avoidbench {
+namespace {
+
+/// Below this a clearance is none: bodies are boxes of float triangles.
+constexpr double kClear_m = 0.02;
+/// What a planner can be asked to react to: maps want more than one image, and so do people.
+constexpr std::size_t kEnoughImages = 3;
+constexpr double kTrackingWindow_s = 2.0;
+
+/// From light to command.
+double reaction_s(const FailedFlight& flight) {
+  const TrialSpec& spec = flight.spec;
+  double latency_s = spec.latency.mode == LatencyMode::fixed ? spec.latency.ms / 1000.0 : 0.0;
+  if (is_measured(spec.latency) && !flight.record.plan_calls.empty()) {
+    double sum_s = 0.0;
+    for (const PlanCall& call : flight.record.plan_calls) sum_s += call.latency_s;
+    latency_s = sum_s / static_cast<double>(flight.record.plan_calls.size());
+  }
+  return spec.sensor.delay_ms / 1000.0 + 1.0 / spec.rates.plan_hz + latency_s;
+}
+
+/// The way to the contact from each sample on.
+std::vector<double> ways_left_m(const std::vector<Sample>& samples) {
+  std::vector<double> ways(samples.size(), 0.0);
+  for (std::size_t i = samples.size(); i-- > 1;) {
+    ways[i - 1] = ways[i] + (samples[i].position_world - samples[i - 1].position_world).norm();
+  }
+  return ways;
+}
+
+/// v t + v² / 2a: to react, then to brake.
+double needed_way_m(const FailedFlight& flight, double reaction_time_s, double speed_mps) {
+  return speed_mps * reaction_time_s +
+         speed_mps * speed_mps / (2.0 * flight.spec.vehicle.max_acceleration_mps2);
+}
+
+std::size_t sample_at(const std::vector<Sample>& samples, double time_s) {
+  const auto after = std::upper_bound(samples.begin(), samples.end(), time_s,
+                                      [](double time, const Sample& s) { return time < s.time_s; });
+  return after == samples.begin() ? 0 : static_cast<std::size_t>(after - samples.begin()) - 1;
+}
+
+/// When the vehicle could have stopped for the last time.
+void add_last_chance(const FailedFlight& flight, Facts& facts) {
+  const std::vector<Sample>& samples = flight.record.samples;
+  const std::vector<double> ways = ways_left_m(samples);
+  facts.reaction_s = reaction_s(flight);
+  // The first sample hovers: nothing is needed then.
+  for (std::size_t i = samples.size(); i-- > 0;) {
+    const double speed_mps = samples[i].velocity_world.norm();
+    const double need_m = needed_way_m(flight, facts.reaction_s, speed_mps);
+    if (ways[i] < need_m && i > 0) continue;
+    facts.last_chance_s = samples[i].time_s;
+    facts.last_chance_speed_mps = speed_mps;
+    facts.last_chance_way_m = ways[i];
+    facts.last_chance_need_m = need_m;
+    return;
+  }
+}
+
+/// The time of the third exposure of which `is_so` holds.
+template <class IsSo>
+double third_s(const std::vector<PatchExposure>& exposures, IsSo&& is_so) {
+  std::size_t count = 0;
+  for (const PatchExposure& exposure : exposures) {
+    if (is_so(exposure) && ++count == kEnoughImages) return exposure.time_s;
+  }
+  return Facts::kNone;
+}
+
+void add_sight(const FailedFlight& flight, const StruckPatch& patch, Facts& facts) {
+  const std::vector<Sample>& samples = flight.record.samples;
+  const std::vector<PatchExposure> exposures =
+      patch_exposures(flight.spec.sensor, flight.world, patch, samples);
+  // A glimpse from far beyond the range is none, unless it never came near in time.
+  const double near_s = third_s(exposures, [](const PatchExposure& e) { return e.is_near; });
+  const bool is_any = !(near_s <= facts.last_chance_s);
+  facts.in_cone_s = third_s(
+      exposures, [&](const PatchExposure& e) { return e.in_cone && (is_any || e.is_near); });
+  facts.unoccluded_s = third_s(
+      exposures, [&](const PatchExposure& e) { return e.unoccluded && (is_any || e.is_near); });
+  facts.in_range_s = third_s(exposures, [](const PatchExposure& e) { return e.in_range; });
+  if (std::isnan(facts.in_range_s)) return;
+  const std::size_t seen = sample_at(samples, facts.in_range_s);
+  facts.seen_way_m = ways_left_m(samples)[seen];
+  facts.seen_need_m = needed_way_m(flight, facts.reaction_s, samples[seen].velocity_world.norm());
+}
+
+void add_knowledge(const FlightWatch& watch, Facts& facts) {
+  const std::vector<double>& sensed = watch.sensed_s();
+  facts.depth_image_count = static_cast<double>(watch.depth_image_count());
+  facts.sensed_image_count = static_cast<double>(sensed.size());
+  if (sensed.size() >= kEnoughImages) facts.sensed_s = sensed[kEnoughImages - 1];
+  for (std::size_t i = 1; i < sensed.size(); ++i) {
+    const double gap_s = sensed[i] - sensed[i - 1];
+    if (!(facts.longest_gap_s >= gap_s)) facts.longest_gap_s = gap_s;
+  }
+  // A planner that matches pictures itself has what is in sight.
+  if (watch.depth_image_count() == 0 && watch.has_pictures()) facts.sensed_s = facts.in_range_s;
+  for (const CallKnowledge& call : watch.calls()) {
+    if (!call.mapped_share) continue;
+    if (std::isnan(facts.mapped_s) && *call.mapped_share >= kEnoughOfPatch) {
+      facts.mapped_s = call.time_s;
+    }
+    // The first call counts where the last chance was before it.
+    if (call.time_s <= facts.last_chance_s || std::isnan(facts.mapped_share)) {
+      facts.mapped_share = *call.mapped_share;
+    }
+  }
+}
+
+double no_plan_share(const std::vector<PlanCall>& calls, double from_s) {
+  std::size_t count = 0, without = 0;
+  for (const PlanCall& call : calls) {
+    if (call.time_s < from_s) continue;
+    ++count;
+    if (call.status == AB_NO_PLAN) ++without;
+  }
+  return count == 0 ? 0.0 : static_cast<double>(without) / static_cast<double>(count);
+}
+
+/// The call whose command was flown at the contact.
+double flown_call_s(const FailedFlight& flight, double contact_s) {
+  const double latency_s =
+      flight.spec.latency.mode == LatencyMode::fixed ? flight.spec.latency.ms / 1000.0 : 0.0;
+  double flown_s = 0.0;
+  for (const PlanCall& call : flight.record.plan_calls) {
+    const double acts_s = call.time_s + (std::isnan(call.latency_s) ? latency_s : call.latency_s);
+    if (acts_s <= contact_s) flown_s = call.time_s;
+  }
+  return flown_s;
+}
+
+/// Whether the body would have passed what it struck, had that stood still since the planner's last
+/// word.
+bool was_moved_into(const FailedFlight& flight, const StruckPatch& patch, Facts& facts) {
+  if (!patch.is_moving()) return false;
+  const double since_s = flown_call_s(flight, patch.contact_s);
+  const std::vector<Eigen::Vector3d> then = places_at(patch, since_s);
+  for (std::size_t i = 0; i < then.size(); ++i) {
+    const double way_m = (patch.places_world[i] - then[i]).norm();
+    if (!(facts.obstacle_way_m >= way_m)) facts.obstacle_way_m = way_m;
+  }
+  const World still = alone(flight.world, patch.obstacle, since_s);
+  const Scene scene(still);
+  const Eigen::Vector3d body_m = to_eigen(flight.spec.vehicle.body_size_m);
+  facts.still_clearance_m = kClearanceLimit_m;
+  for (const Sample& sample : flight.record.samples) {
+    if (sample.time_s < since_s) continue;
+    const Pose pose(Eigen::Translation3d(sample.position_world) * sample.q_world_body);
+    facts.still_clearance_m =
+        std::min(facts.still_clearance_m, scene.body_clearance(body_m, pose, kClearanceLimit_m));
+  }
+  return facts.obstacle_way_m > 0.0 && facts.still_clearance_m > kClear_m;
+}
+
+double wind_at_contact_mps(const FailedFlight& flight, double contact_s) {
+  Wind wind = make_wind(flight.spec.wind, noise_seed(flight.spec, "wind"),
+                        flight.spec.mission.time_limit_s);
+  return environment_at(wind, ticks(contact_s), flight.record.samples.back().position_world)
+      .wind_world_mps.norm();
+}
+
+/// What the planner had been shown, knew and did.
+Cause cause_of_planner(const FlightWatch* watch, const Facts& facts) {
+  if (watch == nullptr) return Cause::unexplained;
+  // Negated, so that "never" is late.
+  if (!(facts.sensed_s <= facts.last_chance_s)) return Cause::not_sensed;
+  if (facts.mapped_share < kEnoughOfPatch) return Cause::sensed_not_mapped;
+  if (facts.no_plan_share >= 0.5) return Cause::no_plan_found;
+  return std::isnan(facts.mapped_share) ? Cause::sensed_not_avoided : Cause::mapped_not_avoided;
+}
+
+}  // namespace
+
+bool left_commanded_path(const FailedFlight& flight, Facts& facts) {
+  const std::vector<Sample>& samples = flight.record.samples;
+  const Eigen::Vector3d body_m = to_eigen(flight.spec.vehicle.body_size_m);
+  const Sample& last = samples.back();
+  // Rates say no place.
+  if (!last.reference_world.allFinite()) return false;
+  facts.tracking_error_m = (last.position_world - last.reference_world).norm();
+  facts.commanded_clearance_m = kClearanceLimit_m;
+  Scene scene(flight.world);
+  for (const Sample& sample : samples) {
+    if (sample.time_s < last.time_s - kTrackingWindow_s) continue;
+    if (!sample.reference_world.allFinite()) continue;
+    scene.set_time(sample.time_s);
+    // As it flew: a reference has no attitude of its own.
+    const Pose commanded(Eigen::Translation3d(sample.reference_world) * sample.q_world_body);
+    facts.commanded_clearance_m = std::min(
+        facts.commanded_clearance_m, scene.body_clearance(body_m, commanded, kClearanceLimit_m));
+  }
+  return facts.commanded_clearance_m > kClear_m &&
+         facts.tracking_error_m > facts.commanded_clearance_m;
+}
+
+CauseFound collision_explained(const FailedFlight& flight, const StruckPatch& patch,
+                               const FlightWatch* watch) {
+  CauseFound found;
+  Facts& facts = found.facts;
+  facts.contact_s = patch.contact_s;
+  facts.contact_speed_mps = flight.record.collisions.back().speed_mps;
+  facts.wind_mps = wind_at_contact_mps(flight, patch.contact_s);
+  add_last_chance(flight, facts);
+  add_sight(flight, patch, facts);
+  if (watch != nullptr) add_knowledge(*watch, facts);
+  facts.no_plan_share = no_plan_share(flight.record.plan_calls, facts.last_chance_s);
+  // Each before the first that holds is computed in any case: it is printed, too.
+  const bool moved = was_moved_into(flight, patch, facts);
+  const bool left = left_commanded_path(flight, facts);
+  const auto in_time = [&](double time_s) { return time_s <= facts.last_chance_s; };
+  found.cause = moved                          ? Cause::moved_into
+                : left                         ? Cause::tracking
+                : !in_time(facts.in_cone_s)    ? Cause::out_of_view
+                : !in_time(facts.unoccluded_s) ? Cause::occluded
+                : !in_time(facts.in_range_s)   ? Cause::too_late_for_speed
+                                               : cause_of_planner(watch, facts);
+  return found;
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,213 @@
+#include <gtest/gtest.h>
+
+#include "base/spec_json.hpp"
+#include "scripted.hpp"
+
+/// For each cause a world and a planner of which it, and only it, is true.
+namespace avoidbench {
+namespace {
+
+using namespace scripted;  // NOLINT(google-build-using-namespace): the tests' own words
+using Eigen::Vector3d;
+using Eigen::Vector3f;
+
+/// All facts, where a test fails.
+std::string facts_text(const CauseFound& explanation) {
+  return std::string(text(explanation.cause)) + " " + spec_to_json(explanation.facts).dump(1);
+}
+
+/// A wall across the way at y = 5.
+World wall_world() {
+  World world = test::flight_world();
+  test::add_obstacle(world, test::box_mesh(Vector3f(16, 0.5F, 8)), {0, 5, 4}, "wall");
+  return world;
+}
+
+Told into_the_wall(TrialSpec spec, double speed_mps) {
+  act = [speed_mps](const ab_observation&) { return velocity(0, speed_mps, 0); };
+  return fly_and_explain(spec, wall_world(), test::straight_mission());
+}
+
+TEST(Causes, TheTableHasARowForEach) {
+  ASSERT_EQ(cause_table().size(), std::size(EnumText<Cause>::entries));
+  for (std::size_t i = 0; i < cause_table().size(); ++i) {
+    EXPECT_EQ(cause_table()[i].cause, EnumText<Cause>::entries[i].first);
+    EXPECT_FALSE(cause_table()[i].doc.empty() || cause_table()[i].rule.empty());
+  }
+}
+
+TEST(Causes, MovedInto) {
+  World world = test::flight_world();
+  // A long plate that sweeps over the path and cannot be passed.
+  test::add_obstacle(world, test::box_mesh(Vector3f(0.5F, 30, 4)), {6, 0, 2}, "gate");
+  world.motions.push_back(
+      {.instance = 1, .amplitude_world = {9, 0, 0}, .period_s = 16.0, .phase = 0.25});
+  act = [](const ab_observation&) { return velocity(0, 2, 0); };
+  const Told told = fly_and_explain(spec_of<Silent>(), world, test::straight_mission());
+  ASSERT_EQ(told.record.outcome, Outcome::collided) << told.record.reason;
+  EXPECT_EQ(told.explanation.cause, Cause::moved_into) << facts_text(told.explanation);
+  EXPECT_GT(told.explanation.facts.obstacle_way_m, 0.05);
+
+  // Struck head on it stands in the way, moving or not.
+  World ahead = test::flight_world();
+  test::add_obstacle(ahead, test::box_mesh(Vector3f(16, 0.5F, 8)), {0, 5, 4}, "wall");
+  ahead.motions.push_back({.instance = 1, .amplitude_world = {1, 0, 0}, .period_s = 4.0});
+  EXPECT_EQ(fly_and_explain(spec_of<Silent>(), ahead, test::straight_mission()).explanation.cause,
+            Cause::sensed_not_avoided);
+}
+
+TEST(Causes, TrackingWhereAGustCarriesItOffAClearPath) {
+  World world = test::flight_world();
+  test::add_obstacle(world, test::box_mesh(Vector3f(0.4F, 10, 8)), {0.7F, 5, 4}, "wall");
+  TrialSpec spec = spec_of<Silent>();
+  spec.wind.force_world_n = {2.0, 0.0, 0.0};
+  static std::vector<ab_point> points;
+  act = [](const ab_observation& seen) {
+    points.clear();
+    // Along x = 0 by the clock, whatever the wind does: 0.25 m beside the wall.
+    for (int i = 0; i < 60; ++i) {
+      const double time_s = seen.state->time_s + 0.033 + 0.05 * i;
+      ab_point point{};
+      point.time_s = 0.05 * i;
+      point.position_world_m[1] = -15.0 + 2.0 * time_s;
+      point.position_world_m[2] = 2.0;
+      point.velocity_world_mps[1] = 2.0;
+      point.yaw_rad = 0.5 * math::kPi;
+      points.push_back(point);
+    }
+    return make_trajectory_command(points);
+  };
+  const Told told = fly_and_explain(spec, world, test::straight_mission());
+  ASSERT_EQ(told.record.outcome, Outcome::collided) << told.record.reason;
+  EXPECT_EQ(told.explanation.cause, Cause::tracking) << facts_text(told.explanation);
+  EXPECT_NEAR(told.explanation.facts.commanded_clearance_m, 0.25, 0.05);
+}
+
+TEST(Causes, OutOfViewWhereItLooksElsewhere) {
+  // Looks along x, flies along y.
+  act = [](const ab_observation&) { return velocity(0, 2, 0, 0.0); };
+  const Told told = fly_and_explain(spec_of<Silent>(), wall_world(), test::straight_mission());
+  ASSERT_EQ(told.record.outcome, Outcome::collided);
+  EXPECT_EQ(told.explanation.cause, Cause::out_of_view) << facts_text(told.explanation);
+}
+
+TEST(Causes, OccludedWhereAWallStandsBefore) {
+  World world = test::flight_world();
+  // Behind a wall of 3.4 m stands a box, into which the vehicle comes down from above.
+  test::add_obstacle(world, test::box_mesh(Vector3f(30, 0.2F, 3.4F)), {0, 5, 1.7F}, "wall");
+  test::add_obstacle(world, test::box_mesh(Vector3f(3, 3, 1)), {0, 7.2F, 0.5F}, "box");
+  Mission mission = test::straight_mission();
+  mission.start_world.z() = 4.2;
+  act = [](const ab_observation& seen) {
+    return seen.state->position_world_m[1] < 5.6 ? velocity(0, 2, 0) : velocity(0, 0.3, -2);
+  };
+  const Told told = fly_and_explain(spec_of<Silent>(), world, mission);
+  ASSERT_EQ(told.record.outcome, Outcome::collided);
+  ASSERT_EQ(told.record.collisions.back().kind, "box") << told.record.reason;
+  EXPECT_EQ(told.explanation.cause, Cause::occluded) << facts_text(told.explanation);
+}
+
+TEST(Causes, TooLateForSpeedWhereTheRangeIsShort) {
+  TrialSpec spec = spec_of<Silent>();
+  spec.sensor.max_range_m = 1.5;
+  const Told told = into_the_wall(spec, 5.0);
+  EXPECT_EQ(told.explanation.cause, Cause::too_late_for_speed) << facts_text(told.explanation);
+  // v t + v²/2a at v = 5 m/s: 5 (1/30 + 0.033) + 25/12 = 2.415 m.
+  EXPECT_NEAR(told.explanation.facts.last_chance_need_m, 2.415, 0.1);
+  // The same range is enough for 1 m/s: 0.15 m.
+  EXPECT_EQ(into_the_wall(spec, 1.0).explanation.cause, Cause::sensed_not_avoided);
+}
+
+TEST(Causes, NotSensedWhereNoImageIsLookedAt) {
+  const Told told = into_the_wall(spec_of<Blind>(), 2.0);
+  EXPECT_EQ(told.explanation.cause, Cause::not_sensed) << facts_text(told.explanation);
+  EXPECT_TRUE(std::isnan(told.explanation.facts.sensed_s));
+  EXPECT_GT(told.explanation.facts.in_range_s, 0.0);
+}
+
+TEST(Causes, WhatThePlannerSaysItKnowsDecides) {
+  knows = [](const Vec3&) { return AB_PLACE_FREE; };
+  Told told = into_the_wall(spec_of<Telling>(), 2.0);
+  EXPECT_EQ(told.explanation.cause, Cause::sensed_not_mapped) << facts_text(told.explanation);
+  EXPECT_EQ(told.explanation.facts.mapped_share, 0.0);
+  knows = [](const Vec3& place) { return place[1] > 4.6 ? AB_PLACE_OCCUPIED : AB_PLACE_FREE; };
+  told = into_the_wall(spec_of<Telling>(), 2.0);
+  EXPECT_EQ(told.explanation.cause, Cause::mapped_not_avoided) << facts_text(told.explanation);
+  EXPECT_EQ(told.explanation.facts.mapped_share, 1.0);
+  told = into_the_wall(spec_of<Silent>(), 2.0);
+  EXPECT_EQ(told.explanation.cause, Cause::sensed_not_avoided) << facts_text(told.explanation);
+}
+
+TEST(Causes, NoPlanFoundWhereThePlannerHasNoneMostly) {
+  act = [](const ab_observation& seen) -> std::optional<ab_command> {
+    if (seen.state->position_world_m[1] < 3.0) return velocity(0, 2, 0);
+    // Every third call, so that it creeps on.
+    const auto call = static_cast<int>(std::lround(seen.state->time_s * 30.0));
+    return call % 3 == 0 ? velocity(0, 2, 0) : std::nullopt;
+  };
+  TrialSpec spec = spec_of<Silent>();
+  spec.mission.time_limit_s = 60.0;
+  const Told told = fly_and_explain(spec, wall_world(), test::straight_mission());
+  ASSERT_EQ(told.record.outcome, Outcome::collided) << told.record.reason;
+  EXPECT_EQ(told.explanation.cause, Cause::no_plan_found) << facts_text(told.explanation);
+}
+
+Told without_end(const World& world, double reference_length_m) {
+  TrialSpec spec = spec_of<Silent>();
+  spec.mission.time_limit_s = 10.0;
+  const Told told = fly_and_explain(spec, world, test::straight_mission(), reference_length_m);
+  EXPECT_EQ(told.record.outcome, Outcome::timed_out) << told.record.reason;
+  return told;
+}
+
+TEST(Causes, TimeOuts) {
+  const auto hover = [](const ab_observation&) { return velocity(0, 0, 0); };
+  act = hover;
+  Told told = without_end(test::flight_world(), 30.0);
+  EXPECT_EQ(told.explanation.cause, Cause::hover_without_plan) << facts_text(told.explanation);
+
+  World full = test::flight_world();
+  // Poles where the goal is, too near to each other for the body.
+  for (int x = -3; x <= 3; ++x) {
+    for (int y = -3; y <= 3; ++y) {
+      test::add_obstacle(full, test::cylinder_mesh(0.05, 6.0, 12), {0.35 * x, 15 + 0.35 * y, 0},
+                         "pole");
+    }
+  }
+  told = without_end(full, 30.0);
+  EXPECT_EQ(told.explanation.cause, Cause::blocked_goal) << facts_text(told.explanation);
+
+  act = [](const ab_observation& seen) {
+    return velocity(std::fmod(seen.state->time_s, 4.0) < 2.0 ? 2.0 : -2.0, 0, 0);
+  };
+  told = without_end(test::flight_world(), 30.0);
+  EXPECT_EQ(told.explanation.cause, Cause::trap) << facts_text(told.explanation);
+
+  act = [](const ab_observation&) { return velocity(0, 1.0, 0); };
+  told = without_end(test::flight_world(), 30.0);
+  EXPECT_EQ(told.explanation.cause, Cause::slow) << facts_text(told.explanation);
+  EXPECT_NEAR(told.explanation.facts.flown_m, 9.8, 0.3);
+
+  // Aside and ahead: longer than the shortest way by then.
+  act = [](const ab_observation&) { return velocity(1.5, 1.0, 0); };
+  told = without_end(test::flight_world(), 12.0);
+  EXPECT_EQ(told.explanation.cause, Cause::detour) << facts_text(told.explanation);
+}
+
+TEST(Causes, OfFlightsThatEndOtherwise) {
+  act = [](const ab_observation&) { return velocity(0, 0, 3); };
+  Told told = fly_and_explain(spec_of<Silent>(), test::flight_world(), test::straight_mission());
+  ASSERT_EQ(told.record.outcome, Outcome::left_bounds);
+  EXPECT_EQ(told.explanation.cause, Cause::flew_out) << facts_text(told.explanation);
+
+  act = [](const ab_observation&) -> std::optional<ab_command> { give_up("no way"); };
+  told = fly_and_explain(spec_of<Silent>(), test::flight_world(), test::straight_mission());
+  EXPECT_EQ(told.explanation.cause, Cause::gave_up);
+
+  act = [](const ab_observation&) -> std::optional<ab_command> { throw std::runtime_error("?"); };
+  told = fly_and_explain(spec_of<Silent>(), test::flight_world(), test::straight_mission());
+  EXPECT_EQ(told.explanation.cause, Cause::planner_failed);
+}
+
+}  // namespace
+}  // namespace avoidbench

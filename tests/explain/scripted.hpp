@@ -1,0 +1,102 @@
+#pragma once
+
+#include <fstream>
+#include <functional>
+#include <optional>
+
+#include "avoidbench/planner.hpp"
+#include "explain/explain.hpp"
+#include "plugin/planner_table.hpp"
+#include "support/flight_worlds.hpp"
+#include "trial/planner_view.hpp"
+#include "trial/run_trial.hpp"
+
+/// Planners whose every word a test writes, and flights of them that are explained.
+namespace avoidbench::scripted {
+
+/// What they do and say, for the test that runs.
+inline std::function<std::optional<ab_command>(const ab_observation&)> act;
+inline std::function<std::uint8_t(const Vec3&)> knows;
+
+/// Sees depth; does not say what it knows.
+struct Silent {
+  static constexpr const char* name = "silent";
+  static constexpr std::uint32_t needs = AB_SEES_STATE | AB_SEES_DEPTH;
+  static constexpr std::uint32_t commands = AB_COMMAND_VELOCITY | AB_COMMAND_TRAJECTORY;
+  explicit Silent(const ab_setup&) {}
+  void reset(const ab_mission&) {}
+  std::optional<ab_command> plan(const ab_observation& seen) { return act(seen); }
+};
+
+/// The same, and says it.
+struct Telling : Silent {
+  static constexpr const char* name = "telling";
+  using Silent::Silent;
+  std::uint8_t place_at(const Vec3& place) const { return knows(place); }
+};
+
+/// Looks at nothing.
+struct Blind : Silent {
+  static constexpr const char* name = "blind";
+  static constexpr std::uint32_t needs = AB_SEES_STATE;
+  using Silent::Silent;
+};
+
+template <class Planner>
+TrialSpec spec_of() {
+  const std::filesystem::path file =
+      std::filesystem::path(testing::TempDir()) / (std::string(Planner::name) + ".py");
+  std::ofstream(file) << "# " << Planner::name << '\n';
+  register_own_planner(file, detail::Table<Planner>::value);
+  TrialSpec spec;
+  spec.planner.file = file.string();
+  spec.sensor.width_px = 160;
+  spec.sensor.height_px = 120;
+  spec.mission.time_limit_s = 20.0;
+  return spec;
+}
+
+inline std::optional<ab_command> velocity(double x_mps, double y_mps, double z_mps,
+                                          double yaw_rad = 0.5 * math::kPi) {
+  return make_velocity_command({x_mps, y_mps, z_mps}, yaw_rad);
+}
+
+/// The flight, and its explanation as `avoidbench explain` finds it: from the stored flight and a
+/// second one that is watched.
+struct Told {
+  TrialRecord record;
+  CauseFound explanation;
+};
+
+inline Told fly_and_explain(const TrialSpec& spec, const World& world, const Mission& mission,
+                            double reference_length_m = 30.0) {
+  const Scene scene(world);
+  const PlannerLibrary library = PlannerLibrary::load(spec.planner.file);
+  const auto fly = [&](const TrialObserver& observer) {
+    PlannerInstance planner(library, planner_setup(spec), {});
+    return run_trial(spec, scene, mission, planner, observer);
+  };
+  Told told{.record = fly({}), .explanation = {}};
+  const auto patch = struck_patch(world, told.record);
+  const FailedFlight flight{spec, world, mission, told.record, reference_length_m};
+  if (!needs_watch(told.record) || !patch) {
+    told.explanation = explained(flight, nullptr, nullptr);
+    return told;
+  }
+  FlightWatch watch(spec, told.record.samples, *patch);
+  const TrialRecord again =
+      fly({.planning = {}, .planned = [&](const PlanStep& step) { watch.planned(step); }});
+  EXPECT_EQ(again.samples.size(), told.record.samples.size());
+  EXPECT_EQ(again.samples.back().position_world, told.record.samples.back().position_world);
+  told.explanation = explained(flight, &*patch, &watch);
+  return told;
+}
+
+}  // namespace avoidbench::scripted
+
+namespace avoidbench {
+
+/// For messages of tests.
+inline void PrintTo(Cause cause, std::ostream* out) { *out << text(cause); }
+
+}  // namespace avoidbench
