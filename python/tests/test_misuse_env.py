@@ -343,7 +343,9 @@ def test_closing_while_another_thread_steps() -> None:
 
 def outcome_of(script: str, *arguments: str, timeout_s: float = 100.0, signal_after: str | None = None) -> tuple[int, str]:
     """Exit status and output of a Python that runs `script`. With `signal_after` a SIGINT comes when it has printed this line."""
-    process = subprocess.Popen([sys.executable, "-X", "faulthandler", "-c", script, *arguments], stdout=subprocess.PIPE,
+    # Of a fork beside threads Python warns from 3.12 on; that is what is tried here.
+    command = [sys.executable, "-X", "faulthandler", "-W", "ignore::DeprecationWarning", "-c", script, *arguments]
+    process = subprocess.Popen(command, stdout=subprocess.PIPE,
                                stderr=subprocess.STDOUT, text=True, env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)})
     try:
         if signal_after is not None:

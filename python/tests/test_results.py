@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import csv
 import hashlib
 import io
@@ -11,6 +12,7 @@ import re
 import shutil
 import sqlite3
 import warnings
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +24,13 @@ from conftest import Program
 import avoidbench
 from avoidbench import database_file
 from avoidbench.tables import text_of_csv_field, trials_of_csv
+
+
+@contextlib.contextmanager
+def edited(path: Path) -> Iterator[sqlite3.Connection]:
+    """To be written to; SQLite's own context manager commits and does not close."""
+    with contextlib.closing(sqlite3.connect(path)) as database, database:
+        yield database
 
 
 def is_same(ours: Any, theirs: Any) -> bool:
@@ -127,7 +136,7 @@ def test_calls_are_those_of_the_programs_export(tiny: avoidbench.Results, odd: a
 
 def test_measured_latency_is_that_of_the_view(odd: avoidbench.Results) -> None:
     key = odd.sweep("odd").trials["trial_key"][0]
-    with sqlite3.connect(odd.path) as database:
+    with edited(odd.path) as database:
         theirs = [row[0] for row in database.execute(
             "SELECT latency_s FROM plan_call_table WHERE trial_key = ? ORDER BY call_index", (key,))]
     assert list(odd.calls(key)["latency_s"]) == theirs
@@ -216,7 +225,7 @@ def test_tables_have_the_numbers_of_the_report(tiny: avoidbench.Results, odd: av
 
 
 def test_infinite_means_are_infinite(copy_db: Path) -> None:
-    with sqlite3.connect(copy_db) as database:
+    with edited(copy_db) as database:
         database.execute("UPDATE trials SET row_digest = NULL, min_clearance_m = 9e999 WHERE outcome = 'reached_goal'")
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # of rows without digest
@@ -247,7 +256,7 @@ def test_notebooks_show_the_rates_of_the_report(tiny: avoidbench.Results, odd: a
 
 
 def test_notebooks_get_no_markup_of_others(copy_db: Path) -> None:
-    with sqlite3.connect(copy_db) as database:
+    with edited(copy_db) as database:
         database.execute("UPDATE trials SET outcome = '<script>' WHERE rowid = 1")
     shown = avoidbench.read(copy_db)._repr_html_()
     assert "<script" not in shown and "damaged" in shown
@@ -289,11 +298,11 @@ def test_files_that_are_no_results(tmp_path: Path, copy_db: Path) -> None:
     with pytest.raises(avoidbench.ResultsError, match="empty file"):
         avoidbench.read(empty)
     foreign = tmp_path / "foreign.db"
-    with sqlite3.connect(foreign) as database:
+    with edited(foreign) as database:
         database.execute("CREATE TABLE trials (trial_key TEXT)")
     with pytest.raises(avoidbench.ResultsError, match="of another program"):
         avoidbench.read(foreign)
-    with sqlite3.connect(copy_db) as database:
+    with edited(copy_db) as database:
         database.execute(f"PRAGMA user_version = {database_file.SCHEMA_VERSION + 1}")
     with pytest.raises(avoidbench.ResultsError, match="newer avoidbench, with schema version"):
         avoidbench.read(copy_db)
@@ -322,7 +331,7 @@ def test_trials_that_are_not_there(tiny: avoidbench.Results, odd: avoidbench.Res
 
 
 def test_an_ambiguous_beginning(copy_db: Path) -> None:
-    with sqlite3.connect(copy_db) as database:
+    with edited(copy_db) as database:
         for rowid in (1, 2):
             database.execute("UPDATE trials SET trial_key = 'abcdef' || ? || substr(trial_key, 8) WHERE rowid = ?",
                              (rowid, rowid))
@@ -338,14 +347,14 @@ def test_an_ambiguous_beginning(copy_db: Path) -> None:
     ("UPDATE events SET speed_mps = speed_mps + 1", "events", "flight_digest"),
     ("DELETE FROM events", "trajectory", "flight_digest")])
 def test_damage_is_an_error(copy_db: Path, change: str, read_it: str, message: str) -> None:
-    with sqlite3.connect(copy_db) as database:
+    with edited(copy_db) as database:
         database.execute(change)
     with pytest.raises(avoidbench.ResultsError, match=f"damaged: table .*{message}"):
         getattr(avoidbench.read(copy_db), read_it)(1)
 
 
 def test_a_changed_number_is_an_error(copy_db: Path) -> None:
-    with sqlite3.connect(copy_db) as database:
+    with edited(copy_db) as database:
         database.execute("UPDATE trials SET path_length_m = path_length_m + 1e-9 WHERE rowid = 1")
     with pytest.raises(avoidbench.ProgramError, match="row_digest"):
         _ = avoidbench.read(copy_db).trials
@@ -355,7 +364,7 @@ def test_files_of_older_programs(tiny: avoidbench.Results, copy_db: Path) -> Non
     path = tiny.trajectory(1)
     stored = path[[name for name in path.columns if name != "yaw_rad"]]
     order = [*stored.columns[:20], "clearance_m", "rotor_power_w"]
-    with sqlite3.connect(copy_db) as database:  # as schema 1 was: unpacked samples, no digests
+    with edited(copy_db) as database:  # as schema 1 was: unpacked samples, no digests
         for table, column in (("trials", "flight_digest"), ("trials", "row_digest"), ("trials", "wall_time_s"),
                               ("runs", "sandbox"), ("runs", "shard"), ("missions", "traversability_obstruction"),
                               ("missions", "view_occlusion"), ("missions", "angle_over_length_1pm")):
@@ -371,6 +380,8 @@ def test_files_of_older_programs(tiny: avoidbench.Results, copy_db: Path) -> Non
                          "INTEGER NOT NULL, samples_digest TEXT NOT NULL, samples BLOB NOT NULL) STRICT")
         database.execute("INSERT INTO trajectories SELECT * FROM made_anew")
         database.execute("DROP TABLE made_anew")
+        database.execute("DROP TABLE what_ifs")
+        database.execute("DROP TABLE explanations")
         database.execute("PRAGMA user_version = 1")
     old = avoidbench.read(copy_db)
     assert old.trajectory(1).equals(path)
@@ -415,7 +426,7 @@ def test_a_file_that_goes_away(copy_db: Path) -> None:
 
 
 def test_a_sweep_without_trials_yet(copy_db: Path) -> None:
-    with sqlite3.connect(copy_db) as database:
+    with edited(copy_db) as database:
         for table in ("sweep_trials", "trajectories", "plan_calls", "events", "trials"):
             database.execute(f"DELETE FROM {table}")
     results = avoidbench.read(copy_db)
