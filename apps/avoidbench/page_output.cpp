@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iostream>
 
+#include "export/trial_list.hpp"
 #include "output.hpp"
 #include "page/flight_choice.hpp"
 #include "page_program.hpp"
@@ -55,6 +56,15 @@ void write_page(const nlohmann::ordered_json& data, const std::string& file) {
   for (const auto& warning : data.at("scene_warnings")) {
     std::cerr << "warning: " << file << ": " << warning.get<std::string>() << '\n';
   }
+}
+
+void write_flight_page(const std::filesystem::path& database, const StoredTrial& stored,
+                       const World& world, const TrialRecord& flown, const SeenRecorder& seen,
+                       const TrialListing& listing, const std::string& file) {
+  const Database own = Database::open_for_reading(database);
+  write_page(flight_page(own, stored, world, flown, seen, listing, trial_text(listing),
+                         page_origin()),
+             file);
 }
 
 std::size_t page_bytes(double limit_mb, std::size_t trial_count) {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "page/flight_page.hpp"
 #include "page/page.hpp"
 
 namespace avoidbench {
@@ -16,6 +17,12 @@ PageOrigin page_origin();
 
 /// Writes the page and says so on stderr.
 void write_page(const nlohmann::ordered_json& data, const std::string& file);
+
+/// The page of one flight that was flown again. Opens the database by itself: a child of a process
+/// must not read by its parent's handle.
+void write_flight_page(const std::filesystem::path& database, const StoredTrial& stored,
+                       const World& world, const TrialRecord& flown, const SeenRecorder& seen,
+                       const TrialListing& listing, const std::string& file);
 
 /// Megabytes as an option says them, or what is usual for so many trials.
 std::size_t page_bytes(double limit_mb, std::size_t trial_count);

@@ -245,11 +245,9 @@ ordered_json SeenRecorder::json() const {
             {"cpu_ms", floats_text(cpu_ms_)}}}};
 }
 
-ordered_json flight_page(const Database& database, const ReplayFiles& files,
-                         const StoredTrial& stored, const World& world, const TrialRecord& flown,
+ordered_json flight_page(const Database& database, const StoredTrial& stored, const World& world, const TrialRecord& flown,
                          const SeenRecorder& seen, const TrialListing& listing,
                          const std::string& title, const PageOrigin& origin) {
-  (void)files;
   ordered_json page = page_start("flight", title, origin);
   PageScenes scenes;
   scenes.add_world(world);
