@@ -140,8 +140,9 @@ function MetricChart({ sweep, chosen, name }: Props & { name: string }): JSX.Ele
   // Single far values would press all boxes together.
   const [q1, q3] = [quantile(all, 0.25), quantile(all, 0.75)];
   const reach = Math.max(3 * (q3 - q1), 1e-9);
-  const low = Math.min(Math.max(all[0] ?? 0, q1 - reach), ...boxes.filter((b) => b.sorted.length).map((b) => b.five[1]));
-  const high = Math.max(Math.min(all[all.length - 1] ?? 1, q3 + reach), ...boxes.filter((b) => b.sorted.length).map((b) => b.five[3]));
+  const filled = boxes.filter((b) => b.sorted.length > 0);
+  const low = filled.length ? Math.min(Math.max(all[0], q1 - reach), ...filled.map((b) => b.five[1])) : 0;
+  const high = filled.length ? Math.max(Math.min(all[all.length - 1], q3 + reach), ...filled.map((b) => b.five[3])) : 1;
   const pad = 0.04 * (high - low || 1);
   const cut = all.length > 0 && (all[0] < low || all[all.length - 1] > high);
   const notes = [metric.doc.replace(/\.$/, ''), metric.population === 'finished' ? 'finished trials only' : '', metric.better === 'neither' ? '' : `${metric.better} is better`,

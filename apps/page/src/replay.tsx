@@ -45,6 +45,8 @@ export function Replay(props: {
   const stage = useRef<HTMLDivElement>(null);
   const viewer = useRef<Viewer | null>(null);
   const [failure, setFailure] = useState('');
+  // Counts the viewers: what is shown in one is put into the next, too.
+  const [remade, setRemade] = useState(0);
   const [time, setTime] = useState(props.time ?? 0);
   const [playing, setPlaying] = useState(false);
   const [rate, setRate] = useState(1);
@@ -59,7 +61,10 @@ export function Replay(props: {
     struck: e.data.touches.map((t) => ({ t: t.t, obstacle: t.obstacle })),
   })), [scene]);
   const main = tracks.find((t) => t.isMain);
-  const end = Math.max(0.1, ...tracks.map((t) => t.flight.end_s));
+  // A map of its own has time only where something moves.
+  const hasMotion = scene.world !== null && (page.worlds[scene.world]?.motions.length ?? 0) > 0;
+  const hasTime = main !== undefined || hasMotion;
+  const end = main ? Math.max(0.1, ...tracks.map((t) => t.flight.end_s)) : hasMotion ? 30 : 0.1;
   const box = useMemo(() => boxOf(tracks, page, scene), [tracks]);
   const seek = (t: number): void => setTime(Math.min(Math.max(t, 0), end));
   const place = useRef({ time, end });
@@ -69,6 +74,7 @@ export function Replay(props: {
     try {
       const made = new Viewer(canvas.current!, page, theme === 'dark');
       viewer.current = made;
+      setRemade((count) => count + 1);
       made.onLabels = setLabels;
       made.setWorld(scene.world);
       made.setPathColor(color);
@@ -146,7 +152,7 @@ export function Replay(props: {
     <section class="replay" aria-label="Replay">
       <div class="replay-head">
         {props.close ? <button onClick={props.close}>← Trials</button> : null}
-        <h2>{scene.title}</h2>
+        {props.close ? <h2>{scene.title}</h2> : null}
       </div>
       <div class="replay-body">
         <div class="stage" ref={stage}>
@@ -162,8 +168,8 @@ export function Replay(props: {
               <span>{digits(range[0], 2)}</span><span>{digits(range[1], 2)}</span>
             </div>
           ) : null}
-          {layers.inset && main && !scene.seen?.images.length && scene.world !== null ? <span class="inset-name">depth of the map from here (ideal camera)</span> : null}
-          {scene.seen?.images.length && layers.inset ? <SeenView page={page} scene={scene} time={time} viewer={viewer} rig={scene.entries[0]?.data.rig ?? 0} remake={theme} /> : null}
+          {layers.inset && main && !scene.seen?.images.length && scene.world !== null ? <span class="inset-name">depth from here (ideal camera)</span> : null}
+          {scene.seen?.images.length && layers.inset ? <SeenView page={page} scene={scene} time={time} viewer={viewer} rig={scene.entries[0]?.data.rig ?? 0} remade={remade} /> : null}
         </div>
         <aside class="side" aria-label="Flights">
           <ul class="flights">{scene.entries.map((e) => (
@@ -190,18 +196,20 @@ export function Replay(props: {
           <details class="keys"><summary>Keys</summary><dl>{kKeys.map(([key, what]) => <><dt><kbd>{key}</kbd></dt><dd>{what}</dd></>)}</dl><p>Drag turns, right drag moves, the wheel comes nearer.</p></details>
           <p class="note">World frame: x east, y north, z up, metres.</p>
         </aside>
-      </div>
       <div class="controls" role="group" aria-label="Playing">
-        <button class="play" onClick={play} aria-pressed={playing} disabled={!main}>{playing ? '❚❚ Stop' : '▶ Play'}</button>
-        <input type="range" min={0} max={end} step={0.01} value={time} aria-label="Time, s" aria-valuetext={`${time.toFixed(2)} seconds`} disabled={!main}
+        {hasTime ? <>
+        <button class="play" onClick={play} aria-pressed={playing}>{playing ? '❚❚ Stop' : '▶ Play'}</button>
+        <input type="range" min={0} max={end} step={0.01} value={time} aria-label="Time, s" aria-valuetext={`${time.toFixed(2)} seconds`}
           onInput={(e) => { setPlaying(false); seek(Number(e.currentTarget.value)); }} />
         <output>{time.toFixed(2)} / {end.toFixed(2)} s</output>
         <label>Speed <select value={String(rate)} onChange={(e) => setRate(Number(e.currentTarget.value))}>{[0.125, 0.25, 0.5, 1, 2, 4, 8].map((r) => <option value={String(r)}>{r}×</option>)}</select></label>
-        <Choice title="Camera" options={kModes} value={mode} set={(camera) => { props.change({ camera }); if (camera === mode) viewer.current?.setMode(mode, box[0], box[1], scene.start, scene.goal); }} />
-        <Choice title="Paths by" options={kColors} value={color} set={(c) => props.change({ color: c })} />
+        </> : null}
+        <Choice title="Camera" options={main ? kModes : kModes.filter(([m]) => m !== 'follow')} value={mode} set={(camera) => { props.change({ camera }); if (camera === mode) viewer.current?.setMode(mode, box[0], box[1], scene.start, scene.goal); }} />
+        {main ? <Choice title="Paths by" options={kColors} value={color} set={(c) => props.change({ color: c })} /> : null}
         {scene.seen?.images.some((i) => i.kind === 'depth') ? <label><input type="checkbox" checked={layers.points} onChange={() => setLayers({ ...layers, points: !layers.points })} /> points as seen</label> : null}
         {scene.seen?.drawings.length ? <label><input type="checkbox" checked={layers.drawings} onChange={() => setLayers({ ...layers, drawings: !layers.drawings })} /> drawings</label> : null}
         {main ? <label><input type="checkbox" checked={layers.inset} onChange={() => setLayers({ ...layers, inset: !layers.inset })} /> camera</label> : null}
+      </div>
       </div>
       {main ? <Plots scene={scene} tracks={tracks} hidden={hidden} time={time} end={end} seek={(t) => { setPlaying(false); seek(t); }} theme={theme} /> : null}
     </section>
@@ -271,7 +279,7 @@ function Log({ scene, time }: { scene: Scene; time: number }): JSX.Element {
 }
 
 /** The images that the planner was shown last, and its points and drawings in the 3-D view. */
-function SeenView(props: { page: PageData; scene: Scene; time: number; viewer: { current: Viewer | null }; rig: number; remake: string }): JSX.Element {
+function SeenView(props: { page: PageData; scene: Scene; time: number; viewer: { current: Viewer | null }; rig: number; remade: number }): JSX.Element {
   const seen = props.scene.seen!;
   const cameras = props.page.rigs[props.rig]?.cameras ?? [];
   const places = useMemo(() => [...new Set(seen.images.map((i) => i.camera))].map((camera) => seen.images.filter((i) => i.camera === camera)), [seen]);
@@ -295,8 +303,8 @@ function SeenView(props: { page: PageData; scene: Scene; time: number; viewer: {
       return whole;
     };
     props.viewer.current?.setPoints(all.length ? join(all.map((a) => a.points)) : null, all.length ? join(all.map((a) => a.colors)) : null);
-  }, [current.join(' '), props.remake]);
-  useEffect(() => { props.viewer.current?.setDrawings(drawing < 0 ? [] : seen.drawings[drawing].drawings); }, [drawing, props.remake]);
+  }, [current.join(' '), props.remade]);
+  useEffect(() => { props.viewer.current?.setDrawings(drawing < 0 ? [] : seen.drawings[drawing].drawings); }, [drawing, props.remade]);
   const kind = places[0]?.[0]?.kind ?? 'depth';
   return (
     <div class="seen">

@@ -84,8 +84,8 @@ export class Viewer {
     this.camera.up.set(0, 0, 1);
     this.onboard.up.set(0, 0, 1);
     this.scene.background = new THREE.Color(dark ? '#10161d' : '#dfe8f0');
-    this.scene.add(new THREE.HemisphereLight(dark ? '#c8d8ea' : '#ffffff', dark ? '#3a3226' : '#a89a84', dark ? 1.7 : 2.1));
-    const sun = new THREE.DirectionalLight('#ffffff', dark ? 1.1 : 1.5);
+    this.scene.add(new THREE.HemisphereLight(dark ? '#c8d8ea' : '#ffffff', dark ? '#3a3226' : '#a89a84', dark ? 2.5 : 2.1));
+    const sun = new THREE.DirectionalLight('#ffffff', dark ? 1.5 : 1.5);
     sun.position.set(0.45, -0.35, 0.82);
     this.scene.add(sun, this.overlay);
     this.overlay.add(this.seen, this.drawn);

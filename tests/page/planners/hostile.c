@@ -44,6 +44,7 @@ static const ab_planner planner = {
     .name = "hostile",
     .version = "<b>1</b>",
     .summary = HOSTILE,
+    .needs = AB_SEES_STATE | AB_SEES_DEPTH,
     .commands = AB_COMMAND_VELOCITY,
     .create = create,
     .destroy = destroy,
