@@ -304,6 +304,23 @@ async function checkFlightAndMap() {
   await finish(map, 'map');
 }
 
+function checkFilm() {
+  const without = spawnSync(program, ['replay', 'hostile.db', '1', '--video', 'a.mp4'], { encoding: 'utf8', cwd: folder, env: { ...process.env, PATH: folder } });
+  check(without.status === 2 && without.stderr.includes('apt install ffmpeg'), 'without ffmpeg --video says what is missing', without.stderr);
+  const wrong = spawnSync(program, ['replay', 'hostile.db', '1', '--video', 'a.avi'], { encoding: 'utf8', cwd: folder });
+  check(wrong.status === 2 && wrong.stderr.includes('.webm'), '--video says which endings there are', wrong.stderr);
+  if (spawnSync('ffprobe', ['-version']).status !== 0) {
+    console.log('     passed over: no ffmpeg here, no film');
+    return;
+  }
+  for (const ending of ['mp4', 'webm', 'gif']) {
+    run('replay', 'hostile.db', '1', '--video', `film.${ending}`);
+    const found = execFileSync('ffprobe', ['-v', 'error', '-count_frames', '-select_streams', 'v', '-show_entries', 'stream=width,height,nb_read_frames', '-of', 'csv=p=0', at(`film.${ending}`)], { encoding: 'utf8' });
+    const [width, , frames] = found.trim().split(',').map(Number);
+    check(width === (ending === 'gif' ? 800 : 1280) && frames > 12, `film.${ending} has ${frames} frames`, found);
+  }
+}
+
 async function checkLarge() {
   makeLarge(10000);
   const page = await opened('large.html', '#tab=trials');
@@ -351,7 +368,7 @@ try {
   const program_kb = statSync(at('hostile.html')).size / 1000;
   check(program_kb < 1100, `a page of one trial has ${program_kb.toFixed(0)} kB`);
   browser = await chromium.launch({ executablePath: browserFile, args: ['--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--no-sandbox', '--disable-dev-shm-usage'] });
-  for (const part of [checkNumbers, checkTable, checkHostile, checkFlightAndMap, checkLarge, checkAccess]) {
+  for (const part of [checkNumbers, checkTable, checkHostile, checkFlightAndMap, checkFilm, checkLarge, checkAccess]) {
     const begun = Date.now();
     await part();
     console.log(`     ${part.name}: ${((Date.now() - begun) / 1000).toFixed(1)} s`);
