@@ -97,7 +97,7 @@ void write_sweeps_page(const ReportOptions& options, std::vector<SweepResult> re
   std::size_t trial_count = 0;
   for (std::size_t i = 0; i < results.size(); ++i) {
     trial_count += results[i].trials.size();
-    const std::string& name = results[i].name;
+    const std::string name = results[i].name;  // the result moves away
     sweeps.push_back({.summary = summaries[i],
                       .section = sweep_section(summaries[i]),
                       .result = std::move(results[i]),

@@ -1,6 +1,7 @@
 #include "page/page.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/input_error.hpp"
 #include "maps/map_spec.hpp"
@@ -26,6 +27,9 @@ ordered_json camera_json(const RigCamera& camera) {
           {"max_m", camera.kind.max_range_m}};
 }
 
+constexpr std::size_t kFlightsAtOnce = 64;
+constexpr std::size_t kBesideFlight_bytes = 400;  // start, goal, touches, names of all that
+
 /// Flights of a page while it fills.
 struct Filling {
   PageScenes scenes;
@@ -36,46 +40,33 @@ struct Filling {
   bool is_full() const { return bytes >= limit; }
 };
 
-/// The database that has the trial; its stored form, or nothing with a warning.
-std::optional<std::pair<StoredTrial, const PageDatabase*>> stored_trial(
-    const std::string& key, std::span<const PageDatabase> databases, PageScenes& scenes) {
-  std::string problem = "it is in none of the databases";
-  for (const PageDatabase& one : databases) {
-    try {
-      return std::pair(read_stored_trial(*one.database, key), &one);
-    } catch (const InputError& error) {
-      problem = error.what();
-    }
-  }
-  scenes.warnings.push_back("the flight of trial " + key.substr(0, 8) + " is not shown: " + problem);
-  return std::nullopt;
-}
-
-void add_flight(const PageSweep& sweep, std::size_t sweep_index, std::size_t trial_index,
+void add_flight(PackedFlight packed, std::size_t sweep, std::size_t trial,
                 std::span<const PageDatabase> databases, Filling& filling) {
-  const std::string& key = sweep.result.trials[trial_index].key;
-  const auto found = stored_trial(key, databases, filling.scenes);
-  if (!found) return;
-  const auto& [stored, database] = *found;
-  if (stored.row.record.samples.empty()) return;
+  if (!packed.stored) {
+    filling.scenes.warnings.push_back("a flight is not shown: " + packed.problem);
+    return;
+  }
+  if (packed.json.is_null()) return;
+  const StoredTrial& stored = *packed.stored;
   const std::size_t worlds_before = filling.scenes.worlds.size();
-  ordered_json flight = flight_json(stored.row.record, kPageSamples_hz);
-  flight["sweep"] = sweep_index;
-  flight["trial"] = trial_index;
-  flight["world"] = filling.scenes.world_of(stored, database->files);
+  ordered_json flight = std::move(packed.json);
+  flight["sweep"] = sweep;
+  flight["trial"] = trial;
+  flight["world"] = filling.scenes.world_of(stored, databases[packed.database].files);
   flight["rig"] = filling.scenes.rig_of(stored.spec);
   flight["goal_radius"] = stored.spec.mission.goal_radius_m;
   flight["start"] = to_array(stored.mission.start_world);
   flight["goal"] = to_array(stored.mission.goal_world);
-  filling.bytes += flight["data"].get_ref<const std::string&>().size() + 300;
+  filling.bytes += flight["data"].get_ref<const std::string&>().size() + kBesideFlight_bytes;
   for (std::size_t i = worlds_before; i < filling.scenes.worlds.size(); ++i) {
-    filling.bytes += filling.scenes.worlds[i]["data"].get_ref<const std::string&>().size() + 500;
+    filling.bytes += filling.scenes.worlds[i]["data"].get_ref<const std::string&>().size() +
+                     kBesideFlight_bytes;
   }
   filling.flights.push_back(std::move(flight));
 }
 
 void add_flights(const PageSweep& sweep, std::size_t sweep_index,
-                 std::span<const PageDatabase> databases, Filling& filling) {
+                 std::span<const PageDatabase> databases, FlightReader& reader, Filling& filling) {
   const std::vector<std::size_t> planners = planners_of(sweep.result), maps = maps_of(sweep.result);
   std::vector<FlightCandidate> candidates;
   for (std::size_t i = 0; i < sweep.result.trials.size(); ++i) {
@@ -85,13 +76,20 @@ void add_flights(const PageSweep& sweep, std::size_t sweep_index,
                           .mission = trial.mission_index,
                           .is_finished = trial.outcome == Outcome::reached_goal});
   }
-  for (const std::size_t trial : flight_order(candidates)) {
-    if (filling.is_full()) {
-      ++filling.left_out;
-    } else {
-      add_flight(sweep, sweep_index, trial, databases, filling);
+  const std::vector<std::size_t> order = flight_order(candidates);
+  std::size_t done = 0;
+  while (done < order.size() && !filling.is_full()) {
+    std::vector<std::string> keys;
+    for (std::size_t i = done; i < std::min(done + kFlightsAtOnce, order.size()); ++i) {
+      keys.push_back(sweep.result.trials[order[i]].key);
+    }
+    for (PackedFlight& packed : reader.read(keys)) {
+      // Those that were read beyond the page's end are left out, however many they are.
+      if (filling.is_full()) break;
+      add_flight(std::move(packed), sweep_index, order[done++], databases, filling);
     }
   }
+  filling.left_out += order.size() - done;
 }
 
 }  // namespace
@@ -164,7 +162,10 @@ ordered_json sweeps_page(const std::vector<PageSweep>& sweeps,
   }
   Filling filling;
   filling.limit = limit_bytes > table_bytes ? limit_bytes - table_bytes : 0;
-  for (std::size_t i = 0; i < sweeps.size(); ++i) add_flights(sweeps[i], i, databases, filling);
+  FlightReader reader(databases);
+  for (std::size_t i = 0; i < sweeps.size(); ++i) {
+    add_flights(sweeps[i], i, databases, reader, filling);
+  }
   page["sweeps"] = std::move(all);
   page["flights"] = std::move(filling.flights);
   page["flights_left_out"] = filling.left_out;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "page/flight_reading.hpp"
 #include "page/sweep_data.hpp"
 #include "page/world_data.hpp"
 #include "replay/replay.hpp"
@@ -36,12 +37,6 @@ class PageScenes {
  private:
   std::map<std::string, nlohmann::ordered_json> world_index_;  ///< by the digest of the world
   std::map<std::string, std::size_t> rig_index_;
-};
-
-/// A database, and where its maps' files may be.
-struct PageDatabase {
-  const Database* database = nullptr;
-  ReplayFiles files;
 };
 
 /// The data of a page of sweeps; `limit_bytes` is what all flights and maps together may take.
