@@ -21,12 +21,12 @@ std::string ending_of(const std::string& file) {
 /// How ffmpeg makes such a file of raw frames.
 std::vector<std::string> coding_of(const std::string& ending) {
   if (ending == "mp4") {
-    return {"-c:v", "libx264", "-preset", "veryfast",  "-crf",
+    return {"-c:v", "libx264",  "-preset", "veryfast",  "-crf",
             "21",   "-pix_fmt", "yuv420p", "-movflags", "+faststart"};
   }
   if (ending == "webm") {
-    return {"-c:v", "libvpx-vp9", "-b:v", "0",         "-crf",    "33",
-            "-deadline", "realtime", "-cpu-used", "6", "-row-mt", "1", "-pix_fmt", "yuv420p"};
+    return {"-c:v",     "libvpx-vp9", "-b:v", "0",       "-crf", "33",       "-deadline",
+            "realtime", "-cpu-used",  "6",    "-row-mt", "1",    "-pix_fmt", "yuv420p"};
   }
   // A palette of its own: the usual one is far from these colours.
   return {"-vf",
@@ -39,8 +39,7 @@ std::vector<std::string> coding_of(const std::string& ending) {
 void tell(std::size_t done, std::size_t count) {
   static const bool is_terminal = ::isatty(STDERR_FILENO) != 0;
   if (is_terminal) {
-    std::cerr << "\rframe " << done << " of " << count << (done == count ? "\n" : "")
-              << std::flush;
+    std::cerr << "\rframe " << done << " of " << count << (done == count ? "\n" : "") << std::flush;
   } else if (done * 10 / count != (done - 1) * 10 / count) {
     std::cerr << "frame " << done << " of " << count << '\n';
   }
@@ -69,10 +68,26 @@ void write_film(const StoredTrial& stored, const World& world, const TrialRecord
   const FilmSpec spec;
   Film film(stored, world, record, moments, spec);
   std::vector<std::string> command = {
-      found_program("ffmpeg"), "-hide_banner", "-loglevel", "error", "-y", "-f", "rawvideo",
-      "-pix_fmt", "rgb24", "-s",
-      std::to_string(spec.width_px) + "x" + std::to_string(spec.height_px), "-r",
-      shortest(spec.rate_hz), "-i", "-", "-an", "-map_metadata", "-1", "-fflags", "+bitexact"};
+      found_program("ffmpeg"),
+      "-hide_banner",
+      "-loglevel",
+      "error",
+      "-y",
+      "-f",
+      "rawvideo",
+      "-pix_fmt",
+      "rgb24",
+      "-s",
+      std::to_string(spec.width_px) + "x" + std::to_string(spec.height_px),
+      "-r",
+      shortest(spec.rate_hz),
+      "-i",
+      "-",
+      "-an",
+      "-map_metadata",
+      "-1",
+      "-fflags",
+      "+bitexact"};
   for (const std::string& word : coding_of(ending_of(file))) command.push_back(word);
   // As a path, whatever it begins with.
   command.push_back("file:" + file);
@@ -82,7 +97,8 @@ void write_film(const StoredTrial& stored, const World& world, const TrialRecord
     if (!ffmpeg.write(film.frame(i).rgb)) break;
     tell(i + 1, count);
   }
-  if (ffmpeg.finish() != 0) throw InputError({.file = file, .message = "ffmpeg has failed: see above"});
+  if (ffmpeg.finish() != 0)
+    throw InputError({.file = file, .message = "ffmpeg has failed: see above"});
   std::cerr << "wrote " << file << '\n';
 }
 

@@ -24,9 +24,10 @@ std::string own_command() {
     std::string word = all.substr(from, end - from);
     // Not where this program lies.
     if (from == 0) word = std::filesystem::path(word).filename().string();
-    const bool is_plain = !word.empty() && word.find_first_not_of(
-                              "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
-                              "_-./=,:@%+") == std::string::npos;
+    const bool is_plain =
+        !word.empty() && word.find_first_not_of(
+                             "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+                             "_-./=,:@%+") == std::string::npos;
     command += (from == 0 ? "" : " ") + (is_plain ? word : "'" + word + "'");
     from = end + 1;
   }
@@ -41,10 +42,8 @@ void check_page(const std::string& file) {
 }
 
 PageOrigin page_origin() {
-  return {.version = kVersion,
-          .git_hash = kGitHash,
-          .compiler = kCompiler,
-          .command = own_command()};
+  return {
+      .version = kVersion, .git_hash = kGitHash, .compiler = kCompiler, .command = own_command()};
 }
 
 void write_page(const nlohmann::ordered_json& data, const std::string& file) {
@@ -62,9 +61,9 @@ void write_flight_page(const std::filesystem::path& database, const StoredTrial&
                        const World& world, const TrialRecord& flown, const SeenRecorder& seen,
                        const TrialListing& listing, const std::string& file) {
   const Database own = Database::open_for_reading(database);
-  write_page(flight_page(own, stored, world, flown, seen, listing, trial_text(listing),
-                         page_origin()),
-             file);
+  write_page(
+      flight_page(own, stored, world, flown, seen, listing, trial_text(listing), page_origin()),
+      file);
 }
 
 std::size_t page_bytes(double limit_mb, std::size_t trial_count) {

@@ -65,7 +65,7 @@ std::vector<std::string> metrics_with(const std::vector<ComputedMetrics>& own,
 
 /// What a page needs of the databases beside the sweeps themselves; empty without a page.
 struct PageParts {
-  std::map<std::string, TrialListing> listing_of;  ///< by trial key
+  std::map<std::string, TrialListing> listing_of;      ///< by trial key
   std::map<std::string, std::vector<RunRow>> runs_of;  ///< by name of the sweep
   std::map<std::string, std::vector<std::string>> axes_of;
 };
@@ -91,8 +91,8 @@ std::vector<std::string> fields_of(const ReportQuery& query, const Database& dat
 
 /// The page with all tables, whatever of them is printed.
 void write_sweeps_page(const ReportOptions& options, std::vector<SweepResult> results,
-                       std::span<const SweepSummary> summaries,
-                       std::span<const Database> databases, PageParts& parts) {
+                       std::span<const SweepSummary> summaries, std::span<const Database> databases,
+                       PageParts& parts) {
   std::vector<PageSweep> sweeps;
   std::size_t trial_count = 0;
   for (std::size_t i = 0; i < results.size(); ++i) {

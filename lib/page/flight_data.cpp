@@ -81,7 +81,8 @@ ordered_json status_changes(std::span<const PlanCall> calls) {
 ordered_json touches(std::span<const Collision> collisions) {
   ordered_json all = ordered_json::array();
   for (const Collision& c : collisions) {
-    all.push_back({{"t", c.time_s}, {"speed", c.speed_mps}, {"obstacle", c.obstacle}, {"kind", c.kind}});
+    all.push_back(
+        {{"t", c.time_s}, {"speed", c.speed_mps}, {"obstacle", c.obstacle}, {"kind", c.kind}});
   }
   return all;
 }
@@ -110,8 +111,8 @@ ordered_json flight_json(const TrialRecord& record, double rate_hz) {
   for (const auto& part : c.rotation) packed.add_deltas(part);
   packed.add_deltas(c.speed);
   packed.add_deltas(c.clearance);
-  const bool has_reference =
-      std::any_of(c.has_reference.begin(), c.has_reference.end(), [](auto has) { return has != 0; });
+  const bool has_reference = std::any_of(c.has_reference.begin(), c.has_reference.end(),
+                                         [](auto has) { return has != 0; });
   if (has_reference) {
     packed.add_deltas(c.has_reference);
     for (const auto& axis : c.ahead) packed.add_deltas(axis);

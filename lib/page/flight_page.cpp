@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/input_error.hpp"
+#include "base/math.hpp"
 #include "page/flight_data.hpp"
 #include "page/packed.hpp"
 
@@ -160,15 +161,15 @@ bool is_beside(const TrialRow& one, const TrialRow& other) {
 std::uint8_t depth_byte(double depth_m, double nearest_m, double farthest_m) {
   if (std::isnan(depth_m)) return 0;
   if (depth_m > farthest_m) return 255;
-  const double share = std::log(std::max(depth_m, nearest_m) / nearest_m) /
-                       std::log(farthest_m / nearest_m);
+  const double share =
+      math::log(std::max(depth_m, nearest_m) / nearest_m) / math::log(farthest_m / nearest_m);
   return static_cast<std::uint8_t>(1.0 + std::round(kLevels * std::clamp(share, 0.0, 1.0)));
 }
 
 double depth_of_byte(std::uint8_t byte, double nearest_m, double farthest_m) {
   if (byte == 0) return std::nan("");
   if (byte == 255) return std::numeric_limits<double>::infinity();
-  return nearest_m * std::pow(farthest_m / nearest_m, (byte - 1) / kLevels);
+  return nearest_m * math::pow(farthest_m / nearest_m, (byte - 1) / kLevels);
 }
 
 SeenRecorder::SeenRecorder(const TrialSpec& spec) : cameras_(rig_cameras(spec.sensor)) {}
@@ -188,9 +189,9 @@ void SeenRecorder::see(const PlannerView& view) {
       if (image.camera >= cameras_.size() || is_shown[image.camera]) continue;
       is_shown[image.camera] = true;
       const CameraSpec& camera = cameras_[image.camera].kind;
-      ordered_json json = image_json(static_cast<int>(camera.width_px),
-                                     static_cast<int>(camera.height_px), channels,
-                                     pixels_of(image, camera));
+      ordered_json json =
+          image_json(static_cast<int>(camera.width_px), static_cast<int>(camera.height_px),
+                     channels, pixels_of(image, camera));
       json["kind"] = kind;
       json["t"] = image.time_s;
       json["camera"] = image.camera;
@@ -245,9 +246,10 @@ ordered_json SeenRecorder::json() const {
             {"cpu_ms", floats_text(cpu_ms_)}}}};
 }
 
-ordered_json flight_page(const Database& database, const StoredTrial& stored, const World& world, const TrialRecord& flown,
-                         const SeenRecorder& seen, const TrialListing& listing,
-                         const std::string& title, const PageOrigin& origin) {
+ordered_json flight_page(const Database& database, const StoredTrial& stored, const World& world,
+                         const TrialRecord& flown, const SeenRecorder& seen,
+                         const TrialListing& listing, const std::string& title,
+                         const PageOrigin& origin) {
   ordered_json page = page_start("flight", title, origin);
   PageScenes scenes;
   scenes.add_world(world);
@@ -257,7 +259,8 @@ ordered_json flight_page(const Database& database, const StoredTrial& stored, co
   shown.row.record.reason = flown.reason;
   flights.push_back(one_flight(shown, listing, flown, scenes));
   for (const TrialListing& other : database.list_trials()) {
-    if (other.mission_index != listing.mission_index || other.map_seed != listing.map_seed) continue;
+    if (other.mission_index != listing.mission_index || other.map_seed != listing.map_seed)
+      continue;
     try {
       const StoredTrial beside = read_stored_trial(database, other.key);
       if (!is_beside(beside.row, stored.row) || beside.row.record.samples.empty()) continue;

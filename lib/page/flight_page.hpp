@@ -42,9 +42,9 @@ class SeenRecorder {
 
 /// The data of a page of one flight that was flown again, with the stored flights of the other
 /// planners on the same mission.
-nlohmann::ordered_json flight_page(const Database& database, const StoredTrial& stored, const World& world, const TrialRecord& flown,
-                                   const SeenRecorder& seen,
-                                   const TrialListing& listing, const std::string& title,
-                                   const PageOrigin& origin);
+nlohmann::ordered_json flight_page(const Database& database, const StoredTrial& stored,
+                                   const World& world, const TrialRecord& flown,
+                                   const SeenRecorder& seen, const TrialListing& listing,
+                                   const std::string& title, const PageOrigin& origin);
 
 }  // namespace avoidbench

@@ -18,12 +18,9 @@ using nlohmann::ordered_json;
 ordered_json camera_json(const RigCamera& camera) {
   const Pose pose = T_body_camera(camera.mounting);
   const Eigen::Quaterniond q(pose.linear());
-  return {{"position", to_array(pose.translation())},
-          {"q", {q.w(), q.x(), q.y(), q.z()}},
-          {"fov_x_deg", camera.kind.fov_x_deg},
-          {"width", camera.kind.width_px},
-          {"height", camera.kind.height_px},
-          {"min_m", camera.kind.min_range_m},
+  return {{"position", to_array(pose.translation())}, {"q", {q.w(), q.x(), q.y(), q.z()}},
+          {"fov_x_deg", camera.kind.fov_x_deg},       {"width", camera.kind.width_px},
+          {"height", camera.kind.height_px},          {"min_m", camera.kind.min_range_m},
           {"max_m", camera.kind.max_range_m}};
 }
 
@@ -59,8 +56,8 @@ void add_flight(PackedFlight packed, std::size_t sweep, std::size_t trial,
   flight["goal"] = to_array(stored.mission.goal_world);
   filling.bytes += flight["data"].get_ref<const std::string&>().size() + kBesideFlight_bytes;
   for (std::size_t i = worlds_before; i < filling.scenes.worlds.size(); ++i) {
-    filling.bytes += filling.scenes.worlds[i]["data"].get_ref<const std::string&>().size() +
-                     kBesideFlight_bytes;
+    filling.bytes +=
+        filling.scenes.worlds[i]["data"].get_ref<const std::string&>().size() + kBesideFlight_bytes;
   }
   filling.flights.push_back(std::move(flight));
 }
@@ -109,8 +106,9 @@ ordered_json PageScenes::world_of(const StoredTrial& stored, const ReplayFiles& 
       throw InputError("it has more than " + counted(kMostPageTriangles, "triangle"));
     }
     if (world.digest != stored.world_digest) {
-      warnings.push_back("a map is not the one that was flown: this program makes another one of "
-                         "its spec, or its file has changed");
+      warnings.push_back(
+          "a map is not the one that was flown: this program makes another one of "
+          "its spec, or its file has changed");
     }
     entry->second = add_world(world);
   } catch (const InputError& error) {

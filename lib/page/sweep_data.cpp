@@ -126,7 +126,8 @@ ordered_json runs_json(const std::vector<RunRow>& runs) {
 class Dictionary {
  public:
   void add(const ordered_json& value) {
-    const auto [entry, is_new] = index_of_.emplace(value.dump(-1, ' ', false, kReplace), words_.size());
+    const auto [entry, is_new] =
+        index_of_.emplace(value.dump(-1, ' ', false, kReplace), words_.size());
     if (is_new) words_.push_back(value);
     indices_.push_back(static_cast<std::int64_t>(entry->second));
   }
@@ -247,7 +248,8 @@ std::map<std::string, std::size_t> index_by_key(const Rows& rows, const KeyOfRow
 }  // namespace
 
 std::vector<std::size_t> planners_of(const SweepResult& result) {
-  const auto index = index_by_key(result.planners, [](const auto& row) { return planner_key(row); });
+  const auto index =
+      index_by_key(result.planners, [](const auto& row) { return planner_key(row); });
   std::vector<std::size_t> all;
   for (const TrialSummary& trial : result.trials) all.push_back(index.at(trial.planner_key));
   return all;

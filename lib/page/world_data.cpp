@@ -20,7 +20,8 @@ Eigen::AlignedBox3f box_of(const TriangleMesh& mesh) {
 }
 
 /// The vertex's place within the box along each side.
-std::array<std::int64_t, 3> place_in(const Eigen::AlignedBox3f& box, const Eigen::Vector3f& vertex) {
+std::array<std::int64_t, 3> place_in(const Eigen::AlignedBox3f& box,
+                                     const Eigen::Vector3f& vertex) {
   std::array<std::int64_t, 3> place{};
   for (Eigen::Index k = 0; k < 3; ++k) {
     const double size = static_cast<double>(box.max()[k]) - static_cast<double>(box.min()[k]);
@@ -50,7 +51,8 @@ void add_prototypes(const World& world, const std::vector<std::size_t>& mesh_of,
     packed.add_unsigned(mesh_of[i]);
     const Eigen::AlignedBox3f box = box_of(world.prototypes[i].mesh);
     for (Eigen::Index k = 0; k < 3; ++k) {
-      packed.add_signed(box.isEmpty() ? 0 : steps(static_cast<double>(box.min()[k]), kMillimetre_m));
+      packed.add_signed(box.isEmpty() ? 0
+                                      : steps(static_cast<double>(box.min()[k]), kMillimetre_m));
       packed.add_signed(box.isEmpty() ? 0
                                       : steps(static_cast<double>(box.sizes()[k]), kMillimetre_m));
     }
@@ -99,9 +101,7 @@ void add_instances(const World& world, const Kinds& kinds, Packed& packed) {
   for (const auto& list : turn) packed.add_deltas(list);
 }
 
-ordered_json box_json(const Aabb& box) {
-  return {to_array(box.min()), to_array(box.max())};
-}
+ordered_json box_json(const Aabb& box) { return {to_array(box.min()), to_array(box.max())}; }
 
 }  // namespace
 

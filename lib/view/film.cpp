@@ -20,9 +20,9 @@ using Eigen::Vector3d;
 
 constexpr double kBehind_m = 2.6, kAbove_m = 0.9, kLookAhead_m = 1.5;
 constexpr double kChaseFov_deg = 80.0;
-constexpr double kTurning_s = 0.5;  // time in which the camera follows a turn
-constexpr double kFilmEnd_s = 1.0;      // the last frame stays so long
-constexpr double kFilmMargin_m = 6.0;   // shown around the path from above, both sides together
+constexpr double kTurning_s = 0.5;     // time in which the camera follows a turn
+constexpr double kFilmEnd_s = 1.0;     // the last frame stays so long
+constexpr double kFilmMargin_m = 6.0;  // shown around the path from above, both sides together
 constexpr Color kFilmPath{20, 90, 200}, kFilmBody{220, 80, 20}, kFilmVehicle{0, 0, 0};
 
 /// The sample not after `time_s`.
@@ -82,8 +82,8 @@ void sketch_vehicle(const Vector3d& body_m, const Pose& T_world_body, Sketch& sk
       constexpr int kCorners = 16;
       for (int i = 0; i <= kCorners; ++i) {
         const double angle = math::kTau * i / kCorners;
-        ring.push_back(T_world_body *
-                       Vector3d(end * front + 0.2 * body_m.y() * Vector3d(math::cos(angle),
+        ring.push_back(T_world_body * Vector3d(end * front + 0.2 * body_m.y() *
+                                                                 Vector3d(math::cos(angle),
                                                                           math::sin(angle), 0.0)));
       }
       sketch.line(ring, end > 0.0 ? kFilmBody : Color{60, 60, 60}, 3);
@@ -140,7 +140,7 @@ struct Film::Internals {
 /// The camera turns after the vehicle, as someone who follows it would.
 void Film::Internals::find_yaws(std::size_t count) {
   double yaw_rad = yaw_of(record.samples.front().q_world_body);
-  const double share = 1.0 - std::exp(-1.0 / (kTurning_s * spec.rate_hz));
+  const double share = 1.0 - math::exp(-1.0 / (kTurning_s * spec.rate_hz));
   for (std::size_t i = 0; i < count; ++i) {
     const double wanted = yaw_of(last_sample(record, time_of(i)).q_world_body);
     yaw_rad += share * std::remainder(wanted - yaw_rad, math::kTau);
@@ -221,8 +221,7 @@ Picture Film::Internals::from_above(double time_s, const Moment* moment) {
     if (s.time_s <= time_s + 1e-9) flown.push_back(s.position_world);
   }
   draw_path(flown, kFilmPath, 2, 1, panel);
-  const double goal_px =
-      std::max(5.0, stored.spec.mission.goal_radius_m * panel.pixels_per_m);
+  const double goal_px = std::max(5.0, stored.spec.mission.goal_radius_m * panel.pixels_per_m);
   draw_circle(panel.picture, panel.to_pixels(stored.mission.goal_world), goal_px, kGoalColor, 2);
   draw_disc(panel.picture, panel.to_pixels(stored.mission.start_world), 5.0, kStartColor);
   if (struck != nullptr && time_s >= struck->time_s - 1e-9) draw_struck(*struck, panel);
@@ -270,8 +269,8 @@ Picture Film::frame(std::size_t index) {
   Picture picture = make_picture(film.spec.width_px, film.spec.height_px);
   paste(film.chase(index), 0, 0, picture);
   if (moment != nullptr) {
-    Picture seen = resized(seen_picture(*moment, film.shown_m), film.side_width_px,
-                           film.seen_height_px);
+    Picture seen =
+        resized(seen_picture(*moment, film.shown_m), film.side_width_px, film.seen_height_px);
     add_caption(seen, "what the planner saw");
     paste(seen, film.chase_width_px, 0, picture);
   }

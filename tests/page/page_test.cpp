@@ -83,8 +83,8 @@ TEST(Packed, Base64IsThatOfTheStandard) {
 }
 
 TEST(Packed, WholeNumbersOfAnySizeComeBack) {
-  const std::vector<std::int64_t> values{0,   -1,      1,  63, -64, 64, 1'000'000'007,
-                                         -12, 1 << 30, 5,  5,  5,   -(std::int64_t{1} << 52)};
+  const std::vector<std::int64_t> values{
+      0, -1, 1, 63, -64, 64, 1'000'000'007, -12, 1 << 30, 5, 5, 5, -(std::int64_t{1} << 52)};
   Packed packed;
   packed.add_deltas(values);
   packed.add_second_deltas(values);
@@ -145,10 +145,13 @@ TEST(FlightData, NumbersComeBackWithinHalfAStep) {
   EXPECT_EQ(reader.at, reader.bytes.size());
   for (std::size_t i = 0; i < n; ++i) {
     const Sample& s = record.samples[i];
-    const auto step = [](std::int64_t count, double size) { return static_cast<double>(count) * size; };
+    const auto step = [](std::int64_t count, double size) {
+      return static_cast<double>(count) * size;
+    };
     EXPECT_NEAR(step(times[i], 0.001), s.time_s, 0.0005 + 1e-12);
     EXPECT_NEAR(step(speed[i], 0.01), s.velocity_world.norm(), 0.005 + 1e-12);
-    EXPECT_NEAR(step(clearance[i], 0.01), std::min(s.clearance_m, kClearanceLimit_m), 0.005 + 1e-12);
+    EXPECT_NEAR(step(clearance[i], 0.01), std::min(s.clearance_m, kClearanceLimit_m),
+                0.005 + 1e-12);
     EXPECT_EQ(has[i], 1);
     for (std::size_t k = 0; k < 3; ++k) {
       const auto axis = static_cast<Eigen::Index>(k);
@@ -256,8 +259,7 @@ TEST(PageText, SaysWhatIsMissing) {
   const PageProgram none{.head = {}, .body = {}, .tail = {}, .missing = "no npm"};
   EXPECT_THROW(page_text(none, "t", nlohmann::ordered_json::object()), InputError);
   const PageProgram some{.head = "<h>", .body = "<b>", .tail = "<t>", .missing = {}};
-  EXPECT_EQ(page_text(some, "a<b", nlohmann::ordered_json{{"x", 1}}),
-            "<h>a&lt;b<b>{\"x\":1}<t>");
+  EXPECT_EQ(page_text(some, "a<b", nlohmann::ordered_json{{"x", 1}}), "<h>a&lt;b<b>{\"x\":1}<t>");
 }
 
 TEST(WorldData, MeshesThatAreAlikeAreThereOnceAndTheirCornersWithinAStep) {

@@ -1,9 +1,12 @@
-/* A planner that draws under hostile labels and ends its flight after half a second with a reason that tries to be markup. */
+/* A planner that draws under hostile labels and ends its flight after half a second with a reason
+ * that tries to be markup. */
 #include <stdlib.h>
 
 #include "avoidbench/planner.h"
 
-#define HOSTILE "</script><img src=x onerror=\"window.hacked=1\"><script>window.hacked=2</script>'\"&amp;\xe2\x80\xa8"
+#define HOSTILE          \
+  "</script><img src=x " \
+  "onerror=\"window.hacked=1\"><script>window.hacked=2</script>'\"&amp;\xe2\x80\xa8"
 
 typedef struct {
   const ab_host* host;
