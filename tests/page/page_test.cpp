@@ -11,8 +11,11 @@
 #include "page/flight_data.hpp"
 #include "page/flight_page.hpp"
 #include "page/packed.hpp"
+#include "page/page.hpp"
 #include "page/page_text.hpp"
 #include "page/world_data.hpp"
+#include "report/sweep_tables.hpp"
+#include "support/sample_rows.hpp"
 
 namespace avoidbench {
 namespace {
@@ -260,6 +263,64 @@ TEST(PageText, SaysWhatIsMissing) {
   EXPECT_THROW(page_text(none, "t", nlohmann::ordered_json::object()), InputError);
   const PageProgram some{.head = "<h>", .body = "<b>", .tail = "<t>", .missing = {}};
   EXPECT_EQ(page_text(some, "a<b", nlohmann::ordered_json{{"x", 1}}), "<h>a&lt;b<b>{\"x\":1}<t>");
+}
+
+TEST(SweepPage, TrialsThatCantBeFlownAreInItsTablesAndTheirFlightsAreWarnedOf) {
+  const sample_rows::TemporaryFolder folder;
+  {
+    Database database = sample_rows::begun(folder / "a.db");
+    database.add_trial(sample_rows::finished());
+    database.add_trial(sample_rows::collided());
+  }
+  const Database database = Database::open_for_reading(folder / "a.db");
+  const SweepResult result = database.read_sweep("forest", 1);
+  PageSweep sweep{.summary = summarize(result),
+                  .section = {},
+                  .result = result,
+                  .axes = {},
+                  .listing_of = {},
+                  .runs = {sample_rows::run_row()},
+                  .cause_of = {}};
+  sweep.section = sweep_section(sweep.summary);
+  for (const TrialListing& listing : database.list_trials("forest", 1)) {
+    sweep.listing_of.emplace(listing.key, listing);
+  }
+  const std::vector<PageDatabase> databases{{.database = &database, .files = {}}};
+  const PageOrigin origin{.version = "1", .git_hash = "a", .compiler = "c", .command = "d"};
+  const nlohmann::ordered_json page = sweeps_page({sweep}, databases, origin, 1'000'000);
+  const nlohmann::ordered_json& trials = page["sweeps"][0]["trials"];
+  EXPECT_EQ(trials["count"], 2);
+  Reader outcomes{unpacked(trials["outcome"])};
+  EXPECT_EQ(outcomes.deltas(2),
+            (std::vector<std::int64_t>{static_cast<std::int64_t>(result.trials[0].outcome),
+                                       static_cast<std::int64_t>(result.trials[1].outcome)}));
+  // Their spec is none that this program could have stored.
+  EXPECT_TRUE(page["flights"].empty());
+  EXPECT_FALSE(page["scene_warnings"].empty());
+  // The host stays at home.
+  EXPECT_EQ(page.dump().find(sample_rows::run_row().host), std::string::npos);
+  EXPECT_EQ(page, sweeps_page({sweep}, databases, origin, 1'000'000));
+}
+
+TEST(SweepPage, AFullPageLeavesFlightsOutAndSaysHowMany) {
+  const sample_rows::TemporaryFolder folder;
+  {
+    Database database = sample_rows::begun(folder / "a.db");
+    database.add_trial(sample_rows::finished());
+  }
+  const Database database = Database::open_for_reading(folder / "a.db");
+  const SweepResult result = database.read_sweep("forest", 1);
+  const PageSweep sweep{.summary = summarize(result),
+                        .section = {},
+                        .result = result,
+                        .axes = {},
+                        .listing_of = {},
+                        .runs = {},
+                        .cause_of = {}};
+  const std::vector<PageDatabase> databases{{.database = &database, .files = {}}};
+  const nlohmann::ordered_json page = sweeps_page({sweep}, databases, {}, 10);
+  EXPECT_EQ(page["flights_left_out"], 1);
+  EXPECT_TRUE(page["scene_warnings"].empty());
 }
 
 TEST(WorldData, MeshesThatAreAlikeAreThereOnceAndTheirCornersWithinAStep) {

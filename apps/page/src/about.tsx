@@ -25,14 +25,14 @@ export function About({ page, sweep }: { page: PageData; sweep: Sweep | null }):
           <div class="scroll" tabIndex={0} role="region" aria-label="Planners"><table>
             <thead><tr><th scope="col">label</th><th scope="col">name</th><th scope="col">version</th><th scope="col">SHA-256 of its file</th><th scope="col">parameters</th></tr></thead>
             <tbody>{sweep.planners.map((p) => (
-              <tr><td>{p.label}</td><td>{p.name}{p.is_privileged ? ' (sees the world itself)' : ''}</td><td>{p.version}</td><td><code>{p.digest.slice(0, 16)}…</code></td>
+              <tr><td>{p.label}</td><td>{p.name}{p.is_privileged ? ' (sees the world itself)' : ''}</td><td>{p.version}</td><td><code title={p.digest}>{p.digest.slice(0, 16)}…</code></td>
                 <td class="wrap">{p.parameters && typeof p.parameters === 'object' ? Object.entries(p.parameters).map(([k, v]) => `${k} ${words(v)}`).join(', ') : '–'}</td></tr>
             ))}</tbody>
           </table></div>
           <h3>Maps</h3>
           <div class="scroll" tabIndex={0} role="region" aria-label="Maps"><table>
             <thead><tr><th scope="col">map</th><th scope="col">traversability</th><th scope="col">SHA-256</th></tr></thead>
-            <tbody>{sweep.maps.slice(0, 500).map((m) => <tr><td>{m.text}</td><td class="number">{m.traversability?.toPrecision(4) ?? '–'}</td><td><code>{m.digest.slice(0, 16)}…</code></td></tr>)}</tbody>
+            <tbody>{sweep.maps.slice(0, 500).map((m) => <tr><td>{m.text}</td><td class="number">{m.traversability?.toPrecision(4) ?? '–'}</td><td><code title={m.digest}>{m.digest.slice(0, 16)}…</code></td></tr>)}</tbody>
           </table></div>
         </>
       ) : null}

@@ -108,8 +108,13 @@ export const isFinished = (t: Trials, i: number): boolean => t.outcome[i] === 0;
 export const outcomeText = (word: string): string => word.replaceAll('_', ' ');
 
 const kPlannerColors = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#e69f00', '#56b4e9', '#8a6d3b', '#7a5ca8'];
+// The same hues, as bright as a dark ground needs them.
+const kBrightColors = ['#5aaef2', '#ff8f4a', '#2fc79a', '#eb9fc9', '#f2bd4b', '#9adcff', '#cdab72', '#b59bea'];
+let isDark = false;
+/** Before anything is drawn. */
+export const setDark = (dark: boolean): void => { isDark = dark; };
 export const kDashes = ['', '6 3', '2 3', '8 3 2 3', '1 3', '10 4', '4 2 1 2', '3 5'];
-export const plannerColor = (i: number): string => kPlannerColors[i % kPlannerColors.length];
+export const plannerColor = (i: number): string => (isDark ? kBrightColors : kPlannerColors)[i % kPlannerColors.length];
 const kOutcomeColors = ['#0b8f6f', '#d55e00', '#cc79a7', '#e69f00', '#a39b00', '#56b4e9', '#555555', '#999999'];
 export const outcomeColor = (i: number): string => kOutcomeColors[i % kOutcomeColors.length];
 

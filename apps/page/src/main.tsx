@@ -4,7 +4,7 @@ import type { ComponentChildren, JSX } from 'preact';
 import { useEffect, useMemo, useState } from 'preact/hooks';
 import { About } from './about';
 import { Sign } from './charts';
-import { digits, outcomeColor, outcomeText, plannerColor, readPage, readSweep } from './data';
+import { digits, outcomeColor, outcomeText, plannerColor, readPage, readSweep, setDark } from './data';
 import type { FlightData, PageData, Sweep } from './data';
 import { Overview } from './overview';
 import { Replay } from './replay';
@@ -140,7 +140,7 @@ function SweepPage({ page, view, change }: { page: PageData; view: View; change:
   const facets = useMemo(() => facetsOf(sweep), [sweep]);
   const chosen = useMemo(() => chosenTrials(sweep, facets, view), [sweep, facets, view.filters, view.search]);
   const trial = useMemo(() => (view.trial ? sweep.t.key.findIndex((k) => k === view.trial) : -1), [sweep, view.trial]);
-  const scene = useMemo(() => (trial < 0 ? null : sceneOfTrial(page, sweep, trial)), [page, sweep, trial]);
+  const scene = useMemo(() => (trial < 0 ? null : sceneOfTrial(page, sweep, trial)), [page, sweep, trial, usedTheme(view)]);
   const open = (i: number): void => change({ tab: 'replay', trial: sweep.t.key[i], time: null });
   const date = sweep.runs[0]?.date ?? '';
   const tabs: [string, string][] = [['overview', 'Overview'], ['trials', 'Trials'], ...(trial >= 0 ? [['replay', 'Flight'] as [string, string]] : []), ['about', 'About']];
@@ -176,7 +176,7 @@ function NoFlight({ sweep, trial, page, close }: { sweep: Sweep; trial: number; 
 }
 
 function OnePage({ page, view, change }: { page: PageData; view: View; change: (part: Partial<View>) => void }): JSX.Element {
-  const scene = useMemo(() => sceneOfPage(page), [page]);
+  const scene = useMemo(() => sceneOfPage(page), [page, usedTheme(view)]);
   const [mission, setMission] = useState(0);
   const shown = useMemo(() => {
     const m = scene.missions[mission];
@@ -212,6 +212,7 @@ function App({ page }: { page: PageData }): JSX.Element {
     if (next.tab !== before.tab || next.trial !== before.trial) history.pushState(null, '', link); else history.replaceState(null, '', link);
     return next;
   });
+  setDark(usedTheme(view) === 'dark');
   useEffect(() => { document.documentElement.dataset.theme = usedTheme(view); }, [view.theme]);
   useEffect(() => { window.scrollTo(0, 0); }, [view.tab]);
   return page.kind === 'sweep' ? <SweepPage page={page} view={view} change={change} /> : <OnePage page={page} view={view} change={change} />;

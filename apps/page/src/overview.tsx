@@ -251,7 +251,7 @@ function Contrasts({ sweep, chosen }: Props): JSX.Element | null {
         const left = Math.min(190, width * 0.42);
         const x = scaleOf(low, high, left, width - 16);
         const bottom = pairs.length * row;
-        const marks = [0.01, 0.03, 0.1, 0.3, 1, 3, 10, 30, 100].filter((v) => Math.log10(v) >= low && Math.log10(v) <= high);
+        const marks = [0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 1, 3, 10, 30, 100].filter((v) => Math.log10(v) >= low && Math.log10(v) <= high);
         return (
           <>
             {marks.map((v) => <g class="axis"><line class={v === 1 ? 'one' : 'grid'} x1={x(Math.log10(v))} x2={x(Math.log10(v))} y1={2} y2={bottom} /><text x={x(Math.log10(v))} y={bottom + 14} text-anchor="middle">{v}</text></g>)}
