@@ -235,7 +235,8 @@ async function checkTable() {
   await page.focus('tr[data-place="0"]');
   await page.keyboard.press('ArrowDown');
   await page.keyboard.press('ArrowDown');
-  check((await page.evaluate(() => document.activeElement.dataset.place)) === '2', 'arrow keys go through the rows');
+  const isThere = await page.waitForFunction(() => document.activeElement.dataset.place === '2', null, { timeout: 10000 }).catch(() => null);
+  check(isThere !== null, 'arrow keys go through the rows');
   await page.keyboard.press('Enter');
   await page.waitForSelector('.stage > canvas');
   await checkReplay(page);

@@ -68,8 +68,8 @@ export function Chart(props: {
   const [tip, setTip] = useState<Tip | null>(null);
   const tipOf = (text: string): object => ({
     onPointerMove: (e: PointerEvent) => {
-      const box = ref.current!.getBoundingClientRect();
-      setTip({ x: Math.min(e.clientX - box.left, box.width - 190), y: e.clientY - box.top, text });
+      const box = ref.current?.getBoundingClientRect();
+      if (box) setTip({ x: Math.min(e.clientX - box.left, box.width - 190), y: e.clientY - box.top, text });
     },
     onPointerLeave: () => setTip(null),
   });

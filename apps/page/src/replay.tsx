@@ -80,8 +80,8 @@ export function Replay(props: {
       made.setPathColor(color);
       made.setTracks(tracks, scene.start, scene.goal, scene.goalRadius);
       const measure = (): void => {
-        const rect = stage.current!.getBoundingClientRect();
-        if (rect.width > 0) made.resize(Math.round(rect.width), Math.round(rect.height));
+        const rect = stage.current?.getBoundingClientRect();
+        if (rect && rect.width > 0) made.resize(Math.round(rect.width), Math.round(rect.height));
       };
       measure();
       made.setMode(mode, box[0], box[1], scene.start, scene.goal);

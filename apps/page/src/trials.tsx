@@ -58,6 +58,8 @@ export function TrialTable(props: { sweep: Sweep; chosen: Int32Array; view: View
   const [top, setTop] = useState(0);
   const [height, setHeight] = useState(600);
   const [focus, setFocus] = useState(0);
+  // Keys may come faster than the table is drawn.
+  const focused = useRef(0);
   const wanted = useRef(false);
   useEffect(() => {
     const measure = (): void => setHeight(box.current?.clientHeight ?? 600);
@@ -69,6 +71,7 @@ export function TrialTable(props: { sweep: Sweep; chosen: Int32Array; view: View
     if (box.current) box.current.scrollTop = 0;
     setTop(0);
     setFocus(0);
+    focused.current = 0;
   }, [order]);
   useEffect(() => {
     if (!wanted.current) return;
@@ -80,18 +83,21 @@ export function TrialTable(props: { sweep: Sweep; chosen: Int32Array; view: View
   const go = (place: number): void => {
     const to = Math.min(Math.max(place, 0), order.length - 1);
     wanted.current = true;
+    focused.current = to;
     setFocus(to);
-    const element = box.current!;
+    const element = box.current;
     const head = 40;
+    if (!element) return;
     if (to * kRow < element.scrollTop) element.scrollTop = to * kRow;
     else if ((to + 1) * kRow > element.scrollTop + element.clientHeight - head) element.scrollTop = (to + 1) * kRow - element.clientHeight + head;
     setTop(element.scrollTop);
   };
   const keys = (e: KeyboardEvent): void => {
     const page = Math.max(1, Math.floor(height / kRow) - 2);
-    const moves: Record<string, number> = { ArrowDown: focus + 1, ArrowUp: focus - 1, PageDown: focus + page, PageUp: focus - page, Home: 0, End: order.length - 1 };
+    const at = focused.current;
+    const moves: Record<string, number> = { ArrowDown: at + 1, ArrowUp: at - 1, PageDown: at + page, PageUp: at - page, Home: 0, End: order.length - 1 };
     if (e.key in moves) { e.preventDefault(); go(moves[e.key]); }
-    if (e.key === 'Enter' && order.length) { e.preventDefault(); open(order[focus]); }
+    if (e.key === 'Enter' && order.length) { e.preventDefault(); open(order[at]); }
   };
   const width = columns.reduce((sum, c) => sum + c.width, 40);
   return (
@@ -117,7 +123,7 @@ export function TrialTable(props: { sweep: Sweep; chosen: Int32Array; view: View
               const place = first + k;
               return (
                 <tr key={i} aria-rowindex={place + 2} data-place={place} data-trial={sweep.t.key[i]} class={sweep.t.flight[i] >= 0 ? 'has-flight' : ''}
-                  tabIndex={place === focus ? 0 : -1} onFocus={() => setFocus(place)} onClick={() => open(i)} style={{ height: `${kRow}px` }}>
+                  tabIndex={place === focus ? 0 : -1} onFocus={() => { if (!wanted.current) { focused.current = place; setFocus(place); } }} onClick={() => open(i)} style={{ height: `${kRow}px` }}>
                   <td class="play">{sweep.t.flight[i] >= 0 ? '▶' : ''}</td>
                   {columns.map((c) => {
                     const value = c.value(i);
