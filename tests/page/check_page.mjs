@@ -231,6 +231,8 @@ async function checkTable() {
   await page.waitForFunction(() => document.querySelector('.shown').textContent.startsWith('10 of 20'));
   check((await page.$$('tr[data-trial]')).length === 10, 'the search finds');
   await page.fill('input[type=search]', '');
+  await page.waitForFunction(() => document.querySelectorAll('tr[data-trial]').length === 20);
+  await page.waitForTimeout(200);
   // By keys alone: to a row, two down, open, play, end, back.
   await page.focus('tr[data-place="0"]');
   await page.keyboard.press('ArrowDown');
