@@ -185,7 +185,7 @@ export function Replay(props: {
           ))}</ul>
           {state ? (
             <dl class="now">
-              <dt>time</dt><dd>{time.toFixed(2)} s</dd>
+              <dt>time</dt><dd>{time.toFixed(2)} s{main && time > main.flight.end_s + 0.005 ? ` (ended at ${main.flight.end_s.toFixed(2)} s)` : ''}</dd>
               <dt>position</dt><dd>{state.position.map((v) => v.toFixed(2)).join(', ')} m</dd>
               <dt>speed</dt><dd>{state.speed.toFixed(2)} m/s</dd>
               <dt>clearance</dt><dd>{Number.isNaN(state.clearance) ? '–' : state.clearance >= 5 ? '≥ 5 m' : `${state.clearance.toFixed(2)} m`}</dd>
