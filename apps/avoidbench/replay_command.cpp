@@ -26,6 +26,7 @@
 #include "replay/apart.hpp"
 #include "replay/replay.hpp"
 #include "replay/sample.hpp"
+#include "replay_lines.hpp"
 #include "sweep/allowance.hpp"
 #include "text/number_text.hpp"
 #include "text/visible_text.hpp"
@@ -95,28 +96,6 @@ Flown fly(const Replay& replay, const StoredTrial& stored, const ReplayOptions& 
   for (const std::string& line : other_lines) flown.log.push_back({std::nan(""), line});
   if (has_moments) flown.moments = recorder.finish(flown.record.end_time_s);
   return flown;
-}
-
-std::string outcome_line(const TrialRecord& record) {
-  std::string line = std::string(text(record.outcome));
-  if (!std::isnan(record.end_time_s)) line += " at " + fixed_digits(record.end_time_s, 3) + " s";
-  return record.reason.empty() ? line : line + ": " + visible_line(record.reason);
-}
-
-std::string calls_line(const std::vector<CommandLine>& calls) {
-  std::size_t commands = 0, no_plans = 0;
-  double sum_s = 0.0, most_s = 0.0;
-  for (const CommandLine& call : calls) {
-    commands += call.status == PlanStatus::command ? 1 : 0;
-    no_plans += call.status == PlanStatus::no_plan ? 1 : 0;
-    sum_s += call.cpu_time_s;
-    most_s = std::max(most_s, call.cpu_time_s);
-  }
-  if (calls.empty()) return "none";
-  const double mean_s = sum_s / static_cast<double>(calls.size());
-  return std::to_string(calls.size()) + ", of them " + std::to_string(commands) + " commands and " +
-         std::to_string(no_plans) + " without a plan; CPU " + fixed_digits(1000.0 * mean_s, 2) +
-         " ms, most " + fixed_digits(1000.0 * most_s, 2) + " ms";
 }
 
 /// The lines under a title; the first are left out where there are more than `most` (0: none are).
@@ -206,15 +185,6 @@ bool ended_worker(const TrialListing& trial) { return is_of_worker(trial.outcome
 /// Not where a machine's time decided at which call the flight ended.
 bool is_repeatable(const TrialRecord& record) {
   return record.outcome == Outcome::planner_crashed || record.reason == kCallTimeout;
-}
-
-/// "(1.00, -2.50, 2.00) m, 1.20 m/s, 0.35 m from the nearest surface, at 3.200 s"
-std::string place_line(const Sample& sample) {
-  const Eigen::Vector3d& place = sample.position_world;
-  return "(" + fixed_digits(place.x(), 2) + ", " + fixed_digits(place.y(), 2) + ", " +
-         fixed_digits(place.z(), 2) + ") m, " + fixed_digits(sample.velocity_world.norm(), 2) +
-         " m/s, " + fixed_digits(sample.clearance_m, 2) + " m from the nearest surface, at " +
-         fixed_digits(sample.time_s, 3) + " s";
 }
 
 /// What a child says of a flight that it flew again.
@@ -497,6 +467,32 @@ void add_choice_options(CLI::App& command, TrialChoice& choice) {
                      "Only trials that ended so: collided, timed_out, …");
 }
 
+void add_view_options(CLI::App& command, ReplayOptions& options) {
+  CLI::Option* png =
+      command.add_option("--png", options.png, "Picture to write; of several, numbered ones")
+          ->type_name("FILE");
+  command
+      .add_option("--at", options.at_s,
+                  "Moment to show, s; repeatable (default: the end of the flight)")
+      ->check(CLI::NonNegativeNumber)
+      ->needs(png)
+      ->allow_extra_args(false);
+  command.add_option("--every", options.every_s, "Show a moment each so many seconds, too")
+      ->check(CLI::PositiveNumber)
+      ->needs(png);
+  command
+      .add_option("--video", options.video,
+                  "Film to write, .mp4, .webm or .gif: from behind, what the planner saw, from "
+                  "above; needs the program ffmpeg")
+      ->type_name("FILE")
+      ->excludes(png);
+  command
+      .add_option("--page", options.page,
+                  "Page to write: one HTML file with the flight in 3-D, what the planner saw, "
+                  "drew and commanded (docs/page.md)")
+      ->type_name("FILE");
+}
+
 }  // namespace
 
 void add_replay_command(CLI::App& app) {
@@ -539,29 +535,7 @@ void add_replay_command(CLI::App& app) {
                    "Share of them to verify, such as 10%, chosen by their keys")
       ->capture_default_str()
       ->needs(verify);
-  CLI::Option* png =
-      command->add_option("--png", options->png, "Picture to write; of several, numbered ones")
-          ->type_name("FILE");
-  command
-      ->add_option("--at", options->at_s,
-                   "Moment to show, s; repeatable (default: the end of the flight)")
-      ->check(CLI::NonNegativeNumber)
-      ->needs(png)
-      ->allow_extra_args(false);
-  command->add_option("--every", options->every_s, "Show a moment each so many seconds, too")
-      ->check(CLI::PositiveNumber)
-      ->needs(png);
-  command
-      ->add_option("--video", options->video,
-                   "Film to write, .mp4, .webm or .gif: from behind, what the planner saw, from "
-                   "above; needs the program ffmpeg")
-      ->type_name("FILE")
-      ->excludes(png);
-  command
-      ->add_option("--page", options->page,
-                   "Page to write: one HTML file with the flight in 3-D, what the planner saw, "
-                   "drew and commanded (docs/page.md)")
-      ->type_name("FILE");
+  add_view_options(*command, *options);
   command->add_option("--csv", options->csv, "Path to write as CSV")->type_name("FILE");
   command->add_option("--commands", options->commands, "The planner's calls to write as CSV")
       ->type_name("FILE");

@@ -26,7 +26,9 @@ PackedFlight packed_flight(const std::string& key, const std::vector<Database>& 
   }
   if (!flight.stored) return flight;
   TrialRecord& record = flight.stored->row.record;
-  if (!record.samples.empty()) flight.json = flight_json(record, kPageSamples_hz);
+  if (!record.samples.empty()) {
+    flight.json = std::make_unique<nlohmann::ordered_json>(flight_json(record, kPageSamples_hz));
+  }
   // Many wait at a time: only what is shown stays in memory.
   record.samples = {};
   record.plan_calls = {};

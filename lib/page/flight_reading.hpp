@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
@@ -20,8 +21,8 @@ struct PageDatabase {
 struct PackedFlight {
   std::optional<StoredTrial> stored;  ///< without samples and calls; nothing where it can't be read
   std::size_t database = 0;           ///< that has it
-  nlohmann::ordered_json json;        ///< flight_json(); null where it has no samples
-  std::string problem;                ///< why it can't be read
+  std::unique_ptr<nlohmann::ordered_json> json = {};  ///< null where it has no samples
+  std::string problem;                                ///< why it can't be read
 };
 
 /// Reads flights in several threads: digests and unpacking are most of what a page takes. Each

@@ -43,10 +43,10 @@ void add_flight(PackedFlight packed, std::size_t sweep, std::size_t trial,
     filling.scenes.warnings.push_back("a flight is not shown: " + packed.problem);
     return;
   }
-  if (packed.json.is_null()) return;
+  if (packed.json == nullptr) return;
   const StoredTrial& stored = *packed.stored;
   const std::size_t worlds_before = filling.scenes.worlds.size();
-  ordered_json flight = std::move(packed.json);
+  ordered_json flight = std::move(*packed.json);
   flight["sweep"] = sweep;
   flight["trial"] = trial;
   flight["world"] = filling.scenes.world_of(stored, databases[packed.database].files);

@@ -2,6 +2,7 @@
 #include <zlib.h>
 
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "base/input_error.hpp"
@@ -19,6 +20,8 @@
 
 namespace avoidbench {
 namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 std::vector<std::byte> bytes_of(std::string_view text) {
   const auto view = std::as_bytes(std::span(text));
@@ -101,7 +104,7 @@ TEST(Packed, StepsAreTheNearestAndNothingWhereThereIsNoNumber) {
   EXPECT_EQ(steps(1.2349, 0.01), 123);
   EXPECT_EQ(steps(-1.236, 0.01), -124);
   EXPECT_EQ(steps(std::nan(""), 0.01, -1), -1);
-  EXPECT_EQ(steps(INFINITY, 0.01, 7), 7);
+  EXPECT_EQ(steps(kInfinity, 0.01, 7), 7);
   EXPECT_EQ(steps(1e300, 0.01, 7), 7);
 }
 
@@ -213,7 +216,7 @@ TEST(FlightData, NoClearanceAndNoReferenceAreSaid) {
 
 TEST(DepthByte, ErrsByLessThanHalfAStepOfItsLogarithm) {
   EXPECT_EQ(depth_byte(std::nan(""), 0.1, 15.0), 0);
-  EXPECT_EQ(depth_byte(INFINITY, 0.1, 15.0), 255);
+  EXPECT_EQ(depth_byte(kInfinity, 0.1, 15.0), 255);
   EXPECT_EQ(depth_byte(0.1, 0.1, 15.0), 1);
   EXPECT_EQ(depth_byte(15.0, 0.1, 15.0), 254);
   EXPECT_TRUE(std::isnan(depth_of_byte(0, 0.1, 15.0)));
