@@ -98,13 +98,17 @@ void write_sweeps_page(const ReportOptions& options, std::vector<SweepResult> re
   for (std::size_t i = 0; i < results.size(); ++i) {
     trial_count += results[i].trials.size();
     const std::string name = results[i].name;  // the result moves away
+    std::map<std::string, std::string> causes;
+    for (const TrialSummary& trial : results[i].trials) {
+      if (!trial.cause.empty()) causes.emplace(trial.key, trial.cause);
+    }
     sweeps.push_back({.summary = summaries[i],
                       .section = sweep_section(summaries[i]),
                       .result = std::move(results[i]),
                       .axes = parts.axes_of[name],
                       .listing_of = parts.listing_of,
                       .runs = parts.runs_of[name],
-                      .cause_of = {}});
+                      .cause_of = std::move(causes)});
   }
   std::vector<PageDatabase> places;
   for (const Database& database : databases) {
