@@ -75,8 +75,11 @@ export function TrialTable(props: { sweep: Sweep; chosen: Int32Array; view: View
   }, [order]);
   useEffect(() => {
     if (!wanted.current) return;
+    // The row of the last key, which may be drawn only by the next turn.
+    const row = box.current?.querySelector<HTMLElement>(`[data-place="${focused.current}"]`);
+    if (!row) return;
     wanted.current = false;
-    box.current?.querySelector<HTMLElement>(`[data-place="${focus}"]`)?.focus({ preventScroll: true });
+    row.focus({ preventScroll: true });
   });
   const first = Math.max(0, Math.floor(top / kRow) - 8);
   const last = Math.min(order.length, Math.ceil((top + height) / kRow) + 8);
