@@ -62,7 +62,7 @@ certificates=${PIP_CERT:-${SSL_CERT_FILE:-}}
 inside() {
   local trusted=/etc/outside_certificates.pem
   chroot "$root" env -C /src HOME=/root LC_ALL=C.UTF-8 TMPDIR=/tmp CCACHE_DIR=/ccache \
-    ${certificates:+PIP_CERT=$trusted SSL_CERT_FILE=$trusted REQUESTS_CA_BUNDLE=$trusted CURL_CA_BUNDLE=$trusted} "$@"
+    ${certificates:+PIP_CERT=$trusted NODE_EXTRA_CA_CERTS=$trusted SSL_CERT_FILE=$trusted REQUESTS_CA_BUNDLE=$trusted CURL_CA_BUNDLE=$trusted} "$@"
 }
 if [ -n "${FRESH_SYSTEM_BARE:-}" ]; then
   cp -r "$FRESH_SYSTEM_BARE/." "$root/src/"

@@ -8,6 +8,14 @@ echo "building build/release" >&2
 cmake --preset release -DAVOIDBENCH_TESTS=OFF -DAVOIDBENCH_BENCH=OFF -DAVOIDBENCH_WERROR=OFF >/dev/null
 cmake --build build/release --parallel "$(nproc)"
 build/release/avoidbench run configs/sweeps/quick.yaml
-build/release/avoidbench report results/quick.db
+# Where npm was found, the program has the page of a sweep.
+page=()
+if grep -q '^AVOIDBENCH_HAS_PAGE:INTERNAL=ON' build/release/CMakeCache.txt; then page=(--page results/quick.html); fi
+build/release/avoidbench report results/quick.db "${page[@]}"
 echo
 echo "The program is build/release/avoidbench; results are in results/quick.db." >&2
+if [ ${#page[@]} -gt 0 ]; then
+  echo "To look at them, open results/quick.html in a browser." >&2
+else
+  echo "With npm (Debian: apt install npm) the program also writes pages to look at them: avoidbench report --page." >&2
+fi

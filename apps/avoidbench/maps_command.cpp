@@ -13,6 +13,7 @@
 #include "metrics/map_measure.hpp"
 #include "metrics/metric_table.hpp"
 #include "output.hpp"
+#include "page_output.hpp"
 #include "report/table_rows.hpp"
 #include "sweep/listed_missions.hpp"
 #include "text/number_text.hpp"
@@ -25,6 +26,7 @@ namespace avoidbench {
 namespace {
 
 constexpr int kPlan_px = 960;  ///< the longer side of a plan whose size is not given
+constexpr std::int64_t kPageMissions = 10;
 
 struct MapOptions {
   std::string spec;
@@ -32,7 +34,7 @@ struct MapOptions {
   std::optional<std::uint64_t> seed;
   MapView view;
   bool has_size = false;  ///< width or height was given
-  std::string png = "map.png";
+  std::string png = "map.png", page;
   std::int64_t missions = 10;  ///< 0: no metrics
   double point_cloud_m = 0.0;  ///< resolution of the original's metric; 0: without
   std::string file, export_as = "mesh";
@@ -46,11 +48,32 @@ MapChoice choice_of(const MapOptions& options) {
   return choice;
 }
 
+/// The map in 3-D with its missions that can be laid out.
+void write_map_page(const MapChoice& choice, const World& world, const MapOptions& options) {
+  const TrialSpec& trial = choice.trial;
+  if (triangle_count(world) > kMostPageTriangles) {
+    throw InputError("--page: the map has " + std::to_string(triangle_count(world)) +
+                     " triangles, and a page shows " + std::to_string(kMostPageTriangles) +
+                     " at most");
+  }
+  const Scene scene(world);
+  const std::vector<Mission> listed = missions_of(choice.missions, trial);
+  std::vector<Mission> missions;
+  for (std::int64_t i = 0; i < kPageMissions; ++i) {
+    if (const auto mission = the_mission(scene, trial, i, listed)) missions.push_back(*mission);
+  }
+  const std::string title =
+      std::string(kind(trial.map)) + ", seed " + std::to_string(trial.map_seed);
+  write_page(map_page(world, trial, missions, title, page_origin()), options.page);
+}
+
 void show(const MapOptions& options) {
+  if (!options.page.empty()) check_page(options.page);
   check_output(options.png, "png");
   const MapChoice choice = choice_of(options);
   const TrialSpec& trial = choice.trial;
   const World world = make_world(trial.map, trial.map_seed);
+  if (!options.page.empty()) return write_map_page(choice, world, options);
   MapView view = options.view;
   view.listed_missions = missions_of(choice.missions, trial);
   if (view.name == "top" && !options.has_size) fit_plan(world, kPlan_px, view);
@@ -180,6 +203,7 @@ void add_maps_command(CLI::App& app) {
       "Of a sweep's several maps the first is taken; --set and --seed choose another.\n\n"
       "Examples:\n"
       "  avoidbench maps show forest --set poisson_radius_m=3 --view top --png forest.png\n"
+      "  avoidbench maps show hall --page hall.html\n"
       "  avoidbench maps info hall_small --seed 2\n"
       "  avoidbench maps export maze maze.glb\n"
       "  avoidbench maps find forest --metric traversability --value 12 --within 0.5");
@@ -188,7 +212,13 @@ void add_maps_command(CLI::App& app) {
   add_choice(*show_command, "--view", options->view.name, map_view_names(),
              "top (a plan coloured by height, with a mission's reference path), bird, "
              "first_person, or depth (what the mission's camera sees at its start)");
-  show_command->add_option("--png", options->png, "File to write")->capture_default_str();
+  CLI::Option* png =
+      show_command->add_option("--png", options->png, "File to write")->capture_default_str();
+  show_command
+      ->add_option("--page", options->page,
+                   "Write a page in place of a picture: one HTML file with the map in 3-D")
+      ->type_name("FILE")
+      ->excludes(png);
   show_command
       ->add_option("--mission", options->view.mission_index,
                    "Mission of top, first_person and depth")

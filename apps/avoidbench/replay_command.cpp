@@ -16,7 +16,9 @@
 #include "export/export_commands.hpp"
 #include "export/export_trajectory.hpp"
 #include "export/trial_list.hpp"
+#include "film_output.hpp"
 #include "output.hpp"
+#include "page_output.hpp"
 #include "process/isolated_run.hpp"
 #include "process/print_capture.hpp"
 #include "process/sandbox.hpp"
@@ -24,6 +26,7 @@
 #include "replay/apart.hpp"
 #include "replay/replay.hpp"
 #include "replay/sample.hpp"
+#include "replay_lines.hpp"
 #include "sweep/allowance.hpp"
 #include "text/number_text.hpp"
 #include "text/visible_text.hpp"
@@ -44,7 +47,7 @@ struct ReplayOptions {
   std::string sample = "100%";
   OutputOptions output;
   std::string planner_file, map_file, wind_file;
-  std::string png, csv, commands;
+  std::string png, csv, commands, page, video;
   std::vector<double> at_s;
   double every_s = 0.0;
   std::size_t log_lines = 30;
@@ -63,53 +66,36 @@ struct Flown {
   std::vector<LogLine> log;
   std::vector<CommandLine> calls;
   std::vector<Moment> moments;
+  std::optional<SeenRecorder> seen;  ///< for a page
 };
 
 /// Flies it, or, where `most_calls` is given, up to the call of the planner after so many.
 Flown fly(const Replay& replay, const StoredTrial& stored, const ReplayOptions& options,
           std::optional<std::size_t> most_calls = {}) {
   Flown flown;
-  MomentRecorder recorder(options.at_s, options.every_s, stored.spec);
+  const bool is_film = !options.video.empty(), has_moments = is_film || !options.png.empty();
+  MomentRecorder recorder(options.at_s, is_film ? 1.0 / kFilmMoments_hz : options.every_s,
+                          stored.spec);
+  if (!options.page.empty()) flown.seen.emplace(stored.spec);
   TrialObserver observer;
   observer.planned = [&](const PlanStep& step) {
     for (const std::string& line : step.log) flown.log.push_back({step.time_s, line});
     flown.calls.push_back(command_line(step));
-    if (!options.png.empty()) recorder.planned(step);
+    if (has_moments) recorder.planned(step);
+    if (flown.seen) flown.seen->planned(step);
   };
   PrintTrimmer trimmer(STDOUT_FILENO);
   observer.planning = [&](const PlanCallAhead& call) {
     trimmer.trim();
     if (!most_calls || flown.calls.size() < *most_calls) return true;
-    if (!options.png.empty()) recorder.planning(call);
+    if (has_moments) recorder.planning(call);
     return false;
   };
   std::vector<std::string> other_lines;
   flown.record = replay.fly(observer, other_lines);
   for (const std::string& line : other_lines) flown.log.push_back({std::nan(""), line});
-  if (!options.png.empty()) flown.moments = recorder.finish(flown.record.end_time_s);
+  if (has_moments) flown.moments = recorder.finish(flown.record.end_time_s);
   return flown;
-}
-
-std::string outcome_line(const TrialRecord& record) {
-  std::string line = std::string(text(record.outcome));
-  if (!std::isnan(record.end_time_s)) line += " at " + fixed_digits(record.end_time_s, 3) + " s";
-  return record.reason.empty() ? line : line + ": " + visible_line(record.reason);
-}
-
-std::string calls_line(const std::vector<CommandLine>& calls) {
-  std::size_t commands = 0, no_plans = 0;
-  double sum_s = 0.0, most_s = 0.0;
-  for (const CommandLine& call : calls) {
-    commands += call.status == PlanStatus::command ? 1 : 0;
-    no_plans += call.status == PlanStatus::no_plan ? 1 : 0;
-    sum_s += call.cpu_time_s;
-    most_s = std::max(most_s, call.cpu_time_s);
-  }
-  if (calls.empty()) return "none";
-  const double mean_s = sum_s / static_cast<double>(calls.size());
-  return std::to_string(calls.size()) + ", of them " + std::to_string(commands) + " commands and " +
-         std::to_string(no_plans) + " without a plan; CPU " + fixed_digits(1000.0 * mean_s, 2) +
-         " ms, most " + fixed_digits(1000.0 * most_s, 2) + " ms";
 }
 
 /// The lines under a title; the first are left out where there are more than `most` (0: none are).
@@ -176,6 +162,20 @@ void write_pictures(const Flown& flown, const StoredTrial& stored, const Replay&
   }
 }
 
+/// The files that show what was seen: pictures, a video, a page.
+void write_views(const Flown& flown, const StoredTrial& stored, const Replay& replay,
+                 const TrialListing& listing, const std::string& title,
+                 const std::filesystem::path& database, const ReplayOptions& options) {
+  if (!options.png.empty()) write_pictures(flown, stored, replay, title, options.png);
+  if (!options.video.empty()) {
+    write_film(stored, replay.world(), flown.record, flown.moments, options.video);
+  }
+  if (flown.seen) {
+    write_flight_page(database, stored, replay.world(), flown.record, *flown.seen, listing,
+                      options.page);
+  }
+}
+
 /// Whether the end was a worker's, which a flight in this process can't have.
 bool is_of_worker(Outcome outcome) {
   return outcome == Outcome::planner_crashed || outcome == Outcome::planner_hung;
@@ -185,15 +185,6 @@ bool ended_worker(const TrialListing& trial) { return is_of_worker(trial.outcome
 /// Not where a machine's time decided at which call the flight ended.
 bool is_repeatable(const TrialRecord& record) {
   return record.outcome == Outcome::planner_crashed || record.reason == kCallTimeout;
-}
-
-/// "(1.00, -2.50, 2.00) m, 1.20 m/s, 0.35 m from the nearest surface, at 3.200 s"
-std::string place_line(const Sample& sample) {
-  const Eigen::Vector3d& place = sample.position_world;
-  return "(" + fixed_digits(place.x(), 2) + ", " + fixed_digits(place.y(), 2) + ", " +
-         fixed_digits(place.z(), 2) + ") m, " + fixed_digits(sample.velocity_world.norm(), 2) +
-         " m/s, " + fixed_digits(sample.clearance_m, 2) + " m from the nearest surface, at " +
-         fixed_digits(sample.time_s, 3) + " s";
 }
 
 /// What a child says of a flight that it flew again.
@@ -290,6 +281,8 @@ void verify_trials(const Database& database, const std::vector<TrialListing>& tr
 /// Before the flight, which may take long.
 void check_outputs(const ReplayOptions& options, const TrialListing& trial) {
   if (!options.png.empty()) check_output(options.png, "png");
+  if (!options.page.empty()) check_page(options.page);
+  if (!options.video.empty()) check_film(options.video);
   if (!options.csv.empty()) check_output(options.csv, "csv");
   if (!options.commands.empty()) check_output(options.commands, "csv");
   for (const double at_s : options.at_s) {
@@ -320,7 +313,7 @@ ApartOptions apart_options(const Database& database, const std::string& key,
 /// for stderr with a mark.
 constexpr char kToStderr = '!';
 std::string look_up_to(std::size_t call_count, const TrialRecord& apart, const StoredTrial& stored,
-                       const ReplayFiles& files, const std::string& title,
+                       const ReplayFiles& files, const TrialListing& listing,
                        const ReplayOptions& options) {
   const Replay replay(stored, files);
   Flown flown = fly(replay, stored, options, call_count);
@@ -332,7 +325,7 @@ std::string look_up_to(std::size_t call_count, const TrialRecord& apart, const S
   try {
     print_log(flown.log, options.log_lines);
     if (!options.commands.empty()) write_text(commands_csv(flown.calls), options.commands);
-    if (!options.png.empty()) write_pictures(flown, stored, replay, title, options.png);
+    write_views(flown, stored, replay, listing, title_of(listing), files.database, options);
   } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';
   }
@@ -346,10 +339,10 @@ std::string look_up_to(std::size_t call_count, const TrialRecord& apart, const S
 
 /// Runs look_up_to() in a child, since the planner may end a process earlier this time.
 void look_apart(const TrialRecord& apart, const StoredTrial& stored, const ReplayFiles& files,
-                const std::string& title, const ReplayOptions& options, double most_s) {
+                const TrialListing& listing, const ReplayOptions& options, double most_s) {
   const IsolatedEnd end = run_isolated(
       [&](IsolatedOutput& output) {
-        output.write(look_up_to(apart.plan_calls.size(), apart, stored, files, title, options));
+        output.write(look_up_to(apart.plan_calls.size(), apart, stored, files, listing, options));
       },
       most_s);
   std::istringstream lines(end.output);
@@ -397,7 +390,7 @@ void replay_apart(const Database& database, const StoredTrial& stored, const Tri
   if (!options.csv.empty()) write_text(trajectory_csv(record.samples), options.csv);
   // Its way there takes no longer than that; pictures take some time, too.
   const double most_s = 60.0 + 3.0 * took.count();
-  if (flown.has_begun) look_apart(record, stored, files, title, options, most_s);
+  if (flown.has_begun) look_apart(record, stored, files, listing, options, most_s);
   std::cout << std::flush;
   if (!is_explained) throw CLI::RuntimeError(kExitDiffers);
 }
@@ -457,7 +450,7 @@ void replay(const ReplayOptions& options) {
   std::cout << std::flush;
   if (!options.csv.empty()) write_text(trajectory_csv(flown.record.samples), options.csv);
   if (!options.commands.empty()) write_text(commands_csv(flown.calls), options.commands);
-  if (!options.png.empty()) write_pictures(flown, stored, replay, title, options.png);
+  write_views(flown, stored, replay, listing, title, database.path(), options);
   if (!is_explained) throw CLI::RuntimeError(kExitDiffers);
 }
 
@@ -472,6 +465,32 @@ void add_choice_options(CLI::App& command, TrialChoice& choice) {
   command.add_option("--mission", choice.mission, "Only trials of this mission");
   command.add_option("--outcome", choice.outcome,
                      "Only trials that ended so: collided, timed_out, …");
+}
+
+void add_view_options(CLI::App& command, ReplayOptions& options) {
+  CLI::Option* png =
+      command.add_option("--png", options.png, "Picture to write; of several, numbered ones")
+          ->type_name("FILE");
+  command
+      .add_option("--at", options.at_s,
+                  "Moment to show, s; repeatable (default: the end of the flight)")
+      ->check(CLI::NonNegativeNumber)
+      ->needs(png)
+      ->allow_extra_args(false);
+  command.add_option("--every", options.every_s, "Show a moment each so many seconds, too")
+      ->check(CLI::PositiveNumber)
+      ->needs(png);
+  command
+      .add_option("--video", options.video,
+                  "Film to write, .mp4, .webm or .gif: from behind, what the planner saw, from "
+                  "above; needs the program ffmpeg")
+      ->type_name("FILE")
+      ->excludes(png);
+  command
+      .add_option("--page", options.page,
+                  "Page to write: one HTML file with the flight in 3-D, what the planner saw, "
+                  "drew and commanded (docs/page.md)")
+      ->type_name("FILE");
 }
 
 }  // namespace
@@ -493,6 +512,7 @@ void add_replay_command(CLI::App& app) {
       "--mission 2 \\\n"
       "    --png t.png --at 3.2 --at 4\n"
       "  avoidbench replay quick 12 --csv path.csv --commands commands.csv\n"
+      "  avoidbench replay quick 12 --page flight.html --video flight.mp4\n"
       "  avoidbench replay quick --verify --sample 10%");
   command
       ->add_option("DB", options->database,
@@ -515,18 +535,7 @@ void add_replay_command(CLI::App& app) {
                    "Share of them to verify, such as 10%, chosen by their keys")
       ->capture_default_str()
       ->needs(verify);
-  CLI::Option* png =
-      command->add_option("--png", options->png, "Picture to write; of several, numbered ones")
-          ->type_name("FILE");
-  command
-      ->add_option("--at", options->at_s,
-                   "Moment to show, s; repeatable (default: the end of the flight)")
-      ->check(CLI::NonNegativeNumber)
-      ->needs(png)
-      ->allow_extra_args(false);
-  command->add_option("--every", options->every_s, "Show a moment each so many seconds, too")
-      ->check(CLI::PositiveNumber)
-      ->needs(png);
+  add_view_options(*command, *options);
   command->add_option("--csv", options->csv, "Path to write as CSV")->type_name("FILE");
   command->add_option("--commands", options->commands, "The planner's calls to write as CSV")
       ->type_name("FILE");

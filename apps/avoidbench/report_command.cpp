@@ -7,10 +7,12 @@
 #include "custom_metrics/metric_file.hpp"
 #include "database_choice.hpp"
 #include "output.hpp"
+#include "page_output.hpp"
 #include "plots.hpp"
 #include "report/summary.hpp"
 #include "report/sweep_choice.hpp"
 #include "report/sweep_tables.hpp"
+#include "store/trial_fields.hpp"
 
 namespace avoidbench {
 namespace {
@@ -19,7 +21,8 @@ struct ReportOptions {
   std::vector<std::string> files;
   OutputOptions output;
   std::string sweep;
-  std::string plots;
+  std::string plots, page;
+  double page_mb = 0.0;
   std::vector<std::string> metrics, metric_files, group_by, where, tables;
   bool is_all = false;
 };
@@ -60,12 +63,75 @@ std::vector<std::string> metrics_with(const std::vector<ComputedMetrics>& own,
   return names;
 }
 
+/// What a page needs of the databases beside the sweeps themselves; empty without a page.
+struct PageParts {
+  std::map<std::string, TrialListing> listing_of;      ///< by trial key
+  std::map<std::string, std::vector<RunRow>> runs_of;  ///< by name of the sweep
+  std::map<std::string, std::vector<std::string>> axes_of;
+};
+
+/// The fields that are read of each trial: those of the query and, for a page, the sweep's axes.
+std::vector<std::string> fields_of(const ReportQuery& query, const Database& database,
+                                   const SweepInfo& sweep, PageParts* page) {
+  std::vector<std::string> fields = query.fields();
+  if (page == nullptr) return fields;
+  std::vector<std::string>& axes = page->axes_of[sweep.name];
+  for (const std::string& axis : axis_fields({&sweep, 1})) {
+    if (std::find(axes.begin(), axes.end(), axis) == axes.end()) axes.push_back(axis);
+    if (std::find(fields.begin(), fields.end(), axis) == fields.end()) fields.push_back(axis);
+  }
+  for (TrialListing& listing : database.list_trials(sweep.name, sweep.revision)) {
+    std::string key = listing.key;
+    page->listing_of.emplace(std::move(key), std::move(listing));
+  }
+  std::vector<RunRow>& runs = page->runs_of[sweep.name];
+  for (RunRow& run : runs_of(database, sweep)) runs.push_back(std::move(run));
+  return fields;
+}
+
+/// The page with all tables, whatever of them is printed.
+void write_sweeps_page(const ReportOptions& options, std::vector<SweepResult> results,
+                       std::span<const SweepSummary> summaries, std::span<const Database> databases,
+                       PageParts& parts) {
+  std::vector<PageSweep> sweeps;
+  std::size_t trial_count = 0;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    trial_count += results[i].trials.size();
+    const std::string name = results[i].name;  // the result moves away
+    std::map<std::string, std::string> causes;
+    for (const TrialSummary& trial : results[i].trials) {
+      if (!trial.cause.empty()) causes.emplace(trial.key, trial.cause);
+    }
+    sweeps.push_back({.summary = summaries[i],
+                      .section = sweep_section(summaries[i]),
+                      .result = std::move(results[i]),
+                      .axes = parts.axes_of[name],
+                      .listing_of = parts.listing_of,
+                      .runs = parts.runs_of[name],
+                      .cause_of = std::move(causes)});
+  }
+  std::vector<PageDatabase> places;
+  for (const Database& database : databases) {
+    places.push_back({.database = &database,
+                      .files = {.planner = {},
+                                .map = {},
+                                .wind = {},
+                                .folders = {".", database.path().parent_path()},
+                                .database = database.path()}});
+  }
+  write_page(sweeps_page(sweeps, places, page_origin(), page_bytes(options.page_mb, trial_count)),
+             options.page);
+}
+
 void report(ReportOptions options) {
   ReportQuery query = query_of(options);
   check_output(options.output.output, text(options.output.format));
+  if (!options.page.empty()) check_page(options.page);
   if (options.files.empty()) options.files.push_back(newest_database("report").string());
   std::map<std::pair<std::string, std::string>, std::vector<SweepResult>> parts_of;  // name, spec
   const std::vector<Database> databases = opened(options.files, "report");
+  PageParts page_parts;
+  PageParts* const page = options.page.empty() ? nullptr : &page_parts;
   std::vector<std::string> unflown;
   const auto sweeps = chosen_sweeps(databases, options.sweep, &unflown);
   for (const std::string& line : unflown) std::cerr << line << '\n';
@@ -73,7 +139,8 @@ void report(ReportOptions options) {
     if (sweeps[i].empty()) continue;
     const std::vector<ComputedMetrics> own = computed_metrics(options.metric_files, databases[i]);
     for (const SweepInfo& sweep : sweeps[i]) {
-      SweepResult part = databases[i].read_sweep(sweep.name, sweep.revision, query.fields());
+      const std::vector<std::string> fields = fields_of(query, databases[i], sweep, page);
+      SweepResult part = databases[i].read_sweep(sweep.name, sweep.revision, fields);
       for (const ComputedMetrics& computed : own) add_metrics(computed, part);
       if (query.metrics.empty() && !own.empty()) query.metrics = metrics_with(own, part);
       parts_of[{sweep.name, sweep.spec_json}].push_back(std::move(part));
@@ -85,8 +152,11 @@ void report(ReportOptions options) {
     for (const SweepResult& part : parts) all.push_back(&part);
   }
   check_values(all, query.where);
+  std::vector<SweepResult> results;  // for a page
   for (auto& [sweep, parts] : parts_of) {
-    summaries.push_back(summarize(combined(std::move(parts)), query));
+    SweepResult whole = combined(std::move(parts));
+    if (page != nullptr) results.push_back(selected(whole, query.where));
+    summaries.push_back(summarize(std::move(whole), query));
   }
   std::vector<Section> sections;
   const Detail detail = options.is_all ? Detail::all : Detail::brief;
@@ -100,6 +170,9 @@ void report(ReportOptions options) {
     sections.back().footer = "More tables, all warnings and what every column means: report --all";
   }
   write_sections(sections, options.output);
+  if (page != nullptr) {
+    write_sweeps_page(options, std::move(results), summaries, databases, page_parts);
+  }
   if (!options.plots.empty()) draw_plots(options.files, options.sweep, options.plots);
 }
 
@@ -121,6 +194,19 @@ void add_report_command(CLI::App& app) {
                    "Folder for the pictures of the paper, too, as PDF and PNG; needs Python with "
                    "matplotlib and pandas")
       ->type_name("FOLDER");
+  CLI::Option* page =
+      command
+          ->add_option("--page", options->page,
+                       "Also write a page: one HTML file, to be opened in a browser without a "
+                       "network, with charts, all trials and their flights in 3-D (docs/page.md)")
+          ->type_name("FILE");
+  command
+      ->add_option("--page-size", options->page_mb,
+                   "Most megabytes of the page; flights for which there is no room are left out, "
+                   "failures last (default: 3 for each 1,000 trials, at least 3, at most 15)")
+      ->check(CLI::Range(1.0, 1000.0))
+      ->needs(page)
+      ->type_name("MB");
   command
       ->add_option("--metrics", options->metrics,
                    "Metrics to show, separated by commas; `avoidbench metrics` lists them "

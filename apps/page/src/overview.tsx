@@ -1,0 +1,347 @@
+// The overview: charts of the trials that the filters let through, then the report's own tables.
+import type { JSX } from 'preact';
+import { useMemo } from 'preact/hooks';
+import { BarChart, BoxChart, Chart, Figure, IntervalChart, Legend, LineChart, Sign, scaleOf } from './charts';
+import type { Bar, Box, Line, Mark } from './charts';
+import { digits, isFinished, kDashes, metricWords, outcomeColor, outcomeText, plannerColor } from './data';
+import type { Cell, ReportTable, Sweep } from './data';
+import type { View } from './state';
+import { logisticFit, quantile, successInterval } from './stats';
+
+interface Props { sweep: Sweep; chosen: Int32Array; view: View; change: (part: Partial<View>) => void; open: (trial: number) => void }
+
+/** The chosen trials of each planner that has any. */
+function byPlanner(sweep: Sweep, chosen: Int32Array): { planner: number; trials: number[] }[] {
+  const lists: number[][] = sweep.planners.map(() => []);
+  for (const i of chosen) lists[sweep.t.planner[i]].push(i);
+  return lists.map((trials, planner) => ({ planner, trials })).filter((p) => p.trials.length > 0);
+}
+
+/** [successes, trials] of each map. */
+function byMap(sweep: Sweep, trials: number[]): Map<number, [number, number]> {
+  const maps = new Map<number, [number, number]>();
+  for (const i of trials) {
+    const map = sweep.t.map[i];
+    const entry = maps.get(map) ?? [0, 0];
+    entry[0] += isFinished(sweep.t, i) ? 1 : 0;
+    entry[1] += 1;
+    maps.set(map, entry);
+  }
+  return maps;
+}
+
+const percent = (v: number): string => `${digits(100 * v, 3)} %`;
+
+function Success({ sweep, chosen }: Props): JSX.Element {
+  const rates = byPlanner(sweep, chosen).map(({ planner, trials }) => {
+    const finished = trials.filter((i) => isFinished(sweep.t, i)).length;
+    return { planner, count: trials.length, finished, rate: finished / trials.length, interval: successInterval(byMap(sweep, trials).values()) };
+  });
+  const marks: Mark[] = rates.map((r) => ({
+    label: sweep.planners[r.planner].label, color: plannerColor(r.planner), shape: r.planner, value: r.rate, ...r.interval,
+    tip: `${sweep.planners[r.planner].label}: ${r.finished} of ${r.count} trials reached the goal, ${percent(r.rate)}, 95 % interval ${percent(r.interval.lower)} to ${percent(r.interval.upper)}`,
+  }));
+  return (
+    <Figure name="success" title="Success by planner" note="Share of trials that reached the goal, with 95 % intervals."
+      numbers={{ head: ['planner', 'trials', 'finished', 'success rate', 'lower', 'upper'],
+        rows: rates.map((r) => [sweep.planners[r.planner].label, r.count, r.finished, r.rate, r.interval.lower, r.interval.upper]) }}>
+      <IntervalChart marks={marks} low={0} high={1} percent label={`Success by planner: ${marks.map((m) => m.tip).join('; ')}`} />
+    </Figure>
+  );
+}
+
+function Difficulty({ sweep, chosen }: Props): JSX.Element | null {
+  const all = chosen.length === sweep.t.count;
+  const ratios = sweep.maps.map((m) => m.traversability ?? NaN);
+  const known = ratios.filter(Number.isFinite);
+  if (new Set(known).size < 2) return null;
+  const pad = 0.03 * (Math.max(...known) - Math.min(...known));
+  const [low, high] = [Math.min(...known) - pad, Math.max(...known) + pad];
+  const rows: (string | number | null)[][] = [];
+  const lines: Line[] = byPlanner(sweep, chosen).map(({ planner, trials }) => {
+    const maps = [...byMap(sweep, trials)].filter(([map]) => Number.isFinite(ratios[map])).sort((a, b) => ratios[a[0]] - ratios[b[0]]);
+    // The report's own curve where all trials are shown.
+    const given = sweep.curves.find((c) => c.planner === planner);
+    const fit = maps.length < 5 ? null : all ? (given && given.intercept !== null && given.slope !== null ? { intercept: given.intercept, slope: given.slope } : null)
+      : logisticFit(maps.map(([map, [s, n]]) => [ratios[map], s, n]));
+    const points: [number, number][] = [];
+    if (fit) for (let k = 0; k <= 60; ++k) {
+      const x = low + ((high - low) * k) / 60;
+      points.push([x, 1 / (1 + Math.exp(-(fit.intercept + fit.slope * x)))]);
+    }
+    const label = sweep.planners[planner].label;
+    for (const [map, [s, n]] of maps) rows.push([label, sweep.maps[map].text, ratios[map], s, n, s / n]);
+    return {
+      label, color: plannerColor(planner), dash: kDashes[planner % kDashes.length], shape: planner, points,
+      dots: maps.map(([map, [s, n]]) => ({ x: ratios[map], y: s / n, size: Math.min(6, 2.2 + Math.sqrt(n) / 2), tip: `${label}: ${s} of ${n} on ${sweep.maps[map].text} (traversability ${digits(ratios[map])})` })),
+    };
+  });
+  return (
+    <Figure name="difficulty" wide title="Success against difficulty" note="Each sign is a map; curves are logistic fits from five maps on. To the left maps are harder: 1 is free of obstacles."
+      numbers={{ head: ['planner', 'map', 'traversability', 'finished', 'trials', 'success rate'], rows }}>
+      <Legend items={lines.map((l) => ({ label: l.label, color: l.color, shape: l.shape, dash: l.dash }))} />
+      <LineChart lines={lines} x={[low, high]} y={[0, 1]} percent xUnit="normalised traversability" label="Success rates of the maps against their traversability, by planner; its numbers are in the table below" />
+    </Figure>
+  );
+}
+
+function Outcomes({ sweep, chosen }: Props): JSX.Element {
+  const planners = byPlanner(sweep, chosen);
+  const counts = planners.map(({ trials }) => {
+    const of = sweep.outcomes.map(() => 0);
+    for (const i of trials) of[sweep.t.outcome[i]] += 1;
+    return of;
+  });
+  const seen = sweep.outcomes.map((_, o) => o).filter((o) => counts.some((c) => c[o] > 0));
+  const bars: Bar[] = planners.map(({ planner }, k) => ({
+    label: sweep.planners[planner].label, parts: seen.map((o) => ({ name: outcomeText(sweep.outcomes[o]), color: outcomeColor(o), count: counts[k][o] })),
+  }));
+  return (
+    <Figure name="outcomes" title="Outcomes" note="How the trials ended."
+      numbers={{ head: ['planner', ...sweep.outcomes.map(outcomeText)], rows: planners.map(({ planner }, k) => [sweep.planners[planner].label, ...counts[k]]) }}>
+      <Legend items={seen.map((o) => ({ label: outcomeText(sweep.outcomes[o]), color: outcomeColor(o) }))} />
+      <BarChart bars={bars} share label="Outcomes by planner; their numbers are in the table below" />
+    </Figure>
+  );
+}
+
+function Arrivals({ sweep, chosen }: Props): JSX.Element {
+  const longest = chosen.reduce((most, i) => Math.max(most, Number.isFinite(sweep.t.end_s[i]) ? sweep.t.end_s[i] : 0), 0);
+  const rows: (string | number | null)[][] = [];
+  const lines: Line[] = byPlanner(sweep, chosen).map(({ planner, trials }) => {
+    const times = trials.filter((i) => isFinished(sweep.t, i)).map((i) => sweep.t.end_s[i]).sort((a, b) => a - b);
+    const label = sweep.planners[planner].label;
+    const points: [number, number][] = [[0, 0], ...times.map((t, k): [number, number] => [t, (k + 1) / trials.length]), [longest, times.length / trials.length]];
+    for (const share of [0.25, 0.5, 0.75]) rows.push([label, `${100 * share} %`, times[Math.ceil(share * trials.length) - 1] ?? null]);
+    return { label, color: plannerColor(planner), dash: kDashes[planner % kDashes.length], shape: planner, points, dots: [] };
+  });
+  return (
+    <Figure name="arrivals" title="Times to the goal" note="Share of all trials that has arrived; a failed trial has not arrived by any time."
+      numbers={{ head: ['planner', 'share of trials', 'has arrived by, s'], rows }}>
+      <Legend items={lines.map((l) => ({ label: l.label, color: l.color, shape: l.shape, dash: l.dash }))} />
+      <LineChart lines={lines} x={[0, longest || 1]} y={[0, 1]} percent step xUnit="s" height={230} label="Share of trials that has arrived over time, by planner" />
+    </Figure>
+  );
+}
+
+function MetricChart({ sweep, chosen, name }: Props & { name: string }): JSX.Element | null {
+  const at = sweep.metrics.findIndex((m) => m.name === name);
+  if (at < 0) return null;
+  const metric = sweep.metrics[at];
+  const boxes: Box[] = byPlanner(sweep, chosen).map(({ planner, trials }) => {
+    const sorted = Float64Array.from(trials.map((i) => sweep.t.metrics[at][i]).filter(Number.isFinite)).sort();
+    const mean = sorted.reduce((sum, v) => sum + v, 0) / sorted.length;
+    const five = [0.05, 0.25, 0.5, 0.75, 0.95].map((share) => quantile(sorted, share));
+    const label = sweep.planners[planner].label;
+    return { label, color: plannerColor(planner), shape: planner, sorted, mean, five,
+      tip: `${label}: mean ${digits(mean)}, median ${digits(five[2])}, quartiles ${digits(five[1])} to ${digits(five[3])}, 5 to 95 % ${digits(five[0])} to ${digits(five[4])}, of ${sorted.length} trials` };
+  });
+  const all = Float64Array.from(boxes.flatMap((b) => [...b.sorted])).sort();
+  // Single far values would press all boxes together.
+  const [q1, q3] = [quantile(all, 0.25), quantile(all, 0.75)];
+  const reach = Math.max(3 * (q3 - q1), 1e-9);
+  const filled = boxes.filter((b) => b.sorted.length > 0);
+  const low = filled.length ? Math.min(Math.max(all[0], q1 - reach), ...filled.map((b) => b.five[1])) : 0;
+  const high = filled.length ? Math.max(Math.min(all[all.length - 1], q3 + reach), ...filled.map((b) => b.five[3])) : 1;
+  const pad = 0.04 * (high - low || 1);
+  const cut = all.length > 0 && (all[0] < low || all[all.length - 1] > high);
+  const notes = [metric.doc.replace(/\.$/, ''), metric.population === 'finished' ? 'finished trials only' : '', metric.better === 'neither' ? '' : `${metric.better} is better`,
+    metric.is_measured ? 'measured on the host: differs from run to run' : '', cut ? 'far values are beyond the chart’s ends' : ''];
+  return (
+    <Figure name={`metric ${name}`} title={metricWords(name)} note={`${notes.filter(Boolean).join('; ')}.`}
+      numbers={{ head: ['planner', 'trials', `mean${metric.unit ? `, ${metric.unit}` : ''}`, '5 %', 'first quartile', 'median', 'third quartile', '95 %'],
+        rows: boxes.map((b) => [b.label, b.sorted.length, b.sorted.length ? b.mean : null, ...b.five.map((v) => (Number.isFinite(v) ? v : null))]) }}>
+      <BoxChart boxes={boxes} low={low - pad} high={high + pad} unit={metric.unit} label={`${metricWords(name)} by planner: ${boxes.map((b) => b.tip).join('; ')}`} />
+    </Figure>
+  );
+}
+
+/** Reasons that differ in their numbers only are one reason. */
+const pattern = (reason: string): string => reason.replace(/[-−]?\d+(\.\d+)?/g, '#').replace(/\(#(, #)*\)/g, '(…)');
+
+function Reasons({ sweep, chosen, open }: Props): JSX.Element | null {
+  const cause = sweep.t.cause;
+  const groups = new Map<string, { count: number; parts: Map<number, number>; example: number }>();
+  const patterns = sweep.t.reason.words.map((w) => pattern(String(w)));
+  for (const i of chosen) {
+    if (isFinished(sweep.t, i)) continue;
+    const outcome = outcomeText(sweep.outcomes[sweep.t.outcome[i]]);
+    const why = (cause && String(cause.words[cause.of[i]])) || patterns[sweep.t.reason.of[i]];
+    const name = why ? `${outcome}: ${why}` : outcome;
+    const group = groups.get(name) ?? { count: 0, parts: new Map<number, number>(), example: i };
+    group.count += 1;
+    group.parts.set(sweep.t.planner[i], (group.parts.get(sweep.t.planner[i]) ?? 0) + 1);
+    // An example that can be watched.
+    if (sweep.t.flight[group.example] < 0 && sweep.t.flight[i] >= 0) group.example = i;
+    groups.set(name, group);
+  }
+  if (groups.size === 0) return null;
+  const sorted = [...groups].sort((a, b) => b[1].count - a[1].count);
+  const shown = sorted.slice(0, 12);
+  const planners = byPlanner(sweep, chosen).map((p) => p.planner);
+  return (
+    <Figure name="reasons" wide title={cause ? 'Causes of failures' : 'Reasons of failures'}
+      note={`Reasons that differ in their numbers only count as one${sorted.length > shown.length ? `; the ${shown.length} most frequent of ${sorted.length}` : ''}.`}
+      numbers={{ head: ['reason', 'trials', ...planners.map((p) => sweep.planners[p].label)],
+        rows: sorted.map(([name, g]) => [name, g.count, ...planners.map((p) => g.parts.get(p) ?? 0)]) }}>
+      <Legend items={planners.map((p) => ({ label: sweep.planners[p].label, color: plannerColor(p) }))} />
+      <BarChart label="Reasons of failures; their numbers are in the table below"
+        bars={shown.map(([name, g]) => ({ label: name, parts: planners.map((p) => ({ name: sweep.planners[p].label, color: plannerColor(p), count: g.parts.get(p) ?? 0 })) }))} />
+      <p class="examples">Watch one: {shown.slice(0, 6).map(([name, g], k) => (
+        <>{k > 0 ? ' · ' : ''}<button class="link" onClick={() => open(g.example)} title={name}>trial {sweep.t.id[g.example]}</button></>
+      ))}</p>
+    </Figure>
+  );
+}
+
+/** Success of each planner on each map: a click shows these trials. */
+function Grid({ sweep, chosen, view, change }: Props): JSX.Element | null {
+  const planners = byPlanner(sweep, chosen);
+  const counts = planners.map(({ trials }) => byMap(sweep, trials));
+  const maps = [...new Set(counts.flatMap((c) => [...c.keys()]))].sort((a, b) => (sweep.maps[a].traversability ?? 9) - (sweep.maps[b].traversability ?? 9) || a - b);
+  if (maps.length < 2 || maps.length > 400) return null;
+  const shade = (rate: number): string => `color-mix(in srgb, var(--good) ${Math.round(100 * rate)}%, var(--bad))`;
+  return (
+    <figure class="wide" data-figure="grid">
+      <figcaption><h3>Maps</h3><p class="note">Finished trials on each map, hard maps first. A click shows the trials.</p></figcaption>
+      <div class="scroll grid" tabIndex={0} role="region" aria-label="Success by map and planner">
+        <table>
+          <thead><tr><th scope="col">map</th><th scope="col">traversability</th>{planners.map((p) => <th scope="col">{sweep.planners[p.planner].label}</th>)}</tr></thead>
+          <tbody>{maps.map((map) => (
+            <tr>
+              <th scope="row">{sweep.maps[map].text}</th><td class="number">{digits(sweep.maps[map].traversability)}</td>
+              {counts.map((c, k) => {
+                const cell = c.get(map);
+                if (!cell) return <td />;
+                return (
+                  <td class="rate">
+                    <button style={{ background: shade(cell[0] / cell[1]) }}
+                      onClick={() => change({ tab: 'trials', filters: { ...view.filters, planner: [String(planners[k].planner)], map: [String(map)] } })}>
+                      {cell[0]}/{cell[1]}
+                    </button>
+                  </td>
+                );
+              })}
+            </tr>
+          ))}</tbody>
+        </table>
+      </div>
+    </figure>
+  );
+}
+
+function Contrasts({ sweep, chosen }: Props): JSX.Element | null {
+  const table = sweep.tables.find((t) => t.name === 'pairs');
+  if (!table || chosen.length !== sweep.t.count) return null;
+  const at = (name: string): number => table.columns.findIndex((c) => c.name === name);
+  const number = (cell: Cell): number => (typeof cell === 'number' ? cell : NaN);
+  const [a, b, factor] = [at('planner'), at('other_planner'), at('contrast_factor_smoothed')];
+  if (factor < 0) return null;
+  const pairs = table.rows.map((row) => ({
+    label: `${String(row.cells[a])} / ${String(row.cells[b])}`, value: number(row.cells[factor]), lower: number(row.cells[factor + 1]), upper: number(row.cells[factor + 2]),
+  }));
+  const ends = pairs.flatMap((p) => [p.value, p.lower, p.upper]).filter((v) => Number.isFinite(v) && v > 0).map(Math.log10);
+  if (!ends.length) return null;
+  const [low, high] = [Math.min(-0.3, ...ends), Math.max(0.3, ...ends)];
+  const row = 30;
+  return (
+    <Figure name="contrasts" title="Contrast factors" note="Failures per metre of the first planner over those of the second, smoothed: left of 1 the first is better. Of all trials."
+      numbers={{ head: ['pair', 'contrast factor, smoothed', 'lower', 'upper'], rows: pairs.map((p) => [p.label, p.value, p.lower, p.upper].map((v) => (Number.isNaN(v) ? null : v))) }}>
+      <Chart height={pairs.length * row + 40} label="Contrast factors of pairs of planners; their numbers are in the table below" draw={(width, tip) => {
+        const left = Math.min(190, width * 0.42);
+        const x = scaleOf(low, high, left, width - 16);
+        const bottom = pairs.length * row;
+        const marks = [0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 1, 3, 10, 30, 100].filter((v) => Math.log10(v) >= low && Math.log10(v) <= high);
+        return (
+          <>
+            {marks.map((v) => <g class="axis"><line class={v === 1 ? 'one' : 'grid'} x1={x(Math.log10(v))} x2={x(Math.log10(v))} y1={2} y2={bottom} /><text x={x(Math.log10(v))} y={bottom + 14} text-anchor="middle">{v}</text></g>)}
+            {pairs.map((p, i) => {
+              const y = i * row + row / 2;
+              return (
+                <g {...tip(`${p.label}: ${digits(p.value)} [${digits(p.lower)}, ${digits(p.upper)}]`)}>
+                  <rect x={0} y={i * row} width={width} height={row} class="hit" />
+                  <text x={0} y={y + 4} class="label"><title>{p.label}</title>{p.label.length > left / 6.6 ? `${p.label.slice(0, Math.floor(left / 6.6) - 2)}…` : p.label}</text>
+                  {p.lower > 0 && Number.isFinite(p.upper) ? <line x1={x(Math.log10(p.lower))} x2={x(Math.log10(p.upper))} y1={y} y2={y} class="interval" /> : null}
+                  {p.value > 0 && Number.isFinite(p.value) ? <Sign shape={3} x={x(Math.log10(p.value))} y={y} size={4.5} color="var(--ink)" /> : null}
+                </g>
+              );
+            })}
+          </>
+        );
+      }} />
+    </Figure>
+  );
+}
+
+const cellText = (cell: Cell, decimals: number): string => {
+  if (cell === null) return '–';
+  if (typeof cell === 'string') return cell === 'inf' ? '∞' : cell === '-inf' ? '−∞' : cell;
+  if (decimals >= 0 && !Number.isInteger(cell)) return cell.toFixed(decimals);
+  return Number.isInteger(cell) ? String(cell) : digits(cell);
+};
+
+/** A table of the report as it is; numbers with all their digits as a data attribute and on hover. */
+function Report({ table }: { table: ReportTable }): JSX.Element {
+  const columns = table.columns.map((c, i) => ({ ...c, i })).filter((c) => c.place !== 'machine' && c.place !== 'bound');
+  const bounds = (i: number): boolean => table.columns[i + 1]?.place === 'bound' && table.columns[i + 2]?.place === 'bound';
+  return (
+    <details class="report" data-table={table.name} open={table.name === 'planners'}>
+      <summary>{table.title || table.name} <span class="count">{table.rows.length} rows</span></summary>
+      <div class="scroll" tabIndex={0} role="region" aria-label={table.title || table.name}>
+        <table>
+          <thead><tr>{columns.map((c) => <th scope="col" title={c.doc || c.name}>{c.header}{c.unit ? <span class="unit"> {c.unit}</span> : null}</th>)}</tr></thead>
+          <tbody>{table.rows.map((row) => (
+            <tr>{columns.map((c) => {
+              const cell = row.cells[c.i];
+              const isNumber = typeof cell === 'number';
+              return (
+                <td class={isNumber ? 'number' : ''} data-column={c.name} data-value={cell === null ? '' : String(cell)} title={isNumber ? String(cell) : undefined}>
+                  {row.best.includes(c.i) ? <strong>{cellText(cell, c.decimals)}*</strong> : cellText(cell, c.decimals)}
+                  {bounds(c.i) && row.cells[c.i + 1] !== null ? <span class="bounds"> [{cellText(row.cells[c.i + 1], c.decimals)}, {cellText(row.cells[c.i + 2], c.decimals)}]</span> : null}
+                </td>
+              );
+            })}</tr>
+          ))}</tbody>
+        </table>
+      </div>
+    </details>
+  );
+}
+
+export function Overview(props: Props): JSX.Element {
+  const { sweep, chosen, view, change } = props;
+  const usual = sweep.usual_metrics;
+  const others = useMemo(() => sweep.metrics.map((m) => m.name).filter((name) => !usual.includes(name)), [sweep]);
+  if (chosen.length === 0) return <p class="empty">No trial fits these filters. <button onClick={() => change({ filters: {}, search: '' })}>Show all</button></p>;
+  return (
+    <>
+      <section class="charts" aria-label="Charts">
+        <Success {...props} />
+        <Outcomes {...props} />
+        <Difficulty {...props} />
+        <Reasons {...props} />
+        <Arrivals {...props} />
+        <Contrasts {...props} />
+      </section>
+      <section aria-label="Metrics">
+        <h2>Metrics</h2>
+        <p class="note">Boxes are quartiles with the median, lines go from 5 to 95 %, the sign is the mean.</p>
+        <div class="charts small">
+          {usual.map((name) => <MetricChart {...props} name={name} />)}
+          {view.metric && others.includes(view.metric) ? <MetricChart {...props} name={view.metric} /> : null}
+        </div>
+        {others.length ? (
+          <label class="more">Another metric <select value={view.metric} onChange={(e) => change({ metric: e.currentTarget.value })}>
+            <option value="">–</option>{others.map((name) => <option value={name}>{name}</option>)}
+          </select></label>
+        ) : null}
+      </section>
+      <section class="charts" aria-label="Maps"><Grid {...props} /></section>
+      <section class="tables" aria-label="Tables of the report">
+        <h2>Tables of the report</h2>
+        <p class="note">Of all {sweep.t.count} trials, whatever the filters say; <code>report --format json</code> has the same numbers. Hover a number for all its digits, a heading for what it means.</p>
+        {sweep.tables.map((table) => <Report table={table} />)}
+      </section>
+    </>
+  );
+}

@@ -1,0 +1,195 @@
+#include "page/page.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/input_error.hpp"
+#include "maps/map_spec.hpp"
+#include "page/flight_choice.hpp"
+#include "page/flight_data.hpp"
+#include "sensing/sensor_spec.hpp"
+#include "text/words.hpp"
+
+namespace avoidbench {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json camera_json(const RigCamera& camera) {
+  const Pose pose = T_body_camera(camera.mounting);
+  const Eigen::Quaterniond q(pose.linear());
+  return {{"position", to_array(pose.translation())}, {"q", {q.w(), q.x(), q.y(), q.z()}},
+          {"fov_x_deg", camera.kind.fov_x_deg},       {"width", camera.kind.width_px},
+          {"height", camera.kind.height_px},          {"min_m", camera.kind.min_range_m},
+          {"max_m", camera.kind.max_range_m}};
+}
+
+constexpr std::size_t kFlightsAtOnce = 64;
+constexpr std::size_t kBesideFlight_bytes = 400;  // start, goal, touches, names of all that
+
+/// Flights of a page while it fills.
+struct Filling {
+  PageScenes scenes;
+  ordered_json flights = ordered_json::array();
+  std::size_t bytes = 0, limit = 0;
+  std::size_t left_out = 0;
+
+  bool is_full() const { return bytes >= limit; }
+};
+
+void add_flight(PackedFlight packed, std::size_t sweep, std::size_t trial,
+                std::span<const PageDatabase> databases, Filling& filling) {
+  if (!packed.stored) {
+    filling.scenes.warnings.push_back("a flight is not shown: " + packed.problem);
+    return;
+  }
+  if (packed.json == nullptr) return;
+  const StoredTrial& stored = *packed.stored;
+  const std::size_t worlds_before = filling.scenes.worlds.size();
+  ordered_json flight = std::move(*packed.json);
+  flight["sweep"] = sweep;
+  flight["trial"] = trial;
+  flight["world"] = filling.scenes.world_of(stored, databases[packed.database].files);
+  flight["rig"] = filling.scenes.rig_of(stored.spec);
+  flight["goal_radius"] = stored.spec.mission.goal_radius_m;
+  flight["start"] = to_array(stored.mission.start_world);
+  flight["goal"] = to_array(stored.mission.goal_world);
+  filling.bytes += flight["data"].get_ref<const std::string&>().size() + kBesideFlight_bytes;
+  for (std::size_t i = worlds_before; i < filling.scenes.worlds.size(); ++i) {
+    filling.bytes +=
+        filling.scenes.worlds[i]["data"].get_ref<const std::string&>().size() + kBesideFlight_bytes;
+  }
+  filling.flights.push_back(std::move(flight));
+}
+
+void add_flights(const PageSweep& sweep, std::size_t sweep_index,
+                 std::span<const PageDatabase> databases, FlightReader& reader, Filling& filling) {
+  const std::vector<std::size_t> planners = planners_of(sweep.result), maps = maps_of(sweep.result);
+  std::vector<FlightCandidate> candidates;
+  for (std::size_t i = 0; i < sweep.result.trials.size(); ++i) {
+    const TrialSummary& trial = sweep.result.trials[i];
+    candidates.push_back({.planner = planners[i],
+                          .map = maps[i],
+                          .mission = trial.mission_index,
+                          .is_finished = trial.outcome == Outcome::reached_goal});
+  }
+  const std::vector<std::size_t> order = flight_order(candidates);
+  std::size_t done = 0;
+  while (done < order.size() && !filling.is_full()) {
+    std::vector<std::string> keys;
+    for (std::size_t i = done; i < std::min(done + kFlightsAtOnce, order.size()); ++i) {
+      keys.push_back(sweep.result.trials[order[i]].key);
+    }
+    for (PackedFlight& packed : reader.read(keys)) {
+      // Those that were read beyond the page's end are left out, however many they are.
+      if (filling.is_full()) break;
+      add_flight(std::move(packed), sweep_index, order[done++], databases, filling);
+    }
+  }
+  filling.left_out += order.size() - done;
+}
+
+}  // namespace
+
+std::size_t PageScenes::add_world(const World& world) {
+  worlds.push_back(world_json(world, meshes));
+  return worlds.size() - 1;
+}
+
+ordered_json PageScenes::world_of(const StoredTrial& stored, const ReplayFiles& files) {
+  const auto [entry, is_new] = world_index_.emplace(stored.world_digest, nullptr);
+  if (!is_new) return entry->second;
+  try {
+    const StoredTrial placed = with_files(stored, files);
+    const World world = make_world(placed.spec.map, placed.spec.map_seed);
+    if (triangle_count(world) > kMostPageTriangles) {
+      throw InputError("it has more than " + counted(kMostPageTriangles, "triangle"));
+    }
+    if (world.digest != stored.world_digest) {
+      warnings.push_back(
+          "a map is not the one that was flown: this program makes another one of "
+          "its spec, or its file has changed");
+    }
+    entry->second = add_world(world);
+  } catch (const InputError& error) {
+    warnings.push_back(std::string("a map is not shown: ") + error.what());
+  }
+  return entry->second;
+}
+
+std::size_t PageScenes::rig_of(const TrialSpec& spec) {
+  ordered_json cameras = ordered_json::array();
+  for (const RigCamera& camera : rig_cameras(spec.sensor)) cameras.push_back(camera_json(camera));
+  const ordered_json rig = {{"body", spec.vehicle.body_size_m}, {"cameras", cameras}};
+  const auto [entry, is_new] = rig_index_.emplace(rig.dump(), rigs.size());
+  if (is_new) rigs.push_back(rig);
+  return entry->second;
+}
+
+ordered_json page_start(std::string_view kind, const std::string& title, const PageOrigin& origin) {
+  return {{"format", 1},
+          {"kind", kind},
+          {"title", title},
+          {"program",
+           {{"version", origin.version}, {"git", origin.git_hash}, {"compiler", origin.compiler}}},
+          {"command", origin.command}};
+}
+
+void add_scenes(PageScenes scenes, ordered_json& page) {
+  page["worlds"] = std::move(scenes.worlds);
+  page["meshes"] = scenes.meshes.json();
+  page["rigs"] = std::move(scenes.rigs);
+  // A map of many flights is warned of once.
+  std::sort(scenes.warnings.begin(), scenes.warnings.end());
+  scenes.warnings.erase(std::unique(scenes.warnings.begin(), scenes.warnings.end()),
+                        scenes.warnings.end());
+  page["scene_warnings"] = std::move(scenes.warnings);
+}
+
+ordered_json sweeps_page(const std::vector<PageSweep>& sweeps,
+                         std::span<const PageDatabase> databases, const PageOrigin& origin,
+                         std::size_t limit_bytes) {
+  std::string title;
+  for (const PageSweep& sweep : sweeps) title += (title.empty() ? "" : ", ") + sweep.summary.name;
+  ordered_json page = page_start("sweep", title, origin);
+  ordered_json all = ordered_json::array();
+  std::size_t table_bytes = 0;
+  for (const PageSweep& sweep : sweeps) {
+    all.push_back(sweep_json(sweep));
+    table_bytes += all.back().dump(-1, ' ', false, ordered_json::error_handler_t::replace).size();
+  }
+  Filling filling;
+  filling.limit = limit_bytes > table_bytes ? limit_bytes - table_bytes : 0;
+  FlightReader reader(databases);
+  for (std::size_t i = 0; i < sweeps.size(); ++i) {
+    add_flights(sweeps[i], i, databases, reader, filling);
+  }
+  page["sweeps"] = std::move(all);
+  page["flights"] = std::move(filling.flights);
+  page["flights_left_out"] = filling.left_out;
+  add_scenes(std::move(filling.scenes), page);
+  return page;
+}
+
+ordered_json map_page(const World& world, const TrialSpec& trial, std::span<const Mission> missions,
+                      const std::string& title, const PageOrigin& origin) {
+  ordered_json page = page_start("map", title, origin);
+  ordered_json listed = ordered_json::array();
+  for (std::size_t i = 0; i < missions.size(); ++i) {
+    listed.push_back({{"index", i},
+                      {"start", to_array(missions[i].start_world)},
+                      {"goal", to_array(missions[i].goal_world)},
+                      {"reference_m", nullptr}});
+  }
+  page["missions"] = std::move(listed);
+  page["goal_radius"] = trial.mission.goal_radius_m;
+  page["digest"] = world.digest;
+  page["flights"] = ordered_json::array();
+  PageScenes scenes;
+  scenes.add_world(world);
+  scenes.rig_of(trial);
+  add_scenes(std::move(scenes), page);
+  return page;
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "page/flight_reading.hpp"
+#include "page/sweep_data.hpp"
+#include "page/world_data.hpp"
+#include "replay/replay.hpp"
+#include "trial/mission.hpp"
+
+namespace avoidbench {
+
+/// What made a page: it says so on itself.
+struct PageOrigin {
+  std::string version, git_hash, compiler, command;
+};
+
+/// What several flights of a page share: maps, their meshes, and rigs (a body with its cameras),
+/// each once. Maps that can't be made are left out, with a line in `warnings`.
+class PageScenes {
+ public:
+  /// Index of the map of the trial, null where it can't be had. `files` say where maps from files
+  /// are looked for.
+  nlohmann::ordered_json world_of(const StoredTrial& stored, const ReplayFiles& files);
+  std::size_t add_world(const World& world);
+  std::size_t rig_of(const TrialSpec& spec);
+
+  nlohmann::ordered_json worlds = nlohmann::ordered_json::array();
+  nlohmann::ordered_json rigs = nlohmann::ordered_json::array();
+  MeshStore meshes;
+  std::vector<std::string> warnings;
+
+ private:
+  std::map<std::string, nlohmann::ordered_json> world_index_;  ///< by the digest of the world
+  std::map<std::string, std::size_t> rig_index_;
+};
+
+/// The data of a page of sweeps; `limit_bytes` is what all flights and maps together may take.
+nlohmann::ordered_json sweeps_page(const std::vector<PageSweep>& sweeps,
+                                   std::span<const PageDatabase> databases,
+                                   const PageOrigin& origin, std::size_t limit_bytes);
+
+/// The data of a page of one map with some of its missions.
+nlohmann::ordered_json map_page(const World& world, const TrialSpec& trial,
+                                std::span<const Mission> missions, const std::string& title,
+                                const PageOrigin& origin);
+
+/// What every page begins with.
+nlohmann::ordered_json page_start(std::string_view kind, const std::string& title,
+                                  const PageOrigin& origin);
+/// Puts the scenes' maps, meshes, rigs and warnings into a page.
+void add_scenes(PageScenes scenes, nlohmann::ordered_json& page);
+
+}  // namespace avoidbench

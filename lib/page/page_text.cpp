@@ -1,0 +1,74 @@
+#include "page/page_text.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "base/input_error.hpp"
+
+namespace avoidbench {
+
+void require(const PageProgram& program) {
+  if (!program.missing.empty()) throw InputError(std::string(program.missing));
+}
+
+std::string html_text(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      case '\'':
+        out += "&#39;";
+        break;
+      default:
+        out += c;
+    }
+  }
+  return out;
+}
+
+std::string script_safe(const nlohmann::ordered_json& json) {
+  const std::string text =
+      json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  std::string out;
+  out.reserve(text.size() + text.size() / 64);
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const std::string_view rest = std::string_view(text).substr(i, 3);
+    if (text[i] == '<') {
+      out += "\\u003c";
+    } else if (text[i] == '>') {
+      out += "\\u003e";
+    } else if (text[i] == '&') {
+      out += "\\u0026";
+    } else if (rest == "\xe2\x80\xa8" || rest == "\xe2\x80\xa9") {
+      // U+2028 and U+2029 end lines in scripts.
+      out += rest == "\xe2\x80\xa8" ? "\\u2028" : "\\u2029";
+      i += 2;
+    } else {
+      out += text[i];
+    }
+  }
+  return out;
+}
+
+std::string page_text(const PageProgram& program, std::string_view title,
+                      const nlohmann::ordered_json& data) {
+  require(program);
+  std::string page(program.head);
+  page += html_text(title);
+  page += program.body;
+  page += script_safe(data);
+  page += program.tail;
+  return page;
+}
+
+}  // namespace avoidbench

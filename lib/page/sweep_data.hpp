@@ -1,0 +1,37 @@
+#pragma once
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "report/summary.hpp"
+#include "table/table.hpp"
+
+namespace avoidbench {
+
+/// One sweep of a page.
+struct PageSweep {
+  SweepSummary summary;
+  Section section;     ///< its tables, as `report` gives them
+  SweepResult result;  ///< its trials, those that the report is of, with the fields `axes`
+  std::vector<std::string> axes;
+  std::map<std::string, TrialListing> listing_of;  ///< by trial key
+  std::vector<RunRow> runs;                        ///< that flew it, the first one first
+  /// By trial key, of trials whose failure has been explained: one line.
+  std::map<std::string, std::string> cause_of = {};
+};
+
+/// All of a sweep but its flights: tables, curves, planners, maps, and of each trial its numbers.
+nlohmann::ordered_json sweep_json(const PageSweep& sweep);
+
+/// For each trial of the result the index of its planner, or of its map.
+std::vector<std::size_t> planners_of(const SweepResult& result);
+std::vector<std::size_t> maps_of(const SweepResult& result);
+
+/// "forest, seed 1, radius 3.5 m"
+std::string map_text(const MapRow& map);
+
+nlohmann::ordered_json mission_json(const MissionRecord& mission);
+
+}  // namespace avoidbench

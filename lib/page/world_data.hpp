@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "world/world.hpp"
+
+namespace avoidbench {
+
+/// Steps of a mesh's coordinates along each side of its box: 12 bits.
+inline constexpr std::int64_t kMeshSteps = 4095;
+
+/// Meshes of a page, each once: forests share their plants, halls the shape of their cylinders.
+class MeshStore {
+ public:
+  /// The mesh within its box, whose corners are rounded to its steps; its index.
+  std::size_t add(const Prototype& prototype);
+  nlohmann::ordered_json json() const { return meshes_; }
+
+ private:
+  std::map<std::string, std::size_t> index_of_;  ///< by its text
+  nlohmann::ordered_json meshes_ = nlohmann::ordered_json::array();
+};
+
+/// Triangles, all instances counted, above which a map is not put into a page.
+inline constexpr std::size_t kMostPageTriangles = 3'000'000;
+
+/// A map for a page: instances of the store's meshes, what moves, bounds.
+nlohmann::ordered_json world_json(const World& world, MeshStore& meshes);
+
+}  // namespace avoidbench
