@@ -180,7 +180,7 @@ class SceneFlights {
       flight.job.spec = write_map(sets[now], tried[now]);
       return flight;
     };
-    const auto ended = [&](std::size_t now, ApartFlight flight) {
+    const auto ended = [&](std::size_t now, const ApartFlight& flight) {
       if (!flight.killed_by.empty()) {
         throw InputError("the worker that flew was killed, " + flight.killed_by +
                          ": run the same command again, with fewer workers if memory is short");

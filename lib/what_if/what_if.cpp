@@ -189,7 +189,7 @@ WhatIfRun fly_what_ifs(WhatIfPlan& plan, Database& database, const WhatIfSource&
     digests[index] = flight.job.spec.planner.file_digest;
     return FleetFlight{.index = index, .job = std::move(flight.job), .needs = flight.needs};
   };
-  const auto ended = [&](std::size_t index, ApartFlight flight) {
+  const auto ended = [&](std::size_t index, const ApartFlight& flight) {
     WhatIfFlight& planned = plan.flights[index];
     const WhatIfTrial& trial = plan.trials[planned.trial];
     flown(++done, order.size());
