@@ -102,4 +102,21 @@ StoredTrial possible_trial(const Database& database, const std::string& key) {
   return stored;
 }
 
+void add_file_options(CLI::App& command, FileChoice& files) {
+  command
+      .add_option("--library", files.planner,
+                  "Fly this planner library (default: what the sweep's name of it leads to, if "
+                  "that is the file that was flown)")
+      ->type_name("NAME|FILE");
+  command
+      .add_option("--map-file", files.map,
+                  "File of the map (default: by its name beside sweep and database, or in maps/)")
+      ->type_name("FILE");
+  command
+      .add_option(
+          "--wind-file", files.wind,
+          "File of the wind field (default: by its name, as the map's, or in configs/wind/)")
+      ->type_name("FILE");
+}
+
 }  // namespace avoidbench

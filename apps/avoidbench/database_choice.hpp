@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "commands.hpp"
 #include "replay/replay.hpp"
 #include "store/database.hpp"
 
@@ -22,6 +23,13 @@ Database open_checked(const std::filesystem::path& path);
 
 /// The databases, opened so, or the newest one where none is given.
 std::vector<Database> opened(const std::vector<std::string>& files, const std::string& purpose);
+
+/// Files to fly stored trials with, where they are to be others than those that are found.
+struct FileChoice {
+  std::string planner, map, wind;
+};
+/// --library, --map-file, --wind-file.
+void add_file_options(CLI::App& command, FileChoice& files);
 
 /// The stored trial, ready to be flown. Throws InputError as read_stored_trial() does, and where
 /// its spec contradicts itself as no sweep file may.

@@ -18,9 +18,9 @@ void explain_trials(const ExplainOptions& options) {
 
 ReplayFiles explain_files(const ExplainOptions& options, const Database& database) {
   const std::filesystem::path given = options.database;
-  return {.planner = options.planner_file,
-          .map = options.map_file,
-          .wind = options.wind_file,
+  return {.planner = options.files.planner,
+          .map = options.files.map,
+          .wind = options.files.wind,
           .folders = {".", given.parent_path(), database.path().parent_path()},
           .database = database.path()};
 }
@@ -59,17 +59,7 @@ void add_explain_command(CLI::App& app) {
                    "collision, where it came nearest to the goal before a time-out")
       ->type_name("FILE");
   add_what_if_options(*command, *options);
-  command
-      ->add_option("--library", options->planner_file,
-                   "Fly this planner library (default: what the sweep's name of it leads to, if "
-                   "that is the file that was flown)")
-      ->type_name("NAME|FILE");
-  command
-      ->add_option("--map-file", options->map_file,
-                   "File of the map (default: by its name beside sweep and database, or in maps/)")
-      ->type_name("FILE");
-  command->add_option("--wind-file", options->wind_file, "File of the wind field, likewise")
-      ->type_name("FILE");
+  add_file_options(*command, options->files);
   add_output_options(*command, options->output);
   command->callback([options] { explain_trials(*options); });
 }

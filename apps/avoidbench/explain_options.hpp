@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "command_options.hpp"
+#include "database_choice.hpp"
 #include "export/trial_list.hpp"
 #include "replay/replay.hpp"
 #include "store/database.hpp"
@@ -17,7 +18,7 @@ struct ExplainOptions {
   std::string database;
   TrialChoice choice;
   OutputOptions output;
-  std::string planner_file, map_file, wind_file;
+  FileChoice files;
   std::string png;
   int jobs = 0;
   double plan_timeout_s = 10.0;

@@ -46,7 +46,7 @@ struct ReplayOptions {
   bool is_list = false, is_verify = false;
   std::string sample = "100%";
   OutputOptions output;
-  std::string planner_file, map_file, wind_file;
+  FileChoice files;
   std::string png, csv, commands, page, video;
   std::vector<double> at_s;
   double every_s = 0.0;
@@ -411,9 +411,9 @@ void replay(const ReplayOptions& options) {
         options.output);
   }
   const std::filesystem::path given = options.database;
-  const ReplayFiles files{.planner = options.planner_file,
-                          .map = options.map_file,
-                          .wind = options.wind_file,
+  const ReplayFiles files{.planner = options.files.planner,
+                          .map = options.files.map,
+                          .wind = options.files.wind,
                           .folders = {".", given.parent_path(), database.path().parent_path()},
                           .database = database.path()};
   if (options.is_verify) {
@@ -549,20 +549,7 @@ void add_replay_command(CLI::App& app) {
                    "crashed or hung, which is flown in a process of its own")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  command
-      ->add_option("--library", options->planner_file,
-                   "Fly this planner library (default: what the sweep's name of it leads to, if "
-                   "that is the file that was flown)")
-      ->type_name("NAME|FILE");
-  command
-      ->add_option("--map-file", options->map_file,
-                   "File of the map (default: by its name beside sweep and database, or in maps/)")
-      ->type_name("FILE");
-  command
-      ->add_option(
-          "--wind-file", options->wind_file,
-          "File of the wind field (default: by its name, as the map's, or in configs/wind/)")
-      ->type_name("FILE");
+  add_file_options(*command, options->files);
   add_output_options(*command, options->output);
   command->callback([options] { replay(*options); });
 }

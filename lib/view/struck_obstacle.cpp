@@ -1,37 +1,12 @@
 #include "view/struck_obstacle.hpp"
 
-#include <algorithm>
-#include <iterator>
-
+#include "explain/struck_patch.hpp"
 #include "text/number_text.hpp"
 
 namespace avoidbench {
 namespace {
 
 constexpr Color kStruck{220, 20, 30}, kRim{255, 255, 255};
-
-/// Where the body's centre was at a moment between two samples.
-Eigen::Vector3d body_at(const TrialRecord& record, double time_s) {
-  const auto after = std::upper_bound(record.samples.begin(), record.samples.end(), time_s,
-                                      [](double time, const Sample& s) { return time < s.time_s; });
-  const Sample& last = after == record.samples.begin() ? *after : *std::prev(after);
-  // Samples are periods apart: constant velocity since the last one.
-  return last.position_world + (time_s - last.time_s) * last.velocity_world;
-}
-
-/// The obstacle's instances alone, at a moment.
-World alone(const World& world, std::int64_t obstacle, double time_s) {
-  World struck = world;
-  for (const Motion& motion : world.motions) {
-    struck.instances[motion.instance].T_world_prototype.translation() +=
-        displacement_world(motion, time_s).cast<float>();
-  }
-  struck.motions.clear();
-  std::erase_if(struck.instances, [&](const Instance& instance) {
-    return static_cast<std::int64_t>(instance.obstacle) != obstacle;
-  });
-  return struck;
-}
 
 }  // namespace
 
@@ -57,7 +32,8 @@ std::unique_ptr<StruckObstacle> struck_obstacle(const World& world, const TrialR
   World struck = alone(world, last.obstacle, last.time_s);
   if (struck.instances.empty()) return nullptr;
   return std::make_unique<StruckObstacle>(std::move(struck), last.time_s,
-                                          body_at(record, last.time_s), last);
+                                          body_pose_at(record.samples, last.time_s).translation(),
+                                          last);
 }
 
 void draw_struck(const StruckObstacle& struck, Panel& panel) {
