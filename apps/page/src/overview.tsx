@@ -181,7 +181,7 @@ function Reasons({ sweep, chosen, open }: Props): JSX.Element | null {
   const planners = byPlanner(sweep, chosen).map((p) => p.planner);
   return (
     <Figure name="reasons" wide title={cause ? 'Causes of failures' : 'Reasons of failures'}
-      note={`Reasons that differ in their numbers only count as one${sorted.length > shown.length ? `; the ${shown.length} most frequent of ${sorted.length}` : ''}.`}
+      note={`${cause ? 'As avoidbench explain tells them, with the outcome' : 'Reasons that differ in their numbers only count as one'}${sorted.length > shown.length ? `; the ${shown.length} most frequent of ${sorted.length}` : ''}.`}
       numbers={{ head: ['reason', 'trials', ...planners.map((p) => sweep.planners[p].label)],
         rows: sorted.map(([name, g]) => [name, g.count, ...planners.map((p) => g.parts.get(p) ?? 0)]) }}>
       <Legend items={planners.map((p) => ({ label: sweep.planners[p].label, color: plannerColor(p) }))} />
