@@ -11,7 +11,9 @@ CREATE VIEW trial_table AS
            AS obstacle_density_1pm2,
          t.mission_index, i.start_x_m, i.start_y_m, i.start_z_m, i.goal_x_m, i.goal_y_m, i.goal_z_m,
          i.reference_length_m, i.traversability_obstruction, i.view_occlusion, i.angle_over_length_1pm,
-         t.outcome, t.outcome = 'reached_goal' AS is_finished, t.reason, t.end_time_s{metrics},
+         t.outcome, t.outcome = 'reached_goal' AS is_finished, t.reason,
+         (SELECT e.cause FROM explanations e WHERE e.trial_key = t.trial_key) AS cause,  -- NULL where it is not told
+         t.end_time_s{metrics},
          p.name AS planner_name, p.version AS planner_version, p.is_privileged, r.program_version, r.git_hash,
          t.attempt, t.map_key, t.planner_key,
          t.rowid AS trial_id,  -- for people: of this file, as long as it is not rebuilt

@@ -17,7 +17,7 @@ import pandas as pd
 from avoidbench.database_file import SweepChoice
 
 _TEXTS = frozenset((
-    "sweep", "planner", "generator", "outcome", "reason", "planner_name", "planner_version",
+    "sweep", "planner", "generator", "outcome", "reason", "cause", "planner_name", "planner_version",
     "program_version", "git_hash", "map_key", "planner_key", "trial_key", "world_digest", "spec_json",
     "invalid_reason"))
 _COUNTS = frozenset(("revision", "mission_index", "attempt", "trial_id", "obstacle_count", "triangle_count",
@@ -73,7 +73,7 @@ def trials_of_csv(data: bytes, text_axes: Collection[str]) -> pd.DataFrame:
 def no_trials(metrics: Sequence[str]) -> pd.DataFrame:
     """A table of no trials, for a sweep of which none has finished yet."""
     header = ("sweep", "revision", "planner", "generator", "map_seed", "mission_index", "outcome", "is_finished",
-              "reason", "end_time_s", *metrics, "attempt", "map_key", "planner_key", "trial_id", "trial_key")
+              "reason", "cause", "end_time_s", *metrics, "attempt", "map_key", "planner_key", "trial_id", "trial_key")
     return trials_of_csv((",".join(header) + "\r\n").encode(), ())
 
 

@@ -82,6 +82,16 @@ def test_trials_are_those_of_the_programs_export(tiny: avoidbench.Results, progr
     assert tiny.trials["collision_speed_mps"].dtype == np.float64
 
 
+def test_causes_are_texts(copy_db: Path, program: Program) -> None:
+    assert set(avoidbench.read(copy_db).trials["cause"]) == {""}, "none is told"
+    program("explain", copy_db)
+    results = avoidbench.read(copy_db)
+    assert_same(results.trials, rows_of_csv(program("export", "trials", copy_db)))
+    failed = ~results.trials["is_finished"]
+    assert failed.any() and all(results.trials.loc[failed, "cause"] != "")
+    assert set(results.trials.loc[~failed, "cause"]) <= {""}
+
+
 def test_trials_of_axes_revisions_and_odd_labels(odd: avoidbench.Results, program: Program) -> None:
     for chosen, name in ((odd, ""), (odd.sweep("odd"), "odd"), (odd.sweep("odd", 1), "odd@1"),
                          (odd.sweep("odd", 2), "odd@2"), (odd.sweep("other"), "other")):
