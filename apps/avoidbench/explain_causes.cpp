@@ -19,6 +19,7 @@
 #include "report/sweep_tables.hpp"
 #include "report/table_rows.hpp"
 #include "store/record_format.hpp"
+#include "sweep/allowance.hpp"
 #include "table/table_text.hpp"
 #include "text/visible_text.hpp"
 #include "text/words.hpp"
@@ -242,8 +243,7 @@ void show_all(const std::vector<TrialListing>& failures, const std::vector<Trial
 }
 
 std::size_t jobs_of(const ExplainOptions& options) {
-  if (options.jobs > 0) return static_cast<std::size_t>(options.jobs);
-  return std::max(1U, std::thread::hardware_concurrency());
+  return static_cast<std::size_t>(options.jobs > 0 ? options.jobs : allowed_cpus());
 }
 
 }  // namespace
