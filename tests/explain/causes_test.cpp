@@ -58,7 +58,7 @@ TEST(Causes, MovedInto) {
 
 TEST(Causes, TrackingWhereAGustCarriesItOffAClearPath) {
   World world = test::flight_world();
-  test::add_obstacle(world, test::box_mesh(Vector3f(0.4F, 10, 8)), {0.7F, 5, 4}, "wall");
+  test::add_obstacle(world, test::box_mesh(Vector3f(0.4F, 10, 8)), {0.7, 5, 4}, "wall");
   TrialSpec spec = spec_of<Silent>();
   spec.wind.force_world_n = {2.0, 0.0, 0.0};
   static std::vector<ab_point> points;
@@ -94,8 +94,8 @@ TEST(Causes, OutOfViewWhereItLooksElsewhere) {
 TEST(Causes, OccludedWhereAWallStandsBefore) {
   World world = test::flight_world();
   // Behind a wall of 3.4 m stands a box, into which the vehicle comes down from above.
-  test::add_obstacle(world, test::box_mesh(Vector3f(30, 0.2F, 3.4F)), {0, 5, 1.7F}, "wall");
-  test::add_obstacle(world, test::box_mesh(Vector3f(3, 3, 1)), {0, 7.2F, 0.5F}, "box");
+  test::add_obstacle(world, test::box_mesh(Vector3f(30, 0.2F, 3.4F)), {0, 5, 1.7}, "wall");
+  test::add_obstacle(world, test::box_mesh(Vector3f(3, 3, 1)), {0, 7.2, 0.5}, "box");
   Mission mission = test::straight_mission();
   mission.start_world.z() = 4.2;
   act = [](const ab_observation& seen) {
