@@ -10,8 +10,8 @@
 
 namespace avoidbench {
 
-/// Why a trial failed. Of collisions in the order in which the rules are tried, then of time-outs,
-/// then of the rest.
+/// Why a trial failed: of collisions, of time-outs, of the rest. docs/explain.md has the order in
+/// which the rules are tried.
 enum class Cause {
   moved_into,
   tracking,
