@@ -39,20 +39,30 @@ std::vector<bool> repeated(const std::vector<std::string>& keys) {
 
 bool is_ready(const MapPlan& map) { return map.record.has_value() && waiting_count(map) > 0; }
 
-/// Of these maps' groups the one with most trials, the first of several; null where none has any.
+/// The group with most trials, the first of several; the end where none has any.
+/// The largest first, so that the end of a run is not one long group on one worker.
+template <class Groups>
+auto largest(Groups& groups) {
+  const auto found = std::max_element(groups.begin(), groups.end(),
+                                      [](const TrialGroup& one, const TrialGroup& other) {
+                                        return one.waiting.size() < other.waiting.size();
+                                      });
+  return found == groups.end() || found->waiting.empty() ? groups.end() : found;
+}
+
+/// Of these maps' groups the largest; null where none has any trial.
 struct Largest {
   std::size_t map = 0;
   TrialGroup* group = nullptr;
 
   void look_at(Schedule& schedule, std::size_t index) {
-    if (!is_ready(schedule.maps[index])) return;
-    for (TrialGroup& candidate : schedule.maps[index].groups) {
-      // The largest first, so that the end of a run is not one long group on one worker.
-      const std::size_t most = group != nullptr ? group->waiting.size() : 0;
-      if (candidate.waiting.size() <= most) continue;
-      map = index;
-      group = &candidate;
-    }
+    MapPlan& there = schedule.maps[index];
+    if (!is_ready(there)) return;
+    const auto candidate = largest(there.groups);
+    const std::size_t most = group != nullptr ? group->waiting.size() : 0;
+    if (candidate->waiting.size() <= most) return;
+    map = index;
+    group = &*candidate;
   }
 };
 
@@ -160,6 +170,12 @@ std::optional<Assignment> next_assignment(Schedule& schedule, const Memory& memo
   for (std::size_t i = 0; i < schedule.maps.size(); ++i) anywhere.look_at(schedule, i);
   if (anywhere.group == nullptr) return std::nullopt;
   return taken(anywhere.map, *anywhere.group);
+}
+
+std::string first_planner(const Schedule& schedule, std::size_t map) {
+  const std::vector<TrialGroup>& groups = schedule.maps[map].groups;
+  const auto first = largest(groups);
+  return first == groups.end() ? std::string() : first->planner_label;
 }
 
 void give_back(Schedule& schedule, const Assignment& assignment) {

@@ -97,8 +97,10 @@ void hand_out(Desk& desk, Seat& seat) {
   if (!assignment) return;
   const Memory next = memory_after(run, *assignment);
   const std::string& flown = seat.memory.planner_label;
-  // A map job has no planner: the strictest rules.
-  const auto known = run.sandbox_rules.find(next.planner_label);
+  // A map job runs no planner's code: its process gets the rules of the planner that will fly there
+  // first, and stays for it with the map.
+  const auto known = run.sandbox_rules.find(
+      assignment->trial ? next.planner_label : first_planner(run.schedule, assignment->map));
   const SandboxRules rules = known == run.sandbox_rules.end() ? SandboxRules{} : known->second;
   const bool may_stay =
       flown.empty() || (flown == next.planner_label && !run.planners_with_globals.contains(flown));

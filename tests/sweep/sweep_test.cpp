@@ -320,6 +320,21 @@ TEST(Schedule, HandsOutEveryTrialOnceAfterItsMap) {
   EXPECT_EQ(trials.size(), 8U);
 }
 
+TEST(Schedule, NamesThePlannerThatFliesFirstWhereAMapIsMeasured) {
+  // Its worker gets that planner's sandbox, so that it need not be replaced and make the map twice.
+  const auto trials = expand(small_sweep());
+  Schedule schedule = make_schedule(trials, {trial_key(trials[0].spec())});
+  for (std::size_t map = 0; map < schedule.maps.size(); ++map) {
+    const std::string first = first_planner(schedule, map);
+    schedule.maps[map].record = MapRecord{};
+    const auto next = next_assignment(schedule, {.map = map, .planner_label = {}});
+    ASSERT_TRUE(next && next->trial);
+    EXPECT_EQ(schedule.trials[*next->trial].planner_label(), first);
+    for (TrialGroup& group : schedule.maps[map].groups) group.waiting.clear();
+    EXPECT_EQ(first_planner(schedule, map), "");
+  }
+}
+
 TEST(Schedule, LeavesOutWhatIsFinished) {
   const auto trials = expand(small_sweep());
   const Schedule schedule =
