@@ -67,8 +67,7 @@ struct Memory {
 /// nothing when all that is left waits for other workers.
 std::optional<Assignment> next_assignment(Schedule& schedule, const Memory& memory);
 
-/// The planner whose trials come first, of those left on this map, for a worker that has measured it;
-/// "" where none is left.
+/// The planner whose trials a worker that has measured this map gets first; "" where none is left.
 std::string first_planner(const Schedule& schedule, std::size_t map);
 
 /// The job was not done: it will be handed out again.
