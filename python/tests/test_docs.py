@@ -31,8 +31,9 @@ def test_blocks_of_the_page_run(tmp_path: Path) -> None:
     environment = {**os.environ, "MPLBACKEND": "Agg"}
     if "PYTHONPATH" in environment:  # the blocks run in another folder
         environment["PYTHONPATH"] = os.pathsep.join(os.path.abspath(part) for part in environment["PYTHONPATH"].split(os.pathsep))
-    done = subprocess.run([sys.executable, "-c", _DRIVER, str(PAGE)], input=repr(listed), cwd=tmp_path, env=environment,
-                          capture_output=True, text=True, timeout=560)
+    # UTF-8 at both ends, in the locale "C" too: tables of results have dashes.
+    done = subprocess.run([sys.executable, "-X", "utf8", "-c", _DRIVER, str(PAGE)], input=repr(listed), cwd=tmp_path, env=environment,
+                          capture_output=True, encoding="utf-8", timeout=560)
     assert done.returncode == 0, done.stderr
     for name in ("paths.png", "rates.png", "last_view.png"):
         assert (tmp_path / name).stat().st_size > 100
