@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import warnings
 from collections.abc import Callable
@@ -38,8 +39,10 @@ Program = Callable[..., bytes]
 @pytest.fixture(scope="session")
 def program() -> Program:
     """Runs the program itself, apart from the package, and gives its standard output."""
+    # Without the sanitizers' runtime, which is loaded before Python: it does not live through forks beside threads, and the program forks.
+    environment = {name: value for name, value in os.environ.items() if name != "LD_PRELOAD"}
     def run_it(*arguments: object) -> bytes:
-        return subprocess.run([find_program(), *map(str, arguments)], check=True, capture_output=True).stdout
+        return subprocess.run([find_program(), *map(str, arguments)], check=True, capture_output=True, env=environment).stdout
     return run_it
 
 
