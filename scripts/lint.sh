@@ -1,15 +1,17 @@
 #!/usr/bin/env bash
-# lint.sh [FILE…]: clang-format and clang-tidy over the given sources (clang-tidy over their neighbours too), or over all.
-# --format-only: no clang-tidy.
+# lint.sh [FILE…|--all]: clang-format and clang-tidy over the given sources (clang-tidy over their neighbours too), or over all. Without
+# arguments clang-tidy looks at what changed (changed_files.sh; of a changed header at its folder) and at a rotating eighth of the rest.
+#   --format-only    no clang-tidy
 # Both of version 14 only: others format otherwise and have other checks. Without it only torn comments are found, which is said.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 version=14
-format_only=0 asked=()
+format_only=0 all=0 asked=()
 for argument in "$@"; do
   case "$argument" in
     --format-only) format_only=1 ;;
+    --all) all=1 ;;
     *) asked+=("$argument") ;;
   esac
 done
@@ -52,9 +54,16 @@ tidy=$(of_version clang-tidy)
 python=OFF folders=(lib apps planners)
 [ ! -x build/venv/bin/python ] || { python=ON; folders+=(python); }
 cmake --preset clang -B build/tidy -DAVOIDBENCH_UNITY=ON -DAVOIDBENCH_TESTS=OFF -DAVOIDBENCH_BENCH=OFF -DAVOIDBENCH_PYTHON=$python >/dev/null
-mapfile -t units < <(find "${folders[@]/#/build/tidy/}" -name 'unity_*.cxx' | sort)
+mapfile -t every < <(find "${folders[@]/#/build/tidy/}" -name 'unity_*.cxx' | sort)
+# units_with TEXT…: the units in whose includes one of these stands.
+units_with() { [ $# -eq 0 ] || grep -lF "${@/#/-e}" "${every[@]}" || true; }
 if [ ${#asked[@]} -gt 0 ]; then
-  mapfile -t units < <(grep -lF "${asked[@]/#/-e}" "${units[@]}" || true)
+  mapfile -t units < <(units_with "${asked[@]}")
+elif [ $all = 1 ]; then
+  units=("${every[@]}")
+else
+  mapfile -t changed < <(scripts/changed_files.sh | grep -E '^(lib|apps|planners|python)/.*\.(cpp|hpp|h|c)$' | sed -E 's|/[^/]*\.h(pp)?$|/|' | sort -u)
+  mapfile -t units < <({ units_with "${changed[@]}"; printf '%s\n' "${every[@]}" | scripts/rotating_eighth.sh; } | sort -u)
 fi
 [ ${#units[@]} -gt 0 ] || { echo "nothing to check"; exit 0; }
 tidy_unit() {
@@ -65,4 +74,4 @@ tidy_unit() {
 export -f tidy_unit
 export tidy
 printf '%s\n' "${units[@]}" | xargs -P "$(nproc)" -I{} bash -c 'tidy_unit {}'
-echo "$(cat "${units[@]}" | grep -c '^#include') files tidy"
+echo "$(cat "${units[@]}" | grep -c '^#include') files tidy (${#units[@]} of ${#every[@]} units)"

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds everything with both compilers and runs all tests. The last lines are the test runner's summary.
-# Sources are compiled eight at a time. The sanitizers look at what changed (scripts/changed_files.sh) and at a rotating eighth of the rest.
-#   --all    each source is compiled by itself with clang, the tests labelled slow run too, the sanitizers look at everything, and the
-#            fuzz targets run for a minute each (an hour): for every night
+# Sources are compiled eight at a time. clang-tidy and the sanitizers look at what changed (scripts/changed_files.sh) and at a rotating
+# eighth of the rest.
+#   --all    each source is compiled by itself with clang, the tests labelled slow run too, clang-tidy and the sanitizers look at
+#            everything, and the fuzz targets run for a minute each: for every night
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -31,7 +32,7 @@ stage "build the program and planners with clang (build/clang), for its warnings
 cmake --preset clang "-DAVOIDBENCH_UNITY=$unity" >/dev/null
 cmake --build build/clang --parallel "$jobs" --target program
 stage "clang-tidy"
-scripts/lint.sh
+scripts/lint.sh "${all[@]}"
 stage "sanitizers"
 scripts/sanitize.sh "${all[@]}"
 if [ ${#all[@]} -gt 0 ]; then

@@ -181,7 +181,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       "ignore_check_constraints = ON; PRAGMA foreign_keys = OFF");
   Bytes bytes{data, size};
   const std::uint8_t first = bytes.next();
-  const bool keeps_digests = first / 4 % 4 == 0;
+  const bool keeps_digests = first / kCommandCount % 4 == 0;
   while (bytes.size > 0) edit(handle, base, bytes);
   if (!keeps_digests) run(handle, "UPDATE trials SET row_digest = NULL, flight_digest = NULL");
   run(handle,
@@ -189,6 +189,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       "W', "
       "') STRICT, W'), ') /*S*/', ') STRICT') WHERE type = 'table'");
   sqlite3_close(handle);
-  read_as_command_does(first % 4, file);
+  read_as_command_does(first % kCommandCount, file);
   return 0;
 }

@@ -53,13 +53,14 @@ int main(int argc, char** argv) {
   fuzz::write_sample_database(sample);
   std::ifstream file(sample, std::ios::binary);
   std::string content{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  for (char command = 0; command < 4; ++command) {
+  for (char command = 0; command < fuzz::kCommandCount; ++command) {
     content[80] = command;  // of the header, without meaning; the target takes the sum of all bytes
     write(databases / ("sample" + std::to_string(command) + ".db"), content);
   }
   for (char column = 0; column < 100; ++column) {
     for (char kind = 0; kind < 8; ++kind) {
-      const auto first = static_cast<char>(4 + (column + kind) % 4);  // without digests
+      const auto first = static_cast<char>(
+          fuzz::kCommandCount + (column + kind) % fuzz::kCommandCount);  // without digests
       const std::string bytes{first, 1, column, 7, kind, 5, 40, 3, '1', '}', '9', '-'};
       write(edits / (std::to_string(column) + "_" + std::to_string(kind)), bytes);
     }

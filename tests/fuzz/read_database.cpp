@@ -11,6 +11,8 @@
 #include "compare/trial_table.hpp"
 #include "export/export_trials.hpp"
 #include "export/ompl_log.hpp"
+#include "page/page.hpp"
+#include "page/page_text.hpp"
 #include "replay/replay.hpp"
 #include "report/summary.hpp"
 #include "report/sweep_tables.hpp"
@@ -79,6 +81,31 @@ void replay(const Database& db) {
   for (const TrialListing& trial : db.list_trials()) {
     pass_over_input_errors([&] { read_stored_trial(db, trial.key); });
   }
+}
+
+/// A page of each sweep, as `report --page` makes it, and what `explain` has stored.
+void page_and_causes(const Database& db) {
+  std::map<std::string, TrialListing> listings;
+  pass_over_input_errors([&] {
+    for (const TrialListing& trial : db.list_trials()) listings.emplace(trial.key, trial);
+  });
+  for (const SweepInfo& sweep : db.read_sweeps()) {
+    pass_over_input_errors([&] {
+      const SweepResult result = db.read_sweep(sweep.name, sweep.revision, {"cause", "map_seed"});
+      const SweepSummary summary = summarize(result, ReportQuery{});
+      const std::vector<PageSweep> sweeps{{.summary = summary,
+                                           .section = sweep_section(summary),
+                                           .result = result,
+                                           .axes = {"map_seed"},
+                                           .listing_of = listings,
+                                           .runs = {run_row()}}};
+      const std::vector<PageDatabase> places{{.database = &db, .files = {}}};
+      page_text({"<head>", "<body>", "<tail>"}, "title",
+                sweeps_page(sweeps, places, PageOrigin{}, 100'000));
+    });
+  }
+  pass_over_input_errors([&] { db.read_explanations(); });
+  pass_over_input_errors([&] { db.read_what_ifs(); });
 }
 
 void merge(const std::filesystem::path& file) {
@@ -159,6 +186,20 @@ void write_sample_database(const std::filesystem::path& file) {
         row.spec_json = trial_json(spec);
         row.record.samples.resize(4);
         db.add_trial(row);
+        if (!collides) continue;
+        db.add_explanation({.trial_key = row.key,
+                            .cause = "trap",
+                            .facts_json = R"({"braking_distance_m":1.5})",
+                            .rules_version = 1,
+                            .record_digest = key_of("flight")});
+        db.add_what_if({.trial_key = row.key,
+                        .change = "true_depth",
+                        .outcome = Outcome::reached_goal,
+                        .reason = "",
+                        .end_time_s = 9.5,
+                        .program_version = "0.1.0",
+                        .planner_digest = key_of("so"),
+                        .record_digest = key_of("changed flight")});
       }
     }
   }
@@ -179,6 +220,7 @@ void read_as_command_does(int command, const std::filesystem::path& file) {
     const Database db = Database::open_for_reading(file);
     if (command == 0) report(db);
     if (command == 1) compare_and_export(db);
+    if (command == 4) page_and_causes(db);
     if (command != 2) return;
     pass_over_input_errors([&] { replay(db); });
     pass_over_input_errors([&] { check_digests(db, true); });
