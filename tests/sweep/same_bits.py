@@ -64,7 +64,7 @@ def image_digests(program, folder):
 
 def main():
     sweep, runs = sys.argv[1], sys.argv[2:]
-    found = []
+    found, without_workers = [], {}
     with tempfile.TemporaryDirectory() as folder:
         for number, run in enumerate(runs):
             program, _, jobs = run.rpartition(":")
@@ -73,8 +73,10 @@ def main():
             subprocess.run(run_all + ["--db", database, "--set", "trials=2"], check=True)
             noisy = pathlib.Path(folder) / f"{number}_noisy.db"
             subprocess.run(run_all + ["--db", noisy] + NOISY, check=True)
+            if program not in without_workers:
+                without_workers[program] = {"world": world_digests(program), "image": image_digests(program, folder)}
             found.append(rows(database) | {f"noisy {kind}": values for kind, values in rows(noisy).items()} |
-                         {"world": world_digests(program), "image": image_digests(program, folder)})
+                         without_workers[program])
     if not found[0]["trial"]:
         sys.exit("no trials")
     different = 0
