@@ -88,16 +88,15 @@ FieldTree mission_list_key() {
        {"or", "mission: {list: [{start: [2, 1, 1.5], goal: [20, 12, 2], yaw_deg: 90}]}"},
        {"axis", "no: all missions are flown for each setting"},
        {"see", "docs/sweep_files.md, Missions of your own"}});
-  FieldTree element;
-  const auto add = [&](FieldTree field) { element.fields.push_back(std::move(field)); };
   using Place = std::array<double, 3>;
   const Range places_m{-kFarthestPlace_m, kFarthestPlace_m};
-  add(FieldCollector::described("map", std::string(), {},
-                                "Which map it is of; left out: of each."));
-  add(FieldCollector::described("start", Place{}, places_m, "Where it begins, hovering, m."));
-  add(FieldCollector::described("goal", Place{}, places_m, "Where to, m."));
-  add(FieldCollector::described("yaw_deg", 0.0, Range{-360, 360},
-                                "Heading at the start, from x toward y; left out: to the goal."));
+  FieldTree element;
+  element.fields = {
+      FieldCollector::described("map", std::string(), {}, "Which map it is of; left out: of each."),
+      FieldCollector::described("start", Place{}, places_m, "Where it begins, hovering, m."),
+      FieldCollector::described("goal", Place{}, places_m, "Where to, m."),
+      FieldCollector::described("yaw_deg", 0.0, Range{-360, 360},
+                                "Heading at the start, from x toward y; left out: to the goal.")};
   key.fields.push_back(std::move(element));
   return key;
 }
@@ -173,6 +172,11 @@ FieldTree make_sweep_tree() {
                   {"example", "trials: 30"}};
   seeds.name = "seeds";
   seeds.doc = "Map seeds as a list, or how many of them, from 1; each is a map.";
+  seeds.facts = {{"type", "how many, or a list or range of them"},
+                 {"default", "[1]"},
+                 {"example", "maps: {seeds: 3}"},
+                 {"axis", "maps: {seeds: [1, 5, 9]}"},
+                 {"or", "axes: {maps.seeds: [1, 5, 9]}"}};
   maps.name = "maps";
   maps.fields.push_back(std::move(seeds));
 
