@@ -237,8 +237,7 @@ Explanation about_field(const KindField& entry) {
 
 /// A block: its keys; of a variant those that every kind has, and the kinds.
 std::vector<Explanation> about_block(const std::string& path, const FieldTree& block) {
-  Explanation about;
-  about.title = path + ": " + block.doc;
+  Explanation about{.title = path + ": " + block.doc, .facts = {}, .columns = kColumns, .keys = {}};
   const FieldTree* preset = block.find("preset");
   // A name may stand for the block.
   if (preset != nullptr) {
@@ -250,7 +249,6 @@ std::vector<Explanation> about_block(const std::string& path, const FieldTree& b
         {"example", path + ": " + last},
         {"or", path + ": {preset: " + last + ", name: mine}"}};
   }
-  about.columns = kColumns;
   // The block first, then a table of kinds for each variant in it.
   std::vector<Explanation> all;
   for (const FieldTree& field : block.fields) {

@@ -162,19 +162,19 @@ void read_row(const GivenValue& row, SweepSpec& sweep) {
     return;
   }
   WrittenMission written{.node = node, .start = {}, .goal = {}, .yaw_deg = {}, .map = {}};
+  const auto number_in = [&](const std::string& column, Range range) {
+    return read_number(row.at(*node.find(column), column), range);
+  };
   for (const auto& [name, place] :
        {std::pair("start", &written.start), std::pair("goal", &written.goal)}) {
-    const auto along = [&, column = std::string(name)](const std::string& axis) {
-      const std::string of_axis = column + axis;
-      return read_number(row.at(*node.find(of_axis), of_axis), kPlaces_m);
-    };
-    const auto x = along("_x_m"), y = along("_y_m"), z = along("_z_m");
+    const std::string of(name);
+    const auto x = number_in(of + "_x_m", kPlaces_m);
+    const auto y = number_in(of + "_y_m", kPlaces_m);
+    const auto z = number_in(of + "_z_m", kPlaces_m);
     if (x && y && z) *place = Eigen::Vector3d(*x, *y, *z);
   }
   const YamlNode* yaw = node.find("yaw_deg");
-  if (yaw != nullptr && !yaw->scalar.empty()) {
-    written.yaw_deg = read_number(row.at(*yaw, "yaw_deg"), kYaw_deg);
-  }
+  if (yaw != nullptr && !yaw->scalar.empty()) written.yaw_deg = number_in("yaw_deg", kYaw_deg);
   if (const YamlNode* map = node.find("map")) written.map = map->scalar;
   add(written, sweep);
 }

@@ -91,10 +91,6 @@ void combine(const std::vector<Axis>& axes, std::size_t at, Json& trial, const C
 
 }  // namespace
 
-const std::vector<std::string>& generator_names() {
-  return sweep_tree().find("maps")->find("generator")->choices;
-}
-
 void read_axes(const GivenValue& given, SweepSpec& sweep) {
   const YamlNode& node = given.node;
   if (node.kind == YamlNode::Kind::null) return;

@@ -9,9 +9,6 @@
 
 namespace avoidbench {
 
-/// The generators' names, as in `maps: {generator: forest}`.
-const std::vector<std::string>& generator_names();
-
 /// Reads the block `axes`, {path: values}, into sweep.axes. Values are checked as the field itself
 /// would be.
 void read_axes(const GivenValue& given, SweepSpec& sweep);

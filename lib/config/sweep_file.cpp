@@ -208,7 +208,8 @@ SweepSpec sweep_of_text(const std::string& text, const std::string& name,
 }
 
 MapChoice read_map(const std::string& given, const std::vector<std::string>& overrides) {
-  const std::vector<std::string>& generators = generator_names();
+  const std::vector<std::string>& generators =
+      sweep_tree().find("maps")->find("generator")->choices;
   if (std::find(generators.begin(), generators.end(), given) == generators.end()) {
     return map_of_document(read_document(map_or_sweep_file(given, generators)), overrides);
   }
