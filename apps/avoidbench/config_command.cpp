@@ -63,7 +63,7 @@ std::string size_text(const SweepSpec& sweep) {
 
 void check(const std::string& file, const std::vector<std::string>& overrides, bool resolved) {
   const Document document = read_sweep_document(file, overrides);
-  const SweepSpec sweep = sweep_of_document(document, file);
+  const SweepSpec sweep = sweep_of_document(document);
   for (const std::string& warning : sweep.warnings) std::cerr << "warning: " << warning << "\n";
   check_own_maps(sweep, document, file);
   std::string text = size_text(sweep);

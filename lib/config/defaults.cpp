@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "config/sweep_keys.hpp"
+#include "text/words.hpp"
 #include "yaml/yaml_values.hpp"
 
 namespace avoidbench {
@@ -22,9 +23,9 @@ std::string range_comment(Range range) {
 
 /// What the file says of a key: doc, range, words. "doc [0, 1] (a | b)".
 std::string comment_of(const FieldTree& field) {
-  std::string words;
-  for (const std::string& word : field.choices) words += (words.empty() ? " (" : " | ") + word;
-  return field.doc + range_comment(field.range) + words + (words.empty() ? "" : ")");
+  const bool has_words = !field.choices.empty();
+  return field.doc + range_comment(field.range) +
+         (has_words ? " (" + joined(field.choices, " | ") + ")" : "");
 }
 
 /// Comments begin in one column, or two blanks behind a longer line.
@@ -91,7 +92,7 @@ void add_key(const FieldTree& key, const Json& defaults, std::string& text) {
   } else if (key.kind == FieldKind::block) {
     text += "\n# " + key.doc + "\n";
     if (preset != nullptr) {
-      text += "# A name (" + listed(preset->choices) + ", or that of " + key.name +
+      text += "# A name (" + joined(preset->choices) + ", or that of " + key.name +
               "s/NAME.yaml beside the sweep's folder),\n# or fields that differ from those of "
               "`preset: NAME`, which is " +
               preset->choices.front() + " where not given.\n";
@@ -161,7 +162,7 @@ std::string defaults_yaml(const std::string& name) {
   }
   const std::vector<std::string> names = default_names();
   throw InputError("nothing built in is named '" + name + "'" + did_you_mean(name, names) +
-                   "; it is one of " + listed(names));
+                   "; it is one of " + joined(names));
 }
 
 std::string flow_yaml(const nlohmann::ordered_json& json) {

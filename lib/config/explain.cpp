@@ -9,6 +9,7 @@
 #include "config/defaults.hpp"
 #include "config/given_values.hpp"
 #include "config/sweep_keys.hpp"
+#include "text/words.hpp"
 #include "trial/contradictions.hpp"
 #include "yaml/yaml_values.hpp"
 
@@ -39,19 +40,16 @@ std::vector<Json> other_numbers(const FieldTree& field) {
       [&](double) { return range.highest; }};
   std::vector<Json> others;
   for (const auto& change : changes) {
-    bool is_good = true;
-    const auto changed = [&](const Json& value) -> Json {
+    const auto apply = [&](Json& value) {
       const double other = change(value.get<double>());
       const bool fits = std::isfinite(other) && other >= range.lowest && other <= range.highest &&
                         (!is_whole || std::floor(other) == other);
-      is_good = is_good && fits;
-      return fits && is_whole ? Json(static_cast<std::int64_t>(other)) : Json(other);
+      if (fits) value = is_whole ? Json(static_cast<std::int64_t>(other)) : Json(other);
+      return fits;
     };
-    Json other = Json::array();
-    if (field.kind != FieldKind::list) other = changed(field.preset);
-    if (field.kind == FieldKind::list) {
-      for (const Json& value : field.preset) other.push_back(changed(value));
-    }
+    Json other = field.preset;
+    // A number that stands alone is its only element.
+    const bool is_good = std::all_of(other.begin(), other.end(), apply);
     if (is_good && other != field.preset) others.push_back(std::move(other));
   }
   return others;
@@ -59,47 +57,23 @@ std::vector<Json> other_numbers(const FieldTree& field) {
 
 /// Values that an example may change the field to; none where nothing else is known to be good.
 std::vector<Json> other_values(const FieldTree& field) {
+  if (is_number(element_of(field))) return other_numbers(field);
   std::vector<Json> others;
-  switch (element_of(field).kind) {
-    case FieldKind::whole:
-    case FieldKind::number:
-      return other_numbers(field);
-    case FieldKind::truth:
-      if (field.preset.is_boolean()) others.emplace_back(!field.preset.get<bool>());
-      break;
-    case FieldKind::choice:
-      for (const std::string& choice : field.choices) {
-        if (field.preset != choice) others.emplace_back(choice);
-      }
-      break;
-    default:
-      if (field.preset.is_string() && field.preset != "") {
-        others.emplace_back(field.preset.get<std::string>() + "_2");
-      }
+  if (field.preset.is_boolean()) others.emplace_back(!field.preset.get<bool>());
+  for (const std::string& choice : field.choices) {
+    if (field.preset != choice) others.emplace_back(choice);
+  }
+  if (field.kind == FieldKind::text && field.preset != "") {
+    others.emplace_back(field.preset.get<std::string>() + "_2");
   }
   return others;
 }
 
-/// The sweep's TrialSpec with a value at a path, as JSON.
-Json trial_with(const Json& base, const std::string& path, const Json& value) {
-  Json trial = base;
-  std::string pointer = "/" + trial_path(path);
-  std::replace(pointer.begin(), pointer.end(), '.', '/');
-  trial[Json::json_pointer(pointer)] = value;
-  return trial;
-}
-
 /// `maps: {generator: hall, height_m: 5}` for maps.height_m, the kinds said first.
-std::string example_line(const std::string& path, const std::vector<SaidKind>& kinds,
-                         const OrderedJson& value) {
+std::string example_line(const KindField& entry, const OrderedJson& value) {
   OrderedJson document;
-  const auto set = [&](const std::string& at, const OrderedJson& what) {
-    std::string pointer = "/" + at;
-    std::replace(pointer.begin(), pointer.end(), '.', '/');
-    document[OrderedJson::json_pointer(pointer)] = what;
-  };
-  for (const SaidKind& said : kinds) set(said.path, said.kind);
-  set(path, value);
+  for (const SaidKind& said : entry.kinds) document[pointer_of(said.path)] = said.kind;
+  document[pointer_of(entry.path)] = value;
   const std::string text = flow_yaml(document);
   // Without the outer braces: the document is a mapping.
   return text.substr(1, text.size() - 2);
@@ -107,24 +81,17 @@ std::string example_line(const std::string& path, const std::vector<SaidKind>& k
 
 /// One or two values for a field of the sweep: its preset, and another that contradicts nothing
 /// else's preset; none where there is no example.
-std::vector<Json> example_values(const std::string& path, const KindField& field) {
-  if (field.field->preset.is_null() || field.field->preset == "") return {};
-  std::vector<Json> values{field.field->preset};
-  // A trial with all at its preset, except for the kinds that the field needs.
-  Json base = spec_to_json(TrialSpec{});
-  const std::size_t dot = path.find('.');
-  if (dot != std::string::npos) {  // the block with the kinds that the field needs
-    const std::string key = path.substr(0, dot);
-    std::vector<SaidKind> kinds;
-    for (const SaidKind& said : field.kinds) {
-      kinds.push_back({said.path.substr(dot + 1), said.kind});
-    }
-    base[key == "maps" ? "map" : key].update(preset_json(*sweep_tree().find(key), kinds));
-  }
+std::vector<Json> example_values(const KindField& entry) {
+  const FieldTree& field = *entry.field;
+  if (field.preset.is_null() || field.preset == "") return {};
+  std::vector<Json> values{field.preset};
+  // A sweep with all at its preset, except for the kinds that the field needs.
+  Json keys = preset_json(sweep_tree(), entry.kinds);
   // The presets of an unusual kind may contradict others already: only more of it counts.
-  const std::size_t before = contradictions(spec_from_json<TrialSpec>(base)).size();
-  for (const Json& other : other_values(*field.field)) {
-    const auto changed = spec_from_json<TrialSpec>(trial_with(base, path, other));
+  const std::size_t before = contradictions(sweep_from(keys).base).size();
+  for (const Json& other : other_values(field)) {
+    keys[pointer_of(entry.path)] = other;
+    const TrialSpec changed = sweep_from(keys).base;
     if (contradictions(changed).size() > before || !fits_free_space(changed)) continue;
     values.push_back(other);
     break;
@@ -154,7 +121,7 @@ std::string type_text(const FieldTree& field) {
       return "text";
     case FieldKind::choice:
     case FieldKind::variant:
-      return "one of " + listed(field.choices);
+      return "one of " + joined(field.choices);
     case FieldKind::block:
       return "mapping";
     case FieldKind::other:
@@ -173,11 +140,11 @@ std::string preset_text(const FieldTree& field) {
 }
 
 /// A row of a block's table.
-std::vector<std::string> row(const FieldTree& field) {
+std::vector<std::string> row(const FieldTree& field, const std::string& unit) {
   const FieldTree& element = element_of(field);
   std::string values = range_text(element.range);
   constexpr std::size_t kLongest = 22;
-  const std::string choices = listed(field.choices);
+  const std::string choices = joined(field.choices);
   if (field.kind == FieldKind::truth) values = "true, false";
   if (!choices.empty()) {
     values = choices.size() <= kLongest ? choices : std::to_string(field.choices.size()) + " words";
@@ -186,7 +153,7 @@ std::vector<std::string> row(const FieldTree& field) {
   std::string preset = preset_text(field);
   if (preset.size() > kLongest && field.preset.is_array())
     preset = std::to_string(field.preset.size()) + " values";
-  return {field.name, unit_of(field.name), values, preset, field.doc};
+  return {field.name, unit, values, preset, field.doc};
 }
 
 const std::vector<std::string> kColumns{"key", "unit", "values", "default", "doc"};
@@ -202,7 +169,7 @@ const std::string& other_choice(const FieldTree& field) {
 std::string kinds_text(const std::vector<SaidKind>& kinds) {
   std::vector<std::string> words;
   for (const SaidKind& said : kinds) words.push_back(said.path + ": " + said.kind);
-  return listed(words);
+  return joined(words);
 }
 
 /// A field with its type, range and default; `unit` of its numbers.
@@ -212,24 +179,22 @@ Explanation about_values(const std::string& path, const FieldTree& field, const 
   about.facts.emplace_back("type", type_text(field) + (unit.empty() ? "" : ", " + unit));
   const std::string range = range_text(element_of(field).range);
   if (!range.empty()) about.facts.emplace_back("range", range);
-  if (field.kind == FieldKind::other) about.facts.emplace_back("built in", listed(field.choices));
+  if (field.kind == FieldKind::other) about.facts.emplace_back("built in", joined(field.choices));
   about.facts.emplace_back("default", preset_text(field));
   return about;
 }
 
 /// How a field of a sweep is written, alone and as an axis.
-void add_examples(const std::string& path, const KindField& entry, Explanation& about) {
+void add_examples(const KindField& entry, Explanation& about) {
   const FieldTree& field = *entry.field;
-  const auto line = [&](const OrderedJson& value) {
-    return example_line(path, entry.kinds, value);
-  };
+  const auto line = [&](const OrderedJson& value) { return example_line(entry, value); };
   if (field.kind == FieldKind::variant || field.kind == FieldKind::other) {
     about.facts.emplace_back("example", line(other_choice(field)));
     about.facts.emplace_back("axis", "no: write one sweep for each");
     return;
   }
   // First the preset, then another value: the example is one that changes something.
-  const std::vector<Json> values = example_values(path, entry);
+  const std::vector<Json> values = example_values(entry);
   const bool is_text = values.empty() && field.kind == FieldKind::text;
   if (!values.empty()) about.facts.emplace_back("example", line(values.back()));
   if (is_text) about.facts.emplace_back("example", line("TEXT"));
@@ -239,7 +204,7 @@ void add_examples(const std::string& path, const KindField& entry, Explanation& 
   }
   const Json several(values);
   about.facts.emplace_back("axis", line(several));
-  if (field.kind == FieldKind::number || field.kind == FieldKind::whole) {
+  if (is_number(field)) {
     const auto [low, high] = std::minmax(values[0], values[1]);
     OrderedJson range{{"from", low}, {"to", high}};
     if (field.kind == FieldKind::number) {
@@ -250,62 +215,54 @@ void add_examples(const std::string& path, const KindField& entry, Explanation& 
     }
     about.facts.emplace_back("or", line(range));
   }
-  about.facts.emplace_back("or", "axes: {" + path + ": " + flow_yaml(several) + "}");
+  about.facts.emplace_back("or", "axes: {" + entry.path + ": " + flow_yaml(several) + "}");
 }
 
-Explanation about_field(const std::string& path, const KindField& entry) {
+Explanation about_field(const KindField& entry) {
   const FieldTree& field = *entry.field;
-  if (!field.facts.empty()) return {path + ": " + field.doc, field.facts, {}, {}};
-  Explanation about = about_values(path, field, unit_of(field.name));
-  if (field.name == "seeds") {
-    about.facts = {{"type", "how many, or a list or range of them"},
-                   {"default", preset_text(field)},
-                   {"example", "maps: {seeds: 3}"},
-                   {"axis", "maps: {seeds: [1, 5, 9]}"},
-                   {"or", "axes: {maps.seeds: [1, 5, 9]}"}};
-    return about;
-  }
+  if (!field.facts.empty()) return {entry.path + ": " + field.doc, field.facts, {}, {}};
+  Explanation about = about_values(entry.path, field, unit_of(field.name));
   if (!entry.kinds.empty()) {
     about.facts.insert(about.facts.begin(), {"with", kinds_text(entry.kinds)});
   }
-  add_examples(path, entry, about);
+  add_examples(entry, about);
   if (element_of(field).kind == FieldKind::block) {
     about.columns = kColumns;
-    for (const FieldTree& inner : element_of(field).fields) about.keys.push_back(row(inner));
+    for (const FieldTree& inner : element_of(field).fields) {
+      about.keys.push_back(row(inner, unit_of(inner.name)));
+    }
   }
   return about;
 }
 
 /// A block: its keys; of a variant those that every kind has, and the kinds.
 std::vector<Explanation> about_block(const std::string& path, const FieldTree& block) {
-  Explanation about;
-  about.title = path + ": " + block.doc;
+  Explanation about{.title = path + ": " + block.doc, .facts = {}, .columns = kColumns, .keys = {}};
   const FieldTree* preset = block.find("preset");
   // A name may stand for the block.
   if (preset != nullptr) {
     const std::string& last = preset->choices.back();
-    about.facts = {{"type", "a name, or a mapping"},
-                   {"names", "built in, or of a file " + path +
-                                 "s/NAME.yaml beside the sweep or its "
-                                 "folder"},
-                   {"built in", listed(preset->choices)},
-                   {"example", path + ": " + last},
-                   {"or", path + ": {preset: " + last + ", name: mine}"}};
+    about.facts = {
+        {"type", "a name, or a mapping"},
+        {"names", "built in, or of a file " + path + "s/NAME.yaml beside the sweep or its folder"},
+        {"built in", joined(preset->choices)},
+        {"example", path + ": " + last},
+        {"or", path + ": {preset: " + last + ", name: mine}"}};
   }
-  about.columns = kColumns;
   // The block first, then a table of kinds for each variant in it.
   std::vector<Explanation> all;
   for (const FieldTree& field : block.fields) {
-    about.keys.push_back(row(field));
+    about.keys.push_back(row(field, unit_of(field.name)));
     if (field.kind != FieldKind::variant) continue;
     Explanation kinds;
     kinds.title =
         path + "." + field.name + " adds keys: avoidbench config explain " + path + ".NAME";
     kinds.columns = {"name", "doc"};
     for (const FieldTree& kind : field.fields) {
-      std::string keys;
-      for (const FieldTree& inner : kind.fields) keys += (keys.empty() ? "" : ", ") + inner.name;
-      kinds.keys.push_back({kind.name, !kind.doc.empty() ? kind.doc : keys.empty() ? "-" : keys});
+      std::vector<std::string> keys;
+      for (const FieldTree& inner : kind.fields) keys.push_back(inner.name);
+      if (keys.empty()) keys.emplace_back("-");
+      kinds.keys.push_back({kind.name, kind.doc.empty() ? joined(keys) : kind.doc});
     }
     about.facts.emplace_back("example",
                              path + ": {" + field.name + ": " + other_choice(field) + "}");
@@ -371,30 +328,19 @@ std::vector<Explanation> about_planner(const std::string& key,
         name + ": " + planner.summary, {{"example", "planners: [" + name + "]"}}, kColumns, {}};
     for (const ParameterDef& parameter : planner.parameters) {
       if (key == name + "." + parameter.name) return {about_parameter(name, parameter)};
-      about.keys.push_back(row(parameter_tree(parameter)));
-      about.keys.back()[1] = parameter.unit;
+      about.keys.push_back(row(parameter_tree(parameter), parameter.unit));
     }
     if (dot == std::string::npos) return {std::move(about)};
   }
   return {};
 }
 
-/// Of all kinds: a name that several have is one path.
-void add_paths(const FieldTree& block, const std::string& prefix, std::set<std::string>& paths) {
-  for (const KindField& entry : all_fields(block)) {
-    paths.insert(prefix + entry.field->name);
-    if (entry.field->kind == FieldKind::block) {
-      add_paths(*entry.field, prefix + entry.field->name + ".", paths);
-    }
-  }
-}
-
 std::string last_part(const std::string& path) { return path.substr(path.rfind('.') + 1); }
 
-/// All that can be explained.
+/// All that can be explained. A field that several kinds have is one key.
 std::vector<std::string> all_keys(const std::vector<PlannerDescription>& planners) {
   std::set<std::string> paths;
-  add_paths(sweep_tree(), "", paths);
+  for (const KindField& entry : all_fields(sweep_tree())) paths.insert(entry.path);
   for (const PlannerDescription& planner : planners) {
     const std::string name = planner.file.stem().string();
     paths.insert(name);
@@ -420,6 +366,7 @@ std::vector<std::string> suggestions(const std::string& key, const std::vector<s
   std::vector<std::string> found = keys_ending(keys, last);
   // A misspelling of the whole path is the likeliest.
   const std::string whole(nearest_word(key, keys));
+  std::erase(found, whole);
   if (!whole.empty()) found.insert(found.begin(), whole);
   if (found.empty() && !last.empty()) {
     std::vector<std::string> lasts;
@@ -434,9 +381,6 @@ std::vector<std::string> suggestions(const std::string& key, const std::vector<s
       if (last_part(other).find(last) != std::string::npos) found.push_back(other);
     }
   }
-  // Each once, in the order of likelihood.
-  std::set<std::string> seen;
-  std::erase_if(found, [&](const std::string& other) { return !seen.insert(other).second; });
   constexpr std::size_t kMostShown = 5;
   if (found.size() > kMostShown) found.resize(kMostShown);
   return found;
@@ -450,23 +394,21 @@ bool is_alike(const KindField& a, const KindField& b) {
 }
 
 /// The explanations of a field that one or several kinds have; those that are alike together.
-std::vector<Explanation> about_fields(const std::string& path, std::vector<KindField> found) {
+std::vector<Explanation> about_fields(const std::vector<KindField>& found) {
   std::vector<Explanation> all;
-  while (!found.empty()) {
-    const KindField first = found.front();
-    Explanation about = about_field(path, first);
-    found.erase(found.begin());
-    for (std::size_t i = 0; i < found.size();) {
-      if (!is_alike(first, found[i])) {
-        ++i;
-        continue;
-      }
-      const std::vector<SaidKind>& kinds = found[i].kinds;
-      const bool is_same_word = kinds.size() == 1 && kinds[0].path == first.kinds.at(0).path;
-      about.facts.front().second += is_same_word ? ", " + kinds[0].kind : "; " + kinds_text(kinds);
-      found.erase(found.begin() + static_cast<std::ptrdiff_t>(i));
+  std::vector<KindField> told;  // the first ones of those that are alike
+  for (const KindField& entry : found) {
+    const auto first = std::find_if(told.begin(), told.end(),
+                                    [&](const KindField& other) { return is_alike(other, entry); });
+    if (first == told.end()) {
+      all.push_back(about_field(entry));
+      told.push_back(entry);
+      continue;
     }
-    all.push_back(std::move(about));
+    std::string& with = all[static_cast<std::size_t>(first - told.begin())].facts.front().second;
+    const bool is_same_word =
+        entry.kinds.size() == 1 && entry.kinds[0].path == first->kinds.at(0).path;
+    with += is_same_word ? ", " + entry.kinds[0].kind : "; " + kinds_text(entry.kinds);
   }
   return all;
 }
@@ -490,11 +432,11 @@ std::vector<Explanation> explain(const std::string& key,
     if (is_last && ending.size() == 1) return explain(ending.front(), planners);
     const std::vector<std::string> meant = suggestions(path, keys);
     throw InputError("no key '" + key + "'" +
-                     (meant.empty() ? "" : " (did you mean " + listed(meant) + "?)") +
+                     (meant.empty() ? "" : " (did you mean " + joined(meant) + "?)") +
                      "; avoidbench config explain lists the keys of a sweep file");
   }
   if (found.front().field->kind == FieldKind::block) return about_block(path, *found[0].field);
-  return about_fields(path, found);
+  return about_fields(found);
 }
 
 }  // namespace avoidbench

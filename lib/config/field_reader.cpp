@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <set>
 
+#include "text/words.hpp"
 #include "yaml/includes.hpp"
+#include "yaml/yaml_values.hpp"
 
 namespace avoidbench {
 namespace {
@@ -17,19 +19,17 @@ void keep(const std::optional<T>& read, Json& value) {
   if (read) value = *read;
 }
 
-void read_list(const YamlNode& node, const FieldTree& field, const std::string& path, Json& value,
-               Reading& reading) {
-  if (!check_list(node, path, field.count, reading.problems)) return;
+void read_list(const GivenValue& given, const FieldTree& field, Json& value) {
+  if (!check_list(given, field.count)) return;
+  const std::vector<GivenValue> elements = given.elements();
   const FieldTree& element = field.fields.front();
   const Json fresh = element.kind == FieldKind::block ? preset_json(element) : element.preset;
   // A list of fixed length keeps its presets where an element is wrong.
-  Json list = field.count ? value : Json(node.items.size(), fresh);
+  Json list = field.count ? value : Json(elements.size(), fresh);
   // Within a list, a list is a value.
-  const bool lists_were_axes = std::exchange(reading.lists_are_axes, false);
-  for (std::size_t i = 0; i < node.items.size(); ++i) {  // an element has no path of its own
-    read_field(node.items[i], element, path + "[" + std::to_string(i) + "]", list[i], reading);
-  }
-  reading.lists_are_axes = lists_were_axes;
+  const bool lists_were_axes = std::exchange(given.reading.lists_are_axes, false);
+  for (std::size_t i = 0; i < elements.size(); ++i) read_field(elements[i], element, list[i]);
+  given.reading.lists_are_axes = lists_were_axes;
   value = std::move(list);
 }
 
@@ -42,32 +42,33 @@ bool is_axis(const YamlNode& node, const FieldTree& field) {
   return is_list && !node.items.empty() && node.items.front().kind == YamlNode::Kind::list;
 }
 
+/// The base flies the first value; one value alone is no axis.
+void keep_axis(const GivenValue& given, std::vector<Json> values, Json& value) {
+  if (values.empty()) return;
+  value = values.front();
+  if (values.size() > 1) given.reading.axes.push_back({given.path, std::move(values)});
+}
+
 /// Each value is read as if it stood alone, and then kept as a value of an axis.
-void read_axis(const YamlNode& node, const FieldTree& field, const std::string& path, Json& value,
-               Reading& reading) {
-  ReadAxis axis{path, {}};
-  const std::vector<YamlNode> nodes = axis_values(node, path, reading.problems);
-  reading.lists_are_axes = false;
-  for (const YamlNode& one : nodes) {
+void read_axis(const GivenValue& given, const FieldTree& field, Json& value) {
+  std::vector<Json> values;
+  const std::vector<YamlNode> nodes = axis_values(given);
+  given.reading.lists_are_axes = false;
+  for (const YamlNode& node : nodes) {
     // Each value begins from what is there, as blocks and fixed lists keep what is not said.
-    axis.values.push_back(value);
-    read_field(one, field, path, axis.values.back(), reading);
+    values.push_back(value);
+    read_field({node, given.path, given.reading}, field, values.back());
   }
-  reading.lists_are_axes = true;
-  if (axis.values.empty()) return;
-  // The base flies the first value; one value alone is no axis.
-  value = axis.values.front();
-  if (nodes.size() > 1) reading.axes.push_back(std::move(axis));
+  given.reading.lists_are_axes = true;
+  keep_axis(given, std::move(values), value);
 }
 
 /// How many seeds, from 1.
-void read_seed_count(const YamlNode& node, const std::string& path, Json& value, Reading& reading) {
-  const auto count = read_whole(node, path, Range{1, 10000}, reading.problems);
-  if (!count) return;
-  ReadAxis axis{path, {}};
-  for (std::int64_t seed = 1; seed <= *count; ++seed) axis.values.emplace_back(seed);
-  value = axis.values.front();
-  if (*count > 1) reading.axes.push_back(std::move(axis));
+void read_seed_count(const GivenValue& given, Json& value) {
+  const auto count = read_whole<std::int64_t>(given, Range{1, 10000});
+  std::vector<Json> seeds;
+  for (std::int64_t seed = 1; seed <= count.value_or(0); ++seed) seeds.emplace_back(seed);
+  keep_axis(given, std::move(seeds), value);
 }
 
 // -------------------------------------------------------------------------------------------------
@@ -76,7 +77,7 @@ void read_seed_count(const YamlNode& node, const std::string& path, Json& value,
 /// The file that `name` means, or "" for what is built in or unknown.
 fs::path file_of(const std::string& name, const std::string& shelf, const fs::path& folder) {
   const bool is_path = name.find('/') != std::string::npos || name.ends_with(".yaml");
-  if (is_path) return fs::path(name).is_absolute() ? fs::path(name) : folder / name;
+  if (is_path) return folder / name;
   std::error_code error;
   // vehicles/ beside the sweep, or beside the folder of sweeps.
   for (const fs::path& place : {folder / shelf, folder / ".." / shelf}) {
@@ -99,132 +100,124 @@ std::vector<std::string> known_names(const FieldTree& preset, const std::string&
   return {names.begin(), names.end()};
 }
 
-/// The file's problems keep their own places; those without one are told at `name`.
-void read_preset_file(const YamlNode& name, const fs::path& file, const FieldTree& block,
-                      const std::string& path, Json& value, Reading& reading) {
+/// The file's problems keep their own places; those without one are told at the name.
+void read_preset_file(const GivenValue& name, const fs::path& file, const FieldTree& block,
+                      Json& value) {
   constexpr int kMostLevels = 8;
+  Reading& reading = name.reading;
   if (reading.preset_level >= kMostLevels) {
-    reading.problems.push_back(problem_at(name, path + ": presets lead in a circle"));
+    name.add_problem("presets lead in a circle");
     return;
   }
   // A vehicle's file describes one vehicle.
   const bool lists_were_axes = std::exchange(reading.lists_are_axes, false);
   ++reading.preset_level;
   try {
-    read_block(read_document(file).root, block, path, value, reading);
+    read_block({read_document(file).root, name.path, reading}, block, value);
   } catch (const InputError& error) {
     for (const InputProblem& problem : error.problems()) {
-      const bool has_place = problem.line > 0;
-      reading.problems.push_back(has_place ? problem
-                                           : problem_at(name, path + ": " + text(problem)));
+      if (problem.line > 0) reading.problems.push_back(problem);
+      if (problem.line == 0) name.add_problem(text(problem));
     }
   }
   --reading.preset_level;
   reading.lists_are_axes = lists_were_axes;
 }
 
-/// Reads the block that a name stands for.
-void read_name(const YamlNode& node, const FieldTree& block, const std::string& path, Json& value,
-               Reading& reading) {
+/// Reads the block that a name stands for; the path is the block's.
+void read_name(const GivenValue& given, const FieldTree& block, Json& value) {
+  const std::string& name = given.node.scalar;
   const FieldTree& preset = *block.find("preset");
-  const std::string what = path.substr(0, path.find('.'));  // a camera of a rig is a sensor
+  // A camera of a rig is a sensor.
+  const std::string what = given.path.substr(0, given.path.find('.'));
   const std::string shelf = what + "s";
-  const fs::path folder = folder_of(node, reading.folder);
-  const fs::path file = file_of(node.scalar, shelf, folder);
+  const fs::path folder = folder_of(given.node, given.reading.folder);
+  const fs::path file = file_of(name, shelf, folder);
   // A file wins over a built-in name: a user's own firefly is meant.
-  if (!file.empty()) return read_preset_file(node, file, block, path, value, reading);
-  const auto built_in = std::find(preset.choices.begin(), preset.choices.end(), node.scalar);
+  if (!file.empty()) return read_preset_file(given, file, block, value);
+  const auto built_in = std::find(preset.choices.begin(), preset.choices.end(), name);
   if (built_in != preset.choices.end()) {
     value = preset.named[static_cast<std::size_t>(built_in - preset.choices.begin())];
     return;
   }
   const std::vector<std::string> names = known_names(preset, shelf, folder);
-  reading.problems.push_back(problem_at(node, path + ": " + found_text(node) + " is no " + what +
-                                                  did_you_mean(node.scalar, names) +
-                                                  "; known: " + listed(names)));
+  given.add_problem(found_text(given.node) + " is no " + what + did_you_mean(name, names) +
+                    "; known: " + joined(names));
 }
 
 }  // namespace
 
-void read_field(const YamlNode& node, const FieldTree& field, const std::string& path, Json& value,
-                Reading& reading) {
-  std::vector<InputProblem>& problems = reading.problems;
-  if (reading.lists_are_axes && is_axis(node, field)) {
-    return read_axis(node, field, path, value, reading);
+void read_field(const GivenValue& given, const FieldTree& field, Json& value) {
+  if (given.reading.lists_are_axes && is_axis(given.node, field)) {
+    return read_axis(given, field, value);
   }
   switch (field.kind) {
     case FieldKind::truth:
-      return keep(read_truth(node, path, problems), value);
+      return keep(read_truth(given), value);
     case FieldKind::whole:
-      if (!field.is_signed) return keep(read_unsigned(node, path, field.range, problems), value);
-      return keep(read_whole(node, path, field.range, problems), value);
+      if (field.is_signed) return keep(read_whole<std::int64_t>(given, field.range), value);
+      return keep(read_whole<std::uint64_t>(given, field.range), value);
     case FieldKind::number:
-      return keep(read_number(node, path, field.range, problems), value);
+      return keep(read_number(given, field.range), value);
     case FieldKind::text:
-      return keep(read_text(node, path, problems), value);
+      return keep(read_text(given), value);
     case FieldKind::choice:
     case FieldKind::variant:
-      return keep(read_choice(node, path, field.choices, problems), value);
+      return keep(read_choice(given, field.choices), value);
     case FieldKind::list:
-      return read_list(node, field, path, value, reading);
+      return read_list(given, field, value);
     case FieldKind::block:
-      return read_block(node, field, path, value, reading);
+      return read_block(given, field, value);
     case FieldKind::other:
       break;  // whoever knows the key reads it
   }
 }
 
-std::string read_key(MappingReader& mapping, const FieldTree& field, Json& block,
-                     Reading& reading) {
-  const YamlNode* node = mapping.take(field.name);
-  const std::string path = mapping.path_of(field.name);
+std::string read_key(MappingReader& mapping, const FieldTree& field, Json& block) {
+  const std::optional<GivenValue> given = mapping.take(field.name);
   if (field.kind != FieldKind::variant) {
-    if (node == nullptr) return "";
+    if (!given) return "";
     // `seeds: 3` is three seeds, `seeds: [3]` is seed 3.
-    const bool is_count = field.name == "seeds" && node->kind == YamlNode::Kind::scalar;
-    if (is_count && reading.lists_are_axes) {
-      read_seed_count(*node, path, block[field.name], reading);
+    const bool is_count = field.name == "seeds" && given->node.kind == YamlNode::Kind::scalar;
+    if (is_count && given->reading.lists_are_axes) {
+      read_seed_count(*given, block[field.name]);
     } else {
-      read_field(*node, field, path, block[field.name], reading);
+      read_field(*given, field, block[field.name]);
     }
     return "";
   }
   // Variants: first the word, then the fields that this kind has.
-  Json kind = block.at(field.name);
-  if (node != nullptr) keep(read_choice(*node, path, field.choices, reading.problems), kind);
+  const std::string before = block.at(field.name);
+  const std::string kind = given ? read_choice(*given, field.choices).value_or(before) : before;
   // Another kind than the one before: its fields go, and the new kind's presets come.
-  if (kind != block.at(field.name)) {
-    for (const FieldTree& old : field.find(block.at(field.name).get<std::string>())->fields) {
-      block.erase(old.name);
-    }
+  if (kind != before) {
+    for (const FieldTree& old : field.find(before)->fields) block.erase(old.name);
     block[field.name] = kind;
-    block.update(preset_json(*field.find(kind.get<std::string>())));
+    block.update(preset_json(*field.find(kind)));
   }
-  for (const FieldTree& of_kind : field.find(kind.get<std::string>())->fields) {
-    read_key(mapping, of_kind, block, reading);
-  }
-  return field.name + " " + kind.get<std::string>();
+  for (const FieldTree& of_kind : field.find(kind)->fields) read_key(mapping, of_kind, block);
+  return field.name + " " + kind;
 }
 
-void read_block(const YamlNode& node, const FieldTree& block, const std::string& path, Json& value,
-                Reading& reading) {
+void read_block(const GivenValue& given, const FieldTree& block, Json& value) {
+  Reading& reading = given.reading;
   const bool has_presets = block.find("preset") != nullptr;
   // A preset's file itself is no name, but an element of a list in it may be one.
-  const bool may_be_name = has_presets && (reading.preset_level == 0 || path.ends_with(']'));
-  if (may_be_name && node.kind == YamlNode::Kind::scalar) {
-    read_name(node, block, path, value, reading);
+  const bool may_be_name = has_presets && (reading.preset_level == 0 || given.path.ends_with(']'));
+  if (may_be_name && given.node.kind == YamlNode::Kind::scalar) {
+    read_name(given, block, value);
     // Behind read_name(), whose file remembers places too: the last one counts.
-    return reading.remember(path, node);
+    return reading.remember(given.path, given.node);
   }
-  MappingReader mapping(node, path, reading);
+  MappingReader mapping(given);
   // First of all: the other keys are laid over what the preset says.
-  if (const YamlNode* preset = has_presets ? mapping.take("preset") : nullptr) {
-    if (preset->kind == YamlNode::Kind::scalar) {
-      read_name(*preset, block, path, value, reading);
+  if (const auto preset = has_presets ? mapping.take("preset") : std::nullopt) {
+    if (preset->node.kind == YamlNode::Kind::scalar) {
+      read_name({preset->node, given.path, reading}, block, value);
     } else {
-      reading.add_problem(path + ".preset", "expected a name, found " + found_text(*preset));
+      preset->add_expected("a name");
     }
-    reading.remember(path, node);
+    reading.remember(given.path, given.node);
   }
   std::string kind;
   for (const FieldTree& field : block.fields) {
@@ -232,7 +225,7 @@ void read_block(const YamlNode& node, const FieldTree& block, const std::string&
       mapping.take(field.name);
       continue;
     }
-    const std::string of_field = read_key(mapping, field, value, reading);
+    const std::string of_field = read_key(mapping, field, value);
     if (!of_field.empty()) kind = of_field;
   }
   mapping.finish(kind);

@@ -3,27 +3,60 @@
 namespace avoidbench {
 namespace {
 
-void add_fields(const FieldTree& block, const std::vector<SaidKind>& kinds,
-                std::vector<KindField>& all) {
+void add_fields(const FieldTree& block, const std::string& prefix,
+                const std::vector<SaidKind>& kinds, std::vector<KindField>& all) {
   for (const FieldTree& field : block.fields) {
-    all.push_back({&field, kinds});
+    const std::string path = prefix + field.name;
+    all.push_back({path, &field, kinds});
+    if (field.kind == FieldKind::block) add_fields(field, path + ".", kinds, all);
     if (field.kind != FieldKind::variant) continue;
     // A kind's fields stand beside the variant, not below it.
     for (const FieldTree& of_kind : field.fields) {
       std::vector<SaidKind> said = kinds;
-      said.push_back({field.name, of_kind.name});
-      add_fields(of_kind, said, all);
+      said.push_back({path, of_kind.name});
+      add_fields(of_kind, prefix, said, all);
     }
   }
 }
 
-nlohmann::json json_below(const FieldTree& block, const std::string& prefix,
-                          const std::vector<SaidKind>& kinds) {
+}  // namespace
+
+const FieldTree* FieldTree::find(std::string_view field) const {
+  for (const FieldTree& other : fields) {
+    if (other.name == field) return &other;
+  }
+  return nullptr;
+}
+
+bool is_number(const FieldTree& field) {
+  return field.kind == FieldKind::number || field.kind == FieldKind::whole;
+}
+
+std::vector<KindField> all_fields(const FieldTree& block) {
+  std::vector<KindField> all;
+  add_fields(block, "", {}, all);
+  return all;
+}
+
+std::vector<KindField> fields_at(const FieldTree& block, std::string_view path) {
+  std::vector<KindField> found = all_fields(block);
+  std::erase_if(found, [&](const KindField& entry) { return entry.path != path; });
+  return found;
+}
+
+nlohmann::json::json_pointer pointer_of(const std::string& path) {
+  std::string text = "/" + path;
+  std::replace(text.begin(), text.end(), '.', '/');
+  return nlohmann::json::json_pointer(text);
+}
+
+nlohmann::json preset_json(const FieldTree& block, const std::vector<SaidKind>& kinds,
+                           const std::string& prefix) {
   nlohmann::json json = nlohmann::json::object();
   for (const FieldTree& field : block.fields) {
     const std::string path = prefix + field.name;
     if (field.kind == FieldKind::block) {
-      json[field.name] = json_below(field, path + ".", kinds);
+      json[field.name] = preset_json(field, kinds, path + ".");
     } else if (field.kind != FieldKind::other) {
       json[field.name] = field.preset;
     }
@@ -33,58 +66,10 @@ nlohmann::json json_below(const FieldTree& block, const std::string& prefix,
       if (said.path == path) json[field.name] = said.kind;
     }
     for (const FieldTree& of_kind : field.fields) {
-      if (json[field.name] == of_kind.name) json.update(json_below(of_kind, prefix, kinds));
+      if (json[field.name] == of_kind.name) json.update(preset_json(of_kind, kinds, prefix));
     }
   }
   return json;
-}
-
-}  // namespace
-
-std::string listed(const std::vector<std::string>& words) {
-  std::string all;
-  for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
-  return all;
-}
-
-const FieldTree* FieldTree::find(std::string_view field) const {
-  for (const FieldTree& other : fields) {
-    if (other.name == field) return &other;
-  }
-  return nullptr;
-}
-
-std::vector<KindField> all_fields(const FieldTree& block) {
-  std::vector<KindField> all;
-  add_fields(block, {}, all);
-  return all;
-}
-
-std::vector<KindField> fields_at(const FieldTree& block, std::string_view path) {
-  const std::size_t dot = path.find('.');
-  const std::string first(path.substr(0, dot));
-  std::vector<KindField> found;
-  for (const KindField& entry : all_fields(block)) {
-    if (entry.field->name != first) continue;
-    if (dot == std::string_view::npos) {
-      found.push_back(entry);
-    } else if (entry.field->kind == FieldKind::block) {
-      for (const KindField& inner : fields_at(*entry.field, path.substr(dot + 1))) {
-        KindField whole = entry;
-        whole.field = inner.field;
-        // Paths of kinds count from the outermost block.
-        for (const SaidKind& said : inner.kinds) {
-          whole.kinds.push_back({first + "." + said.path, said.kind});
-        }
-        found.push_back(std::move(whole));
-      }
-    }
-  }
-  return found;
-}
-
-nlohmann::json preset_json(const FieldTree& block, const std::vector<SaidKind>& kinds) {
-  return json_below(block, "", kinds);
 }
 
 }  // namespace avoidbench

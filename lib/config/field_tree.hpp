@@ -48,30 +48,32 @@ struct FieldTree {
   const FieldTree* find(std::string_view field) const;
 };
 
-/// "forest, hall".
-std::string listed(const std::vector<std::string>& words);
+bool is_number(const FieldTree& field);
 
 /// The word of a variant that must be said for a field to be there: {"generator", "forest"}.
 struct SaidKind {
   std::string path, kind;
-  friend bool operator==(const SaidKind&, const SaidKind&) = default;
 };
 struct KindField {
+  std::string path;  ///< dotted, as are those of `kinds`, from the outermost block
   const FieldTree* field = nullptr;
   std::vector<SaidKind> kinds;
 };
 
-/// The fields of a block with all that its variants may add, in order: a name may come several
+/// All fields below a block, in order, with all that its variants may add: a path may come several
 /// times, from several kinds.
 std::vector<KindField> all_fields(const FieldTree& block);
 
-/// The fields at a dotted path below `block`: none where there is no such field, several where
-/// several kinds have it.
+/// Those of one path: none where there is no such field.
 std::vector<KindField> fields_at(const FieldTree& block, std::string_view path);
 
+/// The path as one into the JSON of a block.
+nlohmann::json::json_pointer pointer_of(const std::string& path);
+
 /// The block's JSON as spec_to_json() gives it for the spec that the tree was made of; with
-/// `kinds`, for that of these kinds.
-nlohmann::json preset_json(const FieldTree& block, const std::vector<SaidKind>& kinds = {});
+/// `kinds`, for that of these kinds. `prefix` stands before the block's paths in `kinds`.
+nlohmann::json preset_json(const FieldTree& block, const std::vector<SaidKind>& kinds = {},
+                           const std::string& prefix = "");
 
 /// The visitor of base/fields.hpp that makes the tree.
 class FieldCollector {

@@ -7,6 +7,8 @@
 #include "config/sweep_axes.hpp"
 #include "config/sweep_keys.hpp"
 #include "text/words.hpp"
+#include "trial/contradictions.hpp"
+#include "yaml/yaml_values.hpp"
 
 namespace avoidbench {
 namespace {
@@ -62,9 +64,9 @@ void check_latency(const YamlNode& root, const std::set<LatencyMode>& modes, Rea
     std::vector<std::string> present, wanted;
     for (const LatencyMode one : modes) present.emplace_back(text(one));
     for (const LatencyMode one : use.modes) wanted.emplace_back(text(one));
-    reading.problems.push_back(
-        problem_at(*value, path + ": means nothing in mode " + joined(present, " and ") +
-                               "; leave it out, or write mode: " + joined(wanted, " or ")));
+    GivenValue{*value, path, reading}.add_problem(
+        "means nothing in mode " + joined(present, " and ") +
+        "; leave it out, or write mode: " + joined(wanted, " or "));
   }
 }
 
@@ -114,15 +116,11 @@ bool has_room_above_floor(const TrialSpec& trial) {
   return height_m == 0.0 || trial.mission.free_radius_m <= height_m;
 }
 
-struct Problem {
-  std::string path, message;
-};
-
 /// Those of one trial's rules; `is_given` says whether the file has a path.
 template <class IsGiven>
-std::vector<Problem> problems_of(const TrialSpec& trial, IsGiven is_given) {
+std::vector<Contradiction> problems_of(const TrialSpec& trial, IsGiven is_given) {
   const MissionSpec& mission = trial.mission;
-  std::vector<Problem> problems;
+  std::vector<Contradiction> problems;
   const std::string goal = number_text(mission.goal_radius_m) + " m";
   const std::string free = number_text(mission.free_radius_m) + " m";
   if (is_given("mission.goal_radius_m") && mission.goal_radius_m > mission.free_radius_m) {
@@ -161,14 +159,11 @@ bool fits_free_space(const TrialSpec& trial) {
 
 void check_given_values(const YamlNode& root, const SweepSpec& sweep, Reading& reading) {
   std::set<LatencyMode> modes;
-  // A message may come from hundreds of combinations.
-  std::set<std::string> seen;
   const auto is_given = [&](const std::string& path) { return given(root, path) != nullptr; };
   for_each_combination(sweep, [&](const TrialSpec& trial) {
     modes.insert(trial.latency.mode);
-    for (const Problem& problem : problems_of(trial, is_given)) {
-      const bool is_new = seen.insert(problem.path + problem.message).second;
-      if (is_new) reading.add_problem(problem.path, problem.message);
+    for (const Contradiction& found : problems_of(trial, is_given)) {
+      reading.at(found.path).add_problem(found.message);
     }
   });
   check_latency(root, modes, reading);

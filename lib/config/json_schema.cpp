@@ -69,11 +69,12 @@ Schema value_schema(const FieldTree& field) {
   return schema;
 }
 
-/// Adds doc and preset.
-void describe(const FieldTree& field, Schema& schema) {
+/// With doc and preset.
+Schema described(const FieldTree& field, Schema schema) {
   if (!field.doc.empty()) schema["description"] = field.doc;
   const bool has_preset = !field.preset.is_null() && field.preset != "";
   if (has_preset) schema["default"] = preset_of(field.preset);
+  return schema;
 }
 
 /// A list of different values, at least one.
@@ -81,10 +82,6 @@ void add_values(const Schema& value, Schema& schema) {
   schema["items"] = value;
   schema["minItems"] = 1;
   schema["uniqueItems"] = true;
-}
-
-bool is_number(const FieldTree& field) {
-  return field.kind == FieldKind::number || field.kind == FieldKind::whole;
 }
 
 /// {from, to, count} or {from, to, step}.
@@ -171,19 +168,12 @@ Schema name_or(const Schema& mapping, const std::vector<std::string>& known) {
 
 /// Adds a property, or another form of one that is there, as of a field that several kinds have.
 void add_property(const std::string& name, Schema schema, Schema& properties) {
-  if (!properties.contains(name)) {
-    properties[name] = std::move(schema);
-    return;
-  }
   Schema& first = properties[name];
+  if (first.is_null()) first = schema;
   if (first == schema) return;
   const bool is_union = first.size() == 1 && first.contains("anyOf");
   // The second form makes a union of it, further ones join that.
-  if (!is_union) {
-    Schema options = Schema::array();
-    options.push_back(std::move(first));
-    first = Schema{{"anyOf", std::move(options)}};
-  }
+  if (!is_union) first = Schema{{"anyOf", Schema::array({first})}};
   Schema& options = first["anyOf"];
   if (std::find(options.begin(), options.end(), schema) == options.end()) {
     options.push_back(std::move(schema));
@@ -201,8 +191,7 @@ Schema seeds_schema(const FieldTree& field) {
   Schema schema = several_schema(field, value_schema(field), false);
   schema["minimum"] = 1;
   schema["maximum"] = kMostSeeds;
-  describe(field, schema);
-  return schema;
+  return described(field, std::move(schema));
 }
 
 /// The key `include`, or a name such as that of a preset.
@@ -214,8 +203,7 @@ Schema other_schema(const FieldTree& key) {
               {"items", {{"type", "string"}, {"minLength", 1}}},
               {"minItems", 1}};
   }
-  describe(key, schema);
-  return schema;
+  return described(key, std::move(schema));
 }
 
 /// The fields with one more kind's fields, its word a plain one.
@@ -239,142 +227,120 @@ class SchemaWriter {
   /// Schema of a mapping of these fields. `name` is that of its definitions. The kinds of a variant
   /// are told apart by if and then: messages name the key that is wrong, and editors offer only
   /// the keys of the kind that is chosen.
-  Schema block(const std::vector<FieldTree>& fields, const std::string& name);
+  Schema block(const std::vector<FieldTree>& fields, const std::string& name) {
+    // One variant after the other: the definition of a kind is the block with its fields, in which
+    // the next variant is looked for.
+    const auto variant = std::find_if(fields.begin(), fields.end(), is_open);
+    if (variant == fields.end()) {
+      Schema properties = Schema::object();
+      for (const FieldTree& each : fields) add_property(each.name, field(each, name), properties);
+      return {{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
+    }
+    const auto index = static_cast<std::size_t>(variant - fields.begin());
+    const auto define = [&](const std::string& ending, const std::vector<FieldTree>& of_kind) {
+      const std::string definition = name + "." + ending;
+      if (!definitions.contains(definition)) {
+        definitions[definition] = block(with_kind(fields, index, of_kind), definition);
+      }
+      return reference(definition);
+    };
+    Schema rules = Schema::array(), unsaid;
+    std::vector<FieldTree> of_any;
+    for (const FieldTree& kind : variant->fields) {
+      Schema of_kind = define(kind.name, kind.fields);
+      if (!kind.doc.empty()) definitions[name + "." + kind.name]["description"] = kind.doc;
+      if (variant->preset == kind.name) unsaid = of_kind;
+      Schema says_kind{{"properties", {{variant->name, {{"const", kind.name}}}}},
+                       {"required", {variant->name}}};
+      rules.push_back({{"if", std::move(says_kind)}, {"then", std::move(of_kind)}});
+      of_any.insert(of_any.end(), kind.fields.begin(), kind.fields.end());
+    }
+    const bool has_preset = std::any_of(fields.begin(), fields.end(), [](const FieldTree& other) {
+      return other.name == "preset";
+    });
+    // The kind may be said elsewhere: every kind's fields are let through.
+    if (is_over_) unsaid = define("any_" + variant->name, of_any);
+    // A preset says the kind, too.
+    if (has_preset && !is_over_) {
+      unsaid = {{"if", {{"required", {"preset"}}}},
+                {"then", define("any_" + variant->name, of_any)},
+                {"else", unsaid}};
+    }
+    Schema says_none{{"not", {{"required", {variant->name}}}}};
+    rules.push_back({{"if", std::move(says_none)}, {"then", std::move(unsaid)}});
+    FieldTree word = *variant;
+    word.fields.clear();
+    Schema schema{{"type", "object"}};
+    schema["properties"][word.name] = field(word, name);
+    schema["allOf"] = std::move(rules);
+    return schema;
+  }
 
   /// Schema of one value, whatever it is.
-  Schema value(const FieldTree& field, const std::string& name);
+  Schema value(const FieldTree& field, const std::string& name) {
+    const std::string inner_name = name + "." + field.name;
+    if (field.kind == FieldKind::block) return block(field.fields, inner_name);
+    if (field.fields.empty() || field.fields.front().kind != FieldKind::block) {
+      return value_schema(field);
+    }
+    SchemaWriter elements(false, false);  // an element has no path of its own
+    Schema list{{"type", "array"}};
+    const FieldTree& element = field.fields.front();
+    list["items"] = elements.block(element.fields, inner_name);
+    if (const FieldTree* preset = element.find("preset")) {
+      list["items"] = name_or(list["items"], preset->choices);
+    }
+    if (field.count) list["minItems"] = list["maxItems"] = *field.count;
+    definitions.update(elements.definitions);
+    return list;
+  }
 
   /// The same with doc and preset, and with several values where lists are axes.
-  Schema field(const FieldTree& field, const std::string& name);
-
-  /// The key mission.list. Its elements have no path of their own, so that no value is an axis.
-  static Schema list_of_own(const FieldTree& key);
+  Schema field(const FieldTree& field, const std::string& name) {
+    const bool is_other = field.kind == FieldKind::other;
+    const bool may_be_axis = lists_are_axes_ && !is_other && field.kind != FieldKind::variant;
+    if (is_other && field.fields.empty()) return other_schema(field);
+    if (may_be_axis && field.name == "seeds") return seeds_schema(field);
+    Schema schema = value(field, name);
+    if (may_be_axis && field.kind != FieldKind::block) return several(field, schema, false);
+    if (is_other) {  // mission.list
+      schema["items"]["required"] = {"start", "goal"};
+      schema["minItems"] = 1;
+    }
+    return described(field, std::move(schema));
+  }
 
   /// The same for one that may have several values, in place or `under_axes`. Numbers of one range
   /// share a definition.
-  Schema several(const FieldTree& field, const Schema& value, bool under_axes);
-
- private:
-  bool lists_are_axes_, is_over_;
-};
-
-Schema SchemaWriter::block(const std::vector<FieldTree>& fields, const std::string& name) {
-  // One variant after the other: the definition of a kind is the block with its fields, in which
-  // the next variant is looked for.
-  const auto variant = std::find_if(fields.begin(), fields.end(), is_open);
-  if (variant == fields.end()) {
-    Schema properties = Schema::object();
-    for (const FieldTree& each : fields) add_property(each.name, field(each, name), properties);
-    return {{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
-  }
-  const auto index = static_cast<std::size_t>(variant - fields.begin());
-  const auto define = [&](const std::string& ending, const std::vector<FieldTree>& of_kind) {
-    const std::string definition = name + "." + ending;
-    if (!definitions.contains(definition)) {
-      definitions[definition] = block(with_kind(fields, index, of_kind), definition);
+  Schema several(const FieldTree& field, const Schema& value, bool under_axes) {
+    if (!is_number(field)) {
+      return described(field, several_schema(field, value, under_axes));
     }
-    return reference(definition);
-  };
-  Schema rules = Schema::array(), unsaid;
-  std::vector<FieldTree> of_any;
-  for (const FieldTree& kind : variant->fields) {
-    Schema of_kind = define(kind.name, kind.fields);
-    if (!kind.doc.empty()) definitions[name + "." + kind.name]["description"] = kind.doc;
-    if (variant->preset == kind.name) unsaid = of_kind;
-    Schema says_kind{{"properties", {{variant->name, {{"const", kind.name}}}}},
-                     {"required", {variant->name}}};
-    rules.push_back({{"if", std::move(says_kind)}, {"then", std::move(of_kind)}});
-    of_any.insert(of_any.end(), kind.fields.begin(), kind.fields.end());
-  }
-  const bool has_preset = std::any_of(
-      fields.begin(), fields.end(), [](const FieldTree& field) { return field.name == "preset"; });
-  // The kind may be said elsewhere: every kind's fields are let through.
-  if (is_over_) unsaid = define("any_" + variant->name, of_any);
-  // A preset says the kind, too.
-  if (has_preset && !is_over_) {
-    unsaid = {{"if", {{"required", {"preset"}}}},
-              {"then", define("any_" + variant->name, of_any)},
-              {"else", unsaid}};
-  }
-  Schema says_none{{"not", {{"required", {variant->name}}}}};
-  rules.push_back({{"if", std::move(says_none)}, {"then", std::move(unsaid)}});
-  FieldTree word = *variant;
-  word.fields.clear();
-  Schema schema{{"type", "object"}};
-  schema["properties"][word.name] = field(word, name);
-  schema["allOf"] = std::move(rules);
-  return schema;
-}
-
-Schema SchemaWriter::value(const FieldTree& field, const std::string& name) {
-  const std::string inner_name = name + "." + field.name;
-  if (field.kind == FieldKind::block) return block(field.fields, inner_name);
-  if (field.kind != FieldKind::list || field.fields.front().kind != FieldKind::block) {
-    return value_schema(field);
-  }
-  SchemaWriter elements(false, false);  // an element has no path of its own
-  Schema list{{"type", "array"}};
-  const FieldTree& element = field.fields.front();
-  list["items"] = elements.block(element.fields, inner_name);
-  if (const FieldTree* preset = element.find("preset")) {
-    list["items"] = name_or(list["items"], preset->choices);
-  }
-  if (field.count) list["minItems"] = list["maxItems"] = *field.count;
-  definitions.update(elements.definitions);
-  return list;
-}
-
-Schema SchemaWriter::list_of_own(const FieldTree& key) {
-  Schema element = SchemaWriter(false, false).block(key.fields.front().fields, key.name);
-  element["required"] = {"start", "goal"};
-  Schema schema{{"type", "array"}, {"items", std::move(element)}, {"minItems", 1}};
-  describe(key, schema);
-  return schema;
-}
-
-Schema SchemaWriter::field(const FieldTree& field, const std::string& name) {
-  if (field.kind == FieldKind::other && !field.fields.empty()) return list_of_own(field);
-  if (field.kind == FieldKind::other) return other_schema(field);
-  const bool may_be_axis = lists_are_axes_ && field.kind != FieldKind::variant;
-  if (may_be_axis && field.name == "seeds") return seeds_schema(field);
-  Schema schema = value(field, name);
-  if (may_be_axis && field.kind != FieldKind::block) return several(field, schema, false);
-  describe(field, schema);
-  return schema;
-}
-
-/// One value or several: a list or a range of values, where the key may be an axis.
-Schema SchemaWriter::several(const FieldTree& field, const Schema& value, bool under_axes) {
-  Schema schema;
-  if (field.kind == FieldKind::number || field.kind == FieldKind::whole) {
     // "numbers.0.to.any": one definition for each range, shared by all fields that have it.
     const auto end = [](double bound) { return std::isfinite(bound) ? number_text(bound) : "any"; };
     const std::string name = std::string(field.kind == FieldKind::number ? "numbers" : "wholes") +
                              "." + end(field.range.lowest) + ".to." + end(field.range.highest);
     if (!definitions.contains(name)) definitions[name] = several_schema(field, value, false);
-    schema = reference(name);
-  } else {
-    schema = several_schema(field, value, under_axes);
+    return described(field, reference(name));
   }
-  describe(field, schema);
-  return schema;
-}
+
+ private:
+  bool lists_are_axes_, is_over_;
+};
 
 // -------------------------------------------------------------------------------------------------
 // files
 
-/// Adds the paths below `prefix` that may stand under `axes`.
-void add_axes(const FieldTree& block, const std::string& prefix, SchemaWriter& writer,
-              Schema& properties) {
-  for (const KindField& entry : all_fields(block)) {
+/// Adds the paths below the sweep's key `key` that may stand under `axes`.
+void add_axes(const FieldTree& key, SchemaWriter& writer, Schema& properties) {
+  for (const KindField& entry : all_fields(key)) {
     const FieldTree& field = *entry.field;
-    const std::string path = prefix + field.name;
-    if (field.kind == FieldKind::block) {
-      add_axes(field, path + ".", writer, properties);
-    } else if (field.kind != FieldKind::variant && field.kind != FieldKind::other) {
-      const Schema value = writer.value(field, prefix + "axis");
-      add_property(path, writer.several(field, value, true), properties);
-    }
+    const bool is_axis = field.kind != FieldKind::block && field.kind != FieldKind::variant &&
+                         field.kind != FieldKind::other;
+    if (!is_axis) continue;
+    const std::string path = key.name + "." + entry.path;
+    const Schema value = writer.value(field, path.substr(0, path.rfind('.') + 1) + "axis");
+    add_property(path, writer.several(field, value, true), properties);
   }
 }
 
@@ -433,29 +399,6 @@ Schema planner_schema(const FieldTree& max_speed, const std::vector<PlannerDescr
   return name_or(entry, names);
 }
 
-/// One planner stands for a list of one.
-Schema planners_schema(const FieldTree& key) {
-  Schema list{{"type", "array"}, {"items", reference("planner")}, {"minItems", 1}};
-  Schema schema{{"if", {{"type", "array"}}}, {"then", list}, {"else", reference("planner")}};
-  describe(key, schema);
-  return schema;
-}
-
-/// YAML reads names such as 2026 and true as other types; the pattern is of texts alone.
-Schema name_of_sweep(const FieldTree& key) {
-  Schema schema{{"type", {"string", "number", "boolean"}},
-                {"pattern", "^[A-Za-z0-9_][A-Za-z0-9_.-]{0,99}$"}};
-  describe(key, schema);
-  return schema;
-}
-
-Schema document(const std::string& name, const std::string& doc) {
-  return {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
-          {"$id", "urn:avoidbench:schema:" + name},
-          {"title", "avoidbench " + name},
-          {"description", doc}};
-}
-
 /// The schema of a mapping that is laid over an included one: any key may be empty, which takes out
 /// what was included, and a range may say only what it changes. Its definitions are those of
 /// `schema` with "over." before their names, planners aside, which are replaced as a whole.
@@ -493,20 +436,24 @@ Schema laid_over(const Schema& schema) {
   return result;
 }
 
-/// Adds `whole` and `over`, which holds where there is `include`, with what they define.
-void add_forms(const std::string& name, Schema whole, SchemaWriter& of_whole, const Schema& over,
-               const SchemaWriter& of_over, Schema& document) {
-  document["type"] = "object";
-  document["if"] = {{"required", {"include"}}};
-  document["then"] = reference("over." + name + "_file");
-  document["else"] = reference(name + "_file");
-  Schema& definitions = document["$defs"];
-  definitions = std::move(of_whole.definitions);
+/// A file's schema: `whole`, or `over` where there is `include`, with what they define.
+Schema file_schema(const std::string& name, const std::string& doc, Schema whole,
+                   SchemaWriter& of_whole, const Schema& over, const SchemaWriter& of_over) {
+  Schema& definitions = of_whole.definitions;
   definitions[name + "_file"] = std::move(whole);
   definitions["over." + name + "_file"] = laid_over(over);
   for (const auto& [key, value] : of_over.definitions.items()) {
     definitions["over." + key] = laid_over(value);
   }
+  return {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+          {"$id", "urn:avoidbench:schema:" + name},
+          {"title", "avoidbench " + name},
+          {"description", doc},
+          {"type", "object"},
+          {"if", {{"required", {"include"}}}},
+          {"then", reference("over." + name + "_file")},
+          {"else", reference(name + "_file")},
+          {"$defs", std::move(definitions)}};
 }
 
 /// Of a file that describes one vehicle or sensor, whole or laid over another: lists are no axes
@@ -517,9 +464,7 @@ Schema shelf_schema(const FieldTree& tree) {
   SchemaWriter of_whole(false, false), of_over(false, true);
   Schema whole = of_whole.block(fields, tree.name);
   const Schema over = of_over.block(fields, tree.name);
-  Schema schema = document(tree.name, tree.doc);
-  add_forms(tree.name, std::move(whole), of_whole, over, of_over, schema);
-  return schema;
+  return file_schema(tree.name, tree.doc, std::move(whole), of_whole, over, of_over);
 }
 
 /// What stands under the sweep's key `key`, where it is a block.
@@ -527,8 +472,7 @@ Schema block_of_sweep(const FieldTree& key, SchemaWriter& writer) {
   const FieldTree* preset = key.find("preset");
   Schema schema = writer.block(key.fields, key.name);
   if (preset != nullptr) schema = name_or(schema, preset->choices);
-  describe(key, schema);
-  writer.definitions[key.name] = std::move(schema);
+  writer.definitions[key.name] = described(key, std::move(schema));
   return reference(key.name);
 }
 
@@ -539,25 +483,30 @@ Schema sweep_keys(const FieldTree& sweep, SchemaWriter& writer) {
     Schema& schema = properties[key.name];
     if (key.kind == FieldKind::block) {
       schema = block_of_sweep(key, writer);
-      add_axes(key, key.name + ".", writer, axes);
-    } else if (key.name == "sweep") {
-      schema = name_of_sweep(key);
+      add_axes(key, writer, axes);
+      continue;
+    }
+    if (key.name == "sweep") {
+      // YAML reads names such as 2026 and true as other types; the pattern is of texts alone.
+      schema = {{"type", {"string", "number", "boolean"}},
+                {"pattern", "^[A-Za-z0-9_][A-Za-z0-9_.-]{0,99}$"}};
     } else if (key.name == "planners") {
-      schema = planners_schema(key);
+      // One planner stands for a list of one.
+      Schema list{{"type", "array"}, {"items", reference("planner")}, {"minItems", 1}};
+      schema = {{"if", {{"type", "array"}}}, {"then", list}, {"else", reference("planner")}};
     } else if (key.name == "axes") {
       Schema map_alias{{"^map(\\.|_seed$)", {{"type", {"number", "array", "object"}}}}};
       schema = {{"type", {"object", "null"}},
                 {"properties", axes},
                 {"patternProperties", std::move(map_alias)},  // the paths of stored trials
                 {"additionalProperties", false}};
-      describe(key, schema);
     } else if (key.name == "trials") {
       schema = value_schema(key);
-      describe(key, schema);
     } else {
       schema = writer.field(key, "");
       if (key.name == "seed") axes[key.name] = writer.several(key, value_schema(key), true);
     }
+    schema = described(key, std::move(schema));
   }
   return {{"properties", std::move(properties)}, {"additionalProperties", false}};
 }
@@ -567,19 +516,15 @@ Schema sweep_keys(const FieldTree& sweep, SchemaWriter& writer) {
 Schema sweep_schema(const std::vector<PlannerDescription>& planners, bool is_part) {
   const std::string name = is_part ? "part" : "sweep";
   const FieldTree& sweep = sweep_tree();
-  SchemaWriter of_whole(true, false), of_over(true, true);
+  SchemaWriter of_over(true, true);
   const Schema over = sweep_keys(sweep, of_over);
-  Schema whole = is_part ? Schema(over) : sweep_keys(sweep, of_whole);
-  if (is_part) {  // what it lacks, an including file has
-    of_whole.definitions = of_over.definitions;
-  } else {
-    whole["required"] = {"sweep", "planners"};
-  }
+  // What a part lacks, an including file has.
+  SchemaWriter of_whole = is_part ? of_over : SchemaWriter(true, false);
+  Schema whole = is_part ? over : sweep_keys(sweep, of_whole);
+  if (!is_part) whole["required"] = {"sweep", "planners"};
   of_whole.definitions["planner"] =
       planner_schema(*sweep.find("max_speed_mps"), planners, of_whole);
-  Schema result = document(name, sweep.doc);
-  add_forms(name, std::move(whole), of_whole, over, of_over, result);
-  return result;
+  return file_schema(name, sweep.doc, std::move(whole), of_whole, over, of_over);
 }
 
 Schema vehicle_schema() { return shelf_schema(vehicle_tree()); }

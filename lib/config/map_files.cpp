@@ -21,16 +21,14 @@ struct FileField {
 /// Also where it is wrong, after its problem was added: messages that follow then name the file.
 std::string absolute(const FileField& field, const std::string& file, Reading& reading) {
   if (file.empty()) return file;
-  const fs::path given(file);
+  const GivenValue given = reading.at(field.path);
   // Relative to the file that says it, which may be an included one.
-  const fs::path folder = folder_of(reading.place(field.path), ".");
-  const fs::path found =
-      fs::absolute(given.is_absolute() ? given : folder / given).lexically_normal();
+  const fs::path found = fs::absolute(folder_of(given.node, ".") / file).lexically_normal();
   std::error_code error;
   if (!fs::exists(found, error)) {
-    reading.add_problem(field.path, "no file " + found.string());
+    given.add_problem("no file " + found.string());
   } else if (!fs::is_regular_file(found, error)) {
-    reading.add_problem(field.path, "is no plain file: " + found.string());
+    given.add_problem("is no plain file: " + found.string());
   }
   return found.string();
 }
@@ -41,47 +39,35 @@ void fill_digest(const FileField& field, Reading& reading) {
     const std::string digest = file_digest(*field.file);
     if (field.digest->empty()) *field.digest = digest;
     if (*field.digest == digest) return;
-    reading.add_problem(field.path + "_digest", "is not that of " + *field.file + ", " + digest);
+    reading.at(field.path + "_digest").add_problem("is not that of " + *field.file + ", " + digest);
   } catch (const InputError& error) {
-    for (const InputProblem& problem : error.problems()) {
-      reading.add_problem(field.path, text(problem));
-    }
+    reading.at(field.path).add_problems(error);
   }
 }
 
+/// The file may be an axis: then each of its values is one.
 void resolve(const FileField& field, SweepSpec& sweep, Reading& reading) {
-  // The file may be an axis: then each of its values is one.
-  Axis* axis = axis_of(sweep, trial_path(field.path));
+  const std::string path = trial_path(field.path);
   const std::size_t before = reading.problems.size();
-  if (axis == nullptr) {
-    *field.file = absolute(field, *field.file, reading);
-  } else {
-    for (nlohmann::json& value : axis->values) {
-      value = absolute(field, value.get<std::string>(), reading);
-    }
-    *field.file = axis->values.front().get<std::string>();
-  }
+  for_each_value(sweep, path, *field.file,
+                 [&](std::string& file) { file = absolute(field, file, reading); });
   if (reading.problems.size() > before || field.digest == nullptr) return;
+  const bool is_axis = axis_of(sweep, path) != nullptr;
   // One file's digest is computed here, once; those of an axis when trials are made.
-  if (axis == nullptr && !field.file->empty()) fill_digest(field, reading);
-  if (axis == nullptr || field.digest->empty()) return;
-  reading.add_problem(field.path + "_digest", "can't be that of several files");
+  if (!is_axis && !field.file->empty()) fill_digest(field, reading);
+  if (!is_axis || field.digest->empty()) return;
+  reading.at(field.path + "_digest").add_problem("can't be that of several files");
 }
 
 /// Reads each wind field once to see that it is one.
 void check_wind_fields(const FileField& field, SweepSpec& sweep, Reading& reading) {
-  const Axis* axis = axis_of(sweep, field.path);
-  std::vector<nlohmann::json> files{*field.file};
-  if (axis != nullptr) files = axis->values;
-  for (const nlohmann::json& file : files) {
+  for_each_value(sweep, field.path, *field.file, [&](const std::string& file) {
     try {
-      if (file != "") read_wind_field(file.get<std::string>(), "");
+      if (!file.empty()) read_wind_field(file, "");
     } catch (const InputError& error) {
-      for (const InputProblem& problem : error.problems()) {
-        reading.add_problem(field.path, text(problem));
-      }
+      reading.at(field.path).add_problems(error);
     }
-  }
+  });
 }
 
 }  // namespace
@@ -90,7 +76,8 @@ void resolve_files(SweepSpec& sweep, Reading& reading) {
   const FileOfMap map = file_of(sweep.base.map);
   if (map.file != nullptr && !map.file->empty()) {
     if (axis_of(sweep, "map_seed") != nullptr) {
-      reading.add_problem("maps.seeds", "a map from a file is the same for every seed; leave one");
+      reading.at("maps.seeds")
+          .add_problem("a map from a file is the same for every seed; leave one");
     }
     resolve({"maps.file", map.file, map.digest}, sweep, reading);
   }

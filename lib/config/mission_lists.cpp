@@ -10,7 +10,9 @@
 #include "config/sweep_axes.hpp"
 #include "config/sweep_keys.hpp"
 #include "sweep/listed_missions.hpp"
+#include "text/words.hpp"
 #include "yaml/includes.hpp"
+#include "yaml/yaml_values.hpp"
 
 namespace avoidbench {
 namespace {
@@ -50,40 +52,41 @@ void add(const WrittenMission& written, SweepSpec& sweep) {
 // -------------------------------------------------------------------------------------------------
 // a list
 
-Place read_place(const YamlNode& node, const std::string& path, Reading& reading) {
-  if (!check_list(node, path, 3, reading.problems)) return std::nullopt;
-  Eigen::Vector3d place;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto number = read_number(node.items[i], path + "[" + std::to_string(i) + "]", kPlaces_m,
-                                    reading.problems);
+Place read_place(const GivenValue& given) {
+  if (!check_list(given, 3)) return std::nullopt;
+  std::vector<double> place;
+  for (const GivenValue& element : given.elements()) {
+    const auto number = read_number(element, kPlaces_m);
     if (!number) return std::nullopt;
-    place[static_cast<int>(i)] = *number;
+    place.push_back(*number);
   }
-  return place;
+  return Eigen::Vector3d(place[0], place[1], place[2]);
 }
 
-void read_entry(const YamlNode& node, const std::string& path, SweepSpec& sweep, Reading& reading) {
-  MappingReader mapping(node, path, reading);
+void read_entry(const GivenValue& given, SweepSpec& sweep) {
+  MappingReader mapping(given);
   // The reader has told what it is instead.
-  if (node.kind != YamlNode::Kind::mapping) return;
-  WrittenMission written{.node = node, .start = {}, .goal = {}, .yaw_deg = {}, .map = {}};
+  if (given.node.kind != YamlNode::Kind::mapping) return;
+  WrittenMission written{.node = given.node, .start = {}, .goal = {}, .yaw_deg = {}, .map = {}};
   for (const auto& [name, place] :
        {std::pair("start", &written.start), std::pair("goal", &written.goal)}) {
-    const YamlNode* given = mapping.take(name);
-    if (given != nullptr) {
-      *place = read_place(*given, path + "." + name, reading);
+    if (const auto value = mapping.take(name)) {
+      *place = read_place(*value);
     } else {
-      reading.add_problem(path, std::string("lacks '") + name + "': [x, y, z] in metres");
+      given.add_problem(std::string("lacks '") + name + "': [x, y, z] in metres");
     }
   }
-  if (const YamlNode* yaw = mapping.take("yaw_deg")) {
-    written.yaw_deg = read_number(*yaw, path + ".yaw_deg", kYaw_deg, reading.problems);
-  }
-  if (const YamlNode* map = mapping.take("map")) {
-    written.map = read_text(*map, path + ".map", reading.problems).value_or("");
-  }
+  if (const auto yaw = mapping.take("yaw_deg")) written.yaw_deg = read_number(*yaw, kYaw_deg);
+  if (const auto map = mapping.take("map")) written.map = read_text(*map).value_or("");
   mapping.finish();
   add(written, sweep);
+}
+
+void read_list(const GivenValue& given, SweepSpec& sweep) {
+  if (!check_list(given)) return;
+  const std::vector<GivenValue> elements = given.elements();
+  if (elements.empty()) given.add_problem("expected at least one mission");
+  for (const GivenValue& element : elements) read_entry(element, sweep);
 }
 
 // -------------------------------------------------------------------------------------------------
@@ -99,8 +102,7 @@ std::vector<YamlNode> fields_of(std::string_view line, const YamlNode& row,
   bool is_quoted = false;
   const auto begin_field = [&](std::size_t at) {
     // A node at the row's place: readers of YAML values then serve for tables too.
-    fields.push_back(row);
-    fields.back().kind = YamlNode::Kind::scalar;
+    fields.push_back(node_at(row, YamlNode::Kind::scalar));
     fields.back().column = static_cast<int>(at) + 1;
   };
   begin_field(0);
@@ -124,77 +126,61 @@ std::vector<YamlNode> fields_of(std::string_view line, const YamlNode& row,
   return fields;
 }
 
-/// Where each column stands in the rows.
-struct Columns {
-  std::vector<std::string> names;
-
-  const YamlNode* of(const std::vector<YamlNode>& fields, std::string_view name) const {
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end()) return nullptr;
-    return &fields[static_cast<std::size_t>(found - names.begin())];
-  }
-};
-
 /// The columns may stand in any order; the places' six are needed.
-Columns read_header(const std::vector<YamlNode>& fields, std::vector<InputProblem>& problems) {
+void check_header(const std::vector<YamlNode>& columns, std::vector<InputProblem>& problems) {
   std::vector<std::string> known(kPlaceColumns.begin(), kPlaceColumns.end());
   known.insert(known.end(), {"yaw_deg", "map"});
-  Columns columns;
   // What spreadsheets of some countries write.
-  if (fields.size() == 1 && fields[0].scalar.find_first_of(";\t") != std::string::npos) {
-    problems.push_back(problem_at(fields[0], "columns must be parted by commas"));
-    return columns;
-  }
-  for (const YamlNode& field : fields) {
-    const std::string& name = field.scalar;
-    const bool is_known = std::find(known.begin(), known.end(), name) != known.end();
-    if (!is_known) {
-      const std::string hint = did_you_mean(name, known);
-      problems.push_back(problem_at(
-          field, "unknown column '" + name + "'" + hint + "; columns are " + listed(known)));
-    } else if (std::find(columns.names.begin(), columns.names.end(), name) != columns.names.end()) {
-      problems.push_back(problem_at(field, "a second column '" + name + "'"));
-    }
-    // Also a wrong one, so that columns keep their numbers.
-    columns.names.push_back(name);
-  }
-  for (const std::string& name : kPlaceColumns) {
-    if (std::find(columns.names.begin(), columns.names.end(), name) != columns.names.end())
-      continue;
-    problems.push_back(problem_at(fields[0], "lacks the column '" + name + "'"));
-  }
-  return columns;
-}
-
-void read_row(const std::vector<YamlNode>& fields, const Columns& columns, SweepSpec& sweep,
-              std::vector<InputProblem>& problems) {
-  if (fields.size() != columns.names.size()) {
-    problems.push_back(problem_at(fields[0], std::to_string(fields.size()) + " fields, but " +
-                                                 std::to_string(columns.names.size()) +
-                                                 " columns"));
+  if (columns.size() == 1 && columns[0].scalar.find_first_of(";\t") != std::string::npos) {
+    problems.push_back(problem_at(columns[0], "columns must be parted by commas"));
     return;
   }
-  WrittenMission written{.node = fields[0], .start = {}, .goal = {}, .yaw_deg = {}, .map = {}};
-  for (std::size_t place = 0; place < 2; ++place) {
-    std::array<std::optional<double>, 3> numbers;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::string& name = kPlaceColumns[3 * place + i];
-      numbers[i] = read_number(*columns.of(fields, name), name, kPlaces_m, problems);
+  std::set<std::string> seen;
+  for (const YamlNode& column : columns) {
+    const std::string& name = column.scalar;
+    const bool is_new = seen.insert(name).second;
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      const std::string hint = did_you_mean(name, known);
+      problems.push_back(problem_at(
+          column, "unknown column '" + name + "'" + hint + "; columns are " + joined(known)));
+    } else if (!is_new) {
+      problems.push_back(problem_at(column, "a second column '" + name + "'"));
     }
-    const bool is_whole = numbers[0] && numbers[1] && numbers[2];
-    Place& of = place == 0 ? written.start : written.goal;
-    if (is_whole) of = Eigen::Vector3d(*numbers[0], *numbers[1], *numbers[2]);
   }
-  const YamlNode* yaw = columns.of(fields, "yaw_deg");
-  if (yaw != nullptr && !yaw->scalar.empty()) {
-    written.yaw_deg = read_number(*yaw, "yaw_deg", kYaw_deg, problems);
+  for (const std::string& name : kPlaceColumns) {
+    if (seen.contains(name)) continue;
+    problems.push_back(problem_at(columns[0], "lacks the column '" + name + "'"));
   }
-  if (const YamlNode* map = columns.of(fields, "map")) written.map = map->scalar;
+}
+
+/// A mapping from the columns' names to the fields of a line.
+void read_row(const GivenValue& row, SweepSpec& sweep) {
+  const YamlNode& node = row.node;
+  if (node.items.size() != node.keys.size()) {
+    row.add_problem(std::to_string(node.items.size()) + " fields, but " +
+                    std::to_string(node.keys.size()) + " columns");
+    return;
+  }
+  WrittenMission written{.node = node, .start = {}, .goal = {}, .yaw_deg = {}, .map = {}};
+  const auto number_in = [&](const std::string& column, Range range) {
+    return read_number(row.at(*node.find(column), column), range);
+  };
+  for (const auto& [name, place] :
+       {std::pair("start", &written.start), std::pair("goal", &written.goal)}) {
+    const std::string of(name);
+    const auto x = number_in(of + "_x_m", kPlaces_m);
+    const auto y = number_in(of + "_y_m", kPlaces_m);
+    const auto z = number_in(of + "_z_m", kPlaces_m);
+    if (x && y && z) *place = Eigen::Vector3d(*x, *y, *z);
+  }
+  const YamlNode* yaw = node.find("yaw_deg");
+  if (yaw != nullptr && !yaw->scalar.empty()) written.yaw_deg = number_in("yaw_deg", kYaw_deg);
+  if (const YamlNode* map = node.find("map")) written.map = map->scalar;
   add(written, sweep);
 }
 
 /// Lines end with LF or CR LF; empty ones, and those that begin with #, are passed over.
-void read_table(const std::filesystem::path& file, SweepSpec& sweep, Reading& reading) {
+void read_table(const std::filesystem::path& file, const GivenValue& given, SweepSpec& sweep) {
   constexpr std::uint64_t kMostBytes = 64U << 20U;
   // A table of a thousand wrong rows has said enough.
   constexpr std::size_t kMostProblems = 20;
@@ -202,39 +188,38 @@ void read_table(const std::filesystem::path& file, SweepSpec& sweep, Reading& re
   std::string_view rest = text;
   if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);  // as spreadsheets write it
   YamlNode row;
+  row.kind = YamlNode::Kind::mapping;
   row.source = std::make_shared<const std::string>(file.string());
-  std::optional<Columns> columns;
-  const std::size_t before = reading.problems.size(), listed_before = sweep.missions.size();
-  while (!rest.empty() && reading.problems.size() < before + kMostProblems) {
+  row.column = 1;
+  std::vector<InputProblem>& problems = given.reading.problems;
+  const std::size_t before = problems.size(), listed_before = sweep.missions.size();
+  while (!rest.empty() && problems.size() < before + kMostProblems) {
     std::string_view line = rest.substr(0, rest.find('\n'));
     rest.remove_prefix(std::min(rest.size(), line.size() + 1));
     if (line.ends_with('\r')) line.remove_suffix(1);
     ++row.line;
     if (line.find_first_not_of(" \t") == std::string_view::npos || line.front() == '#') continue;
-    const std::vector<YamlNode> fields = fields_of(line, row, reading.problems);
-    if (columns) {
-      read_row(fields, *columns, sweep, reading.problems);
+    row.items = fields_of(line, row, problems);
+    if (!row.keys.empty()) {
+      read_row({row, "", given.reading}, sweep);
       continue;
     }
-    columns = read_header(fields, reading.problems);
+    row.keys = std::move(row.items);
+    check_header(row.keys, problems);
     // Rows can't be read by wrong columns.
-    if (reading.problems.size() > before) return;
+    if (problems.size() > before) return;
   }
-  if (sweep.missions.size() > listed_before || reading.problems.size() > before) return;
-  reading.add_problem("mission.file", file.string() + " lists no mission");
+  if (sweep.missions.size() > listed_before || problems.size() > before) return;
+  given.add_problem(file.string() + " lists no mission");
 }
 
-void read_file(const YamlNode& node, SweepSpec& sweep, Reading& reading) {
-  const auto name = read_text(node, "mission.file", reading.problems);
+void read_file(const GivenValue& given, SweepSpec& sweep) {
+  const auto name = read_text(given);
   if (!name) return;
-  const std::filesystem::path given(*name);
-  const std::filesystem::path file = given.is_absolute() ? given : folder_of(node, ".") / given;
   try {
-    read_table(file.lexically_normal(), sweep, reading);
+    read_table((folder_of(given.node, ".") / *name).lexically_normal(), given, sweep);
   } catch (const InputError& error) {
-    for (const InputProblem& problem : error.problems()) {
-      reading.add_problem("mission.file", text(problem));
-    }
+    given.add_problems(error);
   }
 }
 
@@ -242,20 +227,15 @@ void read_file(const YamlNode& node, SweepSpec& sweep, Reading& reading) {
 
 void read_missions(const YamlNode& root, SweepSpec& sweep, Reading& reading) {
   const YamlNode* block = root.find("mission");
-  if (block == nullptr || block->kind != YamlNode::Kind::mapping) return;
+  if (block == nullptr) return;
   const YamlNode* list = said(*block, "list");
   const YamlNode* file = said(*block, "file");
   if (list != nullptr && file != nullptr) {
-    reading.problems.push_back(problem_at(*file, "mission.file: there is mission.list too"));
+    GivenValue{*file, "mission.file", reading}.add_problem("there is mission.list too");
   } else if (file != nullptr) {
-    read_file(*file, sweep, reading);
-  } else if (list != nullptr && check_list(*list, "mission.list", {}, reading.problems)) {
-    if (list->items.empty()) {
-      reading.problems.push_back(problem_at(*list, "mission.list: expected at least one mission"));
-    }
-    for (std::size_t i = 0; i < list->items.size(); ++i) {
-      read_entry(list->items[i], "mission.list[" + std::to_string(i) + "]", sweep, reading);
-    }
+    read_file({*file, "mission.file", reading}, sweep);
+  } else if (list != nullptr) {
+    read_list({*list, "mission.list", reading}, sweep);
   }
 }
 
@@ -277,19 +257,19 @@ void settle_missions(const YamlNode& root, SweepSpec& sweep, Reading& reading) {
     const std::vector<std::string> known(maps.begin(), maps.end()), all(names.begin(), names.end());
     InputProblem problem = mission.place;
     problem.message = "the sweep has no map '" + mission.map + "'" +
-                      did_you_mean(mission.map, all) + "; it has " + listed(known);
+                      did_you_mean(mission.map, all) + "; it has " + joined(known);
     reading.problems.push_back(std::move(problem));
   }
   for (const std::string& map : empty_maps) {
-    reading.add_problem("mission", "no mission is listed for map " + map);
+    reading.at("mission").add_problem("no mission is listed for map " + map);
   }
   if (said(root, "trials") == nullptr) {
     // Nothing said: all that are listed.
     sweep.trials = most;
   } else if (sweep.trials > most) {
-    reading.add_problem("trials", std::to_string(sweep.trials) + " is more than the " +
-                                      std::to_string(most) +
-                                      " missions that are listed; left out, all are flown");
+    reading.at("trials").add_problem(std::to_string(sweep.trials) + " is more than the " +
+                                     std::to_string(most) +
+                                     " missions that are listed; left out, all are flown");
   }
 }
 

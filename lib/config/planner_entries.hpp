@@ -13,7 +13,6 @@ namespace avoidbench {
 /// planner for each, with the value in its label: `ego[horizon_m=5]`. Labels are unique.
 /// `max_speed`, where given, is the sweep's own max_speed_mps: that of each planner that is given
 /// no other, or an error where it declares no such parameter.
-std::vector<PlannerChoice> read_planners(const YamlNode& node, const YamlNode* max_speed,
-                                         Reading& reading);
+std::vector<PlannerChoice> read_planners(const GivenValue& given, const YamlNode* max_speed);
 
 }  // namespace avoidbench

@@ -4,6 +4,7 @@
 
 #include "config/field_reader.hpp"
 #include "config/sweep_keys.hpp"
+#include "yaml/yaml_values.hpp"
 
 namespace avoidbench {
 namespace {
@@ -11,25 +12,13 @@ namespace {
 using Json = nlohmann::json;
 using Check = std::function<void(const TrialSpec&)>;
 
-/// "map.poisson_radius_m" as a JSON pointer.
-Json::json_pointer pointer(const std::string& path) {
-  std::string text = "/" + path;
-  std::replace(text.begin(), text.end(), '.', '/');
-  return Json::json_pointer(text);
-}
-
 /// {a: {b: value}} for "a.b"; every level stands at the place of `key`.
 /// So that an axis' value is read by the reader of blocks, with the same checks and messages.
 YamlNode nested(const std::string& path, const YamlNode& key, const YamlNode& value) {
   const std::size_t dot = path.find('.');
-  YamlNode name = key;
-  name.scalar = path.substr(0, dot);
-  YamlNode mapping = key;
-  mapping.kind = YamlNode::Kind::mapping;
-  mapping.keys.push_back(std::move(name));
   const bool is_last = dot == std::string::npos;
-  mapping.items.push_back(is_last ? value : nested(path.substr(dot + 1), key, value));
-  return mapping;
+  return mapping_at(key, path.substr(0, dot),
+                    is_last ? value : nested(path.substr(dot + 1), key, value));
 }
 
 /// Why `path` can't be an axis, or "".
@@ -56,70 +45,58 @@ std::string path_problem(const std::string& path, const FieldTree& trial, const 
     if (found.field->kind != FieldKind::variant) continue;
     return "a " + found.field->name + " can't be an axis; write one sweep for each";
   }
-  if (base.contains(pointer(path)) && base.at(pointer(path)).is_object()) {
+  if (base.contains(pointer_of(path)) && base.at(pointer_of(path)).is_object()) {
     return "is a group of fields, not one";
   }
   return "";
 }
 
-void read_axis(const YamlNode& key, const YamlNode& node, SweepSpec& sweep, Reading& reading) {
+void read_axis(const GivenValue& key, const YamlNode& values, SweepSpec& sweep) {
   static const FieldTree trial_tree = field_tree("", TrialSpec{}, "");
   const Json base = spec_to_json(sweep.base);
-  const std::string path = trial_path(key.scalar);
+  const std::string path = trial_path(key.node.scalar);
   const bool is_second = axis_of(sweep, path) != nullptr;
   const std::string problem =
       is_second ? "has several values above already" : path_problem(path, trial_tree, base);
   if (!problem.empty()) {
-    reading.problems.push_back(problem_at(key, "axes." + key.scalar + ": " + problem));
+    key.add_problem(problem);
     return;
   }
   // An axis of thousands of wrong values has said enough.
   constexpr std::size_t kMostProblems = 5;
   Axis axis{path, {}};
   Reading found;  // of its own: the places of blocks are those of the blocks
-  for (const YamlNode& value : axis_values(node, "axes." + key.scalar, found.problems)) {
+  for (const YamlNode& value : axis_values({values, key.path, found})) {
     Json trial = base;
     // Into a whole trial: a field of a kind is there only in a trial of that kind.
-    read_block(nested(path, key, value), trial_tree, "", trial, found);
+    read_block({nested(path, key.node, value), "", found}, trial_tree, trial);
     if (found.problems.size() >= kMostProblems) break;
-    if (found.problems.empty()) axis.values.push_back(trial.at(pointer(path)));
+    if (found.problems.empty()) axis.values.push_back(trial.at(pointer_of(path)));
   }
-  reading.remember(sweep_path(path), key);
-  reading.problems.insert(reading.problems.end(), found.problems.begin(), found.problems.end());
+  std::vector<InputProblem>& problems = key.reading.problems;
+  key.reading.remember(sweep_path(path), key.node);
+  problems.insert(problems.end(), found.problems.begin(), found.problems.end());
   if (found.problems.empty()) sweep.axes.push_back(std::move(axis));
 }
 
 /// All combinations from this axis on.
-void combine(const SweepSpec& sweep, std::size_t axis, Json& trial, const Check& check) {
+void combine(const std::vector<Axis>& axes, std::size_t at, Json& trial, const Check& check) {
   // Trials are made from JSON only at the end of a combination.
-  if (axis == sweep.axes.size()) return check(spec_from_json<TrialSpec>(trial));
-  for (const Json& value : sweep.axes[axis].values) {
-    trial.at(pointer(sweep.axes[axis].path)) = value;
-    combine(sweep, axis + 1, trial, check);
+  if (at == axes.size()) return check(spec_from_json<TrialSpec>(trial));
+  for (const Json& value : axes[at].values) {
+    trial.at(pointer_of(axes[at].path)) = value;
+    combine(axes, at + 1, trial, check);
   }
 }
 
 }  // namespace
 
-const std::vector<std::string>& generator_names() {
-  return sweep_tree().find("maps")->find("generator")->choices;
-}
-
-std::vector<Axis> axes_of_blocks(const Reading& reading) {
-  std::vector<Axis> axes;
-  for (const ReadAxis& axis : reading.axes) axes.push_back({trial_path(axis.path), axis.values});
-  return axes;
-}
-
-void read_axes(const YamlNode& node, SweepSpec& sweep, Reading& reading) {
+void read_axes(const GivenValue& given, SweepSpec& sweep) {
+  const YamlNode& node = given.node;
   if (node.kind == YamlNode::Kind::null) return;
-  if (node.kind != YamlNode::Kind::mapping) {
-    reading.problems.push_back(
-        problem_at(node, "axes: expected a mapping {path: [values]}, found " + found_text(node)));
-    return;
-  }
+  if (node.kind != YamlNode::Kind::mapping) given.add_expected("a mapping {path: [values]}");
   for (std::size_t i = 0; i < node.keys.size(); ++i) {
-    read_axis(node.keys[i], node.items[i], sweep, reading);
+    read_axis(given.at(node.keys[i], node.keys[i].scalar), node.items[i], sweep);
   }
 }
 
@@ -134,15 +111,12 @@ void for_each_combination(const SweepSpec& sweep, const Check& check) {
   double total = 1.0;
   for (const Axis& axis : sweep.axes) total *= static_cast<double>(axis.values.size());
   Json first = spec_to_json(sweep.base);
-  if (total <= kMostCombinations) return combine(sweep, 0, first, check);
+  if (total <= kMostCombinations) return combine(sweep.axes, 0, first, check);
   // Too many to look at all: each axis by itself, the others at their first values.
-  for (const Axis& axis : sweep.axes) first.at(pointer(axis.path)) = axis.values.front();
+  for (const Axis& axis : sweep.axes) first.at(pointer_of(axis.path)) = axis.values.front();
   for (const Axis& axis : sweep.axes) {
     Json trial = first;
-    for (const Json& value : axis.values) {
-      trial.at(pointer(axis.path)) = value;
-      check(spec_from_json<TrialSpec>(trial));
-    }
+    combine({axis}, 0, trial, check);
   }
 }
 

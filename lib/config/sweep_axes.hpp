@@ -9,18 +9,26 @@
 
 namespace avoidbench {
 
-/// The generators' names, as in `maps: {generator: forest}`.
-const std::vector<std::string>& generator_names();
-
-/// The axes found in the blocks, by their paths in a TrialSpec.
-std::vector<Axis> axes_of_blocks(const Reading& reading);
-
 /// Reads the block `axes`, {path: values}, into sweep.axes. Values are checked as the field itself
 /// would be.
-void read_axes(const YamlNode& node, SweepSpec& sweep, Reading& reading);
+void read_axes(const GivenValue& given, SweepSpec& sweep);
 
 /// The axis of this path, or null.
 Axis* axis_of(SweepSpec& sweep, const std::string& path);
+
+/// Calls `visit` with each value that the sweep has for a path, which it may change: those of its
+/// axis, of which the base has the first, or the base's own.
+template <class T, class Visit>
+void for_each_value(SweepSpec& sweep, const std::string& path, T& base, Visit&& visit) {
+  Axis* axis = axis_of(sweep, path);
+  if (axis == nullptr) return visit(base);
+  for (nlohmann::json& json : axis->values) {
+    T value = json.get<T>();
+    visit(value);
+    json = value;
+  }
+  base = axis->values.front().get<T>();
+}
 
 /// Calls `check` with the sweep's TrialSpecs, planners and missions aside: with every combination
 /// of the axes where there are up to 4096, else with each axis moved alone.

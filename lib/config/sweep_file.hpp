@@ -21,7 +21,7 @@ SweepSpec read_sweep(const std::filesystem::path& file,
 /// those who want both, since a pipe can be read once.
 Document read_sweep_document(const std::filesystem::path& file,
                              const std::vector<std::string>& overrides = {});
-SweepSpec sweep_of_document(const Document& document, const std::filesystem::path& file);
+SweepSpec sweep_of_document(const Document& document);
 
 /// The same for a sweep that is in no file: `name` stands for it in problems.
 SweepSpec sweep_of_text(const std::string& text, const std::string& name,
@@ -40,9 +40,7 @@ struct MapChoice {
 MapChoice read_map(const std::string& given, const std::vector<std::string>& overrides = {});
 
 /// The same of a document that is at hand. Files are found from the places of their names, else
-/// from `folder`; `name` is what problems without a place are of.
-MapChoice map_of_document(const Document& document, const std::string& name,
-                          const std::filesystem::path& folder,
-                          const std::vector<std::string>& overrides = {});
+/// from its folder.
+MapChoice map_of_document(const Document& document, const std::vector<std::string>& overrides = {});
 
 }  // namespace avoidbench

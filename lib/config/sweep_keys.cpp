@@ -19,63 +19,6 @@ FieldTree own_key(std::string name, FieldKind kind, std::string doc, Facts facts
   return tree;
 }
 
-FieldTree include_key() {
-  return own_key(
-      "include", FieldKind::other,
-      "A file, or a list of them, whose keys hold where this file says nothing; relative to this "
-      "file's folder.",
-      {{"type", "a file, or a list of them"},
-       {"example", "include: base.yaml"},
-       {"or", "include: [forest.yaml, windy.yaml]"},
-       {"merging",
-        "mappings merge key by key, other values are replaced; later files win over earlier ones, "
-        "this file over all"},
-       {"to take out", "write the key with ~ for its value"}});
-}
-
-FieldTree until_key() {
-  return own_key("until", FieldKind::text,
-                 "When a planner has flown enough, as in 'success_rate ci<0.05': its rate is known "
-                 "to ± 0.05 (95 %). Looked at after each tenth of the trials; left out: all are "
-                 "flown.",
-                 {{"type", "a rule"},
-                  {"default", "none: all trials are flown"},
-                  {"axis", "no: it is the sweep's"},
-                  {"example", "until: success_rate ci<0.05"}});
-}
-
-FieldTree planners_key() {
-  return own_key(
-      "planners", FieldKind::other,
-      "The planners to compare: names, or {plugin: NAME or ./FILE, label, parameters: {name: "
-      "value or list}, max_speed_mps}.",
-      {{"type", "a name or mapping, or a list of them"},
-       {"example", "planners: [straight_line, reactive]"},
-       {"or", "planners: [{plugin: ./my_planner.so, label: mine}, ./my_planner.py]"},
-       {"axis", "planners: [{plugin: reactive, parameters: {margin_m: [0.3, 0.6]}}]"},
-       {"see", "avoidbench planners list, planners describe NAME, config explain NAME.PARAMETER"}});
-}
-
-FieldTree max_speed_key() {
-  return own_key("max_speed_mps", FieldKind::number,
-                 "Speed limit of all planners that are given none; a list compares speeds. Left "
-                 "out: each planner's own.",
-                 {{"type", "number in m/s"},
-                  {"default", "each planner's own"},
-                  {"example", "max_speed_mps: 3"},
-                  {"axis", "max_speed_mps: [2, 4]"}});
-}
-
-FieldTree axes_key() {
-  return own_key("axes", FieldKind::other,
-                 "Any field above by its path, with the values to try: each combination of axes is "
-                 "flown.",
-                 {{"type", "a mapping of paths to values"},
-                  {"example", "axes: {wind.mean_world_mps: [[0, 0, 0], [4, 0, 0]]}"},
-                  {"or", "axes: {vehicle.mass_kg: {from: 0.7, to: 0.9, count: 3}}"},
-                  {"not", "maps.generator, sensor.kind, trials, planners"}});
-}
-
 FieldTree mission_list_key() {
   FieldTree key = own_key(
       "list", FieldKind::other,
@@ -88,30 +31,73 @@ FieldTree mission_list_key() {
        {"or", "mission: {list: [{start: [2, 1, 1.5], goal: [20, 12, 2], yaw_deg: 90}]}"},
        {"axis", "no: all missions are flown for each setting"},
        {"see", "docs/sweep_files.md, Missions of your own"}});
-  FieldTree element;
-  const auto add = [&](FieldTree field) { element.fields.push_back(std::move(field)); };
   using Place = std::array<double, 3>;
   const Range places_m{-kFarthestPlace_m, kFarthestPlace_m};
-  add(FieldCollector::described("map", std::string(), {},
-                                "Which map it is of; left out: of each."));
-  add(FieldCollector::described("start", Place{}, places_m, "Where it begins, hovering, m."));
-  add(FieldCollector::described("goal", Place{}, places_m, "Where to, m."));
-  add(FieldCollector::described("yaw_deg", 0.0, Range{-360, 360},
-                                "Heading at the start, from x toward y; left out: to the goal."));
+  FieldTree element;
+  element.fields = {
+      FieldCollector::described("map", std::string(), {}, "Which map it is of; left out: of each."),
+      FieldCollector::described("start", Place{}, places_m, "Where it begins, hovering, m."),
+      FieldCollector::described("goal", Place{}, places_m, "Where to, m."),
+      FieldCollector::described("yaw_deg", 0.0, Range{-360, 360},
+                                "Heading at the start, from x toward y; left out: to the goal.")};
   key.fields.push_back(std::move(element));
   return key;
 }
 
-FieldTree mission_file_key() {
-  return own_key(
-      "file", FieldKind::other,
-      "The same from a table: a CSV file with the columns start_x_m, start_y_m, start_z_m, "
-      "goal_x_m, goal_y_m, goal_z_m and, if wanted, yaw_deg and map.",
-      {{"type", "a file, relative to the one that names it"},
-       {"default", "none"},
-       {"example", "mission: {file: missions.csv}"},
-       {"axis", "no: all missions are flown for each setting"},
-       {"see", "docs/sweep_files.md, Missions of your own"}});
+/// The keys of sweep files that are no fields of a spec.
+std::vector<FieldTree> own_keys() {
+  return {
+      own_key("include", FieldKind::other,
+              "A file, or a list of them, whose keys hold where this file says nothing; relative "
+              "to this file's folder.",
+              {{"type", "a file, or a list of them"},
+               {"example", "include: base.yaml"},
+               {"or", "include: [forest.yaml, windy.yaml]"},
+               {"merging",
+                "mappings merge key by key, other values are replaced; later files win over "
+                "earlier ones, this file over all"},
+               {"to take out", "write the key with ~ for its value"}}),
+      own_key("until", FieldKind::text,
+              "When a planner has flown enough, as in 'success_rate ci<0.05': its rate is known "
+              "to ± 0.05 (95 %). Looked at after each tenth of the trials; left out: all are "
+              "flown.",
+              {{"type", "a rule"},
+               {"default", "none: all trials are flown"},
+               {"axis", "no: it is the sweep's"},
+               {"example", "until: success_rate ci<0.05"}}),
+      own_key(
+          "planners", FieldKind::other,
+          "The planners to compare: names, or {plugin: NAME or ./FILE, label, parameters: {name: "
+          "value or list}, max_speed_mps}.",
+          {{"type", "a name or mapping, or a list of them"},
+           {"example", "planners: [straight_line, reactive]"},
+           {"or", "planners: [{plugin: ./my_planner.so, label: mine}, ./my_planner.py]"},
+           {"axis", "planners: [{plugin: reactive, parameters: {margin_m: [0.3, 0.6]}}]"},
+           {"see",
+            "avoidbench planners list, planners describe NAME, config explain NAME.PARAMETER"}}),
+      own_key("max_speed_mps", FieldKind::number,
+              "Speed limit of all planners that are given none; a list compares speeds. Left "
+              "out: each planner's own.",
+              {{"type", "number in m/s"},
+               {"default", "each planner's own"},
+               {"example", "max_speed_mps: 3"},
+               {"axis", "max_speed_mps: [2, 4]"}}),
+      mission_list_key(),
+      own_key("file", FieldKind::other,
+              "The same from a table: a CSV file with the columns start_x_m, start_y_m, start_z_m, "
+              "goal_x_m, goal_y_m, goal_z_m and, if wanted, yaw_deg and map.",
+              {{"type", "a file, relative to the one that names it"},
+               {"default", "none"},
+               {"example", "mission: {file: missions.csv}"},
+               {"axis", "no: all missions are flown for each setting"},
+               {"see", "docs/sweep_files.md, Missions of your own"}}),
+      own_key("axes", FieldKind::other,
+              "Any field above by its path, with the values to try: each combination of axes is "
+              "flown.",
+              {{"type", "a mapping of paths to values"},
+               {"example", "axes: {wind.mean_world_mps: [[0, 0, 0], [4, 0, 0]]}"},
+               {"or", "axes: {vehicle.mass_kg: {from: 0.7, to: 0.9, count: 3}}"},
+               {"not", "maps.generator, sensor.kind, trials, planners"}})};
 }
 
 /// A block with the key `preset` for these specs; the first is the default.
@@ -150,20 +136,21 @@ FieldTree make_sensor_tree() {
 }
 
 FieldTree make_sweep_tree() {
-  // The fields of SweepSpec, rearranged as sweep files have them.
-  FieldTree fields = field_tree("", SweepSpec{}, "");
+  // The fields of SweepSpec and the files' own keys, rearranged as sweep files have them.
+  std::vector<FieldTree> fields = field_tree("", SweepSpec{}, "").fields;
+  for (FieldTree& key : own_keys()) fields.push_back(std::move(key));
   const auto take = [&](std::string_view name) {
-    const auto found = std::find_if(fields.fields.begin(), fields.fields.end(),
+    const auto found = std::find_if(fields.begin(), fields.end(),
                                     [&](const FieldTree& field) { return field.name == name; });
     FieldTree taken = std::move(*found);
-    fields.fields.erase(found);
+    fields.erase(found);
     return taken;
   };
   // The program fills these in.
   for (const char* filled_in : {"mission_index", "planner", "latency_digest", "missions_digest"})
     take(filled_in);
   FieldTree name = take("sweep"), trials = take("trials"), maps = take("map");
-  FieldTree seeds = take("map_seed");
+  FieldTree seeds = take("map_seed"), missions = take("list"), mission_file = take("file");
   name.preset = {};
   name.facts = {{"type", "text"}, {"example", "sweep: my_sweep"}};
   trials.facts = {{"type", "whole number"},
@@ -173,24 +160,28 @@ FieldTree make_sweep_tree() {
                   {"example", "trials: 30"}};
   seeds.name = "seeds";
   seeds.doc = "Map seeds as a list, or how many of them, from 1; each is a map.";
+  seeds.facts = {{"type", "how many, or a list or range of them"},
+                 {"default", "[1]"},
+                 {"example", "maps: {seeds: 3}"},
+                 {"axis", "maps: {seeds: [1, 5, 9]}"},
+                 {"or", "axes: {maps.seeds: [1, 5, 9]}"}};
   maps.name = "maps";
   maps.fields.push_back(std::move(seeds));
 
   FieldTree sweep;
   sweep.doc = "A sweep: maps × missions × planners.";
-  sweep.fields = {std::move(name), include_key(),  take("seed"),    std::move(trials),
-                  until_key(),     planners_key(), max_speed_key(), std::move(maps)};
-  for (FieldTree& field : fields.fields) {
+  sweep.fields = {std::move(name), take("include"),  take("seed"),          std::move(trials),
+                  take("until"),   take("planners"), take("max_speed_mps"), std::move(maps)};
+  for (FieldTree& field : fields) {
     // Those of the trees for files of their own, which know presets.
     if (field.name == "vehicle") field.fields = vehicle_tree().fields;
     if (field.name == "sensor") field.fields = sensor_tree().fields;
     if (field.name == "mission") {
-      field.fields.push_back(mission_list_key());
-      field.fields.push_back(mission_file_key());
+      field.fields.push_back(std::move(missions));
+      field.fields.push_back(std::move(mission_file));
     }
     sweep.fields.push_back(std::move(field));
   }
-  sweep.fields.push_back(axes_key());
   return sweep;
 }
 

@@ -17,31 +17,6 @@ using Kind = YamlNode::Kind;
 /// A value of an axis, `{from, to, count}`, and no block of keys: it is replaced as a whole.
 bool is_range(const YamlNode& node) { return node.find("from") != nullptr; }
 
-void remove(YamlNode& mapping, std::size_t index) {
-  const auto offset = static_cast<std::ptrdiff_t>(index);
-  mapping.keys.erase(mapping.keys.begin() + offset);
-  mapping.items.erase(mapping.items.begin() + offset);
-}
-
-/// The number of keys where none has the name.
-std::size_t index_of(const YamlNode& mapping, const std::string& key) {
-  const auto found = std::find_if(mapping.keys.begin(), mapping.keys.end(),
-                                  [&](const YamlNode& other) { return other.scalar == key; });
-  return static_cast<std::size_t>(found - mapping.keys.begin());
-}
-
-/// Makes `{preset: name}` of the name of a vehicle or sensor, so that fields can be laid over it.
-void become_preset(YamlNode& name) {
-  YamlNode key = name;
-  key.scalar = "preset";
-  YamlNode mapping = name;
-  mapping.kind = Kind::mapping;
-  mapping.scalar.clear();
-  mapping.keys = {std::move(key)};
-  mapping.items = {std::move(name)};
-  name = std::move(mapping);
-}
-
 /// Lays `over` on `under`, which stays where `over` says nothing.
 /// Recursive, key by key. A key is taken over with its value so that messages point to where the
 /// value that counts was given. Only at the top (`is_top`) does a name stand for a block of fields.
@@ -52,19 +27,19 @@ void merge(YamlNode& under, YamlNode over, bool is_top) {
   }
   for (std::size_t i = 0; i < over.keys.size(); ++i) {
     const std::string& key = over.keys[i].scalar;
-    const std::size_t below = index_of(under, key);
+    const std::size_t below = under.index_of(key);
     if (below == under.keys.size()) {
       under.keys.push_back(over.keys[i]);
       under.items.push_back(std::move(over.items[i]));
     } else if (over.items[i].kind == Kind::null) {
       // `~` takes the key out.
-      remove(under, below);
+      under.erase(below);
     } else {
       // A name below, fields above: the name becomes the block's preset.
       const bool is_named = is_top && (key == "vehicle" || key == "sensor");
       if (is_named && over.items[i].kind == Kind::mapping &&
           under.items[below].kind == Kind::scalar) {
-        become_preset(under.items[below]);
+        under.items[below] = mapping_at(under.items[below], "preset", under.items[below]);
       }
       under.keys[below] = over.keys[i];
       merge(under.items[below], std::move(over.items[i]), false);
@@ -83,20 +58,14 @@ struct Reader {
   std::vector<std::string> included;
 
   YamlNode read(const fs::path& file) {
-    std::error_code error;
-    open.push_back(fs::weakly_canonical(file, error));
     YamlNode root = read_yaml(file);
     const YamlNode* include = root.find("include");
-    if (include == nullptr) {
-      open.pop_back();
-      return root;
-    }
+    if (include == nullptr) return root;
     // A copy, since the key is taken out of the tree that holds it.
     const YamlNode named = *include;
     // The key is spent here: for readers of the tree `include` is unknown.
-    remove(root, index_of(root, "include"));
-    YamlNode merged;
-    merged.kind = Kind::mapping;
+    root.erase(root.index_of("include"));
+    YamlNode merged = node_at({}, Kind::mapping);
     std::vector<InputProblem> problems;
     // All included files are read even if one fails, so that each can say what is wrong with it.
     for (const YamlNode& name : names(named)) {
@@ -108,7 +77,6 @@ struct Reader {
     }
     if (!problems.empty()) throw InputError(std::move(problems));
     merge(merged, std::move(root), true);
-    open.pop_back();
     return merged;
   }
 
@@ -147,8 +115,10 @@ struct Reader {
     }
     included.push_back(file.string());
     const std::size_t level = open.size();
+    open.push_back(canonical);
     try {
       YamlNode root = read(file);
+      open.resize(level);
       if (root.kind == Kind::mapping) return root;
       throw InputError(
           problem_at(root, "expected a mapping (name: value), found " + found_text(root)));
@@ -230,9 +200,11 @@ void add_mapping(const YamlNode& mapping, const std::string& indent, std::string
 }  // namespace
 
 Document read_document(const fs::path& file) {
-  Reader reader;
+  std::error_code error;
+  Reader reader{.open = {fs::weakly_canonical(file, error)}, .included = {}};
   Document document;
   document.root = reader.read(file);
+  document.file = file;
   document.included = std::move(reader.included);
   return document;
 }

@@ -11,6 +11,7 @@ namespace avoidbench {
 /// A document with the files that it includes put in.
 struct Document {
   YamlNode root;
+  std::filesystem::path file;         ///< where it stands, as problems name it
   std::vector<std::string> included;  ///< files, in the order of reading
 };
 

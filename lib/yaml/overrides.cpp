@@ -38,33 +38,11 @@ std::optional<std::vector<Step>> parse_path(std::string_view path) {
   }
 }
 
-/// At the place of another node.
-YamlNode scalar_at(const YamlNode& place, const std::string& text) {
-  YamlNode node = place;
-  node.kind = YamlNode::Kind::scalar;
-  node.scalar = text;
-  node.keys.clear();
-  node.items.clear();
-  return node;
-}
-
 /// Makes a mapping of what is there: of nothing an empty one, of a name `{preset: name}`.
 bool become_mapping(YamlNode& node, const YamlNode& place) {
-  if (node.kind == YamlNode::Kind::mapping) return true;
-  if (node.kind == YamlNode::Kind::list) return false;
-  YamlNode mapping = place;
-  mapping.kind = YamlNode::Kind::mapping;
-  mapping.keys.clear();
-  mapping.items.clear();
-  if (node.kind == YamlNode::Kind::scalar) {
-    mapping.source = node.source;
-    mapping.line = node.line;
-    mapping.column = node.column;
-    mapping.keys.push_back(scalar_at(node, "preset"));
-    mapping.items.push_back(node);
-  }
-  node = std::move(mapping);
-  return true;
+  if (node.kind == YamlNode::Kind::scalar) node = mapping_at(node, "preset", node);
+  if (node.kind == YamlNode::Kind::null) node = node_at(place, YamlNode::Kind::mapping);
+  return node.kind == YamlNode::Kind::mapping;
 }
 
 /// What the command line gives has no line to point at.
@@ -82,15 +60,13 @@ std::string apply_override(YamlNode& root, const std::string& path, const YamlNo
   YamlNode* node = &root;
   for (const Step& step : *steps) {
     if (!become_mapping(*node, value)) return path + ": a list stands above '" + step.key + "'";
-    YamlNode* found = node->find(step.key);
-    if (found == nullptr) {
-      node->keys.push_back(scalar_at(value, step.key));
+    const std::size_t at = node->index_of(step.key);
+    if (at == node->keys.size()) {
+      node->keys.push_back(node_at(value, YamlNode::Kind::scalar, step.key));
       // Nothing yet: become_mapping() makes a mapping of it if the path goes on.
-      YamlNode added = scalar_at(value, "");
-      added.kind = YamlNode::Kind::null;
-      node->items.push_back(std::move(added));
-      found = &node->items.back();
+      node->items.push_back(node_at(value, YamlNode::Kind::null));
     }
+    YamlNode* found = &node->items[at];
     for (const std::size_t index : step.indices) {
       if (found->kind != YamlNode::Kind::list || index >= found->items.size()) {
         return path + ": " + step.key + " has no element " + std::to_string(index);

@@ -1,7 +1,5 @@
 #include "yaml/syntax_hint.hpp"
 
-#include <initializer_list>
-#include <utility>
 #include <vector>
 
 namespace avoidbench {
@@ -31,17 +29,15 @@ class Scanner {
   // The first thing that is wrong, or else the innermost bracket that the end leaves open.
   std::optional<InputProblem> problem() {
     for (; at_ < text_.size() && !found_; step()) look();
-    if (found_) return found_;
-    if (open_.empty()) return std::nullopt;
+    if (found_ || open_.empty()) return found_;
     const Bracket& last = open_.back();
-    return at(last.place, {quoted(last.sign), " is never closed by ", quoted(closing(last.sign))});
+    refuse(last.place, quoted(last.sign) + " is never closed by " + quoted(closing(last.sign)));
+    return found_;
   }
 
  private:
-  InputProblem at(Place place, std::initializer_list<std::string> parts) const {
-    std::string text = "not valid YAML: ";
-    for (const std::string& part : parts) text += part;
-    return {source_, place.line, place.column, std::move(text)};
+  void refuse(Place place, const std::string& why) {
+    found_ = {source_, place.line, place.column, "not valid YAML: " + why};
   }
 
   void step() {
@@ -75,7 +71,7 @@ class Scanner {
     const char c = text_[at_];
     // Within brackets, lines may be indented by anything.
     if (c == '\t' && is_indent_ && open_.empty()) {
-      found_ = at(place_, {"a tab indents this line; YAML takes spaces only"});
+      refuse(place_, "a tab indents this line; YAML takes spaces only");
     } else if (c == '#' && (is_indent_ || is_after_space_)) {
       while (at_ + 1 < text_.size() && text_[at_ + 1] != '\n') step();
     } else if ((c == '\'' || c == '"') && begins_value()) {
@@ -91,16 +87,13 @@ class Scanner {
   }
 
   void close(char c) {
-    if (open_.empty()) {
-      found_ = at(place_, {quoted(c), " closes nothing"});
-      return;
-    }
+    if (open_.empty()) return refuse(place_, quoted(c) + " closes nothing");
     const Bracket last = open_.back();
     open_.pop_back();
     if (closing(last.sign) == c) return;
-    found_ = at(place_, {quoted(c), " where ", quoted(closing(last.sign)), " is due for the ",
-                         quoted(last.sign), " of line ", std::to_string(last.place.line),
-                         ", column ", std::to_string(last.place.column)});
+    refuse(place_, quoted(c) + " where " + quoted(closing(last.sign)) + " is due for the " +
+                       quoted(last.sign) + " of line " + std::to_string(last.place.line) +
+                       ", column " + std::to_string(last.place.column));
   }
 
   /// Past an anchor or tag, behind which a value may still begin.
@@ -118,15 +111,12 @@ class Scanner {
     while (at_ < text_.size()) {
       const bool is_escape = quote == '"' && text_[at_] == '\\';
       const bool is_double = quote == '\'' && text_.substr(at_, 2) == "''";
-      if (is_escape || is_double) {
-        step();
-        if (at_ < text_.size()) step();
-        continue;
-      }
-      if (text_[at_] == quote) return;  // the caller steps over it
+      // The caller steps over the closing quote.
+      if (text_[at_] == quote && !is_double) return;
       step();
+      if ((is_escape || is_double) && at_ < text_.size()) step();
     }
-    found_ = at(begin, {"the quote ", std::string(1, quote), " is never closed"});
+    refuse(begin, "the quote " + std::string(1, quote) + " is never closed");
   }
 
   std::string_view text_;

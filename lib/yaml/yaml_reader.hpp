@@ -3,12 +3,12 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "yaml/yaml_tree.hpp"
-#include "yaml/yaml_values.hpp"
 
 namespace avoidbench {
 
@@ -17,6 +17,8 @@ struct ReadAxis {
   std::string path;
   std::vector<nlohmann::json> values;
 };
+
+struct GivenValue;
 
 /// What a reading collects: every problem rather than the first, the axes where a list stands for
 /// one value, and where each value stands.
@@ -29,34 +31,47 @@ struct Reading {
 
   /// Remembers where the value of `path` stands; the last place counts.
   void remember(const std::string& path, const YamlNode& node);
-  /// Where the value of `path` stands, or the nearest block above it that was given.
-  const YamlNode& place(std::string path) const;
-  /// Adds "path: message" at the place of `path`.
-  void add_problem(const std::string& path, const std::string& message);
+  /// The value of `path`, of which only the place is known: its own, or that of the nearest block
+  /// above it that was given.
+  GivenValue at(const std::string& path);
 
  private:
   std::map<std::string, YamlNode> places_;  ///< nodes without what they hold
 };
 
+/// A value to read, and the reading that gets its problems.
+struct GivenValue {
+  const YamlNode& node;
+  std::string path;  ///< its dotted name in messages; "" for the outermost mapping
+  Reading& reading;
+
+  /// Adds "path: message" at the value's place. Returns nothing, as readers do after a problem.
+  std::nullopt_t add_problem(const std::string& message) const;
+  /// Adds "path: expected `what`, found …".
+  std::nullopt_t add_expected(const std::string& what) const;
+  /// Adds all that is wrong in a file or program that the value names.
+  std::nullopt_t add_problems(const InputError& error) const;
+
+  /// The elements of a list, "path[0]" and so on.
+  std::vector<GivenValue> elements() const;
+  /// `below` as the value of a key, "path.name".
+  GivenValue at(const YamlNode& below, std::string_view name) const;
+};
+
 /// Takes the keys of a mapping one by one; what is left is unknown.
 class MappingReader {
  public:
-  /// `path` is the dotted name of the mapping in messages, "" for the outermost.
-  MappingReader(const YamlNode& node, std::string path, Reading& reading);
+  explicit MappingReader(GivenValue mapping);
 
-  /// The value of the key `name`, or null.
-  const YamlNode* take(std::string_view name);
+  /// The value of the key `name`, if it is there.
+  std::optional<GivenValue> take(std::string_view name);
 
   /// Adds a problem for each key that was not asked for, unknown "for generator forest" where
   /// `kind` says so.
   void finish(const std::string& kind = "");
 
-  std::string path_of(std::string_view name) const;
-
  private:
-  const YamlNode& node_;
-  std::string path_;
-  Reading& reading_;
+  GivenValue mapping_;
   std::vector<std::string> names_;
 };
 

@@ -23,25 +23,21 @@ constexpr std::size_t kMostValues = 100'000;
 constexpr std::size_t kMostLevels = 64;
 constexpr std::size_t kMostLetters = 20'000'000;  ///< of texts, aliases expanded
 
-/// With all keys and values below.
-std::size_t value_count(const YamlNode& node) {
-  std::size_t count = 1 + node.keys.size();
-  for (const YamlNode& item : node.items) count += value_count(item);
-  return count;
-}
+/// Of a node with all keys and values below it.
+struct Size {
+  std::size_t values = 1, letters = 0, levels = 1;
+};
 
-std::size_t letter_count(const YamlNode& node) {
-  std::size_t count = node.scalar.size();
-  for (const YamlNode& key : node.keys) count += key.scalar.size();
-  for (const YamlNode& item : node.items) count += letter_count(item);
-  return count;
-}
-
-/// 1 for a scalar.
-std::size_t level_count(const YamlNode& node) {
-  std::size_t deepest = 0;
-  for (const YamlNode& item : node.items) deepest = std::max(deepest, level_count(item));
-  return deepest + 1;
+Size size_of(const YamlNode& node) {
+  Size size{.values = 1 + node.keys.size(), .letters = node.scalar.size()};
+  for (const YamlNode& key : node.keys) size.letters += key.scalar.size();
+  for (const YamlNode& item : node.items) {
+    const Size below = size_of(item);
+    size.values += below.values;
+    size.letters += below.letters;
+    size.levels = std::max(size.levels, below.levels + 1);
+  }
+  return size;
 }
 
 /// Builds the tree from the parser's events.
@@ -67,9 +63,9 @@ class TreeBuilder : public YAML::EventHandler {
     // An anchor is known when its node is complete, so only an alias within that node is unknown
     // here; the parser itself refuses names that were never given.
     if (found == anchored_.end()) fail(place, "an alias within what it stands for");
-    charge(place, value_count(found->second));
-    charge_letters(place, letter_count(found->second));
-    if (open_.size() + level_count(found->second) > kMostLevels) fail_levels(place);
+    const Size size = size_of(found->second);
+    charge(place, size);
+    if (open_.size() + size.levels > kMostLevels) fail_levels(place);
     // The copy stands where the alias does; what it holds keeps the places of the original.
     YamlNode copy = found->second;
     copy.line = place.line;
@@ -122,15 +118,12 @@ class TreeBuilder : public YAML::EventHandler {
     return node;
   }
 
-  void charge(const YamlNode& place, std::size_t count) {
-    values_ += count;
+  void charge(const YamlNode& place, const Size& size) {
+    values_ += size.values;
+    letters_ += size.letters;
     if (values_ > kMostValues) {
       fail(place, "more than " + std::to_string(kMostValues) + " values, aliases expanded");
     }
-  }
-
-  void charge_letters(const YamlNode& place, std::size_t count) {
-    letters_ += count;
     if (letters_ > kMostLetters) fail(place, "more than 20 MB of text, aliases expanded");
   }
 
@@ -150,11 +143,10 @@ class TreeBuilder : public YAML::EventHandler {
 
   // A node is complete: it is counted, kept if it has an anchor, and put into the one around it.
   void finish(YamlNode node, YAML::anchor_t anchor) {
-    charge(node, 1);
+    charge(node, Size{});
     // The copy that later aliases are made of takes memory too.
     if (anchor != 0) {
-      charge(node, value_count(node));
-      charge_letters(node, letter_count(node));
+      charge(node, size_of(node));
       anchored_[anchor] = node;
     }
     if (open_.empty()) {
@@ -175,14 +167,11 @@ class TreeBuilder : public YAML::EventHandler {
   /// Puts what `<<: *anchor` (or a list of them, the first wins) stands for beside the mapping's
   /// own keys, which win.
   static void expand_merge_key(YamlNode& mapping) {
-    std::size_t at = 0;
+    const std::size_t at = mapping.index_of("<<");
     // `"<<"` in quotes is a key like any other.
-    const auto is_merge = [](const YamlNode& key) { return key.scalar == "<<" && !key.is_quoted; };
-    while (at < mapping.keys.size() && !is_merge(mapping.keys[at])) ++at;
-    if (at == mapping.keys.size()) return;
+    if (at == mapping.keys.size() || mapping.keys[at].is_quoted) return;
     const YamlNode merged = std::move(mapping.items[at]);
-    mapping.keys.erase(mapping.keys.begin() + static_cast<std::ptrdiff_t>(at));
-    mapping.items.erase(mapping.items.begin() + static_cast<std::ptrdiff_t>(at));
+    mapping.erase(at);
     const bool is_list = merged.kind == YamlNode::Kind::list;
     const std::vector<YamlNode> parts = is_list ? merged.items : std::vector<YamlNode>{merged};
     for (const YamlNode& part : parts) {
@@ -218,18 +207,42 @@ class TreeBuilder : public YAML::EventHandler {
   std::size_t values_ = 0, letters_ = 0;
 };
 
-template <class Node>
-Node* found(Node& mapping, std::string_view key) {
-  for (std::size_t i = 0; i < mapping.keys.size(); ++i) {  // none unless it is a mapping
-    if (mapping.keys[i].scalar == key) return &mapping.items[i];
-  }
-  return nullptr;
-}
-
 }  // namespace
 
-const YamlNode* YamlNode::find(std::string_view key) const { return found(*this, key); }
-YamlNode* YamlNode::find(std::string_view key) { return found(*this, key); }
+const YamlNode* YamlNode::find(std::string_view key) const {
+  const std::size_t index = index_of(key);
+  return index < keys.size() ? &items[index] : nullptr;
+}
+
+std::size_t YamlNode::index_of(std::string_view key) const {
+  const auto found = std::find_if(keys.begin(), keys.end(),
+                                  [&](const YamlNode& other) { return other.scalar == key; });
+  return static_cast<std::size_t>(found - keys.begin());
+}
+
+void YamlNode::erase(std::size_t index) {
+  const auto offset = static_cast<std::ptrdiff_t>(index);
+  keys.erase(keys.begin() + offset);
+  items.erase(items.begin() + offset);
+}
+
+YamlNode node_at(const YamlNode& place, YamlNode::Kind kind, std::string scalar) {
+  YamlNode node;
+  node.kind = kind;
+  node.source = place.source;
+  node.line = place.line;
+  node.column = place.column;
+  node.scalar = std::move(scalar);
+  node.is_quoted = place.is_quoted;
+  return node;
+}
+
+YamlNode mapping_at(const YamlNode& place, std::string key, YamlNode value) {
+  YamlNode mapping = node_at(place, YamlNode::Kind::mapping);
+  mapping.keys.push_back(node_at(place, YamlNode::Kind::scalar, std::move(key)));
+  mapping.items.push_back(std::move(value));
+  return mapping;
+}
 
 InputProblem problem_at(const YamlNode& node, std::string message) {
   return {node.source ? *node.source : "", node.line, node.column, std::move(message)};

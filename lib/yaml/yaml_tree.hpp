@@ -26,8 +26,17 @@ struct YamlNode {
 
   /// The value of `key` in a mapping, or null.
   const YamlNode* find(std::string_view key) const;
-  YamlNode* find(std::string_view key);
+  /// The position of `key` in a mapping, keys.size() where it is not there.
+  std::size_t index_of(std::string_view key) const;
+  /// Takes a key out of a mapping, with its value.
+  void erase(std::size_t index);
 };
+
+/// What holds `scalar` or nothing, at the place of another node, and in quotes where that is.
+YamlNode node_at(const YamlNode& place, YamlNode::Kind kind, std::string scalar = "");
+
+/// `{key: value}` at the place of another node.
+YamlNode mapping_at(const YamlNode& place, std::string key, YamlNode value);
 
 /// A problem at the node's place.
 InputProblem problem_at(const YamlNode& node, std::string message);

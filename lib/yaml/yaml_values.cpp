@@ -6,20 +6,11 @@
 #include <cmath>
 #include <set>
 
+#include "text/number_text.hpp"
+#include "text/words.hpp"
+
 namespace avoidbench {
 namespace {
-
-using Problems = std::vector<InputProblem>;
-
-void add_problem(const YamlNode& node, const std::string& path, const std::string& message,
-                 Problems& problems) {
-  problems.push_back(problem_at(node, path.empty() ? message : path + ": " + message));
-}
-
-void add_expected(const YamlNode& node, const std::string& path, const std::string& what,
-                  Problems& problems) {
-  add_problem(node, path, "expected " + what + ", found " + found_text(node), problems);
-}
 
 bool is_plain(const YamlNode& node) {
   return node.kind == YamlNode::Kind::scalar && !node.is_quoted;
@@ -48,115 +39,63 @@ std::string range_text(Range range) {
   return " is outside [" + number_text(range.lowest) + ", " + number_text(range.highest) + "]";
 }
 
-bool check_range(const YamlNode& node, const std::string& path, double value, Range range,
-                 Problems& problems) {
-  if (value >= range.lowest && value <= range.highest) return true;
-  add_problem(node, path, node.scalar + range_text(range), problems);
-  return false;
-}
-
-/// Whole numbers may be written as 12, 12.0 or 1.2e1. Read as a whole number first, since a double
-/// would lose the last digits of large seeds.
-template <class T>
-std::optional<T> whole_of(const YamlNode& node, const std::string& path, Range range,
-                          Problems& problems) {
-  const auto problem = [&](const std::string& message) {
-    add_problem(node, path, message, problems);
-    return std::nullopt;
-  };
-  bool too_large = false;
-  std::optional<T> whole = parsed<T>(node, too_large);
-  if (!whole) {
-    constexpr double kLargestExact = 9007199254740992.0;  // 2^53
-    const std::optional<double> number = number_of(node);
-    if (!number && too_large) return problem(node.scalar + " is too large");
-    if (!number || std::floor(*number) != *number) {
-      return problem("expected a whole number, found " + found_text(node));
-    }
-    if (*number < 0.0 && !std::is_signed_v<T>) return problem(node.scalar + " is below 0");
-    // Beyond 2^53 not every whole number is a double: which one was meant is unknown.
-    if (std::abs(*number) > kLargestExact) return problem(node.scalar + " is too large");
-    whole = static_cast<T>(*number);
-  }
-  const bool fits = check_range(node, path, static_cast<double>(*whole), range, problems);
-  return fits ? whole : std::nullopt;
+bool check_range(const GivenValue& given, double value, Range range) {
+  const bool fits = value >= range.lowest && value <= range.highest;
+  if (!fits) given.add_problem(given.node.scalar + range_text(range));
+  return fits;
 }
 
 /// A number that was computed for a range, at the range's place.
 YamlNode number_node(const YamlNode& place, double value) {
-  std::array<char, 64> text{};
   // So that 3 * 0.1 is 0.3 and not 0.30000000000000004.
   constexpr int kDigits = 12;
-  const auto result = std::to_chars(text.data(), text.data() + text.size(), value,
-                                    std::chars_format::general, kDigits);
-  YamlNode node;
-  node.kind = YamlNode::Kind::scalar;
-  node.source = place.source;
-  node.line = place.line;
-  node.column = place.column;
-  node.scalar.assign(text.data(), result.ptr);
-  return node;
+  return node_at(place, YamlNode::Kind::scalar, significant_digits(value, kDigits));
 }
 
-std::optional<double> range_number(const YamlNode& node, const std::string& path,
-                                   std::string_view key, Problems& problems) {
-  const YamlNode* found = node.find(key);
-  if (found == nullptr) {
-    add_problem(node, path, "the range lacks '" + std::string(key) + "'", problems);
-    return std::nullopt;
-  }
+/// The value of a range's key, which has to be there.
+std::optional<double> range_number(const GivenValue& range, const std::string& key) {
+  const YamlNode* found = range.node.find(key);
+  if (found == nullptr) return range.add_problem("the range lacks '" + key + "'");
   const std::optional<double> number = number_of(*found);
-  if (!number) add_expected(*found, path + "." + std::string(key), "a number", problems);
+  if (!number) range.at(*found, key).add_expected("a number");
   return number;
 }
 
-std::vector<YamlNode> range_values(const YamlNode& node, const std::string& path,
-                                   Problems& problems) {
+std::optional<std::vector<YamlNode>> range_values(const GivenValue& range) {
   constexpr double kLongestRange = 10000;
   const std::vector<std::string> known{"from", "to", "count", "step"};
-  const std::size_t before = problems.size();
-  for (const YamlNode& key : node.keys) {
-    if (std::find(known.begin(), known.end(), key.scalar) == known.end()) {
-      add_problem(key, path + "." + key.scalar,
-                  "unknown key of a range" + did_you_mean(key.scalar, known) +
-                      "; a range is {from, to, count} or {from, to, step}",
-                  problems);
-    }
+  const std::size_t before = range.reading.problems.size();
+  for (const YamlNode& key : range.node.keys) {
+    if (std::find(known.begin(), known.end(), key.scalar) != known.end()) continue;
+    range.at(key, key.scalar)
+        .add_problem("unknown key of a range" + did_you_mean(key.scalar, known) +
+                     "; a range is {from, to, count} or {from, to, step}");
   }
-  if (problems.size() > before) return {};
-  const std::optional<double> from = range_number(node, path, "from", problems);
-  const std::optional<double> to = range_number(node, path, "to", problems);
-  const bool by_step = node.find("step") != nullptr;
-  if (by_step == (node.find("count") != nullptr)) {
-    add_problem(node, path, "a range has either 'count' or 'step'", problems);
-    return {};
+  if (range.reading.problems.size() > before) return std::nullopt;
+  const std::optional<double> from = range_number(range, "from");
+  const std::optional<double> to = range_number(range, "to");
+  const bool by_step = range.node.find("step") != nullptr;
+  if (by_step == (range.node.find("count") != nullptr)) {
+    return range.add_problem("a range has either 'count' or 'step'");
   }
-  const std::optional<double> third =
-      range_number(node, path, by_step ? "step" : "count", problems);
-  if (!from || !to || !third) return {};
+  const std::string third_key = by_step ? "step" : "count";
+  const std::optional<double> third = range_number(range, third_key);
+  if (!from || !to || !third) return std::nullopt;
 
+  const GivenValue given_third = range.at(*range.node.find(third_key), third_key);
   double count = *third;
   if (by_step) {
-    if (*third == 0.0) {
-      add_problem(*node.find("step"), path + ".step", "must not be 0", problems);
-      return {};
-    }
+    if (*third == 0.0) return given_third.add_problem("must not be 0");
     const double steps = (*to - *from) / *third;
-    if (!(steps >= 0.0)) {
-      add_problem(*node.find("step"), path + ".step", "leads away from 'to'", problems);
-      return {};
-    }
+    if (!(steps >= 0.0)) return given_third.add_problem("leads away from 'to'");
     // 0.3 / 0.1 is 2.9999999999999996: the end is meant to be among the values.
     count = std::floor(steps + 1e-9) + 1.0;
   } else if (std::floor(count) != count || count < 1.0 || (count == 1.0 && *from != *to)) {
-    add_problem(*node.find("count"), path + ".count",
-                "expected a whole number of at least 2, found " + number_text(count), problems);
-    return {};
+    return given_third.add_problem("expected a whole number of at least 2, found " +
+                                   number_text(count));
   }
   if (count > kLongestRange) {
-    add_problem(node, path, "the range has more than " + number_text(kLongestRange) + " values",
-                problems);
-    return {};
+    return range.add_problem("the range has more than " + number_text(kLongestRange) + " values");
   }
   std::vector<YamlNode> values;
   for (int k = 0; k < static_cast<int>(count); ++k) {
@@ -165,7 +104,7 @@ std::vector<YamlNode> range_values(const YamlNode& node, const std::string& path
     const double value = by_step       ? *from + i * *third
                          : count > 1.0 ? *from + i * (*to - *from) / (count - 1.0)
                                        : *from;
-    values.push_back(number_node(node, value));
+    values.push_back(number_node(range.node, value));
   }
   return values;
 }
@@ -203,91 +142,95 @@ std::optional<double> number_of(const YamlNode& node) {
   return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
-std::optional<double> read_number(const YamlNode& node, const std::string& path, Range range,
-                                  Problems& problems) {
+std::optional<double> read_number(const GivenValue& given, Range range) {
+  const YamlNode& node = given.node;
   bool too_large = false;
   const std::optional<double> number = parsed<double>(node, too_large);
+  if (too_large) return given.add_problem(node.scalar + " is too large or too small");
   const bool is_infinite_text =
       // YAML's own words for them, which from_chars does not know.
       is_plain(node) && (node.scalar.find(".inf") != std::string::npos || node.scalar == ".nan");
-  if (too_large) {
-    add_problem(node, path, node.scalar + " is too large or too small", problems);
-  } else if ((number && !std::isfinite(*number)) || is_infinite_text) {
-    add_expected(node, path, "a finite number", problems);
-  } else if (!number) {
-    add_expected(node, path, "a number", problems);
-  } else if (check_range(node, path, *number, range, problems)) {
-    return number;
+  if (is_infinite_text || (number && !std::isfinite(*number))) {
+    return given.add_expected("a finite number");
   }
-  return std::nullopt;
+  if (!number) return given.add_expected("a number");
+  return check_range(given, *number, range) ? number : std::nullopt;
 }
 
-std::optional<std::int64_t> read_whole(const YamlNode& node, const std::string& path, Range range,
-                                       Problems& problems) {
-  return whole_of<std::int64_t>(node, path, range, problems);
+/// Whole numbers may be written as 12, 12.0 or 1.2e1. Read as a whole number first, since a double
+/// would lose the last digits of large seeds.
+template <class Whole>
+std::optional<Whole> read_whole(const GivenValue& given, Range range) {
+  bool too_large = false;
+  std::optional<Whole> whole = parsed<Whole>(given.node, too_large);
+  if (!whole) {
+    constexpr double kLargestExact = 9007199254740992.0;  // 2^53
+    const std::optional<double> number = number_of(given.node);
+    if (!number && too_large) return given.add_problem(given.node.scalar + " is too large");
+    if (!number || std::floor(*number) != *number) return given.add_expected("a whole number");
+    if (*number < 0.0 && !std::is_signed_v<Whole>) {
+      return given.add_problem(given.node.scalar + " is below 0");
+    }
+    // Beyond 2^53 not every whole number is a double: which one was meant is unknown.
+    if (std::abs(*number) > kLargestExact) {
+      return given.add_problem(given.node.scalar + " is too large");
+    }
+    whole = static_cast<Whole>(*number);
+  }
+  return check_range(given, static_cast<double>(*whole), range) ? whole : std::nullopt;
 }
 
-std::optional<std::uint64_t> read_unsigned(const YamlNode& node, const std::string& path,
-                                           Range range, Problems& problems) {
-  return whole_of<std::uint64_t>(node, path, range, problems);
+template std::optional<std::int64_t> read_whole(const GivenValue& given, Range range);
+template std::optional<std::uint64_t> read_whole(const GivenValue& given, Range range);
+
+std::optional<bool> read_truth(const GivenValue& given) {
+  const bool is_true = is_plain(given.node) && given.node.scalar == "true";
+  if (is_true || (is_plain(given.node) && given.node.scalar == "false")) return is_true;
+  return given.add_expected("true or false");
 }
 
-std::optional<bool> read_truth(const YamlNode& node, const std::string& path, Problems& problems) {
-  const bool is_true = is_plain(node) && node.scalar == "true";
-  if (is_true || (is_plain(node) && node.scalar == "false")) return is_true;
-  add_expected(node, path, "true or false", problems);
-  return std::nullopt;
+std::optional<std::string> read_text(const GivenValue& given) {
+  if (given.node.kind == YamlNode::Kind::scalar) return given.node.scalar;
+  return given.add_expected("text");
 }
 
-std::optional<std::string> read_text(const YamlNode& node, const std::string& path,
-                                     Problems& problems) {
-  if (node.kind == YamlNode::Kind::scalar) return node.scalar;
-  add_expected(node, path, "text", problems);
-  return std::nullopt;
-}
-
-std::optional<std::string> read_choice(const YamlNode& node, const std::string& path,
-                                       const std::vector<std::string>& words, Problems& problems) {
-  std::string all;
-  for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
+std::optional<std::string> read_choice(const GivenValue& given,
+                                       const std::vector<std::string>& words) {
+  const YamlNode& node = given.node;
+  const bool is_one = words.size() == 1;
   if (node.kind != YamlNode::Kind::scalar) {
-    add_expected(node, path, (words.size() > 1 ? "one of " : "") + all, problems);
-    return std::nullopt;
+    return given.add_expected((is_one ? "" : "one of ") + joined(words));
   }
   if (std::find(words.begin(), words.end(), node.scalar) != words.end()) return node.scalar;
-  add_problem(node, path,
-              found_text(node) + (words.size() > 1 ? " is none of " : " is not ") + all +
-                  did_you_mean(node.scalar, words),
-              problems);
-  return std::nullopt;
+  return given.add_problem(found_text(node) + (is_one ? " is not " : " is none of ") +
+                           joined(words) + did_you_mean(node.scalar, words));
 }
 
-bool check_list(const YamlNode& node, const std::string& path, std::optional<std::size_t> count,
-                Problems& problems) {
+bool check_list(const GivenValue& given, std::optional<std::size_t> count) {
+  const std::vector<YamlNode>& items = given.node.items;
   const std::string what = count ? "a list of " + std::to_string(*count) + " values" : "a list";
-  if (node.kind != YamlNode::Kind::list) {
-    add_expected(node, path, what, problems);
-    return false;
-  }
-  if (!count || node.items.size() == *count) return true;
-  add_problem(node, path, "expected " + what + ", found " + std::to_string(node.items.size()),
-              problems);
+  const bool is_list = given.node.kind == YamlNode::Kind::list;
+  if (is_list && (!count || items.size() == *count)) return true;
+  if (is_list) given.add_problem("expected " + what + ", found " + std::to_string(items.size()));
+  if (!is_list) given.add_expected(what);
   return false;
 }
 
-std::vector<YamlNode> axis_values(const YamlNode& node, const std::string& path,
-                                  Problems& problems) {
-  if (node.kind == YamlNode::Kind::mapping) return range_values(node, path, problems);
+std::vector<YamlNode> axis_values(const GivenValue& given) {
+  const YamlNode& node = given.node;
+  if (node.kind == YamlNode::Kind::mapping) {
+    return range_values(given).value_or(std::vector<YamlNode>{});
+  }
   if (node.kind != YamlNode::Kind::list) return {node};
   if (node.items.empty()) {
-    add_problem(node, path, "expected at least one value, found an empty list", problems);
+    given.add_problem("expected at least one value, found an empty list");
     return {};
   }
   std::set<std::string> seen;
   for (const YamlNode& item : node.items) {
     if (item.kind == YamlNode::Kind::null || seen.insert(meaning(item)).second) continue;
     const std::string what = item.kind == YamlNode::Kind::scalar ? item.scalar : found_text(item);
-    add_problem(item, path, what + " is given twice", problems);
+    GivenValue{item, given.path, given.reading}.add_problem(what + " is given twice");
   }
   return node.items;
 }

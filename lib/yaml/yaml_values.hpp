@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/fields.hpp"
-#include "yaml/yaml_tree.hpp"
+#include "yaml/yaml_reader.hpp"
 
 namespace avoidbench {
 
@@ -18,30 +18,22 @@ std::string number_text(double value);
 std::optional<double> number_of(const YamlNode& node);
 
 /// A scalar of the type, or nothing after adding a problem.
-std::optional<double> read_number(const YamlNode& node, const std::string& path, Range range,
-                                  std::vector<InputProblem>& problems);
-std::optional<std::int64_t> read_whole(const YamlNode& node, const std::string& path, Range range,
-                                       std::vector<InputProblem>& problems);
-std::optional<std::uint64_t> read_unsigned(const YamlNode& node, const std::string& path,
-                                           Range range, std::vector<InputProblem>& problems);
-std::optional<bool> read_truth(const YamlNode& node, const std::string& path,
-                               std::vector<InputProblem>& problems);
-std::optional<std::string> read_text(const YamlNode& node, const std::string& path,
-                                     std::vector<InputProblem>& problems);
-
-/// One of `words`, or nothing after adding a problem.
-std::optional<std::string> read_choice(const YamlNode& node, const std::string& path,
-                                       const std::vector<std::string>& words,
-                                       std::vector<InputProblem>& problems);
+std::optional<double> read_number(const GivenValue& given, Range range);
+std::optional<bool> read_truth(const GivenValue& given);
+std::optional<std::string> read_text(const GivenValue& given);
+/// A std::int64_t or std::uint64_t.
+template <class Whole>
+std::optional<Whole> read_whole(const GivenValue& given, Range range);
+/// One of `words`.
+std::optional<std::string> read_choice(const GivenValue& given,
+                                       const std::vector<std::string>& words);
 
 /// Whether the node is a list (of `count` elements where given); adds a problem where not.
-bool check_list(const YamlNode& node, const std::string& path, std::optional<std::size_t> count,
-                std::vector<InputProblem>& problems);
+bool check_list(const GivenValue& given, std::optional<std::size_t> count = {});
 
 /// The values of an axis: those of a list, or of `{from, to, count}` (evenly spaced, both ends
 /// included) or `{from, to, step}`. Computed values are rounded to 12 digits, so that 0.1 × 3 is
 /// 0.3. Empty after a problem.
-std::vector<YamlNode> axis_values(const YamlNode& node, const std::string& path,
-                                  std::vector<InputProblem>& problems);
+std::vector<YamlNode> axis_values(const GivenValue& given);
 
 }  // namespace avoidbench

@@ -85,8 +85,8 @@ std::unique_ptr<GivenMap> read_map_text(const std::string& text, const std::stri
                                         const std::vector<std::string>& overrides,
                                         std::optional<std::uint64_t> seed) {
   const PollScope polled(check_signals);
-  const Document document{.root = parse_yaml(text, name), .included = {}};
-  return make_map(map_of_document(document, name, {}, overrides), seed);
+  const Document document{.root = parse_yaml(text, name), .file = name, .included = {}};
+  return make_map(map_of_document(document, overrides), seed);
 }
 
 /// The sensor that these overrides of a sweep's key `sensor` make; read as a map's are.

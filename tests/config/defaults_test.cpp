@@ -71,7 +71,7 @@ TEST_F(SweepFiles, EveryFieldIsPrintedWithADoc) {
 nlohmann::json read_as(const FieldTree& tree, const YamlNode& root) {
   nlohmann::json spec = preset_json(tree);
   Reading reading;
-  read_block(root, tree, tree.name, spec, reading);
+  read_block({root, tree.name, reading}, tree, spec);
   EXPECT_EQ(joined(reading.problems), "");
   return spec;
 }

@@ -18,31 +18,24 @@ struct SweepPath {
   const FieldTree* field = nullptr;
 };
 
-void add_paths(const FieldTree& block, const std::string& prefix, const std::string& kind,
-               std::vector<SweepPath>& paths) {
-  for (const KindField& entry : all_fields(block)) {
-    const FieldTree& field = *entry.field;
-    if (field.kind == FieldKind::variant || field.kind == FieldKind::other) continue;
-    std::string said = kind;
-    if (!entry.kinds.empty()) {
-      std::string words;
-      for (const SaidKind& word : entry.kinds) {
-        words += (words.empty() ? "" : ", ") + word.path + ": " + word.kind;
-      }
-      said = prefix.substr(0, prefix.size() - 1) + ": {" + words + "}";
+void add_paths(const FieldTree& key, std::vector<SweepPath>& paths) {
+  for (const KindField& entry : all_fields(key)) {
+    const FieldKind kind = entry.field->kind;
+    if (kind == FieldKind::block || kind == FieldKind::variant || kind == FieldKind::other)
+      continue;
+    std::string words;
+    for (const SaidKind& word : entry.kinds) {
+      words += (words.empty() ? "" : ", ") + word.path + ": " + word.kind;
     }
-    if (field.kind == FieldKind::block) {
-      add_paths(field, prefix + field.name + ".", said, paths);
-    } else {
-      paths.push_back({prefix + field.name, said, &field});
-    }
+    const std::string said = words.empty() ? "" : key.name + ": {" + words + "}";
+    paths.push_back({key.name + "." + entry.path, said, entry.field});
   }
 }
 
 std::vector<SweepPath> sweep_paths(const FieldTree& sweep) {
   std::vector<SweepPath> paths;
   for (const FieldTree& key : sweep.fields) {
-    if (key.kind == FieldKind::block) add_paths(key, key.name + ".", "", paths);
+    if (key.kind == FieldKind::block) add_paths(key, paths);
   }
   return paths;
 }

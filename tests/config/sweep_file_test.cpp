@@ -1,8 +1,8 @@
 #include "config/sweep_file.hpp"
 
 #include "base/random.hpp"
-#include "config/sweep_axes.hpp"
 #include "config/sweep_fixture.hpp"
+#include "config/sweep_keys.hpp"
 
 #include <algorithm>
 
@@ -14,7 +14,8 @@ const std::string kHead = "sweep: a\nplanners: [tunable]\n";
 /// "forest, hall, …": as messages list them.
 std::string generators() {
   std::string all;
-  for (const std::string& name : generator_names()) all += (all.empty() ? "" : ", ") + name;
+  for (const std::string& name : sweep_tree().find("maps")->find("generator")->choices)
+    all += (all.empty() ? "" : ", ") + name;
   return all;
 }
 

@@ -5,6 +5,7 @@
 #include <clocale>
 
 #include "support/problems.hpp"
+#include "yaml/yaml_values.hpp"
 
 namespace avoidbench {
 namespace sample {
@@ -77,10 +78,17 @@ namespace {
 
 using sample::Camera;
 
+void read_camera(const std::string& text, const std::string& path, Camera& camera,
+                 Reading& reading) {
+  nlohmann::json value = spec_to_json(camera);
+  read_block({parse_yaml(text, "f.yaml"), path, reading}, field_tree("", camera, ""), value);
+  camera = spec_from_json<Camera>(value);
+}
+
 Camera read_ok(const std::string& text) {
   Camera camera;
   Reading reading;
-  read_spec(parse_yaml(text, "f.yaml"), "sensor", camera, reading);
+  read_camera(text, "sensor", camera, reading);
   EXPECT_EQ(joined(reading.problems), "") << text;
   return camera;
 }
@@ -88,7 +96,7 @@ Camera read_ok(const std::string& text) {
 std::string problems(const std::string& text) {
   Camera camera;
   Reading reading;
-  read_spec(parse_yaml(text, "f.yaml"), "sensor", camera, reading);
+  read_camera(text, "sensor", camera, reading);
   return joined(reading.problems);
 }
 
@@ -116,7 +124,7 @@ TEST(YamlReader, KeysNotGivenKeepTheirValues) {
   camera.fov_x_deg = 33.0;
   camera.shape = sample::Square{4.0};
   Reading reading;
-  read_spec(parse_yaml("width_px: 16\nside_m: 5\n", "f.yaml"), "", camera, reading);
+  read_camera("width_px: 16\nside_m: 5\n", "", camera, reading);
   EXPECT_TRUE(reading.problems.empty());
   EXPECT_EQ(camera.fov_x_deg, 33.0);
   EXPECT_EQ(std::get<sample::Square>(camera.shape).side_m, 5.0);
@@ -203,11 +211,9 @@ TEST(YamlReader, ListsAndRangesAreAxesWhereAskedFor) {
   Camera camera;
   Reading reading;
   reading.lists_are_axes = true;
-  read_spec(
-      parse_yaml(
-          "fov_x_deg: {from: 60, to: 90, count: 4}\nwidth_px: [16, 32]\n"
-          "lens: {focal_m: {from: 0.1, to: 0.5, step: 0.2}, offset_m: [[0, 0, 0], [1, 1, 1]]}\n",
-          "f.yaml"),
+  read_camera(
+      "fov_x_deg: {from: 60, to: 90, count: 4}\nwidth_px: [16, 32]\n"
+      "lens: {focal_m: {from: 0.1, to: 0.5, step: 0.2}, offset_m: [[0, 0, 0], [1, 1, 1]]}\n",
       "s", camera, reading);
   ASSERT_EQ(joined(reading.problems), "");
   ASSERT_EQ(reading.axes.size(), 4U);
@@ -248,7 +254,7 @@ TEST(YamlReader, ProblemsOfAxes) {
     Camera camera;
     Reading reading;
     reading.lists_are_axes = true;
-    read_spec(parse_yaml(text, "f.yaml"), "s", camera, reading);
+    read_camera(text, "s", camera, reading);
     EXPECT_EQ(joined(reading.problems), expected) << text;
   }
 }
