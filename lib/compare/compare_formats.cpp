@@ -268,20 +268,15 @@ std::string format_comparison(const Comparison& comparison, CompareFormat format
 }
 
 std::string format_comparison(const ExactComparison& comparison, CompareFormat format) {
-  switch (format) {
-    case CompareFormat::table:
-      return exact_text(comparison);
-    case CompareFormat::markdown:
-      return section_text(comparison_section(comparison), TableFormat::markdown);
-    case CompareFormat::json:
-      return json_text(comparison);
-    case CompareFormat::junit:
-      return junit_text(comparison);
-    default:
-      throw InputError(
-          "an exact comparison is of trials, not means: its formats are table, markdown, json and "
-          "junit");
+  if (format == CompareFormat::table) return exact_text(comparison);
+  if (format == CompareFormat::json) return json_text(comparison);
+  if (format == CompareFormat::junit) return junit_text(comparison);
+  if (format == CompareFormat::markdown) {
+    return section_text(comparison_section(comparison), TableFormat::markdown);
   }
+  throw InputError(
+      "an exact comparison is of trials, not means: its formats are table, markdown, json and "
+      "junit");
 }
 
 }  // namespace avoidbench

@@ -58,17 +58,10 @@ std::pair<std::string, std::string> short_name(const MetricComparison& row) {
   return {row.metric, ""};
 }
 
-std::string verdict_text(const MetricComparison& row) {
-  switch (row.verdict) {
-    case Verdict::regression:
-      return "worse";
-    case Verdict::improvement:
-      return "better";
-    case Verdict::not_gated:
-      return "–";
-    default:
-      return std::string(text(row.verdict));
-  }
+std::string verdict_text(Verdict verdict) {
+  if (verdict == Verdict::regression) return "worse";
+  if (verdict == Verdict::improvement) return "better";
+  return verdict == Verdict::not_gated ? "–" : std::string(text(verdict));
 }
 
 Table metric_table_of(const Comparison& comparison) {
@@ -107,8 +100,8 @@ Table metric_table_of(const Comparison& comparison) {
               with_decimals(interval.upper, finer, true) + "]";
     }
     table.rows.push_back(
-        make_row(comparison.planners[row.planner].planner, short_name(row).first, verdict_text(row),
-                 row.pair_count, with_decimals(row.base_mean, decimals),
+        make_row(comparison.planners[row.planner].planner, short_name(row).first,
+                 verdict_text(row.verdict), row.pair_count, with_decimals(row.base_mean, decimals),
                  with_decimals(row.new_mean, decimals), change, range, p_text(row.adjusted_p)));
   }
   return table;

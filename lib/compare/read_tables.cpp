@@ -1,5 +1,6 @@
 #include <limits>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "base/input_error.hpp"
@@ -114,13 +115,9 @@ std::pair<std::string, std::string> only_sweeps(const Source& base, const Source
 }
 
 std::vector<std::string> labels_of(const TrialTable& table) {
-  std::vector<std::string> labels;  // trials are in order of their identities: equal labels adjoin
-  for (const TableTrial& trial : table.trials) {
-    if (labels.empty() || labels.back() != trial.identity.planner) {
-      labels.push_back(trial.identity.planner);
-    }
-  }
-  return labels;
+  std::set<std::string> labels;
+  for (const TableTrial& trial : table.trials) labels.insert(trial.identity.planner);
+  return {labels.begin(), labels.end()};
 }
 
 /// The two labels. A label may have a colon itself: splits are tried from the last colon on, and

@@ -194,16 +194,9 @@ bool holds(const Condition& condition, const TableValue& value) {
   // Nothing and texts are neither below nor above a number.
   if (!number) return false;
   const double limit = condition.values.front().number.value();
-  switch (condition.comparison) {
-    case Comparison::less:
-      return *number < limit;
-    case Comparison::at_most:
-      return *number <= limit;
-    case Comparison::greater:
-      return *number > limit;
-    default:
-      return *number >= limit;
-  }
+  if (condition.comparison == Comparison::less) return *number < limit;
+  if (condition.comparison == Comparison::at_most) return *number <= limit;
+  return condition.comparison == Comparison::greater ? *number > limit : *number >= limit;
 }
 
 /// A value that no trial has is likely misspelt. Without this, a condition with `=` would leave

@@ -100,23 +100,23 @@ std::vector<MapGroup> groups_of(const SweepResult& result, const Trials& trials,
   // One group is the whole table again.
   if (group_count < 2) return {};
   std::vector<MapGroup> groups(group_count);
-  std::map<std::size_t, std::size_t> group_of_map;
+  std::map<std::size_t, std::size_t> place_of_map;
   for (std::size_t i = 0; i < maps.size(); ++i) {
     const auto [ratio, map] = maps[i];
     // In whole numbers: groups differ by one map at most.
     const std::size_t place = i * group_count / maps.size();
-    group_of_map[map] = place;
+    place_of_map[map] = place;
     MapGroup& group = groups[place];
     if (group.map_count++ == 0) group.lowest_ratio = ratio;
     group.highest_ratio = ratio;
   }
+  std::vector<Trials> grouped(group_count);
+  for (const TrialOnMap& on_map : trials) {
+    const auto place = place_of_map.find(on_map.map);
+    if (place != place_of_map.end()) grouped[place->second].push_back(on_map);
+  }
   for (std::size_t i = 0; i < group_count; ++i) {
-    Trials grouped;
-    for (const TrialOnMap& on_map : trials) {
-      const auto group = group_of_map.find(on_map.map);
-      if (group != group_of_map.end() && group->second == i) grouped.push_back(on_map);
-    }
-    groups[i].planners = summaries(result, grouped, metrics);
+    groups[i].planners = summaries(result, grouped[i], metrics);
   }
   return groups;
 }
