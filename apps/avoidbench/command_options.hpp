@@ -7,7 +7,7 @@
 
 #include "base/enum_text.hpp"
 #include "base/input_error.hpp"
-#include "export/trial_order.hpp"
+#include "export/trial_list.hpp"
 #include "table/table.hpp"
 #include "text/words.hpp"
 

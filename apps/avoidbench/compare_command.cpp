@@ -3,7 +3,6 @@
 
 #include "commands.hpp"
 #include "compare/compare_formats.hpp"
-#include "compare/tolerances.hpp"
 #include "database_choice.hpp"
 #include "output.hpp"
 

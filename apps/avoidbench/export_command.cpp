@@ -7,12 +7,12 @@
 #include "base/option_error.hpp"
 #include "commands.hpp"
 #include "database_choice.hpp"
-#include "export/export_trajectory.hpp"
+#include "export/export_flight.hpp"
 #include "export/export_trials.hpp"
 #include "export/ompl_log.hpp"
 #include "export/trial_list.hpp"
 #include "output.hpp"
-#include "report/sweep_choice.hpp"
+#include "report/selection.hpp"
 
 namespace avoidbench {
 namespace {

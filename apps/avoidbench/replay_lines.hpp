@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "export/export_commands.hpp"
+#include "export/export_flight.hpp"
 #include "trial/trial_record.hpp"
 
 namespace avoidbench {

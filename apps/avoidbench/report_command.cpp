@@ -9,8 +9,8 @@
 #include "output.hpp"
 #include "page_output.hpp"
 #include "plots.hpp"
+#include "report/selection.hpp"
 #include "report/summary.hpp"
-#include "report/sweep_choice.hpp"
 #include "report/sweep_tables.hpp"
 #include "store/trial_fields.hpp"
 

@@ -29,8 +29,6 @@ constexpr std::array<std::string_view, 3> kOfFailuresToo{
 /// bootstrap's, and the jackknife in that one would take long.
 constexpr std::size_t kMostBootstrapMaps = 300;
 
-using Pair = std::pair<std::size_t, std::size_t>;
-
 bool finished(const TableTrial& trial) { return trial.outcome == Outcome::reached_goal; }
 
 /// A pair of values and the map that they are from.
@@ -91,17 +89,6 @@ Interval mean_interval(const std::vector<double>& sums, const std::vector<double
   return {mean - half_width, mean + half_width};
 }
 
-/// The least change that matters, in the metric's unit: a share of the base's mean, or a number.
-double limit_of(const CompareSettings& settings, const std::string& metric, double base_mean,
-                bool& is_ignored) {
-  const auto own = settings.tolerances.find(metric);
-  const Tolerance& tolerance = own == settings.tolerances.end() ? settings.tolerance : own->second;
-  // Not returned with the limit: 0 is a tolerance, too.
-  is_ignored = tolerance.kind == Tolerance::Kind::ignored;
-  if (tolerance.kind == Tolerance::Kind::relative) return tolerance.value * std::abs(base_mean);
-  return tolerance.value;
-}
-
 /// Fills in means, change, intervals and p from the values of the pairs.
 void fill_figures(const std::vector<PairValue>& values, std::size_t replicate_count,
                   MetricComparison& row) {
@@ -147,35 +134,32 @@ void fill_figures(const std::vector<PairValue>& values, std::size_t replicate_co
 /// The values of the pairs that a metric speaks of (see compare.hpp); the success rate is a metric
 /// of 0 and 1.
 std::vector<PairValue> values_of(const TrialTable& base, const TrialTable& now,
-                                 const std::vector<Pair>& pairs, const std::string& metric) {
+                                 const std::vector<TrialPair>& pairs, const std::string& metric) {
   std::vector<PairValue> values;
   if (metric == kSuccessRate) {
-    for (const auto& [i, k] : pairs) {
-      values.push_back({.map = base.trials[i].map,
-                        .before = finished(base.trials[i]) ? 1.0 : 0.0,
-                        .after = finished(now.trials[k]) ? 1.0 : 0.0});
+    for (const auto& [before, after] : pairs) {
+      values.push_back({.map = before->map,
+                        .before = finished(*before) ? 1.0 : 0.0,
+                        .after = finished(*after) ? 1.0 : 0.0});
     }
     return values;
   }
   const auto [base_column, new_column] = common_metric(base, now, metric);
-  const bool takes_failures =
-      std::find(kOfFailuresToo.begin(), kOfFailuresToo.end(), metric) != kOfFailuresToo.end();
-  for (const auto& [i, k] : pairs) {
-    const TableTrial& before = base.trials[i];
-    const TableTrial& after = now.trials[k];
+  const bool takes_failures = contains(kOfFailuresToo, metric);
+  for (const auto& [before, after] : pairs) {
     // Both have to have finished: else a planner that fails on hard missions would improve by it.
-    if (!takes_failures && !(finished(before) && finished(after))) continue;
+    if (!takes_failures && !(finished(*before) && finished(*after))) continue;
     // Not measured in one of the two: a pair needs both.
-    const double old_value = before.metrics[base_column], new_value = after.metrics[new_column];
+    const double old_value = before->metrics[base_column], new_value = after->metrics[new_column];
     if (!std::isfinite(old_value) || !std::isfinite(new_value)) continue;
-    values.push_back({.map = before.map, .before = old_value, .after = new_value});
+    values.push_back({.map = before->map, .before = old_value, .after = new_value});
   }
   return values;
 }
 
 /// The row without its verdict, which judge() gives when all rows are there.
 MetricComparison row_of(const TrialTable& base, const TrialTable& now,
-                        const std::vector<Pair>& pairs, std::size_t planner,
+                        const std::vector<TrialPair>& pairs, std::size_t planner,
                         const std::string& metric, std::size_t replicate_count) {
   MetricComparison row;
   row.planner = planner;
@@ -199,9 +183,13 @@ void judge(const CompareSettings& settings, Comparison& comparison) {
   std::vector<std::size_t> gated;
   for (std::size_t i = 0; i < comparison.rows.size(); ++i) {
     MetricComparison& row = comparison.rows[i];
-    bool is_ignored = false;
-    row.limit = limit_of(settings, row.metric, row.base_mean, is_ignored);
-    const bool is_gated = !is_ignored && row.better != Better::neither && !std::isnan(row.p) &&
+    const auto own = settings.tolerances.find(row.metric);
+    const Tolerance& tolerance =
+        own == settings.tolerances.end() ? settings.tolerance : own->second;
+    const bool is_share = tolerance.kind == Tolerance::Kind::relative;
+    row.limit = tolerance.value * (is_share ? std::abs(row.base_mean) : 1.0);
+    const bool is_gated = tolerance.kind != Tolerance::Kind::ignored &&
+                          row.better != Better::neither && !std::isnan(row.p) &&
                           (!row.is_measured || settings.gates_measured);
     row.verdict = Verdict::not_gated;
     if (!is_gated) continue;
@@ -230,29 +218,21 @@ void judge(const CompareSettings& settings, Comparison& comparison) {
 /// twice.
 std::vector<std::string> wanted_metrics(const TrialTable& base, const TrialTable& now,
                                         const CompareSettings& settings) {
-  const auto has = [](const TrialTable& table, std::string_view name) {
-    return std::any_of(table.metrics.begin(), table.metrics.end(),
-                       [&](const MetricRow& metric) { return metric.name == name; });
-  };
   std::vector<std::string> names{std::string(kSuccessRate)};
-  const bool wants_all = settings.metrics == std::vector<std::string>{"all"};
-  if (wants_all) {
+  if (settings.metrics == std::vector<std::string>{"all"}) {
     for (const MetricRow& metric : now.metrics) {
       // What only one side has can't be paired; a metric that was asked for by name is an error
       // there.
-      if (metric.name != "finished" && has(base, metric.name)) names.push_back(metric.name);
+      if (metric.name != "finished" && has_metric(base, metric.name)) names.push_back(metric.name);
     }
-    return names;
-  }
-  if (settings.metrics.empty()) {
+  } else if (settings.metrics.empty()) {
     for (const std::string_view name : kUsualMetrics) {
-      if (has(base, name) && has(now, name)) names.emplace_back(name);
+      if (has_metric(base, name) && has_metric(now, name)) names.emplace_back(name);
     }
-    return names;
-  }
-  for (const std::string& name : settings.metrics) {
-    const bool is_known = std::find(names.begin(), names.end(), name) != names.end();
-    if (!is_known && name != "finished") names.push_back(name);
+  } else {
+    for (const std::string& name : settings.metrics) {
+      if (name != "finished" && !contains(names, name)) names.push_back(name);
+    }
   }
   return names;
 }
@@ -260,17 +240,17 @@ std::vector<std::string> wanted_metrics(const TrialTable& base, const TrialTable
 /// Counts trials that one side lacks, and says so.
 void tell_unpaired(Comparison& comparison) {
   for (const PlannerPairs& planner : comparison.planners) {
-    if (planner.only_base_count == 0 && planner.only_new_count == 0) continue;
-    std::string line = planner.planner + ": ";
+    std::vector<std::string> gaps;
     if (planner.only_base_count > 0) {
-      line += counted(planner.only_base_count, "trial") + " only in the base";
+      gaps.push_back(counted(planner.only_base_count, "trial") + " only in the base");
     }
     if (planner.only_new_count > 0) {
-      line += (planner.only_base_count > 0 ? ", " : "") + counted(planner.only_new_count, "trial") +
-              " only in the new results";
+      gaps.push_back(counted(planner.only_new_count, "trial") + " only in the new results");
     }
+    if (gaps.empty()) continue;
     comparison.warnings.push_back(
-        line + (planner.pair_count == 0 ? "; none is compared" : "; these are not compared"));
+        planner.planner + ": " + joined(gaps) +
+        (planner.pair_count == 0 ? "; none is compared" : "; these are not compared"));
   }
 }
 
@@ -292,20 +272,19 @@ void tell_few_pairs(Comparison& comparison) {
 
 /// Of the pairs of one planner: how often each cause stands on either side. Nothing where a failure
 /// has none: a table of half the failures would say which were looked at.
-std::vector<CauseChange> cause_changes(const TrialTable& base, const TrialTable& now,
-                                       const std::string& planner, const std::vector<Pair>& pairs) {
+std::vector<CauseChange> cause_changes(const std::string& planner,
+                                       const std::vector<TrialPair>& pairs) {
   std::map<std::string, std::pair<std::int64_t, std::int64_t>> only;  // base only, new only
   std::map<std::string, CauseChange> changes;
-  for (const auto& [i, k] : pairs) {
-    const TableTrial &before = base.trials[i], &after = now.trials[k];
-    if (finished(before) != before.cause.empty() || finished(after) != after.cause.empty()) {
+  for (const auto& [before, after] : pairs) {
+    if (finished(*before) != before->cause.empty() || finished(*after) != after->cause.empty()) {
       return {};
     }
-    if (!before.cause.empty()) ++changes[before.cause].base_count;
-    if (!after.cause.empty()) ++changes[after.cause].new_count;
-    if (before.cause == after.cause) continue;
-    ++only[before.cause].first;
-    ++only[after.cause].second;
+    if (!before->cause.empty()) ++changes[before->cause].base_count;
+    if (!after->cause.empty()) ++changes[after->cause].new_count;
+    if (before->cause == after->cause) continue;
+    ++only[before->cause].first;
+    ++only[after->cause].second;
   }
   std::vector<CauseChange> found;
   for (auto& [cause, change] : changes) {
@@ -321,14 +300,10 @@ std::vector<CauseChange> cause_changes(const TrialTable& base, const TrialTable&
   return found;
 }
 
-void tell_other_missions(const TrialTable& base, const TrialTable& now,
-                         const std::vector<Pair>& pairs, Comparison& comparison) {
-  const auto others = std::count_if(pairs.begin(), pairs.end(), [&](const Pair& pair) {
-    return base.trials[pair.first].mission != now.trials[pair.second].mission;
-  });
+void tell_other_missions(std::int64_t others, std::int64_t pair_count, Comparison& comparison) {
   if (others == 0) return;
   comparison.warnings.push_back(
-      counted(others, "pair") + " of " + std::to_string(pairs.size()) +
+      counted(others, "pair") + " of " + std::to_string(pair_count) +
       " flew in another world or between other places: generator, missions or their seed changed, "
       "and the pairing says less");
 }
@@ -337,28 +312,37 @@ void tell_other_missions(const TrialTable& base, const TrialTable& now,
 
 /// Both tables are in order of identities, which no two trials of one share: one walk finds all
 /// pairs.
-std::vector<Pair> paired_trials(const TrialTable& base, const TrialTable& now) {
-  std::vector<Pair> pairs;
-  for (std::size_t i = 0, k = 0; i < base.trials.size() && k < now.trials.size();) {
-    const auto order = base.trials[i].identity <=> now.trials[k].identity;
-    if (order == 0) pairs.emplace_back(i, k);
-    i += order <= 0 ? 1U : 0U;
-    k += order >= 0 ? 1U : 0U;
+std::vector<TrialPair> paired_trials(const TrialTable& base, const TrialTable& now) {
+  std::vector<TrialPair> pairs;
+  for (std::size_t i = 0, k = 0; i < base.trials.size() || k < now.trials.size();) {
+    TrialPair& pair = pairs.emplace_back();
+    if (i < base.trials.size()) pair.before = &base.trials[i];
+    if (k < now.trials.size()) pair.after = &now.trials[k];
+    // The one that comes first stands alone.
+    if (pair.is_whole() && pair.before->identity < pair.after->identity) pair.after = nullptr;
+    if (pair.is_whole() && pair.after->identity < pair.before->identity) pair.before = nullptr;
+    i += pair.before != nullptr ? 1U : 0U;
+    k += pair.after != nullptr ? 1U : 0U;
   }
   return pairs;
 }
 
-Pair common_metric(const TrialTable& base, const TrialTable& now, const std::string& name) {
+bool has_metric(const TrialTable& table, std::string_view name) {
+  return std::any_of(table.metrics.begin(), table.metrics.end(),
+                     [&](const MetricRow& metric) { return metric.name == name; });
+}
+
+std::pair<std::size_t, std::size_t> common_metric(const TrialTable& base, const TrialTable& now,
+                                                  const std::string& name) {
   const auto position = [&](const TrialTable& table) {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < table.metrics.size(); ++i) {
       if (table.metrics[i].name == name) return i;
       names.push_back(table.metrics[i].name);
     }
-    throw InputError(InputProblem{.file = table.source,
-                                  .message = "has no metric " + name + did_you_mean(name, names)});
+    refuse_file(table.source, "has no metric " + name + did_you_mean(name, names));
   };
-  const Pair columns{position(base), position(now)};
+  const std::pair columns{position(base), position(now)};
   // A version stands for a formula: two of them are two metrics of one name.
   const int before = base.metrics[columns.first].version;
   const int after = now.metrics[columns.second].version;
@@ -390,29 +374,27 @@ Comparison compare_tables(const TrialTable& base, const TrialTable& now,
   }
 
   std::map<std::string, PlannerPairs> counts;
-  std::map<std::string, std::vector<Pair>> trials;
-  // All trials count as unpaired first; each pair then takes one from both sides.
-  for (const TableTrial& trial : base.trials) ++counts[trial.identity.planner].only_base_count;
-  for (const TableTrial& trial : now.trials) ++counts[trial.identity.planner].only_new_count;
-  const std::vector<Pair> pairs = paired_trials(base, now);
-  if (pairs.empty()) {
+  std::map<std::string, std::vector<TrialPair>> trials;
+  std::int64_t pair_count = 0, other_missions = 0;
+  for (const TrialPair& pair : paired_trials(base, now)) {
+    const auto& [before, after] = pair;
+    PlannerPairs& count = counts[pair.identity().planner];
+    count.only_base_count += after == nullptr ? 1 : 0;
+    count.only_new_count += before == nullptr ? 1 : 0;
+    if (!pair.is_whole()) continue;
+    ++pair_count;
+    other_missions += before->mission != after->mission ? 1 : 0;
+    ++count.pair_count;
+    count.lost_count += finished(*before) && !finished(*after) ? 1 : 0;
+    count.gained_count += finished(*after) && !finished(*before) ? 1 : 0;
+    trials[pair.identity().planner].push_back(pair);
+    if (before->outcome == after->outcome) continue;
+    comparison.flips.push_back(
+        {.identity = pair.identity(), .before = before->outcome, .after = after->outcome});
+  }
+  if (pair_count == 0) {
     throw InputError("no trial of " + base.source + " is in " + now.source +
                      ": planner labels, maps, missions or axes differ");
-  }
-  for (const Pair& pair : pairs) {
-    const TableTrial& before = base.trials[pair.first];
-    const TableTrial& after = now.trials[pair.second];
-    PlannerPairs& count = counts[before.identity.planner];
-    ++count.pair_count;
-    --count.only_base_count;
-    --count.only_new_count;
-    count.lost_count += finished(before) && !finished(after) ? 1 : 0;
-    count.gained_count += finished(after) && !finished(before) ? 1 : 0;
-    trials[before.identity.planner].push_back(pair);
-    if (before.outcome != after.outcome) {
-      comparison.flips.push_back(
-          {.identity = before.identity, .before = before.outcome, .after = after.outcome});
-    }
   }
   // What is lost first, then what is won, then what failed in another way.
   const auto rank = [](const Flip& flip) {
@@ -426,7 +408,7 @@ Comparison compare_tables(const TrialTable& base, const TrialTable& now,
     count.planner = planner;
     comparison.planners.push_back(count);
     if (count.pair_count == 0) continue;
-    for (CauseChange& change : cause_changes(base, now, planner, trials[planner])) {
+    for (CauseChange& change : cause_changes(planner, trials[planner])) {
       comparison.causes.push_back(std::move(change));
     }
     for (const std::string& metric : metrics) {
@@ -437,7 +419,7 @@ Comparison compare_tables(const TrialTable& base, const TrialTable& now,
   judge(settings, comparison);
   tell_unpaired(comparison);
   tell_few_pairs(comparison);
-  tell_other_missions(base, now, pairs, comparison);
+  tell_other_missions(other_missions, pair_count, comparison);
   return comparison;
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -31,6 +33,15 @@ struct CompareSettings {
   std::size_t replicate_count = 2000;           ///< draws of a bootstrap interval
   std::vector<std::string> metrics;  ///< to compare beside the success rate; empty: the usual ones
 };
+
+/// `5%` or `0.05` of the base's mean: what --min-effect takes. Throws InputError.
+Tolerance min_effect_from(std::string_view text);
+
+/// Reads a file of tolerances into `settings`: a mapping of metrics (success_rate, those in
+/// `metrics`, or `default`) to a share of the base's mean (`10%`), a number in the metric's unit,
+/// or `ignore`. Throws InputError with every problem at its place.
+void read_tolerances(const std::filesystem::path& file, const std::vector<std::string>& metrics,
+                     CompareSettings& settings);
 
 enum class Verdict { regression, improvement, small, unclear, same, not_gated };
 template <>
@@ -107,13 +118,46 @@ Comparison compare_tables(const TrialTable& base, const TrialTable& now,
 
 std::int64_t count_of(const Comparison& comparison, Verdict verdict);
 
-/// Pairs of positions in `base.trials` and `now.trials` with the same identity, in order.
-std::vector<std::pair<std::size_t, std::size_t>> paired_trials(const TrialTable& base,
-                                                               const TrialTable& now);
+/// The trials of one identity; null where that side has none.
+struct TrialPair {
+  const TableTrial* before = nullptr;
+  const TableTrial* after = nullptr;
+
+  bool is_whole() const { return before != nullptr && after != nullptr; }
+  const TrialIdentity& identity() const { return (before != nullptr ? before : after)->identity; }
+};
+
+/// All trials of the two by their identities, in order. They point into the tables.
+std::vector<TrialPair> paired_trials(const TrialTable& base, const TrialTable& now);
+
+bool has_metric(const TrialTable& table, std::string_view name);
 
 /// Position of a metric of this name in both tables. Throws InputError where one of them lacks it
 /// or their versions differ.
 std::pair<std::size_t, std::size_t> common_metric(const TrialTable& base, const TrialTable& now,
                                                   const std::string& name);
+
+/// Something of a trial that is not the same to the last bit.
+struct Difference {
+  TrialIdentity identity;
+  std::string what;  ///< "outcome", a metric, "mission", or "trial" where one side has none
+  std::string before, after;  ///< numbers with all digits; "" where there is none
+};
+
+struct ExactComparison {
+  std::string base, now;  ///< files
+  std::string base_sweep, new_sweep;
+  std::vector<std::string> planners = {};  ///< labels of either side
+  std::int64_t pair_count = 0;
+  std::int64_t equal_count = 0;              ///< of the pairs: without any difference
+  std::vector<std::string> metrics = {};     ///< that were compared
+  std::vector<Difference> differences = {};  ///< by identity
+  std::vector<std::string> warnings = {};
+};
+
+/// Compares outcomes, missions and every deterministic metric that both tables define, bit for bit;
+/// NaN equals NaN. A trial that one side lacks is a difference. Throws InputError where a metric's
+/// versions differ.
+ExactComparison compare_exactly(const TrialTable& base, const TrialTable& now);
 
 }  // namespace avoidbench

@@ -1,6 +1,3 @@
-#include "compare/compare_exact.hpp"
-
-#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <set>
@@ -30,14 +27,10 @@ std::string value_text(double value) { return std::isnan(value) ? "none" : short
 std::vector<ComparedColumn> columns_of(const TrialTable& base, const TrialTable& now,
                                        std::vector<std::string>& warnings) {
   std::vector<ComparedColumn> columns;
-  const auto has = [](const TrialTable& table, const std::string& name) {
-    return std::any_of(table.metrics.begin(), table.metrics.end(),
-                       [&](const MetricRow& metric) { return metric.name == name; });
-  };
   // Measured ones depend on the host and never repeat.
   for (const MetricRow& metric : now.metrics) {
     if (metric.is_measured) continue;
-    if (!has(base, metric.name)) {
+    if (!has_metric(base, metric.name)) {
       warnings.push_back(metric.name + " is not in " + base.source + ": not compared");
       continue;
     }
@@ -45,7 +38,7 @@ std::vector<ComparedColumn> columns_of(const TrialTable& base, const TrialTable&
     columns.push_back({.name = metric.name, .base = i, .now = k});
   }
   for (const MetricRow& metric : base.metrics) {
-    if (metric.is_measured || has(now, metric.name)) continue;
+    if (metric.is_measured || has_metric(now, metric.name)) continue;
     warnings.push_back(metric.name + " is not in " + now.source + ": not compared");
   }
   return columns;
@@ -75,39 +68,26 @@ void compare_pair(const TableTrial& before, const TableTrial& after,
 }  // namespace
 
 ExactComparison compare_exactly(const TrialTable& base, const TrialTable& now) {
-  ExactComparison result{.base = base.source,
-                         .now = now.source,
-                         .base_sweep = base.sweep,
-                         .new_sweep = now.sweep,
-                         .planners = {},
-                         .metrics = {},
-                         .differences = {},
-                         .warnings = {}};
+  ExactComparison result{
+      .base = base.source, .now = now.source, .base_sweep = base.sweep, .new_sweep = now.sweep};
   const std::vector<ComparedColumn> columns = columns_of(base, now, result.warnings);
   for (const ComparedColumn& column : columns) result.metrics.push_back(column.name);
   std::set<std::string> planners;
-  for (const TableTrial& trial : base.trials) planners.insert(trial.identity.planner);
-  for (const TableTrial& trial : now.trials) planners.insert(trial.identity.planner);
-  result.planners.assign(planners.begin(), planners.end());
-  const auto add_missing = [&](const TableTrial& trial, const char* before, const char* after) {
-    result.differences.push_back(
-        {.identity = trial.identity, .what = "trial", .before = before, .after = after});
-  };
-  // A merge of two lists in order of identities; what one side lacks is told at its place.
-  std::size_t i = 0, k = 0;
-  while (i < base.trials.size() || k < now.trials.size()) {
-    const bool has_base = i < base.trials.size(), has_new = k < now.trials.size();
-    if (has_base && (!has_new || base.trials[i].identity < now.trials[k].identity)) {
-      add_missing(base.trials[i++], "there", "missing");
-    } else if (has_new && (!has_base || now.trials[k].identity < base.trials[i].identity)) {
-      add_missing(now.trials[k++], "missing", "there");
-    } else {
+  for (const TrialPair& pair : paired_trials(base, now)) {
+    planners.insert(pair.identity().planner);
+    if (pair.is_whole()) {
       const std::size_t so_far = result.differences.size();
-      compare_pair(base.trials[i++], now.trials[k++], columns, result.differences);
+      compare_pair(*pair.before, *pair.after, columns, result.differences);
       ++result.pair_count;
       result.equal_count += result.differences.size() == so_far ? 1 : 0;
+    } else {
+      result.differences.push_back({.identity = pair.identity(),
+                                    .what = "trial",
+                                    .before = pair.before != nullptr ? "there" : "missing",
+                                    .after = pair.after != nullptr ? "there" : "missing"});
     }
   }
+  result.planners.assign(planners.begin(), planners.end());
   return result;
 }
 

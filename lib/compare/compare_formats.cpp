@@ -6,9 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "base/input_error.hpp"
-#include "compare/compare_tables.hpp"
+#include "table/table_text.hpp"
 #include "text/number_text.hpp"
 #include "text/visible_text.hpp"
+#include "text/words.hpp"
 
 namespace avoidbench {
 namespace {
@@ -17,11 +18,6 @@ using Json = nlohmann::ordered_json;
 
 /// JSON has no NaN: null.
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
-std::string dumped(const Json& json) {
-  // Bytes that are no UTF-8 (of labels, of file names) are replaced and do not throw.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
 
 Json json_of(const TrialIdentity& identity) {
   return {{"planner", identity.planner},
@@ -64,10 +60,9 @@ std::string json_text(const Comparison& comparison) {
     rows.push_back(json_of(row, comparison.planners[row.planner].planner));
   }
   for (const Flip& flip : comparison.flips) {
-    Json entry = json_of(flip.identity);
+    Json& entry = flips.emplace_back(json_of(flip.identity));
     entry["before"] = text(flip.before);
     entry["after"] = text(flip.after);
-    flips.push_back(std::move(entry));
   }
   for (const CauseChange& change : comparison.causes) {
     causes.push_back({{"planner", change.planner},
@@ -95,11 +90,10 @@ std::string json_text(const Comparison& comparison) {
 std::string json_text(const ExactComparison& comparison) {
   Json differences = Json::array();
   for (const Difference& difference : comparison.differences) {
-    Json entry = json_of(difference.identity);
+    Json& entry = differences.emplace_back(json_of(difference.identity));
     entry["what"] = difference.what;
     entry["before"] = difference.before;
     entry["after"] = difference.after;
-    differences.push_back(std::move(entry));
   }
   return dumped({{"base", comparison.base},
                  {"new", comparison.now},
@@ -114,29 +108,17 @@ std::string json_text(const ExactComparison& comparison) {
 
 /// Text for XML: what has a meaning there is escaped, what XML 1.0 can't hold is shown.
 std::string in_xml(std::string_view text) {
-  std::string escaped;
-  for (const char c : visible_line(text)) {
-    if (c == '&') {
-      escaped += "&amp;";
-    } else if (c == '<') {
-      escaped += "&lt;";
-    } else if (c == '>') {
-      escaped += "&gt;";
-    } else if (c == '"') {
-      escaped += "&quot;";
-    } else {
-      escaped += c;
-    }
-  }
-  return escaped;
+  constexpr std::pair<std::string_view, std::string_view> kSigns[] = {
+      {"&", "&amp;"}, {"<", "&lt;"}, {">", "&gt;"}, {"\"", "&quot;"}};
+  return replaced(visible_line(text), kSigns);
 }
 
 /// CI systems show a metric of a planner as a test: class and name.
 struct TestCase {
   std::string planner, metric;
-  std::string failure;  ///< "" where it passed
-  std::string skipped;  ///< why; "" where it was not
-  std::string details;
+  std::string failure = {};  ///< "" where it passed
+  std::string skipped = {};  ///< why; "" where it was not
+  std::string details = {};
 };
 
 /// The counts stand twice, at all suites and at the one: readers take either.
@@ -169,17 +151,16 @@ std::string junit_of(const std::string& suite, const std::vector<TestCase>& case
 
 /// One line: what a page of a CI system shows of a test.
 std::string figures(const MetricComparison& row) {
-  const std::string unit = row.unit.empty() ? "" : " " + row.unit;
+  const auto digits = [](double value) { return significant_digits(value, 5); };
   if (row.pair_count == 0) return "no pair of trials";
-  std::string line = significant_digits(row.base_mean, 5) + " -> " +
-                     significant_digits(row.new_mean, 5) + unit + ", change " +
-                     significant_digits(row.change, 5);
-  if (!std::isnan(row.change_interval.lower)) {
-    line += " [" + significant_digits(row.change_interval.lower, 5) + ", " +
-            significant_digits(row.change_interval.upper, 5) + "]";
+  std::string line = digits(row.base_mean) + " -> " + digits(row.new_mean) +
+                     (row.unit.empty() ? "" : " " + row.unit) + ", change " + digits(row.change);
+  const Interval& interval = row.change_interval;
+  if (!std::isnan(interval.lower)) {
+    line += " [" + digits(interval.lower) + ", " + digits(interval.upper) + "]";
   }
-  line += ", tolerance " + significant_digits(row.limit, 5);
-  if (!std::isnan(row.adjusted_p)) line += ", p " + significant_digits(row.adjusted_p, 5);
+  line += ", tolerance " + digits(row.limit);
+  if (!std::isnan(row.adjusted_p)) line += ", p " + digits(row.adjusted_p);
   return line + ", " + std::to_string(row.pair_count) + " pairs";
 }
 
@@ -187,14 +168,12 @@ std::string figures(const MetricComparison& row) {
 std::string junit_text(const Comparison& comparison) {
   std::vector<TestCase> cases;
   for (const MetricComparison& row : comparison.rows) {
-    TestCase test{.planner = comparison.planners[row.planner].planner,
-                  .metric = row.metric,
-                  .failure = {},
-                  .skipped = {},
-                  .details = figures(row)};
+    TestCase& test =
+        cases.emplace_back(TestCase{.planner = comparison.planners[row.planner].planner,
+                                    .metric = row.metric,
+                                    .details = figures(row)});
     if (row.verdict == Verdict::regression) test.failure = row.metric + " is worse";
     if (row.verdict == Verdict::not_gated) test.skipped = "may not fail the comparison";
-    cases.push_back(std::move(test));
   }
   return junit_of("avoidbench compare " + comparison.new_sweep, cases);
 }
@@ -210,8 +189,7 @@ std::string junit_text(const ExactComparison& comparison) {
   std::vector<TestCase> cases;
   for (const std::string& planner : comparison.planners) {
     for (const std::string& name : names) {
-      TestCase test{
-          .planner = planner, .metric = name, .failure = {}, .skipped = {}, .details = {}};
+      TestCase& test = cases.emplace_back(TestCase{.planner = planner, .metric = name});
       for (const Difference* difference : found[{planner, name}]) {
         if (!test.details.empty()) test.details += "; ";
         test.details += place_text(difference->identity) + ": " + difference->before + " -> " +
@@ -219,7 +197,6 @@ std::string junit_text(const ExactComparison& comparison) {
       }
       const std::size_t count = found[{planner, name}].size();
       if (count > 0) test.failure = name + " differs in " + std::to_string(count) + " trials";
-      cases.push_back(std::move(test));
     }
   }
   return junit_of("avoidbench compare, exact, " + comparison.new_sweep, cases);
@@ -291,20 +268,15 @@ std::string format_comparison(const Comparison& comparison, CompareFormat format
 }
 
 std::string format_comparison(const ExactComparison& comparison, CompareFormat format) {
-  switch (format) {
-    case CompareFormat::table:
-      return exact_text(comparison);
-    case CompareFormat::markdown:
-      return section_text(comparison_section(comparison), TableFormat::markdown);
-    case CompareFormat::json:
-      return json_text(comparison);
-    case CompareFormat::junit:
-      return junit_text(comparison);
-    default:
-      throw InputError(
-          "an exact comparison is of trials, not means: its formats are table, markdown, json and "
-          "junit");
+  if (format == CompareFormat::table) return exact_text(comparison);
+  if (format == CompareFormat::json) return json_text(comparison);
+  if (format == CompareFormat::junit) return junit_text(comparison);
+  if (format == CompareFormat::markdown) {
+    return section_text(comparison_section(comparison), TableFormat::markdown);
   }
+  throw InputError(
+      "an exact comparison is of trials, not means: its formats are table, markdown, json and "
+      "junit");
 }
 
 }  // namespace avoidbench

@@ -1,8 +1,8 @@
-#include "compare/compare_tables.hpp"
-
 #include <algorithm>
 #include <cmath>
+#include <map>
 
+#include "compare/compare_formats.hpp"
 #include "report/table_rows.hpp"
 #include "table/table_text.hpp"
 #include "text/number_text.hpp"
@@ -19,16 +19,6 @@ std::string with_decimals(double value, int decimals, bool has_sign = false) {
   if (!has_sign) return digits;
   if (digits.find_first_of("123456789") == std::string::npos) return fixed_digits(0.0, decimals);
   return (value > 0.0 ? "+" : "") + digits;
-}
-
-/// Decimals that show `digits` digits of a number of this size, at most 6.
-int decimals_for(double size, int digits) {
-  // One decimal less for each power of ten of the number, one more for each below 1.
-  int decimals = digits - 1;
-  // Ten times smaller is one decimal more; six at most, since 0 would take endlessly many.
-  for (double limit = 10.0; size >= limit && decimals > 0; limit *= 10.0) --decimals;
-  for (double limit = 1.0; size < limit && size > 0.0 && decimals < 6; limit *= 0.1) ++decimals;
-  return decimals;
 }
 
 /// Of the two means: three digits of the greater.
@@ -68,17 +58,10 @@ std::pair<std::string, std::string> short_name(const MetricComparison& row) {
   return {row.metric, ""};
 }
 
-std::string verdict_text(const MetricComparison& row) {
-  switch (row.verdict) {
-    case Verdict::regression:
-      return "worse";
-    case Verdict::improvement:
-      return "better";
-    case Verdict::not_gated:
-      return "–";
-    default:
-      return std::string(text(row.verdict));
-  }
+std::string verdict_text(Verdict verdict) {
+  if (verdict == Verdict::regression) return "worse";
+  if (verdict == Verdict::improvement) return "better";
+  return verdict == Verdict::not_gated ? "–" : std::string(text(verdict));
 }
 
 Table metric_table_of(const Comparison& comparison) {
@@ -117,8 +100,8 @@ Table metric_table_of(const Comparison& comparison) {
               with_decimals(interval.upper, finer, true) + "]";
     }
     table.rows.push_back(
-        make_row(comparison.planners[row.planner].planner, short_name(row).first, verdict_text(row),
-                 row.pair_count, with_decimals(row.base_mean, decimals),
+        make_row(comparison.planners[row.planner].planner, short_name(row).first,
+                 verdict_text(row.verdict), row.pair_count, with_decimals(row.base_mean, decimals),
                  with_decimals(row.new_mean, decimals), change, range, p_text(row.adjusted_p)));
   }
   return table;
@@ -263,32 +246,27 @@ std::string exact_text(const ExactComparison& comparison) {
   for (const std::string& warning : comparison.warnings) {
     out += wrapped(visible_line("Warning: " + warning), kWidth, 9) + "\n";
   }
-  std::size_t trial_count = 0;
-  // Trials beyond the limit are still counted.
-  for (std::size_t i = 0; i < comparison.differences.size(); ++trial_count) {
-    // Differences of one trial adjoin: the run of them is a paragraph.
-    const TrialIdentity& identity = comparison.differences[i].identity;
-    std::string line;
-    std::size_t end = i;
-    for (; end < comparison.differences.size() && comparison.differences[end].identity == identity;
-         ++end) {
-      const Difference& difference = comparison.differences[end];
-      if (end - i < kShownValues) {
-        line += (line.empty() ? "      " : ", ") + difference.what + " " + difference.before +
-                " → " + difference.after;
-      }
-    }
-    if (end - i > kShownValues) line += ", and " + std::to_string(end - i - kShownValues) + " more";
-    if (trial_count < kShownTrials) {
-      out += (trial_count == 0 ? "\n" : "");
-      const std::string head = "  " + identity.planner + ", " + place_text(identity);
-      out += wrapped(visible_line(head), kWidth, 6) + "\n" +
-             wrapped(visible_line(line), kWidth, 8) + "\n";
-    }
-    i = end;
+  std::map<TrialIdentity, std::vector<std::string>> trials;  // with what differs in each
+  for (const Difference& difference : comparison.differences) {
+    trials[difference.identity].push_back(difference.what + " " + difference.before + " → " +
+                                          difference.after);
   }
-  if (trial_count > kShownTrials) {
-    out += "\n  and " + counted(trial_count - kShownTrials, "trial") + " more: the JSON has all\n";
+  std::size_t shown_count = 0;
+  for (auto& [identity, values] : trials) {
+    if (shown_count == kShownTrials) break;
+    out += shown_count++ == 0 ? "\n" : "";
+    if (values.size() > kShownValues) {
+      const std::size_t more = values.size() - kShownValues;
+      values.resize(kShownValues);
+      values.push_back("and " + std::to_string(more) + " more");
+    }
+    const std::string head = "  " + identity.planner + ", " + place_text(identity);
+    out += wrapped(visible_line(head), kWidth, 6) + "\n" +
+           wrapped(visible_line("      " + joined(values)), kWidth, 8) + "\n";
+  }
+  if (trials.size() > kShownTrials) {
+    out +=
+        "\n  and " + counted(trials.size() - kShownTrials, "trial") + " more: the JSON has all\n";
   }
   return out;
 }

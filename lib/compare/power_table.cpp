@@ -46,18 +46,17 @@ Table needed_table(const PowerQuestion& question, double lower_rate, double disc
                            {{.name = "test", .header = "by", .place = Place::key},
                             {.name = "trial_count", .header = "trials"}});
   const double rate = question.success_rate;
-  const auto add = [&](const char* test, double trials) {
+  const auto add = [&](const char* test, auto trials) {
     table.rows.push_back(make_row(test, static_cast<std::int64_t>(std::ceil(trials))));
   };
   add("two rates, normal approximation",
       two_rates_trials(rate, lower_rate, question.power, question.alpha));
-  add("two rates, Fisher's exact test", static_cast<double>(two_rates_trials_exact(
-                                            rate, lower_rate, question.power, question.alpha)));
+  add("two rates, Fisher's exact test",
+      two_rates_trials_exact(rate, lower_rate, question.power, question.alpha));
   add("the same missions, McNemar's exact test",
-      static_cast<double>(paired_rates_trials(rate, -question.detect, discordance, question.power,
-                                              question.alpha)));
+      paired_rates_trials(rate, -question.detect, discordance, question.power, question.alpha));
   add("95 % interval of one rate of ± half the loss",
-      static_cast<double>(wilson_width_trials(rate, 0.5 * question.detect)));
+      wilson_width_trials(rate, 0.5 * question.detect));
   add("± the loss whatever the rate (Hoeffding, 95 %)", hoeffding_trials(question.detect, 0.95));
   return table;
 }

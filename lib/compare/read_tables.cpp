@@ -1,6 +1,6 @@
-#include <algorithm>
 #include <limits>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "base/input_error.hpp"
@@ -17,9 +17,9 @@ namespace {
 /// One file, opened: a database with its sweeps, or the table of a CSV.
 struct Source {
   std::string file;
-  std::optional<Database> database;
-  std::vector<SweepInfo> sweeps;  ///< with trials, the latest revision of a name last
-  TrialTable table;
+  std::optional<Database> database = {};
+  std::vector<SweepInfo> sweeps = {};  ///< with trials, the latest revision of a name last
+  TrialTable table = {};
   std::string warning = {};  ///< of trials that can't be checked by digests
 };
 
@@ -34,8 +34,7 @@ bool may_be_database(const std::filesystem::path& path) {
 
 /// Sweeps without a finished trial are left out: nothing of them can be compared.
 Source open_source(const std::filesystem::path& path) {
-  Source source{
-      .file = path.string(), .database = std::nullopt, .sweeps = {}, .table = TrialTable{}};
+  Source source{.file = path.string()};
   if (may_be_database(path)) {
     source.database = Database::open_for_reading(path);
     // Throws where a digest is wrong; rows without digests only warn.
@@ -43,9 +42,7 @@ Source open_source(const std::filesystem::path& path) {
     for (SweepInfo& sweep : source.database->read_sweeps()) {
       if (sweep.trial_count > 0) source.sweeps.push_back(std::move(sweep));
     }
-    if (source.sweeps.empty()) {
-      throw InputError(InputProblem{.file = source.file, .message = "has no finished trial"});
-    }
+    if (source.sweeps.empty()) refuse_file(path, "has no finished trial");
     return source;
   }
   constexpr std::uint64_t kMostBytes = 2'000'000'000;
@@ -76,10 +73,8 @@ const SweepInfo& sweep_of(const Source& source, const std::string& wanted) {
   }
   if (found == nullptr) {
     const std::vector<std::string> names = names_of(source);
-    throw InputError(InputProblem{.file = source.file,
-                                  .message = "has no trials of a sweep " + wanted +
-                                             did_you_mean(wanted, names) +
-                                             "; there are: " + joined(names)});
+    refuse_file(source.file, "has no trials of a sweep " + wanted + did_you_mean(wanted, names) +
+                                 "; there are: " + joined(names));
   }
   return *found;
 }
@@ -94,9 +89,7 @@ TrialTable take(Source& source, const std::string& wanted, const std::vector<std
   // A table in CSV is of one revision, which it does not name.
   const bool is_wanted = wanted == source.table.sweep || wanted == source.table.sweep + "@1";
   if (!is_wanted) {
-    throw InputError(InputProblem{
-        .file = source.file,
-        .message = "is a table of sweep " + source.table.sweep + ", not of " + wanted});
+    refuse_file(source.file, "is a table of sweep " + source.table.sweep + ", not of " + wanted);
   }
   // A CSV has one table, which is taken once.
   return std::move(source.table);
@@ -113,12 +106,47 @@ std::pair<std::string, std::string> only_sweeps(const Source& base, const Source
   if (names.size() == 1 && others.size() == 1) return {names.front(), others.front()};
   std::vector<std::string> common;
   for (const std::string& name : names) {
-    if (std::find(others.begin(), others.end(), name) != others.end()) common.push_back(name);
+    if (contains(others, name)) common.push_back(name);
   }
   if (common.size() == 1) return {common.front(), common.front()};
   throw OptionError("which sweep? " + base.file + " has " + joined(names) + "; " + now.file +
                         " has " + joined(others) + ": name one of both, or BASE:NEW",
                     "", "sweep");
+}
+
+std::vector<std::string> labels_of(const TrialTable& table) {
+  std::set<std::string> labels;
+  for (const TableTrial& trial : table.trials) labels.insert(trial.identity.planner);
+  return {labels.begin(), labels.end()};
+}
+
+/// The two labels. A label may have a colon itself: splits are tried from the last colon on, and
+/// the first that fits both sides counts.
+std::pair<std::string, std::string> split(const std::string& wanted,
+                                          const std::vector<std::string>& base,
+                                          const std::vector<std::string>& now) {
+  std::pair<std::string, std::string> labels{wanted, wanted};
+  for (std::size_t at = wanted.rfind(':'); at != std::string::npos && at > 0;
+       at = wanted.rfind(':', at - 1)) {
+    labels = {wanted.substr(0, at), wanted.substr(at + 1)};
+    if (contains(base, labels.first) && contains(now, labels.second)) return labels;
+  }
+  if (contains(base, wanted) && contains(now, wanted)) return {wanted, wanted};
+  // Nothing fits: keep() says which label of the last split a side lacks.
+  return labels;
+}
+
+/// Both sides' trials get one label, so that their identities pair.
+void keep(TrialTable& table, const std::vector<std::string>& labels, const std::string& label,
+          const std::string& shown) {
+  if (!contains(labels, label)) {
+    throw OptionError(label + ": " + table.source + " has no such planner" +
+                          did_you_mean(label, labels) + "; there are: " + joined(labels),
+                      "planner");
+  }
+  std::erase_if(table.trials,
+                [&](const TableTrial& trial) { return trial.identity.planner != label; });
+  for (TableTrial& trial : table.trials) trial.identity.planner = shown;
 }
 
 }  // namespace
@@ -149,6 +177,19 @@ TrialTable read_table(const std::filesystem::path& file, const std::string& swee
   const std::string wanted = sweep.empty() ? names.front() : sweep;
   const std::vector<std::string> axes = axes_of(source, wanted);
   return take(source, wanted, axes);
+}
+
+TablePair of_planners(TablePair tables, const std::string& wanted) {
+  const std::vector<std::string> of_base = labels_of(tables.base), of_now = labels_of(tables.now);
+  const auto [base, now] = split(wanted, of_base, of_now);
+  const std::string shown = base == now ? base : base + " → " + now;
+  keep(tables.base, of_base, base, shown);
+  keep(tables.now, of_now, now, shown);
+  if (base != now) {
+    tables.base.source = base + " of " + tables.base.source;
+    tables.now.source = now + " of " + tables.now.source;
+  }
+  return tables;
 }
 
 }  // namespace avoidbench

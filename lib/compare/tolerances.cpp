@@ -1,11 +1,10 @@
-#include "compare/tolerances.hpp"
-
-#include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
 #include "base/option_error.hpp"
+#include "compare/compare.hpp"
+#include "text/number_text.hpp"
+#include "text/words.hpp"
 #include "yaml/yaml_tree.hpp"
 #include "yaml/yaml_values.hpp"
 
@@ -13,12 +12,9 @@ namespace avoidbench {
 namespace {
 
 /// A finite number from 0 on, where the text is nothing else.
-std::optional<double> number_from(std::string_view text) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool is_number = error == std::errc() && end == text.data() + text.size();
-  if (!is_number || !std::isfinite(value) || value < 0.0) return std::nullopt;
-  return value;
+std::optional<double> share_from(std::string_view text) {
+  const std::optional<double> value = number_from<double>(text);
+  return value && std::isfinite(*value) && *value >= 0.0 ? value : std::nullopt;
 }
 
 /// The share that `12%` says.
@@ -26,7 +22,7 @@ std::optional<double> percent_from(std::string_view text) {
   if (!text.ends_with('%')) return std::nullopt;
   text.remove_suffix(1);
   while (text.ends_with(' ')) text.remove_suffix(1);
-  const std::optional<double> value = number_from(text);
+  const std::optional<double> value = share_from(text);
   return value ? std::optional(*value / 100.0) : std::nullopt;
 }
 
@@ -48,7 +44,7 @@ Tolerance min_effect_from(std::string_view text) {
   // 0.05 is a share here, not a number in the metric's unit as in a file: it is for metrics of all
   // units.
   std::optional<double> share = percent_from(text);
-  if (!share) share = number_from(text);
+  if (!share) share = share_from(text);
   if (!share) {
     throw OptionError(
         std::string(text) + ": expected a share of the base's mean such as 5% or 0.05",
@@ -70,7 +66,7 @@ void read_tolerances(const std::filesystem::path& file, const std::vector<std::s
   known.insert(known.end(), {"default", "success_rate"});
   for (std::size_t i = 0; i < root.keys.size(); ++i) {
     const std::string& name = root.keys[i].scalar;
-    if (std::find(known.begin(), known.end(), name) == known.end()) {
+    if (!contains(known, name)) {
       problems.push_back(
           problem_at(root.keys[i], name + ": no such metric" + did_you_mean(name, known)));
     }

@@ -1,13 +1,15 @@
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstdio>
 #include <limits>
+#include <optional>
+#include <sstream>
 
 #include "base/input_error.hpp"
 #include "base/option_error.hpp"
 #include "compare/trial_table.hpp"
 #include "table/csv.hpp"
+#include "text/number_text.hpp"
 #include "text/utf8.hpp"
 #include "text/visible_text.hpp"
 
@@ -72,22 +74,15 @@ class CsvReader {
     return all;
   }
 
-  template <class Number>
-  Number number(const std::string& field, const char* what, int base = 10) const {
-    Number value{};
-    const char* end = field.data() + field.size();
-    std::from_chars_result read{};
+  template <class Number, class... Base>
+  Number number(const std::string& field, const char* what, Base... base) const {
     // An empty field is a metric without a value; whole numbers have no such.
-    if constexpr (std::is_floating_point_v<Number>) {
-      if (field.empty()) return std::numeric_limits<Number>::quiet_NaN();
-      read = std::from_chars(field.data(), end, value);
-    } else {
-      read = std::from_chars(field.data(), end, value, base);
+    if (std::is_floating_point_v<Number> && field.empty()) {
+      return std::numeric_limits<Number>::quiet_NaN();
     }
-    if (read.ec != std::errc() || read.ptr != end) {
-      fail(std::string(what) + ": '" + field + "' is no such number");
-    }
-    return value;
+    const std::optional<Number> value = number_from<Number>(field, base...);
+    if (!value) fail(std::string(what) + ": '" + field + "' is no such number");
+    return *value;
   }
 
  private:
@@ -130,12 +125,8 @@ MetricRow metric_of(const CsvReader& reader, const std::vector<std::string>& fie
 void read_comment(const CsvReader& reader, std::string_view line, TrialTable& table) {
   if (line.starts_with("# sweep: ")) table.sweep = line.substr(9);
   if (line.starts_with("# axes:")) {
-    line.remove_prefix(7);
-    while (!line.empty()) {
-      const std::string_view word = line.substr(0, line.find(' '));
-      line.remove_prefix(std::min(line.size(), word.size() + 1));
-      if (!word.empty()) table.axes.emplace_back(word);
-    }
+    std::istringstream paths(std::string(line.substr(7)));
+    for (std::string path; paths >> path;) table.axes.push_back(path);
   }
   if (line.starts_with(kMetric)) {
     table.metrics.push_back(metric_of(reader, reader.fields(line)));
@@ -220,7 +211,7 @@ std::string csv_of_table(const TrialTable& table) {
 TrialTable table_of_csv(const std::string& text, const std::string& source) {
   check_utf8(text, source);
   CsvReader reader(text, source);
-  TrialTable table{.source = source, .sweep = {}, .axes = {}, .metrics = {}, .trials = {}};
+  TrialTable table{.source = source};
   std::string_view line;
   if (!reader.next(line) || !line.starts_with(kTitle)) {
     throw OptionError(
@@ -252,9 +243,7 @@ TrialTable table_of_csv(const std::string& text, const std::string& source) {
       }
     }
   }
-  if (table.trials.empty()) {
-    throw InputError(InputProblem{.file = source, .message = "has no trials"});
-  }
+  if (table.trials.empty()) refuse_file(source, "has no trials");
   return table;
 }
 

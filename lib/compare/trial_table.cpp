@@ -80,10 +80,9 @@ void check_identities(const TrialTable& table) {
       table.trials.begin(), table.trials.end(),
       [](const TableTrial& a, const TableTrial& b) { return a.identity == b.identity; });
   if (twin == table.trials.end()) return;
-  throw InputError(InputProblem{
-      .file = table.source,
-      .message = "sweep " + table.sweep + " has two trials of " + twin->identity.planner + " on " +
-                 place_text(twin->identity) + ": planners of different files share the label"});
+  refuse_file(table.source, "sweep " + table.sweep + " has two trials of " +
+                                twin->identity.planner + " on " + place_text(twin->identity) +
+                                ": planners of different files share the label");
 }
 
 }  // namespace
@@ -103,8 +102,7 @@ TrialTable table_of_sweep(const Database& database, const SweepInfo& sweep,
   TrialTable table{.source = database.path().string(),
                    .sweep = sweep.name,
                    .axes = axes,
-                   .metrics = database.metrics(),
-                   .trials = {}};
+                   .metrics = database.metrics()};
   if (sweep.revision > 1) table.sweep += "@" + std::to_string(sweep.revision);
   std::map<std::string, std::string> labels;
   for (const PlannerRow& planner : database.read_planners()) {

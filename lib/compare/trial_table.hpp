@@ -40,12 +40,12 @@ struct TableTrial {
 
 /// The trials of one sweep, from a database or from a table that was committed.
 struct TrialTable {
-  std::string source;  ///< file, for messages
-  std::string sweep;   ///< "forest", "forest@2"
-  std::vector<std::string> axes;
-  std::vector<MetricRow> metrics;
-  std::vector<TableTrial> trials;  ///< by identity, which no two share
-  std::string warning = {};        ///< of trials that can't be checked by digests
+  std::string source;      ///< file, for messages
+  std::string sweep = {};  ///< "forest", "forest@2"
+  std::vector<std::string> axes = {};
+  std::vector<MetricRow> metrics = {};
+  std::vector<TableTrial> trials = {};  ///< by identity, which no two share
+  std::string warning = {};             ///< of trials that can't be checked by digests
 };
 
 /// The table of a sweep in a database. `axes` are the paths whose values tell its trials apart.

@@ -9,12 +9,12 @@
 #include "base/check.hpp"
 #include "base/option_error.hpp"
 #include "maps/map_spec.hpp"
-#include "report/sweep_choice.hpp"
+#include "report/selection.hpp"
 #include "store/record_format.hpp"
 #include "store/trial_fields.hpp"
 #include "store/trial_table.hpp"
 #include "table/csv.hpp"
-#include "text/number_text.hpp"
+#include "text/words.hpp"
 
 namespace avoidbench {
 namespace {
@@ -51,16 +51,13 @@ void check_same_columns(const std::vector<std::string>& first,
   if (columns == first) return;
   std::string difference = "in another order";
   for (const std::string& name : columns) {
-    if (std::find(first.begin(), first.end(), name) == first.end()) difference = "with " + name;
+    if (!contains(first, name)) difference = "with " + name;
   }
   for (const std::string& name : first) {
-    if (std::find(columns.begin(), columns.end(), name) == columns.end()) {
-      difference = "without " + name;
-    }
+    if (!contains(columns, name)) difference = "without " + name;
   }
-  throw InputError({.file = database.path().string(),
-                    .message = "has other columns than the first database (" + difference +
-                               "): export it by itself, or merge the two"});
+  refuse_file(database.path(), "has other columns than the first database (" + difference +
+                                   "): export it by itself, or merge the two");
 }
 
 std::string quoted(const std::string& word) {
@@ -70,10 +67,9 @@ std::string quoted(const std::string& word) {
 /// NaN and infinity are null.
 std::string json_text(const TableValue& value) {
   if (const auto* word = std::get_if<std::string>(&value)) return quoted(*word);
-  if (const auto* count = std::get_if<std::int64_t>(&value)) return std::to_string(*count);
-  if (const auto* seed = std::get_if<std::uint64_t>(&value)) return std::to_string(*seed);
   const auto* number = std::get_if<double>(&value);
-  return number == nullptr || !std::isfinite(*number) ? "null" : shortest(*number);
+  const std::string text = number != nullptr && std::isinf(*number) ? "" : text_of(value);
+  return text.empty() ? "null" : text;
 }
 
 std::string csv_line(const TrialValues& row) {
@@ -89,12 +85,6 @@ std::string json_line(const std::vector<std::string>& columns, const TrialValues
     line += (i == 0 ? "" : ",") + quoted(columns[i]) + ":" + json_text(row[i]);
   }
   return line + "}\n";
-}
-
-std::string header(const std::vector<std::string>& columns) {
-  CsvRow line;
-  for (const std::string& name : columns) line.add(name);
-  return line.line();
 }
 
 /// The rows of all these files in order, each once.
@@ -146,10 +136,9 @@ void take_rows(MergedRows& rows, std::optional<std::size_t> sorted,
                const std::vector<MetricRow>& metrics, const TrialOrder& trial_order, Take take) {
   std::size_t left = trial_order.limit.value_or(std::numeric_limits<std::size_t>::max());
   if (!sorted) {
-    for (; left > 0; --left) {
-      const std::optional<TrialValues> row = rows.next();
-      if (!row) return;
+    for (std::optional<TrialValues> row = rows.next(); row && left > 0; row = rows.next()) {
       take(*row);
+      --left;
     }
     return;
   }
@@ -208,15 +197,17 @@ void export_trials(std::span<const Database> databases, std::string_view wanted,
   const std::vector<std::string> columns = readers.front().columns();
   std::vector<std::size_t> shown;
   std::vector<std::string> names;
+  CsvRow header;
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    if (std::find(left_out.begin(), left_out.end(), columns[i]) != left_out.end()) continue;
+    if (contains(left_out, columns[i])) continue;
     shown.push_back(i);
     names.push_back(columns[i]);
+    header.add(columns[i]);
   }
   // Among all columns: one may sort by what is not shown.
   std::optional<std::size_t> sorted;
   if (!trial_order.field.empty()) sorted = column_of(trial_order.field, columns);
-  if (format == TrialFormat::csv) write(header(names));
+  if (format == TrialFormat::csv) write(header.line());
   MergedRows rows(std::move(readers), columns);
   take_rows(rows, sorted, first->metrics(), trial_order, [&](const TrialValues& row) {
     TrialValues cells;

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "base/enum_text.hpp"
-#include "export/trial_order.hpp"
+#include "export/trial_list.hpp"
 #include "store/database.hpp"
 
 namespace avoidbench {

@@ -6,8 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "base/check.hpp"
+#include "report/environment_summary.hpp"
 #include "store/record_format.hpp"
 #include "text/number_text.hpp"
+#include "text/words.hpp"
 
 namespace avoidbench {
 namespace {
@@ -31,15 +33,8 @@ std::string as_line(std::string text) {
   return text + "\n";
 }
 
-std::string number(double value) { return std::isnan(value) ? "" : shortest(value); }
-
 /// A number that a REAL field can hold: OMPL's scripts take no value for infinity.
 std::string finite(double value) { return std::isfinite(value) ? shortest(value) : ""; }
-
-nlohmann::json parsed(const std::string& json) {
-  nlohmann::json value = nlohmann::json::parse(json, nullptr, false);
-  return value.is_discarded() ? nlohmann::json::object() : value;
-}
 
 /// "2024-02-03T04:05:06Z" as OMPL writes dates: "2024-02-03 04:05:06".
 std::string date_text(std::string date) {
@@ -48,34 +43,27 @@ std::string date_text(std::string date) {
   return date.empty() ? "unknown" : date;
 }
 
-/// One trial's row with its columns by name.
+/// The reader's present row with its columns by name.
 class TrialFields {
  public:
-  explicit TrialFields(const TrialTableReader& reader) {
+  explicit TrialFields(const TrialTableReader& reader) : reader_(reader) {
     for (std::size_t i = 0; i < reader.columns().size(); ++i) at_[reader.columns()[i]] = i;
   }
-  void set(std::vector<TableValue> row) { row_ = std::move(row); }
   const TableValue& operator[](const std::string& name) const {
     const auto found = at_.find(name);
     AB_CHECK(found != at_.end(), name);
-    return row_[found->second];
+    return reader_.row()[found->second];
   }
-  std::string text(const std::string& name) const {
-    const auto* word = std::get_if<std::string>(&(*this)[name]);
-    return word == nullptr ? std::string() : *word;
-  }
+  std::string text(const std::string& name) const { return text_of((*this)[name]); }
+  /// Whole numbers count as reals; nothing and texts are NaN.
   double real(const std::string& name) const {
-    // Whole numbers count as reals; nothing and texts are NaN.
-    const TableValue& value = (*this)[name];
-    if (const auto* real = std::get_if<double>(&value)) return *real;
-    if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
-    return std::nan("");
+    return number_in((*this)[name]).value_or(std::nan(""));
   }
   bool has(const std::string& name) const { return at_.contains(name); }
 
  private:
+  const TrialTableReader& reader_;
   std::map<std::string, std::size_t> at_;
-  std::vector<TableValue> row_;
 };
 
 /// A property of each run: its name with OMPL's type, and its value as text.
@@ -100,11 +88,8 @@ std::string is_solved(const TrialFields& trial, const std::string&) {
 
 /// The outcome's number among the values that the preamble lists.
 std::string status(const TrialFields& trial, const std::string&) {
-  const std::string outcome = trial.text("outcome");
-  for (std::size_t i = 0; i < std::size(EnumText<Outcome>::entries); ++i) {
-    if (EnumText<Outcome>::entries[i].second == outcome) return std::to_string(i);
-  }
-  return "";
+  const std::optional<Outcome> outcome = enum_from_text<Outcome>(trial.text("outcome"));
+  return outcome ? std::to_string(static_cast<int>(*outcome)) : "";
 }
 
 /// Only of a flight that arrived: the way up to a crash is no solution.
@@ -141,26 +126,22 @@ std::vector<RunProperty> run_properties(const Database& database, const TrialFie
 /// A planner's runs on the map.
 struct PlannerRuns {
   std::string name, planner_key;
-  std::string lines;                    // of its runs
-  std::vector<std::string> trial_keys;  // in order of the lines
+  std::string lines = {};                    // of its runs
+  std::vector<std::string> trial_keys = {};  // in order of the lines
 };
 
 /// The lines of all runs on the experiment's map, and which properties these have.
 std::vector<PlannerRuns> read_runs(const Database& database, const OmplExperiment& experiment,
                                    std::vector<RunProperty>& properties) {
   TrialTableReader reader(database, {&experiment.sweep, 1}, experiment.flights.map_key);
-  TrialFields trial(reader);
+  const TrialFields trial(reader);
   properties = run_properties(database, trial);
   std::vector<PlannerRuns> planners;
   // Rows come by planner: a planner's runs adjoin.
   while (reader.next()) {
-    trial.set(reader.row());
     const std::string key = trial.text("planner_key");
     if (planners.empty() || planners.back().planner_key != key) {
-      planners.push_back({.name = as_word(trial.text("planner")),
-                          .planner_key = key,
-                          .lines = {},
-                          .trial_keys = {}});
+      planners.push_back({.name = as_word(trial.text("planner")), .planner_key = key});
     }
     for (const RunProperty& property : properties) {
       // An empty value is one that OMPL's scripts take as missing.
@@ -188,18 +169,14 @@ std::string preamble(const OmplExperiment& experiment, const std::vector<Planner
   const auto add = [&](const std::string& name, double value) {
     if (std::isfinite(value)) properties.push_back(name + " REAL = " + shortest(value) + "\n");
   };
-  const nlohmann::json spec = parsed(experiment.map.spec_json);
-  if (spec.contains("poisson_radius_m") && spec["poisson_radius_m"].is_number()) {
-    add("poisson_radius_m", spec["poisson_radius_m"].get<double>());
-  }
+  add("poisson_radius_m", spec_number(experiment.map, "poisson_radius_m"));
   add("traversability", map.traversability);
   add("traversability_normalized_ratio", map.traversability_normalized_ratio);
   add("relative_gap_size", map.relative_gap_size);
   add("obstacle_density_1pm2", map.obstacle_density_1pm2);
   add("free_volume_ratio", map.free_volume_ratio);
   if (!properties.empty()) {
-    text += std::to_string(properties.size()) + " experiment properties\n";
-    for (const std::string& property : properties) text += property;
+    text += std::to_string(properties.size()) + " experiment properties\n" + joined(properties, "");
   }
   text += "Running on " + as_word(run.host) + "\n";
   text += "Starting at " + date_text(run.started_at) + "\n";
@@ -232,7 +209,8 @@ std::string common_properties(const PlannerRow& planner) {
       "planner_name = " + as_word(planner.name), "planner_version = " + as_word(planner.version),
       "file_sha256 = " + as_word(planner.file_digest),
       "is_privileged = " + std::to_string(planner.is_privileged ? 1 : 0)};
-  const nlohmann::json parameters = parsed(planner.parameters_json);
+  const auto parsed = nlohmann::json::parse(planner.parameters_json, nullptr, false);
+  const auto parameters = parsed.is_discarded() ? nlohmann::json::object() : parsed;
   for (const auto& [name, value] : parameters.items()) {
     const std::string word = value.is_string()         ? value.get<std::string>()
                              : value.is_number_float() ? shortest(value.get<double>())
@@ -257,7 +235,7 @@ std::string progress_line(std::span<const Sample> samples, const Eigen::Vector3d
     // The next multiple of the period, so that times don't drift where samples are late.
     next_s = (std::floor(sample.time_s / period_s) + 1.0) * period_s;
     line += shortest(sample.time_s) + "," + shortest((sample.position_world - goal_world).norm()) +
-            "," + shortest(sample.velocity_world.norm()) + "," + number(sample.clearance_m) + ",;";
+            "," + shortest(sample.velocity_world.norm()) + "," + text_of(sample.clearance_m) + ",;";
   }
   return line + "\n";
 }
@@ -282,10 +260,8 @@ std::vector<OmplExperiment> ompl_experiments(const Database& database, const Swe
     std::string name = sweep.name;
     if (sweep.revision > 1) name += "_" + std::to_string(sweep.revision);
     name += "-" + map->generator;
-    const nlohmann::json spec = parsed(map->spec_json);
-    if (spec.contains("poisson_radius_m") && spec["poisson_radius_m"].is_number()) {
-      name += "-r" + shortest(spec["poisson_radius_m"].get<double>());
-    }
+    const double radius_m = spec_number(*map, "poisson_radius_m");
+    if (!std::isnan(radius_m)) name += "-r" + shortest(radius_m);
     name += "-s" + std::to_string(map->map_seed) + "-" + flights.map_key.substr(0, kKeyLetters);
     experiments.push_back({.name = as_word(name),
                            .sweep = sweep,
@@ -301,10 +277,7 @@ void write_ompl_log(const Database& database, const OmplExperiment& experiment,
                     double progress_period_s,
                     const std::function<void(const std::string&)>& write) {
   std::map<std::string, PlannerRow> rows;
-  for (PlannerRow& row : database.read_planners()) {
-    std::string key = planner_key(row);
-    rows.emplace(std::move(key), std::move(row));
-  }
+  for (const PlannerRow& row : database.read_planners()) rows.emplace(planner_key(row), row);
   std::vector<RunProperty> properties;
   // All runs are read first: the preamble says how many planners follow.
   const std::vector<PlannerRuns> planners = read_runs(database, experiment, properties);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <numeric>
+#include <set>
 
 #include "base/check.hpp"
 #include "base/option_error.hpp"
@@ -15,10 +17,6 @@
 
 namespace avoidbench {
 namespace {
-
-std::string radius_text(const TrialListing& trial) {
-  return std::isnan(trial.poisson_radius_m) ? "" : shortest(trial.poisson_radius_m);
-}
 
 /// The ids of some trials: "3, 7, 12, …".
 std::string ids_of(const std::vector<TrialListing>& trials) {
@@ -71,16 +69,10 @@ std::vector<TrialListing> named(const std::vector<TrialListing>& all, const std:
 /// Throws where a word that was given stands in no trial.
 void check_word(const std::string& option, const std::string& word,
                 const std::vector<std::string>& known) {
-  if (word.empty() || std::find(known.begin(), known.end(), word) != known.end()) return;
+  if (word.empty() || contains(known, word)) return;
   throw OptionError(
       word + ": no trial has it" + did_you_mean(word, known) + "; there are: " + joined(known),
       option);
-}
-
-std::vector<std::string> sorted_unique(std::vector<std::string> words) {
-  std::sort(words.begin(), words.end());
-  words.erase(std::unique(words.begin(), words.end()), words.end());
-  return words;
 }
 
 /// "2,1 → 38,12": start and goal in plan, whole metres.
@@ -128,23 +120,19 @@ std::vector<Column> trial_columns(const std::vector<std::string>& fields, bool i
   return columns;
 }
 
-/// The number of columns where none has the name.
-std::size_t column_at(const Table& table, const std::string& name) {
-  const auto found = std::find_if(table.columns.begin(), table.columns.end(),
-                                  [&](const Column& column) { return column.name == name; });
-  return static_cast<std::size_t>(found - table.columns.begin());
+/// NaN is none.
+bool has_value(const TableValue& value) {
+  const auto* number = std::get_if<double>(&value);
+  return !std::holds_alternative<std::monostate>(value) &&
+         (number == nullptr || *number == *number);
 }
 
-void drop_column(Table& table, std::size_t at) {
-  if (at >= table.columns.size()) return;
-  table.columns.erase(table.columns.begin() + static_cast<std::ptrdiff_t>(at));
-  for (Row& row : table.rows) row.erase(row.begin() + static_cast<std::ptrdiff_t>(at));
-}
-
-bool has_value(const Table& table, std::size_t at) {
-  return std::any_of(table.rows.begin(), table.rows.end(), [&](const Row& row) {
-    return !std::holds_alternative<std::monostate>(row[at].value);
-  });
+/// Whole numbers and others have one order.
+bool is_less(const TableValue& a, const TableValue& b) {
+  const std::optional<double> number_a = number_in(a), number_b = number_in(b);
+  if (a.index() != b.index() && number_a && number_b) return *number_a < *number_b;
+  // Of two texts, or by the kind of value where they have nothing in common.
+  return a < b;
 }
 
 bool is_constant(const Table& table, std::size_t at) {
@@ -177,13 +165,13 @@ void fit(Table& table, const std::vector<std::string>& fields) {
 
 std::vector<TrialListing> chosen_trials(const std::vector<TrialListing>& all,
                                         const TrialChoice& choice) {
-  std::vector<std::string> planners, outcomes;
+  std::set<std::string> planners, outcomes;
   for (const TrialListing& one : all) {
-    planners.push_back(one.planner_label);
-    outcomes.emplace_back(text(one.outcome));
+    planners.insert(one.planner_label);
+    outcomes.emplace(text(one.outcome));
   }
-  check_word("planner", choice.planner, sorted_unique(planners));
-  check_word("outcome", choice.outcome, sorted_unique(outcomes));
+  check_word("planner", choice.planner, {planners.begin(), planners.end()});
+  check_word("outcome", choice.outcome, {outcomes.begin(), outcomes.end()});
   std::vector<TrialListing> chosen = choice.trial.empty() ? all : named(all, choice.trial);
   std::erase_if(chosen, [&](const TrialListing& one) {
     const bool is_meant =
@@ -212,9 +200,29 @@ std::vector<std::string> listed_fields(const Database& database, const TrialOrde
     return path == "map.poisson_radius_m" || path == "map_seed";  // have columns of their own
   });
   // What trials are sorted by is shown.
-  const bool is_new = std::find(fields.begin(), fields.end(), order.field) == fields.end();
-  if (!order.field.empty() && is_new) fields.push_back(order.field);
+  if (!order.field.empty() && !contains(fields, order.field)) fields.push_back(order.field);
   return fields;
+}
+
+std::vector<std::size_t> worst_first(const std::vector<TableValue>& values, Better better) {
+  std::vector<std::size_t> places(values.size());
+  std::iota(places.begin(), places.end(), std::size_t{0});
+  // Stable: equal values stay in the order of the table. What has no value comes last, since
+  // nothing is known of it.
+  std::stable_sort(places.begin(), places.end(), [&](std::size_t a, std::size_t b) {
+    if (!has_value(values[a]) || !has_value(values[b])) {
+      return has_value(values[a]) && !has_value(values[b]);
+    }
+    return better == Better::more ? is_less(values[a], values[b]) : is_less(values[b], values[a]);
+  });
+  return places;
+}
+
+/// A field that is no metric is sorted as if more were better: from its least value up.
+Better better_of(const std::string& field, const std::vector<MetricRow>& metrics) {
+  const auto metric = std::find_if(metrics.begin(), metrics.end(),
+                                   [&](const MetricRow& one) { return one.name == field; });
+  return metric == metrics.end() ? Better::more : metric->better;
 }
 
 std::vector<TrialListing> in_order(std::vector<TrialListing> trials, const TrialOrder& order,
@@ -261,19 +269,18 @@ Table trial_table(const std::vector<TrialListing>& trials, const std::vector<std
     append(row, make_row(text(one.outcome), one.end_time_s, one.reason));
     table.rows.push_back(std::move(row));
   }
-  const std::size_t radius = column_at(table, "radius_m");
   // Maps that are no Poisson-disc fields have no radius.
-  if (!trials.empty() && !has_value(table, radius)) drop_column(table, radius);
+  drop_if_empty(table, "radius_m");
   if (is_for_people) fit(table, fields);
   return table;
 }
 
 std::string trial_text(const TrialListing& trial) {
-  const std::string radius = radius_text(trial);
+  const bool has_radius = !std::isnan(trial.poisson_radius_m);
   return visible_line(trial.planner_label + ", " + trial.generator + " seed " +
                       std::to_string(trial.map_seed) +
-                      (radius.empty() ? "" : ", radius " + radius + " m") + ", mission " +
-                      std::to_string(trial.mission_index));
+                      (has_radius ? ", radius " + shortest(trial.poisson_radius_m) + " m" : "") +
+                      ", mission " + std::to_string(trial.mission_index));
 }
 
 }  // namespace avoidbench

@@ -1,10 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "export/trial_order.hpp"
 #include "store/database.hpp"
 #include "store/rows.hpp"
 #include "table/table.hpp"
@@ -27,6 +27,19 @@ std::vector<TrialListing> chosen_trials(const std::vector<TrialListing>& all,
 
 /// The one trial that is meant. Throws InputError, naming some, where there is not exactly one.
 TrialListing the_trial(const std::vector<TrialListing>& all, const TrialChoice& choice);
+
+/// Which trials of many are listed or exported, and in which order.
+struct TrialOrder {
+  std::string field = {};            ///< a metric or another field of trials; "": as they are
+  std::optional<std::size_t> limit;  ///< at most so many, the first ones
+};
+
+/// The places of `values` in order: of a metric the worst first (where more is better the least),
+/// of other fields the least first; what has no value last; of equals as they are.
+std::vector<std::size_t> worst_first(const std::vector<TableValue>& values, Better better);
+
+/// Of a metric what is better; Better::more for other fields, so that the least comes first.
+Better better_of(const std::string& field, const std::vector<MetricRow>& metrics);
 
 /// The fields that a list of trials needs: the axes of the database's sweeps, and what it is sorted
 /// by; for Database::list_trials().

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "maps/map_spec.hpp"
 #include "metrics/map_measure.hpp"
@@ -42,9 +44,7 @@ EnvironmentCorrelation correlation_of(std::string measure,
   result.map_count = static_cast<std::int64_t>(y.size());
   // No mean, no lowest: environment_summary() leaves it out.
   if (y.empty()) return result;
-  double sum = 0.0;
-  for (const double value : y) sum += value;
-  result.mean = sum / static_cast<double>(y.size());
+  result.mean = std::accumulate(y.begin(), y.end(), 0.0) / static_cast<double>(y.size());
   result.lowest = *std::min_element(y.begin(), y.end());
   result.highest = *std::max_element(y.begin(), y.end());
   result.pearson = pearson_correlation(x, y);
@@ -56,15 +56,23 @@ EnvironmentCorrelation correlation_of(std::string measure,
 
 }  // namespace
 
+double spec_number(const MapRow& map, const char* name) {
+  // Without throwing: a spec that can't be read has no such number either.
+  const nlohmann::json spec = nlohmann::json::parse(map.spec_json, nullptr, false);
+  if (!spec.is_object() || !spec.contains(name) || !spec[name].is_number()) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  return spec[name].get<double>();
+}
+
 EnvironmentSummary environment_summary(const SweepResult& result, const Trials& trials) {
   EnvironmentSummary summary;
   for (std::size_t i = 0; i < result.maps.size(); ++i) {
     summary.maps.push_back(summary_of(i, result.maps[i].record));
   }
-  for (const TrialOnMap& on_map : trials) {
-    summary.maps[on_map.map].trial_count += 1;
-    summary.maps[on_map.map].finished_count +=
-        on_map.trial->outcome == Outcome::reached_goal ? 1 : 0;
+  for (const MapCount& count : counts_by_map(trials)) {
+    summary.maps[count.map].trial_count = count.trials;
+    summary.maps[count.map].finished_count = count.finished;
   }
   const auto record = [&](const MapSummary& map) -> const MapRecord& {
     return result.maps[map.map].record;

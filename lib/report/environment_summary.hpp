@@ -28,6 +28,9 @@ struct EnvironmentSummary {
   std::vector<EnvironmentCorrelation> correlations;  ///< of those measures that vary
 };
 
+/// A number of the map's spec, NaN where it has none of this name.
+double spec_number(const MapRow& map, const char* name);
+
 EnvironmentSummary environment_summary(const SweepResult& result, const Trials& trials);
 
 }  // namespace avoidbench

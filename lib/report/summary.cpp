@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/input_error.hpp"
+#include "text/words.hpp"
 
 namespace avoidbench {
 namespace {
@@ -74,72 +75,60 @@ std::vector<Trials> by_planner(const SweepResult& result, const Trials& trials) 
   return planners;
 }
 
-/// Their summaries, of those that have trials where `is_all` is false.
-std::vector<PlannerSummary> summaries(const std::vector<Trials>& planners,
-                                      std::span<const std::size_t> metrics,
-                                      std::span<const MetricRow> rows, bool is_all) {
+/// The summaries of all planners of the result over these trials.
+std::vector<PlannerSummary> summaries(const SweepResult& result, const Trials& trials,
+                                      std::span<const std::size_t> metrics) {
+  const std::vector<Trials> planners = by_planner(result, trials);
   std::vector<PlannerSummary> summaries;
-  std::vector<Trials> summarized;
   for (std::size_t i = 0; i < planners.size(); ++i) {
-    if (planners[i].empty() && !is_all) continue;
     summaries.push_back(planner_summary(i, planners[i], metrics));
-    summarized.push_back(planners[i]);
   }
-  mark_best(summaries, summarized, metrics, rows);
+  mark_best(summaries, planners, metrics, result.metrics);
   return summaries;
 }
 
 /// Maps with trials, the least traversable first, in up to kGroupCount groups of equal count (±1).
-std::vector<std::vector<std::size_t>> map_groups(const SweepResult& result, const Trials& trials) {
-  std::set<std::size_t> flown;
-  for (const TrialOnMap& on_map : trials) flown.insert(on_map.map);
+std::vector<MapGroup> groups_of(const SweepResult& result, const Trials& trials,
+                                std::span<const std::size_t> metrics) {
   std::vector<std::pair<double, std::size_t>> maps;
-  for (const std::size_t map : flown) {
-    const double ratio = result.maps[map].record.traversability_normalized_ratio;
-    if (!std::isnan(ratio)) maps.emplace_back(ratio, map);
+  for (const MapCount& count : counts_by_map(trials)) {
+    const double ratio = result.maps[count.map].record.traversability_normalized_ratio;
+    if (!std::isnan(ratio)) maps.emplace_back(ratio, count.map);
   }
   std::sort(maps.begin(), maps.end());
-  const std::size_t count = std::min(kGroupCount, maps.size());
-  std::vector<std::vector<std::size_t>> groups(count);
+  const std::size_t group_count = std::min(kGroupCount, maps.size());
+  // One group is the whole table again.
+  if (group_count < 2) return {};
+  std::vector<MapGroup> groups(group_count);
+  std::map<std::size_t, std::size_t> place_of_map;
   for (std::size_t i = 0; i < maps.size(); ++i) {
-    // i · n / N in whole numbers: groups differ by one map at most.
-    groups[i * count / maps.size()].push_back(maps[i].second);
+    const auto [ratio, map] = maps[i];
+    // In whole numbers: groups differ by one map at most.
+    const std::size_t place = i * group_count / maps.size();
+    place_of_map[map] = place;
+    MapGroup& group = groups[place];
+    if (group.map_count++ == 0) group.lowest_ratio = ratio;
+    group.highest_ratio = ratio;
+  }
+  std::vector<Trials> grouped(group_count);
+  for (const TrialOnMap& on_map : trials) {
+    const auto place = place_of_map.find(on_map.map);
+    if (place != place_of_map.end()) grouped[place->second].push_back(on_map);
+  }
+  for (std::size_t i = 0; i < group_count; ++i) {
+    groups[i].planners = summaries(result, grouped[i], metrics);
   }
   return groups;
 }
 
-std::vector<MapGroup> groups_of(const SweepResult& result, const Trials& trials,
-                                std::span<const std::size_t> metrics,
-                                std::span<const MetricRow> rows) {
-  const auto groups = map_groups(result, trials);
-  // One group is the whole table again.
-  if (groups.size() < 2) return {};
-  std::vector<MapGroup> summaries_of_groups;
-  for (const std::vector<std::size_t>& maps : groups) {
-    const std::set<std::size_t> members(maps.begin(), maps.end());
-    Trials grouped;
-    for (const TrialOnMap& on_map : trials) {
-      if (members.contains(on_map.map)) grouped.push_back(on_map);
-    }
-    summaries_of_groups.push_back(
-        {.map_count = static_cast<std::int64_t>(maps.size()),
-         .lowest_ratio = result.maps[maps.front()].record.traversability_normalized_ratio,
-         .highest_ratio = result.maps[maps.back()].record.traversability_normalized_ratio,
-         .planners = summaries(by_planner(result, grouped), metrics, rows, true)});
-  }
-  return summaries_of_groups;
-}
-
 std::int64_t map_count_of(const Trials& trials) {
-  std::set<std::size_t> maps;
-  for (const TrialOnMap& on_map : trials) maps.insert(on_map.map);
-  return static_cast<std::int64_t>(maps.size());
+  return static_cast<std::int64_t>(counts_by_map(trials).size());
 }
 
 /// Marks what is best among rows that have the same keys but for the planner.
 void mark_best_rows(std::vector<GroupRow>& rows, const std::vector<Trials>& trials,
                     std::size_t planner_column, std::span<const std::size_t> metrics,
-                    std::span<const MetricRow> metric_rows) {
+                    std::span<const MetricRow> definitions) {
   // Rows that differ in the planner only: they have flown the same.
   std::map<std::vector<TableValue>, std::vector<std::size_t>> rivals;
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -152,18 +141,16 @@ void mark_best_rows(std::vector<GroupRow>& rows, const std::vector<Trials>& tria
     std::vector<Trials> of_rivals;
     for (const std::size_t i : indices) {
       summaries.push_back(rows[i].summary);
-      summaries.back().planner = i;  // they are told apart by it
       of_rivals.push_back(trials[i]);
     }
-    mark_best(summaries, of_rivals, metrics, metric_rows);
+    mark_best(summaries, of_rivals, metrics, definitions);
     for (std::size_t k = 0; k < indices.size(); ++k) rows[indices[k]].summary = summaries[k];
   }
 }
 
 std::vector<GroupRow> group_rows(const SweepResult& result, const Trials& trials,
                                  const std::vector<GroupColumn>& columns,
-                                 std::span<const std::size_t> metrics,
-                                 std::span<const MetricRow> metric_rows) {
+                                 std::span<const std::size_t> metrics) {
   std::vector<GroupRow> rows;
   std::vector<Trials> of_rows;
   for (GroupedTrials& group : group_trials(result, trials, columns)) {
@@ -176,7 +163,7 @@ std::vector<GroupRow> group_rows(const SweepResult& result, const Trials& trials
                                     [](const auto& column) { return column.field == kPlanner; });
   if (planner != columns.end()) {
     mark_best_rows(rows, of_rows, static_cast<std::size_t>(planner - columns.begin()), metrics,
-                   metric_rows);
+                   result.metrics);
   }
   return rows;
 }
@@ -217,7 +204,7 @@ std::vector<std::string> ReportQuery::fields() const {
   std::vector<std::string> fields;
   const auto add = [&](const std::string& field) {
     // Each once, in the order asked for.
-    if (std::find(fields.begin(), fields.end(), field) == fields.end()) fields.push_back(field);
+    if (!contains(fields, field)) fields.push_back(field);
   };
   for (const GroupColumn& column : group_by) add(column.field);
   for (const Condition& condition : where) add(condition.field);
@@ -270,11 +257,11 @@ SweepSummary summarize(SweepResult result, const ReportQuery& query) {
 
   const Trials trials = trials_on_maps(result);
   const std::vector<Trials> planners = by_planner(result, trials);
-  summary.overall = summaries(planners, indices, summary.metrics, true);
-  summary.groups = groups_of(result, trials, indices, summary.metrics);
+  summary.overall = summaries(result, trials, indices);
+  summary.groups = groups_of(result, trials, indices);
+  summary.group_columns = query.group_by;
   if (!query.group_by.empty()) {
-    summary.group_columns = query.group_by;
-    summary.group_rows = group_rows(result, trials, query.group_by, indices, summary.metrics);
+    summary.group_rows = group_rows(result, trials, query.group_by, indices);
   }
   add_pairs_and_curves(summary, result, planners);
   summary.causes = cause_counts(result.trials, result.planners);

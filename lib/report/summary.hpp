@@ -6,12 +6,9 @@
 #include <vector>
 
 #include "diagnosis/cause_counts.hpp"
-#include "report/contrast.hpp"
-#include "report/difficulty_response.hpp"
 #include "report/environment_summary.hpp"
-#include "report/flight_times.hpp"
-#include "report/grouping.hpp"
 #include "report/planner_summary.hpp"
+#include "report/response.hpp"
 #include "report/selection.hpp"
 
 namespace avoidbench {

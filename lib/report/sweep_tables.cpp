@@ -1,8 +1,11 @@
 #include "report/sweep_tables.hpp"
 
 #include <algorithm>
+#include <cmath>
 
+#include "base/math.hpp"
 #include "explain/causes.hpp"
+#include "maps/map_spec.hpp"
 #include "report/table_rows.hpp"
 #include "text/words.hpp"
 
@@ -210,29 +213,158 @@ Table pair_table(const SweepSummary& summary) {
   return table;
 }
 
-/// " (revision 1 of 2)"; "" for the only one.
-std::string revision_text(const SweepSummary& summary) {
-  if (summary.latest_revision < 2) return "";
-  return " (revision " + std::to_string(summary.revision) + " of " +
-         std::to_string(summary.latest_revision) + ")";
+/// In words, where a fit says nothing in numbers.
+std::string fit_text(const DifficultyResponse& response) {
+  if (response.is_separated) return "all or nothing";
+  if (std::isnan(response.slope)) return "none";
+  return response.slope > 0.0 ? "easier maps, more success" : "no rise";
 }
 
-/// "ego 1.0, mine 0.2".
-std::string versions_text(const SweepSummary& summary) {
-  std::vector<std::string> versions;
-  for (std::size_t i = 0; i < summary.planners.size(); ++i) {
-    versions.push_back(summary.planners[i] + " " + summary.planner_versions[i]);
+Table difficulty_table(const SweepSummary& summary) {
+  Table table = make_table(
+      "difficulty", "Success against normalised traversability",
+      {planner_column(),
+       {.name = "map_count", .header = "maps"},
+       {.name = "success_spearman",
+        .header = "ρ",
+        .doc = "success_spearman: rank correlation of the maps' success rates with their "
+               "normalised traversability, with a 95 % interval; – if all maps have one rate",
+        .has_interval = true},
+       {.name = "midpoint_ratio",
+        .header = "P_τ at 50 %",
+        .doc = "midpoint_ratio: normalised traversability at which half of the trials would "
+               "succeed (logistic fit), with a 95 % interval (Fieller); lower is better",
+        .has_interval = true},
+       {.name = "logistic_slope",
+        .header = "slope",
+        .doc = "logistic_slope: log odds of success per unit of P_τ"},
+       machine_column("logistic_intercept"),
+       {.name = "fit"}});
+  for (const DifficultyResponse& r : summary.difficulty) {
+    table.rows.push_back(make_row(summary.planners[r.planner], r.map_count, r.spearman,
+                                  r.spearman_interval, r.midpoint, r.midpoint_interval, r.slope,
+                                  r.intercept, fit_text(r)));
   }
-  return joined(versions);
+  return table;
+}
+
+Table flight_time_table(const SweepSummary& summary) {
+  Table table = make_table(
+      "flight_time", "Time to the goal, failures counted as never",
+      {planner_column(),
+       {.name = "time_to_goal_25pct_s",
+        .header = "25 %",
+        .unit = "s",
+        .doc = "by when this share of all trials has reached the goal (Kaplan–Meier), the median "
+               "with a 95 % interval; inf: never"},
+       {.name = "time_to_goal_50pct_s", .header = "50 %", .unit = "s", .has_interval = true},
+       {.name = "time_to_goal_75pct_s", .header = "75 %", .unit = "s"}});
+  for (const FlightTimes& times : summary.flight_times) {
+    table.rows.push_back(make_row(summary.planners[times.planner], times.quartiles_s[0],
+                                  times.quartiles_s[1], times.median_interval_s,
+                                  times.quartiles_s[2]));
+  }
+  return table;
+}
+
+Table flight_time_curve_table(const SweepSummary& summary) {
+  Table table = make_table("flight_time_curve", "Share that has reached the goal, over time",
+                           {planner_column(),
+                            {.name = "time_s", .header = "time", .unit = "s", .place = Place::key},
+                            {.name = "arrived_ratio", .header = "arrived", .has_interval = true}});
+  for (const FlightTimes& times : summary.flight_times) {
+    for (const SurvivalPoint& point : times.curve) {
+      table.rows.push_back(make_row(summary.planners[times.planner], point.time_s,
+                                    // From "not yet" to "arrived", which turns the interval's ends
+                                    // around.
+                                    1.0 - point.survival, 1.0 - point.interval.upper,
+                                    1.0 - point.interval.lower));
+    }
+  }
+  return table;
+}
+
+Table map_table(const SweepSummary& summary) {
+  Table table = make_table(
+      "maps", "Maps, hard ones first",
+      {{.name = "map", .place = Place::key},
+       {.name = "map_seed", .header = "seed"},
+       {.name = "poisson_radius_m", .header = "radius", .unit = "m"},
+       {.name = "obstacle_count", .header = "obstacles"},
+       {.name = "traversability",
+        .header = "TRAV",
+        .doc = "traversability: mean free flight distance, in diagonals of the vehicle"},
+       {.name = "traversability_normalized_ratio",
+        .header = "P_τ",
+        .doc = "the same as a share of that of an empty map"},
+       {.name = "relative_gap_size",
+        .header = "RGS",
+        .doc = "relative_gap_size: gap between obstacles, in diagonals of the vehicle"},
+       {.name = "obstacle_density_1pm2", .header = "density", .unit = "1/m²"},
+       {.name = "traversability_obstruction",
+        .header = "TO",
+        .doc = "means of the missions' traversability obstruction, view occlusion and angle over "
+               "length (FlightBench)"},
+       {.name = "view_occlusion", .header = "VO"},
+       {.name = "angle_over_length_1pm", .header = "AOL", .unit = "1/m"},
+       {.name = "mission_count", .header = "missions"},
+       machine_column("invalid_mission_count"),
+       {.name = "trial_count", .header = "trials"},
+       {.name = "finished_count", .header = "finished"}});
+  for (const MapSummary& map : summary.environment.maps) {
+    const MapRow& row = summary.maps[map.map];
+    const MapRecord& record = row.record;
+    const bool is_field = !is_from_file(row.generator);
+    const Cell count{.value = is_field ? TableValue(record.obstacle_count) : TableValue()};
+    table.rows.push_back(
+        // Several generators' maps may have one seed.
+        make_row(row.generator + " " + record.key.substr(0, 6), row.map_seed,
+                 spec_number(row, "poisson_radius_m"), count, record.traversability,
+                 record.traversability_normalized_ratio, record.relative_gap_size,
+                 is_field ? record.obstacle_density_1pm2 : math::kNaN,
+                 map.traversability_obstruction, map.view_occlusion, map.angle_over_length_1pm,
+                 map.mission_count, map.invalid_mission_count, map.trial_count,
+                 map.finished_count));
+  }
+  // Maps of other generators than the original's have no such number.
+  for (const char* name :
+       {"poisson_radius_m", "obstacle_count", "relative_gap_size", "obstacle_density_1pm2"}) {
+    drop_if_empty(table, name);
+  }
+  return table;
+}
+
+Table correlation_table(const SweepSummary& summary) {
+  Table table =
+      make_table("environment", "How measures of maps correlate with their traversability",
+                 {{.name = "measure", .place = Place::key},
+                  {.name = "map_count", .header = "maps"},
+                  {.name = "mean", .decimals = 3},
+                  {.name = "lowest", .decimals = 3},
+                  {.name = "highest", .decimals = 3},
+                  {.name = "pearson",
+                   .header = "Pearson r",
+                   .doc = "correlations over maps, with 95 % intervals (Fisher's z)",
+                   .has_interval = true},
+                  {.name = "spearman", .header = "Spearman ρ", .has_interval = true}});
+  for (const EnvironmentCorrelation& c : summary.environment.correlations) {
+    table.rows.push_back(make_row(c.measure, c.map_count, c.mean, c.lowest, c.highest, c.pearson,
+                                  c.pearson_interval, c.spearman, c.spearman_interval));
+  }
+  return table;
 }
 
 std::string title_of(const SweepSummary& summary) {
-  std::string title =
-      "Sweep " + summary.name + revision_text(summary) + ": " +
-      counted(summary.trial_count, "trial") + " of " + counted(summary.planners.size(), "planner") +
-      " on " + counted(summary.maps.size(), "map") + ", " +
-      counted(summary.mission_count, "mission") + " (" +
-      std::to_string(summary.invalid_mission_count) + " invalid: not flown, not counted)";
+  std::string title = "Sweep " + summary.name;
+  if (summary.latest_revision > 1) {
+    title += " (revision " + std::to_string(summary.revision) + " of " +
+             std::to_string(summary.latest_revision) + ")";
+  }
+  title += ": " + counted(summary.trial_count, "trial") + " of " +
+           counted(summary.planners.size(), "planner") + " on " +
+           counted(summary.maps.size(), "map") + ", " + counted(summary.mission_count, "mission") +
+           " (" + std::to_string(summary.invalid_mission_count) +
+           " invalid: not flown, not counted)";
   for (std::size_t i = 0; i < summary.conditions.size(); ++i) {
     title += (i == 0 ? ", where " : " and ") + summary.conditions[i];
   }
@@ -245,25 +377,42 @@ bool has_real_groups(const SweepSummary& summary) {
                      [](const MapGroup& group) { return group.map_count > 1; });
 }
 
-/// Shows people what is wanted at this detail.
-void show_usual(std::vector<Table>& tables, const SweepSummary& summary, Detail detail) {
-  for (Table& table : tables) {
-    if (detail == Detail::all) {
-      table.is_for_people = table.is_for_people || table.name == "environment";
-    } else if (table.name == "groups") {
-      table.is_for_people = table.is_for_people && has_real_groups(summary);
-    } else if (table.name == "difficulty" || table.name == "flight_time") {
-      table.is_for_people = false;
-    }
+/// A table of sweeps, and when people see it who have not asked for it by name.
+struct TableKind {
+  std::string_view name;
+  enum { always, in_full, never } shown;
+  Table (*make)(const SweepSummary& summary);
+};
+
+constexpr TableKind kTables[] = {
+    {"planners", TableKind::always, planner_table},
+    {"groups", TableKind::always, group_table},
+    {"grouped", TableKind::always, grouped_table},
+    {"outcomes", TableKind::always, outcome_table},
+    {"causes", TableKind::always,
+     [](const SweepSummary& summary) { return causes_table(summary.causes, summary.planners); }},
+    {"pairs", TableKind::always, pair_table},
+    {"difficulty", TableKind::in_full, difficulty_table},
+    {"flight_time", TableKind::in_full, flight_time_table},
+    {"flight_time_curve", TableKind::never, flight_time_curve_table},
+    {"maps", TableKind::never, map_table},
+    {"environment", TableKind::in_full, correlation_table}};
+
+/// Whether people see it at this detail.
+bool is_shown(const TableKind& kind, const SweepSummary& summary, Detail detail) {
+  if (kind.name == "groups") {
+    // Where others were asked for, they stand in its place.
+    if (!summary.group_columns.empty()) return false;
+    return detail == Detail::all || has_real_groups(summary);
   }
+  return kind.shown == TableKind::always ||
+         (kind.shown == TableKind::in_full && detail == Detail::all);
 }
 
-/// Those of `tables` that `names` asks for.
-void keep_wanted(std::vector<Table>& tables, std::span<const std::string> names) {
-  std::erase_if(tables, [&](const Table& table) {
-    return std::find(names.begin(), names.end(), table.name) == names.end();
+bool has_stars(const Table& table) {
+  return std::any_of(table.rows.begin(), table.rows.end(), [](const Row& row) {
+    return std::any_of(row.begin(), row.end(), [](const Cell& cell) { return cell.is_best; });
   });
-  for (Table& table : tables) table.is_for_people = true;
 }
 
 }  // namespace
@@ -300,8 +449,9 @@ std::vector<std::pair<std::string, std::string>> cause_notes(std::span<const Cau
 }
 
 std::vector<std::string> table_names() {
-  return {"planners",   "groups",      "grouped",           "outcomes", "causes",     "pairs",
-          "difficulty", "flight_time", "flight_time_curve", "maps",     "environment"};
+  std::vector<std::string> names;
+  for (const TableKind& kind : kTables) names.emplace_back(kind.name);
+  return names;
 }
 
 Section sweep_section(const SweepSummary& summary, std::span<const std::string> tables,
@@ -311,41 +461,20 @@ Section sweep_section(const SweepSummary& summary, std::span<const std::string> 
                   .title = title_of(summary),
                   .warnings = summary.warnings,
                   .is_brief = is_brief};
-  section.tables.push_back(planner_table(summary));
-  if (!summary.groups.empty()) section.tables.push_back(group_table(summary));
-  if (!summary.group_columns.empty()) {
-    // The table by traversability, where there is one.
-    section.tables.back().is_for_people = summary.groups.empty();  // the other one was asked for
-    section.tables.push_back(grouped_table(summary));
+  bool shows_stars = false, shows_causes = false;
+  for (const TableKind& kind : kTables) {
+    const bool is_wanted = contains(tables, kind.name);
+    if (!tables.empty() && !is_wanted) continue;
+    Table table = kind.make(summary);
+    // Not all sweeps have groups or pairs. A curve is there though nobody has arrived.
+    if (table.rows.empty() && kind.name != "flight_time_curve") continue;
+    // Formats for programs have them all, and is_for_people decides what a person sees.
+    table.is_for_people = is_wanted || is_shown(kind, summary, detail);
+    shows_stars = shows_stars || (table.is_for_people && has_stars(table));
+    shows_causes = shows_causes || (table.is_for_people && kind.name == "causes");
+    section.tables.push_back(std::move(table));
   }
-  section.tables.push_back(outcome_table(summary));
-  if (!summary.causes.empty()) {
-    section.tables.push_back(causes_table(summary.causes, summary.planners));
-  }
-  if (!summary.contrasts.empty()) section.tables.push_back(pair_table(summary));
-  if (!summary.difficulty.empty()) section.tables.push_back(difficulty_table(summary));
-  section.tables.push_back(flight_time_table(summary));
-  section.tables.push_back(flight_time_curve_table(summary));
-  section.tables.push_back(map_table(summary));
-  if (!summary.environment.correlations.empty()) {
-    section.tables.push_back(correlation_table(summary));
-  }
-  // All tables are made in any case: formats for programs have them all, and is_for_people decides
-  // what a person sees.
-  if (tables.empty()) {
-    show_usual(section.tables, summary, detail);
-  } else {
-    keep_wanted(section.tables, tables);
-  }
-  const bool has_stars =
-      std::any_of(section.tables.begin(), section.tables.end(), [](const Table& table) {
-        return table.is_for_people &&
-               std::any_of(table.rows.begin(), table.rows.end(), [](const auto& row) {
-                 return std::any_of(row.begin(), row.end(),
-                                    [](const Cell& cell) { return cell.is_best; });
-               });
-      });
-  if (has_stars) {
+  if (shows_stars) {
     section.notes.emplace_back(
         "*", is_brief
                  ? "significantly best"
@@ -353,13 +482,14 @@ Section sweep_section(const SweepSummary& summary, std::span<const std::string> 
                    "Bonferroni): rates by Fisher's exact test and Wilcoxon's of the maps' rates, "
                    "means by Wilcoxon's signed-rank test on the missions that both have");
   }
-  const bool shows_causes =
-      std::any_of(section.tables.begin(), section.tables.end(),
-                  [](const Table& table) { return table.name == "causes" && table.is_for_people; });
   if (shows_causes) {
     for (auto& note : cause_notes(summary.causes)) section.notes.push_back(std::move(note));
   }
-  section.notes.emplace_back("planners", versions_text(summary));
+  std::vector<std::string> versions;  // "ego 1.0", "mine 0.2"
+  for (std::size_t i = 0; i < summary.planners.size(); ++i) {
+    versions.push_back(summary.planners[i] + " " + summary.planner_versions[i]);
+  }
+  section.notes.emplace_back("planners", joined(versions));
   return section;
 }
 

@@ -22,14 +22,6 @@ enum class Detail {
 Section sweep_section(const SweepSummary& summary, std::span<const std::string> tables = {},
                       Detail detail = Detail::all);
 
-/// Tables of sweep_section(): success against traversability, times to the goal and the share that
-/// has arrived over time, the maps, and how their measures go together.
-Table difficulty_table(const SweepSummary& summary);
-Table flight_time_table(const SweepSummary& summary);
-Table flight_time_curve_table(const SweepSummary& summary);
-Table map_table(const SweepSummary& summary);
-Table correlation_table(const SweepSummary& summary);
-
 /// Every sweep's planners in one table; the summaries have the same metrics.
 Section side_by_side(std::span<const SweepSummary> summaries, Detail detail = Detail::all);
 

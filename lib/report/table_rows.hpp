@@ -24,6 +24,13 @@ Table make_list(const std::vector<std::string>& columns);
 Column planner_column();
 Column machine_column(const std::string& name, const std::string& unit = "");
 
+/// The number of columns where none has the name.
+std::size_t column_at(const Table& table, std::string_view name);
+/// Takes a column out of the table that is there.
+void drop_column(Table& table, std::size_t at);
+/// Takes out the column of this name if no row has a value in it.
+void drop_if_empty(Table& table, std::string_view name);
+
 /// Appends what is given: a cell, a row, an interval (two cells), a number (NaN: nothing) or a
 /// text.
 template <class Part>

@@ -8,6 +8,7 @@
 #include "report/summary.hpp"
 #include "statistics/sample_size.hpp"
 #include "statistics/stop_rule.hpp"
+#include "store/visit_trials.hpp"
 #include "text/number_text.hpp"
 #include "text/words.hpp"
 #include "trial/map_fields.hpp"
@@ -69,33 +70,27 @@ void warn_of_unclear_differences(const SweepSummary& summary, Warnings& warnings
   }
 }
 
-/// Paths that the sweep varies, of which `is_wanted(path)` holds, with the number of their values.
-template <class IsWanted>
-std::vector<std::pair<std::string, std::int64_t>> axes_of(const nlohmann::json& spec,
-                                                          IsWanted is_wanted) {
-  std::vector<std::pair<std::string, std::int64_t>> axes;
+/// How many values the sweep's axes have together: those that make maps, or the others.
+std::int64_t axis_product(const nlohmann::json& spec, bool of_maps) {
+  std::int64_t product = 1;
   for (const auto& axis : spec.value("axes", nlohmann::json::array())) {
-    const std::string path = axis.value("path", "");
-    if (!is_wanted(path)) continue;
-    axes.emplace_back(path, axis.value("values", nlohmann::json::array()).size());
+    if (makes_maps(axis.value("path", "")) != of_maps) continue;
+    product *= static_cast<std::int64_t>(axis.value("values", nlohmann::json::array()).size());
   }
-  return axes;
+  return product;
 }
 
 /// How often the sweep flies a mission: planners times settings on the same map.
 std::int64_t flights_of_mission(const nlohmann::json& spec) {
-  auto count = static_cast<std::int64_t>(spec.value("planners", nlohmann::json::array()).size());
+  const std::size_t planner_count = spec.value("planners", nlohmann::json::array()).size();
   // Axes that make no maps are settings: each flies the same missions again.
-  for (const auto& [path, size] : axes_of(spec, [](const auto& p) { return !makes_maps(p); })) {
-    count *= size;
-  }
-  return count;
+  return static_cast<std::int64_t>(planner_count) * axis_product(spec, false);
 }
 
 /// Trials that the sweep asks for; 0 where its spec does not say.
 std::int64_t asked_trials(const nlohmann::json& spec) {
-  std::int64_t count = spec.value("trials", std::int64_t{0}) * flights_of_mission(spec);
-  for (const auto& [path, size] : axes_of(spec, makes_maps)) count *= size;
+  const std::int64_t count =
+      spec.value("trials", std::int64_t{0}) * flights_of_mission(spec) * axis_product(spec, true);
   // With listed missions maps may have unlike numbers of them.
   return spec.value("trial_count", count);
 }
@@ -116,8 +111,7 @@ void warn_of_computing_times(const SweepSummary& summary, const SweepResult& res
   }
 }
 
-void warn_of_mixtures(const SweepSummary& summary, const SweepResult& result,
-                      const nlohmann::json& spec, Warnings& warnings) {
+void warn_of_mixtures(const SweepSummary& summary, const SweepResult& result, Warnings& warnings) {
   if (result.program_versions.size() > 1) {
     warnings.push_back("trials of different versions of avoidbench: " +
                        joined(result.program_versions, ", "));
@@ -140,10 +134,8 @@ void warn_of_mixtures(const SweepSummary& summary, const SweepResult& result,
   // Two flights of one planner on one mission: they differ in a setting.
   std::sort(flights.begin(), flights.end());
   if (std::adjacent_find(flights.begin(), flights.end()) == flights.end()) return;
-  std::vector<std::string> axes;
-  for (const auto& [path, size] : axes_of(spec, [](const auto& p) { return !makes_maps(p); })) {
-    axes.push_back(path);
-  }
+  std::vector<std::string> axes = axis_paths(result.spec_json);
+  std::erase_if(axes, makes_maps);
   warnings.push_back(
       "trials differ in more than planner, map and mission; this report takes them together" +
       (axes.empty() ? "" : "; groups of planner," + joined(axes, ",") + " tell them apart"));
@@ -216,7 +208,7 @@ std::vector<std::string> warnings_of(const SweepSummary& summary, const SweepRes
   warn_of_few_trials(summary, warnings);
   warn_of_unclear_differences(summary, warnings);
   warn_of_computing_times(summary, result, warnings);
-  warn_of_mixtures(summary, result, spec, warnings);
+  warn_of_mixtures(summary, result, warnings);
   if (result.has_measured_latency) {
     warnings.push_back(
         "latency was measured on the host: these results depend on the machine; only latency mode "

@@ -1,7 +1,6 @@
 #include "table/csv.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "text/number_text.hpp"
@@ -12,9 +11,7 @@ namespace {
 /// A sign before a number is no formula: -3 stays a number.
 bool is_number(std::string_view word) {
   if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  return error == std::errc() && end == word.data() + word.size();
+  return number_from<double>(word).has_value();
 }
 
 /// Whether a spreadsheet would take the word, or what follows its apostrophes, for a formula.
@@ -49,20 +46,9 @@ std::string_view text_of_csv_field(std::string_view field) {
   return is_marked ? field.substr(1) : field;
 }
 
-void CsvRow::begin_field() {
+CsvRow& CsvRow::add(std::string_view word) {
   if (!is_first_) text_ += ',';
   is_first_ = false;
-}
-
-CsvRow& CsvRow::add(double value) {
-  begin_field();
-  // No value is an empty field, which programs read as missing.
-  if (!std::isnan(value)) text_ += shortest(value);
-  return *this;
-}
-
-CsvRow& CsvRow::add(std::string_view word) {
-  begin_field();
   text_ += csv_field(word);
   return *this;
 }
@@ -72,30 +58,16 @@ CsvRow& CsvRow::add_words(std::initializer_list<std::string_view> words) {
   return *this;
 }
 
-CsvRow& CsvRow::add_value(const TableValue& value) {
-  if (const auto* number = std::get_if<double>(&value)) return add(*number);
-  if (const auto* word = std::get_if<std::string>(&value)) return add(std::string_view(*word));
-  begin_field();
-  // Not by way of a double, which would lose digits of large seeds.
-  if (const auto* count = std::get_if<std::int64_t>(&value)) text_ += std::to_string(*count);
-  if (const auto* seed = std::get_if<std::uint64_t>(&value)) text_ += std::to_string(*seed);
-  return *this;
-}
-
 CsvRow& CsvRow::add_vector(const double* xyz) {
   // Three empty fields for no vector, so that the columns stay.
-  for (int i = 0; i < 3; ++i) xyz == nullptr ? begin_field() : static_cast<void>(add(xyz[i]));
+  for (int i = 0; i < 3; ++i) add(xyz == nullptr ? std::nan("") : xyz[i]);
   return *this;
 }
 
 std::string csv_header(std::string_view names) {
-  CsvRow row;
-  while (!names.empty()) {
-    const std::string_view name = names.substr(0, names.find(' '));
-    row.add(name);
-    names.remove_prefix(std::min(names.size(), name.size() + 1));
-  }
-  return row.line();
+  std::string header(names);
+  std::replace(header.begin(), header.end(), ' ', ',');
+  return header + "\r\n";
 }
 
 }  // namespace avoidbench

@@ -25,10 +25,10 @@ std::string_view text_of_csv_field(std::string_view field);
 /// fields, infinity is `inf`.
 class CsvRow {
  public:
-  CsvRow& add(double value);
   CsvRow& add(std::string_view word);  ///< as csv_field()
+  CsvRow& add(double value) { return add_value(value); }
   CsvRow& add_words(std::initializer_list<std::string_view> words);
-  CsvRow& add_value(const TableValue& value);
+  CsvRow& add_value(const TableValue& value) { return add(std::string_view(text_of(value))); }
   CsvRow& add_vector(const double* xyz);  ///< three fields, empty where `xyz` is null
   CsvRow& add(const Eigen::Vector3d& v) { return add_vector(v.data()); }
 
@@ -36,8 +36,6 @@ class CsvRow {
   std::string line() const { return text_ + "\r\n"; }
 
  private:
-  void begin_field();
-
   std::string text_;
   bool is_first_ = true;
 };

@@ -3,9 +3,9 @@
 #include <nlohmann/json.hpp>
 
 #include "table/csv.hpp"
-#include "table/section_text.hpp"
-#include "table/table.hpp"
+#include "table/table_text.hpp"
 #include "text/visible_text.hpp"
+#include "text/words.hpp"
 
 namespace avoidbench {
 namespace {
@@ -16,9 +16,8 @@ std::vector<std::string> key_names(std::span<const Section> sections) {
   for (const Section& section : sections) {
     for (const Table& table : section.tables) {
       for (const Column& column : table.columns) {
-        if (column.place != Place::key) continue;
-        if (std::find(names.begin(), names.end(), column.name) == names.end())
-          names.push_back(column.name);
+        const bool is_new = column.place == Place::key && !contains(names, column.name);
+        if (is_new) names.push_back(column.name);
       }
     }
   }
@@ -93,11 +92,6 @@ nlohmann::ordered_json json_of(const Section& section) {
           {"columns", columns}};
 }
 
-std::string dumped(const nlohmann::ordered_json& json) {
-  // Bytes that are no UTF-8 are replaced and do not throw.
-  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
-}
-
 std::string csv_of(const Table& table) {
   CsvRow header;
   for (const Column& column : table.columns) header.add(column.name);
@@ -138,6 +132,11 @@ Section visible_section(Section section) {
 }
 
 }  // namespace
+
+std::string dumped(const nlohmann::ordered_json& json) {
+  // Bytes that are no UTF-8 (of labels, of file names) are replaced and do not throw.
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
 
 std::string format_sections(std::span<const Section> sections, TableFormat format,
                             const TextStyle& style) {

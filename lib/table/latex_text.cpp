@@ -1,14 +1,13 @@
 #include <functional>
 
-#include "table/section_text.hpp"
 #include "table/table_text.hpp"
+#include "text/words.hpp"
 
 namespace avoidbench {
 namespace {
 
 /// What LaTeX reads otherwise, and the signs of our headers that pdfLaTeX's fonts lack.
-/// Tried in this order, so that longer ones stand before their beginnings (P_τ before _, ^2 before
-/// ^).
+/// Longer ones stand before their beginnings (P_τ before _, ^2 before ^).
 constexpr std::pair<std::string_view, std::string_view> kSigns[] = {
     {"P_τ", R"($P_\tau$)"},
     {"\\", R"(\textbackslash{})"},
@@ -39,25 +38,7 @@ constexpr std::pair<std::string_view, std::string_view> kSigns[] = {
     {"µ", R"($\mu$)"},
 };
 
-std::string in_latex(std::string_view text) {
-  std::string escaped;
-  while (!text.empty()) {
-    bool is_sign = false;
-    // About thirty comparisons a letter: texts are short.
-    for (const auto& [sign, latex] : kSigns) {
-      if (!text.starts_with(sign)) continue;
-      escaped += latex;
-      text.remove_prefix(sign.size());
-      is_sign = true;
-      break;
-    }
-    if (is_sign) continue;
-    // Byte by byte: bytes of other letters of several bytes go through unchanged.
-    escaped += text.front();
-    text.remove_prefix(1);
-  }
-  return escaped;
-}
+std::string in_latex(std::string_view text) { return replaced(text, kSigns); }
 
 /// A cell; what is marked as best, by a star at this place, is bold instead.
 std::string cell_in_latex(const std::string& cell, std::size_t star) {

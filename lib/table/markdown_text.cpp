@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "table/section_text.hpp"
 #include "table/table_text.hpp"
+#include "text/words.hpp"
 
 namespace avoidbench {
 namespace {
@@ -48,16 +48,12 @@ std::string markdown_text(const Section& section) {
     // An empty line between tables; a list ends where its rows end.
     if (!table.title.empty()) out += "\n";
   }
-  const auto lines = legend(section);
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const auto& [header, doc] = lines[i];
-    const std::string line = "**" + in_markdown(header) + "** " + in_markdown(doc);
-    if (section.is_brief) {
-      out += line + (i + 1 < lines.size() ? ", " : "\n");
-    } else {
-      out += "- " + line + "\n";
-    }
+  std::vector<std::string> lines;
+  for (const auto& [header, doc] : legend(section)) {
+    lines.push_back((section.is_brief ? "**" : "- **") + in_markdown(header) + "** " +
+                    in_markdown(doc));
   }
+  if (!lines.empty()) out += joined(lines, section.is_brief ? ", " : "\n") + "\n";
   if (!section.footer.empty()) out += "\n" + in_markdown(section.footer) + "\n";
   return out;
 }

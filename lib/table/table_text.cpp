@@ -7,6 +7,7 @@
 #include <set>
 
 #include "text/number_text.hpp"
+#include "text/utf8.hpp"
 
 namespace avoidbench {
 namespace {
@@ -31,28 +32,9 @@ bool is_in(char32_t code, std::span<const CodeRange> ranges) {
 
 /// The character at `at`, which moves on behind it. A byte that begins none stands for itself.
 char32_t next_character(std::string_view utf8, std::size_t& at) {
-  const auto byte = [&](std::size_t i) {
-    return static_cast<char32_t>(static_cast<unsigned char>(utf8[i]));
-  };
-  const char32_t first = byte(at);
-  std::size_t length = 1;
-  char32_t code = first;
-  // The leading byte says how many follow; its upper bits are taken off.
-  if (first >= 0xf0) {
-    length = 4;
-    code = first & 0x07U;
-  } else if (first >= 0xe0) {
-    length = 3;
-    code = first & 0x0fU;
-  } else if (first >= 0xc0) {
-    length = 2;
-    code = first & 0x1fU;
-  }
-  // Cut off at the text's end: its first byte alone.
-  if (at + length > utf8.size()) length = 1;
-  for (std::size_t i = 1; i < length; ++i) code = (code << 6U) | (byte(at + i) & 0x3fU);
-  at += length;
-  return code;
+  const Utf8Character character = first_character(utf8.substr(at));
+  at += std::max<std::size_t>(character.length, 1);
+  return character.code;
 }
 
 std::size_t width_of(char32_t code) {
@@ -78,23 +60,26 @@ int decimals_of(const Table& table, std::size_t column) {
     const double* value = std::get_if<double>(&row[column].value);
     if (value != nullptr && std::isfinite(*value)) greatest = std::max(greatest, std::abs(*value));
   }
-  if (greatest == 0.0) return 2;
-  int decimals = 2;
-  for (double limit = 10.0; greatest >= limit && decimals > 0; limit *= 10.0) --decimals;
-  for (double limit = 1.0; greatest < limit && decimals < 6; limit *= 0.1) ++decimals;
   // Ratios look alike with two decimals, whether their greatest is 1 or 0.3.
-  return greatest <= 1.0 && greatest > 0.1 ? 2 : decimals;
+  return greatest <= 1.0 && greatest > 0.1 ? 2 : decimals_for(greatest, 3);
 }
 
 std::string cell_text(const Cell& cell, int decimals) {
-  if (const auto* words = std::get_if<std::string>(&cell.value)) return *words;
-  if (const auto* count = std::get_if<std::int64_t>(&cell.value)) return std::to_string(*count);
-  if (const auto* seed = std::get_if<std::uint64_t>(&cell.value)) return std::to_string(*seed);
   if (const auto* value = std::get_if<double>(&cell.value)) return with_decimals(*value, decimals);
-  return "–";
+  const bool is_defined = !std::holds_alternative<std::monostate>(cell.value);
+  return is_defined ? text_of(cell.value) : "–";
 }
 
 }  // namespace
+
+int decimals_for(double size, int digits) {
+  // One decimal less for each power of ten of the number, one more for each below 1.
+  int decimals = digits - 1;
+  // Ten times smaller is one decimal more; six at most, since 0 would take endlessly many.
+  for (double limit = 10.0; size >= limit && decimals > 0; limit *= 10.0) --decimals;
+  for (double limit = 1.0; size < limit && size > 0.0 && decimals < 6; limit *= 0.1) ++decimals;
+  return decimals;
+}
 
 std::size_t display_width(std::string_view utf8) {
   std::size_t width = 0;

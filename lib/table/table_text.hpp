@@ -1,8 +1,10 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "table/table.hpp"
@@ -24,6 +26,9 @@ std::vector<std::string> cut_apart(const std::vector<std::string>& texts, std::s
 /// `indent`.
 std::string wrapped(std::string_view text, std::size_t width, std::size_t indent);
 
+/// Decimals that show `digits` digits of a number of this size, at most 6.
+int decimals_for(double size, int digits);
+
 /// One column as people read it: numbers of one column have the same number of decimals, intervals
 /// are beside them.
 struct TextColumn {
@@ -39,5 +44,21 @@ struct TextColumn {
 
 /// The columns that people read. Numbers get three significant digits of the column's greatest.
 std::vector<TextColumn> text_columns(const Table& table);
+
+// The formats that people read, of one section each; format_sections() is what others call.
+
+std::string terminal_text(const Section& section, const TextStyle& style);
+std::string markdown_text(const Section& section);
+std::string latex_text(const Section& section);
+
+/// Every column's doc once (in a brief section Column::brief), then the section's notes:
+/// ("PO", "path optimality …").
+std::vector<std::pair<std::string, std::string>> legend(const Section& section);
+
+/// JSON as text with a newline at its end.
+std::string dumped(const nlohmann::ordered_json& json);
+
+/// The section's warnings; of a brief one with several one line of them all, without details.
+std::vector<std::string> shown_warnings(const Section& section);
 
 }  // namespace avoidbench

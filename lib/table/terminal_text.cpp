@@ -1,6 +1,5 @@
 #include <algorithm>
 
-#include "table/section_text.hpp"
 #include "table/table_text.hpp"
 
 namespace avoidbench {
@@ -55,23 +54,19 @@ std::string trimmed(std::string line) {
   return line;
 }
 
+std::string as_it_is(const TextColumn&, const std::string& text) { return text; }
+
 /// One line of a block, of a text from each column, painted by `paint(column, aligned text)`.
-template <class TextOf, class Paint>
+template <class TextOf, class Paint = decltype(&as_it_is)>
 std::string block_line(const std::vector<TextColumn>& columns,
-                       const std::vector<std::size_t>& block, TextOf text_of, Paint paint) {
+                       const std::vector<std::size_t>& block, TextOf text_of,
+                       Paint paint = as_it_is) {
   std::string line;
   for (const std::size_t i : block) {
     line += (line.empty() ? "" : std::string(kGap)) +
             paint(columns[i], aligned(text_of(columns[i]), columns[i]));
   }
   return line;
-}
-
-template <class TextOf>
-std::string block_line(const std::vector<TextColumn>& columns,
-                       const std::vector<std::size_t>& block, TextOf text_of) {
-  return block_line(columns, block, text_of,
-                    [](const TextColumn&, const std::string& text) { return text; });
 }
 
 /// Titles, headers, units and a rule.

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <string>
 #include <string_view>
 
@@ -17,6 +19,29 @@ std::string joined(const Words& words, std::string_view separator = ", ") {
     all += word;
   }
   return all;
+}
+
+/// The text with each `signs[i].first` as `signs[i].second`; of two that begin at one place, the
+/// first in the list.
+template <class Signs>
+std::string replaced(std::string_view text, const Signs& signs) {
+  std::string all;
+  while (!text.empty()) {
+    // About thirty comparisons a letter: texts are short.
+    const auto found = std::find_if(std::begin(signs), std::end(signs),
+                                    [&](const auto& sign) { return text.starts_with(sign.first); });
+    const bool is_sign = found != std::end(signs);
+    // Byte by byte: bytes of other letters of several bytes go through unchanged.
+    all += is_sign ? found->second : text.substr(0, 1);
+    text.remove_prefix(is_sign ? found->first.size() : 1);
+  }
+  return all;
+}
+
+/// Whether the word is one of these.
+template <class Words>
+bool contains(const Words& words, std::string_view word) {
+  return std::find(std::begin(words), std::end(words), word) != std::end(words);
 }
 
 /// "1 trial", "3 trials".

@@ -6,7 +6,6 @@
 #include <set>
 
 #include "base/input_error.hpp"
-#include "compare/compare_exact.hpp"
 #include "compare/compare_samples.hpp"
 #include "support/input_error_message.hpp"
 

@@ -1,4 +1,4 @@
-#include "compare/tolerances.hpp"
+#include "compare/compare.hpp"
 
 #include <gtest/gtest.h>
 

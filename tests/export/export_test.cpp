@@ -6,11 +6,11 @@
 #include <sstream>
 
 #include "base/input_error.hpp"
-#include "export/export_trajectory.hpp"
+#include "export/export_flight.hpp"
 #include "export/export_trials.hpp"
 #include "export/ompl_log.hpp"
 #include "report/parsed_csv.hpp"
-#include "report/sweep_choice.hpp"
+#include "report/selection.hpp"
 #include "support/sample_rows.hpp"
 
 namespace avoidbench {

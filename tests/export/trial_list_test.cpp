@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/option_error.hpp"
-#include "export/export_commands.hpp"
+#include "export/export_flight.hpp"
 #include "report/parsed_csv.hpp"
 
 namespace avoidbench {

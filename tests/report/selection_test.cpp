@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "base/input_error.hpp"
-#include "report/grouping.hpp"
 #include "report/summary.hpp"
 #include "support/sample_sweep.hpp"
 

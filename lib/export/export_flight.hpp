@@ -2,9 +2,10 @@
 
 #include <span>
 #include <string>
-#include <string_view>
+#include <vector>
 
 #include "base/enum_text.hpp"
+#include "trial/trial_observer.hpp"
 #include "trial/trial_record.hpp"
 
 namespace avoidbench {
@@ -33,7 +34,17 @@ std::string trajectory_text(std::span<const Sample> samples, TrajectoryFormat fo
 /// host.
 std::string plan_calls_csv(std::span<const PlanCall> calls);
 
-/// What a planner answered: command, no_plan, gave_up or error.
-std::string_view plan_status_text(std::int32_t status);
+/// One plan call in words, for commands_csv.
+struct CommandLine {
+  double time_s = 0.0, effect_s = 0.0, cpu_time_s = 0.0;
+  PlanStatus status = PlanStatus::error;
+  ab_command command{};
+  std::vector<ab_point> points;
+};
+CommandLine command_line(const PlanStep& step);
+
+/// The planner's calls as CSV, a row a call. Position, velocity and acceleration are those of a
+/// trajectory's first point, or of the command itself; empty where the kind has none.
+std::string commands_csv(const std::vector<CommandLine>& calls);
 
 }  // namespace avoidbench

@@ -1,12 +1,16 @@
-#include "report/flight_times.hpp"
+#include "report/response.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+
+#include "statistics/correlation.hpp"
+#include "statistics/logistic.hpp"
 
 namespace avoidbench {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t kMostCurvePoints = 200;
 
 /// The first time at which this end of the curve's interval is at one half or below.
 double first_time(const std::vector<SurvivalPoint>& curve, double Interval::*end) {
@@ -14,10 +18,38 @@ double first_time(const std::vector<SurvivalPoint>& curve, double Interval::*end
     // At the curve's end all have arrived, and its interval is of no width.
     return point.survival == 0.0 || point.interval.*end <= 0.5;
   });
-  return found == curve.end() ? kInfinity : found->time_s;
+  return found == curve.end() ? std::numeric_limits<double>::infinity() : found->time_s;
 }
 
 }  // namespace
+
+/// A map is one point of the fit: its trials share its traversability.
+DifficultyResponse difficulty_response(std::size_t planner, const Trials& trials,
+                                       const std::vector<MapRow>& maps) {
+  std::vector<double> traversabilities, rates;
+  std::vector<std::int64_t> successes, counts;
+  for (const MapCount& count : counts_by_map(trials)) {
+    const double traversability = maps[count.map].record.traversability_normalized_ratio;
+    // A map whose traversability was not measured.
+    if (std::isnan(traversability)) continue;
+    traversabilities.push_back(traversability);
+    successes.push_back(count.finished);
+    counts.push_back(count.trials);
+    rates.push_back(count.rate());
+  }
+  const LogisticFit fit = logistic_fit(traversabilities, successes, counts);
+  const double spearman = spearman_correlation(traversabilities, rates);
+  return {.planner = planner,
+          .map_count = static_cast<std::int64_t>(rates.size()),
+          .intercept = fit.intercept,
+          .slope = fit.slope,
+          .midpoint = fit.midpoint(),
+          .midpoint_interval = logistic_midpoint_interval(fit),
+          .spearman = spearman,
+          // Fisher's z; ranks spread more than values, which `true` asks for.
+          .spearman_interval = correlation_interval(spearman, rates.size(), true),
+          .is_separated = fit.is_separated};
+}
 
 FlightTimes flight_times(std::size_t planner, const Trials& trials) {
   // Failures are followed up to the longest trial's end, which is after every arrival: they never
