@@ -65,8 +65,7 @@ void write_film(const StoredTrial& stored, const World& world, const TrialRecord
     std::cerr << "nothing was flown: no video\n";
     return;
   }
-  const FilmSpec spec;
-  Film film(stored, world, record, moments, spec);
+  Film film(stored, world, record, moments);
   std::vector<std::string> command = {
       found_program("ffmpeg"),
       "-hide_banner",
@@ -78,9 +77,9 @@ void write_film(const StoredTrial& stored, const World& world, const TrialRecord
       "-pix_fmt",
       "rgb24",
       "-s",
-      std::to_string(spec.width_px) + "x" + std::to_string(spec.height_px),
+      std::to_string(kFilmWidth_px) + "x" + std::to_string(kFilmHeight_px),
       "-r",
-      shortest(spec.rate_hz),
+      shortest(kFilmRate_hz),
       "-i",
       "-",
       "-an",
