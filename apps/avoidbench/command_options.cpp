@@ -18,10 +18,8 @@ CLI::Option* add_choice(CLI::App& command, const std::string& name, std::string&
 
 void add_overrides(CLI::App& command, std::vector<std::string>& overrides,
                    const std::string& example) {
-  command
-      .add_option("--set", overrides,
-                  "Override one value, as in " + example + "; repeatable (default: none)")
-      ->type_name("PATH=VALUE")
+  add_typed(command, "--set", overrides, "PATH=VALUE",
+            "Override one value, as in " + example + "; repeatable (default: none)")
       ->allow_extra_args(false);
 }
 
@@ -32,18 +30,15 @@ void add_sweep_choice(CLI::App& command, std::string& sweep) {
 }
 
 CLI::Option* add_output_file(CLI::App& command, std::string& output) {
-  return command.add_option("--output", output, "File to write, - for standard output")
-      ->capture_default_str();
+  return command.add_option("--output", output, "File to write, - for standard output");
 }
 
 void add_order_options(CLI::App& command, TrialOrder& order) {
-  command
-      .add_option("--sort", order.field,
-                  "Metric, the worst trials first (`avoidbench metrics`), or another field of "
-                  "trials, the least first; trials without it come last")
-      ->type_name("METRIC");
-  command.add_option("--limit", order.limit, "At most so many trials, the first ones")
-      ->check(CLI::Range(1, 1'000'000'000));
+  add_typed(command, "--sort", order.field, "METRIC",
+            "Metric, the worst trials first (`avoidbench metrics`), or another field of "
+            "trials, the least first; trials without it come last");
+  add_number(command, "--limit", order.limit, CLI::Range(1, 1'000'000'000),
+             "At most so many trials, the first ones");
 }
 
 void add_output_options(CLI::App& command, OutputOptions& options) {

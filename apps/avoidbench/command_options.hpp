@@ -1,8 +1,10 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/enum_text.hpp"
@@ -11,8 +13,18 @@
 #include "table/table.hpp"
 #include "text/words.hpp"
 
-// Options that several commands have.
+// Commands, and options that several of them have.
 namespace avoidbench {
+
+/// Adds a subcommand that does `work` with what it was told.
+template <class Options>
+std::pair<CLI::App&, Options&> add_command(CLI::App& app, const std::string& name,
+                                           const std::string& doc, void (*work)(const Options&)) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(name, doc);
+  command->callback([options, work] { work(*options); });
+  return {*command, *options};
+}
 
 /// Adds an option whose value is one of `names`. Any other word is an InputError that names them.
 CLI::Option* add_choice(CLI::App& command, const std::string& name, std::string& value,
@@ -41,6 +53,20 @@ void add_overrides(CLI::App& command, std::vector<std::string>& overrides,
 
 /// Adds --sweep, which chooses among the sweeps of databases.
 void add_sweep_choice(CLI::App& command, std::string& sweep);
+
+/// Adds an option whose value is a number within the range.
+template <class Number>
+CLI::Option* add_number(CLI::App& command, const std::string& name, Number& number,
+                        const CLI::Validator& range, const std::string& doc) {
+  return command.add_option(name, number, doc)->check(range);
+}
+
+/// Adds an option whose value help calls `type`, such as FILE.
+template <class Value>
+CLI::Option* add_typed(CLI::App& command, const std::string& name, Value& value,
+                       const std::string& type, const std::string& doc) {
+  return command.add_option(name, value, doc)->type_name(type);
+}
 
 /// Adds --output: a file, or "-" for standard output.
 CLI::Option* add_output_file(CLI::App& command, std::string& output);

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace avoidbench {
 
@@ -21,6 +24,11 @@ void add_sensors_command(CLI::App& app);
 void add_metrics_command(CLI::App& app);
 void add_config_command(CLI::App& app);
 void add_worker_command(CLI::App& app);  ///< hidden
+
+/// The words that start one of `jobs` workers. Without a limit of the user's, they stay together
+/// within nine tenths of the memory that this process may use.
+std::vector<std::string> worker_words(double plan_timeout_s, std::optional<double> memory_limit_mib,
+                                      int jobs);
 
 /// Of `maps`.
 void add_maps_list_command(CLI::App& maps);

@@ -1,5 +1,4 @@
 #include <iostream>
-#include <memory>
 
 #include "commands.hpp"
 #include "compare/compare_formats.hpp"
@@ -67,10 +66,9 @@ bool compare_figures(const CompareCommand& command, const TablePair& tables) {
   if (!is_for_people) {
     for (const std::string& warning : comparison.warnings) std::cerr << warning << "\n";
   }
-  bool has_gap = false;
-  for (const PlannerPairs& planner : comparison.planners) {
-    has_gap = has_gap || planner.only_base_count > 0;
-  }
+  const bool has_gap =
+      std::any_of(comparison.planners.begin(), comparison.planners.end(),
+                  [](const PlannerPairs& planner) { return planner.only_base_count > 0; });
   return count_of(comparison, Verdict::regression) > 0 || (command.must_be_complete && has_gap);
 }
 
@@ -111,11 +109,8 @@ void add_options(CLI::App& command, CompareCommand& options) {
                   "and energy optimality, average goal velocity, mission progress, least "
                   "clearance, processing time)")
       ->delimiter(',');
-  command
-      .add_option("--alpha", options.settings.alpha,
-                  "Statistical limit: the chance of any false alarm in the comparison")
-      ->check(CLI::Range(1e-6, 0.5))
-      ->capture_default_str();
+  add_number(command, "--alpha", options.settings.alpha, CLI::Range(1e-6, 0.5),
+             "Statistical limit: the chance of any false alarm in the comparison");
   command.add_option("--min-effect", options.min_effect,
                      "Practical limit: the least change that matters, as share of the base's mean "
                      "(default: 5%)");
@@ -142,11 +137,10 @@ void add_options(CLI::App& command, CompareCommand& options) {
 }  // namespace
 
 void add_compare_command(CLI::App& app) {
-  const auto options = std::make_shared<CompareCommand>();
-  CLI::App* command = app.add_subcommand(
-      "compare", "Judge new results against a base: what got worse, and surely so");
-  add_options(*command, *options);
-  command->footer(
+  const auto [command, options] = add_command(
+      app, "compare", "Judge new results against a base: what got worse, and surely so", compare);
+  add_options(command, options);
+  command.footer(
       "Trials are paired by planner label, map and mission. A regression is a change for the worse "
       "that is beyond chance\n"
       "(--alpha, corrected over all tests) and beyond the tolerance (--min-effect, --tolerances). "
@@ -160,7 +154,6 @@ void add_compare_command(CLI::App& app) {
       "  avoidbench compare r.db r.db --sweep forest@1:forest@2  # two revisions of one sweep\n"
       "  avoidbench compare r.db --planner ego:mine              # two planners, mission by "
       "mission");
-  command->callback([options] { compare(*options); });
 }
 
 }  // namespace avoidbench

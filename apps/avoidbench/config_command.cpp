@@ -157,18 +157,15 @@ void add_config_command(CLI::App& app) {
   sweeps->callback([options] { list_sweeps(options->sweeps_output); });
   CLI::App* defaults = command->add_subcommand(
       "defaults", "Everything that a file can say, at its default, with docs and ranges, as YAML");
-  defaults
-      ->add_option("what", options->preset,
-                   "A sweep, or a vehicle or sensor that is built in: " + joined(default_names()))
-      ->capture_default_str();
+  defaults->add_option(
+      "what", options->preset,
+      "A sweep, or a vehicle or sensor that is built in: " + joined(default_names()));
   add_output_file(*defaults, options->output);
   defaults->callback([options] { write_text(defaults_yaml(options->preset), options->output); });
   CLI::App* schema = command->add_subcommand(
       "schema", "JSON Schema (2020-12) of a kind of file: editors complete and check by it");
-  schema
-      ->add_option("what", options->schema,
-                   "sweep, part (a file that sweeps include), vehicle or sensor")
-      ->capture_default_str();
+  schema->add_option("what", options->schema,
+                     "sweep, part (a file that sweeps include), vehicle or sensor");
   add_output_file(*schema, options->schema_output);
   schema->footer(
       "Example:\n"
@@ -178,9 +175,9 @@ void add_config_command(CLI::App& app) {
   schema->callback([options] { write_text(schema_text(options->schema), options->schema_output); });
   CLI::App* check_command = command->add_subcommand(
       "check", "Read a sweep file and print what it would fly, or all that is wrong with it");
-  check_command->add_option("sweep", options->file, "Sweep file (YAML); - is standard input")
-      ->required()
-      ->type_name("FILE");
+  add_typed(*check_command, "sweep", options->file, "FILE",
+            "Sweep file (YAML); - is standard input")
+      ->required();
   add_overrides(*check_command, options->overrides, "maps.poisson_radius_m=3.0");
   check_command->add_flag("--resolved", options->resolved,
                           "Print the file with what it includes and --set put in, each value with "
@@ -193,11 +190,9 @@ void add_config_command(CLI::App& app) {
       [options] { check(options->file, options->overrides, options->resolved); });
   CLI::App* explain_command = command->add_subcommand(
       "explain", "What a key means: its range and default, and how to write it, also as an axis");
-  explain_command
-      ->add_option("key", options->key,
-                   "Path of a key, as maps.bush_ratio or latency; maps.hall for one generator's "
-                   "keys; reactive.margin_m for a planner's parameter (default: all top keys)")
-      ->type_name("KEY");
+  add_typed(*explain_command, "key", options->key, "KEY",
+            "Path of a key, as maps.bush_ratio or latency; maps.hall for one generator's "
+            "keys; reactive.margin_m for a planner's parameter (default: all top keys)");
   explain_command->footer(
       "Examples:\n"
       "  avoidbench config explain\n"

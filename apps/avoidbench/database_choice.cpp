@@ -4,11 +4,11 @@
 #include <iostream>
 #include <utility>
 
-#include "base/input_error.hpp"
+#include "command_options.hpp"
 #include "config/sweep_file.hpp"
+#include "process/sandbox.hpp"
 #include "store/row_digest.hpp"
 #include "store/stored_text.hpp"
-#include "text/words.hpp"
 #include "trial/contradictions.hpp"
 
 namespace avoidbench {
@@ -38,9 +38,8 @@ std::filesystem::path database_of(const std::string& given) {
   if (path.extension() == ".yaml" || path.extension() == ".yml") {
     const std::filesystem::path database = of_sweep(read_sweep(path).name);
     if (!std::filesystem::exists(database, error)) {
-      throw InputError({.file = database.string(),
-                        .message = "no such file: fly the sweep first (avoidbench run " + given +
-                                   "), or name the database"});
+      refuse_file(database, "no such file: fly the sweep first (avoidbench run " + given +
+                                "), or name the database");
     }
     return database;
   }
@@ -102,21 +101,32 @@ StoredTrial possible_trial(const Database& database, const std::string& key) {
   return stored;
 }
 
-void add_file_options(CLI::App& command, FileChoice& files) {
-  command
-      .add_option("--library", files.planner,
-                  "Fly this planner library (default: what the sweep's name of it leads to, if "
-                  "that is the file that was flown)")
-      ->type_name("NAME|FILE");
-  command
-      .add_option("--map-file", files.map,
-                  "File of the map (default: by its name beside sweep and database, or in maps/)")
-      ->type_name("FILE");
-  command
-      .add_option(
-          "--wind-file", files.wind,
-          "File of the wind field (default: by its name, as the map's, or in configs/wind/)")
-      ->type_name("FILE");
+ReplayFiles files_beside(const std::string& given, const Database& database, ReplayFiles files) {
+  const std::filesystem::path path = given;
+  files.folders = {".", path.parent_path(), database.path().parent_path()};
+  files.database = database.path();
+  return files;
+}
+
+ApartOptions apart_options(const Database& database, const std::vector<std::string>& keys,
+                           double plan_timeout_s, int jobs) {
+  // As they were flown: a planner that was let out may do something else within it.
+  const bool had_sandbox = std::none_of(keys.begin(), keys.end(), [&](const std::string& key) {
+    return database.sandbox_of(key).starts_with("none");
+  });
+  return {.worker_command = worker_words(plan_timeout_s, {}, jobs),
+          .sandbox = had_sandbox ? text(sandbox_support()) : "",
+          .silence_s = plan_timeout_s + 20.0};
+}
+
+void add_file_options(CLI::App& command, ReplayFiles& files) {
+  add_typed(command, "--library", files.planner, "NAME|FILE",
+            "Fly this planner library (default: what the sweep's name of it leads to, if "
+            "that is the file that was flown)");
+  add_typed(command, "--map-file", files.map, "FILE",
+            "File of the map (default: by its name beside sweep and database, or in maps/)");
+  add_typed(command, "--wind-file", files.wind, "FILE",
+            "File of the wind field (default: by its name, as the map's, or in configs/wind/)");
 }
 
 }  // namespace avoidbench

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "replay/replay.hpp"
+#include "replay/apart.hpp"
 #include "store/database.hpp"
 
 namespace avoidbench {
@@ -24,12 +24,17 @@ Database open_checked(const std::filesystem::path& path);
 /// The databases, opened so, or the newest one where none is given.
 std::vector<Database> opened(const std::vector<std::string>& files, const std::string& purpose);
 
-/// Files to fly stored trials with, where they are to be others than those that are found.
-struct FileChoice {
-  std::string planner, map, wind;
-};
-/// --library, --map-file, --wind-file.
-void add_file_options(CLI::App& command, FileChoice& files);
+/// --library, --map-file, --wind-file: what to fly stored trials with, where it is to be others
+/// than those that are found.
+void add_file_options(CLI::App& command, ReplayFiles& files);
+
+/// These, with the places where others are looked for: here, and beside the database, as it was
+/// given and where it is.
+ReplayFiles files_beside(const std::string& given, const Database& database, ReplayFiles files);
+
+/// How `jobs` workers fly these trials again: in the sandbox, unless one of them was flown without.
+ApartOptions apart_options(const Database& database, const std::vector<std::string>& keys,
+                           double plan_timeout_s, int jobs);
 
 /// The stored trial, ready to be flown. Throws InputError as read_stored_trial() does, and where
 /// its spec contradicts itself as no sweep file may.

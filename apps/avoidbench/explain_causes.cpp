@@ -1,4 +1,4 @@
-#include "explain_causes.hpp"
+#include "explain.hpp"
 
 #include <atomic>
 #include <cmath>
@@ -6,11 +6,10 @@
 #include <iostream>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <thread>
 
 #include "base/option_error.hpp"
-#include "commands.hpp"
-#include "database_choice.hpp"
 #include "diagnosis/cause_counts.hpp"
 #include "explain/paragraph.hpp"
 #include "metrics/metric_table.hpp"
@@ -19,25 +18,16 @@
 #include "report/sweep_tables.hpp"
 #include "report/table_rows.hpp"
 #include "store/record_format.hpp"
-#include "sweep/allowance.hpp"
 #include "table/table_text.hpp"
 #include "text/visible_text.hpp"
 #include "text/words.hpp"
-#include "view/replay_sheet.hpp"
+#include "view_output.hpp"
 #include "worker/worker_process.hpp"
 
 namespace avoidbench {
 namespace {
 
-bool is_failure(const TrialListing& trial) { return trial.outcome != Outcome::reached_goal; }
-
 using Stored = std::map<std::string, ExplanationRow>;
-
-Stored stored_explanations(const Database& database) {
-  Stored stored;
-  for (ExplanationRow& row : database.read_explanations()) stored[row.trial_key] = std::move(row);
-  return stored;
-}
 
 /// Whether the row is of this flight and by the rules of today, and can be read.
 bool is_current(const ExplanationRow& row, const StoredTrial& trial) {
@@ -68,67 +58,49 @@ std::optional<Database> writable(const std::filesystem::path& path) {
   }
 }
 
-/// Several threads tell trials at once, each in a child process; one at a time uses the database.
-class Teller {
- public:
-  Teller(const Database& database, Database* target, const ReplayFiles& files, Stored stored)
-      : database_(&database), target_(target), files_(&files), stored_(std::move(stored)) {}
-
-  void tell(const std::vector<TrialListing>& trials, std::size_t jobs) {
-    std::vector<std::thread> threads;
-    for (std::size_t i = 0; i < std::min(jobs, trials.size()); ++i) {
-      threads.emplace_back([&] { work(trials); });
-    }
-    for (std::thread& thread : threads) thread.join();
-    if (failure_) std::rethrow_exception(failure_);
-  }
-
-  const Stored& stored() const { return stored_; }
-  std::int64_t new_count() const { return new_count_; }
-
- private:
-  void work(const std::vector<TrialListing>& trials) {
-    try {
-      for (std::size_t i = next_++; i < trials.size(); i = next_++)
-        tell_one(trials[i], trials.size());
-    } catch (...) {
-      const std::lock_guard lock(mutex_);
-      if (!failure_) failure_ = std::current_exception();
-      next_ = trials.size();  // nobody begins another one
-    }
-  }
-
-  void tell_one(const TrialListing& trial, std::size_t count) {
+/// Tells the causes of these trials, `jobs` at once, each in a child process; one thread at a time
+/// uses the databases. What is stored and current stays.
+void tell(const std::vector<TrialListing>& trials, std::size_t jobs, const ReplayFiles& files,
+          const Database& database, std::optional<Database>& target, Stored& stored) {
+  std::mutex mutex;
+  std::atomic<std::size_t> next = 0;
+  std::int64_t new_count = 0;
+  std::exception_ptr failure;
+  const auto tell_one = [&](const TrialListing& trial) {
     std::optional<StoredTrial> read;
     {
-      const std::lock_guard lock(mutex_);
-      read = possible_trial(*database_, trial.key);
-      const auto known = stored_.find(trial.key);
-      if (known != stored_.end() && is_current(known->second, *read)) return;
+      const std::lock_guard lock(mutex);
+      read = possible_trial(database, trial.key);
+      const auto known = stored.find(trial.key);
+      if (known != stored.end() && is_current(known->second, *read)) return;
     }
-    const ExplainedTrial told = explain_trial_apart(*read, *files_);
-    const std::lock_guard lock(mutex_);
-    ++new_count_;
+    const ExplainedTrial told = explain_trial_apart(*read, files);
+    const std::lock_guard lock(mutex);
+    ++new_count;
     for (const std::string& warning : told.warnings) {
       std::cerr << "warning: trial " << trial.id << ": " << visible_line(warning) << '\n';
     }
     // An explanation that lacks what only a flight tells is shown and not kept.
     const ExplanationRow row = row_of(*read, told.explanation);
-    if (target_ != nullptr && told.warnings.empty()) target_->add_explanation(row);
-    stored_[trial.key] = row;
-    std::cerr << "told " << new_count_ << " of at most " << count << ": trial " << trial.id << " "
-              << row.cause << '\n';
-  }
-
-  const Database* database_;
-  Database* target_;
-  const ReplayFiles* files_;
-  std::mutex mutex_;
-  Stored stored_;
-  std::atomic<std::size_t> next_ = 0;
-  std::int64_t new_count_ = 0;
-  std::exception_ptr failure_;
-};
+    if (target && told.warnings.empty()) target->add_explanation(row);
+    stored[trial.key] = row;
+    std::cerr << "told " << new_count << " of at most " << trials.size() << ": trial " << trial.id
+              << " " << row.cause << '\n';
+  };
+  const auto work = [&] {
+    try {
+      for (std::size_t i = next++; i < trials.size(); i = next++) tell_one(trials[i]);
+    } catch (...) {
+      const std::lock_guard lock(mutex);
+      if (!failure) failure = std::current_exception();
+      next = trials.size();  // nobody begins another one
+    }
+  };
+  std::vector<std::thread> threads;
+  for (std::size_t i = 0; i < std::min(jobs, trials.size()); ++i) threads.emplace_back(work);
+  for (std::thread& thread : threads) thread.join();
+  if (failure) std::rethrow_exception(failure);
+}
 
 /// A row a fact that has a value.
 struct FactLister {
@@ -159,11 +131,8 @@ void write_moment(const StoredTrial& stored, const ReplayFiles& files, const std
   observer.planned = [&](const PlanStep& step) { recorder.planned(step); };
   std::vector<std::string> log;
   const TrialRecord record = replay.fly(observer, log);
-  ReplaySheets sheets(replay.stored(), replay.world(), record, title);
-  for (const Moment& moment : recorder.finish(record.end_time_s)) {
-    write_png(sheets.sheet(moment), png);
-    std::cerr << "wrote " << png << " (t = " << fixed_digits(moment.time_s, 3) << " s)\n";
-  }
+  write_sheets(replay.stored(), replay.world(), record, recorder.finish(record.end_time_s), title,
+               png);
 }
 
 void show_trial(const Database& database, const TrialListing& listing, const ExplanationRow& row,
@@ -171,8 +140,7 @@ void show_trial(const Database& database, const TrialListing& listing, const Exp
   const StoredTrial stored = possible_trial(database, listing.key);
   const CauseFound explanation{.cause = *enum_from_text<Cause>(row.cause),
                                .facts = facts_from_json(row.facts_json)};
-  const std::string title = "trial " + std::to_string(listing.id) + " (" +
-                            listing.key.substr(0, 8) + "): " + trial_text(listing);
+  const std::string title = title_line(listing);
   const std::string sentences =
       visible_line(paragraph(explanation, listing.outcome, listing.reason));
   if (options.output.is_for_people()) {
@@ -196,17 +164,12 @@ void show_trial(const Database& database, const TrialListing& listing, const Exp
 void show_all(const std::vector<TrialListing>& failures, const std::vector<TrialListing>& all,
               const Stored& stored, const ExplainOptions& options) {
   // Labels stand for planners here: those of one label are counted together.
-  std::vector<std::string> labels;
+  std::set<std::string> labels;
+  for (const TrialListing& trial : all) labels.insert(trial.planner_label);
   std::vector<PlannerRow> planners;
-  for (const TrialListing& trial : all) {
-    if (std::find(labels.begin(), labels.end(), trial.planner_label) != labels.end()) continue;
-    labels.push_back(trial.planner_label);
-  }
-  std::sort(labels.begin(), labels.end());
   std::map<std::string, std::string> key_of;
   for (const std::string& label : labels) {
-    planners.push_back(
-        {.label = label, .name = {}, .version = {}, .file_digest = {}, .parameters_json = {}});
+    planners.emplace_back().label = label;
     key_of[label] = planner_key(planners.back());
   }
   std::vector<TrialSummary> trials;
@@ -221,13 +184,12 @@ void show_all(const std::vector<TrialListing>& failures, const std::vector<Trial
   for (const TrialListing& trial : failures) {
     const auto row = stored.find(trial.key);
     const std::string cause = row != stored.end() ? row->second.cause : std::string();
-    trials.push_back({.key = trial.key,
-                      .planner_key = key_of.at(trial.planner_label),
-                      .map_key = {},
-                      .mission_index = trial.mission_index,
-                      .outcome = trial.outcome,
-                      .metrics = {}});
-    trials.back().cause = cause;
+    TrialSummary& summary = trials.emplace_back();
+    summary.key = trial.key;
+    summary.planner_key = key_of.at(trial.planner_label);
+    summary.mission_index = trial.mission_index;
+    summary.outcome = trial.outcome;
+    summary.cause = cause;
     list.rows.push_back(make_row(trial.id, trial.planner_label,
                                  trial.generator + " " + std::to_string(trial.map_seed),
                                  trial.mission_index, text(trial.outcome), cause));
@@ -236,14 +198,10 @@ void show_all(const std::vector<TrialListing>& failures, const std::vector<Trial
   Section section{
       .name = "explain",
       .title = counted(failures.size(), "failure") + " of " + counted(all.size(), "trial"),
-      .tables = {causes_table(counts, labels), list},
+      .tables = {causes_table(counts, std::vector(labels.begin(), labels.end())), list},
       .notes = cause_notes(counts)};
   section.footer = "One trial: avoidbench explain DB TRIAL --png moment.png; a cure: --what-if";
   write_sections(std::span(&section, 1), options.output);
-}
-
-std::size_t jobs_of(const ExplainOptions& options) {
-  return static_cast<std::size_t>(options.jobs > 0 ? options.jobs : allowed_cpus());
 }
 
 }  // namespace
@@ -255,29 +213,30 @@ void explain_causes(const ExplainOptions& options) {
   enter_worker_environment();  // which may begin the program again
   const Database database = Database::open_for_reading(path);
   const std::vector<TrialListing> all = chosen_trials(database.list_trials(), options.choice);
-  std::vector<TrialListing> failures;
-  for (const TrialListing& trial : all) {
-    if (is_failure(trial)) failures.push_back(trial);
-  }
+  std::vector<TrialListing> failures = all;
+  std::erase_if(failures,
+                [](const TrialListing& one) { return one.outcome == Outcome::reached_goal; });
   const bool is_one = !options.choice.trial.empty();
   if (failures.empty()) {
-    if (is_one)
+    if (is_one) {
       throw InputError("trial " + options.choice.trial +
                        " reached the goal: there is nothing to explain");
+    }
     std::cout << "no failure among " << counted(all.size(), "trial") << '\n';
     return;
   }
   if (!options.png.empty() && !is_one) {
     throw OptionError("a picture is of one trial: give TRIAL", "", "png");
   }
-  const ReplayFiles files = explain_files(options, database);
+  const ReplayFiles files = files_beside(options.database, database, options.files);
   std::optional<Database> target = writable(path);
-  Teller teller(database, target ? &*target : nullptr, files, stored_explanations(database));
-  teller.tell(failures, jobs_of(options));
+  Stored stored;
+  for (ExplanationRow& row : database.read_explanations()) stored[row.trial_key] = std::move(row);
+  tell(failures, static_cast<std::size_t>(options.job_count()), files, database, target, stored);
   target.reset();
-  if (!is_one) return show_all(failures, all, teller.stored(), options);
+  if (!is_one) return show_all(failures, all, stored, options);
   const TrialListing& listing = failures.front();
-  show_trial(database, listing, teller.stored().at(listing.key), files, options);
+  show_trial(database, listing, stored.at(listing.key), files, options);
 }
 
 }  // namespace avoidbench

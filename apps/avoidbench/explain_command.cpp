@@ -1,40 +1,23 @@
-#include <memory>
-
 #include "commands.hpp"
-#include "database_choice.hpp"
-#include "explain_causes.hpp"
-#include "explain_what_if.hpp"
+#include "explain.hpp"
 
 namespace avoidbench {
-namespace {
-
-void explain_trials(const ExplainOptions& options) {
-  if (!options.minimal.empty()) return explain_minimal(options);
-  if (!options.what_if.empty()) return explain_what_if(options);
-  explain_causes(options);
-}
-
-}  // namespace
-
-ReplayFiles explain_files(const ExplainOptions& options, const Database& database) {
-  const std::filesystem::path given = options.database;
-  return {.planner = options.files.planner,
-          .map = options.files.map,
-          .wind = options.files.wind,
-          .folders = {".", given.parent_path(), database.path().parent_path()},
-          .database = database.path()};
-}
 
 void add_explain_command(CLI::App& app) {
-  const auto options = std::make_shared<ExplainOptions>();
-  CLI::App* command = app.add_subcommand("explain",
-                                         "Why trials failed: the cause of each, what would have "
-                                         "cured it, and the smallest map that still fails");
-  command->footer(
+  const auto [command, options] = add_command<ExplainOptions>(
+      app, "explain",
+      "Why trials failed: the cause of each, what would have cured it, and the smallest map that "
+      "still fails",
+      [](const ExplainOptions& asked) {
+        if (!asked.minimal.empty()) return explain_minimal(asked);
+        if (!asked.what_if.empty()) return explain_what_if(asked);
+        explain_causes(asked);
+      });
+  command.footer(
       "Causes are told by rules over what is measured of the flight, collisions from one more "
-      "flight "
-      "each, and stored\nin the database: report and compare show them. "
-      "\nFlights with changes are stored in the database; the same command goes on where it was "
+      "flight each, and stored\n"
+      "in the database: report and compare show them. \n"
+      "Flights with changes are stored in the database; the same command goes on where it was "
       "stopped. docs/explain.md\n\n"
       "Examples:\n"
       "  avoidbench explain quick\n"
@@ -46,22 +29,18 @@ void add_explain_command(CLI::App& app) {
       "Exit codes: 0 done, 1 a flight with nothing changed is not the stored one, or a worker was "
       "killed from outside, 2 usage or input, 75 stopped by SIGTERM or SIGUSR1, 130 interrupted");
   command
-      ->add_option("DB", options->database,
-                   "Database, or a sweep's file or name for results/NAME.db")
+      .add_option("DB", options.database, "Database, or a sweep's file or name for results/NAME.db")
       ->required();
-  command->add_option("TRIAL", options->choice.trial,
-                      "Id of a trial, or the beginning of its key: only this one");
-  command->add_option("--planner", options->choice.planner,
-                      "Only trials of this planner, by its label");
-  command
-      ->add_option("--png", options->png,
-                   "Picture of TRIAL at the decisive moment: the last chance to stop before a "
-                   "collision, where it came nearest to the goal before a time-out")
-      ->type_name("FILE");
-  add_what_if_options(*command, *options);
-  add_file_options(*command, options->files);
-  add_output_options(*command, options->output);
-  command->callback([options] { explain_trials(*options); });
+  command.add_option("TRIAL", options.choice.trial,
+                     "Id of a trial, or the beginning of its key: only this one");
+  command.add_option("--planner", options.choice.planner,
+                     "Only trials of this planner, by its label");
+  add_typed(command, "--png", options.png, "FILE",
+            "Picture of TRIAL at the decisive moment: the last chance to stop before a "
+            "collision, where it came nearest to the goal before a time-out");
+  add_what_if_options(command, options);
+  add_file_options(command, options.files);
+  add_output_options(command, options.output);
 }
 
 }  // namespace avoidbench

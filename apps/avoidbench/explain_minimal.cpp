@@ -6,8 +6,7 @@
 #include "base/math.hpp"
 #include "base/spec_json.hpp"
 #include "config/sweep_file.hpp"
-#include "database_choice.hpp"
-#include "explain_what_if.hpp"
+#include "explain.hpp"
 #include "output.hpp"
 #include "text/visible_text.hpp"
 #include "what_if/smallest_scene.hpp"
@@ -75,7 +74,7 @@ void keep_wind_file(SmallestScene& scene, const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::copy_file(from, folder / from.filename(),
                              std::filesystem::copy_options::overwrite_existing, error);
-  if (error) throw InputError({.file = file, .message = "can't be copied: " + error.message()});
+  if (error) refuse_file(file, "can't be copied: " + error.message());
   file = from.filename().string();
 }
 
@@ -101,7 +100,7 @@ void explain_minimal(const ExplainOptions& options) {
   const std::filesystem::path folder = made_folder(options.minimal);
   const StopSignals& signals = watch_stop_signals();
   const SceneRequest request{.stored = stored,
-                             .files = explain_files(options, database),
+                             .files = files_beside(options.database, database, options.files),
                              .folder = folder,
                              .most_flights = options.most_flights,
                              .fleet = explain_fleet(options, database, {listing.key}, signals),
@@ -110,10 +109,7 @@ void explain_minimal(const ExplainOptions& options) {
                                          << " obstacles left\n";
                              }};
   SmallestScene scene = smallest_scene(request);
-  if (scene.is_stopped) {
-    std::cerr << "stopped: nothing was written\n";
-    end_stopped_flights(signals);
-  }
+  if (scene.is_stopped) end_stopped(signals, "stopped: nothing was written");
   keep_wind_file(scene, folder);
   const std::filesystem::path sweep_file = folder / kSceneSweepFile;
   write_text(scene_sweep(scene, listing.key), sweep_file.string());

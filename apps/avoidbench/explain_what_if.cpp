@@ -1,16 +1,9 @@
-#include "explain_what_if.hpp"
+#include "explain.hpp"
 
-#include <algorithm>
-#include <csignal>
-#include <filesystem>
 #include <iostream>
 
-#include "database_choice.hpp"
 #include "metrics/metric_table.hpp"
 #include "output.hpp"
-#include "process/sandbox.hpp"
-#include "sweep/allowance.hpp"
-#include "text/number_text.hpp"
 #include "text/visible_text.hpp"
 #include "version.hpp"
 #include "what_if/what_if_tables.hpp"
@@ -30,9 +23,7 @@ WhatIfRequest request_of(const ExplainOptions& options, const Database& database
   WhatIfRequest request{.changes = changes_of(options.what_if)};
   request.control = options.control;
   const std::vector<TrialListing> all = database.list_trials();
-  if (all.empty()) {
-    throw InputError({.file = database.path().string(), .message = "holds no finished trial"});
-  }
+  if (all.empty()) refuse_file(database.path(), "holds no finished trial");
   if (!options.choice.trial.empty()) request.trial = the_trial(all, options.choice).key;
   if (!options.choice.planner.empty()) {
     chosen_trials(all, {.planner = options.choice.planner});  // says which planners there are
@@ -42,9 +33,8 @@ WhatIfRequest request_of(const ExplainOptions& options, const Database& database
 }
 
 WhatIfSource source_of(const ExplainOptions& options, const Database& database) {
-  return {.read = [](const Database& from,
-                     const std::string& key) { return possible_trial(from, key); },
-          .files = explain_files(options, database),
+  return {.read = possible_trial,
+          .files = files_beside(options.database, database, options.files),
           .program_version = std::string(kVersion) + " " + kGitHash};
 }
 
@@ -65,8 +55,7 @@ WhatIfRun fly_missing(const ExplainOptions& options, WhatIfPlan& plan, const Wha
     std::cerr << "not flown: " << visible_line(line) << '\n';
   }
   if (run.is_stopped) {
-    std::cerr << "stopped: what was flown is stored, the same command goes on from there\n";
-    end_stopped_flights(signals);
+    end_stopped(signals, "stopped: what was flown is stored, the same command goes on from there");
   }
   return run;
 }
@@ -85,25 +74,11 @@ std::string change_list() {
 
 FleetOptions explain_fleet(const ExplainOptions& options, const Database& database,
                            const std::vector<std::string>& keys, const StopSignals& signals) {
-  const int jobs = options.jobs > 0 ? options.jobs : allowed_cpus();
-  const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
-  // As they were flown: a planner that was let out may do something else within it.
-  const bool had_sandbox = std::none_of(keys.begin(), keys.end(), [&](const std::string& key) {
-    return database.sandbox_of(key).starts_with("none");
-  });
-  return {.apart = {.worker_command = {program, "worker", "--plan-timeout",
-                                       shortest(options.plan_timeout_s), "--memory-limit",
-                                       shortest(0.9 * allowed_memory_mib() / jobs)},
-                    .sandbox = had_sandbox ? text(sandbox_support()) : "",
-                    .silence_s = options.plan_timeout_s + 20.0},
+  const int jobs = options.job_count();
+  return {.apart = apart_options(database, keys, options.plan_timeout_s, jobs),
           .jobs = jobs,
           .stop = &signals.stop,
           .stop_now = &signals.stop_now};
-}
-
-void end_stopped_flights(const StopSignals& signals) {
-  constexpr int kExitStopped = 75, kExitInterrupted = 130;
-  throw CLI::RuntimeError(signals.number == SIGINT ? kExitInterrupted : kExitStopped);
 }
 
 void explain_what_if(const ExplainOptions& options) {
@@ -129,39 +104,26 @@ void explain_what_if(const ExplainOptions& options) {
 
 void add_what_if_options(CLI::App& command, ExplainOptions& options) {
   CLI::Option* what_if =
-      command
-          .add_option(
-              "--what-if", options.what_if,
-              "Fly failed trials again, each of these changes alone (list below), and count "
-              "how many reach the goal then; names separated by commas, or all")
-          ->type_name("LIST")
+      add_typed(command, "--what-if", options.what_if, "LIST",
+                "Fly failed trials again, each of these changes alone (list below), and count "
+                "how many reach the goal then; names separated by commas, or all")
           ->delimiter(',');
-  command
-      .add_option("--control", options.control,
-                  "Successes of each planner that are flown with the changes, too, to see which "
-                  "break (default: as many as failed)")
-      ->check(CLI::NonNegativeNumber)
+  add_number(command, "--control", options.control, CLI::NonNegativeNumber,
+             "Successes of each planner that are flown with the changes, too, to see which "
+             "break (default: as many as failed)")
       ->needs(what_if);
   CLI::Option* minimal =
-      command
-          .add_option("--minimal", options.minimal,
-                      "Find the smallest set of obstacles with which the trial still fails, and "
-                      "write it into this folder: a map and a sweep file that flies it")
-          ->type_name("FOLDER")
+      add_typed(command, "--minimal", options.minimal, "FOLDER",
+                "Find the smallest set of obstacles with which the trial still fails, and "
+                "write it into this folder: a map and a sweep file that flies it")
           ->excludes(what_if);
-  command
-      .add_option("--most-flights", options.most_flights, "Most flights that --minimal may take")
-      ->check(CLI::Range(1, 1'000'000))
-      ->capture_default_str()
+  add_number(command, "--most-flights", options.most_flights, CLI::Range(1, 1'000'000),
+             "Most flights that --minimal may take")
       ->needs(minimal);
-  command.add_option("-j,--jobs", options.jobs, "Worker processes; 0: one per allowed CPU")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
-  command
-      .add_option("--plan-timeout", options.plan_timeout_s,
-                  "Wall time after which a call of the planner counts as hung, s")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+  add_number(command, "-j,--jobs", options.jobs, CLI::Range(0, 1024),
+             "Worker processes; 0: one per allowed CPU");
+  add_number(command, "--plan-timeout", options.plan_timeout_s, CLI::PositiveNumber,
+             "Wall time after which a call of the planner counts as hung, s");
   command.footer(change_list() + command.get_footer());
 }
 

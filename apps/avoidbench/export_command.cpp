@@ -1,6 +1,5 @@
 #include <filesystem>
 #include <iostream>
-#include <memory>
 #include <optional>
 
 #include "base/file_name.hpp"
@@ -22,7 +21,7 @@ struct ExportOptions {
   std::string sweep, output = "-";
   TrialFormat trial_format = TrialFormat::csv;
   TrajectoryFormat trajectory_format = TrajectoryFormat::csv;
-  double progress_period_s = 0.0;
+  std::optional<double> progress_period_s;
   TrialOrder trial_order;
 };
 
@@ -50,24 +49,19 @@ bool is_database(const std::string& word) {
 }
 
 /// The database and the trials that "[DB] TRIAL…" mean.
-struct ChosenTrials {
-  Database database;
-  std::vector<TrialListing> trials;
-};
-
-ChosenTrials chosen(const std::vector<std::string>& words) {
+std::pair<Database, std::vector<TrialListing>> chosen(const std::vector<std::string>& words) {
   const bool has_database = is_database(words.front());
   if (has_database && words.size() == 1) {
     throw OptionError("no trial given: an id or the beginning of a key", "", "list");
   }
-  ChosenTrials chosen{.database = Database::open_for_reading(
-                          has_database ? database_of(words.front()) : newest_database("trials")),
-                      .trials = {}};
-  const std::vector<TrialListing> all = chosen.database.list_trials();
+  Database database = Database::open_for_reading(has_database ? database_of(words.front())
+                                                              : newest_database("trials"));
+  const std::vector<TrialListing> all = database.list_trials();
+  std::vector<TrialListing> trials;
   for (std::size_t i = has_database ? 1 : 0; i < words.size(); ++i) {
-    chosen.trials.push_back(the_trial(all, {.trial = words[i]}));
+    trials.push_back(the_trial(all, {.trial = words[i]}));
   }
-  return chosen;
+  return {std::move(database), std::move(trials)};
 }
 
 /// Writes `text_of` each chosen trial: one to the output, several as files of a folder.
@@ -131,7 +125,7 @@ void write_ompl(const ExportOptions& options) {
   for (const OmplExperiment& experiment : experiments) {
     Output output(is_file ? options.output
                           : (folder / (safe_file_name(experiment.name) + ".log")).string());
-    write_ompl_log(databases.front(), experiment, options.progress_period_s,
+    write_ompl_log(databases.front(), experiment, options.progress_period_s.value_or(0.0),
                    [&](const std::string& text) { output.write(text); });
     output.close();
   }
@@ -142,80 +136,72 @@ void write_ompl(const ExportOptions& options) {
 }
 
 void add_trials(CLI::App& app) {
-  const auto options = std::make_shared<ExportOptions>();
-  CLI::App* command =
-      app.add_subcommand("trials", "Every trial with its map, mission and metrics: one flat table");
-  command->add_option("DB", options->words,
-                      "Databases; a trial that several hold is written once (default: the newest "
-                      "results/*.db)");
-  add_sweep_choice(*command, options->sweep);
-  add_choice(*command, "--format", options->trial_format, "csv (RFC 4180) or jsonl (JSON lines)");
-  add_output_file(*command, options->output);
-  add_order_options(*command, options->trial_order);
-  command->footer(
+  const auto [command, options] = add_command(
+      app, "trials", "Every trial with its map, mission and metrics: one flat table", write_trials);
+  command.add_option("DB", options.words,
+                     "Databases; a trial that several hold is written once (default: the newest "
+                     "results/*.db)");
+  add_sweep_choice(command, options.sweep);
+  add_choice(command, "--format", options.trial_format, "csv (RFC 4180) or jsonl (JSON lines)");
+  add_output_file(command, options.output);
+  add_order_options(command, options.trial_order);
+  command.footer(
       "The columns are those of the view trial_table and the sweep's axes; names carry units, "
       "numbers all their\ndigits.\n\n"
       "Example:\n"
       "  avoidbench export trials results/quick.db --output quick.csv\n"
       "  avoidbench export trials quick --sort min_clearance_m --limit 10");
-  command->callback([options] { write_trials(*options); });
 }
 
-CLI::App* add_of_trials(CLI::App& app, const std::string& name, const std::string& doc,
-                        const std::shared_ptr<ExportOptions>& options) {
-  CLI::App* command = app.add_subcommand(name, doc);
+std::pair<CLI::App&, ExportOptions&> add_of_trials(CLI::App& app, const std::string& name,
+                                                   const std::string& doc,
+                                                   void (*work)(const ExportOptions&)) {
+  const auto [command, options] = add_command(app, name, doc, work);
   command
-      ->add_option(
-          "TRIAL", options->words,
-          "Ids of trials or the beginnings of their keys; before them a database (default: "
-          "the newest results/*.db)")
+      .add_option("TRIAL", options.words,
+                  "Ids of trials or the beginnings of their keys; before them a database (default: "
+                  "the newest results/*.db)")
       ->required();
-  add_output_file(*command, options->output)
+  add_output_file(command, options.output)
       ->description(
           "File to write, - for standard output; of several trials a folder, with a file each");
-  return command;
+  return {command, options};
 }
 
 void add_trajectory(CLI::App& app) {
-  const auto options = std::make_shared<ExportOptions>();
-  CLI::App* command = add_of_trials(app, "trajectory", "The flown path of trials", options);
-  add_choice(*command, "--format", options->trajectory_format,
+  const auto [command, options] =
+      add_of_trials(app, "trajectory", "The flown path of trials", write_trajectories);
+  add_choice(command, "--format", options.trajectory_format,
              "csv (all that is stored), or tum (timestamp tx ty tz qx qy qz qw: for evo)");
-  command->footer(
+  command.footer(
       "Example:\n"
       "  avoidbench export trajectory results/quick.db 3 7 --format tum --output paths");
-  command->callback([options] { write_trajectories(*options); });
 }
 
 void add_calls(CLI::App& app) {
-  const auto options = std::make_shared<ExportOptions>();
-  CLI::App* command = add_of_trials(app, "calls", "The planner's calls in trials, as CSV", options);
-  command->footer("Example:\n  avoidbench export calls results/quick.db 3 --output calls.csv");
-  command->callback([options] { write_calls(*options); });
+  add_of_trials(app, "calls", "The planner's calls in trials, as CSV", write_calls)
+      .first.footer("Example:\n  avoidbench export calls results/quick.db 3 --output calls.csv");
 }
 
 void add_ompl(CLI::App& app) {
-  const auto options = std::make_shared<ExportOptions>();
-  CLI::App* command = app.add_subcommand(
-      "ompl",
-      "Benchmark logs of OMPL, one per map, for ompl_benchmark_statistics and Planner Arena");
-  command->add_option("DB", options->words, "Database (default: the newest results/*.db)");
-  add_sweep_choice(*command, options->sweep);
+  const auto [command, options] = add_command(
+      app, "ompl",
+      "Benchmark logs of OMPL, one per map, for ompl_benchmark_statistics and Planner Arena",
+      write_ompl);
+  command.add_option("DB", options.words, "Database (default: the newest results/*.db)");
+  add_sweep_choice(command, options.sweep);
   command
-      ->add_option(
-          "--output", options->output,
+      .add_option(
+          "--output", options.output,
           "Folder for the logs; of a single map also a file *.log, or - for standard output")
       ->required();
-  command
-      ->add_option("--progress", options->progress_period_s,
-                   "Also how each flight went on, every so many seconds (default: not)")
-      ->check(CLI::PositiveNumber)
+  add_number(command, "--progress", options.progress_period_s, CLI::PositiveNumber,
+             "Also how each flight went on, every so many seconds (default: not)")
       ->type_name("SECONDS");
-  command->footer(
+  command.footer(
       "Example:\n"
       "  avoidbench export ompl results/quick.db --output logs\n"
       "  ompl_benchmark_statistics logs/*.log -d arena.db       # then upload to plannerarena.org");
-  command->callback([options] { write_ompl(*options); });
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "commands.hpp"
 #include "plugin/planner_library.hpp"
 #include "text/visible_text.hpp"
+#include "text/words.hpp"
 #include "version.hpp"
 #include "visible_streams.hpp"
 
@@ -83,44 +84,37 @@ std::string unknown_word(const CLI::App& app, const std::string& word) {
   }
   const std::vector<std::string> commands = command_names(app);
   if (commands.empty()) return "unexpected argument '" + word + "'";
-  std::string known;
-  for (const std::string& name : commands) known += (known.empty() ? "" : ", ") + name;
-  return "unknown command '" + word + "'" + did_you_mean(word, commands) + "; commands: " + known;
+  return "unknown command '" + word + "'" + did_you_mean(word, commands) +
+         "; commands: " + joined(commands);
 }
 
 /// Prints what is wrong with the command line and returns the exit code.
 int explain(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App& command = deepest(app);
-  const std::vector<std::string> words = app.remaining(true);
-  std::vector<std::string> messages;
-  for (const std::string& word : words) messages.push_back(unknown_word(command, word));
-  if (messages.empty()) messages.emplace_back(error.what());
-  for (const std::string& message : messages) std::cerr << message << '\n';
+  const std::vector<std::string> unknown = app.remaining(true);
+  for (const std::string& word : unknown) std::cerr << unknown_word(command, word) << '\n';
+  if (unknown.empty()) std::cerr << error.what() << '\n';
   std::cerr << "see " << full_name(command) << " --help\n";
   return kUsageError;
 }
 
-/// The command that was asked for, where it has subcommands and none was given.
-const CLI::App* lacks_command(const CLI::App& app) {
-  const CLI::App& last = deepest(app);
-  return command_names(last).empty() ? nullptr : &last;
+void add_commands(CLI::App& app) {
+  for (const auto& add :
+       {add_run_command, add_report_command, add_power_command, add_export_command,
+        add_compare_command, add_replay_command, add_explain_command, add_merge_command,
+        add_planners_command, add_maps_command, add_sensors_command, add_metrics_command,
+        add_config_command}) {
+    add(app);
+  }
 }
 
-void add_commands(CLI::App& app) {
-  add_run_command(app);
-  add_report_command(app);
-  add_power_command(app);
-  add_export_command(app);
-  add_compare_command(app);
-  add_replay_command(app);
-  add_explain_command(app);
-  add_merge_command(app);
-  add_planners_command(app);
-  add_maps_command(app);
-  add_sensors_command(app);
-  add_metrics_command(app);
-  add_config_command(app);
-  add_worker_command(app);
+/// Help says what an option is where it is not given, but for lists without anything in them.
+void show_defaults(CLI::App& app) {
+  for (CLI::Option* option : app.get_options()) {
+    if (!option->get_required()) option->capture_default_str();
+    if (option->get_default_str() == "[]") option->default_str("");
+  }
+  for (CLI::App* command : app.get_subcommands({})) show_defaults(*command);
 }
 
 /// `verify DB`, which is `replay DB --verify` now. It goes with the next release.
@@ -150,6 +144,8 @@ int run_program(int argc, const char* const* argv) {
       "Print what to cite, as BibTeX");
   app.require_subcommand(0, 1);  // so that `config explain maps` means the key, not the command
   add_commands(app);
+  show_defaults(app);
+  add_worker_command(app);
   // After the commands, which would take it over.
   app.footer(
       "First steps:\n"
@@ -171,11 +167,10 @@ int run_program(int argc, const char* const* argv) {
   } catch (const CLI::ParseError& error) {
     return explain(app, error);
   }
-  if (const CLI::App* command = lacks_command(app)) {
-    std::cerr << command->help();
-    return kUsageError;
-  }
-  return 0;
+  const CLI::App& command = deepest(app);
+  if (command_names(command).empty()) return 0;
+  std::cerr << command.help();  // one of its subcommands is missing
+  return kUsageError;
 }
 
 /// How this program takes what would help.

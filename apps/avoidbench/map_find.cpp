@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <memory>
 
 #include "commands.hpp"
 #include "config/sweep_file.hpp"
@@ -16,9 +15,9 @@ namespace {
 struct FindOptions {
   std::string spec, metric = "traversability", vary = "poisson_radius_m";
   std::vector<std::string> overrides;
-  double wanted = 0.0, within = 0.5;
+  MapTarget target{.within = 0.5, .count = 3};
   std::vector<double> between{1.8, 8.0};
-  std::int64_t count = 3, most_seeds = 100, missions = 5;
+  std::int64_t missions = 5;
 };
 
 /// Field of a map out of `maps.area_m=[20, 30]`, to be written below `maps:`.
@@ -34,9 +33,10 @@ std::string yaml_line(const std::string& override) {
 void print_found(const FindOptions& options, const MapsFound& found) {
   std::int64_t tried = 0;
   for (const MapTried& map : found.tried) tried += map.parameter == found.parameter ? 1 : 0;
-  std::string text = "# " + options.metric + " " + number_text(options.wanted) + " ± " +
-                     number_text(options.within) + ": " + std::to_string(found.seeds.size()) +
-                     " of " + std::to_string(tried) + " seeds tried\nmaps:\n";
+  std::string text = "# " + options.metric + " " + number_text(options.target.wanted) + " ± " +
+                     number_text(options.target.within) + ": " +
+                     std::to_string(found.seeds.size()) + " of " + std::to_string(tried) +
+                     " seeds tried\nmaps:\n";
   const TrialSpec trial = read_map(options.spec, options.overrides).trial;
   text += "  generator: " + std::string(kind(trial.map)) + "\n";
   for (const std::string& override : options.overrides) text += yaml_line(override);
@@ -55,28 +55,25 @@ void find(const FindOptions& options) {
   if (!(options.between[0] < options.between[1])) {
     throw InputError("--between: the lower end comes first");
   }
-  const auto measure = [&](double parameter, std::uint64_t seed) {
+  MapTarget target = options.target;
+  target.lowest = options.between[0];
+  target.highest = options.between[1];
+  target.measure = [&](double parameter, std::uint64_t seed) {
     std::vector<std::string> overrides = options.overrides;
     overrides.push_back(options.vary + "=" + number_text(parameter));
     const double value = map_measure(read_map(options.spec, overrides).trial, seed, options.metric,
                                      options.missions);
-    const bool is_near = std::abs(value - options.wanted) <= options.within;
+    const bool is_near = std::abs(value - options.target.wanted) <= options.target.within;
     std::fprintf(stderr, "%s %g, seed %llu: %s %.4g%s\n", options.vary.c_str(), parameter,
                  static_cast<unsigned long long>(seed), options.metric.c_str(), value,
                  is_near ? ", within" : "");
     return value;
   };
-  const MapsFound found = find_maps({.measure = measure,
-                                     .wanted = options.wanted,
-                                     .within = options.within,
-                                     .lowest = options.between[0],
-                                     .highest = options.between[1],
-                                     .count = options.count,
-                                     .most_seeds = options.most_seeds});
+  const MapsFound found = find_maps(target);
   if (found.seeds.empty()) {
-    throw InputError("none of seeds 1 to " + std::to_string(options.most_seeds) + " has " +
-                     options.metric + " within " + number_text(options.within) + " of " +
-                     number_text(options.wanted) + "; take a wider --within");
+    throw InputError("none of seeds 1 to " + std::to_string(options.target.most_seeds) + " has " +
+                     options.metric + " within " + number_text(options.target.within) + " of " +
+                     number_text(options.target.wanted) + "; take a wider --within");
   }
   print_found(options, found);
 }
@@ -84,33 +81,23 @@ void find(const FindOptions& options) {
 }  // namespace
 
 void add_maps_find_command(CLI::App& maps) {
-  const auto options = std::make_shared<FindOptions>();
-  CLI::App* command = maps.add_subcommand(
-      "find", "Maps of a wanted difficulty: a parameter and seeds, as YAML for a sweep");
-  command->add_option("map", options->spec, "Generator, sweep file, or file with a map's fields")
+  const auto [command, options] =
+      add_command(maps, "find",
+                  "Maps of a wanted difficulty: a parameter and seeds, as YAML for a sweep", find);
+  command.add_option("map", options.spec, "Generator, sweep file, or file with a map's fields")
       ->required();
-  command
-      ->add_option("--metric", options->metric, "Metric of maps or missions (avoidbench metrics)")
-      ->capture_default_str();
-  command->add_option("--value", options->wanted, "Its wanted value")->required();
-  command->add_option("--within", options->within, "How far from it a map may be")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command->add_option("--vary", options->vary, "The field that is fitted")->capture_default_str();
-  command->add_option("--between", options->between, "Its least and greatest value")
-      ->expected(2)
-      ->capture_default_str();
-  command->add_option("--count", options->count, "Maps wanted")
-      ->check(CLI::Range(1, 10'000))
-      ->capture_default_str();
-  command->add_option("--seeds", options->most_seeds, "Seeds tried: 1 to this")
-      ->check(CLI::Range(1, 1'000'000))
-      ->capture_default_str();
-  command->add_option("--missions", options->missions, "Missions a metric of missions is taken of")
-      ->check(CLI::Range(1, 10'000))
-      ->capture_default_str();
-  add_overrides(*command, options->overrides, "bush_ratio=0");
-  command->callback([options] { find(*options); });
+  command.add_option("--metric", options.metric, "Metric of maps or missions (avoidbench metrics)");
+  command.add_option("--value", options.target.wanted, "Its wanted value")->required();
+  add_number(command, "--within", options.target.within, CLI::PositiveNumber,
+             "How far from it a map may be");
+  command.add_option("--vary", options.vary, "The field that is fitted");
+  command.add_option("--between", options.between, "Its least and greatest value")->expected(2);
+  add_number(command, "--count", options.target.count, CLI::Range(1, 10'000), "Maps wanted");
+  add_number(command, "--seeds", options.target.most_seeds, CLI::Range(1, 1'000'000),
+             "Seeds tried: 1 to this");
+  add_number(command, "--missions", options.missions, CLI::Range(1, 10'000),
+             "Missions a metric of missions is taken of");
+  add_overrides(command, options.overrides, "bush_ratio=0");
 }
 
 }  // namespace avoidbench

@@ -1,5 +1,3 @@
-#include <memory>
-
 #include "commands.hpp"
 #include "maps/generators.hpp"
 #include "metrics/environment.hpp"
@@ -64,31 +62,26 @@ void list_fields(const ListOptions& options) {
 }  // namespace
 
 void add_maps_list_command(CLI::App& maps) {
-  const auto options = std::make_shared<ListOptions>();
-  CLI::App* command = maps.add_subcommand(
-      "list", "The generators; or the obstacle fields of the original AvoidBench's suites");
-  CLI::Option* fields = command->add_flag(
-      "--fields", options->fields,
+  const auto [command, options] = add_command<ListOptions>(
+      maps, "list", "The generators; or the obstacle fields of the original AvoidBench's suites",
+      [](const ListOptions& asked) { asked.fields ? list_fields(asked) : list_generators(asked); });
+  CLI::Option* fields = command.add_flag(
+      "--fields", options.fields,
       "Each map of the original's suites: Poisson radius, relative gap size, the original's map "
       "seed, obstacles in the whole field and the first of their positions in its own frame");
-  add_choice(*command, "--suite", options->suite, {"outdoor", "indoor"},
+  add_choice(command, "--suite", options.suite, {"outdoor", "indoor"},
              "outdoor or indoor (default: both)")
       ->needs(fields);
-  command->add_option("--count", options->count, "Maps of a suite, from 1 on")
-      ->check(CLI::Range(1, 10'000))
-      ->capture_default_str()
+  add_number(command, "--count", options.count, CLI::Range(1, 10'000), "Maps of a suite, from 1 on")
       ->needs(fields);
-  command->add_option("--positions", options->positions, "Positions of each map")
-      ->check(CLI::Range(0, 100'000))
-      ->capture_default_str()
+  add_number(command, "--positions", options.positions, CLI::Range(0, 100'000),
+             "Positions of each map")
       ->needs(fields);
-  add_output_options(*command, options->output);
-  command->footer(
+  add_output_options(command, options.output);
+  command.footer(
       "Examples:\n"
       "  avoidbench maps list\n"
       "  avoidbench maps list --fields --suite outdoor --format csv --output fields.csv");
-  command->callback(
-      [options] { options->fields ? list_fields(*options) : list_generators(*options); });
 }
 
 }  // namespace avoidbench

@@ -35,8 +35,8 @@ struct MapOptions {
   MapView view;
   bool has_size = false;  ///< width or height was given
   std::string png = "map.png", page;
-  std::int64_t missions = 10;  ///< 0: no metrics
-  double point_cloud_m = 0.0;  ///< resolution of the original's metric; 0: without
+  std::int64_t missions = 10;           ///< 0: no metrics
+  std::optional<double> point_cloud_m;  ///< resolution of the original's metric
   std::string file, export_as = "mesh";
   double resolution_m = 0.1;
   OutputOptions output;
@@ -118,9 +118,9 @@ void add_metrics(const MapChoice& choice, const World& world, const MapOptions& 
     if (is_from_file(kind(trial.map)) && is_of_obstacles(metric.name)) continue;
     table.rows.push_back(make_row(metric.name, metric_text(metric.value(map), metric.unit)));
   }
-  if (options.point_cloud_m > 0.0) {
+  if (options.point_cloud_m) {
     const Traversability measured = traversability_pointcloud(
-        world, options.point_cloud_m, body_measure(to_eigen(trial.vehicle.body_size_m)));
+        world, *options.point_cloud_m, body_measure(to_eigen(trial.vehicle.body_size_m)));
     table.rows.push_back(make_row("traversability_pointcloud", metric_text(measured.value, "")));
     table.rows.push_back(make_row("traversability_pointcloud_normalized_ratio",
                                   metric_text(measured.normalized_ratio, "")));
@@ -145,10 +145,10 @@ void info(const MapOptions& options) {
   std::map<std::string, std::size_t> counts;
   for (const Obstacle& obstacle : world.obstacles) ++counts[obstacle.kind];
   Table table = make_list({"property", "value"});
-  const auto add = [&](const std::string& name, const std::string& value) {
+  const auto add = [&](const std::string& name, std::string_view value) {
     table.rows.push_back(make_row(name, value));
   };
-  add("generator", std::string(kind(trial.map)));
+  add("generator", kind(trial.map));
   add("seed", std::to_string(trial.map_seed));
   for (const auto& [obstacle, count] : counts) add(obstacle + "_count", std::to_string(count));
   add("instance_count", std::to_string(world.instances.size()));
@@ -171,16 +171,10 @@ void info(const MapOptions& options) {
 void export_map(const MapOptions& options) {
   const TrialSpec trial = choice_of(options).trial;
   const World world = make_world(trial.map, trial.map_seed);
-  if (options.export_as == "mesh") {
-    export_mesh(world, options.file);
-  } else {
-    const VoxelGrid cells = surface_voxels(world, options.resolution_m);
-    if (options.export_as == "cloud") {
-      export_point_cloud(cells, options.file);
-    } else {
-      export_occupancy(cells, options.file);
-    }
-  }
+  const auto cells = [&] { return surface_voxels(world, options.resolution_m); };
+  if (options.export_as == "mesh") export_mesh(world, options.file);
+  if (options.export_as == "cloud") export_point_cloud(cells(), options.file);
+  if (options.export_as == "occupancy") export_occupancy(cells(), options.file);
   std::cerr << "wrote " << options.file << '\n';
 }
 
@@ -212,32 +206,20 @@ void add_maps_command(CLI::App& app) {
   add_choice(*show_command, "--view", options->view.name, map_view_names(),
              "top (a plan coloured by height, with a mission's reference path), bird, "
              "first_person, or depth (what the mission's camera sees at its start)");
-  CLI::Option* png =
-      show_command->add_option("--png", options->png, "File to write")->capture_default_str();
-  show_command
-      ->add_option("--page", options->page,
-                   "Write a page in place of a picture: one HTML file with the map in 3-D")
-      ->type_name("FILE")
+  CLI::Option* png = show_command->add_option("--png", options->png, "File to write");
+  add_typed(*show_command, "--page", options->page, "FILE",
+            "Write a page in place of a picture: one HTML file with the map in 3-D")
       ->excludes(png);
-  show_command
-      ->add_option("--mission", options->view.mission_index,
-                   "Mission of top, first_person and depth")
-      ->check(CLI::Range(0, 1'000'000))
-      ->capture_default_str();
+  add_number(*show_command, "--mission", options->view.mission_index, CLI::Range(0, 1'000'000),
+             "Mission of top, first_person and depth");
   CLI::Option* width =
-      show_command
-          ->add_option("--width", options->view.width_px,
-                       "Width, pixels; where neither it nor the height is given, a plan (top) "
-                       "takes the map's shape")
-          ->check(CLI::Range(64, 8192))
-          ->capture_default_str();
-  CLI::Option* height =
-      show_command->add_option("--height", options->view.height_px, "Height, pixels")
-          ->check(CLI::Range(64, 8192))
-          ->capture_default_str();
-  show_command->add_option("--samples", options->view.samples, "Rays per side of each pixel")
-      ->check(CLI::Range(1, 8))
-      ->capture_default_str();
+      add_number(*show_command, "--width", options->view.width_px, CLI::Range(64, 8192),
+                 "Width, pixels; where neither it nor the height is given, a plan (top) "
+                 "takes the map's shape");
+  CLI::Option* height = add_number(*show_command, "--height", options->view.height_px,
+                                   CLI::Range(64, 8192), "Height, pixels");
+  add_number(*show_command, "--samples", options->view.samples, CLI::Range(1, 8),
+             "Rays per side of each pixel");
   show_command->callback([options, width, height] {
     options->has_size = width->count() + height->count() > 0;
     show(*options);
@@ -245,15 +227,11 @@ void add_maps_command(CLI::App& app) {
   CLI::App* info_command =
       command->add_subcommand("info", "Counts, bounds, memory, metrics and digest of a map");
   add_map_options(*info_command, *options);
-  info_command
-      ->add_option("--missions", options->missions, "Missions to measure; 0: no metrics at all")
-      ->check(CLI::Range(0, 100'000))
-      ->capture_default_str();
-  info_command
-      ->add_option("--point-cloud", options->point_cloud_m,
-                   "Traversability as the original computes it too, from a point cloud of this "
-                   "resolution, m (default: without)")
-      ->check(CLI::Range(0.02, 5.0));
+  add_number(*info_command, "--missions", options->missions, CLI::Range(0, 100'000),
+             "Missions to measure; 0: no metrics at all");
+  add_number(*info_command, "--point-cloud", options->point_cloud_m, CLI::Range(0.02, 5.0),
+             "Traversability as the original computes it too, from a point cloud of this "
+             "resolution, m (default: without)");
   add_output_options(*info_command, options->output);
   info_command->callback([options] { info(*options); });
   CLI::App* export_command = command->add_subcommand(
@@ -264,9 +242,8 @@ void add_maps_command(CLI::App& app) {
   add_choice(*export_command, "--as", options->export_as, {"mesh", "cloud", "occupancy"},
              "mesh (.glb, .obj, .ply, .stl), cloud (.ply: centres of the cells that surfaces "
              "touch) or occupancy (.npy with a .json beside it)");
-  export_command->add_option("--resolution", options->resolution_m, "Size of a cell, m")
-      ->check(CLI::Range(0.01, 10.0))
-      ->capture_default_str();
+  add_number(*export_command, "--resolution", options->resolution_m, CLI::Range(0.01, 10.0),
+             "Size of a cell, m");
   export_command->callback([options] { export_map(*options); });
   add_maps_list_command(*command);
   add_maps_find_command(*command);

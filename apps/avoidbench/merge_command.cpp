@@ -1,9 +1,7 @@
-#include <CLI/CLI.hpp>
-#include <filesystem>
 #include <iostream>
-#include <memory>
 
 #include "base/kept_files.hpp"
+#include "command_options.hpp"
 #include "commands.hpp"
 #include "metrics/metric_table.hpp"
 #include "store/merge.hpp"
@@ -64,22 +62,21 @@ void merge(const MergeCommand& command) {
 }  // namespace
 
 void add_merge_command(CLI::App& app) {
-  const auto options = std::make_shared<MergeCommand>();
-  CLI::App* command = app.add_subcommand("merge", "Put databases, of shards say, into one");
-  command->add_option("OUT", options->into, "Database to merge into; made if there is none")
+  const auto [command, options] =
+      add_command(app, "merge", "Put databases, of shards say, into one", merge);
+  command.add_option("OUT", options.into, "Database to merge into; made if there is none")
       ->required();
-  command->add_option("DB", options->from, "Databases to take from; they stay as they are")
+  command.add_option("DB", options.from, "Databases to take from; they stay as they are")
       ->required();
-  command->add_flag("--complete", options->must_be_complete,
-                    "Exit code 1 where trials of a sweep are missing");
-  command->footer(
+  command.add_flag("--complete", options.must_be_complete,
+                   "Exit code 1 where trials of a sweep are missing");
+  command.footer(
       "Rows that are there already stay: merging twice, or in another order, gives the same "
       "database. A trial that\n"
       "two files hold with different results is an error, and nothing of that file is merged.\n\n"
       "Example:\n"
       "  avoidbench run sweep.yaml --shard 1/3 --db a.db     # on three machines\n"
       "  avoidbench merge all.db a.db b.db c.db");
-  command->callback([options] { merge(*options); });
 }
 
 }  // namespace avoidbench

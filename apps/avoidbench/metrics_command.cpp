@@ -1,5 +1,3 @@
-#include <memory>
-
 #include "commands.hpp"
 #include "metrics/metric_table.hpp"
 #include "output.hpp"
@@ -70,16 +68,15 @@ void add_metrics_command(CLI::App& app) {
     std::string name;
     OutputOptions output;
   };
-  const auto options = std::make_shared<Options>();
-  CLI::App* command =
-      app.add_subcommand("metrics", "The metrics of trials and maps: units, formulas, sources");
-  command->add_option("name", options->name, "Only this metric (default: all)");
-  add_output_options(*command, options->output);
-  command->footer(
+  const auto [command, options] = add_command<Options>(
+      app, "metrics", "The metrics of trials and maps: units, formulas, sources",
+      [](const Options& asked) { print_metrics(asked.name, asked.output); });
+  command.add_option("name", options.name, "Only this metric (default: all)");
+  add_output_options(command, options.output);
+  command.footer(
       "Examples:\n"
       "  avoidbench metrics\n"
       "  avoidbench metrics --format markdown --output metrics.md");
-  command->callback([options] { print_metrics(options->name, options->output); });
 }
 
 }  // namespace avoidbench

@@ -55,7 +55,7 @@ void check_ending(const std::filesystem::path& file, std::string_view format) {
   if (wanted == std::end(kEndings) && enum_from_text<TableFormat>(known->second)) {
     message += ": --format " + std::string(known->second) + " writes what it says";
   }
-  throw InputError({.file = file.string(), .message = message});
+  refuse_file(file, message);
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ void check_output(const std::string& file, std::string_view format) {
   const std::filesystem::path path = file;
   check_ending(path, format);
   const auto fail = [&](const std::string& reason) {
-    throw InputError({.file = file, .message = "can't be written: " + reason});
+    refuse_file(file, "can't be written: " + reason);
   };
   std::error_code error;
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
@@ -97,7 +97,7 @@ std::ostream& Output::stream() { return path_ == "-" ? data_output() : file_; }
 void Output::check() {
   if (stream()) return;
   if (path_ == "-") throw InputError("standard output can't be written");
-  throw InputError({.file = path_, .message = "can't be written"});
+  refuse_file(path_, "can't be written");
 }
 
 void write_text(const std::string& text, const std::string& output) {
@@ -121,7 +121,7 @@ std::filesystem::path made_folder(const std::string& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (!std::filesystem::is_directory(folder, error)) {
-    throw InputError({.file = folder, .message = "is no folder and can't be made one"});
+    refuse_file(folder, "is no folder and can't be made one");
   }
   return folder;
 }

@@ -1,9 +1,7 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
-#include "page/flight_page.hpp"
 #include "page/page.hpp"
 
 namespace avoidbench {
@@ -17,17 +15,5 @@ PageOrigin page_origin();
 
 /// Writes the page and says so on stderr.
 void write_page(const nlohmann::ordered_json& data, const std::string& file);
-
-/// The page of one flight that was flown again. Opens the database by itself: a child of a process
-/// must not read by its parent's handle.
-void write_flight_page(const std::filesystem::path& database, const StoredTrial& stored,
-                       const World& world, const TrialRecord& flown, const SeenRecorder& seen,
-                       const TrialListing& listing, const std::string& file);
-
-/// Megabytes as an option says them, or what is usual for so many trials.
-std::size_t page_bytes(double limit_mb, std::size_t trial_count);
-
-/// The runs that flew a sweep, each once, the first one first.
-std::vector<RunRow> runs_of(const Database& database, const SweepInfo& sweep);
 
 }  // namespace avoidbench

@@ -1,6 +1,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <span>
 #include <utility>
 
 #include "base/data_folder.hpp"
@@ -16,9 +17,26 @@
 namespace avoidbench {
 namespace {
 
-using Names = std::vector<std::pair<std::uint32_t, const char*>>;
+using Name = std::pair<std::uint32_t, const char*>;
 
-std::string bit_names(std::uint32_t bits, const Names& names) {
+constexpr Name kSeen[] = {{AB_SEES_STATE, "state"},
+                          {AB_SEES_DEPTH, "depth"},
+                          {AB_SEES_STEREO, "stereo"},
+                          {AB_SEES_COLOR, "color"},
+                          {AB_SEES_IMU, "imu"},
+                          {AB_SEES_STATES, "states"},
+                          {AB_SEES_WORLD, "world (privileged)"}};
+constexpr Name kUsed[] = {{AB_USES_PROCESSES, "processes"},
+                          {AB_USES_DEVICES, "devices"},
+                          {AB_USES_NETWORK, "network"},
+                          {AB_USES_GLOBALS, "globals"}};
+constexpr Name kCommands[] = {{AB_COMMAND_POSITION, "position"},
+                              {AB_COMMAND_VELOCITY, "velocity"},
+                              {AB_COMMAND_ACCELERATION, "acceleration"},
+                              {AB_COMMAND_TRAJECTORY, "trajectory"},
+                              {AB_COMMAND_RATES, "rates"}};
+
+std::string bit_names(std::uint32_t bits, std::span<const Name> names) {
   std::vector<std::string> all;
   for (const auto& [bit, name] : names) {
     if ((bits & bit) != 0) all.emplace_back(name);
@@ -26,38 +44,14 @@ std::string bit_names(std::uint32_t bits, const Names& names) {
   return joined(all);
 }
 
-std::string sees(const PlannerDescription& planner) {
-  return bit_names(planner.needs, {{AB_SEES_STATE, "state"},
-                                   {AB_SEES_DEPTH, "depth"},
-                                   {AB_SEES_STEREO, "stereo"},
-                                   {AB_SEES_COLOR, "color"},
-                                   {AB_SEES_IMU, "imu"},
-                                   {AB_SEES_STATES, "states"},
-                                   {AB_SEES_WORLD, "world (privileged)"}});
-}
-
-std::string uses(const PlannerDescription& planner) {
-  return bit_names(planner.needs, {{AB_USES_PROCESSES, "processes"},
-                                   {AB_USES_DEVICES, "devices"},
-                                   {AB_USES_NETWORK, "network"},
-                                   {AB_USES_GLOBALS, "globals"}});
-}
-
-std::string commands(const PlannerDescription& planner) {
-  return bit_names(planner.commands, {{AB_COMMAND_POSITION, "position"},
-                                      {AB_COMMAND_VELOCITY, "velocity"},
-                                      {AB_COMMAND_ACCELERATION, "acceleration"},
-                                      {AB_COMMAND_TRAJECTORY, "trajectory"},
-                                      {AB_COMMAND_RATES, "rates"}});
-}
-
 void list(const OutputOptions& options) {
   std::vector<std::string> problems;
   std::string depends_on;
   Table table = make_list({"name", "version", "sees", "commands", "parameters", "summary"});
   for (const PlannerDescription& planner : list_planners(problems)) {
-    table.rows.push_back(make_row(planner.name, planner.version, sees(planner), commands(planner),
-                                  planner.parameters.size(), planner.summary));
+    table.rows.push_back(make_row(planner.name, planner.version, bit_names(planner.needs, kSeen),
+                                  bit_names(planner.commands, kCommands), planner.parameters.size(),
+                                  planner.summary));
     for (std::size_t i = 1; i < planner.files.size(); ++i) {
       depends_on += planner.name + " depends on " + planner.files[i].name + " (SHA-256 " +
                     planner.files[i].digest.substr(0, 12) + ")\n";
@@ -79,12 +73,8 @@ std::string values_of(const ParameterDef& def) {
          (def.kind == AB_INTEGER ? " whole" : "");
 }
 
-PlannerDescription load(const std::string& plugin) {
-  return describe_planner(find_planner(plugin, "."));
-}
-
 void describe(const std::string& plugin, const OutputOptions& options) {
-  const PlannerDescription planner = load(plugin);
+  const PlannerDescription planner = describe_planner(find_planner(plugin, "."));
   Table table = make_list({"parameter", "unit", "values", "default", "doc"});
   for (const ParameterDef& def : planner.parameters) {
     const bool is_text = def.kind == AB_TEXT || def.kind == AB_CHOICE;
@@ -93,9 +83,10 @@ void describe(const std::string& plugin, const OutputOptions& options) {
   }
   if (!options.is_for_people()) return write_table(table, options);
   std::string text = planner.name + " " + planner.version + ": " + planner.summary + "\n";
-  text += "  sees      " + sees(planner) + "\n";
-  if (!uses(planner).empty()) text += "  uses      " + uses(planner) + " (beyond the sandbox)\n";
-  text += "  commands  " + commands(planner) + "\n";
+  text += "  sees      " + bit_names(planner.needs, kSeen) + "\n";
+  const std::string used = bit_names(planner.needs, kUsed);
+  if (!used.empty()) text += "  uses      " + used + " (beyond the sandbox)\n";
+  text += "  commands  " + bit_names(planner.commands, kCommands) + "\n";
   for (const ProfileDef& profile : planner.profiles) {
     text += "  defaults  with " + profile.choice + ": " + profile.word + ":";
     std::string separator = " ";
@@ -183,8 +174,7 @@ void add_planners_command(CLI::App& app) {
       "Planners are looked up in AVOIDBENCH_PLANNER_PATH (folders separated by colons), the build "
       "tree's planners/\n"
       "and the install's plugin folder; a name with a slash is a file. Each is loaded by a process "
-      "of "
-      "its own, which\n"
+      "of its own, which\n"
       "has 10 s to answer, or AVOIDBENCH_LOAD_LIMIT_S.\n\n"
       "Examples:\n"
       "  avoidbench planners list\n"

@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <filesystem>
 #include <iomanip>
 #include <iostream>
-#include <memory>
 #include <optional>
 #include <sstream>
 
@@ -14,22 +12,18 @@
 #include "commands.hpp"
 #include "database_choice.hpp"
 #include "export/export_flight.hpp"
-#include "export/trial_list.hpp"
-#include "film_output.hpp"
 #include "output.hpp"
+#include "page/flight_page.hpp"
 #include "page_output.hpp"
 #include "process/isolated_run.hpp"
 #include "process/print_capture.hpp"
-#include "process/sandbox.hpp"
 #include "program_planner/program_prints.hpp"
 #include "replay/apart.hpp"
 #include "replay/replay.hpp"
 #include "replay/sample.hpp"
-#include "replay_lines.hpp"
-#include "sweep/allowance.hpp"
 #include "text/number_text.hpp"
 #include "text/visible_text.hpp"
-#include "view/replay_sheet.hpp"
+#include "view_output.hpp"
 #include "worker/worker_death.hpp"
 #include "worker/worker_process.hpp"
 
@@ -45,10 +39,10 @@ struct ReplayOptions {
   bool is_list = false, is_verify = false;
   std::string sample = "100%";
   OutputOptions output;
-  FileChoice files;
+  ReplayFiles files;
   std::string png, csv, commands, page, video;
   std::vector<double> at_s;
-  double every_s = 0.0;
+  std::optional<double> every_s;
   std::size_t log_lines = 30;
   double plan_timeout_s = 10.0;
 };
@@ -57,6 +51,15 @@ struct ReplayOptions {
 struct LogLine {
   double time_s;  ///< NaN: before or after the calls
   std::string text;
+};
+
+/// A trial that is to be flown again.
+struct Task {
+  const Database& database;
+  const TrialListing& listing;
+  const StoredTrial& stored;
+  const ReplayFiles& files;
+  const ReplayOptions& options;
 };
 
 /// All that is known of a flight that was flown again.
@@ -68,14 +71,45 @@ struct Flown {
   std::optional<SeenRecorder> seen;  ///< for a page
 };
 
+std::string outcome_line(const TrialRecord& record) {
+  std::string line = std::string(text(record.outcome));
+  if (!std::isnan(record.end_time_s)) line += " at " + fixed_digits(record.end_time_s, 3) + " s";
+  return record.reason.empty() ? line : line + ": " + visible_line(record.reason);
+}
+
+std::string calls_line(const std::vector<CommandLine>& calls) {
+  std::size_t commands = 0, no_plans = 0;
+  double sum_s = 0.0, most_s = 0.0;
+  for (const CommandLine& call : calls) {
+    commands += call.status == PlanStatus::command ? 1 : 0;
+    no_plans += call.status == PlanStatus::no_plan ? 1 : 0;
+    sum_s += call.cpu_time_s;
+    most_s = std::max(most_s, call.cpu_time_s);
+  }
+  if (calls.empty()) return "none";
+  const double mean_s = sum_s / static_cast<double>(calls.size());
+  return std::to_string(calls.size()) + ", of them " + std::to_string(commands) + " commands and " +
+         std::to_string(no_plans) + " without a plan; CPU " + fixed_digits(1000.0 * mean_s, 2) +
+         " ms, most " + fixed_digits(1000.0 * most_s, 2) + " ms";
+}
+
+/// "(1.00, -2.50, 2.00) m, 1.20 m/s, 0.35 m from the nearest surface, at 3.200 s"
+std::string place_line(const Sample& sample) {
+  const Eigen::Vector3d& place = sample.position_world;
+  return "(" + fixed_digits(place.x(), 2) + ", " + fixed_digits(place.y(), 2) + ", " +
+         fixed_digits(place.z(), 2) + ") m, " + fixed_digits(sample.velocity_world.norm(), 2) +
+         " m/s, " + fixed_digits(sample.clearance_m, 2) + " m from the nearest surface, at " +
+         fixed_digits(sample.time_s, 3) + " s";
+}
+
 /// Flies it, or, where `most_calls` is given, up to the call of the planner after so many.
-Flown fly(const Replay& replay, const StoredTrial& stored, const ReplayOptions& options,
-          std::optional<std::size_t> most_calls = {}) {
+Flown fly(const Replay& replay, const Task& task, std::optional<std::size_t> most_calls = {}) {
+  const ReplayOptions& options = task.options;
   Flown flown;
   const bool is_film = !options.video.empty(), has_moments = is_film || !options.png.empty();
-  MomentRecorder recorder(options.at_s, is_film ? 1.0 / kFilmMoments_hz : options.every_s,
-                          stored.spec);
-  if (!options.page.empty()) flown.seen.emplace(stored.spec);
+  const double every_s = is_film ? 1.0 / kFilmMoments_hz : options.every_s.value_or(0.0);
+  MomentRecorder recorder(options.at_s, every_s, task.stored.spec);
+  if (!options.page.empty()) flown.seen.emplace(task.stored.spec);
   TrialObserver observer;
   observer.planned = [&](const PlanStep& step) {
     for (const std::string& line : step.log) flown.log.push_back({step.time_s, line});
@@ -136,42 +170,22 @@ bool print_comparison(const StoredTrial& stored, bool must_be_equal, const Trial
   return !must_be_equal;
 }
 
-/// FILE, or FILE with a number before its extension.
-std::filesystem::path picture_file(const std::string& png, std::size_t index, std::size_t count) {
-  if (count == 1) return png;
-  const std::filesystem::path path = png;
-  std::string number = std::to_string(index);
-  number.insert(0, number.size() < 4 ? 4 - number.size() : 0, '0');
-  return path.parent_path() / (path.stem().string() + "_" + number +
-                               (path.has_extension() ? path.extension().string() : ".png"));
-}
-
-void write_pictures(const Flown& flown, const StoredTrial& stored, const Replay& replay,
-                    const std::string& title, const std::string& png) {
-  if (flown.record.samples.empty()) {
-    std::cerr << "nothing was flown: no picture\n";
-    return;
-  }
-  ReplaySheets sheets(stored, replay.world(), flown.record, title);
-  for (std::size_t i = 0; i < flown.moments.size(); ++i) {
-    const std::filesystem::path file = picture_file(png, i, flown.moments.size());
-    write_png(sheets.sheet(flown.moments[i]), file);
-    std::cerr << "wrote " << file.string() << " (t = " << fixed_digits(flown.moments[i].time_s, 3)
-              << " s)" << '\n';
-  }
-}
-
 /// The files that show what was seen: pictures, a video, a page.
-void write_views(const Flown& flown, const StoredTrial& stored, const Replay& replay,
-                 const TrialListing& listing, const std::string& title,
-                 const std::filesystem::path& database, const ReplayOptions& options) {
-  if (!options.png.empty()) write_pictures(flown, stored, replay, title, options.png);
+void write_views(const Flown& flown, const Replay& replay, const Task& task) {
+  const auto& [database, listing, stored, files, options] = task;
+  const World& world = replay.world();
+  if (!options.png.empty()) {
+    write_sheets(stored, world, flown.record, flown.moments, title_line(listing), options.png);
+  }
   if (!options.video.empty()) {
-    write_film(stored, replay.world(), flown.record, flown.moments, options.video);
+    write_film(stored, world, flown.record, flown.moments, options.video);
   }
   if (flown.seen) {
-    write_flight_page(database, stored, replay.world(), flown.record, *flown.seen, listing,
-                      options.page);
+    // A child of a process must not read by its parent's handle.
+    const Database own = Database::open_for_reading(database.path());
+    write_page(flight_page(own, stored, world, flown.record, *flown.seen, listing,
+                           trial_text(listing), page_origin()),
+               options.page);
   }
 }
 
@@ -179,7 +193,6 @@ void write_views(const Flown& flown, const StoredTrial& stored, const Replay& re
 bool is_of_worker(Outcome outcome) {
   return outcome == Outcome::planner_crashed || outcome == Outcome::planner_hung;
 }
-bool ended_worker(const TrialListing& trial) { return is_of_worker(trial.outcome); }
 
 /// Not where a machine's time decided at which call the flight ended.
 bool is_repeatable(const TrialRecord& record) {
@@ -257,7 +270,7 @@ void verify_trials(const Database& database, const std::vector<TrialListing>& tr
   std::int64_t flown = 0, different = 0, passed_over = 0, with_copy = 0;
   for (const TrialListing& trial : trials) {
     if (!is_sampled(trial.key, share)) continue;
-    if (ended_worker(trial)) {
+    if (is_of_worker(trial.outcome)) {
       ++passed_over;
       continue;
     }
@@ -291,40 +304,24 @@ void check_outputs(const ReplayOptions& options, const TrialListing& trial) {
   }
 }
 
-std::string title_of(const TrialListing& listing) {
-  return "trial " + std::to_string(listing.id) + " (" + listing.key.substr(0, 8) +
-         "): " + trial_text(listing);
-}
-
-ApartOptions apart_options(const Database& database, const std::string& key,
-                           const ReplayOptions& options) {
-  const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
-  // As it was flown: a planner that was let out of the sandbox may do something else within it.
-  const bool had_sandbox = !database.sandbox_of(key).starts_with("none");
-  return {.worker_command = {program, "worker", "--plan-timeout", shortest(options.plan_timeout_s),
-                             "--memory-limit", shortest(0.9 * allowed_memory_mib())},
-          .sandbox = had_sandbox ? text(sandbox_support()) : "",
-          .silence_s = options.plan_timeout_s + 20.0};
-}
-
-/// What a child does with a flight whose planner does not come back from its call after
-/// `call_count`: it flies up to there, writes the files that are wanted and tells its lines, those
-/// for stderr with a mark.
+/// What a child does with a flight whose planner does not come back from its last call of
+/// `apart`'s: it flies up to there, writes the files that are wanted and tells its lines, those for
+/// stderr with a mark.
 constexpr char kToStderr = '!';
-std::string look_up_to(std::size_t call_count, const TrialRecord& apart, const StoredTrial& stored,
-                       const ReplayFiles& files, const TrialListing& listing,
-                       const ReplayOptions& options) {
-  const Replay replay(stored, files);
-  Flown flown = fly(replay, stored, options, call_count);
+std::string look_up_to(const TrialRecord& apart, const Task& task) {
+  const Replay replay(task.stored, task.files);
+  Flown flown = fly(replay, task, apart.plan_calls.size());
   flown.record.outcome = apart.outcome;
   flown.record.reason = apart.reason;
   std::ostringstream out, errors;  // from here on only: what the planner prints is shown already
   std::streambuf* const cout_before = std::cout.rdbuf(out.rdbuf());
   std::streambuf* const cerr_before = std::cerr.rdbuf(errors.rdbuf());
   try {
-    print_log(flown.log, options.log_lines);
-    if (!options.commands.empty()) write_text(commands_csv(flown.calls), options.commands);
-    write_views(flown, stored, replay, listing, title_of(listing), files.database, options);
+    print_log(flown.log, task.options.log_lines);
+    if (!task.options.commands.empty()) {
+      write_text(commands_csv(flown.calls), task.options.commands);
+    }
+    write_views(flown, replay, task);
   } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';
   }
@@ -337,20 +334,13 @@ std::string look_up_to(std::size_t call_count, const TrialRecord& apart, const S
 }
 
 /// Runs look_up_to() in a child, since the planner may end a process earlier this time.
-void look_apart(const TrialRecord& apart, const StoredTrial& stored, const ReplayFiles& files,
-                const TrialListing& listing, const ReplayOptions& options, double most_s) {
-  const IsolatedEnd end = run_isolated(
-      [&](IsolatedOutput& output) {
-        output.write(look_up_to(apart.plan_calls.size(), apart, stored, files, listing, options));
-      },
-      most_s);
+void look_apart(const TrialRecord& apart, const Task& task, double most_s) {
+  const IsolatedEnd end =
+      run_isolated([&](IsolatedOutput& output) { output.write(look_up_to(apart, task)); }, most_s);
   std::istringstream lines(end.output);
   for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with(kToStderr)) {
-      std::cerr << line.substr(1) << '\n';
-    } else {
-      std::cout << line << '\n';
-    }
+    const bool is_error = line.starts_with(kToStderr);
+    (is_error ? std::cerr : std::cout) << line.substr(is_error ? 1 : 0) << '\n';
   }
   if (!end.problem.empty()) {
     std::cerr << "warning: flown once more for its log and pictures, it " << end.problem
@@ -359,12 +349,13 @@ void look_apart(const TrialRecord& apart, const StoredTrial& stored, const Repla
 }
 
 /// A trial whose planner crashed or hung, flown in a process of its own, with the time limit.
-void replay_apart(const Database& database, const StoredTrial& stored, const TrialListing& listing,
-                  const ReplayFiles& files, const ReplayOptions& options) {
-  const std::string title = title_of(listing);
-  std::cout << title << "\nstored    " << outcome_line(stored.row.record) << "\n" << std::flush;
+void replay_apart(const Task& task) {
+  const auto& [database, listing, stored, files, options] = task;
+  std::cout << title_line(listing) << "\nstored    " << outcome_line(stored.row.record) << "\n"
+            << std::flush;
   const auto began = std::chrono::steady_clock::now();
-  const ApartFlight flown = fly_apart(stored, files, apart_options(database, listing.key, options));
+  const ApartFlight flown =
+      fly_apart(stored, files, apart_options(database, {listing.key}, options.plan_timeout_s, 1));
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
   for (const std::string& warning : flown.warnings) std::cerr << "warning: " << warning << '\n';
   const TrialRecord& record = flown.record;
@@ -389,7 +380,7 @@ void replay_apart(const Database& database, const StoredTrial& stored, const Tri
   if (!options.csv.empty()) write_text(trajectory_csv(record.samples), options.csv);
   // Its way there takes no longer than that; pictures take some time, too.
   const double most_s = 60.0 + 3.0 * took.count();
-  if (flown.has_begun) look_apart(record, stored, files, listing, options, most_s);
+  if (flown.has_begun) look_apart(record, task, most_s);
   std::cout << std::flush;
   if (!is_explained) throw CLI::RuntimeError(kExitDiffers);
 }
@@ -398,9 +389,7 @@ void replay(const ReplayOptions& options) {
   const Database database = Database::open_for_reading(database_of(options.database));
   const std::vector<std::string> fields = listed_fields(database, options.order);
   std::vector<TrialListing> all = database.list_trials(fields);
-  if (all.empty()) {
-    throw InputError({.file = database.path().string(), .message = "holds no finished trial"});
-  }
+  if (all.empty()) refuse_file(database.path(), "holds no finished trial");
   if (!options.order.field.empty() || options.order.limit) {
     all = in_order(chosen_trials(all, options.choice), options.order, fields, database.metrics());
   }
@@ -409,12 +398,7 @@ void replay(const ReplayOptions& options) {
         trial_table(chosen_trials(all, options.choice), fields, options.output.is_for_people()),
         options.output);
   }
-  const std::filesystem::path given = options.database;
-  const ReplayFiles files{.planner = options.files.planner,
-                          .map = options.files.map,
-                          .wind = options.files.wind,
-                          .folders = {".", given.parent_path(), database.path().parent_path()},
-                          .database = database.path()};
+  const ReplayFiles files = files_beside(options.database, database, options.files);
   if (options.is_verify) {
     const double share = share_from(options.sample);
     enter_worker_environment();
@@ -424,22 +408,23 @@ void replay(const ReplayOptions& options) {
   enter_worker_environment();  // which may begin the program again
   check_outputs(options, listing);
   const StoredTrial stored = possible_trial(database, listing.key);
-  if (ended_worker(listing)) return replay_apart(database, stored, listing, files, options);
+  const Task task{database, listing, stored, files, options};
+  if (is_of_worker(listing.outcome)) return replay_apart(task);
   const PrintCapture prints;
   std::optional<PrintsCaptured> captured(prints);
   pass_prints_on(STDOUT_FILENO);  // planners that are programs are captured there as libraries are
   const Replay replay(stored, files);
   captured.reset();
   for (const std::string& warning : replay.warnings()) std::cerr << "warning: " << warning << '\n';
-  const std::string title = title_of(listing);
   if (!replay.kept_planner_file().empty()) {
     std::cerr << "the planner's file is gone or another one now: flown with the copy that the run "
                  "kept, "
               << replay.kept_planner_file().string() << '\n';
   }
-  std::cout << title << "\nstored    " << outcome_line(stored.row.record) << "\n" << std::flush;
+  std::cout << title_line(listing) << "\nstored    " << outcome_line(stored.row.record) << "\n"
+            << std::flush;
   captured.emplace(prints);
-  const Flown flown = fly(replay, stored, options);
+  const Flown flown = fly(replay, task);
   captured.reset();
   std::cout << "now       " << outcome_line(flown.record) << "\ncalls     "
             << calls_line(flown.calls) << "\n";
@@ -449,7 +434,7 @@ void replay(const ReplayOptions& options) {
   std::cout << std::flush;
   if (!options.csv.empty()) write_text(trajectory_csv(flown.record.samples), options.csv);
   if (!options.commands.empty()) write_text(commands_csv(flown.calls), options.commands);
-  write_views(flown, stored, replay, listing, title, database.path(), options);
+  write_views(flown, replay, task);
   if (!is_explained) throw CLI::RuntimeError(kExitDiffers);
 }
 
@@ -467,39 +452,34 @@ void add_choice_options(CLI::App& command, TrialChoice& choice) {
 }
 
 void add_view_options(CLI::App& command, ReplayOptions& options) {
-  CLI::Option* png =
-      command.add_option("--png", options.png, "Picture to write; of several, numbered ones")
-          ->type_name("FILE");
+  CLI::Option* png = add_typed(command, "--png", options.png, "FILE",
+                               "Picture to write; of several, numbered ones");
   command
       .add_option("--at", options.at_s,
                   "Moment to show, s; repeatable (default: the end of the flight)")
       ->check(CLI::NonNegativeNumber)
       ->needs(png)
       ->allow_extra_args(false);
-  command.add_option("--every", options.every_s, "Show a moment each so many seconds, too")
-      ->check(CLI::PositiveNumber)
+  add_number(command, "--every", options.every_s, CLI::PositiveNumber,
+             "Show a moment each so many seconds, too")
       ->needs(png);
-  command
-      .add_option("--video", options.video,
-                  "Film to write, .mp4, .webm or .gif: from behind, what the planner saw, from "
-                  "above; needs the program ffmpeg")
-      ->type_name("FILE")
+  add_typed(command, "--video", options.video, "FILE",
+            "Film to write, .mp4, .webm or .gif: from behind, what the planner saw, from "
+            "above; needs the program ffmpeg")
       ->excludes(png);
-  command
-      .add_option("--page", options.page,
-                  "Page to write: one HTML file with the flight in 3-D, what the planner saw, "
-                  "drew and commanded (docs/page.md)")
-      ->type_name("FILE");
+  add_typed(command, "--page", options.page, "FILE",
+            "Page to write: one HTML file with the flight in 3-D, what the planner saw, "
+            "drew and commanded (docs/page.md)");
 }
 
 }  // namespace
 
 void add_replay_command(CLI::App& app) {
-  const auto options = std::make_shared<ReplayOptions>();
-  CLI::App* command = app.add_subcommand(
-      "replay",
-      "Fly stored trials again: one to see it (pictures, path, commands, log), or many to compare");
-  command->footer(
+  const auto [command, options] = add_command(
+      app, "replay",
+      "Fly stored trials again: one to see it (pictures, path, commands, log), or many to compare",
+      replay);
+  command.footer(
       "The planner may draw what it thinks (avoidbench::Canvas of planner.hpp): pictures show it. "
       "Exit code 1 where\nthe flight differs from the stored one though planner and program are "
       "the same.\n\n"
@@ -514,43 +494,33 @@ void add_replay_command(CLI::App& app) {
       "  avoidbench replay quick 12 --page flight.html --video flight.mp4\n"
       "  avoidbench replay quick --verify --sample 10%");
   command
-      ->add_option("DB", options->database,
-                   "Database, or a sweep's file or name for results/NAME.db")
+      .add_option("DB", options.database, "Database, or a sweep's file or name for results/NAME.db")
       ->required();
-  add_choice_options(*command, options->choice);
-  add_order_options(*command, options->order);
-  CLI::Option* list = command->add_flag(
-      "--list", options->is_list,
+  add_choice_options(command, options.choice);
+  add_order_options(command, options.order);
+  CLI::Option* list = command.add_flag(
+      "--list", options.is_list,
       "List these trials and fly none; as csv or json with keys, starts and goals");
   CLI::Option* verify =
       command
-          ->add_flag(
-              "--verify", options->is_verify,
-              "Fly all of these trials again and compare them bit for bit; exit code 1 where "
-              "one differs")
+          .add_flag("--verify", options.is_verify,
+                    "Fly all of these trials again and compare them bit for bit; exit code 1 where "
+                    "one differs")
           ->excludes(list);
   command
-      ->add_option("--sample", options->sample,
-                   "Share of them to verify, such as 10%, chosen by their keys")
-      ->capture_default_str()
+      .add_option("--sample", options.sample,
+                  "Share of them to verify, such as 10%, chosen by their keys")
       ->needs(verify);
-  add_view_options(*command, *options);
-  command->add_option("--csv", options->csv, "Path to write as CSV")->type_name("FILE");
-  command->add_option("--commands", options->commands, "The planner's calls to write as CSV")
-      ->type_name("FILE");
-  command
-      ->add_option("--log", options->log_lines,
-                   "Most lines of the planner's log, and of what it printed; 0: all")
-      ->capture_default_str();
-  command
-      ->add_option("--plan-timeout", options->plan_timeout_s,
-                   "Wall time after which a call of the planner counts as hung, s; of a trial that "
-                   "crashed or hung, which is flown in a process of its own")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  add_file_options(*command, options->files);
-  add_output_options(*command, options->output);
-  command->callback([options] { replay(*options); });
+  add_view_options(command, options);
+  add_typed(command, "--csv", options.csv, "FILE", "Path to write as CSV");
+  add_typed(command, "--commands", options.commands, "FILE", "The planner's calls to write as CSV");
+  command.add_option("--log", options.log_lines,
+                     "Most lines of the planner's log, and of what it printed; 0: all");
+  add_number(command, "--plan-timeout", options.plan_timeout_s, CLI::PositiveNumber,
+             "Wall time after which a call of the planner counts as hung, s; of a trial that "
+             "crashed or hung, which is flown in a process of its own");
+  add_file_options(command, options.files);
+  add_output_options(command, options.output);
 }
 
 }  // namespace avoidbench

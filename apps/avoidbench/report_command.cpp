@@ -1,18 +1,22 @@
 #include <algorithm>
 #include <iostream>
 #include <map>
-#include <memory>
 
+#include "base/data_folder.hpp"
 #include "commands.hpp"
 #include "custom_metrics/metric_file.hpp"
 #include "database_choice.hpp"
 #include "output.hpp"
+#include "page/flight_choice.hpp"
+#include "page/page.hpp"
 #include "page_output.hpp"
-#include "plots.hpp"
+#include "page_program.hpp"
+#include "process/program.hpp"
 #include "report/selection.hpp"
 #include "report/summary.hpp"
 #include "report/sweep_tables.hpp"
 #include "store/trial_fields.hpp"
+#include "store/trial_table.hpp"
 
 namespace avoidbench {
 namespace {
@@ -22,7 +26,7 @@ struct ReportOptions {
   OutputOptions output;
   std::string sweep;
   std::string plots, page;
-  double page_mb = 0.0;
+  std::optional<double> page_mb;
   std::vector<std::string> metrics, metric_files, group_by, where, tables;
   bool is_all = false;
 };
@@ -45,14 +49,6 @@ ReportQuery query_of(const ReportOptions& options) {
   return query;
 }
 
-/// The metrics of one's own files, of every trial of each database.
-std::vector<ComputedMetrics> computed_metrics(const std::vector<std::string>& files,
-                                              const Database& database) {
-  std::vector<ComputedMetrics> computed;
-  for (const std::string& file : files) computed.push_back(computed_by(file, database));
-  return computed;
-}
-
 /// Without a choice the usual metrics and all of one's own.
 std::vector<std::string> metrics_with(const std::vector<ComputedMetrics>& own,
                                       const SweepResult& result) {
@@ -61,6 +57,21 @@ std::vector<std::string> metrics_with(const std::vector<ComputedMetrics>& own,
     for (const MetricRow& metric : computed.metrics) names.push_back(metric.name);
   }
   return names;
+}
+
+/// The runs that flew a sweep, each once, the first one first.
+std::vector<RunRow> runs_of(const Database& database, const SweepInfo& sweep) {
+  std::vector<RunRow> runs;
+  for (const MapFlights& map : read_map_flights(database, sweep)) {
+    const bool is_there = std::any_of(runs.begin(), runs.end(), [&](const RunRow& run) {
+      return run.started_at == map.first_run.started_at &&
+             run.command_line == map.first_run.command_line;
+    });
+    if (!is_there) runs.push_back(map.first_run);
+  }
+  std::sort(runs.begin(), runs.end(),
+            [](const RunRow& a, const RunRow& b) { return a.started_at < b.started_at; });
+  return runs;
 }
 
 /// What a page needs of the databases beside the sweeps themselves; empty without a page.
@@ -89,6 +100,15 @@ std::vector<std::string> fields_of(const ReportQuery& query, const Database& dat
   return fields;
 }
 
+/// Megabytes as an option says them, or what is usual for so many trials.
+std::size_t page_bytes(std::optional<double> limit_mb, std::size_t trial_count) {
+  const PageProgram program = page_program();
+  const std::size_t own = program.head.size() + program.body.size() + program.tail.size();
+  const std::size_t wanted =
+      limit_mb ? static_cast<std::size_t>(1e6 * *limit_mb) : usual_page_bytes(trial_count);
+  return wanted > own ? wanted - own : 0;
+}
+
 /// The page with all tables, whatever of them is printed.
 void write_sweeps_page(const ReportOptions& options, std::vector<SweepResult> results,
                        std::span<const SweepSummary> summaries, std::span<const Database> databases,
@@ -112,24 +132,42 @@ void write_sweeps_page(const ReportOptions& options, std::vector<SweepResult> re
   }
   std::vector<PageDatabase> places;
   for (const Database& database : databases) {
-    places.push_back({.database = &database,
-                      .files = {.planner = {},
-                                .map = {},
-                                .wind = {},
-                                .folders = {".", database.path().parent_path()},
-                                .database = database.path()}});
+    places.push_back(
+        {.database = &database,
+         .files = {.folders = {".", database.path().parent_path()}, .database = database.path()}});
   }
   write_page(sweeps_page(sweeps, places, page_origin(), page_bytes(options.page_mb, trial_count)),
              options.page);
 }
 
-void report(ReportOptions options) {
+/// Draws the figures of papers (scripts/plot/paper_figures.py) from these databases into
+/// `folder`/SWEEP/, as PDF and PNG; `sweep` as `avoidbench report --sweep`. Runs the first of
+/// $AVOIDBENCH_PYTHON, python3 on the PATH and /usr/bin/python3 that has matplotlib and pandas.
+/// Throws InputError where there is none (with what to install), or where the script fails.
+void draw_plots(const std::vector<std::string>& databases, const std::string& sweep,
+                const std::filesystem::path& folder) {
+  std::vector<std::string> command = {python_with({"matplotlib", "pandas"}, "figures need"),
+                                      (data_folder() / "scripts/plot/paper_figures.py").string(),
+                                      "--program",
+                                      program_file().string(),
+                                      "--output",
+                                      folder.string()};
+  if (!sweep.empty()) command.insert(command.end(), {"--sweep", sweep});
+  command.emplace_back("--");
+  command.insert(command.end(), databases.begin(), databases.end());
+  if (run_program(command, Standard::shown).code != 0) {
+    throw InputError("figures could not be drawn: see above");
+  }
+}
+
+void report(const ReportOptions& options) {
   ReportQuery query = query_of(options);
   check_output(options.output.output, text(options.output.format));
   if (!options.page.empty()) check_page(options.page);
-  if (options.files.empty()) options.files.push_back(newest_database("report").string());
+  std::vector<std::string> files = options.files;
+  if (files.empty()) files.push_back(newest_database("report").string());
   std::map<std::pair<std::string, std::string>, std::vector<SweepResult>> parts_of;  // name, spec
-  const std::vector<Database> databases = opened(options.files, "report");
+  const std::vector<Database> databases = opened(files, "report");
   PageParts page_parts;
   PageParts* const page = options.page.empty() ? nullptr : &page_parts;
   std::vector<std::string> unflown;
@@ -137,7 +175,10 @@ void report(ReportOptions options) {
   for (const std::string& line : unflown) std::cerr << line << '\n';
   for (std::size_t i = 0; i < databases.size(); ++i) {
     if (sweeps[i].empty()) continue;
-    const std::vector<ComputedMetrics> own = computed_metrics(options.metric_files, databases[i]);
+    std::vector<ComputedMetrics> own;
+    for (const std::string& metric : options.metric_files) {
+      own.push_back(computed_by(metric, databases[i]));
+    }
     for (const SweepInfo& sweep : sweeps[i]) {
       const std::vector<std::string> fields = fields_of(query, databases[i], sweep, page);
       SweepResult part = databases[i].read_sweep(sweep.name, sweep.revision, fields);
@@ -173,77 +214,67 @@ void report(ReportOptions options) {
   if (page != nullptr) {
     write_sweeps_page(options, std::move(results), summaries, databases, page_parts);
   }
-  if (!options.plots.empty()) draw_plots(options.files, options.sweep, options.plots);
+  if (!options.plots.empty()) draw_plots(files, options.sweep, options.plots);
 }
 
 }  // namespace
 
 void add_report_command(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("report",
-                                         "Tables of results: success rates with intervals, means, "
-                                         "outcomes, contrast factors, response "
-                                         "to difficulty");
-  const auto options = std::make_shared<ReportOptions>();
-  command->add_option(
-      "DB", options->files,
+  const auto [command, options] =
+      add_command(app, "report",
+                  "Tables of results: success rates with intervals, means, outcomes, contrast "
+                  "factors, response to difficulty",
+                  report);
+  command.add_option(
+      "DB", options.files,
       "Databases; parts of one sweep are taken together (default: the newest results/*.db)");
-  add_output_options(*command, options->output);
-  add_sweep_choice(*command, options->sweep);
-  command
-      ->add_option("--plots", options->plots,
-                   "Folder for the pictures of the paper, too, as PDF and PNG; needs Python with "
-                   "matplotlib and pandas")
-      ->type_name("FOLDER");
+  add_output_options(command, options.output);
+  add_sweep_choice(command, options.sweep);
+  add_typed(command, "--plots", options.plots, "FOLDER",
+            "Folder for the pictures of the paper, too, as PDF and PNG; needs Python with "
+            "matplotlib and pandas");
   CLI::Option* page =
-      command
-          ->add_option("--page", options->page,
-                       "Also write a page: one HTML file, to be opened in a browser without a "
-                       "network, with charts, all trials and their flights in 3-D (docs/page.md)")
-          ->type_name("FILE");
-  command
-      ->add_option("--page-size", options->page_mb,
-                   "Most megabytes of the page; flights for which there is no room are left out, "
-                   "failures last (default: 3 for each 1,000 trials, at least 3, at most 15)")
-      ->check(CLI::Range(1.0, 1000.0))
+      add_typed(command, "--page", options.page, "FILE",
+                "Also write a page: one HTML file, to be opened in a browser without a "
+                "network, with charts, all trials and their flights in 3-D (docs/page.md)");
+  add_number(command, "--page-size", options.page_mb, CLI::Range(1.0, 1000.0),
+             "Most megabytes of the page; flights for which there is no room are left out, "
+             "failures last (default: 3 for each 1,000 trials, at least 3, at most 15)")
       ->needs(page)
       ->type_name("MB");
   command
-      ->add_option("--metrics", options->metrics,
-                   "Metrics to show, separated by commas; `avoidbench metrics` lists them "
-                   "(default: path and energy "
-                   "optimality, average goal velocity, mission progress, processing time as CPU "
-                   "and wall time)")
+      .add_option("--metrics", options.metrics,
+                  "Metrics to show, separated by commas; `avoidbench metrics` lists them (default: "
+                  "path and energy optimality, average goal velocity, mission progress, processing "
+                  "time as CPU and wall time)")
       ->delimiter(',');
-  command
-      ->add_option("--metrics-from", options->metric_files,
-                   "File with metrics of your own, FILE.sql or FILE.py (docs/reports.md): shown "
-                   "beside the others; can be given more than once")
-      ->type_name("FILE")
+  add_typed(command, "--metrics-from", options.metric_files, "FILE",
+            "File with metrics of your own, FILE.sql or FILE.py (docs/reports.md): shown "
+            "beside the others; can be given more than once")
       ->expected(1)
       ->take_all();
   command
-      ->add_option("--group-by", options->group_by,
-                   "Columns to group trials by, separated by commas: a field of the trials "
-                   "(planner, traversability, map.poisson_radius_m, wind.mean_mps, sensor, …), or "
-                   "FIELD/5 for its range in five groups of equal map count")
+      .add_option("--group-by", options.group_by,
+                  "Columns to group trials by, separated by commas: a field of the trials "
+                  "(planner, traversability, map.poisson_radius_m, wind.mean_mps, sensor, …), or "
+                  "FIELD/5 for its range in five groups of equal map count")
       ->delimiter(',');
   command
-      ->add_option("--where", options->where,
-                   "Only trials that fulfil this: FIELD OP VALUE, such as 'map.poisson_radius_m < "
-                   "3' or 'planner = ego, reactive'; given more than once, all of them")
+      .add_option("--where", options.where,
+                  "Only trials that fulfil this: FIELD OP VALUE, such as 'map.poisson_radius_m < "
+                  "3' or 'planner = ego, reactive'; given more than once, all of them")
       ->expected(1)
       ->take_all();
   command
-      ->add_option(
-          "--tables", options->tables,
+      .add_option(
+          "--tables", options.tables,
           "Tables to show, separated by commas: planners, groups, grouped, outcomes, "
           "causes, pairs, difficulty, flight_time, flight_time_curve, maps, environment (default: "
           "planners, outcomes, pairs, and groups if each has several maps)")
       ->delimiter(',');
-  command->add_flag("--all", options->is_all,
-                    "Every table except maps and flight_time_curve, every warning, and what each "
-                    "column means; csv and json always have all of it");
-  command->callback([options] { report(*options); });
+  command.add_flag("--all", options.is_all,
+                   "Every table except maps and flight_time_curve, every warning, and what each "
+                   "column means; csv and json always have all of it");
 }
 
 }  // namespace avoidbench

@@ -1,11 +1,7 @@
-#include <CLI/CLI.hpp>
 #include <cmath>
-#include <csignal>
 #include <filesystem>
 #include <iostream>
-#include <memory>
 
-#include "base/input_error.hpp"
 #include "command_options.hpp"
 #include "commands.hpp"
 #include "config/sweep_file.hpp"
@@ -24,13 +20,12 @@
 #include "sweep/recorded_latency.hpp"
 #include "sweep/run_estimate.hpp"
 #include "sweep/run_sweep.hpp"
-#include "text/number_text.hpp"
 #include "version.hpp"
 
 namespace avoidbench {
 namespace {
 
-constexpr int kExitUnflown = 1, kExitStopped = 75, kExitInterrupted = 130;
+constexpr int kExitUnflown = 1;
 
 struct RunCommand {
   std::string sweep_file;
@@ -38,10 +33,11 @@ struct RunCommand {
   std::string database_file;
   int jobs = 0;
   double plan_timeout_s = 10.0, trial_timeout_s = 3600.0, grace_s = 30.0;
-  double memory_limit_mib = 0.0;
+  std::optional<double> memory_limit_mib;
   bool dry_run = false, in_process = false, quiet = false, no_sandbox = false;
   bool no_keep = false, is_bundle = false;
-  std::string shard = "1/1", rerun, until, progress = "line", heartbeat;
+  std::optional<std::string> shard;
+  std::string rerun, until, progress = "line", heartbeat;
 };
 
 /// What workers enter; "" for none.
@@ -73,17 +69,6 @@ RunRow provenance(const RunCommand& command, const SweepSpec& sweep, const Shard
   run.shard = text(shard);
   run.sandbox = sandbox_text(command, sweep);
   return run;
-}
-
-std::string program_file() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
-
-/// What starts a worker. Without a limit of the user's, workers together stay within nine tenths of
-/// the memory that this process may use.
-std::vector<std::string> worker_command(const RunCommand& command, int jobs) {
-  const double limit_mib =
-      command.memory_limit_mib > 0.0 ? command.memory_limit_mib : 0.9 * allowed_memory_mib() / jobs;
-  return {program_file(),   "worker",           "--plan-timeout", shortest(command.plan_timeout_s),
-          "--memory-limit", shortest(limit_mib)};
 }
 
 /// What the trials that are missing will take, by those of the same planners that the file has.
@@ -181,13 +166,12 @@ OnWait patience(const RunCommand& command, const StopSignals& signals,
   };
 }
 
-[[noreturn]] void end_stopped(const StopSignals& signals) {
+[[noreturn]] void end_stopped_run(const StopSignals& signals) {
   if (signals.stop_now) {
     std::cerr << "ended at once; run the same command again to go on\n";
     throw CLI::RuntimeError(128 + signals.number);
   }
-  std::cerr << "stopped; run the same command again to go on\n";
-  throw CLI::RuntimeError(signals.number == SIGINT ? kExitInterrupted : kExitStopped);
+  end_stopped(signals, "stopped; run the same command again to go on");
 }
 
 Database open_database(const RunCommand& command, const StopSignals& signals,
@@ -196,7 +180,7 @@ Database open_database(const RunCommand& command, const StopSignals& signals,
     return Database::open_for_run(file, metric_table(), patience(command, signals, file));
   } catch (const InputError&) {
     if (!signals.stop) throw;
-    end_stopped(signals);  // it was told to while it waited for a lock
+    end_stopped_run(signals);  // it was told to while it waited for a lock
   }
 }
 
@@ -220,10 +204,9 @@ void require_flights(const SweepSpec& sweep, const RunSummary& summary, const st
                         progress.done_before == 0 && summary.unflown.empty();
   if (!has_none) return;
   const TrialSpec first = expand(sweep).front().spec();
-  throw InputError({.file = file,
-                    .message = "nothing to fly: none of the missions can be flown; " +
-                               unflyable_hint(first, sweep.trials) +
-                               ". `avoidbench maps show` draws the map"});
+  refuse_file(file, "nothing to fly: none of the missions can be flown; " +
+                        unflyable_hint(first, sweep.trials) +
+                        ". `avoidbench maps show` draws the map");
 }
 
 void run(const RunCommand& command) {
@@ -232,7 +215,7 @@ void run(const RunCommand& command) {
   const SweepSpec sweep = read_sweep(command.sweep_file, overrides);
   for (const std::string& warning : sweep.warnings) std::cerr << "warning: " << warning << "\n";
   const int jobs = command.jobs > 0 ? command.jobs : allowed_cpus();
-  const Shard shard = shard_from(command.shard);
+  const Shard shard = command.shard ? shard_from(*command.shard) : Shard{};
   const Rerun rerun = rerun_from(command.rerun);
   const std::filesystem::path file = database_file(command, sweep, shard);
   if (command.dry_run) {
@@ -254,7 +237,7 @@ void run(const RunCommand& command) {
       .rerun = rerun,
       .rerun_key = command.rerun,
       .in_process = command.in_process,
-      .worker_command = worker_command(command, jobs),
+      .worker_command = worker_words(command.plan_timeout_s, command.memory_limit_mib, jobs),
       .sandbox = sandbox_of(command),
       .silence_s = command.plan_timeout_s + 20.0,
       .trial_timeout_s = command.trial_timeout_s,
@@ -278,7 +261,7 @@ void run(const RunCommand& command) {
     print_failures(database, sweep.name, summary);
     warn_of_computing_times(database, sweep.name, summary.revision);
   }
-  if (summary.is_stopped) end_stopped(signals);
+  if (summary.is_stopped) end_stopped_run(signals);
   database.require_in_place();
   if (shard.count == 1) require_flights(sweep, summary, command.sweep_file);
   std::cerr << "results are in " << file.string()
@@ -289,26 +272,15 @@ void run(const RunCommand& command) {
 
 /// Times and memory beyond which a planner, or a stop, is not waited for.
 void add_limits(CLI::App& command, RunCommand& options) {
-  command
-      .add_option("--plan-timeout", options.plan_timeout_s,
-                  "Wall time after which a plan call counts as hung, s")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command
-      .add_option("--trial-timeout", options.trial_timeout_s,
-                  "Wall time after which a whole trial counts as hung, s")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command
-      .add_option("--memory-limit", options.memory_limit_mib,
-                  "Resident memory of a worker, MiB; its trial ends with planner_crashed beyond "
-                  "it [nine tenths of what there is, shared by the workers]")
-      ->check(CLI::PositiveNumber);
-  command
-      .add_option("--grace", options.grace_s,
-                  "Time that trials in flight have after a signal to stop, s")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
+  add_number(command, "--plan-timeout", options.plan_timeout_s, CLI::PositiveNumber,
+             "Wall time after which a plan call counts as hung, s");
+  add_number(command, "--trial-timeout", options.trial_timeout_s, CLI::PositiveNumber,
+             "Wall time after which a whole trial counts as hung, s");
+  add_number(command, "--memory-limit", options.memory_limit_mib, CLI::PositiveNumber,
+             "Resident memory of a worker, MiB; its trial ends with planner_crashed beyond "
+             "it [nine tenths of what there is, shared by the workers]");
+  add_number(command, "--grace", options.grace_s, CLI::NonNegativeNumber,
+             "Time that trials in flight have after a signal to stop, s");
 }
 
 /// What planners may do, and what is kept of them.
@@ -330,61 +302,46 @@ void add_protection(CLI::App& command, RunCommand& options) {
 }  // namespace
 
 void add_run_command(CLI::App& app) {
-  const auto options = std::make_shared<RunCommand>();
-  CLI::App* command =
-      app.add_subcommand("run", "Fly a sweep's trials and store them in a database");
-  command
-      ->add_option("sweep", options->sweep_file,
-                   "Sweep file (YAML), or the name of one that comes with avoidbench (`config "
-                   "sweeps` lists them); - is standard input")
-      ->required()
-      ->type_name("FILE");
-  add_overrides(*command, options->overrides, "maps.poisson_radius_m=3.0");
-  command->add_option("-o,--db", options->database_file, "Database file [results/<sweep name>.db]")
-      ->type_name("FILE");
-  command->add_option("-j,--jobs", options->jobs, "Worker processes; 0: one per allowed CPU")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
-  add_limits(*command, *options);
-  command
-      ->add_option("--shard", options->shard,
-                   "Fly this part of the sweep only, of N for as many machines; auto: the task of "
-                   "a Slurm, PBS or Kubernetes array")
-      ->type_name("I/N|auto|auto/N");
-  command
-      ->add_option("--until", options->until,
-                   "When a planner has flown enough, as in 'success_rate ci<0.05': its success "
-                   "rate is known to ± 0.05 (95 %); looked at after each tenth of the missions. "
-                   "Part of the sweep, as --set until=RULE")
-      ->type_name("RULE");
-  command
-      ->add_option("--rerun", options->rerun,
-                   "Fly trials again that are there: failed (planner_error, planner_crashed, "
-                   "planner_hung), all, or one by its key")
-      ->type_name("failed|all|KEY");
-  command->add_option("--progress", options->progress, "On stderr: line, or json for machines")
-      ->check(CLI::IsMember({"line", "json"}))
-      ->capture_default_str();
-  command
-      ->add_option("--heartbeat", options->heartbeat,
-                   "File that gets the progress as JSON every five seconds")
-      ->type_name("FILE");
-  command->add_flag("--dry-run", options->dry_run,
-                    "Print the trials and fly none; what they will take, where some were flown");
-  add_protection(*command, *options);
-  command->add_flag("-q,--quiet", options->quiet, "No progress on stderr");
-  command->footer(
+  const auto [command, options] =
+      add_command(app, "run", "Fly a sweep's trials and store them in a database", run);
+  add_typed(command, "sweep", options.sweep_file, "FILE",
+            "Sweep file (YAML), or the name of one that comes with avoidbench (`config "
+            "sweeps` lists them); - is standard input")
+      ->required();
+  add_overrides(command, options.overrides, "maps.poisson_radius_m=3.0");
+  add_typed(command, "-o,--db", options.database_file, "FILE",
+            "Database file [results/<sweep name>.db]");
+  add_number(command, "-j,--jobs", options.jobs, CLI::Range(0, 1024),
+             "Worker processes; 0: one per allowed CPU");
+  add_limits(command, options);
+  add_typed(command, "--shard", options.shard, "I/N|auto|auto/N",
+            "Fly this part of the sweep only, of N for as many machines; auto: the task of "
+            "a Slurm, PBS or Kubernetes array");
+  add_typed(command, "--until", options.until, "RULE",
+            "When a planner has flown enough, as in 'success_rate ci<0.05': its success "
+            "rate is known to ± 0.05 (95 %); looked at after each tenth of the missions. "
+            "Part of the sweep, as --set until=RULE");
+  add_typed(command, "--rerun", options.rerun, "failed|all|KEY",
+            "Fly trials again that are there: failed (planner_error, planner_crashed, "
+            "planner_hung), all, or one by its key");
+  command.add_option("--progress", options.progress, "On stderr: line, or json for machines")
+      ->check(CLI::IsMember({"line", "json"}));
+  add_typed(command, "--heartbeat", options.heartbeat, "FILE",
+            "File that gets the progress as JSON every five seconds");
+  command.add_flag("--dry-run", options.dry_run,
+                   "Print the trials and fly none; what they will take, where some were flown");
+  add_protection(command, options);
+  command.add_flag("-q,--quiet", options.quiet, "No progress on stderr");
+  command.footer(
       "The same sweep gives the same rows for any number of workers. Trials that the database has "
       "are skipped, so the\n"
       "same command goes on where it was stopped.\n\n"
       "Examples:\n"
       "  avoidbench run quick\n"
-      "  avoidbench run forest_small --set trials=20 --db forest.db --jobs "
-      "2\n\n"
+      "  avoidbench run forest_small --set trials=20 --db forest.db --jobs 2\n\n"
       "Exit codes: 0 done, 1 done except trials whose worker was killed from outside, 2 usage, "
       "input or no mission that can be flown, 75 stopped by SIGTERM or SIGUSR1, 130 interrupted, "
       "128 + N ended at once by a second signal N");
-  command->callback([options] { run(*options); });
 }
 
 }  // namespace avoidbench

@@ -58,10 +58,8 @@ RunProgress::RunProgress(ProgressStyle style, std::filesystem::path heartbeat)
     : style_(style),
       heartbeat_(std::move(heartbeat)),
       is_live_(style == ProgressStyle::line && ::isatty(STDERR_FILENO) == 1) {
-  if (heartbeat_.empty()) return;
-  if (!std::ofstream(heartbeat_)) {
-    throw InputError(InputProblem{.file = heartbeat_.string(), .message = "can't be written"});
-  }
+  if (!heartbeat_.empty() && !std::ofstream(heartbeat_))
+    refuse_file(heartbeat_, "can't be written");
 }
 
 void RunProgress::show(const Progress& progress) {

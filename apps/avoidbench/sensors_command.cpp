@@ -2,7 +2,6 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
-#include <memory>
 #include <optional>
 #include <sstream>
 
@@ -158,18 +157,15 @@ void list(const OutputOptions& options) {
   write_table(table, options);
 }
 
-void add_map_options(CLI::App& command, const std::shared_ptr<SensorOptions>& options) {
-  command.add_option("--map", options->map, "Map or sweep file, or a generator's name")
-      ->capture_default_str()
-      ->type_name("FILE|NAME");
-  command.add_option("--seed", options->seed, "Map seed (default: the map's first)");
-  add_overrides(command, options->overrides, "maps.texture_opacity=0.5 or sensor.width_px=640");
+void add_map_options(CLI::App& command, SensorOptions& options) {
+  add_typed(command, "--map", options.map, "FILE|NAME", "Map or sweep file, or a generator's name");
+  command.add_option("--seed", options.seed, "Map seed (default: the map's first)");
+  add_overrides(command, options.overrides, "maps.texture_opacity=0.5 or sensor.width_px=640");
 }
 
 }  // namespace
 
 void add_sensors_command(CLI::App& app) {
-  const auto options = std::make_shared<SensorOptions>();
   CLI::App* command = app.add_subcommand("sensors", "List cameras, show and measure what they see");
   command->require_subcommand(1);
   command->footer(
@@ -182,66 +178,54 @@ void add_sensors_command(CLI::App& app) {
       "  avoidbench sensors measure stereo_sgm --map hall --of cylinder "
       "--over maps.texture_opacity=1,0.5,0.25,0 --format csv");
 
-  CLI::App* list_command = command->add_subcommand("list", "The sensors that are built in");
-  add_output_options(*list_command, options->output);
-  list_command->callback([options] { list(options->output); });
+  const auto [list_command, list_options] =
+      add_command(*command, "list", "The sensors that are built in", list);
+  add_output_options(list_command, list_options);
 
-  CLI::App* show_command = command->add_subcommand(
-      "show", "Picture of what a sensor sees: left, right, disparity, depth, truth, error");
-  show_command->add_option("sensor", options->sensors, "A built-in sensor's name, or a file")
+  const auto [show_command, show_options] = add_command(
+      *command, "show",
+      "Picture of what a sensor sees: left, right, disparity, depth, truth, error", show);
+  add_typed(show_command, "sensor", show_options.sensors, "NAME|FILE",
+            "A built-in sensor's name, or a file")
       ->required()
-      ->expected(1)
-      ->type_name("NAME|FILE");
-  add_map_options(*show_command, options);
-  show_command
-      ->add_option("--pose", options->pose,
-                   "Where the body is: x,y,z in metres and yaw in degrees "
-                   "(default: the start of --mission)")
+      ->expected(1);
+  add_map_options(show_command, show_options);
+  add_typed(show_command, "--pose", show_options.pose, "X,Y,Z[,YAW]",
+            "Where the body is: x,y,z in metres and yaw in degrees "
+            "(default: the start of --mission)")
       ->delimiter(',')
-      ->expected(3, 4)
-      ->type_name("X,Y,Z[,YAW]");
-  show_command->add_option("--mission", options->mission_index, "Which mission's start")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  add_choice(*show_command, "--view", options->view, sensor_view_names(),
+      ->expected(3, 4);
+  add_number(show_command, "--mission", show_options.mission_index, CLI::NonNegativeNumber,
+             "Which mission's start");
+  add_choice(show_command, "--view", show_options.view, sensor_view_names(),
              "All pictures (sheet), or one of them: left, right, color, disparity, depth, truth or "
              "error");
-  show_command->add_option("--png", options->png, "File to write")->capture_default_str();
-  show_command->callback([options] { show(*options); });
+  show_command.add_option("--png", show_options.png, "File to write");
 
-  CLI::App* measure_command = command->add_subcommand(
-      "measure", "Errors of sensors against the truth, by distance, along missions of a map");
-  measure_command->footer(
+  const auto [measure_command, measure_options] = add_command(
+      *command, "measure",
+      "Errors of sensors against the truth, by distance, along missions of a map", measure);
+  measure_command.footer(
       "Columns: valid_pct not NaN; bias_px, sigma_px mean and standard deviation of disparity "
-      "errors "
-      "up to 1 px, outlier_pct those beyond;\nsigma_m that deviation in depth, z2_bf_m what "
-      "follows "
-      "for it from sigma_px by Z^2/(baseline * focal length).\nRows: by distance away from steps "
-      "in "
-      "depth; all ~N px: errors within N px are alike; edges +N px: near things look N px wider.");
-  measure_command->add_option("sensors", options->sensors, "Built-in sensors' names, or files")
-      ->required()
-      ->type_name("NAME|FILE");
-  add_map_options(*measure_command, options);
-  measure_command->add_option("--missions", options->missions, "Missions, with four views each")
-      ->check(CLI::Range(1, 10000))
-      ->capture_default_str();
-  measure_command->add_option("--bin", options->bin_m, "Width of the rows' distance ranges, m")
-      ->check(CLI::Range(0.1, 1000.0))
-      ->capture_default_str();
-  measure_command
-      ->add_option(
-          "--of", options->kind,
-          "Look at obstacles of this kind alone, as `maps info` counts them: cylinder, tree, "
-          "… (default: everything)")
-      ->type_name("KIND");
-  measure_command
-      ->add_option("--over", options->over,
-                   "Measure at several values of a field, as in maps.texture_opacity=1,0.5,0 "
-                   "(default: at the map's own)")
-      ->type_name("PATH=VALUES");
-  add_output_options(*measure_command, options->output);
-  measure_command->callback([options] { measure(*options); });
+      "errors up to 1 px, outlier_pct those beyond;\nsigma_m that deviation in depth, z2_bf_m what "
+      "follows for it from sigma_px by Z^2/(baseline * focal length).\nRows: by distance away from "
+      "steps in depth; all ~N px: errors within N px are alike; edges +N px: near things look N px "
+      "wider.");
+  add_typed(measure_command, "sensors", measure_options.sensors, "NAME|FILE",
+            "Built-in sensors' names, or files")
+      ->required();
+  add_map_options(measure_command, measure_options);
+  add_number(measure_command, "--missions", measure_options.missions, CLI::Range(1, 10000),
+             "Missions, with four views each");
+  add_number(measure_command, "--bin", measure_options.bin_m, CLI::Range(0.1, 1000.0),
+             "Width of the rows' distance ranges, m");
+  add_typed(measure_command, "--of", measure_options.kind, "KIND",
+            "Look at obstacles of this kind alone, as `maps info` counts them: cylinder, tree, "
+            "… (default: everything)");
+  add_typed(measure_command, "--over", measure_options.over, "PATH=VALUES",
+            "Measure at several values of a field, as in maps.texture_opacity=1,0.5,0 "
+            "(default: at the map's own)");
+  add_output_options(measure_command, measure_options.output);
 }
 
 }  // namespace avoidbench

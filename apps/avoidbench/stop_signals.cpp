@@ -3,8 +3,9 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
 #include <cerrno>
-#include <string_view>
+#include <iostream>
 
 #include "process/process_tree.hpp"
 
@@ -36,10 +37,15 @@ const StopSignals& watch_stop_signals() {
   action.sa_sigaction = note_signal;
   action.sa_flags = SA_SIGINFO;
   for (const int number : {SIGINT, SIGTERM, SIGUSR1}) ::sigaction(number, &action, nullptr);
-  ::signal(SIGIO, SIG_IGN);    // older kernels let planners send it
   ::signal(SIGIO, SIG_IGN);    // where a kernel's sandbox is too old to keep planners from it
   ::signal(SIGXFSZ, SIG_IGN);  // where `ulimit -f` ends a file, the write fails and says so
   return signals;
+}
+
+void end_stopped(const StopSignals& signals, std::string_view message) {
+  constexpr int kExitStopped = 75, kExitInterrupted = 130;
+  std::cerr << message << '\n';
+  throw CLI::RuntimeError(signals.number == SIGINT ? kExitInterrupted : kExitStopped);
 }
 
 }  // namespace avoidbench

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <string_view>
 
 /// Signals that end a run.
 namespace avoidbench {
@@ -16,5 +17,8 @@ struct StopSignals {
 /// the third time. Those that a process sends which descends from this one are ignored: a planner
 /// may not stop its run.
 const StopSignals& watch_stop_signals();
+
+/// Says that on stderr and ends the program with the exit code of one that was told to stop.
+[[noreturn]] void end_stopped(const StopSignals& signals, std::string_view message);
 
 }  // namespace avoidbench

@@ -8,7 +8,8 @@ namespace avoidbench {
 
 /// Which maps are wanted: those whose measure is near a value, by one parameter of the generator.
 struct MapTarget {
-  std::function<double(double parameter, std::uint64_t map_seed)> measure;  ///< NaN: undefined
+  /// NaN: undefined.
+  std::function<double(double parameter, std::uint64_t map_seed)> measure = {};
   double wanted = 0.0, within = 0.0;
   double lowest = 0.0, highest = 0.0;  ///< of the parameter
   std::int64_t count = 1;              ///< maps wanted

@@ -23,9 +23,10 @@ struct StoredTrial {
 
 /// Where to look for files, which a database does not name.
 struct ReplayFiles {
-  std::string planner;  ///< name or file of a library; "": as the sweep named it, if it is the same
-  std::string map;      ///< of a map from a file; "": its name in `folders` and in maps/
-  std::string wind;     ///< of a wind field; "": its name in `folders` and in configs/wind/
+  /// Name or file of a library; "": as the sweep named it, if it is the same.
+  std::string planner = {};
+  std::string map = {};   ///< of a map from a file; "": its name in `folders` and in maps/
+  std::string wind = {};  ///< of a wind field; "": its name in `folders` and in configs/wind/
   std::vector<std::filesystem::path> folders{"."};  ///< the sweep's, the database's, …
   std::filesystem::path database = {};  ///< beside which copies are kept (base/kept_files.hpp)
 };

@@ -2,16 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <optional>
 
 #include "base/math.hpp"
 #include "shading/shading.hpp"
 #include "text/number_text.hpp"
 #include "view/map_plan.hpp"
 #include "view/map_views.hpp"
-#include "view/replay_panel.hpp"
-#include "view/struck_obstacle.hpp"
 
 namespace avoidbench {
 namespace {
@@ -20,29 +16,12 @@ using Eigen::Vector3d;
 
 constexpr double kBehind_m = 2.6, kAbove_m = 0.9, kLookAhead_m = 1.5;
 constexpr double kChaseFov_deg = 80.0;
+constexpr int kChaseWidth_px = 2 * (kFilmWidth_px / 3);
+constexpr int kSideWidth_px = kFilmWidth_px - kChaseWidth_px;
 constexpr double kTurning_s = 0.5;     // time in which the camera follows a turn
 constexpr double kFilmEnd_s = 1.0;     // the last frame stays so long
 constexpr double kFilmMargin_m = 6.0;  // shown around the path from above, both sides together
 constexpr Color kFilmPath{20, 90, 200}, kFilmBody{220, 80, 20}, kFilmVehicle{0, 0, 0};
-
-/// The sample not after `time_s`.
-const Sample& last_sample(const TrialRecord& record, double time_s) {
-  const auto after = std::upper_bound(record.samples.begin(), record.samples.end(), time_s + 1e-9,
-                                      [](double time, const Sample& s) { return time < s.time_s; });
-  return after == record.samples.begin() ? *after : *std::prev(after);
-}
-
-/// A camera at `eye` that looks at `target`, RDF.
-Pose looking_at(const Vector3d& eye, const Vector3d& target) {
-  const Vector3d forward = (target - eye).normalized();
-  const Vector3d right = forward.cross(Vector3d::UnitZ()).normalized();
-  Pose pose = Pose::Identity();
-  pose.linear().col(0) = right;
-  pose.linear().col(1) = forward.cross(right);
-  pose.linear().col(2) = forward;
-  pose.translation() = eye;
-  return pose;
-}
 
 /// Draws lines between points of the world into a camera's picture; what lies behind the camera is
 /// left out.
@@ -95,186 +74,132 @@ void sketch_vehicle(const Vector3d& body_m, const Pose& T_world_body, Sketch& sk
 
 Picture seen_picture(const Moment& moment, double shown_m) {
   for (const SeenImage& image : moment.images) {
-    if (!image.depth_m.empty()) {
-      return depth_picture(image.depth_m, image.width_px, image.height_px, 0.0, shown_m);
-    }
-    if (image.bytes.empty()) continue;
-    Picture picture = make_picture(image.width_px, image.height_px);
-    const bool is_color = image.bytes.size() == picture.rgb.size();
-    for (std::size_t i = 0; i < picture.rgb.size(); ++i) {
-      picture.rgb[i] = image.bytes[is_color ? i : i / 3];
-    }
-    return picture;
+    if (!image.depth_m.empty() || !image.bytes.empty()) return image_picture(image, shown_m);
   }
   Picture none = make_picture(320, 240);
   draw_text(none, "it sees no image", 90, 120, kWhite);
   return none;
 }
 
+/// As high as the sensor's image is at this width, within reason.
+int seen_height_px(const SensorSpec& sensor) {
+  const double height =
+      static_cast<double>(kSideWidth_px * sensor.height_px) / static_cast<double>(sensor.width_px);
+  return static_cast<int>(std::min(height, 0.6 * kFilmHeight_px));
+}
+
+Panel empty_plan(const StoredTrial& stored, const World& world, const TrialRecord& record,
+                 int height_px) {
+  const World roofless = without_roof(world);
+  return flight_plan(Scene(roofless), record, extent_of(stored, record), kFilmMargin_m,
+                     kSideWidth_px, height_px, 0);
+}
+
 }  // namespace
 
-struct Film::Internals {
-  const StoredTrial& stored;
-  const World& world;
-  const TrialRecord& record;
-  const std::vector<Moment>& moments;
-  FilmSpec spec;
-  Scene scene;
-  int chase_width_px, side_width_px, seen_height_px;
-  std::vector<double> yaws_rad;  ///< of the chasing camera, a frame each
-  std::optional<Panel> plan;     ///< of the map, where nothing moves
-  double shown_m = 15.0;
-  std::unique_ptr<StruckObstacle> struck;
-
-  double time_of(std::size_t frame) const {
-    return std::min(record.samples.front().time_s + static_cast<double>(frame) / spec.rate_hz,
-                    record.samples.back().time_s);
-  }
-  void find_yaws(std::size_t count);
-  Panel empty_plan();
-  Picture chase(std::size_t frame);
-  Picture from_above(double time_s, const Moment* moment);
-  const Moment* moment_at(double time_s) const;
-};
-
-/// The camera turns after the vehicle, as someone who follows it would.
-void Film::Internals::find_yaws(std::size_t count) {
+Film::Film(const StoredTrial& stored, const World& world, const TrialRecord& record,
+           const std::vector<Moment>& moments)
+    : stored_(stored),
+      record_(record),
+      moments_(moments),
+      scene_(world),
+      seen_height_px_(seen_height_px(stored.spec.sensor)),
+      plan_(empty_plan(stored, world, record, kFilmHeight_px - seen_height_px_)),
+      struck_(struck_obstacle(world, record)) {
+  // The camera turns after the vehicle, as someone who follows it would.
   double yaw_rad = yaw_of(record.samples.front().q_world_body);
-  const double share = 1.0 - math::exp(-1.0 / (kTurning_s * spec.rate_hz));
-  for (std::size_t i = 0; i < count; ++i) {
-    const double wanted = yaw_of(last_sample(record, time_of(i)).q_world_body);
+  const double share = 1.0 - math::exp(-1.0 / (kTurning_s * kFilmRate_hz));
+  for (std::size_t i = 0; i < frame_count(); ++i) {
+    const double wanted = yaw_of(sample_at(record, time_of(i)).q_world_body);
     yaw_rad += share * std::remainder(wanted - yaw_rad, math::kTau);
-    yaws_rad.push_back(yaw_rad);
+    yaws_rad_.push_back(yaw_rad);
   }
 }
 
-Panel Film::Internals::empty_plan() {
-  Eigen::AlignedBox2d extent;
-  std::vector<double> heights_m;
-  for (const Sample& s : record.samples) {
-    extent.extend(s.position_world.head<2>());
-    heights_m.push_back(s.position_world.z());
-  }
-  extent.extend(stored.mission.start_world.head<2>());
-  extent.extend(stored.mission.goal_world.head<2>());
-  const Eigen::Vector2d size = extent.sizes() + Eigen::Vector2d::Constant(kFilmMargin_m);
-  const int height_px = spec.height_px - seen_height_px;
-  const double width_m = std::max(size.x(), size.y() * side_width_px / height_px);
-  Panel panel = make_panel(side_width_px, height_px, {extent.center().x(), extent.center().y(), 0},
-                           Vector3d::UnitX(), Vector3d::UnitY(), width_m);
-  const auto middle = heights_m.begin() + static_cast<std::ptrdiff_t>(heights_m.size() / 2);
-  std::nth_element(heights_m.begin(), middle, heights_m.end());
-  const World roofless = without_roof(world);
-  const Scene roofless_scene(roofless);
-  paint_plan(roofless_scene, *middle, panel);
-  return panel;
+double Film::time_of(std::size_t frame) const {
+  return std::min(record_.samples.front().time_s + static_cast<double>(frame) / kFilmRate_hz,
+                  record_.samples.back().time_s);
 }
 
-const Moment* Film::Internals::moment_at(double time_s) const {
+const Moment* Film::moment_at(double time_s) const {
   const Moment* found = nullptr;
-  for (const Moment& moment : moments) {
+  for (const Moment& moment : moments_) {
     if (moment.call_s <= time_s + 1e-9) found = &moment;
   }
   return found;
 }
 
-Picture Film::Internals::chase(std::size_t frame) {
+Picture Film::chase(std::size_t frame) const {
   const double time_s = time_of(frame);
-  const Sample& now = last_sample(record, time_s);
-  const Vector3d ahead(math::cos(yaws_rad[frame]), math::sin(yaws_rad[frame]), 0.0);
+  const Sample& now = sample_at(record_, time_s);
+  const Vector3d ahead(math::cos(yaws_rad_[frame]), math::sin(yaws_rad_[frame]), 0.0);
   const Vector3d back = -kBehind_m * ahead + kAbove_m * Vector3d::UnitZ();
   // In front of what stands between: through a trunk nothing is seen.
-  const RayHit hit = scene.first_hit(now.position_world, back, back.norm() + 0.3);
+  const RayHit hit = scene_.first_hit(now.position_world, back, back.norm() + 0.3);
   const double reach = std::clamp((hit.distance_m - 0.3) / back.norm(), 0.25, 1.0);
   const Vector3d eye = now.position_world + reach * back;
-  const Pose T_world_camera = looking_at(eye, now.position_world + kLookAhead_m * ahead);
+  const Pose T_world_camera = look_at(eye, now.position_world + kLookAhead_m * ahead);
   const Pinhole camera =
-      make_pinhole(chase_width_px, spec.height_px, kChaseFov_deg * math::kDegree, 200.0);
-  Picture picture = make_picture(chase_width_px, spec.height_px);
-  render_shaded(scene, camera, T_world_camera, Light{}, 1, picture.rgb);
+      make_pinhole(kChaseWidth_px, kFilmHeight_px, kChaseFov_deg * math::kDegree, 200.0);
+  Picture picture = make_picture(kChaseWidth_px, kFilmHeight_px);
+  render_shaded(scene_, camera, T_world_camera, Light{}, 1, picture.rgb);
   Sketch sketch{camera, T_world_camera.inverse(), picture};
   std::vector<Vector3d> flown;
-  for (const Sample& s : record.samples) {
+  for (const Sample& s : record_.samples) {
     if (s.time_s > time_s - 2.0 && s.time_s <= time_s + 1e-9) flown.push_back(s.position_world);
   }
   sketch.line(flown, kFilmPath, 2);
-  sketch_vehicle(to_eigen(stored.spec.vehicle.body_size_m),
+  sketch_vehicle(to_eigen(stored_.spec.vehicle.body_size_m),
                  make_pose(now.position_world, now.q_world_body), sketch);
-  add_caption(picture, ascii(stored.row.planner_label) + ", " + fixed_digits(time_s, 2) + " s, " +
+  add_caption(picture, ascii(stored_.row.planner_label) + ", " + fixed_digits(time_s, 2) + " s, " +
                            fixed_digits(now.velocity_world.norm(), 1) + " m/s, clearance " +
                            fixed_digits(std::min(now.clearance_m, kClearanceLimit_m), 2) + " m");
-  if (time_s >= record.samples.back().time_s) {
-    draw_label(picture, ascii(std::string(text(record.outcome))), chase_width_px / 2 - 60,
-               spec.height_px - 40, kGoalColor);
+  if (time_s >= record_.samples.back().time_s) {
+    draw_label(picture, ascii(std::string(text(record_.outcome))), kChaseWidth_px / 2 - 60,
+               kFilmHeight_px - 40, kGoalColor);
   }
   return picture;
 }
 
-Picture Film::Internals::from_above(double time_s, const Moment* moment) {
-  if (!plan) plan.emplace(empty_plan());
-  Panel panel = *plan;
-  const Sample& now = last_sample(record, time_s);
+Picture Film::from_above(double time_s, const Moment* moment) const {
+  Panel panel = plan_;
+  const Sample& now = sample_at(record_, time_s);
   panel.low_world.z() = now.position_world.z();
   if (moment != nullptr) draw(moment->drawings, panel);
   std::vector<Vector3d> flown;
-  for (const Sample& s : record.samples) {
+  for (const Sample& s : record_.samples) {
     if (s.time_s <= time_s + 1e-9) flown.push_back(s.position_world);
   }
   draw_path(flown, kFilmPath, 2, 1, panel);
-  const double goal_px = std::max(5.0, stored.spec.mission.goal_radius_m * panel.pixels_per_m);
-  draw_circle(panel.picture, panel.to_pixels(stored.mission.goal_world), goal_px, kGoalColor, 2);
-  draw_disc(panel.picture, panel.to_pixels(stored.mission.start_world), 5.0, kStartColor);
-  if (struck != nullptr && time_s >= struck->time_s - 1e-9) draw_struck(*struck, panel);
+  const double goal_px = std::max(5.0, stored_.spec.mission.goal_radius_m * panel.pixels_per_m);
+  draw_circle(panel.picture, panel.to_pixels(stored_.mission.goal_world), goal_px, kGoalColor, 2);
+  draw_disc(panel.picture, panel.to_pixels(stored_.mission.start_world), 5.0, kStartColor);
+  if (struck_ != nullptr && time_s >= struck_->time_s - 1e-9) draw_struck(*struck_, panel);
   draw_circle(panel.picture, panel.to_pixels(now.position_world), 7.0, kFilmVehicle, 2);
   add_caption(panel.picture, "from above");
   add_scale_bar(panel.picture, panel.pixels_per_m);
   return panel.picture;
 }
 
-Film::Film(const StoredTrial& stored, const World& world, const TrialRecord& record,
-           const std::vector<Moment>& moments, const FilmSpec& spec)
-    : internals_(new Internals{.stored = stored,
-                               .world = world,
-                               .record = record,
-                               .moments = moments,
-                               .spec = spec,
-                               .scene = Scene(world),
-                               .chase_width_px = 2 * (spec.width_px / 3),
-                               .side_width_px = spec.width_px - 2 * (spec.width_px / 3),
-                               .seen_height_px = 0,
-                               .yaws_rad = {},
-                               .plan = {},
-                               .shown_m = stored.spec.sensor.max_range_m,
-                               .struck = struck_obstacle(world, record)}) {
-  const SensorSpec& sensor = stored.spec.sensor;
-  const double height = static_cast<double>(internals_->side_width_px * sensor.height_px) /
-                        static_cast<double>(sensor.width_px);
-  internals_->seen_height_px = static_cast<int>(std::min(height, 0.6 * spec.height_px));
-  internals_->find_yaws(frame_count());
-}
-
-Film::~Film() = default;
-
 std::size_t Film::frame_count() const {
-  const std::vector<Sample>& samples = internals_->record.samples;
+  const std::vector<Sample>& samples = record_.samples;
   const double length_s = samples.back().time_s - samples.front().time_s + kFilmEnd_s;
-  return static_cast<std::size_t>(std::ceil(length_s * internals_->spec.rate_hz));
+  return static_cast<std::size_t>(std::ceil(length_s * kFilmRate_hz));
 }
 
 Picture Film::frame(std::size_t index) {
-  Internals& film = *internals_;
-  const double time_s = film.time_of(index);
-  film.scene.set_time(time_s);
-  const Moment* moment = film.moment_at(time_s);
-  Picture picture = make_picture(film.spec.width_px, film.spec.height_px);
-  paste(film.chase(index), 0, 0, picture);
+  const double time_s = time_of(index);
+  scene_.set_time(time_s);
+  const Moment* moment = moment_at(time_s);
+  Picture picture = make_picture(kFilmWidth_px, kFilmHeight_px);
+  paste(chase(index), 0, 0, picture);
   if (moment != nullptr) {
-    Picture seen =
-        resized(seen_picture(*moment, film.shown_m), film.side_width_px, film.seen_height_px);
+    Picture seen = resized(seen_picture(*moment, stored_.spec.sensor.max_range_m), kSideWidth_px,
+                           seen_height_px_);
     add_caption(seen, "what the planner saw");
-    paste(seen, film.chase_width_px, 0, picture);
+    paste(seen, kChaseWidth_px, 0, picture);
   }
-  paste(film.from_above(time_s, moment), film.chase_width_px, film.seen_height_px, picture);
+  paste(from_above(time_s, moment), kChaseWidth_px, seen_height_px_, picture);
   return picture;
 }
 

@@ -1,11 +1,11 @@
 #include "view/map_plan.hpp"
 
 #include <cmath>
-#include <cstdio>
 
 #include "metrics/environment.hpp"
 #include "metrics/map_record.hpp"
 #include "metrics/reference_path.hpp"
+#include "text/number_text.hpp"
 
 namespace avoidbench {
 namespace {
@@ -53,6 +53,7 @@ void paint_ground_plan(const World& world, const Plan& plan, const MapView& view
   const auto cut_z_m = [&](double x, double y) {
     return flight_m + (world.heights_above_ground ? ground_height_m(world, x, y) : 0.0);
   };
+  auto byte = picture.rgb.begin();
   for (int row = 0; row < view.height_px; ++row) {
     for (int column = 0; column < view.width_px; ++column) {
       std::array<int, 3> sum{};
@@ -68,12 +69,8 @@ void paint_ground_plan(const World& world, const Plan& plan, const MapView& view
         const Color color = is_on_map ? plan_color(scene, x, y, cut_z_m(x, y)) : kPaper;
         for (std::size_t i = 0; i < 3; ++i) sum[i] += color[i];
       }
-      for (std::size_t i = 0; i < 3; ++i) {
-        const auto at =
-            3 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(view.width_px) +
-                 static_cast<std::size_t>(column)) +
-            i;
-        picture.rgb[at] = static_cast<std::uint8_t>(sum[i] / (view.samples * view.samples));
+      for (const int total : sum) {
+        *byte++ = static_cast<std::uint8_t>(total / (view.samples * view.samples));
       }
     }
   }
@@ -113,9 +110,7 @@ std::string draw_mission(const Scene& scene, const TrialSpec& trial, const MapVi
   draw_disc(picture, plan.to_pixels(mission->start_world), 7.0, kPath);
   draw_disc(picture, plan.to_pixels(mission->start_world), 5.0, kStartColor);
   if (!path) return name + ": the goal can't be reached";
-  char length[32];
-  std::snprintf(length, sizeof length, ", d_min %.2f m", path_length_m(*path));
-  return name + length;
+  return name + ", d_min " + fixed_digits(path_length_m(*path), 2) + " m";
 }
 
 }  // namespace

@@ -29,19 +29,6 @@ World without(const World& world, std::initializer_list<std::string_view> kinds,
   return open;
 }
 
-/// A camera at `eye` that looks at `target`; image up is as near to `up` as can be.
-/// Axes of cameras: x to the right, y down, z forward.
-Pose look_at(const Eigen::Vector3d& eye, const Eigen::Vector3d& target, const Eigen::Vector3d& up) {
-  const Eigen::Vector3d forward = (target - eye).normalized();
-  const Eigen::Vector3d right = forward.cross(up).normalized();
-  Pose pose = Pose::Identity();
-  pose.linear().col(0) = right;
-  pose.linear().col(1) = forward.cross(right);
-  pose.linear().col(2) = forward;
-  pose.translation() = eye;
-  return pose;
-}
-
 /// Without a limit of range: `view.samples` rays a side of each pixel see up to the world's end.
 Picture shaded(const World& world, const Pose& T_world_camera, double fov_x_rad, bool has_haze,
                const MapView& view) {
@@ -61,7 +48,7 @@ Picture bird_view(const World& world, const MapView& view) {
   const Eigen::Vector3d center = world.flight_bounds.center();
   // From above and the lower left of a plan.
   const Eigen::Vector3d away = Eigen::Vector3d(-0.55, -0.8, 0.75).normalized();
-  const Pose axes = look_at(center + away, center, Eigen::Vector3d::UnitZ());
+  const Pose axes = look_at(center + away, center);
   const double tan_x = math::tan(0.5 * kFov);
   const double tan_y = tan_x * view.height_px / view.width_px;
   // For each corner, the least distance at which the cone of the field of view holds it, 8 % more
@@ -75,8 +62,8 @@ Picture bird_view(const World& world, const MapView& view) {
     distance_m = std::max(distance_m, 1.08 * beside_m - at.z());
   }
   const Eigen::Vector3d eye = center + away * distance_m;
-  return shaded(without(world, {"ceiling", "lamp", "wall"}),
-                look_at(eye, center, Eigen::Vector3d::UnitZ()), kFov, false, view);
+  return shaded(without(world, {"ceiling", "lamp", "wall"}), look_at(eye, center), kFov, false,
+                view);
 }
 
 /// The true depth of this sensor's field of view and range, without its errors, at the picture's
@@ -101,6 +88,18 @@ Picture depth_view(const World& world, const TrialSpec& trial, const MapView& vi
 }  // namespace
 
 std::vector<std::string> map_view_names() { return {"top", "bird", "first_person", "depth"}; }
+
+Pose look_at(const Eigen::Vector3d& eye, const Eigen::Vector3d& target) {
+  const Eigen::Vector3d forward = (target - eye).normalized();
+  const Eigen::Vector3d right = forward.cross(Eigen::Vector3d::UnitZ()).normalized();
+  Pose pose = Pose::Identity();
+  // Axes of cameras: x to the right, y down, z forward.
+  pose.linear().col(0) = right;
+  pose.linear().col(1) = forward.cross(right);
+  pose.linear().col(2) = forward;
+  pose.translation() = eye;
+  return pose;
+}
 
 Pose start_pose(const Scene& scene, const TrialSpec& trial, std::int64_t mission_index,
                 const std::vector<Mission>& listed) {

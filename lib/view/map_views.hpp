@@ -28,6 +28,9 @@ std::vector<std::string> map_view_names();
 /// The world without its ceiling; what moves stands where it is at `time_s`.
 World without_roof(const World& world, double time_s = 0.0);
 
+/// A camera at `eye` that looks at `target`; its image's up is as near to the world's as can be.
+Pose look_at(const Eigen::Vector3d& eye, const Eigen::Vector3d& target);
+
 /// The body's pose at the start of a mission of the trial. Throws InputError where it can't be laid
 /// out.
 Pose start_pose(const Scene& scene, const TrialSpec& trial, std::int64_t mission_index,

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "base/option_error.hpp"
@@ -60,7 +59,11 @@ void MomentRecorder::keep(double time_s) {
   if (every_s_ > 0.0 && every_s_ * static_cast<double>(every_index_) <= next) ++every_index_;
 }
 
-void MomentRecorder::see(const PlannerView& seen) {
+void MomentRecorder::see(double time_s, const VehicleState& believed, const PlannerView& seen) {
+  // Moments before this call have the call before it: it is what the vehicle was flying by.
+  while (next_s() < time_s) keep(next_s());
+  latest_.call_s = time_s;
+  latest_.believed = believed;
   // Views come newest first: from the last one on, newer ones overwrite older ones of a camera.
   const auto take = [&](const auto& views) {
     for (auto view = views.rbegin(); view != views.rend(); ++view) {
@@ -76,21 +79,14 @@ void MomentRecorder::see(const PlannerView& seen) {
 }
 
 void MomentRecorder::planned(const PlanStep& step) {
-  // Moments before this call have the call before it: it is what the vehicle was flying by.
-  while (next_s() < step.time_s) keep(next_s());
-  latest_.call_s = step.time_s;
-  latest_.believed = step.believed;
+  see(step.time_s, step.believed, step.view);
   latest_.result = step.result;
   latest_.drawings = step.drawings;
-  see(step.view);
 }
 
 /// No result and no drawings: those of the call before stay.
 void MomentRecorder::planning(const PlanCallAhead& call) {
-  while (next_s() < call.time_s) keep(next_s());
-  latest_.call_s = call.time_s;
-  latest_.believed = call.believed;
-  see(call.view);
+  see(call.time_s, call.believed, call.view);
 }
 
 std::vector<Moment> MomentRecorder::finish(double end_s) {

@@ -8,14 +8,20 @@
 namespace avoidbench {
 namespace {
 
-std::uint8_t* pixel(Picture& picture, int column, int row) {
-  return &picture
-              .rgb[3 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(picture.width_px) +
-                        static_cast<std::size_t>(column))];
+/// Paints each pixel as `color_at` says of the place of its middle.
+template <class ColorAt>
+void paint(const ColorAt& color_at, Panel& panel) {
+  auto pixel = panel.picture.rgb.begin();
+  for (int row = 0; row < panel.picture.height_px; ++row) {
+    for (int column = 0; column < panel.picture.width_px; ++column) {
+      const Color color = color_at(panel.world_at(column + 0.5, row + 0.5));
+      pixel = std::copy(color.begin(), color.end(), pixel);
+    }
+  }
 }
 
-/// Whether OpenCV can draw to this place.
-/// OpenCV's coordinates are 32-bit with fraction bits: planners may draw far beyond those.
+/// Whether OpenCV can draw to this place: its coordinates are 32-bit with fraction bits: planners
+/// may draw far beyond those.
 bool is_drawable(const Eigen::Vector2d& at) { return at.cwiseAbs().maxCoeff() < 1e5; }
 
 /// Left out where either end is too far away.
@@ -89,19 +95,11 @@ Panel make_panel(int width_px, int height_px, const Eigen::Vector3d& center,
   return panel;
 }
 
-void paint_white(Panel& panel) {
-  std::fill(panel.picture.rgb.begin(), panel.picture.rgb.end(), std::uint8_t{255});
-}
-
 void paint_plan(const Scene& scene, double cut_z_m, Panel& panel) {
-  for (int row = 0; row < panel.picture.height_px; ++row) {
-    for (int column = 0; column < panel.picture.width_px; ++column) {
-      // Of the pixel's middle.
-      const Eigen::Vector3d at = panel.world_at(column + 0.5, row + 0.5);
-      const Color color = mixed(plan_color(scene, at.x(), at.y(), cut_z_m), kWhite, 0.25);
-      std::copy(color.begin(), color.end(), pixel(panel.picture, column, row));
-    }
-  }
+  const auto color_at = [&](const Eigen::Vector3d& at) {
+    return mixed(plan_color(scene, at.x(), at.y(), cut_z_m), kWhite, 0.25);
+  };
+  paint(color_at, panel);
 }
 
 void paint_silhouette(const Scene& scene, const Eigen::Vector3d& center_world, double radius_m,
@@ -125,14 +123,10 @@ void paint_silhouette(const Scene& scene, const Eigen::Vector3d& center_world, d
 
 void paint_below(const Scene& scene, double from_z_m, Panel& panel) {
   const double highest_m = scene.world().flight_bounds.sizes().z();
-  for (int row = 0; row < panel.picture.height_px; ++row) {
-    for (int column = 0; column < panel.picture.width_px; ++column) {
-      const Eigen::Vector3d at = panel.world_at(column + 0.5, row + 0.5);
-      const Color color =
-          mixed(color_below(scene, at.x(), at.y(), from_z_m, highest_m), kWhite, 0.55);
-      std::copy(color.begin(), color.end(), pixel(panel.picture, column, row));
-    }
-  }
+  const auto color_at = [&](const Eigen::Vector3d& at) {
+    return mixed(color_below(scene, at.x(), at.y(), from_z_m, highest_m), kWhite, 0.55);
+  };
+  paint(color_at, panel);
 }
 
 void paint_slice(const Scene& scene, double radius_m, Panel& panel) {

@@ -39,7 +39,6 @@ void paint_silhouette(const Scene& scene, const Eigen::Vector3d& center_world, d
 
 /// Fills the panel with what lies below `from_z_m`, pale, so that one can draw on it.
 void paint_below(const Scene& scene, double from_z_m, Panel& panel);
-void paint_white(Panel& panel);
 
 /// Blackens where surfaces cut the panel's plane, reddens what is nearer to one than `radius_m`.
 void paint_slice(const Scene& scene, double radius_m, Panel& panel);

@@ -2,15 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
-#include <optional>
 
 #include "render/depth.hpp"
+#include "text/number_text.hpp"
 #include "view/map_plan.hpp"
 #include "view/map_views.hpp"
-#include "view/replay_panel.hpp"
-#include "view/struck_obstacle.hpp"
 
 namespace avoidbench {
 namespace {
@@ -24,19 +20,11 @@ constexpr double kAround_m = 5.0;  ///< shown beside the path, both sides togeth
 constexpr Color kLater{120, 120, 120}, kVehicle{0, 0, 0}, kCommand{240, 120, 0},
     kReference{0, 150, 150};
 
-/// The sizes of a sheet's parts.
-struct Layout {
-  bool is_wide = false;  ///< the overview above the details, not beside them
-  int overview_width_px = 700, overview_height_px = 1169;
-  int side_width_px = kDetail_px, image_height_px = 405;  ///< the images are as wide as the side
-  int width_px = 700 + kGap_px + kDetail_px, height_px = kHeader_px + 1169;
-};
-
 /// The layout that shows a path of this extent larger.
-Layout layout_of(const Eigen::Vector2d& size_m) {
+SheetLayout layout_of(const Eigen::Vector2d& size_m) {
   // A path this much wider than high is shown larger across the sheet.
   constexpr double kWide = 1.25;
-  Layout layout;
+  SheetLayout layout;
   layout.is_wide = size_m.x() > kWide * size_m.y();
   if (!layout.is_wide) return layout;
   layout.overview_width_px = layout.width_px;
@@ -46,25 +34,6 @@ Layout layout_of(const Eigen::Vector2d& size_m) {
   layout.image_height_px = kDetail_px - kGap_px - kSideHeight_px;
   layout.height_px = kHeader_px + layout.overview_height_px + kGap_px + kDetail_px;
   return layout;
-}
-
-__attribute__((format(printf, 1, 2))) std::string formatted(const char* format, ...) {
-  char line[256];
-  va_list arguments;
-  va_start(arguments, format);
-  // Longer lines are cut.
-  std::vsnprintf(line, sizeof line, format, arguments);
-  va_end(arguments);
-  return line;
-}
-
-/// The last sample not after `time_s`.
-const Sample& sample_at(const TrialRecord& record, double time_s) {
-  // Times are sums of periods: a sample at the very moment counts even where rounding puts it
-  // behind.
-  auto after = std::upper_bound(record.samples.begin(), record.samples.end(), time_s + 1e-9,
-                                [](double time, const Sample& s) { return time < s.time_s; });
-  return after == record.samples.begin() ? *after : *std::prev(after);
 }
 
 /// What the planner commands, as points: a trajectory, or the way of one second.
@@ -98,16 +67,9 @@ std::vector<Vector3d> commanded(const Moment& moment) {
 }
 
 std::string command_text(const Moment& moment) {
-  switch (moment.result.status) {
-    case PlanStatus::no_plan:
-      return "no plan";
-    case PlanStatus::gave_up:
-      return "gave up";
-    case PlanStatus::error:
-      return "planner error";
-    default:
-      break;
-  }
+  if (moment.result.status == PlanStatus::no_plan) return "no plan";
+  if (moment.result.status == PlanStatus::gave_up) return "gave up";
+  if (moment.result.status == PlanStatus::error) return "planner error";
   switch (moment.result.command.kind) {
     case AB_COMMAND_TRAJECTORY:
       return "command: trajectory";
@@ -149,7 +111,7 @@ void add_speed_scale(double most_mps, Picture& picture) {
     draw_line(picture, {{x, y - 5.0}, {x, y + 5.0}}, turbo_color(i / (kWidth - 1.0)), 1);
   }
   draw_text(picture, "speed 0", left - 64, y + 5, kWhite);
-  draw_text(picture, formatted("%.3g m/s", most_mps), left + kWidth + 8, y + 5, kWhite);
+  draw_text(picture, significant_digits(most_mps, 3) + " m/s", left + kWidth + 8, y + 5, kWhite);
 }
 
 void draw_mission(const Mission& mission, double goal_radius_m, Panel& panel) {
@@ -160,6 +122,16 @@ void draw_mission(const Mission& mission, double goal_radius_m, Panel& panel) {
   draw_circle(panel.picture, goal, goal_px, kGoalColor, 2);
   draw_disc(panel.picture, start, 7.0, kWhite);
   draw_disc(panel.picture, start, 5.0, kStartColor);
+}
+
+}  // namespace
+
+const Sample& sample_at(const TrialRecord& record, double time_s) {
+  // Times are sums of periods: a sample at the very moment counts even where rounding puts it
+  // behind.
+  const auto after = std::upper_bound(record.samples.begin(), record.samples.end(), time_s + 1e-9,
+                                      [](double time, const Sample& s) { return time < s.time_s; });
+  return after == record.samples.begin() ? *after : *std::prev(after);
 }
 
 Picture image_picture(const SeenImage& image, double shown_m) {
@@ -175,115 +147,94 @@ Picture image_picture(const SeenImage& image, double shown_m) {
   return picture;
 }
 
-}  // namespace
-
-struct ReplaySheets::Internals {
-  const StoredTrial& stored;
-  const World& world;
-  const TrialRecord& record;
-  std::string title;
-  // The fastest of the flight, so that all its sheets have one scale; not 0 for a flight that never
-  // moved.
-  double most_mps = 0.1;
-  double radius_m;
-  std::optional<double> built_s;  // of the scenes; they change only where things move
-  World frozen, roofless;
-  std::optional<Scene> scene, roofless_scene;
-  std::optional<Panel> map;
-  Eigen::AlignedBox2d extent;  ///< the path with start and goal, from above
-  Layout layout;
-  std::unique_ptr<StruckObstacle> struck;
-
-  /// What moves has not come to the place of the contact before.
-  bool shows_contact(const Moment& moment) const {
-    return struck != nullptr && (world.motions.empty() || moment.time_s >= struck->time_s - 1e-9);
-  }
-  void find_extent();
-  void build(double time_s);
-  Panel overview(const Moment& moment);
-  Panel detail(const Moment& moment, const Panel& empty, bool from_above);
-  Panel from_above(const Moment& moment);
-  Panel from_aside(const Moment& moment);
-  Picture images(const Moment& moment);
-};
-
-void ReplaySheets::Internals::find_extent() {
+Eigen::AlignedBox2d extent_of(const StoredTrial& stored, const TrialRecord& record) {
+  Eigen::AlignedBox2d extent;
   for (const Sample& s : record.samples) extent.extend(s.position_world.head<2>());
   extent.extend(stored.mission.start_world.head<2>());
   extent.extend(stored.mission.goal_world.head<2>());
-  layout = layout_of(extent.sizes() + Eigen::Vector2d::Constant(kAround_m));
+  return extent;
 }
 
-/// Scenes and the plan are costly: they are made once where nothing moves, else for each moment.
-/// Old ones go first, since scenes refer to their worlds.
-void ReplaySheets::Internals::build(double time_s) {
-  if (built_s && (world.motions.empty() || *built_s == time_s)) return;
-  built_s = time_s;
-  map.reset();
-  scene.reset();
-  roofless_scene.reset();
-  frozen = world;
-  // What moves is put where it is at this time, and then stands.
-  for (const Motion& motion : world.motions) {
-    frozen.instances[motion.instance].T_world_prototype.translation() +=
-        displacement_world(motion, time_s).cast<float>();
-  }
-  frozen.motions.clear();
-  roofless = without_roof(world, time_s);
-  scene.emplace(frozen);
-  roofless_scene.emplace(roofless);
-  const Eigen::Vector2d size = extent.sizes() + Eigen::Vector2d::Constant(kAround_m);
-  const double width_m = std::max(
-      size.x(), size.y() * layout.overview_width_px / (layout.overview_height_px - kBands_px));
-  map = make_panel(layout.overview_width_px, layout.overview_height_px,
-                   {extent.center().x(), extent.center().y(), 0.0}, Vector3d::UnitX(),
-                   Vector3d::UnitY(), width_m);
-  // Cut at the median height of the flight, which one climb does not move.
+Panel flight_plan(const Scene& roofless, const TrialRecord& record,
+                  const Eigen::AlignedBox2d& extent, double margin_m, int width_px, int height_px,
+                  int bands_px) {
+  const Eigen::Vector2d size = extent.sizes() + Eigen::Vector2d::Constant(margin_m);
+  const double width_m = std::max(size.x(), size.y() * width_px / (height_px - bands_px));
+  Panel panel = make_panel(width_px, height_px, {extent.center().x(), extent.center().y(), 0.0},
+                           Vector3d::UnitX(), Vector3d::UnitY(), width_m);
   std::vector<double> heights_m;
   for (const Sample& s : record.samples) heights_m.push_back(s.position_world.z());
   const auto middle = heights_m.begin() + static_cast<std::ptrdiff_t>(heights_m.size() / 2);
   std::nth_element(heights_m.begin(), middle, heights_m.end());
-  paint_plan(*roofless_scene, *middle, *map);
+  paint_plan(roofless, *middle, panel);
+  return panel;
 }
 
-Panel ReplaySheets::Internals::overview(const Moment& moment) {
-  Panel panel = *map;
+/// What moves has not come to the place of the contact before.
+bool ReplaySheets::shows_contact(const Moment& moment) const {
+  return struck_ != nullptr && (world_.motions.empty() || moment.time_s >= struck_->time_s - 1e-9);
+}
+
+/// Scenes and the plan are costly: they are made once where nothing moves, else for each moment.
+/// Old ones go first, since scenes refer to their worlds.
+void ReplaySheets::build(double time_s) {
+  if (built_s_ && (world_.motions.empty() || *built_s_ == time_s)) return;
+  built_s_ = time_s;
+  map_.reset();
+  scene_.reset();
+  roofless_scene_.reset();
+  frozen_ = world_;
+  // What moves is put where it is at this time, and then stands.
+  for (const Motion& motion : world_.motions) {
+    frozen_.instances[motion.instance].T_world_prototype.translation() +=
+        displacement_world(motion, time_s).cast<float>();
+  }
+  frozen_.motions.clear();
+  roofless_ = without_roof(world_, time_s);
+  scene_.emplace(frozen_);
+  roofless_scene_.emplace(roofless_);
+  map_ = flight_plan(*roofless_scene_, record_, extent_, kAround_m, layout_.overview_width_px,
+                     layout_.overview_height_px, kBands_px);
+}
+
+Panel ReplaySheets::overview(const Moment& moment) const {
+  Panel panel = *map_;
   // Heights matter in the details: here all is drawn as if it lay in the vehicle's plane.
-  panel.low_world.z() = sample_at(record, moment.time_s).position_world.z();
+  panel.low_world.z() = sample_at(record_, moment.time_s).position_world.z();
   draw(moment.drawings, panel);
-  draw_flown(record, moment.time_s, most_mps, 3, panel);
+  draw_flown(record_, moment.time_s, most_mps_, 3, panel);
   draw_path(commanded(moment), kCommand, 2, 1, panel);
-  draw_mission(stored.mission, stored.spec.mission.goal_radius_m, panel);
-  if (shows_contact(moment)) draw_struck(*struck, panel);
-  const Vector3d vehicle = sample_at(record, moment.time_s).position_world;
+  draw_mission(stored_.mission, stored_.spec.mission.goal_radius_m, panel);
+  if (shows_contact(moment)) draw_struck(*struck_, panel);
+  const Vector3d vehicle = sample_at(record_, moment.time_s).position_world;
   draw_circle(panel.picture, panel.to_pixels(vehicle), 9.0, kWhite, 4);
   draw_circle(panel.picture, panel.to_pixels(vehicle), 9.0, kVehicle, 2);
   add_caption(panel.picture, "from above; path by speed, grey: what came later");
   add_legend({{kStartColor, "start"}, {kGoalColor, "goal"}, {kVehicle, "vehicle"}}, panel.picture);
   add_scale_bar(panel.picture, panel.pixels_per_m);
-  add_speed_scale(most_mps, panel.picture);
+  add_speed_scale(most_mps_, panel.picture);
   return panel;
 }
 
 /// From the bottom up: surfaces, mission, drawings, path, command, what was struck, and the vehicle
 /// on top.
-Panel ReplaySheets::Internals::detail(const Moment& moment, const Panel& empty, bool from_above) {
+Panel ReplaySheets::detail(const Moment& moment, const Panel& empty, bool from_above) const {
   Panel panel = empty;
-  const Sample& now = sample_at(record, moment.time_s);
-  paint_slice(*scene, radius_m, panel);
-  if (from_above) draw_mission(stored.mission, stored.spec.mission.goal_radius_m, panel);
+  const Sample& now = sample_at(record_, moment.time_s);
+  paint_slice(*scene_, radius_m_, panel);
+  if (from_above) draw_mission(stored_.mission, stored_.spec.mission.goal_radius_m, panel);
   draw(moment.drawings, panel);
-  draw_flown(record, moment.time_s, most_mps, 2, panel);
+  draw_flown(record_, moment.time_s, most_mps_, 2, panel);
   // What the controller followed: away from the path where the vehicle lags.
   std::vector<Vector3d> references;
-  for (const Sample& s : record.samples) {
+  for (const Sample& s : record_.samples) {
     const bool is_recent = s.time_s > moment.time_s - 3.0 && s.time_s <= moment.time_s + 1e-9;
     if (is_recent && s.reference_world.allFinite()) references.push_back(s.reference_world);
   }
   draw_path(references, kReference, 1, 0, panel);
   draw_path(commanded(moment), kCommand, 2, 1, panel);
-  if (shows_contact(moment)) draw_struck(*struck, panel);
-  draw_box(to_eigen(stored.spec.vehicle.body_size_m),
+  if (shows_contact(moment)) draw_struck(*struck_, panel);
+  draw_box(to_eigen(stored_.spec.vehicle.body_size_m),
            make_pose(now.position_world, now.q_world_body), kVehicle, panel);
   // Body x is forward.
   const Vector3d nose = now.position_world + 0.6 * (now.q_world_body * Vector3d::UnitX());
@@ -291,12 +242,12 @@ Panel ReplaySheets::Internals::detail(const Moment& moment, const Panel& empty, 
   return panel;
 }
 
-Panel ReplaySheets::Internals::from_above(const Moment& moment) {
-  const Sample& now = sample_at(record, moment.time_s);
+Panel ReplaySheets::from_above(const Moment& moment) const {
+  const Sample& now = sample_at(record_, moment.time_s);
   Panel panel = make_panel(kDetail_px, kDetail_px, now.position_world, Vector3d::UnitX(),
                            Vector3d::UnitY(), kDetail_m);
   // What is more than half a metre above the vehicle is left out.
-  paint_below(*roofless_scene, now.position_world.z() + 0.5, panel);
+  paint_below(*roofless_scene_, now.position_world.z() + 0.5, panel);
   panel = detail(moment, panel, true);
   std::vector<LegendLine> legend{{kCommand, command_text(moment)},
                                  {kReference, "reference, last 3 s"}};
@@ -306,17 +257,18 @@ Panel ReplaySheets::Internals::from_above(const Moment& moment) {
   }
   add_legend(legend, panel.picture);
   const std::string clearance = now.clearance_m < kClearanceLimit_m
-                                    ? formatted("%.2f m", now.clearance_m)
-                                    : formatted("> %.0f m", kClearanceLimit_m);
-  add_caption(panel.picture, formatted("z = %.2f m, %.2f m/s, clearance %s; red: within %.2f m",
-                                       now.position_world.z(), now.velocity_world.norm(),
-                                       clearance.c_str(), radius_m));
+                                    ? fixed_digits(now.clearance_m, 2)
+                                    : "> " + fixed_digits(kClearanceLimit_m, 0);
+  add_caption(panel.picture, "z = " + fixed_digits(now.position_world.z(), 2) + " m, " +
+                                 fixed_digits(now.velocity_world.norm(), 2) + " m/s, clearance " +
+                                 clearance + " m; red: within " + fixed_digits(radius_m_, 2) +
+                                 " m");
   add_scale_bar(panel.picture, panel.pixels_per_m);
   return panel;
 }
 
-Panel ReplaySheets::Internals::from_aside(const Moment& moment) {
-  const Sample& now = sample_at(record, moment.time_s);
+Panel ReplaySheets::from_aside(const Moment& moment) const {
+  const Sample& now = sample_at(record_, moment.time_s);
   Vector3d along = now.velocity_world;
   along.z() = 0.0;
   // Slower than this the direction of the velocity is chance.
@@ -326,45 +278,45 @@ Panel ReplaySheets::Internals::from_aside(const Moment& moment) {
     along.z() = 0.0;
   }
   along.normalize();
-  Panel panel = make_panel(layout.side_width_px, kSideHeight_px, now.position_world, along,
+  Panel panel = make_panel(layout_.side_width_px, kSideHeight_px, now.position_world, along,
                            Vector3d::UnitZ(), kDetail_m);
   // The view is not centred on low flights: little of it is below the ground.
   const double ground_m =
-      ground_height_m(world, now.position_world.x(), now.position_world.y()) - 0.4;
+      ground_height_m(world_, now.position_world.x(), now.position_world.y()) - 0.4;
   panel.low_world.z() = std::max(panel.low_world.z(), ground_m);
-  paint_white(panel);
+  std::fill(panel.picture.rgb.begin(), panel.picture.rgb.end(), std::uint8_t{255});
   panel = detail(moment, panel, false);
   add_caption(panel.picture, std::string("from the side, along the ") +
                                  (is_flying ? "velocity" : "nose") + " (to the right)");
   return panel;
 }
 
-Picture ReplaySheets::Internals::images(const Moment& moment) {
-  const double shown_m = std::min(stored.spec.sensor.max_range_m, 20.0);
+Picture ReplaySheets::images(const Moment& moment) const {
+  const double shown_m = std::min(stored_.spec.sensor.max_range_m, 20.0);
   std::vector<SeenImage> seen = moment.images;
   std::string caption = "what the planner saw last";
   if (seen.empty()) {
     // A planner that asks for no images still flies somewhere: show what a camera would have seen.
-    const Sample& now = sample_at(record, moment.time_s);
-    Pinhole camera = sensor_camera(stored.spec.sensor);
+    const Sample& now = sample_at(record_, moment.time_s);
+    Pinhole camera = sensor_camera(stored_.spec.sensor);
     SeenImage& image = seen.emplace_back();
     image.time_s = now.time_s;
     image.width_px = camera.width_px;
     image.height_px = camera.height_px;
     image.depth_m.resize(static_cast<std::size_t>(camera.width_px) *
                          static_cast<std::size_t>(camera.height_px));
-    render_depth(*scene, camera,
+    render_depth(*scene_, camera,
                  make_pose(now.position_world, now.q_world_body) *
-                     T_body_camera(stored.spec.sensor.mounting),
+                     T_body_camera(stored_.spec.sensor.mounting),
                  image.depth_m);
     caption = "ideal depth; this planner saw no image";
   }
   // As square as can be, filled row by row.
   const int columns = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(seen.size()))));
   const int rows = (static_cast<int>(seen.size()) + columns - 1) / columns;
-  const int cell_width = layout.side_width_px / columns,
-            cell_height = layout.image_height_px / rows;
-  Picture sheet = make_picture(layout.side_width_px, layout.image_height_px);
+  const int cell_width = layout_.side_width_px / columns,
+            cell_height = layout_.image_height_px / rows;
+  Picture sheet = make_picture(layout_.side_width_px, layout_.image_height_px);
   double newest_s = seen.front().time_s;
   for (std::size_t i = 0; i < seen.size(); ++i) {
     // A camera that has not exposed yet.
@@ -381,54 +333,43 @@ Picture ReplaySheets::Internals::images(const Moment& moment) {
     if (!is_alone) draw_label(shown, "camera " + std::to_string(i), 6, height - 30, {20, 20, 20});
     paste(shown, column * cell_width + (cell_width - width) / 2, row * cell_height, sheet);
   }
-  add_caption(sheet, caption + formatted(", t = %.3f s", newest_s));
+  add_caption(sheet, caption + ", t = " + fixed_digits(newest_s, 3) + " s");
   if (!seen.front().depth_m.empty()) add_depth_scale(sheet, 0.0, shown_m);
   return sheet;
 }
 
 ReplaySheets::ReplaySheets(const StoredTrial& stored, const World& world, const TrialRecord& record,
                            std::string title)
-    : internals_(std::make_unique<Internals>(
-          Internals{.stored = stored,
-                    .world = world,
-                    .record = record,
-                    .title = std::move(title),
-                    .radius_m = 0.5 * to_eigen(stored.spec.vehicle.body_size_m).norm(),
-                    .built_s = {},
-                    .frozen = {},
-                    .roofless = {},
-                    .scene = {},
-                    .roofless_scene = {},
-                    .map = {},
-                    .extent = {},
-                    .layout = {},
-                    .struck = struck_obstacle(world, record)})) {
-  internals_->find_extent();
+    : stored_(stored),
+      world_(world),
+      record_(record),
+      title_(std::move(title)),
+      radius_m_(0.5 * to_eigen(stored.spec.vehicle.body_size_m).norm()),
+      extent_(extent_of(stored, record)),
+      layout_(layout_of(extent_.sizes() + Eigen::Vector2d::Constant(kAround_m))),
+      struck_(struck_obstacle(world, record)) {
   for (const Sample& s : record.samples) {
-    internals_->most_mps = std::max(internals_->most_mps, s.velocity_world.norm());
+    most_mps_ = std::max(most_mps_, s.velocity_world.norm());
   }
 }
 
-ReplaySheets::~ReplaySheets() = default;
-
 Picture ReplaySheets::sheet(const Moment& moment) {
-  Internals& self = *internals_;
-  self.build(moment.time_s);
-  const Layout& layout = self.layout;
-  Picture sheet = make_picture(layout.width_px, layout.height_px);
-  draw_text(sheet, ascii(self.title), 8, 17, kWhite);
+  build(moment.time_s);
+  Picture sheet = make_picture(layout_.width_px, layout_.height_px);
+  draw_text(sheet, ascii(title_), 8, 17, kWhite);
   draw_text(sheet,
-            ascii(formatted("t = %.3f s, planned at %.3f s; ended ", moment.time_s, moment.call_s) +
-                  formatted("at %.3f s: ", self.record.end_time_s) + self.record.reason),
+            ascii("t = " + fixed_digits(moment.time_s, 3) + " s, planned at " +
+                  fixed_digits(moment.call_s, 3) + " s; ended at " +
+                  fixed_digits(record_.end_time_s, 3) + " s: " + record_.reason),
             8, 36, kWhite);
-  paste(self.overview(moment).picture, 0, kHeader_px, sheet);
-  const int left = layout.is_wide ? 0 : layout.overview_width_px + kGap_px;
-  const int top = layout.is_wide ? kHeader_px + layout.overview_height_px + kGap_px : kHeader_px;
-  paste(self.from_above(moment).picture, left, top, sheet);
-  const int side_left = layout.is_wide ? kDetail_px + kGap_px : left;
-  const int side_top = layout.is_wide ? top : top + kDetail_px + kGap_px;
-  paste(self.from_aside(moment).picture, side_left, side_top, sheet);
-  paste(self.images(moment), side_left, side_top + kSideHeight_px + kGap_px, sheet);
+  paste(overview(moment).picture, 0, kHeader_px, sheet);
+  const int left = layout_.is_wide ? 0 : layout_.overview_width_px + kGap_px;
+  const int top = layout_.is_wide ? kHeader_px + layout_.overview_height_px + kGap_px : kHeader_px;
+  paste(from_above(moment).picture, left, top, sheet);
+  const int side_left = layout_.is_wide ? kDetail_px + kGap_px : left;
+  const int side_top = layout_.is_wide ? top : top + kDetail_px + kGap_px;
+  paste(from_aside(moment).picture, side_left, side_top, sheet);
+  paste(images(moment), side_left, side_top + kSideHeight_px + kGap_px, sheet);
   return sheet;
 }
 

@@ -140,23 +140,17 @@ std::vector<Cell> cells_of(const CameraSpec& sensor, CameraImages& images,
 /// more; one row of a single view.
 std::vector<std::vector<Picture>> arranged(std::vector<std::vector<Cell>> cameras,
                                            const std::string& view) {
-  const auto is_seen = [](const std::string& name) {
-    return name == "left" || name == "right" || name == "color" || name == "disparity";
-  };
+  const bool is_sheet = view == "sheet", has_several = cameras.size() > 1;
   std::vector<std::vector<Picture>> rows(1);
   for (std::vector<Cell>& cells : cameras) {
     for (Cell& one : cells) {
-      if (view != "sheet" && one.view != view) continue;
-      // One camera: two rows. More cameras: of what is seen only the left image, to keep rows
-      // short.
-      const bool starts_row = view == "sheet" && cameras.size() == 1 && one.view == "depth";
+      if (!is_sheet && one.view != view) continue;
+      // Of several cameras only the left image of what is seen, to keep rows short.
       const bool is_left_out =
-          view == "sheet" && cameras.size() > 1 && is_seen(one.view) && one.view != "left";
-      if (is_left_out) continue;
-      if (starts_row ||
-          (view == "sheet" && cameras.size() > 1 && one.view == "left" && !rows.back().empty())) {
-        rows.emplace_back();
-      }
+          one.view == "right" || one.view == "color" || one.view == "disparity";
+      if (is_sheet && has_several && is_left_out) continue;
+      const bool starts_row = is_sheet && one.view == (has_several ? "left" : "depth");
+      if (starts_row && !rows.back().empty()) rows.emplace_back();
       rows.back().push_back(std::move(one.picture));
     }
   }

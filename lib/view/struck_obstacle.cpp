@@ -4,39 +4,27 @@
 #include "text/number_text.hpp"
 
 namespace avoidbench {
-namespace {
-
-constexpr Color kStruck{220, 20, 30}, kRim{255, 255, 255};
-
-}  // namespace
-
-StruckObstacle::StruckObstacle(World struck, double contact_s, const Eigen::Vector3d& body_world,
-                               const Collision& collision)
-    : world(std::move(struck)),
-      scene(world),
-      time_s(contact_s),
-      // The place of the obstacle that is nearest to the body's centre: a contact has no recorded
-      // place.
-      contact_world(scene.nearest(body_world).point_world),
-      is_shown(collision.kind != "ground" && collision.kind != "ceiling"),
-      label("touched " + ascii(collision.kind) + " " + std::to_string(collision.obstacle) + " at " +
-            fixed_digits(collision.time_s, 2) + " s, " + fixed_digits(collision.speed_mps, 1) +
-            " m/s") {}
-
 std::unique_ptr<StruckObstacle> struck_obstacle(const World& world, const TrialRecord& record) {
   if (record.collisions.empty() || record.samples.empty()) return nullptr;
   const Collision& last = record.collisions.back();
   const bool is_known =
       last.obstacle >= 0 && last.obstacle < static_cast<std::int64_t>(world.obstacles.size());
   if (!is_known) return nullptr;
-  World struck = alone(world, last.obstacle, last.time_s);
-  if (struck.instances.empty()) return nullptr;
-  return std::make_unique<StruckObstacle>(std::move(struck), last.time_s,
-                                          body_pose_at(record.samples, last.time_s).translation(),
-                                          last);
+  World own = alone(world, last.obstacle, last.time_s);
+  if (own.instances.empty()) return nullptr;
+  auto struck = std::make_unique<StruckObstacle>(std::move(own));
+  struck->time_s = last.time_s;
+  // The place that is nearest to the body's centre: a contact has no recorded place.
+  const Eigen::Vector3d body_world = body_pose_at(record.samples, last.time_s).translation();
+  struck->contact_world = struck->scene.nearest(body_world).point_world;
+  struck->is_shown = last.kind != "ground" && last.kind != "ceiling";
+  struck->label = "touched " + ascii(last.kind) + " " + std::to_string(last.obstacle) + " at " +
+                  fixed_digits(last.time_s, 2) + " s, " + fixed_digits(last.speed_mps, 1) + " m/s";
+  return struck;
 }
 
 void draw_struck(const StruckObstacle& struck, Panel& panel) {
+  constexpr Color kStruck{220, 20, 30};
   constexpr double kShown_m = 3.0, kArm_px = 7.0;
   if (struck.is_shown) {
     paint_silhouette(struck.scene, struck.contact_world, kShown_m, kStruck, panel);
@@ -52,7 +40,7 @@ void draw_struck(const StruckObstacle& struck, Panel& panel) {
       draw_line(
           panel.picture,
           {at + kArm_px * Eigen::Vector2d(-1.0, side), at - kArm_px * Eigen::Vector2d(-1.0, side)},
-          width_px == 6 ? kRim : kStruck, width_px);
+          width_px == 6 ? kWhite : kStruck, width_px);
     }
   }
   // Beside the cross, or below it where neither side has room.

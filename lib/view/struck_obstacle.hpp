@@ -11,17 +11,16 @@ namespace avoidbench {
 
 /// What a flight touched last, alone in a world of its own. Stays at its address.
 struct StruckObstacle {
-  StruckObstacle(World struck, double contact_s, const Eigen::Vector3d& body_world,
-                 const Collision& collision);
+  explicit StruckObstacle(World struck) : world(std::move(struck)), scene(world) {}
   StruckObstacle(const StruckObstacle&) = delete;
   StruckObstacle& operator=(const StruckObstacle&) = delete;
 
   World world;  ///< with this obstacle's instances only, where they stood at the contact
   Scene scene;
-  double time_s;
+  double time_s = 0.0;
   Eigen::Vector3d contact_world;
-  bool is_shown;      ///< ground and ceiling are everywhere
-  std::string label;  ///< "touched tree 17 at 3.21 s, 2.1 m/s"
+  bool is_shown = true;  ///< ground and ceiling are everywhere
+  std::string label;     ///< "touched tree 17 at 3.21 s, 2.1 m/s"
 };
 
 /// Null where the flight touched nothing that the world has.

@@ -100,7 +100,7 @@ TEST(Struck, TheContactIsOnTheObstacleAndMarkedThere) {
   EXPECT_NEAR(struck->contact_world.z(), 2.0, 0.02);
   Panel panel =
       make_panel(900, 900, {0, 0, 2}, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), 10.0);
-  paint_white(panel);
+  panel.picture.rgb.assign(panel.picture.rgb.size(), 255);
   draw_struck(*struck, panel);
   EXPECT_TRUE(is_reddish(pixel(panel.picture, panel.to_pixels(struck->contact_world))));
   EXPECT_TRUE(is_reddish(pixel(panel.picture, panel.to_pixels({0.3, -0.3, 2}))));  // the trunk
@@ -125,7 +125,7 @@ TEST(Struck, TheGroundIsNotPaintedRed) {
   ASSERT_NE(struck, nullptr);
   Panel panel =
       make_panel(900, 900, {0, 0, 2}, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), 10.0);
-  paint_white(panel);
+  panel.picture.rgb.assign(panel.picture.rgb.size(), 255);
   draw_struck(*struck, panel);
   EXPECT_EQ(pixel(panel.picture, panel.to_pixels({2.0, 2.0, 2})), (Color{255, 255, 255}));
 }
