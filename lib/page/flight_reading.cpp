@@ -1,10 +1,10 @@
 #include "page/flight_reading.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <exception>
-#include <thread>
+#include <deque>
+#include <utility>
 
+#include "base/check.hpp"
 #include "base/input_error.hpp"
 #include "page/flight_data.hpp"
 
@@ -13,12 +13,21 @@ namespace {
 
 constexpr std::size_t kMostReaders = 8;
 
-PackedFlight packed_flight(const std::string& key, const std::vector<Database>& databases) {
+/// A thread's own handle of a database.
+struct Source {
+  explicit Source(const std::filesystem::path& file)
+      : database(Database::open_for_reading(file)), trials(database) {}
+
+  Database database;
+  StoredTrialReader trials;
+};
+
+PackedFlight packed_flight(const std::string& key, std::deque<Source>& sources) {
   PackedFlight flight;
   flight.problem = "it is in none of the databases";
-  for (std::size_t i = 0; i < databases.size() && !flight.stored; ++i) {
+  for (std::size_t i = 0; i < sources.size() && !flight.stored; ++i) {
     try {
-      flight.stored = read_stored_trial(databases[i], key);
+      flight.stored = sources[i].trials.read(key);
       flight.database = i;
     } catch (const InputError& error) {
       flight.problem = error.what();
@@ -37,38 +46,68 @@ PackedFlight packed_flight(const std::string& key, const std::vector<Database>& 
 
 }  // namespace
 
-FlightReader::FlightReader(std::span<const PageDatabase> databases) {
+std::size_t bytes_in_page(const nlohmann::ordered_json& packed) {
+  constexpr std::size_t kBeside_bytes = 400;  // start, goal, touches, names of all that
+  return packed["data"].get_ref<const std::string&>().size() + kBeside_bytes;
+}
+
+FlightReader::FlightReader(std::span<const PageDatabase> databases, std::vector<std::string> keys,
+                           std::size_t ahead_bytes)
+    : keys_(std::move(keys)), ahead_bytes_(ahead_bytes), flights_(keys_.size()) {
+  for (const PageDatabase& one : databases) files_.push_back(one.database->path());
   const std::size_t count =
       std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, kMostReaders);
-  for (std::size_t i = 0; i < count; ++i) {
-    std::vector<Database>& own = handles_.emplace_back();
-    for (const PageDatabase& one : databases) {
-      own.push_back(Database::open_for_reading(one.database->path()));
-    }
+  for (std::size_t i = 0; i < std::min(count, keys_.size()); ++i) {
+    threads_.emplace_back([this] { work(); });
   }
 }
 
-std::vector<PackedFlight> FlightReader::read(std::span<const std::string> keys) {
-  std::vector<PackedFlight> flights(keys.size());
-  std::vector<std::exception_ptr> problems(handles_.size());
-  std::atomic<std::size_t> next = 0;
-  const auto work = [&](std::size_t reader) {
-    try {
-      for (std::size_t i = next++; i < keys.size(); i = next++) {
-        flights[i] = packed_flight(keys[i], handles_[reader]);
-      }
-    } catch (...) {
-      problems[reader] = std::current_exception();
-    }
-  };
-  std::vector<std::thread> threads;
-  for (std::size_t i = 1; i < handles_.size(); ++i) threads.emplace_back(work, i);
-  work(0);
-  for (std::thread& thread : threads) thread.join();
-  for (const std::exception_ptr& problem : problems) {
-    if (problem) std::rethrow_exception(problem);
+FlightReader::~FlightReader() {
+  {
+    const std::lock_guard lock(mutex_);
+    is_stopped_ = true;
   }
-  return flights;
+  changed_.notify_all();
+  for (std::thread& thread : threads_) thread.join();
+}
+
+/// The next flight to be read, when it is its turn; nothing where there is no more to do.
+std::optional<std::size_t> FlightReader::claimed() {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [this] {
+    return is_stopped_ || claimed_count_ == keys_.size() || claimed_count_ < asked_count_ ||
+           bytes_ < ahead_bytes_;
+  });
+  if (is_stopped_ || claimed_count_ == keys_.size()) return std::nullopt;
+  return claimed_count_++;
+}
+
+void FlightReader::work() {
+  try {
+    std::deque<Source> sources;  // neither moves
+    for (const std::filesystem::path& file : files_) sources.emplace_back(file);
+    while (const std::optional<std::size_t> at = claimed()) {
+      auto flight = std::make_unique<PackedFlight>(packed_flight(keys_[*at], sources));
+      const std::lock_guard lock(mutex_);
+      if (flight->json != nullptr) bytes_ += bytes_in_page(*flight->json);
+      flights_[*at] = std::move(flight);
+      changed_.notify_all();
+    }
+  } catch (...) {
+    const std::lock_guard lock(mutex_);
+    problem_ = std::current_exception();
+    changed_.notify_all();
+  }
+}
+
+PackedFlight FlightReader::next() {
+  std::unique_lock lock(mutex_);
+  AB_CHECK(asked_count_ < keys_.size());
+  std::unique_ptr<PackedFlight>& flight = flights_[asked_count_++];
+  changed_.notify_all();
+  changed_.wait(lock, [&] { return flight != nullptr || problem_ != nullptr; });
+  if (problem_) std::rethrow_exception(problem_);
+  return std::move(*std::exchange(flight, nullptr));
 }
 
 }  // namespace avoidbench

@@ -24,21 +24,22 @@ ordered_json camera_json(const RigCamera& camera) {
           {"max_m", camera.kind.max_range_m}};
 }
 
-constexpr std::size_t kFlightsAtOnce = 64;
-constexpr std::size_t kBesideFlight_bytes = 400;  // start, goal, touches, names of all that
-
 /// Flights of a page while it fills.
 struct Filling {
   PageScenes scenes;
   ordered_json flights = ordered_json::array();
   std::size_t bytes = 0, limit = 0;
-  std::size_t left_out = 0;
 
   bool is_full() const { return bytes >= limit; }
 };
 
-void add_flight(PackedFlight packed, std::size_t sweep, std::size_t trial,
-                std::span<const PageDatabase> databases, Filling& filling) {
+/// A trial of a page: the place of its sweep, and its own in there.
+struct PageTrial {
+  std::size_t sweep = 0, trial = 0;
+};
+
+void add_flight(PackedFlight packed, const PageTrial& of, std::span<const PageDatabase> databases,
+                Filling& filling) {
   if (!packed.stored) {
     filling.scenes.warnings.push_back("a flight is not shown: " + packed.problem);
     return;
@@ -47,46 +48,37 @@ void add_flight(PackedFlight packed, std::size_t sweep, std::size_t trial,
   const StoredTrial& stored = *packed.stored;
   const std::size_t worlds_before = filling.scenes.worlds.size();
   ordered_json flight = std::move(*packed.json);
-  flight["sweep"] = sweep;
-  flight["trial"] = trial;
+  flight["sweep"] = of.sweep;
+  flight["trial"] = of.trial;
   flight["world"] = filling.scenes.world_of(stored, databases[packed.database].files);
   flight["rig"] = filling.scenes.rig_of(stored.spec);
   flight["goal_radius"] = stored.spec.mission.goal_radius_m;
   flight["start"] = to_array(stored.mission.start_world);
   flight["goal"] = to_array(stored.mission.goal_world);
-  filling.bytes += flight["data"].get_ref<const std::string&>().size() + kBesideFlight_bytes;
+  filling.bytes += bytes_in_page(flight);
   for (std::size_t i = worlds_before; i < filling.scenes.worlds.size(); ++i) {
-    filling.bytes +=
-        filling.scenes.worlds[i]["data"].get_ref<const std::string&>().size() + kBesideFlight_bytes;
+    filling.bytes += bytes_in_page(filling.scenes.worlds[i]);
   }
   filling.flights.push_back(std::move(flight));
 }
 
-void add_flights(const PageSweep& sweep, std::size_t sweep_index,
-                 std::span<const PageDatabase> databases, FlightReader& reader, Filling& filling) {
-  const std::vector<std::size_t> planners = planners_of(sweep.result), maps = maps_of(sweep.result);
-  std::vector<FlightCandidate> candidates;
-  for (std::size_t i = 0; i < sweep.result.trials.size(); ++i) {
-    const TrialSummary& trial = sweep.result.trials[i];
-    candidates.push_back({.planner = planners[i],
-                          .map = maps[i],
-                          .mission = trial.mission_index,
-                          .is_finished = trial.outcome == Outcome::reached_goal});
-  }
-  const std::vector<std::size_t> order = flight_order(candidates);
-  std::size_t done = 0;
-  while (done < order.size() && !filling.is_full()) {
-    std::vector<std::string> keys;
-    for (std::size_t i = done; i < std::min(done + kFlightsAtOnce, order.size()); ++i) {
-      keys.push_back(sweep.result.trials[order[i]].key);
+/// All trials in the order in which their flights are put into a page: sweep after sweep.
+std::vector<PageTrial> flights_in_order(const std::vector<PageSweep>& sweeps) {
+  std::vector<PageTrial> order;
+  for (std::size_t i = 0; i < sweeps.size(); ++i) {
+    const SweepResult& result = sweeps[i].result;
+    const std::vector<std::size_t> planners = planners_of(result), maps = maps_of(result);
+    std::vector<FlightCandidate> candidates;
+    for (std::size_t k = 0; k < result.trials.size(); ++k) {
+      const TrialSummary& trial = result.trials[k];
+      candidates.push_back({.planner = planners[k],
+                            .map = maps[k],
+                            .mission = trial.mission_index,
+                            .is_finished = trial.outcome == Outcome::reached_goal});
     }
-    for (PackedFlight& packed : reader.read(keys)) {
-      // Those that were read beyond the page's end are left out, however many they are.
-      if (filling.is_full()) break;
-      add_flight(std::move(packed), sweep_index, order[done++], databases, filling);
-    }
+    for (const std::size_t k : flight_order(candidates)) order.push_back({.sweep = i, .trial = k});
   }
-  filling.left_out += order.size() - done;
+  return order;
 }
 
 }  // namespace
@@ -160,13 +152,17 @@ ordered_json sweeps_page(const std::vector<PageSweep>& sweeps,
   }
   Filling filling;
   filling.limit = limit_bytes > table_bytes ? limit_bytes - table_bytes : 0;
-  FlightReader reader(databases);
-  for (std::size_t i = 0; i < sweeps.size(); ++i) {
-    add_flights(sweeps[i], i, databases, reader, filling);
+  const std::vector<PageTrial> order = flights_in_order(sweeps);
+  std::vector<std::string> keys;
+  for (const PageTrial& one : order) keys.push_back(sweeps[one.sweep].result.trials[one.trial].key);
+  FlightReader flights(databases, std::move(keys), filling.limit);
+  std::size_t shown = 0;
+  while (shown < order.size() && !filling.is_full()) {
+    add_flight(flights.next(), order[shown++], databases, filling);
   }
   page["sweeps"] = std::move(all);
   page["flights"] = std::move(filling.flights);
-  page["flights_left_out"] = filling.left_out;
+  page["flights_left_out"] = order.size() - shown;
   add_scenes(std::move(filling.scenes), page);
   return page;
 }

@@ -41,22 +41,26 @@ std::string script_safe(const nlohmann::ordered_json& json) {
       json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
   std::string out;
   out.reserve(text.size() + text.size() / 64);
+  std::size_t from = 0;  // what is plain from here on is copied at once
+  const auto replace = [&](std::size_t at, std::size_t size, std::string_view by) {
+    out.append(text, from, at - from).append(by);
+    from = at + size;
+  };
   for (std::size_t i = 0; i < text.size(); ++i) {
-    const std::string_view rest = std::string_view(text).substr(i, 3);
     if (text[i] == '<') {
-      out += "\\u003c";
+      replace(i, 1, "\\u003c");
     } else if (text[i] == '>') {
-      out += "\\u003e";
+      replace(i, 1, "\\u003e");
     } else if (text[i] == '&') {
-      out += "\\u0026";
-    } else if (rest == "\xe2\x80\xa8" || rest == "\xe2\x80\xa9") {
+      replace(i, 1, "\\u0026");
+    } else if (text[i] == '\xe2') {
       // U+2028 and U+2029 end lines in scripts.
-      out += rest == "\xe2\x80\xa8" ? "\\u2028" : "\\u2029";
-      i += 2;
-    } else {
-      out += text[i];
+      const std::string_view letter = std::string_view(text).substr(i, 3);
+      if (letter == "\xe2\x80\xa8") replace(i, 3, "\\u2028");
+      if (letter == "\xe2\x80\xa9") replace(i, 3, "\\u2029");
     }
   }
+  out.append(text, from);
   return out;
 }
 

@@ -115,12 +115,11 @@ std::size_t MeshStore::add(const Prototype& prototype) {
   Packed packed;
   for (const auto& axis : places) packed.add_deltas(axis);
   add_triangles(prototype, packed);
-  std::string text = packed.text();
-  const auto [entry, is_new] = index_of_.emplace(text, meshes_.size());
+  const auto [entry, is_new] = index_of_.emplace(packed.bytes(), meshes_.size());
   if (is_new) {
     meshes_.push_back({{"vertices", prototype.mesh.vertices.size()},
                        {"triangles", prototype.mesh.triangles.size()},
-                       {"data", std::move(text)}});
+                       {"data", packed.text()}});
   }
   return entry->second;
 }

@@ -1,9 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <string>
 #include <vector>
 
 #include "world/world.hpp"
@@ -21,7 +21,7 @@ class MeshStore {
   nlohmann::ordered_json json() const { return meshes_; }
 
  private:
-  std::map<std::string, std::size_t> index_of_;  ///< by its text
+  std::map<std::vector<std::byte>, std::size_t> index_of_;  ///< by what is packed
   nlohmann::ordered_json meshes_ = nlohmann::ordered_json::array();
 };
 

@@ -154,32 +154,42 @@ PlannerSource library_for(const PlannerChoice& choice, const ReplayFiles& files)
 }
 
 StoredTrial read_stored_trial(const Database& database, const std::string& key) {
-  std::optional<TrialRow> row = database.read_trial(key);
-  if (!row) {
-    throw InputError({.file = database.path().string(), .message = "holds no trial " + key});
-  }
+  return StoredTrialReader(database).read(key);
+}
+
+const MapRow* StoredTrialReader::map(const std::string& key) {
+  auto entry = maps_.find(key);
+  if (entry == maps_.end()) entry = maps_.emplace(key, database_->read_map(key)).first;
+  return entry->second ? &*entry->second : nullptr;
+}
+
+StoredTrial StoredTrialReader::read(const std::string& key) {
+  const std::filesystem::path& path = database_->path();
+  std::optional<TrialRow> row = trials_.read(key);
+  if (!row) throw InputError({.file = path.string(), .message = "holds no trial " + key});
   StoredTrial stored;
   stored.row = std::move(*row);
   try {
     stored.spec = stored_spec(stored.row.spec_json);
   } catch (const BadText& bad) {
-    throw_damaged(database.path(), "trials", key, std::string("spec_json: ") + bad.what());
+    throw_damaged(path, "trials", key, std::string("spec_json: ") + bad.what());
   }
   // The same fact in two places of the row: they may differ only in a damaged file.
   if (stored.spec.mission_index != stored.row.mission_index) {
-    throw_damaged(database.path(), "trials", key, "spec_json is of another mission");
+    throw_damaged(path, "trials", key, "spec_json is of another mission");
   }
-  const std::optional<MapRow> map = database.read_map(stored.row.map_key);
-  for (const MissionRecord& mission : map ? map->record.missions : std::vector<MissionRecord>{}) {
-    if (mission.index != stored.row.mission_index) continue;
-    // Invalid missions are never flown.
-    if (!mission.is_valid) break;
-    stored.mission = mission.mission;
-    stored.world_digest = map->record.world_digest;
-    stored.reference_length_m = mission.reference_length_m;
-    return stored;
+  const MapRow* const flown = map(stored.row.map_key);
+  // A map's missions are there from 0 on without a gap; invalid ones are never flown.
+  const auto index = static_cast<std::size_t>(stored.row.mission_index);
+  if (flown == nullptr || index >= flown->record.missions.size() ||
+      !flown->record.missions[index].is_valid) {
+    throw_damaged(path, "trials", key, "its mission is not there or can't be flown");
   }
-  throw_damaged(database.path(), "trials", key, "its mission is not there or can't be flown");
+  const MissionRecord& mission = flown->record.missions[index];
+  stored.mission = mission.mission;
+  stored.world_digest = flown->record.world_digest;
+  stored.reference_length_m = mission.reference_length_m;
+  return stored;
 }
 
 /// The scene refers to the world, and the library is loaded last: its digest was compared before.

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "render/scene.hpp"
 #include "store/database.hpp"
+#include "store/trial_table.hpp"
 #include "trial/run_trial.hpp"
 #include "trial/trial_spec.hpp"
 
@@ -34,6 +36,23 @@ struct ReplayFiles {
 /// Reads the trial of this key. Throws InputError where there is none, or where another version of
 /// the program stored it in a form that this one can't fly.
 StoredTrial read_stored_trial(const Database& database, const std::string& key);
+
+/// Reads one trial after the other; the map that several are flown on once.
+class StoredTrialReader {
+ public:
+  /// The database must outlive the reader and serve the same thread.
+  explicit StoredTrialReader(const Database& database) : database_(&database), trials_(database) {}
+
+  /// As read_stored_trial().
+  StoredTrial read(const std::string& key);
+
+ private:
+  const MapRow* map(const std::string& key);  ///< null where there is none
+
+  const Database* database_;
+  TrialReader trials_;
+  std::map<std::string, std::optional<MapRow>> maps_;
+};
 
 /// The trial with the places of the files of its map and its wind. Throws InputError where one is
 /// not found.

@@ -4,14 +4,12 @@
 #include <limits>
 #include <set>
 
-#include "base/digest.hpp"
 #include "store/database.hpp"
-#include "store/record_format.hpp"
-#include "store/row_digest.hpp"
 #include "store/schema_check.hpp"
 #include "store/statement.hpp"
 #include "store/stored_text.hpp"
 #include "store/trial_fields.hpp"
+#include "store/trial_table.hpp"
 
 namespace avoidbench {
 namespace {
@@ -113,84 +111,6 @@ std::vector<PlannerRow> planner_rows(const Database& db) {
   std::vector<PlannerRow> planners;
   while (s.step()) planners.push_back(planner_of(s));
   return planners;
-}
-
-/// `, t.a, t.b` for the metrics a and b.
-std::string metric_columns(const Database& db) {
-  std::string columns;
-  for (const MetricRow& metric : db.metrics()) columns += ", t." + sql_name(metric.name);
-  return columns;
-}
-
-std::vector<double> metrics_of(const Database& db, const Statement& s, int first_column) {
-  std::vector<double> values;
-  for (std::size_t i = 0; i < db.metrics().size(); ++i) {
-    values.push_back(s.real(first_column + static_cast<int>(i)));
-  }
-  return values;
-}
-
-std::vector<Collision> read_collisions(const Database& db, std::string_view key) {
-  Statement s(db.handle(), db.path(),
-              "SELECT time_s, speed_mps, obstacle_index, obstacle_kind, trial_key FROM events "
-              "WHERE trial_key = ? AND kind = 'collision' ORDER BY event_index");
-  s.rows_of("events", 4).bind_text(key);
-  std::vector<Collision> collisions;
-  while (s.step()) {
-    collisions.push_back({.time_s = s.real(0),
-                          .speed_mps = s.real(1),
-                          .obstacle = s.integer(2),
-                          .kind = s.free_text(3)});
-  }
-  return collisions;
-}
-
-/// Checked against count and digest; none for a trial without a stored flight.
-std::vector<Sample> read_samples(const Database& db, std::string_view key) {
-  Statement s(db.handle(), db.path(),
-              "SELECT trial_key, samples, is_packed, sample_count, samples_digest FROM "
-              "trajectories WHERE trial_key = ?");
-  s.rows_of("trajectories").bind_text(key);
-  if (!s.step()) return {};
-  // Negative in a damaged file; the sizes below then contradict it.
-  const auto count = static_cast<std::size_t>(std::max<std::int64_t>(0, s.integer(3)));
-  const auto bytes = s.integer(2) != 0 ? unpacked_samples(s.blob(1), count)
-                                       // Older programs stored the samples unpacked.
-                                       : std::vector<std::byte>(s.blob(1).begin(), s.blob(1).end());
-  const bool has_size = bytes.size() % (kSampleDoubles * sizeof(double)) == 0 &&
-                        bytes.size() / (kSampleDoubles * sizeof(double)) == count;
-  if (!has_size) s.damaged("its samples can't be unpacked");
-  // The digest is of the samples, not of their packing, which may change.
-  if (Digest().add_bytes(bytes).hex() != s.text(4)) {
-    s.damaged("its samples are not those that were stored (samples_digest)");
-  }
-  return samples_from_bytes(bytes);
-}
-
-/// The same of the calls.
-std::vector<PlanCall> read_plan_calls(const Database& db, std::string_view key) {
-  Statement s(db.handle(), db.path(),
-              "SELECT trial_key, call_count, calls_digest, calls_json FROM plan_calls WHERE "
-              "trial_key = ?");
-  s.rows_of("plan_calls").bind_text(key);
-  if (!s.step()) return {};
-  std::vector<PlanCall> calls;
-  try {
-    calls = plan_calls_from_json(s.text(3));
-  } catch (const nlohmann::json::exception&) {
-    s.damaged("calls_json is no list of plan calls");
-  }
-  const bool has_count = s.integer(1) == static_cast<std::int64_t>(calls.size());
-  if (!has_count || plan_calls_digest(calls) != s.text(2)) {
-    s.damaged("its calls are not those that were stored (calls_digest)");
-  }
-  return calls;
-}
-
-void read_flight(const Database& db, std::string_view key, TrialRecord& record) {
-  record.samples = read_samples(db, key);
-  record.plan_calls = read_plan_calls(db, key);
-  record.collisions = read_collisions(db, key);
 }
 
 /// The mission's; nothing where the map lacks it.
@@ -384,32 +304,7 @@ std::optional<MapRow> Database::read_map(std::string_view key) const {
 }
 
 std::optional<TrialRow> Database::read_trial(std::string_view key) const {
-  Statement s(handle(), path(),
-              // A trial may belong to several sweeps: any one, but always the same.
-              "SELECT t.trial_key, (SELECT min(sweep) FROM sweep_trials x WHERE x.trial_key = "
-              "t.trial_key), t.map_key, p.label, p.file_digest, t.mission_index, t.spec_json, "
-              "t.outcome, t.reason, t.end_time_s, t.wall_time_s" +
-                  metric_columns(*this) +
-                  " FROM trials t JOIN planners p USING (planner_key) WHERE t.trial_key = ?");
-  s.rows_of("trials").bind_text(key);
-  if (!s.step()) return std::nullopt;
-  TrialRow row;
-  row.key = s.text(0);
-  row.sweep = s.text(1);
-  row.map_key = s.text(2);
-  row.planner_label = s.text(3);
-  row.planner_file_digest = s.text(4);
-  row.mission_index = s.integer(5);
-  row.spec_json = s.text(6);
-  row.record.outcome = outcome_of(s, 7);
-  row.record.reason = s.free_text(8);
-  row.record.end_time_s = s.real(9);
-  row.wall_time_s = s.real(10);
-  row.metrics = metrics_of(*this, s, 11);
-  // Only one trial: its flight is looked at too.
-  check_digests_of(*this, key);
-  read_flight(*this, key, row.record);
-  return row;
+  return TrialReader(*this).read(key);
 }
 
 std::vector<TrialListing> Database::list_trials(const std::vector<std::string>& fields) const {

@@ -61,7 +61,7 @@ class FlightDigests {
                 "events WHERE trial_key = ? ORDER BY event_index") {}
 
   FlightDigests& of(std::string_view key) {
-    flights_.bind_text(key);
+    flights_.reset().bind_text(key);
     return *this;
   }
 
@@ -73,14 +73,12 @@ class FlightDigests {
     for (int i = 1; i < flights_.column_count(); ++i) {
       flights_.append_value(flights_.column_name(i), i, bytes_);
     }
-    events_.bind_text(key);
+    events_.reset().bind_text(key);
     while (events_.step()) {
       for (int i = 0; i < events_.column_count(); ++i) {
         events_.append_value(events_.column_name(i), i, bytes_);
       }
     }
-    // Ready for the next key.
-    events_.run();
     digest = Digest().add(bytes_).hex();
     return true;
   }
@@ -194,14 +192,28 @@ std::int64_t check_digests(const Database& db, bool flights) {
   return without;
 }
 
-void check_digests_of(const Database& db, std::string_view trial_key) {
-  const std::vector<std::string> columns = digested_columns(db);
-  Statement row(db.handle(), db.path(), row_query(columns, true));
-  row.rows_of("trials").bind_text(trial_key);
+struct TrialDigests::Statements {
+  explicit Statements(const Database& db)
+      : columns(digested_columns(db)),
+        row(db.handle(), db.path(), row_query(columns, true)),
+        flights(db, true) {
+    row.rows_of("trials");
+  }
+
+  std::vector<std::string> columns;
+  Statement row;
+  FlightDigests flights;
+};
+
+TrialDigests::TrialDigests(const Database& db) : statements_(std::make_unique<Statements>(db)) {}
+TrialDigests::~TrialDigests() = default;
+
+void TrialDigests::check(std::string_view trial_key) {
+  Statement& row = statements_->row.reset().bind_text(trial_key);
   if (!row.step() || row.is_null(1)) return;
   std::string bytes, key, digest;
-  check_row(row, columns, bytes);
-  FlightDigests(db, true).of(trial_key).next(key, digest);
+  check_row(row, statements_->columns, bytes);
+  statements_->flights.of(trial_key).next(key, digest);
   check_flight(row, digest);
 }
 

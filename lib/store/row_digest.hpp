@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string_view>
 
 #include "store/database.hpp"
@@ -25,8 +26,17 @@ void write_digests(const Database& database, std::string_view trial_key);
 /// Returns how many trials have no digest: an older program flew them.
 std::int64_t check_digests(const Database& database, bool flights);
 
-/// Checks one trial as check_digests() with flights.
-void check_digests_of(const Database& database, std::string_view trial_key);
+/// Checks one trial after the other, as check_digests() with flights.
+class TrialDigests {
+ public:
+  explicit TrialDigests(const Database& database);
+  ~TrialDigests();
+  void check(std::string_view trial_key);
+
+ private:
+  struct Statements;
+  std::unique_ptr<Statements> statements_;
+};
 
 /// Says of a database what has no digest to be checked by; "" where all trials have one.
 std::string undigested_text(const Database& database, std::int64_t count);

@@ -146,9 +146,15 @@ bool Statement::step() {
 void Statement::run() {
   while (step()) {
   }
-  check(sqlite3_reset(statement_));
+  reset();
+}
+
+Statement& Statement::reset() {
+  // Its code is that of the last step, which has been told.
+  sqlite3_reset(statement_);
   sqlite3_clear_bindings(statement_);
   bound_count_ = 0;
+  return *this;
 }
 
 std::string Statement::text(int column) const {

@@ -40,8 +40,9 @@ class Statement {
   Statement& bind_blob(std::span<const std::byte> value);
 
   bool step();  ///< true while there is a row
-  void
-  run();  ///< to the end; bindings are cleared, so that the statement can be bound and run again
+  void run();   ///< to the end, then reset()
+  /// Without bindings, to be bound and run again.
+  Statement& reset();
 
   std::string text(int column) const;  ///< NULL becomes ""
   std::string free_text(

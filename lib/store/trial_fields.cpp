@@ -163,6 +163,20 @@ Outcome outcome_of(const Statement& row, int column) {
   return *outcome;
 }
 
+std::string metric_columns(const Database& db) {
+  std::string columns;
+  for (const MetricRow& metric : db.metrics()) columns += ", t." + sql_name(metric.name);
+  return columns;
+}
+
+std::vector<double> metrics_of(const Database& db, const Statement& row, int first_column) {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < db.metrics().size(); ++i) {
+    values.push_back(row.real(first_column + static_cast<int>(i)));
+  }
+  return values;
+}
+
 std::string field_columns(const Database& db, const std::vector<std::string>& fields) {
   std::string columns;
   for (const std::string& field : fields) columns += ", " + sql_of(db, field);

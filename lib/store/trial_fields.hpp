@@ -20,6 +20,11 @@ inline constexpr std::string_view kTrialTables =
     "JOIN maps m ON m.map_key = t.map_key JOIN runs r USING (run_id) JOIN missions i ON "
     "i.map_key = t.map_key AND i.mission_index = t.mission_index";
 
+/// `, t.a, t.b` for the metrics a and b.
+std::string metric_columns(const Database& db);
+/// Their values in the present row, from this column on.
+std::vector<double> metrics_of(const Database& db, const Statement& row, int first_column);
+
 /// SQL for each field, a comma before each. A field is
 /// - a column of the view trial_table or a metric: `planner`, `traversability`, `outcome`;
 /// - any value of the trial's spec by its path: `map.poisson_radius_m`, `wind.mean_mps`,

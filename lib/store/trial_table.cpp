@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <bit>
+#include <nlohmann/json.hpp>
 
 #include "base/check.hpp"
+#include "base/digest.hpp"
+#include "store/record_format.hpp"
+#include "store/row_digest.hpp"
 #include "store/statement.hpp"
 #include "store/trial_fields.hpp"
 
@@ -42,6 +46,54 @@ std::vector<std::string> axes_apart(const Database& database, std::span<const st
     if (!is_there) apart.push_back(axis);
   }
   return apart;
+}
+
+/// Checked against count and digest; none for a trial without a stored flight.
+std::vector<Sample> read_samples(Statement& s, std::string_view key) {
+  s.reset().bind_text(key);
+  if (!s.step()) return {};
+  // Negative in a damaged file; the sizes below then contradict it.
+  const auto count = static_cast<std::size_t>(std::max<std::int64_t>(0, s.integer(3)));
+  const auto bytes = s.integer(2) != 0 ? unpacked_samples(s.blob(1), count)
+                                       // Older programs stored the samples unpacked.
+                                       : std::vector<std::byte>(s.blob(1).begin(), s.blob(1).end());
+  const bool has_size = bytes.size() % (kSampleDoubles * sizeof(double)) == 0 &&
+                        bytes.size() / (kSampleDoubles * sizeof(double)) == count;
+  if (!has_size) s.damaged("its samples can't be unpacked");
+  // The digest is of the samples, not of their packing, which may change.
+  if (Digest().add_bytes(bytes).hex() != s.text(4)) {
+    s.damaged("its samples are not those that were stored (samples_digest)");
+  }
+  return samples_from_bytes(bytes);
+}
+
+/// The same of the calls.
+std::vector<PlanCall> read_plan_calls(Statement& s, std::string_view key) {
+  s.reset().bind_text(key);
+  if (!s.step()) return {};
+  std::vector<PlanCall> calls;
+  try {
+    calls = plan_calls_from_json(s.text(3));
+  } catch (const nlohmann::json::exception&) {
+    s.damaged("calls_json is no list of plan calls");
+  }
+  const bool has_count = s.integer(1) == static_cast<std::int64_t>(calls.size());
+  if (!has_count || plan_calls_digest(calls) != s.text(2)) {
+    s.damaged("its calls are not those that were stored (calls_digest)");
+  }
+  return calls;
+}
+
+std::vector<Collision> read_collisions(Statement& s, std::string_view key) {
+  s.reset().bind_text(key);
+  std::vector<Collision> collisions;
+  while (s.step()) {
+    collisions.push_back({.time_s = s.real(0),
+                          .speed_mps = s.real(1),
+                          .obstacle = s.integer(2),
+                          .kind = s.free_text(3)});
+  }
+  return collisions;
 }
 
 }  // namespace
@@ -148,6 +200,64 @@ std::vector<MapFlights> read_map_flights(const Database& database, const SweepIn
     run.run();
   }
   return flights;
+}
+
+struct TrialReader::Statements {
+  explicit Statements(const Database& db)
+      : row(db.handle(), db.path(),
+            // A trial may belong to several sweeps: any one, but always the same.
+            "SELECT t.trial_key, (SELECT min(sweep) FROM sweep_trials x WHERE x.trial_key = "
+            "t.trial_key), t.map_key, p.label, p.file_digest, t.mission_index, t.spec_json, "
+            "t.outcome, t.reason, t.end_time_s, t.wall_time_s" +
+                metric_columns(db) +
+                " FROM trials t JOIN planners p USING (planner_key) WHERE t.trial_key = ?"),
+        samples(db.handle(), db.path(),
+                "SELECT trial_key, samples, is_packed, sample_count, samples_digest FROM "
+                "trajectories WHERE trial_key = ?"),
+        plan_calls(db.handle(), db.path(),
+                   "SELECT trial_key, call_count, calls_digest, calls_json FROM plan_calls WHERE "
+                   "trial_key = ?"),
+        collisions(db.handle(), db.path(),
+                   "SELECT time_s, speed_mps, obstacle_index, obstacle_kind, trial_key FROM events "
+                   "WHERE trial_key = ? AND kind = 'collision' ORDER BY event_index"),
+        digests(db) {
+    row.rows_of("trials");
+    samples.rows_of("trajectories");
+    plan_calls.rows_of("plan_calls");
+    collisions.rows_of("events", 4);
+  }
+
+  Statement row, samples, plan_calls, collisions;
+  TrialDigests digests;
+};
+
+TrialReader::TrialReader(const Database& database)
+    : database_(&database), statements_(std::make_unique<Statements>(database)) {}
+TrialReader::TrialReader(TrialReader&& other) noexcept = default;
+TrialReader::~TrialReader() = default;
+
+std::optional<TrialRow> TrialReader::read(std::string_view key) {
+  Statement& s = statements_->row.reset().bind_text(key);
+  if (!s.step()) return std::nullopt;
+  TrialRow row;
+  row.key = s.text(0);
+  row.sweep = s.text(1);
+  row.map_key = s.text(2);
+  row.planner_label = s.text(3);
+  row.planner_file_digest = s.text(4);
+  row.mission_index = s.integer(5);
+  row.spec_json = s.text(6);
+  row.record.outcome = outcome_of(s, 7);
+  row.record.reason = s.free_text(8);
+  row.record.end_time_s = s.real(9);
+  row.wall_time_s = s.real(10);
+  row.metrics = metrics_of(*database_, s, 11);
+  // Only one trial: its flight is looked at too.
+  statements_->digests.check(key);
+  row.record.samples = read_samples(statements_->samples, key);
+  row.record.plan_calls = read_plan_calls(statements_->plan_calls, key);
+  row.record.collisions = read_collisions(statements_->collisions, key);
+  return row;
 }
 
 }  // namespace avoidbench

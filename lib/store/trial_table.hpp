@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -51,5 +52,22 @@ struct MapFlights {
 
 /// The maps on which the sweep has finished trials, by generator, seed and key.
 std::vector<MapFlights> read_map_flights(const Database& database, const SweepInfo& sweep);
+
+/// Reads one trial after the other, with statements that are prepared once.
+class TrialReader {
+ public:
+  /// The database must outlive the reader and serve the same thread.
+  explicit TrialReader(const Database& database);
+  TrialReader(TrialReader&& other) noexcept;
+  ~TrialReader();
+
+  /// As Database::read_trial().
+  std::optional<TrialRow> read(std::string_view key);
+
+ private:
+  struct Statements;
+  const Database* database_;
+  std::unique_ptr<Statements> statements_;
+};
 
 }  // namespace avoidbench

@@ -16,7 +16,9 @@
 #include "page/page_text.hpp"
 #include "page/world_data.hpp"
 #include "report/sweep_tables.hpp"
+#include "store/run_sql.hpp"
 #include "support/sample_rows.hpp"
+#include "sweep/sweep_rows.hpp"
 
 namespace avoidbench {
 namespace {
@@ -324,6 +326,65 @@ TEST(SweepPage, AFullPageLeavesFlightsOutAndSaysHowMany) {
   const nlohmann::ordered_json page = sweeps_page({sweep}, databases, {}, 10);
   EXPECT_EQ(page["flights_left_out"], 1);
   EXPECT_TRUE(page["scene_warnings"].empty());
+}
+
+/// The page of sweep "forest" of this file, as large as `limit_bytes`.
+nlohmann::ordered_json page_of(const std::filesystem::path& file, std::size_t limit_bytes) {
+  const Database database = Database::open_for_reading(file);
+  const SweepResult result = database.read_sweep("forest", 1);
+  const PageSweep sweep{.summary = summarize(result),
+                        .section = {},
+                        .result = result,
+                        .axes = {},
+                        .listing_of = {},
+                        .runs = {},
+                        .cause_of = {}};
+  const std::vector<PageDatabase> databases{{.database = &database, .files = {}}};
+  return sweeps_page({sweep}, databases, {}, limit_bytes);
+}
+
+TEST(SweepPage, OnlyFlightsThatAreShownHaveToBeWhole) {
+  constexpr int kTrials = 60;
+  const sample_rows::TemporaryFolder folder;
+  const std::filesystem::path file = folder / "a.db";
+  std::vector<std::string> keys;  // in the order of the page: all are failures of one map
+  {
+    Database database = sample_rows::begun(file, 0);
+    database.add_map(sample_rows::map_row(0, kTrials), "forest");
+    for (int i = 0; i < kTrials; ++i) {
+      TrialRow row = sample_rows::trial_row("a", 0, i, Outcome::collided);
+      TrialSpec spec;
+      spec.mission_index = i;
+      row.spec_json = trial_json(spec);
+      database.add_trial(row);
+    }
+  }
+  const nlohmann::ordered_json whole = page_of(file, 10'000'000);
+  ASSERT_EQ(whole["flights"].size(), kTrials);
+  EXPECT_EQ(whole["flights_left_out"], 0);
+  // Room for some of them beside tables and map.
+  const std::size_t limit_bytes =
+      whole["sweeps"].dump().size() + whole["worlds"].dump().size() + 10'000;
+  const nlohmann::ordered_json full = page_of(file, limit_bytes);
+  const std::size_t shown = full["flights"].size();
+  ASSERT_GT(shown, 5U);
+  ASSERT_LT(shown, kTrials);
+  EXPECT_EQ(full["flights_left_out"], kTrials - shown);
+  // They are the first ones of the whole page.
+  for (std::size_t i = 0; i < shown; ++i) EXPECT_EQ(full["flights"][i], whole["flights"][i]);
+
+  const auto damage = [&](const std::string& where) {
+    test::run_sql(file, "UPDATE trajectories SET samples = x'00' WHERE trial_key " + where +
+                            " (SELECT trial_key FROM sweep_trials ORDER BY trial_key LIMIT " +
+                            std::to_string(shown) + ")");
+  };
+  damage("NOT IN");
+  EXPECT_EQ(page_of(file, limit_bytes), full);
+  damage("IN");
+  const nlohmann::ordered_json damaged = page_of(file, limit_bytes);
+  EXPECT_TRUE(damaged["flights"].empty());
+  const std::string warning = damaged["scene_warnings"][0];
+  EXPECT_NE(warning.find("samples can't be unpacked"), std::string::npos) << warning;
 }
 
 TEST(WorldData, MeshesThatAreAlikeAreThereOnceAndTheirCornersWithinAStep) {

@@ -5,6 +5,7 @@
 #include "store/merge.hpp"
 #include "store/run_sql.hpp"
 #include "store/statement.hpp"
+#include "store/trial_table.hpp"
 #include "support/input_error_message.hpp"
 #include "support/sample_rows.hpp"
 
@@ -54,6 +55,22 @@ TEST(RowDigest, ShowsEveryChangeOfATrial) {
   }
   EXPECT_EQ(message_of_check(changed_file(folder, "UPDATE trials SET attempt = 7"), true),
             "no error");
+}
+
+TEST(TrialReader, ReadsOnAfterADamagedTrial) {
+  const TemporaryFolder folder;
+  const std::string file = changed_file(
+      folder, "UPDATE trajectories SET samples = x'00' WHERE trial_key = '" + collided().key + "'");
+  const Database db = Database::open_for_reading(file);
+  TrialReader reader(db);
+  for (int turn = 0; turn < 2; ++turn) {
+    EXPECT_TRUE(has(message_of([&] { reader.read(collided().key); }), "can't be unpacked"));
+    EXPECT_FALSE(reader.read("no such key").has_value());
+    const std::optional<TrialRow> row = reader.read(finished().key);
+    ASSERT_TRUE(row.has_value());
+    EXPECT_EQ(row->record.samples.size(), finished().record.samples.size());
+    EXPECT_EQ(row->record.plan_calls.size(), finished().record.plan_calls.size());
+  }
 }
 
 TEST(RowDigest, NamesTheTrial) {

@@ -13,8 +13,9 @@ function NumberCell({ value }: { value: string | number | null }): JSX.Element {
   return <td class="number" data-value={has ? String(value) : ''}>{Number.isInteger(value) ? String(value) : digits(value, 4)}</td>;
 }
 
+/** `hidden`: there, but not shown, which costs less than to make it anew. */
 export function Figure(props: {
-  title: string; note?: string; name: string; numbers: NumberTable; wide?: boolean; controls?: ComponentChildren;
+  title: string; note?: string; name: string; numbers: NumberTable; wide?: boolean; hidden?: boolean;
   children: ComponentChildren;
 }): JSX.Element {
   // Thousands of cells are made when someone looks.
@@ -25,8 +26,8 @@ export function Figure(props: {
     return () => window.removeEventListener('beforeprint', show);
   }, []);
   return (
-    <figure class={props.wide ? 'wide' : ''} data-figure={props.name}>
-      <figcaption><h3>{props.title}</h3>{props.controls}{props.note ? <p class="note">{props.note}</p> : null}</figcaption>
+    <figure class={props.wide ? 'wide' : ''} data-figure={props.name} hidden={props.hidden}>
+      <figcaption><h3>{props.title}</h3>{props.note ? <p class="note">{props.note}</p> : null}</figcaption>
       {props.children}
       <details open={open} onToggle={(e) => setOpen((e.currentTarget as HTMLDetailsElement).open)}>
         <summary>Numbers</summary>

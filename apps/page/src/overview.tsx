@@ -8,13 +8,23 @@ import type { Cell, ReportTable, Sweep } from './data';
 import type { View } from './state';
 import { logisticFit, quantile, successInterval } from './stats';
 
-interface Props { sweep: Sweep; chosen: Int32Array; view: View; change: (part: Partial<View>) => void; open: (trial: number) => void }
+interface OverviewProps { sweep: Sweep; chosen: Int32Array; view: View; change: (part: Partial<View>) => void; open: (trial: number) => void }
+interface Group { planner: number; trials: number[] }
+interface Props extends OverviewProps { groups: Group[] }
 
 /** The chosen trials of each planner that has any. */
-function byPlanner(sweep: Sweep, chosen: Int32Array): { planner: number; trials: number[] }[] {
+function byPlanner(sweep: Sweep, chosen: Int32Array): Group[] {
   const lists: number[][] = sweep.planners.map(() => []);
   for (const i of chosen) lists[sweep.t.planner[i]].push(i);
   return lists.map((trials, planner) => ({ planner, trials })).filter((p) => p.trials.length > 0);
+}
+
+/** The finite values of these trials, the least first. */
+function sortedValues(values: Float32Array, trials: number[]): Float64Array {
+  const sorted = new Float64Array(trials.length);
+  let count = 0;
+  for (const i of trials) if (Number.isFinite(values[i])) sorted[count++] = values[i];
+  return sorted.subarray(0, count).sort();
 }
 
 /** [successes, trials] of each map. */
@@ -32,8 +42,8 @@ function byMap(sweep: Sweep, trials: number[]): Map<number, [number, number]> {
 
 const percent = (v: number): string => `${digits(100 * v, 3)} %`;
 
-function Success({ sweep, chosen }: Props): JSX.Element {
-  const rates = byPlanner(sweep, chosen).map(({ planner, trials }) => {
+function Success({ sweep, groups }: Props): JSX.Element {
+  const rates = groups.map(({ planner, trials }) => {
     const finished = trials.filter((i) => isFinished(sweep.t, i)).length;
     return { planner, count: trials.length, finished, rate: finished / trials.length, interval: successInterval(byMap(sweep, trials).values()) };
   });
@@ -50,7 +60,7 @@ function Success({ sweep, chosen }: Props): JSX.Element {
   );
 }
 
-function Difficulty({ sweep, chosen }: Props): JSX.Element | null {
+function Difficulty({ sweep, chosen, groups }: Props): JSX.Element | null {
   const all = chosen.length === sweep.t.count;
   const ratios = sweep.maps.map((m) => m.traversability ?? NaN);
   const known = ratios.filter(Number.isFinite);
@@ -58,7 +68,7 @@ function Difficulty({ sweep, chosen }: Props): JSX.Element | null {
   const pad = 0.03 * (Math.max(...known) - Math.min(...known));
   const [low, high] = [Math.min(...known) - pad, Math.max(...known) + pad];
   const rows: (string | number | null)[][] = [];
-  const lines: Line[] = byPlanner(sweep, chosen).map(({ planner, trials }) => {
+  const lines: Line[] = groups.map(({ planner, trials }) => {
     const maps = [...byMap(sweep, trials)].filter(([map]) => Number.isFinite(ratios[map])).sort((a, b) => ratios[a[0]] - ratios[b[0]]);
     // The report's own curve where all trials are shown.
     const given = sweep.curves.find((c) => c.planner === planner);
@@ -85,33 +95,38 @@ function Difficulty({ sweep, chosen }: Props): JSX.Element | null {
   );
 }
 
-function Outcomes({ sweep, chosen }: Props): JSX.Element {
-  const planners = byPlanner(sweep, chosen);
-  const counts = planners.map(({ trials }) => {
+function Outcomes({ sweep, groups }: Props): JSX.Element {
+  const counts = groups.map(({ trials }) => {
     const of = sweep.outcomes.map(() => 0);
     for (const i of trials) of[sweep.t.outcome[i]] += 1;
     return of;
   });
   const seen = sweep.outcomes.map((_, o) => o).filter((o) => counts.some((c) => c[o] > 0));
-  const bars: Bar[] = planners.map(({ planner }, k) => ({
+  const bars: Bar[] = groups.map(({ planner }, k) => ({
     label: sweep.planners[planner].label, parts: seen.map((o) => ({ name: outcomeText(sweep.outcomes[o]), color: outcomeColor(o), count: counts[k][o] })),
   }));
   return (
     <Figure name="outcomes" title="Outcomes" note="How the trials ended."
-      numbers={{ head: ['planner', ...sweep.outcomes.map(outcomeText)], rows: planners.map(({ planner }, k) => [sweep.planners[planner].label, ...counts[k]]) }}>
+      numbers={{ head: ['planner', ...sweep.outcomes.map(outcomeText)], rows: groups.map(({ planner }, k) => [sweep.planners[planner].label, ...counts[k]]) }}>
       <Legend items={seen.map((o) => ({ label: outcomeText(sweep.outcomes[o]), color: outcomeColor(o) }))} />
       <BarChart bars={bars} share label="Outcomes by planner; their numbers are in the table below" />
     </Figure>
   );
 }
 
-function Arrivals({ sweep, chosen }: Props): JSX.Element {
+function Arrivals({ sweep, chosen, groups }: Props): JSX.Element {
   const longest = chosen.reduce((most, i) => Math.max(most, Number.isFinite(sweep.t.end_s[i]) ? sweep.t.end_s[i] : 0), 0);
   const rows: (string | number | null)[][] = [];
-  const lines: Line[] = byPlanner(sweep, chosen).map(({ planner, trials }) => {
-    const times = trials.filter((i) => isFinished(sweep.t, i)).map((i) => sweep.t.end_s[i]).sort((a, b) => a - b);
+  const lines: Line[] = groups.map(({ planner, trials }) => {
+    const times = sortedValues(sweep.t.end_s, trials.filter((i) => isFinished(sweep.t, i)));
     const label = sweep.planners[planner].label;
-    const points: [number, number][] = [[0, 0], ...times.map((t, k): [number, number] => [t, (k + 1) / trials.length]), [longest, times.length / trials.length]];
+    // Steps that are finer than a screen's pixels are taken together.
+    const points: [number, number][] = [[0, 0]];
+    times.forEach((t, k) => {
+      const isSeen = k + 1 === times.length || times[k + 1] - points[points.length - 1][0] > longest / 2000;
+      if (isSeen) points.push([t, (k + 1) / trials.length]);
+    });
+    points.push([longest, times.length / trials.length]);
     for (const share of [0.25, 0.5, 0.75]) rows.push([label, `${100 * share} %`, times[Math.ceil(share * trials.length) - 1] ?? null]);
     return { label, color: plannerColor(planner), dash: kDashes[planner % kDashes.length], shape: planner, points, dots: [] };
   });
@@ -124,19 +139,19 @@ function Arrivals({ sweep, chosen }: Props): JSX.Element {
   );
 }
 
-function MetricChart({ sweep, chosen, name }: Props & { name: string }): JSX.Element | null {
+function MetricChart({ sweep, groups, name }: Props & { name: string }): JSX.Element | null {
   const at = sweep.metrics.findIndex((m) => m.name === name);
   if (at < 0) return null;
   const metric = sweep.metrics[at];
-  const boxes: Box[] = byPlanner(sweep, chosen).map(({ planner, trials }) => {
-    const sorted = Float64Array.from(trials.map((i) => sweep.t.metrics[at][i]).filter(Number.isFinite)).sort();
+  const boxes: Box[] = groups.map(({ planner, trials }) => {
+    const sorted = sortedValues(sweep.t.metrics[at], trials);
     const mean = sorted.reduce((sum, v) => sum + v, 0) / sorted.length;
     const five = [0.05, 0.25, 0.5, 0.75, 0.95].map((share) => quantile(sorted, share));
     const label = sweep.planners[planner].label;
     return { label, color: plannerColor(planner), shape: planner, sorted, mean, five,
       tip: `${label}: mean ${digits(mean)}, median ${digits(five[2])}, quartiles ${digits(five[1])} to ${digits(five[3])}, 5 to 95 % ${digits(five[0])} to ${digits(five[4])}, of ${sorted.length} trials` };
   });
-  const all = Float64Array.from(boxes.flatMap((b) => [...b.sorted])).sort();
+  const all = sortedValues(sweep.t.metrics[at], groups.flatMap((g) => g.trials));
   // Single far values would press all boxes together.
   const [q1, q3] = [quantile(all, 0.25), quantile(all, 0.75)];
   const reach = Math.max(3 * (q3 - q1), 1e-9);
@@ -159,26 +174,26 @@ function MetricChart({ sweep, chosen, name }: Props & { name: string }): JSX.Ele
 /** Reasons that differ in their numbers only are one reason. */
 const pattern = (reason: string): string => reason.replace(/[-−]?\d+(\.\d+)?/g, '#').replace(/\(#(, #)*\)/g, '(…)');
 
-function Reasons({ sweep, chosen, open }: Props): JSX.Element | null {
+function Reasons({ sweep, chosen, groups, open }: Props): JSX.Element | null {
   const cause = sweep.t.cause;
-  const groups = new Map<string, { count: number; parts: Map<number, number>; example: number }>();
-  const patterns = sweep.t.reason.words.map((w) => pattern(String(w)));
+  const reasons = new Map<string, { count: number; parts: Map<number, number>; example: number }>();
+  const patterns = useMemo(() => sweep.t.reason.words.map((w) => pattern(String(w))), [sweep]);
   for (const i of chosen) {
     if (isFinished(sweep.t, i)) continue;
     const outcome = outcomeText(sweep.outcomes[sweep.t.outcome[i]]);
     const why = (cause && String(cause.words[cause.of[i]])) || patterns[sweep.t.reason.of[i]];
     const name = why ? `${outcome}: ${why}` : outcome;
-    const group = groups.get(name) ?? { count: 0, parts: new Map<number, number>(), example: i };
+    const group = reasons.get(name) ?? { count: 0, parts: new Map<number, number>(), example: i };
     group.count += 1;
     group.parts.set(sweep.t.planner[i], (group.parts.get(sweep.t.planner[i]) ?? 0) + 1);
     // An example that can be watched.
     if (sweep.t.flight[group.example] < 0 && sweep.t.flight[i] >= 0) group.example = i;
-    groups.set(name, group);
+    reasons.set(name, group);
   }
-  if (groups.size === 0) return null;
-  const sorted = [...groups].sort((a, b) => b[1].count - a[1].count);
+  if (reasons.size === 0) return null;
+  const sorted = [...reasons].sort((a, b) => b[1].count - a[1].count);
   const shown = sorted.slice(0, 12);
-  const planners = byPlanner(sweep, chosen).map((p) => p.planner);
+  const planners = groups.map((g) => g.planner);
   return (
     <Figure name="reasons" wide title={cause ? 'Causes of failures' : 'Reasons of failures'}
       note={`${cause ? 'As avoidbench explain tells them, with the outcome' : 'Reasons that differ in their numbers only count as one'}${sorted.length > shown.length ? `; the ${shown.length} most frequent of ${sorted.length}` : ''}.`}
@@ -195,9 +210,8 @@ function Reasons({ sweep, chosen, open }: Props): JSX.Element | null {
 }
 
 /** Success of each planner on each map: a click shows these trials. */
-function Grid({ sweep, chosen, view, change }: Props): JSX.Element | null {
-  const planners = byPlanner(sweep, chosen);
-  const counts = planners.map(({ trials }) => byMap(sweep, trials));
+function Grid({ sweep, groups, view, change }: Props): JSX.Element | null {
+  const counts = groups.map(({ trials }) => byMap(sweep, trials));
   const maps = [...new Set(counts.flatMap((c) => [...c.keys()]))].sort((a, b) => (sweep.maps[a].traversability ?? 9) - (sweep.maps[b].traversability ?? 9) || a - b);
   if (maps.length < 2 || maps.length > 400) return null;
   const shade = (rate: number): string => `color-mix(in srgb, var(--good) ${Math.round(100 * rate)}%, var(--bad))`;
@@ -206,7 +220,7 @@ function Grid({ sweep, chosen, view, change }: Props): JSX.Element | null {
       <figcaption><h3>Maps</h3><p class="note">Finished trials on each map, hard maps first. A click shows the trials.</p></figcaption>
       <div class="scroll grid" tabIndex={0} role="region" aria-label="Success by map and planner">
         <table>
-          <thead><tr><th scope="col">map</th><th scope="col">traversability</th>{planners.map((p) => <th scope="col">{sweep.planners[p.planner].label}</th>)}</tr></thead>
+          <thead><tr><th scope="col">map</th><th scope="col">traversability</th>{groups.map((p) => <th scope="col">{sweep.planners[p.planner].label}</th>)}</tr></thead>
           <tbody>{maps.map((map) => (
             <tr>
               <th scope="row">{sweep.maps[map].text}</th><td class="number">{digits(sweep.maps[map].traversability)}</td>
@@ -216,7 +230,7 @@ function Grid({ sweep, chosen, view, change }: Props): JSX.Element | null {
                 return (
                   <td class="rate">
                     <button style={{ background: shade(cell[0] / cell[1]) }}
-                      onClick={() => change({ tab: 'trials', filters: { ...view.filters, planner: [String(planners[k].planner)], map: [String(map)] } })}>
+                      onClick={() => change({ tab: 'trials', filters: { ...view.filters, planner: [String(groups[k].planner)], map: [String(map)] } })}>
                       {cell[0]}/{cell[1]}
                     </button>
                   </td>
@@ -232,7 +246,7 @@ function Grid({ sweep, chosen, view, change }: Props): JSX.Element | null {
 
 function Contrasts({ sweep, chosen }: Props): JSX.Element | null {
   const table = sweep.tables.find((t) => t.name === 'pairs');
-  if (!table || chosen.length !== sweep.t.count) return null;
+  if (!table) return null;
   const at = (name: string): number => table.columns.findIndex((c) => c.name === name);
   const number = (cell: Cell): number => (typeof cell === 'number' ? cell : NaN);
   const [a, b, factor] = [at('planner'), at('other_planner'), at('contrast_factor_smoothed')];
@@ -245,7 +259,7 @@ function Contrasts({ sweep, chosen }: Props): JSX.Element | null {
   const [low, high] = [Math.min(-0.3, ...ends), Math.max(0.3, ...ends)];
   const row = 30;
   return (
-    <Figure name="contrasts" title="Contrast factors" note="Failures per metre of the first planner over those of the second, smoothed: left of 1 the first is better. Of all trials."
+    <Figure name="contrasts" hidden={chosen.length !== sweep.t.count} title="Contrast factors" note="Failures per metre of the first planner over those of the second, smoothed: left of 1 the first is better. Of all trials."
       numbers={{ head: ['pair', 'contrast factor, smoothed', 'lower', 'upper'], rows: pairs.map((p) => [p.label, p.value, p.lower, p.upper].map((v) => (Number.isNaN(v) ? null : v))) }}>
       <Chart height={pairs.length * row + 40} label="Contrast factors of pairs of planners; their numbers are in the table below" draw={(width, tip) => {
         const left = Math.min(190, width * 0.42);
@@ -308,9 +322,13 @@ function Report({ table }: { table: ReportTable }): JSX.Element {
   );
 }
 
-export function Overview(props: Props): JSX.Element {
-  const { sweep, chosen, view, change } = props;
+export function Overview(given: OverviewProps): JSX.Element {
+  const { sweep, chosen, view, change } = given;
+  const groups = useMemo(() => byPlanner(sweep, chosen), [sweep, chosen]);
+  const props: Props = { ...given, groups };
   const usual = sweep.usual_metrics;
+  // The same elements whatever the filters: thousands of cells that need not be compared.
+  const tables = useMemo(() => sweep.tables.map((table) => <Report table={table} />), [sweep]);
   const others = useMemo(() => sweep.metrics.map((m) => m.name).filter((name) => !usual.includes(name)), [sweep]);
   if (chosen.length === 0) return <p class="empty">No trial fits these filters. <button onClick={() => change({ filters: {}, search: '' })}>Show all</button></p>;
   return (
@@ -340,7 +358,7 @@ export function Overview(props: Props): JSX.Element {
       <section class="tables" aria-label="Tables of the report">
         <h2>Tables of the report</h2>
         <p class="note">Of all {sweep.t.count} trials, whatever the filters say; <code>report --format json</code> has the same numbers. Hover a number for all its digits, a heading for what it means.</p>
-        {sweep.tables.map((table) => <Report table={table} />)}
+        {tables}
       </section>
     </>
   );

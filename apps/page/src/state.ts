@@ -75,8 +75,7 @@ export function facetsOf(sweep: Sweep): Facet[] {
   return all.filter((f) => f.values.length > 0);
 }
 
-const idOf = (facet: Facet, index: number): string => (facet.name === 'planner' || facet.name === 'outcome' || facet.name === 'map' ? String(index) : facet.values[index]);
-export const facetId = idOf;
+export const facetId = (facet: Facet, index: number): string => (facet.name === 'planner' || facet.name === 'outcome' || facet.name === 'map' ? String(index) : facet.values[index]);
 
 /** Indices of the trials that every filter and the search lets through. */
 export function chosenTrials(sweep: Sweep, facets: Facet[], view: View): Int32Array {
@@ -86,26 +85,27 @@ export function chosenTrials(sweep: Sweep, facets: Facet[], view: View): Int32Ar
     const chosen = view.filters[facet.name];
     if (!chosen?.length) continue;
     const set = new Set(chosen);
-    keeps.push({ of: facet.of, keep: facet.values.map((_, i) => set.has(idOf(facet, i))) });
+    keeps.push({ of: facet.of, keep: facet.values.map((_, i) => set.has(facetId(facet, i))) });
   }
-  const words = view.search.trim().toLowerCase().split(/\s+/).filter(Boolean);
+  const fits = searchOf(sweep, view.search);
   const chosen = new Int32Array(n);
   let count = 0;
+  for (let i = 0; i < n; ++i) {
+    if (keeps.every((k) => k.keep[k.of[i]]) && (!fits || fits(i))) chosen[count++] = i;
+  }
+  return chosen.slice(0, count);
+}
+
+/** Whether a trial has all words of the search; null where there are none. */
+function searchOf(sweep: Sweep, search: string): ((trial: number) => boolean) | null {
+  const words = search.trim().toLowerCase().split(/\s+/).filter(Boolean);
+  if (!words.length) return null;
+  const t = sweep.t;
   const low = (all: string[]): string[] => all.map((word) => word.toLowerCase());
   const planners = low(sweep.planners.map((p) => p.label));
   const maps = low(sweep.maps.map((m) => m.text));
   const outcomes = low(sweep.outcomes.map((o) => o.replaceAll('_', ' ')));
-  const reasons = low(sweep.t.reason.words.map(String));
-  for (let i = 0; i < n; ++i) {
-    if (!keeps.every((k) => k.keep[k.of[i]])) continue;
-    if (words.length) {
-      const t = sweep.t;
-      const fits = (word: string): boolean => String(t.id[i]) === word || planners[t.planner[i]].includes(word)
-        || maps[t.map[i]].includes(word) || outcomes[t.outcome[i]].includes(word) || reasons[t.reason.of[i]].includes(word)
-        || t.key[i].startsWith(word);
-      if (!words.every(fits)) continue;
-    }
-    chosen[count++] = i;
-  }
-  return chosen.slice(0, count);
+  const reasons = low(t.reason.words.map(String));
+  return (i) => words.every((word) => String(t.id[i]) === word || planners[t.planner[i]].includes(word) || maps[t.map[i]].includes(word)
+    || outcomes[t.outcome[i]].includes(word) || reasons[t.reason.of[i]].includes(word) || t.key[i].startsWith(word));
 }

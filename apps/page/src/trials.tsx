@@ -36,24 +36,32 @@ function columnsOf(sweep: Sweep): Column[] {
   return all;
 }
 
-/** What has no value comes last, whichever way. */
-export function sorted(chosen: Int32Array, column: Column, down: boolean): Int32Array {
-  const values = new Map<number, number | string | null>();
-  for (const i of chosen) values.set(i, column.value(i));
+/** All trials; what has no value comes last, whichever way. */
+function sorted(count: number, column: Column, down: boolean): Int32Array {
+  const values = Array.from({ length: count }, (_, i) => column.value(i));
   const none = (v: number | string | null): boolean => v === null || v === '' || (typeof v === 'number' && Number.isNaN(v));
-  return Int32Array.from(Array.from(chosen).sort((a, b) => {
-    const [x, y] = [values.get(a)!, values.get(b)!];
+  return Int32Array.from(values.keys()).sort((a, b) => {
+    const x = values[a];
+    const y = values[b];
     if (none(x) || none(y)) return Number(none(x)) - Number(none(y)) || a - b;
     const order = typeof x === 'number' && typeof y === 'number' ? x - y : String(x) < String(y) ? -1 : String(x) > String(y) ? 1 : 0;
     return (down ? -order : order) || a - b;
-  }));
+  });
+}
+
+/** Those of `order` that are chosen: a filter need not sort again. */
+function chosenOf(order: Int32Array, chosen: Int32Array): Int32Array {
+  const isChosen = new Uint8Array(order.length);
+  for (const i of chosen) isChosen[i] = 1;
+  return order.filter((i) => isChosen[i] === 1);
 }
 
 export function TrialTable(props: { sweep: Sweep; chosen: Int32Array; view: View; change: (part: Partial<View>) => void; open: (trial: number) => void }): JSX.Element {
   const { sweep, chosen, view, change, open } = props;
   const columns = useMemo(() => columnsOf(sweep), [sweep]);
   const column = columns.find((c) => c.id === view.sort) ?? columns[0];
-  const order = useMemo(() => sorted(chosen, column, view.down), [chosen, column, view.down]);
+  const all = useMemo(() => sorted(sweep.t.count, column, view.down), [sweep, column, view.down]);
+  const order = useMemo(() => chosenOf(all, chosen), [all, chosen]);
   const box = useRef<HTMLDivElement>(null);
   const [top, setTop] = useState(0);
   const [height, setHeight] = useState(600);
@@ -68,7 +76,8 @@ export function TrialTable(props: { sweep: Sweep; chosen: Int32Array; view: View
     return () => window.removeEventListener('resize', measure);
   }, []);
   useEffect(() => {
-    if (box.current) box.current.scrollTop = 0;
+    // Where it is there already, asking the browser would make it lay out the page at once.
+    if (box.current && top > 0) box.current.scrollTop = 0;
     setTop(0);
     setFocus(0);
     focused.current = 0;
