@@ -16,7 +16,7 @@ void add_explain_command(CLI::App& app) {
   command.footer(
       "Causes are told by rules over what is measured of the flight, collisions from one more "
       "flight each, and stored\n"
-      "in the database: report and compare show them. \n"
+      "in the database: report and compare show them.\n"
       "Flights with changes are stored in the database; the same command goes on where it was "
       "stopped. docs/explain.md\n\n"
       "Examples:\n"
