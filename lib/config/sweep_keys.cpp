@@ -177,8 +177,8 @@ FieldTree make_sweep_tree() {
     if (field.name == "vehicle") field.fields = vehicle_tree().fields;
     if (field.name == "sensor") field.fields = sensor_tree().fields;
     if (field.name == "mission") {
-      field.fields.push_back(std::move(missions));
-      field.fields.push_back(std::move(mission_file));
+      field.fields.push_back(missions);
+      field.fields.push_back(mission_file);
     }
     sweep.fields.push_back(std::move(field));
   }
