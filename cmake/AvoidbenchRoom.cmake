@@ -53,7 +53,8 @@ endfunction()
 
 # avoidbench_script_test(label name [SLOW] [SERIAL] [CAN_SKIP] [PROCESSORS n] TIMEOUT seconds COMMAND word …): the test label.name.
 # SLOW: run by scripts/test.sh --all only. SERIAL: nothing else runs beside it, since it measures times. PROCESSORS: how many it uses,
-# by default one. CAN_SKIP: exit code 77 says that it can't run here.
+# by default one. CAN_SKIP: exit code 77 says that it can't run here. Scripts take seconds to minutes and so begin before the thousand
+# short tests of C++, which then fill what is free.
 function(avoidbench_script_test label name)
   cmake_parse_arguments(TEST "SLOW;SERIAL;CAN_SKIP" "TIMEOUT;PROCESSORS" "COMMAND" ${ARGN})
   add_test(NAME ${label}.${name} COMMAND ${TEST_COMMAND})
@@ -61,7 +62,7 @@ function(avoidbench_script_test label name)
   if(TEST_SLOW)
     list(APPEND labels slow)
   endif()
-  set_tests_properties(${label}.${name} PROPERTIES TIMEOUT ${TEST_TIMEOUT} RUN_SERIAL ${TEST_SERIAL} LABELS "${labels}")
+  set_tests_properties(${label}.${name} PROPERTIES TIMEOUT ${TEST_TIMEOUT} RUN_SERIAL ${TEST_SERIAL} LABELS "${labels}" COST 10)
   if(TEST_PROCESSORS)
     set_tests_properties(${label}.${name} PROPERTIES PROCESSORS ${TEST_PROCESSORS})
   endif()

@@ -53,6 +53,8 @@ tidy=$(of_version clang-tidy)
 # The extension's sources too, where the Python environment is there that has nanobind (scripts/python_venv.sh).
 python=OFF folders=(lib apps planners)
 [ ! -x build/venv/bin/python ] || { python=ON; folders+=(python); }
+# Units of sources that are gone stay in the folder.
+[ ! -d build/tidy ] || find build/tidy -name 'unity_*.cxx' -delete
 cmake --preset clang -B build/tidy -DAVOIDBENCH_UNITY=ON -DAVOIDBENCH_TESTS=OFF -DAVOIDBENCH_BENCH=OFF -DAVOIDBENCH_PYTHON=$python >/dev/null
 mapfile -t every < <(find "${folders[@]/#/build/tidy/}" -name 'unity_*.cxx' | sort)
 # units_with TEXT…: the units in whose includes one of these stands.

@@ -42,10 +42,10 @@ const StopSignals& watch_stop_signals() {
   return signals;
 }
 
-void end_stopped(const StopSignals& signals, std::string_view message) {
+void end_stopped(const StopSignals& caught, std::string_view message) {
   constexpr int kExitStopped = 75, kExitInterrupted = 130;
   std::cerr << message << '\n';
-  throw CLI::RuntimeError(signals.number == SIGINT ? kExitInterrupted : kExitStopped);
+  throw CLI::RuntimeError(caught.number == SIGINT ? kExitInterrupted : kExitStopped);
 }
 
 }  // namespace avoidbench
