@@ -307,27 +307,6 @@ TEST(SweepPage, TrialsThatCantBeFlownAreInItsTablesAndTheirFlightsAreWarnedOf) {
   EXPECT_EQ(page, sweeps_page({sweep}, databases, origin, 1'000'000));
 }
 
-TEST(SweepPage, AFullPageLeavesFlightsOutAndSaysHowMany) {
-  const sample_rows::TemporaryFolder folder;
-  {
-    Database database = sample_rows::begun(folder / "a.db");
-    database.add_trial(sample_rows::finished());
-  }
-  const Database database = Database::open_for_reading(folder / "a.db");
-  const SweepResult result = database.read_sweep("forest", 1);
-  const PageSweep sweep{.summary = summarize(result),
-                        .section = {},
-                        .result = result,
-                        .axes = {},
-                        .listing_of = {},
-                        .runs = {},
-                        .cause_of = {}};
-  const std::vector<PageDatabase> databases{{.database = &database, .files = {}}};
-  const nlohmann::ordered_json page = sweeps_page({sweep}, databases, {}, 10);
-  EXPECT_EQ(page["flights_left_out"], 1);
-  EXPECT_TRUE(page["scene_warnings"].empty());
-}
-
 /// The page of sweep "forest" of this file, as large as `limit_bytes`.
 nlohmann::ordered_json page_of(const std::filesystem::path& file, std::size_t limit_bytes) {
   const Database database = Database::open_for_reading(file);
@@ -341,6 +320,17 @@ nlohmann::ordered_json page_of(const std::filesystem::path& file, std::size_t li
                         .cause_of = {}};
   const std::vector<PageDatabase> databases{{.database = &database, .files = {}}};
   return sweeps_page({sweep}, databases, {}, limit_bytes);
+}
+
+TEST(SweepPage, AFullPageLeavesFlightsOutAndSaysHowMany) {
+  const sample_rows::TemporaryFolder folder;
+  {
+    Database database = sample_rows::begun(folder / "a.db");
+    database.add_trial(sample_rows::finished());
+  }
+  const nlohmann::ordered_json page = page_of(folder / "a.db", 10);
+  EXPECT_EQ(page["flights_left_out"], 1);
+  EXPECT_TRUE(page["scene_warnings"].empty());
 }
 
 TEST(SweepPage, OnlyFlightsThatAreShownHaveToBeWhole) {
