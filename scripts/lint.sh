@@ -12,6 +12,7 @@ for argument in "$@"; do
   case "$argument" in
     --format-only) format_only=1 ;;
     --all) all=1 ;;
+    -*) echo "usage: $0 [--format-only] [--all | FILE…]" >&2; exit 2 ;;
     *) asked+=("$argument") ;;
   esac
 done

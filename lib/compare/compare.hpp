@@ -141,7 +141,7 @@ std::pair<std::size_t, std::size_t> common_metric(const TrialTable& base, const 
 struct Difference {
   TrialIdentity identity;
   std::string what;  ///< "outcome", a metric, "mission", or "trial" where one side has none
-  std::string before, after;  ///< numbers with all digits; "" where there is none
+  std::string before, after;  ///< numbers with all digits; "" if none
 };
 
 struct ExactComparison {

@@ -47,7 +47,7 @@ class StoredTrialReader {
   StoredTrial read(const std::string& key);
 
  private:
-  const MapRow* map(const std::string& key);  ///< null where there is none
+  const MapRow* map(const std::string& key);  ///< null if none
 
   const Database* database_;
   TrialReader trials_;

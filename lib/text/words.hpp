@@ -27,7 +27,7 @@ template <class Signs>
 std::string replaced(std::string_view text, const Signs& signs) {
   std::string all;
   while (!text.empty()) {
-    // About thirty comparisons a letter: texts are short.
+    // Every sign is tried at every letter: texts and lists are short.
     const auto found = std::find_if(std::begin(signs), std::end(signs),
                                     [&](const auto& sign) { return text.starts_with(sign.first); });
     const bool is_sign = found != std::end(signs);
