@@ -1,9 +1,9 @@
-# avoidbench_planner(name SOURCES a.cpp …  [PRIVATE target …])
-# One planner plugin: planners/<name>.so under the build tree. The same function is installed for planners that live in
+# avoidbench_planner(name SOURCES a.cpp …  [PRIVATE target …] [FILES weights.bin …])
+# One planner plugin: planners/<name>.so under the build tree, and beside it the files that it depends on. The same function is installed for planners that live in
 # a repository of their own; there set AVOIDBENCH_PLANNER_PATH to <build folder>/planners to use them by name.
 include(GNUInstallDirs)
 function(avoidbench_planner name)
-  cmake_parse_arguments(PLANNER "" "" "SOURCES;PRIVATE" ${ARGN})
+  cmake_parse_arguments(PLANNER "" "" "SOURCES;PRIVATE;FILES" ${ARGN})
   add_library(${name} MODULE ${PLANNER_SOURCES})
   if(TARGET avoidbench_flags)
     target_link_libraries(${name} PRIVATE avoidbench_flags)
@@ -16,5 +16,9 @@ function(avoidbench_planner name)
                         CXX_VISIBILITY_PRESET hidden C_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
                         LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/planners)
   set_property(GLOBAL APPEND PROPERTY AVOIDBENCH_PLANNERS ${name})
+  foreach(file IN LISTS PLANNER_FILES)
+    configure_file(${file} ${CMAKE_BINARY_DIR}/planners/ COPYONLY)
+    install(FILES ${file} DESTINATION ${CMAKE_INSTALL_LIBDIR}/avoidbench/planners COMPONENT planners)
+  endforeach()
   install(TARGETS ${name} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/avoidbench/planners COMPONENT planners)
 endfunction()

@@ -2,14 +2,14 @@
 # Installs what is missing, builds everything with both compilers and runs all tests. The last lines are the test runner's summary.
 # Sources are compiled eight at a time. clang-tidy and the sanitizers look at what changed (scripts/changed_files.sh) and at a rotating
 # eighth of the rest.
-#   --all    each source is compiled by itself with clang, the tests labelled slow run too, clang-tidy and the sanitizers look at
+#   --all    each source is compiled by itself with clang, benchmarks are built, the tests labelled slow run too, clang-tidy and the sanitizers look at
 #            everything, and the fuzz targets run for a minute each: for every night
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 case "${1:-}" in
-  '') exclude=(-LE slow) all=() unity=ON packages=test ;;
-  --all) exclude=() all=(--all) unity=OFF packages=slow ;;
+  '') exclude=(-LE slow) all=() unity=ON bench=OFF packages=test ;;
+  --all) exclude=() all=(--all) unity=OFF bench=ON packages=slow ;;
   *) echo "usage: $0 [--all]" >&2; exit 2 ;;
 esac
 
@@ -25,7 +25,7 @@ export CTEST_PARALLEL_LEVEL=$((jobs + 1))
 stage "format"
 scripts/lint.sh --format-only
 stage "build with g++ (build/release)"
-cmake --preset release -DAVOIDBENCH_TESTS=ON -DAVOIDBENCH_BENCH=ON -DAVOIDBENCH_WERROR=ON -DAVOIDBENCH_UNITY=ON \
+cmake --preset release -DAVOIDBENCH_TESTS=ON -DAVOIDBENCH_BENCH=$bench -DAVOIDBENCH_WERROR=ON -DAVOIDBENCH_UNITY=ON \
   -DAVOIDBENCH_PYTHON=ON "-DPython_EXECUTABLE=$PWD/build/venv/bin/python" "-DAVOIDBENCH_COMPARE_WITH=$PWD/build/clang/avoidbench" >/dev/null
 cmake --build build/release --parallel "$jobs"
 stage "build the program and planners with clang (build/clang), for its warnings and to compare bits"

@@ -96,7 +96,12 @@ void describe(const PlannerSource& source, IsolatedOutput& output) {
   const SandboxRules rules{.processes = PlannerLibrary::is_program(source)};
   enter_sandbox(rules, sandbox_support());
   try {
-    answer["planner"] = spec_to_json(PlannerLibrary::load_checked(source).description());
+    const PlannerLibrary library = PlannerLibrary::load_checked(source);
+    if (const std::string problem = own_problem(library.table()); !problem.empty()) {
+      answer["problems"] = {"can't fly: " + problem};
+    } else {
+      answer["planner"] = spec_to_json(library.description());
+    }
   } catch (const InputError& error) {
     for (const InputProblem& problem : error.problems()) {
       answer["problems"].push_back(problem.message);

@@ -325,6 +325,17 @@ PlannerDescription describe_table(const ab_planner& table) {
   return planner;
 }
 
+std::string own_problem(const ab_planner& table) {
+  if (table.get_extension == nullptr) return "";
+  const auto* check =
+      static_cast<const ab_check*>(table.get_extension(nullptr, AB_CHECK_EXTENSION));
+  if (check == nullptr || check->struct_size < sizeof(ab_check) || check->problem == nullptr) {
+    return "";
+  }
+  const char* problem = check->problem();
+  return problem == nullptr ? "" : problem;
+}
+
 void register_own_planner(const std::filesystem::path& file, const ab_planner& table) {
   require_sound_table(file, table);
   OwnPlanners& planners = own_planners();

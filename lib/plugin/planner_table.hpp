@@ -18,6 +18,10 @@ void require_sound_table(const std::filesystem::path& file, const ab_planner& ta
 /// The table in the host's types, without `file` and `file_digest`. `table` has no problems.
 PlannerDescription describe_table(const ab_planner& table);
 
+/// What the planner says is wrong with it as it lies there (AB_CHECK_EXTENSION), "" for nothing.
+/// Runs its code. `table` has no problems.
+std::string own_problem(const ab_planner& table);
+
 /// The words of "safe|fast".
 std::vector<std::string> choice_words(const std::string& choices);
 

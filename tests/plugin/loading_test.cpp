@@ -75,6 +75,17 @@ TEST(Loading, RefusesMoreFilesThanItFollows) {
               HasSubstr("it names 1001 files that it depends on; at most 1000 are followed"));
 }
 
+/// Told when it is described, so that no trial is flown to find it out.
+TEST(Loading, RefusesAPlannerThatSaysItCantFly) {
+  try {
+    describe_planner(bad_planner("fails_check"), 10.0);
+    ADD_FAILURE() << "described";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("fails_check.so"),
+                                    HasSubstr("can't fly: weights.bin ends after 12 of 40 bytes")));
+  }
+}
+
 TEST(Loading, TakesATableOfBeforeProfiles) {
   const PlannerLibrary library = PlannerLibrary::load(bad_planner("before_profiles"));
   EXPECT_TRUE(library.description().profiles.empty());

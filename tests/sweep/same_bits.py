@@ -70,7 +70,7 @@ def main():
             program, _, jobs = run.rpartition(":")
             database = pathlib.Path(folder) / f"{number}.db"
             run_all = [program, "run", sweep, "--jobs", jobs, "--quiet"]
-            subprocess.run(run_all + ["--db", database, "--set", "trials=2"], check=True)
+            subprocess.run(run_all + ["--db", database, "--set", "trials=1"], check=True)
             noisy = pathlib.Path(folder) / f"{number}_noisy.db"
             subprocess.run(run_all + ["--db", noisy] + NOISY, check=True)
             if program not in without_workers:

@@ -359,6 +359,22 @@ typedef struct ab_files {
 } ab_files;
 
 /* ---------------------------------------------------------------------------------------------
+ * Extension "avoidbench.check/1": whether the planner, as it lies there, can fly at all: that its
+ * weights are whole, its device is there. Got from the planner by get_extension(NULL,
+ * AB_CHECK_EXTENSION), before there is an instance, which gives an ab_check or null. Asked once, in
+ * a process of its own and for some seconds at most, before the first trial: what it finds is an
+ * error of the sweep, not of each of its trials. Not asked of planners that are programs, which
+ * refuse by ending with a message. */
+#define AB_CHECK_EXTENSION "avoidbench.check/1"
+
+typedef struct ab_check {
+  uint32_t struct_size;
+  uint32_t reserved;
+  /* What is wrong, one line, which stays until the next call; null where nothing is. */
+  const char* (*problem)(void);
+} ab_check;
+
+/* ---------------------------------------------------------------------------------------------
  * Extension "avoidbench.map/1": what the planner holds the space around it for, asked by who looks
  * for why a flight failed (`avoidbench explain`). Got from the planner by get_extension(instance,
  * AB_MAP_EXTENSION), which gives an ab_map or null; it stays as long as the instance. Asked between

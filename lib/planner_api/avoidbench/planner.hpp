@@ -20,12 +20,13 @@
  *
  * Also understood: `static constexpr const char* version` and `summary`; `profiles`, other sets of
  * defaults (see profile()); `files`, a std::array<const char*, n> of files that it depends on (see
- * AB_FILES_EXTENSION); `std::uint8_t place_at(const Vec3& point_world_m) const`, what it knows of a
- * place as AB_PLACE_… (see AB_MAP_EXTENSION); a constructor (const ab_setup&, const ab_host&); a
- * class without `parameters`. Where parameters name members, settings_from() fills in all of them.
- * An exception that leaves the class becomes AB_ERROR with its text; GiveUp, thrown by
- * give_up("reason"), ends the trial with planner_gave_up. What ab_command.points refers to must
- * live until the next call.
+ * AB_FILES_EXTENSION); `static void check()`, which throws where the planner can't fly as it lies
+ * there, its weights being damaged (see AB_CHECK_EXTENSION); `std::uint8_t place_at(const Vec3&
+ * point_world_m) const`, what it knows of a place as AB_PLACE_… (see AB_MAP_EXTENSION); a
+ * constructor (const ab_setup&, const ab_host&); a class without `parameters`. Where parameters
+ * name members, settings_from() fills in all of them. An exception that leaves the class becomes
+ * AB_ERROR with its text; GiveUp, thrown by give_up("reason"), ends the trial with planner_gave_up.
+ * What ab_command.points refers to must live until the next call.
  */
 #ifndef AVOIDBENCH_PLANNER_HPP
 #define AVOIDBENCH_PLANNER_HPP
@@ -380,6 +381,29 @@ struct Files<Planner, std::void_t<decltype(Planner::files)>> {
   static const ab_files* table() { return &value; }
 };
 
+template <class Planner, class = void>
+struct Check {
+  static const ab_check* table() { return nullptr; }
+};
+template <class Planner>
+struct Check<Planner, std::void_t<decltype(Planner::check())>> {
+  static const char* problem() {
+    static std::string text;
+    text.clear();
+    try {
+      Planner::check();
+    } catch (const std::exception& error) {
+      text = error.what();
+      if (text.empty()) text = "its check failed";
+    } catch (...) {
+      text = "its check threw what is no exception";
+    }
+    return text.empty() ? nullptr : text.c_str();
+  }
+  static constexpr ab_check value{struct_size_of<ab_check>(), 0, &problem};
+  static const ab_check* table() { return &value; }
+};
+
 template <class Planner>
 struct Instance {
   Instance(const ab_host& given_host, const ab_setup& setup)
@@ -477,12 +501,13 @@ struct Map<Planner, std::void_t<decltype(std::declval<const Planner&>().place_at
   }
 };
 
-/// AB_FILES_EXTENSION is asked for without an instance, others are of one.
+/// AB_FILES_EXTENSION and AB_CHECK_EXTENSION are asked for without an instance, others are of one.
 template <class Planner>
 const void* get_extension(void* instance, const char* id) {
   if (id == nullptr) return nullptr;
   const std::string_view name = id;
   if (name == AB_FILES_EXTENSION) return Files<Planner>::table();
+  if (name == AB_CHECK_EXTENSION) return Check<Planner>::table();
   if (name == AB_MAP_EXTENSION && instance != nullptr) return Map<Planner>::table();
   return nullptr;
 }

@@ -1,0 +1,61 @@
+#!/usr/bin/env bash
+# train.sh [--minutes M] [--seed S] [--out FOLDER] [--few]: makes samples, trains agile's net on them, lets it fly, and trains it on what it
+# met. Writes FOLDER (build/agile) with agile.safetensors, curves.png and the figures; copy the weights to planners/agile to fly them.
+#   --minutes M    wall time of the two trainings together (28); samples take some 25 minutes more on two cores
+#   --seed S       of the trainings and of the samples' flights (1); maps and missions stay the same
+#   --few          a twentieth of the samples: to see that all of it works
+# Needs the release build (scripts/quickstart.sh or cmake) and Python 3.11 or later; PyTorch comes into an environment of its own.
+set -euo pipefail
+cd "$(dirname "$0")/../../.."
+
+minutes=28 seed=1 out=build/agile few=()
+usage() { sed -n '2,8s/^# \{0,1\}//p' "$0" >&2; exit 2; }
+while [ $# -gt 0 ]; do
+  case "$1" in
+    --minutes) minutes=${2:?}; shift 2 ;;
+    --seed) seed=${2:?}; shift 2 ;;
+    --out) out=${2:?}; shift 2 ;;
+    --few) few=(--set trials=1 --set "maps.poisson_radius_m=[4.2]"); shift ;;
+    *) usage ;;
+  esac
+done
+
+samples=build/release/agile_samples
+[ -x "$samples" ] || { echo "train.sh: $samples is not there: build it first (cmake --build build/release)" >&2; exit 1; }
+python=build/train_venv/bin/python
+if [ ! -x "$python" ]; then
+  echo "Making a Python environment with PyTorch in build/train_venv"
+  python3 -m venv build/train_venv
+  "$python" -m pip install --quiet --disable-pip-version-check -r planners/agile/train/requirements.txt
+fi
+mkdir -p "$out"
+
+# fly NAME SWEEP SENSOR FIRST_MAP_SEED COUNT [OPTION…]: samples of so many maps of each kind in a sweep, by this sensor.
+fly() {
+  local name=$1 sweep=$2 sensor=$3 first=$4 count=$5
+  shift 5
+  echo "== samples: $name"
+  rm -rf "${out:?}/$name"
+  "$samples" "planners/agile/train/$sweep.yaml" --out "$out/$name" --set "sensor.preset=$sensor" \
+    --set "maps.seeds=[$(seq -s ', ' "$first" $((first + count - 1)))]" --seed $((seed * 10 + first)) "${few[@]}" "$@"
+}
+train() {
+  OMP_WAIT_POLICY=passive "$python" planners/agile/train/train.py --seed "$seed" --minutes "$(awk "BEGIN { print $minutes / 2 }")" "$@"
+}
+
+fly forest_ideal forest depth_ideal 9000001 4
+fly forest_stereo forest stereo_sgm 9000011 4
+fly hall_ideal hall depth_ideal 9000021 4
+fly hall_stereo hall stereo_sgm 9000031 4
+expert=("$out"/forest_ideal "$out"/forest_stereo "$out"/hall_ideal "$out"/hall_stereo)
+echo "== training by the expert's flights"
+train --recipe imitation --samples "${expert[@]}" --out "$out/first.safetensors" --plot "$out/first_curves.png" --log "$out/first.json"
+
+# What the net meets where it flies itself, with what the expert would do there (DAgger).
+fly own_forest_ideal forest depth_ideal 9000041 2 --weights "$out/first.safetensors"
+fly own_forest_stereo forest stereo_sgm 9000051 3 --weights "$out/first.safetensors"
+fly own_hall_stereo hall stereo_sgm 9000061 2 --weights "$out/first.safetensors"
+echo "== training by all flights"
+train --recipe descent --rate 1e-3 --samples "${expert[@]}" "$out"/own_* --init "$out/first.safetensors" \
+  --out "$out/agile.safetensors" --plot "$out/curves.png" --log "$out/agile.json"
+echo "the weights are in $out/agile.safetensors; to fly them: cp $out/agile.safetensors planners/agile/ and build"
