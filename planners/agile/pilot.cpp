@@ -28,6 +28,13 @@ TimedMotion timed(const Quintic& curve) {
   return {[curve](double time_s) { return motion_at(curve, time_s); }, curve.duration_s};
 }
 
+TimedMotion timed(const Candidate& mode) {
+  return {[curve = mode.curve, stop = mode.stop, end_s = mode.end_s](double time_s) {
+            return time_s < end_s ? motion_at(curve, time_s) : motion_at(stop, time_s - end_s);
+          },
+          mode.end_s + mode.stop.duration_s};
+}
+
 bool is_place(const Vector3d& point) { return point.allFinite() && point.norm() < kFar_m; }
 
 }  // namespace
@@ -39,19 +46,27 @@ void Pilot::reset(const ab_mission& mission) {
   goal_ = avoidbench::as_vector(mission.goal_world_m);
   has_mission_ = is_place(goal_) && is_place(avoidbench::as_vector(mission.start_world_m));
   start_yaw_rad_ = std::isfinite(mission.start_yaw_rad) ? mission.start_yaw_rad : 0.0;
-  lowest_ = Vector3d(-kFar_m, -kFar_m, 0.0);
+  lowest_ = Vector3d::Constant(-kFar_m);
   highest_ = Vector3d::Constant(kFar_m);
   latency_s_ = 0.0;
   if (mission.struct_size >= sizeof(ab_mission)) {
     const Vector3d lowest = avoidbench::as_vector(mission.lowest_world_m);
     const Vector3d highest = avoidbench::as_vector(mission.highest_world_m);
-    if (is_place(lowest) && is_place(highest)) {
+    const Vector3d start = avoidbench::as_vector(mission.start_world_m);
+    // Hosts that know no box leave zeros.
+    if (is_place(lowest) && is_place(highest) && (lowest.array() < start.array()).all() &&
+        (start.array() < highest.array()).all()) {
       lowest_ = lowest;
       highest_ = highest;
     }
     // Where it is measured nobody knows it before.
     if (std::isfinite(mission.command_latency_s)) latency_s_ = mission.command_latency_s;
   }
+  // The heights that the net was trained in: under a far higher ceiling it would climb.
+  constexpr double kBelow_m = 3.0, kAbove_m = 4.4;
+  const double start_m = mission.start_world_m[2];
+  lowest_.z() = std::max(lowest_.z(), std::min(start_m, goal_.z()) - kBelow_m);
+  highest_.z() = std::min(highest_.z(), std::max(start_m, goal_.z()) + kAbove_m);
   is_first_ = true;
   flown_.clear();
   candidates_.clear();
@@ -91,27 +106,38 @@ double Pilot::desired_speed_mps(const Vector3d& position) const {
                   std::max(kLeast_mps, std::min(brakable, kNear_hz * way_m)));
 }
 
+/// The mode, and to rest from where that keeps the limits: a polynomial's end may ask for much.
 Candidate Pilot::candidate(const Situation& situation, const Mode& mode) const {
-  const double speed_mps =
-      std::max(settings_.max_speed_mps, situation.start.velocity.norm()) * (1.0 + kSpeedTolerance);
-  const double acceleration_mps2 =
-      std::max(settings_.vehicle_acceleration_mps2, situation.start.acceleration.norm() + 1e-9);
+  // A start beyond the limits may be kept to, lest it brakes for a trifle, but nothing more.
+  constexpr double kRounding = 1e-9;
+  const double speed_mps = std::max(settings_.max_speed_mps * (1.0 + kSpeedTolerance),
+                                    situation.start.velocity.norm() + kRounding);
+  const double acceleration_mps2 = std::max(settings_.vehicle_acceleration_mps2,
+                                            situation.start.acceleration.norm() + kRounding);
+  const auto is_within = [&](const Quintic& curve) {
+    const Demand demand = demand_of(curve);
+    return curve.coefficients.allFinite() && demand.speed_mps <= speed_mps &&
+           demand.acceleration_mps2 <= acceleration_mps2 && demand.jerk_mps3 <= kJerk_mps3;
+  };
   Candidate found;
   found.cost = mode.cost;
+  // Of weights that overflow.
+  if (!std::isfinite(found.cost)) return found;
   for (const double part : {1.0, 0.9, 0.8, 0.7, 0.55, 0.4}) {
     ModePoints points = mode.points;
     for (auto& point : points) {
       for (float& x : point) x *= static_cast<float>(part);
     }
     found.curve = projected(situation, points);
-    const Demand demand = demand_of(found.curve);
-    found.is_flyable = demand.speed_mps <= speed_mps &&
-                       demand.acceleration_mps2 <= acceleration_mps2 &&
-                       demand.jerk_mps3 <= kJerk_mps3;
-    if (found.is_flyable) break;
+    if (!is_within(found.curve)) continue;
+    for (const double end_s : {2.0, 1.75, 1.5, 1.25, 1.0}) {
+      found.end_s = end_s;
+      found.stop = planning::stopping(motion_at(found.curve, end_s),
+                                      kBraking * settings_.vehicle_acceleration_mps2);
+      found.is_flyable = is_within(found.stop);
+      if (found.is_flyable) return found;
+    }
   }
-  // Of weights that overflow.
-  found.is_flyable = found.is_flyable && std::isfinite(found.cost);
   return found;
 }
 
@@ -159,8 +185,7 @@ void Pilot::think_of(const ab_depth_image& depth, const Motion& start) {
     candidates_.push_back(candidate(situation, mode));
   }
   if (const Candidate* best = chosen()) {
-    execute(Kind::mode,
-            with_stop(timed(best->curve), kBraking * settings_.vehicle_acceleration_mps2));
+    execute(Kind::mode, timed(*best));
   } else if (flown_.back().kind == Kind::mode) {
     stop(start);
   }
@@ -218,8 +243,10 @@ const std::vector<ab_point>& Pilot::plan(const Seen& seen) {
   planning::LookAhead look;
   look.look_ahead_s = settings_.look_ahead_s;
   look.limits = settings_.heading;
-  points_ = trajectory_points(flown_.back().motion, effect_s_ - flown_.back().start_s, kPointStep_s,
-                              heading, look, facing_rad(start.position));
+  const bool is_standing = flown_.back().kind == Kind::hover;
+  const double from_s = is_standing ? 0.0 : effect_s_ - flown_.back().start_s;
+  points_ = trajectory_points(flown_.back().motion, from_s, kPointStep_s, heading, look,
+                              facing_rad(start.position));
   points_s_ = effect_s_;
   return points_;
 }

@@ -31,6 +31,8 @@ struct Seen {
 /// One mode as it would be flown.
 struct Candidate {
   planning::Quintic curve;
+  double end_s = kHorizon_s;  ///< until then, and
+  planning::Quintic stop;     ///< from there to rest
   double cost = 0.0;
   bool is_flyable = false;  ///< within the vehicle's limits, if need be on a shorter way
 };

@@ -51,6 +51,7 @@ TrajectoryCost trajectory_cost(const ClearanceField& field, const Situation& sit
   const double speed_mps = situation.desired_speed_mps, dt = kHorizon_s / kSteps;
   const Eigen::Matrix<double, 3, 6>& c = curve.coefficients;
   constexpr double kMeanWeight = 1.5 - 0.5 * (1.0 + 1.0 / kSteps);
+  const Vector3d to_goal = goal_direction_world(situation);
   for (int i = 1; i <= kSteps; ++i) {
     const double t = i * dt;
     const Motion motion = motion_at(curve, t);
@@ -63,14 +64,16 @@ TrajectoryCost trajectory_cost(const ClearanceField& field, const Situation& sit
     const double fast = std::max(0.0, motion.velocity.norm() / speed_mps - 1.0);
     const double hard = std::max(0.0, motion.acceleration.norm() / kMaxAcceleration_mps2 - 1.0);
     cost.limits += (20.0 * square(fast) + 4.0 * square(hard)) / kSteps;
+    const Vector3d way = motion.position - situation.start.position;
+    cost.height += 0.1 / kSteps * square(way.z() - way.dot(to_goal) * to_goal.z());
     constexpr int kSeen = 8;
     if (i <= kSeen) {
-      cost.view += view_penalty(situation, motion.position - situation.start.position) / kSeen;
+      cost.view += view_penalty(situation, way) / kSeen;
     }
   }
   const double reach = reach_m(situation);
   const Vector3d& start = situation.start.position;
-  const Vector3d goal = start + 1.5 * reach * goal_direction_world(situation);
+  const Vector3d goal = start + 1.5 * reach * to_goal;
   const Vector3d end = motion_at(curve, kHorizon_s).position;
   cost.progress = 1.0 - ((goal - start).norm() - (goal - end).norm()) / reach;
   return cost;

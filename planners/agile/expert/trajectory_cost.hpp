@@ -14,8 +14,9 @@ struct TrajectoryCost {
   double effort = 0.0;     ///< of acceleration and jerk
   double limits = 0.0;     ///< beyond the desired speed and 6 m/s²
   double view = 0.0;       ///< to where the camera does not look
+  double height = 0.0;     ///< above or below the line to the goal
 
-  double total() const { return 2.0 * collision + progress + effort + limits + view; }
+  double total() const { return 2.0 * collision + progress + effort + limits + view + height; }
 };
 
 /// `curve` begins at the situation's start and lasts kHorizon_s.

@@ -67,7 +67,7 @@ class Evaluation:
     total: Tensor  # (B, M) J
     clearance_m: Tensor  # (B, M, 20) to the nearest surface or side of the box
     points: Tensor  # (B, M, 10, 3) of the projected trajectories, in the unit v_des T
-    parts: dict[str, Tensor]  # the summands of J: collision, progress, effort, limits, view
+    parts: dict[str, Tensor]  # the summands of J: collision, progress, effort, limits, view, height
 
 
 class Cost:
@@ -133,6 +133,7 @@ class Cost:
             "effort": 0.1 * (acceleration / MAX_ACCELERATION_MPS2 ** 2 + jerk / MAX_JERK_MPS3 ** 2).mean(2),
             "limits": (20.0 * too_fast ** 2 + 4.0 * too_strong ** 2).mean(2),
             "view": view_cost(at[:, :, :VIEW_TIMES] * reach_m),
+            "height": height_cost(at * reach_m, inputs),
         }
         return Evaluation(sum(parts.values(), torch.zeros_like(parts["view"])), clearance_m, at[:, :, 1::2], parts)
 
@@ -161,3 +162,10 @@ def view_cost(from_start_m: Tensor) -> Tensor:
     angle = torch.atan2(aside, from_start_m[..., 0])
     cost = 0.02 * (torch.relu(angle - VIEW_RAD) / VIEW_SCALE_RAD) ** 2
     return torch.where(norm_squared(from_start_m) > VIEW_FROM_M ** 2, cost, torch.zeros_like(cost)).mean(2)
+
+
+def height_cost(from_start_m: Tensor, inputs: Tensor) -> Tensor:
+    """(B, M): of places (B, M, 20, 3) relative to the start, how far they lie above or below the line to the goal."""
+    to_goal = inputs[:, None, None, 12:15]
+    along = (from_start_m * to_goal).sum(3)
+    return 0.1 * (from_start_m[..., 2] - along * to_goal[..., 2]).square().mean(2)

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "base/input_error.hpp"
 #include "planners/support/trajectory_flight.hpp"
 #include "planners/support/trajectory_suite.hpp"
 
@@ -13,10 +14,10 @@ namespace {
 
 const TrajectoryPlanner kAgile{.name = "agile",
                                .file = PLANNER_FILE,
-                               .speed_limit_mps = 3.15,
+                               .speed_limit_mps = 3.16,
                                .detour = 1.05,
                                .height_band_m = 0.5,
-                               .published_speed_limit_mps = 7.35,
+                               .published_speed_limit_mps = 7.4,
                                .is_random = false};
 
 INSTANTIATE_TEST_SUITE_P(Each, TrajectoryFlight, testing::Values(kAgile), name_of);

@@ -14,7 +14,7 @@
 
 #include "planning/random.hpp"
 
-namespace agile::testing {
+namespace agile::test {
 
 /// Channels that the layers give.
 struct Widths {
@@ -147,4 +147,4 @@ inline void write_weights(const std::filesystem::path& file, std::uint64_t seed,
   write_bytes(file, file_bytes(make_weights(seed, widths)));
 }
 
-}  // namespace agile::testing
+}  // namespace agile::test

@@ -17,11 +17,11 @@
 namespace agile {
 namespace {
 
-using testing::half_value;
-using testing::to_half;
-using testing::Widths;
-using testing::WrittenTensor;
-using testing::WrittenTensors;
+using test::half_value;
+using test::to_half;
+using test::Widths;
+using test::WrittenTensor;
+using test::WrittenTensors;
 
 constexpr std::size_t kPixels = std::size_t{kImageHeight} * kImageWidth;
 constexpr std::size_t kOutputs = 93;
@@ -31,7 +31,7 @@ constexpr int kSizes[] = {5, 3, 3, 3, 3}, kStrides[] = {2, 2, 2, 1, 2},
               kMargins[] = {2, 1, 1, 1, 1};
 
 using Apply = void (*)(const kernels::Layer&);
-using Image = std::vector<std::uint8_t>;
+using Pixels = std::vector<std::uint8_t>;
 using Outputs = std::vector<float>;
 
 /// A file that goes with the test.
@@ -43,7 +43,7 @@ class Networks : public ::testing::Test {
   ~Networks() override { std::filesystem::remove(file_); }
 
   Network make(const WrittenTensors& tensors, Apply apply = kernels::apply_portable) {
-    testing::write_bytes(file_, testing::file_bytes(tensors));
+    test::write_bytes(file_, test::file_bytes(tensors));
     return Network(file_, apply);
   }
 
@@ -59,7 +59,7 @@ void set(WrittenTensors& tensors, const std::string& name, std::size_t i, double
   tensor(tensors, name).halves.at(i) = to_half(value);
 }
 
-Outputs run(Network& network, const Image& image, const std::vector<float>& inputs) {
+Outputs run(Network& network, const Pixels& image, const std::vector<float>& inputs) {
   Outputs outputs;
   for (const Mode& mode : network.run(image, inputs)) {
     outputs.push_back(mode.cost);
@@ -74,9 +74,9 @@ std::vector<std::uint32_t> bits(const Outputs& outputs) {
   return all;
 }
 
-Image random_image(std::uint64_t seed) {
+Pixels random_image(std::uint64_t seed) {
   planning::Random random(seed);
-  Image image(kPixels);
+  Pixels image(kPixels);
   for (std::uint8_t& grey : image) grey = static_cast<std::uint8_t>(random.bits());
   return image;
 }
@@ -91,12 +91,12 @@ std::vector<float> random_inputs(std::uint64_t seed) {
 /// One channel each; every convolution hands on the pixels at its stride, and the rest what the
 /// last one has: output i is pixel i of its 24, and 24 + i the input i where that is positive.
 WrittenTensors make_window() {
-  WrittenTensors tensors = testing::make_empty_weights({.convolutions = {1, 1, 1, 1, 1},
-                                                        .image = 24,
-                                                        .state1 = 22,
-                                                        .state2 = 22,
-                                                        .head1 = 46,
-                                                        .head2 = 46});
+  WrittenTensors tensors = test::make_empty_weights({.convolutions = {1, 1, 1, 1, 1},
+                                                     .image = 24,
+                                                     .state1 = 22,
+                                                     .state2 = 22,
+                                                     .head1 = 46,
+                                                     .head2 = 46});
   for (int i = 0; i < 5; ++i) {
     set(tensors, "conv" + std::to_string(i + 1) + ".weight", index(kSizes[i] * kSizes[i] / 2), 1.0);
   }
@@ -109,7 +109,7 @@ WrittenTensors make_window() {
 }
 
 TEST_F(Networks, EveryWeightOfAConvolutionIsAtItsPixelAndBeyondTheImageIsZero) {
-  const Image image = random_image(1);
+  const Pixels image = random_image(1);
   const std::vector<float> inputs(kInputs, 0.0F);
   int scale = 1, beyond = 0;  // of a pixel that the convolution sees, image pixels
   for (std::size_t layer = 0; layer < 5; ++layer) {
@@ -142,7 +142,7 @@ TEST_F(Networks, BiasesCountInTheMarginOnlyOfTheirOwnLayer) {
   // The sum of a row above and of the row itself: above the image there is nothing, not the bias.
   set(tensors, "conv2.weight", 1, 1.0);
   Network network = make(tensors);
-  const Outputs outputs = run(network, Image(kPixels, 0), std::vector<float>(kInputs, 0.0F));
+  const Outputs outputs = run(network, Pixels(kPixels, 0), std::vector<float>(kInputs, 0.0F));
   for (std::size_t i = 0; i < 24; ++i) EXPECT_EQ(outputs[i], i < 6 ? 0.5F : 1.0F) << i;
 }
 
@@ -153,7 +153,7 @@ TEST_F(Networks, HandsInputsOnBehindTheImageAndRectifiesAllButTheOutput) {
   Network network = make(tensors);
   std::vector<float> inputs = random_inputs(2);
   inputs[0] = 1.5F;
-  const Outputs outputs = run(network, Image(kPixels, 0), inputs);
+  const Outputs outputs = run(network, Pixels(kPixels, 0), inputs);
   EXPECT_EQ(outputs[24], -8.5F);
   for (std::size_t i = 1; i < inputs.size(); ++i) {
     EXPECT_EQ(outputs[24 + i], std::max(inputs[i], 0.0F)) << i;
@@ -162,12 +162,12 @@ TEST_F(Networks, HandsInputsOnBehindTheImageAndRectifiesAllButTheOutput) {
 }
 
 TEST_F(Networks, JoinsTheImageChannelByChannel) {
-  WrittenTensors tensors = testing::make_empty_weights({.convolutions = {1, 1, 1, 1, 3},
-                                                        .image = 1,
-                                                        .state1 = 1,
-                                                        .state2 = 1,
-                                                        .head1 = 1,
-                                                        .head2 = 1});
+  WrittenTensors tensors = test::make_empty_weights({.convolutions = {1, 1, 1, 1, 3},
+                                                     .image = 1,
+                                                     .state1 = 1,
+                                                     .state2 = 1,
+                                                     .head1 = 1,
+                                                     .head2 = 1});
   for (const std::string name : {"head1", "head2", "out"}) set(tensors, name + ".weight", 0, 1.0);
   for (std::size_t channel = 0; channel < 3; ++channel) {
     set(tensors, "conv5.bias", channel, 1.0 + static_cast<double>(channel));
@@ -176,14 +176,14 @@ TEST_F(Networks, JoinsTheImageChannelByChannel) {
     set(tensors, "image_full.weight", i, 1.0);
     Network network = make(tensors);
     set(tensors, "image_full.weight", i, 0.0);
-    const Outputs outputs = run(network, Image(kPixels, 0), std::vector<float>(kInputs, 0.0F));
+    const Outputs outputs = run(network, Pixels(kPixels, 0), std::vector<float>(kInputs, 0.0F));
     const std::size_t channel = i / 24;
     ASSERT_EQ(outputs[0], 1.0F + static_cast<float>(channel)) << i;
   }
 }
 
 /// The same by its definition and in double precision.
-std::vector<double> reference(WrittenTensors tensors, const Image& image,
+std::vector<double> reference(WrittenTensors tensors, const Pixels& image,
                               const std::vector<float>& inputs) {
   const auto weight = [&](const std::string& name, std::size_t i) {
     return half_value(tensor(tensors, name).halves[i]);
@@ -247,8 +247,8 @@ const Widths kOdd{.convolutions = {3, 17, 5, 33, 7},
 
 TEST_F(Networks, IsNearThePlainSumsInDoublePrecision) {
   for (const Widths& widths : {Widths{}, kOdd}) {
-    const WrittenTensors tensors = testing::make_weights(3, widths);
-    const Image image = random_image(4);
+    const WrittenTensors tensors = test::make_weights(3, widths);
+    const Pixels image = random_image(4);
     const std::vector<float> inputs = random_inputs(5);
     Network network = make(tensors);
     const Outputs outputs = run(network, image, inputs);
@@ -269,14 +269,14 @@ TEST_F(Networks, VersionsAgreeToTheBit) {
   for (const Widths& widths : {Widths{}, kOdd}) {
     for (const double scale : {1.0, 500.0, 2e-4}) {
       for (std::uint64_t seed = 0; seed < 4; ++seed) {
-        WrittenTensors tensors = testing::make_weights(seed, widths);
+        WrittenTensors tensors = test::make_weights(seed, widths);
         for (WrittenTensor& one : tensors) {
           for (std::uint16_t& half : one.halves) half = to_half(scale * half_value(half));
         }
         Network portable = make(tensors, kernels::apply_portable);
         Network avx2(file_, kernels::apply_avx2);
         Network chosen(file_);
-        const Image image = random_image(seed + 10);
+        const Pixels image = random_image(seed + 10);
         const std::vector<float> inputs = random_inputs(seed + 20);
         const auto expected = bits(run(portable, image, inputs));
         ASSERT_EQ(bits(run(avx2, image, inputs)), expected) << scale << " " << seed;
@@ -288,7 +288,7 @@ TEST_F(Networks, VersionsAgreeToTheBit) {
 
 TEST_F(Networks, InfinityAndNaNAgreeToTheBit) {
   if (!kernels::has_avx2()) GTEST_SKIP() << "this processor has no AVX2";
-  WrittenTensors tensors = testing::make_weights(1, kOdd);
+  WrittenTensors tensors = test::make_weights(1, kOdd);
   for (WrittenTensor& one : tensors) {
     for (std::uint16_t& half : one.halves) half = to_half(half_value(half) < 0 ? -65000 : 65000);
   }
@@ -316,7 +316,7 @@ TEST_F(Networks, RoundsProductsBeforeTheyAreAdded) {
     for (const Apply apply : {kernels::apply_portable, kernels::apply_avx2}) {
       if (apply == kernels::apply_avx2 && !kernels::has_avx2()) continue;
       Network network = make(tensors, apply);
-      ASSERT_EQ(run(network, Image(kPixels, 0), inputs)[24], expected) << i;
+      ASSERT_EQ(run(network, Pixels(kPixels, 0), inputs)[24], expected) << i;
     }
   }
   EXPECT_GT(unlike, 10);
@@ -336,7 +336,7 @@ TEST_F(Networks, KeepsNumbersThatAreSmallerThanNormal) {
     if (apply == kernels::apply_avx2 && !kernels::has_avx2()) continue;
     Network network = make(tensors, apply);
     // Times 2^-120 that is 3.5 of the smallest steps, which rounds to even.
-    EXPECT_EQ(run(network, Image(kPixels, 0), inputs)[24], std::ldexp(1.0F, -147));
+    EXPECT_EQ(run(network, Pixels(kPixels, 0), inputs)[24], std::ldexp(1.0F, -147));
   }
 }
 
@@ -347,15 +347,15 @@ TEST_F(Networks, GivesTheKnownBits) {
     for (const std::uint32_t value : bits(outputs)) hash = (hash ^ value) * 0x100000001B3ULL;
     return hash;
   };
-  Network usual = make(testing::make_weights(1));
+  Network usual = make(test::make_weights(1));
   EXPECT_EQ(digest(run(usual, random_image(2), random_inputs(3))), 0x9db713a4dc4d7316U);
-  Network odd = make(testing::make_weights(1, kOdd));
+  Network odd = make(test::make_weights(1, kOdd));
   EXPECT_EQ(digest(run(odd, random_image(2), random_inputs(3))), 0xdff029b7e5b85792U);
 }
 
 TEST_F(Networks, KnowNothingOfEarlierImages) {
-  Network network = make(testing::make_weights(6));
-  const Image image = random_image(7);
+  Network network = make(test::make_weights(6));
+  const Pixels image = random_image(7);
   const std::vector<float> inputs = random_inputs(8);
   const auto first = bits(run(network, image, inputs));
   EXPECT_EQ(bits(run(network, image, inputs)), first);
@@ -366,7 +366,7 @@ TEST_F(Networks, KnowNothingOfEarlierImages) {
 
 TEST_F(Networks, RefuseImagesAndInputsThatAreNone) {
   Network network = make(make_window());
-  const Image image(kPixels, 0);
+  const Pixels image(kPixels, 0);
   std::vector<float> inputs(kInputs, 0.0F);
   EXPECT_THROW(network.run(std::span(image).first(kPixels - 1), inputs), std::invalid_argument);
   EXPECT_THROW(network.run(image, std::span(inputs).first(21)), std::invalid_argument);

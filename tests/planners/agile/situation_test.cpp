@@ -13,12 +13,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kInvalid = std::numeric_limits<float>::quiet_NaN();
+constexpr float kNothing = std::numeric_limits<float>::infinity();
 
 /// A camera of 90° at (1, 2, 3) that looks along the world's y axis, level.
 struct DepthCamera {
-  explicit DepthCamera(int width = 320, int height = 240, float depth = kInfinity)
+  explicit DepthCamera(int width = 320, int height = 240, float depth = kNothing)
       : depth_m(std::size_t(width) * std::size_t(height), depth) {
     image.struct_size = sizeof image;
     image.width_px = width;
@@ -58,8 +58,8 @@ TEST(NetImage, HoldsInverseDepthAndNothingWhereNothingIs) {
   EXPECT_EQ(pixel(net_image(DepthCamera(320, 240, 2.0F).seen()), 30, 40), 128);
   EXPECT_EQ(pixel(net_image(DepthCamera(320, 240, 10.0F).seen()), 30, 40), 26);
   EXPECT_EQ(pixel(net_image(DepthCamera(320, 240, 0.3F).seen()), 30, 40), 255);
-  EXPECT_EQ(net_image(DepthCamera(320, 240, kInfinity).seen()), Image{});
-  EXPECT_EQ(net_image(DepthCamera(320, 240, kNaN).seen()), Image{});
+  EXPECT_EQ(net_image(DepthCamera(320, 240, kNothing).seen()), Image{});
+  EXPECT_EQ(net_image(DepthCamera(320, 240, kInvalid).seen()), Image{});
 }
 
 /// A pole of one pixel in an image more than three times as wide.
@@ -78,9 +78,9 @@ TEST(NetImage, KeepsWhatIsThin) {
 
 TEST(NetImage, TakesTheNearestAndPassesInvalidPixelsOver) {
   DepthCamera camera(320, 240, 8.0F);
-  camera.at(120, 160) = kNaN;
+  camera.at(120, 160) = kInvalid;
   camera.at(120, 161) = 3.0F;
-  camera.at(121, 161) = kInfinity;
+  camera.at(121, 161) = kNothing;
   const Image image = net_image(camera.seen());
   EXPECT_EQ(*std::max_element(image.begin(), image.end()), 85);
   EXPECT_EQ(*std::min_element(image.begin(), image.end()), 32);

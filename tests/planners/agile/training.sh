@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$1"
 out=$2
-planners/agile/train/train.sh --few --minutes 1.5 --out "$out"
+planners/agile/train/train.sh --few --minutes 2 --out "$out"
 (cd planners/agile/train && OMP_WAIT_POLICY=passive "$1/build/train_venv/bin/python" -B -m unittest test_training)
 python3 - "$out/first.json" "$out/agile.json" <<'PYTHON'
 import json

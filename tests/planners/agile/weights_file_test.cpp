@@ -14,13 +14,13 @@
 namespace agile {
 namespace {
 
+using test::file_bytes;
+using test::write_bytes;
+using test::WrittenTensors;
 using ::testing::AllOf;
-using testing::file_bytes;
 using ::testing::HasSubstr;
-using testing::write_bytes;
-using testing::WrittenTensors;
 
-const testing::Widths kSmall{
+const test::Widths kSmall{
     .convolutions = {2, 3, 2, 1, 2}, .image = 3, .state1 = 2, .state2 = 3, .head1 = 4, .head2 = 2};
 
 /// A file that goes with the test.
@@ -71,14 +71,14 @@ TEST(Half, IsExactInSinglePrecision) {
       ASSERT_EQ(std::isnan(value), (half & 0x3FFU) != 0U) << i;
       ASSERT_EQ(std::isinf(value), (half & 0x3FFU) == 0U) << i;
     } else {
-      ASSERT_EQ(static_cast<double>(value), testing::half_value(half)) << i;
-      ASSERT_EQ(testing::to_half(static_cast<double>(value)), half) << i;  // the tests' own
+      ASSERT_EQ(static_cast<double>(value), test::half_value(half)) << i;
+      ASSERT_EQ(test::to_half(static_cast<double>(value)), half) << i;  // the tests' own
     }
   }
 }
 
 TEST_F(WeightsFiles, GivesTensorsAsTheyWereWritten) {
-  const WrittenTensors tensors = testing::make_weights(1, kSmall);
+  const WrittenTensors tensors = test::make_weights(1, kSmall);
   write_bytes(folder_ / "file", file_bytes(tensors));
   WeightsFile file(folder_ / "file");
   for (const auto& tensor : tensors) {
@@ -86,23 +86,23 @@ TEST_F(WeightsFiles, GivesTensorsAsTheyWereWritten) {
     EXPECT_EQ(read.shape, tensor.shape);
     ASSERT_EQ(read.values.size(), tensor.halves.size());
     for (std::size_t i = 0; i < read.values.size(); ++i) {
-      ASSERT_EQ(static_cast<double>(read.values[i]), testing::half_value(tensor.halves[i]));
+      ASSERT_EQ(static_cast<double>(read.values[i]), test::half_value(tensor.halves[i]));
     }
   }
   file.check_all_taken();
 }
 
 TEST_F(WeightsFiles, TakesASpacedHeaderAndOtherMetadata) {
-  const WrittenTensors tensors = testing::make_weights(1, kSmall);
-  const std::string header = replaced(testing::header_of(tensors), R"({"format":)",
+  const WrittenTensors tensors = test::make_weights(1, kSmall);
+  const std::string header = replaced(test::header_of(tensors), R"({"format":)",
                                       R"({"training": "3 rounds \u00e9", "format":)");
-  EXPECT_EQ(refusal(testing::join_file(header + "   ", testing::data_of(tensors))), "");
+  EXPECT_EQ(refusal(test::join_file(header + "   ", test::data_of(tensors))), "");
 }
 
 TEST_F(WeightsFiles, RefusesATruncatedOne) {
-  const WrittenTensors tensors = testing::make_weights(1, kSmall);
+  const WrittenTensors tensors = test::make_weights(1, kSmall);
   const std::string whole = file_bytes(tensors);
-  const std::size_t data = 8 + testing::header_of(tensors).size();
+  const std::size_t data = 8 + test::header_of(tensors).size();
   ASSERT_EQ(refusal(whole), "");
   for (std::size_t length = 0; length < data; length += length < 16 ? 1 : 7) {
     ASSERT_THAT(refusal(whole.substr(0, length)), HasSubstr("is truncated")) << length;
@@ -121,8 +121,8 @@ TEST_F(WeightsFiles, RefusesATruncatedOne) {
 }
 
 TEST_F(WeightsFiles, RefusesWrongHeaders) {
-  const WrittenTensors tensors = testing::make_weights(1, kSmall);
-  const std::string header = testing::header_of(tensors), data = testing::data_of(tensors);
+  const WrittenTensors tensors = test::make_weights(1, kSmall);
+  const std::string header = test::header_of(tensors), data = test::data_of(tensors);
   struct Case {
     std::string what, by, message;
   };
@@ -174,10 +174,10 @@ TEST_F(WeightsFiles, RefusesWrongHeaders) {
   };
   for (const Case& one : cases) {
     const std::string changed = replaced(header, one.what, one.by);
-    EXPECT_THAT(refusal(testing::join_file(changed, data)), HasSubstr(one.message)) << one.by;
+    EXPECT_THAT(refusal(test::join_file(changed, data)), HasSubstr(one.message)) << one.by;
   }
   for (const unsigned bit : {20U, 31U, 32U, 62U, 63U}) {  // 2^20 itself: the length is more
-    std::string bytes = testing::join_file(header, data);
+    std::string bytes = test::join_file(header, data);
     bytes[bit / 8U] = static_cast<char>(bytes[bit / 8U] | static_cast<char>(1U << bit % 8U));
     EXPECT_THAT(refusal(bytes), HasSubstr("it is no safetensors file")) << bit;
   }
@@ -185,8 +185,8 @@ TEST_F(WeightsFiles, RefusesWrongHeaders) {
 }
 
 TEST_F(WeightsFiles, RefusesLayersThatDoNotFitTogether) {
-  const auto expect = [&](const testing::Widths& widths, auto change, const std::string& message) {
-    WrittenTensors tensors = testing::make_weights(1, widths);
+  const auto expect = [&](const test::Widths& widths, auto change, const std::string& message) {
+    WrittenTensors tensors = test::make_weights(1, widths);
     change(tensors);
     EXPECT_THAT(refusal(file_bytes(tensors)), HasSubstr(message));
   };
@@ -215,14 +215,14 @@ TEST_F(WeightsFiles, RefusesLayersThatDoNotFitTogether) {
         tensors.push_back({"more", {1}, {0}});
       },
       R"("more" is none of this network's)");
-  testing::Widths wide = kSmall;
+  test::Widths wide = kSmall;
   wide.head1 = 4097;
   expect(
       wide, [](WrittenTensors&) {}, R"("head1.weight" has the shape [4097, 6])");
 }
 
 TEST_F(WeightsFiles, RefusesWeightsThatAreNotFinite) {
-  WrittenTensors tensors = testing::make_weights(1, kSmall);
+  WrittenTensors tensors = test::make_weights(1, kSmall);
   for (auto& tensor : tensors) {
     for (const std::uint16_t wrong :
          {std::uint16_t{0x7C00}, std::uint16_t{0xFC00}, std::uint16_t{0x7C01},
@@ -253,9 +253,9 @@ TEST_F(WeightsFiles, RefusesWhatIsNoRegularFile) {
 }
 
 TEST_F(WeightsFiles, MutatedOnesAreRefusedOrNetworks) {
-  const WrittenTensors tensors = testing::make_weights(1, kSmall);
+  const WrittenTensors tensors = test::make_weights(1, kSmall);
   const std::string whole = file_bytes(tensors);
-  const std::size_t header = 8 + testing::header_of(tensors).size();
+  const std::size_t header = 8 + test::header_of(tensors).size();
   const std::string digits = "0123456789-[]{},:\"eE.";
   planning::Random random(7);
   const auto below = [&](std::size_t count) {
