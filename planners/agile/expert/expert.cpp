@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "avoidbench/portable_math.hpp"
+
 namespace agile {
 namespace {
 
@@ -11,6 +13,7 @@ using avoidbench::RandomStream;
 using Eigen::Vector3d;
 using planning::Motion;
 using planning::Quintic;
+namespace portable = avoidbench::portable;
 
 constexpr double kDegree = 3.14159265358979323846 / 180.0;
 
@@ -35,8 +38,8 @@ std::vector<Tried> first_tries(const ClearanceField& field, const Situation& sit
   const Vector3d ahead = level.norm() > 1e-3 ? Vector3d(level.normalized())
                                              : turned_to_world(situation.frame, Vector3d::UnitX());
   const auto turned = [&](double angle) {
-    return Vector3d(std::cos(angle) * ahead.x() - std::sin(angle) * ahead.y(),
-                    std::sin(angle) * ahead.x() + std::cos(angle) * ahead.y(), 0.0);
+    return Vector3d(portable::cos(angle) * ahead.x() - portable::sin(angle) * ahead.y(),
+                    portable::sin(angle) * ahead.x() + portable::cos(angle) * ahead.y(), 0.0);
   };
   for (const double part : {1.0, 0.75, 0.5, 0.25}) {
     for (int i = -6; i <= 6; ++i) {
@@ -54,11 +57,10 @@ std::vector<Tried> first_tries(const ClearanceField& field, const Situation& sit
       }
     }
   }
-  // To rest, as soon as may be and within half the reach.
+  // To rest, sooner and later.
   for (const double part : {0.15, 0.3, 0.5}) {
     Motion end;
-    end.position = situation.start.position + part * kHorizon_s * situation.start.velocity +
-                   Vector3d(0.0, 0.0, 0.0);
+    end.position = situation.start.position + part * kHorizon_s * situation.start.velocity;
     tries.push_back(tried(field, situation, end));
   }
   return tries;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "avoidbench/portable_math.hpp"
+
 namespace agile {
 namespace {
 
@@ -39,7 +41,7 @@ double view_penalty(const Situation& situation, const Vector3d& way) {
   const double way_m = way.norm();
   if (way_m < kLeastWay_m) return 0.0;
   const Vector3d axis = turned_to_world(situation.frame, Vector3d::UnitX());
-  const double angle = std::acos(std::clamp(way.dot(axis) / way_m, -1.0, 1.0));
+  const double angle = avoidbench::portable::acos(std::clamp(way.dot(axis) / way_m, -1.0, 1.0));
   return 0.02 * square(std::max(0.0, angle * kPerRadian_deg - 40.0) / 10.0);
 }
 
