@@ -33,7 +33,8 @@ Quintic projected(const Situation& situation, const ModePoints& points) {
   for (int i = 0; i < kPoints; ++i) {
     const std::array<float, 3>& point = points[static_cast<std::size_t>(i)];
     const double t = T * (i + 1.0) / kPoints;
-    left.col(i) = turned_to_world(situation.frame, Vector3d(point[0], point[1], point[2])) *
+    left.col(i) = turned_to_world(situation.frame,
+                                  Vector3d(double(point[0]), double(point[1]), double(point[2]))) *
                       reach_m(situation) -
                   start.velocity * t - start.acceleration * (0.5 * t * t);
   }

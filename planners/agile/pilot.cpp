@@ -120,7 +120,7 @@ Candidate Pilot::candidate(const Situation& situation, const Mode& mode) const {
            demand.acceleration_mps2 <= acceleration_mps2 && demand.jerk_mps3 <= kJerk_mps3;
   };
   Candidate found;
-  found.cost = mode.cost;
+  found.cost = double(mode.cost);
   // Of weights that overflow.
   if (!std::isfinite(found.cost)) return found;
   for (const double part : {1.0, 0.9, 0.8, 0.7, 0.55, 0.4}) {
