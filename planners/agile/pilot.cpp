@@ -220,7 +220,8 @@ std::optional<double> Pilot::facing_rad(const Vector3d& place) const {
   if (flown_.back().kind == Kind::hover) {
     constexpr int kDirections = 7;  // 0, +1, -1, +2, -2, +3, -3 times scan_rad
     const int count = static_cast<int>((effect_s_ - standing_s_) / settings_.scan_s) % kDirections;
-    aside_rad = settings_.scan_rad * ((count + 1) / 2) * (count % 2 == 1 ? 1.0 : -1.0);
+    const int steps = (count + 1) / 2;
+    aside_rad = settings_.scan_rad * steps * (count % 2 == 1 ? 1.0 : -1.0);
   }
   return portable::atan2(way.y(), way.x()) + aside_rad;
 }

@@ -35,7 +35,7 @@ Range source_pixels(int index, double center_px, double focal_px, double source_
 std::uint8_t net_value(float depth_m) {
   if (!(depth_m < std::numeric_limits<float>::infinity())) return 0;
   if (!(depth_m > 1.0F)) return 255;
-  return static_cast<std::uint8_t>(255.0F / depth_m + 0.5F);
+  return static_cast<std::uint8_t>(std::floor(255.0F / depth_m + 0.5F));
 }
 
 /// How far it is from `from` along the horizontal unit `direction` to the box's side.

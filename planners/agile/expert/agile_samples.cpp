@@ -149,9 +149,7 @@ class Sampler {
   std::map<avoidbench::Outcome, int> outcomes_;
 };
 
-}  // namespace
-
-int main(int argument_count, char** arguments) {
+int sample(int argument_count, char** arguments) {
   Options options;
   CLI::App app("Flies the missions of a sweep and writes each image with the expert's ways.");
   app.add_option("sweep", options.sweep, "Sweep file; its planners are not looked at")->required();
@@ -165,11 +163,19 @@ int main(int argument_count, char** arguments) {
   app.add_option("--disturbed", options.sampling.disturbed_ratio,
                  "Of the expert's plans that begin to lead astray");
   CLI11_PARSE(app, argument_count, arguments);
+  Sampler(options).run();
+  return 0;
+}
+
+}  // namespace
+
+int main(int argument_count, char** arguments) {
   try {
-    Sampler(options).run();
+    return sample(argument_count, arguments);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "agile_samples: %s\n", error.what());
-    return 2;
+  } catch (...) {
+    std::fputs("agile_samples: what was thrown is no exception\n", stderr);
   }
-  return 0;
+  return 2;
 }
