@@ -48,11 +48,7 @@ class Agile {
   void reset(const ab_mission& mission) { pilot_.reset(mission); }
 
   std::optional<ab_command> plan(const ab_observation& seen) {
-    const ab_state& state = *seen.state;
-    const agile::Seen now{.time_s = state.time_s,
-                          .position_world = avoidbench::as_vector(state.position_world_m),
-                          .velocity_world = avoidbench::as_vector(state.velocity_world_mps),
-                          .depth = avoidbench::newest_depth(seen)};
+    const agile::Seen now = agile::seen_of(seen);
     if (!pilot_.has_mission() || !now.position_world.allFinite() ||
         !now.velocity_world.allFinite() || !std::isfinite(now.time_s)) {
       return std::nullopt;

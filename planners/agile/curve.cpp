@@ -68,10 +68,7 @@ Demand demand_of(const Quintic& curve) {
   for (int i = 0; i <= kSteps; ++i) {
     const double t = curve.duration_s * i / kSteps;
     const Motion motion = motion_at(curve, t);
-    const Vector3d jerk =
-        6.0 * curve.coefficients.col(3) +
-        t * (24.0 * curve.coefficients.col(4) + t * 60.0 * curve.coefficients.col(5));
-    most.jerk_mps3 = std::max(most.jerk_mps3, jerk.norm());
+    most.jerk_mps3 = std::max(most.jerk_mps3, jerk_at(curve, t).norm());
     most.speed_mps = std::max(most.speed_mps, motion.velocity.norm());
     most.acceleration_mps2 = std::max(most.acceleration_mps2, motion.acceleration.norm());
   }

@@ -39,6 +39,14 @@ bool is_place(const Vector3d& point) { return point.allFinite() && point.norm() 
 
 }  // namespace
 
+Seen seen_of(const ab_observation& seen) {
+  const ab_state& state = *seen.state;
+  return {.time_s = state.time_s,
+          .position_world = avoidbench::as_vector(state.position_world_m),
+          .velocity_world = avoidbench::as_vector(state.velocity_world_mps),
+          .depth = avoidbench::newest_depth(seen)};
+}
+
 Pilot::Pilot(const Settings& settings, Think think)
     : settings_(settings), think_(std::move(think)) {}
 

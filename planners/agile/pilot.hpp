@@ -28,6 +28,9 @@ struct Seen {
   const ab_depth_image* depth = nullptr;  ///< null: none is new
 };
 
+/// Of what the host shows in a call; the image is the newest.
+Seen seen_of(const ab_observation& seen);
+
 /// One mode as it would be flown.
 struct Candidate {
   planning::Quintic curve;

@@ -25,7 +25,7 @@ inline constexpr std::array kParameters{
     avoidbench::Setting<Settings>{planning::kPreset, nullptr},
     avoidbench::parameter<&Settings::max_speed_mps>(
         "max_speed_mps", "m/s", 3.0, 0.2, 10.0,
-        "Speed it flies at where it can; the net was trained from 1 to 7 m/s."),
+        "Speed it flies at where it can; the net was trained from 1.5 to 6.5 m/s."),
     avoidbench::parameter<&Settings::brake_cost>(
         "brake_cost", "", 1.0, 0.1, 4.0,
         "It brakes where every mode's predicted cost is above this; standing still costs 1."),

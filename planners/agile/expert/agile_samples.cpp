@@ -163,6 +163,10 @@ int sample(int argument_count, char** arguments) {
   app.add_option("--disturbed", options.sampling.disturbed_ratio,
                  "Of the expert's plans that begin to lead astray");
   CLI11_PARSE(app, argument_count, arguments);
+  const SamplingSpec& sampling = options.sampling;
+  if (!(sampling.least_speed_mps > 0.0 && sampling.least_speed_mps <= sampling.most_speed_mps)) {
+    throw avoidbench::InputError("--least-speed must be above 0 and not above --most-speed");
+  }
   Sampler(options).run();
   return 0;
 }

@@ -6,51 +6,14 @@
 #include "avoidbench/planner.hpp"
 #include "base/random.hpp"
 #include "pilot.hpp"
-#include "plugin/planner_instance.hpp"
+#include "plugin/host_buffers.hpp"
 #include "trial/planner_view.hpp"
 
 namespace agile {
 namespace {
 
-using avoidbench::PlannerMission;
 using avoidbench::PlannerSetup;
 using avoidbench::RandomStream;
-using Eigen::Vector3d;
-
-void copy(const Vector3d& from, double (&to)[3]) { Vector3d::Map(to) = from; }
-
-ab_mission mission_of(const PlannerMission& from) {
-  ab_mission mission{};
-  mission.struct_size = sizeof(ab_mission);
-  mission.seed = from.seed;
-  copy(from.start_world, mission.start_world_m);
-  copy(from.goal_world, mission.goal_world_m);
-  copy(from.lowest_world, mission.lowest_world_m);
-  copy(from.highest_world, mission.highest_world_m);
-  mission.start_yaw_rad = from.start_yaw_rad;
-  mission.goal_radius_m = from.goal_radius_m;
-  mission.time_limit_s = from.time_limit_s;
-  mission.command_latency_s = from.command_latency_s;
-  return mission;
-}
-
-ab_depth_image image_of(const avoidbench::DepthView& view, const avoidbench::CameraSetup& camera) {
-  ab_depth_image image{};
-  image.struct_size = sizeof(ab_depth_image);
-  image.width_px = camera.width_px;
-  image.height_px = camera.height_px;
-  image.time_s = view.time_s;
-  image.fx_px = camera.fx_px;
-  image.fy_px = camera.fy_px;
-  image.cx_px = camera.cx_px;
-  image.cy_px = camera.cy_px;
-  copy(view.T_world_camera.translation(), image.position_world_m);
-  const Eigen::Quaterniond q(view.T_world_camera.linear());
-  const double wxyz[] = {q.w(), q.x(), q.y(), q.z()};
-  std::copy(std::begin(wxyz), std::end(wxyz), image.q_world_camera);
-  image.depth_m = view.depth_m.data();
-  return image;
-}
 
 /// The settings that a plugin would get for this vehicle.
 Settings settings_for(const PlannerSetup& setup, double speed_mps) {
@@ -133,21 +96,15 @@ SampledFlight sample_flight(const avoidbench::TrialSpec& spec, const avoidbench:
     disturbance.act_on(modes);
     return modes;
   });
-  pilot.reset(mission_of(planner_mission(spec, flown, scene.world().bounds)));
+  pilot.reset(to_mission(planner_mission(spec, flown, scene.world().bounds)));
 
-  avoidbench::Flight flight = begin_flight(spec, scene, flown, AB_SEES_STATE | AB_SEES_DEPTH);
+  constexpr std::uint32_t kNeeds = AB_SEES_STATE | AB_SEES_DEPTH;
+  avoidbench::ObservationBuffers buffers;
+  avoidbench::Flight flight = begin_flight(spec, scene, flown, kNeeds);
   while (const avoidbench::PlannerView* view = next_plan(flight)) {
-    std::optional<ab_depth_image> image;
-    if (!view->depth.empty()) {
-      const avoidbench::DepthView& newest = view->depth.front();
-      image = image_of(newest, setup.cameras.at(newest.camera));
-    }
     avoidbench::PlanResult plan;
     plan.status = avoidbench::PlanStatus::command;
-    plan.points = pilot.plan({.time_s = view->time_s,
-                              .position_world = view->position_world,
-                              .velocity_world = view->velocity_world,
-                              .depth = image ? &*image : nullptr});
+    plan.points = pilot.plan(seen_of(buffers.fill(*view, setup.cameras, kNeeds)));
     plan.command = avoidbench::make_command(AB_COMMAND_TRAJECTORY);
     answer(flight, plan);
   }

@@ -51,18 +51,16 @@ TrajectoryCost trajectory_cost(const ClearanceField& field, const Situation& sit
                                const planning::Quintic& curve) {
   TrajectoryCost cost;
   const double speed_mps = situation.desired_speed_mps, dt = kHorizon_s / kSteps;
-  const Eigen::Matrix<double, 3, 6>& c = curve.coefficients;
   constexpr double kMeanWeight = 1.5 - 0.5 * (1.0 + 1.0 / kSteps);
   const Vector3d to_goal = goal_direction_world(situation);
   for (int i = 1; i <= kSteps; ++i) {
     const double t = i * dt;
     const Motion motion = motion_at(curve, t);
-    const Vector3d jerk = 6.0 * c.col(3) + t * (24.0 * c.col(4) + t * 60.0 * c.col(5));
     const double weight = (1.5 - double(i) / kSteps) / kMeanWeight / kSteps;
     cost.collision += weight * penalty(clearance_m(field, situation, motion.position));
     cost.effort += 0.1 / kSteps *
                    (motion.acceleration.squaredNorm() / square(kMaxAcceleration_mps2) +
-                    jerk.squaredNorm() / square(kJerk_mps3));
+                    jerk_at(curve, t).squaredNorm() / square(kJerk_mps3));
     const double fast = std::max(0.0, motion.velocity.norm() / speed_mps - 1.0);
     const double hard = std::max(0.0, motion.acceleration.norm() / kMaxAcceleration_mps2 - 1.0);
     cost.limits += (20.0 * square(fast) + 4.0 * square(hard)) / kSteps;

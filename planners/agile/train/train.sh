@@ -1,15 +1,16 @@
 #!/usr/bin/env bash
 # train.sh [--minutes M] [--seed S] [--out FOLDER] [--few]: makes samples, trains agile's net on them, lets it fly, and trains it on what it
-# met. Writes FOLDER (build/agile) with agile.safetensors, curves.png and the figures; copy the weights to planners/agile to fly them.
+# met. Writes agile.safetensors, curves and figures into FOLDER (build/agile; in the repository unless it begins with /). To fly the weights
+# copy them to planners/agile and build.
 #   --minutes M    wall time of the three trainings together (40); samples take some 20 minutes more on two cores
 #   --seed S       of the trainings and of the samples' flights (1); maps and missions stay the same
-#   --few          a twentieth of the samples: to see that all of it works
-# Needs the release build (scripts/quickstart.sh or cmake) and Python 3.11 or later; PyTorch comes into an environment of its own.
+#   --few          a sixteenth of the flights: to see that all of it works
+# Needs the release build (scripts/quickstart.sh or cmake) and Python 3.10 or later; PyTorch comes into an environment of its own.
 set -euo pipefail
 cd "$(dirname "$0")/../../.."
 
 minutes=40 seed=1 out=build/agile few=()
-usage() { sed -n '2,8s/^# \{0,1\}//p' "$0" >&2; exit 2; }
+usage() { sed -n '2,9s/^# \{0,1\}//p' "$0" >&2; exit 2; }
 while [ $# -gt 0 ]; do
   case "$1" in
     --minutes) minutes=${2:?}; shift 2 ;;
@@ -23,7 +24,8 @@ done
 samples=build/release/agile_samples
 [ -x "$samples" ] || { echo "train.sh: $samples is not there: build it first (cmake --build build/release)" >&2; exit 1; }
 python=build/train_venv/bin/python
-if [ ! -x "$python" ]; then
+# Asked of Python itself: an installation that broke off goes on.
+if ! "$python" -c 'import matplotlib, numpy, torch' 2>/dev/null; then
   echo "Making a Python environment with PyTorch in build/train_venv"
   python3 -m venv build/train_venv
   "$python" -m pip install --quiet --disable-pip-version-check -r planners/agile/train/requirements.txt

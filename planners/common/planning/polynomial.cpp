@@ -41,6 +41,11 @@ Motion motion_at(const Quintic& quintic, double time_s) {
   return motion;
 }
 
+Vector3d jerk_at(const Quintic& quintic, double time_s) {
+  const Eigen::Matrix<double, 3, 6>& c = quintic.coefficients;
+  return 6.0 * c.col(3) + time_s * (24.0 * c.col(4) + time_s * 60.0 * c.col(5));
+}
+
 double trapezoid_time_s(double distance_m, double speed_mps, double acceleration_mps2) {
   const double speeding_m = speed_mps * speed_mps / acceleration_mps2;
   if (speeding_m > distance_m) return 2.0 * std::sqrt(distance_m / acceleration_mps2);

@@ -24,6 +24,9 @@ Quintic quintic_between(const Motion& start, const Motion& end, double duration_
 /// Its motion at `time_s`, clamped to its duration.
 Motion motion_at(const Quintic& quintic, double time_s);
 
+/// Its jerk then, not clamped.
+Eigen::Vector3d jerk_at(const Quintic& quintic, double time_s);
+
 /// Time for a way of `distance_m` from rest to rest at these limits: a trapezoid, or a triangle
 /// where the way is short.
 double trapezoid_time_s(double distance_m, double speed_mps, double acceleration_mps2);
