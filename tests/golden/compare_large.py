@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Compares two databases of 100000 trials each and fails where that takes more than 6 s of processor time or 500 MB.
+"""Compares two databases of 100000 trials each and fails where that takes more than 12 s of processor time or 500 MB:
+the digests of half a gigabyte a database are half of it.
 
 usage: compare_large.py PROGRAM [TRIALS]
 
@@ -11,6 +12,7 @@ import pathlib
 import random
 import resource
 import sqlite3
+import struct
 import subprocess
 import sys
 import tempfile
@@ -37,6 +39,31 @@ def copies_of(connection, table):
     row = dict(zip(names, cursor.fetchone()))
     sql = f"INSERT INTO {table} ({', '.join(names)}) VALUES ({', '.join('?' * len(names))})"
     return lambda **changes: connection.execute(sql, [{**row, **changes}[name] for name in names])
+
+
+def row_digest(row):
+    """What the program writes beside a trial's values (lib/store/row_digest.hpp): `compare` checks it."""
+    packed = b""
+    for name, value in sorted(row.items()):
+        if value is None or name in ("attempt", "run_id", "row_digest"):
+            continue
+        packed += struct.pack("<Q", len(name)) + name.encode()
+        if isinstance(value, int):
+            packed += struct.pack("<Qq", 1, value)
+        elif isinstance(value, float):
+            packed += struct.pack("<Qd", 2, value)
+        else:
+            text = value.encode()
+            packed += struct.pack("<QQ", 3, len(text)) + text
+    return hashlib.sha256(struct.pack("<Q", len(packed)) + packed).hexdigest()
+
+
+def write_digests(connection):
+    """Of the rows as they are stored: a whole number in a column of reals has become one."""
+    cursor = connection.execute("SELECT * FROM trials")
+    names = [column[0] for column in cursor.description]
+    digests = [(row_digest(row), row["trial_key"]) for row in (dict(zip(names, values)) for values in cursor)]
+    connection.executemany("UPDATE trials SET row_digest = ? WHERE trial_key = ?", digests)
 
 
 def grow(path, trial_count, seed):
@@ -75,6 +102,10 @@ def grow(path, trial_count, seed):
                           mission_progress_pct=100 if is_finished else luck.uniform(0, 90),
                           min_clearance_m=luck.uniform(0, 1))
             add["sweep_trials"](trial_key=trial)
+    flown = connection.execute("SELECT row_digest FROM trials ORDER BY rowid").fetchone()
+    write_digests(connection)
+    if connection.execute("SELECT row_digest FROM trials ORDER BY rowid").fetchone() != flown:
+        sys.exit("row_digest is not the program's any more")
     connection.commit()
     connection.close()
 
@@ -101,8 +132,8 @@ def main():
         size_mb = databases[0].stat().st_size / 1e6
     print(done.stdout)
     print(f"2 x {trial_count} trials (files of {size_mb:.0f} MB): {wall_s:.2f} s, {cpu_s:.2f} s of the processor, {peak_mb:.0f} MB")
-    if done.returncode not in (0, 1) or cpu_s > 6 or peak_mb > 500:
-        sys.exit(f"exit code {done.returncode}, or more than 6 s or 500 MB")
+    if done.returncode not in (0, 1) or cpu_s > 12 or peak_mb > 500:
+        sys.exit(f"exit code {done.returncode}, or more than 12 s or 500 MB")
 
 
 if __name__ == "__main__":
