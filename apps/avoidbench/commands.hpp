@@ -11,6 +11,7 @@ namespace avoidbench {
 /// InputError for bad input and CLI::RuntimeError for an exit code of its own; main turns what is
 /// thrown into an exit code.
 void add_run_command(CLI::App& app);
+void add_limit_command(CLI::App& app);
 void add_report_command(CLI::App& app);
 void add_power_command(CLI::App& app);
 void add_export_command(CLI::App& app);

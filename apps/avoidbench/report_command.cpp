@@ -85,6 +85,7 @@ struct PageParts {
 std::vector<std::string> fields_of(const ReportQuery& query, const Database& database,
                                    const SweepInfo& sweep, PageParts* page) {
   std::vector<std::string> fields = query.fields();
+  add_limit_field(sweep.spec_json, fields);
   if (page == nullptr) return fields;
   std::vector<std::string>& axes = page->axes_of[sweep.name];
   for (const std::string& axis : axis_fields({&sweep, 1})) {
@@ -268,7 +269,8 @@ void add_report_command(CLI::App& app) {
   command
       .add_option(
           "--tables", options.tables,
-          "Tables to show, separated by commas: planners, groups, grouped, outcomes, "
+          "Tables to show, separated by commas: limits, limit_pairs, limit_curve, planners, "
+          "groups, grouped, outcomes, "
           "causes, pairs, difficulty, flight_time, flight_time_curve, maps, environment (default: "
           "planners, outcomes, pairs, and groups if each has several maps)")
       ->delimiter(',');

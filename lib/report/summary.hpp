@@ -7,6 +7,7 @@
 
 #include "diagnosis/cause_counts.hpp"
 #include "report/environment_summary.hpp"
+#include "report/limits.hpp"
 #include "report/planner_summary.hpp"
 #include "report/response.hpp"
 #include "report/selection.hpp"
@@ -58,12 +59,18 @@ struct SweepSummary {
   std::vector<FlightTimes> flight_times;       ///< one a planner
   std::vector<CauseCount> causes;              ///< of failures; empty where none is told
   EnvironmentSummary environment;
+  /// Of a sweep that looks for limits; then planners, rates and means are left out, since the
+  /// trials were chosen by what they tell of the limit and are no sample of any setting.
+  LimitSummary limits;
   std::vector<std::string> warnings;  ///< what the figures can't carry
 };
 
 /// Those of the usual metrics that `result` has: path and energy optimality, average goal velocity,
 /// mission progress, processing time (CPU and wall).
 std::vector<std::string> default_metrics(const SweepResult& result);
+
+/// What a sweep needs beside a query's fields: that of its limit.
+void add_limit_field(const std::string& spec_json, std::vector<std::string>& fields);
 
 /// The summary; `result` has the fields of `query`. Throws InputError for a metric that the results
 /// lack, for conditions that no trial fulfils, and as group_trials().

@@ -356,15 +356,18 @@ Table correlation_table(const SweepSummary& summary) {
 
 std::string title_of(const SweepSummary& summary) {
   std::string title = "Sweep " + summary.name;
+  // A map that is swept is another one at each level.
+  const std::size_t map_count = summary.limits.rule.is_set()
+                                    ? static_cast<std::size_t>(summary.limits.map_count)
+                                    : summary.maps.size();
   if (summary.latest_revision > 1) {
     title += " (revision " + std::to_string(summary.revision) + " of " +
              std::to_string(summary.latest_revision) + ")";
   }
   title += ": " + counted(summary.trial_count, "trial") + " of " +
-           counted(summary.planners.size(), "planner") + " on " +
-           counted(summary.maps.size(), "map") + ", " + counted(summary.mission_count, "mission") +
-           " (" + std::to_string(summary.invalid_mission_count) +
-           " invalid: not flown, not counted)";
+           counted(summary.planners.size(), "planner") + " on " + counted(map_count, "map") + ", " +
+           counted(summary.mission_count, "mission") + " (" +
+           std::to_string(summary.invalid_mission_count) + " invalid: not flown, not counted)";
   for (std::size_t i = 0; i < summary.conditions.size(); ++i) {
     title += (i == 0 ? ", where " : " and ") + summary.conditions[i];
   }
@@ -385,6 +388,12 @@ struct TableKind {
 };
 
 constexpr TableKind kTables[] = {
+    {"limits", TableKind::always,
+     [](const SweepSummary& summary) { return limit_table(summary.limits); }},
+    {"limit_pairs", TableKind::always,
+     [](const SweepSummary& summary) { return limit_pair_table(summary.limits); }},
+    {"limit_curve", TableKind::never,
+     [](const SweepSummary& summary) { return limit_curve_table(summary.limits); }},
     {"planners", TableKind::always, planner_table},
     {"groups", TableKind::always, group_table},
     {"grouped", TableKind::always, grouped_table},

@@ -5,7 +5,8 @@
 
 namespace avoidbench {
 
-/// Names of the tables that a sweep can have: `planners` (rates and means), `groups` (the same by
+/// Names of the tables that a sweep can have: `limits`, `limit_pairs` and `limit_curve` (of a sweep
+/// that looks for limits, which has no others), `planners` (rates and means), `groups` (the same by
 /// traversability), `grouped` (by the columns that were asked for), `outcomes` (counts), `pairs`
 /// (contrast factors), `difficulty` (success against traversability), `flight_time` and
 /// `flight_time_curve` (times to the goal), `maps`, `environment` (how their measures go together).

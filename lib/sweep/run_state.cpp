@@ -77,7 +77,9 @@ void commit_trial(Run& run, const Assignment& assignment, TrialRecord record,
                   std::vector<double> metrics, double wall_time_s) {
   const TrialSpec spec = run.schedule.trials[*assignment.trial].spec();
   require_unchanged(run, spec.planner);
-  PlannerProgress& planner = run.progress.planners[spec.planner.label];
+  // All levels of a limit's field together: there are dozens.
+  PlannerProgress& planner =
+      run.progress.planners[label_without(spec.planner.label, run.sweep.limit)];
   ++planner.flown;
   if (record.outcome == Outcome::reached_goal) ++planner.reached_goal;
   run.database.add_trial({.key = run.schedule.keys[*assignment.trial],

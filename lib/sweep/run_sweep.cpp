@@ -1,16 +1,21 @@
 #include "sweep/run_sweep.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <set>
 #include <utility>
 
+#include "base/check.hpp"
 #include "base/input_error.hpp"
 #include "base/kept_files.hpp"
+#include "base/spec_json.hpp"
 #include "diagnosis/spec_changes.hpp"
+#include "limit/limit_search.hpp"
 #include "plugin/planner_description.hpp"
 #include "plugin/planner_library.hpp"
+#include "sweep/key_maker.hpp"
 #include "sweep/run_state.hpp"
 #include "sweep/seats.hpp"
 #include "sweep/sweep_rows.hpp"
@@ -20,6 +25,8 @@ namespace avoidbench {
 namespace {
 
 using Changes = std::vector<std::string>;
+
+constexpr std::string_view kOfPlanner = "planner.";  // before the name of its parameter
 
 /// One job after the other, without sandbox and without time limits: for debuggers and tests.
 void run_in_process(Run& run) {
@@ -95,6 +102,15 @@ std::set<std::string> planners_with_enough(const Run& run) {
   return enough;
 }
 
+/// Adds the trials of the last round that are in the database, which those of invalid missions
+/// never are.
+void skip_flown(const Run& run, std::set<std::string>& skip) {
+  const std::set<std::string> finished = run.database.finished_keys();
+  for (const std::string& key : run.schedule.keys) {
+    if (finished.contains(key)) skip.insert(key);
+  }
+}
+
 /// Flies the sweep's missions in rounds; a planner whose rule is met stays out of further ones.
 void fly_until(Run& run, const std::vector<PlannedTrial>& trials, std::set<std::string>& skip) {
   // A planner with enough keeps the missions of its last round in later ones: they are skipped as
@@ -109,10 +125,75 @@ void fly_until(Run& run, const std::vector<PlannedTrial>& trials, std::set<std::
     }
     fly(run, std::move(round), skip);
     if (run.is_stopped() || !run.unflown.empty()) return;  // decided by all trials of a round only
-    skip.insert(run.schedule.keys.begin(), run.schedule.keys.end());
+    skip_flown(run, skip);
     for (const std::string& label : planners_with_enough(run)) {
       last_mission.emplace(label, mission_count);
     }
+  }
+}
+
+/// The field's value in a trial.
+double limit_value(const TrialSpec& trial, const nlohmann::json& spec, const std::string& field) {
+  if (!field.starts_with(kOfPlanner)) {
+    std::string path = "/" + field;
+    std::replace(path.begin(), path.end(), '.', '/');
+    return spec.at(nlohmann::json::json_pointer(path)).get<double>();
+  }
+  for (const ParameterChoice& parameter : trial.planner.parameters) {
+    if (parameter.name == field.substr(kOfPlanner.size())) return parameter.number;
+  }
+  return std::nan("");
+}
+
+std::string place_of(const nlohmann::json& spec, std::uint64_t map_seed, const LimitRule& rule) {
+  nlohmann::json map = spec.at("map");
+  forget_folder(map);
+  return map_place(std::move(map), map_seed, rule);
+}
+
+/// What the search needs to know of all trials.
+std::vector<LimitTrial> limit_trials(const LimitRule& rule,
+                                     const std::vector<PlannedTrial>& trials) {
+  struct Setting {
+    std::size_t level = 0;
+    std::string place, label;
+  };
+  std::map<const TrialSpec*, Setting> settings;  // shared by their missions
+  KeyMaker keys;
+  std::vector<LimitTrial> all;
+  for (const PlannedTrial& trial : trials) {
+    const TrialSpec& setting = *trial.setting;
+    auto known = settings.find(&setting);
+    if (known == settings.end()) {
+      const nlohmann::json spec = spec_to_json(setting);
+      const auto level = level_of(rule, limit_value(setting, spec, rule.field));
+      AB_CHECK(level.has_value(), rule.field);
+      known = settings
+                  .emplace(&setting, Setting{*level, place_of(spec, setting.map_seed, rule),
+                                             label_without(setting.planner.label, rule)})
+                  .first;
+    }
+    all.push_back({.key = keys.trial_key(trial),
+                   .planner = known->second.label,
+                   .map = known->second.place,
+                   .level = known->second.level,
+                   .mission_index = trial.mission_index});
+  }
+  return all;
+}
+
+/// Flies the trials that tell most of the limit, round after round.
+void fly_limit(Run& run, const std::vector<PlannedTrial>& trials, std::set<std::string>& skip) {
+  LimitSearch search(run.sweep.limit, limit_trials(run.sweep.limit, trials));
+  std::vector<PlannedTrial> asked;  // in all rounds: those before are skipped as done, and counted
+  while (true) {
+    const std::vector<std::size_t> round = search.next_round(run.database.finished_trials());
+    if (round.empty()) return;
+    for (const std::size_t trial : round) asked.push_back(trials[trial]);
+    fly(run, asked, skip);
+    // The next round follows from all trials of this one.
+    if (run.is_stopped() || !run.unflown.empty()) return;
+    skip_flown(run, skip);
   }
 }
 
@@ -164,6 +245,9 @@ RunSummary run_sweep(const SweepSpec& sweep, const RunRow& provenance, Database&
                      const RunOptions& options) {
   // Shards do not know each other's results, and the rule must give the same trials wherever they
   // are flown.
+  if (sweep.limit.is_set() && options.shard.count > 1) {
+    throw InputError("a limit is looked for on one machine: each trial follows from those before");
+  }
   if (sweep.until.is_set() && options.shard.count > 1) {
     throw InputError(
         "until: a shard has only some of a planner's trials, and all of them decide whether it has "
@@ -201,7 +285,9 @@ RunSummary run_sweep(const SweepSpec& sweep, const RunRow& provenance, Database&
   if (options.keep_planners) {
     unkept = keep_files(flown_files(sweep, trials, options.keep_maps), database.path());
   }
-  if (sweep.until.is_set()) {
+  if (sweep.limit.is_set()) {
+    fly_limit(run, trials, skip);
+  } else if (sweep.until.is_set()) {
     fly_until(run, trials, skip);
   } else {
     fly(run, std::move(trials), skip);

@@ -112,6 +112,7 @@ std::string sweep_json(const SweepSpec& sweep, const std::vector<PlannedTrial>& 
     resolved["missions"] = missions_json(sweep.missions);
     resolved["trial_count"] = trials.size();  // maps may have unlike numbers of missions
   }
+  if (sweep.limit.is_set()) resolved["limit"] = to_json(sweep.limit);
   if (sweep.until.is_set()) resolved["until"] = sweep.until.text();
   return resolved.dump();
 }

@@ -7,6 +7,7 @@
 
 #include "base/input_error.hpp"
 #include "statistics/stop_rule.hpp"
+#include "limit/limit_rule.hpp"
 #include "trial/mission.hpp"
 #include "trial/trial_spec.hpp"
 
@@ -35,6 +36,7 @@ struct SweepSpec {
   std::vector<ListedMission> missions;  ///< the first `trials` of a map are flown; empty: made
   std::vector<PlannerChoice> planners;  ///< resolved and checked; labels are unique
   StopRule until;                       ///< when a planner has flown enough
+  LimitRule limit;                      ///< what `avoidbench limit` looks for
   std::vector<std::string> warnings;    ///< for people: what was read otherwise than written
 };
 
