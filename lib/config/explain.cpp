@@ -9,6 +9,7 @@
 #include "config/defaults.hpp"
 #include "config/given_values.hpp"
 #include "config/sweep_keys.hpp"
+#include "config/vehicle_facts.hpp"
 #include "text/words.hpp"
 #include "trial/contradictions.hpp"
 #include "yaml/yaml_values.hpp"
@@ -435,8 +436,10 @@ std::vector<Explanation> explain(const std::string& key,
                      (meant.empty() ? "" : " (did you mean " + joined(meant) + "?)") +
                      "; avoidbench config explain lists the keys of a sweep file");
   }
-  if (found.front().field->kind == FieldKind::block) return about_block(path, *found[0].field);
-  return about_fields(found);
+  if (found.front().field->kind != FieldKind::block) return about_fields(found);
+  std::vector<Explanation> all = about_block(path, *found[0].field);
+  if (path == "vehicle") all.push_back(built_in_vehicles());
+  return all;
 }
 
 }  // namespace avoidbench
