@@ -82,7 +82,7 @@ TEST_F(SweepFiles, WhatFollowsFromADerivedKeyCantStandBesideIt) {
             "s.yaml:4:34: vehicle.max_acceleration_mps2:" + follows);
   EXPECT_EQ(problems(kHead + "vehicle: {thrust_to_weight: 4}\n"
                              "axes: {vehicle.max_tilt_rad: [0.5, 1]}\n"),
-            "s.yaml:5:8: vehicle.max_tilt_rad:" + follows);
+            "s.yaml:5:30: vehicle.max_tilt_rad:" + follows);
   write("vehicles/v.yaml", "thrust_to_weight: 4\nmax_jerk_mps3: 50\n");
   EXPECT_EQ(problems(kHead + "vehicle: v\n"),
             "vehicles/v.yaml:2:16: vehicle.max_jerk_mps3:" + follows);
@@ -105,7 +105,7 @@ TEST_F(SweepFiles, ImpossibleDerivedKeysAreToldWhereTheyStand) {
             "s.yaml:4:8: vehicle.angular_acceleration_radps2: 1 is too slow to be held upright; at "
             "least 5");
   EXPECT_EQ(problems(kHead + "vehicle: {thrust_to_weight: 16}\n"),
-            "s.yaml:4:29: vehicle.thrust_to_weight: 16 is outside of 0 to 15");
+            "s.yaml:4:29: vehicle.thrust_to_weight: 16 is outside [0, 15]");
 }
 
 TEST_F(SweepFiles, ExplainingVehiclesShowsWhatEachCanDo) {
