@@ -54,8 +54,9 @@ void set_limits(VehicleSpec& vehicle) {
 VehicleSpec agile_quad_spec() {
   VehicleSpec vehicle;
   vehicle.name = "agile_quad";
-  // Mass, inertia, rotors' places, thrust map, kappa, motor_tau, omega_max, thrust_max of
-  // Agilicious' quadrotor files (uzh-rpg/agilicious, agilib/params/quads).
+  // Mass, inertia, rotors' places, thrust map, kappa, motor_tau, omega_max and thrust_max of
+  // Agilicious' quadrotor files, as its public copies and the simulators after it repeat them; the
+  // repository itself is given out on request.
   vehicle.mass_kg = 0.752;
   vehicle.inertia_kgm2 = {0.0025, 0.0021, 0.0043};
   vehicle.rotors = cross(0.075, 0.1, 0.0, -1);
@@ -65,11 +66,11 @@ VehicleSpec agile_quad_spec() {
   constexpr double kMostThrust_n = 8.5;  // of a motor
   vehicle.max_rotor_speed_radps = std::sqrt(kMostThrust_n / vehicle.thrust_coefficient_ns2);
   vehicle.max_rates_radps = {10.0, 10.0, 4.0};
-  // aero_coeff_1 of the same files; all drag is in it.
+  // aero_coeff_1 of such a file, of a quadrotor of 0.94 kg in the same frame; all drag is in it.
   vehicle.linear_drag_kgps = {0.26, 0.28, 0.42};
   vehicle.rotor_drag_coefficient_kg = 0.0;
   vehicle.rolling_moment_coefficient_kgm = 0.0;
-  vehicle.rotor_inertia_kgm2 = 9.3575e-6;  // motor_inertia of the same group's simulator
+  vehicle.rotor_inertia_kgm2 = 9.3575e-6;  // motor_inertia of such a simulator
   // Estimated: the rotors' places and 5-inch propellers around them; the height of a battery, a
   // computer and a camera.
   vehicle.body_size_m = {0.28, 0.33, 0.12};
