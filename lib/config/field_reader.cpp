@@ -145,6 +145,21 @@ void read_name(const GivenValue& given, const FieldTree& block, Json& value) {
                     "; known: " + joined(names));
 }
 
+/// Fields given beside one from which they follow.
+void check_settled(const GivenValue& given, const FieldTree& block, const Json& value) {
+  for (const FieldTree& field : block.fields) {
+    if (field.settles.empty() || value.at(field.name) == 0.0) continue;
+    for (const std::string& name : field.settles) {
+      const YamlNode* other = given.node.find(name);
+      if (other == nullptr) continue;
+      given.at(*other, name)
+          .add_problem("follows from " + field.name + ", which is " +
+                       number_text(value.at(field.name).get<double>()) +
+                       "; leave one of the two out");
+    }
+  }
+}
+
 }  // namespace
 
 void read_field(const GivenValue& given, const FieldTree& field, Json& value) {
@@ -228,6 +243,7 @@ void read_block(const GivenValue& given, const FieldTree& block, Json& value) {
     const std::string of_field = read_key(mapping, field, value);
     if (!of_field.empty()) kind = of_field;
   }
+  check_settled(given, block, value);
   mapping.finish(kind);
 }
 

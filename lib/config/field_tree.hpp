@@ -41,6 +41,9 @@ struct FieldTree {
   nlohmann::json preset;              ///< what it is where nothing is said; null for blocks
   /// Of a block; of a list one, its element; of a variant a block for each kind.
   std::vector<FieldTree> fields;
+  /// Of a number that is 0 where it says nothing: the fields beside it that follow from it
+  /// otherwise, and so can't be given with it.
+  std::vector<std::string> settles;
   /// Of a key that is no field: how it is written.
   std::vector<std::pair<std::string, std::string>> facts;
 

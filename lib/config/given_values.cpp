@@ -116,6 +116,22 @@ bool has_room_above_floor(const TrialSpec& trial) {
   return height_m == 0.0 || trial.mission.free_radius_m <= height_m;
 }
 
+/// A key of `vehicle` that follows from another one, of which one of these values is not 0; where
+/// both stand in the block itself its reader has said so.
+void check_vehicle_keys(const YamlNode& root, const nlohmann::json& vehicle,
+                        std::set<const YamlNode*>& told, Reading& reading) {
+  for (const FieldTree& field : vehicle_tree().fields) {
+    if (field.settles.empty() || vehicle.at(field.name) == 0.0) continue;
+    for (const std::string& name : field.settles) {
+      const YamlNode* value = given(root, "vehicle." + name);
+      if (value == nullptr || !told.insert(value).second) continue;
+      GivenValue{*value, "vehicle." + name, reading}.add_problem(
+          "follows from " + field.name + ", which is " +
+          number_text(vehicle.at(field.name).get<double>()) + "; leave one of the two out");
+    }
+  }
+}
+
 /// Those of one trial's rules; `is_given` says whether the file has a path.
 template <class IsGiven>
 std::vector<Contradiction> problems_of(const TrialSpec& trial, IsGiven is_given) {
@@ -159,9 +175,11 @@ bool fits_free_space(const TrialSpec& trial) {
 
 void check_given_values(const YamlNode& root, const SweepSpec& sweep, Reading& reading) {
   std::set<LatencyMode> modes;
+  std::set<const YamlNode*> told;
   const auto is_given = [&](const std::string& path) { return given(root, path) != nullptr; };
   for_each_combination(sweep, [&](const TrialSpec& trial) {
     modes.insert(trial.latency.mode);
+    check_vehicle_keys(root, spec_to_json(trial.vehicle), told, reading);
     for (const Contradiction& found : problems_of(trial, is_given)) {
       reading.at(found.path).add_problem(found.message);
     }

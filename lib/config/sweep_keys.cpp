@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "text/words.hpp"
+
 namespace avoidbench {
 namespace {
 
@@ -135,6 +137,36 @@ FieldTree make_sensor_tree() {
   return tree;
 }
 
+/// Two keys stand for others: what they settle can't be given beside them.
+FieldTree make_vehicle_tree() {
+  FieldTree tree = with_preset<VehicleSpec>(
+      field_tree("vehicle", hummingbird_spec(), "A vehicle: fields that differ from `preset`."),
+      vehicle_presets());
+  for (FieldTree& field : tree.fields) {
+    // 0 would make no example, nor would the range's half.
+    const auto tell = [&field](const std::string& type, const std::string& one,
+                               const std::string& several) {
+      const std::string key = field.name + ": ";
+      field.facts = {{"type", type},
+                     {"default", "0: it follows from the fields that are given"},
+                     {"example", "vehicle: {" + key + one + "}"},
+                     {"axis", "vehicle: {" + key + several + "}"},
+                     {"or", "axes: {vehicle." + key + several + "}"},
+                     {"not", "beside " + joined(field.settles)},
+                     {"see", "docs/vehicles.md"}};
+    };
+    if (field.name == "thrust_to_weight") {
+      field.settles = {"max_rotor_speed_radps", "max_acceleration_mps2", "max_tilt_rad",
+                       "max_jerk_mps3"};
+      tell("number, 0 or 1.05 to 15", "4", "{from: 2, to: 5, count: 4}");
+    } else if (field.name == "angular_acceleration_radps2") {
+      field.settles = {"inertia_kgm2", "max_jerk_mps3"};
+      tell("number, rad/s², 0 or 5 to 10000", "80", "[40, 80, 160]");
+    }
+  }
+  return tree;
+}
+
 FieldTree make_sweep_tree() {
   // The fields of SweepSpec and the files' own keys, rearranged as sweep files have them.
   std::vector<FieldTree> fields = field_tree("", SweepSpec{}, "").fields;
@@ -193,9 +225,7 @@ const FieldTree& sweep_tree() {
 }
 
 const FieldTree& vehicle_tree() {
-  static const FieldTree tree = with_preset<VehicleSpec>(
-      field_tree("vehicle", hummingbird_spec(), "A vehicle: fields that differ from `preset`."),
-      {hummingbird_spec(), hummingbird_rotors_spec(), firefly_spec()});
+  static const FieldTree tree = make_vehicle_tree();
   return tree;
 }
 

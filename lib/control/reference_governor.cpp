@@ -145,4 +145,32 @@ Reference governed(const VehicleModel& model, const Reference& reference,
   return next;
 }
 
+double stopping_distance_m(const VehicleModel& model, double speed_mps) {
+  const double up_jerk = model.spec.max_jerk_mps3, down_jerk = model.acceleration_jerk;
+  const double most = model.spec.max_acceleration_mps2;
+  // Below root_from the deceleration is in proportion to the speed, above it a root of it that is 0
+  // at half of that.
+  const double gain = model.acceleration_gain;
+  const double root_from = down_jerk / (gain * gain), root_zero = 0.5 * root_from;
+  // Where the ramp of the jerk meets the law in its proportional part: j t = gain (v - j t²/2).
+  const double meets_s = (std::sqrt(1.0 + 2.0 * gain * gain * speed_mps / up_jerk) - 1.0) / gain;
+  if (up_jerk * meets_s <= std::min(most, gain * root_from)) {
+    const double left_mps = speed_mps - 0.5 * up_jerk * meets_s * meets_s;
+    return meets_s * (speed_mps - up_jerk * meets_s * meets_s / 6.0) + left_mps / gain;
+  }
+  // From 0 to the greatest deceleration and back: speed_mps = a²/2j + root_zero + a²/2j' at the
+  // most.
+  const double per_square = 0.5 / up_jerk + 0.5 / down_jerk;
+  const double a = std::min(most, std::sqrt((speed_mps - root_zero) / per_square));
+  const double up_s = a / up_jerk;
+  const double way_up = up_s * (speed_mps - up_jerk * up_s * up_s / 6.0);
+  const double after_up = speed_mps - 0.5 * a * up_s;
+  const double before_down = std::min(after_up, root_zero + 0.5 * a * a / down_jerk);
+  const double way_full = 0.5 * (after_up * after_up - before_down * before_down) / a;
+  // Down to the deceleration at root_from, or from there where less was needed.
+  const double down_s = std::max(0.0, (a - down_jerk / gain) / down_jerk);
+  const double way_down = down_s * (before_down - down_s * (0.5 * a - down_jerk * down_s / 6.0));
+  return way_up + way_full + way_down + root_from / gain;
+}
+
 }  // namespace avoidbench

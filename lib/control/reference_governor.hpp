@@ -37,4 +37,10 @@ Speed allowed_speed(const BrakingCurve& curve, double distance);
 Reference governed(const VehicleModel& model, const Reference& reference,
                    const GovernorTarget& target, double dt_s);
 
+/// The way that a reference at this speed (m/s) takes to rest where the target is a velocity of
+/// zero, in closed form: the jerk limit up to the acceleration limit a, then a, then down by the
+/// law that closes in on a velocity, half the jerk and at last in proportion. More than v² / 2a by
+/// what the jerk costs.
+double stopping_distance_m(const VehicleModel& model, double speed_mps);
+
 }  // namespace avoidbench

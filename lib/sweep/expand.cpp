@@ -12,6 +12,7 @@
 #include "sweep/key_maker.hpp"
 #include "sweep/recorded_latency.hpp"
 #include "sweep/sweep_spec.hpp"
+#include "vehicle/capability.hpp"
 
 namespace avoidbench {
 namespace {
@@ -50,6 +51,8 @@ void expand_axes(const SweepSpec& sweep, std::size_t axis, const json& spec,
     return;
   }
   TrialSpec trial = spec_from_json<TrialSpec>(spec);
+  // The one place where a flight's vehicle is made: all that read a trial's fields see what flies.
+  trial.vehicle = settled(trial.vehicle);
   const auto fill_digest = [&](const std::string& file, std::string& digest) {
     // Each file is read once, however many trials use it.
     if (file.empty() || !digest.empty()) return;

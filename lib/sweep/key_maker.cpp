@@ -9,6 +9,8 @@ namespace {
 
 using nlohmann::json;
 
+constexpr const char* kLaterVehicleFields[] = {"thrust_to_weight", "angular_acceleration_radps2"};
+
 /// A TrialSpec's JSON without what is no part of its key.
 json keyed_json(const TrialSpec& spec) {
   // Where files lie says nothing of the result: their digests stand for them.
@@ -35,6 +37,9 @@ void forget_unused_later_fields(nlohmann::json& trial) {
   if (trial.at("missions_digest") == "") trial.erase("missions_digest");
   nlohmann::json& sensor = trial.at("sensor");
   if (sensor.at("more_cameras").empty()) sensor.erase("more_cameras");
+  for (const char* field : kLaterVehicleFields) {
+    if (trial.at("vehicle").at(field) == 0.0) trial.at("vehicle").erase(field);
+  }
   if (trial.contains("planner")) forget_unused_planner_fields(trial.at("planner"));
 }
 
@@ -48,6 +53,9 @@ void restore_later_fields(nlohmann::json& trial) {
   trial.emplace("missions_digest", "");
   if (trial.contains("sensor") && trial.at("sensor").is_object()) {
     trial.at("sensor").emplace("more_cameras", nlohmann::json::array());
+  }
+  if (trial.contains("vehicle") && trial.at("vehicle").is_object()) {
+    for (const char* field : kLaterVehicleFields) trial.at("vehicle").emplace(field, 0.0);
   }
   if (trial.contains("planner") && trial.at("planner").is_object()) {
     trial.at("planner").emplace("command", nlohmann::json::array());

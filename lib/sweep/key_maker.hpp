@@ -22,8 +22,8 @@ class KeyText {
 };
 
 /// Takes out of a TrialSpec's JSON the fields that came after databases were first written, where
-/// they say nothing (missions_digest, sensor.more_cameras): so trials keep the keys and texts that
-/// they had before.
+/// they say nothing (missions_digest, sensor.more_cameras, vehicle.thrust_to_weight): so trials
+/// keep the keys and texts that they had before.
 void forget_unused_later_fields(nlohmann::json& trial);
 
 /// The same of a planner's choice alone.

@@ -66,8 +66,8 @@ inline constexpr int kResultVersion = 3;
 
 /// The sweep's trials, in order of axes (first slowest), mission index, planner. Fills the
 /// file_digest of maps and winds from files that lack it, the latency_digest of trials that replay
-/// and the missions_digest where missions are listed; throws InputError where such a file can't be
-/// read or lacks what is replayed.
+/// and the missions_digest where missions are listed, and settles the vehicle (capability.hpp);
+/// throws InputError where such a file can't be read or lacks what is replayed.
 std::vector<PlannedTrial> expand(const SweepSpec& sweep);
 
 /// A trial's key, 64 hexadecimal digits: digest of its canonical spec (with the digests of

@@ -5,6 +5,7 @@
 #include "base/input_error.hpp"
 #include "base/ticks.hpp"
 #include "text/number_text.hpp"
+#include "vehicle/capability.hpp"
 
 namespace avoidbench {
 namespace {
@@ -95,6 +96,18 @@ void check_sensor(const SensorSpec& sensor, Found& found) {
   }
 }
 
+/// At the field where the message names one of those that others follow from.
+Contradiction vehicle_contradiction(const std::string& message, const std::string& name) {
+  // The contradiction's path says "vehicle" already.
+  const std::string prefix = "vehicle ";
+  const std::string text = message.substr(message.starts_with(prefix) ? prefix.size() : 0);
+  for (const std::string field : {"thrust_to_weight", "angular_acceleration_radps2"}) {
+    const std::string lead = name + ": " + field + ": ";
+    if (text.starts_with(lead)) return {"vehicle." + field, text.substr(lead.size())};
+  }
+  return {"vehicle", text};
+}
+
 }  // namespace
 
 std::vector<std::pair<std::string, double*>> rates_hz(TrialSpec& spec) {
@@ -148,13 +161,10 @@ std::vector<Contradiction> contradictions(const TrialSpec& spec) {
     add_fields("wind", error, found);
   }
   try {
-    check_vehicle(spec.vehicle);
+    check_vehicle(settled(spec.vehicle));
   } catch (const InputError& error) {
-    // The contradiction's path says "vehicle" already.
-    const std::string prefix = "vehicle ";
     for (const InputProblem& problem : error.problems()) {
-      const bool says_vehicle = problem.message.starts_with(prefix);
-      found.push_back({"vehicle", problem.message.substr(says_vehicle ? prefix.size() : 0)});
+      found.push_back(vehicle_contradiction(problem.message, spec.vehicle.name));
     }
   }
   return found;

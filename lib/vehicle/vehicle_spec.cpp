@@ -5,6 +5,7 @@
 #include "base/input_error.hpp"
 #include "base/ticks.hpp"
 #include "vehicle/allocation.hpp"
+#include "vehicle/capability.hpp"
 
 namespace avoidbench {
 
@@ -97,6 +98,9 @@ void check_vehicle(const VehicleSpec& vehicle) {
       add("can't hover: a rotor would need a thrust outside zero to its greatest");
     else if (!accelerates)
       add("max_acceleration_mps2: the rotors are too weak for it while holding height");
+  }
+  if (problems.empty() && !is_settled(vehicle)) {
+    add("thrust_to_weight, angular_acceleration_radps2: not what the other fields give");
   }
   if (!problems.empty()) throw InputError(problems);
 }

@@ -84,6 +84,9 @@ struct VehicleSpec {
   double gravity_mps2 = 9.81;
   std::array<double, 3> body_size_m{0.5, 0.5, 0.12};
 
+  /// Where not 0, other fields follow from these: see settled() in capability.hpp.
+  double thrust_to_weight = 0.0, angular_acceleration_radps2 = 0.0;
+
   double max_speed_mps = 8.0;
   double max_acceleration_mps2 = 6.0;
   double max_jerk_mps3 = 30.0;
@@ -111,9 +114,25 @@ VehicleSpec hummingbird_rotors_spec();
 /// The hexarotor of RotorS (firefly.xacro), lumped as the hummingbird is.
 VehicleSpec firefly_spec();
 
+/// A 5-inch racing quadrotor: Swift's (Kaufmann et al., Nature 2023).
+VehicleSpec racing_5in_spec();
+
+/// An agile research quadrotor: Agilicious' (Foehn et al., Science Robotics 2022).
+VehicleSpec agile_quad_spec();
+
+/// Holybro's X500 as PX4 simulates it (PX4-gazebo-models, x500), lumped as the hummingbird is.
+VehicleSpec x500_spec();
+
+/// Bitcraze's Crazyflie 2.x as gym-pybullet-drones has it (Panerati et al., IROS 2021).
+VehicleSpec crazyflie_spec();
+
+/// All of the above; vehicle_presets.cpp has where each number is from.
+std::vector<VehicleSpec> vehicle_presets();
+
 /// Throws InputError, with all the reasons at once, where this vehicle can't fly: no or more than
 /// eight rotors, spins other than ±1, thrust and torques that can't be set independently, too weak
-/// to hover or for its acceleration limit.
+/// to hover or for its acceleration limit, derived fields that the others contradict (settled() in
+/// capability.hpp makes them agree).
 void check_vehicle(const VehicleSpec& vehicle);
 
 template <class Visitor, ConstOr<RotorSpec> Spec>
@@ -211,6 +230,13 @@ void visit(Visitor& v, Spec& s) {
   v.field("gravity_mps2", s.gravity_mps2, Range{0.1, 30}, "Along world -z.");
   v.field("body_size_m", s.body_size_m, Range{0.01, 10},
           "Collision box, body x y z, centred at the centre of gravity.");
+  v.field(
+      "thrust_to_weight", s.thrust_to_weight, Range{0, 15},
+      "Greatest collective thrust over weight: sets max_rotor_speed_radps, "
+      "max_acceleration_mps2, max_tilt_rad and max_jerk_mps3; 0: what the rotors' speed gives.");
+  v.field("angular_acceleration_radps2", s.angular_acceleration_radps2, Range{0, 10000},
+          "Greatest roll and pitch acceleration at hover thrust: scales inertia_kgm2 and the "
+          "torques of the controllers; sets max_jerk_mps3; 0: what the inertia gives.");
   v.field("max_speed_mps", s.max_speed_mps, Range{0.1, 100}, "Greatest speed of the reference.");
   v.field("max_acceleration_mps2", s.max_acceleration_mps2, Range{0.1, 100},
           "Greatest acceleration of the reference.");

@@ -331,7 +331,7 @@ def main():
         defaults = checker.run("config", "defaults")
         checker.valid("sweep", defaults, "config defaults")
         checker.valid("part", "maps: {cylinder_height_m: [2, 4]}", "a part")
-        for name in ("hummingbird", "hummingbird_rotors", "firefly"):
+        for name in ("hummingbird", "hummingbird_rotors", "firefly", "racing_5in", "agile_quad", "x500", "crazyflie"):
             checker.valid("vehicle", checker.run("config", "defaults", name), name)
         for line in checker.run("sensors", "list", "--format", "csv").splitlines()[1:]:
             name = line.split(",")[0]

@@ -81,8 +81,7 @@ nlohmann::json read_file(const FieldTree& tree, const std::string& name) {
 }
 
 TEST(Configs, FilesEqualTheBuiltInSpecs) {
-  for (const VehicleSpec& vehicle :
-       {hummingbird_spec(), hummingbird_rotors_spec(), firefly_spec()}) {
+  for (const VehicleSpec& vehicle : vehicle_presets()) {
     EXPECT_EQ(read_file(vehicle_tree(), "vehicles/" + vehicle.name + ".yaml"),
               spec_to_json(vehicle));
   }
@@ -92,8 +91,7 @@ TEST(Configs, FilesEqualTheBuiltInSpecs) {
 }
 
 TEST(Configs, PrintedSpecsReadBackToTheSameBits) {
-  for (const VehicleSpec& vehicle :
-       {hummingbird_spec(), hummingbird_rotors_spec(), firefly_spec()}) {
+  for (const VehicleSpec& vehicle : vehicle_presets()) {
     EXPECT_EQ(read_as(vehicle_tree(), parse_yaml(defaults_yaml(vehicle.name), "v")),
               spec_to_json(vehicle));
   }

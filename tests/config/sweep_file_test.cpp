@@ -160,8 +160,8 @@ TEST_F(SweepFiles, VehiclesAndSensorsComeFromFilesBesideTheSweep) {
   EXPECT_EQ(read(kHead + "vehicle: ./vehicles/heavy.yaml\n").base.vehicle.name, "heavy");
   EXPECT_EQ(
       problems(kHead + "vehicle: hevy\n"),
-      "s.yaml:3:10: vehicle: \"hevy\" is no vehicle (did you mean heavy?); known: firefly, heavy, "
-      "hummingbird, hummingbird_rotors");
+      "s.yaml:3:10: vehicle: \"hevy\" is no vehicle (did you mean heavy?); known: agile_quad, "
+      "crazyflie, firefly, heavy, hummingbird, hummingbird_rotors, racing_5in, x500");
   write("vehicles/heavy.yaml", "mas_kg: 0.9\n");
   EXPECT_EQ(problems(kHead + "vehicle: heavy\n"),
             "vehicles/heavy.yaml:1:1: vehicle.mas_kg: unknown key (did you mean mass_kg?)");

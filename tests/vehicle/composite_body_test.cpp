@@ -94,6 +94,20 @@ TEST(CompositeBody, Firefly) {
   expect_spec(firefly_spec(), body, 0.037);
 }
 
+TEST(CompositeBody, X500) {
+  // x500_base/model.sdf of PX4-gazebo-models.
+  std::vector<BodyPart> parts{
+      {2.0, Vector3d::Zero(), {0.02166666666666667, 0.02166666666666667, 0.04000000000000001}}};
+  for (const double x : {-0.174, 0.174}) {
+    for (const double y : {-0.174, 0.174}) {
+      parts.push_back(
+          spinning_rotor(0.016076923076923075, {x, y, 0.06},
+                         {3.8464910483993325e-07, 2.6115851691700804e-05, 2.649858234714004e-05}));
+    }
+  }
+  expect_spec(x500_spec(), composite_body(parts), 0.06);
+}
+
 TEST(CompositeBody, TwoHalvesOfARodMakeTheRod) {
   const auto rod = [](double mass, double length, double centre) {
     const double across = mass * length * length / 12;

@@ -19,7 +19,7 @@ std::string complaint(const VehicleSpec& spec) {
 }
 
 TEST(VehicleSpec, PresetsFly) {
-  for (const VehicleSpec& spec : {hummingbird_spec(), hummingbird_rotors_spec(), firefly_spec()}) {
+  for (const VehicleSpec& spec : vehicle_presets()) {
     EXPECT_EQ(complaint(spec), "") << spec.name;
   }
 }
@@ -76,7 +76,7 @@ struct RangeCheck {
 };
 
 TEST(VehicleSpec, PresetsAreWithinTheirRanges) {
-  for (VehicleSpec spec : {hummingbird_spec(), hummingbird_rotors_spec(), firefly_spec()}) {
+  for (VehicleSpec spec : vehicle_presets()) {
     RangeCheck check;
     visit(check, spec);
     EXPECT_GT(check.count, 30);
