@@ -107,14 +107,14 @@ std::size_t trials_of_grid(Flights& flights, double width, std::size_t step,
   return flights.count();
 }
 
-struct Coverage {
+struct Searches {
   int covered = 0, curves = 0;
   std::vector<double> trials;
 };
 
-Coverage coverage(int curves, double width, double map_spread, std::uint64_t seed) {
+Searches searches(int curves, double width, double map_spread, std::uint64_t seed) {
   RandomStream random = stream(seed, "truths");
-  Coverage result;
+  Searches result;
   for (int i = 0; i < curves; ++i) {
     Truth truth = drawn_truth(random);
     truth.map_spread = map_spread;
@@ -129,13 +129,13 @@ Coverage coverage(int curves, double width, double map_spread, std::uint64_t see
 }
 
 TEST(LimitCurveSlow, IntervalsHoldTheLimit) {
-  const Coverage found = coverage(200, 0.12, 0.0, 1);
+  const Searches found = searches(200, 0.12, 0.0, 1);
   EXPECT_GE(found.covered, 186);
   EXPECT_LE(found.covered, 194);
 }
 
 TEST(LimitCurve, IntervalsHoldTheLimit) {
-  const Coverage found = coverage(30, 0.2, 0.0, 2);
+  const Searches found = searches(30, 0.2, 0.0, 2);
   EXPECT_GE(found.covered, 27);
 }
 
