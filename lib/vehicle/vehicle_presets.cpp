@@ -66,7 +66,8 @@ VehicleSpec agile_quad_spec() {
   constexpr double kMostThrust_n = 8.5;  // of a motor
   vehicle.max_rotor_speed_radps = std::sqrt(kMostThrust_n / vehicle.thrust_coefficient_ns2);
   vehicle.max_rates_radps = {10.0, 10.0, 4.0};
-  // aero_coeff_1 of such a file, of a quadrotor of 0.94 kg in the same frame; all drag is in it.
+  // aero_coeff_1 of such a file, of a quadrotor of 0.94 kg: the nearest that is public. All drag is
+  // in it.
   vehicle.linear_drag_kgps = {0.26, 0.28, 0.42};
   vehicle.rotor_drag_coefficient_kg = 0.0;
   vehicle.rolling_moment_coefficient_kgm = 0.0;
