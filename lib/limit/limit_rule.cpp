@@ -23,6 +23,7 @@ json to_json(const LimitRule& rule) {
 }
 
 std::optional<LimitRule> limit_rule_of(const std::string& spec_json) {
+  if (spec_json.empty()) return std::nullopt;
   try {
     const json spec = json::parse(spec_json);
     if (!spec.contains("limit")) return std::nullopt;
