@@ -91,6 +91,10 @@ LimitSummary limits_of(const SweepResult& result, const LimitRule& rule) {
   const auto field_index = static_cast<std::size_t>(field - result.fields.begin());
   const std::map<std::string, std::size_t> numbers = map_numbers(result, rule);
   const std::map<std::string, std::string> labels = labels_by_key(result, rule);
+  std::map<std::string, std::string> versions;
+  for (const PlannerRow& planner : result.planners) {
+    versions.emplace(label_without(planner.label, rule), planner.version);
+  }
   std::map<std::string, Cells> planners;
   for (const TrialSummary& trial : result.trials) {
     const std::optional<double> value = number_in(trial.fields[field_index]);
@@ -114,8 +118,12 @@ LimitSummary limits_of(const SweepResult& result, const LimitRule& rule) {
   std::vector<std::vector<double>> draws;
   for (const auto& [label, cells] : planners) {
     const std::vector<LimitCell> all = cells_of(cells);
-    PlannerLimit& planner = summary.planners.emplace_back(PlannerLimit{
-        .planner = label, .estimate = curve.estimate_whole(all), .trials = {}, .successes = {}});
+    PlannerLimit& planner =
+        summary.planners.emplace_back(PlannerLimit{.planner = label,
+                                                   .version = versions.at(label),
+                                                   .estimate = curve.estimate_whole(all),
+                                                   .trials = {},
+                                                   .successes = {}});
     planner.trials.resize(rule.values.size());
     planner.successes.resize(rule.values.size());
     for (const LimitCell& cell : all) {

@@ -3,16 +3,16 @@
 #include <string>
 #include <vector>
 
+#include "limit/limit_rule.hpp"
 #include "statistics/limit_curve.hpp"
 #include "store/rows.hpp"
-#include "limit/limit_rule.hpp"
 #include "table/table.hpp"
 
 namespace avoidbench {
 
 /// How far a planner goes.
 struct PlannerLimit {
-  std::string planner;  ///< label without the field
+  std::string planner, version;  ///< label without the field
   LimitEstimate estimate;
   std::vector<std::int64_t> trials, successes;  ///< at each level
 };

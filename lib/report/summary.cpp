@@ -198,19 +198,6 @@ void add_pairs_and_curves(SweepSummary& summary, const SweepResult& result,
   }
 }
 
-/// One a planner, of those that a limit's levels make of it.
-std::vector<std::string> limit_versions(const SweepResult& result, const LimitRule& rule,
-                                        const std::vector<std::string>& labels) {
-  std::vector<std::string> versions;
-  for (const std::string& label : labels) {
-    const auto found = std::find_if(
-        result.planners.begin(), result.planners.end(),
-        [&](const PlannerRow& row) { return label_without(row.label, rule) == label; });
-    versions.push_back(found->version);
-  }
-  return versions;
-}
-
 }  // namespace
 
 void add_limit_field(const std::string& spec_json, std::vector<std::string>& fields) {
@@ -275,11 +262,6 @@ SweepSummary summarize(SweepResult result, const ReportQuery& query) {
 
   if (const auto rule = limit_rule_of(result.spec_json)) {
     summary.limits = limits_of(result, *rule);
-    summary.planners.clear();
-    for (const PlannerLimit& planner : summary.limits.planners) {
-      summary.planners.push_back(planner.planner);
-    }
-    summary.planner_versions = limit_versions(result, *rule, summary.planners);
     summary.warnings = warnings_of(summary.limits);
     summary.maps = std::move(result.maps);
     return summary;

@@ -356,16 +356,18 @@ Table correlation_table(const SweepSummary& summary) {
 
 std::string title_of(const SweepSummary& summary) {
   std::string title = "Sweep " + summary.name;
-  // A map that is swept is another one at each level.
-  const std::size_t map_count = summary.limits.rule.is_set()
-                                    ? static_cast<std::size_t>(summary.limits.map_count)
-                                    : summary.maps.size();
+  // What is swept makes another map, or planner, at each level.
+  const bool has_limits = summary.limits.rule.is_set();
+  const auto map_count =
+      has_limits ? static_cast<std::size_t>(summary.limits.map_count) : summary.maps.size();
+  const std::size_t planner_count =
+      has_limits ? summary.limits.planners.size() : summary.planners.size();
   if (summary.latest_revision > 1) {
     title += " (revision " + std::to_string(summary.revision) + " of " +
              std::to_string(summary.latest_revision) + ")";
   }
   title += ": " + counted(summary.trial_count, "trial") + " of " +
-           counted(summary.planners.size(), "planner") + " on " + counted(map_count, "map") + ", " +
+           counted(planner_count, "planner") + " on " + counted(map_count, "map") + ", " +
            counted(summary.mission_count, "mission") + " (" +
            std::to_string(summary.invalid_mission_count) + " invalid: not flown, not counted)";
   for (std::size_t i = 0; i < summary.conditions.size(); ++i) {
@@ -495,8 +497,13 @@ Section sweep_section(const SweepSummary& summary, std::span<const std::string> 
     for (auto& note : cause_notes(summary.causes)) section.notes.push_back(std::move(note));
   }
   std::vector<std::string> versions;  // "ego 1.0", "mine 0.2"
-  for (std::size_t i = 0; i < summary.planners.size(); ++i) {
+  const bool has_limits = summary.limits.rule.is_set();
+  for (std::size_t i = 0; i < summary.planners.size() && !has_limits; ++i) {
     versions.push_back(summary.planners[i] + " " + summary.planner_versions[i]);
+  }
+  // Without the levels that a swept parameter makes of them.
+  for (const PlannerLimit& planner : summary.limits.planners) {
+    versions.push_back(planner.planner + " " + planner.version);
   }
   section.notes.emplace_back("planners", joined(versions));
   return section;
