@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/input_error.hpp"
-#include "statistics/stop_rule.hpp"
 #include "limit/limit_rule.hpp"
+#include "statistics/stop_rule.hpp"
 #include "trial/mission.hpp"
 #include "trial/trial_spec.hpp"
 
