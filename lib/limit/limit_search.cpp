@@ -70,8 +70,9 @@ void LimitSearch::take(Planner& planner, std::size_t level, std::vector<std::siz
   }
 }
 
-std::vector<std::size_t> LimitSearch::levels_wanted(
-    Planner& planner, const std::map<std::string, Outcome>& outcomes) const {
+std::vector<std::size_t> LimitSearch::levels_wanted(Planner& planner,
+                                                    const std::vector<LimitCell>& cells,
+                                                    double falls) const {
   const std::size_t last = curve_.level_count() - 1;
   std::vector<std::size_t> levels;
   if (planner.taken == 0) {
@@ -82,8 +83,7 @@ std::vector<std::size_t> LimitSearch::levels_wanted(
     }
     return levels;
   }
-  const std::vector<LimitCell> cells = cells_of(planner, outcomes);
-  const LimitEstimate now = curve_.estimate(cells);
+  const LimitEstimate now = curve_.estimate(cells, falls);
   const auto most = static_cast<std::size_t>(rule_.most_trials);
   if (now.state != LimitState::found || now.width() <= rule_.relative_width() ||
       planner.taken >= most) {
@@ -94,7 +94,7 @@ std::vector<std::size_t> LimitSearch::levels_wanted(
   for (const Supply& supply : planner.levels) {
     room.push_back(std::count(supply.is_taken.begin(), supply.is_taken.end(), false));
   }
-  levels = curve_.next(cells, std::min(kRoundTrials, most - planner.taken), std::move(room));
+  levels = curve_.next(cells, std::min(kRoundTrials, most - planner.taken), std::move(room), falls);
   planner.is_settled = levels.empty();
   return levels;
 }
@@ -102,9 +102,14 @@ std::vector<std::size_t> LimitSearch::levels_wanted(
 std::vector<std::size_t> LimitSearch::next_round(const std::map<std::string, Outcome>& outcomes) {
   std::map<std::string, std::vector<std::size_t>> wanted;  // by planner
   std::vector<std::size_t> together;
+  std::vector<std::vector<LimitCell>> cells;
+  for (const auto& [label, planner] : planners_) cells.push_back(cells_of(planner, outcomes));
+  const std::vector<double> others = directions_of_others(curve_, cells);
+  std::size_t index = 0;
   for (auto& [label, planner] : planners_) {
+    const std::size_t own = index++;
     if (planner.is_settled) continue;
-    wanted[label] = levels_wanted(planner, outcomes);
+    wanted[label] = levels_wanted(planner, cells[own], others[own]);
     const std::vector<std::size_t>& levels = wanted[label];
     together.insert(together.end(), levels.begin(), levels.end());
   }

@@ -49,8 +49,9 @@ class LimitSearch {
 
   std::vector<LimitCell> cells_of(const Planner& planner,
                                   const std::map<std::string, Outcome>& outcomes) const;
-  std::vector<std::size_t> levels_wanted(Planner& planner,
-                                         const std::map<std::string, Outcome>& outcomes) const;
+  /// `falls` as in LimitCurve::estimate().
+  std::vector<std::size_t> levels_wanted(Planner& planner, const std::vector<LimitCell>& cells,
+                                         double falls) const;
   void take(Planner& planner, std::size_t level, std::vector<std::size_t>& round) const;
 
   const LimitRule& rule_;

@@ -115,15 +115,19 @@ LimitSummary limits_of(const SweepResult& result, const LimitRule& rule) {
   }
   const LimitCurve curve(rule.values.size(), rule.success_rate);
   const auto map_count = static_cast<std::size_t>(summary.map_count);
+  std::vector<std::vector<LimitCell>> cells_by_planner;
+  for (const auto& [label, cells] : planners) cells_by_planner.push_back(cells_of(cells));
+  const std::vector<double> others = directions_of_others(curve, cells_by_planner);
   std::vector<std::vector<double>> draws;
   for (const auto& [label, cells] : planners) {
-    const std::vector<LimitCell> all = cells_of(cells);
-    PlannerLimit& planner =
-        summary.planners.emplace_back(PlannerLimit{.planner = label,
-                                                   .version = versions.at(label),
-                                                   .estimate = curve.estimate_whole(all),
-                                                   .trials = {},
-                                                   .successes = {}});
+    const std::size_t index = summary.planners.size();
+    const std::vector<LimitCell>& all = cells_by_planner[index];
+    PlannerLimit& planner = summary.planners.emplace_back(
+        PlannerLimit{.planner = label,
+                     .version = versions.at(label),
+                     .estimate = curve.estimate_whole(all, others[index]),
+                     .trials = {},
+                     .successes = {}});
     planner.trials.resize(rule.values.size());
     planner.successes.resize(rule.values.size());
     for (const LimitCell& cell : all) {
@@ -132,7 +136,7 @@ LimitSummary limits_of(const SweepResult& result, const LimitRule& rule) {
     }
     if (map_count < kLeastLimitMaps || planners.size() < 2) continue;
     // One seed: the same maps are drawn for all planners.
-    draws.push_back(limit_draws(curve, all, map_count, map_count));
+    draws.push_back(limit_draws(curve, all, map_count, map_count, others[index]));
   }
   for (std::size_t one = 0; one < draws.size(); ++one) {
     for (std::size_t two = one + 1; two < draws.size(); ++two) {

@@ -231,8 +231,8 @@ LimitCurve::LimitCurve(std::size_t level_count, double success_rate) : level_cou
   }
 }
 
-std::vector<double> LimitCurve::weights_of(std::span<const LimitCell> cells,
-                                           double inflation) const {
+std::vector<double> LimitCurve::weights_of(std::span<const LimitCell> cells, double inflation,
+                                           double falls) const {
   const std::size_t state_count = limits_.size();
   std::vector<double> weights(state_count, 0.0);
   const std::vector<Counts> levels = by_level(cells, level_count_);
@@ -245,10 +245,13 @@ std::vector<double> LimitCurve::weights_of(std::span<const LimitCell> cells,
       weights[i] += successes * log_rate[i] + (trials - successes) * log_failure_rate[i];
     }
   }
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    weights[i] = weights[i] / inflation + (is_falling_[i] ? 0.5 : -0.5) * falls;
+  }
   const double greatest = *std::max_element(weights.begin(), weights.end());
   double sum = 0.0;
   for (double& weight : weights) {
-    weight = math::exp((weight - greatest) / inflation);
+    weight = math::exp(weight - greatest);
     sum += weight;
   }
   for (double& weight : weights) weight /= sum;
@@ -263,16 +266,27 @@ std::vector<double> LimitCurve::rates_of(std::span<const double> weights) const 
   return rates;
 }
 
-LimitCurve::Posterior LimitCurve::posterior(std::span<const LimitCell> cells) const {
-  Posterior result{.weights = weights_of(cells, 1.0)};
+LimitCurve::Posterior LimitCurve::posterior(std::span<const LimitCell> cells, double falls) const {
+  Posterior result{.weights = weights_of(cells, 1.0, falls)};
   result.map_inflation = inflation_of(cells, rates_of(result.weights));
-  if (result.map_inflation > 1.0) result.weights = weights_of(cells, result.map_inflation);
+  if (result.map_inflation > 1.0) result.weights = weights_of(cells, result.map_inflation, falls);
   return result;
 }
 
-LimitEstimate LimitCurve::estimate(std::span<const LimitCell> cells) const {
+double LimitCurve::direction(std::span<const LimitCell> cells) const {
+  const std::vector<double> weights = posterior(cells, 0.0).weights;
+  double falling = 0.0, rising = 0.0;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    (is_falling_[i] ? falling : rising) += weights[i];
+  }
+  // Sure enough; and sums of odds stay finite.
+  constexpr double kLeast = 1e-12;
+  return math::log(std::max(falling, kLeast) / std::max(rising, kLeast));
+}
+
+LimitEstimate LimitCurve::estimate(std::span<const LimitCell> cells, double falls) const {
   LimitEstimate result;
-  const Posterior found = posterior(cells);
+  const Posterior found = posterior(cells, falls);
   const std::vector<double>& weights = found.weights;
   result.map_inflation = found.map_inflation;
   result.rates = rates_of(weights);
@@ -299,9 +313,9 @@ LimitEstimate LimitCurve::estimate(std::span<const LimitCell> cells) const {
   return result;
 }
 
-LimitEstimate LimitCurve::estimate_whole(std::span<const LimitCell> cells) const {
-  LimitEstimate result = estimate(cells);
-  const std::vector<double> weights = weights_of(cells, result.map_inflation);
+LimitEstimate LimitCurve::estimate_whole(std::span<const LimitCell> cells, double falls) const {
+  LimitEstimate result = estimate(cells, falls);
+  const std::vector<double> weights = weights_of(cells, result.map_inflation, falls);
   std::vector<std::pair<double, double>> values(weights.size());
   for (std::size_t level = 0; level < level_count_; ++level) {
     for (std::size_t i = 0; i < weights.size(); ++i) values[i] = {rate(level, i), weights[i]};
@@ -314,8 +328,8 @@ LimitEstimate LimitCurve::estimate_whole(std::span<const LimitCell> cells) const
   return result;
 }
 
-double LimitCurve::position(std::span<const LimitCell> cells) const {
-  return quantile_of(grid_limits(), weights_by_limit(weights_of(cells, 1.0)), kStep, 0.5);
+double LimitCurve::position(std::span<const LimitCell> cells, double falls) const {
+  return quantile_of(grid_limits(), weights_by_limit(weights_of(cells, 1.0, falls)), kStep, 0.5);
 }
 
 /// `weights` become those of the states that are left.
@@ -393,11 +407,11 @@ std::size_t LimitCurve::most_telling(std::span<const double> weights,
 }
 
 std::vector<std::size_t> LimitCurve::next(std::span<const LimitCell> cells, std::size_t count,
-                                          std::vector<std::int64_t> room) const {
+                                          std::vector<std::int64_t> room, double falls) const {
   AB_CHECK(room.size() == level_count_, room.size());
   std::size_t flown = 0;
   for (const LimitCell& cell : cells) flown += static_cast<std::size_t>(cell.trials);
-  std::vector<double> weights = posterior(cells).weights;
+  std::vector<double> weights = posterior(cells, falls).weights;
   const LimitCurve likely = only_likely(weights);
   std::vector<std::size_t> levels;
   for (std::size_t k = 0; k < count; ++k) {
@@ -438,8 +452,21 @@ double monotone_p(std::span<const LimitCell> cells, std::size_t level_count, dou
   return (as_bad + 1.0) / (kDraws + 1.0);
 }
 
+std::vector<double> directions_of_others(const LimitCurve& curve,
+                                         std::span<const std::vector<LimitCell>> planners) {
+  std::vector<double> directions;
+  double sum = 0.0;
+  for (const std::vector<LimitCell>& cells : planners) {
+    directions.push_back(curve.direction(cells));
+    sum += directions.back();
+  }
+  for (double& direction : directions) direction = sum - direction;
+  return directions;
+}
+
 std::vector<double> limit_draws(const LimitCurve& curve, std::span<const LimitCell> cells,
-                                std::size_t map_count, std::uint64_t seed, std::size_t draw_count) {
+                                std::size_t map_count, std::uint64_t seed, double falls,
+                                std::size_t draw_count) {
   std::vector<std::vector<LimitCell>> of_map(map_count);
   for (const LimitCell& cell : cells) of_map[cell.map].push_back(cell);
   RandomStream random = stream(seed, "limit_draws");
@@ -451,7 +478,7 @@ std::vector<double> limit_draws(const LimitCurve& curve, std::span<const LimitCe
       const std::vector<LimitCell>& map = of_map[random.below(map_count)];
       drawn.insert(drawn.end(), map.begin(), map.end());
     }
-    draws.push_back(curve.position(drawn));
+    draws.push_back(curve.position(drawn, falls));
   }
   return draws;
 }

@@ -59,19 +59,24 @@ class LimitCurve {
   /// `level_count` positions from 0 to 1, at least two; `success_rate` in (0, 1).
   LimitCurve(std::size_t level_count, double success_rate);
 
+  /// Log odds that success falls along the range, by these trials alone.
+  double direction(std::span<const LimitCell> cells) const;
+
   /// All but what a search does not need: rate_intervals, monotone_p and the state not_monotone.
-  LimitEstimate estimate(std::span<const LimitCell> cells) const;
-  LimitEstimate estimate_whole(std::span<const LimitCell> cells) const;
+  /// `falls` are the log odds that success falls, before these trials: those of other planners over
+  /// the same field, which goes one way for all.
+  LimitEstimate estimate(std::span<const LimitCell> cells, double falls = 0.0) const;
+  LimitEstimate estimate_whole(std::span<const LimitCell> cells, double falls = 0.0) const;
 
   /// The median of the posterior alone, all trials taken for independent.
-  double position(std::span<const LimitCell> cells) const;
+  double position(std::span<const LimitCell> cells, double falls = 0.0) const;
 
   /// Levels of the next `count` trials: each where the limit's variance is expected to be least
   /// after it, given those chosen before; one in eight by turns over all levels, so that a response
   /// that is not monotone shows. `room[level]` more trials can be flown there; fewer than `count`
   /// where room is short.
   std::vector<std::size_t> next(std::span<const LimitCell> cells, std::size_t count,
-                                std::vector<std::int64_t> room) const;
+                                std::vector<std::int64_t> room, double falls = 0.0) const;
 
   std::size_t level_count() const { return level_count_; }
 
@@ -80,8 +85,9 @@ class LimitCurve {
     std::vector<double> weights;  ///< of the states, sum 1
     double map_inflation = 1.0;
   };
-  Posterior posterior(std::span<const LimitCell> cells) const;
-  std::vector<double> weights_of(std::span<const LimitCell> cells, double inflation) const;
+  Posterior posterior(std::span<const LimitCell> cells, double falls) const;
+  std::vector<double> weights_of(std::span<const LimitCell> cells, double inflation,
+                                 double falls) const;
   std::vector<double> rates_of(std::span<const double> weights) const;
   LimitCurve() = default;
   LimitCurve only_likely(std::vector<double>& weights) const;
@@ -108,10 +114,15 @@ double monotone_p(std::span<const LimitCell> cells, std::size_t level_count, dou
 
 /// The position, as LimitCurve::position() has it, of as many draws of maps with replacement; the
 /// same maps for all that have this seed and number of maps, so that draws of two planners on the
-/// same maps are pairs. `cells` are of maps below `map_count`.
+/// same maps are pairs. `cells` are of maps below `map_count`; `falls` as in
+/// LimitCurve::estimate().
 std::vector<double> limit_draws(const LimitCurve& curve, std::span<const LimitCell> cells,
-                                std::size_t map_count, std::uint64_t seed,
+                                std::size_t map_count, std::uint64_t seed, double falls = 0.0,
                                 std::size_t draw_count = 400);
+
+/// For each of several planners over one field the log odds of the others that success falls.
+std::vector<double> directions_of_others(const LimitCurve& curve,
+                                         std::span<const std::vector<LimitCell>> planners);
 
 /// Of two limits on the same maps, how far they are apart.
 struct LimitContrast {

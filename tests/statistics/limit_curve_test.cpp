@@ -232,6 +232,26 @@ TEST(LimitCurve, WithoutTrialsEverythingIsPossible) {
   EXPECT_GT(nothing.interval.upper, 1.0);
 }
 
+/// A planner that always succeeds goes farther than one that does not, whichever way success goes.
+TEST(LimitContrast, APlannerWithoutALimitIsTheBetterOne) {
+  std::vector<std::vector<LimitCell>> planners;
+  Flights never_fails({}, 21), falls({.limit = 0.5, .width = 0.05}, 22);
+  for (int k = 0; k < 15; ++k) {
+    for (std::size_t level = 0; level < kLevels; level += 5) never_fails.fly_at(level, 1.0);
+  }
+  search(falls, 0.15);
+  planners = {never_fails.cells(), falls.cells()};
+  const std::vector<double> others = directions_of_others(curve(), planners);
+  EXPECT_GT(others[0], 5.0);
+  EXPECT_NEAR(others[1], 0.0, 1.0);
+  EXPECT_EQ(curve().estimate(planners[0], others[0]).state, LimitState::all_above);
+  const LimitContrast contrast =
+      limit_contrast(limit_draws(curve(), planners[0], kMaps, 1, others[0]),
+                     limit_draws(curve(), planners[1], kMaps, 1, others[1]));
+  EXPECT_EQ(contrast.first_is_higher, 1.0);
+  EXPECT_NEAR(contrast.difference, 0.5, 0.1);
+}
+
 TEST(LimitContrast, TellsTheHigherLimit) {
   Flights near({.limit = 0.35, .width = 0.05}, 11), far({.limit = 0.65, .width = 0.05}, 12);
   search(near, 0.15);
