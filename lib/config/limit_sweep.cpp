@@ -77,6 +77,7 @@ std::string yaml_list(const std::vector<double>& values, const Over& over,
 
 /// The field as it is before it is varied, and whether it takes whole numbers only. Throws where it
 /// is no number.
+// NOLINTNEXTLINE(bugprone-exception-escape): nlohmann::json says it of its own members
 struct Field {
   nlohmann::json base;
   bool is_whole = false;
@@ -154,8 +155,8 @@ SweepSpec sweep_of_values(const Document& document, const Over& over, const Fiel
 
 }  // namespace
 
-SweepSpec read_limit_sweep(const std::filesystem::path& file, std::vector<std::string> overrides,
-                           const LimitRequest& request) {
+SweepSpec read_limit_sweep(const std::filesystem::path& file,
+                           const std::vector<std::string>& overrides, const LimitRequest& request) {
   const Over over = parse_over(request.over);
   const Document document = read_sweep_document(file, overrides);
   const bool is_speed = over.path == kSpeedField;

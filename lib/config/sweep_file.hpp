@@ -57,7 +57,7 @@ struct LimitRequest {
 /// flown. Its name gets `_limit_FIELD`, since its trials are no sample of one setting. Throws
 /// InputError as read_sweep() does, and where the field is no number, where the sweep has several
 /// values of it already, or where the range is none.
-SweepSpec read_limit_sweep(const std::filesystem::path& file, std::vector<std::string> overrides,
-                           const LimitRequest& request);
+SweepSpec read_limit_sweep(const std::filesystem::path& file,
+                           const std::vector<std::string>& overrides, const LimitRequest& request);
 
 }  // namespace avoidbench

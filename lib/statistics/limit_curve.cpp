@@ -418,8 +418,9 @@ std::vector<std::size_t> LimitCurve::next(std::span<const LimitCell> cells, std:
     if (std::none_of(room.begin(), room.end(), [](std::int64_t left) { return left > 0; })) break;
     std::size_t level = level_count_;
     // The golden ratio's multiples visit a range evenly, wherever one stops.
+    const std::size_t number = (flown + k) / kTurn;
     if ((flown + k) % kTurn == 0) {
-      const double turn = static_cast<double>((flown + k) / kTurn) * 0.6180339887498949;
+      const double turn = static_cast<double>(number) * 0.6180339887498949;
       level =
           static_cast<std::size_t>((turn - std::floor(turn)) * static_cast<double>(level_count_));
     }
