@@ -19,25 +19,14 @@ struct LimitCommand {
   OutputOptions output;
 };
 
-/// The limits as the database's trials have them, of the revision that was flown.
-void print_limits(const LimitCommand& command, const SweepSpec& sweep) {
-  const Database database = Database::open_for_reading(database_file(command.run, sweep, {}));
-  SweepInfo latest;
-  for (const SweepInfo& info : database.read_sweeps()) {
-    const std::optional<LimitRule> rule =
-        info.name == sweep.name ? limit_rule_of(info.spec_json) : std::nullopt;
-    if (rule && to_json(*rule) == to_json(sweep.limit)) latest = info;
-  }
-  const SweepResult result = database.read_sweep(latest.name, latest.revision, {sweep.limit.field});
-  write_sections(std::vector{sweep_section(summarize(result), {}, Detail::brief)}, command.output);
-}
-
 void limit(const LimitCommand& command) {
   check_output(command.output.output, text(command.output.format));
   const SweepSpec sweep =
       read_limit_sweep(command.run.sweep_file, command.run.overrides, command.request);
-  fly_sweep(command.run, sweep, {});
-  print_limits(command, sweep);
+  const std::int64_t revision = fly_sweep(command.run, sweep, {});
+  const Database database = Database::open_for_reading(database_file(command.run, sweep, {}));
+  const SweepResult result = database.read_sweep(sweep.name, revision, {sweep.limit.field});
+  write_sections(std::vector{sweep_section(summarize(result), {}, Detail::brief)}, command.output);
 }
 
 }  // namespace
@@ -48,7 +37,7 @@ void add_limit_command(CLI::App& app) {
       "Find how far planners go: the value of a field at which success crosses a rate", limit);
   add_sweep_options(command, options.run);
   add_typed(command, "--over", options.request.over, "FIELD=LOW..HIGH",
-            "The number that is varied, and its range: max_speed_mps=1..15, "
+            "The number that is varied, and its range: max_speed_mps=1..10, "
             "maps.poisson_radius_m=1.5..6, latency.ms=0..500, wind.mean_world_mps[0]=0..12")
       ->required();
   add_number(command, "--success", options.request.success_rate, CLI::Range(0.05, 0.99),
@@ -72,7 +61,7 @@ void add_limit_command(CLI::App& app) {
       "in turn; give it many\n"
       "(maps.seeds), since what is found is of maps like these.\n\n"
       "Examples:\n"
-      "  avoidbench limit forest_small --over max_speed_mps=1..15 --set maps.seeds=30\n"
+      "  avoidbench limit forest_small --over max_speed_mps=1..10 --set maps.seeds=30\n"
       "  avoidbench limit hall_small --over latency.ms=0..400 --success 0.8 --paired\n\n"
       "Exit codes: as those of `run`");
 }

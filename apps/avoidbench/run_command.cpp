@@ -47,7 +47,10 @@ void run(const RunCommand& command) {
   if (!command.until.empty()) overrides.push_back("until=" + command.until);
   const SweepSpec sweep = read_sweep(command.sweep_file, overrides);
   const Shard shard = command.shard ? shard_from(*command.shard) : Shard{};
-  if (!command.dry_run) return fly_sweep(command, sweep, shard);
+  if (!command.dry_run) {
+    fly_sweep(command, sweep, shard);
+    return;
+  }
   for (const std::string& warning : sweep.warnings) std::cerr << "warning: " << warning << "\n";
   const std::vector<PlannedTrial> trials = trials_of(shard, expand(sweep));
   print_trials(trials);

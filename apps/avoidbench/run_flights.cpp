@@ -74,7 +74,7 @@ void warn(const RunCommand& command, const SweepSpec& sweep, int jobs) {
   if (measures_latency(sweep)) {
     std::cerr << "warning: latency is measured: results depend on this machine and its load\n";
   }
-  if (sweep.trials < 10) {
+  if (sweep.trials < 10 && !sweep.limit.is_set()) {
     std::cerr << "warning: " << sweep.trials
               << " trials per map: success rates of single maps are too coarse to compare\n";
   }
@@ -201,7 +201,7 @@ std::filesystem::path database_file(const RunCommand& command, const SweepSpec& 
   return "results/" + name + ".db";
 }
 
-void fly_sweep(const RunCommand& command, const SweepSpec& sweep, const Shard& shard) {
+std::int64_t fly_sweep(const RunCommand& command, const SweepSpec& sweep, const Shard& shard) {
   for (const std::string& warning : sweep.warnings) std::cerr << "warning: " << warning << "\n";
   const int jobs = command.jobs > 0 ? command.jobs : allowed_cpus();
   const Rerun rerun = rerun_from(command.rerun);
@@ -252,6 +252,7 @@ void fly_sweep(const RunCommand& command, const SweepSpec& sweep, const Shard& s
             << "; to see them: " << command_that_reports(database, sweep.name, summary.revision)
             << '\n';
   if (!summary.unflown.empty()) throw CLI::RuntimeError(kExitUnflown);
+  return summary.revision;
 }
 
 void add_sweep_options(CLI::App& app, RunCommand& options) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -30,8 +31,9 @@ std::filesystem::path database_file(const RunCommand& command, const SweepSpec& 
                                     const Shard& shard);
 
 /// Flies what the database lacks of the sweep, and says on stderr how it goes and what came of it.
-/// Throws CLI::RuntimeError where it was stopped or trials are unflown.
-void fly_sweep(const RunCommand& command, const SweepSpec& sweep, const Shard& shard);
+/// Returns the sweep's revision in the database. Throws CLI::RuntimeError where it was stopped or
+/// trials are unflown.
+std::int64_t fly_sweep(const RunCommand& command, const SweepSpec& sweep, const Shard& shard);
 
 /// SWEEP, --set, --db, --jobs.
 void add_sweep_options(CLI::App& app, RunCommand& options);

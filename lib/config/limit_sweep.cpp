@@ -27,7 +27,7 @@ struct Over {
 }
 
 Over parse_over(const std::string& text) {
-  constexpr const char* kExample = "expected FIELD=LOW..HIGH, such as max_speed_mps=1..15";
+  constexpr const char* kExample = "expected FIELD=LOW..HIGH, such as max_speed_mps=1..10";
   const std::size_t equal = text.find('='), dots = text.find("..", equal);
   if (equal == std::string::npos || equal == 0 || dots == std::string::npos) refuse(text, kExample);
   Over over;
@@ -94,9 +94,6 @@ Field field_of(const SweepSpec& sweep, const Over& over, const std::string& text
     }
     refuse(text, "the sweep has no such field" + did_you_mean(over.path, known));
   }
-  const bool is_swept = std::any_of(sweep.axes.begin(), sweep.axes.end(),
-                                    [&](const Axis& axis) { return axis.path == path; });
-  if (is_swept) refuse(text, "the sweep has several values of it: give it one");
   const FieldTree* field = found.front().field;
   const nlohmann::json& value = base.at(pointer_of(path));
   if (over.element) {
@@ -105,7 +102,7 @@ Field field_of(const SweepSpec& sweep, const Over& over, const std::string& text
       refuse(text, "it is no list of as many numbers");
     return {.base = value, .is_whole = false};
   }
-  if (!is_number(*field) || path == "map_seed") {
+  if (!is_number(*field) || path.ends_with("seed")) {
     refuse(text, value.is_array()
                      ? "it is a list: name one of its numbers, as in " + over.path + "[0]"
                      : "it is no number whose growth makes flights harder or easier");

@@ -46,7 +46,7 @@ MapChoice map_of_document(const Document& document, const std::vector<std::strin
 
 /// What `avoidbench limit` is asked for.
 struct LimitRequest {
-  std::string over;  ///< "max_speed_mps=1..15", "wind.mean_world_mps[0]=0..10"
+  std::string over;  ///< "max_speed_mps=1..10", "wind.mean_world_mps[0]=0..10"
   double success_rate = 0.9;
   std::optional<double> width;  ///< of the interval, in units of the field; a tenth of the range
   std::int64_t most_trials = 400;
@@ -55,8 +55,7 @@ struct LimitRequest {
 
 /// The sweep with values of one field over a range, and the rule by which a few of its trials are
 /// flown. Its name gets `_limit_FIELD`, since its trials are no sample of one setting. Throws
-/// InputError as read_sweep() does, and where the field is no number, where the sweep has several
-/// values of it already, or where the range is none.
+/// InputError as read_sweep() does, and where the field is no number or the range is none.
 SweepSpec read_limit_sweep(const std::filesystem::path& file,
                            const std::vector<std::string>& overrides, const LimitRequest& request);
 

@@ -48,9 +48,12 @@ std::optional<LimitRule> limit_rule_of(const std::string& spec_json) {
 }
 
 std::optional<std::size_t> level_of(const LimitRule& rule, double value) {
-  const auto found = std::find(rule.values.begin(), rule.values.end(), value);
-  if (found == rule.values.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - rule.values.begin());
+  // SQLite may read a stored number one bit off.
+  const double most = 1e-9 * (rule.values.back() - rule.values.front());
+  for (std::size_t level = 0; level < rule.values.size(); ++level) {
+    if (std::abs(rule.values[level] - value) <= most) return level;
+  }
+  return std::nullopt;
 }
 
 std::string label_without(const std::string& label, const LimitRule& rule) {

@@ -69,7 +69,8 @@ std::string_view state_text(const LimitEstimate& estimate, const LimitRule& rule
 
 /// The limit where there is one.
 double value_of(const LimitEstimate& estimate, const LimitRule& rule) {
-  if (estimate.state != LimitState::found) return math::kNaN;
+  const bool is_open = estimate.interval.lower < 0.0 && estimate.interval.upper > 1.0;
+  if (estimate.state != LimitState::found || is_open) return math::kNaN;
   // Outside the range the curve is a guess.
   if (estimate.position < 0.0) return -std::numeric_limits<double>::infinity();
   if (estimate.position > 1.0) return std::numeric_limits<double>::infinity();

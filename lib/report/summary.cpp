@@ -263,6 +263,10 @@ SweepSummary summarize(SweepResult result, const ReportQuery& query) {
   if (const auto rule = limit_rule_of(result.spec_json)) {
     summary.limits = limits_of(result, *rule);
     summary.warnings = warnings_of(summary.limits);
+    if (!query.group_by.empty()) {
+      summary.warnings.emplace_back(
+          "not grouped: these trials were chosen by what they tell of limits");
+    }
     summary.maps = std::move(result.maps);
     return summary;
   }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "base/input_error.hpp"
@@ -33,6 +34,7 @@ TEST(LimitRule, LabelsLoseTheFieldAlone) {
 
 TEST(LimitRule, LevelsAreTheRulesValues) {
   EXPECT_EQ(level_of(speed_rule(), 2.5), 1u);
+  EXPECT_EQ(level_of(speed_rule(), std::nextafter(2.5, 3.0)), 1u);
   EXPECT_EQ(level_of(speed_rule(), 2.6), std::nullopt);
   EXPECT_DOUBLE_EQ(speed_rule().value_at(0.5), 2.5);
 }
