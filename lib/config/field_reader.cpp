@@ -152,15 +152,17 @@ void check_settled(const GivenValue& given, const FieldTree& block, const Json& 
     for (const std::string& name : field.settles) {
       const YamlNode* other = given.node.find(name);
       if (other == nullptr) continue;
-      given.at(*other, name)
-          .add_problem("follows from " + field.name + ", which is " +
-                       number_text(value.at(field.name).get<double>()) +
-                       "; leave one of the two out");
+      given.at(*other, name).add_problem(follows_text(field, value));
     }
   }
 }
 
 }  // namespace
+
+std::string follows_text(const FieldTree& field, const Json& block) {
+  return "follows from " + field.name + ", which is " +
+         number_text(block.at(field.name).get<double>()) + "; leave one of the two out";
+}
 
 void read_field(const GivenValue& given, const FieldTree& field, Json& value) {
   if (given.reading.lists_are_axes && is_axis(given.node, field)) {

@@ -20,4 +20,7 @@ std::string read_key(MappingReader& mapping, const FieldTree& field, nlohmann::j
 /// that folder.
 void read_block(const GivenValue& given, const FieldTree& block, nlohmann::json& value);
 
+/// What is wrong with a field that stands beside `field`, of `block`, from which it follows.
+std::string follows_text(const FieldTree& field, const nlohmann::json& block);
+
 }  // namespace avoidbench

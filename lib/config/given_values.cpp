@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "config/field_reader.hpp"
 #include "config/sweep_axes.hpp"
 #include "config/sweep_keys.hpp"
 #include "text/words.hpp"
@@ -125,9 +126,7 @@ void check_vehicle_keys(const YamlNode& root, const nlohmann::json& vehicle,
     for (const std::string& name : field.settles) {
       const YamlNode* value = given(root, "vehicle." + name);
       if (value == nullptr || !told.insert(value).second) continue;
-      GivenValue{*value, "vehicle." + name, reading}.add_problem(
-          "follows from " + field.name + ", which is " +
-          number_text(vehicle.at(field.name).get<double>()) + "; leave one of the two out");
+      GivenValue{*value, "vehicle." + name, reading}.add_problem(follows_text(field, vehicle));
     }
   }
 }
