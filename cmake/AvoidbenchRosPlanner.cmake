@@ -51,7 +51,7 @@ function(avoidbench_ros_runtime)
   if(TARGET avoidbench_flags)
     target_link_libraries(avoidbench_ros_runtime PRIVATE avoidbench_flags)
   endif()
-  set_target_properties(avoidbench_ros_runtime PROPERTIES POSITION_INDEPENDENT_CODE ON UNITY_BUILD OFF
+  set_target_properties(avoidbench_ros_runtime PROPERTIES POSITION_INDEPENDENT_CODE ON
                         CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
 endfunction()
 

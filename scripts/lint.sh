@@ -50,7 +50,7 @@ fi
 
 tidy=$(of_version clang-tidy)
 [ -n "$tidy" ] || exit 0
-# Eight sources at a time, as most of the time goes into the headers that they share.
+# A room's sources together, as most of the time goes into the headers that they share.
 # The extension's sources too, where the Python environment is there that has nanobind (scripts/python_venv.sh).
 python=OFF folders=(lib apps planners)
 [ ! -x build/venv/bin/python ] || { python=ON; folders+=(python); }

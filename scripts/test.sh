@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds everything with both compilers and runs all tests. The last lines are the test runner's summary.
-# Sources are compiled eight at a time. clang-tidy and the sanitizers look at what changed (scripts/changed_files.sh) and at a rotating
+# A room's sources are compiled together, with precompiled headers. clang-tidy and the sanitizers look at what changed (scripts/changed_files.sh) and at a rotating
 # eighth of the rest.
-#   --all    each source is compiled by itself with clang, benchmarks are built, the tests labelled slow run too, clang-tidy and the sanitizers look at
+#   --all    each source is compiled by itself with clang and finds its own headers, benchmarks are built, the tests labelled slow run too, clang-tidy and the sanitizers look at
 #            everything, and the fuzz targets run for a minute each: for every night
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -29,7 +29,7 @@ cmake --preset release -DAVOIDBENCH_TESTS=ON -DAVOIDBENCH_BENCH=$bench -DAVOIDBE
   -DAVOIDBENCH_PYTHON=ON "-DPython_EXECUTABLE=$PWD/build/venv/bin/python" "-DAVOIDBENCH_COMPARE_WITH=$PWD/build/clang/avoidbench" >/dev/null
 cmake --build build/release --parallel "$jobs"
 stage "build the program and planners with clang (build/clang), for its warnings and to compare bits"
-cmake --preset clang "-DAVOIDBENCH_UNITY=$unity" >/dev/null
+cmake --preset clang "-DAVOIDBENCH_UNITY=$unity" "-DAVOIDBENCH_PRECOMPILED=$unity" >/dev/null
 cmake --build build/clang --parallel "$jobs" --target program
 stage "clang-tidy"
 scripts/lint.sh "${all[@]}"

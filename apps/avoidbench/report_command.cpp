@@ -88,7 +88,9 @@ std::vector<std::string> fields_of(const ReportQuery& query, const Database& dat
   add_limit_field(sweep.spec_json, fields);
   if (page == nullptr) return fields;
   std::vector<std::string>& axes = page->axes_of[sweep.name];
-  for (const std::string& axis : axis_fields({&sweep, 1})) {
+  std::vector<std::string> shown = axis_fields({&sweep, 1});
+  add_limit_field(sweep.spec_json, shown);
+  for (const std::string& axis : shown) {
     if (std::find(axes.begin(), axes.end(), axis) == axes.end()) axes.push_back(axis);
     if (std::find(fields.begin(), fields.end(), axis) == fields.end()) fields.push_back(axis);
   }

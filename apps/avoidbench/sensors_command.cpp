@@ -144,7 +144,7 @@ void measure(const SensorOptions& options) {
   write_table(table, options.output);
 }
 
-void list(const OutputOptions& options) {
+void list_sensors(const OutputOptions& options) {
   Table table = make_list({"sensor", "kind", "pixels", "fov_x_deg", "rate_hz", "delay_ms",
                            "baseline_m", "range_m", "cameras"});
   for (const SensorSpec& s : sensor_presets()) {
@@ -179,7 +179,7 @@ void add_sensors_command(CLI::App& app) {
       "--over maps.texture_opacity=1,0.5,0.25,0 --format csv");
 
   const auto [list_command, list_options] =
-      add_command(*command, "list", "The sensors that are built in", list);
+      add_command(*command, "list", "The sensors that are built in", list_sensors);
   add_output_options(list_command, list_options);
 
   const auto [show_command, show_options] = add_command(

@@ -33,13 +33,13 @@ FieldTree mission_list_key() {
        {"or", "mission: {list: [{start: [2, 1, 1.5], goal: [20, 12, 2], yaw_deg: 90}]}"},
        {"axis", "no: all missions are flown for each setting"},
        {"see", "docs/sweep_files.md, Missions of your own"}});
-  using Place = std::array<double, 3>;
+  using Position = std::array<double, 3>;
   const Range places_m{-kFarthestPlace_m, kFarthestPlace_m};
   FieldTree element;
   element.fields = {
       FieldCollector::described("map", std::string(), {}, "Which map it is of; left out: of each."),
-      FieldCollector::described("start", Place{}, places_m, "Where it begins, hovering, m."),
-      FieldCollector::described("goal", Place{}, places_m, "Where to, m."),
+      FieldCollector::described("start", Position{}, places_m, "Where it begins, hovering, m."),
+      FieldCollector::described("goal", Position{}, places_m, "Where to, m."),
       FieldCollector::described("yaw_deg", 0.0, Range{-360, 360},
                                 "Heading at the start, from x toward y; left out: to the goal.")};
   key.fields.push_back(std::move(element));

@@ -10,9 +10,6 @@
 namespace avoidbench {
 namespace {
 
-/// π (3 - √5).
-constexpr double kGoldenAngle_rad = 2.39996322972865332;
-
 struct BushHabit {
   std::string_view name;
   std::uint64_t seed = 0;

@@ -9,13 +9,13 @@
 namespace avoidbench {
 namespace {
 
-struct Place {
+struct StemPlace {
   std::size_t ring = 0;
   double ratio = 0.0;
 };
 
 /// By rings, not by length: on a stem of uneven rings the middle ratio is the middle ring.
-Place place_on(const Stem& stem, double ratio) {
+StemPlace place_on(const Stem& stem, double ratio) {
   const double scaled = std::clamp(ratio, 0.0, 1.0) * static_cast<double>(stem.size() - 1);
   const std::size_t ring = std::min(static_cast<std::size_t>(scaled), stem.size() - 2);
   return {ring, scaled - static_cast<double>(ring)};
@@ -45,19 +45,19 @@ Stem grow_stem(const StemGrowth& growth, RandomStream& random) {
 }
 
 Eigen::Vector3d stem_point(const Stem& stem, double ratio) {
-  const Place place = place_on(stem, ratio);
+  const StemPlace place = place_on(stem, ratio);
   const Eigen::Vector3d& a = stem[place.ring].centre;
   return a + place.ratio * (stem[place.ring + 1].centre - a);
 }
 
 double stem_radius_m(const Stem& stem, double ratio) {
-  const Place place = place_on(stem, ratio);
+  const StemPlace place = place_on(stem, ratio);
   const double a = stem[place.ring].radius_m;
   return a + place.ratio * (stem[place.ring + 1].radius_m - a);
 }
 
 Eigen::Vector3d stem_direction(const Stem& stem, double ratio) {
-  const Place place = place_on(stem, ratio);
+  const StemPlace place = place_on(stem, ratio);
   return (stem[place.ring + 1].centre - stem[place.ring].centre).normalized();
 }
 

@@ -11,6 +11,9 @@ namespace avoidbench {
 /// A trunk, bough or twig from its root to its tip.
 using Stem = std::vector<TubeRing>;
 
+/// Twigs that follow each other by this turn never stand above each other: π (3 - √5), 137.5°.
+inline constexpr double kGoldenAngle_rad = 2.39996322972865332;
+
 /// How a stem grows from its root.
 struct StemGrowth {
   Eigen::Vector3d root = Eigen::Vector3d::Zero();

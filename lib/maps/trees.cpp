@@ -10,8 +10,6 @@
 namespace avoidbench {
 namespace {
 
-// π (3 − √5), 137.5°.
-constexpr double kGoldenAngle_rad = 2.39996322972865332;
 /// The trunk begins below the ground, which is uneven.
 constexpr double kRootDepth_m = 0.35;
 /// Above it foliage is coarse: vehicles fly lower.

@@ -67,7 +67,8 @@ std::vector<PageTrial> flights_in_order(const std::vector<PageSweep>& sweeps) {
   std::vector<PageTrial> order;
   for (std::size_t i = 0; i < sweeps.size(); ++i) {
     const SweepResult& result = sweeps[i].result;
-    const std::vector<std::size_t> planners = planners_of(result), maps = maps_of(result);
+    const std::vector<std::size_t> planners = page_planners(sweeps[i]).of_trials;
+    const std::vector<std::size_t> maps = maps_of(result);
     std::vector<FlightCandidate> candidates;
     for (std::size_t k = 0; k < result.trials.size(); ++k) {
       const TrialSummary& trial = result.trials[k];

@@ -66,14 +66,19 @@ ordered_json table_json(const Table& table) {
   return {{"name", table.name}, {"title", table.title}, {"columns", columns}, {"rows", rows}};
 }
 
-ordered_json planners_json(const PageSweep& sweep) {
+ordered_json planners_json(const PageSweep& sweep, const PagePlanners& planners) {
+  constexpr std::string_view kParameter = "planner.";
+  const std::string& varied = sweep.summary.limits.rule.field;
   ordered_json all = ordered_json::array();
-  for (std::size_t i = 0; i < sweep.result.planners.size(); ++i) {
-    const PlannerRow& planner = sweep.result.planners[i];
+  for (std::size_t i = 0; i < planners.labels.size(); ++i) {
+    const PlannerRow& planner = sweep.result.planners[planners.rows[i]];
     // Text from the database stays text; parameters are JSON there.
     ordered_json parameters = ordered_json::parse(planner.parameters_json, nullptr, false);
     if (parameters.is_discarded()) parameters = nullptr;
-    all.push_back({{"label", sweep.summary.planners[i]},
+    if (parameters.is_object() && varied.starts_with(kParameter)) {
+      parameters.erase(varied.substr(kParameter.size()));
+    }
+    all.push_back({{"label", planners.labels[i]},
                    {"name", planner.name},
                    {"version", planner.version},
                    {"digest", planner.file_digest},
@@ -188,7 +193,7 @@ ordered_json axes_json(const PageSweep& sweep) {
   return axes;
 }
 
-ordered_json trials_json(const PageSweep& sweep) {
+ordered_json trials_json(const PageSweep& sweep, const PagePlanners& planners) {
   const std::vector<TrialSummary>& trials = sweep.result.trials;
   std::vector<std::int64_t> ids, missions, outcomes;
   std::vector<double> ends, references;
@@ -212,7 +217,7 @@ ordered_json trials_json(const PageSweep& sweep) {
     metrics.push_back(packed_floats(values));
   }
   ordered_json json = {{"count", trials.size()},
-                       {"planner", packed_deltas(planners_of(sweep.result))},
+                       {"planner", packed_deltas(planners.of_trials)},
                        {"map", packed_deltas(maps_of(sweep.result))},
                        {"mission", packed_deltas(missions)},
                        {"outcome", packed_deltas(outcomes)},
@@ -229,6 +234,8 @@ ordered_json trials_json(const PageSweep& sweep) {
 
 ordered_json curves_json(const SweepSummary& summary) {
   ordered_json curves = ordered_json::array();
+  // Where a limit is looked for they are of planners at one value each.
+  if (summary.limits.rule.is_set()) return curves;
   for (const DifficultyResponse& one : summary.difficulty) {
     curves.push_back({{"planner", one.planner},
                       {"intercept", number(one.intercept)},
@@ -236,6 +243,16 @@ ordered_json curves_json(const SweepSummary& summary) {
                       {"is_separated", one.is_separated}});
   }
   return curves;
+}
+
+/// What the page needs to draw the tables of limits.
+ordered_json limit_json(const LimitRule& rule) {
+  if (!rule.is_set()) return nullptr;
+  return {{"field", rule.field},
+          {"unit", rule.unit},
+          {"low", rule.values.front()},
+          {"high", rule.values.back()},
+          {"success_rate", rule.success_rate}};
 }
 
 template <class KeyOfRow, class Rows>
@@ -247,12 +264,27 @@ std::map<std::string, std::size_t> index_by_key(const Rows& rows, const KeyOfRow
 
 }  // namespace
 
-std::vector<std::size_t> planners_of(const SweepResult& result) {
-  const auto index =
-      index_by_key(result.planners, [](const auto& row) { return planner_key(row); });
-  std::vector<std::size_t> all;
-  for (const TrialSummary& trial : result.trials) all.push_back(index.at(trial.planner_key));
-  return all;
+PagePlanners page_planners(const PageSweep& sweep) {
+  const LimitRule& rule = sweep.summary.limits.rule;
+  const std::vector<PlannerRow>& rows = sweep.result.planners;
+  PagePlanners planners;
+  std::map<std::string, std::size_t> index_of_label;
+  std::vector<std::size_t> of_rows;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::string label =
+        rule.is_set() ? label_without(rows[i].label, rule) : sweep.summary.planners[i];
+    const auto [entry, is_new] = index_of_label.emplace(label, planners.labels.size());
+    if (is_new) {
+      planners.labels.push_back(label);
+      planners.rows.push_back(i);
+    }
+    of_rows.push_back(entry->second);
+  }
+  const auto row_of = index_by_key(rows, [](const auto& row) { return planner_key(row); });
+  for (const TrialSummary& trial : sweep.result.trials) {
+    planners.of_trials.push_back(of_rows[row_of.at(trial.planner_key)]);
+  }
+  return planners;
 }
 
 std::vector<std::size_t> maps_of(const SweepResult& result) {
@@ -283,6 +315,7 @@ ordered_json sweep_json(const PageSweep& sweep) {
   ordered_json tables = ordered_json::array(), outcomes = ordered_json::array();
   for (const Table& table : sweep.section.tables) tables.push_back(table_json(table));
   for (const auto& [outcome, word] : EnumText<Outcome>::entries) outcomes.push_back(word);
+  const PagePlanners planners = page_planners(sweep);
   ordered_json usual = ordered_json::array();
   for (const MetricRow& metric : sweep.summary.metrics) usual.push_back(metric.name);
   return {{"name", sweep.summary.name},
@@ -291,14 +324,15 @@ ordered_json sweep_json(const PageSweep& sweep) {
           {"warnings", sweep.summary.warnings},
           {"conditions", sweep.summary.conditions},
           {"tables", tables},
+          {"limit", limit_json(sweep.summary.limits.rule)},
           {"curves", curves_json(sweep.summary)},
-          {"planners", planners_json(sweep)},
+          {"planners", planners_json(sweep, planners)},
           {"maps", maps_json(sweep.result)},
           {"metrics", metrics_json(sweep.result)},
           {"usual_metrics", usual},
           {"outcomes", outcomes},
           {"runs", runs_json(sweep.runs)},
-          {"trials", trials_json(sweep)}};
+          {"trials", trials_json(sweep, planners)}};
 }
 
 }  // namespace avoidbench

@@ -25,8 +25,16 @@ struct PageSweep {
 /// All of a sweep but its flights: tables, curves, planners, maps, and of each trial its numbers.
 nlohmann::ordered_json sweep_json(const PageSweep& sweep);
 
-/// For each trial of the result the index of its planner, or of its map.
-std::vector<std::size_t> planners_of(const SweepResult& result);
+/// What a page takes for the planners of a sweep: the result's, or, where a limit is looked for, each
+/// once, whatever the field's value.
+struct PagePlanners {
+  std::vector<std::string> labels;
+  std::vector<std::size_t> rows;       ///< of each its first one in SweepResult::planners
+  std::vector<std::size_t> of_trials;  ///< for each trial of the result an index
+};
+PagePlanners page_planners(const PageSweep& sweep);
+
+/// For each trial of the result the index of its map.
 std::vector<std::size_t> maps_of(const SweepResult& result);
 
 /// "forest, seed 1, radius 3.5 m"

@@ -177,18 +177,21 @@ Table limit_table(const LimitSummary& summary) {
         .header = "p mono",
         .doc = "monotone_p: of rates that go one way as badly as these; below 0.02 there is no "
                "limit",
-        .decimals = 3}});
+        .decimals = 3},
+       {.name = "field", .doc = "what was varied"},
+       {.name = "wanted_rate", .doc = "wanted_rate: the rate of success that is crossed"}});
   for (Column& column : table.columns) {
     // Read by those who ask for all of it.
-    if (column.name == "map_inflation" || column.name == "monotone_p")
-      column.place = Place::machine;
+    for (const char* unseen : {"map_inflation", "monotone_p", "field", "wanted_rate"}) {
+      if (column.name == unseen) column.place = Place::machine;
+    }
   }
   for (const PlannerLimit& planner : summary.planners) {
     const LimitEstimate& e = planner.estimate;
     table.rows.push_back(make_row(planner.planner, value_of(e, rule), interval_of(e, rule),
                                   e.trials, state_text(e, rule), e.rates.front(),
                                   e.rate_intervals.front(), e.rates.back(), e.rate_intervals.back(),
-                                  e.map_inflation, e.monotone_p));
+                                  e.map_inflation, e.monotone_p, rule.field, rule.success_rate));
   }
   return table;
 }

@@ -10,7 +10,7 @@
 namespace avoidbench {
 namespace {
 
-constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+constexpr float kNoMatch = std::numeric_limits<float>::quiet_NaN();
 
 int sgbm_mode(SgbmMode mode) {
   switch (mode) {
@@ -56,7 +56,7 @@ class SgbmMatcher : public StereoMatcher {
         const float disparity = static_cast<float>(from[x]) * (1.0F / 16.0F);
         // The partner would lie left of the right image: in the border, which repeats a column.
         const bool seen_right = disparity <= static_cast<float>(x) + 0.5F;
-        to[x] = from[x] >= 0 && seen_right ? disparity : kNaN;
+        to[x] = from[x] >= 0 && seen_right ? disparity : kNoMatch;
       }
     }
   }
@@ -97,7 +97,7 @@ class CensusMatcher : public StereoMatcher {
     for (std::size_t i = 0; i < disparity_px.size(); ++i) {
       const std::int16_t disparity = sixteenths_[i];
       const bool is_valid = disparity > 0 || (disparity == 0 && !zero_is_invalid_);
-      disparity_px[i] = is_valid ? static_cast<float>(disparity) * (1.0F / 16.0F) : kNaN;
+      disparity_px[i] = is_valid ? static_cast<float>(disparity) * (1.0F / 16.0F) : kNoMatch;
     }
   }
 

@@ -13,7 +13,7 @@ namespace avoidbench {
 namespace {
 
 using math::kNaN;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNever = std::numeric_limits<double>::infinity();
 
 /// S^exp(±z s / |log S|), with s² Greenwood's sum.
 Interval log_log_interval(double survival, double greenwood, double z) {
@@ -69,7 +69,7 @@ double survival_quantile(std::span<const SurvivalPoint> points, double ratio) {
   for (const SurvivalPoint& point : points) {
     if (point.survival <= 1.0 - ratio + kRounding) return point.time_s;
   }
-  return kInfinity;
+  return kNever;
 }
 
 }  // namespace avoidbench

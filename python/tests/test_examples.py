@@ -56,12 +56,12 @@ def test_scripted_policy_reaches_goals() -> None:
 
 def test_ppo_gives_the_same_weights_for_any_number_of_threads(tmp_path: Path) -> None:
     one, two, judged = (tmp_path / name for name in ("one", "two", "judged"))
-    small = ("--steps", 1024, "--slots", 8)
+    small = ("--steps", 512, "--slots", 4)
     run_example("ppo.py", *small, "--missions", 0, "--threads", 1, "--out", one)
     assert "straight_line" in run_example("ppo.py", *small, "--missions", 1, "--threads", 2, "--out", two)
     assert digest(one / "weights.npz") == digest(two / "weights.npz")
     with open(one / "curve.csv", newline="") as file:
-        assert [row["steps"] for row in csv.DictReader(file)] == ["512", "1024"]
+        assert [row["steps"] for row in csv.DictReader(file)] == ["256", "512"]
     run_example("ppo.py", "--evaluate", one / "weights.npz", "--missions", 1, "--threads", 1, "--out", judged)
     found = json.loads((judged / "evaluation.json").read_text())
     assert found == json.loads((two / "evaluation.json").read_text())

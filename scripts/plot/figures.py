@@ -31,12 +31,17 @@ REPORTED = [metric.name for metric in METRICS if metric.name != "success_rate"] 
 
 def names():
     return ["success_by_traversability", "contrast_factors", "traversability_by_gap_size",
-            *(metric.file for metric in METRICS if metric.file), "metrics"]
+            *(metric.file for metric in METRICS if metric.file), "metrics", "limit_curve"]
 
 
 def draw(section, trials, wanted):
     """Yields (file name, figure) of those `wanted` that the sweep has: groups and pairs need two maps, two planners."""
     tables = section["tables"]
+    if tables.get("limits"):
+        # Its trials lie at other values for each planner: rates and means of all say nothing.
+        if "limit_curve" in wanted:
+            yield "limit_curve", limit_curve(section)
+        return
     planners = [row["planner"] for row in tables["planners"]]
     groups = tables.get("groups", [])
     maps = trials.drop_duplicates("map_key")
@@ -160,6 +165,33 @@ def contrast_factors(pairs):
     axes.tick_params(axis="y", length=0)
     figure.supxlabel("contrast factor (below 1: the first planner fails less)", fontsize=style.FONT_PT)
     axes.legend(loc="lower right", ncol=2, bbox_to_anchor=(1.0, 1.01), handlelength=1.0)
+    return figure
+
+
+def limit_curve(section):
+    """Success as a field changes: each planner's fitted curve with its interval, its trials, and its limit below."""
+    limits, curve = section["tables"]["limits"], section["tables"]["limit_curve"]
+    planners = [row["planner"] for row in limits]
+    figure, axes = style.column_figure(2.6, planners)
+    values = sorted({row["value"] for row in curve})
+    field, unit = limits[0]["field"].split(".", 1)[-1], section["columns"]["value"]["unit"]
+    for i, planner in enumerate(planners):
+        look = style.looks(planners)[planner]
+        rows = sorted((row for row in curve if row["planner"] == planner), key=lambda row: row["value"])
+        x = [row["value"] for row in rows]
+        axes.plot(x, [row["fitted_rate"] for row in rows], color=look["color"], linestyle=look["linestyle"], zorder=3)
+        axes.fill_between(x, [row["fitted_rate_lower"] for row in rows], [row["fitted_rate_upper"] for row in rows],
+                          color=look["color"], alpha=0.12, linewidth=0, zorder=1)
+        flown = [row for row in rows if row["trial_count"] > 0]
+        axes.scatter([row["value"] for row in flown], [row["finished_count"] / row["trial_count"] for row in flown],
+                     s=[2.0 + 1.5 * row["trial_count"] for row in flown], marker=look["marker"], color=look["color"], alpha=0.45,
+                     linewidths=0, clip_on=False, zorder=2)
+    axes.axhline(limits[0]["wanted_rate"], color=style.GREY, linewidth=0.7, linestyle=(0, (4, 3)))
+    axes.set_xlim(values[0], values[-1])
+    axes.set_ylim(0, 1)
+    axes.set_xlabel(field + (f" ({unit})" if unit else ""))
+    axes.set_ylabel("success rate")
+    style.planner_legend(axes, planners, style.COLUMN_IN)
     return figure
 
 

@@ -13,6 +13,10 @@ PNG; the same results give the same bytes:
   path_optimality, energy_optimality, goal_velocity, mission_progress, processing_time
                                7: a metric against traversability: means of maps (small) and of groups (line)
   metrics                      all of these and the success rate, two columns (7.16 in) wide
+
+Of a sweep that looks for a limit (`avoidbench limit`) there is one figure instead:
+
+  limit_curve                  success rate as the field changes: fitted curves with 95 % intervals, and the trials
 """
 import argparse
 import hashlib

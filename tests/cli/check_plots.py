@@ -41,12 +41,12 @@ def python():
     sys.exit("no Python with matplotlib and pandas: apt-get install python3-matplotlib python3-pandas")
 
 
-def check_figures(folder):
-    expected = {f"{name}.{kind}" for name in FIGURES for kind in ("pdf", "png")}
+def check_figures(folder, figures=FIGURES):
+    expected = {f"{name}.{kind}" for name in figures for kind in ("pdf", "png")}
     found = {file.name for file in folder.iterdir()}
     if found != expected:
         sys.exit(f"{folder}: lacks {sorted(expected - found)}, has {sorted(found - expected)} too")
-    for name, width_in in FIGURES.items():
+    for name, width_in in figures.items():
         png = (folder / f"{name}.png").read_bytes()
         width = struct.unpack(">I", png[16:20])[0]
         if png[:8] != b"\x89PNG\r\n\x1a\n" or abs(width - width_in * DOTS_PER_IN) > 1 or len(png) < 8000:
@@ -75,6 +75,11 @@ def main():
         for file in again:
             if file.read_bytes() != (folder / "first" / "tiny" / file.name).read_bytes():
                 sys.exit(f"{file.name} differs from one time to the next")
+
+        # One that looks for a limit has a figure of its own.
+        run([program, "limit", "tiny.yaml", "--over", "max_speed_mps=1..5", "--max-trials", "18", "--quiet", "--db", "limit.db"], cwd=folder)
+        run([program, "report", "limit.db", "--output", "report.txt", "--plots", "first"], cwd=folder)
+        check_figures(folder / "first" / "tiny_limit_max_speed_mps", {"limit_curve": COLUMN_IN})
 
         # A sweep's name in a database of somebody else's may be a path: its figures stay in the folder.
         (folder / "foreign").write_text(f"#!/bin/sh\n'{program}' \"$@\" | sed 's|\\btiny\\b|../../escaped|g'\n")

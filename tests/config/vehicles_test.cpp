@@ -10,7 +10,7 @@
 namespace avoidbench {
 namespace {
 
-const std::string kHead = "sweep: a\nplanners: [tunable]\ntrials: 1\n";
+const std::string kVehicleHead = "sweep: a\nplanners: [tunable]\ntrials: 1\n";
 
 std::vector<TrialSpec> specs_of(const SweepSpec& sweep) {
   std::vector<TrialSpec> specs;
@@ -20,14 +20,15 @@ std::vector<TrialSpec> specs_of(const SweepSpec& sweep) {
 
 TEST_F(SweepFiles, BuiltInVehiclesAreThereByName) {
   for (const VehicleSpec& vehicle : vehicle_presets()) {
-    const std::vector<TrialSpec> specs = specs_of(read(kHead + "vehicle: " + vehicle.name + "\n"));
+    const std::vector<TrialSpec> specs =
+        specs_of(read(kVehicleHead + "vehicle: " + vehicle.name + "\n"));
     EXPECT_EQ(spec_to_json(specs.front().vehicle), spec_to_json(vehicle)) << vehicle.name;
   }
 }
 
 TEST_F(SweepFiles, DerivedKeysOfVehiclesAreSettledForEachTrial) {
   const std::string text =
-      kHead + "vehicle: {thrust_to_weight: 4, angular_acceleration_radps2: 60}\n";
+      kVehicleHead + "vehicle: {thrust_to_weight: 4, angular_acceleration_radps2: 60}\n";
   const VehicleSpec vehicle = specs_of(read(text)).front().vehicle;
   EXPECT_NEAR(thrust_to_weight(vehicle), 4.0, 1e-12);
   EXPECT_NEAR(roll_pitch_acceleration_radps2(vehicle), 60.0, 1e-9);
@@ -36,9 +37,9 @@ TEST_F(SweepFiles, DerivedKeysOfVehiclesAreSettledForEachTrial) {
   EXPECT_EQ(vehicle.max_speed_mps, 8.0);
   // A vehicle's own file may have them, and a sweep others.
   write("vehicles/strong.yaml", "preset: firefly\nname: strong\nthrust_to_weight: 4\n");
-  EXPECT_NEAR(thrust_to_weight(specs_of(read(kHead + "vehicle: strong\n")).front().vehicle), 4.0,
-              1e-12);
-  const SweepSpec other = read(kHead + "vehicle: {preset: strong, thrust_to_weight: 3}\n");
+  EXPECT_NEAR(thrust_to_weight(specs_of(read(kVehicleHead + "vehicle: strong\n")).front().vehicle),
+              4.0, 1e-12);
+  const SweepSpec other = read(kVehicleHead + "vehicle: {preset: strong, thrust_to_weight: 3}\n");
   EXPECT_NEAR(thrust_to_weight(specs_of(other).front().vehicle), 3.0, 1e-12);
 }
 
@@ -49,7 +50,7 @@ TEST_F(SweepFiles, DerivedKeysOfVehiclesAreAxes) {
         "vehicle: {thrust_to_weight: {from: 2, to: 5, count: 4}, mass_kg: [0.7, 0.9]}\n"}) {
     std::set<std::string> keys;
     std::set<double> ratios;
-    for (const TrialSpec& spec : specs_of(read(kHead + text))) {
+    for (const TrialSpec& spec : specs_of(read(kVehicleHead + text))) {
       keys.insert(trial_key(spec));
       ratios.insert(spec.vehicle.thrust_to_weight);
       // By each trial's own mass.
@@ -64,10 +65,11 @@ TEST_F(SweepFiles, DerivedKeysOfVehiclesAreAxes) {
 }
 
 TEST_F(SweepFiles, VehiclesWithoutDerivedKeysKeepTheirTexts) {
-  const TrialSpec plain = specs_of(read(kHead)).front();
+  const TrialSpec plain = specs_of(read(kVehicleHead)).front();
   EXPECT_EQ(trial_json(plain).find("thrust_to_weight"), std::string::npos);
   EXPECT_EQ(trial_json(plain).find("angular_acceleration"), std::string::npos);
-  const TrialSpec strong = specs_of(read(kHead + "vehicle: {thrust_to_weight: 4}\n")).front();
+  const TrialSpec strong =
+      specs_of(read(kVehicleHead + "vehicle: {thrust_to_weight: 4}\n")).front();
   EXPECT_NE(trial_json(strong).find("\"thrust_to_weight\":4.0"), std::string::npos);
   EXPECT_EQ(trial_json(strong).find("angular_acceleration"), std::string::npos);
 }
@@ -75,36 +77,37 @@ TEST_F(SweepFiles, VehiclesWithoutDerivedKeysKeepTheirTexts) {
 TEST_F(SweepFiles, WhatFollowsFromADerivedKeyCantStandBesideIt) {
   const std::string follows =
       " follows from thrust_to_weight, which is 4; leave one of the two out";
-  EXPECT_EQ(problems(kHead + "vehicle: {thrust_to_weight: 4, max_rotor_speed_radps: 900}\n"),
+  EXPECT_EQ(problems(kVehicleHead + "vehicle: {thrust_to_weight: 4, max_rotor_speed_radps: 900}\n"),
             "s.yaml:4:55: vehicle.max_rotor_speed_radps:" + follows);
-  EXPECT_EQ(problems(kHead + "vehicle: {max_acceleration_mps2: 5}\n"
-                             "axes: {vehicle.thrust_to_weight: [0, 4]}\n"),
+  EXPECT_EQ(problems(kVehicleHead + "vehicle: {max_acceleration_mps2: 5}\n"
+                                    "axes: {vehicle.thrust_to_weight: [0, 4]}\n"),
             "s.yaml:4:34: vehicle.max_acceleration_mps2:" + follows);
-  EXPECT_EQ(problems(kHead + "vehicle: {thrust_to_weight: 4}\n"
-                             "axes: {vehicle.max_tilt_rad: [0.5, 1]}\n"),
+  EXPECT_EQ(problems(kVehicleHead + "vehicle: {thrust_to_weight: 4}\n"
+                                    "axes: {vehicle.max_tilt_rad: [0.5, 1]}\n"),
             "s.yaml:5:30: vehicle.max_tilt_rad:" + follows);
   write("vehicles/v.yaml", "thrust_to_weight: 4\nmax_jerk_mps3: 50\n");
-  EXPECT_EQ(problems(kHead + "vehicle: v\n"),
+  EXPECT_EQ(problems(kVehicleHead + "vehicle: v\n"),
             "vehicles/v.yaml:2:16: vehicle.max_jerk_mps3:" + follows);
   EXPECT_EQ(
-      problems(kHead + "vehicle: {angular_acceleration_radps2: 80, inertia_kgm2: [1, 1, 1]}\n"),
+      problems(kVehicleHead +
+               "vehicle: {angular_acceleration_radps2: 80, inertia_kgm2: [1, 1, 1]}\n"),
       "s.yaml:4:58: vehicle.inertia_kgm2: follows from angular_acceleration_radps2, which is 80; "
       "leave one of the two out");
   // 0 says nothing, and what a preset says is laid over.
-  EXPECT_EQ(problems(kHead + "vehicle: {thrust_to_weight: 0, max_jerk_mps3: 50}\n"), "");
+  EXPECT_EQ(problems(kVehicleHead + "vehicle: {thrust_to_weight: 0, max_jerk_mps3: 50}\n"), "");
   write("vehicles/w.yaml", "max_jerk_mps3: 50\n");
-  EXPECT_EQ(problems(kHead + "vehicle: {preset: w, thrust_to_weight: 4}\n"), "");
+  EXPECT_EQ(problems(kVehicleHead + "vehicle: {preset: w, thrust_to_weight: 4}\n"), "");
 }
 
 TEST_F(SweepFiles, ImpossibleDerivedKeysAreToldWhereTheyStand) {
   EXPECT_EQ(
-      problems(kHead + "vehicle: {thrust_to_weight: 0.9}\n"),
+      problems(kVehicleHead + "vehicle: {thrust_to_weight: 0.9}\n"),
       "s.yaml:4:29: vehicle.thrust_to_weight: 0.9 is too weak to hover and to hold its height in "
       "flight; at least 1.05");
-  EXPECT_EQ(problems(kHead + "axes: {vehicle.angular_acceleration_radps2: [1, 80]}\n"),
+  EXPECT_EQ(problems(kVehicleHead + "axes: {vehicle.angular_acceleration_radps2: [1, 80]}\n"),
             "s.yaml:4:8: vehicle.angular_acceleration_radps2: 1 is too slow to be held upright; at "
             "least 5");
-  EXPECT_EQ(problems(kHead + "vehicle: {thrust_to_weight: 16}\n"),
+  EXPECT_EQ(problems(kVehicleHead + "vehicle: {thrust_to_weight: 16}\n"),
             "s.yaml:4:29: vehicle.thrust_to_weight: 16 is outside [0, 15]");
 }
 

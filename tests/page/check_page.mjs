@@ -64,6 +64,8 @@ mission: {time_limit_s: 5}
   const list = JSON.parse(run('replay', 'small.db', '--list', '--planner', 'reactive', '--format', 'json'));
   run('replay', 'small.db', String(list[0].id ?? list[0].trial ?? 1), '--page', 'flight.html');
   run('maps', 'show', 'forest', '--page', 'map.html');
+  run('limit', 'small.yaml', '--over', 'max_speed_mps=1..5', '--max-trials', '18', '--quiet', '--db', 'limit.db');
+  run('report', 'limit.db', '--page', 'limit.html');
 }
 
 // ---- What lib/page packs, for a page of 10,000 trials made of a small one.
@@ -219,6 +221,23 @@ async function checkCharts(page, tables, what) {
   check(wrong.length === 0, `charts of ${what}: rates, intervals, means and outcomes equal the report's`, wrong.slice(0, 4).join('; '));
 }
 
+async function checkLimits() {
+  const { limits, limit_curve } = JSON.parse(run('report', 'limit.db', '--format', 'json'))[0].tables;
+  const page = await opened('limit.html');
+  check((await page.$$('.filters fieldset:first-of-type .chip')).length === 2, 'where a limit is looked for a planner is one, whatever the value');
+  const same = (shown, given) => (given === null ? ['', 'NaN'].includes(shown) : Number(shown) === given);
+  const rows = await figureRows(page, 'limits');
+  check(rows.length === 2 && limits.every((l, i) => rows[i][0] === l.planner && same(rows[i][1], l.limit) && same(rows[i][2], l.limit_lower) && same(rows[i][3], l.limit_upper) && same(rows[i][5], l.trial_count)),
+    'limits equal the report’s', JSON.stringify([rows, limits]));
+  const points = await figureRows(page, 'limit curves');
+  check(points.length === limit_curve.length && limit_curve.every((l, i) => same(points[i][1], l.value) && same(points[i][3], l.trial_count) && same(points[i][4], l.fitted_rate)), 'and so do their curves');
+  check((await page.$('figure[data-figure="success"]')) === null, 'rates over all values are not shown');
+  await page.selectOption('select[name="planner.max_speed_mps"]', { index: 1 });
+  await page.waitForSelector('figure[data-figure="success"] svg');
+  check(true, 'those of one value are');
+  await finish(page, 'limits');
+}
+
 async function checkTable() {
   const page = await opened('small.html', '#tab=trials');
   await page.waitForSelector('tr[data-trial]');
@@ -371,7 +390,7 @@ try {
   const program_kb = statSync(at('hostile.html')).size / 1000;
   check(program_kb < 1100, `a page of one trial has ${program_kb.toFixed(0)} kB`);
   browser = await chromium.launch({ executablePath: browserFile, args: ['--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--no-sandbox', '--disable-dev-shm-usage'] });
-  for (const part of [checkNumbers, checkTable, checkHostile, checkFlightAndMap, checkFilm, checkLarge, checkAccess]) {
+  for (const part of [checkNumbers, checkLimits, checkTable, checkHostile, checkFlightAndMap, checkFilm, checkLarge, checkAccess]) {
     const begun = Date.now();
     await part();
     console.log(`     ${part.name}: ${((Date.now() - begun) / 1000).toFixed(1)} s`);

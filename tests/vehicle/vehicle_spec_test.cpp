@@ -9,7 +9,7 @@
 namespace avoidbench {
 namespace {
 
-std::string complaint(const VehicleSpec& spec) {
+std::string refusal(const VehicleSpec& spec) {
   try {
     check_vehicle(spec);
   } catch (const InputError& error) {
@@ -20,38 +20,38 @@ std::string complaint(const VehicleSpec& spec) {
 
 TEST(VehicleSpec, PresetsFly) {
   for (const VehicleSpec& spec : vehicle_presets()) {
-    EXPECT_EQ(complaint(spec), "") << spec.name;
+    EXPECT_EQ(refusal(spec), "") << spec.name;
   }
 }
 
 TEST(VehicleSpec, ImpossibleVehiclesAreRefused) {
   VehicleSpec spec;
   spec.rotors.clear();
-  EXPECT_NE(complaint(spec).find("not one to eight"), std::string::npos);
+  EXPECT_NE(refusal(spec).find("not one to eight"), std::string::npos);
   spec = {};
   spec.rotors.resize(9);
-  EXPECT_NE(complaint(spec).find("not one to eight"), std::string::npos);
+  EXPECT_NE(refusal(spec).find("not one to eight"), std::string::npos);
   spec = {};
   spec.rotors.resize(3);
-  EXPECT_NE(complaint(spec).find("independently"), std::string::npos);
+  EXPECT_NE(refusal(spec).find("independently"), std::string::npos);
   spec = {};
   for (RotorSpec& rotor : spec.rotors) rotor.spin = 1;
-  EXPECT_NE(complaint(spec).find("independently"), std::string::npos);
+  EXPECT_NE(refusal(spec).find("independently"), std::string::npos);
   spec = {};
   spec.rotors[2].spin = 0;
-  EXPECT_NE(complaint(spec).find("rotors[2].spin"), std::string::npos);
+  EXPECT_NE(refusal(spec).find("rotors[2].spin"), std::string::npos);
   spec = {};
   spec.mass_kg = 5.0;
-  EXPECT_NE(complaint(spec).find("can't hover"), std::string::npos);
+  EXPECT_NE(refusal(spec).find("can't hover"), std::string::npos);
   spec = {};
   for (RotorSpec& rotor : spec.rotors) rotor.position_body_m[0] += 0.5;
-  EXPECT_NE(complaint(spec).find("can't hover"), std::string::npos);
+  EXPECT_NE(refusal(spec).find("can't hover"), std::string::npos);
   spec = {};
   spec.max_acceleration_mps2 = 40.0;
-  EXPECT_NE(complaint(spec).find("too weak"), std::string::npos);
+  EXPECT_NE(refusal(spec).find("too weak"), std::string::npos);
   spec = {};
   spec.rate_controller.rate_hz = 700.0;
-  EXPECT_NE(complaint(spec).find("whole number of ticks"), std::string::npos);
+  EXPECT_NE(refusal(spec).find("whole number of ticks"), std::string::npos);
 }
 
 struct RangeCheck {

@@ -176,11 +176,11 @@ export function IntervalChart(props: { marks: Mark[]; low: number; high: number;
   );
 }
 
-export interface Line { label: string; color: string; dash: string; shape: number; points: [number, number][]; dots: { x: number; y: number; size: number; tip: string }[] }
+export interface Line { label: string; color: string; dash: string; shape: number; points: [number, number][]; band?: [number, number, number][]; dots: { x: number; y: number; size: number; tip: string }[] }
 
-/** Curves with the points that they are of. */
+/** Curves with the points that they are of, bands of [x, lower, upper] about them, and a level to compare with. */
 export function LineChart(props: {
-  lines: Line[]; x: [number, number]; y: [number, number]; xUnit: string; percent?: boolean; label: string; step?: boolean; height?: number;
+  lines: Line[]; x: [number, number]; y: [number, number]; xUnit: string; percent?: boolean; label: string; step?: boolean; height?: number; level?: number;
 }): JSX.Element {
   const height = props.height ?? 280;
   return (
@@ -190,12 +190,15 @@ export function LineChart(props: {
       const y = scaleOf(props.y[0], props.y[1], bottom, top);
       const path = (points: [number, number][]): string => points.map(([px, py], i) => (i === 0 ? `M${x(px).toFixed(1)},${y(py).toFixed(1)}`
         : props.step ? `H${x(px).toFixed(1)}V${y(py).toFixed(1)}` : `L${x(px).toFixed(1)},${y(py).toFixed(1)}`)).join('');
+      const area = (band: [number, number, number][]): string => `${path(band.map(([px, , upper]) => [px, upper]))}${path(band.map(([px, lower]): [number, number] => [px, lower]).reverse()).replace('M', 'L')}Z`;
       return (
         <>
           <XAxis x={x} top={top} bottom={bottom} unit={props.xUnit} count={width < 420 ? 4 : 7} />
           <YAxis y={y} left={left} right={right} percent={props.percent} count={5} />
+          {props.level === undefined ? null : <line x1={left} x2={right} y1={y(props.level)} y2={y(props.level)} class="interval" stroke-dasharray="4 4" />}
           {props.lines.map((line, k) => (
             <g>
+              {line.band ? <path d={area(line.band)} fill={line.color} opacity={0.1} pointer-events="none" /> : null}
               {line.points.length > 1 ? <path d={path(line.points)} fill="none" stroke={line.color} stroke-width={2.2} stroke-dasharray={line.dash} {...tip(line.label)} /> : null}
               {line.dots.map((dot) => (
                 <g {...tip(dot.tip)}><Sign shape={line.shape} x={x(dot.x) + 5 * (k - (props.lines.length - 1) / 2)} y={y(dot.y)} size={dot.size} color={line.color} /></g>

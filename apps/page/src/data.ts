@@ -19,8 +19,10 @@ export interface Planner { label: string; name: string; version: string; digest:
 export interface MapEntry { text: string; generator: string; seed: string; traversability: number | null; digest: string }
 export interface Curve { planner: number; intercept: number | null; slope: number | null; is_separated: boolean }
 export interface Run { date: string; program: string; git: string; compiler: string; command: string }
+/** What `avoidbench limit` varies: an axis of the trials, and the rate of success that is crossed. */
+export interface LimitRule { field: string; unit: string; low: number; high: number; success_rate: number }
 export interface SweepData {
-  name: string; revision: number; title: string; warnings: string[]; conditions: string[]; tables: ReportTable[]; curves: Curve[];
+  name: string; revision: number; title: string; warnings: string[]; conditions: string[]; tables: ReportTable[]; limit: LimitRule | null; curves: Curve[];
   planners: Planner[]; maps: MapEntry[]; metrics: Metric[]; usual_metrics: string[]; outcomes: string[]; runs: Run[];
   trials: PackedTrials;
 }
@@ -132,3 +134,6 @@ export function digits(value: number | null | undefined, count = 3): string {
 export function metricWords(name: string): string {
   return name.replace(/_(pct|ratio|mps2|mps|ms|1pm|m|s|j)$/, '').replaceAll('_', ' ');
 }
+
+/** "3.5 m/s" */
+export const limitValue = (rule: LimitRule, value: Cell): string => `${typeof value === 'number' ? digits(value, 4) : String(value)}${rule.unit ? ` ${rule.unit}` : ''}`;

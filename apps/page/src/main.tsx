@@ -4,7 +4,7 @@ import type { ComponentChildren, JSX } from 'preact';
 import { useEffect, useMemo, useState } from 'preact/hooks';
 import { About } from './about';
 import { Sign } from './charts';
-import { digits, outcomeColor, outcomeText, plannerColor, readPage, readSweep, setDark } from './data';
+import { digits, limitValue, outcomeColor, outcomeText, plannerColor, readPage, readSweep, setDark } from './data';
 import type { FlightData, PageData, Sweep } from './data';
 import { Overview } from './overview';
 import { Replay } from './replay';
@@ -25,8 +25,11 @@ function sceneOfTrial(page: PageData, sweep: Sweep, trial: number): Scene | null
     const isAlike = t.axes.every((a) => a.field.startsWith('planner') || a.of[i] === a.of[trial]);
     if (i !== trial && t.flight[i] >= 0 && t.map[i] === t.map[trial] && t.mission[i] === t.mission[trial] && isAlike) beside.push(i);
   }
+  // Where a limit is looked for a planner flies a mission several times.
+  const varied = sweep.limit && t.axes.find((a) => a.field === sweep.limit!.field);
+  const label = (i: number): string => sweep.planners[t.planner[i]].label + (varied ? ` at ${limitValue(sweep.limit!, varied.words[varied.of[i]])}` : '');
   const entry = (i: number): Entry => ({
-    label: sweep.planners[t.planner[i]].label, color: plannerColor(t.planner[i]), shape: t.planner[i], data: page.flights[t.flight[i]], isMain: i === trial,
+    label: label(i), color: plannerColor(t.planner[i]), shape: t.planner[i], data: page.flights[t.flight[i]], isMain: i === trial,
     outcome: sweep.outcomes[t.outcome[i]], reason: String(t.reason.words[t.reason.of[i]] ?? ''), cause: t.cause ? String(t.cause.words[t.cause.of[i]] ?? '') : '',
     id: t.id[i], key: t.key[i],
     facts: sweep.usual_metrics.map((name): [string, string] => {
@@ -36,7 +39,7 @@ function sceneOfTrial(page: PageData, sweep: Sweep, trial: number): Scene | null
   });
   const flight = page.flights[own];
   return {
-    title: `${sweep.planners[t.planner[trial]].label}, ${sweep.maps[t.map[trial]].text}, mission ${t.mission[trial]}`, world: flight.world, start: flight.start, goal: flight.goal,
+    title: `${label(trial)}, ${sweep.maps[t.map[trial]].text}, mission ${t.mission[trial]}`, world: flight.world, start: flight.start, goal: flight.goal,
     goalRadius: flight.goal_radius, entries: [trial, ...beside.sort((a, b) => t.planner[a] - t.planner[b])].map(entry), seen: null, missions: [],
   };
 }

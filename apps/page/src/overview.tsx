@@ -3,7 +3,7 @@ import type { JSX } from 'preact';
 import { useMemo } from 'preact/hooks';
 import { BarChart, BoxChart, Chart, Figure, IntervalChart, Legend, LineChart, Sign, scaleOf } from './charts';
 import type { Bar, Box, Line, Mark } from './charts';
-import { digits, isFinished, kDashes, metricWords, outcomeColor, outcomeText, plannerColor } from './data';
+import { digits, isFinished, kDashes, limitValue, metricWords, outcomeColor, outcomeText, plannerColor } from './data';
 import type { Cell, ReportTable, Sweep } from './data';
 import type { View } from './state';
 import { logisticFit, quantile, successInterval } from './stats';
@@ -244,11 +244,64 @@ function Grid({ sweep, groups, view, change }: Props): JSX.Element | null {
   );
 }
 
+/** A table's cells by the name of their column. */
+function columnsOf(table: ReportTable): (cells: Cell[], name: string, place?: number) => Cell {
+  const at = new Map(table.columns.map((c, i): [string, number] => [c.name, i]));
+  return (cells, name, place = 0) => cells[(at.get(name) ?? -1) + place] ?? null;
+}
+
+const number = (cell: Cell): number => (typeof cell === 'number' ? cell : cell === 'inf' ? Infinity : cell === '-inf' ? -Infinity : NaN);
+
+/** How far each planner goes, and the curves that say so. */
+function Limits({ sweep, chosen }: Props): JSX.Element | null {
+  const rule = sweep.limit;
+  const [limits, curve] = ['limits', 'limit_curve'].map((name) => sweep.tables.find((t) => t.name === name));
+  if (!rule || !limits || !curve) return null;
+  const hidden = chosen.length !== sweep.t.count;
+  const [ofLimit, ofCurve] = [columnsOf(limits), columnsOf(curve)];
+  const planner = (cells: Cell[]): number => sweep.planners.findIndex((p) => p.label === cells[0]);
+  const inside = (v: number): number => Math.min(Math.max(v, rule.low), rule.high);
+  const found = limits.rows.map(({ cells }) => {
+    const [value, lower, upper] = [0, 1, 2].map((place) => number(ofLimit(cells, 'limit', place)));
+    return { label: String(cells[0]), planner: planner(cells), value, lower, upper, state: String(ofLimit(cells, 'state')), trials: number(ofLimit(cells, 'trial_count')) };
+  });
+  const marks: Mark[] = found.map((f) => ({
+    label: f.label, color: plannerColor(f.planner), shape: f.planner, value: f.value, lower: inside(f.lower), upper: inside(f.upper),
+    tip: `${f.label}: ${Number.isNaN(f.value) ? '' : `${limitValue(rule, f.value)}, 95 % interval ${digits(f.lower)} to ${digits(f.upper)}; `}${f.state}; ${f.trials} trials`,
+  }));
+  const lines: Line[] = found.map((f) => {
+    const rows = curve.rows.filter(({ cells }) => cells[0] === f.label).map(({ cells }) => ({
+      x: number(ofCurve(cells, 'value')), rate: [0, 1, 2].map((place) => number(ofCurve(cells, 'fitted_rate', place))),
+      trials: number(ofCurve(cells, 'trial_count')), finished: number(ofCurve(cells, 'finished_count')),
+    }));
+    return {
+      label: f.label, color: plannerColor(f.planner), dash: kDashes[f.planner % kDashes.length], shape: f.planner,
+      points: rows.map((r): [number, number] => [r.x, r.rate[0]]), band: rows.map((r): [number, number, number] => [r.x, r.rate[1], r.rate[2]]),
+      dots: rows.filter((r) => r.trials > 0).map((r) => ({ x: r.x, y: r.finished / r.trials, size: Math.min(6, 1.5 + Math.sqrt(r.trials) / 1.6),
+        tip: `${f.label} at ${limitValue(rule, r.x)}: ${r.finished} of ${r.trials} reached the goal; fitted ${percent(r.rate[0])}` })),
+    };
+  });
+  const name = rule.field.slice(rule.field.indexOf('.') + 1);
+  return (
+    <>
+      <Figure name="limits" hidden={hidden} title={limits.title} note="With 95 % intervals; a line to the chart’s end goes on beyond it. Of all trials."
+        numbers={{ head: ['planner', 'limit', 'lower', 'upper', 'state', 'trials'], rows: found.map((f) => [f.label, ...[f.value, f.lower, f.upper].map((v) => (Number.isFinite(v) ? v : null)), f.state, f.trials]) }}>
+        <IntervalChart marks={marks} low={rule.low} high={rule.high} unit={rule.unit || name} label={`Limits by planner: ${marks.map((m) => m.tip).join('; ')}`} />
+      </Figure>
+      <Figure name="limit curves" wide hidden={hidden} title={`Success as ${name} changes`} note={`Curves are fitted, with 95 % bands; signs are trials at one value, larger where there are more. The dashed line is at ${percent(rule.success_rate)}. Of all trials.`}
+        numbers={{ head: ['planner', name, 'finished', 'trials', 'fitted rate', 'lower', 'upper'],
+          rows: curve.rows.map(({ cells }) => [String(cells[0]), number(ofCurve(cells, 'value')), number(ofCurve(cells, 'finished_count')), number(ofCurve(cells, 'trial_count')), ...[0, 1, 2].map((place) => number(ofCurve(cells, 'fitted_rate', place)))]) }}>
+        <Legend items={lines.map((l) => ({ label: l.label, color: l.color, shape: l.shape, dash: l.dash }))} />
+        <LineChart lines={lines} x={[rule.low, rule.high]} y={[0, 1]} percent level={rule.success_rate} xUnit={`${name}${rule.unit ? `, ${rule.unit}` : ''}`} label="Fitted rates of success along the range, by planner; their numbers are in the table below" />
+      </Figure>
+    </>
+  );
+}
+
 function Contrasts({ sweep, chosen }: Props): JSX.Element | null {
   const table = sweep.tables.find((t) => t.name === 'pairs');
   if (!table) return null;
   const at = (name: string): number => table.columns.findIndex((c) => c.name === name);
-  const number = (cell: Cell): number => (typeof cell === 'number' ? cell : NaN);
   const [a, b, factor] = [at('planner'), at('other_planner'), at('contrast_factor_smoothed')];
   if (factor < 0) return null;
   const pairs = table.rows.map((row) => ({
@@ -299,7 +352,7 @@ function Report({ table }: { table: ReportTable }): JSX.Element {
   const columns = table.columns.map((c, i) => ({ ...c, i })).filter((c) => c.place !== 'machine' && c.place !== 'bound');
   const bounds = (i: number): boolean => table.columns[i + 1]?.place === 'bound' && table.columns[i + 2]?.place === 'bound';
   return (
-    <details class="report" data-table={table.name} open={table.name === 'planners'}>
+    <details class="report" data-table={table.name} open={table.name === 'planners' || table.name === 'limits'}>
       <summary>{table.title || table.name} <span class="count">{table.rows.length} rows</span></summary>
       <div class="scroll" tabIndex={0} role="region" aria-label={table.title || table.name}>
         <table>
@@ -330,17 +383,21 @@ export function Overview(given: OverviewProps): JSX.Element {
   // The same elements whatever the filters: thousands of cells that need not be compared.
   const tables = useMemo(() => sweep.tables.map((table) => <Report table={table} />), [sweep]);
   const others = useMemo(() => sweep.metrics.map((m) => m.name).filter((name) => !usual.includes(name)), [sweep]);
+  // Where a limit is looked for the trials are not a sample of the range.
+  const isMixed = sweep.limit !== null && !view.filters[sweep.limit.field]?.length;
   if (chosen.length === 0) return <p class="empty">No trial fits these filters. <button onClick={() => change({ filters: {}, search: '' })}>Show all</button></p>;
   return (
     <>
       <section class="charts" aria-label="Charts">
-        <Success {...props} />
+        <Limits {...props} />
+        {isMixed ? null : <Success {...props} />}
         <Outcomes {...props} />
-        <Difficulty {...props} />
+        {isMixed ? null : <Difficulty {...props} />}
         <Reasons {...props} />
-        <Arrivals {...props} />
+        {isMixed ? null : <Arrivals {...props} />}
         <Contrasts {...props} />
       </section>
+      {isMixed ? <p class="note">Most trials lie near the limits, at other values for each planner: rates and metrics of all would say nothing of them. Choose a value of {sweep.limit!.field} to see those.</p> : (
       <section aria-label="Metrics">
         <h2>Metrics</h2>
         <p class="note">Boxes are quartiles with the median, lines go from 5 to 95 %, the sign is the mean.</p>
@@ -354,6 +411,7 @@ export function Overview(given: OverviewProps): JSX.Element {
           </select></label>
         ) : null}
       </section>
+      )}
       <section class="charts" aria-label="Maps"><Grid {...props} /></section>
       <section class="tables" aria-label="Tables of the report">
         <h2>Tables of the report</h2>

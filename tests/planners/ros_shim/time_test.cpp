@@ -83,16 +83,16 @@ TEST(RosTimer, TicksInTheOrderOfTimeThenOfCreation) {
 }
 
 TEST(RosTimer, StopsStartsAndChangesItsPeriod) {
-  std::vector<double> ticks;
+  std::vector<double> ticks_s;
   SimulatedRos ros({[&] {
     ros::NodeHandle node;
     ros::Timer timer;
     timer = node.createTimer(ros::Duration(0.1), ros::TimerCallback([&](const ros::TimerEvent& e) {
-                               ticks.push_back(now_s());
+                               ticks_s.push_back(now_s());
                                EXPECT_EQ(e.current_real, ros::Time::now());
                                EXPECT_EQ(e.current_expected, e.current_real);
-                               if (ticks.size() == 2) timer.setPeriod(ros::Duration(0.3));
-                               if (ticks.size() == 3) timer.stop();
+                               if (ticks_s.size() == 2) timer.setPeriod(ros::Duration(0.3));
+                               if (ticks_s.size() == 3) timer.stop();
                              }));
     ros::Timer starter =
         node.createTimer(ros::Duration(1.0),
@@ -100,7 +100,7 @@ TEST(RosTimer, StopsStartsAndChangesItsPeriod) {
     ros::spin();
   }});
   ros.run_to(1.4);
-  EXPECT_EQ(ticks, (std::vector<double>{0.1, 0.2, 0.5, 1.3}));
+  EXPECT_EQ(ticks_s, (std::vector<double>{0.1, 0.2, 0.5, 1.3}));
 }
 
 TEST(RosTimer, ATickThatSleepsHoldsTheOthersOfItsNode) {

@@ -1,5 +1,5 @@
-// A planner like honest.cpp that does something else first: what WAY names, in a constructor that
-// runs when the library is loaded.
+// A planner like honest.cpp that does something else first: what kAtLoadWay names, in a constructor
+// that runs when the library is loaded.
 #include <fcntl.h>
 #include <locale.h>
 #include <pthread.h>
@@ -17,9 +17,12 @@
 
 #include "plugin/bad/honest.hpp"
 
+/// In a file of its own for each library.
+extern "C" const char kAtLoadWay[];
+
 namespace {
 
-constexpr std::string_view kWay = WAY;
+std::string_view way() { return kAtLoadWay; }
 constexpr int kMostFd = 1024;
 
 [[noreturn]] void spin() {
@@ -76,69 +79,69 @@ void swarm() {
 }
 
 void in_processes() {
-  if (kWay == "fork") {
+  if (way() == "fork") {
     if (::fork() == 0) stay_for_long();
-  } else if (kWay == "fork_and_return") {
+  } else if (way() == "fork_and_return") {
     if (::fork() == 0) ::execlp("no_such_helper", "no_such_helper", nullptr);
-  } else if (kWay == "daemon") {
+  } else if (way() == "daemon") {
     start_daemon(false);
-  } else if (kWay == "hopping") {
+  } else if (way() == "hopping") {
     start_daemon(true);
-  } else if (kWay == "swarm") {
+  } else if (way() == "swarm") {
     swarm();
-  } else if (kWay == "kill_parent") {
+  } else if (way() == "kill_parent") {
     ::kill(::getppid(), SIGKILL);
     ::sleep(1);
-  } else if (kWay == "stop_parent") {
+  } else if (way() == "stop_parent") {
     ::kill(::getppid(), SIGSTOP);
     sleep_for_ever();
-  } else if (kWay == "stop") {
+  } else if (way() == "stop") {
     ::raise(SIGSTOP);
   }
 }
 
 void in_files() {
-  if (kWay == "chdir") {
+  if (way() == "chdir") {
     if (::chdir("/") != 0) ::abort();
-  } else if (kWay == "close_all") {
+  } else if (way() == "close_all") {
     for (int fd = 0; fd < kMostFd; ++fd) ::close(fd);
-  } else if (kWay == "scribble") {
+  } else if (way() == "scribble") {
     write_everywhere();
-  } else if (kWay == "print") {
+  } else if (way() == "print") {
     for (int i = 0; i < 100'000; ++i) std::puts("\x1b[31mloud\x1b[0m");
   }
 }
 
 __attribute__((constructor)) void at_load() {
-  if (kWay == "exit") ::exit(0);
-  if (kWay == "exit_at_once") ::_exit(0);
-  if (kWay == "sleep") sleep_for_ever();
-  if (kWay == "spin") spin();
-  if (kWay == "slow") ::usleep(300'000);
-  if (kWay == "abort") {
+  if (way() == "exit") ::exit(0);
+  if (way() == "exit_at_once") ::_exit(0);
+  if (way() == "sleep") sleep_for_ever();
+  if (way() == "spin") spin();
+  if (way() == "slow") ::usleep(300'000);
+  if (way() == "abort") {
     std::fputs("no model\x1b[31m.onnx\n", stderr);
     ::abort();
   }
-  if (kWay == "segfault") ::raise(SIGSEGV);
-  if (kWay == "ignore") ignore_signals_and_sleep();
-  if (kWay == "throw") throw std::runtime_error("thrown at load");
-  if (kWay == "end_of_thread") ::pthread_exit(nullptr);
-  if (kWay == "thread") {
+  if (way() == "segfault") ::raise(SIGSEGV);
+  if (way() == "ignore") ignore_signals_and_sleep();
+  if (way() == "throw") throw std::runtime_error("thrown at load");
+  if (way() == "end_of_thread") ::pthread_exit(nullptr);
+  if (way() == "thread") {
     pthread_t thread{};
     ::pthread_create(&thread, nullptr, wait_in_thread, nullptr);
   }
-  if (kWay == "locale") ::setlocale(LC_ALL, "de_DE.UTF-8");
+  if (way() == "locale") ::setlocale(LC_ALL, "de_DE.UTF-8");
   in_processes();
   in_files();
 }
 
 __attribute__((destructor)) void at_end() {
-  if (kWay == "destructor_sleep") sleep_for_ever();
-  if (kWay == "destructor_abort") ::abort();
+  if (way() == "destructor_sleep") sleep_for_ever();
+  if (way() == "destructor_abort") ::abort();
 }
 
 ab_planner changed(ab_planner table) {
-  if (kWay == "table_spin") spin();
+  if (way() == "table_spin") spin();
   return table;
 }
 
