@@ -227,7 +227,7 @@ double flown_speed_mps(const TrialSpec& spec, const World& world, const Dodge& d
 }
 
 /// The nearest to the formula's point that the dynamics know: strong, without drag, with rotors
-/// that have no mass and hardly lag, and turning some hundred times as fast as a hummingbird. No
+/// that have no mass and hardly lag, and turning 800 times as fast as a hummingbird. No
 /// multirotor does; but 79° of bank, which 50 m/s² take, must be reached in a small part of the
 /// 0.29 s that the formula has for all, and at the end, which is flat, a millimetre counts.
 VehicleSpec dodging_vehicle(double acceleration_mps2) {
