@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 
 #include "base/math.hpp"
 #include "maps/map_spec.hpp"
@@ -145,6 +146,20 @@ TEST(Forest, IsSparserWhereTheRadiusIsLarger) {
     const std::size_t count = plants(make_world(spec, 12)).size();
     EXPECT_LT(count, before);
     before = count;
+  }
+}
+
+/// Trees per square metre of two forests that YOPO (Lu et al., RA-L 2024) names, and the radii that
+/// give them: 0.71/r² where discs are thrown until none has room.
+TEST(Forest, HasTheDensityOfTreesThatItsRadiusSays) {
+  for (const auto& [radius_m, density_1pm2] : {std::pair{3.77, 1.0 / 20}, {4.62, 1.0 / 30}}) {
+    ForestSpec spec;
+    spec.area_m = {100.0, 100.0};
+    spec.poisson_radius_m = radius_m;
+    spec.bush_ratio = 0.0;
+    const double trees = static_cast<double>(plants(make_world(spec, 14)).size());
+    std::printf("radius %.2f m: one tree on %.1f m^2\n", radius_m, 1e4 / trees);
+    EXPECT_NEAR(trees / 1e4 / density_1pm2, 1.0, 0.05) << radius_m;
   }
 }
 

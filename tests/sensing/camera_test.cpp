@@ -4,6 +4,7 @@
 #include <xmmintrin.h>
 
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <limits>
 
@@ -120,6 +121,55 @@ TEST(Camera, DepthErrorGrowsWithTheSquareOfTheDistance) {
     if (first == 0.0) first = scaled;
     EXPECT_NEAR(scaled / first, 1.0, 0.6) << distance_m;
   }
+}
+
+/// The law of Gallup et al. (CVPR 2008): depth errs by z²/(f b) of what disparity errs by. With one
+/// deviation of disparity for all distances, the depth of a textured plane has that of the law at
+/// each, and the exponent that fits is two.
+TEST(Camera, DepthErrorIsTheLawsWithOneDeviationOfDisparity) {
+  SensorSpec sensor = preset("stereo_sgm");
+  // Four times the preset's disparity: each band of distances spans more than a whole pixel, over
+  // which the matcher's bias toward whole and half ones averages out.
+  sensor.width_px = 640;
+  sensor.height_px = 480;
+  sensor.baseline_m = 0.2;
+  const double at_1m_px = disparity_at_1m_px(sensor);
+  const World world = wall();
+  const Scene scene(world);
+  const std::vector<double> distances_m{2.0, 3.0, 4.0, 6.0, 8.0};
+  std::vector<double> sigmas_m;
+  double squares_px = 0.0;
+  for (const double distance_m : distances_m) {
+    std::vector<DepthSample> samples;
+    for (std::uint64_t seed = 0; seed < 2; ++seed) {
+      Pose pose = facing_wall(distance_m, 25.0);
+      pose.translation().x() += 0.37 * static_cast<double>(seed);
+      const CameraImages images = seen(sensor, scene, pose, {.depth = true}, seed);
+      add_samples(true_depth(sensor, scene, pose), images.depth_m, 640, at_1m_px, 8, samples);
+    }
+    // Only what lies near this distance: the law is one of places, not of whole images.
+    const DepthStatistics near =
+        depth_statistics(samples, false, 0.9 * distance_m, 1.1 * distance_m, at_1m_px);
+    EXPECT_GT(near.pixel_count, 10000U) << distance_m;
+    sigmas_m.push_back(near.depth_sigma_m);
+    squares_px += near.disparity_sigma_px * near.disparity_sigma_px;
+  }
+  const auto count = static_cast<double>(distances_m.size());
+  const double sigma_px = std::sqrt(squares_px / count);
+  double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
+  for (std::size_t i = 0; i < distances_m.size(); ++i) {
+    const double law_m = distances_m[i] * distances_m[i] / at_1m_px * sigma_px;
+    std::printf("%.0f m: %.4f m, law %.4f\n", distances_m[i], sigmas_m[i], law_m);
+    EXPECT_NEAR(sigmas_m[i] / law_m, 1.0, 0.2) << distances_m[i];
+    const double along = std::log(distances_m[i]), up = std::log(sigmas_m[i]);
+    x += along;
+    y += up;
+    xx += along * along;
+    xy += along * up;
+  }
+  const double exponent = (count * xy - x * y) / (count * xx - x * x);
+  std::printf("disparity errs by %.3f px, exponent %.3f\n", sigma_px, exponent);
+  EXPECT_NEAR(exponent, 2.0, 0.15);
 }
 
 TEST(Camera, LeftIsTheRightOneWarpedByTrueDisparity) {
