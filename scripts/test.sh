@@ -19,8 +19,8 @@ jobs=$(nproc)
 stage() { printf '== %s  (after %d:%02d)\n' "$1" $((SECONDS / 60)) $((SECONDS % 60)); }
 # Compiled files are found again from a checkout elsewhere.
 export CCACHE_NOHASHDIR=1 CCACHE_BASEDIR=$PWD
-# One test more than there are processors: many wait, for planners that hang and for time limits.
-export CTEST_PARALLEL_LEVEL=$((jobs + 1))
+# More tests than there are processors: many wait, for planners that hang and for time limits.
+export CTEST_PARALLEL_LEVEL=$((jobs + 2))
 
 stage "format"
 scripts/lint.sh --format-only

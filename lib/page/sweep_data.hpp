@@ -25,8 +25,8 @@ struct PageSweep {
 /// All of a sweep but its flights: tables, curves, planners, maps, and of each trial its numbers.
 nlohmann::ordered_json sweep_json(const PageSweep& sweep);
 
-/// What a page takes for the planners of a sweep: the result's, or, where a limit is looked for, each
-/// once, whatever the field's value.
+/// What a page takes for the planners of a sweep: the result's, or, where a limit is looked for,
+/// each once, whatever the field's value.
 struct PagePlanners {
   std::vector<std::string> labels;
   std::vector<std::size_t> rows;       ///< of each its first one in SweepResult::planners

@@ -27,7 +27,7 @@ expect 'were there already' again.txt
 step "Tuesday: a planner of one's own, by what \`planners new\` says"
 avoidbench planners new swift >next.txt
 grep '^  ' next.txt | while read -r line; do
-  case $line in *run*) line="$line --set trials=2 --quiet" ;; esac
+  case $line in *run*) line="$line --set trials=1 --quiet" ;; esac
   sh -c "$line" >>typed.txt 2>&1 || { cat typed.txt >&2; fail "$line"; }
 done
 expect 'it can be benchmarked' typed.txt
@@ -37,7 +37,7 @@ expect '^swift ' swift.txt
 step "Wednesday: it crashes in one mission of several"
 sed -i 's|const ab_state& state = \*seen.state;|&\n    if (state.position_world_m[1] > 20.0) __builtin_trap();|' swift/swift.cpp
 cmake --build swift/build >/dev/null
-avoidbench run swift/sweep.yaml --set trials=2 --quiet 2>crash.txt
+avoidbench run swift/sweep.yaml --set trials=1 --quiet 2>crash.txt
 avoidbench report results/swift.db --tables outcomes >crashed.txt
 expect '^swift ' crashed.txt
 avoidbench replay results/swift.db --list --outcome planner_crashed >list.txt

@@ -51,7 +51,7 @@ trials: 1
 planners:
   - {plugin: ${JSON.stringify(hostile)}, label: ${JSON.stringify(hostileLabel)}}
 sensor: {preset: depth_ideal, width_px: 80, height_px: 60}
-mission: {time_limit_s: 5}
+mission: {time_limit_s: 3}
 `);
   run('run', 'small.yaml', '--db', 'small.db', '--jobs', '2');
   run('run', 'hostile.yaml', '--db', 'hostile.db');

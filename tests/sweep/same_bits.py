@@ -43,7 +43,7 @@ def world_digests(program):
     return digests
 
 
-NOISY = [argument for setting in ["trials=1", "sensor=depth_noisy", "sensor.delay_ms=20", "sensor.jitter_ms=4",
+NOISY = [argument for setting in ["trials=1", "maps.poisson_radius_m=3.5", "sensor=depth_noisy", "sensor.delay_ms=20", "sensor.jitter_ms=4",
                                   "odometry.position_sigma_m=0.01", "odometry.position_drift_ratio=0.01",
                                   "odometry.yaw_drift_deg_per_sqrt_s=0.1", "odometry.delay_ms=5"]
          for argument in ("--set", setting)]
