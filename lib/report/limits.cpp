@@ -258,9 +258,8 @@ std::vector<std::string> warnings_of(const LimitSummary& summary) {
     const bool is_open = planner.estimate.state == LimitState::found &&
                          planner.estimate.width() > summary.rule.relative_width();
     if (!is_open) continue;
-    warnings.push_back(planner.planner +
-                       ": its interval is wider than was asked; more maps, missions or "
-                       "trials would narrow it");
+    warnings.push_back("the interval of " + planner.planner +
+                       " is wider than was asked; more maps, missions or trials would narrow it");
   }
   return warnings;
 }

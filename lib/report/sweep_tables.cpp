@@ -420,6 +420,21 @@ bool is_shown(const TableKind& kind, const SweepSummary& summary, Detail detail)
          (kind.shown == TableKind::in_full && detail == Detail::all);
 }
 
+/// Of a table that was asked for and has no rows.
+std::string why_without(const TableKind& kind, const SweepSummary& summary) {
+  const std::string head = "no table " + std::string(kind.name) + ": ";
+  const bool is_of_limits = kind.name.starts_with("limit");
+  if (is_of_limits && !summary.limits.rule.is_set()) {
+    return head + "the sweep does not look for a limit";
+  }
+  if (!is_of_limits && summary.limits.rule.is_set()) {
+    return head +
+           "where a limit is looked for, trials lie at other values for each planner, and rates "
+           "and means of all of them say nothing";
+  }
+  return head + "the sweep has no rows for it";
+}
+
 bool has_stars(const Table& table) {
   return std::any_of(table.rows.begin(), table.rows.end(), [](const Row& row) {
     return std::any_of(row.begin(), row.end(), [](const Cell& cell) { return cell.is_best; });
@@ -478,7 +493,10 @@ Section sweep_section(const SweepSummary& summary, std::span<const std::string> 
     if (!tables.empty() && !is_wanted) continue;
     Table table = kind.make(summary);
     // Not all sweeps have groups or pairs. A curve is there though nobody has arrived.
-    if (table.rows.empty() && kind.name != "flight_time_curve") continue;
+    if (table.rows.empty() && kind.name != "flight_time_curve") {
+      if (is_wanted) section.warnings.push_back(why_without(kind, summary));
+      continue;
+    }
     // Formats for programs have them all, and is_for_people decides what a person sees.
     table.is_for_people = is_wanted || is_shown(kind, summary, detail);
     shows_stars = shows_stars || (table.is_for_people && has_stars(table));

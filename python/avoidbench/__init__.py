@@ -18,6 +18,7 @@ _IS_WHOLE = "AVOIDBENCH_PLANNER_FDS" not in os.environ and find_spec("avoidbench
 if TYPE_CHECKING or _IS_WHOLE:
     from avoidbench import _location as _location  # first: tells the extension where the program lies
     from avoidbench._core import InputError
+    from avoidbench._core import version as __version__
     from avoidbench.database_file import ResultsError
     from avoidbench.env import AvoidbenchEnv, AvoidbenchVectorEnv, Reward
     from avoidbench.flying import fly
@@ -35,6 +36,7 @@ if TYPE_CHECKING:
     from avoidbench.sweep_run import run
 
 __all__ = [
+    "__version__",
     "AvoidbenchEnv",
     "AvoidbenchVectorEnv",
     "Comparison",

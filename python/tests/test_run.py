@@ -36,6 +36,11 @@ def trial_count(database: Path) -> int:
     return 0
 
 
+def test_the_version_is_the_programs() -> None:
+    said = subprocess.run([find_program(), "--version"], check=True, capture_output=True, text=True).stdout
+    assert said.split()[:2] == ["avoidbench", avoidbench.__version__]
+
+
 def test_a_file_and_its_dict_are_the_same_trials(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     Path("short.yaml").write_text(json.dumps(SHORT))

@@ -184,7 +184,7 @@ def limit_curve(section):
                           color=look["color"], alpha=0.12, linewidth=0, zorder=1)
         flown = [row for row in rows if row["trial_count"] > 0]
         axes.scatter([row["value"] for row in flown], [row["finished_count"] / row["trial_count"] for row in flown],
-                     s=[2.0 + 1.5 * row["trial_count"] for row in flown], marker=look["marker"], color=look["color"], alpha=0.45,
+                     s=[min(40.0, 2.0 + 1.5 * row["trial_count"]) for row in flown], marker=look["marker"], color=look["color"], alpha=0.45,
                      linewidths=0, clip_on=False, zorder=2)
     axes.axhline(limits[0]["wanted_rate"], color=style.GREY, linewidth=0.7, linestyle=(0, (4, 3)))
     axes.set_xlim(values[0], values[-1])

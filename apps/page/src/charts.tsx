@@ -130,7 +130,8 @@ export function Fitting(props: { text: string; x: number; y: number; width: numb
   return <text x={props.x} y={props.y} text-anchor={props.anchor ?? 'start'} class="label">{shown}{shown === props.text ? null : <title>{props.text}</title>}</text>;
 }
 
-export interface Mark { label: string; color: string; shape: number; value: number; lower: number; upper: number; tip: string }
+/** `text` stands in place of the value; `note` in the row, where there is nothing to draw. */
+export interface Mark { label: string; color: string; shape: number; value: number; lower: number; upper: number; tip: string; text?: string; note?: string }
 
 /** A small sign, another one for each planner: colour is not all that tells them apart. */
 export function Sign(props: { shape: number; x: number; y: number; size: number; color: string }): JSX.Element {
@@ -166,7 +167,8 @@ export function IntervalChart(props: { marks: Mark[]; low: number; high: number;
                 <Fitting text={m.label} x={0} y={y + 4} width={left - 12} />
                 {Number.isFinite(m.lower) ? <line x1={x(m.lower)} x2={x(m.upper)} y1={y} y2={y} stroke={m.color} stroke-width={3} stroke-linecap="round" opacity={0.55} /> : null}
                 {shown ? <Sign shape={m.shape} x={x(m.value)} y={y} size={5.5} color={m.color} /> : null}
-                <text x={width - 2} y={y + 4} text-anchor="end" class="value">{props.percent ? `${digits(100 * m.value, 3)} %` : digits(m.value)}</text>
+                {m.note ? <Fitting text={m.note} x={left} y={y + 4} width={width - left - 76} /> : null}
+                <text x={width - 2} y={y + 4} text-anchor="end" class="value">{m.text ?? (props.percent ? `${digits(100 * m.value, 3)} %` : digits(m.value))}</text>
               </g>
             );
           })}
@@ -178,9 +180,9 @@ export function IntervalChart(props: { marks: Mark[]; low: number; high: number;
 
 export interface Line { label: string; color: string; dash: string; shape: number; points: [number, number][]; band?: [number, number, number][]; dots: { x: number; y: number; size: number; tip: string }[] }
 
-/** Curves with the points that they are of, bands of [x, lower, upper] about them, and a level to compare with. */
+/** Curves with the points that they are of, those of one place `spread` px apart, bands of [x, lower, upper] about them, and a level to compare with. */
 export function LineChart(props: {
-  lines: Line[]; x: [number, number]; y: [number, number]; xUnit: string; percent?: boolean; label: string; step?: boolean; height?: number; level?: number;
+  lines: Line[]; x: [number, number]; y: [number, number]; xUnit: string; percent?: boolean; label: string; step?: boolean; height?: number; level?: number; spread?: number;
 }): JSX.Element {
   const height = props.height ?? 280;
   return (
@@ -201,7 +203,7 @@ export function LineChart(props: {
               {line.band ? <path d={area(line.band)} fill={line.color} opacity={0.1} pointer-events="none" /> : null}
               {line.points.length > 1 ? <path d={path(line.points)} fill="none" stroke={line.color} stroke-width={2.2} stroke-dasharray={line.dash} {...tip(line.label)} /> : null}
               {line.dots.map((dot) => (
-                <g {...tip(dot.tip)}><Sign shape={line.shape} x={x(dot.x) + 5 * (k - (props.lines.length - 1) / 2)} y={y(dot.y)} size={dot.size} color={line.color} /></g>
+                <g {...tip(dot.tip)}><Sign shape={line.shape} x={x(dot.x) + (props.spread ?? 5) * (k - (props.lines.length - 1) / 2)} y={y(dot.y)} size={dot.size} color={line.color} /></g>
               ))}
             </g>
           ))}

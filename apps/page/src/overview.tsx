@@ -267,6 +267,8 @@ function Limits({ sweep, chosen }: Props): JSX.Element | null {
   });
   const marks: Mark[] = found.map((f) => ({
     label: f.label, color: plannerColor(f.planner), shape: f.planner, value: f.value, lower: inside(f.lower), upper: inside(f.upper),
+    text: Number.isFinite(f.value) ? undefined : Number.isNaN(f.value) ? '' : f.value > 0 ? `> ${digits(rule.high)}` : `< ${digits(rule.low)}`,
+    note: Number.isNaN(f.value) ? f.state : undefined,
     tip: `${f.label}: ${Number.isNaN(f.value) ? '' : `${limitValue(rule, f.value)}, 95 % interval ${digits(f.lower)} to ${digits(f.upper)}; `}${f.state}; ${f.trials} trials`,
   }));
   const lines: Line[] = found.map((f) => {
@@ -284,15 +286,15 @@ function Limits({ sweep, chosen }: Props): JSX.Element | null {
   const name = rule.field.slice(rule.field.indexOf('.') + 1);
   return (
     <>
-      <Figure name="limits" hidden={hidden} title={limits.title} note="With 95 % intervals; a line to the chart’s end goes on beyond it. Of all trials."
-        numbers={{ head: ['planner', 'limit', 'lower', 'upper', 'state', 'trials'], rows: found.map((f) => [f.label, ...[f.value, f.lower, f.upper].map((v) => (Number.isFinite(v) ? v : null)), f.state, f.trials]) }}>
-        <IntervalChart marks={marks} low={rule.low} high={rule.high} unit={rule.unit || name} label={`Limits by planner: ${marks.map((m) => m.tip).join('; ')}`} />
-      </Figure>
-      <Figure name="limit curves" wide hidden={hidden} title={`Success as ${name} changes`} note={`Curves are fitted, with 95 % bands; signs are trials at one value, larger where there are more. The dashed line is at ${percent(rule.success_rate)}. Of all trials.`}
+      <Figure name="limit curves" wide hidden={hidden} title={`Success as ${name} changes`} note={`Curves are fitted, with 95 % bands; signs are trials at one value, larger where there are more. The dashed line is at ${Number((100 * rule.success_rate).toPrecision(4))} %. Of all trials.`}
         numbers={{ head: ['planner', name, 'finished', 'trials', 'fitted rate', 'lower', 'upper'],
           rows: curve.rows.map(({ cells }) => [String(cells[0]), number(ofCurve(cells, 'value')), number(ofCurve(cells, 'finished_count')), number(ofCurve(cells, 'trial_count')), ...[0, 1, 2].map((place) => number(ofCurve(cells, 'fitted_rate', place)))]) }}>
         <Legend items={lines.map((l) => ({ label: l.label, color: l.color, shape: l.shape, dash: l.dash }))} />
-        <LineChart lines={lines} x={[rule.low, rule.high]} y={[0, 1]} percent level={rule.success_rate} xUnit={`${name}${rule.unit ? `, ${rule.unit}` : ''}`} label="Fitted rates of success along the range, by planner; their numbers are in the table below" />
+        <LineChart lines={lines} x={[rule.low, rule.high]} y={[0, 1]} percent spread={0} level={rule.success_rate} xUnit={`${name}${rule.unit ? `, ${rule.unit}` : ''}`} label="Fitted rates of success along the range, by planner; their numbers are in the table below" />
+      </Figure>
+      <Figure name="limits" hidden={hidden} title={limits.title} note="With 95 % intervals; a line to the chart’s end goes on beyond it. Of all trials."
+        numbers={{ head: ['planner', 'limit', 'lower', 'upper', 'state', 'trials'], rows: found.map((f) => [f.label, ...[f.value, f.lower, f.upper].map((v) => (Number.isFinite(v) ? v : null)), f.state, f.trials]) }}>
+        <IntervalChart marks={marks} low={rule.low} high={rule.high} unit={rule.unit || name} label={`Limits by planner: ${marks.map((m) => m.tip).join('; ')}`} />
       </Figure>
     </>
   );
