@@ -131,20 +131,36 @@ void require_all_levels(const SweepSpec& sweep, const std::string& text) {
   }
 }
 
+/// Throws InputError where the sweep can't have this value, as a fault of the range `text`.
+void require_value(const Document& document, const Over& over, const Field& field, double value,
+                   const std::string& text) {
+  Document one = document;
+  const std::string list = yaml_list({value}, over, field.base);
+  const std::string override_text = over.path + "=" + list.substr(1, list.size() - 2);
+  apply_overrides(one.root, {override_text});
+  try {
+    sweep_of_document(one);
+  } catch (const InputError& error) {
+    std::vector<InputProblem> problems = error.problems();
+    for (InputProblem& problem : problems) {
+      // The user has written a range, not the value that stands for it.
+      if (problem.file.ends_with(override_text)) problem.file = text;
+    }
+    throw InputError(std::move(problems));
+  }
+}
+
 /// The sweep with all values. What is wrong with the range is told once, of its ends, not of each
 /// value.
 SweepSpec sweep_of_values(const Document& document, const Over& over, const Field& field,
-                          const std::vector<double>& values) {
+                          const std::vector<double>& values, const std::string& text) {
   Document varied = document;
   apply_overrides(varied.root, {over.path + "=" + yaml_list(values, over, field.base)});
   try {
     return sweep_of_document(varied);
   } catch (const InputError&) {
     for (const double end : {values.front(), values.back()}) {
-      Document one = document;
-      const std::string list = yaml_list({end}, over, field.base);
-      apply_overrides(one.root, {over.path + "=" + list.substr(1, list.size() - 2)});
-      sweep_of_document(one);
+      require_value(document, over, field, end, text);
     }
     throw;
   }
@@ -161,7 +177,7 @@ SweepSpec read_limit_sweep(const std::filesystem::path& file,
   if (!is_speed) field = field_of(sweep_of_document(document), over, request.over);
   const std::vector<double> values = levels_of(over, field.is_whole);
   if (values.size() < 2) refuse(request.over, "there are not two whole numbers in this range");
-  SweepSpec sweep = sweep_of_values(document, over, field, values);
+  SweepSpec sweep = sweep_of_values(document, over, field, values, request.over);
   if (sweep.until.is_set()) throw InputError("until: a limit has a rule of its own: take it out");
 
   const std::string path = is_speed ? std::string("planner.") + kSpeedField : trial_path(over.path);
