@@ -68,6 +68,8 @@ _OF_EXTENSION = {"AvoidbenchEnv": "env", "AvoidbenchVectorEnv": "env", "InputErr
 
 
 def __getattr__(name: str) -> Any:
+    if name == "__version__" and not _IS_WHOLE:
+        return import_module(f"{__name__}._core").version
     module = _MODULES.get(name) or (None if _IS_WHOLE else _OF_EXTENSION.get(name))
     if module is None:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

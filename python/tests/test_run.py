@@ -39,6 +39,11 @@ def trial_count(database: Path) -> int:
 def test_the_version_is_the_programs() -> None:
     said = subprocess.run([find_program(), "--version"], check=True, capture_output=True, text=True).stdout
     assert said.split()[:2] == ["avoidbench", avoidbench.__version__]
+    # A planner's process imports by itself only what planners need; all names are there all the same.
+    code = "from avoidbench import *; print(__version__)"
+    lean = {**os.environ, "AVOIDBENCH_PLANNER_FDS": "3,4"}
+    printed = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True, env=lean).stdout
+    assert printed.strip() == avoidbench.__version__
 
 
 def test_a_file_and_its_dict_are_the_same_trials(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
