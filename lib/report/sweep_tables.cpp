@@ -432,6 +432,8 @@ std::string why_without(const TableKind& kind, const SweepSummary& summary) {
            "where a limit is looked for, trials lie at other values for each planner, and rates "
            "and means of all of them say nothing";
   }
+  if (kind.name == "causes") return head + "no failure of it has been explained";
+  if (kind.name == "pairs") return head + "the sweep has one planner";
   return head + "the sweep has no rows for it";
 }
 

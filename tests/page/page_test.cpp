@@ -307,6 +307,30 @@ TEST(SweepPage, TrialsThatCantBeFlownAreInItsTablesAndTheirFlightsAreWarnedOf) {
   EXPECT_EQ(page, sweeps_page({sweep}, databases, origin, 1'000'000));
 }
 
+TEST(SweepPage, WhereALimitIsLookedForAPlannerIsOneWhateverTheValue) {
+  PageSweep sweep{.summary = {},
+                  .section = {},
+                  .result = {},
+                  .axes = {},
+                  .listing_of = {},
+                  .runs = {},
+                  .cause_of = {}};
+  for (const char* label :
+       {"ego[max_speed_mps=1]", "ego[max_speed_mps=2]", "agile[max_speed_mps=1]"}) {
+    PlannerRow& row = sweep.result.planners.emplace_back();
+    row.label = row.parameters_json = label;  // the key is of both
+    TrialSummary& trial = sweep.result.trials.emplace_back();
+    trial.planner_key = planner_key(row);
+    sweep.summary.planners.emplace_back(label);
+  }
+  EXPECT_EQ(page_planners(sweep).of_trials, (std::vector<std::size_t>{0, 1, 2}));
+  sweep.summary.limits.rule.field = "planner.max_speed_mps";
+  const PagePlanners planners = page_planners(sweep);
+  EXPECT_EQ(planners.labels, (std::vector<std::string>{"ego", "agile"}));
+  EXPECT_EQ(planners.rows, (std::vector<std::size_t>{0, 2}));
+  EXPECT_EQ(planners.of_trials, (std::vector<std::size_t>{0, 0, 1}));
+}
+
 /// The page of sweep "forest" of this file, as large as `limit_bytes`.
 nlohmann::ordered_json page_of(const std::filesystem::path& file, std::size_t limit_bytes) {
   const Database database = Database::open_for_reading(file);
