@@ -414,6 +414,9 @@ def arguments(words):
 
 
 def main():
+    # What a shell starts in the background ignores these, and so would the workers.
+    for number in (signal.SIGINT, signal.SIGQUIT):
+        signal.signal(number, signal.SIG_DFL)
     given = arguments(sys.argv[1:])
     began = time.monotonic()
     with tempfile.TemporaryDirectory(dir=given.keep) as name:
