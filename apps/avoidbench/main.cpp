@@ -76,12 +76,26 @@ std::string full_name(const CLI::App& app) {
   return parent == nullptr ? app.get_name() : full_name(*parent) + " " + app.get_name();
 }
 
+/// Our option for one that other programs have, "" if there is none: no spelling leads there.
+std::string option_elsewhere(const std::string& name) {
+  for (const std::string_view jobs :
+       {"-j", "--workers", "--threads", "--parallel", "--processes"}) {
+    if (name == jobs) return "--jobs";
+  }
+  return "";
+}
+
+std::string unknown_option(const CLI::App& app, const std::string& name) {
+  const std::vector<std::string> ours = option_names(app);
+  const std::string meant = option_elsewhere(name);
+  const bool is_ours = std::find(ours.begin(), ours.end(), meant) != ours.end();
+  return "unknown option " + name +
+         (is_ours ? " (did you mean " + meant + "?)" : did_you_mean(name, ours));
+}
+
 /// What is wrong with a word that nothing on the command line takes.
 std::string unknown_word(const CLI::App& app, const std::string& word) {
-  if (word.starts_with("-")) {
-    const std::string name = word.substr(0, word.find('='));
-    return "unknown option " + name + did_you_mean(name, option_names(app));
-  }
+  if (word.starts_with("-")) return unknown_option(app, word.substr(0, word.find('=')));
   const std::vector<std::string> commands = command_names(app);
   if (commands.empty()) return "unexpected argument '" + word + "'";
   return "unknown command '" + word + "'" + did_you_mean(word, commands) +
@@ -92,7 +106,13 @@ std::string unknown_word(const CLI::App& app, const std::string& word) {
 int explain(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App& command = deepest(app);
   const std::vector<std::string> unknown = app.remaining(true);
-  for (const std::string& word : unknown) std::cerr << unknown_word(command, word) << '\n';
+  bool is_value = false;
+  for (const std::string& word : unknown) {
+    const bool is_option = word.starts_with("-");
+    // The word after an option that is not known is its value, most likely: one message is enough.
+    if (is_option || !is_value) std::cerr << unknown_word(command, word) << '\n';
+    is_value = is_option && word.find('=') == std::string::npos;
+  }
   if (unknown.empty()) std::cerr << error.what() << '\n';
   std::cerr << "see " << full_name(command) << " --help\n";
   return kUsageError;
