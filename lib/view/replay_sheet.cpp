@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "explain/struck_patch.hpp"
 #include "render/depth.hpp"
 #include "text/number_text.hpp"
+#include "trial/planner_view.hpp"
 #include "view/map_plan.hpp"
 #include "view/map_views.hpp"
 
@@ -318,6 +320,7 @@ Picture ReplaySheets::images(const Moment& moment) const {
             cell_height = layout_.image_height_px / rows;
   Picture sheet = make_picture(layout_.side_width_px, layout_.image_height_px);
   double newest_s = seen.front().time_s;
+  std::string ring;
   for (std::size_t i = 0; i < seen.size(); ++i) {
     // A camera that has not exposed yet.
     if (seen[i].width_px == 0) continue;
@@ -330,10 +333,14 @@ Picture ReplaySheets::images(const Moment& moment) const {
     const int width = static_cast<int>(seen[i].width_px * scale);
     const int height = static_cast<int>(seen[i].height_px * scale);
     Picture shown = resized(image_picture(seen[i], shown_m), width, height);
+    const Pose T_world_body = body_pose_at(record_.samples, seen[i].time_s);
+    if (shows_contact(moment) && ring_struck(*struck_, cameras_[i], T_world_body, scale, shown)) {
+      ring = "; ring: what it struck";
+    }
     if (!is_alone) draw_label(shown, "camera " + std::to_string(i), 6, height - 30, {20, 20, 20});
     paste(shown, column * cell_width + (cell_width - width) / 2, row * cell_height, sheet);
   }
-  add_caption(sheet, caption + ", t = " + fixed_digits(newest_s, 3) + " s");
+  add_caption(sheet, caption + ", t = " + fixed_digits(newest_s, 3) + " s" + ring);
   if (!seen.front().depth_m.empty()) add_depth_scale(sheet, 0.0, shown_m);
   return sheet;
 }
@@ -347,7 +354,8 @@ ReplaySheets::ReplaySheets(const StoredTrial& stored, const World& world, const 
       radius_m_(0.5 * to_eigen(stored.spec.vehicle.body_size_m).norm()),
       extent_(extent_of(stored, record)),
       layout_(layout_of(extent_.sizes() + Eigen::Vector2d::Constant(kAround_m))),
-      struck_(struck_obstacle(world, record)) {
+      struck_(struck_obstacle(world, record)),
+      cameras_(planner_setup(stored.spec).cameras) {
   for (const Sample& s : record.samples) {
     most_mps_ = std::max(most_mps_, s.velocity_world.norm());
   }

@@ -108,6 +108,7 @@ class ReplaySheets {
   Eigen::AlignedBox2d extent_;
   SheetLayout layout_;
   std::unique_ptr<StruckObstacle> struck_;
+  std::vector<CameraSetup> cameras_;
   std::optional<double> built_s_;  ///< what follows; it changes only where things move
   World frozen_, roofless_;
   std::optional<Scene> scene_, roofless_scene_;

@@ -1,9 +1,17 @@
 #include "view/struck_obstacle.hpp"
 
+#include <algorithm>
+
 #include "explain/struck_patch.hpp"
 #include "text/number_text.hpp"
 
 namespace avoidbench {
+namespace {
+
+constexpr Color kStruck{220, 20, 30};
+
+}  // namespace
+
 std::unique_ptr<StruckObstacle> struck_obstacle(const World& world, const TrialRecord& record) {
   if (record.collisions.empty() || record.samples.empty()) return nullptr;
   const Collision& last = record.collisions.back();
@@ -24,7 +32,6 @@ std::unique_ptr<StruckObstacle> struck_obstacle(const World& world, const TrialR
 }
 
 void draw_struck(const StruckObstacle& struck, Panel& panel) {
-  constexpr Color kStruck{220, 20, 30};
   constexpr double kShown_m = 3.0, kArm_px = 7.0;
   if (struck.is_shown) {
     paint_silhouette(struck.scene, struck.contact_world, kShown_m, kStruck, panel);
@@ -50,6 +57,24 @@ void draw_struck(const StruckObstacle& struck, Panel& panel) {
   const int left_px = fits_right ? x_px + 16 : x_px - width_px - 16;
   const int below_px = fits_right || fits_left ? 4 : 26;
   draw_label(panel.picture, struck.label, left_px, static_cast<int>(at.y()) + below_px, kStruck);
+}
+
+bool ring_struck(const StruckObstacle& struck, const CameraSetup& camera, const Pose& T_world_body,
+                 double scale, Picture& image) {
+  constexpr double kLeast_px = 8.0;
+  const Eigen::Vector3d p = (T_world_body * camera.T_body_camera).inverse() * struck.contact_world;
+  if (!struck.is_shown || p.z() <= 0.0) return false;
+  // Pixel centres are whole in the camera, and the picture begins half a pixel before the first.
+  const Eigen::Vector2d at(scale * (camera.fx_px * p.x() / p.z() + camera.cx_px + 0.5),
+                           scale * (camera.fy_px * p.y() / p.z() + camera.cy_px + 0.5));
+  const double radius_px = std::max(kLeast_px, scale * camera.fx_px * kPatchRadius_m / p.z());
+  // From just before the contact the ring would be around the whole image.
+  const bool is_inside = at.x() >= 0.0 && at.y() >= 0.0 && at.x() < image.width_px &&
+                         at.y() < image.height_px && radius_px < image.width_px;
+  if (!is_inside) return false;
+  draw_circle(image, at, radius_px, kWhite, 5);
+  draw_circle(image, at, radius_px, kStruck, 2);
+  return true;
 }
 
 }  // namespace avoidbench

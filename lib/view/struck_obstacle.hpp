@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "plugin/planner_instance.hpp"
 #include "render/scene.hpp"
 #include "trial/trial_record.hpp"
 #include "view/replay_panel.hpp"
@@ -28,5 +29,11 @@ std::unique_ptr<StruckObstacle> struck_obstacle(const World& world, const TrialR
 
 /// Reddens the obstacle near the contact, crosses the contact and says what it was.
 void draw_struck(const StruckObstacle& struck, Panel& panel);
+
+/// Rings the contact where an image of this camera shows it, the image drawn `scale` times as
+/// large: as wide as the patch that `explain` looks at. What is behind something is ringed all the
+/// same.
+bool ring_struck(const StruckObstacle& struck, const CameraSetup& camera, const Pose& T_world_body,
+                 double scale, Picture& image);
 
 }  // namespace avoidbench

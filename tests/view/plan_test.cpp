@@ -1,6 +1,9 @@
 // Plans: cut at flight height, as large as the map, with what a flight struck.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "base/math.hpp"
 #include "support/flight_worlds.hpp"
 #include "view/map_plan.hpp"
 #include "view/struck_obstacle.hpp"
@@ -138,6 +141,32 @@ TEST(Labels, StandOnAGroundOfTheirOwnWithinThePicture) {
   EXPECT_GT(pale, text_width_px("touched tree 1") * 8);
   EXPECT_GT(pixel(picture, {195.0, 32.0})[1], 180);
   EXPECT_EQ(pixel(picture, {5.0, 30.0}), (Color{0, 0, 0}));
+}
+
+/// A patch of 0.25 m, 2.5 m ahead of a camera whose z is the body's x.
+TEST(Struck, IsRingedWhereTheImageShowsIt) {
+  StruckObstacle struck(tree_world());
+  struck.contact_world = {2.5, 0.5, 0.0};
+  CameraSetup camera{.width_px = 200, .height_px = 100, .fx_px = 100.0, .fy_px = 100.0};
+  camera.cx_px = 99.5;
+  camera.cy_px = 49.5;
+  camera.T_body_camera.linear() << 0, 0, 1, -1, 0, 0, 0, -1, 0;
+  const auto black = [] {
+    Picture picture = make_picture(400, 200);
+    std::fill(picture.rgb.begin(), picture.rgb.end(), std::uint8_t{0});
+    return picture;
+  };
+  Picture image = black();
+  // At column 80 of 200, twice as large here; the radius is 10 pixels, twice as large.
+  ASSERT_TRUE(ring_struck(struck, camera, Pose::Identity(), 2.0, image));
+  EXPECT_TRUE(is_reddish(pixel(image, {160.0 - 20.0, 100.0})));
+  EXPECT_TRUE(is_reddish(pixel(image, {160.0, 100.0 + 20.0})));
+  EXPECT_EQ(pixel(image, {160.0, 100.0}), (Color{0, 0, 0}));
+  Picture behind = black();
+  Pose turned = Pose::Identity();
+  turned.linear() = Eigen::AngleAxisd(math::kPi, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  EXPECT_FALSE(ring_struck(struck, camera, turned, 2.0, behind));
+  EXPECT_EQ(behind.rgb, black().rgb);
 }
 
 }  // namespace
