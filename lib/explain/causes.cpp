@@ -18,7 +18,7 @@ constexpr CauseDef kCauses[] = {
     {Cause::too_late_for_speed, "it came into range too late for the speed",
      "not in_range_s <= last_chance_s"},
     {Cause::not_sensed, "it was in sight, but what the planner got did not show it in time",
-     "not sensed_s <= last_chance_s"},
+     "not (sensed_s <= last_chance_s and sensed_lately_count >= 3), and not mapped_share >= 0.1"},
     {Cause::sensed_not_mapped, "the images showed it, but the planner's map did not have it",
      "mapped_share < 0.1"},
     {Cause::mapped_not_avoided, "the planner's map had it, and it flew there",

@@ -68,7 +68,7 @@ struct CauseDef {
 std::span<const CauseDef> cause_table();
 
 /// A stored explanation is told anew where the rules have changed since.
-inline constexpr int kCauseRulesVersion = 1;
+inline constexpr int kCauseRulesVersion = 2;
 
 /// What was measured of a failed flight; NaN where it has no meaning for this one, or never was.
 /// Times are of the flight. "Patch": the surface within 0.25 m of where the body touched it.
@@ -86,6 +86,7 @@ struct Facts {
          mapped_s = kNone;
   double seen_way_m = kNone, seen_need_m = kNone;
   double depth_image_count = kNone, sensed_image_count = kNone, longest_gap_s = kNone;
+  double lately_s = kNone, sensed_lately_count = kNone;
   double mapped_share = kNone;
   double no_plan_share = kNone;
   double tracking_error_m = kNone, commanded_clearance_m = kNone;
@@ -129,6 +130,10 @@ void visit(Visitor& v, Spec& s) {
   v.field("depth_image_count", s.depth_image_count, "Depth images that the planner was shown.");
   v.field("sensed_image_count", s.sensed_image_count, "Those that showed it at its depth.");
   v.field("longest_gap_s", s.longest_gap_s, "Longest time between two of these, s.");
+  v.field("lately_s", s.lately_s,
+          "When the last 15 exposures began that had it in range by the last chance, s.");
+  v.field("sensed_lately_count", s.sensed_lately_count,
+          "Images from then to the last chance that showed it at its depth.");
   v.field("mapped_share", s.mapped_share,
           "Share of the patch that the planner's map had as occupied at the last chance.");
   v.field("no_plan_share", s.no_plan_share,

@@ -17,6 +17,8 @@ namespace {
 constexpr double kClear_m = 0.02;
 /// What a planner can be asked to react to: maps want more than one image, and so do people.
 constexpr std::size_t kEnoughImages = 3;
+/// "Lately": so many exposures. Far off, an image has much else at about the patch's depth.
+constexpr std::size_t kLately = 15;
 constexpr double kTrackingWindow_s = 2.0;
 
 /// From light to command.
@@ -92,6 +94,12 @@ void add_sight(const FailedFlight& flight, const StruckPatch& patch, Facts& fact
   facts.unoccluded_s = third_s(
       exposures, [&](const PatchExposure& e) { return e.unoccluded && (is_any || e.is_near); });
   facts.in_range_s = third_s(exposures, [](const PatchExposure& e) { return e.in_range; });
+  std::size_t count = 0;
+  for (std::size_t i = exposures.size(); i-- > 0 && count < kLately;) {
+    if (!exposures[i].in_range || exposures[i].time_s > facts.last_chance_s) continue;
+    facts.lately_s = exposures[i].time_s;
+    ++count;
+  }
   if (std::isnan(facts.in_range_s)) return;
   const std::size_t seen = sample_at(samples, facts.in_range_s);
   facts.seen_way_m = ways_left_m(samples)[seen];
@@ -107,8 +115,18 @@ void add_knowledge(const FlightWatch& watch, Facts& facts) {
     const double gap_s = sensed[i] - sensed[i - 1];
     if (!(facts.longest_gap_s >= gap_s)) facts.longest_gap_s = gap_s;
   }
+  facts.sensed_lately_count = 0.0;
+  for (const double time_s : sensed) {
+    // With the slack of rounding: lately_s is the time of an exposure.
+    if (time_s >= facts.lately_s - 1e-6 && time_s <= facts.last_chance_s) {
+      ++facts.sensed_lately_count;
+    }
+  }
   // A planner that matches pictures itself has what is in sight.
-  if (watch.depth_image_count() == 0 && watch.has_pictures()) facts.sensed_s = facts.in_range_s;
+  if (watch.depth_image_count() == 0 && watch.has_pictures()) {
+    facts.sensed_s = facts.in_range_s;
+    facts.sensed_lately_count = static_cast<double>(kEnoughImages);
+  }
   for (const CallKnowledge& call : watch.calls()) {
     if (!call.mapped_share) continue;
     if (std::isnan(facts.mapped_s) && *call.mapped_share >= kEnoughOfPatch) {
@@ -176,8 +194,11 @@ double wind_at_contact_mps(const FailedFlight& flight, double contact_s) {
 /// What the planner had been shown, knew and did.
 Cause cause_of_planner(const FlightWatch* watch, const Facts& facts) {
   if (watch == nullptr) return Cause::unexplained;
-  // Negated, so that "never" is late.
-  if (!(facts.sensed_s <= facts.last_chance_s)) return Cause::not_sensed;
+  // A planner that says it knew has sensed it. "Never" is late, and so is what was shown from far
+  // off only, where the depth of what stands behind is about the same.
+  const bool is_sensed = facts.sensed_s <= facts.last_chance_s &&
+                         facts.sensed_lately_count >= static_cast<double>(kEnoughImages);
+  if (!is_sensed && !(facts.mapped_share >= kEnoughOfPatch)) return Cause::not_sensed;
   if (facts.mapped_share < kEnoughOfPatch) return Cause::sensed_not_mapped;
   if (facts.no_plan_share >= 0.5) return Cause::no_plan_found;
   return std::isnan(facts.mapped_share) ? Cause::sensed_not_avoided : Cause::mapped_not_avoided;

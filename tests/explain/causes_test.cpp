@@ -125,6 +125,23 @@ TEST(Causes, NotSensedWhereNoImageIsLookedAt) {
   EXPECT_GT(told.explanation.facts.in_range_s, 0.0);
 }
 
+TEST(Causes, NotSensedWhereOnlyWhatStandsBehindHasItsDepth) {
+  // A wire that no pixel meets, 0.5 m before a wall: from 5 m on images have it "at its depth".
+  World world = wall_world();
+  test::add_obstacle(world, test::box_mesh(Vector3f(1e-4F, 1e-4F, 8)), {0.013, 4.2, 4}, "wire");
+  act = [](const ab_observation&) { return velocity(0, 2, 0); };
+  Told told = fly_and_explain(spec_of<Silent>(), world, test::straight_mission());
+  ASSERT_EQ(told.record.collisions.back().kind, "wire") << told.record.reason;
+  EXPECT_GT(told.explanation.facts.sensed_image_count, 50.0);
+  EXPECT_LT(told.explanation.facts.sensed_s, told.explanation.facts.last_chance_s);
+  EXPECT_LT(told.explanation.facts.sensed_lately_count, 3.0);
+  EXPECT_EQ(told.explanation.cause, Cause::not_sensed) << facts_text(told.explanation);
+  // What a planner says it knows counts more.
+  knows = [](const Vec3&) { return AB_PLACE_OCCUPIED; };
+  told = fly_and_explain(spec_of<Telling>(), world, test::straight_mission());
+  EXPECT_EQ(told.explanation.cause, Cause::mapped_not_avoided) << facts_text(told.explanation);
+}
+
 TEST(Causes, WhatThePlannerSaysItKnowsDecides) {
   knows = [](const Vec3&) { return AB_PLACE_FREE; };
   Told told = into_the_wall(spec_of<Telling>(), 2.0);
