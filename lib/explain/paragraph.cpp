@@ -32,8 +32,8 @@ std::string sight_sentences(const Facts& f) {
             (std::isnan(f.sensed_s) ? "" : ", three of them by " + at_s(f.sensed_s)) +
             (std::isnan(f.longest_gap_s) ? "" : ", with gaps of up to " + at_s(f.longest_gap_s)) +
             (std::isnan(f.lately_s) ? ""
-                                    : ", and " + fixed_digits(f.sensed_lately_count, 0) +
-                                          " of the last 15 exposures before the last chance") +
+                                    : "; " + fixed_digits(f.sensed_lately_count, 0) + " did from " +
+                                          at_s(f.lately_s) + " to the last chance") +
             ". ";
   }
   if (!std::isnan(f.mapped_share)) {
