@@ -32,13 +32,13 @@ done
 show own_map 720 480 bird configs/sweeps/own_map.yaml
 show own_cloud 720 480 bird configs/sweeps/own_cloud.yaml
 
-for sensor in depth_ideal depth_noisy stereo_sgm stereo_original d435_like oak_d_like surround; do
+for sensor in depth_ideal depth_noisy stereo_sgm stereo_sgbm stereo_original d435_like oak_d_like surround; do
   "$program" sensors show "$sensor" --map forest --view depth --png "$out/sensor_$sensor.png"
 done
 "$program" sensors show stereo_sgm --map hall --png "$out/sensor_sheet_hall.png"
 "$program" sensors show stereo_sgm --map forest --png "$out/sensor_sheet_forest.png"
 errors=$(mktemp)
 trap 'rm -f "$errors"' EXIT
-"$program" sensors measure stereo_sgm depth_noisy stereo_original --map hall --of cylinder --missions 10 --bin 15 \
+"$program" sensors measure stereo_sgm stereo_sgbm depth_noisy stereo_original --map hall --of cylinder --missions 10 --bin 15 \
   --over maps.texture_opacity=1,0.8,0.6,0.4,0.2,0.1,0 --format csv --output "$errors"
 "${AVOIDBENCH_PYTHON:-python3}" scripts/plot/sensor_errors.py "$errors" "$out/sensor_opacity.png"

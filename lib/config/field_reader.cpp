@@ -213,6 +213,10 @@ std::string read_key(MappingReader& mapping, const FieldTree& field, Json& block
     block.update(preset_json(*field.find(kind)));
   }
   for (const FieldTree& of_kind : field.find(kind)->fields) read_key(mapping, of_kind, block);
+  for (const FieldTree& other : field.fields) {
+    for (const FieldTree& of_other : other.fields)
+      mapping.note_other_kind(of_other.name, other.name);
+  }
   return field.name + " " + kind;
 }
 

@@ -57,6 +57,17 @@ inline Bytes count_bits(Bytes a, Bytes b, Bytes c, Bytes d) {
       sum, _mm256_shuffle_epi8(table, _mm256_and_si256(_mm256_srli_epi16(d, 4), low)));
 }
 
+/// The same of two bytes, of which the second has its lower four alone.
+inline Bytes count_bits(Bytes a, Bytes b) {
+  const Bytes table = _mm256_setr_epi8(0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4,  //
+                                       0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4);
+  const Bytes low = _mm256_set1_epi8(15);
+  const Bytes first =
+      _mm256_add_epi8(_mm256_shuffle_epi8(table, _mm256_and_si256(a, low)),
+                      _mm256_shuffle_epi8(table, _mm256_and_si256(_mm256_srli_epi16(a, 4), low)));
+  return _mm256_add_epi8(first, _mm256_shuffle_epi8(table, b));
+}
+
 /// Every byte's neighbour before it; that of the first is the last of `before`.
 inline Bytes one_before(Bytes before, Bytes v) {
   return _mm256_alignr_epi8(v, _mm256_permute2x128_si256(before, v, 0x21), 15);

@@ -8,13 +8,15 @@
 // nothing that the compiler could emit: a function compiled for AVX2 must not reach other machines.
 namespace avoidbench::census {
 
-inline constexpr int kPlanes = 4;          ///< a census is 31 bits: four planes of bytes
+inline constexpr int kMostPairs = 31;      ///< of pixels in a window: the bits of a census
 inline constexpr int kAlignment = 64;      ///< of every buffer, bytes
 inline constexpr int kSlack = 64;          ///< what whole vectors may reach beyond a row, bytes
-inline constexpr int kMarginX_px = 4;      ///< of the census window, 9 × 7
-inline constexpr int kMarginY_px = 3;      ///< of the census window, 9 × 7
+inline constexpr int kMarginX_px = 4;      ///< of the largest census window, 9 × 7
+inline constexpr int kMarginY_px = 3;      ///< of the largest census window, 9 × 7
 inline constexpr int kDisparityStep = 32;  ///< disparities are padded to whole vectors
 inline constexpr int kChunk = 64;          ///< disparities that six bits of a key tell apart
+inline constexpr int kNoWinner = -16;      ///< of a left pixel whose least sum is not unique
+inline constexpr int kMostSums = 1024;     ///< more than any sum of paths
 inline constexpr int kGuard = 32;          ///< bytes of 255 between the slots of a path
 
 /// One frame's sizes and buffers. `stride`s are in elements.
@@ -25,10 +27,13 @@ struct Frame {
   int paths;        ///< 4 or 8
   std::uint8_t small_penalty, large_penalty;
   bool subpixel;
+  bool is_unique;  ///< winners are checked for rivals
 
-  /// A census by byte: row y's plane k starts at (4 y + k) · plane_stride. The right image's rows
+  /// A census by byte: row y's plane k starts at (planes · y + k) · plane_stride; four planes hold
+  /// the 31 bits of a window of 9 × 7, two the 12 bits of one of 5 × 5. The right image's rows
   /// are mirrored, so that disparities ascend with addresses: x is at width − 1 − x, and the column
   /// of x = 0 goes on for `padded` more.
+  int planes;
   const std::uint8_t *left_planes, *right_planes;
   std::ptrdiff_t plane_stride;
 
@@ -46,8 +51,13 @@ struct Frame {
   std::uint16_t* right_keys;  ///< a row for every chunk, width elements, `right_keys_stride` apart
   std::ptrdiff_t right_keys_stride;
 
-  /// Winners, 1/16 px in the left image and whole pixels in the right one. Columns −1 and width
-  /// exist and are the caller's.
+  /// Of winners that have to be unique, by their sum: what any but its neighbours' must reach.
+  std::uint16_t* rival_bounds;
+  /// −1, 0 and 1 are all ones; `padded` zeros stand before and behind.
+  const std::uint16_t* three_words;
+
+  /// Winners, 1/16 px in the left image (or kNoWinner) and whole pixels in the right one. Columns
+  /// −1 and width exist and are the caller's.
   std::int16_t *left_disparity, *right_disparity;
   std::ptrdiff_t disparity_stride;
 };
@@ -57,7 +67,8 @@ struct PaddedImage {
   const std::uint8_t* pixels;
   std::ptrdiff_t stride;
   int width_px, height_px;
-  bool mirrored;  ///< left and right are swapped
+  bool mirrored;               ///< left and right are swapped
+  int reach_x_px, reach_y_px;  ///< of the census window to each side: (4, 3) or (2, 2)
 };
 
 struct Kernels {

@@ -11,21 +11,22 @@
 namespace avoidbench::census {
 namespace {
 
-/// Bit: pixel >= its mirror through the centre, for the 31 pairs of a 9 × 7 window.
+/// Bit: pixel >= its mirror through the centre, for each pair of the window.
 void transform(const PaddedImage& image, std::uint8_t* planes, std::ptrdiff_t plane_stride) {
-  std::ptrdiff_t offsets[31];
+  std::ptrdiff_t offsets[kMostPairs];
   int count = 0;
-  for (int dy = -kMarginY_px; dy <= 0; ++dy) {
-    // Half of the window; each pixel of it has its mirror in the other half: (9 · 7 - 1) / 2 = 31
-    // pairs.
-    for (int dx = -kMarginX_px; dx <= (dy < 0 ? kMarginX_px : -1); ++dx) {
+  for (int dy = -image.reach_y_px; dy <= 0; ++dy) {
+    // Half of the window; each pixel of it has its mirror in the other half: of 9 × 7 pixels
+    // (9 · 7 - 1) / 2 = 31 pairs.
+    for (int dx = -image.reach_x_px; dx <= (dy < 0 ? image.reach_x_px : -1); ++dx) {
       offsets[count++] = dy * image.stride + (image.mirrored ? -dx : dx);
     }
   }
+  const int plane_count = (count + 7) / 8;
   for (int y = 0; y < image.height_px; ++y) {
     const std::uint8_t* row = image.pixels + y * image.stride;
-    for (int k = 0; k < kPlanes; ++k) {
-      std::uint8_t* plane = planes + (y * kPlanes + k) * plane_stride;
+    for (int k = 0; k < plane_count; ++k) {
+      std::uint8_t* plane = planes + (y * plane_count + k) * plane_stride;
       const int end = 8 * k + 8 < count ? 8 * k + 8 : count;
       for (int x = 0; x < image.width_px; x += kBytes) {
         Bytes bits = broadcast(0);
@@ -47,26 +48,37 @@ struct Disparities {
   Bytes at[static_cast<std::size_t>(kVectors)];
 };
 
-/// Hamming distances of the left pixel's census and the right ones' at all disparities. What is
-/// padded costs 255: with saturating sums, more than all else.
-template <int kVectors>
-[[gnu::always_inline]] inline void find_costs(const Frame& frame, int x, int y, Bytes padding,
-                                              Disparities<kVectors>& costs) {
+/// Hamming distances of the left pixel's census and the right ones' at all disparities.
+template <int kVectors, int kPlanes>
+[[gnu::always_inline]] inline void count_differing(const Frame& frame, int x, int y,
+                                                   Disparities<kVectors>& costs) {
   const std::uint8_t* left = frame.left_planes + y * kPlanes * frame.plane_stride + x;
   const std::uint8_t* right =
       frame.right_planes + y * kPlanes * frame.plane_stride + (frame.width_px - 1 - x);
-  Bytes census[kPlanes];
+  Bytes census[static_cast<std::size_t>(kPlanes)];
   AB_UNROLL
   for (int k = 0; k < kPlanes; ++k) census[k] = broadcast(left[k * frame.plane_stride]);
   AB_UNROLL
   for (int j = 0; j < kVectors; ++j) {
-    Bytes differing[kPlanes];
+    Bytes differing[static_cast<std::size_t>(kPlanes)];
     AB_UNROLL
     for (int k = 0; k < kPlanes; ++k) {
       differing[k] = exclusive_or(census[k], load(right + k * frame.plane_stride + j * kBytes));
     }
-    costs.at[j] = count_bits(differing[0], differing[1], differing[2], differing[3]);
+    if constexpr (kPlanes == 4) {
+      costs.at[j] = count_bits(differing[0], differing[1], differing[2], differing[3]);
+    } else {
+      costs.at[j] = count_bits(differing[0], differing[1]);
+    }
   }
+}
+
+/// What is padded costs 255: with saturating sums, more than all else.
+template <int kVectors>
+[[gnu::always_inline]] inline void find_costs(const Frame& frame, int x, int y, Bytes padding,
+                                              Disparities<kVectors>& costs) {
+  frame.planes == 4 ? count_differing<kVectors, 4>(frame, x, y, costs)
+                    : count_differing<kVectors, 2>(frame, x, y, costs);
   costs.at[kVectors - 1] = either(costs.at[kVectors - 1], padding);
 }
 
@@ -171,8 +183,24 @@ inline int refine(const std::uint16_t* keys, int d, int disparities) {
   const int slope = (before > after ? before : after) - (keys[d] >> 6);
   // Three equal sums: anywhere between is as good.
   if (slope == 0) return 16 * d;
-  // d + (before − after) / (2 slope), which is within half a pixel, to the nearest 1/16
-  return 16 * d - 8 + (16 * (before - after) + 17 * slope) / (2 * slope);
+  // d + (before − after) / (2 slope), which is within half a pixel, to the nearest 1/16. All are
+  // whole numbers below 2^16, of which the quotient in float is cut down to the same whole number.
+  const auto sixteenths = static_cast<float>(16 * (before - after) + 17 * slope);
+  return 16 * d - 8 + static_cast<int>(sixteenths / static_cast<float>(2 * slope));
+}
+
+/// Whether another sum, not beside the least one, is below its bound of frame.rival_bounds.
+template <int kVectors>
+[[gnu::always_inline]] inline bool has_rival(const Frame& frame, int least, int best_d) {
+  // All ones at the winner and beside it.
+  const std::uint16_t* hidden = frame.three_words - best_d;
+  Words others = spread_word(0xFFFF);
+  AB_UNROLL
+  for (int w = 0; w < 2 * kVectors; ++w) {
+    const Words keys = load_words(frame.keys + w * kWords);
+    others = min_words(others, either(keys, load_words(hidden + w * kWords)));
+  }
+  return (least_word(others) >> 6) < frame.rival_bounds[least];
 }
 
 /// Picks the left pixel's winner and gives every right pixel in reach its candidate. A key is a sum
@@ -205,7 +233,9 @@ template <int kVectors, int kPaths>
       disparity = add_words(disparity, spread_word(kWords));
       lowest = min_words(lowest, keys[half]);
       keep_right_winners(frame.window, 2 * j + half, chunk_ends && half == 1, keys[half]);
-      if (frame.subpixel) store_words(frame.keys + (2 * j + half) * kWords, keys[half]);
+      if (frame.subpixel || frame.is_unique) {
+        store_words(frame.keys + (2 * j + half) * kWords, keys[half]);
+      }
     }
     if (!chunk_ends) continue;
     const int chunk_key = least_word(lowest);
@@ -222,8 +252,9 @@ template <int kVectors, int kPaths>
           frame.window[chunk * kChunk];
     }
   }
-  frame.left_disparity[y * frame.disparity_stride + x] = static_cast<std::int16_t>(
-      frame.subpixel ? refine(frame.keys, best_d, frame.disparities) : 16 * best_d);
+  int winner = frame.subpixel ? refine(frame.keys, best_d, frame.disparities) : 16 * best_d;
+  if (frame.is_unique && has_rival<kVectors>(frame, best_key >> 6, best_d)) winner = kNoWinner;
+  frame.left_disparity[y * frame.disparity_stride + x] = static_cast<std::int16_t>(winner);
 }
 
 /// The best of the chunks, the nearer to zero where equal.

@@ -41,6 +41,7 @@ struct Buffers {
   std::uint8_t* padded_image = nullptr;  ///< at its margin's corner
   std::ptrdiff_t padded_stride = 0;
   std::uint8_t *left_planes = nullptr, *right_planes = nullptr;
+  std::uint16_t* three_words = nullptr;
   std::int16_t *left_median = nullptr, *right_median = nullptr;  ///< a row each
 };
 
@@ -56,6 +57,8 @@ Buffers carve(const CensusSettings& settings, int width_px, int height_px, Carve
   frame.small_penalty = static_cast<std::uint8_t>(settings.small_penalty);
   frame.large_penalty = static_cast<std::uint8_t>(settings.large_penalty);
   frame.subpixel = settings.subpixel;
+  frame.is_unique = settings.uniqueness_percent > 0;
+  frame.planes = settings.window == CensusWindow::nine_by_seven ? 4 : 2;
 
   const std::ptrdiff_t width = width_px;
   const std::ptrdiff_t height = height_px;
@@ -64,9 +67,9 @@ Buffers carve(const CensusSettings& settings, int width_px, int height_px, Carve
       carver.take<std::uint8_t>((height + 2 * kMarginY_px) * buffers.padded_stride);
   frame.plane_stride = round_up(width + frame.padded + kSlack, kAlignment);
   frame.left_planes = buffers.left_planes =
-      carver.take<std::uint8_t>(height * kPlanes * frame.plane_stride);
+      carver.take<std::uint8_t>(height * frame.planes * frame.plane_stride);
   frame.right_planes = buffers.right_planes =
-      carver.take<std::uint8_t>(height * kPlanes * frame.plane_stride);
+      carver.take<std::uint8_t>(height * frame.planes * frame.plane_stride);
   frame.volume = carver.take<std::uint8_t>(width * height * frame.padded * (settings.paths / 4));
   for (int path = 0; path < 3; ++path) {
     // The first guard ends where a slot may start.
@@ -77,6 +80,9 @@ Buffers carve(const CensusSettings& settings, int width_px, int height_px, Carve
   }
   frame.keys = carver.take<std::uint16_t>(frame.padded);
   frame.window = carver.take<std::uint16_t>(frame.padded);
+  frame.rival_bounds = carver.take<std::uint16_t>(kMostSums);
+  buffers.three_words = carver.take<std::uint16_t>(2 * frame.padded + kSlack, frame.padded);
+  frame.three_words = buffers.three_words;
   frame.right_keys_stride = width;
   frame.right_keys = carver.take<std::uint16_t>(round_up(frame.padded, kChunk) / kChunk * width);
   frame.disparity_stride = width + 2;
@@ -105,6 +111,19 @@ Buffers prepare(const CensusSettings& settings, int width_px, int height_px,
   return carve(settings, width_px, height_px, carver);
 }
 
+/// What says whether a winner is unique, as OpenCV has it: no other sum, but those beside it, with
+/// sum · (100 − percent) < least · 100.
+void prepare_rivals(const Buffers& buffers, int uniqueness_percent) {
+  const int kept = 100 - uniqueness_percent;
+  for (int least = 0; least < kMostSums; ++least) {
+    const int bound = (100 * least + kept - 1) / kept;
+    buffers.frame.rival_bounds[least] = static_cast<std::uint16_t>(std::min(bound, 0xFFFF));
+  }
+  const int padded = buffers.frame.padded;
+  std::fill(buffers.three_words - padded, buffers.three_words + padded + kSlack, std::uint16_t{0});
+  std::fill(buffers.three_words - 1, buffers.three_words + 2, std::uint16_t{0xFFFF});
+}
+
 /// Census of an image; the margin, where pixels count as 0, is `buffers.padded_image`'s.
 void transform(const Kernels& kernels, const Buffers& buffers, std::span<const std::uint8_t> image,
                bool mirrored, std::uint8_t* planes) {
@@ -119,9 +138,15 @@ void transform(const Kernels& kernels, const Buffers& buffers, std::span<const s
       std::copy_n(from, frame.width_px, to);
     }
   }
-  kernels.transform(
-      PaddedImage{pixels, buffers.padded_stride, frame.width_px, frame.height_px, mirrored}, planes,
-      frame.plane_stride);
+  const bool is_large = frame.planes == 4;
+  kernels.transform(PaddedImage{.pixels = pixels,
+                                .stride = buffers.padded_stride,
+                                .width_px = frame.width_px,
+                                .height_px = frame.height_px,
+                                .mirrored = mirrored,
+                                .reach_x_px = is_large ? 4 : 2,
+                                .reach_y_px = is_large ? 3 : 2},
+                    planes, frame.plane_stride);
 }
 
 void transform_both(const Kernels& kernels, const Buffers& buffers,
@@ -131,7 +156,7 @@ void transform_both(const Kernels& kernels, const Buffers& buffers,
               std::uint8_t{0});
   transform(kernels, buffers, left, false, buffers.left_planes);
   transform(kernels, buffers, right, true, buffers.right_planes);
-  for (std::ptrdiff_t row = 0; row < static_cast<std::ptrdiff_t>(frame.height_px) * kPlanes;
+  for (std::ptrdiff_t row = 0; row < static_cast<std::ptrdiff_t>(frame.height_px) * frame.planes;
        ++row) {
     std::uint8_t* end = buffers.right_planes + row * frame.plane_stride + frame.width_px;
     // Beyond the right image's border its last column goes on.
@@ -175,8 +200,8 @@ void finish(const Kernels& kernels, const Buffers& buffers, int tolerance_px,
       // 1/16 px to the nearest whole one, as the right image's are.
       const int d = (buffers.left_median[x] + 8) >> 4;
       // The right image has to say the same at the partner, x - d.
-      const bool valid =
-          d <= x && std::abs(d - buffers.right_median[x - std::min(d, x)]) <= tolerance_px;
+      const bool valid = d >= 0 && d <= x &&
+                         std::abs(d - buffers.right_median[x - std::min(d, x)]) <= tolerance_px;
       out[x] = valid ? buffers.left_median[x] : kInvalidDisparity;
     }
   }
@@ -193,6 +218,8 @@ void check(const CensusSettings& settings) {
                // times 64 (of pick_winner's keys) fit 16 bits.
                settings.large_penalty <= 96,
            settings.small_penalty, settings.large_penalty);
+  AB_CHECK(settings.uniqueness_percent >= 0 && settings.uniqueness_percent < 100,
+           settings.uniqueness_percent);
   AB_CHECK(settings.left_right_tolerance_px >= -1, settings.left_right_tolerance_px);
 }
 
@@ -210,6 +237,7 @@ void match(const Kernels& kernels, const CensusSettings& settings,
            left.size(), right.size(), disparity.size(), pixels);
   const Buffers buffers = prepare(settings, width_px, height_px, workspace);
   const Frame& frame = buffers.frame;
+  if (frame.is_unique) prepare_rivals(buffers, settings.uniqueness_percent);
   transform_both(kernels, buffers, left, right);
   kernels.sweep_down(frame);
   // Where a right pixel never meets a chunk's disparities, its key stays this one.

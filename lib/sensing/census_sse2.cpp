@@ -53,6 +53,13 @@ inline Bytes count_bits(Bytes a, Bytes b, Bytes c, Bytes d) {
   return _mm_add_epi8(lower, upper);
 }
 
+/// Set bits of two bytes together, of which the second has its lower four alone.
+inline Bytes count_bits(Bytes a, Bytes b) {
+  const Bytes low = _mm_set1_epi8(15);
+  const Bytes bits = half_byte_bits(a, b);
+  return _mm_add_epi8(_mm_and_si128(bits, low), _mm_and_si128(_mm_srli_epi16(bits, 4), low));
+}
+
 /// Every byte's neighbour before it; that of the first is the last of `before`.
 inline Bytes one_before(Bytes before, Bytes v) {
   return _mm_or_si128(_mm_slli_si128(v, 1), _mm_srli_si128(before, 15));

@@ -80,12 +80,16 @@ class SgbmMatcher : public StereoMatcher {
 class CensusMatcher : public StereoMatcher {
  public:
   CensusMatcher(const StereoCensusSpec& spec, int width_px, int height_px)
-      : settings_{.disparities = static_cast<int>(spec.disparities),
+      : settings_{.window = spec.window,
+                  .disparities = static_cast<int>(spec.disparities),
                   .paths = static_cast<int>(spec.paths),
                   .small_penalty = static_cast<int>(spec.p1),
                   .large_penalty = static_cast<int>(spec.p2),
                   .subpixel = spec.subpixel,
+                  .uniqueness_percent = static_cast<int>(spec.uniqueness_percent),
                   .left_right_tolerance_px = static_cast<int>(spec.left_right_px)},
+        speckle_window_px_(static_cast<int>(spec.speckle_window_px)),
+        speckle_range_px_(static_cast<int>(spec.speckle_range_px)),
         zero_is_invalid_(!spec.subpixel),
         width_px_(width_px),
         height_px_(height_px) {}
@@ -94,6 +98,11 @@ class CensusMatcher : public StereoMatcher {
              std::span<float> disparity_px) override {
     sixteenths_.resize(disparity_px.size());
     match_census(settings_, left, right, width_px_, height_px_, workspace_, sixteenths_);
+    if (speckle_window_px_ > 0) {
+      cv::Mat image(height_px_, width_px_, CV_16SC1, sixteenths_.data());
+      cv::filterSpeckles(image, kInvalidDisparity, speckle_window_px_, 16 * speckle_range_px_,
+                         speckle_buffer_);
+    }
     for (std::size_t i = 0; i < disparity_px.size(); ++i) {
       const std::int16_t disparity = sixteenths_[i];
       const bool is_valid = disparity > 0 || (disparity == 0 && !zero_is_invalid_);
@@ -103,10 +112,12 @@ class CensusMatcher : public StereoMatcher {
 
  private:
   CensusSettings settings_;
+  int speckle_window_px_, speckle_range_px_;
   /// As in the original, which knows whole pixels alone. The matcher itself has another mark.
   bool zero_is_invalid_;
   int width_px_, height_px_;
   CensusWorkspace workspace_;
+  cv::Mat speckle_buffer_;
   std::vector<std::int16_t> sixteenths_;
 };
 

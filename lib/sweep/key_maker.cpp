@@ -1,5 +1,7 @@
 #include "sweep/key_maker.hpp"
 
+#include <utility>
+
 #include "base/digest.hpp"
 #include "base/spec_json.hpp"
 #include "sweep/recorded_latency.hpp"
@@ -10,6 +12,25 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* kLaterVehicleFields[] = {"thrust_to_weight", "angular_acceleration_radps2"};
+
+/// Of sensors of kind stereo_census, as they were without them.
+const std::pair<const char*, json> kLaterCensusFields[] = {{"window", "9x7"},
+                                                           {"uniqueness_percent", 0},
+                                                           {"speckle_window_px", 0},
+                                                           {"speckle_range_px", 2}};
+
+bool is_census(const json& camera) {
+  return camera.is_object() && camera.value("kind", json()) == "stereo_census";
+}
+
+/// Calls `change` with every camera of a sensor, itself the first.
+template <class Sensor, class Change>
+void for_each_camera(Sensor& sensor, Change change) {
+  change(sensor);
+  const auto more = sensor.find("more_cameras");
+  if (more == sensor.end() || !more->is_array()) return;
+  for (auto& camera : *more) change(camera);
+}
 
 /// A TrialSpec's JSON without what is no part of its key.
 json keyed_json(const TrialSpec& spec) {
@@ -36,6 +57,12 @@ void forget_unused_later_fields(nlohmann::json& trial) {
   // Sweeps of before these fields keep their keys, byte for byte.
   if (trial.at("missions_digest") == "") trial.erase("missions_digest");
   nlohmann::json& sensor = trial.at("sensor");
+  for_each_camera(sensor, [](json& camera) {
+    if (!is_census(camera)) return;
+    for (const auto& [field, before] : kLaterCensusFields) {
+      if (camera.at(field) == before) camera.erase(field);
+    }
+  });
   if (sensor.at("more_cameras").empty()) sensor.erase("more_cameras");
   for (const char* field : kLaterVehicleFields) {
     if (trial.at("vehicle").at(field) == 0.0) trial.at("vehicle").erase(field);
@@ -52,6 +79,10 @@ void forget_unused_planner_fields(nlohmann::json& planner) {
 void restore_later_fields(nlohmann::json& trial) {
   trial.emplace("missions_digest", "");
   if (trial.contains("sensor") && trial.at("sensor").is_object()) {
+    for_each_camera(trial.at("sensor"), [](json& camera) {
+      if (!is_census(camera)) return;
+      for (const auto& [field, before] : kLaterCensusFields) camera.emplace(field, before);
+    });
     trial.at("sensor").emplace("more_cameras", nlohmann::json::array());
   }
   if (trial.contains("vehicle") && trial.at("vehicle").is_object()) {

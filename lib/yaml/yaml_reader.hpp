@@ -66,6 +66,9 @@ class MappingReader {
   /// The value of the key `name`, if it is there.
   std::optional<GivenValue> take(std::string_view name);
 
+  /// A key `name` would be known if the mapping were of this kind ("forest").
+  void note_other_kind(const std::string& name, const std::string& kind);
+
   /// Adds a problem for each key that was not asked for, unknown "for generator forest" where
   /// `kind` says so.
   void finish(const std::string& kind = "");
@@ -73,6 +76,7 @@ class MappingReader {
  private:
   GivenValue mapping_;
   std::vector<std::string> names_;
+  std::map<std::string, std::vector<std::string>> other_kinds_;
 };
 
 }  // namespace avoidbench

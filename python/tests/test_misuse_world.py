@@ -137,7 +137,7 @@ def test_places_that_are_none_are_refused(
         ({"width_px": 64.5}, avoidbench.InputError, "width_px"),
         ({"fov_x_deg": 180}, avoidbench.InputError, "fov_x_deg"),
         ({"min_range_m": 5, "max_range_m": 2}, avoidbench.InputError, "range"),
-        ({"sensor": "stereo_sgm", "block_px": 4}, avoidbench.InputError, "block_px"),
+        ({"sensor": "stereo_sgbm", "block_px": 4}, avoidbench.InputError, "block_px"),
         ({"seed": -1}, ValueError, "seed"),
         ({"out": np.zeros((1, 240, 320))}, TypeError, "float32"),
         ({"out": np.zeros((1, 24, 32), np.float32)}, ValueError, r"\(1, 240, 320\) is wanted, not \(1, 24, 32\)"),

@@ -168,15 +168,30 @@ void sgbm(benchmark::State& state, int mode) {
                            {}});
 }
 
-void census_paths(benchmark::State& state, int paths, bool subpixel, bool portable) {
+void census_with(benchmark::State& state, CensusSettings settings, bool portable) {
   if (!portable && !census::has_avx2()) return state.SkipWithError("this processor has no AVX2");
+  settings.disparities = static_cast<int>(state.range(1));
   beside_hh(state, CensusRun{&stereo_pair(static_cast<int>(state.range(0))),
                              portable ? &census::portable_kernels() : &census::avx2_kernels(),
-                             {.disparities = static_cast<int>(state.range(1)),
-                              .paths = paths,
-                              .subpixel = subpixel},
+                             settings,
                              {},
                              {}});
+}
+
+void census_paths(benchmark::State& state, int paths, bool subpixel, bool portable) {
+  census_with(state, {.paths = paths, .subpixel = subpixel}, portable);
+}
+
+/// As the preset stereo_sgm has it, without its filter of speckles, which OpenCV does.
+void stereo_sgm(benchmark::State& state, bool portable) {
+  census_with(state,
+              {.window = CensusWindow::five_by_five,
+               .paths = 4,
+               .small_penalty = 5,
+               .large_penalty = 32,
+               .subpixel = true,
+               .uniqueness_percent = 10},
+              portable);
 }
 
 void sizes(benchmark::internal::Benchmark* bench) {
@@ -191,6 +206,8 @@ void sizes(benchmark::internal::Benchmark* bench) {
 BENCHMARK_CAPTURE(census_paths, 8, 8, false, false)->Apply(sizes);
 BENCHMARK_CAPTURE(census_paths, 8_subpixel, 8, true, false)->Apply(sizes);
 BENCHMARK_CAPTURE(census_paths, 4, 4, false, false)->Apply(sizes);
+BENCHMARK_CAPTURE(stereo_sgm, avx2, false)->Apply(sizes);
+BENCHMARK_CAPTURE(stereo_sgm, portable, true)->Apply(sizes);
 BENCHMARK_CAPTURE(census_paths, 8_portable, 8, false, true)->Apply(sizes);
 BENCHMARK_CAPTURE(census_paths, 4_portable, 4, false, true)->Apply(sizes);
 BENCHMARK_CAPTURE(sgbm, MODE_SGBM, cv::StereoSGBM::MODE_SGBM)->Apply(sizes);

@@ -51,8 +51,8 @@ TEST_F(Rigs, ProblemsOfACameraHaveTheirPlace) {
   const std::pair<const char*, const char*> cases[] = {
       {"sensor: {more_cameras: [d435_lik]}",
        "s.yaml:3:25: sensor.more_cameras[0]: \"d435_lik\" is no sensor (did you mean d435_like?); "
-       "known: d435_like, depth_ideal, depth_noisy, oak_d_like, stereo_original, stereo_sgm, "
-       "surround"},
+       "known: d435_like, depth_ideal, depth_noisy, oak_d_like, stereo_original, stereo_sgbm, "
+       "stereo_sgm, surround"},
       {"sensor: {more_cameras: [{widht_px: 3}]}",
        "s.yaml:3:26: sensor.more_cameras[0].widht_px: unknown key for kind depth_ideal (did you "
        "mean width_px?)"},

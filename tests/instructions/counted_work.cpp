@@ -168,6 +168,7 @@ int count(const std::string& name) {
       {"depth_forest", [] { return depth(forest()); }},
       {"shaded_pair_forest", [] { return shaded_pair(forest()); }},
       {"matcher_sgm", [] { return matcher("stereo_sgm"); }},
+      {"matcher_opencv", [] { return matcher("stereo_sgbm"); }},
       {"matcher_census", [] { return matcher("stereo_original"); }},
       {"physics_step", physics_step},
       {"trial", trial},

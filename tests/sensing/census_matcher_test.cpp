@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/random.hpp"
@@ -29,14 +30,17 @@ struct StereoPair {
 
 // --- A plain matcher: the definition, pixel by pixel. ---
 
-std::uint32_t census_at(const Grey& image, int width, int height, int x, int y) {
+std::uint32_t census_at(const Grey& image, int width, int height, int x, int y,
+                        CensusWindow window) {
   const auto pixel = [&](int px, int py) {
     const bool inside = px >= 0 && px < width && py >= 0 && py < height;
     return inside ? image[index(py * width + px)] : 0;
   };
   std::uint32_t bits = 0;
-  for (int dy = -3; dy <= 0; ++dy) {
-    for (int dx = -4; dx <= 4; ++dx) {
+  const auto [reach_x, reach_y] =
+      window == CensusWindow::five_by_five ? std::pair(2, 2) : std::pair(4, 3);
+  for (int dy = -reach_y; dy <= 0; ++dy) {
+    for (int dx = -reach_x; dx <= reach_x; ++dx) {
       if (dy == 0 && dx >= 0) break;
       bits = 2 * bits + (pixel(x + dx, y + dy) >= pixel(x - dx, y - dy) ? 1 : 0);
     }
@@ -52,15 +56,16 @@ struct Volume {
   int& at(int x, int y, int d) { return values[index((y * width + x) * disparities + d)]; }
 };
 
-Volume plain_costs(const StereoPair& pair, int disparities) {
-  Volume costs(pair.width_px, pair.height_px, disparities);
+Volume plain_costs(const StereoPair& pair, const CensusSettings& settings) {
+  Volume costs(pair.width_px, pair.height_px, settings.disparities);
+  const auto census = [&](const Grey& image, int x, int y) {
+    return census_at(image, pair.width_px, pair.height_px, x, y, settings.window);
+  };
   for (int y = 0; y < pair.height_px; ++y) {
     for (int x = 0; x < pair.width_px; ++x) {
-      const std::uint32_t left = census_at(pair.left, pair.width_px, pair.height_px, x, y);
-      for (int d = 0; d < disparities; ++d) {
-        const int match = std::max(x - d, 0);
-        costs.at(x, y, d) =
-            std::popcount(left ^ census_at(pair.right, pair.width_px, pair.height_px, match, y));
+      const std::uint32_t left = census(pair.left, x, y);
+      for (int d = 0; d < settings.disparities; ++d) {
+        costs.at(x, y, d) = std::popcount(left ^ census(pair.right, std::max(x - d, 0), y));
       }
     }
   }
@@ -117,12 +122,19 @@ Disparity plain_median(const Disparity& image, int width, int height) {
   return out;
 }
 
-int plain_winner(Volume& sums, int x, int y, bool subpixel) {
+int plain_winner(Volume& sums, int x, int y, const CensusSettings& settings) {
   int best = 0;
   for (int d = 1; d < sums.disparities; ++d) {
     if (sums.at(x, y, d) < sums.at(x, y, best)) best = d;
   }
-  if (!subpixel || best == 0 || best + 1 == sums.disparities) return 16 * best;
+  for (int d = 0; d < sums.disparities; ++d) {
+    const int kept = sums.at(x, y, d) * (100 - settings.uniqueness_percent);
+    if (settings.uniqueness_percent > 0 && std::abs(d - best) > 1 &&
+        kept < 100 * sums.at(x, y, best)) {
+      return kInvalidDisparity;
+    }
+  }
+  if (!settings.subpixel || best == 0 || best + 1 == sums.disparities) return 16 * best;
   const double before = sums.at(x, y, best - 1);
   const double after = sums.at(x, y, best + 1);
   const double slope = std::max(before, after) - sums.at(x, y, best);
@@ -134,7 +146,7 @@ int plain_winner(Volume& sums, int x, int y, bool subpixel) {
 Disparity plain_match(const StereoPair& pair, const CensusSettings& settings) {
   const int width = pair.width_px;
   const int height = pair.height_px;
-  Volume costs = plain_costs(pair, settings.disparities);
+  Volume costs = plain_costs(pair, settings);
   Volume sums(width, height, settings.disparities);
   constexpr int kDirections[8][2] = {{1, 0}, {-1, 0}, {0, 1},  {0, -1},
                                      {1, 1}, {-1, 1}, {1, -1}, {-1, -1}};
@@ -145,7 +157,7 @@ Disparity plain_match(const StereoPair& pair, const CensusSettings& settings) {
   Disparity right;
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
-      left.push_back(static_cast<std::int16_t>(plain_winner(sums, x, y, settings.subpixel)));
+      left.push_back(static_cast<std::int16_t>(plain_winner(sums, x, y, settings)));
       int best = 0;
       for (int d = 1; d < settings.disparities && x + d < width; ++d) {
         if (sums.at(x + d, y, d) < sums.at(x + best, y, best)) best = d;
@@ -160,8 +172,8 @@ Disparity plain_match(const StereoPair& pair, const CensusSettings& settings) {
   for (int i = 0; i < width * height; ++i) {
     const std::int16_t value = left[index(i)];
     const int d = (value + 8) / 16;
-    const bool valid =
-        i % width >= d && std::abs(d - right[index(i - d)]) <= settings.left_right_tolerance_px;
+    const bool valid = value >= 0 && i % width >= d &&
+                       std::abs(d - right[index(i - d)]) <= settings.left_right_tolerance_px;
     out.push_back(valid ? value : kInvalidDisparity);
   }
   return out;
@@ -223,6 +235,8 @@ void expect_plain(const StereoPair& pair, const CensusSettings& settings,
                   CensusWorkspace& workspace) {
   SCOPED_TRACE(std::to_string(pair.width_px) + "x" + std::to_string(pair.height_px) + "x" +
                std::to_string(settings.disparities) + " paths " + std::to_string(settings.paths) +
+               (settings.window == CensusWindow::five_by_five ? " 5x5" : " 9x7") + " unique by " +
+               std::to_string(settings.uniqueness_percent) +
                (settings.subpixel ? " subpixel" : "") + " tolerance " +
                std::to_string(settings.left_right_tolerance_px));
   const Disparity expected = plain_match(pair, settings);
@@ -277,6 +291,34 @@ TEST(CensusMatcher, IsThePlainMatcherToTheByte) {
   }
 }
 
+TEST(CensusMatcher, IsThePlainMatcherWithASmallWindowAndUniqueWinners) {
+  CensusWorkspace workspace;
+  std::uint64_t seed = 100;
+  for (const Size& size : kSizes) {
+    // Noise enough for winners that are not unique.
+    const StereoPair pair =
+        random_pair(size.width_px, size.height_px, size.disparities, 40, ++seed);
+    for (const int paths : {4, 8}) {
+      for (const int uniqueness_percent : {0, 10, 60}) {
+        for (const bool subpixel : {false, true}) {
+          for (const int tolerance_px : {-1, 1}) {
+            expect_plain(pair,
+                         {.window = CensusWindow::five_by_five,
+                          .disparities = size.disparities,
+                          .paths = paths,
+                          .small_penalty = 5,
+                          .large_penalty = 32,
+                          .subpixel = subpixel,
+                          .uniqueness_percent = uniqueness_percent,
+                          .left_right_tolerance_px = tolerance_px},
+                         workspace);
+          }
+        }
+      }
+    }
+  }
+}
+
 TEST(CensusMatcher, IsThePlainMatcherOnPureNoiseAndWithOtherPenalties) {
   CensusWorkspace workspace;
   StereoPair pair = random_pair(83, 21, 0, 0, 5);
@@ -312,9 +354,15 @@ TEST(CensusMatcher, VersionsAgreeOnALargeImage) {
   CensusWorkspace workspace;
   for (const int paths : {4, 8}) {
     for (const int disparities : {64, 128}) {
-      const CensusSettings settings{.disparities = disparities, .paths = paths, .subpixel = true};
-      EXPECT_EQ(match(census::portable_kernels(), pair, settings, workspace),
-                match(census::avx2_kernels(), pair, settings, workspace));
+      for (const CensusWindow window : {CensusWindow::nine_by_seven, CensusWindow::five_by_five}) {
+        const CensusSettings settings{.window = window,
+                                      .disparities = disparities,
+                                      .paths = paths,
+                                      .subpixel = true,
+                                      .uniqueness_percent = 10};
+        EXPECT_EQ(match(census::portable_kernels(), pair, settings, workspace),
+                  match(census::avx2_kernels(), pair, settings, workspace));
+      }
     }
   }
 }
@@ -441,6 +489,7 @@ TEST(CensusMatcherDeathTest, WrongSizesAndSettingsAbort) {
   EXPECT_DEATH(match(pair, {.paths = 5}), "paths");
   EXPECT_DEATH(match(pair, {.small_penalty = 97, .large_penalty = 97}), "penalty");
   EXPECT_DEATH(match(pair, {.small_penalty = 7, .large_penalty = 6}), "penalty");
+  EXPECT_DEATH(match(pair, {.uniqueness_percent = 100}), "uniqueness_percent");
   EXPECT_DEATH(match(pair, {.left_right_tolerance_px = -2}), "tolerance");
 }
 

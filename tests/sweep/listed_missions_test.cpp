@@ -87,6 +87,24 @@ TEST(ListedMissionKeys, LeaveTextsAsTheyWereWhereNothingIsListed) {
   EXPECT_NE(map_key(spec), map);
 }
 
+TEST(LaterFields, OfACensusAreKeptWhereTheyAreUsedInEveryCamera) {
+  TrialSpec spec;
+  spec.sensor.method = StereoCensusSpec{};
+  spec.sensor.more_cameras.resize(2);
+  spec.sensor.more_cameras[0].method = StereoCensusSpec{};
+  EXPECT_EQ(trial_json(spec).find("speckle"), std::string::npos);
+  EXPECT_EQ(trial_json(spec).find("window"), std::string::npos);
+  spec.sensor.more_cameras[1].method = StereoCensusSpec{.window = CensusWindow::five_by_five};
+  const std::string text = trial_json(spec);
+  EXPECT_NE(text.find("\"window\":\"5x5\""), std::string::npos);
+  nlohmann::json restored = nlohmann::json::parse(text);
+  restore_later_fields(restored);
+  EXPECT_EQ(restored.at("sensor").at("window"), "9x7");
+  EXPECT_EQ(restored.at("sensor").at("more_cameras")[0].at("speckle_range_px"), 2);
+  EXPECT_EQ(restored.at("sensor").at("more_cameras")[1].at("window"), "5x5");
+  EXPECT_EQ(restored.at("sensor").at("more_cameras")[1].at("uniqueness_percent"), 0);
+}
+
 TEST(ListedMissionKeys, FollowFromAllThatAMissionIs) {
   std::vector<Mission> missions(2);
   std::set<std::string> digests{missions_digest(missions), missions_digest({})};

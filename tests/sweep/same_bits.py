@@ -47,7 +47,7 @@ NOISY = [argument for setting in ["trials=1", "maps.poisson_radius_m=3.5", "sens
                                   "odometry.position_sigma_m=0.01", "odometry.position_drift_ratio=0.01",
                                   "odometry.yaw_drift_deg_per_sqrt_s=0.1", "odometry.delay_ms=5"]
          for argument in ("--set", setting)]
-SENSORS = ["depth_ideal", "depth_noisy", "stereo_sgm", "stereo_original", "d435_like", "oak_d_like", "surround"]
+SENSORS = ["depth_ideal", "depth_noisy", "stereo_sgm", "stereo_sgbm", "stereo_original", "d435_like", "oak_d_like", "surround"]
 
 
 def image_digests(program, folder):
