@@ -51,9 +51,9 @@ train() {
 }
 
 fly forest_ideal forest depth_ideal 9000001 4
-fly forest_stereo forest stereo_sgm 9000011 4
+fly forest_stereo forest stereo_sgbm 9000011 4
 fly hall_ideal hall depth_ideal 9000021 4
-fly hall_stereo hall stereo_sgm 9000031 4
+fly hall_stereo hall stereo_sgbm 9000031 4
 first=("$out"/forest_ideal "$out"/forest_stereo "$out"/hall_ideal "$out"/hall_stereo)
 echo "== first training: by the expert's flights"
 train first 0.35 --recipe imitation --samples "${first[@]}"
@@ -61,8 +61,8 @@ train first 0.35 --recipe imitation --samples "${first[@]}"
 # What the net meets where it flies itself, with what the expert would do there (DAgger).
 own=(--weights "$out/first.safetensors")
 fly own_forest_ideal forest depth_ideal 9000041 2 "${own[@]}"
-fly own_forest_stereo forest stereo_sgm 9000051 3 "${own[@]}"
-fly own_hall_stereo hall stereo_sgm 9000061 2 "${own[@]}"
+fly own_forest_stereo forest stereo_sgbm 9000051 3 "${own[@]}"
+fly own_hall_stereo hall stereo_sgbm 9000061 2 "${own[@]}"
 second=("${first[@]}" "$out"/own_*)
 echo "== second training: down the cost"
 train second 0.35 --recipe descent --rate 1e-3 --samples "${second[@]}" --init "$out/first.safetensors"
@@ -72,7 +72,7 @@ fly walls walls depth_ideal 9000071 4
 fly traps traps depth_ideal 9000071 4
 fly again_walls walls depth_ideal 9000081 4 "${own[@]}"
 fly again_traps traps depth_ideal 9000081 4 "${own[@]}"
-fly again_forest forest stereo_sgm 9000091 1 "${own[@]}"
+fly again_forest forest stereo_sgbm 9000091 1 "${own[@]}"
 third=("${second[@]}" "$out"/walls "$out"/traps "$out"/again_*)
 echo "== third training: with what can't be passed"
 train agile 0.3 --recipe descent --rate 1e-3 --samples "${third[@]}" --init "$out/second.safetensors"
