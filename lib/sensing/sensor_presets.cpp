@@ -23,10 +23,10 @@ SensorSpec depth_noisy() {
 
 /// Without shadows, which cost a forest's trial half of its speed and change hardly what is
 /// matched.
-SensorSpec plain_stereo(std::string name, DepthMethod method) {
+SensorSpec plain_stereo(std::string name, const DepthMethod& method) {
   SensorSpec sensor;
   sensor.name = std::move(name);
-  sensor.method = std::move(method);
+  sensor.method = method;
   sensor.baseline_m = 0.12;
   sensor.image.shadows = false;
   return with_centered_eyes(sensor);
