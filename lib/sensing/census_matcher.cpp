@@ -182,6 +182,8 @@ void median_row(const Kernels& kernels, const Frame& frame, const std::int16_t* 
   kernels.median_row(row(y - 1), row(y), row(y + 1), frame.width_px, out);
 }
 
+static_assert(kNoWinner == kInvalidDisparity);  // so it may stay what it is
+
 /// Medians of both images and the check of one against the other.
 void finish(const Kernels& kernels, const Buffers& buffers, int tolerance_px,
             std::span<std::int16_t> disparity) {

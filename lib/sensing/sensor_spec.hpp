@@ -24,7 +24,7 @@ template <class Visitor, ConstOr<DepthIdealSpec> Spec>
 void visit(Visitor&, Spec&) {}
 
 /// True depth made as wrong as that of a stereo pair matched by SGM, for a tenth of its cost. The
-/// defaults are fitted to stereo_sgm; see docs/sensors.md and `avoidbench sensors measure`. What
+/// defaults are fitted to stereo_sgbm; see docs/sensors.md and `avoidbench sensors measure`. What
 /// differs between fully textured and bland surfaces grows with the square of the lack of opacity.
 struct DepthNoisySpec {
   static constexpr std::string_view kind = "depth_noisy";
