@@ -190,6 +190,23 @@ void read_field(const GivenValue& given, const FieldTree& field, Json& value) {
   }
 }
 
+namespace {
+
+/// Of a block's variants those that have this key: "generator forest, hall".
+std::string kinds_with(const FieldTree& block, std::string_view key) {
+  std::string found;
+  for (const FieldTree& field : block.fields) {
+    if (field.kind != FieldKind::variant) continue;
+    for (const FieldTree& kind : field.fields) {
+      if (kind.find(key) == nullptr) continue;
+      found += (found.empty() ? field.name + " " : ", ") + kind.name;
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
 std::string read_key(MappingReader& mapping, const FieldTree& field, Json& block) {
   const std::optional<GivenValue> given = mapping.take(field.name);
   if (field.kind != FieldKind::variant) {
@@ -213,10 +230,6 @@ std::string read_key(MappingReader& mapping, const FieldTree& field, Json& block
     block.update(preset_json(*field.find(kind)));
   }
   for (const FieldTree& of_kind : field.find(kind)->fields) read_key(mapping, of_kind, block);
-  for (const FieldTree& other : field.fields) {
-    for (const FieldTree& of_other : other.fields)
-      mapping.note_other_kind(of_other.name, other.name);
-  }
   return field.name + " " + kind;
 }
 
@@ -250,7 +263,7 @@ void read_block(const GivenValue& given, const FieldTree& block, Json& value) {
     if (!of_field.empty()) kind = of_field;
   }
   check_settled(given, block, value);
-  mapping.finish(kind);
+  mapping.finish(kind, [&](std::string_view key) { return kinds_with(block, key); });
 }
 
 }  // namespace avoidbench

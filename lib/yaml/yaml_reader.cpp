@@ -64,18 +64,15 @@ std::optional<GivenValue> MappingReader::take(std::string_view name) {
   return value;
 }
 
-void MappingReader::note_other_kind(const std::string& name, const std::string& kind) {
-  other_kinds_[name].push_back(kind);
-}
-
 /// Names that were asked for are those that exist, so a reader asks for all that it knows, also for
 /// those that it goes on to ignore.
-void MappingReader::finish(const std::string& kind) {
+void MappingReader::finish(const std::string& kind,
+                           const std::function<std::string(std::string_view)>& others) {
   for (const YamlNode& key : mapping_.node.keys) {
     if (std::find(names_.begin(), names_.end(), key.scalar) != names_.end()) continue;
-    const auto others = other_kinds_.find(key.scalar);
-    std::string hint = others != other_kinds_.end() ? " (a key of " + joined(others->second) + ")"
-                                                    : did_you_mean(key.scalar, names_);
+    const std::string owner = others ? others(key.scalar) : "";
+    std::string hint =
+        owner.empty() ? did_you_mean(key.scalar, names_) : " (a key of " + owner + ")";
     // A longer list hides the message; a likely name is offered in its place.
     constexpr std::size_t kMostListed = 12;
     if (hint.empty() && !names_.empty() && names_.size() <= kMostListed) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -66,17 +67,14 @@ class MappingReader {
   /// The value of the key `name`, if it is there.
   std::optional<GivenValue> take(std::string_view name);
 
-  /// A key `name` would be known if the mapping were of this kind ("forest").
-  void note_other_kind(const std::string& name, const std::string& kind);
-
   /// Adds a problem for each key that was not asked for, unknown "for generator forest" where
-  /// `kind` says so.
-  void finish(const std::string& kind = "");
+  /// `kind` says so. `others` tells whose key it is instead ("generator hall"), "" if nobody's.
+  void finish(const std::string& kind = "",
+              const std::function<std::string(std::string_view)>& others = {});
 
  private:
   GivenValue mapping_;
   std::vector<std::string> names_;
-  std::map<std::string, std::vector<std::string>> other_kinds_;
 };
 
 }  // namespace avoidbench

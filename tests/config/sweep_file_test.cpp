@@ -217,8 +217,8 @@ TEST_F(SweepFiles, EachProblemHasItsPlaceAndReason) {
       {"maps: {poisson_radius_m: [3, 90]}",
        "s.yaml:3:30: maps.poisson_radius_m: 90 is outside [1, 20]"},
       {"maps: {generator: hall, bush_ratio: 1}",
-       "s.yaml:3:25: maps.bush_ratio: unknown key for generator hall (a key of forest, "
-       "avoidbench_forest)"},
+       "s.yaml:3:25: maps.bush_ratio: unknown key for generator hall (a key of generator "
+       "forest, avoidbench_forest)"},
       {"maps: {flight_height_m: 8}",
        "s.yaml:3:25: maps.flight_height_m: 8 is not below height_m, 6"},
       {"rates: {physics_hz: 250, plan_hz: 500}",
@@ -241,11 +241,13 @@ TEST_F(SweepFiles, EachProblemHasItsPlaceAndReason) {
       {"sensor: {preset: stereo_sgbm, p1_factor: 32}",
        "s.yaml:3:42: sensor.p1_factor: 32 is not below p2_factor, 32"},
       {"sensor: {preset: stereo_sgm, block_px: 5}",
-       "s.yaml:3:30: sensor.block_px: unknown key for kind stereo_census (a key of stereo_sgm)"},
+       "s.yaml:3:30: sensor.block_px: unknown key for kind stereo_census (a key of kind "
+       "stereo_sgm)"},
       {"sensor: {preset: stereo_original, paths: 6}",
        "s.yaml:3:42: sensor.paths: 6 is neither 4 nor 8"},
       {"sensor: {kind: depth_ideal, disparities: 64}",
-       "s.yaml:3:29: sensor.disparities: unknown key for kind depth_ideal (a key of stereo_sgm, "
+       "s.yaml:3:29: sensor.disparities: unknown key for kind depth_ideal (a key of kind "
+       "stereo_sgm, "
        "stereo_census)"},
       {"sensor: {kind: stereo}",
        "s.yaml:3:16: sensor.kind: \"stereo\" is none of depth_ideal, depth_noisy, stereo_sgm, "

@@ -179,7 +179,7 @@ TEST(YamlReader, EachProblemHasItsPlaceAndReason) {
       {"outline: sqare",
        "f.yaml:1:10: sensor.outline: \"sqare\" is none of round, square (did you mean square?)"},
       {"outline: square\nradius_m: 1",
-       "f.yaml:2:1: sensor.radius_m: unknown key for outline square (a key of round)"},
+       "f.yaml:2:1: sensor.radius_m: unknown key for outline square (a key of outline round)"},
       {"- 1", "f.yaml:1:1: sensor: expected a mapping (name: value), found a list"},
   };
   for (const auto& [text, expected] : cases) {
