@@ -126,6 +126,13 @@ void draw_mission(const Mission& mission, double goal_radius_m, Panel& panel) {
   draw_disc(panel.picture, start, 5.0, kStartColor);
 }
 
+/// "0.41 m", or "> 3 m" where the search ended before a surface.
+std::string clearance_text(double clearance_m) {
+  return (clearance_m < kClearanceLimit_m ? fixed_digits(clearance_m, 2)
+                                          : "> " + fixed_digits(kClearanceLimit_m, 0)) +
+         " m";
+}
+
 }  // namespace
 
 const Sample& sample_at(const TrialRecord& record, double time_s) {
@@ -134,6 +141,16 @@ const Sample& sample_at(const TrialRecord& record, double time_s) {
   const auto after = std::upper_bound(record.samples.begin(), record.samples.end(), time_s + 1e-9,
                                       [](double time, const Sample& s) { return time < s.time_s; });
   return after == record.samples.begin() ? *after : *std::prev(after);
+}
+
+std::string reference_text(const Scene& scene, const std::array<double, 3>& body_size_m,
+                           const Sample& now) {
+  const std::string label = "reference";
+  if (!now.reference_world.allFinite()) return label;
+  const double away_m = (now.position_world - now.reference_world).norm();
+  const double clearance_m = scene.body_clearance(
+      to_eigen(body_size_m), make_pose(now.reference_world, now.q_world_body), kClearanceLimit_m);
+  return label + ": " + fixed_digits(away_m, 2) + " m off, clear by " + clearance_text(clearance_m);
 }
 
 Picture image_picture(const SeenImage& image, double shown_m) {
@@ -236,8 +253,11 @@ Panel ReplaySheets::detail(const Moment& moment, const Panel& empty, bool from_a
   draw_path(references, kReference, 1, 0, panel);
   draw_path(commanded(moment), kCommand, 2, 1, panel);
   if (shows_contact(moment)) draw_struck(*struck_, panel);
-  draw_box(to_eigen(stored_.spec.vehicle.body_size_m),
-           make_pose(now.position_world, now.q_world_body), kVehicle, panel);
+  const Vector3d body_m = to_eigen(stored_.spec.vehicle.body_size_m);
+  if (now.reference_world.allFinite()) {
+    draw_box(body_m, make_pose(now.reference_world, now.q_world_body), kReference, panel);
+  }
+  draw_box(body_m, make_pose(now.position_world, now.q_world_body), kVehicle, panel);
   // Body x is forward.
   const Vector3d nose = now.position_world + 0.6 * (now.q_world_body * Vector3d::UnitX());
   draw_path({now.position_world, nose}, kVehicle, 2, 0, panel);
@@ -251,20 +271,18 @@ Panel ReplaySheets::from_above(const Moment& moment) const {
   // What is more than half a metre above the vehicle is left out.
   paint_below(*roofless_scene_, now.position_world.z() + 0.5, panel);
   panel = detail(moment, panel, true);
-  std::vector<LegendLine> legend{{kCommand, command_text(moment)},
-                                 {kReference, "reference, last 3 s"}};
+  std::vector<LegendLine> legend{
+      {kCommand, command_text(moment)},
+      {kReference, reference_text(*scene_, stored_.spec.vehicle.body_size_m, now)}};
   for (const Drawing& drawing : moment.drawings) {
     if (drawing.kind == DrawingKind::text) continue;
     legend.push_back({color_of(drawing.color_rgb), drawing.label});
   }
   add_legend(legend, panel.picture);
-  const std::string clearance = now.clearance_m < kClearanceLimit_m
-                                    ? fixed_digits(now.clearance_m, 2)
-                                    : "> " + fixed_digits(kClearanceLimit_m, 0);
   add_caption(panel.picture, "z = " + fixed_digits(now.position_world.z(), 2) + " m, " +
                                  fixed_digits(now.velocity_world.norm(), 2) + " m/s, clearance " +
-                                 clearance + " m; red: within " + fixed_digits(radius_m_, 2) +
-                                 " m");
+                                 clearance_text(now.clearance_m) + "; red: within " +
+                                 fixed_digits(radius_m_, 2) + " m");
   add_scale_bar(panel.picture, panel.pixels_per_m);
   return panel;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -61,6 +62,11 @@ const Sample& sample_at(const TrialRecord& record, double time_s);
 
 /// What a camera saw, depths up to `shown_m`.
 Picture image_picture(const SeenImage& image, double shown_m);
+
+/// A legend: how far the vehicle is from where it was told to be, and whether its body would be
+/// clear there, with its attitude: a reference has none.
+std::string reference_text(const Scene& scene, const std::array<double, 3>& body_size_m,
+                           const Sample& now);
 
 /// The path with start and goal, from above.
 Eigen::AlignedBox2d extent_of(const StoredTrial& stored, const TrialRecord& record);

@@ -2,10 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "base/math.hpp"
 #include "support/flight_worlds.hpp"
 #include "view/map_plan.hpp"
+#include "view/replay_sheet.hpp"
 #include "view/struck_obstacle.hpp"
 
 namespace avoidbench {
@@ -131,6 +133,22 @@ TEST(Struck, TheGroundIsNotPaintedRed) {
   panel.picture.rgb.assign(panel.picture.rgb.size(), 255);
   draw_struck(*struck, panel);
   EXPECT_EQ(pixel(panel.picture, panel.to_pixels({2.0, 2.0, 2})), (Color{255, 255, 255}));
+}
+
+/// The trunk's face is at x = −0.5: what a body of 0.5 m has left before it is told for where it
+/// was told to be, not for where it is.
+TEST(Reference, SaysHowFarTheVehicleIsOffAndWhetherItWouldBeClear) {
+  const World world = tree_world();
+  const Scene scene(world);
+  Sample now;
+  now.position_world = {-0.7, 0.0, 2.0};
+  now.reference_world = {-1.0, 0.0, 2.0};
+  const std::array<double, 3> body_m{0.5, 0.5, 0.12};
+  EXPECT_EQ(reference_text(scene, body_m, now), "reference: 0.30 m off, clear by 0.25 m");
+  now.reference_world = {-0.6, 0.0, 2.0};
+  EXPECT_EQ(reference_text(scene, body_m, now), "reference: 0.10 m off, clear by 0.00 m");
+  now.reference_world.x() = std::numeric_limits<double>::quiet_NaN();  // of body rates
+  EXPECT_EQ(reference_text(scene, body_m, now), "reference");
 }
 
 TEST(Labels, StandOnAGroundOfTheirOwnWithinThePicture) {
