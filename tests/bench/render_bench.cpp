@@ -217,11 +217,13 @@ void build(benchmark::State& state, MapKind kind, bool flattened) {
 BENCHMARK_CAPTURE(depth, hall, hall)
     ->Arg(640)
     ->Arg(320)
+    ->Arg(64)
     ->UseManualTime()
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(depth, forest, forest)
     ->Arg(640)
     ->Arg(320)
+    ->Arg(64)
     ->UseManualTime()
     ->Unit(benchmark::kMillisecond);
 // What a frame costs where the map is larger and denser: what is seen counts, not the map.
