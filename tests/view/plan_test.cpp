@@ -141,6 +141,7 @@ TEST(Reference, SaysHowFarTheVehicleIsOffAndWhetherItWouldBeClear) {
   const World world = tree_world();
   const Scene scene(world);
   Sample now;
+  now.q_world_body.setIdentity();
   now.position_world = {-0.7, 0.0, 2.0};
   now.reference_world = {-1.0, 0.0, 2.0};
   const std::array<double, 3> body_m{0.5, 0.5, 0.12};
