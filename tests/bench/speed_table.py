@@ -28,8 +28,8 @@ BENCHES = {
 }
 SWEEP = """
 sweep: rows
-maps: {{generator: forest, area_m: [40, 40], poisson_radius_m: 3.5, seeds: [1]}}
-trials: 500
+maps: {{generator: forest, area_m: [40, 40], poisson_radius_m: 3.5, seeds: {{from: 1, to: 25, count: 25}}}}
+trials: 20
 planners: [{build}/planners/reactive.so]
 sensor: {{width_px: 64, height_px: 48}}
 """
