@@ -126,7 +126,7 @@ void draw_mission(const Mission& mission, double goal_radius_m, Panel& panel) {
   draw_disc(panel.picture, start, 5.0, kStartColor);
 }
 
-/// "0.41 m", or "> 3 m" where the search ended before a surface.
+/// "0.41 m", or "> 5 m" where the search ended before a surface.
 std::string clearance_text(double clearance_m) {
   return (clearance_m < kClearanceLimit_m ? fixed_digits(clearance_m, 2)
                                           : "> " + fixed_digits(kClearanceLimit_m, 0)) +

@@ -4,7 +4,7 @@
     tests/bench/speed_table.py [BUILD FOLDER, build/release] [--rounds 5] [--out docs/speed.md]
 
 Builds the benchmarks it needs, runs them in turns on one core as many rounds, and takes medians. Nothing else should run on the machine
-(some ten minutes)."""
+(some twenty minutes)."""
 import argparse
 import collections
 import datetime
