@@ -10,7 +10,7 @@ constexpr CauseDef kCauses[] = {
     {Cause::moved_into, "what it struck had moved into its way since the planner's last word",
      "obstacle_way_m > 0 and still_clearance_m > 0.02"},
     {Cause::tracking, "the commanded path was clear, the flown one left it",
-     "commanded_clearance_m > 0.02 and tracking_error_m > commanded_clearance_m"},
+     "commanded_clearance_m > 0.05 and tracking_error_m > commanded_clearance_m"},
     {Cause::out_of_view, "it came into the field of view too late or never",
      "not in_cone_s <= last_chance_s"},
     {Cause::occluded, "something stood before it until too late",

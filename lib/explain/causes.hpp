@@ -68,7 +68,7 @@ struct CauseDef {
 std::span<const CauseDef> cause_table();
 
 /// A stored explanation is told anew where the rules have changed since.
-inline constexpr int kCauseRulesVersion = 2;
+inline constexpr int kCauseRulesVersion = 3;
 
 /// What was measured of a failed flight; NaN where it has no meaning for this one, or never was.
 /// Times are of the flight. "Patch": the surface within 0.25 m of where the body touched it.

@@ -15,6 +15,9 @@ namespace {
 
 /// Below this a clearance is none: bodies are boxes of float triangles.
 constexpr double kClear_m = 0.02;
+/// Below this a commanded path is not called clear: who plans to pass by so little is hit by any
+/// error of tracking.
+constexpr double kClearPath_m = 0.05;
 /// What a planner can be asked to react to: maps want more than one image, and so do people.
 constexpr std::size_t kEnoughImages = 3;
 /// "Lately": so many exposures. Far off, an image has much else at about the patch's depth.
@@ -224,7 +227,7 @@ bool left_commanded_path(const FailedFlight& flight, Facts& facts) {
     facts.commanded_clearance_m = std::min(
         facts.commanded_clearance_m, scene.body_clearance(body_m, commanded, kClearanceLimit_m));
   }
-  return facts.commanded_clearance_m > kClear_m &&
+  return facts.commanded_clearance_m > kClearPath_m &&
          facts.tracking_error_m > facts.commanded_clearance_m;
 }
 

@@ -56,15 +56,18 @@ TEST(Causes, MovedInto) {
             Cause::sensed_not_avoided);
 }
 
-TEST(Causes, TrackingWhereAGustCarriesItOffAClearPath) {
+/// A gust from the side, and a path along x = 0 that passes a wall by `clearance_m`.
+Told carried_off(double clearance_m) {
   World world = test::flight_world();
-  test::add_obstacle(world, test::box_mesh(Vector3f(0.4F, 10, 8)), {0.7, 5, 4}, "wall");
+  const double half_body_m = 0.25, half_wall_m = 0.2;
+  test::add_obstacle(world, test::box_mesh(Vector3f(0.4F, 10, 8)),
+                     {half_body_m + clearance_m + half_wall_m, 5, 4}, "wall");
   TrialSpec spec = spec_of<Silent>();
   spec.wind.force_world_n = {2.0, 0.0, 0.0};
   static std::vector<ab_point> points;
   act = [](const ab_observation& seen) {
     points.clear();
-    // Along x = 0 by the clock, whatever the wind does: 0.25 m beside the wall.
+    // By the clock, whatever the wind does.
     for (int i = 0; i < 60; ++i) {
       const double time_s = seen.state->time_s + 0.033 + 0.05 * i;
       ab_point point{};
@@ -77,10 +80,24 @@ TEST(Causes, TrackingWhereAGustCarriesItOffAClearPath) {
     }
     return make_trajectory_command(points);
   };
-  const Told told = fly_and_explain(spec, world, test::straight_mission());
+  return fly_and_explain(spec, world, test::straight_mission());
+}
+
+TEST(Causes, TrackingWhereAGustCarriesItOffAClearPath) {
+  const Told told = carried_off(0.25);
   ASSERT_EQ(told.record.outcome, Outcome::collided) << told.record.reason;
   EXPECT_EQ(told.explanation.cause, Cause::tracking) << facts_text(told.explanation);
   EXPECT_NEAR(told.explanation.facts.commanded_clearance_m, 0.25, 0.05);
+}
+
+TEST(Causes, NotTrackingWhereThePathGrazesIt) {
+  const Told told = carried_off(0.035);
+  ASSERT_EQ(told.record.outcome, Outcome::collided) << told.record.reason;
+  const Facts& facts = told.explanation.facts;
+  EXPECT_GT(facts.commanded_clearance_m, 0.02);
+  EXPECT_LT(facts.commanded_clearance_m, 0.05);
+  EXPECT_GT(facts.tracking_error_m, facts.commanded_clearance_m);
+  EXPECT_EQ(told.explanation.cause, Cause::sensed_not_avoided) << facts_text(told.explanation);
 }
 
 TEST(Causes, OutOfViewWhereItLooksElsewhere) {
