@@ -1,10 +1,12 @@
 #include "metrics/reference_path.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <queue>
+#include <tuple>
+#include <unordered_map>
 
 #include "metrics/taut_path.hpp"
 
@@ -15,46 +17,75 @@ using Eigen::Vector3d;
 using Eigen::Vector3i;
 using Path = std::vector<Vector3d>;
 
-/// Search state, by cell. The start is a cell of its own, moved to the true start point.
+/// Where the ball stands in a cell.
+enum class Stand : std::uint8_t { unknown, nowhere, at_centre, beside_surface };
+
+/// What is known of a cell: together, since the search goes through memory more than it computes.
+struct Cell {
+  double cost_m = std::numeric_limits<double>::infinity();  ///< +inf: not reached
+  std::int32_t parent = -1;  ///< of reached cells; 32 bits hold the grid's 8 million
+  Stand stand = Stand::unknown;
+  bool is_sighted = false;  ///< whether the way from the parent is known to be free
+  bool is_closed = false;
+};
+
+/// The start is a cell of its own, moved to the true start point, and the goal likewise.
 struct Search {
   ClearanceGrid& grid;
   double radius_m;
   Vector3d start;
   GoalRegion goal;
   std::int64_t start_index, goal_index;
-  std::vector<double> cost_m;  ///< +inf: not reached
-  // 32 bits hold the grid's 8 million cells.
-  std::vector<std::int32_t> parent;  ///< of reached cells
-  std::vector<bool> is_sighted;      ///< whether the way from the parent is known to be free
-  std::vector<bool> closed;
-  std::map<std::int64_t, Vector3d> beside_surface;  ///< places of such cells, once asked
+  std::vector<Cell> cells;
+  std::unordered_map<std::int64_t, Vector3d> beside_surface;  ///< places of such cells
 
+  Cell& at(std::int64_t index) { return cells[static_cast<std::size_t>(index)]; }
   bool is_free(const Vector3d& point) {
     return grid.region().contains(point) && grid.is_free(point, radius_m);
   }
-  Vector3d place(std::int64_t index);
 };
 
-/// Where the ball stands in a cell: at its centre, or, where a surface is about the ball's radius
-/// from there, touching it. So paths can lie against surfaces, and their lengths are true enough to
-/// choose by which side of an obstacle to pass.
-Vector3d Search::place(std::int64_t index) {
-  if (index == start_index) return start;
-  if (index == goal_index) return goal.center_world;
-  const Vector3i cell = grid.cell(index);
-  const Vector3d centre = grid.centre(cell);
-  const double lacking_m = radius_m - grid.clearance_m(cell);
+/// At the cell's centre, or, where a surface is about the ball's radius from there, touching it. So
+/// paths can lie against surfaces, and their lengths are true enough to choose by which side of an
+/// obstacle to pass.
+Stand found_stand(Search& search, std::int64_t index) {
+  const auto if_free = [&](const Vector3d& place) {
+    return search.is_free(place) ? Stand::at_centre : Stand::nowhere;
+  };
+  if (index == search.start_index) return if_free(search.start);
+  if (index == search.goal_index) return if_free(search.goal.center_world);
+  const Vector3i cell = search.grid.cell(index);
+  const Vector3d centre = search.grid.centre(cell);
+  const double lacking_m = search.radius_m - search.grid.clearance_m(cell);
   // A push of more than half a cell would end in the next cell, which has a place of its own.
-  if (lacking_m <= 0.0 || lacking_m > 0.5 * grid.cell_m()) return centre;
-  const auto [found, is_new] = beside_surface.try_emplace(index, centre);
-  if (is_new) {
+  if (lacking_m > 0.0 && lacking_m <= 0.5 * search.grid.cell_m()) {
     // More than the rounding of float vertices, so that the ball is free where it touches.
     constexpr double kSpare_m = 1e-5;
-    const Vector3d away = centre - grid.nearest_surface(centre);
-    const Vector3d touching = centre + away.normalized() * (radius_m + kSpare_m - away.norm());
-    if (is_free(touching)) found->second = touching;
+    const Vector3d away = centre - search.grid.nearest_surface(centre);
+    const Vector3d touching =
+        centre + away.normalized() * (search.radius_m + kSpare_m - away.norm());
+    if (search.is_free(touching)) {
+      search.beside_surface.emplace(index, touching);
+      return Stand::beside_surface;
+    }
   }
-  return found->second;
+  return if_free(centre);
+}
+
+bool has_place(Search& search, std::int64_t index) {
+  Stand& stand = search.at(index).stand;
+  if (stand == Stand::unknown) stand = found_stand(search, index);
+  return stand != Stand::nowhere;
+}
+
+/// Of a cell that has one, or of start and goal.
+Vector3d place_of(const Search& search, std::int64_t index) {
+  if (index == search.start_index) return search.start;
+  if (index == search.goal_index) return search.goal.center_world;
+  if (search.cells[static_cast<std::size_t>(index)].stand == Stand::beside_surface) {
+    return search.beside_surface.at(index);
+  }
+  return search.grid.centre(search.grid.cell(index));
 }
 
 /// No way from `place` to the goal region is shorter: it is reached at any height.
@@ -94,28 +125,40 @@ void for_each_neighbour(const Search& search, std::int64_t index, Visit visit_ne
 /// Lazy Theta*: a cell inherited its parent's parent without looking; look now, and where there is
 /// no line of sight take the best closed neighbour instead. False where none serves.
 bool settle_parent(Search& search, std::int64_t index) {
-  const auto at = [](std::int64_t i) { return static_cast<std::size_t>(i); };
-  const Vector3d here = search.place(index);
-  const std::int64_t parent = search.parent[at(index)];
-  if (search.grid.is_segment_free(search.place(parent), here, search.radius_m)) return true;
-  double best_m = std::numeric_limits<double>::infinity();
+  Cell& cell = search.at(index);
+  const Vector3d here = place_of(search, index);
+  if (search.grid.is_segment_free(place_of(search, cell.parent), here, search.radius_m)) {
+    return true;
+  }
+  struct Way {
+    double cost_m;
+    std::int64_t from;
+  };
+  std::array<Way, 26> ways;
+  auto end = ways.begin();
   for_each_neighbour(search, index, [&](std::int64_t next) {
-    if (!search.closed[at(next)]) return;
-    const Vector3d there = search.place(next);
-    const double cost_m = search.cost_m[at(next)] + (here - there).norm();
-    if (cost_m >= best_m || !search.grid.is_segment_free(there, here, search.radius_m)) return;
-    best_m = cost_m;
-    search.parent[at(index)] = static_cast<std::int32_t>(next);
+    const Cell& other = search.at(next);
+    if (other.is_closed) {
+      *end++ = {other.cost_m + (here - place_of(search, next)).norm(), next};
+    }
   });
-  search.cost_m[at(index)] = best_m;
-  return best_m < std::numeric_limits<double>::infinity();
+  // The shortest first: then the first free one is the best. Of equal ones the lowest cell.
+  std::sort(ways.begin(), end, [](const Way& a, const Way& b) {
+    return std::tie(a.cost_m, a.from) < std::tie(b.cost_m, b.from);
+  });
+  const auto best = std::find_if(ways.begin(), end, [&](const Way& way) {
+    return search.grid.is_segment_free(place_of(search, way.from), here, search.radius_m);
+  });
+  cell.cost_m = best == end ? std::numeric_limits<double>::infinity() : best->cost_m;
+  if (best != end) cell.parent = static_cast<std::int32_t>(best->from);
+  return best != end;
 }
 
-Path path_to(Search& search, std::int64_t index) {
-  Path path{search.place(index)};
+Path path_to(const Search& search, std::int64_t index) {
+  Path path{place_of(search, index)};
   for (std::int64_t i = index; i != search.start_index;) {
-    i = search.parent[static_cast<std::size_t>(i)];
-    path.push_back(search.place(i));
+    i = search.cells[static_cast<std::size_t>(i)].parent;
+    path.push_back(place_of(search, i));
   }
   std::reverse(path.begin(), path.end());
   return path;
@@ -123,44 +166,46 @@ Path path_to(Search& search, std::int64_t index) {
 
 /// Cells of the path from start to the first one settled in the goal region, or empty.
 Path any_angle_search(Search& search) {
-  const auto at = [](std::int64_t i) { return static_cast<std::size_t>(i); };
   std::priority_queue<Open> open;
-  search.cost_m[at(search.start_index)] = 0.0;
-  search.parent[at(search.start_index)] = static_cast<std::int32_t>(search.start_index);
-  search.is_sighted[at(search.start_index)] = true;
+  Cell& first = search.at(search.start_index);
+  first.cost_m = 0.0;
+  first.parent = static_cast<std::int32_t>(search.start_index);
+  first.is_sighted = true;
   open.push({heuristic_m(search, search.start), 0.0, search.start_index});
   while (!open.empty()) {
     const std::int64_t index = open.top().index;
     open.pop();
+    Cell& cell = search.at(index);
     // Settled by an earlier entry: entries stay in the queue when a better one is pushed.
-    if (search.closed[at(index)]) continue;
+    if (cell.is_closed) continue;
     // Lazy: the line of sight is looked at only when the cell's turn has come.
-    if (!search.is_sighted[at(index)]) {
-      const double hoped_m = search.cost_m[at(index)];
+    if (!cell.is_sighted) {
+      const double hoped_m = cell.cost_m;
       if (!settle_parent(search, index)) continue;
-      search.is_sighted[at(index)] = true;
-      const double cost_m = search.cost_m[at(index)];
-      // The way around is longer than the straight one that was hoped for.
-      if (cost_m > hoped_m) {  // others may come first now
-        open.push({cost_m + heuristic_m(search, search.place(index)), cost_m, index});
+      cell.is_sighted = true;
+      // The way around is longer than the straight one that was hoped for: others may come first
+      // now.
+      if (cell.cost_m > hoped_m) {
+        open.push({cell.cost_m + heuristic_m(search, place_of(search, index)), cell.cost_m, index});
         continue;
       }
     }
-    search.closed[at(index)] = true;
+    cell.is_closed = true;
     // Every cell of the region ends the search, not the goal's centre alone: the nearest entry
     // counts.
-    if (search.goal.contains(search.place(index))) return path_to(search, index);
+    if (search.goal.contains(place_of(search, index))) return path_to(search, index);
     // Theta*: neighbours hang on this cell's parent by a straight line, not on this cell.
-    const std::int64_t parent = search.parent[at(index)];
-    const Vector3d from = search.place(parent);
+    const double parent_cost_m = search.at(cell.parent).cost_m;
+    const Vector3d from = place_of(search, cell.parent);
     for_each_neighbour(search, index, [&](std::int64_t next) {
-      if (search.closed[at(next)]) return;
-      const Vector3d there = search.place(next);
-      const double cost_m = search.cost_m[at(parent)] + (there - from).norm();
-      if (cost_m >= search.cost_m[at(next)] || !search.is_free(there)) return;
-      search.cost_m[at(next)] = cost_m;
-      search.parent[at(next)] = static_cast<std::int32_t>(parent);
-      search.is_sighted[at(next)] = false;
+      Cell& other = search.at(next);
+      if (other.is_closed || !has_place(search, next)) return;
+      const Vector3d there = place_of(search, next);
+      const double cost_m = parent_cost_m + (there - from).norm();
+      if (cost_m >= other.cost_m) return;
+      other.cost_m = cost_m;
+      other.parent = cell.parent;
+      other.is_sighted = false;
       open.push({cost_m + heuristic_m(search, there), cost_m, next});
     });
   }
@@ -189,10 +234,7 @@ std::optional<Path> reference_path(ClearanceGrid& grid, const Mission& mission,
                 .goal = goal,
                 .start_index = grid.index(grid.cell_of(start)),
                 .goal_index = grid.index(grid.cell_of(mission.goal_world)),
-                .cost_m = std::vector<double>(count, std::numeric_limits<double>::infinity()),
-                .parent = std::vector<std::int32_t>(count, -1),
-                .is_sighted = std::vector<bool>(count, false),
-                .closed = std::vector<bool>(count, false),
+                .cells = std::vector<Cell>(count),
                 .beside_surface = {}};
   Path path = any_angle_search(search);
   if (path.empty()) return std::nullopt;

@@ -12,7 +12,7 @@ namespace {
 class Ego {
  public:
   static constexpr const char* name = "ego";
-  static constexpr const char* version = "1.0";
+  static constexpr const char* version = "1.1";
   static constexpr const char* summary =
       "Optimises B-splines against anchors on obstacles, after EGO-Planner.";
   static constexpr std::uint32_t needs = AB_SEES_STATE | AB_SEES_DEPTH;

@@ -32,6 +32,18 @@ planning::PathSearchSpec search_spec(const Settings& settings) {
   return spec;
 }
 
+/// For a plan from this speed: no curve reaches more in a horizon. Planned for more, its points lie
+/// too close in time, and it is made slower as a whole.
+Settings reachable_from(double speed_mps, const Settings& settings) {
+  // Of the greatest acceleration, on the mean: a least-jerk curve begins and ends without any.
+  constexpr double kMeanPull = 0.35;
+  const double gained = 2.0 * kMeanPull * settings.max_acceleration_mps2 * settings.horizon_m;
+  Settings reachable = settings;
+  reachable.max_speed_mps =
+      std::min(settings.max_speed_mps, std::sqrt(speed_mps * speed_mps + gained));
+  return reachable;
+}
+
 double braking(const Settings& settings) { return kBraking * settings.vehicle_acceleration_mps2; }
 
 }  // namespace
@@ -133,7 +145,8 @@ bool Flight::is_plan_due(double phase_s, const std::optional<double>& blocked) c
 
 bool Flight::replan(double phase_s) {
   tried_s_ = now_s_;
-  target_ = local_target(surroundings_, settings_, line_start_, goal_, now_.position);
+  const Settings settings = reachable_from(now_.velocity.norm(), settings_);
+  target_ = local_target(surroundings_, settings, line_start_, goal_, now_.position);
   Request request;
   request.start = now_;
   request.target = target_;
@@ -144,7 +157,7 @@ bool Flight::replan(double phase_s) {
   }
   candidates_.clear();
   surroundings_.search.use_budget(kExpansions);
-  auto found = plan_trajectory(surroundings_, settings_, request, random_, &candidates_);
+  auto found = plan_trajectory(surroundings_, settings, request, random_, &candidates_);
   if (!found) {
     ++failures_;
     return false;

@@ -52,5 +52,21 @@ TEST(Ego, StopsBeforeAWallWithoutAGapAndGoesOnTrying) {
   expect_flyable(result.demands, kEgo.speed_limit_mps);
 }
 
+/// Planned for more speed than a horizon allows, curves were made slower as a whole, and it crawled.
+TEST(Ego, IsNotSlowerWithAHigherLimitOfSpeed) {
+  const Course course = forest(5.0, 3);
+  const auto time_s = [&](double limit_mps) {
+    PlannerInstance planner =
+        instance_of(PLANNER_FILE, {{"max_speed_mps", ParameterValue{limit_mps, ""}}});
+    const TrajectoryResult result = fly_trajectories(planner, course);
+    EXPECT_EQ(result.flight.ending, Ending::reached_goal) << result.flight.reason;
+    expect_flyable(result.demands, 1.1 * limit_mps);
+    return result.flight.time_s;
+  };
+  const double at_4_s = time_s(4.0);
+  EXPECT_LT(time_s(7.0), 1.1 * at_4_s);
+  EXPECT_LT(time_s(10.0), 1.1 * at_4_s);
+}
+
 }  // namespace
 }  // namespace avoidbench::kinematic
