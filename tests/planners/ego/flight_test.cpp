@@ -52,7 +52,8 @@ TEST(Ego, StopsBeforeAWallWithoutAGapAndGoesOnTrying) {
   expect_flyable(result.demands, kEgo.speed_limit_mps);
 }
 
-/// Planned for more speed than a horizon allows, curves were made slower as a whole, and it crawled.
+/// Planned for more speed than a horizon allows, curves were made slower as a whole, and it
+/// crawled.
 TEST(Ego, IsNotSlowerWithAHigherLimitOfSpeed) {
   const Course course = forest(5.0, 3);
   const auto time_s = [&](double limit_mps) {
