@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <queue>
 #include <tuple>
-#include <unordered_map>
 
 #include "metrics/taut_path.hpp"
 
@@ -37,7 +37,7 @@ struct Search {
   GoalRegion goal;
   std::int64_t start_index, goal_index;
   std::vector<Cell> cells;
-  std::unordered_map<std::int64_t, Vector3d> beside_surface;  ///< places of such cells
+  std::map<std::int64_t, Vector3d> beside_surface;  ///< places of such cells
 
   Cell& at(std::int64_t index) { return cells[static_cast<std::size_t>(index)]; }
   bool is_free(const Vector3d& point) {
