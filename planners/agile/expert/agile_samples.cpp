@@ -20,7 +20,8 @@
 #include "trial/map_scene.hpp"
 
 /// agile_samples SWEEP --out FOLDER: flies the missions of a sweep by the expert or by weights, and
-/// writes each image with the expert's ways, for training.
+/// writes each image with the expert's ways, for training. With --outcomes FILE it only flies, and
+/// writes how many flights ended in which way.
 namespace {
 
 using namespace agile;
@@ -29,7 +30,7 @@ namespace fs = std::filesystem;
 struct Options {
   std::string sweep;
   std::vector<std::string> overrides;
-  fs::path out, weights;
+  fs::path out, outcomes, weights;
   unsigned threads = std::thread::hardware_concurrency();
   SamplingSpec sampling;
 };
@@ -60,7 +61,7 @@ class Sampler {
         maps_(maps_of(sweep_)) {}
 
   void run() {
-    fs::create_directories(options_.out);
+    if (samples_wanted()) fs::create_directories(options_.out);
     {
       std::vector<std::jthread> helpers;
       for (unsigned i = 1; i < options_.threads; ++i) helpers.emplace_back([this] { work(); });
@@ -73,9 +74,20 @@ class Sampler {
       line += " " + std::to_string(count) + " " + std::string(avoidbench::text(outcome));
     }
     std::puts(line.c_str());
+    if (!samples_wanted()) write_outcomes();
   }
 
  private:
+  bool samples_wanted() const { return options_.outcomes.empty(); }
+
+  void write_outcomes() const {
+    nlohmann::json ends = {{"flights", flights_}};
+    for (const auto& [outcome, count] : outcomes_) {
+      ends[std::string(avoidbench::text(outcome))] = count;
+    }
+    write_json(options_.outcomes, ends);
+  }
+
   void work() {
     std::unique_ptr<Network> network;
     try {
@@ -120,13 +132,15 @@ class Sampler {
     const auto numbers = [](const Eigen::Vector3d& v) {
       return nlohmann::json{v.x(), v.y(), v.z()};
     };
-    write_samples(options_.out, number, samples, field,
-                  {{"sweep", sweep_.name},
-                   {"map", map_scene_key(setting)},
-                   {"sensor", setting.sensor.name},
-                   {"pilot", network == nullptr ? "expert" : "network"},
-                   {"lowest", numbers(made.world.bounds.min())},
-                   {"highest", numbers(made.world.bounds.max())}});
+    if (samples_wanted()) {
+      write_samples(options_.out, number, samples, field,
+                    {{"sweep", sweep_.name},
+                     {"map", map_scene_key(setting)},
+                     {"sensor", setting.sensor.name},
+                     {"pilot", network == nullptr ? "expert" : "network"},
+                     {"lowest", numbers(made.world.bounds.min())},
+                     {"highest", numbers(made.world.bounds.max())}});
+    }
     const std::lock_guard lock(mutex_);
     samples_ += samples.size();
     for (const auto& [outcome, count] : outcomes) {
@@ -153,9 +167,13 @@ int sample(int argument_count, char** arguments) {
   Options options;
   CLI::App app("Flies the missions of a sweep and writes each image with the expert's ways.");
   app.add_option("sweep", options.sweep, "Sweep file; its planners are not looked at")->required();
-  app.add_option("--out", options.out, "Folder for the samples")->required();
+  auto* out = app.add_option("--out", options.out, "Folder for the samples");
   app.add_option("--set", options.overrides, "key=value instead of what the sweep says");
-  app.add_option("--weights", options.weights, "Fly by these weights; the expert only labels");
+  auto* weights =
+      app.add_option("--weights", options.weights, "Fly by these weights; the expert only labels");
+  auto* outcomes =
+      app.add_option("--outcomes", options.outcomes, "No samples: how flights by --weights end");
+  outcomes->excludes(out)->needs(weights);
   app.add_option("--threads", options.threads, "Maps flown at once");
   app.add_option("--seed", options.sampling.seed, "Of speeds, disturbances and the expert");
   app.add_option("--least-speed", options.sampling.least_speed_mps, "Of a flight, m/s");
@@ -163,7 +181,11 @@ int sample(int argument_count, char** arguments) {
   app.add_option("--disturbed", options.sampling.disturbed_ratio,
                  "Of the expert's plans that begin to lead astray");
   CLI11_PARSE(app, argument_count, arguments);
-  const SamplingSpec& sampling = options.sampling;
+  if (options.out.empty() && options.outcomes.empty()) {
+    throw avoidbench::InputError("--out or --outcomes is needed");
+  }
+  SamplingSpec& sampling = options.sampling;
+  sampling.labels = options.outcomes.empty();
   if (!(sampling.least_speed_mps > 0.0 && sampling.least_speed_mps <= sampling.most_speed_mps)) {
     throw avoidbench::InputError("--least-speed must be above 0 and not above --most-speed");
   }

@@ -43,6 +43,12 @@ void write_array(const fs::path& file, const char* type, const std::vector<std::
 
 }  // namespace
 
+void write_json(const fs::path& file, const nlohmann::json& json) {
+  std::ofstream out(file);
+  out << json.dump(1) << '\n';
+  finish(out, file);
+}
+
 void write_samples(const fs::path& folder, std::size_t map_number,
                    const std::vector<Sample>& samples, const ClearanceField& field,
                    nlohmann::json about) {
@@ -77,10 +83,7 @@ void write_samples(const fs::path& folder, std::size_t map_number,
   about["origin"] = {field.origin_world.x(), field.origin_world.y(), field.origin_world.z()};
   about["cell_m"] = field.cell_m;
   about["samples"] = count;
-  const fs::path file = folder / (name + ".json");
-  std::ofstream out(file);
-  out << about.dump(1) << '\n';
-  finish(out, file);
+  write_json(folder / (name + ".json"), about);
 }
 
 }  // namespace agile

@@ -88,6 +88,7 @@ SampledFlight sample_flight(const avoidbench::TrialSpec& spec, const avoidbench:
   SampledFlight result;
   const PlannerSetup setup = planner_setup(spec);
   Pilot pilot(settings_for(setup, speed_mps), [&](const Situation& situation, const Image& image) {
+    if (!sampling.labels && network != nullptr) return network->run(image, net_inputs(situation));
     result.samples.push_back(labelled(situation, image, field, expert));
     const Sample& sample = result.samples.back();
     if (network != nullptr) return network->run(image, sample.inputs);

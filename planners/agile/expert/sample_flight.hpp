@@ -16,6 +16,7 @@ struct SamplingSpec {
   double least_speed_mps = 1.5, most_speed_mps = 6.5;  ///< of a flight, drawn evenly
   double start_yaw_rad = 0.5;     ///< a flight begins up to this far from the goal's direction
   double disturbed_ratio = 0.04;  ///< of the expert's plans: those that begin to lead astray
+  bool labels = true;             ///< no: only fly by a network, no samples
 };
 
 struct SampledFlight {

@@ -104,7 +104,7 @@ class Training:
         self.clock = Clock(started, options.minutes, options.steps)
         self.rows: list[dict[str, Any]] = []
         self.losses: list[float] = []  # of the first steps, for tests
-        self.step = self.bad_steps = self.bad_in_turn = 0
+        self.step = self.bad_steps = self.bad_in_turn = self.snapshots = 0
         held_out_costs = self.data.label_costs[self.held_out]
         self.expert = recipes.expert(batches_of(self.data, few_of(self.held_out)), few_of(held_out_costs), self.cost)
 
@@ -166,9 +166,19 @@ class Training:
             if progress >= next_validation and self.step > 1:
                 row["validation"] = recipes.validate(self.network, batches_of(self.data, few), self.cost)
                 next_validation = (math.floor(progress * VALIDATIONS) + 1) / VALIDATIONS
+            self.keep_snapshot(progress)
             if row:
                 self.rows.append({"seconds": round(self.clock.seconds(), 1), "step": self.step, **row})
                 self.print_row(progress, row)
+
+    def keep_snapshot(self, progress: float) -> None:
+        """Writes the weights after each of the training's parts but the last, whose weights are the training's own."""
+        options = self.options
+        if self.snapshots + 1 < options.snapshots and progress >= (self.snapshots + 1) / options.snapshots:
+            self.snapshots += 1
+            options.out.parent.mkdir(parents=True, exist_ok=True)
+            file = options.out.with_name(f"{options.out.stem}_{self.snapshots}of{options.snapshots}.safetensors")
+            write_weights(file, self.network, {"seed": str(options.seed), "steps": str(self.step)})
 
     def print_row(self, progress: float, row: dict[str, Any]) -> None:
         start = f"{100 * progress:3.0f} %  {self.clock.seconds():5.0f} s  step {self.step}"
@@ -211,6 +221,7 @@ def arguments(given: list[str] | None) -> argparse.Namespace:
     parser.add_argument("--samples", type=Path, nargs="+", required=True, metavar="DIR")
     parser.add_argument("--init", type=Path, metavar="FILE", help="weights to go on from")
     parser.add_argument("--out", type=Path, required=True, metavar="FILE", help="where the weights go")
+    parser.add_argument("--snapshots", type=int, default=1, metavar="N", help="also write the weights after each N-th of the training")
     parser.add_argument("--plot", type=Path, metavar="PNG", help="where the curves go")
     parser.add_argument("--log", type=Path, metavar="JSON", help="where the figures go")
     parser.add_argument("--batch", type=int, default=64)

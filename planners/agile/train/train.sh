@@ -1,22 +1,24 @@
 #!/usr/bin/env bash
-# train.sh [--minutes M] [--seed S] [--out FOLDER] [--few]: makes samples, trains agile's net on them, lets it fly, and trains it on what it
-# met. Writes agile.safetensors, curves and figures into FOLDER (build/agile; in the repository unless it begins with /). To fly the weights
-# copy them to planners/agile and build.
-#   --minutes M    wall time of the three trainings together (40); samples take some 20 minutes more on two cores
+# train.sh [--steps N | --minutes M] [--seed S] [--out FOLDER] [--few]: makes samples, trains agile's net on them, lets it fly, and trains
+# it on what it met. Writes agile.safetensors, curves, success during training and figures into FOLDER (build/agile; in the repository
+# unless it begins with /). To fly the weights copy them to planners/agile and build.
+#   --steps N      steps of the three trainings together (37000: some 40 minutes on two cores). Samples take some 20 minutes more
+#   --minutes M    wall time of the three trainings together, instead of steps: weights then depend on the machine's speed
 #   --seed S       of the trainings and of the samples' flights (1); maps and missions stay the same
-#   --few          a sixteenth of the flights: to see that all of it works
+#   --few          a sixteenth of the flights and of the steps: to see that all of it works
 # Needs the release build (scripts/quickstart.sh or cmake) and Python 3.10 or later; PyTorch comes into an environment of its own.
 set -euo pipefail
 cd "$(dirname "$0")/../../.."
 
-minutes=40 seed=1 out=build/agile few=()
-usage() { sed -n '2,9s/^# \{0,1\}//p' "$0" >&2; exit 2; }
+steps=37000 minutes= seed=1 out=build/agile few=()
+usage() { sed -n '2,10s/^# \{0,1\}//p' "$0" >&2; exit 2; }
 while [ $# -gt 0 ]; do
   case "$1" in
+    --steps) steps=${2:?}; shift 2 ;;
     --minutes) minutes=${2:?}; shift 2 ;;
     --seed) seed=${2:?}; shift 2 ;;
     --out) out=${2:?}; shift 2 ;;
-    --few) few=(--set trials=1); shift ;;
+    --few) few=(--set trials=1); steps=$((steps / 16)); shift ;;
     *) usage ;;
   esac
 done
@@ -42,11 +44,13 @@ fly() {
   "$samples" "planners/agile/train/$sweep.yaml" --out "$out/$name" --set "sensor.preset=$sensor" \
     --set "maps.seeds=[$(seq -s ', ' "$first" $((first + count - 1)))]" --seed $((seed * 10 + first)) "${few[@]}" "$@"
 }
-# train NAME SHARE_OF_THE_MINUTES OPTION…
+# train NAME SHARE_OF_THE_STEPS OPTION…
 train() {
-  local name=$1 share=$2
+  local name=$1 share=$2 length=(--steps)
   shift 2
-  OMP_WAIT_POLICY=passive "$python" planners/agile/train/train.py --seed "$seed" --minutes "$(awk "BEGIN { print $share * $minutes }")" \
+  if [ -n "$minutes" ]; then length=(--minutes); fi
+  length+=("$(awk "BEGIN { print $share * ${minutes:-$steps} }")")
+  OMP_WAIT_POLICY=passive "$python" planners/agile/train/train.py --seed "$seed" "${length[@]}" --snapshots 3 \
     --out "$out/$name.safetensors" --plot "$out/${name}_curves.png" --log "$out/$name.json" "$@"
 }
 
@@ -76,4 +80,16 @@ fly again_forest forest stereo_sgbm 9000091 1 "${own[@]}"
 third=("${second[@]}" "$out"/walls "$out"/traps "$out"/again_*)
 echo "== third training: with what can't be passed"
 train agile 0.3 --recipe descent --rate 1e-3 --samples "${third[@]}" --init "$out/second.safetensors"
+
+# How the weights fly that were there on the way: missions of the reserved maps that no sample is from.
+nets=()
+for name in first second agile; do
+  nets+=("$out/${name}_1of3" "$out/${name}_2of3" "$out/$name")
+done
+for net in "${nets[@]}"; do
+  echo "== flights of $net"
+  "$samples" planners/agile/train/success.yaml --weights "$net.safetensors" --outcomes "${net}_flights.json" \
+    --least-speed 3 --most-speed 3 "${few[@]}"
+done
+"$python" planners/agile/train/success.py --plot "$out/success.png" "${nets[@]/%/_flights.json}"
 echo "the weights are in $out/agile.safetensors; to fly them: cp $out/agile.safetensors planners/agile/ and build"
