@@ -50,6 +50,16 @@ void add_limit_command(CLI::App& app) {
   command.add_flag("--paired", options.request.is_paired,
                    "All planners fly the trials that any of them needs: which of two has the "
                    "higher limit is then told on the same missions");
+  const auto add_direction = [&command, &request = options.request](const std::string& name,
+                                                                    LimitDirection direction,
+                                                                    const std::string& what) {
+    return command.add_flag_callback(
+        name, [&request, direction] { request.direction = direction; }, what);
+  };
+  add_direction("--falls", LimitDirection::falls,
+                "Success falls as the number grows, as is known beforehand: no trials are spent on "
+                "which way it goes")
+      ->excludes(add_direction("--rises", LimitDirection::rises, "Success rises as it grows"));
   add_flight_options(command, options.run);
   add_output_options(command, options.output);
   command.footer(
@@ -61,7 +71,7 @@ void add_limit_command(CLI::App& app) {
       "in turn; give it many\n"
       "(maps.seeds), since what is found is of maps like these.\n\n"
       "Examples:\n"
-      "  avoidbench limit forest_small --over max_speed_mps=1..10 --set maps.seeds=30\n"
+      "  avoidbench limit forest_small --over max_speed_mps=1..10 --falls --set maps.seeds=30\n"
       "  avoidbench limit hall_small --over latency.ms=0..400 --success 0.8 --paired\n\n"
       "Exit codes: as those of `run`");
 }

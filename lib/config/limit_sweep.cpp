@@ -194,6 +194,7 @@ SweepSpec read_limit_sweep(const std::filesystem::path& file,
   rule.width = request.width.value_or((values.back() - values.front()) / 10.0);
   rule.most_trials = request.most_trials;
   rule.is_paired = request.is_paired;
+  rule.direction = request.direction;
   if (is_speed) require_all_levels(sweep, request.over);
   std::string name = over.path.substr(over.path.rfind('.') + 1);
   if (over.element) name += std::to_string(*over.element);

@@ -51,6 +51,7 @@ struct LimitRequest {
   std::optional<double> width;  ///< of the interval, in units of the field; a tenth of the range
   std::int64_t most_trials = 400;
   bool is_paired = false;
+  LimitDirection direction = LimitDirection::unknown;  ///< of success along the range
 };
 
 /// The sweep with values of one field over a range, and the rule by which a few of its trials are

@@ -16,10 +16,13 @@ constexpr std::string_view kOfPlanner = "planner.", kOfMap = "map.";
 }  // namespace
 
 json to_json(const LimitRule& rule) {
-  return {{"field", rule.field},        {"unit", rule.unit},
-          {"values", rule.values},      {"success_rate", rule.success_rate},
-          {"width", rule.width},        {"most_trials", rule.most_trials},
-          {"is_paired", rule.is_paired}};
+  json stored = {{"field", rule.field},        {"unit", rule.unit},
+                 {"values", rule.values},      {"success_rate", rule.success_rate},
+                 {"width", rule.width},        {"most_trials", rule.most_trials},
+                 {"is_paired", rule.is_paired}};
+  // Younger than the rest: what does not ask for it is stored as before.
+  if (rule.direction != LimitDirection::unknown) stored["direction"] = text(rule.direction);
+  return stored;
 }
 
 std::optional<LimitRule> limit_rule_of(const std::string& spec_json) {
@@ -35,9 +38,13 @@ std::optional<LimitRule> limit_rule_of(const std::string& spec_json) {
                    .width = given.at("width").get<double>(),
                    .most_trials = given.at("most_trials").get<std::int64_t>(),
                    .is_paired = given.at("is_paired").get<bool>()};
+    const auto direction = enum_from_text<LimitDirection>(
+        given.value("direction", std::string(text(LimitDirection::unknown))));
+    rule.direction = direction.value_or(LimitDirection::unknown);
     constexpr std::size_t kMostLevels = 1000;  // more than the command gives
     const bool is_sound =
-        rule.is_set() && rule.values.size() >= 2 && rule.values.size() <= kMostLevels &&
+        rule.is_set() && direction && rule.values.size() >= 2 &&
+        rule.values.size() <= kMostLevels &&
         std::is_sorted(rule.values.begin(), rule.values.end(), std::less_equal<>()) &&
         rule.values.back() - rule.values.front() < std::numeric_limits<double>::infinity() &&
         rule.success_rate > 0.0 && rule.success_rate < 1.0 && rule.width > 0.0;

@@ -24,7 +24,10 @@ struct LimitRule {
   std::int64_t most_trials = 400;  ///< of a planner
   /// All planners fly what one of them needs, so that they are compared on the same missions.
   bool is_paired = false;
+  /// Whether success falls or rises with the field, where that is known beforehand.
+  LimitDirection direction = LimitDirection::unknown;
 
+  LimitCurve curve() const { return {values.size(), success_rate, direction}; }
   bool is_set() const { return !field.empty(); }
   /// From a position of LimitCurve to the field.
   double value_at(double position) const {

@@ -13,7 +13,7 @@ constexpr std::size_t kRoundTrials = 8;
 }  // namespace
 
 LimitSearch::LimitSearch(const LimitRule& rule, std::vector<LimitTrial> trials)
-    : rule_(rule), curve_(rule.values.size(), rule.success_rate), trials_(std::move(trials)) {
+    : rule_(rule), curve_(rule.curve()), trials_(std::move(trials)) {
   std::map<std::string, std::size_t> maps;
   for (const LimitTrial& trial : trials_) maps.emplace(trial.map, 0);
   // By name, so that a report, which knows the flown maps only, has them in the same order.

@@ -55,7 +55,9 @@ std::string_view state_text(const LimitEstimate& estimate, const LimitRule& rule
     case LimitState::all_below:
       return "below the rate in the whole range";
     case LimitState::not_monotone:
-      return "success does not go one way: no limit";
+      return rule.direction == LimitDirection::falls   ? "success does not fall: no limit"
+             : rule.direction == LimitDirection::rises ? "success does not rise: no limit"
+                                                       : "success does not go one way: no limit";
     case LimitState::found:
       break;
   }
@@ -114,7 +116,7 @@ LimitSummary limits_of(const SweepResult& result, const LimitRule& rule) {
   for (const auto& [key, number] : numbers) {
     summary.map_count = std::max(summary.map_count, static_cast<std::int64_t>(number) + 1);
   }
-  const LimitCurve curve(rule.values.size(), rule.success_rate);
+  const LimitCurve curve = rule.curve();
   const auto map_count = static_cast<std::size_t>(summary.map_count);
   std::vector<std::vector<LimitCell>> cells_by_planner;
   for (const auto& [label, cells] : planners) cells_by_planner.push_back(cells_of(cells));

@@ -166,10 +166,11 @@ struct Monotone {
   double deviance = 0.0;  ///< of these rates against the best that turn once
 };
 
-/// The better of the falling and the rising rates, and how much better rates fit that fall up to
-/// some level and rise from there on, or the other way round. Against each level's own rate, which
-/// most sets of few trials fit far better, a dip would hardly show.
-Monotone best_monotone(std::span<const Counts> levels) {
+/// The better of the falling and the rising rates, or those of the direction that is known, and how
+/// much better rates fit that fall up to some level and rise from there on, or the other way round.
+/// Against each level's own rate, which most sets of few trials fit far better, a dip would hardly
+/// show.
+Monotone best_monotone(std::span<const Counts> levels, LimitDirection direction) {
   const std::vector<double> falling = falling_rates(levels), rising = rising_rates(levels);
   const double as_falling = log_likelihood(levels, falling);
   const double as_rising = log_likelihood(levels, rising);
@@ -183,7 +184,9 @@ Monotone best_monotone(std::span<const Counts> levels) {
         log_likelihood(before, rising_rates(before)) + log_likelihood(after, falling_rates(after));
     best = std::max({best, valley, hill});
   }
-  if (as_rising > as_falling) return {rising, 2.0 * (best - as_rising)};
+  const bool is_rising = direction == LimitDirection::unknown ? as_rising > as_falling
+                                                              : direction == LimitDirection::rises;
+  if (is_rising) return {rising, 2.0 * (best - as_rising)};
   return {falling, 2.0 * (best - as_falling)};
 }
 
@@ -193,13 +196,15 @@ double LimitEstimate::width() const {
   return std::min(interval.upper, 1.0) - std::max(interval.lower, 0.0);
 }
 
-LimitCurve::LimitCurve(std::size_t level_count, double success_rate) : level_count_(level_count) {
+LimitCurve::LimitCurve(std::size_t level_count, double success_rate, LimitDirection direction)
+    : level_count_(level_count), direction_(direction) {
   AB_CHECK(level_count >= 2 && success_rate > 0.0 && success_rate < 1.0, level_count, success_rate);
   struct Shape {
     double width = 0.0, lapse = 0.0;
   };
   std::vector<Shape> shapes;
   for (const bool is_falling : {true, false}) {
+    if (direction == (is_falling ? LimitDirection::rises : LimitDirection::falls)) continue;
     for (int i = 0; i < kLimits; ++i) {
       for (int k = 0; k < kWidths; ++k) {
         for (const double lapse : kLapses) {
@@ -323,7 +328,7 @@ LimitEstimate LimitCurve::estimate_whole(std::span<const LimitCell> cells, doubl
     result.rate_intervals.push_back(
         {weighted_quantile(values, 0.025), weighted_quantile(values, 0.975)});
   }
-  result.monotone_p = monotone_p(cells, level_count_, result.map_inflation);
+  result.monotone_p = monotone_p(cells, level_count_, result.map_inflation, direction_);
   if (result.monotone_p < kLeastMonotoneP) result.state = LimitState::not_monotone;
   return result;
 }
@@ -432,11 +437,12 @@ std::vector<std::size_t> LimitCurve::next(std::span<const LimitCell> cells, std:
   return levels;
 }
 
-double monotone_p(std::span<const LimitCell> cells, std::size_t level_count, double inflation) {
+double monotone_p(std::span<const LimitCell> cells, std::size_t level_count, double inflation,
+                  LimitDirection direction) {
   std::vector<Counts> levels = by_level(cells, level_count);
   std::erase_if(levels, [](const Counts& level) { return level.trials == 0.0; });
   if (levels.size() < 3) return 1.0;
-  const Monotone fit = best_monotone(levels);
+  const Monotone fit = best_monotone(levels, direction);
   RandomStream random = stream(levels.size(), "monotone_p");
   constexpr int kDraws = 399;
   int as_bad = 0;
@@ -448,7 +454,7 @@ double monotone_p(std::span<const LimitCell> cells, std::size_t level_count, dou
         if (random.uniform() < fit.rates[i]) drawn[i].successes += 1.0;
       }
     }
-    if (best_monotone(drawn).deviance >= fit.deviance / inflation - 1e-9) ++as_bad;
+    if (best_monotone(drawn, direction).deviance >= fit.deviance / inflation - 1e-9) ++as_bad;
   }
   return (as_bad + 1.0) / (kDraws + 1.0);
 }

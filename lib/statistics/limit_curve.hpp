@@ -4,8 +4,11 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <string_view>
+#include <utility>
 #include <vector>
 
+#include "base/enum_text.hpp"
 #include "statistics/interval.hpp"
 
 /// Where success crosses a level as a field of the sweep changes: a Bayesian fit of a monotone
@@ -15,8 +18,8 @@
 /// u the rate of success is (1 - lapse) / (1 + exp((u - m) / s)), or the same of m - u where
 /// success rises: a logistic curve of width s that even easy trials stay below by the lapse rate
 /// (Wichmann and Hill 2001). The limit is the u at which it is the wanted rate. The posterior is
-/// exact on a grid of limits, widths, lapse rates and both directions, each uniform before the
-/// first trial (widths by their logarithm).
+/// exact on a grid of limits, widths, lapse rates and both directions (or the one that is known),
+/// each uniform before the first trial (widths by their logarithm).
 ///
 /// Trials on one map are more alike than others. The log likelihood is divided by how much more
 /// the maps' sums scatter about the fitted curve than they would if all trials were independent
@@ -27,6 +30,16 @@ namespace avoidbench {
 struct LimitCell {
   std::size_t level = 0, map = 0;
   std::int64_t successes = 0, trials = 0;
+};
+
+/// What is known beforehand of the way that success goes along the range.
+enum class LimitDirection { unknown, falls, rises };
+template <>
+struct EnumText<LimitDirection> {
+  static constexpr std::pair<LimitDirection, std::string_view> entries[] = {
+      {LimitDirection::unknown, "unknown"},
+      {LimitDirection::falls, "falls"},
+      {LimitDirection::rises, "rises"}};
 };
 
 /// What is known of a limit.
@@ -57,14 +70,15 @@ struct LimitEstimate {
 class LimitCurve {
  public:
   /// `level_count` positions from 0 to 1, at least two; `success_rate` in (0, 1).
-  LimitCurve(std::size_t level_count, double success_rate);
+  LimitCurve(std::size_t level_count, double success_rate,
+             LimitDirection direction = LimitDirection::unknown);
 
   /// Log odds that success falls along the range, by these trials alone.
   double direction(std::span<const LimitCell> cells) const;
 
   /// All but what a search does not need: rate_intervals, monotone_p and the state not_monotone.
   /// `falls` are the log odds that success falls, before these trials: those of other planners over
-  /// the same field, which goes one way for all.
+  /// the same field, which goes one way for all. Of no account where the direction is known.
   LimitEstimate estimate(std::span<const LimitCell> cells, double falls = 0.0) const;
   LimitEstimate estimate_whole(std::span<const LimitCell> cells, double falls = 0.0) const;
 
@@ -100,6 +114,7 @@ class LimitCurve {
   }
 
   std::size_t level_count_ = 0;
+  LimitDirection direction_ = LimitDirection::unknown;
   std::vector<double> limits_;    ///< of each state, position
   std::vector<bool> is_falling_;  ///< of each state
   std::vector<double> rates_;     ///< of each level and state
@@ -108,9 +123,10 @@ class LimitCurve {
 
 /// Probability, were the best monotone rates the true ones (pooled adjacent violators), of trials
 /// that fit rates which turn once as much better as these do, or more: by 399 simulated sets.
-/// `inflation`: how much more trials of a map are alike. 1 where fewer than three levels have
-/// trials.
-double monotone_p(std::span<const LimitCell> cells, std::size_t level_count, double inflation);
+/// `inflation`: how much more trials of a map are alike. Where the direction is known, rates that
+/// go the other way are not monotone. 1 where fewer than three levels have trials.
+double monotone_p(std::span<const LimitCell> cells, std::size_t level_count, double inflation,
+                  LimitDirection direction = LimitDirection::unknown);
 
 /// The position, as LimitCurve::position() has it, of as many draws of maps with replacement; the
 /// same maps for all that have this seed and number of maps, so that draws of two planners on the

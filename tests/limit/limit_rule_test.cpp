@@ -55,19 +55,26 @@ TEST(LimitRule, IsStoredAndReadAgain) {
   const auto read = limit_rule_of(spec.dump());
   ASSERT_TRUE(read);
   EXPECT_EQ(to_json(*read), to_json(speed_rule()));
+  EXPECT_FALSE(to_json(speed_rule()).contains("direction")) << "older sweeps have none";
+  LimitRule falls = speed_rule();
+  falls.direction = LimitDirection::falls;
+  const nlohmann::json known{{"limit", to_json(falls)}};
+  EXPECT_EQ(limit_rule_of(known.dump()).value().direction, LimitDirection::falls);
   EXPECT_EQ(limit_rule_of(R"({"name": "x"})"), std::nullopt);
   EXPECT_EQ(limit_rule_of(""), std::nullopt);
 }
 
 TEST(LimitRule, DamagedOnesAreRefused) {
   const nlohmann::json good = to_json(speed_rule());
-  std::vector<nlohmann::json> damaged(6, good);
+  std::vector<nlohmann::json> damaged(8, good);
   damaged[0].erase("field");
   damaged[1]["values"] = {1.0};
   damaged[2]["values"] = {3.0, 2.0};
   damaged[3]["success_rate"] = 1.0;
   damaged[4]["width"] = -1.0;
   damaged[5]["values"] = "many";
+  damaged[6]["direction"] = "sideways";
+  damaged[7]["direction"] = 1;
   for (const nlohmann::json& rule : damaged) {
     EXPECT_THROW(limit_rule_of(nlohmann::json{{"limit", rule}}.dump()), InputError) << rule;
   }

@@ -201,6 +201,39 @@ TEST(LimitCurve, SaysThatSuccessDoesNotGoOneWay) {
   EXPECT_EQ(curve().estimate_whole(flights.cells()).state, LimitState::not_monotone);
 }
 
+/// What a known direction is for: flights that are all near the wanted rate tell no direction, and
+/// without one no limit.
+TEST(LimitCurve, AKnownDirectionDecidesWhatTrialsLeaveOpen) {
+  const auto rate = [](std::size_t level) { return level < 24 ? 0.96 : 0.88; };
+  Flights flights({}, 31);
+  for (int k = 0; k < 10; ++k) {
+    for (std::size_t level = 0; level < kLevels; level += 5) flights.fly_at(level, rate(level));
+  }
+  const LimitEstimate open = curve().estimate_whole(flights.cells());
+  EXPECT_LT(open.interval.lower, 0.0);
+  EXPECT_GT(open.interval.upper, 1.0);
+  const LimitCurve falling(kLevels, kWanted, LimitDirection::falls);
+  const LimitEstimate found = falling.estimate_whole(flights.cells());
+  EXPECT_TRUE(found.is_falling);
+  EXPECT_GT(found.interval.lower, 0.2);
+  EXPECT_EQ(found.state, LimitState::found);
+  // The rates of both curves are of the same trials.
+  EXPECT_NEAR(found.rates[12], open.rates[12], 0.05);
+}
+
+TEST(LimitCurve, SaysThatSuccessDoesNotGoTheWayItIsKnownToGo) {
+  Flights flights({.limit = 0.5, .width = 0.05}, 32);
+  for (int k = 0; k < 10; ++k) {
+    for (std::size_t level = 0; level < kLevels; level += 5) flights.fly(level);
+  }
+  const auto state = [&](LimitDirection direction) {
+    return LimitCurve(kLevels, kWanted, direction).estimate_whole(flights.cells()).state;
+  };
+  EXPECT_EQ(state(LimitDirection::unknown), LimitState::found);
+  EXPECT_EQ(state(LimitDirection::falls), LimitState::found);
+  EXPECT_EQ(state(LimitDirection::rises), LimitState::not_monotone);
+}
+
 /// As rarely as it says it takes a response that goes one way for one that does not.
 TEST(LimitCurveSlow, MonotoneResponsesAreRarelyTakenForNone) {
   RandomStream random = stream(9, "truths");
