@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/input_error.hpp"
+#include "text/npy_header.hpp"
 
 namespace avoidbench {
 namespace {
@@ -353,19 +354,8 @@ void export_point_cloud(const VoxelGrid& grid, const fs::path& file) {
 /// lies, which NumPy's format has no place for.
 void export_occupancy(const VoxelGrid& grid, const fs::path& file) {
   check_ending(file, ".npy", "an occupancy grid");
-  std::string header = "{'descr': '|u1', 'fortran_order': False, 'shape': (" +
-                       std::to_string(grid.layers) + ", " + std::to_string(grid.rows) + ", " +
-                       std::to_string(grid.columns) + "), }";
-  // NumPy's format, version 1.0: the array begins at a multiple of 64 bytes.
-  constexpr std::size_t kBefore = 10;
-  header.resize((kBefore + header.size() + 1 + 63) / 64 * 64 - kBefore - 1, ' ');
-  header += '\n';
-  // Version 1.0 has two bytes for it.
-  const auto length = static_cast<std::uint16_t>(header.size());
   std::ofstream out = opened(file);
-  out.write("\x93NUMPY\x01\x00", 8);
-  out.write(reinterpret_cast<const char*>(&length), 2);
-  out << header;
+  out << npy_header("|u1", std::array{grid.layers, grid.rows, grid.columns});
   out.write(reinterpret_cast<const char*>(grid.is_occupied.data()),
             static_cast<std::streamsize>(grid.is_occupied.size()));
   finish(out, file);

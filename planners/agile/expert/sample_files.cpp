@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/input_error.hpp"
+#include "text/npy_header.hpp"
 
 namespace agile {
 namespace {
@@ -23,20 +24,10 @@ void finish(std::ofstream& out, const fs::path& file) {
   if (!out) throw avoidbench::InputError("can't write " + file.string());
 }
 
-/// NumPy's format, version 1.0: the array begins at a multiple of 64 bytes.
 void write_array(const fs::path& file, const char* type, const std::vector<std::size_t>& shape,
                  const void* data, std::size_t bytes) {
-  std::string header = std::string("{'descr': '") + type + "', 'fortran_order': False, 'shape': (";
-  for (const std::size_t n : shape) header += std::to_string(n) + ", ";
-  header += "), }";
-  constexpr std::size_t kBefore = 10;
-  header.resize((kBefore + header.size() + 1 + 63) / 64 * 64 - kBefore - 1, ' ');
-  header += '\n';
-  const auto length = static_cast<std::uint16_t>(header.size());
   std::ofstream out(file, std::ios::binary);
-  out.write("\x93NUMPY\x01\x00", 8);
-  out.write(reinterpret_cast<const char*>(&length), 2);
-  out << header;
+  out << avoidbench::npy_header(type, shape);
   out.write(static_cast<const char*>(data), static_cast<std::streamsize>(bytes));
   finish(out, file);
 }

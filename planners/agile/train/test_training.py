@@ -19,6 +19,7 @@ import cost as costs
 import network as networks
 import recipes
 import samples as sample_files
+import success
 import synthetic
 import train
 
@@ -312,6 +313,23 @@ class WholeTraining(WithSamples):
         one, two, other = (self.run_training("d.safetensors", "--steps", "5", "--seed", seed) for seed in ("4", "4", "5"))
         self.assertEqual(one.losses, two.losses)
         self.assertNotEqual(one.losses, other.losses)
+
+    def test_keeps_weights_on_the_way(self) -> None:
+        self.run_training("f.safetensors", "--steps", "9", "--snapshots", "3")
+        steps = {file.name: networks.read_weights(file)[1]["steps"] for file in self.root.glob("f*.safetensors")}
+        self.assertEqual(steps, {"f_1of3.safetensors": "3", "f_2of3.safetensors": "6", "f.safetensors": "9"})
+        # They have no part in the training.
+        self.run_training("g.safetensors", "--steps", "9")
+        self.assertTrue(all(torch.equal(a, b) for a, b in zip(*(
+            networks.read_weights(self.root / f"{name}.safetensors")[0].parameters() for name in "fg"))))
+
+    def test_success_is_drawn(self) -> None:
+        for end in success.wilson(45, 50):  # where 0.9 lies 1.96 standard deviations from the rate
+            self.assertAlmostEqual(abs(0.9 - end) / (end * (1.0 - end) / 50) ** 0.5, 1.95996, places=4)
+        for name, ends in (("x_1of2", {"flights": 4, "collided": 4}), ("x", {"flights": 4, "reached_goal": 4})):
+            (self.root / f"{name}_flights.json").write_text(json.dumps(ends))
+        success.main(["--plot", str(self.root / "success.png"), str(self.root / "x_1of2_flights.json"), str(self.root / "x_flights.json")])
+        self.assertTrue((self.root / "success.png").read_bytes().startswith(b"\x89PNG"))
 
     def test_stops_at_the_time_limit_and_skips_what_is_not_finite(self) -> None:
         training = self.run_training("e.safetensors", "--minutes", "0.02")

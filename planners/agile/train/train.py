@@ -156,6 +156,7 @@ class Training:
         few = few_of(self.held_out)
         means, next_line, next_validation = recipes.Means(), self.clock.seconds() + LINE_S, 0.0
         while (progress := self.clock.progress(self.step)) < 1.0:
+            self.keep_snapshot(progress)
             figures, rate = self.one_step(progress)
             if figures:
                 means.add(figures, self.order.size)
@@ -166,7 +167,6 @@ class Training:
             if progress >= next_validation and self.step > 1:
                 row["validation"] = recipes.validate(self.network, batches_of(self.data, few), self.cost)
                 next_validation = (math.floor(progress * VALIDATIONS) + 1) / VALIDATIONS
-            self.keep_snapshot(progress)
             if row:
                 self.rows.append({"seconds": round(self.clock.seconds(), 1), "step": self.step, **row})
                 self.print_row(progress, row)

@@ -47,7 +47,7 @@ TEST(TrainingSeeds, AreOfNoSuite) {
 
 TEST(TrainingSeeds, AreThoseOfTraining) {
   const auto sweeps = sweeps_in(SOURCE_FOLDER "/planners/agile/train");
-  EXPECT_EQ(sweeps.size(), 4U);
+  EXPECT_EQ(sweeps.size(), 5U);
   for (const auto& file : sweeps) {
     const Seeds seeds = seeds_of(file);
     EXPECT_GT(seeds.count, 0U);
