@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # train.sh [--steps N | --minutes M] [--seed S] [--out FOLDER] [--few]: makes samples, trains agile's net on them, lets it fly, and trains
 # it on what it met. Writes agile.safetensors, curves, success during training and figures into FOLDER (build/agile; in the repository
-# unless it begins with /). To fly the weights copy them to planners/agile and build.
-#   --steps N      steps of the three trainings together (37000: some 40 minutes on two cores). Samples take some 20 minutes more
+# unless it begins with /). To fly the weights copy them to planners/agile and build. One that was stopped goes on with the next part.
+#   --steps N      steps of the three trainings together (26000: some 30 minutes on two cores). Samples and flights take as long again
 #   --minutes M    wall time of the three trainings together, instead of steps: weights then depend on the machine's speed
 #   --seed S       of the trainings and of the samples' flights (1); maps and missions stay the same
 #   --few          a sixteenth of the flights and of the steps: to see that all of it works
@@ -10,7 +10,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/../../.."
 
-steps=37000 minutes= seed=1 out=build/agile few=()
+steps=26000 minutes= seed=1 out=build/agile few=()
 usage() { sed -n '2,10s/^# \{0,1\}//p' "$0" >&2; exit 2; }
 while [ $# -gt 0 ]; do
   case "$1" in
@@ -32,7 +32,16 @@ if ! "$python" -c 'import matplotlib, numpy, torch' 2>/dev/null; then
   python3 -m venv build/train_venv
   "$python" -m pip install --quiet --disable-pip-version-check -r planners/agile/train/requirements.txt
 fi
-mkdir -p "$out"
+mkdir -p "$out/done"
+# What was made by other options is not gone on with.
+options="seed $seed, ${minutes:+$minutes minutes}"
+[ -n "$minutes" ] || options+="$steps steps"
+[ ${#few[@]} -eq 0 ] || options+=", few"
+if [ -e "$out/options" ] && [ "$(cat "$out/options")" != "$options" ]; then
+  echo "train.sh: $out was made with $(cat "$out/options"), not $options: name another --out, or remove it" >&2
+  exit 1
+fi
+echo "$options" > "$out/options"
 
 # fly NAME SWEEP SENSOR FIRST_MAP_SEED COUNT [OPTION…]: samples of so many maps of each kind in a sweep, by this sensor.
 fly() {
@@ -40,16 +49,20 @@ fly() {
   shift 5
   [ ${#few[@]} -eq 0 ] || count=1
   echo "== samples: $name"
+  if [ -e "$out/done/$name" ]; then return; fi
   rm -rf "${out:?}/$name"
   "$samples" "planners/agile/train/$sweep.yaml" --out "$out/$name" --set "sensor.preset=$sensor" \
     --set "maps.seeds=[$(seq -s ', ' "$first" $((first + count - 1)))]" --seed $((seed * 10 + first)) "${few[@]}" "$@"
+  touch "$out/done/$name"
 }
 # train NAME SHARE_OF_THE_STEPS OPTION…
 train() {
   local name=$1 share=$2 length=(--steps)
   shift 2
-  if [ -n "$minutes" ]; then length=(--minutes); fi
-  length+=("$(awk "BEGIN { print $share * ${minutes:-$steps} }")")
+  # The curves are what a training writes last.
+  if [ -e "$out/${name}_curves.png" ]; then return; fi
+  length+=("$(awk "BEGIN { print int($share * $steps) }")")
+  if [ -n "$minutes" ]; then length=(--minutes "$(awk "BEGIN { print $share * $minutes }")"); fi
   OMP_WAIT_POLICY=passive "$python" planners/agile/train/train.py --seed "$seed" "${length[@]}" --snapshots 3 \
     --out "$out/$name.safetensors" --plot "$out/${name}_curves.png" --log "$out/$name.json" "$@"
 }
