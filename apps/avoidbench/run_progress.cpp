@@ -15,12 +15,15 @@ namespace {
 
 std::int64_t due_of(const Progress& progress) { return progress.total - progress.invalid_missions; }
 
-bool is_done(const Progress& progress) { return progress.done >= due_of(progress); }
+bool is_done(const Progress& progress) {
+  return !progress.is_open && progress.done >= due_of(progress);
+}
 
-/// Wall time until the end at this run's rate; negative while nothing was flown.
+/// Wall time until the end at this run's rate; negative while nothing was flown, or while nobody
+/// knows how many trials follow.
 double left_s(const Progress& progress, double elapsed_s) {
   const auto flown = static_cast<double>(progress.done - progress.done_before);
-  if (flown <= 0.0) return -1.0;
+  if (flown <= 0.0 || progress.is_open) return -1.0;
   return elapsed_s / flown * static_cast<double>(due_of(progress) - progress.done);
 }
 
@@ -34,9 +37,19 @@ nlohmann::json json_of(const Progress& progress, double elapsed_s) {
           {"done", progress.done},
           {"done_before", progress.done_before},
           {"invalid_missions", progress.invalid_missions},
+          {"is_open", progress.is_open},
           {"elapsed_s", elapsed_s},
           {"left_s", left >= 0.0 ? nlohmann::json(left) : nlohmann::json(nullptr)},
           {"planners", planners}};
+}
+
+/// "12/30 trials", and of an open number "12 trials so far, 4 more in this round".
+std::string trials_text(const Progress& progress) {
+  const std::int64_t due = due_of(progress), done = progress.done;
+  if (!progress.is_open) return std::to_string(done) + "/" + std::to_string(due) + " trials";
+  std::string text = std::to_string(done) + " trials so far";
+  if (done < due) text += ", " + std::to_string(due - done) + " more in this round";
+  return text;
 }
 
 }  // namespace
@@ -74,13 +87,15 @@ void RunProgress::draw_line(const Progress& progress) {
   const std::int64_t due = due_of(progress);
   const auto now = Clock::now();
   const std::int64_t tenth = due > 0 ? 10 * progress.done / due : 10;
+  // An open number has no tenths.
+  const auto least_pause = is_live_ ? std::chrono::milliseconds(200) : std::chrono::minutes(1);
   const bool is_due =
-      is_live_ ? is_finished_ || now - shown_ > std::chrono::milliseconds(200) : tenth > tenth_;
+      is_live_ || progress.is_open ? is_finished_ || now - shown_ > least_pause : tenth > tenth_;
   if (!is_due) return;
   shown_ = now;
-  tenth_ = tenth;
+  if (!progress.is_open) tenth_ = tenth;
   const double elapsed_s = std::chrono::duration<double>(now - began_).count();
-  std::string line = std::to_string(progress.done) + "/" + std::to_string(due) + " trials";
+  std::string line = trials_text(progress);
   if (is_finished_) {
     line += " in " + duration_text(elapsed_s);
   } else if (const double left = left_s(progress, elapsed_s); left >= 0.0) {

@@ -12,8 +12,9 @@ namespace avoidbench {
 enum class ProgressStyle { none, line, json };
 
 /// Tells how far a run is: on stderr, one live line on a terminal, else a line each tenth of the
-/// way, or JSON, an object a line every second at most; and in a heartbeat file, the same object
-/// written anew every five seconds, so that whoever watches sees that the run lives.
+/// way (each minute where nobody knows yet how many trials there will be), or JSON, an object a
+/// line every second at most; and in a heartbeat file, the same object written anew every five
+/// seconds, so that whoever watches sees that the run lives.
 class RunProgress {
  public:
   /// `heartbeat` empty: no such file. Throws InputError where it can't be written.

@@ -27,9 +27,11 @@ Values values_of(const json& sweep) {
   for (const json& axis : sweep.value("axes", json::array())) {
     values[axis.value("path", "")] = axis.value("values", json::array()).dump();
   }
+  add_leaves(sweep.value("limit", json::object()), "limit", values);
+  values.erase("limit.values");  // those of its axis
   for (const auto& [key, value] : sweep.items()) {
-    // Counts and seeds of the sweep itself. Objects and lists among them are base, axes and
-    // planners, which are compared by themselves.
+    // Counts and seeds of the sweep itself. Objects and lists among them are base, axes, limit
+    // and planners, which are compared by themselves.
     if (value.is_primitive() && key != "name") values[key] = value.dump();
   }
   return values;

@@ -285,12 +285,17 @@ RunSummary run_sweep(const SweepSpec& sweep, const RunRow& provenance, Database&
   if (options.keep_planners) {
     unkept = keep_files(flown_files(sweep, trials, options.keep_maps), database.path());
   }
+  run.progress.is_open = sweep.limit.is_set() || sweep.until.is_set();
   if (sweep.limit.is_set()) {
     fly_limit(run, trials, skip);
   } else if (sweep.until.is_set()) {
     fly_until(run, trials, skip);
   } else {
     fly(run, std::move(trials), skip);
+  }
+  if (run.progress.is_open && !run.is_stopped()) {
+    run.progress.is_open = false;
+    report_progress(run);
   }
   return {.progress = run.progress,
           .revision = revision,

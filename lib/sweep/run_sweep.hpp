@@ -20,8 +20,10 @@ struct PlannerProgress {
 
 struct Progress {
   std::int64_t total = 0, done = 0, done_before = 0;
-  std::int64_t invalid_missions =
-      0;  ///< trials that can't be flown: no free start or goal, or no way between them
+  /// Trials that can't be flown: no free start or goal, or no way between them.
+  std::int64_t invalid_missions = 0;
+  /// Further rounds may follow: `total` is what was asked for so far.
+  bool is_open = false;
   std::map<std::string, PlannerProgress> planners;  ///< by label, trials of this run
 };
 

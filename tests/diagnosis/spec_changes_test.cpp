@@ -28,6 +28,13 @@ TEST(SpecChanges, NameEachDifferenceOnce) {
                               "planner c is new", "planner b is gone"}));
 }
 
+TEST(SpecChanges, NameTheLimitsRule) {
+  EXPECT_EQ(spec_changes(R"({"limit":{"field":"wind.x","values":[1,2],"most_trials":18}})",
+                         R"({"limit":{"field":"wind.x","values":[1,3],"most_trials":40,
+                                      "direction":"falls"}})"),
+            (Changes{"limit.direction none → \"falls\"", "limit.most_trials 18 → 40"}));
+}
+
 TEST(SpecChanges, AreNoneBetweenEqualSweepsAndDoNotThrow) {
   EXPECT_EQ(spec_changes(kFormer, kFormer), Changes{});
   EXPECT_EQ(spec_changes("no json", "[]"), Changes{});
