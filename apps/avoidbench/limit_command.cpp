@@ -29,6 +29,12 @@ void limit(const LimitCommand& command) {
   write_sections(std::vector{sweep_section(summarize(result), {}, Detail::brief)}, command.output);
 }
 
+CLI::Option* add_direction(CLI::App& command, const std::string& name, LimitRequest& request,
+                           LimitDirection direction, const std::string& doc) {
+  return command.add_flag_callback(
+      name, [&request, direction] { request.direction = direction; }, doc);
+}
+
 }  // namespace
 
 void add_limit_command(CLI::App& app) {
@@ -50,16 +56,11 @@ void add_limit_command(CLI::App& app) {
   command.add_flag("--paired", options.request.is_paired,
                    "All planners fly the trials that any of them needs: which of two has the "
                    "higher limit is then told on the same missions");
-  const auto add_direction = [&command, &request = options.request](const std::string& name,
-                                                                    LimitDirection direction,
-                                                                    const std::string& what) {
-    return command.add_flag_callback(
-        name, [&request, direction] { request.direction = direction; }, what);
-  };
-  add_direction("--falls", LimitDirection::falls,
+  add_direction(command, "--falls", options.request, LimitDirection::falls,
                 "Success falls as the number grows, as is known beforehand: no trials are spent on "
                 "which way it goes")
-      ->excludes(add_direction("--rises", LimitDirection::rises, "Success rises as it grows"));
+      ->excludes(add_direction(command, "--rises", options.request, LimitDirection::rises,
+                               "Success rises as it grows"));
   add_flight_options(command, options.run);
   add_output_options(command, options.output);
   command.footer(
