@@ -48,6 +48,7 @@ def draw(flights: dict[str, dict[str, int]], picture: Path) -> None:
     axes.set_title(f"{total} flights of each at 3 m/s with true depth, maps that no sample is from", fontsize=9)
     axes.set_xticks(list(places), [name.replace("_", "\n") for name in flights], fontsize=8)
     axes.set_xlabel("weights, in the order of the training", fontsize=8)
+    axes.set_ylabel("share of flights", fontsize=8)
     axes.set_ylim(-0.02, 1.02)
     axes.tick_params(labelsize=8)
     axes.grid(alpha=0.3)
