@@ -2,7 +2,7 @@
 # train.sh [--steps N | --minutes M] [--seed S] [--out FOLDER] [--few]: makes samples, trains agile's net on them, lets it fly, and trains
 # it on what it met. Writes agile.safetensors, curves, success during training and figures into FOLDER (build/agile; in the repository
 # unless it begins with /). To fly the weights copy them to planners/agile and build. One that was stopped goes on with the next part.
-#   --steps N      steps of the three trainings together (26000: some 30 minutes on two cores). Samples and flights take as long again
+#   --steps N      steps of the three trainings together (26000: 30 to 45 minutes on two cores). Samples and flights take as long again
 #   --minutes M    wall time of the three trainings together, instead of steps: weights then depend on the machine's speed
 #   --seed S       of the trainings and of the samples' flights (1); maps and missions stay the same
 #   --few          a sixteenth of the flights and of the steps: to see that all of it works
@@ -59,12 +59,12 @@ fly() {
 train() {
   local name=$1 share=$2 length=(--steps)
   shift 2
-  # The curves are what a training writes last.
-  if [ -e "$out/${name}_curves.png" ]; then return; fi
+  if [ -e "$out/done/$name" ]; then return; fi
   length+=("$(awk "BEGIN { print int($share * $steps) }")")
   if [ -n "$minutes" ]; then length=(--minutes "$(awk "BEGIN { print $share * $minutes }")"); fi
   OMP_WAIT_POLICY=passive "$python" planners/agile/train/train.py --seed "$seed" "${length[@]}" --snapshots 3 \
     --out "$out/$name.safetensors" --plot "$out/${name}_curves.png" --log "$out/$name.json" "$@"
+  touch "$out/done/$name"
 }
 
 fly forest_ideal forest depth_ideal 9000001 4

@@ -4,6 +4,7 @@
 set -euo pipefail
 cd "$1"
 out=$2
+rm -rf "${out:?}"  # or it would go on with what an earlier test made
 planners/agile/train/train.sh --few --minutes 2 --out "$out"
 (cd planners/agile/train && OMP_WAIT_POLICY=passive "$1/build/train_venv/bin/python" -B -m unittest test_training)
 python3 - "$out/first.json" "$out/agile.json" <<'PYTHON'
