@@ -2,7 +2,7 @@
 # train.sh [--steps N | --minutes M] [--seed S] [--out FOLDER] [--few]: makes samples, trains agile's net on them, lets it fly, and trains
 # it on what it met. Writes agile.safetensors, curves, success during training and figures into FOLDER (build/agile; in the repository
 # unless it begins with /). To fly the weights copy them to planners/agile and build. One that was stopped goes on with the next part.
-#   --steps N      steps of the three trainings together (26000: 30 to 45 minutes on two cores). Samples and flights take as long again
+#   --steps N      steps of the three trainings together (18000: half an hour on two cores). Samples and flights take as long again
 #   --minutes M    wall time of the three trainings together, instead of steps: weights then depend on the machine's speed
 #   --seed S       of the trainings and of the samples' flights (1); maps and missions stay the same
 #   --few          a sixteenth of the flights and of the steps: to see that all of it works
@@ -10,7 +10,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/../../.."
 
-steps=26000 minutes= seed=1 out=build/agile few=()
+steps=18000 minutes= seed=1 out=build/agile few=()
 usage() { sed -n '2,10s/^# \{0,1\}//p' "$0" >&2; exit 2; }
 while [ $# -gt 0 ]; do
   case "$1" in
@@ -68,9 +68,9 @@ train() {
 }
 
 fly forest_ideal forest depth_ideal 9000001 4
-fly forest_stereo forest stereo_sgbm 9000011 4
+fly forest_stereo forest stereo_sgm 9000011 4
 fly hall_ideal hall depth_ideal 9000021 4
-fly hall_stereo hall stereo_sgbm 9000031 4
+fly hall_stereo hall stereo_sgm 9000031 4
 first=("$out"/forest_ideal "$out"/forest_stereo "$out"/hall_ideal "$out"/hall_stereo)
 echo "== first training: by the expert's flights"
 train first 0.35 --recipe imitation --samples "${first[@]}"
@@ -78,8 +78,8 @@ train first 0.35 --recipe imitation --samples "${first[@]}"
 # What the net meets where it flies itself, with what the expert would do there (DAgger).
 own=(--weights "$out/first.safetensors")
 fly own_forest_ideal forest depth_ideal 9000041 2 "${own[@]}"
-fly own_forest_stereo forest stereo_sgbm 9000051 3 "${own[@]}"
-fly own_hall_stereo hall stereo_sgbm 9000061 2 "${own[@]}"
+fly own_forest_stereo forest stereo_sgm 9000051 3 "${own[@]}"
+fly own_hall_stereo hall stereo_sgm 9000061 2 "${own[@]}"
 second=("${first[@]}" "$out"/own_*)
 echo "== second training: down the cost"
 train second 0.35 --recipe descent --rate 1e-3 --samples "${second[@]}" --init "$out/first.safetensors"
@@ -89,7 +89,7 @@ fly walls walls depth_ideal 9000071 4
 fly traps traps depth_ideal 9000071 4
 fly again_walls walls depth_ideal 9000081 4 "${own[@]}"
 fly again_traps traps depth_ideal 9000081 4 "${own[@]}"
-fly again_forest forest stereo_sgbm 9000091 1 "${own[@]}"
+fly again_forest forest stereo_sgm 9000091 1 "${own[@]}"
 third=("${second[@]}" "$out"/walls "$out"/traps "$out"/again_*)
 echo "== third training: with what can't be passed"
 train agile 0.3 --recipe descent --rate 1e-3 --samples "${third[@]}" --init "$out/second.safetensors"
