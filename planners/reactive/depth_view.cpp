@@ -31,17 +31,20 @@ bool has_support(const ab_depth_image& image, int x, int y, double depth_m, int 
   const int first_y = std::max(0, y - half_px), last_y = std::min(image.height_px - 1, y + half_px);
   const double nearest_m = (1.0 - kAlikeRatio) * depth_m;
   const double farthest_m = (1.0 + kAlikeRatio) * depth_m;
+  const double side_px = 2.0 * half_px + 1.0;
+  const double thickness_px = std::min(side_px, kThinnest_m * image.fx_px / depth_m);
+  const double needed_px = std::max(kLeastAlike_px, thickness_px * side_px);
   int alike_count = 0;  // with itself
   for (int row = first_y; row <= last_y; ++row) {
     const float* line = image.depth_m + static_cast<std::ptrdiff_t>(row) * image.width_px;
     for (int column = first_x; column <= last_x; ++column) {
       const double other_m = static_cast<double>(line[column]);
-      alike_count += static_cast<int>(other_m >= nearest_m && other_m <= farthest_m);
+      alike_count +=
+          static_cast<int>(other_m >= nearest_m) & static_cast<int>(other_m <= farthest_m);
     }
+    if (alike_count >= needed_px) return true;  // on most surfaces after a line or two
   }
-  const double side_px = 2.0 * half_px + 1.0;
-  const double thickness_px = std::min(side_px, kThinnest_m * image.fx_px / depth_m);
-  return alike_count >= std::max(kLeastAlike_px, thickness_px * side_px);
+  return false;
 }
 
 }  // namespace
@@ -69,37 +72,39 @@ void DepthView::take(const ab_depth_image& image) {
 }
 
 DepthView::Cell DepthView::cell_of(const ab_depth_image& image, int left_px, int top_px) const {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const int half_px = std::max(1, cell_px_ / 2);
   int invalid_count = 0;
-  // The nearest pixel, of all or of those with support.
-  const auto nearest = [&](bool with_support) {
-    Cell found{.depth_m = kInfinity, .column_px = 0.0, .row_px = 0.0, .least_m = kInfinity};
+  // The nearest pixel of those that `counts` takes.
+  const auto nearest = [&](const auto& counts) {
+    float nearest_m = std::numeric_limits<float>::infinity();
+    int column = 0, row = 0;
     invalid_count = 0;
     for (int y = top_px; y < top_px + cell_px_; ++y) {
       const float* line = image.depth_m + static_cast<std::ptrdiff_t>(y) * width_px_;
       for (int x = left_px; x < left_px + cell_px_; ++x) {
-        const double depth_m = static_cast<double>(line[x]);
-        if (!(depth_m > 0.0)) {
+        if (!(line[x] > 0.0F)) {
           ++invalid_count;
-          continue;
+        } else if (line[x] < nearest_m && counts(x, y, line[x])) {
+          nearest_m = line[x];
+          column = x;
+          row = y;
         }
-        if (!(depth_m < found.depth_m)) continue;
-        if (with_support && !has_support(image, x, y, depth_m, half_px)) continue;
-        found.depth_m = depth_m;
-        found.column_px = x;
-        found.row_px = y;
       }
     }
-    return found;
+    const auto depth_m = static_cast<double>(nearest_m);
+    return Cell{
+        .depth_m = depth_m, .column_px = 1.0 * column, .row_px = 1.0 * row, .least_m = depth_m};
   };
-  Cell cell = nearest(false);
+  const auto is_supported = [&](int x, int y, float depth_m) {
+    return has_support(image, x, y, static_cast<double>(depth_m), half_px);
+  };
+  Cell cell = nearest([](int, int, float) { return true; });
   const double least_m = cell.depth_m;
-  const bool is_supported =
-      !std::isfinite(least_m) || has_support(image, static_cast<int>(cell.column_px),
-                                             static_cast<int>(cell.row_px), least_m, half_px);
-  if (!is_supported) cell = nearest(true);
-  cell.least_m = least_m;
+  if (std::isfinite(least_m) && !has_support(image, static_cast<int>(cell.column_px),
+                                             static_cast<int>(cell.row_px), least_m, half_px)) {
+    cell = nearest(is_supported);
+    cell.least_m = least_m;
+  }
   const bool nothing_near = !std::isfinite(cell.depth_m);
   if (nothing_near && 2 * invalid_count > cell_px_ * cell_px_) {
     cell.depth_m = std::numeric_limits<double>::quiet_NaN();
@@ -124,11 +129,11 @@ DepthView::Pixel DepthView::project(const Vector3& offset_world) const {
 
 const DepthView::Cell* DepthView::cell_at(const Pixel& pixel) const {
   if (is_empty() || pixel.depth_m <= 0.0) return nullptr;
-  const double column = std::floor((pixel.column_px + 0.5) / cell_px_);
-  const double row = std::floor((pixel.row_px + 0.5) / cell_px_);
+  const double column = (pixel.column_px + 0.5) / cell_px_;
+  const double row = (pixel.row_px + 0.5) / cell_px_;
   if (!(column >= 0.0 && column < column_count_ && row >= 0.0 && row < row_count_)) return nullptr;
-  return &cells_[static_cast<std::size_t>(row) * static_cast<std::size_t>(column_count_) +
-                 static_cast<std::size_t>(column)];
+  return &cells_[static_cast<std::size_t>(static_cast<int>(row) * column_count_ +
+                                          static_cast<int>(column))];
 }
 
 bool DepthView::has_seen(const Vector3& direction_world) const {

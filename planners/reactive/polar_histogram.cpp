@@ -24,22 +24,26 @@ double counted_radius(double distance_m, double radius_m) {
   return std::min(radius_m, 0.98 * distance_m);
 }
 
-/// The angle of (x, y) in steps of the grid, within 0.06: enough to find the cells that are then
-/// looked at exactly, and several times faster than the exact one.
+constexpr double kSteps_per_rad = 1.0 / kStep_rad;
+constexpr double kRoughSlack = 0.06;
+
+/// The angle of (x, y) in steps of the grid, within `kRoughSlack`: enough to find the cells that
+/// are then looked at exactly, and several times faster than the exact one.
 double rough_step(double y, double x) {
   const double ax = std::abs(x), ay = std::abs(y);
   const double ratio = std::min(ax, ay) / std::max({ax, ay, 1e-12});
-  double angle = ratio * (portable::kPi / 4 + 0.273 * (1.0 - ratio));  // within 0.0038 rad
+  // Within 0.0038 rad, which are 0.044 steps.
+  double angle = ratio * (portable::kPi / 4 + 0.273 * (1.0 - ratio));
   if (ay > ax) angle = portable::kPi / 2 - angle;
   if (x < 0.0) angle = portable::kPi - angle;
-  return (y < 0.0 ? -angle : angle) / kStep_rad;
+  return (y < 0.0 ? -angle : angle) * kSteps_per_rad;
 }
 
-constexpr double kRoughSlack = 0.06;  // 0.0038 rad are 0.044 steps
-
-/// asin(sine) in steps of the grid, within the same.
-double rough_asin_steps(double sine) {
-  return rough_step(sine, std::sqrt(std::max(0.0, 1.0 - sine * sine)));
+/// asin(sine) in steps of the grid or a little more, for a sine from 0 to 1: (asin(s) - s) / s³
+/// grows to π/2 - 1 at 1.
+double most_asin_steps(double sine) {
+  constexpr double kCube = portable::kPi / 2 - 1.0 + 1e-9;
+  return sine * (1.0 + kCube * sine * sine) * kSteps_per_rad;
 }
 
 }  // namespace
@@ -76,14 +80,14 @@ void PolarHistogram::add(const Vector3& point, double radius_m) {
   // asin(radius / level distance) or all where it is above or below.
   constexpr int kMiddle = kElevations / 2;
   const double height = rough_step(point.z, level_m) + kMiddle;
-  const double reach = rough_asin_steps(radius / distance_m) + 2 * kRoughSlack;
+  const double reach = most_asin_steps(radius / distance_m) + kRoughSlack;
   const int lowest = std::max(0, static_cast<int>(std::ceil(height - reach)));
   const int highest = std::min(kElevations - 1, static_cast<int>(std::floor(height + reach)));
   if (lowest > highest) return;
   int first = 0, count = kAzimuths;
   if (level_m > radius) {
     const double centre = rough_step(point.y, point.x);
-    const double half = rough_asin_steps(radius / level_m) + 2 * kRoughSlack;
+    const double half = most_asin_steps(radius / level_m) + kRoughSlack;
     first = static_cast<int>(std::ceil(centre - half));
     count = std::min(kAzimuths, static_cast<int>(std::floor(centre + half)) - first + 1);
   }

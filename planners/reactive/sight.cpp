@@ -5,10 +5,11 @@
 namespace reactive {
 namespace {
 
-/// Whether at least `needed` of the views from `view` to `end` say yes.
+/// Whether at least `needed` of the views from `view` to `end` say yes. Asks no more of them than
+/// decide it.
 template <class View, class Question>
 bool agree(View view, View end, int needed, const Question& question) {
-  for (; needed > 0 && view != end; ++view) {
+  for (; needed > 0 && needed <= end - view; ++view) {
     if (question(*view)) --needed;
   }
   return needed <= 0;
