@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/file.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -64,7 +65,22 @@ std::size_t open_descriptors() {
   return static_cast<std::size_t>(std::distance(begin(entries), end(entries)));
 }
 
-TEST(AtLoad, DescriptionsComeWhole) {
+/// One at a time, though each is a process of its own: they count the processes that have a planner
+/// loaded, and share the planners.
+class AtLoad : public testing::Test {
+ protected:
+  void SetUp() override {
+    lock_ = ::open(AT_LOAD_PLANNERS "/lock", O_CREAT | O_RDWR | O_CLOEXEC, 0600);
+    ASSERT_GE(lock_, 0);
+    ASSERT_EQ(::flock(lock_, LOCK_EX), 0);
+  }
+  void TearDown() override { ::close(lock_); }
+
+ private:
+  int lock_ = -1;
+};
+
+TEST_F(AtLoad, DescriptionsComeWhole) {
   const PlannerDescription loaded = PlannerLibrary::load(C_PLANNER).description();
   const PlannerDescription told = describe_planner(C_PLANNER, 30.0);
   EXPECT_EQ(told.name, loaded.name);
@@ -84,7 +100,7 @@ TEST(AtLoad, DescriptionsComeWhole) {
   }
 }
 
-TEST(AtLoad, EndsAreNamed) {
+TEST_F(AtLoad, EndsAreNamed) {
   EXPECT_THAT(description_error("exit"),
               HasSubstr("at_load/exit.so: ended the process with code 0 while it was loaded"));
   EXPECT_THAT(description_error("exit_at_once"),
@@ -101,7 +117,7 @@ TEST(AtLoad, EndsAreNamed) {
                                                       : "ended the process that watches it"));
 }
 
-TEST(AtLoad, NoneTakesLongerThanItsLimit) {
+TEST_F(AtLoad, NoneTakesLongerThanItsLimit) {
   for (const char* way : {"sleep", "spin", "ignore", "stop", "table_spin"}) {
     // Nothing in a sandbox stops itself.
     if (std::string_view(way) == "stop" && sandbox_support().has_seccomp) continue;
@@ -117,7 +133,7 @@ TEST(AtLoad, NoneTakesLongerThanItsLimit) {
   EXPECT_TRUE(processes_with("stop_parent").empty());
 }
 
-TEST(AtLoad, NothingStaysBehind) {
+TEST_F(AtLoad, NothingStaysBehind) {
   for (const char* way :
        {"fork", "fork_and_return", "daemon", "hopping", "swarm", "thread", "locale", "print"}) {
     const std::vector<std::string> before = processes_with(way);
@@ -127,7 +143,7 @@ TEST(AtLoad, NothingStaysBehind) {
   EXPECT_EQ(::waitpid(-1, nullptr, WNOHANG), -1) << "a child of ours is left";
 }
 
-TEST(AtLoad, NothingOfOursIsTouched) {
+TEST_F(AtLoad, NothingOfOursIsTouched) {
   const std::filesystem::path folder = std::filesystem::current_path();
   int ends[2];
   ASSERT_EQ(::pipe2(ends, O_NONBLOCK), 0);
@@ -147,7 +163,7 @@ TEST(AtLoad, NothingOfOursIsTouched) {
   for (const int fd : {ends[0], ends[1], written}) ::close(fd);
 }
 
-TEST(AtLoad, TheWatcherGoesWithItsParent) {
+TEST_F(AtLoad, TheWatcherGoesWithItsParent) {
   const pid_t parent = ::fork();
   if (parent == 0) {
     description_error("sleep", 600.0);
@@ -163,7 +179,7 @@ TEST(AtLoad, TheWatcherGoesWithItsParent) {
   EXPECT_TRUE(wait_for(false));
 }
 
-TEST(AtLoad, IsAskedOnceAProcess) {
+TEST_F(AtLoad, IsAskedOnceAProcess) {
   const auto folder = std::filesystem::path(testing::TempDir()) / "avoidbench_asked_once";
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
@@ -179,7 +195,7 @@ TEST(AtLoad, IsAskedOnceAProcess) {
   EXPECT_THROW(describe_planner(file), InputError);
 }
 
-TEST(AtLoad, TheLimitIsOfTheEnvironment) {
+TEST_F(AtLoad, TheLimitIsOfTheEnvironment) {
   setenv("AVOIDBENCH_LOAD_LIMIT_S", "0.2", 1);
   try {
     describe_planner(at_load_planner("sleep"));
@@ -195,7 +211,7 @@ TEST(AtLoad, TheLimitIsOfTheEnvironment) {
   unsetenv("AVOIDBENCH_LOAD_LIMIT_S");
 }
 
-TEST(AtLoad, LoadingIsACallOfTheWatchdogsClock) {
+TEST_F(AtLoad, LoadingIsACallOfTheWatchdogsClock) {
   CallClock clock;
   std::atomic<bool> is_over = false;
   double longest_s = 0.0;
