@@ -132,8 +132,8 @@ const DepthView::Cell* DepthView::cell_at(const Pixel& pixel) const {
   const double column = (pixel.column_px + 0.5) / cell_px_;
   const double row = (pixel.row_px + 0.5) / cell_px_;
   if (!(column >= 0.0 && column < column_count_ && row >= 0.0 && row < row_count_)) return nullptr;
-  return &cells_[static_cast<std::size_t>(static_cast<int>(row) * column_count_ +
-                                          static_cast<int>(column))];
+  return cells_.data() + static_cast<std::ptrdiff_t>(row) * column_count_ +
+         static_cast<std::ptrdiff_t>(column);
 }
 
 bool DepthView::has_seen(const Vector3& direction_world) const {
