@@ -8,14 +8,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <new>
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define ROS_SHIM_SANITIZED 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define ROS_SHIM_SANITIZED 1
-#endif
-#endif
+#include <string>
 
 namespace ros_shim {
 
@@ -194,9 +187,7 @@ LedgerPause::~LedgerPause() {
 
 }  // namespace ros_shim
 
-// The library's own, for all code in it: they end in malloc() and free(), as everybody else's do. A
-// sanitizer has to have its own.
-#ifndef ROS_SHIM_SANITIZED
+// The library's own, for all code in it: they end in malloc() and free(), as everybody else's do.
 namespace shim = ros_shim;
 constexpr std::size_t kUsual = alignof(std::max_align_t);
 static std::size_t bytes_of(std::align_val_t alignment) {
@@ -229,4 +220,7 @@ void operator delete(void* block, std::size_t, std::align_val_t) noexcept { shim
 void operator delete[](void* block, std::size_t, std::align_val_t) noexcept {
   shim::release(block);
 }
-#endif
+
+// The library's own too: that of the C++ library gets and frees with the operators of the host, and
+// a string that grew during a run ahead would be put back to memory that is gone.
+template class std::basic_string<char>;

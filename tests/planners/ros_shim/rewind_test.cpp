@@ -101,9 +101,6 @@ TEST(Rewind, PutsBackALoopOfMain) {
 
 /// What nodes leave unset is the same in each trial, whatever the ones before did.
 TEST(Rewind, MemoryOfNewIsZero) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  GTEST_SKIP() << "sanitizers have a new of their own";
-#endif
   constexpr std::size_t kBytes = 1000;
   for (int i = 0; i < 10; ++i) {
     std::unique_ptr<unsigned char[]> block(new unsigned char[kBytes]);
