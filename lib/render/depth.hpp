@@ -8,6 +8,8 @@
 
 namespace avoidbench {
 
+struct DepthKernel;  // depth_kernel.hpp
+
 /// The depth image seen from `T_world_camera`: for each pixel, distance along camera z to the
 /// nearest surface, metres. `depth_m` is height × width, row-major, filled whole; +inf where
 /// nothing is hit within `camera.max_range_m`, NaN where it is nearer than `camera.min_range_m`.
@@ -22,5 +24,12 @@ void render_depth(const Scene& scene, const Pinhole& camera, const Pose& T_world
 inline constexpr std::uint32_t kNoInstance = ~0U;
 void render_depth(const Scene& scene, const Pinhole& camera, const Pose& T_world_camera,
                   std::span<float> depth_m, std::span<std::uint32_t> instances);
+
+/// The faster kernel that this processor has. All give the same bits, so nobody needs to choose;
+/// for tests and benchmarks.
+const DepthKernel& depth_kernel();
+void render_depth_by(const DepthKernel& kernel, const Scene& scene, const Pinhole& camera,
+                     const Pose& T_world_camera, std::span<float> depth_m,
+                     std::span<std::uint32_t> instances);
 
 }  // namespace avoidbench

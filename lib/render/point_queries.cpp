@@ -35,7 +35,7 @@ struct Search {
 
   /// Whether the triangle's plane is farther off than the radius.
   bool is_beyond(std::uint32_t entered, std::uint32_t triangle) const {
-    const TrianglePlane& p = scene.placements[entered].planes[triangle];
+    const TrianglePlane& p = scene.planes_of[entered][triangle];
     const double height = p.nx * center_in_planes.x() + p.ny * center_in_planes.y() +
                           p.nz * center_in_planes.z() - p.offset;
     // The plane is no farther than the triangle, and it takes six operations to tell; most

@@ -59,11 +59,10 @@ PrimaryRays::PrimaryRays(const Scene::Internals& scene, const Pinhole& camera,
     const Eigen::Matrix3d turned = linear * axes;
     const Eigen::Vector3d moved = linear * (position - origin);
     CameraAxes result{};
+    double* const rows[] = {result.x, result.y, result.z};
     for (int k = 0; k < 3; ++k) {
-      result.right[k] = turned(k, 0);
-      result.down[k] = turned(k, 1);
-      result.forward[k] = turned(k, 2);
-      result.position[k] = moved[k];
+      for (int axis = 0; axis < 3; ++axis) rows[k][axis] = turned(k, axis);
+      rows[k][3] = -moved[k];
     }
     return result;
   };

@@ -15,18 +15,6 @@ inline constexpr int kBlockWidth = 4;
 inline constexpr int kPacketHeight = 2;
 inline constexpr int kBlockHeight = kPacketHeight * static_cast<int>(embree::kStreamPackets);
 
-/// The plane a·u + b·v + c = h/depth in a camera's frame, where (u, v, 1) is a pixel's ray.
-struct PlaneInCamera {
-  double a, b, c, h;
-};
-
-/// Depth of the plane at the pixel (u, v), as far as it agrees with Embree's.
-inline float plane_depth(const PlaneInCamera& plane, double u, double v, float embree_depth) {
-  const double row = plane.b * v + plane.c;
-  const auto denominator = static_cast<float>(plane.a * u + row);
-  return settled_distance(static_cast<float>(plane.h) / denominator, embree_depth);
-}
-
 /// The camera's rays of one frame, block by block. The ray's forward component is 1, so that its
 /// parameter is depth. Pixels right of and below the image, where its size is not a multiple of the
 /// block's, are traced with the rest. Embree's rays are float; u() and v() keep double for the
@@ -53,27 +41,20 @@ class PrimaryRays {
   }
 
   PlaneInCamera plane(unsigned instance, unsigned triangle) const {
-    const TrianglePlane& p = scene_.placements[instance].planes[triangle];
-    const CameraAxes& camera = cameras_[scene_.flattened ? 0 : instance];
-    return {p.nx * camera.right[0] + p.ny * camera.right[1] + p.nz * camera.right[2],
-            p.nx * camera.down[0] + p.ny * camera.down[1] + p.nz * camera.down[2],
-            p.nx * camera.forward[0] + p.ny * camera.forward[1] + p.nz * camera.forward[2],
-            p.offset - (p.nx * camera.position[0] + p.ny * camera.position[1] +
-                        p.nz * camera.position[2])};
+    return as_plane(
+        seen_by(cameras_[scene_.flattened ? 0 : instance], scene_.planes_of[instance][triangle]));
   }
 
- private:
-  struct CameraAxes {
-    double right[3], down[3], forward[3], position[3];
-  };
+  /// One an instance, in its planes' frame; one alone where the scene is flattened.
+  const std::vector<CameraAxes>& cameras() const { return cameras_; }
 
+ private:
   const Scene::Internals& scene_;
   float range_m_;
   std::vector<double> u_, v_;
   std::vector<float> columns_[3],
       rows_[3];  ///< a ray's direction is its column's part plus its row's
-  std::vector<CameraAxes>
-      cameras_;  ///< in each prototype's frame, one an instance; one where flattened
+  std::vector<CameraAxes> cameras_;
   RTCRayHit8 packets_[embree::kStreamPackets];
 };
 

@@ -131,7 +131,7 @@ void build_flattened(Scene::Internals& scene) {
     const TriangleMesh& mesh = world.prototypes[world.instances[i].prototype].mesh;
     const std::vector<Vector3f> vertices = flattened_vertices(mesh, scene.placements[i]);
     scene.planes.push_back(make_planes(vertices, mesh));
-    scene.placements[i].planes = scene.planes.back().data();
+    scene.planes_of.push_back(scene.planes.back().data());
     // Its planes, none, are there all the same: they are found by the instance's number.
     if (mesh.triangles.empty()) continue;
     const embree::GeometryHandle geometry = make_geometry(vertices, mesh);
@@ -155,7 +155,7 @@ void build_instanced(Scene::Internals& scene) {
   }
   for (std::uint32_t i = 0; i < world.instances.size(); ++i) {
     const std::uint32_t prototype = world.instances[i].prototype;
-    scene.placements[i].planes = scene.planes[prototype].data();
+    scene.planes_of.push_back(scene.planes[prototype].data());
     if (world.prototypes[prototype].mesh.triangles.empty()) continue;
     const embree::GeometryHandle geometry(
         rtcNewGeometry(embree::device(), RTC_GEOMETRY_TYPE_INSTANCE));
@@ -283,10 +283,7 @@ void move_instances(Scene::Internals& scene, double time_s) {
     Instance moved = world.instances[motion.instance];
     moved.T_world_prototype.translation() += displacement_world(motion, time_s).cast<float>();
     Placement& placement = scene.placements[motion.instance];
-    // Planes are in the prototype's frame, which does not move.
-    const TrianglePlane* const planes = placement.planes;
-    placement = make_placement(moved);
-    placement.planes = planes;
+    placement = make_placement(moved);  // planes are in the prototype's frame, which does not move
     const TriangleMesh& mesh = world.prototypes[moved.prototype].mesh;
     if (mesh.triangles.empty()) continue;
     const RTCGeometry geometry = rtcGetGeometry(scene.top.get(), motion.instance);

@@ -11,6 +11,7 @@
 #include "geometry/box_triangle.hpp"
 #include "render/embree.hpp"
 #include "render/scene.hpp"
+#include "render/triangle_plane.hpp"
 
 namespace avoidbench {
 
@@ -19,16 +20,8 @@ namespace avoidbench {
 /// building and 105 bytes per triangle. Larger maps keep one hierarchy per prototype.
 inline constexpr std::size_t kFlattenTriangles = 1'000'000;
 
-/// normal · p = offset on the triangle; the normal is a unit vector, or zero where the triangle has
-/// no area.
-struct TrianglePlane {
-  double nx, ny, nz, offset;
-};
-
 /// How one instance stands in the world, in double.
 struct Placement {
-  const TrianglePlane* planes =
-      nullptr;  ///< one per triangle; in the world's frame where flattened, else in the prototype's
   Eigen::Matrix3d linear_world_prototype = Eigen::Matrix3d::Identity();
   Eigen::Vector3d position_world = Eigen::Vector3d::Zero();
   Eigen::Matrix3d linear_prototype_world = Eigen::Matrix3d::Identity();
@@ -36,7 +29,7 @@ struct Placement {
 };
 
 /// In Embree's scene an instance's index is the hit's geomID where flattened, else its instID.
-/// Invariants: placements has one entry an instance, and its `planes` points into this object's;
+/// Invariants: placements and planes_of have one entry an instance, the latter's point into planes;
 /// where anything moves, `flattened` is false; `top`, instance_boxes and bounds stand at the same
 /// time, that of the last set_time().
 struct Scene::Internals {
@@ -48,7 +41,10 @@ struct Scene::Internals {
       instance_boxes;  ///< an instance a primitive, for point queries; none where flattened
   std::vector<RTCBounds> bounds;  ///< its boxes
   std::vector<std::vector<TrianglePlane>>
-      planes;                         ///< one list an instance where flattened, else a prototype
+      planes;  ///< one list an instance where flattened, else a prototype
+  /// One an instance: its triangles' planes, in the world's frame where flattened, else in the
+  /// prototype's.
+  std::vector<const TrianglePlane*> planes_of;
   std::vector<Placement> placements;  ///< one an instance
   /// The lowest point of all ceilings and lamps, where they stand at first; +inf: there are none.
   /// In shaded images the sun shines through them, else halls would be dark.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "shading/lanes.hpp"
+#include "render/lanes.hpp"
 
 /// Value noise in eight lanes: a smooth field through random numbers that stand at whole
 /// coordinates. It depends on nothing but the coordinates and the key.

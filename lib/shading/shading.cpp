@@ -100,7 +100,7 @@ struct LastFacet {
     facet.c = static_cast<float>(plane.c);
     facet.h = static_cast<float>(plane.h);
     const Placement& placement = scene.placements[instance];
-    const TrianglePlane& p = placement.planes[triangle];
+    const TrianglePlane& p = scene.planes_of[instance][triangle];
     const Vector3d normal(p.nx, p.ny, p.nz);
     // Planes of a flattened scene are in the world already.
     copy(scene.flattened

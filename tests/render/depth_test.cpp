@@ -6,8 +6,10 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <utility>
 #include <vector>
 
+#include "render/depth_kernel.hpp"
 #include "support/test_worlds.hpp"
 
 namespace avoidbench {
@@ -232,6 +234,40 @@ TEST(Depth, IsTheSameBitsAfterARebuild) {
     const std::vector<float> a = depth_image(first, camera, pose);
     const std::vector<float> b = depth_image(second, camera, pose);
     EXPECT_EQ(0, std::memcmp(a.data(), b.data(), a.size() * sizeof(float)));
+  }
+}
+
+void expect_same_bits_of_both_kernels(const Scene& scene, const Pinhole& camera, const Pose& pose) {
+  const auto pixels = static_cast<std::size_t>(camera.width_px * camera.height_px);
+  std::vector<float> portable(pixels, -7.0F), avx2(pixels, -7.0F);
+  std::vector<std::uint32_t> seen_by_portable(pixels, 7U), seen_by_avx2(pixels, 7U);
+  render_depth_by(kPortableDepth, scene, camera, pose, portable, seen_by_portable);
+  render_depth_by(kAvx2Depth, scene, camera, pose, avx2, seen_by_avx2);
+  EXPECT_EQ(std::memcmp(portable.data(), avx2.data(), pixels * sizeof(float)), 0);
+  EXPECT_EQ(seen_by_portable, seen_by_avx2);
+  std::size_t hits = 0, near = 0;
+  for (std::size_t i = 0; i < pixels; ++i) {
+    ASSERT_EQ(portable[i] == kFree_m, seen_by_portable[i] == kNoInstance);
+    hits += static_cast<std::size_t>(std::isfinite(portable[i]));
+    near += static_cast<std::size_t>(std::isnan(portable[i]));
+  }
+  EXPECT_GT(hits, pixels / 20);
+  EXPECT_GT(near, pixels / 100);
+}
+
+TEST(Depth, BothKernelsGiveTheSameBits) {
+  __builtin_cpu_init();
+  if (__builtin_cpu_supports("avx2") == 0) GTEST_SKIP() << "no AVX2 here";
+  EXPECT_EQ(&depth_kernel(), &kAvx2Depth);
+  const World world = test::scattered_world(7);
+  // Whole blocks and parts of some; packets of small triangles, of one, and of none.
+  for (const auto& [width, height] : {std::pair{160, 120}, std::pair{51, 37}, std::pair{3, 5}}) {
+    Pinhole camera = make_pinhole(width, height, 90.0 * math::kDegree, 12.0);
+    camera.min_range_m = 4.0;
+    const Pose pose = test::looking({-8.0, 0.0, 0.0}, {1.0, 0.2, 0.0});
+    for (const std::size_t flatten : {std::size_t{0}, std::size_t{1000000}}) {
+      expect_same_bits_of_both_kernels(Scene(world, flatten), camera, pose);
+    }
   }
 }
 

@@ -4,10 +4,10 @@
 
 #include <cstdint>
 
-/// Eight lanes of float or int32, one a ray of a packet: two SSE2 registers, or one of AVX2 in a
-/// file compiled with -mavx2. Only operations that IEEE defines (or that are exact), so that both
-/// give the same bits. In an unnamed namespace, as is everything made of it: a function compiled
-/// with -mavx2 must never be the one that the linker keeps for every file.
+/// Eight lanes of float or int32, one a ray of a packet, or four of double: two SSE2 registers, or
+/// one of AVX2 in a file compiled with -mavx2. Only operations that IEEE defines (or that are
+/// exact), so that both give the same bits. In an unnamed namespace, as is everything made of it: a
+/// function compiled with -mavx2 must never be the one that the linker keeps for every file.
 namespace avoidbench {
 namespace {
 
@@ -39,6 +39,10 @@ struct Floats {
 struct Ints {
   AB_LANES_MEMBERS(__m256i, __m128i);
 };
+/// Four lanes only.
+struct Doubles {
+  AB_LANES_MEMBERS(__m256d, __m128d);
+};
 
 AB_LANE Floats all_lanes(float x) {
 #ifdef __AVX2__
@@ -57,6 +61,16 @@ AB_LANE Ints all_lanes(std::uint32_t x) {
 #endif
 }
 
+AB_LANE Doubles all_lanes(double x) {
+#ifdef __AVX2__
+  return {_mm256_set1_pd(x)};
+#else
+  return {_mm_set1_pd(x), _mm_set1_pd(x)};
+#endif
+}
+
+AB_BINARY(Doubles, operator+, Doubles, _mm_add_pd, _mm256_add_pd)
+AB_BINARY(Doubles, operator*, Doubles, _mm_mul_pd, _mm256_mul_pd)
 AB_BINARY(Floats, operator+, Floats, _mm_add_ps, _mm256_add_ps)
 AB_BINARY(Floats, operator-, Floats, _mm_sub_ps, _mm256_sub_ps)
 AB_BINARY(Floats, operator*, Floats, _mm_mul_ps, _mm256_mul_ps)
@@ -129,6 +143,15 @@ AB_LANE unsigned lane_bits(Mask mask) {
   return static_cast<unsigned>(_mm256_movemask_ps(mask.all));
 #else
   return static_cast<unsigned>(_mm_movemask_ps(mask.low) | _mm_movemask_ps(mask.high) << 4);
+#endif
+}
+
+AB_LANE Mask operator==(Ints a, Ints b) {
+#ifdef __AVX2__
+  return {_mm256_castsi256_ps(_mm256_cmpeq_epi32(a.all, b.all))};
+#else
+  return {_mm_castsi128_ps(_mm_cmpeq_epi32(a.low, b.low)),
+          _mm_castsi128_ps(_mm_cmpeq_epi32(a.high, b.high))};
 #endif
 }
 
@@ -227,6 +250,74 @@ AB_LANE Floats four_each(float first, float second) {
   return {_mm256_insertf128_ps(_mm256_castps128_ps256(low), high, 1)};
 #else
   return {low, high};
+#endif
+}
+
+/// Eight integers, at a multiple of 32 bytes.
+AB_LANE Ints load(const std::uint32_t* from) {
+#ifdef __AVX2__
+  return {_mm256_load_si256(reinterpret_cast<const __m256i*>(from))};
+#else
+  const auto* at = reinterpret_cast<const __m128i*>(from);
+  return {_mm_load_si128(at), _mm_load_si128(at + 1)};
+#endif
+}
+
+/// The first four lanes to one place, the others to another.
+AB_LANE void store_halves(float* first, float* second, Floats x) {
+#ifdef __AVX2__
+  _mm_storeu_ps(first, _mm256_castps256_ps128(x.all));
+  _mm_storeu_ps(second, _mm256_extractf128_ps(x.all, 1));
+#else
+  _mm_storeu_ps(first, x.low);
+  _mm_storeu_ps(second, x.high);
+#endif
+}
+
+AB_LANE void store_halves(std::uint32_t* first, std::uint32_t* second, Ints x) {
+#ifdef __AVX2__
+  _mm_storeu_si128(reinterpret_cast<__m128i*>(first), _mm256_castsi256_si128(x.all));
+  _mm_storeu_si128(reinterpret_cast<__m128i*>(second), _mm256_extracti128_si256(x.all, 1));
+#else
+  _mm_storeu_si128(reinterpret_cast<__m128i*>(first), x.low);
+  _mm_storeu_si128(reinterpret_cast<__m128i*>(second), x.high);
+#endif
+}
+
+/// Four doubles.
+AB_LANE Doubles load_four(const double* from) {
+#ifdef __AVX2__
+  return {_mm256_loadu_pd(from)};
+#else
+  return {_mm_loadu_pd(from), _mm_loadu_pd(from + 2)};
+#endif
+}
+
+AB_LANE void store_four(double* to, Doubles x) {
+#ifdef __AVX2__
+  _mm256_storeu_pd(to, x.all);
+#else
+  _mm_storeu_pd(to, x.low);
+  _mm_storeu_pd(to + 2, x.high);
+#endif
+}
+
+/// The fourth lane of the one, the others of the other.
+AB_LANE Doubles fourth_from(Doubles fourth, Doubles others) {
+#ifdef __AVX2__
+  return {_mm256_blend_pd(others.all, fourth.all, 8)};
+#else
+  return {others.low, _mm_shuffle_pd(others.high, fourth.high, 2)};
+#endif
+}
+
+/// Rounded to nearest: four lanes of the one, four of the other.
+AB_LANE Floats to_floats(Doubles first, Doubles second) {
+#ifdef __AVX2__
+  return {_mm256_set_m128(_mm256_cvtpd_ps(second.all), _mm256_cvtpd_ps(first.all))};
+#else
+  return {_mm_movelh_ps(_mm_cvtpd_ps(first.low), _mm_cvtpd_ps(first.high)),
+          _mm_movelh_ps(_mm_cvtpd_ps(second.low), _mm_cvtpd_ps(second.high))};
 #endif
 }
 
