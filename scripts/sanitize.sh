@@ -57,9 +57,16 @@ cmake --build build/asan --parallel "$(nproc)" --target "${targets[@]}"
 # Embree's and OpenCV's own threads and caches live until the process ends.
 export ASAN_OPTIONS=detect_leaks=1:strict_string_checks=1 UBSAN_OPTIONS=print_stacktrace=1
 export LSAN_OPTIONS=suppressions=$PWD/tests/support/leaks.supp:print_suppressions=0
-for room in "${chosen[@]}"; do
-  echo "== $room"
-  filter=$fast
-  [[ $room == planners/* ]] && filter="-*Slow.*:*.Clears*:*.GetsOutOfADeadEnd"
-  (cd build/asan/tests/"$room" && "./$(tests_of "$room")" --gtest_brief=1 --gtest_filter="$filter")
-done
+# As many rooms at once as there are processors; what each says is shown in one piece, and a failure ends with the others told.
+run_room() {
+  local filter=$2 said
+  [[ $1 == planners/* ]] && filter="-*Slow.*:*.Clears*:*.GetsOutOfADeadEnd"
+  if said=$(cd build/asan/tests/"$1" && "./$(tests_of "$1")" --gtest_brief=1 --gtest_filter="$filter" 2>&1); then
+    printf '== %s\n%s\n' "$1" "$said"
+  else
+    printf '== %s FAILED\n%s\n' "$1" "$said"
+    return 1
+  fi
+}
+export -f run_room tests_of
+printf '%s\0' "${chosen[@]}" | xargs -0 -P "$(nproc)" -I{} bash -c 'run_room "$@"' run_room {} "$fast"

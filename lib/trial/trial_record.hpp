@@ -35,11 +35,14 @@ struct EnumText<Outcome> {
 /// format.
 struct Sample {
   double time_s = 0.0;
-  Eigen::Vector3d position_world, velocity_world, acceleration_world;
-  Eigen::Quaterniond q_world_body;
-  Eigen::Vector3d rates_body_radps;
-  Eigen::Vector3d reference_world;  ///< commanded position; NaN where the command has none
-  double clearance_m = 0.0;         ///< body box to the nearest surface, at most kClearanceLimit_m
+  Eigen::Vector3d position_world = Eigen::Vector3d::Zero();
+  Eigen::Vector3d velocity_world = Eigen::Vector3d::Zero();
+  Eigen::Vector3d acceleration_world = Eigen::Vector3d::Zero();
+  Eigen::Quaterniond q_world_body = Eigen::Quaterniond::Identity();
+  Eigen::Vector3d rates_body_radps = Eigen::Vector3d::Zero();
+  Eigen::Vector3d reference_world = Eigen::Vector3d::Constant(
+      std::numeric_limits<double>::quiet_NaN());  ///< commanded position; NaN: there is none
+  double clearance_m = 0.0;  ///< body box to the nearest surface, at most kClearanceLimit_m
   double rotor_power_w = 0.0;
 };
 
