@@ -275,13 +275,9 @@ AB_LANE void store_halves(float* first, float* second, Floats x) {
 }
 
 AB_LANE void store_halves(std::uint32_t* first, std::uint32_t* second, Ints x) {
-#ifdef __AVX2__
-  _mm_storeu_si128(reinterpret_cast<__m128i*>(first), _mm256_castsi256_si128(x.all));
-  _mm_storeu_si128(reinterpret_cast<__m128i*>(second), _mm256_extracti128_si256(x.all, 1));
-#else
-  _mm_storeu_si128(reinterpret_cast<__m128i*>(first), x.low);
-  _mm_storeu_si128(reinterpret_cast<__m128i*>(second), x.high);
-#endif
+  // The intrinsics may write to anything.
+  store_halves(reinterpret_cast<float*>(first), reinterpret_cast<float*>(second),
+               bits_as_floats(x));
 }
 
 /// Four doubles.
