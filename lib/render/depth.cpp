@@ -8,6 +8,7 @@
 #include "render/depth_kernel.hpp"
 #include "render/flush_to_zero.hpp"
 #include "render/primary_rays.hpp"
+#include "render/ray_tracing_isa.hpp"
 
 namespace avoidbench {
 namespace {
@@ -48,11 +49,7 @@ void copy_part(const Pixel* from, std::size_t rows, std::size_t columns, std::si
 
 }  // namespace
 
-const DepthKernel& depth_kernel() {
-  // Needed before __builtin_cpu_supports() where a constructor may run first.
-  __builtin_cpu_init();
-  return __builtin_cpu_supports("avx2") != 0 ? kAvx2Depth : kPortableDepth;
-}
+const DepthKernel& depth_kernel() { return has_avx2() ? kAvx2Depth : kPortableDepth; }
 
 void render_depth(const Scene& scene, const Pinhole& camera, const Pose& T_world_camera,
                   std::span<float> depth_m) {

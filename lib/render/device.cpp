@@ -8,11 +8,15 @@
 
 namespace avoidbench {
 
-std::string ray_tracing_isa() {
+bool has_avx2() {
   // Needed where somebody asks before main().
   __builtin_cpu_init();
-  const bool has_avx2 = __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
-  return has_avx2 ? "avx2" : "sse4.2";
+  return __builtin_cpu_supports("avx2") != 0;
+}
+
+std::string ray_tracing_isa() {
+  // Embree's kernels of that name use fused multiply-add, too.
+  return has_avx2() && __builtin_cpu_supports("fma") != 0 ? "avx2" : "sse4.2";
 }
 
 namespace embree {

@@ -73,6 +73,7 @@ AB_LANE Floats settled(const Fractions& lanes, Floats embree, const DepthFrame& 
   const Mask agrees = magnitude(plane - embree) <= all_lanes(1e-3F) * embree;
   const Floats depth = select(agrees, plane, embree);
   const Mask too_near = depth < all_lanes(frame.nearest_m);
+  // A NaN of all bits but the sign, as images have had it.
   const Floats not_a_number = bits_as_floats(all_lanes(0x7fffffffU));
   return select(too_near, not_a_number, least(depth, all_lanes(frame.farthest_m)));
 }

@@ -8,4 +8,7 @@ namespace avoidbench {
 /// Pinned, since other sets change which triangle an edge pixel hits.
 std::string ray_tracing_isa();
 
+/// Whether processor and system run what is compiled for AVX2.
+bool has_avx2();
+
 }  // namespace avoidbench

@@ -9,9 +9,6 @@
 // For tests and benchmarks, which choose the version.
 namespace avoidbench::census {
 
-/// Whether processor and system have AVX2.
-bool has_avx2();
-
 /// match_census() by these loops; avx2_kernels() only where has_avx2().
 void match(const Kernels& kernels, const CensusSettings& settings,
            std::span<const std::uint8_t> left, std::span<const std::uint8_t> right, int width_px,

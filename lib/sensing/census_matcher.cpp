@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "base/check.hpp"
+#include "render/ray_tracing_isa.hpp"
 #include "sensing/census_internals.hpp"
 
 namespace avoidbench {
@@ -227,8 +228,6 @@ void check(const CensusSettings& settings) {
 
 }  // namespace
 
-bool has_avx2() { return __builtin_cpu_supports("avx2") != 0; }
-
 void match(const Kernels& kernels, const CensusSettings& settings,
            std::span<const std::uint8_t> left, std::span<const std::uint8_t> right, int width_px,
            int height_px, CensusWorkspace& workspace, std::span<std::int16_t> disparity) {
@@ -255,7 +254,7 @@ void match_census(const CensusSettings& settings, std::span<const std::uint8_t> 
                   std::span<const std::uint8_t> right, int width_px, int height_px,
                   CensusWorkspace& workspace, std::span<std::int16_t> disparity) {
   static const census::Kernels& kernels =
-      census::has_avx2() ? census::avx2_kernels() : census::portable_kernels();
+      has_avx2() ? census::avx2_kernels() : census::portable_kernels();
   census::match(kernels, settings, left, right, width_px, height_px, workspace, disparity);
 }
 

@@ -14,6 +14,7 @@
 #include "base/math.hpp"
 #include "render/flush_to_zero.hpp"
 #include "render/primary_rays.hpp"
+#include "render/ray_tracing_isa.hpp"
 #include "shading/shading_kernel.hpp"
 #include "shading/srgb.hpp"
 
@@ -314,11 +315,7 @@ float soft_highlights(float x) {
 
 }  // namespace
 
-const ShadingKernel& shading_kernel() {
-  // Needed before __builtin_cpu_supports() where a constructor may run first.
-  __builtin_cpu_init();
-  return __builtin_cpu_supports("avx2") != 0 ? kAvx2Shading : kPortableShading;
-}
+const ShadingKernel& shading_kernel() { return has_avx2() ? kAvx2Shading : kPortableShading; }
 
 void render_radiance_by(const ShadingKernel& kernel, const Scene& scene, const Pinhole& camera,
                         const Pose& T_world_camera, const Light& light, int samples,

@@ -9,6 +9,7 @@
 
 #include "bare_loop.hpp"
 #include "base/random.hpp"
+#include "render/ray_tracing_isa.hpp"
 #include "sensing/census_internals.hpp"
 #include "sensing/census_matcher.hpp"
 
@@ -169,7 +170,7 @@ void sgbm(benchmark::State& state, int mode) {
 }
 
 void census_with(benchmark::State& state, CensusSettings settings, bool portable) {
-  if (!portable && !census::has_avx2()) return state.SkipWithError("this processor has no AVX2");
+  if (!portable && !has_avx2()) return state.SkipWithError("this processor has no AVX2");
   settings.disparities = static_cast<int>(state.range(1));
   beside_hh(state, CensusRun{&stereo_pair(static_cast<int>(state.range(0))),
                              portable ? &census::portable_kernels() : &census::avx2_kernels(),

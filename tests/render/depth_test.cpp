@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "render/depth_kernel.hpp"
+#include "render/ray_tracing_isa.hpp"
 #include "support/test_worlds.hpp"
 
 namespace avoidbench {
@@ -256,8 +257,7 @@ void expect_same_bits_of_both_kernels(const Scene& scene, const Pinhole& camera,
 }
 
 TEST(Depth, BothKernelsGiveTheSameBits) {
-  __builtin_cpu_init();
-  if (__builtin_cpu_supports("avx2") == 0) GTEST_SKIP() << "no AVX2 here";
+  if (!has_avx2()) GTEST_SKIP() << "no AVX2 here";
   EXPECT_EQ(&depth_kernel(), &kAvx2Depth);
   const World world = test::scattered_world(7);
   // Whole blocks and parts of some; packets of small triangles, of one, and of none.

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/random.hpp"
+#include "render/ray_tracing_isa.hpp"
 #include "sensing/census_internals.hpp"
 
 namespace avoidbench {
@@ -241,7 +242,7 @@ void expect_plain(const StereoPair& pair, const CensusSettings& settings,
                std::to_string(settings.left_right_tolerance_px));
   const Disparity expected = plain_match(pair, settings);
   EXPECT_EQ(match(census::portable_kernels(), pair, settings, workspace), expected);
-  if (census::has_avx2()) {
+  if (has_avx2()) {
     EXPECT_EQ(match(census::avx2_kernels(), pair, settings, workspace), expected);
   }
 }
@@ -349,7 +350,7 @@ TEST(CensusMatcher, IsThePlainMatcherOnBlackAndWhite) {
 }
 
 TEST(CensusMatcher, VersionsAgreeOnALargeImage) {
-  if (!census::has_avx2()) GTEST_SKIP() << "this processor has no AVX2";
+  if (!has_avx2()) GTEST_SKIP() << "this processor has no AVX2";
   const StereoPair pair = random_pair(320, 240, 60, 10, 9);
   CensusWorkspace workspace;
   for (const int paths : {4, 8}) {

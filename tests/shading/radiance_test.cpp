@@ -9,6 +9,7 @@
 
 #include "maps/map_spec.hpp"
 #include "render/depth.hpp"
+#include "render/ray_tracing_isa.hpp"
 #include "shading/shading.hpp"
 #include "shading/shading_kernel.hpp"
 #include "support/test_worlds.hpp"
@@ -95,8 +96,7 @@ void expect_same_bits_of_both_kernels(const World& world) {
 }
 
 TEST(Radiance, BothKernelsGiveTheSameBits) {
-  __builtin_cpu_init();
-  if (__builtin_cpu_supports("avx2") == 0) GTEST_SKIP() << "no AVX2 here";
+  if (!has_avx2()) GTEST_SKIP() << "no AVX2 here";
   EXPECT_EQ(&shading_kernel(), &kAvx2Shading);
   expect_same_bits_of_both_kernels(small_hall());
   expect_same_bits_of_both_kernels(small_forest());
