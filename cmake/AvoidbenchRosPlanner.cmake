@@ -120,7 +120,7 @@ function(avoidbench_ros_planner name)
     set(params --params ${ROS_PARAMS})
   endif()
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${ROS_TOPICS} ${ROS_PARAMS} ${AVOIDBENCH_ROS_SHIM}/make_planner.py
-               ${AVOIDBENCH_ROS_SHIM}/topics_file.py ${AVOIDBENCH_ROS_SHIM}/topics_spec.py)
+               ${AVOIDBENCH_ROS_SHIM}/make_messages.py ${AVOIDBENCH_ROS_SHIM}/topics_file.py ${AVOIDBENCH_ROS_SHIM}/topics_spec.py)
   avoidbench_ros_script("topics of ${name}" ${AVOIDBENCH_ROS_SHIM}/make_planner.py --name ${name} --topics ${ROS_TOPICS} ${params}
                         --out ${generated} ${ROS_SOURCES})
   include(${generated}/mains.cmake)

@@ -17,7 +17,10 @@ LIVE_KEYS = ["name", "launch", "files", "master", "restart", "clock_step_s", "cl
 
 def words_of(tree):
     """A command: a list of words, or one text that is cut as a shell cuts it."""
-    words = [str(one.scalar()) for one in tree.list()] if tree.is_list() else shlex.split(tree.text())
+    try:
+        words = [str(one.scalar()) for one in tree.list()] if tree.is_list() else shlex.split(tree.text())
+    except ValueError as error:
+        raise tree.problem(f"this is no command: {error}") from None
     if not words:
         raise tree.problem("a command stands here, as [./node, _rate:=10]")
     return words
@@ -130,9 +133,15 @@ class LiveFile:
         return [topic for topic in self.live.wait_for if topic not in said], [topic for topic in said if topic in self.live.wait_for]
 
 
-FUNCTIONS = {"min": min, "max": max, "abs": abs, "floor": math.floor, "ceil": math.ceil, "+": lambda a, b: a + b, "-": lambda a, b: a - b,
-             "*": lambda a, b: a * b, "/": lambda a, b: a / b if b else math.copysign(math.inf, a) if a else math.nan,
-             "negative": lambda a: -a, "round": lambda a: math.copysign(math.floor(abs(a) + 0.5), a)}
+def whole(function):
+    """The same of inf and NaN, as in C++."""
+    return lambda a: function(a) if math.isfinite(a) else a
+
+
+FUNCTIONS = {"min": min, "max": max, "abs": abs, "+": lambda a, b: a + b, "-": lambda a, b: a - b, "*": lambda a, b: a * b,
+             "/": lambda a, b: a / b if b else math.copysign(math.inf, a) if a else math.nan, "negative": lambda a: -a,
+             "floor": whole(math.floor), "ceil": whole(math.ceil),
+             "round": whole(lambda a: math.copysign(math.floor(abs(a) + 0.5), a))}
 
 
 def evaluated(value, given, own):

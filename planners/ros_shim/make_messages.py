@@ -98,7 +98,7 @@ def constant_of(kind, name, text, place):
         raise place.problem(f'"{text}" is no whole number') from None
     low, high = RANGES[kind]
     if not low <= value <= high:
-        raise place.problem(f"{value} is not of {kind}: from {low} to {high}")
+        raise place.problem(f"{text} is not of {kind}: from {low} to {high}")
     return Constant(kind, name, value)
 
 
@@ -215,10 +215,14 @@ def value_text(value, suffix):
     return f"{value}{suffix}"
 
 
+def quoted(text):
+    """A string of C++ with these bytes in UTF-8."""
+    return '"' + "".join(c if 32 <= ord(c) < 127 and c not in '"\\?' else "".join(f"\\{b:03o}" for b in c.encode()) for c in text) + '"'
+
+
 def cpp_value(constant):
     if constant.kind == "string":
-        return '"' + "".join(c if 32 <= ord(c) < 127 and c not in '"\\?' else "".join(f"\\{b:03o}" for b in c.encode())
-                             for c in constant.value) + '"'
+        return quoted(constant.value)
     if constant.kind == "uint64":
         return f"{constant.value}ULL"
     if constant.kind == "int64":

@@ -6,7 +6,6 @@
 It writes FOLDER/NAME_planner.cpp; a header main_STEM.h for each source with a node's main(), which is to be included before it
 (-include); and mains.cmake, which lists those sources. Needs PyYAML (python3-yaml)."""
 import argparse
-import json
 import math
 import pathlib
 import re
@@ -14,6 +13,7 @@ import sys
 
 import topics_file
 import topics_spec
+from make_messages import quoted
 from topics_file import Problem
 
 FUNCTIONS = {"min": "std::min", "max": "std::max", "abs": "std::abs", "floor": "std::floor", "ceil": "std::ceil", "round": "std::round"}
@@ -28,10 +28,6 @@ POSE_TYPES = {"geometry_msgs/PoseStamped": "PoseType::pose_stamped", "nav_msgs/O
 GOAL_TYPES = {"geometry_msgs/PoseStamped": "GoalType::pose_stamped", "geometry_msgs/PointStamped": "GoalType::point_stamped",
               "nav_msgs/Path": "GoalType::path", "geometry_msgs/Pose": "GoalType::pose"}
 MAIN = re.compile(r"\bint\s+main\s*\(([^)]*)\)")
-
-
-def quoted(text):
-    return json.dumps(text)
 
 
 def real(value):

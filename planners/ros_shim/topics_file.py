@@ -1,14 +1,23 @@
 """Reads YAML with the place of every value, so that each problem says file:line:column. Needs PyYAML (python3-yaml)."""
 import difflib
+import math
 import re
 
 import yaml
 
+# Far beyond any topics file, and read in some seconds: of what is larger nothing is read.
+MOST_BYTES, MOST_DEPTH, MOST_VALUES = 256 * 1024, 50, 50_000
+NO_TEXT = re.compile("[\0\ud800-\udfff]")  # ends a text in C++, or is none in UTF-8
 FLOAT = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?")
 
 
 class Problem(Exception):
     """What is wrong, and where."""
+
+
+def shown(text):
+    """A text for a message, where it is long its beginning."""
+    return text if len(text) <= 60 else text[:57] + "..."
 
 
 class Tree:
@@ -36,8 +45,9 @@ class Tree:
             place = Tree(self.file, key)
             if not isinstance(key, yaml.ScalarNode):
                 raise place.problem("a name stands here")
+            place.require_text()
             if key.value in seen:
-                raise place.problem(f'"{key.value}" is there already')
+                raise place.problem(f'"{shown(key.value)}" is there already')
             seen[key.value] = True
             yield key.value, place, Tree(self.file, value)
 
@@ -50,22 +60,35 @@ class Tree:
         values = {}
         for key, place, value in self.items():
             if key not in known:
-                near = difflib.get_close_matches(key, known, 1)
+                near = difflib.get_close_matches(shown(key), known, 1)
                 hint = f"; did you mean {near[0]}?" if near else f"; there are {', '.join(sorted(known))}"
-                raise place.problem(f'there is no "{key}" here{hint}')
+                raise place.problem(f'there is no "{shown(key)}" here{hint}')
             values[key] = value
         return values
 
+    def require_text(self):
+        found = NO_TEXT.search(self.node.value)
+        if found:
+            raise self.problem(f"the character U+{ord(found[0]):04X} can't stand in a text")
+
     def scalar(self):
-        """A bool, an int, a float, a text or None."""
+        """A bool, an int of 64 bits, a float, a text or None."""
         if not isinstance(self.node, yaml.ScalarNode):
             raise self.problem("a single value stands here")
+        self.require_text()
         if self.node.style is not None:
             return self.node.value
-        if FLOAT.fullmatch(self.node.value) and not re.fullmatch(r"[-+]?\d+", self.node.value):
-            return float(self.node.value)  # YAML 1.1 takes 1e-3 for a text
         tag = self.node.tag.rpartition(":")[2]
-        return yaml.safe_load(self.node.value) if tag in ("int", "float", "bool", "null") else self.node.value
+        try:
+            if FLOAT.fullmatch(self.node.value) and not re.fullmatch(r"[-+]?\d+", self.node.value):
+                value = float(self.node.value)  # YAML 1.1 takes 1e-3 for a text
+                if math.isinf(value):
+                    raise OverflowError
+                return value
+            value = yaml.safe_load(self.node.value) if tag in ("int", "float", "bool", "null") else self.node.value
+            return float(value) if isinstance(value, int) and abs(value) >= 2 ** 63 else value
+        except (OverflowError, ValueError):  # the second is of whole numbers of thousands of digits
+            raise self.problem(f"{shown(self.node.value)} is beyond the greatest number, 1.8e308") from None
 
     def text(self):
         value = self.scalar()
@@ -76,7 +99,9 @@ class Tree:
     def number(self, low=None, high=None):
         value = self.scalar()
         if isinstance(value, bool) or not isinstance(value, (int, float)):
-            raise self.problem(f'"{self.node.value}" is no number')
+            raise self.problem(f'"{shown(str(self.node.value))}" is no number')
+        if not math.isfinite(value):
+            raise self.problem(f"{value} is not finite")
         if (low is not None and value < low) or (high is not None and value > high):
             raise self.problem(f"{value} is not from {low} to {'any' if high is None else high}")
         return value
@@ -100,9 +125,49 @@ class Tree:
         return value
 
 
+class Loader(yaml.SafeLoader):
+    """Stops where a file nests too deep: what reads the tree calls itself for each level."""
+
+    depth = 0
+
+    def compose_node(self, parent, index):
+        self.depth += 1
+        if self.depth > MOST_DEPTH:
+            raise yaml.MarkedYAMLError(problem=f"this nests more than {MOST_DEPTH} deep", problem_mark=self.peek_event().start_mark)
+        node = super().compose_node(parent, index)
+        self.depth -= 1
+        return node
+
+
+def require_bounded(file, root):
+    """A value that several aliases stand for counts each time."""
+    count = 0
+
+    def visit(node, around):
+        nonlocal count
+        count += 1
+        place = Tree(file, node)
+        if node in around:
+            raise place.problem("this contains itself")
+        if len(around) >= MOST_DEPTH:
+            raise place.problem(f"with its aliases this nests more than {MOST_DEPTH} deep")
+        if count > MOST_VALUES:
+            raise place.problem(f"with its aliases the file has more than {MOST_VALUES} values")
+        if not isinstance(node, yaml.ScalarNode):
+            for one in node.value:
+                for inner in one if isinstance(node, yaml.MappingNode) else (one,):
+                    visit(inner, (*around, node))
+
+    visit(root, ())
+
+
 def read(file):
     try:
-        node = yaml.compose(file.read_text(encoding="utf-8"), Loader=yaml.SafeLoader)
+        with open(file, "rb") as stream:
+            text = stream.read(MOST_BYTES + 1)
+        if len(text) > MOST_BYTES:
+            raise Problem(f"{file}: more than {MOST_BYTES // 1024} KiB are no topics file")
+        node = yaml.compose(text.decode("utf-8"), Loader=Loader)
     except OSError as error:
         raise Problem(f"{file}: {error.strerror}") from None
     except UnicodeDecodeError:
@@ -111,8 +176,9 @@ def read(file):
         mark = error.problem_mark or error.context_mark
         place = f"{mark.line + 1}:{mark.column + 1}" if mark else "1:1"
         raise Problem(f"{file}:{place}: {error.problem or error.context}") from None
-    except yaml.YAMLError as error:
+    except (yaml.YAMLError, ValueError, OverflowError) as error:  # the last two from PyYAML, of "\\U00110000" and "\\UFFFFFFFF"
         raise Problem(f"{file}:1:1: {str(error).splitlines()[0]}") from None
     if node is None:
         raise Problem(f"{file}:1:1: the file is empty")
+    require_bounded(file, node)
     return Tree(file, node)

@@ -2,6 +2,9 @@
 planners/ros_bridge, which flies by it."""
 import ast
 import re
+import sys
+
+from topics_file import shown
 
 # What ${…} may name beside the planner's own parameters: the members of ros_shim::Given.
 GIVEN = """vehicle_max_speed_mps vehicle_max_acceleration_mps2 vehicle_max_yaw_rate_radps gravity_mps2 plan_period_s body_length_m
@@ -10,6 +13,7 @@ camera_x_m camera_y_m camera_z_m start_x_m start_y_m start_z_m start_yaw_rad goa
 lowest_x_m lowest_y_m lowest_z_m highest_x_m highest_y_m highest_z_m command_latency_s time_limit_s seed""".split()
 ALIASES = {"max_speed_mps": "vehicle_max_speed_mps", "max_acceleration_mps2": "vehicle_max_acceleration_mps2",
            "max_yaw_rate_radps": "vehicle_max_yaw_rate_radps"}
+MOST_CHARACTERS, MOST_DEPTH = 1000, 100  # of an expression: what reads it calls itself for each level
 FUNCTIONS = ("min", "max", "abs", "floor", "ceil", "round")
 OPERATORS = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/"}
 # The last part of a message's type -> the commands it may become, as avoidbench.Planner names them
@@ -89,19 +93,28 @@ class Expressions:
         name = ALIASES.get(name, name)
         if name in GIVEN:
             return "given", name
-        raise tree.problem(f'"{name}" is nothing that a trial gives: {", ".join(self.names())}')
+        raise tree.problem(f'"{shown(name)}" is nothing that a trial gives: {", ".join(self.names())}')
 
-    def _arithmetic(self, node, tree):
+    def _arithmetic(self, node, tree, depth=1):
+        if depth > MOST_DEPTH:
+            raise tree.problem(f"this expression nests more than {MOST_DEPTH} deep")
+
+        def read(inner):
+            return self._arithmetic(inner, tree, depth + 1)
+
         if isinstance(node, ast.BinOp) and type(node.op) in OPERATORS:
-            return OPERATORS[type(node.op)], self._arithmetic(node.left, tree), self._arithmetic(node.right, tree)
+            return OPERATORS[type(node.op)], read(node.left), read(node.right)
         if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
-            return "negative", self._arithmetic(node.operand, tree)
+            return "negative", read(node.operand)
         if isinstance(node, ast.Constant) and type(node.value) in (int, float):
+            # As a whole number it may be beyond what a float holds, as a float it is inf then.
+            if node.value > sys.float_info.max:
+                raise tree.problem("a number in this expression is beyond the greatest number, 1.8e308")
             return "number", float(node.value)
         if isinstance(node, ast.Name):
             return self._value_of(node.id, tree)
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in FUNCTIONS and not node.keywords:
-            arguments = [self._arithmetic(one, tree) for one in node.args]
+            arguments = [read(one) for one in node.args]
             if len(arguments) != (2 if node.func.id in ("min", "max") else 1):
                 raise tree.problem(f"{node.func.id} takes {'two values' if node.func.id in ('min', 'max') else 'one value'}")
             return node.func.id, *arguments
@@ -112,6 +125,8 @@ class Expressions:
         if not re.fullmatch(r"\$\{[^{}]*\}", text.strip()):
             raise tree.problem("${…} is a whole value, not a part of one")
         inner = text.strip()[2:-1].strip()
+        if len(inner) > MOST_CHARACTERS:
+            raise tree.problem(f"an expression has {MOST_CHARACTERS} characters at most")
         for index, parameter in enumerate(self.parameters):
             if parameter.name == inner and parameter.is_text():
                 return "own text", index
@@ -119,8 +134,8 @@ class Expressions:
                 return "own integer", index
         try:
             node = ast.parse(inner, mode="eval").body
-        except SyntaxError:
-            raise tree.problem(f'"{inner}" is no expression') from None
+        except (SyntaxError, ValueError, RecursionError, MemoryError):  # the last two: nested deeper than Python reads
+            raise tree.problem(f'"{shown(inner)}" is no expression') from None
         return self._arithmetic(node, tree)
 
 

@@ -28,7 +28,8 @@ failures = []
 GOOD = """nodes:
   - name: one
     run: ./node.py
-    params: {gain: "${2 * max_speed_mps}", far: "${goal_x_m - start_x_m}", f: "${fx_px / 2}", deep: {list: [1, "${round(2.5)}"]}}
+    params: {gain: "${2 * max_speed_mps}", far: "${goal_x_m - start_x_m}", f: "${fx_px / 2}", deep: {list: [1, "${round(2.5)}"]},
+             most: "${floor(1e308 * 10)}"}
 publish:
   odometry: {topic: /odom}
 command: {topic: /cmd, type: geometry_msgs/Twist}
@@ -36,19 +37,20 @@ live: {name: mine}
 """
 # (what is replaced, by what) -> the problem
 BAD = {
-    ("live: {name: mine}", "live: {name: Mine}"): '8:14: "Mine" is no name of a planner',
-    ("live: {name: mine}", "live: {clock_rat: 2}"): '8:8: there is no "clock_rat" here; did you mean clock_rate?',
-    ("live: {name: mine}", "live: {clock_step_s: 0}"): "8:22: 0 is not from 0.001 to 1.0",
-    ("live: {name: mine}", "live: {restart: always}"): '8:17: "always" is none of trial, never',
+    ("live: {name: mine}", "live: {name: Mine}"): '9:14: "Mine" is no name of a planner',
+    ("live: {name: mine}", "live: {clock_rat: 2}"): '9:8: there is no "clock_rat" here; did you mean clock_rate?',
+    ("live: {name: mine}", "live: {clock_step_s: 0}"): "9:22: 0 is not from 0.001 to 1.0",
+    ("live: {name: mine}", "live: {restart: always}"): '9:17: "always" is none of trial, never',
     ("live: {name: mine}", "live: {master: running}"): "3:10: with master: running somebody else starts the nodes",
     ("    run: ./node.py\n", ""): "1:1: nothing starts a node here: ",
     ("./node.py", "./nod.py"): "3:10: there is no program ",
     ("./node.py", "no-such-program"): "3:10: there is no program no-such-program on the PATH",
+    ("run: ./node.py", "run: ./node.py 'one"): "3:10: this is no command: No closing quotation",
     ("run: ./node.py", "run: []"): "3:10: a command stands here",
     ("run: ./node.py", "rum: ./node.py"): '3:5: there is no "rum" here; did you mean run?',
     ("max_speed_mps}", "max_sped_mps}"): '4:20: "max_sped_mps" is nothing that a trial gives: ',
-    ("  odometry:", "  odometri:"): '6:3: "odometri" is none of odometry, ',
-    ("geometry_msgs/Twist", "geometry_msgs/Point"): "7:30: Point is none of PositionCommand, ",
+    ("  odometry:", "  odometri:"): '7:3: "odometri" is none of odometry, ',
+    ("geometry_msgs/Twist", "geometry_msgs/Point"): "8:30: Point is none of PositionCommand, ",
 }
 
 
@@ -82,7 +84,7 @@ def files(folder):
     mission = Mission(7, np.array([1.0, 2.0, 2.0]), 0.0, np.array([11.0, 2.0, 2.0]), 1.0, 60.0, np.zeros(3), np.ones(3), 0.033)
     given = given_by(setup, mission)
     values = {name: evaluated(value, given, []) for name, value in file.leaves}
-    wanted = {"/one/gain": 6.0, "/one/far": 10.0, "/one/f": 50.0, "/one/deep/list": [1, 3.0]}
+    wanted = {"/one/gain": 6.0, "/one/far": 10.0, "/one/f": 50.0, "/one/deep/list": [1, 3.0], "/one/most": math.inf}
     expect("values", values == wanted and all(type(one) in (float, list) for one in values.values()), values)
     shutil.copytree(bridge / "example", folder / "example")
     example = LiveFile(folder / "example/topics.yaml")

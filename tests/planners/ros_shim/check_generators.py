@@ -15,7 +15,7 @@ def expect(what, condition, seen=""):
 
 
 def run(script, *words):
-    done = subprocess.run([sys.executable, "-B", shim / script, *map(str, words)], capture_output=True, text=True)
+    done = subprocess.run([sys.executable, "-B", shim / script, *map(str, words)], capture_output=True, text=True, timeout=20)
     return done.returncode, done.stderr.strip(), done.stdout
 
 
@@ -75,6 +75,32 @@ BAD_TOPICS = {
     ("  odometry: {topic: /odom}", "  odometry: {topic: /odom"): "6:",
     ("command: {topic: /cmd,", "command: {ahead: {node: planer, horizon_s: 1}, topic: /cmd,"): '6:25: "planer" is none of planner',
 }
+PARAMETER = "parameters: [{name: a, default: %s, lowest: %s, highest: 9, doc: d}]\nnodes:"
+ALIASES = "".join(f"      a{i}: &a{i} [{', '.join([f'*a{i - 1}'] * 10)}]\n" for i in range(1, 9))
+NOT_BOUNDED = {
+    ('params: {gain: "${2 * max_speed_mps}"}', "params: &p {gain: *p}"): "3:13: this contains itself",
+    ('params: {gain: "${2 * max_speed_mps}"}', "params:\n      a0: &a0 [1, 1, 1, 1, 1, 1, 1, 1, 1, 1]\n" + ALIASES):
+        "4:37: with its aliases the file has more than 50000 values",
+    ('"${2 * max_speed_mps}"', "[" * 3000 + "]" * 3000): "3:66: this nests more than 50 deep",
+    ('"${2 * max_speed_mps}"', "{a: " * 3000 + "1" + "}" * 3000): "3:201: this nests more than 50 deep",
+    ("2 * max_speed_mps", "-" * 100_000 + "1"): "3:20: an expression has 1000 characters at most",
+    ("2 * max_speed_mps", "-" * 900 + "1"): "3:20: this expression nests more than 100 deep",
+    ("2 * max_speed_mps", "1+" * 400 + "1"): "3:20: this expression nests more than 100 deep",
+    ("2 * max_speed_mps", "(" * 400 + "1" + ")" * 400): f'3:20: "{"(" * 57}..." is no expression',
+    ("2 * max_speed_mps", "1" + "0" * 400): "3:20: a number in this expression is beyond the greatest number",
+    ("2 * max_speed_mps", "1e999"): "3:20: a number in this expression is beyond the greatest number",
+    ("nodes:", PARAMETER % ("1" * 5000, 0)): f"1:33: {'1' * 57}... is beyond the greatest number, 1.8e308",
+    ("nodes:", PARAMETER % ("1" + "0" * 400, 0)): f"1:33: 1{'0' * 56}... is beyond the greatest number, 1.8e308",
+    ("nodes:", PARAMETER % ("1e999", 0)): "1:33: 1e999 is beyond the greatest number, 1.8e308",
+    ("nodes:", PARAMETER % (".nan", 0)): "1:33: nan is not finite",
+    ("nodes:", PARAMETER % ("1", ".nan")): "1:44: nan is not finite",
+    ("nodes:", PARAMETER % ("1", "-.inf")): "1:44: -inf is not finite",
+    ("nodes:", "version: \"a\\0b\"\nnodes:"): "1:10: the character U+0000 can't stand in a text",
+    ("nodes:", 'summary: "\\ud83d"\nnodes:'): "1:10: the character U+D83D can't stand in a text",
+    ("nodes:", 'summary: "\\UFFFFFFFF"\nnodes:'): "1:1: ",
+    ("nodes:", 'summary: "\\U00110000"\nnodes:'): "1:1: ",
+    ("nodes:", "#" * 300_000 + "\nnodes:"): " more than 256 KiB are no topics file",
+}
 
 with tempfile.TemporaryDirectory() as name:
     folder = pathlib.Path(name)
@@ -110,12 +136,16 @@ with tempfile.TemporaryDirectory() as name:
     source.write_text("#include <ros/ros.h>\nint main(int argc, char** argv) {}\n")
     topics = folder / "topics.yaml"
     words = ("--name", "good", "--topics", topics, "--out", folder / "made", source)
-    for (old, new), problem in BAD_TOPICS.items():
+    for (old, new), problem in {**BAD_TOPICS, **NOT_BOUNDED}.items():
         expect(f"{old!r} is in the topics", old in GOOD_TOPICS)
         topics.write_text(GOOD_TOPICS.replace(old, new))
         code, said, _ = run("make_planner.py", *words)
-        expect(f"{new!r}: exit code 1", code == 1, said)
-        expect(f"{new!r}: {problem}", said.startswith(f"{topics}:{problem}"), said)
+        expect(f"{new[:100]!r}: exit code 1", code == 1, said[-1000:])
+        expect(f"{new[:100]!r}: {problem}", said.startswith(f"{topics}:{problem}"), said[-1000:])
+    topics.write_text(GOOD_TOPICS.replace("nodes:", 'summary: "\U0001f600 ??/ \\"1\\""\nnodes:'))
+    code, said, _ = run("make_planner.py", *words)
+    made = (folder / "made/good_planner.cpp").read_text()
+    expect("a text beyond ASCII, in UTF-8", code == 0 and r'"\360\237\230\200 \077\077/ \0421\042"' in made, made)
     topics.write_text(GOOD_TOPICS)
     code, said, _ = run("make_planner.py", *words)
     expect("good topics", code == 0, said)
