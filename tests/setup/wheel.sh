@@ -8,6 +8,14 @@ mkdir -p build
 folder=$(mktemp -d build/wheel_test.XXXXXX)
 trap 'rm -rf "$folder"' EXIT
 wheel=$(scripts/make_wheel.sh "$folder" | tail -n 1)
+# Licence texts: a library's, one that this names, and one of headers alone.
+build/venv/bin/python - "$wheel" <<'EOF'
+import pathlib, sys, zipfile
+names = zipfile.ZipFile(sys.argv[1]).namelist()
+texts = {pathlib.PurePath(name).name for name in names if ".dist-info/licenses/of-others/" in name}
+missing = {"libnettle8.txt", "LGPL.txt", "libyaml-cpp0.7.txt", "libeigen3-dev.txt", "nanobind.txt"} - texts
+sys.exit(f"no licence texts in the wheel: {missing}" if missing else 0)
+EOF
 # Its dependencies travel along: the small system need not reach a package index.
 build/venv/bin/python -m pip download --quiet --disable-pip-version-check --dest "$folder" "$wheel"
 cat >"$folder/try.sh" <<'EOF'
