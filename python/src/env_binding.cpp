@@ -5,8 +5,9 @@
 
 #include <atomic>
 #include <cstdint>
+#include <memory>
 #include <optional>
-#include <span>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -63,22 +64,38 @@ class Turn {
 /// Flights and the arrays that Python owns and this keeps alive.
 class SteppedFlights {
  public:
-  SteppedFlights(const EnvSpec& spec, std::vector<std::string> warnings)
-      : warnings_(std::move(warnings)), env_(std::in_place, spec) {}
+  SteppedFlights(std::unique_ptr<VectorEnv> env, std::vector<std::string> warnings)
+      : warnings_(std::move(warnings)), env_(std::move(env)) {
+    all().insert(this);
+  }
   ~SteppedFlights() {
+    all().erase(this);
+    if (env_ == nullptr) return;
     // Its threads may be making maps for a while.
-    const nb::gil_scoped_release released;
+    const Released released;
     env_.reset();
   }
   SteppedFlights(const SteppedFlights&) = delete;
   SteppedFlights& operator=(const SteppedFlights&) = delete;
 
-  const VectorEnv& env() const { return *env_; }
+  /// All that there are; guarded by the interpreter's lock.
+  static std::set<SteppedFlights*>& all() {
+    static std::set<SteppedFlights*> flights;
+    return flights;
+  }
+
+  /// Ends its threads: no other call does anything after it.
+  void close() { env_.reset(); }
+
+  VectorEnv& env() const {
+    if (env_ == nullptr) end_thread();  // Python is ending
+    return *env_;
+  }
   const std::vector<std::string>& warnings() const { return warnings_; }
 
   /// Where this observation is written from now on.
   void write_view(const std::string& name, const nb::object& array) {
-    const ViewShape& shape = env_->shape();
+    const ViewShape& shape = env().shape();
     ViewArrays& view = arrays_.view;
     if (name == "depth") view.depth = data<float>(name, array, shape.pixels());
     if (name == "stereo") view.stereo = data<std::uint8_t>(name, array, 2 * shape.pixels());
@@ -100,35 +117,38 @@ class SteppedFlights {
   void reset(std::optional<std::uint64_t> seed, const std::vector<std::uint8_t>& mask) {
     require_arrays();
     const Turn turn(is_flying_);
-    const nb::gil_scoped_release released;
-    env_->reset(seed, mask, arrays_, check_signals);
+    VectorEnv& flown = env();
+    const Released released;
+    flown.reset(seed, mask, arrays_, check_signals);
   }
 
   void step(const Array<const double>& actions, bool begins_next) {
     require_arrays();
-    const std::span<const double> numbers(actions.data(), actions.size());
-    if (numbers.size() != slots() * action_width(env_->spec().action)) {
+    if (actions.size() != slots() * action_width(env().spec().action)) {
       throw InputError("the actions are not of this environment's size");
     }
     const Turn turn(is_flying_);
-    const nb::gil_scoped_release released;
-    env_->step(numbers, begins_next, arrays_, check_signals);
+    // Copied before they are checked: another thread may write to what Python passed.
+    actions_.assign(actions.data(), actions.data() + actions.size());
+    VectorEnv& flown = env();
+    const Released released;
+    flown.step(actions_, begins_next, arrays_, check_signals);
   }
 
   std::vector<EpisodeEnd> ended() {
     const Turn turn(is_flying_);
-    return env_->ended();
+    return env().ended();
   }
 
   std::vector<std::int64_t> rounds() {
     const Turn turn(is_flying_);
     std::vector<std::int64_t> rounds;
-    for (std::size_t slot = 0; slot < slots(); ++slot) rounds.push_back(env_->round(slot));
+    for (std::size_t slot = 0; slot < slots(); ++slot) rounds.push_back(env().round(slot));
     return rounds;
   }
 
  private:
-  std::size_t slots() const { return static_cast<std::size_t>(env_->spec().slots); }
+  std::size_t slots() const { return static_cast<std::size_t>(env().spec().slots); }
 
   template <class T>
   T* data(const std::string& name, const nb::object& given, std::size_t numbers_a_slot) {
@@ -147,7 +167,8 @@ class SteppedFlights {
   std::vector<nb::object> kept_;
   std::vector<std::string> warnings_;
   EnvArrays arrays_;
-  std::optional<VectorEnv> env_;  // always there
+  std::vector<double> actions_;     // of the step that flies
+  std::unique_ptr<VectorEnv> env_;  // null after close() alone
   std::atomic<bool> is_flying_ = false;
 };
 
@@ -236,16 +257,24 @@ void make_flights(SteppedFlights* self, const std::string& given,
                   const NamedValues& options) {
   std::optional<SweepSpec> sweep;
   {
-    const nb::gil_scoped_release released;
+    const Released released;
     sweep = sweep_of(given, text, overrides);
   }
   std::vector<std::string> warnings = sweep->warnings;
   const EnvSpec spec = spec_of(std::move(*sweep), options);
-  const nb::gil_scoped_release released;
-  new (self) SteppedFlights(spec, std::move(warnings));
+  std::unique_ptr<VectorEnv> env;
+  {
+    const Released released;
+    env = std::make_unique<VectorEnv>(spec);
+  }
+  new (self) SteppedFlights(std::move(env), std::move(warnings));
 }
 
 }  // namespace
+
+void close_all_flights() {
+  for (SteppedFlights* flights : SteppedFlights::all()) flights->close();
+}
 
 void bind_env(nb::module_& m) {
   nb::class_<SteppedFlights>(m, "SteppedFlights",

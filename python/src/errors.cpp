@@ -38,9 +38,4 @@ void bind_errors(nb::module_& m) {
   nb::register_exception_translator(&raise_input_error, type);
 }
 
-void check_signals() {
-  const nb::gil_scoped_acquire held;
-  if (PyErr_CheckSignals() != 0) throw nb::python_error();
-}
-
 }  // namespace avoidbench::python

@@ -19,4 +19,5 @@ NB_MODULE(_core, m) {
   python::bind_world(m);
   python::bind_env(m);
   python::bind_planner(m);
+  python::bind_interpreter();
 }

@@ -69,7 +69,7 @@ FlownSweep fly_sweep(const std::string& given, const std::optional<std::string>&
   std::vector<std::string> warnings;
   RunSummary summary;
   {
-    const nb::gil_scoped_release released;
+    const Released released;
     const SweepSpec sweep =
         text ? sweep_of_text(*text, given, overrides) : read_sweep(given, overrides);
     name = sweep.name;

@@ -150,7 +150,7 @@ void write_mesh(const GivenMap& given, const PointsOut& vertices, const Triangle
   if (count > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max())) {
     throw InputError("the map has more vertices than 32-bit triangles can name");
   }
-  const nb::gil_scoped_release released;
+  const Released released;
   std::size_t vertex = 0, triangle = 0;
   for (const Instance& instance : world.instances) {
     const TriangleMesh& mesh = world.prototypes[instance.prototype].mesh;
@@ -180,7 +180,7 @@ void write_depth(const GivenMap& given, const CameraSpec& sensor, const Poses& T
   if (depth_m.shape(0) != count || depth_m.shape(1) != height || depth_m.shape(2) != width) {
     refuse("the depth images are not of this sensor's size");
   }
-  const nb::gil_scoped_release released;
+  const Released released;
   Camera camera(sensor);
   CameraImages images;
   for (std::size_t i = 0; i < count; ++i) {
@@ -198,7 +198,7 @@ void write_nearest(const GivenMap& given, const Points& points_world, double lim
     refuse("distances and nearest points are not as many as the points");
   }
   if (!(limit_m > 0.0)) refuse("limit_m must be above 0");
-  const nb::gil_scoped_release released;
+  const Released released;
   for (std::size_t i = 0; i < count; ++i) {
     if (i % kPointsPerSignalCheck == 0) check_signals();
     const Vector3d point = point_at(points_world, i);
@@ -220,7 +220,7 @@ std::pair<Cells, std::array<double, 3>> occupancy(const GivenMap& given, double 
   }
   auto grid = std::make_unique<VoxelGrid>();
   {
-    const nb::gil_scoped_release released;
+    const Released released;
     *grid = surface_voxels(given.map.world, resolution_m, check_signals);
   }
   const std::array<double, 3> origin = to_array(grid->lowest_world);
@@ -241,7 +241,7 @@ std::vector<MissionRow> missions(const GivenMap& given, std::int64_t count) {
   if (!given.listed.empty() && count > static_cast<std::int64_t>(given.listed.size())) {
     refuse("the sweep lists only " + std::to_string(given.listed.size()) + " missions");
   }
-  const nb::gil_scoped_release released;
+  const Released released;
   std::vector<MissionRow> rows;
   for (std::int64_t i = 0; i < count; ++i) {
     check_signals();
@@ -273,12 +273,12 @@ std::vector<ObstacleRow> obstacles(const GivenMap& given) {
 }  // namespace
 
 void bind_world(nb::module_& m) {
-  using Released = nb::call_guard<nb::gil_scoped_release>;
+  using Unlocked = nb::call_guard<Released>;
   nb::class_<CameraSpec>(m, "Sensor", "A camera's spec.")
       .def_prop_ro("name", [](const CameraSpec& s) { return s.name; })
       .def_prop_ro("width_px", [](const CameraSpec& s) { return s.width_px; })
       .def_prop_ro("height_px", [](const CameraSpec& s) { return s.height_px; });
-  m.def("read_sensor", &read_sensor, nb::arg("overrides"), Released(),
+  m.def("read_sensor", &read_sensor, nb::arg("overrides"), Unlocked(),
         "The camera that overrides such as `sensor.width_px=64` make.");
 
   nb::class_<GivenMap>(m, "World", "A map and its ray tracer; see avoidbench.World.")
@@ -302,9 +302,9 @@ void bind_world(nb::module_& m) {
       .def("write_nearest", &write_nearest, nb::arg("points_world").noconvert(), nb::arg("limit_m"),
            nb::arg("distances_m").noconvert(), nb::arg("nearest_world").noconvert());
   m.def("read_world", &read_given_map, nb::arg("given"), nb::arg("overrides"),
-        nb::arg("seed").none(), Released(), "The map of a generator, a file or a built-in sweep.");
+        nb::arg("seed").none(), Unlocked(), "The map of a generator, a file or a built-in sweep.");
   m.def("read_world_text", &read_map_text, nb::arg("text"), nb::arg("name"), nb::arg("overrides"),
-        nb::arg("seed").none(), Released(),
+        nb::arg("seed").none(), Unlocked(),
         "The map of a document in YAML; `name` stands in messages.");
 }
 
