@@ -3,6 +3,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "explain/sight.hpp"
+
 namespace avoidbench {
 namespace {
 
@@ -41,6 +43,28 @@ constexpr CauseDef kCauses[] = {
      "outcome planner_error, planner_crashed or planner_hung"},
     {Cause::unexplained, "no rule holds", "none of the above"}};
 
+/// Below this a clearance is none: bodies are boxes of float triangles.
+constexpr double kClear_m = 0.02;
+/// Below this a commanded path is not called clear: who plans to pass by so little is hit by any
+/// error of tracking.
+constexpr double kClearPath_m = 0.05;
+/// The vehicle is a little before or behind what it follows.
+constexpr double kNearBorder_m = 0.3;
+constexpr double kNoProgressFrom = 0.75;  ///< of a time-out's flight
+constexpr double kMostly = 0.5;
+
+/// What the planner had been shown, knew and did.
+Cause cause_of_planner(const Facts& facts) {
+  // A planner that says it knew has sensed it. "Never" is late, and so is what was shown from far
+  // off only, where the depth of what stands behind is about the same.
+  const bool is_sensed = facts.sensed_s <= facts.last_chance_s &&
+                         facts.sensed_lately_count >= static_cast<double>(kEnoughImages);
+  if (!is_sensed && !(facts.mapped_share >= kEnoughOfPatch)) return Cause::not_sensed;
+  if (facts.mapped_share < kEnoughOfPatch) return Cause::sensed_not_mapped;
+  if (facts.no_plan_share >= kMostly) return Cause::no_plan_found;
+  return std::isnan(facts.mapped_share) ? Cause::sensed_not_avoided : Cause::mapped_not_avoided;
+}
+
 struct FactWriter {
   nlohmann::json& json;
   void field(std::string_view name, double value, std::string_view) {
@@ -59,6 +83,34 @@ struct FactReader {
 }  // namespace
 
 std::span<const CauseDef> cause_table() { return kCauses; }
+
+Cause collision_cause(const Facts& facts, bool is_watched) {
+  const auto in_time = [&](double time_s) { return time_s <= facts.last_chance_s; };
+  if (facts.obstacle_way_m > 0.0 && facts.still_clearance_m > kClear_m) return Cause::moved_into;
+  if (facts.commanded_clearance_m > kClearPath_m &&
+      facts.tracking_error_m > facts.commanded_clearance_m) {
+    return Cause::tracking;
+  }
+  if (!in_time(facts.in_cone_s)) return Cause::out_of_view;
+  if (!in_time(facts.unoccluded_s)) return Cause::occluded;
+  if (!in_time(facts.in_range_s)) return Cause::too_late_for_speed;
+  return is_watched ? cause_of_planner(facts) : Cause::unexplained;
+}
+
+Cause timeout_cause(const Facts& facts, double end_s, double body_width_m) {
+  if (facts.goal_clearance_m < 0.5 * body_width_m) return Cause::blocked_goal;
+  if (facts.hover_share >= kMostly) return Cause::hover_without_plan;
+  if (facts.closest_s < kNoProgressFrom * end_s && facts.return_count >= 1.0) return Cause::trap;
+  if (facts.flown_m < facts.reference_length_m) return Cause::slow;
+  return facts.flown_m >= facts.reference_length_m ? Cause::detour : Cause::unexplained;
+}
+
+Cause leaving_cause(const Facts& facts) {
+  // Rates command no place: there is nobody else who could have meant it.
+  const bool was_meant =
+      std::isnan(facts.commanded_outside_m) || facts.commanded_outside_m > -kNearBorder_m;
+  return was_meant ? Cause::flew_out : Cause::tracking;
+}
 
 std::string facts_json(const Facts& facts) {
   nlohmann::json json = nlohmann::json::object();

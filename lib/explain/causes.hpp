@@ -174,4 +174,13 @@ struct CauseFound {
   Facts facts;
 };
 
+/// The rules of cause_table(), in the order in which they are tried. A fact that is NaN makes no
+/// rule true.
+/// Of a collision. `is_watched`: the facts hold what the planner was shown and knew.
+Cause collision_cause(const Facts& facts, bool is_watched);
+/// Of a time-out at `end_s`. `body_width_m`: the greater horizontal size.
+Cause timeout_cause(const Facts& facts, double end_s, double body_width_m);
+/// Of a flight that left the map.
+Cause leaving_cause(const Facts& facts);
+
 }  // namespace avoidbench

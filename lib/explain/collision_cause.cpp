@@ -13,13 +13,6 @@
 namespace avoidbench {
 namespace {
 
-/// Below this a clearance is none: bodies are boxes of float triangles.
-constexpr double kClear_m = 0.02;
-/// Below this a commanded path is not called clear: who plans to pass by so little is hit by any
-/// error of tracking.
-constexpr double kClearPath_m = 0.05;
-/// What a planner can be asked to react to: maps want more than one image, and so do people.
-constexpr std::size_t kEnoughImages = 3;
 /// "Lately": so many exposures. Far off, an image has much else at about the patch's depth.
 constexpr std::size_t kLately = 15;
 constexpr double kTrackingWindow_s = 2.0;
@@ -165,9 +158,9 @@ double flown_call_s(const FailedFlight& flight, double contact_s) {
 }
 
 /// Whether the body would have passed what it struck, had that stood still since the planner's last
-/// word.
-bool was_moved_into(const FailedFlight& flight, const StruckPatch& patch, Facts& facts) {
-  if (!patch.is_moving()) return false;
+/// word. Nothing where it does not move.
+void add_motion(const FailedFlight& flight, const StruckPatch& patch, Facts& facts) {
+  if (!patch.is_moving()) return;
   const double since_s = flown_call_s(flight, patch.contact_s);
   const std::vector<Eigen::Vector3d> then = places_at(patch, since_s);
   for (std::size_t i = 0; i < then.size(); ++i) {
@@ -184,7 +177,6 @@ bool was_moved_into(const FailedFlight& flight, const StruckPatch& patch, Facts&
     facts.still_clearance_m =
         std::min(facts.still_clearance_m, scene.body_clearance(body_m, pose, kClearanceLimit_m));
   }
-  return facts.obstacle_way_m > 0.0 && facts.still_clearance_m > kClear_m;
 }
 
 double wind_at_contact_mps(const FailedFlight& flight, double contact_s) {
@@ -194,27 +186,13 @@ double wind_at_contact_mps(const FailedFlight& flight, double contact_s) {
       .wind_world_mps.norm();
 }
 
-/// What the planner had been shown, knew and did.
-Cause cause_of_planner(const FlightWatch* watch, const Facts& facts) {
-  if (watch == nullptr) return Cause::unexplained;
-  // A planner that says it knew has sensed it. "Never" is late, and so is what was shown from far
-  // off only, where the depth of what stands behind is about the same.
-  const bool is_sensed = facts.sensed_s <= facts.last_chance_s &&
-                         facts.sensed_lately_count >= static_cast<double>(kEnoughImages);
-  if (!is_sensed && !(facts.mapped_share >= kEnoughOfPatch)) return Cause::not_sensed;
-  if (facts.mapped_share < kEnoughOfPatch) return Cause::sensed_not_mapped;
-  if (facts.no_plan_share >= 0.5) return Cause::no_plan_found;
-  return std::isnan(facts.mapped_share) ? Cause::sensed_not_avoided : Cause::mapped_not_avoided;
-}
-
-}  // namespace
-
-bool left_commanded_path(const FailedFlight& flight, Facts& facts) {
+/// Whether the commanded path was clear, and how far off it the vehicle was. Nothing under rates,
+/// which say no place.
+void add_tracking(const FailedFlight& flight, Facts& facts) {
   const std::vector<Sample>& samples = flight.record.samples;
   const Eigen::Vector3d body_m = to_eigen(flight.spec.vehicle.body_size_m);
   const Sample& last = samples.back();
-  // Rates say no place.
-  if (!last.reference_world.allFinite()) return false;
+  if (!last.reference_world.allFinite()) return;
   facts.tracking_error_m = (last.position_world - last.reference_world).norm();
   facts.commanded_clearance_m = kClearanceLimit_m;
   Scene scene(flight.world);
@@ -227,9 +205,9 @@ bool left_commanded_path(const FailedFlight& flight, Facts& facts) {
     facts.commanded_clearance_m = std::min(
         facts.commanded_clearance_m, scene.body_clearance(body_m, commanded, kClearanceLimit_m));
   }
-  return facts.commanded_clearance_m > kClearPath_m &&
-         facts.tracking_error_m > facts.commanded_clearance_m;
 }
+
+}  // namespace
 
 CauseFound collision_explained(const FailedFlight& flight, const StruckPatch& patch,
                                const FlightWatch* watch) {
@@ -242,16 +220,9 @@ CauseFound collision_explained(const FailedFlight& flight, const StruckPatch& pa
   add_sight(flight, patch, facts);
   if (watch != nullptr) add_knowledge(*watch, facts);
   facts.no_plan_share = no_plan_share(flight.record.plan_calls, facts.last_chance_s);
-  // Each before the first that holds is computed in any case: it is printed, too.
-  const bool moved = was_moved_into(flight, patch, facts);
-  const bool left = left_commanded_path(flight, facts);
-  const auto in_time = [&](double time_s) { return time_s <= facts.last_chance_s; };
-  found.cause = moved                          ? Cause::moved_into
-                : left                         ? Cause::tracking
-                : !in_time(facts.in_cone_s)    ? Cause::out_of_view
-                : !in_time(facts.unoccluded_s) ? Cause::occluded
-                : !in_time(facts.in_range_s)   ? Cause::too_late_for_speed
-                                               : cause_of_planner(watch, facts);
+  add_motion(flight, patch, facts);
+  add_tracking(flight, facts);
+  found.cause = collision_cause(facts, watch != nullptr);
   return found;
 }
 

@@ -23,13 +23,8 @@ CauseFound leaving_explained(const FailedFlight& flight) {
   if (commanded.allFinite()) {
     facts.commanded_outside_m = outside_m(flight.world.bounds, commanded);
     facts.tracking_error_m = (flight.record.samples.back().position_world - commanded).norm();
-    // The vehicle is a little before or behind what it follows.
-    constexpr double kNear_m = 0.3;
-    found.cause = facts.commanded_outside_m > -kNear_m ? Cause::flew_out : Cause::tracking;
-  } else {
-    // By rates: there is nobody else who could have meant it.
-    found.cause = Cause::flew_out;
   }
+  found.cause = leaving_cause(facts);
   return found;
 }
 

@@ -25,5 +25,7 @@ std::vector<PatchExposure> patch_exposures(const SensorSpec& sensor, const World
 
 /// A share of the patch that counts as the patch.
 inline constexpr double kEnoughOfPatch = 0.1;
+/// What a planner can be asked to react to: maps want more than one image, and so do people.
+inline constexpr std::size_t kEnoughImages = 3;
 
 }  // namespace avoidbench

@@ -12,7 +12,6 @@ namespace {
 constexpr double kHovering_mps = 0.1;
 constexpr double kProgress_m = 0.5;             ///< nearer to the goal by less is none
 constexpr double kBack_m = 1.0, kAway_m = 2.0;  ///< of a return
-constexpr double kNoProgressFrom = 0.75;        ///< of the flight
 
 double length_m(const std::vector<Sample>& samples) {
   double sum_m = 0.0;
@@ -119,14 +118,7 @@ CauseFound timeout_explained(const FailedFlight& flight) {
   facts.return_count = returns(way_points(samples));
   facts.goal_clearance_m = goal_clearance_m(flight);
   const auto& body_m = flight.spec.vehicle.body_size_m;
-  const double half_width_m = 0.5 * std::max(body_m[0], body_m[1]);
-  const bool is_stuck = facts.closest_s < kNoProgressFrom * flight.record.end_time_s;
-  found.cause = facts.goal_clearance_m < half_width_m       ? Cause::blocked_goal
-                : facts.hover_share >= 0.5                  ? Cause::hover_without_plan
-                : is_stuck && facts.return_count >= 1.0     ? Cause::trap
-                : facts.flown_m < facts.reference_length_m  ? Cause::slow
-                : facts.flown_m >= facts.reference_length_m ? Cause::detour
-                                                            : Cause::unexplained;
+  found.cause = timeout_cause(facts, flight.record.end_time_s, std::max(body_m[0], body_m[1]));
   return found;
 }
 
