@@ -59,6 +59,12 @@ TEST(Compare, ARegressionNeedsBothLimits) {
   settings.tolerances["path_optimality_pct"] = {Tolerance::Kind::absolute, 2.0};
   EXPECT_EQ(verdict_at(1.2, 40, settings), Verdict::small);  // 1 % point
   EXPECT_EQ(verdict_at(1.5, 40, settings), Verdict::regression);
+  // A share of the base's mean: 10 % of it are 9.1 % of the new one.
+  settings.tolerances["path_optimality_pct"] = {Tolerance::Kind::relative, 0.095};
+  EXPECT_EQ(verdict_at(1.1, 40, settings), Verdict::regression);
+  EXPECT_EQ(verdict_at(0.91, 40, settings), Verdict::small);  // 9.9 % of the new one
+  settings.tolerances["path_optimality_pct"] = {Tolerance::Kind::relative, 0.25};
+  EXPECT_EQ(verdict_at(1.25, 40, settings), Verdict::regression) << "at the tolerance";
   settings.tolerances["path_optimality_pct"] = {Tolerance::Kind::ignored, 0.0};
   EXPECT_EQ(verdict_at(9.0, 40, settings), Verdict::not_gated);
 }

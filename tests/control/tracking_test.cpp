@@ -231,6 +231,34 @@ TEST(Tracking, LeansAgainstAForce) {
   EXPECT_NEAR(end.position_world.x(), 2 / 0.73103 / 10, 1e-3);  // what the position gain leaves
 }
 
+/// How far the reference was from the vehicle at most, while a force blew it off for 10 s that it
+/// can't beat.
+double longest_lead_m(const Command& command) {
+  const VehicleModel model = make_model(hummingbird_spec());
+  Environment blast;
+  blast.force_world_n = {-12, 0, 0};
+  double most_m = 0, slowest = 0;
+  fly(
+      model, hovering_at(model.spec, {0, 0, 2}, 0), command, 10,
+      [&](const Tracker& tracker, const VehicleState& s) {
+        most_m = std::max(most_m, (reference(tracker).position_world - s.position_world).norm());
+        slowest = std::min(slowest, s.velocity_world.x());
+      },
+      blast);
+  EXPECT_LT(slowest, -2.0);
+  return most_m;
+}
+
+TEST(Tracking, AReferenceThatTheVehicleCantFollowStaysWithinTwoMetres) {
+  Command acceleration;
+  acceleration.kind = CommandKind::acceleration;
+  acceleration.acceleration_world = {2, 0, 0};
+  EXPECT_NEAR(longest_lead_m(fly_at({4, 0, 0})), 2.0, 1e-6);
+  EXPECT_NEAR(longest_lead_m(acceleration), 2.0, 1e-6);
+  // A position command has its own place to come back to.
+  EXPECT_GT(longest_lead_m(go_to({0, 0, 2})), 10.0);
+}
+
 TEST(Tracking, SlowPhysicsFliesToo) {
   const VehicleModel model = make_model(hummingbird_spec());
   VehicleState state = hovering_at(model.spec, {0, 0, 2}, 0);

@@ -171,7 +171,7 @@ TEST(MetricTable, OfAFinishedFlight) {
   record.samples = straight_flight();
   record.end_time_s = 5.0;
   for (int i = 1; i <= 100; ++i)
-    record.plan_calls.push_back({.time_s = 0.0, .cpu_time_s = 1e-3 * i, .wall_time_s = 1e-3 * i});
+    record.plan_calls.push_back({.time_s = 0.0, .cpu_time_s = 1e-3 * i, .wall_time_s = 2e-3 * i});
   record.plan_calls[3].status = 1;
   const auto values = compute_metrics({TrialSpec{}, straight_mission(), record});
   EXPECT_EQ(value_of("finished", values), 1.0);
@@ -184,7 +184,8 @@ TEST(MetricTable, OfAFinishedFlight) {
   EXPECT_NEAR(value_of("processing_time_max_ms", values), 100.0, 1e-9);
   EXPECT_NEAR(value_of("processing_time_std_ms", values), std::sqrt(100.0 * 101.0 / 12.0), 1e-9);
   EXPECT_EQ(value_of("no_plan_count", values), 1.0);
-  EXPECT_EQ(value_of("deadline_miss_count", values), 67.0);  // 34 ms and more at 30 Hz
+  EXPECT_NEAR(value_of("processing_wall_time_ms", values), 101.0, 1e-9);
+  EXPECT_EQ(value_of("deadline_miss_count", values), 84.0);  // wall: 34 ms and more at 30 Hz
   EXPECT_EQ(value_of("relative_end_distance_ratio", values), 0.0);
 }
 
@@ -203,6 +204,20 @@ TEST(MetricTable, FailuresAreLeftOutOfFinishedMetricsOnly) {
   EXPECT_NEAR(value_of("relative_end_distance_ratio", values), 0.5, 1e-9);
   EXPECT_EQ(value_of("collision_count", values), 1.0);
   EXPECT_NEAR(value_of("path_length_m", values), 5.0, 1e-12);
+}
+
+TEST(MetricTable, CollisionsAreAllCountedAndTheFirstHasTheSpeed) {
+  TrialRecord record;
+  record.outcome = Outcome::reached_goal;
+  record.samples = straight_flight();
+  record.end_time_s = 5.0;
+  EXPECT_TRUE(std::isnan(
+      value_of("collision_speed_mps", compute_metrics({TrialSpec{}, straight_mission(), record}))));
+  record.collisions.push_back({.time_s = 1.5, .speed_mps = 2.0, .obstacle = 1, .kind = "tree"});
+  record.collisions.push_back({.time_s = 3.5, .speed_mps = 0.7, .obstacle = 2, .kind = "wall"});
+  const auto values = compute_metrics({TrialSpec{}, straight_mission(), record});
+  EXPECT_EQ(value_of("collision_speed_mps", values), 2.0);
+  EXPECT_EQ(value_of("collision_count", values), 2.0);
 }
 
 TEST(MetricTable, OfATrialThatNeverFlew) {

@@ -36,6 +36,12 @@ TEST(ReferencePath, IsStraightToTheGoalRegionInAnEmptyWorld) {
               30.0 - kGoalRadius_m, 1e-9);
 }
 
+TEST(ReferencePath, ReachesTheGoalRegionAtAnyHeight) {
+  Mission mission = test::straight_mission();
+  mission.goal_world.z() = 8.0;
+  EXPECT_NEAR(reference_length(test::flight_world(), mission), 30.0 - kGoalRadius_m, 0.01);
+}
+
 TEST(ReferencePath, GoesAroundACylinderByTangentsAndArc) {
   for (const double radius_m : {0.3, 0.5, 1.0}) {
     World world = test::flight_world();
@@ -175,6 +181,12 @@ TEST(Traversability, AmongCylindersAgreesWithClosedForm) {
 TEST(Traversability, AmongPolesIsThatOfTheWholeBody) {
   const auto [exact, found] = among_cylinders(4, 3.5, 0.15);  // a body 5 mm smaller: 0.5 % more
   EXPECT_NEAR(found, exact, 0.001 * exact);
+}
+
+TEST(Traversability, NothingFliesInsideBigObstacles) {
+  // Within the cylinder the nearest surface is up to 3 m away, with room for the body.
+  const auto [exact, found] = among_cylinders(1, 12.0, 3.0);
+  EXPECT_NEAR(found, exact, 0.002 * exact);
 }
 
 /// A bush's shell may lie less than a tenth of a millimetre above the ground.

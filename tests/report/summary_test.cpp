@@ -118,6 +118,42 @@ TEST(Summary, MarksTheBestOnlyWhereItIsSignificant) {
   EXPECT_TRUE(has_warning(unclear, "can't be told apart: a / b"));
 }
 
+TEST(Summary, ABestRateIsSureOverMapsForEachOtherPlanner) {
+  // On each map 10 of 10 against 5: of n equal differences, p = 2^(1 - n) over maps.
+  const auto is_marked = [](int map_count, const std::vector<const char*>& labels) {
+    const SweepSummary summary = summary_of(result_of(
+        map_count, 10, [](char planner, int, int mission) { return planner == 'a' || mission < 5; },
+        labels));
+    EXPECT_LT(summary.contrasts.at(0).fisher_p, 1e-6);
+    return summary.overall.at(0).is_best_rate;
+  };
+  EXPECT_TRUE(is_marked(6, {"a", "b"}));        // 0.031
+  EXPECT_FALSE(is_marked(6, {"a", "b", "c"}));  // twice that: Bonferroni
+  EXPECT_TRUE(is_marked(7, {"a", "b", "c"}));   // 0.031
+  EXPECT_FALSE(is_marked(7, {"a", "b", "c", "d", "e"}));
+}
+
+TEST(Summary, MarksNoMeanThatIsBestByAnOutlierAlone) {
+  SweepResult result = result_of(4, 10, [](char, int, int) { return true; });
+  const std::string a = planner_key(planner_row("a"));
+  bool is_first = true;
+  for (TrialSummary& trial : result.trials) {
+    if (trial.planner_key != a) continue;
+    // Worse on all missions but one, on which it is so much better that its mean is.
+    trial.metrics[0] += is_first ? -100.0 : 0.5 + 0.01 * static_cast<double>(trial.mission_index);
+    trial.metrics[1] -= is_first ? -100.0 : 0.5 + 0.01 * static_cast<double>(trial.mission_index);
+    is_first = false;
+  }
+  const SweepSummary summary = summary_of(result);
+  for (const std::size_t metric : {0U, 1U}) {
+    const bool is_less_better = metric == 0;
+    EXPECT_EQ(summary.overall[0].means[metric].mean < summary.overall[1].means[metric].mean,
+              is_less_better);
+    EXPECT_FALSE(summary.overall[0].means[metric].is_best) << metric;
+    EXPECT_FALSE(summary.overall[1].means[metric].is_best) << metric;
+  }
+}
+
 TEST(Summary, MarksABetterMeanByPairedMissions) {
   SweepResult result = result_of(4, 10, [](char, int, int) { return true; });
   const std::string a = planner_key(planner_row("a"));
@@ -125,10 +161,16 @@ TEST(Summary, MarksABetterMeanByPairedMissions) {
     if (trial.planner_key == a)
       trial.metrics[0] -= 0.5 + 0.01 * static_cast<double>(trial.mission_index);
   }
-  const SweepSummary summary = summary_of(result);
+  SweepSummary summary = summary_of(result);
   EXPECT_TRUE(summary.overall[0].means[0].is_best);  // less is better
   EXPECT_FALSE(summary.overall[1].means[0].is_best);
   EXPECT_FALSE(summary.overall[0].means[1].is_best);  // equal
+  for (TrialSummary& trial : result.trials) {
+    if (trial.planner_key != a) trial.metrics[1] += 1.0 + 0.01 * trial.end_time_s;
+  }
+  summary = summary_of(result);
+  EXPECT_TRUE(summary.overall[1].means[1].is_best);  // more is better
+  EXPECT_FALSE(summary.overall[0].means[1].is_best);
 }
 
 TEST(Summary, ContrastFactorIsUndefinedAtSureRatesButSmoothed) {

@@ -7,10 +7,11 @@ namespace avoidbench::sample_sweep {
 
 using namespace sample_rows;
 
-/// `map_count` maps of `mission_count` missions, flown by planners a and b, which succeed where
-/// `succeeds` says so.
+/// `map_count` maps of `mission_count` missions, flown by planners of these names, which succeed
+/// where `succeeds` says so.
 template <class Succeeds>
-inline SweepResult result_of(int map_count, int mission_count, Succeeds succeeds) {
+inline SweepResult result_of(int map_count, int mission_count, Succeeds succeeds,
+                             const std::vector<const char*>& labels = {"a", "b"}) {
   SweepResult result;
   result.name = "forest";
   for (const MetricDef& def : kMetrics) {
@@ -24,11 +25,11 @@ inline SweepResult result_of(int map_count, int mission_count, Succeeds succeeds
                               .population = def.population,
                               .is_measured = def.is_measured});
   }
-  result.planners = {planner_row("a"), planner_row("b")};
+  for (const char* label : labels) result.planners.push_back(planner_row(label));
   for (int map = 0; map < map_count; ++map) {
     result.maps.push_back(map_row(map, mission_count));
     for (int mission = 0; mission < mission_count; ++mission) {
-      for (const char* label : {"a", "b"}) {
+      for (const char* label : labels) {
         const bool is_finished = succeeds(label[0], map, mission);
         const TrialRow row =
             trial_row(label, map, mission, is_finished ? Outcome::reached_goal : Outcome::collided);
