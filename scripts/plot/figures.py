@@ -126,7 +126,7 @@ def log_ticks(axis, low, high):
 
 
 def pair_label(row):
-    first, second = style.shortened(row["planner"]), style.shortened(row["other_planner"])
+    first, second = style.shown(row["planner"]), style.shown(row["other_planner"])
     return f"{first} / {second}" if len(first) + len(second) <= 26 else f"{first} /\n{second}"
 
 
@@ -189,7 +189,7 @@ def limit_curve(section):
     axes.axhline(limits[0]["wanted_rate"], color=style.GREY, linewidth=0.7, linestyle=(0, (4, 3)))
     axes.set_xlim(values[0], values[-1])
     axes.set_ylim(0, 1)
-    axes.set_xlabel(field + (f" ({unit})" if unit else ""))
+    axes.set_xlabel(style.literal(field) + (f" ({unit})" if unit else ""))
     axes.set_ylabel("success rate")
     style.planner_legend(axes, planners, style.COLUMN_IN)
     return figure

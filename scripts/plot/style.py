@@ -5,8 +5,9 @@ import matplotlib.pyplot as pyplot
 COLUMN_IN, PAGE_IN = 3.5, 7.16  # widths of a column and of a page in IEEE's and most journals' layouts
 FONT_PT, SMALL_PT = 8.0, 7.0
 
-# Okabe and Ito (2008): colours that colour-blind people tell apart, with markers and line styles that need no colour.
-_COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"]
+# Okabe and Ito (2008): colours that colour-blind people tell apart, with markers and line styles that need no colour. A planner
+# has the same one in pages (apps/page/src/data.ts).
+_COLOURS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"]
 _MARKERS = ["o", "s", "^", "D", "v", "P", "X", "<", ">"]
 _LINES = ["-", (0, (5, 1.5)), (0, (1, 1.2)), (0, (5, 1.5, 1, 1.5)), (0, (3, 1, 1, 1, 1, 1))]
 GREY = "#666666"
@@ -76,6 +77,17 @@ def shortened(label, most=24):
     return label[:head] + "…" + label[len(label) - (most - 1 - head):]
 
 
+def literal(text):
+    """The text for Matplotlib, which takes $ for mathematics."""
+    return text.replace("$", r"\$")
+
+
+def shown(label):
+    """The label as a figure shows it. Legends leave out what begins with an underscore."""
+    text = literal(shortened(label))
+    return "\u200b" + text if text.startswith("_") else text
+
+
 def column_figure(height_in, planners=()):
     """A figure one column wide; higher where the legend of `planners` takes more than one line."""
     return pyplot.subplots(figsize=(COLUMN_IN, height_in + 0.14 * (legend_shape(planners, COLUMN_IN)[0] - 1)))
@@ -100,7 +112,7 @@ def legend_shape(planners, width_in, has_lines=True):
 def planner_legend(target, planners, width_in, has_lines=True):
     """A legend above the plot, in as many columns as the width takes. `target` is the axes, or the figure of several."""
     look = looks(planners)
-    handles = [matplotlib.lines.Line2D([], [], label=shortened(name), **(look[name] if has_lines else
+    handles = [matplotlib.lines.Line2D([], [], label=shown(name), **(look[name] if has_lines else
                                        {**look[name], "linestyle": "none"})) for name in planners]
     rows, columns = legend_shape(planners, width_in, has_lines)
     options = {"handles": handles, "ncol": columns, "handlelength": 2.4 if has_lines else 1.0}

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Flies a tiny sweep and draws its figures: all are there, are pictures of the right size, and drawn again have the same bytes.
+"""Flies a tiny sweep and draws its figures, whatever its planners are called: all are there, are pictures of the right size, and drawn again have the same bytes.
 
 usage: check_plots.py --program build/avoidbench
 """
@@ -13,7 +13,7 @@ import tempfile
 
 SWEEP = """
 sweep: tiny
-planners: [straight_line, reactive]
+planners: [{plugin: straight_line, label: "$\\\\frac{1}{$"}, {plugin: reactive, label: _reactive}]
 trials: 1
 maps: {generator: hall, area_m: [10, 12], poisson_radius_m: [2.5, 3, 3.5, 4, 5]}
 sensor: {width_px: 80, height_px: 60}

@@ -109,15 +109,16 @@ export function readSweep(page: PageData, index: number): Sweep {
 export const isFinished = (t: Trials, i: number): boolean => t.outcome[i] === 0;
 export const outcomeText = (word: string): string => word.replaceAll('_', ' ');
 
-const kPlannerColors = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#e69f00', '#56b4e9', '#8a6d3b', '#7a5ca8'];
+// Okabe and Ito (2008), for colour-blind people, as in scripts/plot/style.py. Seven, and six signs: none recurs before the 43rd planner.
+const kPlannerColors = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#e69f00', '#56b4e9', '#000000'];
 // The same hues, as bright as a dark ground needs them.
-const kBrightColors = ['#5aaef2', '#ff8f4a', '#2fc79a', '#eb9fc9', '#f2bd4b', '#9adcff', '#cdab72', '#b59bea'];
+const kBrightColors = ['#51a5e7', '#fb8b49', '#32cea0', '#e99cc9', '#ffcc54', '#9adcff', '#f4f4f4'];
 let isDark = false;
 /** Before anything is drawn. */
 export const setDark = (dark: boolean): void => { isDark = dark; };
 export const kDashes = ['', '6 3', '2 3', '8 3 2 3', '1 3', '10 4', '4 2 1 2', '3 5'];
 export const plannerColor = (i: number): string => (isDark ? kBrightColors : kPlannerColors)[i % kPlannerColors.length];
-const kOutcomeColors = ['#0b8f6f', '#d55e00', '#cc79a7', '#e69f00', '#a39b00', '#56b4e9', '#555555', '#999999'];
+const kOutcomeColors = ['#0b8f6f', '#d55e00', '#c979af', '#e69f00', '#a5a138', '#56b4e9', '#555555', '#999999'];
 export const outcomeColor = (i: number): string => kOutcomeColors[i % kOutcomeColors.length];
 
 /** So many significant digits, without an exponent for usual sizes. */
