@@ -128,19 +128,23 @@ void check(const std::string& plugin, const OutputOptions& options) {
   Table table = options.is_for_people()
                     ? make_list({"", "rule", "what is checked, or what was found"})
                     : make_list({"passed", "rule", "doc", "finding"});
-  std::size_t failed = 0;
+  std::size_t failed = 0, untried = 0;
   for (const ConformanceResult& result : results) {
-    failed += result.passed ? 0 : 1;
+    untried += result.was_tried ? 0 : 1;
+    failed += result.passed || !result.was_tried ? 0 : 1;
+    const char* const mark = result.passed ? "✓" : result.was_tried ? "✗" : "–";
     table.rows.push_back(
         options.is_for_people()
-            ? make_row(result.passed ? "✓" : "✗", result.name,
-                       result.passed ? result.doc : result.finding)
+            ? make_row(mark, result.name, result.passed ? result.doc : result.finding)
             : make_row(result.passed ? "true" : "false", result.name, result.doc, result.finding));
   }
   write_table(table, options);
   std::cout << std::flush;  // before what goes to stderr
-  std::cerr << file.string() << ": " << results.size() - failed << " of " << results.size()
-            << " rules hold" << (failed > 0 ? "" : ": it can be benchmarked") << '\n';
+  std::cerr << file.string() << ": " << results.size() - failed - untried << " of "
+            << results.size() << " rules hold"
+            << (untried > 0 ? ", " + std::to_string(untried) + " were not tried" : "")
+            << (failed > 0 ? "" : ": it can be benchmarked") << '\n';
+  for (const std::string& note : import_notes(file)) std::cerr << "note: " << note << '\n';
   if (failed > 0) throw CLI::RuntimeError(1);
   print_call_times(file);
 }

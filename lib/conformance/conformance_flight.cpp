@@ -160,6 +160,18 @@ bool equal(const Reply& a, const Reply& b) {
   return std::memcmp(&a.command, &b.command, sizeof(ab_command)) == 0 && same_points();
 }
 
+std::string reply_place(std::size_t index) {
+  return index == 0 ? "reset" : "call " + std::to_string(index);
+}
+
+std::string first_difference(const std::vector<Reply>& a, const std::vector<Reply>& b) {
+  if (a.size() != b.size() || a.empty()) return "create fails";
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (!equal(a[i], b[i])) return reply_place(i) + " gives another answer";
+  }
+  return "";
+}
+
 std::string reply_problem(const Reply& reply, const ab_planner& table) {
   if (!reply.escaped.empty()) return "an exception crossed the interface: " + reply.escaped;
   if (!reply.changed.empty()) return reply.changed;

@@ -48,6 +48,12 @@ struct Reply {
 /// Whether both gave the same bits.
 bool equal(const Reply& a, const Reply& b);
 
+/// Where two flights part first: "call 3 gives another answer"; empty when nowhere.
+std::string first_difference(const std::vector<Reply>& a, const std::vector<Reply>& b);
+
+/// "reset" or "call 3": which of the replies of Probe::fly.
+std::string reply_place(std::size_t index);
+
 /// Why this reply breaks the interface, whatever was asked; empty when it does not.
 std::string reply_problem(const Reply& reply, const ab_planner& table);
 

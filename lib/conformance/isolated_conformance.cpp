@@ -15,7 +15,8 @@ constexpr char kMessageEnd = '\x1e';
 
 void send(IsolatedOutput& output, char what, const ConformanceResult& result) {
   std::string message(1, what);
-  for (std::string field : {result.name, result.doc, result.finding}) {
+  for (std::string field :
+       {result.name, result.doc, result.finding, std::string(result.was_tried ? "tried" : "")}) {
     std::erase_if(field, [](char c) { return c == kFieldEnd || c == kMessageEnd; });
     message += kFieldEnd;
     message += field;
@@ -32,24 +33,24 @@ ConformanceResult parsed(std::string_view message) {
       fields.back() += c;
     }
   }
-  AB_CHECK(fields.size() == 4, fields.size());
-  return {fields[1], fields[2], fields[3].empty(), fields[3]};
+  AB_CHECK(fields.size() == 5, fields.size());
+  return {fields[1], fields[2], fields[3].empty(), fields[3], !fields[4].empty()};
 }
 
-}  // namespace
+using RunRules = std::function<void(const OnRule& begin, const OnRule& end)>;
 
-std::vector<ConformanceResult> check_conformance_isolated(const std::filesystem::path& file,
-                                                          double time_limit_s) {
+/// Appends what comes of the rules that `run_rules` tries in a process of their own. Whether that
+/// came to its end.
+bool run_apart(const RunRules& run_rules, double time_limit_s,
+               std::vector<ConformanceResult>& results) {
   const IsolatedEnd run = run_isolated(
       [&](IsolatedOutput& output) {
-        run_conformance(
-            file, [&](const ConformanceResult& rule) { send(output, 'b', rule); },
-            [&](const ConformanceResult& rule) { send(output, 'e', rule); });
+        run_rules([&](const ConformanceResult& rule) { send(output, 'b', rule); },
+                  [&](const ConformanceResult& rule) { send(output, 'e', rule); });
       },
       // Shown: who checks a planner wants to see what it prints.
       time_limit_s, Prints::shown);
 
-  std::vector<ConformanceResult> results;
   std::optional<ConformanceResult> tried;
   // A message that was cut off by a crash has no end and is left out.
   std::string_view rest = run.output;
@@ -72,6 +73,24 @@ std::vector<ConformanceResult> check_conformance_isolated(const std::filesystem:
   } else if (!run.problem.empty()) {
     results.push_back({"ends", "The check comes to its end.", false, run.problem});
   }
+  return run.problem.empty();
+}
+
+}  // namespace
+
+std::vector<ConformanceResult> check_conformance_isolated(const std::filesystem::path& file,
+                                                          double time_limit_s) {
+  std::vector<ConformanceResult> results;
+  const bool has_ended =
+      run_apart([&](const OnRule& begin, const OnRule& end) { run_first_rules(file, begin, end); },
+                time_limit_s, results);
+  // The first is loading.
+  if (!has_ended || results.empty() || !results.front().passed) return results;
+  // By this process, which has not loaded the planner: its forks have all that it starts.
+  const bool repeats = results.emplace_back(run_repeats_rule(file)).passed;
+  run_apart(
+      [&](const OnRule& begin, const OnRule& end) { run_other_rules(file, repeats, begin, end); },
+      time_limit_s, results);
   return results;
 }
 

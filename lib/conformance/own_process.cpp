@@ -1,7 +1,6 @@
 #include "conformance/own_process.hpp"
 
 #include <cstring>
-#include <string_view>
 #include <type_traits>
 
 #include "base/check.hpp"
@@ -9,9 +8,6 @@
 
 namespace avoidbench {
 namespace {
-
-/// Of one flight; the whole check has a limit too (check_conformance_isolated).
-constexpr double kTimeLimit_s = 60.0;
 
 template <class T>
 void put(std::string& bytes, const T& value) {
@@ -41,7 +37,14 @@ std::string taken_text(std::string_view& bytes) {
   return text;
 }
 
-std::string to_bytes(const std::vector<Reply>& replies) {
+IsolatedEnd isolated(const std::function<std::string()>& work) {
+  return run_isolated([&](IsolatedOutput& output) { AB_CHECK(output.write(work())); },
+                      kFlightLimit_s, Prints::shown);
+}
+
+}  // namespace
+
+std::string bytes_of(const std::vector<Reply>& replies) {
   std::string bytes;
   // Times are left out: rules compare answers, and no two runs take the same time.
   for (const Reply& reply : replies) {
@@ -57,7 +60,7 @@ std::string to_bytes(const std::vector<Reply>& replies) {
   return bytes;
 }
 
-std::vector<Reply> to_replies(std::string_view bytes) {
+std::vector<Reply> replies_of(std::string_view bytes) {
   std::vector<Reply> replies;
   while (!bytes.empty()) {
     Reply& reply = replies.emplace_back();
@@ -73,13 +76,6 @@ std::vector<Reply> to_replies(std::string_view bytes) {
   return replies;
 }
 
-IsolatedEnd isolated(const std::function<std::string()>& work) {
-  return run_isolated([&](IsolatedOutput& output) { AB_CHECK(output.write(work())); }, kTimeLimit_s,
-                      Prints::shown);
-}
-
-}  // namespace
-
 bool needs_own_process(const PlannerLibrary& library) {
   return (library.description().needs & AB_USES_GLOBALS) != 0;
 }
@@ -94,9 +90,9 @@ std::string in_own_process(const PlannerLibrary& library,
 std::vector<Reply> replies_in_own_process(const PlannerLibrary& library,
                                           const std::function<std::vector<Reply>()>& work) {
   if (!needs_own_process(library)) return work();
-  const IsolatedEnd end = isolated([&] { return to_bytes(work()); });
+  const IsolatedEnd end = isolated([&] { return bytes_of(work()); });
   // None, not the answers until then: a flight that did not end proves nothing by its beginning.
-  return end.problem.empty() ? to_replies(end.output) : std::vector<Reply>{};
+  return end.problem.empty() ? replies_of(end.output) : std::vector<Reply>{};
 }
 
 }  // namespace avoidbench

@@ -40,10 +40,11 @@ bool is_exported(const Elf64_Sym& symbol) {
   return symbol.st_shndx != SHN_UNDEF && binding != STB_LOCAL && seen;
 }
 
-/// Calls `visit` with each symbol of the tables of this type, and its name. Nothing where the file
-/// is no library or is damaged.
-template <class Visit>
-void visit_symbols(const std::filesystem::path& file, std::uint32_t type, Visit&& visit) {
+/// Calls `visit` with each entry of the sections of this type, and the text that `text_index` says
+/// belongs to it. Nothing where the file is no library or is damaged.
+template <class Entry, class Visit>
+void visit_entries(const std::filesystem::path& file, std::uint32_t type,
+                   std::uint64_t (*text_index)(const Entry&), Visit&& visit) {
   if (!shared_library_problem(file).empty()) return;
   const std::string bytes = read_input_file(file, kMostBytes);
   const auto header = struct_at<Elf64_Ehdr>(bytes, 0);
@@ -53,19 +54,25 @@ void visit_symbols(const std::filesystem::path& file, std::uint32_t type, Visit&
     return struct_at<Elf64_Shdr>(bytes, header->e_shoff + index * sizeof(Elf64_Shdr));
   };
   for (std::uint64_t i = 0; i < header->e_shnum; ++i) {
-    const auto symbols = section(i);
+    const auto entries = section(i);
     // The file is cut off; what was found until here stands.
-    if (!symbols) break;
-    if (symbols->sh_type != type) continue;
-    const auto strings = section(symbols->sh_link);
+    if (!entries) break;
+    if (entries->sh_type != type) continue;
+    const auto strings = section(entries->sh_link);
     if (!strings) break;
-    for (std::uint64_t at = 0; at + sizeof(Elf64_Sym) <= symbols->sh_size;
-         at += sizeof(Elf64_Sym)) {
-      const auto symbol = struct_at<Elf64_Sym>(bytes, symbols->sh_offset + at);
-      if (!symbol) break;
-      visit(*symbol, text_at(bytes, *strings, symbol->st_name));
+    for (std::uint64_t at = 0; at + sizeof(Entry) <= entries->sh_size; at += sizeof(Entry)) {
+      const auto entry = struct_at<Entry>(bytes, entries->sh_offset + at);
+      if (!entry) break;
+      visit(*entry, text_at(bytes, *strings, text_index(*entry)));
     }
   }
+}
+
+/// The symbols of the tables of this type, and their names.
+template <class Visit>
+void visit_symbols(const std::filesystem::path& file, std::uint32_t type, Visit&& visit) {
+  visit_entries<Elf64_Sym>(
+      file, type, [](const Elf64_Sym& symbol) { return std::uint64_t{symbol.st_name}; }, visit);
 }
 
 /// Whether a file's dynamic section has the flag of position-independent programs.
@@ -127,6 +134,24 @@ std::vector<std::string> exported_symbols(const std::filesystem::path& file) {
   visit_symbols(file, SHT_DYNSYM, [&](const Elf64_Sym& symbol, const std::string& name) {
     if (is_exported(symbol)) names.push_back(name);
   });
+  return names;
+}
+
+std::vector<std::string> imported_symbols(const std::filesystem::path& file) {
+  std::vector<std::string> names;
+  visit_symbols(file, SHT_DYNSYM, [&](const Elf64_Sym& symbol, const std::string& name) {
+    if (symbol.st_shndx == SHN_UNDEF && !name.empty()) names.push_back(name);
+  });
+  return names;
+}
+
+std::vector<std::string> needed_libraries(const std::filesystem::path& file) {
+  std::vector<std::string> names;
+  visit_entries<Elf64_Dyn>(
+      file, SHT_DYNAMIC, [](const Elf64_Dyn& entry) { return std::uint64_t{entry.d_un.d_val}; },
+      [&](const Elf64_Dyn& entry, const std::string& name) {
+        if (entry.d_tag == DT_NEEDED) names.push_back(name);
+      });
   return names;
 }
 

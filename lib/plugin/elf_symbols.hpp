@@ -20,6 +20,12 @@ bool is_elf_program(const std::filesystem::path& file);
 /// loaded.
 std::vector<std::string> exported_symbols(const std::filesystem::path& file);
 
+/// Names of the symbols that it takes from others, in the same order; empty as above.
+std::vector<std::string> imported_symbols(const std::filesystem::path& file);
+
+/// The libraries that it names as needed (DT_NEEDED), such as "libnlopt.so.0"; empty as above.
+std::vector<std::string> needed_libraries(const std::filesystem::path& file);
+
 /// The function of the library at `file` that has this address, relative to where the library is
 /// loaded, as "mangled_name+0x1b"; also of functions that it keeps to itself. "" where the file
 /// says nothing of it (stripped) or is damaged.

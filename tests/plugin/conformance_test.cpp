@@ -56,6 +56,11 @@ INSTANTIATE_TEST_SUITE_P(
         BadCase{"error_without_text", "errors_have_a_text", "without a text"},
         BadCase{"writes_image", "flies_toward_a_wall", "it wrote into a depth image"},
         BadCase{"writes_past_image", "flies_toward_a_wall", "it wrote past the ends"},
+        BadCase{"clock_guard", "repeats",
+                "where each look at a clock finds one second gone: it depends on time, and it "
+                "looks at steady_clock::now (clock_guard.so)"},
+        BadCase{"random_seed", "repeats", "in a second process: it depends on chance, "},
+        BadCase{"works_behind", "repeats", "gives another answer"},
         BadCase{"stateful", "reset_forgets", "it remembers"},
         BadCase{"shared_state", "a_new_instance_is_like_a_reset_one", "instances share something"},
         BadCase{"shared_state", "instances_are_apart", "instances share something"},
@@ -87,14 +92,49 @@ TEST(Conformance, OneBrokenRuleDoesNotTripTheOthers) {
               testing::ElementsAre("drawing_changes_nothing"));
 }
 
+TEST(Conformance, WhereFlightsDoNotRepeatNoRuleThatComparesThemIsBlamed) {
+  for (const char* name : {"clock_guard", "random_seed", "works_behind"}) {
+    const auto results = check_conformance(bad_planner(name));
+    EXPECT_THAT(failed_rules(results), testing::ElementsAre("repeats")) << name;
+    EXPECT_THAT(finding(results, "drawing_changes_nothing"), HasSubstr("not tried"));
+    EXPECT_EQ(finding(results, "survives_odd_images"), "") << name;
+  }
+}
+
+TEST(ImportNotes, NameClocksChanceAndThreads) {
+  EXPECT_THAT(import_notes(bad_planner("clock_guard")),
+              testing::ElementsAre(HasSubstr("clock_guard.so imports steady_clock::now: ")));
+  EXPECT_THAT(import_notes(bad_planner("random_seed")),
+              testing::ElementsAre(HasSubstr("random_seed.so imports std::random_device: ")));
+  EXPECT_THAT(import_notes(bad_planner("works_behind")),
+              testing::ElementsAre(HasSubstr("imports std::thread: ")));
+  EXPECT_THAT(import_notes(bad_planner("honest")), testing::IsEmpty());
+  EXPECT_THAT(import_notes("/nowhere.so"), testing::IsEmpty());
+}
+
+TEST(ImportNotes, LookIntoLibrariesThatLieBesideIt) {
+  const auto folder = scratch_folder("beside_planner");
+  std::filesystem::copy_file(NEEDS_A_SOLVER, folder / "planner.so");
+  EXPECT_THAT(import_notes(folder / "planner.so"), testing::IsEmpty());
+  std::filesystem::copy_file(A_SOLVER, folder / "libclock_solver.so");
+  EXPECT_THAT(import_notes(folder / "planner.so"),
+              testing::ElementsAre(HasSubstr("libclock_solver.so imports clock_gettime: ")));
+}
+
+TEST(Conformance, ClocksOfLibrariesThatItNeedsAreShifted) {
+  EXPECT_THAT(finding(check_conformance(NEEDS_A_SOLVER), "repeats"),
+              HasSubstr("looks at clock_gettime (libclock_solver.so)"));
+}
+
 TEST(IsolatedConformance, GivesTheSameAsInProcess) {
-  const auto here = check_conformance(bad_planner("stateful"));
-  const auto there = check_conformance_isolated(bad_planner("stateful"));
+  const auto here = check_conformance(bad_planner("clock_guard"));
+  const auto there = check_conformance_isolated(bad_planner("clock_guard"));
   ASSERT_EQ(here.size(), there.size());
   for (std::size_t i = 0; i < here.size(); ++i) {
     EXPECT_EQ(here[i].name, there[i].name);
     EXPECT_EQ(here[i].doc, there[i].doc);
     EXPECT_EQ(here[i].passed, there[i].passed);
+    EXPECT_EQ(here[i].was_tried, there[i].was_tried);
     EXPECT_EQ(here[i].finding, there[i].finding);
   }
 }

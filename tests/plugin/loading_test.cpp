@@ -15,13 +15,6 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-std::filesystem::path scratch_folder(const std::string& name) {
-  const auto folder = std::filesystem::path(testing::TempDir()) / ("avoidbench_" + name);
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
-  return folder;
-}
-
 TEST(Loading, TakesAnHonestPlanner) {
   const PlannerLibrary library = PlannerLibrary::load(bad_planner("honest"));
   EXPECT_EQ(library.description().name, "honest");
