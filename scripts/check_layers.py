@@ -32,7 +32,7 @@ UNREPEATABLE = [
 ]
 # The folder of a planner's own that makes what it is trained with: a program that knows the map, and no part of the planner.
 TEACHER = "expert"
-# Where the C library's functions of that name are replaced by repeatable ones.
+# Where the C library's functions of that name are replaced by repeatable ones, and where they are looked for in planners.
 REPEATABLE = {"planners/ros_shim/src/random.cpp", "lib/conformance/import_notes.cpp"}
 # Messages of lib/ name no options of the command line: an OptionError has the option's name, and the program writes it out.
 # Allowed are whole words, which are arguments of a process, and the name of the place where overrides of keys stand.

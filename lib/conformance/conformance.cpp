@@ -26,7 +26,7 @@ void run_rules(const PlannerLibrary& library, std::span<const ConformanceRule> r
     begin(result);
     if (rule.compares_flights && !repeats) {
       result.was_tried = false;
-      result.finding = "not tried: it compares flights, and this planner's don't repeat";
+      result.finding = "not tried: its flights don't repeat";
       end(result);
       continue;
     }

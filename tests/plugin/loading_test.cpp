@@ -130,12 +130,15 @@ TEST(ElfSymbols, SurviveEveryCutAndManyFlips) {
   const std::string whole((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
   const std::vector<std::string> names = exported_symbols(bad_planner("honest"));
   EXPECT_THAT(names, testing::Contains("avoidbench_planner_v1"));
+  EXPECT_THAT(needed_libraries(NEEDS_A_SOLVER), testing::Contains("libclock_solver.so"));
   const auto file = scratch_folder("elf") / "damaged.so";
   for (std::size_t at = 0; at < 64; ++at) {
     std::string damaged = whole;
     damaged[at] = static_cast<char>(damaged[at] ^ 0x7f);
     std::ofstream(file, std::ios::binary) << damaged;
     EXPECT_LE(exported_symbols(file).size(), whole.size());
+    EXPECT_LE(imported_symbols(file).size(), whole.size());
+    EXPECT_LE(needed_libraries(file).size(), whole.size());
     std::ofstream(file, std::ios::binary) << whole.substr(0, whole.size() * at / 64);
     EXPECT_THAT(exported_symbols(file), testing::IsSubsetOf(names));
   }
