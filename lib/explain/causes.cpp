@@ -32,7 +32,11 @@ constexpr CauseDef kCauses[] = {
      "no_plan_share >= 0.5"},
     {Cause::blocked_goal, "no place in the goal's circle has room for the body",
      "goal_clearance_m < half of the body's width"},
-    {Cause::hover_without_plan, "it stood still for most of the second half", "hover_share >= 0.5"},
+    {Cause::hover_without_plan, "it stood still for most of the second half, mostly without a plan",
+     "hover_share >= 0.5 and late_no_plan_share >= 0.5"},
+    {Cause::commanded_hover,
+     "it stood still for most of the second half, though the planner gave commands",
+     "hover_share >= 0.5 and late_no_plan_share < 0.5"},
     {Cause::trap, "it came no nearer to the goal and returned to where it had been",
      "closest_s < 0.75 end and return_count >= 1"},
     {Cause::slow, "it flew less than the shortest path is long", "flown_m < reference_length_m"},
@@ -99,7 +103,9 @@ Cause collision_cause(const Facts& facts, bool is_watched) {
 
 Cause timeout_cause(const Facts& facts, double end_s, double body_width_m) {
   if (facts.goal_clearance_m < 0.5 * body_width_m) return Cause::blocked_goal;
-  if (facts.hover_share >= kMostly) return Cause::hover_without_plan;
+  if (facts.hover_share >= kMostly) {
+    return facts.late_no_plan_share >= kMostly ? Cause::hover_without_plan : Cause::commanded_hover;
+  }
   if (facts.closest_s < kNoProgressFrom * end_s && facts.return_count >= 1.0) return Cause::trap;
   if (facts.flown_m < facts.reference_length_m) return Cause::slow;
   return facts.flown_m >= facts.reference_length_m ? Cause::detour : Cause::unexplained;

@@ -25,6 +25,7 @@ enum class Cause {
   no_plan_found,
   blocked_goal,
   hover_without_plan,
+  commanded_hover,
   trap,
   slow,
   detour,
@@ -49,6 +50,7 @@ struct EnumText<Cause> {
       {Cause::no_plan_found, "no_plan_found"},
       {Cause::blocked_goal, "blocked_goal"},
       {Cause::hover_without_plan, "hover_without_plan"},
+      {Cause::commanded_hover, "commanded_hover"},
       {Cause::trap, "trap"},
       {Cause::slow, "slow"},
       {Cause::detour, "detour"},
@@ -68,7 +70,7 @@ struct CauseDef {
 std::span<const CauseDef> cause_table();
 
 /// A stored explanation is told anew where the rules have changed since.
-inline constexpr int kCauseRulesVersion = 3;
+inline constexpr int kCauseRulesVersion = 4;
 
 /// What was measured of a failed flight; NaN where it has no meaning for this one, or never was.
 /// Times are of the flight. "Patch": the surface within 0.25 m of where the body touched it.

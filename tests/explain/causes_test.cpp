@@ -198,7 +198,15 @@ TEST(Causes, TimeOuts) {
   const auto hover = [](const ab_observation&) { return velocity(0, 0, 0); };
   act = hover;
   Told told = without_end(test::flight_world(), 30.0);
+  EXPECT_EQ(told.explanation.cause, Cause::commanded_hover) << facts_text(told.explanation);
+
+  act = [](const ab_observation& seen) -> std::optional<ab_command> {
+    if (seen.state->time_s > 6.0) return std::nullopt;
+    return velocity(0, 0, 0);
+  };
+  told = without_end(test::flight_world(), 30.0);
   EXPECT_EQ(told.explanation.cause, Cause::hover_without_plan) << facts_text(told.explanation);
+  act = hover;
 
   World full = test::flight_world();
   // Poles where the goal is, too near to each other for the body.

@@ -116,6 +116,7 @@ Facts roaming() {
   Facts facts;
   facts.goal_clearance_m = 0.3;
   facts.hover_share = 0.1;
+  facts.late_no_plan_share = 0.2;
   facts.closest_s = 35.0;
   facts.return_count = 0.0;
   facts.flown_m = 20.0;
@@ -133,9 +134,13 @@ TEST(Rules, BlockedGoalBelowHalfTheBodysWidth) {
   EXPECT_EQ(out_of_time(&Facts::goal_clearance_m, 0.25), Cause::slow);
 }
 
-TEST(Rules, HoverWithoutPlanFromHalfOfTheSecondHalfOn) {
+TEST(Rules, HoverFromHalfOfTheSecondHalfOnByWhetherThereWasAPlan) {
   EXPECT_EQ(out_of_time(&Facts::hover_share, 0.49), Cause::slow);
-  EXPECT_EQ(out_of_time(&Facts::hover_share, 0.5), Cause::hover_without_plan);
+  EXPECT_EQ(out_of_time(&Facts::hover_share, 0.5), Cause::commanded_hover);
+  Facts facts = roaming();
+  facts.hover_share = 0.5;
+  EXPECT_EQ(out_of_time(&Facts::late_no_plan_share, 0.49, facts), Cause::commanded_hover);
+  EXPECT_EQ(out_of_time(&Facts::late_no_plan_share, 0.5, facts), Cause::hover_without_plan);
 }
 
 TEST(Rules, TrapBeforeThreeQuartersOfTheTimeAndWithAReturn) {
