@@ -5,6 +5,7 @@
 
 #include "diagnosis/computing_times.hpp"
 #include "diagnosis/failure_kinds.hpp"
+#include "diagnosis/standing_flights.hpp"
 #include "store/visit_trials.hpp"
 #include "text/visible_text.hpp"
 #include "text/words.hpp"
@@ -85,21 +86,27 @@ void print_failures(const Database& database, const std::string& sweep, const Ru
             << '\n';
 }
 
-void warn_of_computing_times(const Database& database, const std::string& sweep,
-                             std::int64_t revision) {
+void warn_of_planners(const Database& database, const std::string& sweep, std::int64_t revision) {
   ComputingTimes times(database.metrics());
-  visit_trials(database, sweep, revision, {},
-               [&](const VisitedTrial& trial) { times.add(trial.planner_key, trial.metrics); });
+  StandingFlights standing(database.metrics());
+  visit_trials(database, sweep, revision, {}, [&](const VisitedTrial& trial) {
+    times.add(trial.planner_key, trial.metrics);
+    standing.add(trial.planner_key, trial.outcome, trial.metrics);
+  });
   TimeDemand demand;
   for (const SweepInfo& info : database.read_sweeps()) {
     if (info.name == sweep && info.revision == revision) demand = time_demand(info.spec_json);
   }
   std::map<std::string, std::string> labels;
   for (const PlannerRow& row : database.read_planners()) labels[planner_key(row)] = row.label;
+  const auto print = [](const std::vector<std::string>& warnings) {
+    for (const std::string& line : warnings) std::cerr << "warning: " << line << '\n';
+  };
+  for (const auto& [key, counts] : standing.by_planner()) {
+    print(standing_warnings(labels[key], counts));
+  }
   for (const auto& [key, of_planner] : times.by_planner()) {
-    for (const std::string& line : computing_time_warnings(labels[key], of_planner, demand)) {
-      std::cerr << "warning: " << line << '\n';
-    }
+    print(computing_time_warnings(labels[key], of_planner, demand));
   }
 }
 

@@ -19,9 +19,9 @@ void print_summary(const RunSummary& summary, int ignored_signals);
 /// with the most frequent reason and the command that shows such a trial.
 void print_failures(const Database& database, const std::string& sweep, const RunSummary& summary);
 
-/// Warns of planners that computed for longer than the flights of this revision let them.
-void warn_of_computing_times(const Database& database, const std::string& sweep,
-                             std::int64_t revision);
+/// Warns of planners that never flew in a trial of this revision, and of those that computed for
+/// longer than its flights let them.
+void warn_of_planners(const Database& database, const std::string& sweep, std::int64_t revision);
 
 /// The command that shows this revision of a sweep, which need not be the latest one.
 std::string command_that_reports(const Database& database, const std::string& sweep,

@@ -243,7 +243,7 @@ std::int64_t fly_sweep(const RunCommand& command, const SweepSpec& sweep, const 
   if (summary.revision > 0) {
     // Failures are what a search for a limit goes to.
     if (!sweep.limit.is_set()) print_failures(database, sweep.name, summary);
-    warn_of_computing_times(database, sweep.name, summary.revision);
+    warn_of_planners(database, sweep.name, summary.revision);
   }
   if (summary.is_stopped) end_stopped_run(signals);
   database.require_in_place();

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "diagnosis/computing_times.hpp"
+#include "diagnosis/standing_flights.hpp"
 #include "report/summary.hpp"
 #include "statistics/sample_size.hpp"
 #include "statistics/stop_rule.hpp"
@@ -111,6 +112,21 @@ void warn_of_computing_times(const SweepSummary& summary, const SweepResult& res
   }
 }
 
+void warn_of_standing_flights(const SweepSummary& summary, const SweepResult& result,
+                              Warnings& warnings) {
+  StandingFlights standing(result.metrics);
+  for (const TrialSummary& trial : result.trials) {
+    standing.add(trial.planner_key, trial.outcome, trial.metrics);
+  }
+  for (std::size_t i = 0; i < result.planners.size(); ++i) {
+    const auto found = standing.by_planner().find(planner_key(result.planners[i]));
+    if (found == standing.by_planner().end()) continue;
+    for (std::string& warning : standing_warnings(summary.planners[i], found->second)) {
+      warnings.push_back(std::move(warning));
+    }
+  }
+}
+
 void warn_of_mixtures(const SweepSummary& summary, const SweepResult& result, Warnings& warnings) {
   if (result.program_versions.size() > 1) {
     warnings.push_back("trials of different versions of avoidbench: " +
@@ -207,6 +223,7 @@ std::vector<std::string> warnings_of(const SweepSummary& summary, const SweepRes
   warn_of_missing_trials(summary, result, spec, warnings);
   warn_of_few_trials(summary, warnings);
   warn_of_unclear_differences(summary, warnings);
+  warn_of_standing_flights(summary, result, warnings);
   warn_of_computing_times(summary, result, warnings);
   warn_of_mixtures(summary, result, warnings);
   if (result.has_measured_latency) {
