@@ -2,6 +2,7 @@
 
 #include <sched.h>
 
+#include <algorithm>
 #include <chrono>
 #include <stop_token>
 #include <string_view>
@@ -44,7 +45,7 @@ class BusyCpu {
     if (threads == 0) return;
     cpu_set_t one;
     CPU_ZERO(&one);
-    CPU_SET(::sched_getcpu(), &one);
+    CPU_SET(static_cast<std::size_t>(std::max(::sched_getcpu(), 0)), &one);
     // Where it is refused, all CPUs are left to it, and the load is what it is.
     ::sched_setaffinity(0, sizeof one, &one);
     for (int i = 0; i < threads; ++i) {
