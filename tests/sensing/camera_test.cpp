@@ -294,6 +294,44 @@ TEST(Camera, MotionBlurSmearsAlongTheMotionAlone) {
   EXPECT_NEAR(detail(resting, 1), detail(still, 1), 0.01 * detail(still, 1));
 }
 
+/// Mean difference of two images, of 255.
+double difference(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += std::abs(static_cast<double>(a[i]) - b[i]);
+  return sum / static_cast<double>(a.size());
+}
+
+TEST(Camera, TheRightEyesBlurIsThatOfItsOwnWay) {
+  SensorSpec sensor = preset("stereo_sgm");
+  sensor.image.full_well_e = 0.0;
+  sensor.image.brightness = 0.0;
+  sensor.image.blur_samples = 8;
+  sensor.exposure_ms = 40.0;
+  sensor.baseline_m = 1.5;
+  const World world = wall();
+  const Scene scene(world);
+  const Pose pose = facing_wall(2.0);
+  // Turned about the left eye, which stays in its place: the right one moves along its view.
+  CameraMotion turn;
+  turn.rates_world_radps = pose.linear().col(1) * 2.0;
+  const CameraImages pair = seen(sensor, scene, pose, kAll, 1, turn);
+  const auto right_pose_at = [&](double time_s) {
+    const Pose turned = Pose(pose * Eigen::AngleAxisd(2.0 * time_s, Vector3d::UnitY()));
+    return Pose(turned * Eigen::Translation3d(sensor.baseline_m, 0.0, 0.0));
+  };
+  CameraMotion way = turn;
+  way.velocity_world =
+      (right_pose_at(1e-4).translation() - right_pose_at(-1e-4).translation()) / 2e-4;
+  const auto alone = [&](const CameraMotion& motion) {
+    return seen(sensor, scene, right_pose_at(0.0), kAll, 1, motion).left;
+  };
+  EXPECT_LT(difference(pair.right, alone(way)), 0.1);
+  CameraMotion back = way;
+  back.velocity_world = -way.velocity_world;
+  EXPECT_GT(difference(pair.right, alone(turn)), 1.0) << "what the test can see";
+  EXPECT_GT(difference(pair.right, alone(back)), 1.0);
+}
+
 TEST(Camera, BlandTexturesAreMatchedWorse) {
   double last_valid = 1.1, last_outliers = -1.0;
   for (const double opacity : {1.0, 0.5, 0.25, 0.1, 0.0}) {

@@ -139,18 +139,42 @@ TEST(DepthNoise, HolesAndDropoutsHaveTheirShares) {
   EXPECT_EQ(nan_share(made_noisy(spec, plane(5.0F)), 5.0F), 1.0);
 }
 
+/// Of ten images of a plane at 1 m.
+DepthStatistics statistics_at(const DepthNoisySpec& spec, float opacity) {
+  std::vector<DepthSample> samples;
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    for (const float depth_m : made_noisy(spec, plane(1.0F), opacity, seed)) {
+      if (!std::isnan(depth_m)) samples.push_back({1.0F, depth_m, false});
+    }
+  }
+  return depth_statistics(samples, false, 0.0, 15.0, 20.0);
+}
+
 TEST(DepthNoise, OutliersErrByTheirOwnDeviation) {
   DepthNoisySpec spec = quiet();
   spec.outlier_ratio = 0.2;
   spec.outlier_sigma_px = 5.0;
-  std::vector<DepthSample> samples;
-  for (std::uint64_t seed = 0; seed < 10; ++seed) {
-    for (const float depth_m : made_noisy(spec, plane(1.0F), 1.0F, seed)) {
-      if (!std::isnan(depth_m)) samples.push_back({1.0F, depth_m, false});
-    }
-  }
   // Of a deviation of 5 px, 84 % are beyond 1 px.
-  EXPECT_NEAR(depth_statistics(samples, false, 0.0, 15.0, 20.0).outlier_ratio, 0.2 * 0.84, 0.02);
+  EXPECT_NEAR(statistics_at(spec, 1.0F).outlier_ratio, 0.2 * 0.84, 0.02);
+}
+
+TEST(DepthNoise, BlandSurfacesHaveTheirOwnHolesOutliersAndErrors) {
+  DepthNoisySpec spec = quiet();
+  spec.outlier_sigma_px = 5.0;
+  spec.hole_ratio = 0.3;
+  spec.outlier_ratio = 0.02;
+  spec.bland_hole_ratio = 0.05;
+  spec.bland_outlier_ratio = 0.2;
+  // Of what is no hole.
+  EXPECT_NEAR(statistics_at(spec, 1.0F).outlier_ratio, 0.02 * 0.84 / 0.7, 0.006);
+  EXPECT_NEAR(statistics_at(spec, 0.0F).outlier_ratio, 0.2 * 0.84 / 0.95, 0.02);
+  EXPECT_NEAR(nan_share(made_noisy(spec, plane(5.0F), 0.0F), 5.0F), 0.05, 0.03);
+  spec = quiet();
+  spec.disparity_sigma_px = 0.1;
+  spec.bland_disparity_sigma_px = 0.3;
+  EXPECT_NEAR(statistics_at(spec, 1.0F).disparity_sigma_px, 0.1, 0.01);
+  EXPECT_NEAR(statistics_at(spec, 0.5F).disparity_sigma_px, 0.15, 0.015);
+  EXPECT_NEAR(statistics_at(spec, 0.0F).disparity_sigma_px, 0.3, 0.03);
 }
 
 TEST(DepthNoise, NearThingsGrowByTheFattening) {

@@ -71,5 +71,34 @@ TEST(StereoMatcher, PatchesUpToTheSpeckleWindowAreInvalid) {
   EXPECT_NEAR(inside(square_disparities(30, 600), 30), 20.0, 0.125);
 }
 
+TEST(StereoMatcher, SgbmMatchesNothingLeftOfTheRightImage) {
+  constexpr int kWidth_px = 160, kHeight_px = 80, kDisparity_px = 8;
+  CameraSpec sensor;
+  sensor.width_px = kWidth_px;
+  sensor.height_px = kHeight_px;
+  sensor.method = StereoSgmSpec{.speckle_window_px = 0};
+  RandomStream random(22);
+  std::vector<std::uint8_t> right(kWidth_px * kHeight_px), left(right.size());
+  for (std::uint8_t& value : right) value = static_cast<std::uint8_t>(random.uniform(0.0, 256.0));
+  const auto at = [](int x, int y) { return static_cast<std::size_t>(y * kWidth_px + x); };
+  for (int y = 0; y < kHeight_px; ++y) {
+    for (int x = 0; x < kWidth_px; ++x) {
+      // What the right eye does not see looks as its first column, which the border repeats.
+      left[at(x, y)] = right[at(std::max(0, x - kDisparity_px), y)];
+    }
+  }
+  std::vector<float> disparity_px(left.size());
+  make_stereo_matcher(sensor)->match(left, right, disparity_px);
+  int first_count = 0;
+  for (int y = 0; y < kHeight_px; ++y) {
+    for (int x = 0; x < kDisparity_px; ++x) {
+      const float disparity = disparity_px[at(x, y)];
+      EXPECT_FALSE(disparity > static_cast<float>(x) + 0.5F) << x << ", " << y;
+    }
+    first_count += std::abs(disparity_px[at(kDisparity_px, y)] - kDisparity_px) < 0.5F ? 1 : 0;
+  }
+  EXPECT_GT(first_count, kHeight_px / 2) << "the first column with a partner";
+}
+
 }  // namespace
 }  // namespace avoidbench

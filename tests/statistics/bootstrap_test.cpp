@@ -101,6 +101,15 @@ TEST(Bootstrap, FallsBackWhereThereIsNoBiasOrAcceleration) {
   EXPECT_TRUE(std::isnan(bca_interval(0, mean_of(rising), stream(1, "test")).upper));
 }
 
+TEST(Bootstrap, DrawsThatEqualTheEstimateCountHalf) {
+  // A quarter of the draws are 5 of 10 again: counted on either side alone they were a bias.
+  std::vector<double> values(10, 0.0);
+  std::fill_n(values.begin(), 5, 1.0);
+  const Interval interval = bca_interval(values.size(), mean_of(values), stream(1, "test"), 40000);
+  EXPECT_NEAR(interval.lower + interval.upper, 1.0, 1e-6);
+  EXPECT_LT(interval.lower, 0.3);
+}
+
 TEST(Bootstrap, IsSkewedAsItsStatistic) {
   std::vector<double> values;
   RandomStream random(7);
