@@ -52,7 +52,8 @@ void print_summary(const RunSummary& summary, int ignored_signals) {
   }
   for (const auto& [label, count] : summary.left_behind) {
     std::cerr << "warning: planner " << label << " left " << count
-              << " processes behind; they were ended\n";
+              << (count == 1 ? " process behind; it was ended\n"
+                             : " processes behind; they were ended\n");
   }
   if (ignored_signals > 0) {
     std::cerr << "warning: " << ignored_signals
@@ -63,10 +64,11 @@ void print_summary(const RunSummary& summary, int ignored_signals) {
     std::cerr << "warning: trial " << trial.key.substr(0, 8) << " of " << trial.planner_label
               << " is not stored: its worker was killed twice, by " << trial.reason << '\n';
   }
-  std::cerr << summary.unflown.size()
-            << " trials were not flown: somebody, or the kernel short of memory, killed their "
-               "workers. Run the same command\nagain, with fewer --jobs or a lower --memory-limit "
-               "if memory is short\n";
+  std::cerr
+      << summary.unflown.size()
+      << " trials were not flown: somebody, the kernel short of memory, or a limit of CPU time "
+         "(ulimit -t) killed their\nworkers. Run the same command again, with fewer --jobs or a "
+         "lower --memory-limit if memory is short\n";
 }
 
 void print_failures(const Database& database, const std::string& sweep, const RunSummary& summary) {

@@ -11,10 +11,12 @@
 #include <cerrno>
 #include <charconv>
 #include <chrono>
+#include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <map>
 #include <string>
+#include <string_view>
 #include <thread>
 
 namespace avoidbench {
@@ -27,7 +29,20 @@ constexpr double kMib = 1024.0 * 1024.0;
 struct ProcessState {
   char state = 0;  ///< R, S, T, Z, …; 0: no such process
   pid_t parent = 0, group = 0;
+  bool is_ending = false;  ///< it ends already, or SIGKILL is on its way
 };
+
+/// The number in field `index` of the text, which begins with field `first`; 0 where there is none.
+std::uint64_t field_of(std::string_view text, int first, int index) {
+  for (; first < index; ++first) {
+    const std::size_t space = text.find(' ');
+    if (space == std::string_view::npos) return 0;
+    text.remove_prefix(space + 1);
+  }
+  std::uint64_t number = 0;
+  std::from_chars(text.data(), text.data() + text.size(), number);
+  return number;
+}
 
 ProcessState state_of(pid_t pid) {
   std::array<char, 32> path{"/proc/"};
@@ -42,11 +57,17 @@ ProcessState state_of(pid_t pid) {
   // A name may hold spaces and parentheses.
   const char* name_end = std::strrchr(text.data(), ')');
   if (name_end == nullptr || name_end + 4 >= text.data() + length) return {};
-  ProcessState process{.state = name_end[2]};
-  const char* end = text.data() + length;
-  const auto parent = std::from_chars(name_end + 4, end, process.parent);
-  if (parent.ptr < end) std::from_chars(parent.ptr + 1, end, process.group);
-  return process;
+  // As proc(5) counts the fields, and as the kernel has its flag of a process that ends.
+  constexpr int kParent = 4, kGroup = 5, kFlags = 9, kPendingSignals = 31;
+  constexpr std::uint64_t kExiting = 0x4, kKill = std::uint64_t{1} << (SIGKILL - 1);
+  const char* begin = name_end + 4;
+  const std::string_view rest(begin, static_cast<std::size_t>(text.data() + length - begin));
+  const auto field = [rest](int index) { return field_of(rest, kParent, index); };
+  return {.state = name_end[2],
+          .parent = static_cast<pid_t>(field(kParent)),
+          .group = static_cast<pid_t>(field(kGroup)),
+          .is_ending = name_end[2] == 'Z' || (field(kFlags) & kExiting) != 0 ||
+                       (field(kPendingSignals) & kKill) != 0};
 }
 
 /// Every process that there is, by number.
@@ -176,7 +197,7 @@ int end_orphans(const std::set<pid_t>& spared, double time_limit_s) {
     empty_looks = orphans.empty() ? empty_looks + 1 : 0;
     if (empty_looks == kEmptyLooks) break;
     for (const auto& [pid, process] : orphans) {
-      if (process.state != 'Z') ended.insert(pid);
+      if (!process.is_ending) ended.insert(pid);
       ::waitpid(pid, nullptr, WNOHANG);  // of its own children only
     }
     stop_or_kill(orphans, look % kMostLooks == 0);

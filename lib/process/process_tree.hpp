@@ -22,8 +22,8 @@ bool has_children();
 std::set<pid_t> own_children();
 
 /// Ends all that descend from this process except `spared` and their descendants, and waits for
-/// those that are its own children. How many processes were running. Gives up on what multiplies
-/// faster for longer than `time_limit_s`.
+/// those that are its own children. How many processes there were that did not end already. Gives
+/// up on what multiplies faster for longer than `time_limit_s`.
 int end_orphans(const std::set<pid_t>& spared, double time_limit_s = 5.0);
 
 /// Ends a child of this process, all that descends from it and all of the process group that has

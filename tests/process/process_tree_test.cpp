@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -43,6 +44,41 @@ TEST(ProcessTree, OrphansOfOrphansAreEndedAndOthersSpared) {
   EXPECT_EQ(end_orphans({other}), 1);
   EXPECT_EQ(own_children(), std::set<pid_t>{other});
   EXPECT_EQ(end_orphans({}), 1);
+  EXPECT_FALSE(has_children());
+}
+
+/// A child that has a child of its own, which is killed as soon as its parent ends.
+pid_t start_bound_family() {
+  int ends[2];
+  if (::pipe(ends) != 0) return -1;
+  const pid_t child = ::fork();
+  if (child == 0) {
+    if (::fork() == 0) {
+      ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+      // Memory takes the kernel a while to take back.
+      std::string filled(std::size_t{16} << 20U, 'x');
+      (void)!::write(ends[1], filled.data(), 1);
+    }
+    while (true) ::pause();
+  }
+  char ready = 0;
+  (void)!::read(ends[0], &ready, 1);
+  ::close(ends[0]);
+  ::close(ends[1]);
+  return child;
+}
+
+TEST(ProcessTree, WhatIsKilledWithItsParentIsNotLeftBehind) {
+  adopt_orphans();
+  int left_behind = 0;
+  for (int i = 0; i < 50; ++i) {
+    const pid_t child = start_bound_family();
+    ASSERT_GT(child, 0);
+    ::kill(child, SIGKILL);
+    ::waitpid(child, nullptr, 0);
+    left_behind += end_orphans({});
+  }
+  EXPECT_EQ(left_behind, 0);
   EXPECT_FALSE(has_children());
 }
 
