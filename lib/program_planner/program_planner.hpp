@@ -23,7 +23,7 @@ double program_cpu_time_s(const void* instance);
 /// starts another one.
 bool program_has_ended(const void* instance);
 
-/// Whether it ended by SIGKILL: nobody knows by whom, so the trial is worth another try.
+/// Whether it ended by SIGKILL or the like: nobody knows by whom, so the trial is worth a retry.
 bool program_was_killed(const void* instance);
 
 }  // namespace avoidbench

@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -29,6 +30,13 @@ std::string ending_of(int status) {
     return "ended by signal " + std::to_string(number) + " (" + ::strsignal(number) + ")";
   }
   return "ended with exit code " + std::to_string(WEXITSTATUS(status));
+}
+
+/// Whether it ended by a signal that people, the kernel and schedulers end processes with.
+bool may_be_killed(int status) {
+  constexpr std::array kOfOthers{SIGKILL, SIGTERM, SIGHUP, SIGINT, SIGXCPU};
+  return WIFSIGNALED(status) &&
+         std::count(kOfOthers.begin(), kOfOthers.end(), WTERMSIG(status)) > 0;
 }
 
 /// A socket pair of this process and the program.
@@ -167,7 +175,7 @@ void StartedProgram::fail_as_ended() {
   const std::string printed = prints_.last_lines();
   throw ProgramFault("the program " + name_ + " " + ending_of(status) +
                          (printed.empty() ? "" : "; it printed: " + printed),
-                     true, WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL);
+                     true, may_be_killed(status));
 }
 
 void StartedProgram::fail(const std::string& what) {

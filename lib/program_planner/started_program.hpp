@@ -21,7 +21,7 @@ class ProgramFault : public std::runtime_error {
   ProgramFault(const std::string& text, bool is_over, bool is_killed = false)
       : std::runtime_error(text), has_ended(is_over), was_killed(is_killed) {}
   bool has_ended;
-  bool was_killed;  ///< by SIGKILL: by somebody else, maybe
+  bool was_killed;  ///< by somebody else, maybe
 };
 
 /// A planner's program that runs. It has a process group of its own, standard input from nowhere,

@@ -151,9 +151,9 @@ void take_result(Run& run, const Assignment& assignment, JobResult result) {
 void take_death(Run& run, const Assignment& assignment, const Job& job, const Death& death) {
   // No planner is in the process then: the fault is the machine's or ours.
   if (!assignment.trial) {
-    throw InputError("the worker that measured a map of " + run.sweep.name +
-                     " ended: " + death.reason +
-                     (death.last_words.empty() ? "" : " (it printed: " + death.last_words + ")") +
+    const bool has_words = !death.reason.ends_with(death.last_words);
+    throw InputError("the worker that measured a map of " + run.sweep.name + " ended: " +
+                     death.reason + (has_words ? " (it printed: " + death.last_words + ")" : "") +
                      "; run the same command again, with fewer workers if memory is short");
   }
   TrialRecord record;

@@ -3,12 +3,14 @@
 #include <cxxabi.h>
 #include <execinfo.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -18,12 +20,17 @@
 #include <vector>
 
 #include "plugin/elf_symbols.hpp"
+#include "process/process_tree.hpp"
 
 namespace avoidbench {
 namespace {
 
-/// What a process does to itself by a fault; other signals come from outside.
-constexpr std::array kCrashes{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
+/// What a process does to itself by a fault, and all else that ends one which does not catch it.
+/// Left out is what a worker ignores, and what no planner can send to it (is_from_outside()).
+constexpr std::array kEnding{SIGSEGV, SIGBUS,  SIGFPE,  SIGILL,    SIGABRT,  SIGTRAP,
+                             SIGSYS,  SIGQUIT, SIGALRM, SIGVTALRM, SIGPROF,  SIGUSR2,
+                             SIGXCPU, SIGXFSZ, SIGIO,   SIGPWR,    SIGSTKFLT};
+constexpr std::string_view kOutsideMark = "from outside: signal ";
 // Deep recursion is cut off; the places that name the fault are the innermost.
 constexpr int kMostFrames = 64;
 // Enough to know the call path, short enough for a line in a table.
@@ -33,20 +40,50 @@ constexpr std::size_t kMostPlaces = 4;
 volatile int report_fd = -1;
 volatile int hung_exit_code = 0;  ///< not 0: the signal asks a thread that hangs where it is
 
+/// Whether neither this process nor what it has started is why the signal came.
+bool is_of_others(int number, const siginfo_t& info) {
+  switch (info.si_code) {
+    case SI_USER:
+    case SI_QUEUE:
+    case SI_TKILL:
+      // The sender is 0 where it is outside of the container.
+      return info.si_pid != ::getpid() && !descends_from(info.si_pid, ::getpid());
+    case SI_KERNEL:
+      // A key of the terminal, or the limit of CPU time, which a planner can't set. The other
+      // signals of the kernel's are those of the process's own timers.
+      return number == SIGQUIT || number == SIGXCPU;
+    default:  // a fault, or a timer of the process's own
+      return false;
+  }
+}
+
+void write_mark(int number) {
+  std::array<char, 64> line{};
+  char* end = std::copy(kOutsideMark.begin(), kOutsideMark.end(), line.data());
+  end = std::to_chars(end, line.data() + line.size() - 1, number).ptr;
+  *end++ = '\n';
+  (void)!::write(report_fd, line.data(), static_cast<std::size_t>(end - line.data()));
+}
+
 /// Runs in a process that is broken: nothing here allocates.
-void write_stack(int number) {
-  std::array<void*, kMostFrames> frames{};
-  ::backtrace_symbols_fd(frames.data(), ::backtrace(frames.data(), kMostFrames), report_fd);
-  if (hung_exit_code != 0) ::_exit(hung_exit_code);
+void report_end(int number, siginfo_t* info, void*) {
+  if (is_of_others(number, *info)) {
+    write_mark(number);
+  } else {
+    std::array<void*, kMostFrames> frames{};
+    ::backtrace_symbols_fd(frames.data(), ::backtrace(frames.data(), kMostFrames), report_fd);
+    if (hung_exit_code != 0) ::_exit(hung_exit_code);
+  }
   ::raise(number);  // SA_RESETHAND: as it would have ended
 }
 
 void take_signals() {
   struct sigaction action {};
-  action.sa_handler = write_stack;
+  action.sa_sigaction = report_end;
   // SA_RESETHAND: a fault within the handler ends the process. SA_NODEFER: raise() works at once.
-  action.sa_flags = static_cast<int>(SA_ONSTACK | SA_RESETHAND | SA_NODEFER);
-  for (const int number : kCrashes) ::sigaction(number, &action, nullptr);
+  action.sa_flags = static_cast<int>(SA_SIGINFO | SA_ONSTACK | SA_RESETHAND | SA_NODEFER);
+  for (const int number : kEnding) ::sigaction(number, &action, nullptr);
+  for (int number = SIGRTMIN; number <= SIGRTMAX; ++number) ::sigaction(number, &action, nullptr);
 }
 
 /// One line of backtrace_symbols_fd: "path/name.so(symbol+0x1b) [0x7f…]".
@@ -146,6 +183,23 @@ void report_crashes(int fd) {
   other.ss_size = stack.size();
   ::sigaltstack(&other, nullptr);
   take_signals();
+}
+
+bool has_cpu_limit() {
+  rlimit limit{};
+  return ::getrlimit(RLIMIT_CPU, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+}
+
+void end_from_outside(int number) {
+  write_mark(number);
+  ::signal(number, SIG_DFL);
+  ::raise(number);
+  ::_exit(1);
+}
+
+bool is_marked_from_outside(std::string_view report, int number) {
+  return report.find(std::string(kOutsideMark) + std::to_string(number) + "\n") !=
+         std::string_view::npos;
 }
 
 void end_hanging(int exit_code) {

@@ -7,10 +7,20 @@
 /// What a dying worker still says: where it was when a signal ended it.
 namespace avoidbench {
 
-/// From now on, signals that mean a crash (segmentation fault, abort, …) write the stack to `fd`
-/// before they end this process as they would have. The calling thread may have overflowed its
+/// From now on, signals that would end this process (segmentation fault, abort, …) write the stack
+/// to `fd` before they do, or a mark where something else than this process and what it has started
+/// sent them, or it is the signal of a CPU time limit. The calling thread may have overflowed its
 /// stack; other threads may not.
 void report_crashes(int fd);
+
+/// Whether this process ends once it has used so much CPU time (`ulimit -t`).
+bool has_cpu_limit();
+
+/// Ends this process as by a signal that somebody else sent. Call it after report_crashes().
+[[noreturn]] void end_from_outside(int number);
+
+/// Whether such a mark of this signal is in what report_crashes() wrote.
+bool is_marked_from_outside(std::string_view report, int number);
 
 /// Ends this process with `exit_code`, where the main thread hangs, after that thread's stack was
 /// written as for a crash. Call it in another thread, after report_crashes(). Returns never.

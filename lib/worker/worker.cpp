@@ -172,10 +172,16 @@ TrialRecord Worker::Internals::fly(const Job& job, const Scene& scene) {
                      job.change);
   };
   TrialRecord record = flown();
-  if (record.outcome != Outcome::planner_crashed || !planner->was_killed()) return record;
-  // By somebody else, maybe, as a worker may be: flown again. A second time it counts.
+  const auto was_killed = [&] {
+    return record.outcome == Outcome::planner_crashed && planner->was_killed();
+  };
+  if (!was_killed()) return record;
+  // By somebody else, maybe, as a worker may be: flown again. A second time it counts, unless a
+  // limit of CPU time ends programs whatever they do.
   if (journal) journal->restart();
-  return flown();
+  record = flown();
+  if (was_killed() && has_cpu_limit()) end_from_outside(SIGXCPU);
+  return record;
 }
 
 TrialObserver Worker::Internals::bookkeeper() {
@@ -253,7 +259,7 @@ void Worker::watch(const WorkerOptions& options) {
 
 int run_worker(const WorkerOptions& options) {
   // The parent decides when to stop; a signal to the whole process group reaches workers, too.
-  for (const int number : {SIGINT, SIGTERM, SIGUSR1}) std::signal(number, SIG_IGN);
+  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGUSR1}) std::signal(number, SIG_IGN);
   std::signal(SIGPIPE, SIG_IGN);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   adopt_orphans();  // so that what a planner starts is found below its worker
@@ -277,6 +283,8 @@ int run_worker(const WorkerOptions& options) {
   worker.trim_prints();
   pass_prints_on(STDOUT_FILENO);  // of planners that are programs
   worker.watch(options);
+  // No planner was loaded until now: the end of a worker that did not say so is no planner's doing.
+  (void)!::write(options.notes_fd, "", 1);
   // Until the parent closes the pipe of jobs.
   while (const auto message = receive_message(options.in_fd)) {
     const JobResult result = worker.work(job_from(*message));

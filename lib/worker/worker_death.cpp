@@ -10,7 +10,8 @@
 namespace avoidbench {
 
 bool is_from_outside(const ProcessEnd& end) {
-  // The last three are ignored by a worker, but not in its first moments.
+  if (end.is_of_others) return true;
+  // The last four are ignored by a worker, but not in its first moments.
   for (const int number : {SIGKILL, SIGHUP, SIGTERM, SIGINT, SIGUSR1}) {
     if (end.signal == number) return true;
   }

@@ -22,7 +22,8 @@ struct Death {
 inline constexpr std::string_view kCallTimeout =
     "a planner call lasted longer than the plan timeout";
 
-/// Whether somebody else ended the worker: a person, the kernel out of memory, a cluster.
+/// Whether somebody else ended the worker: a person, the kernel out of memory, a limit of CPU time,
+/// a cluster.
 bool is_from_outside(const ProcessEnd& end);
 
 /// What the end of a worker makes of the trial that it flew. `notes` are the worker's.

@@ -17,6 +17,7 @@
 
 #include "base/input_error.hpp"
 #include "process/process_tree.hpp"
+#include "worker/crash_report.hpp"
 #include "worker/worker.hpp"
 
 extern char** environ;  // NOLINT(readability-identifier-naming): POSIX's name
@@ -172,6 +173,7 @@ WorkerProcess::WorkerProcess(WorkerProcess&& other) noexcept
       unsent_(std::move(other.unsent_)),
       inbox_(std::move(other.inbox_)),
       notes_(std::move(other.notes_)),
+      was_heard_(other.was_heard_),
       prints_(std::move(other.prints_)),
       journal_(std::move(other.journal_)) {}
 
@@ -183,6 +185,7 @@ WorkerProcess& WorkerProcess::operator=(WorkerProcess&& other) noexcept {
   std::swap(unsent_, other.unsent_);
   std::swap(inbox_, other.inbox_);
   std::swap(notes_, other.notes_);
+  std::swap(was_heard_, other.was_heard_);
   std::swap(prints_, other.prints_);
   std::swap(journal_, other.journal_);
   return *this;
@@ -238,7 +241,7 @@ bool WorkerProcess::listen() {
   for (int i = 0; i < kMostReads; ++i) {
     const ssize_t got = ::read(notes_fd_, bytes.data(), bytes.size());
     if (got <= 0) return heard;
-    heard = true;
+    heard = was_heard_ = true;
     for (const char byte : std::span(bytes).first(static_cast<std::size_t>(got))) {
       // Zeros are signs of life, the rest is a crash report.
       if (byte != 0 && notes_.size() < kMostNotes) notes_ += byte;
@@ -280,10 +283,16 @@ ProcessEnd WorkerProcess::wait() {
     const int number = WTERMSIG(status);
     return {.text = "signal " + std::to_string(number) + " (" + ::strsignal(number) + ")",
             .exit_code = -1,
-            .signal = number};
+            .signal = number,
+            .is_of_others = !was_heard_ || is_marked_from_outside(notes_, number)};
   }
   const int code = WEXITSTATUS(status);
-  return {.text = "exit code " + std::to_string(code), .exit_code = code, .signal = 0};
+  std::string text = "exit code " + std::to_string(code);
+  if (!was_heard_) text += " before it was ready: " + last_line_of(prints_.text());
+  return {.text = std::move(text),
+          .exit_code = code,
+          .signal = 0,
+          .is_of_others = !was_heard_ && code != kSandboxExitCode};
 }
 
 void WorkerProcess::kill() {

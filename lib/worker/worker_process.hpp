@@ -20,8 +20,9 @@ void enter_worker_environment();
 /// How a process ended, in words: "signal 11 (Segmentation fault)", "exit code 3".
 struct ProcessEnd {
   std::string text;
-  int exit_code = -1;  ///< -1: by a signal
-  int signal = 0;      ///< 0: not by one
+  int exit_code = -1;         ///< -1: by a signal
+  int signal = 0;             ///< 0: not by one
+  bool is_of_others = false;  ///< somebody else's signal, or no planner was loaded yet
 };
 
 /// A child process that speaks Message over two pipes and makes notes on a third one, started by
@@ -91,6 +92,7 @@ class WorkerProcess {
   std::vector<std::byte> unsent_;
   MessageInbox inbox_;
   std::string notes_;
+  bool was_heard_ = false;  ///< from the child, ever: it was ready to take a job
   PrintCapture prints_;
   FlightJournal journal_;
 };
