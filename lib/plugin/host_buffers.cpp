@@ -3,8 +3,10 @@
 #include <cstring>
 #include <span>
 #include <string_view>
+#include <utility>
 
 #include "base/check.hpp"
+#include "text/utf8.hpp"
 
 namespace avoidbench {
 namespace {
@@ -112,18 +114,32 @@ HostSide::HostSide(bool has_debug) : has_debug_(has_debug) {
   table_.abi_version = AVOIDBENCH_ABI_VERSION;
   table_.context = this;
   table_.set_error = [](void* context, const char* text) {
-    static_cast<HostSide*>(context)->error_ = text != nullptr ? text : "";
+    static_cast<HostSide*>(context)->error_ =
+        shortened(text != nullptr ? text : "", kMostTextBytes);
   };
   table_.log = [](void* context, std::int32_t level, const char* text) {
     // A level that is not known is taken for information.
     const std::string prefix = level == AB_LOG_WARNING ? "warning: " : "";
-    static_cast<HostSide*>(context)->log_.push_back(prefix + (text != nullptr ? text : ""));
+    static_cast<HostSide*>(context)->add_to_log(
+        prefix + shortened(text != nullptr ? text : "", kMostTextBytes));
   };
   table_.get_extension = [](void* context, const char* id) -> const void* {
     const HostSide& self = *static_cast<HostSide*>(context);
     const bool is_debug = id != nullptr && std::string_view(id) == AB_DEBUG_EXTENSION;
     return is_debug && self.has_debug_ ? &self.board_.table() : nullptr;
   };
+}
+
+void HostSide::add_to_log(std::string line) {
+  // What nobody takes during a sweep must not fill the memory.
+  constexpr std::size_t kMostBytes = std::size_t{1} << 20U, kOfALine = 64;
+  const bool had_room = log_bytes_ < kMostBytes;
+  log_bytes_ += line.size() + kOfALine;
+  if (log_bytes_ < kMostBytes) {
+    log_.push_back(std::move(line));
+  } else if (had_room) {
+    log_.emplace_back("warning: further lines of the log are left out: it is longer than a MiB");
+  }
 }
 
 std::string HostSide::take_error() {
@@ -135,6 +151,7 @@ std::string HostSide::take_error() {
 std::vector<std::string> HostSide::take_log() {
   std::vector<std::string> taken;
   taken.swap(log_);
+  log_bytes_ = 0;
   return taken;
 }
 

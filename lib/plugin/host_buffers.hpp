@@ -18,8 +18,12 @@ class HostSide {
   HostSide& operator=(const HostSide&) = delete;
 
   const ab_host& table() const { return table_; }
+  /// Longer errors, and lines of the log, are cut.
+  static constexpr std::size_t kMostTextBytes = 10'000;
+
   /// The text of the last set_error, which is forgotten then.
   std::string take_error();
+  /// What was logged since it was taken last, a MiB at most.
   std::vector<std::string> take_log();
 
   void want_drawings(bool wanted) { board_.is_wanted = wanted; }
@@ -30,8 +34,11 @@ class HostSide {
   ab_host table_{};
   bool has_debug_;
   DrawingBoard board_;
+  void add_to_log(std::string line);
+
   std::string error_;
   std::vector<std::string> log_;
+  std::size_t log_bytes_ = 0;
 };
 
 /// An ab_setup with all that it points to. Stays at its address.

@@ -12,6 +12,7 @@
 #include "plugin/host_buffers.hpp"
 #include "process/locale_guard.hpp"
 #include "program_planner/program_planner.hpp"
+#include "text/utf8.hpp"
 
 namespace avoidbench {
 namespace {
@@ -33,7 +34,8 @@ std::string escaped_exception(CallClock* clock, Call&& call) {
   try {
     call();
   } catch (const std::exception& error) {
-    return std::string("an exception crossed the interface: ") + error.what();
+    return "an exception crossed the interface: " +
+           shortened(error.what(), HostSide::kMostTextBytes);
   } catch (...) {
     return "an exception crossed the interface";
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 #include <map>
 #include <mutex>
 #include <set>
@@ -11,6 +12,7 @@
 #include <utility>
 
 #include "base/input_error.hpp"
+#include "text/utf8.hpp"
 
 namespace avoidbench {
 namespace {
@@ -30,14 +32,25 @@ constexpr std::uint32_t kKnownCommands = AB_COMMAND_POSITION | AB_COMMAND_VELOCI
                                          AB_COMMAND_ACCELERATION | AB_COMMAND_TRAJECTORY |
                                          AB_COMMAND_RATES;
 
+constexpr std::size_t kMostNameBytes = 100, kMostTextBytes = 10'000;
+constexpr const char* kNameRule = "a name is of a-z, 0-9 and _, at most 100 of them";
+
 bool is_plain_name(std::string_view name) {
-  return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
-  });
+  return !name.empty() && name.size() <= kMostNameBytes &&
+         std::all_of(name.begin(), name.end(), [](char c) {
+           return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
+         });
 }
 
 std::string in_quotes(const char* text) {
-  return text != nullptr ? "'" + std::string(text) + "'" : std::string("null");
+  return text != nullptr ? "'" + shortened(text, kMostNameBytes) + "'" : std::string("null");
+}
+
+/// "" for a text that may be shown; null is none.
+std::string text_problem(const char* what, const char* text) {
+  if (text == nullptr) return std::string(what) + " is null";
+  if (::strnlen(text, kMostTextBytes + 1) <= kMostTextBytes) return "";
+  return std::string(what) + " is longer than " + std::to_string(kMostTextBytes) + " bytes";
 }
 
 std::string number_problem(const ab_parameter& p) {
@@ -71,10 +84,15 @@ std::string parameter_problem(const ab_parameter* p) {
            std::to_string(kLeastParameterSize);
   }
   if (p->name == nullptr || !is_plain_name(p->name)) {
-    return "has the name " + in_quotes(p->name) + "; a name is of a-z, 0-9 and _";
+    return "has the name " + in_quotes(p->name) + "; " + kNameRule;
   }
-  if (p->unit == nullptr || p->doc == nullptr) return in_quotes(p->name) + ": unit or doc is null";
-  std::string problem;
+  std::string problem = text_problem("unit", p->unit);
+  if (problem.empty()) problem = text_problem("doc", p->doc);
+  if (problem.empty() && p->choices != nullptr) problem = text_problem("choices", p->choices);
+  if (problem.empty() && p->preset_text != nullptr) {
+    problem = text_problem("preset_text", p->preset_text);
+  }
+  if (!problem.empty()) return in_quotes(p->name) + ": " + problem;
   switch (p->kind) {
     case AB_NUMBER:
     case AB_INTEGER:
@@ -255,10 +273,12 @@ std::vector<std::string> table_problems(const ab_planner& table) {
   }
   std::vector<std::string> problems;
   if (table.name == nullptr || !is_plain_name(table.name)) {
-    problems.push_back("its name is " + in_quotes(table.name) + "; a name is of a-z, 0-9 and _");
+    problems.push_back("its name is " + in_quotes(table.name) + "; " + kNameRule);
   }
-  if (table.version == nullptr) problems.emplace_back("its version is null");
-  if (table.summary == nullptr) problems.emplace_back("its summary is null");
+  for (const std::string& problem :
+       {text_problem("its version", table.version), text_problem("its summary", table.summary)}) {
+    if (!problem.empty()) problems.push_back(problem);
+  }
   // An unknown bit may ask for what this host does not give.
   const auto check_bits = [&](const char* what, std::uint32_t bits, std::uint32_t known) {
     if (bits == 0) problems.push_back(std::string("it declares no ") + what);

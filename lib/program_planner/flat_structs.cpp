@@ -152,6 +152,12 @@ std::string FlatAnswer::text(std::uint64_t offset, const char* what) const {
   const auto* begin = reinterpret_cast<const char*>(bytes_.data()) + at;
   const std::size_t length = ::strnlen(begin, bytes_.size() - at);
   if (length == bytes_.size() - at) throw BadAnswer(std::string(what) + " has no end");
+  // One text may be named a thousand times, and each is a copy.
+  text_bytes_ += length;
+  if (text_bytes_ > Segment::kAnswerBytes) {
+    throw BadAnswer(std::string(what) + ": its texts together are longer than " +
+                    std::to_string(Segment::kAnswerBytes) + " bytes");
+  }
   return {begin, length};
 }
 

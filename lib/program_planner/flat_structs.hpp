@@ -59,6 +59,7 @@ class FlatAnswer {
 
   const std::vector<std::byte>& bytes_;
   ab_process_answer head_{};
+  mutable std::size_t text_bytes_ = 0;  ///< of all texts read; several may be one and the same
 };
 
 /// A planner's table out of a program's description, with all that it points to. The functions are

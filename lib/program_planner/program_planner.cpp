@@ -14,6 +14,7 @@
 #include "base/input_error.hpp"
 #include "program_planner/flat_structs.hpp"
 #include "program_planner/started_program.hpp"
+#include "text/utf8.hpp"
 
 namespace avoidbench {
 namespace {
@@ -41,8 +42,8 @@ struct ProgramInstance {
   bool has_ended = false, was_killed = false;
 };
 
-/// Somebody else's SIGKILL, as of a kernel short of memory, is no planner's failure; one that comes
-/// again is taken for its own.
+/// Somebody else's signal, such as the SIGKILL of a kernel short of memory, is no planner's
+/// failure; one that comes again is taken for its own.
 constexpr int kMostStarts = 2;
 
 std::string name_of(const ServedPlanner& planner) {
@@ -62,8 +63,10 @@ Described described_program(const PlannerSource& source, int starts_left = kMost
     const FlatAnswer answer(program->ask(AB_PROCESS_HELLO, {}));
     if (answer.head().status != AB_OK) {
       const bool has_text = answer.head().error != 0;
-      throw BadAnswer(has_text ? answer.text(answer.head().error, "an error's text")
-                               : "it refuses without saying why");
+      constexpr std::size_t kMostBytes = 1000;  // shown to people as it is
+      throw BadAnswer(
+          has_text ? shortened(answer.text(answer.head().error, "an error's text"), kMostBytes)
+                   : "it refuses without saying why");
     }
     return {std::move(program), std::make_unique<DescribedTable>(answer)};
   } catch (const BadAnswer& bad) {

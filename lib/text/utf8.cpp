@@ -49,6 +49,15 @@ Utf8Character first_character(std::string_view text) {
   return {code, length};
 }
 
+std::string shortened(std::string_view text, std::size_t most_bytes) {
+  if (text.size() <= most_bytes) return std::string(text);
+  std::size_t end = most_bytes;
+  const auto is_within = [&text](std::size_t at) { return (byte_at(text, at) & 0xC0U) == 0x80U; };
+  // Three at most: longer ones are no character, and cut as they are.
+  for (int i = 0; i < 3 && end > 0 && is_within(end); ++i) --end;
+  return std::string(text.substr(0, end)) + "… (" + std::to_string(text.size()) + " bytes)";
+}
+
 void check_utf8(std::string_view text, const std::string& file) {
   int line = 1, column = 1;
   while (!text.empty()) {

@@ -22,6 +22,10 @@ struct Utf8Character {
 /// The character at the start of `text`, which is not empty.
 Utf8Character first_character(std::string_view text);
 
+/// At most so many bytes of the text, without the beginning of a character at their end; of a
+/// longer text also how long it was.
+std::string shortened(std::string_view text, std::size_t most_bytes);
+
 /// Throws InputError with line and column of the first byte that is no UTF-8. What a person writes
 /// is checked as it is read: further on, in JSON and in databases, nobody knows its place any more.
 void check_utf8(std::string_view text, const std::string& file);

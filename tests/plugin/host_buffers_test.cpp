@@ -85,6 +85,22 @@ TEST_F(Observations, AllStatesArriveWhereTheyAreAskedFor) {
   EXPECT_EQ(buffers.fill(view, setup.cameras, AB_SEES_STATE).state_count, 0U);
 }
 
+TEST(HostSideOf, KeepsNoMoreOfErrorsAndLogsThanPeopleRead) {
+  HostSide host;
+  const ab_host& table = host.table();
+  const std::string long_text(std::size_t{4} << 20U, 'x');
+  table.set_error(table.context, long_text.c_str());
+  EXPECT_LT(host.take_error().size(), 11'000U);
+  for (int i = 0; i < 1000; ++i) table.log(table.context, AB_LOG_WARNING, long_text.c_str());
+  const std::vector<std::string> log = host.take_log();
+  std::size_t bytes = 0;
+  for (const std::string& line : log) bytes += line.size();
+  EXPECT_LE(bytes, std::size_t{1} << 20U);
+  EXPECT_NE(log.back().find("left out"), std::string::npos);
+  table.log(table.context, AB_LOG_WARNING, "short");
+  EXPECT_EQ(host.take_log(), std::vector<std::string>{"warning: short"});
+}
+
 TEST(MissionOf, SaysTheMapsBoxAndTheLatency) {
   PlannerMission mission;
   mission.lowest_world = {-1.0, -2.0, -3.0};

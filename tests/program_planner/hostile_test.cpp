@@ -56,6 +56,7 @@ constexpr Case kInPlan[] = {
     {"error_without_end", "the error has no end"},
     {"log_many", "too many lines of log"},
     {"log_outside", "lie outside of the answer"},
+    {"log_of_one_text", "a line of the log: its texts together are longer than 4194304 bytes"},
     {"old_answer", "the answer to another request"},
     {"other_kind", "the answer to another request"},
     {"size_huge", "an impossible size"},
@@ -147,6 +148,7 @@ constexpr AtStart kAtStart[] = {
     {"name_outside", "the planner's name lies outside"},
     {"parameters_many", "the parameters, 999 of them, lie outside"},
     {"parameters_too_many", "too many parameters"},
+    {"parameters_of_one_text", "a parameter: its texts together are longer than 4194304 bytes"},
 };
 
 TEST(HostilePrograms, ThatAreNoPlannersAreRefusedWithAReason) {
@@ -160,6 +162,13 @@ TEST(HostilePrograms, ThatAreNoPlannersAreRefusedWithAReason) {
   }
   // What a table lacks is found where those of libraries are checked.
   EXPECT_THROW(PlannerLibrary::load(hostile_source("name_null")), InputError);
+  try {
+    PlannerLibrary::load(hostile_source("name_long"));
+    ADD_FAILURE() << "a name of 4 MB is taken";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("at most 100 of them"));
+    EXPECT_LT(std::string(error.what()).size(), 1000U);
+  }
 }
 
 TEST(HostilePrograms, MayFailInAnyCall) {

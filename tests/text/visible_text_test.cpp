@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/random.hpp"
+#include "text/utf8.hpp"
 
 namespace avoidbench {
 namespace {
@@ -72,6 +73,13 @@ TEST(VisibleText, FindsWhatIsNotFinished) {
   EXPECT_EQ(unfinished_bytes("🚁"), 0U);
   EXPECT_EQ(unfinished_bytes("\x80\x80\x80\x80"), 0U);  // no UTF-8 whatever follows
   EXPECT_EQ(unfinished_bytes("line\r"), 1U);
+}
+
+TEST(Shortened, KeepsWholeCharactersAndSaysHowLongItWas) {
+  EXPECT_EQ(shortened("abc", 3), "abc");
+  EXPECT_EQ(shortened("abcd", 3), "abc… (4 bytes)");
+  EXPECT_EQ(shortened("aü", 2), "a… (3 bytes)");
+  EXPECT_EQ(shortened("", 0), "");
 }
 
 }  // namespace

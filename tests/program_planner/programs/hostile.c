@@ -36,6 +36,36 @@ static uint64_t add(const void* bytes, uint64_t count) {
 
 static void put_offset(void* pointer, uint64_t offset) { memcpy(pointer, &offset, 8); }
 
+/* A text of that many bytes. */
+static uint64_t add_long_text(uint64_t bytes) {
+  char* text = malloc((size_t)bytes);
+  uint64_t offset;
+  memset(text, 'x', (size_t)bytes);
+  text[bytes - 1] = 0;
+  offset = add(text, bytes);
+  free(text);
+  return offset;
+}
+
+/* A thousand, all of whose texts are one of 200 kB. */
+static void add_parameters(ab_planner* planner) {
+  const uint64_t text = add_long_text(200000);
+  ab_parameter parameter;
+  uint64_t offsets[1000];
+  int i;
+  memset(&parameter, 0, sizeof parameter);
+  parameter.struct_size = sizeof parameter;
+  put_offset(&parameter.name, text);
+  put_offset(&parameter.unit, text);
+  put_offset(&parameter.doc, text);
+  put_offset(&parameter.choices, text);
+  put_offset(&parameter.preset_text, text);
+  offsets[0] = add(&parameter, sizeof parameter);
+  for (i = 1; i < 1000; ++i) offsets[i] = offsets[0];
+  planner->parameter_count = 1000;
+  put_offset(&planner->parameters, add(offsets, sizeof offsets));
+}
+
 static uint64_t describe(void) {
   ab_planner planner;
   ab_process_description description;
@@ -48,6 +78,7 @@ static uint64_t describe(void) {
   put_offset(&planner.summary, add("Breaks the protocol.", 21));
   if (is("name_null")) put_offset(&planner.name, 0);
   if (is("name_outside")) put_offset(&planner.name, 16);
+  if (is("name_long")) put_offset(&planner.name, add_long_text(4000000));
   planner.needs = AB_SEES_STATE;
   planner.commands = AB_COMMAND_VELOCITY | AB_COMMAND_TRAJECTORY;
   if (is("parameters_many")) {
@@ -55,6 +86,7 @@ static uint64_t describe(void) {
     put_offset(&planner.parameters, header.answer_offset + 64);
   }
   if (is("parameters_too_many")) planner.parameter_count = 0xffffffffu;
+  if (is("parameters_of_one_text")) add_parameters(&planner);
   description.struct_size = sizeof description;
   description.protocol = is("other_protocol") ? 2 : AB_PROCESS_PROTOCOL;
   description.planner = add(&planner, sizeof planner);
@@ -199,6 +231,15 @@ static void answer(const ab_process_request* request) {
       given.error = add("xxxxxxxx", 8);
     }
     if (calls == 1 && is("log_many")) given.log_count = 0xffffffffu;
+    if (calls == 1 && is("log_of_one_text")) {
+      ab_process_log lines[1000];
+      int i;
+      memset(lines, 0, sizeof lines);
+      lines[0].text = add_long_text(4000000);
+      for (i = 1; i < 1000; ++i) lines[i] = lines[0];
+      given.log = add(lines, sizeof lines);
+      given.log_count = 1000;
+    }
     if (calls == 1 && is("log_outside")) {
       given.log_count = 3;
       given.log = header.answer_offset + used - 8;
