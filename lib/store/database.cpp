@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstring>
 #include <thread>
 
 #include "base/check.hpp"
@@ -258,8 +259,19 @@ Database Database::open_for_reading(const std::filesystem::path& path) {
 void Database::checkpoint() {
   if (lock_ == nullptr) return;
   // Passive: what readers still need stays in the log, and nobody is waited for.
-  sqlite3_wal_checkpoint_v2(handle(), "main", SQLITE_CHECKPOINT_PASSIVE, nullptr, nullptr);
+  const int code =
+      sqlite3_wal_checkpoint_v2(handle(), "main", SQLITE_CHECKPOINT_PASSIVE, nullptr, nullptr);
   require_in_place();
+  const int primary_code = code & 0xff;
+  if (primary_code == SQLITE_OK || primary_code == SQLITE_BUSY || primary_code == SQLITE_LOCKED) {
+    return;
+  }
+  const int error = sqlite3_system_errno(handle());
+  refuse_file(*path_, "can't be written any more (" +
+                          std::string(error != 0 ? std::strerror(error) : sqlite3_errstr(code)) +
+                          "): the last rows are in " + path_->string() +
+                          "-wal, which belongs to it. Make room, or the file writable, and run the "
+                          "same command again before you move either");
 }
 
 void Database::require_in_place() {

@@ -59,8 +59,8 @@ class Database {
   void close();
 
   /// Moves what was committed from the log beside the file into the file, as far as readers let it,
-  /// without waiting. SQLite does it by itself every 1000 pages of log (4 MiB). Throws as
-  /// require_in_place().
+  /// without waiting, as SQLite does by itself every 1000 pages of log (4 MiB). Throws InputError
+  /// where the file can't be written any more, and as require_in_place().
   void checkpoint();
 
   /// Throws InputError where the file of a run was deleted, moved or replaced since it was opened;

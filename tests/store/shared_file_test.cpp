@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sqlite3.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -264,6 +265,31 @@ TEST(SharedFile, ACheckpointBringsAllIntoTheFile) {
   Database db = begun(folder / "r.db");
   db.checkpoint();
   db.add_trial(first());
+  EXPECT_EQ(count_in_file_alone(folder), 0U);
+  db.checkpoint();
+  EXPECT_EQ(count_in_file_alone(folder), 1U);
+}
+
+TEST(SharedFile, AnEndWithoutAWrittenFileIsAnError) {
+  const TemporaryFolder folder;
+  Database db = begun(folder / "r.db");
+  db.checkpoint();
+  db.add_trial(first());
+  // As with a file that became immutable: no write beyond a limit on the size of files.
+  ::signal(SIGXFSZ, SIG_IGN);
+  rlimit before{};
+  ::getrlimit(RLIMIT_FSIZE, &before);
+  rlimit small = before;
+  small.rlim_cur = 4096;
+  ::setrlimit(RLIMIT_FSIZE, &small);
+  std::string problem;
+  try {
+    db.checkpoint();
+  } catch (const InputError& error) {
+    problem = error.what();
+  }
+  ::setrlimit(RLIMIT_FSIZE, &before);
+  EXPECT_NE(problem.find("r.db-wal, which belongs to it"), std::string::npos) << problem;
   EXPECT_EQ(count_in_file_alone(folder), 0U);
   db.checkpoint();
   EXPECT_EQ(count_in_file_alone(folder), 1U);
