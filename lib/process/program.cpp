@@ -76,7 +76,9 @@ ProgramEnd run_program(const std::vector<std::string>& command, Standard output)
   return end;
 }
 
-/// The first interpreter that finds the modules; it does not import them.
+/// The first interpreter that finds the modules; it does not import them. With -c the folder that
+/// one stands in, which may be a stranger's, is first on Python's path, as "": taken out before
+/// anything is imported. (-I would take the user's own modules away, -P is of Python 3.11.)
 std::string python_with(const std::vector<std::string>& modules, const std::string& purpose) {
   const char* chosen = std::getenv("AVOIDBENCH_PYTHON");
   const std::vector<std::string> candidates =
@@ -86,7 +88,9 @@ std::string python_with(const std::vector<std::string>& modules, const std::stri
           : std::vector<std::string>{"python3", "/usr/bin/python3"};
   for (const std::string& candidate : candidates) {
     std::vector<std::string> command{candidate, "-c",
-                                     "import importlib.util as u, sys\n"
+                                     "import sys\n"
+                                     "sys.path[:] = filter(None, sys.path)\n"
+                                     "import importlib.util as u\n"
                                      "sys.exit(not all(u.find_spec(m) for m in sys.argv[1:]))"};
     command.insert(command.end(), modules.begin(), modules.end());
     if (run_program(command, Standard::dropped).code == 0) return candidate;
