@@ -38,27 +38,26 @@ constexpr Circumstances kOthers[] = {
      false, 0ms, 3},
 };
 
-/// Keeps the calling thread, and what it starts, to one CPU, and this busy.
-class BusyCpu {
- public:
-  explicit BusyCpu(int threads) {
-    if (threads == 0) return;
-    cpu_set_t one;
-    CPU_ZERO(&one);
-    CPU_SET(static_cast<std::size_t>(std::max(::sched_getcpu(), 0)), &one);
-    // Where it is refused, all CPUs are left to it, and the load is what it is.
-    ::sched_setaffinity(0, sizeof one, &one);
-    for (int i = 0; i < threads; ++i) {
-      threads_.emplace_back([](const std::stop_token& stop) {
-        while (!stop.stop_requested()) {
-        }
-      });
-    }
-  }
+/// Keeps the calling thread, and what it starts, to one CPU.
+void keep_to_one_cpu() {
+  cpu_set_t one;
+  CPU_ZERO(&one);
+  CPU_SET(static_cast<std::size_t>(std::max(::sched_getcpu(), 0)), &one);
+  // Where it is refused, all CPUs are left to it, and the load is what it is.
+  ::sched_setaffinity(0, sizeof one, &one);
+}
 
- private:
-  std::vector<std::jthread> threads_;
-};
+/// Threads that never rest, until they are destroyed.
+std::vector<std::jthread> busy_threads(int count) {
+  std::vector<std::jthread> threads;
+  for (int i = 0; i < count; ++i) {
+    threads.emplace_back([](const std::stop_token& stop) {
+      while (!stop.stop_requested()) {
+      }
+    });
+  }
+  return threads;
+}
 
 struct Flown {
   std::vector<Reply> replies;  ///< none where the circumstances can't be made
@@ -68,12 +67,15 @@ struct Flown {
 
 /// In a process of its own, which ends after it.
 std::string fly_here(const std::filesystem::path& file, const Circumstances& circumstances) {
-  const BusyCpu busy(circumstances.busy_threads);
-  const PlannerLibrary library = PlannerLibrary::load(file);
   // Of a program's clock nothing is known here.
+  if (circumstances.shifts_clocks && PlannerLibrary::is_program(file)) return "";
+  if (circumstances.busy_threads > 0) keep_to_one_cpu();
+  const PlannerLibrary library = PlannerLibrary::load(file);
   if (circumstances.shifts_clocks && !shift_clocks(file)) return "";
   Probe probe(library.table(), resolve_parameters(library.description(), {}));
   if (!probe.is_created()) return "";
+  // Not before: to load and to start a program would take several times as long.
+  const std::vector<std::jthread> busy = busy_threads(circumstances.busy_threads);
   const ConformanceFlight flight = wall_flight();
   std::vector<Reply> replies{probe.reset(flight.mission)};
   for (const Frame& frame : flight.frames) {
