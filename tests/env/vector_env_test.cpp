@@ -300,6 +300,25 @@ TEST(VectorEnv, RewardsAreProgressLessTimeAndTheEnd) {
   EXPECT_GT(outcomes[Outcome::reached_goal] + outcomes[Outcome::collided], 5);
 }
 
+TEST(VectorEnv, LeavingTheMapIsPunishedAsACrash) {
+  EnvSpec spec = env_spec(1);
+  // A hall's bounds are behind its ceiling and walls.
+  spec.sweep.base.map = ForestSpec{.area_m = {15.0, 16.0}, .poisson_radius_m = 6.0};
+  spec.sweep.base.mission.time_limit_s = 60.0;
+  spec.reward = {.progress_per_m = 0.0, .time_per_s = 0.3, .crash = 5.0, .goal = 7.0};
+  Stepped stepped(spec);
+  stepped.reset();
+  do {
+    stepped.actions = {0.0, 0.0, 3.0, 0.0};
+    stepped.step();
+    const double end = stepped.env.ended().empty() ? 0.0 : -5.0;
+    ASSERT_NEAR(stepped.reward[0], end - 0.3 / 30.0, 1e-12);
+  } while (stepped.env.ended().empty());
+  EXPECT_EQ(stepped.env.ended()[0].outcome, Outcome::left_bounds);
+  EXPECT_EQ(stepped.terminated[0], 1);
+  EXPECT_EQ(stepped.truncated[0], 0);
+}
+
 TEST(VectorEnv, AnEndByTimeIsTruncation) {
   Stepped stepped(env_spec(1));
   stepped.reset();

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <tuple>
 
 #include "metrics/metric_table.hpp"
 #include "worker/job.hpp"
@@ -93,6 +94,35 @@ TEST(JobResult, IsTakenWhereItAnswersTheJob) {
   const auto result = result_from(result_message(good_result()), trial_job());
   ASSERT_TRUE(result);
   EXPECT_EQ(result->metrics, good_result().metrics);
+}
+
+TEST(JobResult, TellsTheFlightAsItWas) {
+  JobResult sent = good_result();
+  TrialRecord& flown = *sent.trial;
+  flown.outcome = Outcome::collided;
+  flown.reason = "touched a tree";
+  flown.end_time_s = 0.1 + 0.2;
+  flown.collisions = {{.time_s = 1.25, .speed_mps = 3.5, .obstacle = 7, .kind = "tree"},
+                      {.time_s = 2.75, .speed_mps = 0.5, .obstacle = 9, .kind = "wall"}};
+  flown.plan_calls = {
+      {.time_s = 0.5, .cpu_time_s = 0.001, .wall_time_s = 0.002, .status = 1, .latency_s = 0.003}};
+  const auto result = result_from(result_message(sent), trial_job());
+  ASSERT_TRUE(result);
+  const TrialRecord& told = *result->trial;
+  EXPECT_EQ(told.outcome, flown.outcome);
+  EXPECT_EQ(told.reason, flown.reason);
+  EXPECT_EQ(told.end_time_s, flown.end_time_s);
+  ASSERT_EQ(told.collisions.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(told.collisions[i].time_s, flown.collisions[i].time_s);
+    EXPECT_EQ(told.collisions[i].speed_mps, flown.collisions[i].speed_mps);
+    EXPECT_EQ(told.collisions[i].obstacle, flown.collisions[i].obstacle);
+    EXPECT_EQ(told.collisions[i].kind, flown.collisions[i].kind);
+  }
+  ASSERT_EQ(told.plan_calls.size(), 1U);
+  const PlanCall& call = told.plan_calls[0];
+  EXPECT_EQ(std::tuple(call.time_s, call.cpu_time_s, call.wall_time_s, call.status, call.latency_s),
+            std::tuple(0.5, 0.001, 0.002, 1, 0.003));
 }
 
 TEST(JobResult, OfAnotherJobIsNone) {
