@@ -82,6 +82,11 @@ TEST(NearestWord, FindsSlipsAndNothingElse) {
   EXPECT_EQ(nearest_word("sede", words), "seed");
   EXPECT_EQ(nearest_word("poisson_radius", words), "poisson_radius_m");
   EXPECT_EQ(nearest_word("colour", words), "");
+  // Far by letters, but a beginning, or words that are left out.
+  EXPECT_EQ(nearest_word("poi", words), "poisson_radius_m");
+  EXPECT_EQ(nearest_word("po", words), "");
+  EXPECT_EQ(nearest_word("radius", words), "poisson_radius_m");
+  EXPECT_EQ(nearest_word("radius_m_x", words), "");
   EXPECT_EQ(did_you_mean("rate_h", words), " (did you mean rate_hz?)");
 }
 

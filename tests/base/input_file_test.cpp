@@ -1,7 +1,7 @@
 #include "base/input_file.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
-
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
@@ -103,6 +103,32 @@ TEST_F(InputFileTest, SaysWhyItCantBeRead) {
   ASSERT_EQ(::chmod(file.c_str(), 0), 0);
   if (::access(file.c_str(), R_OK) == 0) GTEST_SKIP() << "root reads everything";
   EXPECT_EQ(problem_of(file), "can't be read: Permission denied");
+}
+
+/// What read_standard_input() makes of a file that is standard input meanwhile.
+std::string standard_input_from(const fs::path& path, std::uint64_t most_bytes) {
+  const int file = ::open(path.c_str(), O_RDONLY), before = ::dup(STDIN_FILENO);
+  ::dup2(file, STDIN_FILENO);
+  ::close(file);
+  std::string text;
+  try {
+    text = read_standard_input(most_bytes);
+  } catch (const InputError& error) {
+    text = error.what();
+  }
+  ::dup2(before, STDIN_FILENO);
+  ::close(before);
+  return text;
+}
+
+TEST_F(InputFileTest, StandardInputIsReadToItsEndUpToTheBound) {
+  const std::string text(2'000'000, 'a');
+  EXPECT_EQ(standard_input_from(written(text), 2'000'000), text);
+  EXPECT_EQ(standard_input_from(written(""), 1), "");
+  EXPECT_EQ(standard_input_from(written(text + "a"), 2'000'000),
+            "standard input: gives more than 2 MB");
+  EXPECT_EQ(standard_input_from(fs::temp_directory_path(), kMany),
+            "standard input: can't be read: Is a directory");
 }
 
 }  // namespace

@@ -5,7 +5,10 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <span>
 #include <vector>
+
+#include "base/digest.hpp"
 
 namespace avoidbench {
 namespace {
@@ -14,6 +17,22 @@ TEST(RandomStream, FirstDrawsArePinned) {
   RandomStream draws(0);
   EXPECT_EQ(draws.bits(), 11091344671253066420ULL);  // xoshiro256** seeded by SplitMix64 from 0
   EXPECT_EQ(draws.bits(), 13793997310169335082ULL);
+}
+
+/// A digest says only that they are others; the tests below say whether they are right.
+TEST(RandomStream, DrawsOfEveryKindArePinned) {
+  RandomStream draws(0);
+  Digest digest;
+  for (std::uint64_t i = 0; i < 1000; ++i) {
+    digest.add(draws.uniform());
+    digest.add(draws.uniform(-2.0, 3.0));
+    digest.add(draws.normal());
+    digest.add(draws.below(7 + i));
+  }
+  std::vector<float> coarse(1003);
+  draws.coarse_normals(coarse);
+  digest.add_array(std::span<const float>(coarse));
+  EXPECT_EQ(digest.hex(), "dd0bc53168555ad9f65288bbfec97e68a81bc8a2e199514bad21920377bf5eaf");
 }
 
 TEST(RandomStream, UniformHasItsMeanAndVariance) {

@@ -34,5 +34,16 @@ TEST(NpyHeader, IsAMultipleOf64Bytes) {
   }
 }
 
+TEST(NpyHeader, IsNoLongerThanItMustBe) {
+  for (std::size_t length = 1; length < 140; ++length) {
+    const std::string header = npy_header(std::string(length, 'x'), std::array<std::size_t, 1>{7});
+    EXPECT_EQ(header.size() % 64, 0U) << length;
+    const std::size_t needed = header.find('}') + 2;  // and the end of the line
+    EXPECT_GE(header.size(), needed) << length;
+    EXPECT_LT(header.size(), needed + 64) << length;
+    EXPECT_EQ(header.back(), '\n');
+  }
+}
+
 }  // namespace
 }  // namespace avoidbench
