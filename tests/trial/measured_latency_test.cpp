@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/digest.hpp"
 #include "base/ticks.hpp"
 #include "support/flight_worlds.hpp"
 #include "support/planner_files.hpp"
@@ -84,6 +85,26 @@ TEST(MeasuredLatency, TheRecordedTimesGiveTheSameFlight) {
   for (std::size_t i = 0; i < recorded_s.size(); ++i) {
     EXPECT_EQ(second.plan_calls[i].latency_s, recorded_s[i]);
   }
+}
+
+/// Times of a machine make no golden table, but given times a flight of every machine's bits.
+TEST(MeasuredLatency, FlightsOfGivenTimesAreThoseOfEveryMachine) {
+  TrialSpec spec = measured_spec("straight_line", 1.0);
+  spec.latency.mode = LatencyMode::replay;
+  spec.odometry.position_sigma_m = 0.05;
+  spec.odometry.velocity_sigma_mps = 0.1;
+  spec.wind.mean_world_mps = {2.0, -1.0, 0.0};
+  std::vector<double> recorded_s;
+  for (int i = 0; i < 400; ++i) recorded_s.push_back(0.001 * (5 + i * 37 % 150));
+  const TrialRecord record = fly(spec, &recorded_s);
+  EXPECT_EQ(record.outcome, Outcome::reached_goal) << record.reason;
+  Digest digest;
+  for (const PlanCall& call : record.plan_calls) digest.add(call.time_s).add(call.latency_s);
+  for (const Sample& sample : record.samples) {
+    for (const double number : sample.position_world) digest.add(number);
+    for (const double number : sample.rates_body_radps) digest.add(number);
+  }
+  EXPECT_EQ(digest.hex(), "4b1115f846d909632b84ef15928f2da89d97b00fde00b61ce8422bc7d6eb0537");
 }
 
 }  // namespace

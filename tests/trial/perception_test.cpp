@@ -34,8 +34,9 @@ TrialSpec small_trial() {
   return spec;
 }
 
-/// Straight flight at 2 m/s along x for `duration_s`.
-std::vector<Seen> flown(const TrialSpec& spec, double duration_s, std::uint32_t needs = kAllNeeds) {
+/// Straight flight along x for `duration_s`.
+std::vector<Seen> flown(const TrialSpec& spec, double duration_s, std::uint32_t needs = kAllNeeds,
+                        double speed_mps = 2.0) {
   World world = test::flight_world();
   const Scene scene(world);
   const VehicleModel model = make_model(spec.vehicle);
@@ -46,8 +47,8 @@ std::vector<Seen> flown(const TrialSpec& spec, double duration_s, std::uint32_t 
   for (Tick now = 0; now <= ticks(duration_s);) {
     VehicleState truth = start;
     truth.tick = now;
-    truth.position_world.x() += 2.0 * seconds(now);
-    truth.velocity_world.x() = 2.0;
+    truth.position_world.x() += speed_mps * seconds(now);
+    truth.velocity_world.x() = speed_mps;
     sense(perception, scene, model, truth, {});
     if (now % plan_period == 0) {
       const PlannerView view = planner_view(perception, truth);
@@ -185,6 +186,79 @@ TEST(Perception, ARigShowsEveryCamera) {
   for (const Seen& seen : flown(spec, 0.2)) {
     EXPECT_EQ(seen.cameras, (std::vector<std::uint32_t>{1, 0}));
   }
+}
+
+TEST(Perception, EachImageOfEachCameraHasItsOwnNoise) {
+  TrialSpec spec = small_trial();
+  spec.sensor.method = DepthNoisySpec{};
+  // Two of a kind at one place, and a third kind's there too: only noise tells their images apart.
+  spec.sensor.more_mountings = {spec.sensor.mounting};
+  CameraSpec like_it = spec.sensor;
+  like_it.more_mountings.clear();
+  spec.sensor.more_cameras = {like_it};
+  std::set<std::string> digests;
+  std::size_t count = 0;
+  for (const Seen& seen : flown(spec, 0.3, AB_SEES_DEPTH, 0.0)) {
+    EXPECT_EQ(seen.digests.size(), 3U);
+    count += seen.digests.size();
+    digests.insert(seen.digests.begin(), seen.digests.end());
+  }
+  EXPECT_EQ(digests.size(), count);
+}
+
+/// The left image that a camera exposes at tick 0 on a vehicle that moves and turns.
+std::vector<std::uint8_t> turning_image(const TrialSpec& spec, const Scene& scene,
+                                        const VehicleState& truth) {
+  Perception perception = make_perception(spec, AB_SEES_STEREO, truth);
+  sense(perception, scene, make_model(spec.vehicle), truth, {});
+  const PlannerView view = planner_view(perception, truth);
+  const auto left = view.stereo.at(0).left;
+  return {left.begin(), left.end()};
+}
+
+TEST(Perception, ACameraOffTheCentreIsBlurredByItsOwnWay) {
+  TrialSpec spec = small_trial();
+  spec.sensor.width_px = 160;
+  spec.sensor.height_px = 120;
+  spec.sensor.exposure_ms = 40.0;
+  spec.sensor.image.full_well_e = 0.0;
+  spec.sensor.image.brightness = 0.0;
+  spec.sensor.image.blur_samples = 8;
+  spec.sensor.mounting.position_body_m = {1.5, 0.4, 0.2};
+  World world = test::flight_world();
+  test::add_obstacle(world, test::box_mesh(Eigen::Vector3f(0.5F, 16, 8)), {4, 0, 4}, "wall");
+  const Scene scene(world);
+  VehicleState truth = hovering_at(spec.vehicle, {0.0, 0.0, 2.0}, 0.2);
+  truth.velocity_world = {0.3, -0.5, 0.1};
+  truth.rates_body = {0.2, -0.3, 2.0};
+
+  // The camera's velocity by its places a little before and after.
+  const auto camera_at = [&](double time_s) {
+    const Eigen::Vector3d turn = truth.rates_body * time_s;
+    const Pose body = Eigen::Translation3d(truth.position_world + truth.velocity_world * time_s) *
+                      truth.q_world_body * Eigen::AngleAxisd(turn.norm(), turn.normalized());
+    return Pose(body * T_body_camera(spec.sensor.mounting));
+  };
+  const Eigen::Vector3d before = camera_at(-1e-4).translation();
+  CameraMotion motion{.velocity_world = (camera_at(1e-4).translation() - before) / 2e-4,
+                      .rates_world_radps = truth.q_world_body * truth.rates_body};
+  const auto difference_to = [&](const CameraMotion& own) {
+    CameraImages images;
+    Camera(spec.sensor).expose(scene, camera_at(1e-9), own, {.stereo = true}, 1, images);
+    const std::vector<std::uint8_t> seen = turning_image(spec, scene, truth);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      sum += std::abs(static_cast<double>(seen[i]) - images.left[i]);
+    }
+    return sum / static_cast<double>(seen.size());
+  };
+  EXPECT_LT(difference_to(motion), 0.1);
+  // What the test can see: the body's velocity alone, and the arm's with the other sign.
+  const Eigen::Vector3d of_arm = motion.velocity_world - truth.velocity_world;
+  motion.velocity_world = truth.velocity_world;
+  EXPECT_GT(difference_to(motion), 0.5);
+  motion.velocity_world = truth.velocity_world - of_arm;
+  EXPECT_GT(difference_to(motion), 0.5);
 }
 
 TEST(Perception, UnlikeCamerasComeAtTheirOwnRatesAndDelays) {
