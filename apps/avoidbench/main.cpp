@@ -4,8 +4,10 @@
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <new>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "base/option_error.hpp"
@@ -201,6 +203,20 @@ std::string hint_text(const std::string& hint) {
   return " (--" + hint + ")";
 }
 
+/// What the system has no more of, where that is what went wrong; else "".
+std::string shortage(const std::exception& error) {
+  if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) {
+    return "out of memory: the system gives this program no more (ulimit -v, or the limit of a "
+           "container or of the machine)";
+  }
+  const auto* of_system = dynamic_cast<const std::system_error*>(&error);
+  if (of_system == nullptr || of_system->code() != std::errc::resource_unavailable_try_again) {
+    return "";
+  }
+  return "the system starts no further process or thread (ulimit -u, or the limit of a container): "
+         "raise the limit, or end other processes";
+}
+
 /// Runs the program, prints what is wrong with its input, and returns the exit code.
 int guarded_program(int argc, const char* const* argv) {
   try {
@@ -215,6 +231,10 @@ int guarded_program(int argc, const char* const* argv) {
     }
     return kUsageError;
   } catch (const std::exception& error) {
+    if (const std::string text = shortage(error); !text.empty()) {
+      std::cerr << text << '\n';
+      return kUsageError;
+    }
     std::cerr << "avoidbench: an error of this program, not of its input: " << error.what() << '\n';
     return kOurError;
   }

@@ -27,8 +27,12 @@ DeviceHandle new_device() {
   // differ between them (DECISIONS, render).
   const std::string settings = "threads=1,isa=" + ray_tracing_isa();
   DeviceHandle handle(rtcNewDevice(settings.c_str()));
-  AB_CHECK(handle != nullptr, "Embree error", static_cast<int>(rtcGetDeviceError(nullptr)));
-  return handle;
+  if (handle != nullptr) return handle;
+  const RTCError error = rtcGetDeviceError(nullptr);
+  AB_CHECK(error == RTC_ERROR_OUT_OF_MEMORY, "Embree error", static_cast<int>(error));
+  throw InputError(
+      "out of memory while starting the ray tracer: the system gives no more "
+      "(ulimit -v, a container's limit, or fewer workers)");
 }
 
 }  // namespace
