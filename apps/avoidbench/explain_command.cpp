@@ -27,7 +27,8 @@ void add_explain_command(CLI::App& app) {
       "  avoidbench explain quick 2 --what-if all\n"
       "  avoidbench explain quick 2 --minimal scene && avoidbench run scene/sweep.yaml\n\n"
       "Exit codes: 0 done, 1 a flight with nothing changed is not the stored one, or a worker was "
-      "killed from outside, 2 usage or input, 75 stopped by SIGTERM or SIGUSR1, 130 interrupted");
+      "killed from outside, 2 usage or input, 75 stopped by SIGTERM, SIGHUP, SIGUSR1 or SIGXCPU, "
+      "130 interrupted");
   command
       .add_option("DB", options.database, "Database, or a sweep's file or name for results/NAME.db")
       ->required();

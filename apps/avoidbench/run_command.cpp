@@ -85,7 +85,8 @@ void add_run_command(CLI::App& app) {
       "  avoidbench run quick\n"
       "  avoidbench run forest_small --set trials=20 --db forest.db --jobs 2\n\n"
       "Exit codes: 0 done, 1 done except trials whose worker was killed from outside, 2 usage, "
-      "input or no mission that can be flown, 75 stopped by SIGTERM or SIGUSR1, 130 interrupted, "
+      "input or no mission that can be flown, 75 stopped by SIGTERM, SIGHUP, SIGUSR1 or SIGXCPU, "
+      "130 interrupted, "
       "128 + N ended at once by a second signal N");
 }
 

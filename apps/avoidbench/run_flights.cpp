@@ -246,7 +246,7 @@ std::int64_t fly_sweep(const RunCommand& command, const SweepSpec& sweep, const 
     warn_of_planners(database, sweep.name, summary.revision);
   }
   if (summary.is_stopped) end_stopped_run(signals);
-  database.require_in_place();
+  database.checkpoint();
   if (shard.count == 1) require_flights(sweep, summary, command.sweep_file);
   std::cerr << "results are in " << file.string()
             << "; to see them: " << command_that_reports(database, sweep.name, summary.revision)

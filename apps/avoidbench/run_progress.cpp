@@ -10,6 +10,7 @@
 
 #include "base/input_error.hpp"
 #include "text/visible_text.hpp"
+#include "visible_streams.hpp"
 
 namespace avoidbench {
 namespace {
@@ -113,9 +114,7 @@ void RunProgress::draw_line(const Progress& progress) {
     line += " | " + visible_line(label) + " " + std::to_string(planner.reached_goal) + "/" +
             std::to_string(planner.flown);
   }
-  std::fprintf(stderr, is_live_ ? "\r\033[K%s%s" : "%s%s", line.c_str(),
-               is_live_ && !is_finished_ ? "" : "\n");
-  std::fflush(stderr);
+  show_at_once((is_live_ ? "\r\033[K" : "") + line + (is_live_ && !is_finished_ ? "" : "\n"));
 }
 
 void RunProgress::print_json(const Progress& progress) {
@@ -123,8 +122,7 @@ void RunProgress::print_json(const Progress& progress) {
   if (!is_finished_ && now - shown_ < std::chrono::seconds(1)) return;
   shown_ = now;
   const double elapsed_s = std::chrono::duration<double>(now - began_).count();
-  std::fprintf(stderr, "%s\n", json_of(progress, elapsed_s).dump().c_str());
-  std::fflush(stderr);
+  show_at_once(json_of(progress, elapsed_s).dump() + "\n");
 }
 
 void RunProgress::beat(const Progress& progress) {

@@ -13,9 +13,10 @@ struct StopSignals {
   std::atomic<int> ignored{0};        ///< that a planner sent
 };
 
-/// From now on SIGINT, SIGTERM and SIGUSR1 are noted there and end the process by themselves only
-/// the third time. Those that a process sends which descends from this one are ignored: a planner
-/// may not stop its run.
+/// From now on SIGINT, SIGTERM, SIGUSR1, SIGHUP unless it is ignored, and SIGXCPU of `ulimit -t`
+/// are noted there and end the process by themselves only the third time; SIGHUP counts once. Those
+/// that a process sends which descends from this one are ignored: a planner may not stop its run.
+/// SIGPIPE is ignored.
 const StopSignals& watch_stop_signals();
 
 /// Says that on stderr and ends the program with the exit code of one that was told to stop.

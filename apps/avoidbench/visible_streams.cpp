@@ -1,9 +1,14 @@
 #include "visible_streams.hpp"
 
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <chrono>
 #include <iostream>
 #include <streambuf>
 #include <string>
@@ -71,6 +76,63 @@ class VisibleBuffer : public std::streambuf {
   std::string held_;  ///< the beginning of a character whose rest is still to come
 };
 
+/// Standard error without waiting: opened once more, since the flag is of the open file, which this
+/// program shares with the shell and others. The stream itself where it can't be opened.
+int error_descriptor() {
+  static const int descriptor = [] {
+    struct stat file {};
+    // A file on a disk never waits, and opened again it would be written from its beginning.
+    const bool may_wait = ::isatty(STDERR_FILENO) == 1 ||
+                          (::fstat(STDERR_FILENO, &file) == 0 && S_ISFIFO(file.st_mode));
+    const int own =
+        may_wait ? ::open("/proc/self/fd/2", O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC) : -1;
+    return own >= 0 ? own : STDERR_FILENO;
+  }();
+  return descriptor;
+}
+
+/// Writes to standard error for as long as it takes something within `patience`; whether it took
+/// all.
+bool write_error(std::string_view text, std::chrono::milliseconds patience) {
+  // What a pipe takes whole where it says that it takes anything: PIPE_BUF.
+  constexpr std::size_t kMostAtOnce = 4096;
+  const int descriptor = error_descriptor();
+  while (!text.empty()) {
+    pollfd ready{.fd = descriptor, .events = POLLOUT, .revents = 0};
+    const int count = ::poll(&ready, 1, static_cast<int>(patience.count()));
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return false;
+    const ssize_t written = ::write(descriptor, text.data(), std::min(text.size(), kMostAtOnce));
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return false;
+    text.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+/// Standard error. After one wait in vain it does not wait again until something was taken.
+class ErrorBuffer : public std::streambuf {
+ protected:
+  int_type overflow(int_type c) override {
+    if (traits_type::eq_int_type(c, traits_type::eof())) return traits_type::not_eof(c);
+    const char letter = traits_type::to_char_type(c);
+    xsputn(&letter, 1);
+    return c;
+  }
+
+  /// What is lost is no error: the next message may be seen.
+  std::streamsize xsputn(const char* text, std::streamsize count) override {
+    constexpr std::chrono::seconds kPatience(10);
+    const std::string_view all(text, static_cast<std::size_t>(count));
+    if (all.empty()) return 0;
+    is_stuck_ = !write_error(all, is_stuck_ ? std::chrono::seconds(0) : kPatience);
+    return count;
+  }
+
+ private:
+  bool is_stuck_ = false;
+};
+
 /// std::cout's own buffer, before make_streams_visible().
 std::streambuf* plain_output() {
   static std::streambuf* const buffer = std::cout.rdbuf();
@@ -83,8 +145,10 @@ void make_streams_visible() {
   // Never destroyed: streams are written to until the very end of the program.
   plain_output();
   std::cout.rdbuf(new VisibleBuffer(std::cout.rdbuf()));
-  std::cerr.rdbuf(new VisibleBuffer(std::cerr.rdbuf()));
+  std::cerr.rdbuf(new VisibleBuffer(new ErrorBuffer));
 }
+
+void show_at_once(std::string_view text) { write_error(text, std::chrono::seconds(0)); }
 
 std::ostream& data_output() {
   static const bool is_terminal = ::isatty(STDOUT_FILENO) == 1;

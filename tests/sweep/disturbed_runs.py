@@ -1,14 +1,16 @@
 #!/usr/bin/env python3
 """Runs that are disturbed at random (seeded) moments, again and again, until they end, give the rows of one that was left alone.
 
-    disturbed_runs.py PROGRAM [--count 300] [--databases 40] [--seed 1] [--long-locks 2]
+    disturbed_runs.py PROGRAM [--count 300] [--databases 40] [--seed 1] [--long-locks 2] [--only WAY]
 
 Each database is flown by the same command until that has ended well and its share of disturbances is used up: signals to the run (KILL,
-TERM, INT, USR1 and then TERM, STOP and CONT) and to its workers, a full disk, a lock on the database, the database moved, deleted, replaced.
+TERM, INT, HUP, USR1 and then TERM, STOP and CONT) and to its workers, these also as if their planner had crashed, a limit of their CPU
+time, nobody who reads the messages, a full disk, a lock on the database, the database moved, deleted, replaced.
 Then its rows are those of the undisturbed run. A run that ends otherwise says what to do, unless SIGKILL ended it; it never says that all
 is well while trials are missing from the file that it names; the file is sound at all times; no process is left."""
 import argparse
 import contextlib
+import itertools
 import os
 import pathlib
 import random
@@ -27,6 +29,9 @@ from same_bits import rows
 
 MARK = "AVOIDBENCH_DISTURBED_RUN"  # in the environment of a run and of all that it starts
 WHAT_TO_DO = re.compile(r"again|free|make room|move it|elsewhere|another|--db|see ", re.IGNORECASE)
+# What ends a process that does not catch it; each in its turn.
+ENDING = itertools.cycle(["SEGV", "ABRT", "BUS", "QUIT", "ALRM", "XCPU", "FPE", "ILL", "TRAP", "SYS", "USR2", "VTALRM", "PROF", "XFSZ", "IO",
+                          "PWR", "STKFLT", "RTMIN", "RTMAX", "PIPE", "HUP"])
 LONG_LOCK_S = 35.0
 DISK_KIB = 65536
 
@@ -62,6 +67,7 @@ class Disturbed:
         self.process = None
         self.undo = []           # to be done when the run has ended
         self.must_fail = False   # the run can't end well any more
+        self.is_mute = False     # nobody reads its messages
         self.locks = []          # threads that hold one
 
     def problem(self, text):
@@ -70,7 +76,7 @@ class Disturbed:
 
     def start(self):
         environment = os.environ | {MARK: str(os.getpid())}
-        self.must_fail = False
+        self.must_fail = self.is_mute = False
         self.process = subprocess.Popen(self.runs.command(self.name, "--jobs", "2", "--grace", "2"), stdout=subprocess.DEVNULL,
                                         stderr=subprocess.PIPE, text=True, env=environment)
 
@@ -86,11 +92,14 @@ class Disturbed:
             files = [os.readlink(fd) for fd in pathlib.Path(f"/proc/{self.process.pid}/fd").iterdir()]
             if str(self.file) not in files:
                 return False
-        try:
-            with contextlib.closing(sqlite3.connect(f"file:{self.file}?mode=ro", uri=True, timeout=5.0)) as db:
-                return db.execute("SELECT count(*) FROM trials").fetchone()[0] < len(self.runs.whole["trial"])
-        except sqlite3.Error:
-            return True
+        return self.stored() < len(self.runs.whole["trial"])
+
+    def stored(self):
+        """How many trials the file has."""
+        with contextlib.suppress(sqlite3.Error), contextlib.closing(
+                sqlite3.connect(f"file:{self.file}?mode=ro", uri=True, timeout=5.0)) as db:
+            return db.execute("SELECT count(*) FROM trials").fetchone()[0]
+        return 0
 
     # What is done to it. Each leaves the run alone after that.
 
@@ -102,6 +111,13 @@ class Disturbed:
 
     def interrupt(self):
         send(self.process.pid, signal.SIGINT)
+
+    def hang_up(self):
+        send(self.process.pid, signal.SIGHUP)
+
+    def close_messages(self):
+        self.is_mute = True
+        self.process.stderr.close()
 
     def interrupt_twice(self):
         send(self.process.pid, signal.SIGINT)
@@ -136,6 +152,21 @@ class Disturbed:
 
     def interrupt_worker(self):
         self.to_worker(signal.SIGINT)
+
+    def signal_worker(self):
+        """While flights end, as most workers measure maps before."""
+        name = next(ENDING)
+        self.done[-1] += " " + name
+        before, limit = self.stored(), time.monotonic() + 10.0
+        while self.stored() == before and self.process.poll() is None and time.monotonic() < limit:
+            time.sleep(0.02)
+        time.sleep(self.draws.uniform(0.0, 0.2))
+        self.to_worker(getattr(signal, "SIG" + name))
+
+    def limit_cpu_of_workers(self):
+        for pid in children(self.process.pid):
+            with contextlib.suppress(OSError):
+                resource.prlimit(pid, resource.RLIMIT_CPU, (1, resource.RLIM_INFINITY))
 
     def stop_worker(self):
         workers = children(self.process.pid)
@@ -205,8 +236,9 @@ class Disturbed:
             new.write_bytes(b"")
             new.rename(self.file)
 
-    KINDS = (kill, terminate, interrupt, interrupt_twice, warn_and_terminate, stop_and_continue, kill_worker, kill_workers_often,
-             terminate_worker, interrupt_worker, stop_worker, fill_disk, lock, move, delete, replace)
+    KINDS = (kill, terminate, interrupt, hang_up, close_messages, interrupt_twice, warn_and_terminate, stop_and_continue, kill_worker,
+             kill_workers_often, terminate_worker, interrupt_worker, signal_worker, signal_worker, limit_cpu_of_workers, stop_worker,
+             fill_disk, lock, move, delete, replace)
 
     def disturb(self, kind):
         """Does it, unless the run has ended; whether it did."""
@@ -218,30 +250,35 @@ class Disturbed:
 
     def end(self, limit_s):
         """Waits for the run's end and judges how it ended; whether it ended well."""
+        if self.is_mute:
+            self.process.stderr = None  # communicate() would read from the closed one
         try:
             _, text = self.process.communicate(timeout=limit_s)
         except subprocess.TimeoutExpired:
-            self.problem(f"the run did not end within {limit_s:.0f} s")
             self.process.kill()
             _, text = self.process.communicate()
+            self.problem(f"the run did not end within {limit_s:.0f} s: {(text or '')[-300:]!r}")
+        text = text or ""
         for thread in self.locks:
             thread.join()
         self.locks = []
         code = self.process.returncode
         if code == 0 and self.must_fail:
             self.problem("exit code 0, but trials were missing when its file went away")
-        if code in (-signal.SIGINT, -signal.SIGTERM, -signal.SIGUSR1) and text == "":
+        if code in (-signal.SIGINT, -signal.SIGTERM, -signal.SIGHUP, -signal.SIGUSR1) and text == "":
             code = -signal.SIGKILL  # before it could say anything
         if code not in (0, 1, 2, 75, 130, -signal.SIGKILL, 128 + signal.SIGINT, 128 + signal.SIGTERM, 128 + signal.SIGUSR1):
             self.problem(f"exit code {code}: {text[-300:]}")
-        elif code not in (0, -signal.SIGKILL) and not WHAT_TO_DO.search(text):
+        elif code not in (0, -signal.SIGKILL) and not self.is_mute and not WHAT_TO_DO.search(text):
             self.problem(f"exit code {code} and nothing about what to do: {text[-300:]!r}")
         if code == 2 and "locked" in text and "lock" in " ".join(self.done):
             self.problem(f"did not wait for the lock: {text[-200:]!r}")
-        time.sleep(0.05)
-        if marked():
-            time.sleep(1.0)
-        if left := marked():
+        # A worker that was just starting ends when it finds nobody at its pipe.
+        left, limit = marked(), time.monotonic() + 5.0
+        while left and time.monotonic() < limit:
+            time.sleep(0.05)
+            left = marked()
+        if left:
             self.problem(f"{len(left)} processes left")
             for pid in left:
                 send(pid, signal.SIGKILL)
@@ -294,6 +331,7 @@ def main():
     parser.add_argument("--databases", type=int, default=40)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--long-locks", type=int, default=2)
+    parser.add_argument("--only", choices=[kind.__name__ for kind in Disturbed.KINDS])
     given = parser.parse_args()
     draws = random.Random(given.seed)
     with tempfile.TemporaryDirectory() as folder, small_disk(pathlib.Path(folder) / "disk"):
@@ -302,7 +340,8 @@ def main():
         whole_s = runs.fly_undisturbed("--jobs", "2")
         done = database = 0
         while done < given.count or database < given.databases:
-            kinds = draws.choices(Disturbed.KINDS, k=max(1, round(given.count / given.databases)))
+            allowed = [kind for kind in Disturbed.KINDS if given.only in (None, kind.__name__)]
+            kinds = draws.choices(allowed, k=max(1, round(given.count / given.databases)))
             if database < given.long_locks:
                 kinds = [Disturbed.lock_for_long]
             name = f"disturbed{database}.db"
