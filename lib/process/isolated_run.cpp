@@ -6,7 +6,6 @@
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
-#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -23,6 +22,7 @@
 
 #include "base/check.hpp"
 #include "base/input_error.hpp"
+#include "process/inherited.hpp"
 #include "process/process_tree.hpp"
 
 // Three processes: the parent, which waits; the watcher, which adopts and kills all that the worker
@@ -92,15 +92,6 @@ class SignalsBlocked {
  private:
   sigset_t before_{};
 };
-
-void close_from(int first) {
-  if (::syscall(SYS_close_range, first, ~0U, 0) == 0) return;
-  // Before Linux 5.9. A limit may be in the millions; this program never has so many open.
-  rlimit limit{};
-  ::getrlimit(RLIMIT_NOFILE, &limit);
-  const int most = static_cast<int>(std::min<rlim_t>(limit.rlim_cur, 1 << 20));
-  for (int fd = first; fd < most; ++fd) ::close(fd);
-}
 
 /// Neither the caller's handlers nor what it has blocked holds for the work.
 void use_default_signals() {

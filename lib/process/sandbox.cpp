@@ -2,10 +2,14 @@
 
 #include <fcntl.h>
 #include <sys/prctl.h>
+#include <sys/stat.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
 #include <cstdint>
+#include <filesystem>
+#include <string_view>
+#include <vector>
 
 #include "process/seccomp_filter.hpp"
 
@@ -25,16 +29,34 @@ struct [[gnu::packed]] PathBeneath {
   std::uint64_t allowed_access = 0;
   std::int32_t parent_fd = -1;
 };
-constexpr std::uint64_t kWriteFile = 1U << 1U;
+constexpr std::uint64_t kWriteFile = 1U << 1U, kReadFile = 1U << 2U;
 constexpr std::uint64_t kRemoveDirToMakeSym = 0x1FF0;  // bits 4 to 12: remove and make anything
-constexpr std::uint64_t kRemoveFile = 1U << 5U, kMakeRegular = 1U << 8U;
+constexpr std::uint64_t kRemoveFile = 1U << 5U, kMakeRegular = 1U << 8U, kMakeLink = 1U << 12U;
 constexpr std::uint64_t kRefer = 1U << 13U;                  // from version 2
 constexpr std::uint64_t kTruncate = 1U << 14U;               // from version 3
 constexpr std::uint64_t kControlDevice = 1U << 15U;          // from version 5
 constexpr std::uint64_t kBindAndConnect = 3;                 // TCP, from version 4
 constexpr std::uint64_t kAbstractSockets = 1, kSignals = 2;  // from version 6
 
+/// Of Landlock, in which this process is; 0: in none.
+int entered_abi = 0;
+
 long landlock_version() { return ::syscall(kCreateRuleset, nullptr, std::size_t{0}, kAskVersion); }
+
+/// Its descriptor; -1 where the kernel refuses.
+int made_ruleset(const RulesetAttributes& attributes, int abi) {
+  // Older kernels refuse a struct that is longer than the one they know.
+  const std::size_t words = abi >= 6 ? 3 : abi >= 4 ? 2 : 1;
+  return static_cast<int>(
+      ::syscall(kCreateRuleset, &attributes, words * sizeof(std::uint64_t), std::uint32_t{0}));
+}
+
+/// For good; closes the ruleset.
+bool restrict_self(int ruleset) {
+  const bool is_in = ::syscall(kRestrictSelf, ruleset, 0U) == 0;
+  ::close(ruleset);
+  return is_in;
+}
 
 void allow(int ruleset, const char* path, std::uint64_t access) {
   const int folder = ::open(path, O_PATH | O_CLOEXEC);
@@ -45,37 +67,69 @@ void allow(int ruleset, const char* path, std::uint64_t access) {
   ::close(folder);
 }
 
+/// What is in a folder; empty where it can't be listed.
+std::vector<std::filesystem::path> entries_of(const char* folder) {
+  std::vector<std::filesystem::path> entries;
+  std::error_code error;
+  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    entries.push_back(entry->path());
+  }
+  return error ? std::vector<std::filesystem::path>() : entries;
+}
+
+/// Whether planners that declare devices get this one of /dev: no terminal or keyboard, where
+/// people type and what is written is obeyed; no disk; not the machine's memory.
+bool is_for_planners(const std::filesystem::path& device) {
+  const std::string name = device.filename().string();
+  for (const std::string_view kept : {"tty", "pts", "ptmx", "console", "vcs", "input", "hidraw",
+                                      "uinput", "mapper", "mem", "kmem", "kmsg", "port"}) {
+    if (name.starts_with(kept)) return false;
+  }
+  struct stat file {};
+  // Links lead to devices that are listed themselves.
+  return ::lstat(device.c_str(), &file) == 0 && !S_ISBLK(file.st_mode) && !S_ISLNK(file.st_mode);
+}
+
+/// Reading everything except devices, since a rule can't take away what one above it allows: else
+/// who knows the number of a terminal (/dev/pts/3) would read what is typed there. Allows what
+/// `rules` grants of devices and of shared memory.
+void allow_devices_and_reading(int ruleset, const SandboxRules& rules,
+                               const std::vector<std::filesystem::path>& roots,
+                               std::uint64_t handled) {
+  const std::uint64_t read = handled & kReadFile, write = kWriteFile | (handled & kTruncate);
+  for (const std::filesystem::path& root : roots) {
+    if (root != "/dev") allow(ruleset, root.c_str(), read);
+  }
+  allow(ruleset, "/dev/null", read | write);
+  for (const char* device : {"/dev/zero", "/dev/full", "/dev/random", "/dev/urandom", "/dev/shm"}) {
+    allow(ruleset, device, read);
+  }
+  if (!rules.devices) return;
+  for (const std::filesystem::path& device : entries_of("/dev")) {
+    if (!is_for_planners(device)) continue;
+    allow(ruleset, device.c_str(), read | write | (handled & kControlDevice));
+  }
+  // GPU and thread libraries, Python's multiprocessing.
+  allow(ruleset, "/dev/shm", read | write | kRemoveFile | kMakeRegular);
+}
+
 /// As much as the kernel's version of Landlock can do; false where it refuses.
 bool enter_landlock(const SandboxRules& rules, int abi) {
-  // What is handled and not allowed below is refused: reading is not handled.
+  // What is handled and not allowed below is refused.
   RulesetAttributes attributes{.handled_access_fs = kWriteFile | kRemoveDirToMakeSym};
-  // Older kernels refuse a struct that is longer than the one they know.
-  std::size_t size = sizeof attributes.handled_access_fs;
+  const std::vector<std::filesystem::path> roots = entries_of("/");
+  // Where / can't be listed, reading stays free.
+  if (!roots.empty()) attributes.handled_access_fs |= kReadFile;
   if (abi >= 2) attributes.handled_access_fs |= kRefer;
   if (abi >= 3) attributes.handled_access_fs |= kTruncate;
-  if (abi >= 4) {
-    size = 2 * sizeof(std::uint64_t);
-    if (!rules.network) attributes.handled_access_net = kBindAndConnect;
-  }
+  if (abi >= 4 && !rules.network) attributes.handled_access_net = kBindAndConnect;
   if (abi >= 5) attributes.handled_access_fs |= kControlDevice;
-  if (abi >= 6) {
-    size = sizeof attributes;
-    attributes.scoped = kSignals | kAbstractSockets;
-  }
-  const auto ruleset =
-      static_cast<int>(::syscall(kCreateRuleset, &attributes, size, std::uint32_t{0}));
+  if (abi >= 6) attributes.scoped = kSignals | kAbstractSockets;
+  const int ruleset = made_ruleset(attributes, abi);
   if (ruleset < 0) return false;
-  const std::uint64_t of_files = kWriteFile | (attributes.handled_access_fs & kTruncate);
-  const std::uint64_t of_devices = of_files | (attributes.handled_access_fs & kControlDevice);
-  allow(ruleset, "/dev/null", of_files);
-  if (rules.devices) allow(ruleset, "/dev", of_devices);
-  // Shared memory of such planners: GPU libraries, thread libraries, Python's multiprocessing.
-  if (rules.devices || rules.processes) {
-    allow(ruleset, "/dev/shm", of_files | kRemoveFile | kMakeRegular);
-  }
-  const bool is_in = ::syscall(kRestrictSelf, ruleset, 0U) == 0;
-  ::close(ruleset);
-  return is_in;
+  allow_devices_and_reading(ruleset, rules, roots, attributes.handled_access_fs);
+  return restrict_self(ruleset);
 }
 
 /// Calls `visit(name, member)` for each rule.
@@ -122,10 +176,23 @@ SandboxSupport enter_sandbox(const SandboxRules& rules, const SandboxSupport& su
   // The kernel's condition for filters without root: no program that is started gains rights.
   if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return entered;
   if (support.landlock_abi > 0 && enter_landlock(rules, support.landlock_abi)) {
-    entered.landlock_abi = support.landlock_abi;
+    entered.landlock_abi = entered_abi = support.landlock_abi;
+  } else {
+    // No other process of an ordinary user may look into this one; with Landlock
+    // enter_inner_sandbox() sees to that, of root's, too.
+    ::prctl(PR_SET_DUMPABLE, 0);
   }
   if (support.has_seccomp) entered.has_seccomp = filter_calls(rules, entered.landlock_abi);
   return entered;
+}
+
+bool enter_inner_sandbox() {
+  if (entered_abi == 0) return true;
+  // Refuses nothing that is not refused already. What counts is that it lies within the other one.
+  const RulesetAttributes attributes{.handled_access_fs = kMakeLink,
+                                     .scoped = entered_abi >= 6 ? kSignals | kAbstractSockets : 0};
+  const int ruleset = made_ruleset(attributes, entered_abi);
+  return ruleset >= 0 && restrict_self(ruleset);
 }
 
 }  // namespace avoidbench

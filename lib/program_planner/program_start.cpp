@@ -3,11 +3,8 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/prctl.h>
-#include <sys/resource.h>
-#include <sys/syscall.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <condition_variable>
 #include <cstring>
@@ -16,6 +13,8 @@
 #include <thread>
 
 #include "base/input_error.hpp"
+#include "process/inherited.hpp"
+#include "process/sandbox.hpp"
 
 namespace avoidbench {
 namespace {
@@ -82,15 +81,6 @@ void use_own_signals() {
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
-void close_all_from(int first) {
-  if (::syscall(SYS_close_range, first, ~0U, 0) == 0) return;
-  rlimit limit{};  // before Linux 5.9
-  ::getrlimit(RLIMIT_NOFILE, &limit);
-  // Some containers allow a thousand million descriptors, which would take minutes.
-  const int most = static_cast<int>(std::min<rlim_t>(limit.rlim_cur, 1 << 16));
-  for (int fd = first; fd < most; ++fd) ::close(fd);
-}
-
 /// Descriptors above those that the program gets: a copy must not overwrite one yet to be copied.
 struct HighFds {
   explicit HighFds(const ProgramStart& start) {
@@ -122,8 +112,12 @@ struct HighFds {
   ::dup2(fds.prints, STDERR_FILENO);
   ::dup2(fds.socket, kProgramSocketFd);
   ::dup2(fds.segment, kProgramSegmentFd);
-  close_all_from(kProgramSegmentFd + 1);
+  close_from(kProgramSegmentFd + 1);
   use_own_signals();
+  if (!enter_inner_sandbox()) {
+    say(STDERR_FILENO, "sandbox", errno);
+    ::_exit(127);
+  }
   if (::chdir(folder) != 0) {
     say(STDERR_FILENO, folder, errno);
     ::_exit(127);

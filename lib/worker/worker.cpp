@@ -23,6 +23,7 @@
 #include "base/input_error.hpp"
 #include "base/spec_json.hpp"
 #include "metrics/metric_table.hpp"
+#include "process/inherited.hpp"
 #include "process/print_capture.hpp"
 #include "process/process_tree.hpp"
 #include "process/sandbox.hpp"
@@ -75,13 +76,15 @@ class StoppedTime {
   double stopped_s_ = 0.0;
 };
 
-/// What a process that a planner forks does first: it lets go of the worker's pipes, and ends with
-/// the worker.
+/// What a process that a planner forks does first: it lets go of the worker's pipes, ends with the
+/// worker, and lets the worker see how much memory it uses, which enter_sandbox() may have
+/// switched off.
 // A global, since what pthread_atfork() calls takes no argument.
 std::array<int, 3> pipes{-1, -1, -1};
 void leave_worker() {
   for (const int fd : pipes) ::close(fd);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  ::prctl(PR_SET_DUMPABLE, 1);
 }
 
 void keep_from_children(const std::array<int, 3>& fds) {
@@ -258,6 +261,9 @@ void Worker::watch(const WorkerOptions& options) {
 }
 
 int run_worker(const WorkerOptions& options) {
+  // Files, locks and pipes that the shell, a script or a build left open are not the planner's.
+  close_from(std::max({options.in_fd, options.out_fd, options.notes_fd, options.journal_fd}) + 1);
+  leave_terminal();
   // The parent decides when to stop; a signal to the whole process group reaches workers, too.
   for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGUSR1}) std::signal(number, SIG_IGN);
   std::signal(SIGPIPE, SIG_IGN);

@@ -126,8 +126,14 @@ WorkerProcess::WorkerProcess(const std::vector<std::string>& command) {
   posix_spawn_file_actions_adddup2(&actions, notes.write_end, kNotesFd);
   const HighCopy journal(journal_.fd()), prints(prints_.fd());
   if (journal.fd >= 0) posix_spawn_file_actions_adddup2(&actions, journal.fd, kJournalFd);
+  // The user's terminal is none of a planner's: neither to be read nor to be written to.
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) {
-    if (prints.fd >= 0) posix_spawn_file_actions_adddup2(&actions, prints.fd, stream);
+    if (prints.fd >= 0) {
+      posix_spawn_file_actions_adddup2(&actions, prints.fd, stream);
+    } else {
+      posix_spawn_file_actions_addopen(&actions, stream, "/dev/null", O_WRONLY, 0);
+    }
   }
   // A mask of signals is inherited, and so is what is ignored.
   posix_spawnattr_t attributes;

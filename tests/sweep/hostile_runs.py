@@ -44,7 +44,7 @@ planners:
 sensor: {{width_px: 80, height_px: 60}}
 mission: {{time_limit_s: 20}}
 """
-PLANNER = """  - {{plugin: planners/{library}.so, label: hostile,
+PLANNER = """  - {{plugin: planners/{library}, label: hostile,
      parameters: {{way: {way}, folder: {folder}, metric_count: {metrics}}}}}"""
 
 PLAN_TIMEOUT_S, TRIAL_TIMEOUT_S, SILENCE_S, MEMORY_MIB = 1.0, 6.0, 21.0, 300
@@ -52,6 +52,8 @@ DESCRIBE_TIMEOUT_S = 10.0  # that a planner has to say what it is
 PR_SET_CHILD_SUBREAPER = 36
 MARKS = ["/tmp", "/var/tmp", "/dev/shm"]  # folders in which ways leave files of this name
 MARK = "avoidbench_hostile_"
+TYPED = b"typed by the user\n"  # into the run's terminal, where it stays unread
+INHERITED = (77, 200)  # descriptors of the file "precious" that the shell has open as it starts the run
 
 
 # ---------------------------------------------------------------------------------------------------------------------------------
@@ -105,22 +107,40 @@ def shared_objects():
     return sum(len(file.read_text().splitlines()) - 1 for file in pathlib.Path("/proc/sysvipc").glob("*"))
 
 
-def typed_into(terminal):
-    """What stands to be read in a terminal."""
-    os.set_blocking(terminal, False)
+def open_terminal(file):
+    """A terminal that echoes nothing, whose user has typed a line: both of its ends and its settings. Its name is written to the file."""
+    control, terminal = pty.openpty()
     settings = termios.tcgetattr(terminal)
-    settings[3] &= ~termios.ICANON
+    settings[3] &= ~termios.ECHO
     termios.tcsetattr(terminal, termios.TCSANOW, settings)
-    with contextlib.suppress(BlockingIOError, OSError):
-        return os.read(terminal, 1000).decode(errors="replace")
-    return ""
+    os.write(control, TYPED)
+    file.write_text(os.ttyname(terminal))
+    return control, terminal, termios.tcgetattr(terminal)
+
+
+def look_at(control, terminal, settings):
+    """What became of the terminal: what was shown, whether its settings are others, whether it is stopped, what stands to be read."""
+    found = {"shown": "", "typed": "", "is_changed": True, "is_stopped": True}
+    os.set_blocking(control, False)
+    os.set_blocking(terminal, False)
+    with contextlib.suppress(OSError, termios.error):
+        with contextlib.suppress(BlockingIOError):
+            found["shown"] = os.read(control, 1000).decode(errors="replace")
+        found["is_changed"] = termios.tcgetattr(terminal) != settings
+        with contextlib.suppress(BlockingIOError):
+            found["is_stopped"] = os.write(terminal, b".") != 1
+        settings[3] &= ~termios.ICANON
+        termios.tcsetattr(terminal, termios.TCSANOW, settings)
+        with contextlib.suppress(BlockingIOError):
+            found["typed"] = os.read(terminal, 1000).decode(errors="replace")
+    return found
 
 
 def inside(file):
     given = json.loads(pathlib.Path(file).read_text())
     folder = pathlib.Path(given["folder"])
     ctypes.CDLL(None).prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
-    control, terminal = pty.openpty()
+    control, terminal, settings = open_terminal(folder.parent / "terminal")
     began = time.monotonic()
     pid = os.fork()
     if pid == 0:
@@ -130,6 +150,9 @@ def inside(file):
         for number, name in [(1, "stdout"), (2, "stderr")]:
             os.dup2(os.open(folder.parent / name, os.O_CREAT | os.O_WRONLY | os.O_TRUNC, 0o600), number)
         os.dup2(terminal, 0)
+        os.closerange(3, 64)
+        for number in INHERITED:
+            os.dup2(os.open(folder.parent / "precious", os.O_RDWR), number)
         os.closerange(3, 64)
         os.chdir(folder)
         os.execvpe(given["command"][0], given["command"], given["environment"])
@@ -147,7 +170,7 @@ def inside(file):
     for left in descendants():
         os.kill(left, signal.SIGKILL)
     found["shared"] = shared_objects()
-    found["typed"] = typed_into(terminal)
+    found["terminal"] = look_at(control, terminal, settings)
     found["foreground_is_run"] = foreground <= {0, pid}
     (folder.parent / "found.json").write_text(json.dumps(found))
 
@@ -205,9 +228,10 @@ class Runs:
         (folder / "planners").mkdir(parents=True)
         (folder.parent / "home").mkdir()
         (folder.parent / "temporary").mkdir()
+        (folder.parent / "precious").write_text("of the user")
         for planner in ["straight_line", "reactive"]:
             shutil.copy(pathlib.Path(self.given.good) / f"{planner}.so", folder / "planners")
-        shutil.copy(pathlib.Path(self.given.planners) / f"{library}.so", folder / "planners")
+        shutil.copy(pathlib.Path(self.given.planners) / library, folder / "planners")
         hostile = PLANNER.format(library=library, way=way, folder=folder, metrics=self.metrics) if way else ""
         (folder / "sweep.yaml").write_text(SWEEP.format(missions=self.given.missions, hostile=hostile))
         if self.given.as_user:
@@ -224,10 +248,10 @@ class Runs:
         command = [*self.words, self.program, "run", "sweep.yaml", "--db", "results.db", "--no-keep", *self.options]
         (home / "given.json").write_text(json.dumps({"folder": str(folder), "command": command, "environment": environment,
                                                      "deadline_s": deadline_s,
-                                                     "has_terminal": bool({home.name, home.name.removesuffix("_again")} & set(TERMINAL))}))
+                                                     "has_terminal": re.split("[+]|_again", home.name)[0] in TERMINAL}))
         made = subprocess.run([*self.before, sys.executable, __file__, "--inside", str(home / "given.json")], capture_output=True, text=True)
         if not (home / "found.json").exists():
-            return {"code": "none: what started it was ended, too", "took_s": 0.0, "left": [], "typed": "", "shared": 0, "foreground_is_run": True,
+            return {"code": "none: what started it was ended, too", "took_s": 0.0, "left": [], "terminal": {}, "shared": 0, "foreground_is_run": True,
                     "stdout": "", "stderr": made.stderr}
         found = json.loads((home / "found.json").read_text())
         for name in ("stdout", "stderr"):
@@ -237,12 +261,12 @@ class Runs:
 
     def measure(self):
         """The flights without anything hostile, and with a hostile planner that does nothing."""
-        folder = self.prepare("alone", "", "hostile")
+        folder = self.prepare("alone", "", "hostile.so")
         self.run(folder, 120.0)
         alone = rows(folder / "results.db")
         with contextlib.closing(sqlite3.connect(folder / "results.db")) as db:
             self.metrics = db.execute("SELECT count(*) FROM metric_definitions").fetchone()[0]
-        folder = self.prepare("nothing", "nothing", "hostile")
+        folder = self.prepare("nothing", "nothing", "hostile.so")
         found = self.run(folder, 120.0)
         if found["code"] != 0:
             sys.exit(f"the sweep itself does not fly: exit code {found['code']}, {found['stderr']}")
@@ -256,7 +280,7 @@ class Runs:
         have used this machine, too."""
         problems, line = self.fly_once(name, name)
         if any(problem.startswith("took") for problem in problems):
-            calm = self.run(self.prepare(f"{name}_calm", "nothing", "hostile"), 120.0)
+            calm = self.run(self.prepare(f"{name}_calm", "nothing", "hostile.so"), 120.0)
             self.honest_s = max(self.honest_s, calm["took_s"])
             problems, line = self.fly_once(name, f"{name}_again")
         return problems, line
@@ -264,7 +288,7 @@ class Runs:
     def fly_once(self, name, folder_name):
         expected = EXPECTED[name]
         way, _, uses = name.partition("+")
-        library = LIBRARIES.get(way, f"hostile_{uses}" if uses else "hostile")
+        library = LIBRARIES.get(way, f"hostile_{uses}" if uses else "hostile") + ("" if uses == "program" else ".so")
         folder = self.prepare(folder_name, "nothing" if way in LIBRARIES else way, library)
         before = files_of(folder.parent)
         limit_s = {"call": PLAN_TIMEOUT_S, "trial": self.trial_limit_s, "load": 0.0}[expected.limit] * self.given.missions
@@ -285,7 +309,7 @@ class Runs:
         return problems, f"{found['took_s']:5.1f} s  {name}: {outcome}" + "".join(f"\n      | {line[:200]}" for line in last)
 
     def check_files(self, folder, before):
-        made = {"run/results.db", "given.json", "found.json", "stdout", "stderr"}
+        made = {"run/results.db", "given.json", "found.json", "stdout", "stderr", "terminal"}
         after = files_of(folder.parent)
         problems = [f"left {name}" for name in after if name not in before and name not in made]
         problems += [f"changed {name}" for name in before if after.get(name) != before[name]]
@@ -353,8 +377,12 @@ def after_processes(found):
         problems.append(f"on the standard output: {found['stdout'][:60]!r}")
     if "\033" in found["stderr"]:
         problems.append("control characters on the standard error")
-    if found["typed"]:
-        problems.append(f"typed into the terminal: {found['typed'][:40]!r}")
+    terminal = found["terminal"]
+    if terminal and terminal["typed"] != TYPED.decode():
+        problems.append(f"in the terminal stands to be read: {terminal['typed'][:40]!r}")
+    if terminal.get("shown"):
+        problems.append(f"written to the terminal: {terminal['shown'][:40]!r}")
+    problems += [f"the terminal {name.replace('_', ' ')}" for name in ("is_changed", "is_stopped") if terminal.get(name)]
     if not found["foreground_is_run"]:
         problems.append("took the terminal")
     return problems

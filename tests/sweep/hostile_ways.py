@@ -71,20 +71,23 @@ PARENT = honest("interrupt_parent", "terminate_parent", "warn_parent", "kill_par
                 "crash_siblings", "kill_parent_by_descriptor", "kill_parent_otherwise", "kill_parent_by_pipe", "trace_parent",
                 "write_parent_memory", "write_parent_memory_by_call", "limit_parents_files", "limit_parents_descriptors",
                 "limit_parents_time", "slow_parent", "offer_parent_to_the_kernel", "write_parents_files", "steal_parents_files",
-                "write_siblings_pipes", "type_into_terminal", "take_terminal", "hang_up_terminal", "interrupt_group", "kill_group")
+                "write_siblings_pipes", "read_parent_memory", "interrupt_group", "kill_group")
+
+TERMINAL_WAYS = honest("type_into_terminal", "take_terminal", "hang_up_terminal", "write_to_terminal", "change_terminal", "freeze_terminal",
+                       "read_terminal")
 
 DESCRIPTORS = (
     fails(CRASHED, "close_pipes", "close_and_open", "cover_pipes", "write_everywhere", "write_a_byte", "flood_pipes", "cover_with_full_pipe",
           "exchange_pipes") |
     either("close_all", "close_all_at_create", "flood_notes", "read_jobs", "use_up_descriptors", "do_not_wait", "flood_errors", limit="trial") |
-    honest("shrink_pipes", "print_results", "flood_log"))
+    honest("shrink_pipes", "print_results", "flood_log", "write_inherited"))
 
 FILES = (
     honest("overwrite_database", "truncate_database", "truncate_log", "remove_database", "remove_log", "remove_index", "rename_database",
            "replace_database", "forbid_database", "forbid_folder", "update_rows", "delete_rows", "leave_trigger", "keep_write_lock",
            "keep_read_lock", "lock_files", "lock_files_for_writing", "remove_sweep", "change_itself", "change_good_planner", "remove_itself",
            "remove_good_planner", "replace_good_planner", "leave_files", "leave_others", "fill_disk", "fill_disk_unnamed", "write_by_ring",
-           "make_immutable", "leave_shared_objects", "mount_over"))
+           "make_immutable", "call_newer_kernels", "leave_shared_objects", "mount_over"))
 
 RESULTS = either(
     "forge_result", "forge_result_and_exit", "forge_result_and_hang", "forge_three_results", "forge_result_at_create", "forge_nan", "forge_null",
@@ -105,7 +108,7 @@ TIMES = (
 ENVIRONMENT = (
     honest("write_commas", "round_up", "round_up_at_create", "flush_to_zero", "flush_to_zero_at_reset", "round_x87", "leave_mmx", "change_folder",
            "change_root", "open_mask", "close_mask", "set_variables", "clear_variables", "seed_draws", "hurry", "dawdle", "load_good_planner",
-           "listen_on_port", "leave_socket", "watch_folder") |
+           "listen_on_port", "leave_socket", "send_datagram", "watch_folder") |
     either("run_backward", "check_alignment", "change_personality", "unload_itself", "leave_server", "call_nobody") |
     fails(ERROR, "write_commas_and_fail"))
 
@@ -131,21 +134,29 @@ LOADS = (
     honest("load_stop", "load_child", "load_folder", "load_print", "load_signals", "load_round", "load_limit"))
 
 # A planner that says that it uses processes: "way+processes".
-USES_PROCESSES = {f"{name}+processes": FORKS.get(name, PARENT.get(name)) for name in [*FORKS, *PARENT]}
+USES_PROCESSES = {f"{name}+processes": FORKS.get(name, PARENT.get(name)) for name in [*FORKS, *PARENT]} | honest(
+    "fill_shared_memory+processes", "send_datagram+processes", "change_terminal+processes", "read_terminal+processes")
 # It may signal its own processes, so that it can end itself as others would: the trial stays unflown, and the run says so.
 USES_PROCESSES["kill_group+processes"] = Expectation(ANY, "not flown", codes=(0, 1))
 
-EXPECTED = (MEMORY | SIGNALS | PROCESSES | PARENT | DESCRIPTORS | FILES | RESULTS | TIMES | ENVIRONMENT | COMMANDS | LOADS | USES_PROCESSES)
+# The same planner as a program, whose parent is its worker: "way+program".
+PROGRAM = honest(*(f"{name}+program" for name in (
+    "read_parent_memory", "write_parent_memory", "write_parents_files", "steal_parents_files", "trace_parent", "kill_parent", "stop_parent",
+    "fill_shared_memory", "write_inherited", "read_terminal")))
+
+EXPECTED = (MEMORY | SIGNALS | PROCESSES | PARENT | DESCRIPTORS | FILES | RESULTS | TIMES | ENVIRONMENT | COMMANDS | LOADS | TERMINAL_WAYS |
+            USES_PROCESSES | PROGRAM)
 
 # One or two of each kind, for every test run.
 SHORT = ["fill_heap", "fill_children+processes", "write_null", "end_by_pipe", "hold_watchdog_and_beat", "fork_and_return+processes",
          "fork_two_hundred+processes", "leave_daemon_with_pipes+processes", "become_sleep+processes", "terminate_parent", "kill_everyone",
-         "trace_parent", "write_parent_memory", "steal_parents_files", "cover_pipes", "read_jobs", "remove_database", "update_rows", "lock_files",
-         "change_good_planner", "leave_files", "forge_result", "forge_empty", "forge_error", "send_half_a_header", "send_huge_header",
-         "stop_in_a_message", "sleep_in_each_call", "exit_well", "write_commas", "fail_with_broken_text", "give_points_nowhere", "load_exit",
+         "trace_parent", "write_parent_memory", "steal_parents_files", "read_parent_memory+program", "write_inherited", "cover_pipes",
+         "read_jobs", "remove_database", "update_rows", "lock_files", "change_good_planner", "call_newer_kernels", "leave_files",
+         "fill_shared_memory+processes", "write_to_terminal", "freeze_terminal", "read_terminal+processes", "send_datagram", "forge_result",
+         "forge_empty", "forge_error", "send_half_a_header", "send_huge_header", "stop_in_a_message", "sleep_in_each_call", "exit_well", "write_commas", "fail_with_broken_text", "give_points_nowhere", "load_exit",
          "load_sleep", "unload_sleep"]
 
 # What would reach other processes or mounts of the machine if nothing stopped it.
 NEED_PROCESSES = ["kill_everyone", "kill_everyone+processes", "kill_group", "kill_group+processes"]
 NEED_MOUNTS = ["mount_over"]
-TERMINAL = ["type_into_terminal", "take_terminal", "hang_up_terminal"]
+TERMINAL = list(TERMINAL_WAYS)

@@ -18,8 +18,12 @@ import tempfile
 from hostile_runs import Runs, arguments, good_of
 
 NOBODY = 65534
-SIGNALS = ["kill_parent", "stop_parent", "kill_parent_by_descriptor", "kill_parent_otherwise", "trace_parent", "limit_parents_files", "kill_siblings"]
-FILES = ["update_rows", "remove_database", "truncate_database", "rename_database", "change_good_planner", "leave_files", "write_parent_memory"]
+SIGNALS = ["kill_parent", "stop_parent", "kill_parent_by_descriptor", "kill_parent_otherwise", "trace_parent", "limit_parents_files", "kill_siblings",
+           "change_terminal", "freeze_terminal", "send_datagram", "call_newer_kernels"]
+PROGRAMS = ["read_parent_memory+program"]
+FILES = ["update_rows", "remove_database", "truncate_database", "rename_database", "change_good_planner", "leave_files", "write_parent_memory",
+         "read_terminal", "fill_shared_memory+processes", *PROGRAMS]
+ALWAYS = ["write_inherited"]
 
 # Case: (words before the program, user, options of run, what runs.sandbox says, ways that change nothing).
 CASES = {
@@ -28,11 +32,12 @@ CASES = {
     "no namespaces": (["--no-namespaces"], 0, [], r"landlock.*seccomp", SIGNALS + FILES),
     "an ordinary user, no namespaces": (["--no-namespaces"], NOBODY, [], r"landlock.*seccomp", SIGNALS + FILES),
     "no Landlock": (["--no-landlock"], 0, [], r"^(?!.*landlock).*seccomp", SIGNALS),
-    "an ordinary user, no Landlock": (["--no-landlock"], NOBODY, [], r"^(?!.*landlock).*seccomp", SIGNALS),
-    "an ordinary user in a container, no Landlock": (["--no-landlock", "--no-namespaces"], NOBODY, [], r"^(?!.*landlock).*seccomp", SIGNALS),
+    "an ordinary user, no Landlock": (["--no-landlock"], NOBODY, [], r"^(?!.*landlock).*seccomp", SIGNALS + PROGRAMS),
+    "an ordinary user in a container, no Landlock": (["--no-landlock", "--no-namespaces"], NOBODY, [], r"^(?!.*landlock).*seccomp",
+                                                     SIGNALS + PROGRAMS),
     "no seccomp": (["--no-seccomp"], 0, [], r"landlock(?!.*seccomp)", FILES),
-    "nothing": (["--no-seccomp", "--no-landlock"], 0, [], r"^none: the kernel", []),
-    "--no-sandbox": ([], 0, ["--run-option=--no-sandbox"], r"^none: --no-sandbox", []),
+    "nothing": (["--no-seccomp", "--no-landlock"], 0, [], r"^none: the kernel", ALWAYS),
+    "--no-sandbox": ([], 0, ["--run-option=--no-sandbox"], r"^none: --no-sandbox", ALWAYS),
 } | {f"Landlock {version}": ([f"--landlock-version={version}"], 0, [], r"landlock.*seccomp", SIGNALS + FILES) for version in (1, 2, 3, 4, 5, 6)}
 
 

@@ -54,7 +54,7 @@ typedef int32_t ab_status;
  * that refuses the rest; without these flags fork() and socket() fail, as writing to files always
  * does. */
 #define AB_USES_PROCESSES 256u /* starts programs and signals them */
-#define AB_USES_DEVICES 512u   /* writes to files in /dev, as GPU drivers do */
+#define AB_USES_DEVICES 512u   /* opens devices, as GPU drivers do, and writes to /dev/shm */
 #define AB_USES_NETWORK 1024u  /* opens sockets */
 /* What it keeps in global variables, as programs do that were written to run once: each trial is
  * flown by a new process, in which one instance is made and reset once. */

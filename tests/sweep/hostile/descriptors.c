@@ -149,6 +149,16 @@ static void flood_log(struct Attack* attack) {
   }
 }
 
+/* Nothing is left of a file that the shell had open when it started the run. */
+static void write_inherited(struct Attack* attack) {
+  (void)attack;
+  const int numbers[] = {77, 200};
+  for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; ++i) {
+    (void)!ftruncate(numbers[i], 0);
+    (void)!write(numbers[i], "garbage", 7);
+  }
+}
+
 const struct Way kDescriptorWays[] = {{"close_pipes", AT_CALL, close_pipes},
                                       {"close_all", AT_CALL, close_all},
                                       {"close_all_at_create", AT_CREATE, close_all},
@@ -167,4 +177,5 @@ const struct Way kDescriptorWays[] = {{"close_pipes", AT_CALL, close_pipes},
                                       {"print_results", AT_CALL, print_results},
                                       {"flood_errors", AT_CALL, flood_errors},
                                       {"flood_log", AT_CALL, flood_log},
+                                      {"write_inherited", AT_CALL, write_inherited},
                                       {NULL, AT_CALL, NULL}};

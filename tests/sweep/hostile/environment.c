@@ -167,6 +167,15 @@ static void leave_socket(struct Attack* attack) {
   if (bind(fd, (const struct sockaddr*)(const void*)&any, sizeof here) == 0) listen(fd, 8);
 }
 
+/* Sockets whose sender chooses who receives, as of the system's log: for none there is a need. */
+static void send_datagram(struct Attack* attack) {
+  int ends[2];
+  const int kinds[] = {SOCK_DGRAM, SOCK_RAW, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK};
+  for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; ++i) {
+    if (socketpair(AF_UNIX, kinds[i], 0, ends) == 0) tell_success(attack, "a datagram socket");
+  }
+}
+
 /* Calls a machine that does not answer. */
 static void call_nobody(struct Attack* attack) {
   (void)attack;
@@ -208,6 +217,7 @@ const struct Way kEnvironmentWays[] = {{"write_commas", AT_CALL, write_commas},
                                        {"listen_on_port", AT_CALL, listen_on_port},
                                        {"leave_server", AT_CALL, leave_server},
                                        {"leave_socket", AT_CALL, leave_socket},
+                                       {"send_datagram", AT_CALL, send_datagram},
                                        {"call_nobody", AT_CALL, call_nobody},
                                        {"watch_folder", AT_CALL, watch_folder},
                                        {NULL, AT_CALL, NULL}};

@@ -1,6 +1,7 @@
 /* The run's files: the database, the sweep file, the planners' libraries; and files that nobody
  * asked for. */
 #include <dlfcn.h>
+#include <errno.h>
 #include <fcntl.h>
 #include <linux/fs.h>
 #include <linux/io_uring.h>
@@ -239,6 +240,20 @@ static void make_immutable(struct Attack* attack) {
   close(fd);
 }
 
+/* What newer kernels have added, such as file_setattr (469), which sets attributes by a file's
+ * name. With arguments by which nothing comes of it: whether the call is there is the question. */
+static void call_newer_kernels(struct Attack* attack) {
+  const int quotactl_fd = 443, first = 467, last = 520;
+  for (int call = first; call <= last; ++call) {
+    if (syscall(call, -1, NULL, NULL, 0, 0) == 0 || errno != ENOSYS) {
+      tell_success(attack, "a call of a newer kernel");
+    }
+  }
+  if (syscall(quotactl_fd, -1, 0, 0, NULL) == 0 || (errno != EPERM && errno != ENOSYS)) {
+    tell_success(attack, "quotactl_fd");
+  }
+}
+
 /* Shared memory, semaphores and queues, which live on when nobody has them open. */
 static void leave_shared_objects(struct Attack* attack) {
   (void)attack;
@@ -283,6 +298,7 @@ const struct Way kFileWays[] = {{"overwrite_database", AT_CALL, overwrite_databa
                                 {"fill_disk_unnamed", AT_CALL, fill_disk_unnamed},
                                 {"write_by_ring", AT_CALL, write_by_ring},
                                 {"make_immutable", AT_CALL, make_immutable},
+                                {"call_newer_kernels", AT_CALL, call_newer_kernels},
                                 {"leave_shared_objects", AT_CALL, leave_shared_objects},
                                 {"mount_over", AT_CALL, mount_over},
                                 {NULL, AT_CALL, NULL}};

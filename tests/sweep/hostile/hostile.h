@@ -35,13 +35,17 @@ struct Way {
 };
 
 extern const struct Way kMemoryWays[], kSignalWays[], kProcessWays[], kParentWays[],
-    kDescriptorWays[], kFileWays[], kResultWays[], kTimeWays[], kEnvironmentWays[], kCommandWays[];
+    kDescriptorWays[], kFileWays[], kResultWays[], kTimeWays[], kEnvironmentWays[], kCommandWays[],
+    kTerminalWays[];
 
 /* What the planner says that it uses, so that the sandbox leaves it that. */
 extern const uint32_t kHostileUses;
 
 /* Path of `name` in the run's folder; valid until the next call. */
 const char* in_folder(const struct Attack* attack, const char* name);
+
+/* Fails the trial, which so is none that honest planners fly: it could do what it must not. */
+void tell_success(struct Attack* attack, const char* what);
 
 /* Sleeps for that long whatever signals come. */
 void sleep_s(double seconds);

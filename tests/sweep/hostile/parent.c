@@ -8,7 +8,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/ioctl.h>
 #include <sys/ptrace.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
@@ -240,32 +239,11 @@ static void write_siblings_pipes(struct Attack* attack) {
   }
 }
 
-/* The terminal, where the process has one: opened, or the standard input. */
-static int terminal(void) {
-  const int fd = open("/dev/tty", O_RDONLY | O_NOCTTY);
-  return fd >= 0 ? fd : STDIN_FILENO;
-}
-
-/* Types into the terminal. */
-static void type_into_terminal(struct Attack* attack) {
-  (void)attack;
-  for (const char* letter = "echo typed\n"; *letter != '\0'; ++letter) {
-    if (ioctl(terminal(), TIOCSTI, letter) != 0) break;
-  }
-}
-
-/* Makes itself the terminal's foreground. */
-static void take_terminal(struct Attack* attack) {
-  (void)attack;
-  signal(SIGTTOU, SIG_IGN);
-  setpgid(0, 0);
-  tcsetpgrp(terminal(), getpid());
-}
-
-/* Hangs the terminal up. */
-static void hang_up_terminal(struct Attack* attack) {
-  (void)attack;
-  syscall(SYS_vhangup);
+/* Reads it by that file, as a program would its worker's. */
+static void read_parent_memory(struct Attack* attack) {
+  char path[64];
+  snprintf(path, sizeof path, "/proc/%d/mem", (int)getppid());
+  if (open(path, O_RDONLY) >= 0) tell_success(attack, "the parent's memory");
 }
 
 const struct Way kParentWays[] = {
@@ -284,6 +262,7 @@ const struct Way kParentWays[] = {
     {"kill_parent_otherwise", AT_CALL, kill_parent_otherwise},
     {"kill_parent_by_pipe", AT_CALL, kill_parent_by_pipe},
     {"trace_parent", AT_CALL, trace_parent},
+    {"read_parent_memory", AT_CALL, read_parent_memory},
     {"write_parent_memory", AT_CALL, write_parent_memory},
     {"write_parent_memory_by_call", AT_CALL, write_parent_memory_by_call},
     {"limit_parents_files", AT_CALL, limit_parents_files},
@@ -294,7 +273,4 @@ const struct Way kParentWays[] = {
     {"write_parents_files", AT_CALL, write_parents_files},
     {"steal_parents_files", AT_CALL, steal_parents_files},
     {"write_siblings_pipes", AT_CALL, write_siblings_pipes},
-    {"type_into_terminal", AT_CALL, type_into_terminal},
-    {"take_terminal", AT_CALL, take_terminal},
-    {"hang_up_terminal", AT_CALL, hang_up_terminal},
     {NULL, AT_CALL, NULL}};

@@ -10,8 +10,8 @@
 #include "hostile.h"
 
 static const struct Way* const kTables[] = {
-    kMemoryWays, kSignalWays, kProcessWays, kParentWays,      kDescriptorWays,
-    kFileWays,   kResultWays, kTimeWays,    kEnvironmentWays, kCommandWays};
+    kMemoryWays, kSignalWays, kProcessWays,     kParentWays,  kDescriptorWays, kFileWays,
+    kResultWays, kTimeWays,   kEnvironmentWays, kCommandWays, kTerminalWays};
 enum { kTableCount = sizeof kTables / sizeof kTables[0], kMostWays = 400 };
 
 static const struct Way kNothing = {"nothing", AT_DESTROY, NULL};
@@ -29,6 +29,11 @@ const char* in_folder(const struct Attack* attack, const char* name) {
   static char path[4096];
   snprintf(path, sizeof path, "%s/%s", attack->folder, name);
   return path;
+}
+
+void tell_success(struct Attack* attack, const char* what) {
+  attack->host->set_error(attack->host->context, what);
+  attack->status = AB_ERROR;
 }
 
 void sleep_s(double seconds) {
