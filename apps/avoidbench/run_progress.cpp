@@ -1,6 +1,5 @@
 #include "run_progress.hpp"
 
-#include <poll.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -54,13 +53,6 @@ std::string trials_text(const Progress& progress) {
   return text;
 }
 
-/// Whether the terminal takes a line now. Flights and their time limits must not wait for one that
-/// is stopped, as by Ctrl-S.
-bool is_terminal_ready() {
-  pollfd out{STDERR_FILENO, POLLOUT, 0};
-  return ::poll(&out, 1, 0) != 0;
-}
-
 }  // namespace
 
 std::string duration_text(double duration_s) {
@@ -100,7 +92,7 @@ void RunProgress::draw_line(const Progress& progress) {
   const auto least_pause = is_live_ ? std::chrono::milliseconds(200) : std::chrono::minutes(1);
   const bool is_due =
       is_live_ || progress.is_open ? is_finished_ || now - shown_ > least_pause : tenth > tenth_;
-  if (!is_due || (is_live_ && !is_terminal_ready())) return;
+  if (!is_due) return;
   shown_ = now;
   if (!progress.is_open) tenth_ = tenth;
   const double elapsed_s = std::chrono::duration<double>(now - began_).count();
