@@ -113,7 +113,9 @@ void read_preset_file(const GivenValue& name, const fs::path& file, const FieldT
   const bool lists_were_axes = std::exchange(reading.lists_are_axes, false);
   ++reading.preset_level;
   try {
-    read_block({read_document(file).root, name.path, reading}, block, value);
+    const Document document = read_document(file);
+    check_is_part(document.root);
+    read_block({document.root, name.path, reading}, block, value);
   } catch (const InputError& error) {
     for (const InputProblem& problem : error.problems()) {
       if (problem.line > 0) reading.problems.push_back(problem);
@@ -205,6 +207,16 @@ std::string kinds_with(const FieldTree& block, std::string_view key) {
   return found;
 }
 
+/// Passes over the keys of all kinds of a variant.
+void take_all(MappingReader& mapping, const FieldTree& variant) {
+  for (const FieldTree& kind : variant.fields) {
+    for (const FieldTree& field : kind.fields) {
+      mapping.take(field.name);
+      if (field.kind == FieldKind::variant) take_all(mapping, field);
+    }
+  }
+}
+
 }  // namespace
 
 std::string read_key(MappingReader& mapping, const FieldTree& field, Json& block) {
@@ -222,7 +234,14 @@ std::string read_key(MappingReader& mapping, const FieldTree& field, Json& block
   }
   // Variants: first the word, then the fields that this kind has.
   const std::string before = block.at(field.name);
-  const std::string kind = given ? read_choice(*given, field.choices).value_or(before) : before;
+  const std::optional<std::string> chosen =
+      given ? read_choice(*given, field.choices) : std::optional(before);
+  if (!chosen) {
+    // The other keys are those of the kind that was meant, whichever that is.
+    take_all(mapping, field);
+    return "";
+  }
+  const std::string& kind = *chosen;
   // Another kind than the one before: its fields go, and the new kind's presets come.
   if (kind != before) {
     for (const FieldTree& old : field.find(before)->fields) block.erase(old.name);

@@ -119,9 +119,8 @@ struct Reader {
     try {
       YamlNode root = read(file);
       open.resize(level);
-      if (root.kind == Kind::mapping) return root;
-      throw InputError(
-          problem_at(root, "expected a mapping (name: value), found " + found_text(root)));
+      check_is_part(root);
+      return root;
     } catch (const InputError& failed) {
       open.resize(level);
       std::vector<InputProblem> problems = failed.problems();
@@ -207,6 +206,17 @@ Document read_document(const fs::path& file) {
   document.file = file;
   document.included = std::move(reader.included);
   return document;
+}
+
+void check_is_part(const YamlNode& root) {
+  const std::string expected = "expected a mapping (name: value), found ";
+  if (root.kind != Kind::mapping) {
+    const bool is_text = root.kind == Kind::scalar;
+    throw InputError(problem_at(root, expected + (is_text ? "text" : found_text(root))));
+  }
+  for (const YamlNode& key : root.keys) {
+    if (!is_name(key.scalar)) throw InputError(problem_at(key, expected + "a key that is no name"));
+  }
 }
 
 fs::path folder_of(const YamlNode& node, const fs::path& otherwise) {

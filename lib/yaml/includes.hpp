@@ -23,6 +23,10 @@ struct Document {
 /// them.
 Document read_document(const std::filesystem::path& file);
 
+/// Throws InputError unless a file that another one names is a mapping of names to values. Says the
+/// line, but quotes nothing: it may be any file that the user can read.
+void check_is_part(const YamlNode& root);
+
 /// The folder of the file that `node` stands in; `otherwise` where it stands in none.
 std::filesystem::path folder_of(const YamlNode& node, const std::filesystem::path& otherwise);
 

@@ -196,7 +196,8 @@ class TreeBuilder : public YAML::EventHandler {
       if (other.scalar != key.scalar) continue;
       const std::string where =
           other.line > 0 ? ", first in line " + std::to_string(other.line) : "";
-      fail(key, key.scalar + ": this key is given twice" + where);
+      // Of a file that is no YAML keys are whole lines, which are nobody's business.
+      fail(key, (is_name(key.scalar) ? key.scalar + ": " : "") + "this key is given twice" + where);
     }
     mapping.keys.push_back(std::move(key));
   }
@@ -242,6 +243,13 @@ YamlNode mapping_at(const YamlNode& place, std::string key, YamlNode value) {
   mapping.keys.push_back(node_at(place, YamlNode::Kind::scalar, std::move(key)));
   mapping.items.push_back(std::move(value));
   return mapping;
+}
+
+bool is_name(std::string_view key) {
+  return !key.empty() && std::all_of(key.begin(), key.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '.' || c == '-';
+  });
 }
 
 InputProblem problem_at(const YamlNode& node, std::string message) {

@@ -38,6 +38,9 @@ YamlNode node_at(const YamlNode& place, YamlNode::Kind kind, std::string scalar 
 /// `{key: value}` at the place of another node.
 YamlNode mapping_at(const YamlNode& place, std::string key, YamlNode value);
 
+/// Whether a key is made of letters, digits, _, - and . as those of our files are.
+bool is_name(std::string_view key);
+
 /// A problem at the node's place.
 InputProblem problem_at(const YamlNode& node, std::string message);
 

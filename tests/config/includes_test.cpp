@@ -152,6 +152,22 @@ TEST_F(Includes, WhatCannotBeIncludedIsToldAtTheIncludeLine) {
             "s.yaml:2:1: include: this key is given twice, first in line 1");
 }
 
+/// It may be any file that the user can read, in a sweep of somebody else's.
+TEST_F(Includes, OfAFileThatIsNoPartOfASweepNothingIsQuoted) {
+  write("shadow", "root:$y$secret1:19000::\ndaemon:$y$secret2:19000::\n");
+  write("twice", "$y$secret:19000::\n$y$secret:19000::\n");
+  write("text", "a secret\n");
+  for (const std::string key : {"include", "vehicle", "sensor"}) {
+    const auto of = [&](const std::string& file) {
+      return problems("sweep: a\nplanners: [tunable]\n" + key + ": ./" + file + "\n");
+    };
+    const std::string expected = ":1:1: expected a mapping (name: value), found ";
+    EXPECT_EQ(of("shadow"), "shadow" + expected + "a key that is no name");
+    EXPECT_EQ(of("twice"), "twice:2:1: this key is given twice, first in line 1");
+    EXPECT_EQ(of("text"), "text" + expected + "text");
+  }
+}
+
 TEST_F(Includes, CirclesAndTooManyFilesAreRefused) {
   EXPECT_EQ(problems("include: s.yaml\n"),
             "s.yaml:1:10: include: leads in a circle: s.yaml → s.yaml");

@@ -211,6 +211,14 @@ TEST_F(SweepFiles, EachProblemHasItsPlaceAndReason) {
       {"trials: 0", "s.yaml:3:9: trials: 0 is outside [1, 1000000]"},
       {"maps: {generator: forrest}", "s.yaml:3:19: maps.generator: \"forrest\" is none of " +
                                          generators() + " (did you mean forest?)"},
+      {"maps: {generator: hal, height_m: 4, corridor_m: 2, hight_m: 4}",
+       "s.yaml:3:19: maps.generator: \"hal\" is none of " + generators() +
+           " (did you mean hall?)\n"
+           "s.yaml:3:54: maps.hight_m: unknown key (did you mean height_m?)"},
+      {"sensor: {kind: stereo_census2, census_px: 4, paths: 8, disparities: 64}",
+       "s.yaml:3:16: sensor.kind: \"stereo_census2\" is none of depth_ideal, depth_noisy, "
+       "stereo_sgm, stereo_census (did you mean stereo_census?)\n"
+       "s.yaml:3:32: sensor.census_px: unknown key"},
       {"maps: forest", "s.yaml:3:7: maps: expected a mapping (name: value), found \"forest\""},
       {"maps: {seeds: [1, 1]}", "s.yaml:3:19: maps.seeds: 1 is given twice"},
       {"maps: {seeds: 0}", "s.yaml:3:15: maps.seeds: 0 is outside [1, 10000]"},
