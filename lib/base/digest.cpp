@@ -55,8 +55,7 @@ std::string Digest::hex() {
 }
 
 std::string file_digest(const std::filesystem::path& path) {
-  constexpr std::uint64_t kMostBytes = 64'000'000'000;  // far above any library or map
-  InputFile file(path, kMostBytes);
+  InputFile file(path, kMostFileBytes);
   Digest digest;
   std::vector<char> buffer(1 << 16);
   // A piece that is not full is the last one.

@@ -8,6 +8,9 @@
 
 namespace avoidbench {
 
+/// Above any library, mesh or point cloud that can be used: what is larger is refused unread.
+inline constexpr std::uint64_t kMostFileBytes = 4'000'000'000;
+
 /// A file of the user's, open for reading. Only regular files are: a device may have no end, and a
 /// pipe no writer. A pipe that this process holds already, as /dev/fd/63 of `<(command)`, has one.
 /// Every reader of configurations, maps, tables and libraries opens its files by this.

@@ -11,8 +11,8 @@ void fail_file(const std::string& file, std::string message, int line) {
   throw InputError(InputProblem{.file = file, .line = line, .message = std::move(message)});
 }
 
-std::string read_map_file(const std::string& file, std::uint64_t most_bytes) {
-  std::string bytes = read_input_file(file, most_bytes);
+std::string read_map_file(const std::string& file) {
+  std::string bytes = read_input_file(file, kMostFileBytes);
   if (bytes.empty()) fail_file(file, "is empty");
   return bytes;
 }

@@ -10,9 +10,9 @@
 /// What readers of map files share.
 namespace avoidbench {
 
-/// The bytes of a file of at most `most_bytes`. Throws InputError where it can't be read, is empty
-/// or larger.
-std::string read_map_file(const std::string& file, std::uint64_t most_bytes);
+/// The bytes of a file. Throws InputError where it can't be read, is empty or larger than
+/// kMostFileBytes.
+std::string read_map_file(const std::string& file);
 
 /// The SHA-256 of bytes already read, as file_digest() gives it.
 std::string bytes_digest(std::string_view bytes);

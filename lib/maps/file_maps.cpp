@@ -15,7 +15,6 @@
 namespace avoidbench {
 namespace {
 
-constexpr std::uint64_t kMostBytes = std::uint64_t{4} << 30U;
 constexpr std::uint64_t kMostTriangles = 5'000'000;  // half a gigabyte in each worker
 constexpr std::size_t kFewestPoints = 10;
 constexpr double kMostExtent_m = 2000.0, kLeastExtent_m = 1.0;
@@ -106,7 +105,7 @@ void check_fields(const FileSpec& spec, const std::vector<std::string>& extensio
 
 template <class FileSpec>
 std::string read_bytes(const FileSpec& spec) {
-  std::string bytes = read_map_file(spec.file, kMostBytes);
+  std::string bytes = read_map_file(spec.file);
   // A sweep that was read holds its file's digest: each worker must fly on that file.
   if (!spec.file_digest.empty() && bytes_digest(bytes) != spec.file_digest) {
     fail_file(spec.file,
