@@ -10,6 +10,7 @@
 #include "store/schema_check.hpp"
 #include "store/statement.hpp"
 #include "support/canonical_rows.hpp"
+#include "support/input_error_message.hpp"
 #include "support/sample_rows.hpp"
 
 namespace avoidbench {
@@ -17,6 +18,7 @@ namespace {
 
 using namespace sample_rows;
 using test::canonical_rows;
+using test::message_of;
 
 double number(const Database& db, const std::string& sql) {
   Statement s(db.handle(), db.path(), sql);
@@ -172,25 +174,68 @@ TEST(Database, AMapMayGainMissionsButNotChange) {
   Database db = begun(folder / "r.db", 1);
   db.add_map(map_row(0, 5), "forest");
   EXPECT_EQ(db.read_map(map_row(0, 0).record.key)->record.missions.size(), 5U);
-  MapRow other = map_row(0, 2);
-  other.record.traversability += 1e-12;
-  EXPECT_THROW(db.add_map(other, "forest"), InputError);
-  MapRow moved = map_row(0, 2);
-  moved.record.missions[1].mission.goal_world.x() += 0.5;
-  EXPECT_THROW(db.add_map(moved, "forest"), InputError);
+  EXPECT_EQ(message_of([&] { db.add_map(map_row(0, 2), "forest"); }), "no error");
+  // Each number that a map's or mission's record holds.
+  using Number = double& (*)(MapRecord&);
+  const Number numbers[] = {
+      [](MapRecord& map) -> double& { return map.traversability; },
+      [](MapRecord& map) -> double& { return map.traversability_normalized_ratio; },
+      [](MapRecord& map) -> double& { return map.relative_gap_size; },
+      [](MapRecord& map) -> double& { return map.obstacle_density_1pm2; },
+      [](MapRecord& map) -> double& { return map.free_volume_ratio; },
+      [](MapRecord& map) -> double& { return map.missions[1].mission.start_world.x(); },
+      [](MapRecord& map) -> double& { return map.missions[1].mission.start_world.y(); },
+      [](MapRecord& map) -> double& { return map.missions[1].mission.start_world.z(); },
+      [](MapRecord& map) -> double& { return map.missions[1].mission.goal_world.x(); },
+      [](MapRecord& map) -> double& { return map.missions[1].mission.goal_world.y(); },
+      [](MapRecord& map) -> double& { return map.missions[1].mission.goal_world.z(); },
+      [](MapRecord& map) -> double& { return map.missions[1].mission.start_yaw_rad; },
+      [](MapRecord& map) -> double& { return map.missions[1].reference_length_m; },
+      [](MapRecord& map) -> double& {
+        return map.missions[1].difficulty.traversability_obstruction;
+      },
+      [](MapRecord& map) -> double& { return map.missions[1].difficulty.view_occlusion; },
+      [](MapRecord& map) -> double& { return map.missions[1].difficulty.angle_over_length_1pm; }};
+  const auto expect_refused = [&](const std::string& what, auto change) {
+    MapRow other = map_row(0, 2);
+    change(other.record);
+    const std::string message = message_of([&] { db.add_map(other, "forest"); });
+    EXPECT_TRUE(test::has(message, " is there with other values")) << what << ": " << message;
+  };
+  for (std::size_t i = 0; i < std::size(numbers); ++i) {
+    expect_refused("number " + std::to_string(i), [&](MapRecord& map) {
+      double& number = numbers[i](map);
+      number = std::isnan(number) ? 1.0 : std::nextafter(number, 1e9);
+    });
+  }
+  expect_refused("world_digest", [](MapRecord& map) { map.world_digest[0] ^= 1; });
+  expect_refused("obstacle_count", [](MapRecord& map) { ++map.obstacle_count; });
+  expect_refused("triangle_count", [](MapRecord& map) { ++map.triangle_count; });
+  expect_refused("is_valid", [](MapRecord& map) { map.missions[1].is_valid = false; });
+  expect_refused("reason", [](MapRecord& map) { map.missions[1].invalid_reason = "none"; });
 }
 
 TEST(Database, AFurtherAttemptReplacesTheTrial) {
   const TemporaryFolder folder;
   Database db = begun(folder / "r.db");
-  db.add_trial(trial_row("a", 0, 0, Outcome::collided));
-  db.add_trial(trial_row("a", 0, 0, Outcome::reached_goal));
+  TrialRow first = trial_row("a", 0, 0, Outcome::collided);
+  first.wall_time_s = 7.0;
+  db.add_trial(first);
+  TrialRow again = trial_row("a", 0, 0, Outcome::reached_goal);
+  again.wall_time_s = 2.5;
+  again.record.end_time_s = 3.5;
+  again.spec_json = R"({"seed":2})";
+  db.add_trial(again);
   const std::string key = trial_row("a", 0, 0, Outcome::collided).key;
   EXPECT_EQ(number(db, "SELECT attempt FROM trials"), 2);
   EXPECT_EQ(number(db, "SELECT count(*) FROM trajectories"), 1);
   EXPECT_EQ(number(db, "SELECT count(*) FROM events"), 0);
   EXPECT_EQ(db.read_trial(key)->record.outcome, Outcome::reached_goal);
   EXPECT_EQ(db.read_trial(key)->metrics[0], 4.0);
+  EXPECT_EQ(db.read_trial(key)->wall_time_s, 2.5);
+  EXPECT_EQ(db.read_trial(key)->record.end_time_s, 3.5);
+  EXPECT_EQ(db.read_trial(key)->record.reason, "");
+  EXPECT_EQ(db.read_trial(key)->spec_json, R"({"seed":2})");
 }
 
 TEST(Database, AChangedSweepIsARevisionThatTakesOverSharedTrials) {

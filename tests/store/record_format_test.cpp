@@ -5,9 +5,14 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <set>
+
+#include "support/sample_rows.hpp"
 
 namespace avoidbench {
 namespace {
+
+using sample_rows::trial_row;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
@@ -74,6 +79,36 @@ TEST(PlanCalls, WhatIsNoneIsRefused) {
                           "[[0,0,0,0,0]]x"}) {
     EXPECT_THROW(plan_calls_from_json(bad), nlohmann::json::exception) << bad;
   }
+}
+
+/// Nothing that two flights can differ in is left out, except what a clock measured.
+TEST(RecordDigest, IsAnotherOneForEachChange) {
+  const TrialRecord record = trial_row("a", 0, 0, Outcome::collided).record;
+  using Change = void (*)(TrialRecord&);
+  const Change changes[] = {[](TrialRecord& r) { r.outcome = Outcome::timed_out; },
+                            [](TrialRecord& r) { r.reason += '.'; },
+                            [](TrialRecord& r) { r.end_time_s += 1e-9; },
+                            [](TrialRecord& r) { r.samples.pop_back(); },
+                            [](TrialRecord& r) { r.samples[3].clearance_m = 1.0; },
+                            [](TrialRecord& r) { r.plan_calls.pop_back(); },
+                            [](TrialRecord& r) { r.plan_calls[1].time_s += 1e-9; },
+                            [](TrialRecord& r) { ++r.plan_calls[1].status; },
+                            [](TrialRecord& r) { ++r.plan_calls[1].command_kind; },
+                            [](TrialRecord& r) { r.collisions.clear(); },
+                            [](TrialRecord& r) { r.collisions[0].time_s += 1e-9; },
+                            [](TrialRecord& r) { r.collisions[0].speed_mps += 1e-9; },
+                            [](TrialRecord& r) { ++r.collisions[0].obstacle; },
+                            [](TrialRecord& r) { r.collisions[0].kind = "rock"; }};
+  std::set<std::string> digests{record_digest(record)};
+  for (const Change change : changes) {
+    TrialRecord changed = record;
+    change(changed);
+    EXPECT_TRUE(digests.insert(record_digest(changed)).second) << digests.size();
+  }
+  TrialRecord slower = record;
+  slower.plan_calls[0].cpu_time_s += 1.0;
+  slower.plan_calls[0].wall_time_s += 1.0;
+  EXPECT_EQ(record_digest(slower), record_digest(record));
 }
 
 }  // namespace
