@@ -159,7 +159,9 @@ TEST_F(Includes, OfAFileThatIsNoPartOfASweepNothingIsQuoted) {
   write("text", "a secret\n");
   for (const std::string key : {"include", "vehicle", "sensor"}) {
     const auto of = [&](const std::string& file) {
-      return problems("sweep: a\nplanners: [tunable]\n" + key + ": ./" + file + "\n");
+      const std::string all =
+          problems("sweep: a\nplanners: [tunable]\n" + key + ": ./" + file + "\n");
+      return all.starts_with("./") ? all.substr(2) : all;
     };
     const std::string expected = ":1:1: expected a mapping (name: value), found ";
     EXPECT_EQ(of("shadow"), "shadow" + expected + "a key that is no name");

@@ -214,7 +214,7 @@ TEST_F(SweepFiles, EachProblemHasItsPlaceAndReason) {
       {"maps: {generator: hal, height_m: 4, corridor_m: 2, hight_m: 4}",
        "s.yaml:3:19: maps.generator: \"hal\" is none of " + generators() +
            " (did you mean hall?)\n"
-           "s.yaml:3:54: maps.hight_m: unknown key (did you mean height_m?)"},
+           "s.yaml:3:52: maps.hight_m: unknown key (did you mean height_m?)"},
       {"sensor: {kind: stereo_census2, census_px: 4, paths: 8, disparities: 64}",
        "s.yaml:3:16: sensor.kind: \"stereo_census2\" is none of depth_ideal, depth_noisy, "
        "stereo_sgm, stereo_census (did you mean stereo_census?)\n"
