@@ -2,8 +2,8 @@
 #include <iostream>
 #include <optional>
 
-#include "base/file_name.hpp"
 #include "base/option_error.hpp"
+#include "base/output_file.hpp"
 #include "commands.hpp"
 #include "database_choice.hpp"
 #include "export/export_flight.hpp"

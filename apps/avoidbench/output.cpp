@@ -9,6 +9,7 @@
 #include <cstring>
 #include <string_view>
 
+#include "base/output_file.hpp"
 #include "visible_streams.hpp"
 
 namespace avoidbench {
@@ -64,20 +65,11 @@ void check_output(const std::string& file, std::string_view format) {
   if (file == "-") return;
   const std::filesystem::path path = file;
   check_ending(path, format);
-  const auto fail = [&](const std::string& reason) {
-    refuse_file(file, "can't be written: " + reason);
-  };
-  std::error_code error;
-  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-  if (std::filesystem::is_directory(path, error)) fail("it is a folder");
-  if (!std::filesystem::is_directory(folder, error)) fail("no folder " + folder.string());
-  const std::string to_write =
-      std::filesystem::exists(path, error) ? path.string() : folder.string();
-  if (::access(to_write.c_str(), W_OK) != 0) fail(std::strerror(errno));
+  check_output_file(path);
 }
 
 Output::Output(const std::string& path) : path_(path) {
-  if (path_ != "-") file_.open(path_, std::ios::binary);
+  if (path_ != "-") file_ = open_output(path_);
   check();
 }
 
@@ -88,8 +80,8 @@ void Output::write(const std::string& text) {
 
 void Output::close() {
   stream().flush();
-  if (path_ != "-") file_.close();
   check();
+  if (path_ != "-") close_output(file_, path_);
 }
 
 std::ostream& Output::stream() { return path_ == "-" ? data_output() : file_; }
@@ -120,8 +112,9 @@ void write_sections(std::span<const Section> sections, const OutputOptions& opti
 std::filesystem::path made_folder(const std::string& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (!std::filesystem::is_directory(folder, error)) {
-    refuse_file(folder, "is no folder and can't be made one");
+  if (error) refuse_file(folder, "is no folder and can't be made one: " + error.message());
+  if (::access(folder.c_str(), W_OK) != 0) {
+    refuse_file(folder, std::string("can't be written: ") + std::strerror(errno));
   }
   return folder;
 }

@@ -36,7 +36,7 @@ void write_text(const std::string& text, const std::string& output);
 void write_table(const Table& table, const OutputOptions& options);
 void write_sections(std::span<const Section> sections, const OutputOptions& options);
 
-/// The folder, made if it is missing.
+/// The folder, made if it is missing. Throws InputError where it can't be made or written to.
 std::filesystem::path made_folder(const std::string& folder);
 
 }  // namespace avoidbench

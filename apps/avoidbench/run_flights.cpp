@@ -7,6 +7,7 @@
 #include "config/sweep_file.hpp"
 #include "metrics/flyable.hpp"
 #include "metrics/metric_table.hpp"
+#include "output.hpp"
 #include "plugin/planner_description.hpp"
 #include "process/sandbox.hpp"
 #include "replay/provenance.hpp"
@@ -206,7 +207,7 @@ std::int64_t fly_sweep(const RunCommand& command, const SweepSpec& sweep, const 
   const int jobs = command.jobs > 0 ? command.jobs : allowed_cpus();
   const Rerun rerun = rerun_from(command.rerun);
   const std::filesystem::path file = database_file(command, sweep, shard);
-  if (command.database_file.empty()) std::filesystem::create_directories("results");
+  if (command.database_file.empty()) made_folder("results");
   const StopSignals& signals = watch_stop_signals();
   Database database = open_checked(command, sweep, shard, signals, file);
   warn(command, sweep, jobs);

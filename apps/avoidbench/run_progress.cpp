@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "base/input_error.hpp"
+#include "base/output_file.hpp"
 #include "text/visible_text.hpp"
 #include "visible_streams.hpp"
 
@@ -72,9 +72,13 @@ RunProgress::RunProgress(ProgressStyle style, std::filesystem::path heartbeat)
     : style_(style),
       heartbeat_(std::move(heartbeat)),
       is_live_(style == ProgressStyle::line && ::isatty(STDERR_FILENO) == 1) {
-  if (!heartbeat_.empty() && !std::ofstream(heartbeat_))
-    refuse_file(heartbeat_, "can't be written");
+  if (heartbeat_.empty()) return;
+  check_output_file(fresh_heartbeat());
+  open_output(heartbeat_);
 }
+
+/// What the heartbeat is written to first.
+std::filesystem::path RunProgress::fresh_heartbeat() const { return heartbeat_.string() + ".new"; }
 
 void RunProgress::show(const Progress& progress) {
   if (is_finished_) return;
@@ -123,7 +127,7 @@ void RunProgress::beat(const Progress& progress) {
   beaten_ = now;
   const double elapsed_s = std::chrono::duration<double>(now - began_).count();
   // Moved into place, so that nobody reads half of it; a full disk does not end the run.
-  const std::filesystem::path fresh = heartbeat_.string() + ".new";
+  const std::filesystem::path fresh = fresh_heartbeat();
   std::ofstream(fresh) << json_of(progress, elapsed_s).dump() << '\n';
   std::error_code error;
   std::filesystem::rename(fresh, heartbeat_, error);

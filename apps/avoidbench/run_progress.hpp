@@ -26,6 +26,7 @@ class RunProgress {
   void draw_line(const Progress& progress);
   void print_json(const Progress& progress);
   void beat(const Progress& progress);
+  std::filesystem::path fresh_heartbeat() const;
 
   using Clock = std::chrono::steady_clock;
   ProgressStyle style_;

@@ -5,7 +5,7 @@
 #include <set>
 #include <tuple>
 
-#include "base/file_name.hpp"
+#include "base/output_file.hpp"
 #include "config/field_reader.hpp"
 #include "config/given_values.hpp"
 #include "config/map_files.hpp"

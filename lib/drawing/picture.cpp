@@ -9,6 +9,7 @@
 
 #include "base/check.hpp"
 #include "base/input_error.hpp"
+#include "base/output_file.hpp"
 
 namespace avoidbench {
 /// Text and scales have fixed sizes in pixels: bands of 22 px hold one line of text of 0.45 times
@@ -268,6 +269,7 @@ Picture enlarged(const Picture& picture, int factor) {
 }
 
 void write_png(const Picture& picture, const std::filesystem::path& file) {
+  check_output_file(file);
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
   image.width = static_cast<png_uint_32>(picture.width_px);

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/input_error.hpp"
+#include "base/output_file.hpp"
 #include "text/npy_header.hpp"
 
 namespace avoidbench {
@@ -89,18 +90,6 @@ void add_raw(const Eigen::Vector3f& v, std::string& bytes) {
 void add_text(float value, std::string& text) {
   std::array<char, 32> digits{};
   text.append(digits.begin(), std::to_chars(digits.begin(), digits.end(), value).ptr);
-}
-
-std::ofstream opened(const fs::path& file) {
-  std::ofstream out(file, std::ios::binary | std::ios::trunc);
-  if (!out) throw InputError(file.string() + ": can't be written");
-  return out;
-}
-
-/// Closing writes what is still in the buffer: only then an error of the disk is seen.
-void finish(std::ofstream& out, const fs::path& file) {
-  out.close();
-  if (!out) throw InputError(file.string() + ": writing failed; is the disk full?");
 }
 
 void check_ending(const fs::path& file, std::string_view ending, std::string_view what) {
@@ -224,16 +213,17 @@ void write_glb(const World& world, const fs::path& file) {
   writer.add_meshes(world);
   writer.add_nodes(world);
   const std::string bytes = writer.bytes();
-  std::ofstream out = opened(file);
+  std::ofstream out = open_output(file);
   out << bytes;
-  finish(out, file);
+  close_output(out, file);
 }
 
 /// With a library of the materials' colours beside it.
 void write_obj(const World& world, const fs::path& file) {
   fs::path library = file;
   library.replace_extension(".mtl");
-  std::ofstream out = opened(file), materials = opened(library);
+  check_output_file(library);  // before the mesh is begun
+  std::ofstream out = open_output(file), materials = open_output(library);
   out << "# avoidbench map, metres, z up\nmtllib " << library.filename().string() << "\no map\n";
   std::size_t first = 1;  // OBJ numbers vertices over the whole file
   for (const Part& part : flattened(world)) {
@@ -256,8 +246,8 @@ void write_obj(const World& world, const fs::path& file) {
     out << text;
     first += part.vertices.size();
   }
-  finish(out, file);
-  finish(materials, library);
+  close_output(out, file);
+  close_output(materials, library);
 }
 
 void write_ply(const World& world, const fs::path& file) {
@@ -274,13 +264,13 @@ void write_ply(const World& world, const fs::path& file) {
     first += static_cast<std::uint32_t>(part.vertices.size());
     triangles += part.triangles.size();
   }
-  std::ofstream out = opened(file);
+  std::ofstream out = open_output(file);
   out << "ply\nformat binary_little_endian 1.0\ncomment avoidbench map, metres, z up\n"
       << "element vertex " << first
       << "\nproperty float x\nproperty float y\nproperty float z\nelement face " << triangles
       << "\nproperty list uchar uint vertex_indices\nend_header\n"
       << vertices << faces;
-  finish(out, file);
+  close_output(out, file);
 }
 
 void write_stl(const World& world, const fs::path& file) {
@@ -302,9 +292,9 @@ void write_stl(const World& world, const fs::path& file) {
       bytes.append(2, '\0');
     }
   }
-  std::ofstream out = opened(file);
+  std::ofstream out = open_output(file);
   out << bytes;
-  finish(out, file);
+  close_output(out, file);
 }
 
 struct MeshFormat {
@@ -341,34 +331,35 @@ void export_point_cloud(const VoxelGrid& grid, const fs::path& file) {
       }
     }
   }
-  std::ofstream out = opened(file);
+  std::ofstream out = open_output(file);
   out << "ply\nformat binary_little_endian 1.0\ncomment avoidbench map, metres, z up\n"
       << "element vertex " << numbers.size() / 3
       << "\nproperty float x\nproperty float y\nproperty float z\nend_header\n";
   out.write(reinterpret_cast<const char*>(numbers.data()),
             static_cast<std::streamsize>(numbers.size() * sizeof(float)));
-  finish(out, file);
+  close_output(out, file);
 }
 
 /// The grid's bytes as they are, z slowest, x fastest; beside it a JSON file that says where it
 /// lies, which NumPy's format has no place for.
 void export_occupancy(const VoxelGrid& grid, const fs::path& file) {
   check_ending(file, ".npy", "an occupancy grid");
-  std::ofstream out = opened(file);
+  fs::path beside = file;
+  beside += ".json";
+  check_output_file(beside);  // before the grid is begun
+  std::ofstream out = open_output(file);
   out << npy_header("|u1", std::array{grid.layers, grid.rows, grid.columns});
   out.write(reinterpret_cast<const char*>(grid.is_occupied.data()),
             static_cast<std::streamsize>(grid.is_occupied.size()));
-  finish(out, file);
+  close_output(out, file);
 
-  fs::path beside = file;
-  beside += ".json";
-  std::ofstream text = opened(beside);
+  std::ofstream text = open_output(beside);
   const Eigen::Vector3d& low = grid.lowest_world;
   // Enough digits to read back the same double.
   text.precision(17);
   text << "{\"lowest_world_m\": [" << low.x() << ", " << low.y() << ", " << low.z()
        << "], \"resolution_m\": " << grid.size_m << ", \"axes\": \"z y x\"}\n";
-  finish(text, beside);
+  close_output(text, beside);
 }
 
 }  // namespace avoidbench

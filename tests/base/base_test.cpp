@@ -7,8 +7,8 @@
 #include <fstream>
 
 #include "base/digest.hpp"
-#include "base/file_name.hpp"
 #include "base/input_error.hpp"
+#include "base/output_file.hpp"
 #include "base/spec_json.hpp"
 #include "base/ticks.hpp"
 

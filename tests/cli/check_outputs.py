@@ -1,0 +1,119 @@
+#!/usr/bin/env python3
+"""No command writes over a database, whatever it is called: each option that names a file to write is tried on one.
+
+check_outputs.py --program PROGRAM
+"""
+
+import argparse
+import hashlib
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+SWEEP = """sweep: small
+planners: [straight_line]
+trials: 2
+maps: {generator: hall, poisson_radius_m: 5, area_m: [12, 15]}
+mission: {time_limit_s: 1}
+sensor: {width_px: 80, height_px: 60}
+"""
+
+# Of each command that writes files: its words, and by option the file that is a database already. @ is the option with it.
+COMMANDS = {
+    "compare": [("compare db.db db.db @", {"--output": "v.sqlite", "--bless": "v.csv"})],
+    "config defaults": [("config defaults @", {"--output": "v.yaml"})],
+    "config schema": [("config schema @", {"--output": "v.json"})],
+    "config sweeps": [("config sweeps @", {"--output": "v.sqlite"})],
+    "explain": [("explain db.db @", {"--output": "v.sqlite"}), ("explain db.db 1 @", {"--png": "v.png"})],
+    "export calls": [("export calls db.db 1 @", {"--output": "v.csv"})],
+    "export ompl": [("export ompl db.db @", {"--output": "v.log"})],
+    "export trajectory": [("export trajectory db.db 1 @", {"--output": "v.csv"})],
+    "export trials": [("export trials db.db @", {"--output": "v.csv"})],
+    "limit": [("limit db.db @", {"--output": "v.sqlite"})],
+    "maps export": [("maps export hall @", {"--mesh": "v.obj", "--point-cloud": "v.ply", "--occupancy": "v.npy"}),
+                    ("maps export hall --mesh other.obj @", {"": "other.mtl"}),
+                    ("maps export hall --occupancy other.npy @", {"": "other.npy.json"})],
+    "maps info": [("maps info hall @", {"--output": "v.sqlite"})],
+    "maps list": [("maps list @", {"--output": "v.sqlite"})],
+    "maps show": [("maps show hall @", {"--png": "v.png"}), ("maps show hall --png p.png @", {"--page": "v.html"})],
+    "metrics": [("metrics @", {"--output": "v.sqlite"})],
+    "planners check": [("planners check straight_line @", {"--output": "v.sqlite"})],
+    "planners describe": [("planners describe straight_line @", {"--output": "v.sqlite"})],
+    "planners list": [("planners list @", {"--output": "v.sqlite"})],
+    "power": [("power --trials 10 @", {"--output": "v.sqlite"})],
+    "replay": [("replay db.db 1 @", {"--png": "v.png", "--video": "v.mp4", "--page": "v.html", "--csv": "v.csv",
+                                     "--commands": "v.csv"}),
+               ("replay db.db --list @", {"--output": "v.sqlite"})],
+    "report": [("report db.db @", {"--output": "v.sqlite", "--page": "v.html"})],
+    "run": [("run sweep.yaml --db other.db --quiet @", {"--heartbeat": "v.json"}),
+            ("run sweep.yaml --db other.db --quiet --heartbeat h @", {"": "h.new"})],
+    "sensors info": [("sensors info d435_like @", {"--output": "v.sqlite"})],
+    "sensors list": [("sensors list @", {"--output": "v.sqlite"})],
+    "sensors preview": [("sensors preview d435_like @", {"--png": "v.png"})],
+}
+# Options that name a file, or where tables go, and write nothing by themselves.
+READ = {"--library", "--map-file", "--wind-file", "--metrics-from", "--tolerances"}
+
+
+def help_of(program, words):
+    return subprocess.run([program, *words, "--help"], capture_output=True, text=True, check=True).stdout
+
+
+def commands_of(program, words=()):
+    """Every command that has no further ones, with the options of its help that name a file."""
+    text = help_of(program, words)
+    below = re.findall(r"^  ([a-z_]+) +\S", text.partition("SUBCOMMANDS:")[2] or text.partition("Subcommands:")[2], re.M)
+    if not below:
+        named = re.findall(r"^ +(?:-\w, *)?(--[a-z-]+) +(?:FILE|TEXT)", text, re.M)
+        yield " ".join(words), {name for name in named if name in WRITING or "FILE" in line_of(text, name)} - READ
+    for name in below:
+        yield from commands_of(program, (*words, name))
+
+
+WRITING = {"--output", "--png", "--page", "--video", "--csv", "--commands", "--bless", "--heartbeat", "--mesh",
+           "--point-cloud", "--occupancy"}
+
+
+def line_of(text, option):
+    return next(line for line in text.splitlines() if re.search(rf"{option}\b", line))
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--program", required=True)
+    program = str(pathlib.Path(parser.parse_args().program).resolve())
+    failures = []
+    for command, options in commands_of(program):
+        tried = {option for _, files in COMMANDS.get(command, []) for option in files}
+        if options - tried:
+            failures.append(f"{command}: {', '.join(sorted(options - tried))} is not tried here")
+    with tempfile.TemporaryDirectory(prefix="avoidbench_outputs_") as folder:
+        here = pathlib.Path(folder)
+        (here / "sweep.yaml").write_text(SWEEP)
+        subprocess.run([program, "run", "sweep.yaml", "--db", "db.db", "--quiet"], cwd=here, check=True, capture_output=True)
+        digest = hashlib.sha256((here / "db.db").read_bytes()).hexdigest()
+        for words, option, name in [(words, option, name) for entries in COMMANDS.values() for words, files in entries
+                                    for option, name in files.items()]:
+            victim = here / name
+            shutil.copy(here / "db.db", victim)
+            given = words.replace("@", f"{option} {name}" if option else "").split()
+            before = {file.name for file in here.iterdir()}
+            done = subprocess.run([program, *given], cwd=here, capture_output=True, text=True, timeout=300)
+            expected = f"{name}: can't be written: it is a database"
+            if done.returncode != 2 or expected not in done.stderr:
+                failures.append(f"{' '.join(given)}: exit {done.returncode}, {done.stderr.strip()[-300:]}")
+            if hashlib.sha256(victim.read_bytes()).hexdigest() != digest:
+                failures.append(f"{' '.join(given)}: the database was written over")
+            made = {file.name for file in here.iterdir()} - before - {"other.db", "other.planners"}
+            if made:
+                failures.append(f"{' '.join(given)}: made {', '.join(sorted(made))}")
+            victim.unlink()
+    print("\n".join(failures) or f"{sum(len(files) for entries in COMMANDS.values() for _, files in entries)} outputs tried")
+    sys.exit(1 if failures else 0)
+
+
+if __name__ == "__main__":
+    main()
