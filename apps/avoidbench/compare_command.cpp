@@ -23,10 +23,6 @@ struct CompareCommand {
   CompareSettings settings;
 };
 
-void warn(const TrialTable& table) {
-  if (!table.warning.empty()) std::cerr << "warning: " << table.warning << '\n';
-}
-
 /// A file, or results/NAME.db by its short name.
 std::filesystem::path table_file(const std::string& given) {
   const std::filesystem::path path = given;
@@ -38,7 +34,6 @@ void bless(const CompareCommand& command) {
     throw InputError("--bless writes the table of one database: give no second one");
   }
   const TrialTable table = read_table(table_file(command.base), command.sweep);
-  warn(table);
   write_text(csv_of_table(table), command.bless_file);
   std::cerr << command.bless_file << ": " << table.trials.size() << " trials of sweep "
             << table.sweep << "\n";
@@ -82,8 +77,6 @@ void compare(const CompareCommand& command) {
   const std::filesystem::path base = table_file(command.base);
   const std::filesystem::path now = command.now.empty() ? base : table_file(command.now);
   TablePair tables = read_tables(base, now, command.sweep);
-  warn(tables.base);
-  if (now != base) warn(tables.now);
   if (!command.planner.empty()) tables = of_planners(std::move(tables), command.planner);
   const bool failed =
       command.is_exact ? compare_bits(command, tables) : compare_figures(command, tables);

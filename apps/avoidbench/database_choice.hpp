@@ -17,8 +17,7 @@ std::filesystem::path database_of(const std::string& given);
 /// InputError where there is none.
 std::filesystem::path newest_database(const std::string& purpose);
 
-/// Opens a database for reading after checking the digests of all its trials' rows. Says on stderr
-/// how many have none.
+/// Opens a database for reading after checking the digests of all its trials' rows.
 Database open_checked(const std::filesystem::path& path);
 
 /// The databases, opened so, or the newest one where none is given.

@@ -47,10 +47,6 @@ void merge(const MergeCommand& command) {
     for (const std::string& problem : merge_kept_files(command.into, file)) {
       std::cerr << "warning: a kept file is not taken over: " << problem << '\n';
     }
-    if (result.undigested_trials > 0) {
-      std::cerr << "warning: " << file << ": " << result.undigested_trials
-                << " trials have no digest to be checked by: an older avoidbench flew them\n";
-    }
   }
   const bool is_complete = print_completeness(into);
   if (!is_complete) {

@@ -15,6 +15,7 @@
 #include "report/selection.hpp"
 #include "report/summary.hpp"
 #include "report/sweep_tables.hpp"
+#include "store/row_digest.hpp"
 #include "store/trial_fields.hpp"
 #include "store/trial_table.hpp"
 
@@ -29,6 +30,7 @@ struct ReportOptions {
   std::optional<double> page_mb;
   std::vector<std::string> metrics, metric_files, group_by, where, tables;
   bool is_all = false;
+  bool must_check = false;
 };
 
 ReportQuery query_of(const ReportOptions& options) {
@@ -163,14 +165,24 @@ void draw_plots(const std::vector<std::string>& databases, const std::string& sw
   }
 }
 
+/// All that is stored of all trials, also what no table needs.
+void check_stored(std::span<const Database> databases) {
+  for (const Database& database : databases) {
+    std::cerr << database.path().string() << ": " << check_all(database)
+              << " trials checked: rows, flights, plan calls and events are as they were stored\n";
+  }
+}
+
 void report(const ReportOptions& options) {
   ReportQuery query = query_of(options);
   check_output(options.output.output, text(options.output.format));
   if (!options.page.empty()) check_page(options.page);
+  if (!options.plots.empty()) made_folder(options.plots);
   std::vector<std::string> files = options.files;
   if (files.empty()) files.push_back(newest_database("report").string());
   std::map<std::pair<std::string, std::string>, std::vector<SweepResult>> parts_of;  // name, spec
   const std::vector<Database> databases = opened(files, "report");
+  if (options.must_check) check_stored(databases);
   PageParts page_parts;
   PageParts* const page = options.page.empty() ? nullptr : &page_parts;
   std::vector<std::string> unflown;
@@ -276,6 +288,9 @@ void add_report_command(CLI::App& app) {
           "causes, pairs, difficulty, flight_time, flight_time_curve, maps, environment (default: "
           "planners, outcomes, pairs, and groups if each has several maps)")
       ->delimiter(',');
+  command.add_flag("--check", options.must_check,
+                   "Check all that is stored of each trial against its digests first, flights and "
+                   "plan calls too; without it, rows and what is read");
   command.add_flag("--all", options.is_all,
                    "Every table except maps and flight_time_curve, every warning, and what each "
                    "column means; csv and json always have all of it");

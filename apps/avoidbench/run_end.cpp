@@ -6,7 +6,7 @@
 #include "diagnosis/computing_times.hpp"
 #include "diagnosis/failure_kinds.hpp"
 #include "diagnosis/standing_flights.hpp"
-#include "store/visit_trials.hpp"
+#include "store/trial_table.hpp"
 #include "text/visible_text.hpp"
 #include "text/words.hpp"
 

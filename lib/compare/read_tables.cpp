@@ -8,7 +8,7 @@
 #include "base/option_error.hpp"
 #include "compare/trial_table.hpp"
 #include "store/row_digest.hpp"
-#include "store/visit_trials.hpp"
+#include "store/trial_table.hpp"
 #include "text/words.hpp"
 
 namespace avoidbench {
@@ -20,7 +20,6 @@ struct Source {
   std::optional<Database> database = {};
   std::vector<SweepInfo> sweeps = {};  ///< with trials, the latest revision of a name last
   TrialTable table = {};
-  std::string warning = {};  ///< of trials that can't be checked by digests
 };
 
 /// Whether the file begins as databases do, or is too short for a table.
@@ -37,8 +36,7 @@ Source open_source(const std::filesystem::path& path) {
   Source source{.file = path.string()};
   if (may_be_database(path)) {
     source.database = Database::open_for_reading(path);
-    // Throws where a digest is wrong; rows without digests only warn.
-    source.warning = undigested_text(*source.database, check_digests(*source.database, false));
+    check_digests(*source.database, false);
     for (SweepInfo& sweep : source.database->read_sweeps()) {
       if (sweep.trial_count > 0) source.sweeps.push_back(std::move(sweep));
     }
@@ -83,7 +81,6 @@ const SweepInfo& sweep_of(const Source& source, const std::string& wanted) {
 TrialTable take(Source& source, const std::string& wanted, const std::vector<std::string>& axes) {
   if (source.database) {
     TrialTable table = table_of_sweep(*source.database, sweep_of(source, wanted), axes);
-    table.warning = source.warning;
     return table;
   }
   // A table in CSV is of one revision, which it does not name.

@@ -9,7 +9,7 @@
 #include "base/check.hpp"
 #include "base/digest.hpp"
 #include "base/input_error.hpp"
-#include "store/visit_trials.hpp"
+#include "store/trial_table.hpp"
 
 namespace avoidbench {
 namespace {

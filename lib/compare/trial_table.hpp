@@ -45,7 +45,6 @@ struct TrialTable {
   std::vector<std::string> axes = {};
   std::vector<MetricRow> metrics = {};
   std::vector<TableTrial> trials = {};  ///< by identity, which no two share
-  std::string warning = {};             ///< of trials that can't be checked by digests
 };
 
 /// The table of a sweep in a database. `axes` are the paths whose values tell its trials apart.

@@ -9,7 +9,7 @@
 #include "report/summary.hpp"
 #include "statistics/sample_size.hpp"
 #include "statistics/stop_rule.hpp"
-#include "store/visit_trials.hpp"
+#include "store/trial_table.hpp"
 #include "text/number_text.hpp"
 #include "text/words.hpp"
 #include "trial/map_fields.hpp"
@@ -141,11 +141,17 @@ void warn_of_mixtures(const SweepSummary& summary, const SweepResult& result, Wa
   }
   // The groups were asked for to tell them apart.
   if (!summary.group_rows.empty()) return;
-  using Flight = std::tuple<std::string_view, std::string_view, std::int64_t>;
+  // Numbers in the keys' place: many keys are slow to sort.
+  std::map<std::string_view, std::size_t> numbers;
+  const auto number_of = [&](std::string_view key) {
+    return numbers.emplace(key, numbers.size()).first->second;
+  };
+  using Flight = std::tuple<std::size_t, std::size_t, std::int64_t>;
   std::vector<Flight> flights;
   flights.reserve(result.trials.size());
   for (const TrialSummary& trial : result.trials) {
-    flights.emplace_back(trial.planner_key, trial.map_key, trial.mission_index);
+    const std::size_t planner = number_of(trial.planner_key);
+    flights.emplace_back(planner, number_of(trial.map_key), trial.mission_index);
   }
   // Two flights of one planner on one mission: they differ in a setting.
   std::sort(flights.begin(), flights.end());

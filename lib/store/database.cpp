@@ -7,6 +7,7 @@
 
 #include "base/check.hpp"
 #include "base/input_error.hpp"
+#include "store/log_check.hpp"
 #include "store/run_lock.hpp"
 #include "store/schema_check.hpp"
 #include "store/statement.hpp"
@@ -19,7 +20,7 @@ namespace {
 constexpr double kLockTimeout_s = 10.0;
 
 /// `path` as a file: URI, for the options that SQLite takes no other way.
-std::string file_uri(const std::filesystem::path& path, bool is_immutable) {
+std::string file_uri(const std::filesystem::path& path, std::string_view options) {
   constexpr std::string_view kDigits = "0123456789ABCDEF";
   std::string uri = "file:";
   for (const char c : std::filesystem::absolute(path).string()) {
@@ -33,9 +34,13 @@ std::string file_uri(const std::filesystem::path& path, bool is_immutable) {
       uri += kDigits[byte & 15U];
     }
   }
-  // "immutable": SQLite neither locks nor looks for a log.
-  return is_immutable ? uri + "?immutable=1" : uri;
+  return uri.append(options);
 }
+
+/// SQLite neither locks nor looks for a log.
+constexpr std::string_view kImmutable = "?immutable=1";
+/// SQLite doesn't lock: for files that nobody can have open.
+constexpr std::string_view kUnlocked = "?vfs=unix-none";
 
 /// A file that is not there yet passes.
 void check_is_plain_file(const std::filesystem::path& path) {
@@ -78,17 +83,6 @@ std::string views_sql(std::span<const MetricRow> metrics) {
                        "{metric_means}", means);
 }
 
-/// The statement of schema.sql that makes this table, for a file that lacks it.
-std::string made_by_schema(std::string_view table) {
-  constexpr std::string_view kCreate = "CREATE TABLE ";
-  const std::size_t begin = kSchemaSql.find(std::string(kCreate) + std::string(table) + " (");
-  AB_CHECK(begin != std::string_view::npos, table);
-  const std::size_t name = begin + kCreate.size();
-  // A table of this name that somebody else made is compared with ours later, as others are.
-  return std::string(kCreate) + "IF NOT EXISTS " +
-         std::string(kSchemaSql.substr(name, kSchemaSql.find(';', name) + 1 - name));
-}
-
 /// Nothing that a file says may run code, write elsewhere or reach another file.
 void harden(sqlite3* handle) {
   // DEFENSIVE: SQL can't write to SQLite's own tables. TRUSTED_SCHEMA off: views and defaults call
@@ -107,19 +101,14 @@ void harden(sqlite3* handle) {
                nullptr);
 }
 
-/// A copy of the database in memory.
-sqlite3* copy_in_memory(sqlite3* handle, const std::filesystem::path& path) {
-  sqlite3* memory = nullptr;
-  AB_CHECK(sqlite3_open(":memory:", &memory) == SQLITE_OK);
-  harden(memory);
-  sqlite3_backup* backup = sqlite3_backup_init(memory, "main", handle, "main");
-  AB_CHECK(backup != nullptr);
-  // All pages at once; a reader's lock keeps them from changing meanwhile.
-  sqlite3_backup_step(backup, -1);
-  const int code = sqlite3_backup_finish(backup);
-  if (code == SQLITE_OK) return memory;
-  sqlite3_close(memory);
-  throw_sqlite_error(handle, code, path);
+std::int64_t value_of(sqlite3* handle, const std::filesystem::path& path, const std::string& sql) {
+  Statement statement(handle, path, sql);
+  statement.step();
+  return statement.integer(0);
+}
+
+std::int64_t object_count(sqlite3* handle, const std::filesystem::path& path) {
+  return value_of(handle, path, "SELECT count(*) FROM sqlite_schema");
 }
 
 }  // namespace
@@ -168,14 +157,17 @@ int Database::wait_for_lock(void* context, int count) {
 }
 
 /// Opens and hardens, and believes nothing yet: what the file holds is checked by the two callers.
-Database Database::connect(const std::filesystem::path& path, int flags, bool is_immutable,
+Database Database::connect(const std::filesystem::path& path, int flags, std::string_view options,
                            OnWait on_wait) {
   sqlite3* handle = nullptr;
-  const std::string uri = file_uri(path, is_immutable);
+  const std::string uri = file_uri(path, options);
   // Also where it fails there is a handle, which has the message and has to be closed.
-  const int code = sqlite3_open_v2(uri.c_str(), &handle, flags | SQLITE_OPEN_URI, nullptr);
+  // NOMUTEX: a handle serves one thread, and a lock for each column read is felt in large files.
+  const int code =
+      sqlite3_open_v2(uri.c_str(), &handle, flags | SQLITE_OPEN_URI | SQLITE_OPEN_NOMUTEX, nullptr);
   Database database(path, std::unique_ptr<sqlite3, Close>(handle, Close{.is_writer = false}));
   if (code != SQLITE_OK) throw_sqlite_error(handle, code, path);
+  if (options != kImmutable) check_log(handle, path);
   harden(handle);
   database.uri_ = uri;
   database.wait_->on_wait = std::move(on_wait);
@@ -186,8 +178,9 @@ Database Database::connect(const std::filesystem::path& path, int flags, bool is
 Database Database::open_for_run(const std::filesystem::path& path,
                                 std::span<const MetricDef> metrics, OnWait on_wait) {
   check_is_plain_file(path);
+  check_no_lost_log(path);
   Database database =
-      connect(path, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, false, std::move(on_wait));
+      connect(path, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, "", std::move(on_wait));
   sqlite3* handle = database.handle();
   // First whether it is ours at all: a foreign file is not even locked.
   database.check_identity();
@@ -205,7 +198,9 @@ Database Database::open_for_run(const std::filesystem::path& path,
           "PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON;");
   // Schema and metrics in one transaction: a program that is killed here leaves the file as it was.
   Transaction transaction(handle, path);
-  database.create_schema();
+  const bool is_new = object_count(handle, path) == 0;
+  write_cookie(handle, path, cookie_of_next_run(read_cookie(handle, path), is_new));
+  if (is_new) execute(handle, path, std::string(kSchemaSql));
   check_columns(handle, path, "main");
   database.bring_metrics(metrics);
   transaction.commit();
@@ -219,37 +214,33 @@ Database Database::open_for_reading(const std::filesystem::path& path) {
   check_is_plain_file(path);
   std::error_code error;
   if (!std::filesystem::exists(path, error)) refuse_file(path, "no such file");
-  Database database = connect(path, SQLITE_OPEN_READONLY, false, {});
-  // A database in WAL mode needs files beside it even for reading. Where the folder can't be
-  // written and no writer has left any, the file is complete and can be read alone.
+  Database database = connect(path, SQLITE_OPEN_READONLY, "", {});
   // The first statement that looks into the file: opening alone reads nothing.
   const int code = sqlite3_exec(database.handle(), "SELECT count(*) FROM sqlite_schema", nullptr,
                                 nullptr, nullptr);
   const int primary_code = code & 0xff;
-  if ((primary_code == SQLITE_CANTOPEN || primary_code == SQLITE_READONLY) &&
-      !std::filesystem::exists(path.string() + "-wal", error)) {
-    database = connect(path, SQLITE_OPEN_READONLY, true, {});
+  const bool has_log = std::filesystem::exists(path.string() + "-wal", error);
+  const bool has_index = std::filesystem::exists(path.string() + "-shm", error);
+  // A database in WAL mode needs files beside it even for reading. Where the folder can't be
+  // written and none are there, nobody has it open, and it can be read alone, or with its log.
+  if ((primary_code == SQLITE_CANTOPEN || primary_code == SQLITE_READONLY) && !has_index) {
+    database = connect(path, SQLITE_OPEN_READONLY, has_log ? kUnlocked : kImmutable, {});
+    // The log's index is in memory then.
+    execute(database.handle(), path, "PRAGMA locking_mode = EXCLUSIVE");
   } else if (code != SQLITE_OK) {
     throw_sqlite_error(database.handle(), code, path);
   }
   database.check_identity();
-  Statement tables(database.handle(), path, "SELECT count(*) FROM sqlite_schema");
-  tables.step();
-  if (tables.integer(0) == 0) refuse_file(path, "an empty file: it holds no results");
-  check_objects(database.handle(), path, "main", Extras::only_apart);
-  if (database.schema_version() < kSchemaVersion) {
-    // Of an older program: brought up in memory, the file stays as it is. There is no uri() then.
-    sqlite3* memory = copy_in_memory(database.handle(), path);
-    database.handle_ = std::unique_ptr<sqlite3, Close>(memory, Close{.is_writer = false});
-    database.uri_.clear();
-    database.create_schema();
+  if (object_count(database.handle(), path) == 0) {
+    refuse_file(path, "an empty file: it holds no results");
   }
+  check_objects(database.handle(), path, "main", Extras::only_apart);
   // From here on names and types of columns can be relied on.
   check_columns(database.handle(), path, "main");
-  database.check_integrity(false);
   // Rows are spread over the whole of a large file: what is mapped into memory is read without a
-  // system call each.
-  execute(database.handle(), path, "PRAGMA mmap_size = 134217728");
+  // system call and a copy each.
+  execute(database.handle(), path, "PRAGMA mmap_size = 2000000000");
+  database.check_integrity(false);
   database.read_metrics();
   database.check_references();
   database.use_own_views();
@@ -345,26 +336,22 @@ void Database::use_own_views() {
 }
 
 void Database::check_identity() const {
-  Statement statement(handle(), path(),
-                      "SELECT (SELECT count(*) FROM sqlite_schema), "
-                      "(SELECT application_id FROM pragma_application_id), "
-                      "(SELECT user_version FROM pragma_user_version)");
-  statement.step();
-  const std::int64_t object_count = statement.integer(0);
-  const std::int64_t application_id = statement.integer(1);
-  const std::int64_t version = statement.integer(2);
-  if (object_count == 0 && application_id == 0) return;  // new
+  const std::int64_t application_id = value_of(handle(), path(), "PRAGMA application_id");
+  if (application_id == 0 && object_count(handle(), path()) == 0) return;  // new
   if (application_id != kApplicationId) {
     refuse_file(path(),
                 "not a database of avoidbench, but of another program; it is left as it is");
   }
-  if (version > kSchemaVersion) {
-    refuse_file(path(), "made by a newer avoidbench, with schema version " +
-                            std::to_string(version) + "; this one knows versions up to " +
-                            std::to_string(kSchemaVersion) +
-                            ": use an avoidbench with schema version " + std::to_string(version) +
-                            " or newer");
-  }
+  const std::int64_t version = value_of(handle(), path(), "PRAGMA user_version");
+  if (version == kSchemaVersion) return;
+  const std::string own = std::to_string(kSchemaVersion), its = std::to_string(version);
+  refuse_file(path(), version > kSchemaVersion
+                          ? "made by a newer avoidbench, with schema version " + its +
+                                "; this one reads version " + own +
+                                ": use an avoidbench with schema version " + its + " or newer"
+                          : "its schema version (PRAGMA user_version) is " + its +
+                                "; this avoidbench reads version " + own +
+                                ": fly its sweep again into another file");
 }
 
 void Database::check_integrity(bool whole) const {
@@ -414,50 +401,6 @@ void Database::check_references() const {
     }
     throw_damaged(path(), table, key, "its row in " + parent + " is not there");
   }
-}
-
-/// A new file gets schema.sql; an older one what later versions added, step by step. Nothing is
-/// ever taken out or renamed, so that rows stay as they are.
-void Database::create_schema() {
-  Statement statement(handle(), path(), "SELECT count(*) FROM sqlite_schema");
-  statement.step();
-  if (statement.integer(0) == 0) {
-    execute(handle(), path(), std::string(kSchemaSql));
-    return;
-  }
-  if (schema_version() < 2) {
-    execute(handle(), path(),
-            "ALTER TABLE missions ADD COLUMN traversability_obstruction REAL;"
-            "ALTER TABLE missions ADD COLUMN view_occlusion REAL;"
-            "ALTER TABLE missions ADD COLUMN angle_over_length_1pm REAL;"
-            "PRAGMA user_version = 2;");
-  }
-  if (schema_version() < 3) {
-    execute(handle(), path(),
-            "ALTER TABLE runs ADD COLUMN shard TEXT NOT NULL DEFAULT '';"
-            "ALTER TABLE trials ADD COLUMN wall_time_s REAL;"
-            "ALTER TABLE trajectories ADD COLUMN is_packed INTEGER NOT NULL DEFAULT 0 "
-            "CHECK (is_packed IN (0, 1));"
-            "PRAGMA user_version = 3;");
-  }
-  if (schema_version() < 4) {
-    execute(handle(), path(),
-            "ALTER TABLE runs ADD COLUMN sandbox TEXT NOT NULL DEFAULT '';"
-            "ALTER TABLE trials ADD COLUMN flight_digest TEXT;"
-            "ALTER TABLE trials ADD COLUMN row_digest TEXT;"
-            "PRAGMA user_version = 4;");
-  }
-  if (schema_version() < 5) {
-    execute(
-        handle(), path(),
-        made_by_schema("what_ifs") + made_by_schema("explanations") + "PRAGMA user_version = 5;");
-  }
-}
-
-int Database::schema_version() const {
-  Statement statement(handle(), path(), "SELECT user_version FROM pragma_user_version");
-  statement.step();
-  return static_cast<int>(statement.integer(0));
 }
 
 void Database::bring_metrics(std::span<const MetricDef> metrics) {

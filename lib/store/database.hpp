@@ -146,14 +146,12 @@ class Database {
   };
 
   Database(std::filesystem::path path, std::unique_ptr<sqlite3, Close> handle);
-  static Database connect(const std::filesystem::path& path, int flags, bool is_immutable,
+  static Database connect(const std::filesystem::path& path, int flags, std::string_view options,
                           OnWait on_wait);
   static int wait_for_lock(void* wait, int count);
   void check_identity() const;
   void check_integrity(bool whole) const;
   void check_references() const;
-  int schema_version() const;
-  void create_schema();  ///< or brings an older one up
   void bring_metrics(std::span<const MetricDef> metrics);
   void read_metrics();
   void use_own_views();

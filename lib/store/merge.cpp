@@ -10,6 +10,7 @@
 #include "store/schema_check.hpp"
 #include "store/statement.hpp"
 #include "store/stored_text.hpp"
+#include "store/trial_table.hpp"
 #include "trial/map_fields.hpp"
 
 namespace avoidbench {
@@ -237,6 +238,13 @@ void take_rows(const Database& into, const Database& from) {
   execute(into.handle(), into.path(), sql);
 }
 
+/// What digests say of the flights and plan calls that were taken over is true.
+void check_added_flights(const Database& into, const Database& from) {
+  TrialReader reader(from);
+  Statement added(into.handle(), into.path(), "SELECT trial_key FROM temp.added");
+  while (added.step()) reader.read(added.text(0));
+}
+
 std::int64_t count_of(const Database& database, const std::string& sql) {
   Statement statement(database.handle(), database.path(), sql);
   statement.step();
@@ -272,16 +280,10 @@ MergeResult merge_database(Database& into, const std::filesystem::path& from) {
   std::error_code error;
   if (std::filesystem::equivalent(from, into.path(), error))
     refuse_file(from, "is the file to merge into");
-  if (checked.uri().empty()) {
-    refuse_file(
-        from,
-        "is of an older avoidbench with another schema: `avoidbench run` into this database "
-        "brings it up");
-  }
   check_metrics(into, checked);
   MergeResult result;
   // With the flights: what is taken over is never looked at again so closely.
-  result.undigested_trials = check_digests(checked, true);
+  check_digests(checked, true);
   {
     // In a block: detached before anything is looked at again.
     const Attached attached(into, checked);
@@ -294,6 +296,7 @@ MergeResult merge_database(Database& into, const std::filesystem::path& from) {
       take_runs(into);
       take_sweeps(into);
       take_rows(into, checked);
+      check_added_flights(into, checked);
     } catch (const InputError&) {
       // A row that breaks a constraint is the file's fault, not the disk's.
       if ((sqlite3_errcode(into.handle()) & 0xff) != SQLITE_CONSTRAINT) throw;

@@ -10,16 +10,15 @@
 namespace avoidbench {
 
 struct MergeResult {
-  std::int64_t trials = 0;             ///< that the file has
-  std::int64_t new_trials = 0;         ///< of them: that were not there before
-  std::int64_t undigested_trials = 0;  ///< of them: that an older program flew (row_digest.hpp)
+  std::int64_t trials = 0;      ///< that the file has
+  std::int64_t new_trials = 0;  ///< of them: that were not there before
 };
 
 /// Takes all rows of the database at `from` into `into`, in one transaction. Rows that are there
 /// stay; a second time nothing changes. Sweeps of equal name and content are one sweep. Throws
 /// InputError, and changes nothing, where `from` is no database of this schema and these metrics,
-/// or where the two hold a map, mission or trial of one key with different values: then one of them
-/// was made by another program or from other files.
+/// where a row or flight is not as it was stored, or where the two hold a map, mission or trial of
+/// one key with different values: then one of them was made by another program or from other files.
 MergeResult merge_database(Database& into, const std::filesystem::path& from);
 
 /// What a sweep lacks.

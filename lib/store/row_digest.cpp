@@ -4,8 +4,10 @@
 #include <set>
 
 #include "base/digest.hpp"
+#include "base/input_error.hpp"
 #include "store/schema_check.hpp"
 #include "store/statement.hpp"
+#include "store/trial_table.hpp"
 
 namespace avoidbench {
 namespace {
@@ -89,6 +91,7 @@ class FlightDigests {
 };
 
 void check_row(const Statement& row, const std::vector<std::string>& columns, std::string& bytes) {
+  if (row.is_null(1)) row.damaged("it has no row_digest: somebody took it out");
   if (row.text(1) == row_digest(row, columns, bytes)) return;
   row.damaged("its values are not those that were stored (row_digest)");
 }
@@ -169,7 +172,7 @@ void write_digests(const Database& db, std::string_view trial_key) {
   write.bind_text(digest).bind_text(trial_key).run();
 }
 
-std::int64_t check_digests(const Database& db, bool flights) {
+void check_digests(const Database& db, bool flights) {
   db.read_what_ifs();  // both check theirs
   db.read_explanations();
   const std::vector<std::string> columns = digested_columns(db);
@@ -178,18 +181,24 @@ std::int64_t check_digests(const Database& db, bool flights) {
   row.rows_of("trials");
   FlightDigests flight_digests(db, false);
   std::string bytes, key, digest;
-  std::int64_t without = 0;
   while (row.step()) {
     // As many flights as rows, unless a joined table has a key twice.
     if (flights && !flight_digests.next(key, digest)) row.damaged("it is there twice");
-    if (row.is_null(1)) {
-      ++without;
-      continue;
-    }
     check_row(row, columns, bytes);
     if (flights) check_flight(row, digest);
   }
-  return without;
+}
+
+std::int64_t check_all(const Database& db) {
+  Statement pages(db.handle(), db.path(), "PRAGMA integrity_check(1)");
+  pages.step();
+  const std::string answer = pages.free_text(0);
+  if (answer != "ok") refuse_file(db.path(), "damaged (" + answer + ")");
+  check_digests(db, true);
+  TrialReader reader(db);
+  const std::set<std::string> keys = db.finished_keys();
+  for (const std::string& key : keys) reader.read(key);
+  return static_cast<std::int64_t>(keys.size());
 }
 
 struct TrialDigests::Statements {
@@ -210,17 +219,11 @@ TrialDigests::~TrialDigests() = default;
 
 void TrialDigests::check(std::string_view trial_key) {
   Statement& row = statements_->row.reset().bind_text(trial_key);
-  if (!row.step() || row.is_null(1)) return;
+  if (!row.step()) return;
   std::string bytes, key, digest;
   check_row(row, statements_->columns, bytes);
   statements_->flights.of(trial_key).next(key, digest);
   check_flight(row, digest);
-}
-
-std::string undigested_text(const Database& db, std::int64_t count) {
-  if (count == 0) return "";
-  return db.path().string() + ": " + std::to_string(count) +
-         " trials have no digest to be checked by: an older avoidbench flew them";
 }
 
 void Database::add_what_if(const WhatIfRow& row) {

@@ -22,9 +22,13 @@ namespace avoidbench {
 void write_digests(const Database& database, std::string_view trial_key);
 
 /// Checks the rows of all trials and what-ifs against their row_digest, and with `flights` what is
-/// beside trials against flight_digest. Throws InputError that names the first row that differs.
-/// Returns how many trials have no digest: an older program flew them.
-std::int64_t check_digests(const Database& database, bool flights);
+/// beside trials against flight_digest. Throws InputError that names the first row that differs or
+/// has no digest.
+void check_digests(const Database& database, bool flights);
+
+/// Checks that too, each flight and the plan calls against their digests, and the whole file as
+/// SQLite does. Returns how many trials there are. Throws InputError as check_digests().
+std::int64_t check_all(const Database& database);
 
 /// Checks one trial after the other, as check_digests() with flights.
 class TrialDigests {
@@ -37,8 +41,5 @@ class TrialDigests {
   struct Statements;
   std::unique_ptr<Statements> statements_;
 };
-
-/// Says of a database what has no digest to be checked by; "" where all trials have one.
-std::string undigested_text(const Database& database, std::int64_t count);
 
 }  // namespace avoidbench

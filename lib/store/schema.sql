@@ -116,10 +116,10 @@ CREATE TABLE trials (
   attempt INTEGER NOT NULL,       -- 1, and one more each time it was flown anew; the last one is kept
   run_id INTEGER NOT NULL REFERENCES runs,
   spec_json TEXT NOT NULL,        -- all that determines the trial: enough to fly it again
-  wall_time_s REAL,               -- it took on the host; NULL where a worker died or an older program flew it
+  wall_time_s REAL,               -- it took on the host; NULL where a worker died
   flight_digest TEXT,             -- SHA-256 of the counts and digests in trajectories and plan_calls and of all events
   row_digest TEXT,                -- SHA-256 of the columns that have a value, with their names; without attempt and
-                                  -- run_id. Both are NULL where an older program flew it
+                                  -- run_id
   FOREIGN KEY (map_key, mission_index) REFERENCES missions
 ) STRICT;
 

@@ -5,6 +5,7 @@
 
 #include "base/check.hpp"
 #include "base/input_error.hpp"
+#include "store/log_check.hpp"
 #include "store/stored_text.hpp"
 
 namespace avoidbench {
@@ -241,11 +242,27 @@ void Statement::append_value(std::string_view name, int column, std::string& byt
   }
 }
 
+std::uint32_t read_cookie(sqlite3* handle, const std::filesystem::path& path) {
+  Statement statement(handle, path, "PRAGMA schema_version");
+  statement.step();
+  return static_cast<std::uint32_t>(statement.integer(0));
+}
+
+void write_cookie(sqlite3* handle, const std::filesystem::path& path, std::uint32_t cookie) {
+  // The defensive setting keeps SQL of others from it.
+  sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 0, nullptr);
+  execute(handle, path,
+          "PRAGMA schema_version = " + std::to_string(static_cast<std::int32_t>(cookie)));
+  sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+}
+
 Transaction::Transaction(sqlite3* handle, const std::filesystem::path& path)
     : handle_(handle), path_(path) {
   // The lock for writing is taken at once: a transaction that first reads and then wants to write
   // may find that it can't.
   execute(handle_, path_, "BEGIN IMMEDIATE");
+  // Puts the file's first page into the log, too, by which check_log() knows whose log it is.
+  write_cookie(handle_, path_, cookie_of_next_transaction(read_cookie(handle_, path_)));
 }
 
 Transaction::~Transaction() {

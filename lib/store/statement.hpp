@@ -69,6 +69,10 @@ class Statement {
   int key_column_ = 0;
 };
 
+/// The schema cookie of the main file, within a transaction (log_check.hpp).
+std::uint32_t read_cookie(sqlite3* handle, const std::filesystem::path& path);
+void write_cookie(sqlite3* handle, const std::filesystem::path& path, std::uint32_t cookie);
+
 /// All or nothing: what was not committed when it goes out of scope is rolled back.
 class Transaction {
  public:

@@ -7,7 +7,7 @@
 #include "store/schema_check.hpp"
 #include "store/statement.hpp"
 #include "store/stored_text.hpp"
-#include "store/visit_trials.hpp"
+#include "store/trial_table.hpp"
 
 namespace avoidbench {
 namespace {
@@ -171,6 +171,7 @@ std::string metric_columns(const Database& db) {
 
 std::vector<double> metrics_of(const Database& db, const Statement& row, int first_column) {
   std::vector<double> values;
+  values.reserve(db.metrics().size());
   for (std::size_t i = 0; i < db.metrics().size(); ++i) {
     values.push_back(row.real(first_column + static_cast<int>(i)));
   }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -38,6 +40,26 @@ class TrialTableReader {
   std::vector<TableValue> row_;
   std::size_t seed_column_ = 0;
 };
+
+/// The paths of the axes of a sweep's stored spec, in its order: "map.poisson_radius_m".
+std::vector<std::string> axis_paths(std::string_view sweep_spec_json);
+
+/// A trial of a sweep, without its flight and spec.
+struct VisitedTrial {
+  std::string planner_key, map_key;
+  std::int64_t mission_index = 0;
+  Outcome outcome = Outcome::timed_out;
+  std::string cause;            ///< of a failure, where it is told
+  std::vector<double> metrics;  ///< in the order of Database::metrics(), NaN where there is none
+  std::vector<std::string>
+      settings;  ///< what its spec says at the paths, as JSON text; "" for none
+};
+
+/// Calls `visit` for each trial of a sweep, in any order. `paths` are dotted
+/// ("sensor.fov_x_deg"). Each row is read once: for large databases.
+void visit_trials(const Database& database, std::string_view sweep, std::int64_t revision,
+                  std::span<const std::string> paths,
+                  const std::function<void(VisitedTrial)>& visit);
 
 /// The generators of the maps that these sweeps have trials on.
 std::vector<std::string> generators_of(const Database& database, std::span<const SweepInfo> sweeps);

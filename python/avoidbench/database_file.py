@@ -58,6 +58,19 @@ def _connect(path: Path) -> sqlite3.Connection:
     return connection
 
 
+def _check_log(path: Path) -> None:
+    """Refuses the log of another file, which SQLite would take by its name. The program compares more of the two; here it
+    is enough that a file which ended well has no log: SQLite deletes it before it writes 1 there."""
+    log = Path(f"{path}-wal")
+    if not log.exists() or log.stat().st_size == 0:
+        return
+    with path.open("rb") as file:
+        header = file.read(20)
+    if header[18:20] == b"\x01\x01" and log.exists():
+        raise ResultsError(f"{path}: beside it lies {log.name}, the log of another file of that name, from a run that was "
+                           f"killed: move it away if {path.name} is the file that you mean")
+
+
 def _check_identity(connection: sqlite3.Connection, path: Path) -> None:
     objects, application, version = connection.execute(
         "SELECT (SELECT count(*) FROM sqlite_schema), (SELECT application_id FROM "
@@ -68,7 +81,10 @@ def _check_identity(connection: sqlite3.Connection, path: Path) -> None:
         raise ResultsError(f"{path}: not a database of avoidbench, but of another program")
     if version > SCHEMA_VERSION:
         raise ResultsError(f"{path}: made by a newer avoidbench, with schema version {version}; this "
-                           f"one knows versions up to {SCHEMA_VERSION}")
+                           f"one reads version {SCHEMA_VERSION}")
+    if version < SCHEMA_VERSION:
+        raise ResultsError(f"{path}: its schema version (PRAGMA user_version) is {version}; this avoidbench "
+                           f"reads version {SCHEMA_VERSION}: fly its sweep again into another file")
 
 
 @contextlib.contextmanager
@@ -86,6 +102,7 @@ def opened(path: Path) -> Iterator[sqlite3.Connection]:
     if sqlite3.sqlite_version_info < _LEAST_SQLITE:
         raise ResultsError(f"this Python has SQLite {sqlite3.sqlite_version}, which can't read tables of avoidbench: "
                            "it takes 3.37 or newer")
+    _check_log(path)
     connection: sqlite3.Connection | None = None
     try:
         connection = _connect(path)

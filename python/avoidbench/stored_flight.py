@@ -60,16 +60,12 @@ def _event_rows(connection: sqlite3.Connection, key: str) -> list[tuple[Any, ...
 
 
 def check_flight(connection: sqlite3.Connection, path: Path, key: str) -> None:
-    """Checks counts and digests of a flight and its events against the trial's flight_digest, which
-    trials of older programs lack.
+    """Checks counts and digests of a flight and its events against the trial's flight_digest.
 
     Raises:
         ResultsError: they differ.
     """
     trial = _row(connection, "trials", key) or {}
-    stored = trial.get("flight_digest")
-    if stored is None:
-        return
     covered = b""
     for table, columns in (("trajectories", ("sample_count", "samples_digest")),
                            ("plan_calls", ("call_count", "calls_digest"))):
@@ -80,7 +76,7 @@ def check_flight(connection: sqlite3.Connection, path: Path, key: str) -> None:
     for event in _event_rows(connection, key):
         covered += b"".join(map(_digested, EVENT_COLUMNS, event))
     # The program digests a text with its length before it.
-    if hashlib.sha256(struct.pack("<Q", len(covered)) + covered).hexdigest() != stored:
+    if hashlib.sha256(struct.pack("<Q", len(covered)) + covered).hexdigest() != trial.get("flight_digest"):
         raise damaged(path, "trials", key, "its trajectory, plan calls or events are not those that "
                                            "were stored (flight_digest)")
 

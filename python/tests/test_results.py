@@ -9,6 +9,7 @@ import io
 import json
 import math
 import re
+import runpy
 import shutil
 import sqlite3
 import warnings
@@ -24,6 +25,8 @@ from conftest import Program
 import avoidbench
 from avoidbench import database_file
 from avoidbench.tables import text_of_csv_field, trials_of_csv
+
+redigest = runpy.run_path(str(Path(__file__).parents[2] / "tests/support/redigest.py"))["redigest"]
 
 
 @contextlib.contextmanager
@@ -236,16 +239,15 @@ def test_tables_have_the_numbers_of_the_report(tiny: avoidbench.Results, odd: av
 
 def test_infinite_means_are_infinite(copy_db: Path) -> None:
     with edited(copy_db) as database:
-        database.execute("UPDATE trials SET row_digest = NULL, min_clearance_m = 9e999 WHERE outcome = 'reached_goal'")
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # of rows without digest
-        results = avoidbench.read(copy_db)
-        means = results.table(metrics=["path_length_m", "min_clearance_m"])
-        assert list(means["min_clearance_m"]) == [math.inf, 0.0]
-        assert list(means["path_length_m"]) == list(results.table(metrics="path_length_m")["path_length_m"])
-        assert sorted(results.trials["min_clearance_m"]) == [0.0, 0.0, math.inf, math.inf]
-        grouped = results.table("grouped", group_by=["planner", "outcome"], metrics="min_clearance_m")
-        assert grouped.set_index("planner")["min_clearance_m"]["reactive"] == math.inf
+        database.execute("UPDATE trials SET min_clearance_m = 9e999 WHERE outcome = 'reached_goal'")
+        redigest(database)
+    results = avoidbench.read(copy_db)
+    means = results.table(metrics=["path_length_m", "min_clearance_m"])
+    assert list(means["min_clearance_m"]) == [math.inf, 0.0]
+    assert list(means["path_length_m"]) == list(results.table(metrics="path_length_m")["path_length_m"])
+    assert sorted(results.trials["min_clearance_m"]) == [0.0, 0.0, math.inf, math.inf]
+    grouped = results.table("grouped", group_by=["planner", "outcome"], metrics="min_clearance_m")
+    assert grouped.set_index("planner")["min_clearance_m"]["reactive"] == math.inf
 
 
 def test_metrics_of_ones_own(tiny: avoidbench.Results, tmp_path: Path) -> None:
@@ -370,35 +372,34 @@ def test_a_changed_number_is_an_error(copy_db: Path) -> None:
         _ = avoidbench.read(copy_db).trials
 
 
-def test_files_of_older_programs(tiny: avoidbench.Results, copy_db: Path) -> None:
-    path = tiny.trajectory(1)
-    stored = path[[name for name in path.columns if name != "yaw_rad"]]
-    order = [*stored.columns[:20], "clearance_m", "rotor_power_w"]
-    with edited(copy_db) as database:  # as schema 1 was: unpacked samples, no digests
-        for table, column in (("trials", "flight_digest"), ("trials", "row_digest"), ("trials", "wall_time_s"),
-                              ("runs", "sandbox"), ("runs", "shard"), ("missions", "traversability_obstruction"),
-                              ("missions", "view_occlusion"), ("missions", "angle_over_length_1pm")):
-            for view in ("trial_table", "latest_trials", "planner_summary", "map_summary", "plan_call_table"):
-                database.execute(f"DROP VIEW IF EXISTS {view}")
-            database.execute(f"ALTER TABLE {table} DROP COLUMN {column}")
-        database.execute("UPDATE trajectories SET samples = ? WHERE trial_key = (SELECT trial_key FROM trials "
-                         "WHERE rowid = 1)", (stored[order].to_numpy("<f8").tobytes(),))
-        database.execute("CREATE TABLE made_anew AS SELECT trial_key, sample_count, samples_digest, samples FROM "
-                         "trajectories")
-        database.execute("DROP TABLE trajectories")
-        database.execute("CREATE TABLE trajectories (trial_key TEXT PRIMARY KEY REFERENCES trials, sample_count "
-                         "INTEGER NOT NULL, samples_digest TEXT NOT NULL, samples BLOB NOT NULL) STRICT")
-        database.execute("INSERT INTO trajectories SELECT * FROM made_anew")
-        database.execute("DROP TABLE made_anew")
-        database.execute("DROP TABLE what_ifs")
-        database.execute("DROP TABLE explanations")
-        database.execute("PRAGMA user_version = 1")
-    old = avoidbench.read(copy_db)
-    assert old.trajectory(1).equals(path)
-    assert old.calls(1).equals(tiny.calls(1))
-    assert old.missions["view_occlusion"].isna().all()
-    with pytest.warns(UserWarning, match="4 trials have no digest"):
-        assert old.trials["path_length_m"].equals(tiny.trials["path_length_m"])
+@pytest.mark.parametrize("version", [-1, 0, 1, 4])
+def test_another_schema_version_is_an_error(copy_db: Path, version: int) -> None:
+    with edited(copy_db) as database:
+        database.execute(f"PRAGMA user_version = {version}")
+    with pytest.raises(avoidbench.ResultsError, match=rf"its schema version \(PRAGMA user_version\) is {version}; "):
+        avoidbench.read(copy_db)
+
+
+def test_a_digest_that_was_taken_out_is_an_error(copy_db: Path) -> None:
+    with edited(copy_db) as database:
+        database.execute("UPDATE trials SET row_digest = NULL, flight_digest = NULL")
+    with pytest.raises(avoidbench.ProgramError, match="it has no row_digest"):
+        _ = avoidbench.read(copy_db).trials
+    with pytest.raises(avoidbench.ResultsError, match="flight_digest"):
+        avoidbench.read(copy_db).trajectory(1)
+
+
+def test_the_log_of_another_file_is_an_error(copy_db: Path) -> None:
+    running = copy_db.with_name("running.db")
+    with contextlib.closing(sqlite3.connect(running, isolation_level=None)) as other:
+        other.execute("PRAGMA journal_mode = WAL")
+        other.execute("CREATE TABLE t (x)")
+        log = Path(f"{running}-wal").read_bytes()
+    Path(f"{copy_db}-wal").write_bytes(log)
+    before = copy_db.read_bytes()
+    with pytest.raises(avoidbench.ResultsError, match="the log of another file"):
+        avoidbench.read(copy_db)
+    assert copy_db.read_bytes() == before
 
 
 def test_reading_changes_no_byte(copy_db: Path) -> None:

@@ -9,7 +9,7 @@
 #include "base/input_error.hpp"
 #include "compare/compare.hpp"
 #include "compare/compare_samples.hpp"
-#include "store/visit_trials.hpp"
+#include "store/trial_table.hpp"
 #include "support/input_error_message.hpp"
 #include "support/sample_rows.hpp"
 

@@ -12,7 +12,9 @@
 #include <string_view>
 #include <vector>
 
+#include "base/input_error.hpp"
 #include "fuzz/read_database.hpp"
+#include "support/redigest.hpp"
 
 namespace {
 
@@ -183,7 +185,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::uint8_t first = bytes.next();
   const bool keeps_digests = first / kCommandCount % 4 == 0;
   while (bytes.size > 0) edit(handle, base, bytes);
-  if (!keeps_digests) run(handle, "UPDATE trials SET row_digest = NULL, flight_digest = NULL");
+  if (!keeps_digests) {
+    try {
+      test::redigest(handle);
+    } catch (const InputError&) {  // damaged by an edit
+    }
+  }
   run(handle,
       "PRAGMA writable_schema = ON; UPDATE sqlite_schema SET sql = replace(replace(sql, ') /*S*/ "
       "W', "

@@ -62,42 +62,21 @@ TEST(Damage, ANewerSchemaIsRefusedWithTheVersionNeeded) {
   EXPECT_TRUE(has(message, "version 7")) << message;
 }
 
-TEST(Damage, AnOlderSchemaIsReadAndBroughtUpByTheNextRun) {
+TEST(Damage, AnotherSchemaVersionIsRefusedAndTheFileLeftAlone) {
   const TemporaryFolder folder;
   { begun(folder / "o.db").add_trial(trial_row("a", 0, 0, Outcome::reached_goal)); }
-  // Their columns are in the way.
-  run_sql(folder / "o.db", "DROP VIEW latest_trials; DROP VIEW trial_table");
-  for (const char* column :
-       {"traversability_obstruction", "view_occlusion", "angle_over_length_1pm"}) {
-    run_sql(folder / "o.db", std::string("ALTER TABLE missions DROP COLUMN ") + column);
-  }
-  run_sql(folder / "o.db", "ALTER TABLE runs DROP COLUMN shard");
-  run_sql(folder / "o.db", "ALTER TABLE runs DROP COLUMN sandbox");
-  run_sql(folder / "o.db", "ALTER TABLE trials DROP COLUMN row_digest");
-  run_sql(folder / "o.db", "ALTER TABLE trials DROP COLUMN flight_digest");
-  run_sql(folder / "o.db", "ALTER TABLE trials DROP COLUMN wall_time_s");
-  run_sql(folder / "o.db", "ALTER TABLE trajectories DROP COLUMN is_packed");
-  run_sql(folder / "o.db", "DROP TABLE what_ifs");
-  run_sql(folder / "o.db", "DROP TABLE explanations");
-  run_sql(folder / "o.db", "PRAGMA user_version = 1");
-  {  // to be read as it is, which changes nothing
+  for (const int version : {-1, 0, 1, 2, 3, 4}) {
+    run_sql(folder / "o.db", "PRAGMA user_version = " + std::to_string(version));
     const std::string before = file_digest(folder / "o.db");
-    const Database old = Database::open_for_reading(folder / "o.db");
-    EXPECT_EQ(old.finished_keys().size(), 1U);
-    EXPECT_EQ(old.read_sweep("forest", 1).trials.size(), 1U);
-    EXPECT_EQ(check_digests(old, true), 1);
-    EXPECT_TRUE(old.read_what_ifs().empty());
-    EXPECT_TRUE(old.read_explanations().empty());
-    EXPECT_EQ(file_digest(folder / "o.db"), before);
+    const std::string expected = "o.db: its schema version (PRAGMA user_version) is " +
+                                 std::to_string(version) + "; this avoidbench reads version 5: ";
+    EXPECT_TRUE(has(message_of_opening(folder / "o.db"), expected));
+    EXPECT_TRUE(
+        has(message_of([&] { Database::open_for_run(folder / "o.db", kMetrics); }), expected));
     Database other = begun(folder / "other.db");
-    EXPECT_TRUE(has(message_of([&] { merge_database(other, folder / "o.db"); }), "another schema"));
+    EXPECT_TRUE(has(message_of([&] { merge_database(other, folder / "o.db"); }), expected));
+    EXPECT_EQ(file_digest(folder / "o.db"), before);
   }
-  { Database::open_for_run(folder / "o.db", kMetrics); }
-  const Database db = Database::open_for_reading(folder / "o.db");
-  Statement columns(db.handle(), folder / "o.db",
-                    "SELECT traversability_obstruction, view_occlusion, angle_over_length_1pm "
-                    "FROM missions");
-  EXPECT_NO_THROW(columns.step());
 }
 
 TEST(Damage, AnotherVersionOfAMetricIsRefused) {
@@ -122,6 +101,64 @@ TEST(Damage, PlacesThatCanHoldNoFile) {
   EXPECT_TRUE(has(message_of([&] { Database::open_for_reading(nowhere); }), "no such file"));
   const std::string proc = message_of([] { Database::open_for_run("/proc/results.db", kMetrics); });
   EXPECT_TRUE(has(proc, "/proc/results.db: ")) << proc;
+}
+
+/// What `action` says where this process may write nowhere in the folder; "skipped" where it may
+/// whatever it does.
+template <class Action>
+std::string message_without_rights(const TemporaryFolder& folder, Action action) {
+  using std::filesystem::perms;
+  std::filesystem::permissions(folder.path(), perms::owner_read | perms::owner_exec |
+                                                  perms::others_read | perms::others_exec);
+  int ends[2];
+  EXPECT_EQ(pipe(ends), 0);
+  const pid_t child = fork();
+  if (child == 0) {
+    constexpr uid_t kNobody = 65534;
+    const bool is_root = geteuid() == 0;
+    const bool may_not = !is_root || (setgid(kNobody) == 0 && setuid(kNobody) == 0);
+    const std::string message = may_not ? message_of(action) : "skipped";
+    _exit(write(ends[1], message.data(), message.size()) < 0 ? 1 : 0);
+  }
+  close(ends[1]);
+  std::string message(4096, '\0');
+  const ssize_t count = read(ends[0], message.data(), message.size());
+  message.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
+  close(ends[0]);
+  waitpid(child, nullptr, 0);
+  std::filesystem::permissions(folder.path(), perms::owner_all);
+  return message;
+}
+
+TEST(Damage, AFolderThatCannotBeWrittenIsReadFromAndNotWrittenTo) {
+  const TemporaryFolder folder;
+  { begun(folder / "closed.db").add_trial(trial_row("a", 0, 0, Outcome::reached_goal)); }
+  {
+    Database db = begun(folder / "running.db");
+    db.checkpoint();
+    copy_file(folder / "running.db", folder / "wal_mode.db");
+    db.add_trial(trial_row("a", 0, 0, Outcome::reached_goal));
+    copy_file(folder / "running.db", folder / "killed.db");
+    copy_file(folder / "running.db-wal", folder / "killed.db-wal");
+  }
+  for (const auto& [name, trials] :
+       {std::pair("closed.db", 1U), {"wal_mode.db", 0U}, {"killed.db", 1U}}) {
+    const std::filesystem::path file = folder / name;
+    const std::string read = message_without_rights(folder, [&] {
+      const Database db = Database::open_for_reading(file);
+      check_digests(db, true);
+      if (db.finished_keys().size() != trials) throw InputError("other trials");
+    });
+    if (read == "skipped") GTEST_SKIP() << "may write everywhere";
+    EXPECT_EQ(read, "no error") << name;
+    const std::string run =
+        message_without_rights(folder, [&] { Database::open_for_run(file, kMetrics); });
+    EXPECT_TRUE(has(run, file.string() + ": can't be ")) << run;
+  }
+  const std::filesystem::path fresh = folder / "new.db";
+  const std::string message =
+      message_without_rights(folder, [&] { Database::open_for_run(fresh, kMetrics); });
+  EXPECT_TRUE(has(message, "check that its folder exists and may be written")) << message;
 }
 
 TEST(Damage, AnEmptyFileIsANewDatabaseForARunOnly) {

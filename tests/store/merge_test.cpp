@@ -6,6 +6,7 @@
 #include "base/input_error.hpp"
 #include "store/record_format.hpp"
 #include "support/canonical_rows.hpp"
+#include "support/redigest.hpp"
 #include "support/sample_rows.hpp"
 
 namespace avoidbench {
@@ -131,8 +132,8 @@ TEST(Merge, RefusesAnotherTrajectoryAndItself) {
   EXPECT_THROW(merge_database(db, folder / "none.db"), InputError);
 }
 
-/// What merging says where `change` was done to the second of two equal files, whose trials have no
-/// digests that would show it.
+/// What merging says where `change` was done to the second of two equal files, by a program that
+/// wrote the digests of what it stored.
 std::string refusal_after(const std::string& change) {
   static const TemporaryFolder samples;
   if (!std::filesystem::exists(samples / "s.db")) {
@@ -144,9 +145,9 @@ std::string refusal_after(const std::string& change) {
   for (const char* file : {"1.db", "2.db"}) copy_file(samples / "s.db", folder / file);
   sqlite3* handle = nullptr;
   EXPECT_EQ(sqlite3_open((folder / "2.db").c_str(), &handle), SQLITE_OK);
-  const std::string sql = change + "; UPDATE trials SET row_digest = NULL, flight_digest = NULL";
-  EXPECT_EQ(sqlite3_exec(handle, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK)
+  EXPECT_EQ(sqlite3_exec(handle, change.c_str(), nullptr, nullptr, nullptr), SQLITE_OK)
       << sqlite3_errmsg(handle);
+  test::redigest(handle);
   sqlite3_close(handle);
   Database db = Database::open_for_run(folder / "1.db", kMetrics);
   const std::string before = canonical_rows(db);

@@ -109,24 +109,5 @@ TEST(WhatIfRows, MergeTakesThemOverAndRefusesOthers) {
                   "holds the what-if of trial"));
 }
 
-/// A file of schema 4 has no such table: it is read as it is, and gets one when it is written to.
-TEST(WhatIfRows, OlderFilesHaveNone) {
-  const TemporaryFolder folder;
-  write_answers(folder / "o.db", {});
-  run_sql(folder / "o.db", "DROP TABLE what_ifs; PRAGMA user_version = 4");
-  const std::string before = file_digest(folder / "o.db");
-  {
-    const Database old = Database::open_for_reading(folder / "o.db");
-    EXPECT_EQ(old.finished_keys().size(), 1U);
-    EXPECT_TRUE(old.read_what_ifs().empty());
-    EXPECT_EQ(check_digests(old, true), 0);
-  }
-  EXPECT_EQ(file_digest(folder / "o.db"), before);
-  const WhatIfRow row = what_if_row(flown(), "no_wind", Outcome::reached_goal);
-  Database::open_for_run(folder / "o.db", kMetrics).add_what_if(row);
-  EXPECT_EQ(Database::open_for_reading(folder / "o.db").read_what_ifs(),
-            (std::vector<WhatIfRow>{row}));
-}
-
 }  // namespace
 }  // namespace avoidbench
