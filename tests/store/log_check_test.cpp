@@ -147,7 +147,7 @@ TEST_F(Replaced, WhereTheFileIsGoneItsLogIsKept) {
 
 TEST_F(Replaced, ALogInWhichNothingIsCommittedIsNoHindrance) {
   { begun(folder / "other.db").add_trial(finished()); }
-  for (const std::uintmax_t bytes : {0, 10, 32, 4000, 4152}) {
+  for (const std::uintmax_t bytes : {0U, 10U, 32U, 4000U, 4152U}) {
     leave_as_killed(folder / "saved.db", folder / "k.db");
     std::filesystem::resize_file(folder / "k.db-wal", bytes);
     replace_by(folder / "other.db");
