@@ -37,9 +37,11 @@ json scene_planner(const PlannerChoice& planner) {
   for (const ParameterChoice& parameter : planner.parameters) {
     parameters[parameter.name] = parameter.is_text ? json(parameter.text) : json(parameter.number);
   }
-  return {{"plugin", is_name ? planner.plugin : std::filesystem::absolute(file).string()},
-          {"label", planner.label},
-          {"parameters", parameters}};
+  json entry{{"plugin", is_name ? planner.plugin : std::filesystem::absolute(file).string()},
+             {"label", planner.label},
+             {"parameters", parameters}};
+  if (planner.camera != kAllCameras) entry["camera"] = planner.camera;
+  return entry;
 }
 
 /// The sweep of one trial: YAML, since JSON is.

@@ -10,6 +10,7 @@
 #include "conformance/planner_project.hpp"
 #include "output.hpp"
 #include "plugin/planner_library.hpp"
+#include "plugin/planner_table.hpp"
 #include "report/table_rows.hpp"
 #include "text/number_text.hpp"
 #include "yaml/yaml_values.hpp"
@@ -84,6 +85,8 @@ void describe(const std::string& plugin, const OutputOptions& options) {
   if (!options.is_for_people()) return write_table(table, options);
   std::string text = planner.name + " " + planner.version + ": " + planner.summary + "\n";
   text += "  sees      " + bit_names(planner.needs, kSeen) + "\n";
+  const std::string cameras = camera_demand(planner);
+  if (!cameras.empty()) text += "  cameras   " + cameras + "\n";
   const std::string used = bit_names(planner.needs, kUsed);
   if (!used.empty()) text += "  uses      " + used + " (beyond the sandbox)\n";
   text += "  commands  " + bit_names(planner.commands, kCommands) + "\n";

@@ -390,6 +390,11 @@ Schema planner_schema(const FieldTree& max_speed, const std::vector<PlannerDescr
       {"description",
        "Values by name; a list gives one planner for each. `avoidbench planners describe NAME` "
        "shows them."}};
+  properties["camera"] = {
+      {"type", "integer"},
+      {"minimum", 0},
+      {"description",
+       "Of a sensor with several cameras the one that the planner sees; all where not given."}};
   properties["max_speed_mps"] = writer.several(max_speed, value_schema(max_speed), false);
   Schema entry{{"type", "object"},
                {"properties", std::move(properties)},

@@ -6,7 +6,10 @@
 #include <sstream>
 
 #include "plugin/planner_library.hpp"
+#include "plugin/planner_table.hpp"
 #include "text/visible_text.hpp"
+#include "text/words.hpp"
+#include "trial/planner_view.hpp"
 #include "yaml/includes.hpp"
 #include "yaml/yaml_values.hpp"
 
@@ -22,6 +25,7 @@ struct GivenParameter {
 };
 
 constexpr const char* kMaxSpeed = "max_speed_mps";
+constexpr const char* kCamera = "camera";
 constexpr const char* kProcess = "process";  ///< instead of a planner's name: a command starts it
 constexpr const char* kWantsCommand =
     "'process' is a planner that a command starts: it needs parameters: {command: [python3, "
@@ -31,6 +35,7 @@ struct Entry {
   PlannerDescription planner;
   std::string plugin, label;
   std::vector<GivenParameter> parameters;
+  std::int64_t camera = kAllCameras;
 };
 
 const ParameterDef* parameter_def(const PlannerDescription& planner, const std::string& name) {
@@ -161,8 +166,8 @@ void refuse_misplaced_parameters(const GivenValue& given, const PlannerDescripti
                                  MappingReader& mapping) {
   for (std::size_t i = 0; i < given.node.keys.size(); ++i) {
     const std::string& name = given.node.keys[i].scalar;
-    const bool has_meaning =
-        name == "plugin" || name == "label" || name == "parameters" || name == kMaxSpeed;
+    const bool has_meaning = name == "plugin" || name == "label" || name == "parameters" ||
+                             name == kCamera || name == kMaxSpeed;
     if (has_meaning || parameter_def(planner, name) == nullptr) continue;
     mapping.take(name);
     const std::string& scalar = given.node.items[i].scalar;
@@ -172,6 +177,48 @@ void refuse_misplaced_parameters(const GivenValue& given, const PlannerDescripti
   }
 }
 
+/// The index of the one camera that the planner is to see.
+std::int64_t read_camera(const GivenValue& given, const PlannerDescription& planner) {
+  if (!sees_images(planner.needs)) given.add_problem(planner.name + " sees no images");
+  return read_whole<std::int64_t>(given, Range{0, 10000}).value_or(kAllCameras);
+}
+
+/// "0 (yaw 0°), 1 (yaw 90°)": the cameras of a rig, by index.
+std::string camera_list(const std::vector<RigCamera>& cameras) {
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    const MountingSpec& mounting = cameras[i].mounting;
+    texts.push_back(
+        std::to_string(i) + " (yaw " + number_text(mounting.yaw_deg) + "°" +
+        (mounting.pitch_deg == 0.0 ? "" : ", pitch " + number_text(mounting.pitch_deg) + "°") +
+        ")");
+  }
+  return joined(texts);
+}
+
+/// Adds why the planner can't fly with this sensor.
+void check_sensor(const GivenValue& given, const Entry& entry, const SensorSpec& sensor) {
+  const std::string name = "sensor '" + sensor.name + "'";
+  const std::vector<RigCamera> cameras = rig_cameras(sensor);
+  const auto count = static_cast<std::int64_t>(cameras.size());
+  if (entry.camera >= count) {
+    given.add_problem(name + " has no camera " + std::to_string(entry.camera) + "; it has " +
+                      camera_list(cameras));
+    return;
+  }
+  TrialSpec trial;
+  trial.sensor = sensor;
+  trial.planner.camera = entry.camera;
+  const std::string problem = camera_problem(entry.planner, planner_setup(trial).cameras);
+  if (problem.empty()) return;
+  const bool may_choose =
+      (entry.planner.needs & AB_SEES_ONE_CAMERA) != 0 && entry.camera == kAllCameras && count > 1;
+  given.add_problem(entry.planner.name + " can't fly with " + name + ": " + problem +
+                    (may_choose ? "; name the one that it sees, as in {plugin: " + entry.plugin +
+                                      ", camera: 0}, of " + camera_list(cameras)
+                                : ""));
+}
+
 /// A mapping's entry, or nothing where its library could not be loaded.
 std::optional<Entry> read_mapping(const GivenValue& given) {
   Entry entry;
@@ -179,6 +226,7 @@ std::optional<Entry> read_mapping(const GivenValue& given) {
   const auto plugin = mapping.take("plugin");
   const auto label = mapping.take("label");
   const auto parameters = mapping.take("parameters");
+  const auto camera = mapping.take(kCamera);
   std::optional<PlannerDescription> planner;
   if (!plugin) {
     given.add_problem("lacks 'plugin', the planner's name or file");
@@ -194,6 +242,7 @@ std::optional<Entry> read_mapping(const GivenValue& given) {
   if (label) entry.label = read_label(*label);
   if (!planner) return std::nullopt;
   entry.planner = std::move(*planner);
+  if (camera) entry.camera = read_camera(*camera, entry.planner);
   if (parameters) read_parameters(*parameters, entry);
   if (max_speed && parameters && parameters->node.find(kMaxSpeed) != nullptr) {
     max_speed->add_problem("is given among the parameters too");
@@ -210,7 +259,7 @@ std::optional<Entry> read_entry(const GivenValue& given) {
   }
   auto planner = load(given);
   if (!planner) return std::nullopt;
-  return Entry{std::move(*planner), given.node.scalar, "", {}};
+  return Entry{std::move(*planner), given.node.scalar, "", {}, kAllCameras};
 }
 
 /// The planner with these values; `swept` says those of which there are several.
@@ -226,6 +275,7 @@ PlannerChoice make_choice(const Entry& entry, const ParameterValues& given,
   result.command = planner.command;
   result.files = planner.files;
   result.needs = planner.needs;
+  result.camera = entry.camera;
   const std::vector<ParameterValue> values = resolve_parameters(planner, given);
   for (std::size_t i = 0; i < values.size(); ++i) {
     const ParameterDef& def = planner.parameters[i];
@@ -277,7 +327,8 @@ bool check_count(const Entry& entry, const GivenValue& given) {
 
 }  // namespace
 
-std::vector<PlannerChoice> read_planners(const GivenValue& given, const YamlNode* max_speed) {
+std::vector<PlannerChoice> read_planners(const GivenValue& given, const YamlNode* max_speed,
+                                         const std::vector<SensorSpec>& sensors) {
   std::vector<PlannerChoice> planners;
   std::map<std::string, std::string> label_owners;
   // One planner stands for a list of one.
@@ -289,6 +340,9 @@ std::vector<PlannerChoice> read_planners(const GivenValue& given, const YamlNode
     const std::size_t before = given.reading.problems.size();
     std::optional<Entry> entry = read_entry(one);
     if (entry && max_speed != nullptr) add_common_speed(*max_speed, one, *entry);
+    if (entry) {
+      for (const SensorSpec& sensor : sensors) check_sensor(one, *entry, sensor);
+    }
     // What is wrong with it was told; its labels could only bring more.
     if (!entry || given.reading.problems.size() > before) continue;
     const std::size_t first = planners.size();

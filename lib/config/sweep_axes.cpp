@@ -1,6 +1,7 @@
 #include "config/sweep_axes.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "config/field_reader.hpp"
 #include "config/sweep_keys.hpp"
@@ -118,6 +119,17 @@ void for_each_combination(const SweepSpec& sweep, const Check& check) {
     Json trial = first;
     combine({axis}, 0, trial, check);
   }
+}
+
+std::vector<SensorSpec> swept_sensors(const SweepSpec& sweep) {
+  SweepSpec alone = sweep;
+  std::erase_if(alone.axes, [](const Axis& axis) { return !axis.path.starts_with("sensor"); });
+  std::vector<SensorSpec> sensors;
+  std::set<std::string> known;
+  for_each_combination(alone, [&](const TrialSpec& trial) {
+    if (known.insert(spec_to_json(trial.sensor).dump()).second) sensors.push_back(trial.sensor);
+  });
+  return sensors;
 }
 
 }  // namespace avoidbench

@@ -35,4 +35,7 @@ void for_each_value(SweepSpec& sweep, const std::string& path, T& base, Visit&& 
 void for_each_combination(const SweepSpec& sweep,
                           const std::function<void(const TrialSpec&)>& check);
 
+/// The sensors that the sweep flies with, each once.
+std::vector<SensorSpec> swept_sensors(const SweepSpec& sweep);
+
 }  // namespace avoidbench

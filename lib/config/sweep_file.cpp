@@ -180,7 +180,10 @@ SweepSpec sweep_of_document(const Document& document) {
   read_missions(root.node, sweep, reading);
   if (const YamlNode* planners = root.node.find("planners")) {
     const YamlNode* max_speed = root.node.find("max_speed_mps");
-    sweep.planners = read_planners(root.at(*planners, "planners"), max_speed);
+    // Of fields that are wrong nobody knows what sensor they make.
+    const bool has_sensors = reading.problems.empty();
+    sweep.planners = read_planners(root.at(*planners, "planners"), max_speed,
+                                   has_sensors ? swept_sensors(sweep) : std::vector<SensorSpec>{});
   } else {
     root.add_problem("lacks 'planners', the list of planners to compare");
   }

@@ -70,7 +70,7 @@ std::vector<FieldTree> own_keys() {
       own_key(
           "planners", FieldKind::other,
           "The planners to compare: names, or {plugin: NAME or ./FILE, label, parameters: {name: "
-          "value or list}, max_speed_mps}.",
+          "value or list}, camera, max_speed_mps}.",
           {{"type", "a name or mapping, or a list of them"},
            {"example", "planners: [straight_line, reactive]"},
            {"or", "planners: [{plugin: ./my_planner.so, label: mine}, ./my_planner.py]"},

@@ -67,6 +67,16 @@ std::string escaped_exception(Call&& call) {
   return "";
 }
 
+/// A picture for planners that see light: near is bright. Each level `channels` times.
+std::vector<std::uint8_t> painted(const std::vector<float>& depth_m, std::size_t channels) {
+  std::vector<std::uint8_t> pixels;
+  for (const float depth : depth_m) {
+    const float level = depth > 0.0F ? 255.0F / (1.0F + depth) : 0.0F;  // 0 for +inf and NaN
+    pixels.insert(pixels.end(), channels, static_cast<std::uint8_t>(std::min(level, 255.0F)));
+  }
+  return pixels;
+}
+
 /// A copy with a fence on either side, so that a write past the image shows.
 std::vector<float> fenced(const std::vector<float>& pixels) {
   std::vector<float> copy(kFenceLength, kFence);
@@ -189,11 +199,11 @@ std::string reply_problem(const Reply& reply, const ab_planner& table) {
 }
 
 Probe::Probe(const ab_planner& table, const std::vector<ParameterValue>& values, bool poisoned,
-             Looking looking)
+             Looking looking, const PlannerSetup& setup)
     : table_(&table),
       poisoned_(poisoned),
       is_asking_(looking == Looking::asking),
-      setup_(conformance_setup()),
+      setup_(setup),
       host_(looking != Looking::impossible) {
   host_.want_drawings(looking == Looking::somebody);
   SetupBuffers buffers(setup_, values, table.needs);
@@ -227,18 +237,6 @@ Reply Probe::reset(const PlannerMission& mission) {
   return reply;
 }
 
-/// Pictures for planners that see light: near is bright. Of one image a frame.
-void Probe::paint(const std::vector<float>& depth_m) {
-  grey_.clear();
-  rgb_.clear();
-  for (const float depth : depth_m) {
-    const float level = depth > 0.0F ? 255.0F / (1.0F + depth) : 0.0F;  // 0 for +inf and NaN
-    const auto grey = static_cast<std::uint8_t>(std::min(level, 255.0F));
-    grey_.push_back(grey);
-    rgb_.insert(rgb_.end(), 3, grey);
-  }
-}
-
 Reply Probe::plan(const Frame& frame) {
   // Not freed: a late read must find what was overwritten, not a crash.
   std::move(pixels_.begin(), pixels_.end(), std::back_inserter(old_pixels_));
@@ -251,17 +249,21 @@ Reply Probe::plan(const Frame& frame) {
   // Level and without rotation, as the pictures are drawn.
   view.rates_body.setZero();
   view.q_world_body.setIdentity();
-  const Eigen::Isometry3d T_world_camera =
-      Eigen::Translation3d(frame.position_world) * setup_.cameras.front().T_body_camera;
+  grey_.clear();
+  rgb_.clear();
+  for (const std::vector<float>& image : frame.images) {
+    grey_.push_back(painted(image, 1));
+    rgb_.push_back(painted(image, 3));
+  }
   for (std::size_t i = 0; i < pixels_.size(); ++i) {
-    DepthView seen;
-    seen.time_s = frame.time_s;
-    seen.T_world_camera = T_world_camera;
-    seen.depth_m = std::span<const float>(pixels_[i]).subspan(kFenceLength, frame.images[i].size());
-    view.depth.push_back(seen);
-    paint(frame.images[i]);
-    view.stereo.push_back({frame.time_s, T_world_camera, 0, grey_, grey_});
-    view.color.push_back({frame.time_s, T_world_camera, 0, rgb_});
+    const std::uint32_t camera = frame.camera_of(i);
+    const Eigen::Isometry3d T_world_camera =
+        Eigen::Translation3d(frame.position_world) * setup_.cameras[camera].T_body_camera;
+    const auto depth_m =
+        std::span<const float>(pixels_[i]).subspan(kFenceLength, frame.images[i].size());
+    view.depth.push_back({frame.time_s, T_world_camera, camera, depth_m});
+    view.stereo.push_back({frame.time_s, T_world_camera, camera, grey_[i], grey_[i]});
+    view.color.push_back({frame.time_s, T_world_camera, camera, rgb_[i]});
   }
   view.states.push_back(static_cast<const StateView&>(view));
   // Specific force at rest: what an accelerometer measures is up, against gravity.

@@ -8,12 +8,15 @@
 
 namespace avoidbench {
 
-/// One made-up moment of a flight. `images` are newest first, of the setup's size.
+/// One made-up moment of a flight. `images` are newest first, of their cameras' size.
 struct Frame {
   double time_s = 0.0;
   Eigen::Vector3d position_world = Eigen::Vector3d::Zero();
   Eigen::Vector3d velocity_world = Eigen::Vector3d::Zero();
   std::vector<std::vector<float>> images;
+  std::vector<std::uint32_t> cameras = {};  ///< of the images, by index; empty: all of the first
+
+  std::uint32_t camera_of(std::size_t image) const { return cameras.empty() ? 0 : cameras[image]; }
 };
 
 struct ConformanceFlight {
@@ -66,7 +69,7 @@ enum class Looking { impossible, nobody, somebody, asking };
 class Probe {
  public:
   Probe(const ab_planner& table, const std::vector<ParameterValue>& values, bool poisoned = false,
-        Looking looking = Looking::nobody);
+        Looking looking = Looking::nobody, const PlannerSetup& setup = conformance_setup());
   ~Probe();
   Probe(const Probe&) = delete;
   Probe& operator=(const Probe&) = delete;
@@ -84,16 +87,14 @@ class Probe {
   std::vector<Reply> fly(const ConformanceFlight& flight);
 
  private:
-  void paint(const std::vector<float>& depth_m);
-
   const ab_planner* table_;
   bool poisoned_, is_asking_;
   PlannerSetup setup_;
   HostSide host_;
   ObservationBuffers observation_;
   std::vector<std::vector<float>> pixels_;
-  std::vector<std::vector<float>> old_pixels_;  ///< kept, so that a late read is no crash
-  std::vector<std::uint8_t> grey_, rgb_;
+  std::vector<std::vector<float>> old_pixels_;         ///< kept, so that a late read is no crash
+  std::vector<std::vector<std::uint8_t>> grey_, rgb_;  ///< by image
   void* instance_ = nullptr;
   std::string problem_;
 };

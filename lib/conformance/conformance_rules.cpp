@@ -8,6 +8,7 @@
 
 #include "conformance/conformance_flight.hpp"
 #include "conformance/own_process.hpp"
+#include "conformance/rig_rule.hpp"
 #include "plugin/elf_symbols.hpp"
 
 namespace avoidbench {
@@ -328,6 +329,10 @@ constexpr ConformanceRule kRules[] = {
     {"survives_odd_goals",
      "A goal at the start, at the vehicle or straight above gives commands or no plan, not errors.",
      survives_odd_goals},
+    {"tells_cameras_apart",
+     "With a second camera that looks down, commands still depend on what the first one sees. (Not "
+     "asked of a planner that declares AB_SEES_ONE_CAMERA: no rig reaches it.)",
+     tells_cameras_apart},
     {"errors_have_a_text",
      "With a NaN state or goal a planner may fail, but says why by set_error.", errors_have_a_text},
 };

@@ -37,10 +37,11 @@ Values values_of(const json& sweep) {
   return values;
 }
 
-/// A planner's plugin, file and parameters.
+/// A planner's plugin, file, camera and parameters.
 Values planner_values(const json& planner) {
   Values values{{"plugin", planner.value("plugin", json()).dump()},
                 {"file", planner.value("file_digest", json()).dump()}};
+  if (planner.contains("camera")) values["camera"] = planner.at("camera").dump();
   for (const json& parameter : planner.value("parameters", json::array())) {
     const bool is_text = parameter.value("is_text", false);
     values[parameter.value("name", "")] =

@@ -7,6 +7,7 @@
 #include "explain/sight.hpp"
 #include "render/scene.hpp"
 #include "trial/noise_seed.hpp"
+#include "trial/planner_view.hpp"
 #include "vehicle/vehicle_spec.hpp"
 #include "wind/wind.hpp"
 
@@ -26,7 +27,7 @@ double reaction_s(const FailedFlight& flight) {
     for (const PlanCall& call : flight.record.plan_calls) sum_s += call.latency_s;
     latency_s = sum_s / static_cast<double>(flight.record.plan_calls.size());
   }
-  return spec.sensor.delay_ms / 1000.0 + 1.0 / spec.rates.plan_hz + latency_s;
+  return seen_sensor(spec).delay_ms / 1000.0 + 1.0 / spec.rates.plan_hz + latency_s;
 }
 
 /// The way to the contact from each sample on.
@@ -81,7 +82,7 @@ double third_s(const std::vector<PatchExposure>& exposures, IsSo&& is_so) {
 void add_sight(const FailedFlight& flight, const StruckPatch& patch, Facts& facts) {
   const std::vector<Sample>& samples = flight.record.samples;
   const std::vector<PatchExposure> exposures =
-      patch_exposures(flight.spec.sensor, flight.world, patch, samples);
+      patch_exposures(seen_sensor(flight.spec), flight.world, patch, samples);
   // A glimpse from far beyond the range is none, unless it never came near in time.
   const double near_s = third_s(exposures, [](const PatchExposure& e) { return e.is_near; });
   const bool is_any = !(near_s <= facts.last_chance_s);

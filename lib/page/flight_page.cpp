@@ -7,6 +7,7 @@
 #include "base/math.hpp"
 #include "page/flight_data.hpp"
 #include "page/packed.hpp"
+#include "trial/planner_view.hpp"
 
 namespace avoidbench {
 namespace {
@@ -172,7 +173,7 @@ double depth_of_byte(std::uint8_t byte, double nearest_m, double farthest_m) {
   return nearest_m * math::pow(farthest_m / nearest_m, (byte - 1) / kLevels);
 }
 
-SeenRecorder::SeenRecorder(const TrialSpec& spec) : cameras_(rig_cameras(spec.sensor)) {}
+SeenRecorder::SeenRecorder(const TrialSpec& spec) : cameras_(rig_cameras(seen_sensor(spec))) {}
 
 bool SeenRecorder::is_due(double time_s) {
   if (time_s < next_s_ - 1e-6) return false;

@@ -9,6 +9,7 @@
 #include "page/flight_data.hpp"
 #include "sensing/sensor_spec.hpp"
 #include "text/words.hpp"
+#include "trial/planner_view.hpp"
 
 namespace avoidbench {
 namespace {
@@ -112,7 +113,8 @@ ordered_json PageScenes::world_of(const StoredTrial& stored, const ReplayFiles& 
 
 std::size_t PageScenes::rig_of(const TrialSpec& spec) {
   ordered_json cameras = ordered_json::array();
-  for (const RigCamera& camera : rig_cameras(spec.sensor)) cameras.push_back(camera_json(camera));
+  for (const RigCamera& camera : rig_cameras(seen_sensor(spec)))
+    cameras.push_back(camera_json(camera));
   const ordered_json rig = {{"body", spec.vehicle.body_size_m}, {"cameras", cameras}};
   const auto [entry, is_new] = rig_index_.emplace(rig.dump(), rigs.size());
   if (is_new) rigs.push_back(rig);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/check.hpp"
+#include "plugin/planner_table.hpp"
 #include "text/utf8.hpp"
 
 namespace avoidbench {
@@ -189,7 +190,7 @@ SetupBuffers::SetupBuffers(const PlannerSetup& setup, const std::vector<Paramete
   setup_.plan_period_s = setup.plan_period_s;
   setup_.gravity_mps2 = setup.gravity_mps2;
   // Who declares no eyes gets no camera, so that no result depends on what was not declared.
-  if ((needs & (AB_SEES_DEPTH | AB_SEES_STEREO | AB_SEES_COLOR)) == 0) return;
+  if (!sees_images(needs)) return;
   for (const CameraSetup& camera : setup.cameras) cameras_.push_back(to_camera(camera));
   point_to(cameras_, camera_pointers_);
   setup_.depth_camera = camera_pointers_.empty() ? nullptr : camera_pointers_.front();

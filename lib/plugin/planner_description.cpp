@@ -67,6 +67,8 @@ void visit(Visitor& v, Spec& p) {
   v.field("commands", p.commands, "");
   v.field("parameters", p.parameters, "");
   v.field("profiles", p.profiles, "");
+  v.field("least_fov_x_rad", p.least_fov_x_rad, "");
+  v.field("least_fov_y_rad", p.least_fov_y_rad, "");
   v.field("file_names", p.file_names, "");
 }
 

@@ -42,7 +42,8 @@ struct PlannerDescription {
   std::uint32_t needs = 0, commands = 0;  ///< AB_SEES_… and AB_COMMAND_… bits
   std::vector<ParameterDef> parameters;
   std::vector<ProfileDef> profiles;
-  std::vector<std::string> file_names;  ///< of AB_FILES_EXTENSION
+  double least_fov_x_rad = 0.0, least_fov_y_rad = 0.0;  ///< of each camera; 0: any
+  std::vector<std::string> file_names;                  ///< of AB_FILES_EXTENSION
   std::filesystem::path file;
   std::vector<std::string> command;  ///< of a program that is started in a way of its own
   bool is_program = false;

@@ -10,6 +10,7 @@
 #include "plugin/cpu_meter.hpp"
 #include "plugin/float_guard.hpp"
 #include "plugin/host_buffers.hpp"
+#include "plugin/planner_table.hpp"
 #include "process/locale_guard.hpp"
 #include "program_planner/program_planner.hpp"
 #include "text/utf8.hpp"
@@ -83,11 +84,15 @@ struct PlannerInstance::Internals {
 PlannerInstance::PlannerInstance(const PlannerLibrary& library, const PlannerSetup& setup,
                                  const std::vector<ParameterValue>& values, CallClock* clock)
     : internals_(std::make_unique<Internals>(library.thread_owner())) {
-  AB_CHECK(values.size() == library.description().parameters.size(), values.size());
+  const PlannerDescription& description = library.description();
+  AB_CHECK(values.size() == description.parameters.size(), values.size());
+  if (const std::string problem = camera_problem(description, setup.cameras); !problem.empty()) {
+    throw InputError("planner " + description.name + " can't fly with this sensor: " + problem);
+  }
   internals_->table = &library.table();
   internals_->cameras = setup.cameras;
   internals_->clock = clock;
-  internals_->is_program = library.description().is_program;
+  internals_->is_program = description.is_program;
   const SetupBuffers buffers(setup, values, internals_->table->needs);
   internals_->meter.begin_call();
   std::string problem = escaped_exception(clock, [&] {
@@ -97,7 +102,7 @@ PlannerInstance::PlannerInstance(const PlannerLibrary& library, const PlannerSet
     problem = error_text("create", internals_->host);
   }
   if (!problem.empty()) {
-    throw InputError("planner " + library.description().name + ": " + problem);
+    throw InputError("planner " + description.name + ": " + problem);
   }
 }
 

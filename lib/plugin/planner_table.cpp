@@ -12,6 +12,8 @@
 #include <utility>
 
 #include "base/input_error.hpp"
+#include "base/math.hpp"
+#include "text/number_text.hpp"
 #include "text/utf8.hpp"
 
 namespace avoidbench {
@@ -22,12 +24,14 @@ namespace {
 constexpr std::size_t kLeastTableSize = offsetof(ab_planner, get_extension) + sizeof(void*);
 constexpr std::size_t kLeastParameterSize = offsetof(ab_parameter, preset_text) + sizeof(char*);
 constexpr std::size_t kProfilesEnd = offsetof(ab_planner, profiles) + sizeof(void*);
+constexpr std::size_t kFovEnd = offsetof(ab_planner, least_fov_y_rad) + sizeof(double);
 constexpr std::size_t kLeastProfileSize = offsetof(ab_profile, numbers) + sizeof(void*);
 // A count beyond is rubbish: following it would read far behind the table.
 constexpr std::uint32_t kMostParameters = 1000;
-constexpr std::uint32_t kKnownNeeds =
-    AB_SEES_STATE | AB_SEES_DEPTH | AB_SEES_STEREO | AB_SEES_COLOR | AB_SEES_IMU | AB_SEES_WORLD |
-    AB_SEES_STATES | AB_USES_PROCESSES | AB_USES_DEVICES | AB_USES_NETWORK | AB_USES_GLOBALS;
+constexpr std::uint32_t kKnownNeeds = AB_SEES_STATE | AB_SEES_DEPTH | AB_SEES_STEREO |
+                                      AB_SEES_COLOR | AB_SEES_IMU | AB_SEES_WORLD | AB_SEES_STATES |
+                                      AB_SEES_ONE_CAMERA | AB_USES_PROCESSES | AB_USES_DEVICES |
+                                      AB_USES_NETWORK | AB_USES_GLOBALS;
 constexpr std::uint32_t kKnownCommands = AB_COMMAND_POSITION | AB_COMMAND_VELOCITY |
                                          AB_COMMAND_ACCELERATION | AB_COMMAND_TRAJECTORY |
                                          AB_COMMAND_RATES;
@@ -199,6 +203,22 @@ void add_profile_problems(const ab_planner& table, std::vector<std::string>& pro
   }
 }
 
+/// A demand on cameras that is never made would be one that nobody checks.
+void add_camera_problems(const ab_planner& table, std::vector<std::string>& problems) {
+  const bool has_fov = table.struct_size >= kFovEnd &&
+                       (table.least_fov_x_rad != 0.0 || table.least_fov_y_rad != 0.0);
+  if (has_fov) {
+    for (const double fov_rad : {table.least_fov_x_rad, table.least_fov_y_rad}) {
+      if (fov_rad >= 0.0 && fov_rad < math::kPi) continue;
+      problems.emplace_back("its least field of view is not within [0, π)");
+    }
+  }
+  if (sees_images(table.needs)) return;
+  if ((table.needs & AB_SEES_ONE_CAMERA) != 0 || has_fov) {
+    problems.emplace_back("it says which cameras it can fly with, but sees no images");
+  }
+}
+
 /// The files that the planner says it depends on. A table that is none is passed over: a planner
 /// may answer any name of an extension with something of its own.
 const ab_files* files_of(const ab_planner& table) {
@@ -227,6 +247,16 @@ void check_files(const ab_planner& table, std::vector<std::string>& problems) {
   problems.push_back("it names " + std::to_string(files->file_count) +
                      " files that it depends on; at most " + std::to_string(kMostFiles) +
                      " are followed");
+}
+
+std::string view_text(double fov_x_rad, double fov_y_rad) {
+  const auto degrees = [](double rad) { return significant_digits(rad / math::kDegree, 3) + "°"; };
+  return degrees(fov_x_rad) + " × " + degrees(fov_y_rad);
+}
+
+/// From edge to edge of the pixels.
+double fov_rad(std::int32_t size_px, double focal_px) {
+  return 2.0 * math::atan2(0.5 * size_px, focal_px);
 }
 
 /// Planners that live in this process, such as Python's classes, by the files that stand for them.
@@ -296,6 +326,7 @@ std::vector<std::string> table_problems(const ab_planner& table) {
   check_function("destroy", table.destroy != nullptr);
   check_function("reset", table.reset != nullptr);
   check_function("plan", table.plan != nullptr);
+  add_camera_problems(table, problems);
   const std::size_t before = problems.size();
   add_parameter_problems(table, problems);
   // Profiles name parameters, so these must be sound first.
@@ -335,6 +366,10 @@ PlannerDescription describe_table(const ab_planner& table) {
     if (p.preset_text != nullptr) def.preset_text = p.preset_text;
     planner.parameters.push_back(std::move(def));
   }
+  if (table.struct_size >= kFovEnd) {
+    planner.least_fov_x_rad = table.least_fov_x_rad;
+    planner.least_fov_y_rad = table.least_fov_y_rad;
+  }
   planner.file_names = file_names_of(table);
   for (const ab_profile* profile : profiles_of(table)) {
     ProfileDef& def = planner.profiles.emplace_back(ProfileDef{profile->choice, profile->word, {}});
@@ -354,6 +389,41 @@ std::string own_problem(const ab_planner& table) {
   }
   const char* problem = check->problem();
   return problem == nullptr ? "" : problem;
+}
+
+bool sees_images(std::uint32_t needs) {
+  return (needs & (AB_SEES_DEPTH | AB_SEES_STEREO | AB_SEES_COLOR)) != 0;
+}
+
+std::string camera_demand(const PlannerDescription& planner) {
+  std::string text = (planner.needs & AB_SEES_ONE_CAMERA) != 0 ? "one" : "";
+  if (planner.least_fov_x_rad > 0.0 || planner.least_fov_y_rad > 0.0) {
+    text += (text.empty() ? "" : ", ") +
+            view_text(planner.least_fov_x_rad, planner.least_fov_y_rad) + " or more";
+  }
+  return text;
+}
+
+std::string camera_problem(const PlannerDescription& planner,
+                           std::span<const CameraSetup> cameras) {
+  // Who sees no images is given no camera.
+  if (!sees_images(planner.needs)) return "";
+  if ((planner.needs & AB_SEES_ONE_CAMERA) != 0 && cameras.size() > 1) {
+    return "it handles one camera and gets " + std::to_string(cameras.size());
+  }
+  constexpr double kRounding_rad = 1e-6;
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    const double x_rad = fov_rad(cameras[i].width_px, cameras[i].fx_px);
+    const double y_rad = fov_rad(cameras[i].height_px, cameras[i].fy_px);
+    if (x_rad >= planner.least_fov_x_rad - kRounding_rad &&
+        y_rad >= planner.least_fov_y_rad - kRounding_rad) {
+      continue;
+    }
+    return "it needs a view of " + view_text(planner.least_fov_x_rad, planner.least_fov_y_rad) +
+           " or more, and " + (cameras.size() > 1 ? "camera " + std::to_string(i) : "the camera") +
+           " has " + view_text(x_rad, y_rad);
+  }
+  return "";
 }
 
 void register_own_planner(const std::filesystem::path& file, const ab_planner& table) {

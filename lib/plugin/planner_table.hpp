@@ -1,10 +1,12 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "plugin/planner_library.hpp"
+#include "plugin/planner_instance.hpp"
 
 namespace avoidbench {
 
@@ -21,6 +23,16 @@ PlannerDescription describe_table(const ab_planner& table);
 /// What the planner says is wrong with it as it lies there (AB_CHECK_EXTENSION), "" for nothing.
 /// Runs its code. `table` has no problems.
 std::string own_problem(const ab_planner& table);
+
+/// Whether the planner sees through cameras at all.
+bool sees_images(std::uint32_t needs);
+
+/// What the planner demands of cameras, for people: "one", "90° × 67.4° or more"; "" for nothing.
+std::string camera_demand(const PlannerDescription& planner);
+
+/// Why the planner can't fly with these cameras: it handles one and gets several, or needs a wider
+/// view than one has. "" where it can.
+std::string camera_problem(const PlannerDescription& planner, std::span<const CameraSetup> cameras);
 
 /// The words of "safe|fast".
 std::vector<std::string> choice_words(const std::string& choices);

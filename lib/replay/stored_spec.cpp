@@ -149,6 +149,8 @@ TrialSpec stored_spec(const std::string& spec_json) {
     throw BadText(error.what());
   }
   check_rates(spec);
+  const auto camera_count = static_cast<std::int64_t>(rig_cameras(spec.sensor).size());
+  if (spec.planner.camera >= camera_count) throw BadText("its sensor has no such camera");
   return spec;
 }
 

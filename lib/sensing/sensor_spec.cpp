@@ -1,5 +1,7 @@
 #include "sensing/sensor_spec.hpp"
 
+#include "base/check.hpp"
+
 namespace avoidbench {
 namespace {
 
@@ -62,6 +64,15 @@ std::vector<RigCamera> rig_cameras(const SensorSpec& sensor) {
     for (const MountingSpec& mounting : mountings(kind)) all.push_back({kind, mounting});
   }
   return all;
+}
+
+SensorSpec one_camera(const SensorSpec& rig, std::size_t index) {
+  const std::vector<RigCamera> cameras = rig_cameras(rig);
+  AB_CHECK(index < cameras.size(), index, cameras.size());
+  SensorSpec sensor{cameras[index].kind, {}};
+  sensor.mounting = cameras[index].mounting;
+  sensor.more_mountings.clear();
+  return sensor;
 }
 
 bool is_stereo(const CameraSpec& camera) {

@@ -282,6 +282,9 @@ struct RigCamera {
 };
 std::vector<RigCamera> rig_cameras(const SensorSpec& sensor);
 
+/// The rig's camera of this index as a sensor by itself.
+SensorSpec one_camera(const SensorSpec& rig, std::size_t index);
+
 /// Whether depth is matched from shaded images.
 bool is_stereo(const CameraSpec& camera);
 

@@ -74,6 +74,7 @@ void forget_unused_planner_fields(nlohmann::json& planner) {
   for (const char* field : {"command", "files"}) {
     if (planner.contains(field) && planner.at(field).empty()) planner.erase(field);
   }
+  if (planner.value("camera", kAllCameras) == kAllCameras) planner.erase("camera");
 }
 
 void restore_later_fields(nlohmann::json& trial) {
@@ -91,6 +92,7 @@ void restore_later_fields(nlohmann::json& trial) {
   if (trial.contains("planner") && trial.at("planner").is_object()) {
     trial.at("planner").emplace("command", nlohmann::json::array());
     trial.at("planner").emplace("files", nlohmann::json::array());
+    trial.at("planner").emplace("camera", kAllCameras);
   }
 }
 

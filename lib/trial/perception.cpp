@@ -6,6 +6,7 @@
 #include "base/random.hpp"
 #include "trial/noise_seed.hpp"
 #include "trial/periods.hpp"
+#include "trial/planner_view.hpp"
 
 namespace avoidbench {
 namespace {
@@ -104,7 +105,7 @@ Perception make_perception(const TrialSpec& spec, std::uint32_t needs, const Veh
   Perception p{.image_needs = {.depth = (needs & AB_SEES_DEPTH) != 0,
                                .stereo = (needs & AB_SEES_STEREO) != 0,
                                .color = (needs & AB_SEES_COLOR) != 0},
-               .cameras = make_cameras(spec.sensor, seed),
+               .cameras = make_cameras(seen_sensor(spec), seed),
                .image_seed = stream_seed(seed, "image"),
                .exposures = {},
                .imu = spec.imu,

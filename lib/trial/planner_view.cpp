@@ -34,6 +34,11 @@ std::optional<double> known_latency_s(const LatencySpec& latency) {
   return latency.mode == LatencyMode::fixed ? seconds(ticks(latency.ms / 1000.0)) : 0.0;
 }
 
+SensorSpec seen_sensor(const TrialSpec& spec) {
+  if (spec.planner.camera == kAllCameras) return spec.sensor;
+  return one_camera(spec.sensor, static_cast<std::size_t>(spec.planner.camera));
+}
+
 PlannerSetup planner_setup(const TrialSpec& spec) {
   PlannerSetup setup;
   setup.max_speed_mps = spec.vehicle.max_speed_mps;
@@ -42,7 +47,7 @@ PlannerSetup planner_setup(const TrialSpec& spec) {
   setup.body_size_m = to_eigen(spec.vehicle.body_size_m);
   setup.plan_period_s = 1.0 / spec.rates.plan_hz;
   setup.gravity_mps2 = spec.vehicle.gravity_mps2;
-  for (const auto& [kind, mounting] : rig_cameras(spec.sensor)) {
+  for (const auto& [kind, mounting] : rig_cameras(seen_sensor(spec))) {
     const Pinhole camera = sensor_camera(kind);
     setup.cameras.push_back({.width_px = camera.width_px,
                              .height_px = camera.height_px,

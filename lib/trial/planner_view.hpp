@@ -14,6 +14,10 @@ namespace avoidbench {
 /// From a plan call to when its command acts; nothing where that is measured.
 std::optional<double> known_latency_s(const LatencySpec& latency);
 
+/// What the planner sees through: the trial's sensor, or that camera of it which the sweep names
+/// for the planner. The flight is then that of a vehicle with this camera alone.
+SensorSpec seen_sensor(const TrialSpec& spec);
+
 PlannerSetup planner_setup(const TrialSpec& spec);
 
 /// One value for each parameter that `spec.planner` lists, in the planner's own order.

@@ -111,6 +111,8 @@ void visit(Visitor& v, Spec& s) {
   v.field("digest", s.digest, "SHA-256 of the file.");
 }
 
+inline constexpr std::int64_t kAllCameras = -1;
+
 /// A planner as chosen in a sweep.
 struct PlannerChoice {
   std::string plugin;                       ///< as named by the user
@@ -122,7 +124,10 @@ struct PlannerChoice {
   /// trial's key where it is not empty.
   std::vector<std::string> command = {};
   std::vector<PlannerFile> files = {};  ///< that file_digest is made of, where there are several
-  std::uint32_t needs = 0;              ///< AB_… bits that it declares; follow from the file
+  /// The one camera of the sensor that it sees, by its index; kAllCameras: each. Part of a trial's
+  /// key where it is one.
+  std::int64_t camera = kAllCameras;
+  std::uint32_t needs = 0;  ///< AB_… bits that it declares; follow from the file
 
   PlannerSource source() const { return {file, command}; }
 };
@@ -136,6 +141,8 @@ void visit(Visitor& v, Spec& s) {
   v.field("parameters", s.parameters, "Values of all its parameters.");
   v.field("command", s.command, "How a program is started, where the sweep says so.");
   v.field("files", s.files, "Files that it depends on, where it names any.");
+  v.field("camera", s.camera, Range{kAllCameras, 10000},
+          "The one camera of the sensor that it sees, by its index; -1: each.");
 }
 
 /// Everything that determines one trial. A trial is a pure function of this and the planner's file.

@@ -6,6 +6,7 @@
 #include "base/math.hpp"
 #include "shading/shading.hpp"
 #include "text/number_text.hpp"
+#include "trial/planner_view.hpp"
 #include "view/map_plan.hpp"
 #include "view/map_views.hpp"
 
@@ -103,7 +104,7 @@ Film::Film(const StoredTrial& stored, const World& world, const TrialRecord& rec
       record_(record),
       moments_(moments),
       scene_(world),
-      seen_height_px_(seen_height_px(stored.spec.sensor)),
+      seen_height_px_(seen_height_px(seen_sensor(stored.spec))),
       plan_(empty_plan(stored, world, record, kFilmHeight_px - seen_height_px_)),
       struck_(struck_obstacle(world, record)) {
   // The camera turns after the vehicle, as someone who follows it would.
@@ -194,8 +195,8 @@ Picture Film::frame(std::size_t index) {
   Picture picture = make_picture(kFilmWidth_px, kFilmHeight_px);
   paste(chase(index), 0, 0, picture);
   if (moment != nullptr) {
-    Picture seen = resized(seen_picture(*moment, stored_.spec.sensor.max_range_m), kSideWidth_px,
-                           seen_height_px_);
+    Picture seen = resized(seen_picture(*moment, seen_sensor(stored_.spec).max_range_m),
+                           kSideWidth_px, seen_height_px_);
     add_caption(seen, "what the planner saw");
     paste(seen, kChaseWidth_px, 0, picture);
   }

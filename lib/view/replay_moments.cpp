@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "base/option_error.hpp"
+#include "trial/planner_view.hpp"
 #include "view/replay_sheet.hpp"
 
 namespace avoidbench {
@@ -31,7 +32,7 @@ SeenImage seen_image(const View& view, int width_px, int height_px) {
 }  // namespace
 
 MomentRecorder::MomentRecorder(std::vector<double> at_s, double every_s, const TrialSpec& spec)
-    : at_s_(std::move(at_s)), every_s_(every_s), cameras_(rig_cameras(spec.sensor)) {
+    : at_s_(std::move(at_s)), every_s_(every_s), cameras_(rig_cameras(seen_sensor(spec))) {
   std::sort(at_s_.begin(), at_s_.end());
   // Never reached by a call: finish() keeps the flight's end in its place.
   if (at_s_.empty() && every_s_ <= 0.0) at_s_.push_back(std::numeric_limits<double>::infinity());

@@ -312,13 +312,14 @@ Panel ReplaySheets::from_aside(const Moment& moment) const {
 }
 
 Picture ReplaySheets::images(const Moment& moment) const {
-  const double shown_m = std::min(stored_.spec.sensor.max_range_m, 20.0);
+  const SensorSpec sensor = seen_sensor(stored_.spec);
+  const double shown_m = std::min(sensor.max_range_m, 20.0);
   std::vector<SeenImage> seen = moment.images;
   std::string caption = "what the planner saw last";
   if (seen.empty()) {
     // A planner that asks for no images still flies somewhere: show what a camera would have seen.
     const Sample& now = sample_at(record_, moment.time_s);
-    Pinhole camera = sensor_camera(stored_.spec.sensor);
+    Pinhole camera = sensor_camera(sensor);
     SeenImage& image = seen.emplace_back();
     image.time_s = now.time_s;
     image.width_px = camera.width_px;
@@ -326,8 +327,7 @@ Picture ReplaySheets::images(const Moment& moment) const {
     image.depth_m.resize(static_cast<std::size_t>(camera.width_px) *
                          static_cast<std::size_t>(camera.height_px));
     render_depth(*scene_, camera,
-                 make_pose(now.position_world, now.q_world_body) *
-                     T_body_camera(stored_.spec.sensor.mounting),
+                 make_pose(now.position_world, now.q_world_body) * T_body_camera(sensor.mounting),
                  image.depth_m);
     caption = "ideal depth; this planner saw no image";
   }

@@ -6,6 +6,7 @@
 
 #include "base/math.hpp"
 #include "base/option_error.hpp"
+#include "plugin/planner_table.hpp"
 #include "text/words.hpp"
 
 namespace avoidbench {
@@ -102,9 +103,7 @@ std::string fly_slower(const FlownTrial& flown, ChangedTrial& trial) {
 }
 
 std::string widen_view(const FlownTrial& flown, ChangedTrial& trial) {
-  if (!has_need(flown, AB_SEES_DEPTH | AB_SEES_STEREO | AB_SEES_COLOR)) {
-    return "the planner sees no images";
-  }
+  if (!sees_images(flown.planner.needs)) return "the planner sees no images";
   constexpr double kWidest_deg = 170.0;  // of the field
   constexpr std::int64_t kMost_px = 4096;
   for (CameraSpec* camera : cameras_of(trial.spec.sensor)) {

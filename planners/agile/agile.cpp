@@ -28,7 +28,9 @@ class Agile {
   static constexpr const char* version = "1.0";
   static constexpr const char* summary =
       "Flies what a net makes of each depth image, after Agile-Autonomy.";
-  static constexpr std::uint32_t needs = AB_SEES_STATE | AB_SEES_DEPTH;
+  static constexpr std::uint32_t needs = AB_SEES_STATE | AB_SEES_DEPTH | AB_SEES_ONE_CAMERA;
+  /// What a camera does not cover is free space to the net.
+  static constexpr std::array least_fov_rad{agile::kFovX_rad, agile::kFovY_rad};
   static constexpr std::uint32_t commands = AB_COMMAND_TRAJECTORY;
   static constexpr const auto& parameters = agile::kParameters;
   static constexpr std::array profiles{planning::published(agile::kPublished)};

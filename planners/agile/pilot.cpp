@@ -44,7 +44,7 @@ Seen seen_of(const ab_observation& seen) {
   return {.time_s = state.time_s,
           .position_world = avoidbench::as_vector(state.position_world_m),
           .velocity_world = avoidbench::as_vector(state.velocity_world_mps),
-          .depth = avoidbench::newest_depth(seen)};
+          .depth = avoidbench::newest_depth(seen, 0)};
 }
 
 Pilot::Pilot(const Settings& settings, Think think)

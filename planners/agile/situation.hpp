@@ -15,6 +15,8 @@ namespace agile {
 inline constexpr double kHorizon_s = 2.0;  ///< how far a mode reaches
 /// Of the net's camera, a pinhole with its principal point in the middle: 90° × 67°.
 inline constexpr double kFocal_px = 48.0;
+inline constexpr double kFovX_rad = 1.57079632679489662;  ///< 2 atan(48 / 48)
+inline constexpr double kFovY_rad = 1.17600520709513510;  ///< 2 atan(32 / 48)
 
 /// 255 · min(1, 1 m / depth), row-major; 0: no return, invalid, or beyond the camera's edge.
 using Image = std::array<std::uint8_t, kImageHeight * kImageWidth>;

@@ -17,6 +17,7 @@ using planning::Motion;
 using planning::Quintic;
 namespace portable = avoidbench::portable;
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kPointStep_s = 0.05;
 constexpr int kExpansions = 12000;  ///< cells that the searches of one call may expand
 constexpr double kRetry_s = 0.1;    ///< between tries where there is no trajectory to follow
@@ -56,8 +57,9 @@ Flight::Flight(const Settings& settings)
 void Flight::see(const ab_depth_image& image) {
   if (settings_.map_period_s > 0.0) {
     const double tick = std::floor(image.time_s / settings_.map_period_s + 1e-9);
-    if (!(tick > map_tick_)) return;
-    map_tick_ = tick;
+    if (image.camera >= map_ticks_.size()) map_ticks_.resize(image.camera + 1, -kInfinity);
+    if (!(tick > map_ticks_[image.camera])) return;
+    map_ticks_[image.camera] = tick;
   }
   surroundings_.grid.integrate(planning::without_border(image, settings_.image_border_ratio));
 }
@@ -68,7 +70,7 @@ void Flight::reset(const ab_mission& mission) {
   has_mission_ = planning::is_place(line_start_) && planning::is_place(goal_);
   start_yaw_rad_ = std::isfinite(mission.start_yaw_rad) ? mission.start_yaw_rad : 0.0;
   random_ = planning::Random(mission.seed);
-  map_tick_ = -std::numeric_limits<double>::infinity();
+  map_ticks_.clear();
   surroundings_.grid.reset(line_start_);
   const double low = std::min(line_start_.z(), goal_.z());
   const double high = std::max(line_start_.z(), goal_.z());
@@ -82,7 +84,7 @@ void Flight::reset(const ab_mission& mission) {
   executed_ = {};
   failures_ = 0;
   has_come_out_ = false;
-  tried_s_ = -std::numeric_limits<double>::infinity();
+  tried_s_ = -kInfinity;
   candidates_.clear();
   points_.clear();
 }

@@ -24,7 +24,7 @@ class Flight {
   /// Whether the mission's start and goal are places; without, there is nothing to plan.
   bool has_mission() const { return has_mission_; }
 
-  /// Takes an image into the map, if it is the first of its map period.
+  /// Takes an image into the map, if it is its camera's first of its map period.
   void see(const ab_depth_image& image);
 
   /// What to fly from now on; valid until the next call. Only where has_mission().
@@ -62,7 +62,8 @@ class Flight {
 
   Settings settings_;
   Surroundings surroundings_;
-  double map_tick_ = 0.0;  ///< number of the map period of which an image was last taken
+  /// By camera: number of the map period of which an image was last taken.
+  std::vector<double> map_ticks_;
   planning::Random random_;
   Eigen::Vector3d line_start_ = Eigen::Vector3d::Zero(), goal_ = Eigen::Vector3d::Zero();
   double start_yaw_rad_ = 0.0;

@@ -22,7 +22,10 @@ Settings settings_from(const ab_setup& setup) {
   s.body_length_m = std::max({setup.body_size_m[0], setup.body_size_m[1], 0.1});
   s.body_height_m = std::max(setup.body_size_m[2], 0.05);
   s.yaw_rate_radps = capped(s.yaw_rate_radps, 0.95 * setup.max_yaw_rate_radps);
-  s.focal_length_px = setup.depth_camera != nullptr ? setup.depth_camera->fx_px : 0.0;
+  for (std::uint32_t i = 0; i < setup.camera_count; ++i) {
+    const double focal_px = setup.cameras[i]->fx_px;
+    s.focal_length_px = i == 0 ? focal_px : std::min(s.focal_length_px, focal_px);
+  }
   return s;
 }
 

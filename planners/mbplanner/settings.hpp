@@ -21,7 +21,7 @@ struct Settings {
   double time_weight = 0.0, clearance_weight_m = 0.0, deviation_weight = 0.0;
   double similarity_m = 0.0, max_traverse_m = 0.0;
   double replan_period_s = 0.0, lead_s = 0.0, yaw_rate_radps = 0.0;
-  double focal_length_px = 0.0;  ///< of the camera
+  double focal_length_px = 0.0;  ///< the shortest of its cameras'
   double resolution_m = 0.0, range_m = 0.0, max_departure_m = 0.0;
   double hit_log_odds = 0.0, miss_log_odds = 0.0, least_log_odds = 0.0;
 };

@@ -19,7 +19,7 @@ struct Settings {
   double memory_s = 0.0;
 };
 
-/// Local and map-free: a polar histogram of what the depth camera sees and saw a moment ago; see
+/// Local and map-free: a polar histogram of what the depth cameras see and saw a moment ago; see
 /// README.md.
 class Reactive {
  public:
@@ -48,7 +48,10 @@ class Reactive {
           "How far it climbs or sinks from the line between start and goal.")};
 
   Reactive(const ab_setup& setup, const ab_host& host)
-      : settings_(settings_from(setup)), steerer_(settings_.steering), canvas_(host) {}
+      : settings_(settings_from(setup)),
+        camera_count_(setup.camera_count),
+        steerer_(settings_.steering),
+        canvas_(host) {}
 
   void reset(const ab_mission& mission) {
     start_ = reactive::vector3(mission.start_world_m);
@@ -95,16 +98,22 @@ class Reactive {
     return settings;
   }
 
-  /// Takes the newest image in and gathers what counts as obstacle now, relative to the vehicle.
+  /// Takes each camera's newest image in and gathers what counts as obstacle now, relative to the
+  /// vehicle.
   void look(const ab_observation& seen, const Vector3& position) {
     const double time_s = seen.state->time_s;
     points_.clear();
-    const ab_depth_image* image = avoidbench::newest_depth(seen);
-    if (image != nullptr) sight_.take(*image);
+    bool has_new = false;
+    for (std::uint32_t camera = 0; camera < camera_count_; ++camera) {
+      const ab_depth_image* image = avoidbench::newest_depth(seen, camera);
+      if (image == nullptr) continue;
+      sight_.take(*image);
+      has_new = true;
+    }
     memory_.prune(position, kMemoryRange_m, time_s, settings_.memory_s, sight_);
     sight_.append_points(settings_.steering.lookahead_m + 1.0, points_);
     seen_count_ = points_.size();
-    if (image != nullptr) {
+    if (has_new) {
       for (const Vector3& point : points_) {
         const Vector3 offset = point - position;
         const bool matters = std::abs(offset.z) < kMemoryHeight_m && norm(offset) < kMemoryRange_m;
@@ -151,12 +160,13 @@ class Reactive {
   static constexpr double kMemoryRange_m = 8.0, kMemoryHeight_m = 1.5;
 
   Settings settings_;
+  std::uint32_t camera_count_ = 0;
   reactive::Steerer steerer_;
   reactive::Sight sight_;
   reactive::ObstacleMemory memory_;
   avoidbench::Canvas canvas_;
   std::vector<Vector3> points_;  ///< relative to the vehicle
-  std::size_t seen_count_ = 0;   ///< of them, that the newest image shows
+  std::size_t seen_count_ = 0;   ///< of them, that the newest images show
   Vector3 start_, goal_;
   double yaw_rad_ = 0.0;
 };

@@ -1,6 +1,7 @@
 #include "sight.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace reactive {
 namespace {
@@ -15,38 +16,65 @@ bool agree(View view, View end, int needed, const Question& question) {
   return needed <= 0;
 }
 
+bool is_believed(const std::vector<DepthView>& views) {
+  return static_cast<int>(views.size()) >= Sight::kNeeded;
+}
+
 }  // namespace
 
 void Sight::take(const ab_depth_image& image) {
-  if (static_cast<int>(views_.size()) < kImages) {
-    views_.emplace_back();
+  if (image.camera >= cameras_.size()) cameras_.resize(image.camera + 1);
+  Views& views = cameras_[image.camera];
+  if (static_cast<int>(views.size()) < kImages) {
+    views.emplace_back();
   } else {
-    std::rotate(views_.begin(), views_.begin() + 1, views_.end());  // the oldest's buffers go on
+    std::rotate(views.begin(), views.begin() + 1, views.end());  // the oldest's buffers go on
   }
-  views_.back().take(image);
+  views.back().take(image);
 }
 
+bool Sight::is_ready() const { return std::any_of(cameras_.begin(), cameras_.end(), is_believed); }
+
 void Sight::append_points(double range_m, std::vector<Vector3>& points_world) const {
-  if (!is_ready()) return;
-  const std::size_t first = points_world.size();
-  views_.back().append_points(range_m, points_world);
-  const auto is_alone = [&](const Vector3& point) {
-    return !agree(views_.begin(), views_.end() - 1, kNeeded - 1,
-                  [&](const DepthView& view) { return view.shows(point); });
-  };
-  points_world.erase(std::remove_if(points_world.begin() + static_cast<std::ptrdiff_t>(first),
-                                    points_world.end(), is_alone),
-                     points_world.end());
+  for (const Views& views : cameras_) {
+    if (!is_believed(views)) continue;
+    const std::size_t first = points_world.size();
+    views.back().append_points(range_m, points_world);
+    const auto is_alone = [&](const Vector3& point) {
+      return !agree(views.begin(), views.end() - 1, kNeeded - 1,
+                    [&](const DepthView& view) { return view.shows(point); });
+    };
+    points_world.erase(std::remove_if(points_world.begin() + static_cast<std::ptrdiff_t>(first),
+                                      points_world.end(), is_alone),
+                       points_world.end());
+  }
 }
 
 bool Sight::has_seen(const Vector3& direction_world) const {
-  return agree(views_.begin(), views_.end(), kNeeded,
-               [&](const DepthView& view) { return view.has_seen(direction_world); });
+  return std::any_of(cameras_.begin(), cameras_.end(), [&](const Views& views) {
+    return agree(views.begin(), views.end(), kNeeded,
+                 [&](const DepthView& view) { return view.has_seen(direction_world); });
+  });
 }
 
 bool Sight::sees_through(const Vector3& point_world) const {
-  return agree(views_.begin(), views_.end(), kNeeded,
-               [&](const DepthView& view) { return view.sees_through(point_world); });
+  return std::any_of(cameras_.begin(), cameras_.end(), [&](const Views& views) {
+    return agree(views.begin(), views.end(), kNeeded,
+                 [&](const DepthView& view) { return view.sees_through(point_world); });
+  });
+}
+
+double Sight::looked_along(const Vector3& direction_world) const {
+  const auto level = [](const Vector3& v) { return direction({v.x, v.y, 0.0}, {0.0, 0.0, 0.0}); };
+  Vector3 forward;
+  double most = -std::numeric_limits<double>::infinity();
+  for (const Views& views : cameras_) {
+    const double along = views.empty() ? most : dot(views.back().forward_world(), direction_world);
+    if (!(along > most)) continue;
+    most = along;
+    forward = views.back().forward_world();
+  }
+  return dot(level(forward), level(direction_world));
 }
 
 }  // namespace reactive

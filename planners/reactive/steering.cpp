@@ -132,8 +132,8 @@ double Steerer::speed_limit(const Situation& now, const Aim& aim,
   limit = std::min(limit, 0.6 + std::sqrt(2.0 * settings_.braking_mps2 * aim.distance_m));
   // Slower past near surfaces, and while the camera looks elsewhere.
   limit = std::min(limit, 0.7 + 3.0 * std::max(0.0, nearest_m_ - settings_.body_radius_m));
-  const double looked_at = dot(level(now.sight->forward_world()), level(candidate.direction));
-  return limit * std::clamp(1.6 * looked_at - 0.4, 0.25, 1.0);
+  const double looked_along = now.sight->looked_along(candidate.direction);
+  return limit * std::clamp(1.6 * looked_along - 0.4, 0.25, 1.0);
 }
 
 bool Steerer::find_flyable(const Situation& now, const Aim& aim, double radius_m, double speed_mps,

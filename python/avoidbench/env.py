@@ -396,11 +396,11 @@ class AvoidbenchEnv(gymnasium.Env[Observation, NDArray[Any]]):
         return int(self._open().core.rounds()[0])
 
     def render(self) -> NDArray[np.uint8] | None:
-        """The newest depth, near is bright; None without a render_mode."""
+        """The newest depth, near is bright, the cameras side by side; None without a render_mode."""
         flights = self._open()
         if self.render_mode is None:
             return None
-        depth = flights.views["depth"][0, 0]
+        depth = np.concatenate(list(flights.views["depth"][0]), axis=1)
         space = flights.observation_space["depth"]
         near = depth / float(space.high.max())  # type: ignore[attr-defined]
         bright = np.sqrt(near) if self._depth == "inverse" else np.where(depth > 0.0, 1.0 - near, 0.0)

@@ -68,8 +68,8 @@ class _Stopping:
 
 
 def fly(sweep: str | os.PathLike[str] | Mapping[str, Any], planner: type[Planner], *, parameters: Mapping[str, Any] | None = None,
-        label: str | None = None, set: Mapping[str, Any] | None = None, database: str | os.PathLike[str] | None = None,
-        progress: bool = True) -> "Results":
+        label: str | None = None, camera: int | None = None, set: Mapping[str, Any] | None = None,
+        database: str | os.PathLike[str] | None = None, progress: bool = True) -> "Results":
     """Flies `planner` over all missions of a sweep in place of the sweep's own planners, in this process, one trial after the other.
 
     The trials are those that the program flies: same missions, keys, metrics and database. What the planner's call costs, Python's
@@ -82,6 +82,7 @@ def fly(sweep: str | os.PathLike[str] | Mapping[str, Any], planner: type[Planner
             and of the planner's `files` are part of its trials' keys; what else it reads is not, so change `version` with it.
         parameters: values of the planner's parameters.
         label: its name in reports; else its own.
+        camera: of a sensor with several cameras the one that it sees, by its index; else each. A planner of one_camera needs it there.
         set: changes to the sweep, as the program's `--set`.
         database: file of the results; else results/NAME.db, NAME being the sweep's.
         progress: shows a bar.
@@ -101,6 +102,8 @@ def fly(sweep: str | os.PathLike[str] | Mapping[str, Any], planner: type[Planner
     chosen: dict[str, Any] = {"plugin": file, "parameters": dict(parameters or {})}
     if label is not None:
         chosen["label"] = label
+    if camera is not None:
+        chosen["camera"] = camera
     given, text = (plain_text(os.fspath(sweep), "sweep"), None) if not isinstance(sweep, Mapping) else \
         ("the sweep", yaml_text({**sweep, "planners": []}, "sweep"))
     changes = [*overrides(set or {}), f"planners={yaml_text([chosen], 'planners')}"]

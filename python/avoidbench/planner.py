@@ -154,6 +154,18 @@ class Observation(State):
     """Of this call; time_s is older where the odometry has a delay."""
     states: tuple[State, ...] = ()
 
+    def newest_depth(self, camera: int) -> DepthImage | None:
+        """The newest depth image of this camera (index into Setup.cameras) since the last call, or None: none is new."""
+        return next((image for image in self.depth if image.camera == camera), None)
+
+    def newest_stereo(self, camera: int) -> StereoPair | None:
+        """As newest_depth(), of stereo pairs."""
+        return next((pair for pair in self.stereo if pair.left.camera == camera), None)
+
+    def newest_color(self, camera: int) -> Picture | None:
+        """As newest_depth(), of colour pictures."""
+        return next((picture for picture in self.color if picture.camera == camera), None)
+
 
 @dataclass(frozen=True, kw_only=True)
 class _Held:
@@ -223,12 +235,14 @@ class Planner:
     summary: ClassVar[str] = ""
     """One line."""
     sees: ClassVar[Sequence[str]] = ("state",)
-    """Of state, depth, stereo, color, imu, states."""
+    """Of state, depth, stereo, color, imu, states; with one_camera of a rig one camera alone, which a sweep names (`camera: 0`)."""
     commands: ClassVar[Sequence[str]] = ("velocity",)
     """Of position, velocity, acceleration, trajectory, rates: what plan() may return."""
     uses: ClassVar[Sequence[str]] = ()
     """Of processes, devices, network, globals: what it does beside computing and reading files (AB_USES_… of planner.h)."""
     parameters: ClassVar[Sequence[Parameter]] = ()
+    least_fov_rad: ClassVar[tuple[float, float]] = (0.0, 0.0)
+    """View across and down that each of its cameras must have; a sweep with a narrower one is refused before its first trial."""
     files: ClassVar[Sequence[str]] = ()
     """Further files that decide what it does, as weights, relative to the folder of its own: trials of other contents are other trials.
     The modules that its file imports from that folder count by themselves."""

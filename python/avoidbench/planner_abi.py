@@ -4,7 +4,7 @@ import ctypes as c
 from typing import Any
 
 AB_OK, AB_NO_PLAN, AB_ERROR, AB_GIVE_UP = 0, 1, -1, 2
-SEES = {"state": 1, "depth": 2, "stereo": 4, "color": 8, "imu": 16, "states": 64}
+SEES = {"state": 1, "depth": 2, "stereo": 4, "color": 8, "imu": 16, "states": 64, "one_camera": 128}
 USES = {"processes": 256, "devices": 512, "network": 1024, "globals": 2048}
 COMMANDS = {"position": 1, "velocity": 2, "acceleration": 4, "trajectory": 8, "rates": 16}
 YAW_IS_RATE = 1
@@ -112,7 +112,7 @@ class PlannerStruct(c.Structure):
                 ("summary", c.c_char_p), ("needs", c.c_uint32), ("commands", c.c_uint32), ("parameter_count", c.c_uint32),
                 ("reserved", c.c_uint32), ("parameters", c.POINTER(c.POINTER(ParameterStruct))), ("create", Create), ("destroy", Destroy),
                 ("reset", Reset), ("plan", Plan), ("get_extension", GetExtension), ("profile_count", c.c_uint32), ("reserved2", c.c_uint32),
-                ("profiles", c.c_void_p)]
+                ("profiles", c.c_void_p), ("least_fov_x_rad", c.c_double), ("least_fov_y_rad", c.c_double)]
 
 
 class FilesStruct(c.Structure):

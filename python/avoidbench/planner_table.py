@@ -214,7 +214,8 @@ class Table:
             commands=self._bits("commands", planner.commands, abi.COMMANDS), parameter_count=len(structs),
             parameters=c.cast(pointers, c.POINTER(c.POINTER(abi.ParameterStruct))), create=abi.Create(self._create),
             destroy=abi.Destroy(self._destroy), reset=abi.Reset(self._reset), plan=abi.Plan(self._plan),
-            get_extension=abi.GetExtension(self._get_extension))
+            get_extension=abi.GetExtension(self._get_extension), least_fov_x_rad=planner.least_fov_rad[0],
+            least_fov_y_rad=planner.least_fov_rad[1])
 
     def name_files(self, files: Sequence[str]) -> None:
         """The files that the planner depends on, from now on: before it is registered."""

@@ -37,7 +37,7 @@ WORD = struct.Struct("<II")
 REQUEST = struct.Struct("<IIQQ8x")
 ANSWER = struct.Struct("<IIiIQQQQ16x")
 DESCRIPTION = struct.Struct("<IIQQ")
-PLANNER = struct.Struct("<IIQQQIIIIQQQQQQIIQ")
+PLANNER = struct.Struct("<IIQQQIIIIQQQQQQIIQdd")
 PARAMETER = struct.Struct("<IiQQQdddQQ")
 FILES = struct.Struct("<IIQ")
 SETUP = struct.Struct("<IIQddd3ddddQIIQ")
@@ -125,7 +125,7 @@ def _description(writer: _Writer, planner: type[p.Planner], table: Table, files:
         parameters.append(writer.add(PARAMETER.pack(PARAMETER.size, one.kind, *texts[:3], one.lowest, one.highest, one.preset, *texts[3:])))
     name, version, summary = (writer.add(text + b"\0") for text in (known.name, known.version, known.summary))
     at = writer.add(PLANNER.pack(PLANNER.size, abi.ABI_VERSION, name, version, summary, known.needs, known.commands, len(parameters), 0,
-                                 writer.offsets(parameters), 0, 0, 0, 0, 0, 0, 0, 0))
+                                 writer.offsets(parameters), 0, 0, 0, 0, 0, 0, 0, 0, known.least_fov_x_rad, known.least_fov_y_rad))
     named = writer.offsets([writer.text(file) for file in files])
     files_at = writer.add(FILES.pack(FILES.size, len(files), named)) if files else 0
     return writer.add(DESCRIPTION.pack(DESCRIPTION.size, PROTOCOL, at, files_at))

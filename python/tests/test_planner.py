@@ -115,6 +115,58 @@ def test_what_is_seen(tmp_path: Path) -> None:
     np.testing.assert_allclose(first["depth"], expected, rtol=1e-4)
 
 
+class OneEyed(Planner):
+    """Stands; keeps what its camera shows."""
+
+    name = "one_eyed"
+    sees = ("state", "depth", "one_camera")
+    least_fov_rad = (1.0, 0.5)
+    yaws: list[float] = []
+
+    def plan(self, observation: Observation) -> Velocity:
+        assert len(self.setup.cameras) == 1
+        image = observation.newest_depth(0)
+        assert observation.newest_depth(1) is None and observation.newest_color(0) is None and observation.newest_stereo(0) is None
+        if image is not None:
+            w, x, y, z = image.q_world_camera
+            ahead = (2 * (x * z + w * y), 2 * (y * z - w * x))
+            OneEyed.yaws.append(float(np.degrees(np.arctan2(ahead[1], ahead[0]))))
+        return Velocity([0.0, 0.0, 0.0])
+
+
+class AllEyed(Planner):
+    """Stands; counts the images of each camera."""
+
+    name = "all_eyed"
+    sees = ("state", "depth")
+    seen: list[tuple[int, ...]] = []
+
+    def plan(self, observation: Observation) -> Velocity:
+        for camera in range(len(self.setup.cameras)):
+            image = observation.newest_depth(camera)
+            assert image is None or image.camera == camera
+        AllEyed.seen.append(tuple(image.camera for image in observation.depth))
+        return Velocity([0.0, 0.0, 0.0])
+
+
+RIG = {"preset": "depth_ideal", "width_px": 24, "height_px": 16, "more_mountings": [{"yaw_deg": 90}]}
+
+
+def test_a_planner_of_one_camera_is_given_one(tmp_path: Path) -> None:
+    with pytest.raises(avoidbench.InputError, match=r"one_eyed can't fly with sensor 'depth_ideal': it handles one camera and gets 2"):
+        only_trial(OneEyed, tmp_path, sweep={"sensor": RIG})
+    with pytest.raises(avoidbench.InputError, match=r"needs a view of 57.3° × 28.6° or more"):
+        only_trial(OneEyed, tmp_path, sweep={"sensor": {**RIG, "more_mountings": [], "fov_x_deg": 50}})
+    turns = []
+    for camera in (0, 1):
+        OneEyed.yaws.clear()
+        only_trial(OneEyed, tmp_path, sweep={"sensor": RIG}, camera=camera, label=f"eye{camera}")
+        turns.append(OneEyed.yaws[-1])
+    assert abs((turns[1] - turns[0]) % 360.0 - 90.0) < 1.0
+    only_trial(AllEyed, tmp_path, sweep={"sensor": RIG})
+    assert AllEyed.seen[-1] == (1, 0)
+
+
 class Commanding(Planner):
     name = "commanding"
     commands = ("position", "velocity", "acceleration", "trajectory", "rates")

@@ -85,7 +85,9 @@ static const ab_planner table = {sizeof(ab_planner),
                                  NULL,
                                  0,
                                  0,
-                                 NULL};
+                                 NULL,
+                                 0.0,
+                                 0.0};
 
 const ab_planner* avoidbench_planner_v1(uint32_t host_api) {
   return host_api == AVOIDBENCH_ABI_VERSION ? &table : NULL;

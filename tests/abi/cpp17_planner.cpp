@@ -42,7 +42,7 @@ class Cpp17Planner {
   }
   void reset(const ab_mission&) {}
   std::optional<ab_command> plan(const ab_observation& seen) {
-    if (avoidbench::newest_depth(seen) == nullptr) return std::nullopt;
+    if (avoidbench::newest_depth(seen, 0) == nullptr) return std::nullopt;
     if (canvas_.is_wanted()) {
       const Eigen::Vector3d place = avoidbench::as_vector(seen.state->position_world_m);
       canvas_.line("up", 0x00ff00, std::vector<Eigen::Vector3d>{place, 2.0 * place});

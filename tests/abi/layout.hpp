@@ -150,7 +150,7 @@ static_assert(offsetof(ab_command, rates_body_radps) == 104);
 static_assert(offsetof(ab_command, thrust_mps2) == 128);
 static_assert(offsetof(ab_command, points) == 136);
 static_assert(offsetof(ab_command, horizon_s) == 144);
-static_assert(sizeof(ab_planner) == 112);  // 96 before profiles
+static_assert(sizeof(ab_planner) == 128);  // 96 before profiles, 112 before least_fov
 static_assert(offsetof(ab_planner, struct_size) == 0);
 static_assert(offsetof(ab_planner, abi_version) == 4);
 static_assert(offsetof(ab_planner, name) == 8);
@@ -169,6 +169,8 @@ static_assert(offsetof(ab_planner, get_extension) == 88);
 static_assert(offsetof(ab_planner, profile_count) == 96);
 static_assert(offsetof(ab_planner, reserved2) == 100);
 static_assert(offsetof(ab_planner, profiles) == 104);
+static_assert(offsetof(ab_planner, least_fov_x_rad) == 112);
+static_assert(offsetof(ab_planner, least_fov_y_rad) == 120);
 static_assert(sizeof(ab_named_number) == 16);
 static_assert(offsetof(ab_named_number, name) == 0);
 static_assert(offsetof(ab_named_number, number) == 8);

@@ -14,7 +14,7 @@ class TakesDepth {
   explicit TakesDepth(const ab_setup&) {}
   void reset(const ab_mission&) {}
   static std::optional<ab_command> plan(const ab_observation& seen) {
-    const ab_depth_image* image = avoidbench::newest_depth(seen);
+    const ab_depth_image* image = avoidbench::newest_depth(seen, 0);
     const bool is_free = image == nullptr || image->depth_m[0] > 0.0F;
     return avoidbench::make_velocity_command({is_free ? 1.0 : 0.0, 0.0, 0.0}, 0.0);
   }

@@ -1,5 +1,6 @@
 // sensor.more_cameras: rigs of unlike cameras.
 #include "config/sweep_fixture.hpp"
+#include "sweep/key_maker.hpp"
 #include "trial/contradictions.hpp"
 
 namespace avoidbench {
@@ -81,6 +82,66 @@ TEST_F(Rigs, RatesAreRoundedToTicks) {
   EXPECT_NE(sweep.warnings[0].find("s.yaml:3:35: sensor.more_cameras[0].rate_hz: 7.7 Hz is not"),
             std::string::npos)
       << sweep.warnings[0];
+}
+
+/// The problems of a sweep of these planners and this sensor.
+class OneCameraPlanners : public SweepFiles {
+ protected:
+  std::string with(const std::string& planners, const std::string& sensor,
+                   const std::string& more = "") const {
+    return problems("sweep: a\nplanners: " + planners + "\nsensor: " + sensor + "\n" + more);
+  }
+};
+
+TEST_F(OneCameraPlanners, AreRefusedARigUnlessTheSweepNamesTheirCamera) {
+  EXPECT_EQ(with("[one_camera]", "depth_ideal"), "");
+  EXPECT_EQ(with("[tunable, one_camera]", "surround"),
+            "s.yaml:2:21: planners[1]: one_camera can't fly with sensor 'surround': it handles one "
+            "camera and gets 4; name the one that it sees, as in {plugin: one_camera, camera: 0}, "
+            "of 0 (yaw 0°), 1 (yaw 90°), 2 (yaw 180°), 3 (yaw -90°)");
+  EXPECT_EQ(with("[one_camera]", "{more_mountings: [{pitch_deg: 90}]}"),
+            "s.yaml:2:12: planners[0]: one_camera can't fly with sensor 'depth_ideal': it handles "
+            "one camera and gets 2; name the one that it sees, as in {plugin: one_camera, camera: "
+            "0}, of 0 (yaw 0°), 1 (yaw 0°, pitch 90°)");
+  EXPECT_EQ(with("[{plugin: one_camera, camera: 3}]", "surround"), "");
+  EXPECT_EQ(with("{plugin: one_camera, camera: 4}", "surround"),
+            "s.yaml:2:11: planners: sensor 'surround' has no camera 4; it has 0 (yaw 0°), 1 (yaw "
+            "90°), 2 (yaw 180°), 3 (yaw -90°)");
+  // Of a sensor that is one value of an axis, too.
+  EXPECT_NE(
+      with("[one_camera]", "depth_ideal", "axes: {sensor.more_mountings: [[], [{yaw_deg: 90}]]}\n")
+          .find("handles one camera and gets 2"),
+      std::string::npos);
+}
+
+TEST_F(OneCameraPlanners, AreRefusedANarrowView) {
+  EXPECT_EQ(with("[one_camera]", "oak_d_like"),
+            "s.yaml:2:12: planners[0]: one_camera can't fly with sensor 'oak_d_like': it needs a "
+            "view of 80° × 60° or more, and the camera has 72° × 48.8°");
+  EXPECT_EQ(with("[one_camera]", "{fov_x_deg: 80}"), "");
+  // Of a rig, only the camera that it sees.
+  EXPECT_EQ(with("{plugin: one_camera, camera: 0}", "{more_cameras: [oak_d_like]}"), "");
+  EXPECT_NE(with("{plugin: one_camera, camera: 1}", "{more_cameras: [oak_d_like]}"), "");
+}
+
+TEST_F(OneCameraPlanners, TheCameraIsPartOfTheKeyWhereItIsNamed) {
+  const auto key = [&](const std::string& planner) {
+    return trial_key(expand(read("sweep: a\nplanners: [" + planner + "]\n")).front().spec());
+  };
+  const std::string each = key("one_camera");
+  EXPECT_EQ(key("{plugin: one_camera}"), each);
+  EXPECT_NE(key("{plugin: one_camera, camera: 0}"), each);
+  // As it was before there was such a key.
+  nlohmann::json planner = spec_to_json(PlannerChoice{});
+  forget_unused_planner_fields(planner);
+  EXPECT_FALSE(planner.contains("camera"));
+}
+
+TEST_F(OneCameraPlanners, AKeyOfAnotherKindIsAProblem) {
+  EXPECT_NE(with("{plugin: one_camera, camera: front}", "surround").find("planners.camera: "),
+            std::string::npos);
+  EXPECT_NE(with("{plugin: tunable, camera: 0}", "surround").find("tunable sees no images"),
+            std::string::npos);
 }
 
 }  // namespace

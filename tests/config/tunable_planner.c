@@ -82,7 +82,9 @@ static const ab_planner kTable = {sizeof(ab_planner),
                                   NULL,
                                   1,
                                   0,
-                                  kProfiles};
+                                  kProfiles,
+                                  0.0,
+                                  0.0};
 
 AB_EXPORT const ab_planner* avoidbench_planner_v1(uint32_t host_api) {
   return host_api == AVOIDBENCH_ABI_VERSION ? &kTable : NULL;

@@ -71,6 +71,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadCase{"keeps_pointer", "keeps_no_input", "keeps a pointer"},
         BadCase{"draws_differently", "drawing_changes_nothing", "when its drawings are wanted"},
         BadCase{"asked_differently", "being_asked_changes_nothing", "when it is asked"},
+        BadCase{"newest_of_any", "tells_cameras_apart", "no longer depend on what the first"},
         BadCase{"odd_map", "being_asked_changes_nothing", "no AB_PLACE_"},
         BadCase{"needs_debug", "drawing_changes_nothing", "has no extension avoidbench.debug/1"},
         BadCase{"extra_symbol", "exports_one_avoidbench_symbol", "avoidbench_secret"},
@@ -90,6 +91,9 @@ TEST(Conformance, OneBrokenRuleDoesNotTripTheOthers) {
               testing::ElementsAre("keeps_no_input"));
   EXPECT_THAT(failed_rules(check_conformance(bad_planner("draws_differently"))),
               testing::ElementsAre("drawing_changes_nothing"));
+  EXPECT_THAT(failed_rules(check_conformance(bad_planner("newest_of_any"))),
+              testing::ElementsAre("tells_cameras_apart"));
+  EXPECT_THAT(failed_rules(check_conformance(bad_planner("one_wide_camera"))), testing::IsEmpty());
 }
 
 TEST(Conformance, WhereFlightsDoNotRepeatNoRuleThatComparesThemIsBlamed) {

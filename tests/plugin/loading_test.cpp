@@ -82,6 +82,18 @@ TEST(Loading, RefusesAPlannerThatSaysItCantFly) {
 TEST(Loading, TakesATableOfBeforeProfiles) {
   const PlannerLibrary library = PlannerLibrary::load(bad_planner("before_profiles"));
   EXPECT_TRUE(library.description().profiles.empty());
+  EXPECT_EQ(library.description().least_fov_x_rad, 0.0);
+}
+
+TEST(Loading, SaysWhatIsWrongWithDemandsOnCameras) {
+  EXPECT_THAT(load_error(bad_planner("bad_cameras")),
+              AllOf(HasSubstr("its least field of view is not within [0, π)"),
+                    HasSubstr("it says which cameras it can fly with, but sees no images")));
+  const PlannerDescription planner =
+      PlannerLibrary::load(bad_planner("one_wide_camera")).description();
+  EXPECT_EQ(planner.needs, AB_SEES_STATE | AB_SEES_DEPTH | AB_SEES_ONE_CAMERA);
+  EXPECT_EQ(planner.least_fov_x_rad, 1.5);
+  EXPECT_EQ(planner.least_fov_y_rad, 1.0);
 }
 
 TEST(Loading, RefusesWhatIsNoLibrary) {

@@ -56,7 +56,8 @@ TEST(Protocol, StructsOfThePlannerInterfaceAreWhereTheyAreDocumented) {
                   AT(ab_planner, needs, 32), AT(ab_planner, commands, 36),
                   AT(ab_planner, parameter_count, 40), AT(ab_planner, parameters, 48),
                   AT(ab_planner, create, 56), AT(ab_planner, profile_count, 96),
-                  AT(ab_planner, profiles, 104), Field{sizeof(ab_planner), 112}});
+                  AT(ab_planner, profiles, 104), AT(ab_planner, least_fov_x_rad, 112),
+                  AT(ab_planner, least_fov_y_rad, 120), Field{sizeof(ab_planner), 128}});
   expect_offsets(
       "ab_parameter",
       {AT(ab_parameter, kind, 4), AT(ab_parameter, name, 8), AT(ab_parameter, unit, 16),

@@ -42,5 +42,26 @@ TEST(SensorSpec, EdgeRaysSpanTheFieldOfView) {
   EXPECT_EQ(camera.max_range_m, sensor.max_range_m);
 }
 
+TEST(SensorSpec, OneCameraOfARigIsASensorByItself) {
+  SensorSpec rig;
+  rig.name = "rig";
+  MountingSpec left;
+  left.yaw_deg = 90.0;
+  rig.more_mountings = {left};
+  CameraSpec down;
+  down.name = "down";
+  down.width_px = 64;
+  down.mounting.pitch_deg = 90.0;
+  rig.more_cameras = {down};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const SensorSpec one = one_camera(rig, i);
+    ASSERT_EQ(rig_cameras(one).size(), 1U);
+    EXPECT_EQ(one.mounting.yaw_deg, i == 1 ? 90.0 : 0.0);
+    EXPECT_EQ(one.mounting.pitch_deg, i == 2 ? 90.0 : 0.0);
+    EXPECT_EQ(one.width_px, i == 2 ? 64 : 320);
+    EXPECT_EQ(one.name, i == 2 ? "down" : "rig");
+  }
+}
+
 }  // namespace
 }  // namespace avoidbench

@@ -316,6 +316,29 @@ TEST(Perception, AFurtherKindOfCameraLeavesTheFirstOneAsItIs) {
   }
 }
 
+/// A planner whose sweep names a camera flies as if there were no other.
+TEST(Perception, APlannersOneCameraIsAllThatItSees) {
+  TrialSpec spec = small_trial();
+  spec.sensor.method = DepthNoisySpec{};
+  CameraSpec side = spec.sensor;
+  side.mounting.yaw_deg = 90.0;
+  side.width_px = 40;
+  TrialSpec alone = spec;
+  static_cast<CameraSpec&>(alone.sensor) = side;
+  const std::vector<Seen> expected = flown(alone, 0.3);
+  spec.sensor.more_cameras = {side};
+  EXPECT_EQ(planner_setup(spec).cameras.size(), 2U);
+  spec.planner.camera = 1;
+  ASSERT_EQ(planner_setup(spec).cameras.size(), 1U);
+  EXPECT_EQ(planner_setup(spec).cameras[0].width_px, 40);
+  const std::vector<Seen> seen = flown(spec, 0.3);
+  ASSERT_EQ(seen.size(), expected.size());
+  for (std::size_t k = 0; k < seen.size(); ++k) {
+    EXPECT_EQ(seen[k].cameras, expected[k].cameras);
+    EXPECT_EQ(seen[k].digests, expected[k].digests);
+  }
+}
+
 TEST(Perception, TheSetupHasEachCameraAsItIs) {
   TrialSpec spec = small_trial();
   MountingSpec back;

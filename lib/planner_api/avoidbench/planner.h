@@ -50,6 +50,9 @@ typedef int32_t ab_status;
 #define AB_SEES_IMU 16u
 #define AB_SEES_WORLD 32u  /* privileged: reported apart in every table */
 #define AB_SEES_STATES 64u /* all states since the last call, not only the newest */
+/* Of a rig one camera alone: ab_setup.camera_count is 1. A sweep whose sensor has several names the
+ * one (`camera: 0` in the planner's entry), or is refused before its first trial. */
+#define AB_SEES_ONE_CAMERA 128u
 /* Also ab_planner.needs: what it does beside computing and reading files. Planners fly in a sandbox
  * that refuses the rest; without these flags fork() and socket() fail, as writing to files always
  * does. */
@@ -303,6 +306,9 @@ typedef struct ab_planner {
   /* Added later: older hosts and planners end before this. */
   uint32_t profile_count, reserved2;
   const ab_profile* const* profiles; /* profile_count pointers; at most one for each word */
+  /* Added later: older hosts and planners end before this. What each camera's pixels must cover,
+   * from edge to edge; a sweep with a narrower camera is refused before its first trial. 0: any. */
+  double least_fov_x_rad, least_fov_y_rad;
 } ab_planner;
 
 /* ---------------------------------------------------------------------------------------------

@@ -19,14 +19,14 @@
  *   AVOIDBENCH_PLANNER(Drift)
  *
  * Also understood: `static constexpr const char* version` and `summary`; `profiles`, other sets of
- * defaults (see profile()); `files`, a std::array<const char*, n> of files that it depends on (see
- * AB_FILES_EXTENSION); `static void check()`, which throws where the planner can't fly as it lies
- * there, its weights being damaged (see AB_CHECK_EXTENSION); `std::uint8_t place_at(const Vec3&
- * point_world_m) const`, what it knows of a place as AB_PLACE_… (see AB_MAP_EXTENSION); a
- * constructor (const ab_setup&, const ab_host&); a class without `parameters`. Where parameters
- * name members, settings_from() fills in all of them. An exception that leaves the class becomes
- * AB_ERROR with its text; GiveUp, thrown by give_up("reason"), ends the trial with planner_gave_up.
- * What ab_command.points refers to must live until the next call.
+ * defaults (see profile()); `least_fov_rad`, a std::array<double, 2> of the view across and down
+ * that each camera must have; `files`, a std::array<const char*, n> that it depends on (see
+ * AB_FILES_EXTENSION); `static void check()`, which throws where the planner can't fly, its weights
+ * being damaged (see AB_CHECK_EXTENSION); `std::uint8_t place_at(const Vec3& point_world_m) const`,
+ * AB_PLACE_… (see AB_MAP_EXTENSION); a constructor (const ab_setup&, const ab_host&); a class
+ * without `parameters`. Where parameters name members, settings_from() fills in all of them. An
+ * exception that leaves the class becomes AB_ERROR with its text; give_up("reason") ends the trial
+ * with planner_gave_up. What ab_command.points refers to must live until the next call.
  */
 #ifndef AVOIDBENCH_PLANNER_HPP
 #define AVOIDBENCH_PLANNER_HPP
@@ -218,17 +218,22 @@ class GiveUp : public std::runtime_error {
 
 [[noreturn]] inline void give_up(const std::string& reason) { throw GiveUp(reason); }
 
-/// The newest depth image since the last call, or null where none is new.
-inline const ab_depth_image* newest_depth(const ab_observation& seen) {
-  return seen.depth_count > 0 ? seen.depth[0] : nullptr;
+/// The newest depth image, stereo pair or colour picture of one camera since the last call, or null
+/// where none is new. `camera`: index into ab_setup.cameras; 0 with AB_SEES_ONE_CAMERA.
+inline const ab_depth_image* newest_depth(const ab_observation& seen, std::uint32_t camera) {
+  std::uint32_t i = 0;
+  while (i < seen.depth_count && seen.depth[i]->camera != camera) ++i;
+  return i < seen.depth_count ? seen.depth[i] : nullptr;
 }
-
-/// The newest stereo pair or colour picture since the last call, or null where none is new.
-inline const ab_stereo_pair* newest_stereo(const ab_observation& seen) {
-  return seen.stereo_count > 0 ? seen.stereo[0] : nullptr;
+inline const ab_stereo_pair* newest_stereo(const ab_observation& seen, std::uint32_t camera) {
+  std::uint32_t i = 0;
+  while (i < seen.stereo_count && seen.stereo[i]->left->camera != camera) ++i;
+  return i < seen.stereo_count ? seen.stereo[i] : nullptr;
 }
-inline const ab_picture* newest_color(const ab_observation& seen) {
-  return seen.color_count > 0 ? seen.color[0] : nullptr;
+inline const ab_picture* newest_color(const ab_observation& seen, std::uint32_t camera) {
+  std::uint32_t i = 0;
+  while (i < seen.color_count && seen.color[i]->camera != camera) ++i;
+  return i < seen.color_count ? seen.color[i] : nullptr;
 }
 
 /// A command of this kind with all else zero.
@@ -367,6 +372,15 @@ struct Profiles<Planner, std::void_t<decltype(Planner::profiles)>> {
   static constexpr std::array<const ab_profile*, count> array =
       pointers_to(std::make_index_sequence<count>());
   static constexpr const ab_profile* const* pointers = array.data();
+};
+
+template <class Planner, class = void>
+struct LeastFov {
+  static constexpr std::array<double, 2> rad{};
+};
+template <class Planner>
+struct LeastFov<Planner, std::void_t<decltype(Planner::least_fov_rad)>> {
+  static constexpr std::array<double, 2> rad = Planner::least_fov_rad;
 };
 
 template <class Planner, class = void>
@@ -531,7 +545,9 @@ struct Table {
                                     &get_extension<Planner>,
                                     static_cast<std::uint32_t>(Profiles<Planner>::count),
                                     0,
-                                    Profiles<Planner>::pointers};
+                                    Profiles<Planner>::pointers,
+                                    LeastFov<Planner>::rad[0],
+                                    LeastFov<Planner>::rad[1]};
 };
 
 }  // namespace AB_HIDDEN

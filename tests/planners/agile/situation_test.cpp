@@ -54,6 +54,12 @@ std::uint8_t pixel(const Image& image, int row, int column) {
   return image[std::size_t(row * kImageWidth + column)];
 }
 
+/// What it demands of cameras is what the net's image covers, from edge to edge.
+TEST(NetImage, IsAsWideAsTheLeastCamera) {
+  EXPECT_NEAR(std::tan(0.5 * kFovX_rad), 0.5 * kImageWidth / kFocal_px, 1e-12);
+  EXPECT_NEAR(std::tan(0.5 * kFovY_rad), 0.5 * kImageHeight / kFocal_px, 1e-12);
+}
+
 TEST(NetImage, HoldsInverseDepthAndNothingWhereNothingIs) {
   EXPECT_EQ(pixel(net_image(DepthCamera(320, 240, 2.0F).seen()), 30, 40), 128);
   EXPECT_EQ(pixel(net_image(DepthCamera(320, 240, 10.0F).seen()), 30, 40), 26);

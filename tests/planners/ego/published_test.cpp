@@ -92,6 +92,23 @@ TEST(Published, TheMapTakesAnImageEachPeriod) {
   EXPECT_EQ(images_until_occupied(published(), 1.0 / 30.0), 8);
 }
 
+/// Each camera of a rig has periods of its own: all expose at the same moments.
+TEST(Published, TheMapTakesAnImageOfEachCameraEachPeriod) {
+  Flight flight(published());
+  flight.reset(mission_of({0, 0, 2}, {20, 0, 2}));
+  Eye ahead, left;
+  left.image.camera = 1;
+  const double q[4] = {0.7071067811865476, -0.7071067811865476, 0.0, 0.0};  // along +y
+  std::copy(q, q + 4, left.image.q_world_camera);
+  for (int i = 1; i <= 8; ++i) {
+    flight.see(ahead.at(0.05 * i));
+    flight.see(left.at(0.05 * i));
+  }
+  const planning::RollingGrid& grid = flight.surroundings().grid;
+  EXPECT_EQ(grid.state(grid.cell_of({3.0 + 1e-6, 0.05, 2.05})), planning::CellState::occupied);
+  EXPECT_EQ(grid.state(grid.cell_of({0.05, 3.0 + 1e-6, 2.05})), planning::CellState::occupied);
+}
+
 TEST(Published, HeightsEndAtGroundAndCeiling) {
   Flight flight(published());
   flight.reset(mission_of({0, 0, 1}, {20, 0, 1}));

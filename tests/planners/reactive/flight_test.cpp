@@ -145,6 +145,23 @@ TEST(Reactive, HoldsWhereItSeesNothing) {
   }
 }
 
+/// What looks down adds to what looks ahead; it does not take its place.
+TEST(Reactive, FliesWithASecondCameraThatLooksDown) {
+  const PlannerSetup rig = kinematic::rig_setup();
+  PlannerInstance planner = kinematic::instance_of(PLANNER_FILE, {}, rig);
+  const Course meadow = kinematic::meadow();
+  const Result straight = kinematic::fly(planner, meadow, 60.0, rig);
+  ASSERT_EQ(straight.ending, Ending::reached_goal);
+  EXPECT_LT(straight.path_m, 1.01 * ((meadow.goal_world - meadow.start_world).norm() - 0.8));
+  for (std::uint64_t seed = 0; seed < 3; ++seed) {
+    const Course forest = kinematic::forest(5.0, seed);
+    PlannerInstance single = kinematic::instance_of(PLANNER_FILE);
+    EXPECT_EQ(kinematic::fly(planner, forest, 60.0, rig).ending,
+              kinematic::fly(single, forest).ending)
+        << seed;
+  }
+}
+
 TEST(Reactive, FliesTheMirroredCourseTheMirroredWay) {
   Course course = kinematic::meadow();
   course.cylinders.push_back({{0.15, 12.0}, 0.3});

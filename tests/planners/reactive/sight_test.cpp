@@ -203,6 +203,34 @@ TEST(Sight, SeesAndSeesThroughByMajority) {
   EXPECT_FALSE(sight_of({&wall, &nearer, &nearer, &wall}).sees_through(place));
 }
 
+/// Two cameras back to back, of which each shows its own wall.
+TEST(Sight, HasEachCameraForItself) {
+  const Image ahead(4.0F, {0.0, 0.0, 2.0});
+  Image behind(4.0F, {0.0, 0.0, 2.0});
+  behind.image.camera = 1;
+  const double q[4] = {0.5, -0.5, -0.5, 0.5};  // camera z is world -x, camera x is world y
+  std::copy(std::begin(q), std::end(q), behind.image.q_world_camera);
+  Sight sight;
+  for (int i = 0; i < Sight::kNeeded; ++i) {
+    EXPECT_FALSE(sight.is_ready());
+    sight.take(behind.image);
+    // Of the other camera fewer images are there than it needs.
+    if (i > 0) sight.take(ahead.image);
+  }
+  EXPECT_TRUE(sight.is_ready());
+  EXPECT_TRUE(sight.has_seen({-1.0, 0.0, 0.0}));
+  EXPECT_FALSE(sight.has_seen({1.0, 0.0, 0.0}));
+  EXPECT_EQ(count_of(sight), 64U * 48U);
+  sight.take(ahead.image);
+  EXPECT_TRUE(sight.has_seen({1.0, 0.0, 0.0}));
+  EXPECT_EQ(count_of(sight), 2U * 64U * 48U);
+  EXPECT_TRUE(sight.sees_through({-3.0, 0.0, 2.0}));
+  EXPECT_TRUE(sight.sees_through({3.0, 0.0, 2.0}));
+  EXPECT_FALSE(sight.sees_through({-6.0, 0.0, 2.0}));
+  EXPECT_NEAR(sight.looked_along({1.0, 0.0, 0.0}), 1.0, 1e-12);
+  EXPECT_NEAR(sight.looked_along({-0.6, 0.8, 0.0}), 0.6, 1e-12);
+}
+
 TEST(ObstacleMemory, ForgetsByAgeDistanceAndSight) {
   ObstacleMemory memory;
   const Sight blind;

@@ -76,21 +76,28 @@ void add_ghosts(int count, RandomStream& random, std::vector<float>& pixels) {
   }
 }
 
-PlannerView seen_by(const Vehicle& vehicle, const Course& near, const CameraSetup& camera,
-                    double time_s, RandomStream& random, std::vector<float>& pixels) {
+PlannerView seen_by(const Vehicle& vehicle, const Course& near,
+                    const std::vector<CameraSetup>& cameras, double time_s, RandomStream& random,
+                    std::vector<std::vector<float>>& pixels) {
   PlannerView view;
   view.time_s = time_s;
   view.position_world = vehicle.position;
   view.velocity_world = vehicle.velocity;
   view.rates_body.setZero();
   view.q_world_body = attitude(vehicle.acceleration, vehicle.yaw_rad);
-  DepthView depth;
-  depth.time_s = time_s;
-  depth.T_world_camera = make_pose(vehicle.position, view.q_world_body) * camera.T_body_camera;
-  pixels = depth_image(near, camera, depth.T_world_camera);
-  add_ghosts(near.ghost_count, random, pixels);
-  depth.depth_m = pixels;
-  view.depth.push_back(depth);
+  pixels.resize(cameras.size());
+  // As the host has it: of one moment the last camera's image comes first.
+  for (std::size_t i = cameras.size(); i-- > 0;) {
+    DepthView depth;
+    depth.time_s = time_s;
+    depth.camera = static_cast<std::uint32_t>(i);
+    depth.T_world_camera =
+        make_pose(vehicle.position, view.q_world_body) * cameras[i].T_body_camera;
+    pixels[i] = depth_image(near, cameras[i], depth.T_world_camera);
+    add_ghosts(near.ghost_count, random, pixels[i]);
+    depth.depth_m = pixels[i];
+    view.depth.push_back(depth);
+  }
   return view;
 }
 
@@ -174,6 +181,14 @@ PlannerSetup vehicle_setup() {
   return setup;
 }
 
+PlannerSetup rig_setup() {
+  PlannerSetup setup = vehicle_setup();
+  CameraSetup& down = setup.cameras.emplace_back(setup.cameras.front());
+  down.T_body_camera.linear() << 0, -1, 0, -1, 0, 0, 0, 0, -1;
+  down.T_body_camera.translation() << 0.0, 0.0, -0.05;
+  return setup;
+}
+
 std::vector<float> depth_image(const Course& course, const CameraSetup& camera,
                                const Eigen::Isometry3d& T_world_camera) {
   std::vector<float> depth_m;
@@ -202,8 +217,8 @@ double clearance_m(const Course& course, const Eigen::Vector3d& point_world) {
   return nearest;
 }
 
-Result fly(PlannerInstance& planner, const Course& course, double time_limit_s) {
-  const PlannerSetup setup = vehicle_setup();
+Result fly(PlannerInstance& planner, const Course& course, double time_limit_s,
+           const PlannerSetup& setup) {
   const Eigen::Vector3d way = course.goal_world - course.start_world;
   PlannerMission mission;
   mission.seed = 1;
@@ -221,7 +236,7 @@ Result fly(PlannerInstance& planner, const Course& course, double time_limit_s) 
   vehicle.yaw_rad = mission.start_yaw_rad;
   Eigen::Vector3d wanted = Eigen::Vector3d::Zero(), next = wanted;
   double wanted_yaw_rad = vehicle.yaw_rad, next_yaw_rad = wanted_yaw_rad;
-  std::vector<float> pixels;
+  std::vector<std::vector<float>> pixels;
   RandomStream random = stream(1, "kinematic_ghosts");
   if (!result.reason.empty()) result.ending = Ending::failed;
 
@@ -231,7 +246,7 @@ Result fly(PlannerInstance& planner, const Course& course, double time_limit_s) 
     wanted_yaw_rad = next_yaw_rad;
     const Course near = nearby(course, vehicle.position, setup.cameras.front().max_range_m);
     const PlanResult plan =
-        planner.plan(seen_by(vehicle, near, setup.cameras.front(), result.time_s, random, pixels));
+        planner.plan(seen_by(vehicle, near, setup.cameras, result.time_s, random, pixels));
     result.positions.push_back(vehicle.position);
     next = Eigen::Vector3d::Zero();
     if (plan.status == PlanStatus::command) {
@@ -263,9 +278,10 @@ Result fly(PlannerInstance& planner, const Course& course, double time_limit_s) 
   return result;
 }
 
-PlannerInstance instance_of(const std::string& file, const ParameterValues& parameters) {
+PlannerInstance instance_of(const std::string& file, const ParameterValues& parameters,
+                            const PlannerSetup& setup) {
   const PlannerLibrary library = PlannerLibrary::load(file);
-  return {library, vehicle_setup(), resolve_parameters(library.description(), parameters)};
+  return {library, setup, resolve_parameters(library.description(), parameters)};
 }
 
 }  // namespace avoidbench::kinematic

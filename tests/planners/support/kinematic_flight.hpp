@@ -56,9 +56,13 @@ struct Result {
 /// What the vehicle is: body 0.5 × 0.5 × 0.12 m, camera of 64 × 48 pixels, 90° and 10 m.
 PlannerSetup vehicle_setup();
 
+/// The same with a second camera that looks straight down.
+PlannerSetup rig_setup();
+
 /// Flies until the goal is within 0.8 m, a surface within 0.3 m of the body's centre, or
 /// `time_limit_s`.
-Result fly(PlannerInstance& planner, const Course& course, double time_limit_s = 60.0);
+Result fly(PlannerInstance& planner, const Course& course, double time_limit_s = 60.0,
+           const PlannerSetup& setup = vehicle_setup());
 
 /// Depth seen by `camera` at this pose.
 std::vector<float> depth_image(const Course& course, const CameraSetup& camera,
@@ -68,6 +72,7 @@ std::vector<float> depth_image(const Course& course, const CameraSetup& camera,
 double clearance_m(const Course& course, const Eigen::Vector3d& point_world);
 
 /// A new instance of the planner at `file` with these parameters besides the presets.
-PlannerInstance instance_of(const std::string& file, const ParameterValues& parameters = {});
+PlannerInstance instance_of(const std::string& file, const ParameterValues& parameters = {},
+                            const PlannerSetup& setup = vehicle_setup());
 
 }  // namespace avoidbench::kinematic

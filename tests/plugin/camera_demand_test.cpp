@@ -1,0 +1,69 @@
+#include <gmock/gmock.h>
+
+#include "bad_planners.hpp"
+#include "base/math.hpp"
+#include "conformance/conformance_flight.hpp"
+#include "plugin/planner_table.hpp"
+
+namespace avoidbench {
+namespace {
+
+/// 160 × 120 pixels with this focal length.
+CameraSetup camera(double focal_px) {
+  CameraSetup setup = conformance_setup().cameras.front();
+  setup.fx_px = setup.fy_px = focal_px;
+  return setup;
+}
+
+PlannerDescription planner(std::uint32_t needs, double least_x_deg = 0.0,
+                           double least_y_deg = 0.0) {
+  PlannerDescription description;
+  description.needs = needs;
+  description.least_fov_x_rad = least_x_deg * math::kDegree;
+  description.least_fov_y_rad = least_y_deg * math::kDegree;
+  return description;
+}
+
+TEST(CameraDemand, OneCameraIsNoRig) {
+  const std::vector<CameraSetup> one{camera(80.0)}, two{camera(80.0), camera(80.0)};
+  const PlannerDescription single = planner(AB_SEES_DEPTH | AB_SEES_ONE_CAMERA);
+  EXPECT_EQ(camera_problem(single, one), "");
+  EXPECT_EQ(camera_problem(single, two), "it handles one camera and gets 2");
+  EXPECT_EQ(camera_problem(planner(AB_SEES_COLOR), two), "");
+  EXPECT_EQ(camera_demand(single), "one");
+  EXPECT_EQ(camera_demand(planner(AB_SEES_DEPTH)), "");
+}
+
+TEST(CameraDemand, EachCameraHasToBeWideEnough) {
+  const PlannerDescription wide = planner(AB_SEES_DEPTH, 90.0, 67.4);
+  // 90° × 73.7°: with nothing to spare across.
+  EXPECT_EQ(camera_problem(wide, std::vector{camera(80.0)}), "");
+  EXPECT_EQ(camera_problem(wide, std::vector{camera(81.0)}),
+            "it needs a view of 90° × 67.4° or more, and the camera has 89.3° × 73.1°");
+  CameraSetup flat = camera(80.0);
+  flat.height_px = 90;
+  EXPECT_EQ(camera_problem(wide, std::vector{camera(80.0), flat}),
+            "it needs a view of 90° × 67.4° or more, and camera 1 has 90° × 58.7°");
+  // Without eyes it gets no camera.
+  EXPECT_EQ(camera_problem(planner(AB_SEES_STATE, 90.0, 67.4), std::vector{camera(81.0)}), "");
+  EXPECT_EQ(camera_demand(planner(AB_SEES_DEPTH | AB_SEES_ONE_CAMERA, 90.0, 67.4)),
+            "one, 90° × 67.4° or more");
+}
+
+/// Whoever makes the instance, a sweep or not.
+TEST(CameraDemand, NoInstanceIsMadeForOtherCameras) {
+  const PlannerLibrary library = PlannerLibrary::load(bad_planner("one_wide_camera"));
+  PlannerSetup setup = conformance_setup();
+  EXPECT_NO_THROW(PlannerInstance(library, setup, {}));
+  setup.cameras.push_back(setup.cameras.front());
+  try {
+    PlannerInstance(library, setup, {});
+    ADD_FAILURE() << "made for two cameras";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(),
+                 "planner honest can't fly with this sensor: it handles one camera and gets 2");
+  }
+}
+
+}  // namespace
+}  // namespace avoidbench
