@@ -151,12 +151,14 @@ std::string junit_of(const std::string& suite, const std::vector<TestCase>& case
 
 /// One line: what a page of a CI system shows of a test.
 std::string figures(const MetricComparison& row) {
-  const auto digits = [](double value) { return significant_digits(value, 5); };
+  const auto digits = [](double value) {
+    return std::isnan(value) ? std::string("–") : significant_digits(value, 5);
+  };
   if (row.pair_count == 0) return "no pair of trials";
   std::string line = digits(row.base_mean) + " -> " + digits(row.new_mean) +
                      (row.unit.empty() ? "" : " " + row.unit) + ", change " + digits(row.change);
   const Interval& interval = row.change_interval;
-  if (!std::isnan(interval.lower)) {
+  if (!std::isnan(interval.lower) || !std::isnan(interval.upper)) {
     line += " [" + digits(interval.lower) + ", " + digits(interval.upper) + "]";
   }
   line += ", tolerance " + digits(row.limit);

@@ -80,7 +80,8 @@ Table metric_table_of(const Comparison& comparison) {
        {.name = "base_mean", .header = "base"},
        {.name = "new_mean", .header = "new"},
        {.name = "change",
-        .doc = "new less base, over the pairs; its 95 % interval is by bootstrap over maps (BCa)"},
+        .doc = "new less base, over the pairs; its 95 % interval is by bootstrap over maps "
+               "(BCa); an end – can't be told from so few maps"},
        {.name = "interval", .header = "95 % interval"},
        {.name = "p",
         .doc = "that nothing changed, corrected (Holm) over the " +
@@ -95,7 +96,7 @@ Table metric_table_of(const Comparison& comparison) {
     std::string change = with_decimals(row.change, finer, true), range;
     if (is_untouched) {
       change = "0";
-    } else if (!std::isnan(interval.lower)) {
+    } else if (!std::isnan(interval.lower) || !std::isnan(interval.upper)) {
       range = "[" + with_decimals(interval.lower, finer, true) + ", " +
               with_decimals(interval.upper, finer, true) + "]";
     }

@@ -23,7 +23,8 @@ using Trials = std::vector<TrialOnMap>;  ///< in order of map, then mission
 /// A metric over the trials that it speaks of; NaN where there are none.
 struct MetricMean {
   double mean = 0.0;
-  Interval interval;  ///< BCa bootstrap over maps, 95 %; NaN for fewer than kLeastMaps maps
+  /// BCa bootstrap over maps, 95 %; NaN for fewer than kLeastMaps maps, an end that can't be told
+  Interval interval;
   double standard_deviation = 0.0;  ///< of the values, n - 1
   std::int64_t count = 0;
   bool is_best = false;  ///< and significantly better than that of every other planner
@@ -77,7 +78,7 @@ struct Contrast {
   std::size_t planner_1 = 0, planner_2 = 0;
   double factor = 0.0;           ///< NaN: undefined, a success rate is 0 or 1
   double smoothed_factor = 0.0;  ///< with Jeffreys-smoothed rates
-  Interval smoothed_interval;    ///< BCa bootstrap over maps, 95 %; NaN for fewer than kLeastMaps
+  Interval smoothed_interval;    ///< BCa bootstrap over maps, 95 %; NaN as in MetricMean
   double fisher_p = 1.0;         ///< that the success rates are equal, on missions like these
   /// The same on maps like these: Wilcoxon's test of the maps' rates; NaN for fewer than
   /// kLeastMapsToTest.

@@ -75,7 +75,7 @@ std::vector<std::pair<std::string, std::string>> legend(const Section& section) 
   for (const Table& table : section.tables) {
     if (!table.is_for_people) continue;
     for (const Column& column : table.columns) {
-      const std::pair<std::string, std::string> line{column.header,
+      const std::pair<std::string, std::string> line{shown_header(column),
                                                      section.is_brief ? column.brief : column.doc};
       // What is only in formats for programs needs no explanation here.
       const bool is_shown = column.place == Place::key || column.place == Place::value;

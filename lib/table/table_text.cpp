@@ -152,13 +152,17 @@ std::string wrapped(std::string_view text, std::size_t width, std::size_t indent
   return lines;
 }
 
+std::string shown_header(const Column& column) {
+  return column.header.empty() ? column.name : column.header;
+}
+
 std::vector<TextColumn> text_columns(const Table& table) {
   constexpr std::size_t kMostColumns = 44;  // of a text: two of them and a number fit on a line
   std::vector<TextColumn> columns;
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     const Column& column = table.columns[i];
     if (column.place == Place::machine || column.place == Place::bound) continue;
-    TextColumn text{.header = column.header.empty() ? column.name : column.header,
+    TextColumn text{.header = shown_header(column),
                     .unit = column.unit,
                     .doc = column.doc,
                     .is_key = column.place == Place::key,
@@ -187,8 +191,9 @@ std::vector<TextColumn> text_columns(const Table& table) {
       if (has_interval && std::holds_alternative<double>(row[i].value)) {
         const std::string lower = cell_text(row[i + 1], decimals);
         const std::string upper = cell_text(row[i + 2], decimals);
-        // NaN: no interval.
-        cell += lower == "–" ? "" : " [" + lower + ", " + upper + "]";
+        // Without either end there is no interval; one alone may be unknown.
+        const bool has_end = lower != "–" || upper != "–";
+        cell += has_end ? " [" + lower + ", " + upper + "]" : "";
       }
       text.width = std::max(text.width, display_width(cell));
       text.cells.push_back(std::move(cell));

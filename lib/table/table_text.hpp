@@ -29,6 +29,9 @@ std::string wrapped(std::string_view text, std::size_t width, std::size_t indent
 /// Decimals that show `digits` digits of a number of this size, at most 6.
 int decimals_for(double size, int digits);
 
+/// What stands above a column: its header, or its name where it has none.
+std::string shown_header(const Column& column);
+
 /// One column as people read it: numbers of one column have the same number of decimals, intervals
 /// are beside them.
 struct TextColumn {

@@ -113,19 +113,16 @@ TEST(StatisticsSlow, SkewedMeansNeedMoreMaps) {
   expect_honest(synthetic::mean_coverage(population, 60, 2000, 1000), "strong, 60 maps");
 }
 
-TEST(StatisticsSlow, EightMapsAreNearlyEnoughAndFiveAreNot) {
-  const BootstrapCoverage five = synthetic::bootstrap_coverage({}, 5, 4000, 1000);
-  const BootstrapCoverage eight = synthetic::bootstrap_coverage({}, 8, 4000, 1000);
+// Since ends that the draws can't tell are unknown: 89 to 91 % for five maps without that.
+TEST(StatisticsSlow, FiveAndEightMapsAreNearlyEnough) {
+  const BootstrapCoverage five = synthetic::bootstrap_coverage({}, 5, 1000, 1000);
+  const BootstrapCoverage eight = synthetic::bootstrap_coverage({}, 8, 1000, 1000);
   std::cout << "    mean " << five.mean.percent() << " %, " << eight.mean.percent()
             << " %, contrast factor " << five.contrast.percent() << " %, "
             << eight.contrast.percent() << " %\n";
-  for (const Coverage& coverage : {five.mean, five.contrast}) {
-    EXPECT_GE(coverage.percent(), 88.0);
-    EXPECT_LT(coverage.percent(), 93.0);
-  }
-  for (const Coverage& coverage : {eight.mean, eight.contrast}) {
-    EXPECT_GE(coverage.percent(), 92.0);
-    EXPECT_LE(coverage.percent(), 97.0);
+  for (const Coverage& coverage : {five.mean, five.contrast, eight.mean, eight.contrast}) {
+    EXPECT_GE(coverage.percent(), 91.5);
+    EXPECT_LE(coverage.percent(), 97.5);
   }
 }
 

@@ -91,7 +91,8 @@ struct Coverage {
   int held = 0, all = 0;
   void add(const Interval& interval, double truth) {
     ++all;
-    held += interval.lower <= truth && truth <= interval.upper ? 1 : 0;
+    // An unknown end claims nothing.
+    held += truth < interval.lower || truth > interval.upper ? 0 : 1;
   }
   double percent() const { return 100.0 * held / all; }
 };

@@ -117,6 +117,23 @@ TEST(Table, ABriefSectionHasOneLineOfWarningsAndOneParagraphOfLegend) {
             std::string::npos);
 }
 
+TEST(Table, AColumnWithoutAHeaderIsExplainedByItsName) {
+  Section named = section();
+  named.tables[0].columns[5].header = "";
+  EXPECT_EQ(legend(named)[1].first, "path_optimality_pct");
+  const std::string text = format_sections({&named, 1}, TableFormat::markdown);
+  EXPECT_NE(text.find("- **path\\_optimality\\_pct** excess path"), std::string::npos) << text;
+}
+
+TEST(Table, AnIntervalMayHaveOneEnd) {
+  Section open = section();
+  open.tables[0].rows[0][4].value = {};
+  open.tables[0].rows[1][3].value = open.tables[0].rows[1][4].value = {};
+  const std::string text = format_sections({&open, 1}, TableFormat::table);
+  EXPECT_NE(text.find("0.88* [0.80, –]"), std::string::npos) << text;
+  EXPECT_EQ(text.find("[–"), std::string::npos) << text;
+}
+
 TEST(Table, CsvReadsBackWithAllDigits) {
   const Section sections[] = {section()};
   const auto rows = parsed_csv(format_sections(sections, TableFormat::csv));

@@ -366,7 +366,7 @@ function Report({ table }: { table: ReportTable }): JSX.Element {
               return (
                 <td class={isNumber ? 'number' : ''} data-column={c.name} data-value={cell === null ? '' : String(cell)} title={isNumber ? String(cell) : undefined}>
                   {row.best.includes(c.i) ? <strong>{cellText(cell, c.decimals)}*</strong> : cellText(cell, c.decimals)}
-                  {bounds(c.i) && row.cells[c.i + 1] !== null ? <span class="bounds"> [{cellText(row.cells[c.i + 1], c.decimals)}, {cellText(row.cells[c.i + 2], c.decimals)}]</span> : null}
+                  {bounds(c.i) && (row.cells[c.i + 1] !== null || row.cells[c.i + 2] !== null) ? <span class="bounds"> [{cellText(row.cells[c.i + 1], c.decimals)}, {cellText(row.cells[c.i + 2], c.decimals)}]</span> : null}
                 </td>
               );
             })}</tr>
