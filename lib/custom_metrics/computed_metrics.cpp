@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <sstream>
@@ -40,10 +41,42 @@ class OnlyReading {
   sqlite3* handle_;
 };
 
+/// Interrupts statements at the deadline, for as long as it lives: SQL can go on for ever.
+class Deadline {
+ public:
+  Deadline(sqlite3* handle, double limit_s)
+      : handle_(handle),
+        end_(Clock::now() +
+             std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(limit_s))) {
+    constexpr int kInstructions = 100'000;  // about a millisecond
+    sqlite3_progress_handler(handle_, kInstructions, is_over, this);
+  }
+  ~Deadline() { sqlite3_progress_handler(handle_, 0, nullptr, nullptr); }
+  Deadline(const Deadline&) = delete;
+  Deadline& operator=(const Deadline&) = delete;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static int is_over(void* self) { return Clock::now() >= static_cast<Deadline*>(self)->end_; }
+
+  sqlite3* handle_;
+  Clock::time_point end_;
+};
+
 struct Finalize {
   void operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
 };
 using Prepared = std::unique_ptr<sqlite3_stmt, Finalize>;
+
+/// Of trials in the database.
+std::size_t trial_count(sqlite3* handle) {
+  sqlite3_stmt* statement = nullptr;
+  sqlite3_prepare_v2(handle, "SELECT count(*) FROM trials", -1, &statement, nullptr);
+  const Prepared count(statement);
+  return sqlite3_step(statement) == SQLITE_ROW
+             ? static_cast<std::size_t>(sqlite3_column_int64(statement, 0))
+             : 0;
+}
 
 /// The one statement that a metric's file may hold.
 Prepared prepare(sqlite3* handle, const std::string& sql) {
@@ -126,8 +159,10 @@ MetricRow described_metric(const std::string& name, std::string doc) {
   return metric;
 }
 
-ComputedMetrics query_metrics(const Database& database, const std::string& sql) {
+ComputedMetrics query_metrics(const Database& database, const std::string& sql, double limit_s) {
+  const std::size_t most_trials = trial_count(database.handle());
   const OnlyReading only_reading(database.handle());
+  const Deadline deadline(database.handle(), limit_s);
   const Prepared statement = prepare(database.handle(), sql);
   const std::map<std::string, std::string> docs = descriptions(sql);
   ComputedMetrics computed;
@@ -156,10 +191,18 @@ ComputedMetrics query_metrics(const Database& database, const std::string& sql) 
     const std::string trial = reinterpret_cast<const char*>(key);
     // Joins may repeat a row; equal values are no contradiction.
     const auto [there, is_new] = computed.values.emplace(trial, values);
+    if (computed.values.size() > most_trials) {
+      throw InputError("the SELECT has more trial_keys than there are trials");
+    }
     if (!is_new && !are_equal(there->second, values)) {
       throw InputError("the SELECT has two rows of trial " + trial.substr(0, 12) +
                        " with different values");
     }
+  }
+  if (code == SQLITE_INTERRUPT) {
+    throw InputError("the SELECT has not ended after " + shortest(limit_s) +
+                     " s, the most it may take: look for a join without its condition or a "
+                     "recursion without an end");
   }
   if (code != SQLITE_DONE) throw InputError(sqlite3_errmsg(database.handle()));
   return computed;
