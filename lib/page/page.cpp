@@ -7,7 +7,11 @@
 #include "maps/map_spec.hpp"
 #include "page/flight_choice.hpp"
 #include "page/flight_data.hpp"
+#include "page/page_text.hpp"
+#include "report/sweep_tables.hpp"
 #include "sensing/sensor_spec.hpp"
+#include "table/table_text.hpp"
+#include "text/number_text.hpp"
 #include "text/words.hpp"
 #include "trial/planner_view.hpp"
 
@@ -15,6 +19,9 @@ namespace avoidbench {
 namespace {
 
 using nlohmann::ordered_json;
+
+constexpr std::size_t kMostUnread = 20;  ///< flights of which it is said why they are not there
+constexpr std::size_t kMostText = 300;   ///< of a warning, characters
 
 ordered_json camera_json(const RigCamera& camera) {
   const Pose pose = T_body_camera(camera.mounting);
@@ -27,11 +34,14 @@ ordered_json camera_json(const RigCamera& camera) {
 
 /// Flights of a page while it fills.
 struct Filling {
-  PageScenes scenes;
+  PageScenes scenes = {};
   ordered_json flights = ordered_json::array();
   std::size_t bytes = 0, limit = 0;
+  std::size_t largest_bytes = 0;  ///< of the flights, without maps
+  std::size_t unread_count = 0;   ///< of flights that can't be read
 
-  bool is_full() const { return bytes >= limit; }
+  /// Whether another flight is not even worth reading.
+  bool is_full() const { return bytes + largest_bytes > limit; }
 };
 
 /// A trial of a page: the place of its sweep, and its own in there.
@@ -39,15 +49,20 @@ struct PageTrial {
   std::size_t sweep = 0, trial = 0;
 };
 
-void add_flight(PackedFlight packed, const PageTrial& of, std::span<const PageDatabase> databases,
+/// Puts the flight into the page, with map and rig. False: there is no room, and nothing was put
+/// in.
+bool add_flight(PackedFlight packed, const PageTrial& of, std::span<const PageDatabase> databases,
                 Filling& filling) {
   if (!packed.stored) {
-    filling.scenes.warnings.push_back("a flight is not shown: " + packed.problem);
-    return;
+    // Of all flights of a damaged file a few stand for the others.
+    if (filling.unread_count++ < kMostUnread) {
+      filling.scenes.warnings.push_back("a flight is not shown: " + packed.problem);
+    }
+    return true;
   }
-  if (packed.json == nullptr) return;
+  if (packed.json == nullptr) return true;
   const StoredTrial& stored = *packed.stored;
-  const std::size_t worlds_before = filling.scenes.worlds.size();
+  const PageScenes::Mark before = filling.scenes.mark();
   ordered_json flight = std::move(*packed.json);
   flight["sweep"] = of.sweep;
   flight["trial"] = of.trial;
@@ -56,11 +71,16 @@ void add_flight(PackedFlight packed, const PageTrial& of, std::span<const PageDa
   flight["goal_radius"] = stored.spec.mission.goal_radius_m;
   flight["start"] = to_array(stored.mission.start_world);
   flight["goal"] = to_array(stored.mission.goal_world);
-  filling.bytes += bytes_in_page(flight);
-  for (std::size_t i = worlds_before; i < filling.scenes.worlds.size(); ++i) {
-    filling.bytes += bytes_in_page(filling.scenes.worlds[i]);
+  const std::size_t flight_bytes = size_in_page(flight);
+  const std::size_t bytes = flight_bytes + filling.scenes.bytes_since(before);
+  if (filling.bytes + bytes > filling.limit) {
+    filling.scenes.back_to(before);
+    return false;
   }
+  filling.bytes += bytes;
+  filling.largest_bytes = std::max(filling.largest_bytes, flight_bytes);
   filling.flights.push_back(std::move(flight));
+  return true;
 }
 
 /// All trials in the order in which their flights are put into a page: sweep after sweep.
@@ -83,7 +103,42 @@ std::vector<PageTrial> flights_in_order(const std::vector<PageSweep>& sweeps) {
   return order;
 }
 
+std::string megabytes(std::size_t bytes) {
+  return fixed_digits(1e-6 * static_cast<double>(bytes), 1) + " MB";
+}
+
+/// What a page's sweeps leave out, whatever their size.
+void warn_of_pairs(const std::vector<PageSweep>& sweeps, std::vector<std::string>& warnings) {
+  for (const PageSweep& sweep : sweeps) {
+    for (const Table& table : sweep.section.tables) {
+      if (!is_left_out(table)) continue;
+      warnings.push_back("the " + counted(table.rows.size(), "pair") + " of planners of sweep " +
+                         sweep.summary.name + " are not shown: a report has them in its table " +
+                         table.name);
+    }
+  }
+}
+
 }  // namespace
+
+std::size_t PageScenes::bytes_since(const Mark& mark) const {
+  std::size_t bytes = 0;
+  for (std::size_t i = mark.worlds; i < worlds.size(); ++i) bytes += size_in_page(worlds[i]);
+  for (std::size_t i = mark.rigs; i < rigs.size(); ++i) bytes += size_in_page(rigs[i]);
+  for (std::size_t i = mark.meshes; i < meshes.size(); ++i) bytes += size_in_page(meshes[i]);
+  return bytes + (warnings.size() - mark.warnings) * kMostText;
+}
+
+void PageScenes::back_to(const Mark& mark) {
+  worlds.erase(worlds.begin() + static_cast<std::ptrdiff_t>(mark.worlds), worlds.end());
+  rigs.erase(rigs.begin() + static_cast<std::ptrdiff_t>(mark.rigs), rigs.end());
+  meshes.cut(mark.meshes);
+  warnings.resize(mark.warnings);
+  std::erase_if(world_index_, [&](const auto& entry) {
+    return entry.second.is_number() && entry.second >= mark.worlds;
+  });
+  std::erase_if(rig_index_, [&](const auto& entry) { return entry.second >= mark.rigs; });
+}
 
 std::size_t PageScenes::add_world(const World& world) {
   worlds.push_back(world_json(world, meshes));
@@ -135,10 +190,11 @@ void add_scenes(PageScenes scenes, ordered_json& page) {
   page["meshes"] = scenes.meshes.json();
   page["rigs"] = std::move(scenes.rigs);
   // A map of many flights is warned of once.
-  std::sort(scenes.warnings.begin(), scenes.warnings.end());
-  scenes.warnings.erase(std::unique(scenes.warnings.begin(), scenes.warnings.end()),
-                        scenes.warnings.end());
-  page["scene_warnings"] = std::move(scenes.warnings);
+  std::vector<std::string>& warnings = scenes.warnings;
+  std::sort(warnings.begin(), warnings.end());
+  warnings.erase(std::unique(warnings.begin(), warnings.end()), warnings.end());
+  for (std::string& warning : warnings) warning = cut_to_width(warning, kMostText);
+  page["scene_warnings"] = std::move(warnings);
 }
 
 ordered_json sweeps_page(const std::vector<PageSweep>& sweeps,
@@ -147,23 +203,36 @@ ordered_json sweeps_page(const std::vector<PageSweep>& sweeps,
   std::string title;
   for (const PageSweep& sweep : sweeps) title += (title.empty() ? "" : ", ") + sweep.summary.name;
   ordered_json page = page_start("sweep", title, origin);
-  ordered_json all = ordered_json::array();
-  std::size_t table_bytes = 0;
+  page["sweeps"] = ordered_json::array();
+  std::size_t trial_count = 0;
   for (const PageSweep& sweep : sweeps) {
-    all.push_back(sweep_json(sweep));
-    table_bytes += all.back().dump(-1, ' ', false, ordered_json::error_handler_t::replace).size();
+    page["sweeps"].push_back(sweep_json(sweep));
+    trial_count += sweep.result.trials.size();
   }
-  Filling filling;
-  filling.limit = limit_bytes > table_bytes ? limit_bytes - table_bytes : 0;
+  // Beside flights, maps and rigs, with warnings as long as they get.
+  const std::size_t own_bytes = size_in_page(page) + (kMostUnread + 2 + sweeps.size()) * kMostText;
+  Filling filling{.bytes = own_bytes, .limit = limit_bytes};
+  warn_of_pairs(sweeps, filling.scenes.warnings);
+  if (own_bytes > limit_bytes) {
+    filling.scenes.warnings.push_back(
+        "no flight has room: the tables and the numbers of " + counted(trial_count, "trial") +
+        " alone take " + megabytes(own_bytes) + ", and the limit leaves " + megabytes(limit_bytes) +
+        " beside the page's program: the page is larger than that");
+  }
   const std::vector<PageTrial> order = flights_in_order(sweeps);
   std::vector<std::string> keys;
   for (const PageTrial& one : order) keys.push_back(sweeps[one.sweep].result.trials[one.trial].key);
-  FlightReader flights(databases, std::move(keys), filling.limit);
+  FlightReader flights(databases, std::move(keys),
+                       limit_bytes > own_bytes ? limit_bytes - own_bytes : 0);
   std::size_t shown = 0;
-  while (shown < order.size() && !filling.is_full()) {
-    add_flight(flights.next(), order[shown++], databases, filling);
+  while (shown < order.size() && !filling.is_full() &&
+         add_flight(flights.next(), order[shown], databases, filling)) {
+    ++shown;
   }
-  page["sweeps"] = std::move(all);
+  if (filling.unread_count > kMostUnread) {
+    filling.scenes.warnings.push_back(
+        "and so " + counted(filling.unread_count - kMostUnread, "further flight"));
+  }
   page["flights"] = std::move(filling.flights);
   page["flights_left_out"] = order.size() - shown;
   add_scenes(std::move(filling.scenes), page);

@@ -29,6 +29,15 @@ class PageScenes {
   std::size_t add_world(const World& world);
   std::size_t rig_of(const TrialSpec& spec);
 
+  /// How many of each there are: a place to go back to.
+  struct Mark {
+    std::size_t worlds = 0, rigs = 0, meshes = 0, warnings = 0;
+  };
+  Mark mark() const { return {worlds.size(), rigs.size(), meshes.size(), warnings.size()}; }
+  /// How much room what came since then takes in a page, bytes.
+  std::size_t bytes_since(const Mark& mark) const;
+  void back_to(const Mark& mark);  ///< takes it out again
+
   nlohmann::ordered_json worlds = nlohmann::ordered_json::array();
   nlohmann::ordered_json rigs = nlohmann::ordered_json::array();
   MeshStore meshes;
@@ -39,7 +48,10 @@ class PageScenes {
   std::map<std::string, std::size_t> rig_index_;
 };
 
-/// The data of a page of sweeps; `limit_bytes` is what all flights and maps together may take.
+/// The data of a page of sweeps, which takes up to `limit_bytes`: flights that have no room are
+/// left out. Tables and numbers of trials stay; where they alone take more, a warning says so.
+/// Reasons of failures are cut at 300 characters, and no table of more than kMostShownPairs pairs
+/// is there.
 nlohmann::ordered_json sweeps_page(const std::vector<PageSweep>& sweeps,
                                    std::span<const PageDatabase> databases,
                                    const PageOrigin& origin, std::size_t limit_bytes);

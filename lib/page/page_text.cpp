@@ -64,6 +64,10 @@ std::string script_safe(const nlohmann::ordered_json& json) {
   return out;
 }
 
+std::size_t size_in_page(const nlohmann::ordered_json& json) {
+  return script_safe(json).size() + 1;  // with its comma
+}
+
 std::string page_text(const PageProgram& program, std::string_view title,
                       const nlohmann::ordered_json& data) {
   require(program);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
@@ -23,6 +24,9 @@ std::string html_text(std::string_view text);
 /// JSON that no browser takes for markup: < > & and the separators of lines as escapes. Bytes that
 /// are no UTF-8 are replaced.
 std::string script_safe(const nlohmann::ordered_json& json);
+
+/// How much room a part of the data takes in the file, bytes.
+std::size_t size_in_page(const nlohmann::ordered_json& json);
 
 /// The whole file.
 std::string page_text(const PageProgram& program, std::string_view title,

@@ -5,12 +5,16 @@
 
 #include "base/check.hpp"
 #include "page/packed.hpp"
+#include "report/sweep_tables.hpp"
+#include "table/table_text.hpp"
 #include "text/number_text.hpp"
 
 namespace avoidbench {
 namespace {
 
 using nlohmann::ordered_json;
+
+constexpr std::size_t kMostReason = 300;  ///< of what a planner or the program says, characters
 
 /// JSON has neither NaN nor infinity; an interval's open end says which.
 ordered_json number(double value) {
@@ -49,7 +53,7 @@ ordered_json table_json(const Table& table) {
   ordered_json columns = ordered_json::array(), rows = ordered_json::array();
   for (const Column& column : table.columns) {
     columns.push_back({{"name", column.name},
-                       {"header", column.header.empty() ? column.name : column.header},
+                       {"header", shown_header(column)},
                        {"unit", column.unit},
                        {"doc", column.doc},
                        {"place", place_text(column.place)},
@@ -202,7 +206,8 @@ ordered_json trials_json(const PageSweep& sweep, const PagePlanners& planners) {
     const auto listed = sweep.listing_of.find(trial.key);
     const bool is_listed = listed != sweep.listing_of.end();
     ids.push_back(is_listed ? listed->second.id : 0);
-    reasons.add(is_listed ? listed->second.reason : "");
+    // A planner may say megabytes; all of it is in the database.
+    reasons.add(is_listed ? cut_to_width(listed->second.reason, kMostReason) : "");
     const auto cause = sweep.cause_of.find(trial.key);
     causes.add(cause == sweep.cause_of.end() ? "" : cause->second);
     missions.push_back(trial.mission_index);
@@ -313,7 +318,9 @@ ordered_json mission_json(const MissionRecord& mission) {
 
 ordered_json sweep_json(const PageSweep& sweep) {
   ordered_json tables = ordered_json::array(), outcomes = ordered_json::array();
-  for (const Table& table : sweep.section.tables) tables.push_back(table_json(table));
+  for (const Table& table : sweep.section.tables) {
+    if (!is_left_out(table)) tables.push_back(table_json(table));
+  }
   for (const auto& [outcome, word] : EnumText<Outcome>::entries) outcomes.push_back(word);
   const PagePlanners planners = page_planners(sweep);
   ordered_json usual = ordered_json::array();

@@ -124,6 +124,11 @@ std::size_t MeshStore::add(const Prototype& prototype) {
   return entry->second;
 }
 
+void MeshStore::cut(std::size_t size) {
+  meshes_.erase(meshes_.begin() + static_cast<std::ptrdiff_t>(size), meshes_.end());
+  std::erase_if(index_of_, [&](const auto& entry) { return entry.second >= size; });
+}
+
 ordered_json world_json(const World& world, MeshStore& meshes) {
   std::vector<std::size_t> mesh_of;
   for (const Prototype& prototype : world.prototypes) mesh_of.push_back(meshes.add(prototype));

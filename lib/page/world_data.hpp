@@ -19,6 +19,10 @@ class MeshStore {
   /// The mesh within its box, whose corners are rounded to its steps; its index.
   std::size_t add(const Prototype& prototype);
   nlohmann::ordered_json json() const { return meshes_; }
+  std::size_t size() const { return meshes_.size(); }
+  const nlohmann::ordered_json& operator[](std::size_t i) const { return meshes_[i]; }
+  /// Takes out all from this one on.
+  void cut(std::size_t size);
 
  private:
   std::map<std::vector<std::byte>, std::size_t> index_of_;  ///< by what is packed

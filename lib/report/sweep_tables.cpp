@@ -445,6 +445,10 @@ bool has_stars(const Table& table) {
 
 }  // namespace
 
+bool is_left_out(const Table& table) {
+  return table.name.ends_with("pairs") && table.rows.size() > kMostShownPairs;
+}
+
 Table causes_table(std::span<const CauseCount> counts, std::span<const std::string> planners) {
   Table table = make_table("causes", "Causes of failures",
                            {planner_column(),
@@ -500,7 +504,14 @@ Section sweep_section(const SweepSummary& summary, std::span<const std::string> 
       continue;
     }
     // Formats for programs have them all, and is_for_people decides what a person sees.
-    table.is_for_people = is_wanted || is_shown(kind, summary, detail);
+    const bool is_usual = is_shown(kind, summary, detail);
+    table.is_for_people = is_wanted || (is_usual && !is_left_out(table));
+    if (is_usual && !table.is_for_people) {
+      section.notes.emplace_back(
+          kind.name, counted(table.rows.size(), "pair") +
+                         " of planners, not shown: ask for this table by name, or choose among "
+                         "the planners; csv and json have all of them");
+    }
     shows_stars = shows_stars || (table.is_for_people && has_stars(table));
     shows_causes = shows_causes || (table.is_for_people && kind.name == "causes");
     section.tables.push_back(std::move(table));

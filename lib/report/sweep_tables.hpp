@@ -26,6 +26,13 @@ Section sweep_section(const SweepSummary& summary, std::span<const std::string> 
 /// Every sweep's planners in one table; the summaries have the same metrics.
 Section side_by_side(std::span<const SweepSummary> summaries, Detail detail = Detail::all);
 
+/// Pairs of planners that a report shows to people: of 20 planners there are 190, of 500 124,750.
+inline constexpr std::size_t kMostShownPairs = 200;
+
+/// Whether it is `pairs` or `limit_pairs` with more than that: shown only where it is asked for by
+/// name.
+bool is_left_out(const Table& table);
+
 /// Causes of failures, as the table `causes` of a sweep has them.
 Table causes_table(std::span<const CauseCount> counts, std::span<const std::string> planners);
 /// What the causes in it mean, for the legend.

@@ -354,7 +354,43 @@ TEST(SweepPage, AFullPageLeavesFlightsOutAndSaysHowMany) {
   }
   const nlohmann::ordered_json page = page_of(folder / "a.db", 10);
   EXPECT_EQ(page["flights_left_out"], 1);
-  EXPECT_TRUE(page["scene_warnings"].empty());
+  // Its numbers have no room either, and stay.
+  EXPECT_EQ(page["sweeps"][0]["trials"]["count"], 1);
+  ASSERT_EQ(page["scene_warnings"].size(), 1U);
+  const std::string warning = page["scene_warnings"][0];
+  EXPECT_NE(warning.find("numbers of 1 trial alone take 0.0 MB"), std::string::npos) << warning;
+}
+
+TEST(SweepPage, WhatAPlannerSaysAtLengthIsCutAndSoManyPairsAreLeftOut) {
+  const sample_rows::TemporaryFolder folder;
+  {
+    Database database = sample_rows::begun(folder / "a.db");
+    TrialRow row = sample_rows::collided();
+    row.record.reason = std::string(100'000, 'x');
+    database.add_trial(row);
+    database.add_trial(sample_rows::trial_row("b", 0, 0, Outcome::reached_goal));
+  }
+  const Database database = Database::open_for_reading(folder / "a.db");
+  const SweepResult result = database.read_sweep("forest", 1);
+  PageSweep sweep{.summary = summarize(result),
+                  .section = {},
+                  .result = result,
+                  .axes = {},
+                  .listing_of = {},
+                  .runs = {},
+                  .cause_of = {}};
+  for (const TrialListing& listing : database.list_trials("forest", 1)) {
+    sweep.listing_of.emplace(listing.key, listing);
+  }
+  sweep.summary.contrasts.resize(500, sweep.summary.contrasts.at(0));
+  sweep.section = sweep_section(sweep.summary);
+  const std::vector<PageDatabase> databases{{.database = &database, .files = {}}};
+  const nlohmann::ordered_json page = sweeps_page({sweep}, databases, {}, 50'000);
+  EXPECT_LT(size_in_page(page), 50'000U);
+  EXPECT_NE(page["sweeps"][0]["trials"].dump().find("xxxx…"), std::string::npos);
+  for (const auto& table : page["sweeps"][0]["tables"]) EXPECT_NE(table["name"], "pairs");
+  EXPECT_NE(page["scene_warnings"].dump().find("500 pairs of planners of sweep forest"),
+            std::string::npos);
 }
 
 TEST(SweepPage, OnlyFlightsThatAreShownHaveToBeWhole) {
@@ -377,9 +413,18 @@ TEST(SweepPage, OnlyFlightsThatAreShownHaveToBeWhole) {
   ASSERT_EQ(whole["flights"].size(), kTrials);
   EXPECT_EQ(whole["flights_left_out"], 0);
   // Room for some of them beside tables and map.
-  const std::size_t limit_bytes =
-      whole["sweeps"].dump().size() + whole["worlds"].dump().size() + 10'000;
+  const std::size_t limit_bytes = whole["sweeps"].dump().size() + whole["worlds"].dump().size() +
+                                  whole["meshes"].dump().size() + 20'000;
   const nlohmann::ordered_json full = page_of(file, limit_bytes);
+  // The whole page, with all that is in it, keeps to it.
+  EXPECT_LE(size_in_page(full), limit_bytes);
+  EXPECT_GT(size_in_page(full), limit_bytes - 10'000);
+  // Where there is no room for the map, neither it nor any flight is there.
+  const nlohmann::ordered_json none =
+      page_of(file, limit_bytes - whole["meshes"].dump().size() - 10'000);
+  EXPECT_TRUE(none["flights"].empty() && none["worlds"].empty() && none["rigs"].empty() &&
+              none["meshes"].empty());
+  EXPECT_EQ(none["flights_left_out"], kTrials);
   const std::size_t shown = full["flights"].size();
   ASSERT_GT(shown, 5U);
   ASSERT_LT(shown, kTrials);

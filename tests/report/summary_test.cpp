@@ -345,6 +345,27 @@ TEST(Summary, WarnsOfPlannersThatComputeForLongerThanTheyMay) {
       has_warning(summary_of(with_times(result_of(1, 2, all), 100, 2, 2.0, 1.9)), "calls"));
 }
 
+TEST(Summary, SoManyPairsAreCountedInsteadOfShown) {
+  SweepSummary summary = summary_of(result_of(1, 1, [](char, int, int) { return true; }));
+  const auto pairs_of = [&](std::span<const std::string> tables) {
+    const Section section = sweep_section(summary, tables);
+    for (const Table& table : section.tables) {
+      if (table.name == "pairs") return std::pair(table.is_for_people, section.notes.front());
+    }
+    throw std::logic_error("no pairs");
+  };
+  EXPECT_TRUE(pairs_of({}).first);
+  summary.contrasts.resize(kMostShownPairs + 1, summary.contrasts.at(0));
+  const auto [is_shown, note] = pairs_of({});
+  EXPECT_FALSE(is_shown);
+  EXPECT_EQ(note.first, "pairs");
+  EXPECT_TRUE(
+      note.second.starts_with("201 pairs of planners, not shown: ask for this table by name"))
+      << note.second;
+  const std::string name = "pairs";
+  EXPECT_TRUE(pairs_of({&name, 1}).first) << "asked for by name";
+}
+
 TEST(Summary, NamesRevisionAndVersions) {
   SweepResult result = result_of(1, 2, [](char, int, int) { return true; });
   EXPECT_EQ(sweep_section(summary_of(result), {}).title.find("revision"), std::string::npos);
