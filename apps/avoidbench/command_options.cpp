@@ -18,9 +18,13 @@ CLI::Option* add_choice(CLI::App& command, const std::string& name, std::string&
 
 void add_overrides(CLI::App& command, std::vector<std::string>& overrides,
                    const std::string& example) {
-  add_typed(command, "--set", overrides, "PATH=VALUE",
-            "Override one value, as in " + example + "; repeatable (default: none)")
-      ->allow_extra_args(false);
+  add_repeatable(command, "--set", overrides, "PATH=VALUE",
+                 "Override one value, as in " + example + "; repeatable (default: none)");
+}
+
+CLI::Option* add_list(CLI::App& command, const std::string& name, std::vector<std::string>& values,
+                      const std::string& doc) {
+  return add_repeatable(command, name, values, "LIST", doc)->delimiter(',');
 }
 
 void add_sweep_choice(CLI::App& command, std::string& sweep) {

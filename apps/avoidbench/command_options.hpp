@@ -68,6 +68,18 @@ CLI::Option* add_typed(CLI::App& command, const std::string& name, Value& value,
   return command.add_option(name, value, doc)->type_name(type);
 }
 
+/// Adds an option whose value is a list separated by commas; given more than once, all of them. It
+/// takes one word: the next one is no part of it, but may be the database.
+CLI::Option* add_list(CLI::App& command, const std::string& name, std::vector<std::string>& values,
+                      const std::string& doc);
+
+/// Adds an option that can be given more than once and takes one word each time.
+template <class Value>
+CLI::Option* add_repeatable(CLI::App& command, const std::string& name, std::vector<Value>& values,
+                            const std::string& type, const std::string& doc) {
+  return add_typed(command, name, values, type, doc)->allow_extra_args(false);
+}
+
 /// Adds --output: a file, or "-" for standard output.
 CLI::Option* add_output_file(CLI::App& command, std::string& output);
 

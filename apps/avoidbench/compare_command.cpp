@@ -96,12 +96,10 @@ void add_options(CLI::App& command, CompareCommand& options) {
   command.add_option("--sweep", options.sweep,
                      "Sweep to compare: NAME, NAME@2 for its revision 2, or BASE:NEW where the two "
                      "sides differ (default: the latest revision of the one that both have)");
-  command
-      .add_option("--metrics", options.settings.metrics,
-                  "Metrics beside the success rate, separated by commas, or all (default: path "
-                  "and energy optimality, average goal velocity, mission progress, least "
-                  "clearance, processing time)")
-      ->delimiter(',');
+  add_list(command, "--metrics", options.settings.metrics,
+           "Metrics beside the success rate, separated by commas, or all (default: path and "
+           "energy optimality, average goal velocity, mission progress, least clearance, "
+           "processing time)");
   add_number(command, "--alpha", options.settings.alpha, CLI::Range(1e-6, 0.5),
              "Statistical limit: the chance of any false alarm in the comparison");
   command.add_option("--min-effect", options.min_effect,

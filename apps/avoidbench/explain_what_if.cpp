@@ -104,10 +104,9 @@ void explain_what_if(const ExplainOptions& options) {
 
 void add_what_if_options(CLI::App& command, ExplainOptions& options) {
   CLI::Option* what_if =
-      add_typed(command, "--what-if", options.what_if, "LIST",
-                "Fly failed trials again, each of these changes alone (list below), and count "
-                "how many reach the goal then; names separated by commas, or all")
-          ->delimiter(',');
+      add_list(command, "--what-if", options.what_if,
+               "Fly failed trials again, each of these changes alone (list below), and count how "
+               "many reach the goal then; names separated by commas, or all");
   add_number(command, "--control", options.control, CLI::NonNegativeNumber,
              "Successes of each planner that are flown with the changes, too, to see which "
              "break (default: as many as failed)")

@@ -454,12 +454,10 @@ void add_choice_options(CLI::App& command, TrialChoice& choice) {
 void add_view_options(CLI::App& command, ReplayOptions& options) {
   CLI::Option* png = add_typed(command, "--png", options.png, "FILE",
                                "Picture to write; of several, numbered ones");
-  command
-      .add_option("--at", options.at_s,
-                  "Moment to show, s; repeatable (default: the end of the flight)")
+  add_repeatable(command, "--at", options.at_s, "S",
+                 "Moment to show, s; repeatable (default: the end of the flight)")
       ->check(CLI::NonNegativeNumber)
-      ->needs(png)
-      ->allow_extra_args(false);
+      ->needs(png);
   add_number(command, "--every", options.every_s, CLI::PositiveNumber,
              "Show a moment each so many seconds, too")
       ->needs(png);

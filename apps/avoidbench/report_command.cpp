@@ -254,40 +254,29 @@ void add_report_command(CLI::App& app) {
                 "network, with charts, all trials and their flights in 3-D (docs/page.md)");
   add_number(command, "--page-size", options.page_mb, CLI::Range(1.0, 1000.0),
              "Most megabytes of the page; flights for which there is no room are left out, "
-             "failures last (default: 3 for each 1,000 trials, at least 3, at most 15)")
+             "failures last, tables and numbers of trials never (default: 3 for each 1,000 "
+             "trials, at least 3, at most 15)")
       ->needs(page)
       ->type_name("MB");
-  command
-      .add_option("--metrics", options.metrics,
-                  "Metrics to show, separated by commas; `avoidbench metrics` lists them (default: "
-                  "path and energy optimality, average goal velocity, mission progress, processing "
-                  "time as CPU and wall time)")
-      ->delimiter(',');
-  add_typed(command, "--metrics-from", options.metric_files, "FILE",
-            "File with metrics of your own, FILE.sql or FILE.py (docs/reports.md): shown "
-            "beside the others; can be given more than once")
-      ->expected(1)
-      ->take_all();
-  command
-      .add_option("--group-by", options.group_by,
-                  "Columns to group trials by, separated by commas: a field of the trials "
-                  "(planner, traversability, map.poisson_radius_m, wind.mean_mps, sensor, …), or "
-                  "FIELD/5 for its range in five groups of equal map count")
-      ->delimiter(',');
-  command
-      .add_option("--where", options.where,
-                  "Only trials that fulfil this: FIELD OP VALUE, such as 'map.poisson_radius_m < "
-                  "3' or 'planner = ego, reactive'; given more than once, all of them")
-      ->expected(1)
-      ->take_all();
-  command
-      .add_option(
-          "--tables", options.tables,
-          "Tables to show, separated by commas: limits, limit_pairs, limit_curve, planners, "
-          "groups, grouped, outcomes, "
-          "causes, pairs, difficulty, flight_time, flight_time_curve, maps, environment (default: "
-          "planners, outcomes, pairs, and groups if each has several maps)")
-      ->delimiter(',');
+  add_list(command, "--metrics", options.metrics,
+           "Metrics to show, separated by commas; `avoidbench metrics` lists them (default: path "
+           "and energy optimality, average goal velocity, mission progress, processing time as "
+           "CPU and wall time)");
+  add_repeatable(command, "--metrics-from", options.metric_files, "FILE",
+                 "File with custom metrics, FILE.sql or FILE.py (docs/reports.md): shown beside "
+                 "the others; repeatable");
+  add_list(command, "--group-by", options.group_by,
+           "Columns to group trials by, separated by commas: a field of the trials (planner, "
+           "traversability, map.poisson_radius_m, wind.mean_mps, sensor, …), or FIELD/5 for its "
+           "range in five groups of equal map count");
+  add_repeatable(command, "--where", options.where, "CONDITION",
+                 "Only trials that fulfil this: FIELD OP VALUE, such as 'map.poisson_radius_m < "
+                 "3' or 'planner = ego, reactive'; repeatable, all of them have to hold");
+  add_list(command, "--tables", options.tables,
+           "Tables to show, separated by commas: limits, limit_pairs, limit_curve, planners, "
+           "groups, grouped, outcomes, causes, pairs, difficulty, flight_time, "
+           "flight_time_curve, maps, environment (default: planners, outcomes, pairs, and groups "
+           "if each has several maps)");
   command.add_flag("--check", options.must_check,
                    "Check all that is stored of each trial against its digests first, flights and "
                    "plan calls too; without it, rows and what is read");
