@@ -38,7 +38,7 @@ constexpr CauseDef kCauses[] = {
      "it stood still for most of the second half, though the planner gave commands",
      "hover_share >= 0.5 and late_no_plan_share < 0.5"},
     {Cause::trap, "it came no nearer to the goal and returned to where it had been",
-     "closest_s < 0.75 end and return_count >= 1"},
+     "progress_s < 0.75 end and return_count >= 1"},
     {Cause::slow, "it flew less than the shortest path is long", "flown_m < reference_length_m"},
     {Cause::detour, "it flew more than the shortest path is long", "flown_m >= reference_length_m"},
     {Cause::flew_out, "it was told to leave the map", "commanded_outside_m > -0.3; else tracking"},
@@ -106,7 +106,7 @@ Cause timeout_cause(const Facts& facts, double end_s, double body_width_m) {
   if (facts.hover_share >= kMostly) {
     return facts.late_no_plan_share >= kMostly ? Cause::hover_without_plan : Cause::commanded_hover;
   }
-  if (facts.closest_s < kNoProgressFrom * end_s && facts.return_count >= 1.0) return Cause::trap;
+  if (facts.progress_s < kNoProgressFrom * end_s && facts.return_count >= 1.0) return Cause::trap;
   if (facts.flown_m < facts.reference_length_m) return Cause::slow;
   return facts.flown_m >= facts.reference_length_m ? Cause::detour : Cause::unexplained;
 }

@@ -97,7 +97,7 @@ struct Facts {
 
   // Of a time-out.
   double flown_m = kNone, reference_length_m = kNone, mean_speed_mps = kNone;
-  double closest_m = kNone, closest_s = kNone;
+  double closest_m = kNone, closest_s = kNone, progress_s = kNone;
   double hover_share = kNone, late_no_plan_share = kNone;
   double return_count = kNone;
   double goal_clearance_m = kNone;
@@ -153,7 +153,8 @@ void visit(Visitor& v, Spec& s) {
   v.field("reference_length_m", s.reference_length_m, "Length of the shortest path, m.");
   v.field("mean_speed_mps", s.mean_speed_mps, "Flown length over time, m/s.");
   v.field("closest_m", s.closest_m, "Least horizontal distance to the goal's centre, m.");
-  v.field("closest_s", s.closest_s, "When it was first within 0.5 m of that, s.");
+  v.field("closest_s", s.closest_s, "When it was first that near, s.");
+  v.field("progress_s", s.progress_s, "When it was first within 0.5 m of closest_m, s.");
   v.field("hover_share", s.hover_share, "Share of the flight's second half below 0.1 m/s.");
   v.field("late_no_plan_share", s.late_no_plan_share,
           "Share of calls without a plan in the flight's second half.");

@@ -74,6 +74,7 @@ std::string timeout_sentences(const Facts& f) {
   std::string text = "It flew " + meters(f.flown_m) + " at " + speed(f.mean_speed_mps) +
                      " on the mean; the shortest path has " + meters(f.reference_length_m) + ". ";
   text += "It came nearest to the goal, " + meters(f.closest_m) + ", at " + at_s(f.closest_s) +
+          ", and was first within 0.5 m of that at " + at_s(f.progress_s) +
           ". In the second half it stood still for " + percent(f.hover_share) + " of the time" +
           (f.late_no_plan_share > 0.0
                ? ", and " + percent(f.late_no_plan_share) + " of the calls gave no plan"
@@ -111,7 +112,7 @@ std::string paragraph(const CauseFound& explanation, Outcome outcome, const std:
 double decisive_s(const CauseFound& explanation, double end_time_s) {
   const Facts& f = explanation.facts;
   if (!std::isnan(f.last_chance_s)) return f.last_chance_s;
-  if (!std::isnan(f.closest_s)) return f.closest_s;
+  if (!std::isnan(f.progress_s)) return f.progress_s;
   return end_time_s;
 }
 

@@ -94,14 +94,15 @@ void add_progress(const FailedFlight& flight, Facts& facts) {
   const auto to_goal_m = [&](const Sample& sample) {
     return (flight.mission.goal_world - sample.position_world).head<2>().norm();
   };
-  facts.closest_m = to_goal_m(samples.front());
-  for (const Sample& sample : samples)
-    facts.closest_m = std::min(facts.closest_m, to_goal_m(sample));
-  for (const Sample& sample : samples) {
-    if (to_goal_m(sample) > facts.closest_m + kProgress_m) continue;
-    facts.closest_s = sample.time_s;
-    break;
-  }
+  const auto closest = std::min_element(
+      samples.begin(), samples.end(),
+      [&](const Sample& a, const Sample& b) { return to_goal_m(a) < to_goal_m(b); });
+  facts.closest_m = to_goal_m(*closest);
+  facts.closest_s = closest->time_s;
+  const auto is_near = [&](const Sample& sample) {
+    return to_goal_m(sample) <= facts.closest_m + kProgress_m;
+  };
+  facts.progress_s = std::find_if(samples.begin(), samples.end(), is_near)->time_s;
 }
 
 }  // namespace

@@ -227,6 +227,9 @@ TEST(Causes, TimeOuts) {
 
   act = [](const ab_observation&) { return velocity(0, 1.0, 0); };
   told = without_end(test::flight_world(), 30.0);
+  // Ever nearer to the goal: nearest at the end, and half a metre before that.
+  EXPECT_EQ(told.explanation.facts.closest_s, told.record.samples.back().time_s);
+  EXPECT_NEAR(told.explanation.facts.progress_s, 9.5, 0.05);
   EXPECT_EQ(told.explanation.cause, Cause::slow) << facts_text(told.explanation);
   EXPECT_NEAR(told.explanation.facts.flown_m, 9.8, 0.3);
 

@@ -48,7 +48,8 @@ TEST(Paragraph, OfATimeOutSaysHowItWent) {
   found.facts.reference_length_m = 20.0;
   found.facts.mean_speed_mps = 1.5;
   found.facts.closest_m = 7.0;
-  found.facts.closest_s = 6.0;
+  found.facts.closest_s = 9.5;
+  found.facts.progress_s = 6.0;
   found.facts.hover_share = 0.25;
   found.facts.late_no_plan_share = 0.5;
   found.facts.return_count = 2.0;
@@ -56,6 +57,11 @@ TEST(Paragraph, OfATimeOutSaysHowItWent) {
   const std::string text = paragraph(found, Outcome::timed_out, "7.1 m from the goal");
   EXPECT_NE(text.find("stood still for 25 % of the time, and 50 % of the calls gave no plan"),
             std::string::npos)
+      << text;
+  EXPECT_NE(
+      text.find("nearest to the goal, 7.00 m, at 9.50 s, and was first within 0.5 m of that at "
+                "6.00 s"),
+      std::string::npos)
       << text;
   EXPECT_NE(text.find("came back 2 times"), std::string::npos) << text;
   EXPECT_EQ(decisive_s(found, 20.0), 6.0);

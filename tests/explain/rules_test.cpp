@@ -117,7 +117,7 @@ Facts roaming() {
   facts.goal_clearance_m = 0.3;
   facts.hover_share = 0.1;
   facts.late_no_plan_share = 0.2;
-  facts.closest_s = 35.0;
+  facts.progress_s = 35.0;
   facts.return_count = 0.0;
   facts.flown_m = 20.0;
   facts.reference_length_m = 30.0;
@@ -146,9 +146,9 @@ TEST(Rules, HoverFromHalfOfTheSecondHalfOnByWhetherThereWasAPlan) {
 TEST(Rules, TrapBeforeThreeQuartersOfTheTimeAndWithAReturn) {
   Facts facts = roaming();
   facts.return_count = 1.0;
-  EXPECT_EQ(out_of_time(&Facts::closest_s, 29.9, facts), Cause::trap);
-  EXPECT_EQ(out_of_time(&Facts::closest_s, 30.0, facts), Cause::slow);
-  facts.closest_s = 10.0;
+  EXPECT_EQ(out_of_time(&Facts::progress_s, 29.9, facts), Cause::trap);
+  EXPECT_EQ(out_of_time(&Facts::progress_s, 30.0, facts), Cause::slow);
+  facts.progress_s = 10.0;
   EXPECT_EQ(out_of_time(&Facts::return_count, 0.0, facts), Cause::slow);
 }
 
