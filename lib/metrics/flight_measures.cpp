@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "trial/periods.hpp"
+
 namespace avoidbench {
 namespace {
 
@@ -37,22 +39,13 @@ std::optional<std::vector<Eigen::Vector3d>> accelerations_world(const Samples& s
   constexpr double kSameMoment_s = 1e-9;  // ticks are 28 µs
   std::vector<Eigen::Vector3d> accelerations;
   if (samples.empty()) return accelerations;
-  accelerations.push_back(samples.front().acceleration_world);
-  for (std::size_t i = 1; i < samples.size(); ++i) {
-    const Sample &before = samples[i - 1], &after = samples[i];
-    const double step_s = after.time_s - before.time_s;
-    // Samples farther apart than that say nothing at this rate.
-    if (step_s > 1.0 / kJerkRate_hz + kSameMoment_s) return std::nullopt;
+  double next_s = samples.front().time_s;
+  for (const Sample& sample : samples) {
+    if (sample.time_s < next_s - kSameMoment_s) continue;
+    if (sample.time_s > next_s + kSameMoment_s) return std::nullopt;
+    accelerations.push_back(sample.acceleration_world);
     // From the first by multiplying: a running sum would drift off the grid.
-    const double next_s =
-        samples.front().time_s + static_cast<double>(accelerations.size()) / kJerkRate_hz;
-    // The next time of the 50 Hz grid has not come yet.
-    if (after.time_s < next_s - kSameMoment_s) continue;
-    const bool is_same = after.time_s <= next_s + kSameMoment_s;
-    const double share = is_same ? 1.0 : (next_s - before.time_s) / step_s;
-    accelerations.push_back(is_same ? after.acceleration_world
-                                    : Eigen::Vector3d((1.0 - share) * before.acceleration_world +
-                                                      share * after.acceleration_world));
+    next_s = samples.front().time_s + static_cast<double>(accelerations.size()) / kJerkRate_hz;
   }
   return accelerations;
 }

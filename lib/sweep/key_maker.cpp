@@ -5,6 +5,7 @@
 #include "base/digest.hpp"
 #include "base/spec_json.hpp"
 #include "sweep/recorded_latency.hpp"
+#include "trial/periods.hpp"
 
 namespace avoidbench {
 namespace {
@@ -43,6 +44,8 @@ json keyed_json(const TrialSpec& spec) {
   fields["planner"].erase("files");  // file_digest is made of them
   forget_unused_latency(fields);
   forget_unused_later_fields(fields);
+  // Before 2026-11-26 these flights had no such samples, and their jerks were other ones.
+  if (adds_jerk_samples(spec.rates)) fields["rates"]["jerk_hz"] = kJerkRate_hz;
   return fields;
 }
 

@@ -148,7 +148,8 @@ Tick next_tick(const Flight& flight) {
   // The next multiple of a period, counted from tick 0.
   const auto after = [now](Tick period) { return (now / period + 1) * period; };
   Tick next = std::min({after(flight.physics_period), after(flight.plan_period),
-                        after(flight.sample_period), next_sensing(flight.perception, now)});
+                        after(flight.sample_period), after(flight.jerk_period),
+                        next_sensing(flight.perception, now)});
   next = std::min(next, next_force_change(flight.wind, now));
   if (!flight.pending.empty()) next = std::min(next, flight.pending.front().due);
   return next;
@@ -170,7 +171,7 @@ void fly_on(Flight& flight) {
   const Tick now = flight.state.tick;
   apply_due_commands(flight);
   // After commands: the sample's reference is the one that is followed from now on.
-  if (now % flight.sample_period == 0) sample(flight);
+  if (now % flight.sample_period == 0 || now % flight.jerk_period == 0) sample(flight);
   if (!flight.stopped) {
     // By what the vehicle believes; it moves by the truth.
     const RotorVector rotors = track(flight.tracker, flight.model, believed_state(flight));
@@ -223,6 +224,8 @@ Flight begin_flight(const TrialSpec& spec, const Scene& scene, const Mission& mi
                 .physics_period = required_period(spec.rates.physics_hz),
                 .plan_period = required_period(spec.rates.plan_hz),
                 .sample_period = required_period(spec.rates.sample_hz),
+                .jerk_period = required_period(
+                    adds_jerk_samples(spec.rates) ? kJerkRate_hz : spec.rates.sample_hz),
                 .busy_until = 0,
                 .pending = {},
                 .view = {},

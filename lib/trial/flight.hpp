@@ -53,7 +53,8 @@ struct Flight {
   CollisionCheck collision_check;
   Perception perception;
   Tick physics_period = 0, plan_period = 0, sample_period = 0;
-  Tick busy_until = 0;  ///< the planner, where latency is measured
+  Tick jerk_period = 0;  ///< of samples for jerks; sample_period where those have them
+  Tick busy_until = 0;   ///< the planner, where latency is measured
 
   std::deque<PendingCommand> pending;  ///< by due tick
   bool was_touching = false;

@@ -11,6 +11,7 @@
 #include "base/spec_json.hpp"
 #include "metrics/metric_table.hpp"
 #include "store/record_format.hpp"
+#include "trial/periods.hpp"
 
 namespace avoidbench {
 namespace {
@@ -230,8 +231,9 @@ std::size_t most_result_bytes(const Job& job) {
   constexpr double kRest = 16.0 * 1024 * 1024;  // reasons, collisions, a map
   constexpr double kMission = 2000.0, kPlanCall = 300.0, kSpare = 1.1;
   const double time_s = job.spec.mission.time_limit_s;
-  const double of_flight = time_s * (job.spec.rates.sample_hz * static_cast<double>(kSampleBytes) +
-                                     job.spec.rates.plan_hz * kPlanCall);
+  const double of_flight =
+      time_s * ((job.spec.rates.sample_hz + kJerkRate_hz) * static_cast<double>(kSampleBytes) +
+                job.spec.rates.plan_hz * kPlanCall);
   const double of_map = static_cast<double>(job.mission_count) * kMission;
   return static_cast<std::size_t>(kRest + kSpare * (of_flight + of_map));
 }

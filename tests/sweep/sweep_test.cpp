@@ -221,31 +221,6 @@ TEST_F(SweepTest, APlannerWrittenOverUnderWayStopsTheRunAndKeepsWhatWasFlown) {
   EXPECT_EQ(Database::open_for_reading(folder_ / "changed.db").list_trials().size(), 1U);
 }
 
-TEST(TrialKey, FollowsTheSpecAndNotThePath) {
-  const TrialSpec spec = expand(small_sweep())[0].spec();
-  TrialSpec moved = spec;
-  moved.planner.file = "/elsewhere/straight_line.so";
-  EXPECT_EQ(trial_key(spec), trial_key(moved));
-  TrialSpec windy = spec;
-  windy.wind.mean_world_mps[0] = 1e-9;
-  EXPECT_NE(trial_key(spec), trial_key(windy));
-  EXPECT_EQ(map_key(spec), map_key(windy));
-  TrialSpec gusty = spec;
-  gusty.wind.gust.rise_s += 1e-9;
-  EXPECT_NE(trial_key(spec), trial_key(gusty));
-  TrialSpec blown = spec;
-  blown.wind.field.file = "/here/field.txt";
-  EXPECT_EQ(trial_key(spec), trial_key(blown));  // its digest counts, not its place
-  blown.wind.field.file_digest = "ab";
-  EXPECT_NE(trial_key(spec), trial_key(blown));
-  TrialSpec rebuilt = spec;
-  rebuilt.planner.file_digest[0] = 'x';
-  EXPECT_NE(trial_key(spec), trial_key(rebuilt));
-  TrialSpec wide = spec;
-  wide.vehicle.body_size_m[0] = 0.6;
-  EXPECT_NE(map_key(spec), map_key(wide));
-}
-
 /// The key as it is defined: the digest of all the spec as one canonical text.
 std::string defined_key(const TrialSpec& spec) {
   nlohmann::json fields = spec_to_json(spec);
@@ -271,6 +246,36 @@ std::string defined_key(const TrialSpec& spec) {
     if (fields.at("vehicle").at(derived) == 0.0) fields.at("vehicle").erase(derived);
   }
   return Digest().add(fields.dump()).add(std::uint64_t{kResultVersion}).hex();
+}
+
+TEST(TrialKey, FollowsTheSpecAndNotThePath) {
+  const TrialSpec spec = expand(small_sweep())[0].spec();
+  TrialSpec moved = spec;
+  moved.planner.file = "/elsewhere/straight_line.so";
+  EXPECT_EQ(trial_key(spec), trial_key(moved));
+  TrialSpec windy = spec;
+  windy.wind.mean_world_mps[0] = 1e-9;
+  EXPECT_NE(trial_key(spec), trial_key(windy));
+  EXPECT_EQ(map_key(spec), map_key(windy));
+  TrialSpec gusty = spec;
+  gusty.wind.gust.rise_s += 1e-9;
+  EXPECT_NE(trial_key(spec), trial_key(gusty));
+  TrialSpec blown = spec;
+  blown.wind.field.file = "/here/field.txt";
+  EXPECT_EQ(trial_key(spec), trial_key(blown));  // its digest counts, not its place
+  blown.wind.field.file_digest = "ab";
+  EXPECT_NE(trial_key(spec), trial_key(blown));
+  TrialSpec rebuilt = spec;
+  rebuilt.planner.file_digest[0] = 'x';
+  EXPECT_NE(trial_key(spec), trial_key(rebuilt));
+  TrialSpec often = spec, between = spec;
+  often.rates.sample_hz = 150.0;
+  between.rates.sample_hz = 120.0;
+  EXPECT_EQ(trial_key(often), defined_key(often));
+  EXPECT_NE(trial_key(between), defined_key(between)) << "such flights had fewer samples once";
+  TrialSpec wide = spec;
+  wide.vehicle.body_size_m[0] = 0.6;
+  EXPECT_NE(map_key(spec), map_key(wide));
 }
 
 TEST(KeyMaker, GivesTheSameKeysAsOneByOne) {

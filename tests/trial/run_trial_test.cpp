@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "support/flight_worlds.hpp"
 #include "support/planner_files.hpp"
@@ -120,6 +123,36 @@ TEST(RunTrial, SamplesAtAHundredHertzAndPlansAtThirty) {
     ASSERT_GE(record.plan_calls[i].wall_time_s, 0.0);
   }
   EXPECT_EQ(record.plan_calls.size(), static_cast<std::size_t>(record.end_time_s * 30.0) + 1);
+}
+
+TEST(RunTrial, IsSampledAtTheMomentsOfJerksToo) {
+  const auto flown_at = [](double sample_hz) {
+    TrialSpec spec = spec_of("straight_line");
+    spec.rates.sample_hz = sample_hz;
+    return fly(spec, test::flight_world(), test::straight_mission());
+  };
+  const TrialRecord plain = flown_at(100.0);
+  const auto acceleration_at = [](const TrialRecord& record, double time_s) {
+    const auto found =
+        std::find_if(record.samples.begin(), record.samples.end(),
+                     [&](const Sample& sample) { return std::abs(sample.time_s - time_s) < 1e-9; });
+    return found == record.samples.end()
+               ? Vector3d(Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()))
+               : found->acceleration_world;
+  };
+  for (const double sample_hz : {60.0, 75.0, 120.0}) {
+    const TrialRecord record = flown_at(sample_hz);
+    for (int i = 0; i < 100; ++i) {
+      // Steps are split at other moments: not the same bits.
+      const Vector3d acceleration = acceleration_at(record, 0.02 * i);
+      ASSERT_LT((acceleration - acceleration_at(plain, 0.02 * i)).norm(), 0.02)
+          << sample_hz << " Hz, " << 0.02 * i << " s";
+      ASSERT_TRUE(acceleration_at(record, i / sample_hz).allFinite());
+    }
+  }
+  // Below, and at its multiples, the rate is that of the samples alone.
+  EXPECT_EQ(flown_at(40.0).samples.size(),
+            static_cast<std::size_t>(flown_at(40.0).end_time_s * 40.0) + 2);
 }
 
 TEST(RunTrial, CollidesWhereTheBoxFirstTouchesTheWall) {
