@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "base/check.hpp"
@@ -11,6 +12,7 @@
 #include "store/schema_check.hpp"
 #include "store/statement.hpp"
 #include "store/trial_fields.hpp"
+#include "trial/periods.hpp"
 
 namespace avoidbench {
 namespace {
@@ -62,10 +64,30 @@ std::string sqlite_path(std::string_view path) {
   return result;
 }
 
-/// Checked against count and digest; none for a trial without a stored flight.
-std::vector<Sample> read_samples(Statement& s, std::string_view key) {
+/// How many samples a flight of the spec has at most: one a period and one a period of jerks, one
+/// at each end. What the spec does not say counts as the most that any can.
+std::int64_t most_samples(const std::string& spec_json) {
+  constexpr double kMostTime_s = 3600.0, kMostRate_hz = 1000.0;  // trial_spec.hpp
+  const auto spec = nlohmann::json::parse(spec_json, nullptr, false);
+  const auto field = [&](const char* path, double most) {
+    const nlohmann::json::json_pointer at(path);
+    const bool is_there = spec.is_object() && spec.contains(at) && spec.at(at).is_number();
+    return is_there ? std::clamp(spec.at(at).get<double>(), 0.0, most) : most;
+  };
+  return 2 + static_cast<std::int64_t>(
+                 std::ceil(field("/mission/time_limit_s", kMostTime_s) *
+                           (field("/rates/sample_hz", kMostRate_hz) + kJerkRate_hz)));
+}
+
+/// Checked against count and digest; none for a trial without a stored flight. A count above `most`
+/// is damage that is found before anything is unpacked: a few kB can inflate to gigabytes.
+std::vector<Sample> read_samples(Statement& s, std::string_view key, std::int64_t most) {
   s.reset().bind_text(key);
   if (!s.step()) return {};
+  if (s.integer(3) > most) {
+    s.damaged("it has " + std::to_string(s.integer(3)) +
+              " samples; the trial's time limit and sample rate allow " + std::to_string(most));
+  }
   // Negative in a damaged file; the sizes below then contradict it.
   const auto count = static_cast<std::size_t>(std::max<std::int64_t>(0, s.integer(3)));
   const auto bytes = s.integer(2) != 0 ? unpacked_samples(s.blob(1), count)
@@ -314,7 +336,7 @@ std::optional<TrialRow> TrialReader::read(std::string_view key) {
   row.metrics = metrics_of(*database_, s, 11);
   // Only one trial: its flight is looked at too.
   statements_->digests.check(key);
-  row.record.samples = read_samples(statements_->samples, key);
+  row.record.samples = read_samples(statements_->samples, key, most_samples(row.spec_json));
   row.record.plan_calls = read_plan_calls(statements_->plan_calls, key);
   row.record.collisions = read_collisions(statements_->collisions, key);
   return row;

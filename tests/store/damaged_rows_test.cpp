@@ -131,6 +131,9 @@ TEST(DamagedRows, AreNamedByTableAndRow) {
          "damaged: table plan_calls, row "},
         {"UPDATE plan_calls SET call_count = -1", "damaged: table plan_calls, row "},
         {"UPDATE trajectories SET sample_count = 9223372036854775807", "table trajectories, row "},
+        {"UPDATE trials SET spec_json = "
+         "'{\"mission\":{\"time_limit_s\":0.25},\"rates\":{\"sample_hz\":10}}'",
+         "it has 20 samples; the trial's time limit and sample rate allow 17"},
         {"UPDATE trajectories SET sample_count = -1", "damaged: table trajectories, row "},
         {"UPDATE trajectories SET samples = x'00'", "damaged: table trajectories, row "}}) {
     const std::string message = message_of_reading(sql);
