@@ -168,7 +168,8 @@ void draw_plots(const std::vector<std::string>& databases, const std::string& sw
 /// All that is stored of all trials, also what no table needs.
 void check_stored(std::span<const Database> databases) {
   for (const Database& database : databases) {
-    std::cerr << database.path().string() << ": " << check_all(database)
+    const std::int64_t count = check_all(database);
+    std::cerr << database.path().string() << ": " << count
               << " trials checked: rows, flights, plan calls and events are as they were stored\n";
   }
 }
