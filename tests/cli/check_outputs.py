@@ -21,9 +21,10 @@ mission: {time_limit_s: 1}
 sensor: {width_px: 80, height_px: 60}
 """
 
-# Of each command that writes files: its words, and by option the file that is a database already. @ is the option with it.
+# Of each command that writes files: its words, and by option the file that is a database already. @ is the option with it;
+# "" is a file without an option, and what is written beside another file is not named.
 COMMANDS = {
-    "compare": [("compare db.db db.db @", {"--output": "v.sqlite", "--bless": "v.csv"})],
+    "compare": [("compare db.db db.db @", {"--output": "v.sqlite"}), ("compare db.db @", {"--bless": "v.csv"})],
     "config defaults": [("config defaults @", {"--output": "v.yaml"})],
     "config schema": [("config schema @", {"--output": "v.json"})],
     "config sweeps": [("config sweeps @", {"--output": "v.sqlite"})],
@@ -32,13 +33,13 @@ COMMANDS = {
     "export ompl": [("export ompl db.db @", {"--output": "v.log"})],
     "export trajectory": [("export trajectory db.db 1 @", {"--output": "v.csv"})],
     "export trials": [("export trials db.db @", {"--output": "v.csv"})],
-    "limit": [("limit db.db @", {"--output": "v.sqlite"})],
-    "maps export": [("maps export hall @", {"--mesh": "v.obj", "--point-cloud": "v.ply", "--occupancy": "v.npy"}),
-                    ("maps export hall --mesh other.obj @", {"": "other.mtl"}),
-                    ("maps export hall --occupancy other.npy @", {"": "other.npy.json"})],
+    "limit": [("limit sweep.yaml --db other.db --over latency.ms=0..400 --quiet @", {"--output": "v.sqlite", "--heartbeat": "v.json"})],
+    "maps export": [("maps export hall @", {"": "v.obj"}), ("maps export hall other.obj", {"beside": "other.mtl"}),
+                    ("maps export hall --as cloud @", {"": "v.ply"}), ("maps export hall --as occupancy @", {"": "v.npy"}),
+                    ("maps export hall --as occupancy other.npy", {"beside": "other.npy.json"})],
     "maps info": [("maps info hall @", {"--output": "v.sqlite"})],
     "maps list": [("maps list @", {"--output": "v.sqlite"})],
-    "maps show": [("maps show hall @", {"--png": "v.png"}), ("maps show hall --png p.png @", {"--page": "v.html"})],
+    "maps show": [("maps show hall @", {"--png": "v.png"}), ("maps show hall @", {"--page": "v.html"})],
     "metrics": [("metrics @", {"--output": "v.sqlite"})],
     "planners check": [("planners check straight_line @", {"--output": "v.sqlite"})],
     "planners describe": [("planners describe straight_line @", {"--output": "v.sqlite"})],
@@ -49,13 +50,12 @@ COMMANDS = {
                ("replay db.db --list @", {"--output": "v.sqlite"})],
     "report": [("report db.db @", {"--output": "v.sqlite", "--page": "v.html"})],
     "run": [("run sweep.yaml --db other.db --quiet @", {"--heartbeat": "v.json"}),
-            ("run sweep.yaml --db other.db --quiet --heartbeat h @", {"": "h.new"})],
-    "sensors info": [("sensors info d435_like @", {"--output": "v.sqlite"})],
+            ("run sweep.yaml --db other.db --quiet --heartbeat h", {"beside": "h.new"})],
     "sensors list": [("sensors list @", {"--output": "v.sqlite"})],
-    "sensors preview": [("sensors preview d435_like @", {"--png": "v.png"})],
+    "sensors measure": [("sensors measure depth_ideal @", {"--output": "v.sqlite"})],
+    "sensors show": [("sensors show depth_ideal @", {"--png": "v.png"})],
 }
-# Options that name a file, or where tables go, and write nothing by themselves.
-READ = {"--library", "--map-file", "--wind-file", "--metrics-from", "--tolerances"}
+WRITING = {"--output", "--png", "--page", "--video", "--csv", "--commands", "--bless", "--heartbeat"}
 
 
 def help_of(program, words):
@@ -63,22 +63,13 @@ def help_of(program, words):
 
 
 def commands_of(program, words=()):
-    """Every command that has no further ones, with the options of its help that name a file."""
+    """Every command that has no further ones, with the options of its help that name a file to write."""
     text = help_of(program, words)
-    below = re.findall(r"^  ([a-z_]+) +\S", text.partition("SUBCOMMANDS:")[2] or text.partition("Subcommands:")[2], re.M)
+    below = re.findall(r"^  ([a-z_]+) ", text.partition("Subcommands:")[2].split("\n\n")[0], re.M)
     if not below:
-        named = re.findall(r"^ +(?:-\w, *)?(--[a-z-]+) +(?:FILE|TEXT)", text, re.M)
-        yield " ".join(words), {name for name in named if name in WRITING or "FILE" in line_of(text, name)} - READ
+        yield " ".join(words), WRITING & set(re.findall(r"^ +(?:-\w,)?(--[a-z-]+)", text, re.M))
     for name in below:
         yield from commands_of(program, (*words, name))
-
-
-WRITING = {"--output", "--png", "--page", "--video", "--csv", "--commands", "--bless", "--heartbeat", "--mesh",
-           "--point-cloud", "--occupancy"}
-
-
-def line_of(text, option):
-    return next(line for line in text.splitlines() if re.search(rf"{option}\b", line))
 
 
 def main():
@@ -99,7 +90,7 @@ def main():
                                     for option, name in files.items()]:
             victim = here / name
             shutil.copy(here / "db.db", victim)
-            given = words.replace("@", f"{option} {name}" if option else "").split()
+            given = words.replace("@", f"{option} {name}").split()
             before = {file.name for file in here.iterdir()}
             done = subprocess.run([program, *given], cwd=here, capture_output=True, text=True, timeout=300)
             expected = f"{name}: can't be written: it is a database"
