@@ -76,35 +76,44 @@ class VisibleBuffer : public std::streambuf {
   std::string held_;  ///< the beginning of a character whose rest is still to come
 };
 
-/// Standard error without waiting: opened once more, since the flag is of the open file, which this
-/// program shares with the shell and others. The stream itself where it can't be opened.
-int error_descriptor() {
-  static const int descriptor = [] {
-    struct stat file {};
-    // A file on a disk never waits, and opened again it would be written from its beginning.
-    const bool may_wait = ::isatty(STDERR_FILENO) == 1 ||
-                          (::fstat(STDERR_FILENO, &file) == 0 && S_ISFIFO(file.st_mode));
-    const int own =
-        may_wait ? ::open("/proc/self/fd/2", O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC) : -1;
-    return own >= 0 ? own : STDERR_FILENO;
-  }();
-  return descriptor;
+/// Standard error opened once more, to be written to without waiting: the flag is of the open file,
+/// which this program shares with the shell and others. -1 where it never waits or can't be opened.
+int open_error_again() {
+  struct stat file {};
+  // A file on a disk never waits, and opened again it would be written from its beginning.
+  const bool may_wait = ::isatty(STDERR_FILENO) == 1 ||
+                        (::fstat(STDERR_FILENO, &file) == 0 && S_ISFIFO(file.st_mode));
+  if (!may_wait) return -1;
+  return ::open("/proc/self/fd/2", O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+}
+
+/// What was opened again while it is still what standard error is; else -1. In a child, or while
+/// prints are captured, standard error is another file, and the number may be that of one.
+int unwaiting_error() {
+  static const int again = open_error_again();
+  struct stat own {
+  }, shared{};
+  const bool is_same = again >= 0 && ::fstat(again, &own) == 0 &&
+                       ::fstat(STDERR_FILENO, &shared) == 0 && own.st_dev == shared.st_dev &&
+                       own.st_ino == shared.st_ino;
+  return is_same ? again : -1;
 }
 
 /// Writes to standard error for as long as it takes something within `patience`; whether it took
-/// all.
+/// all. What replaced it, as the capture of a planner's prints, is written to as ever.
 bool write_error(std::string_view text, std::chrono::milliseconds patience) {
   // What a pipe takes whole where it says that it takes anything: PIPE_BUF.
   constexpr std::size_t kMostAtOnce = 4096;
-  const int descriptor = error_descriptor();
+  const int unwaiting = unwaiting_error();
   while (!text.empty()) {
-    pollfd ready{.fd = descriptor, .events = POLLOUT, .revents = 0};
-    const int count = ::poll(&ready, 1, static_cast<int>(patience.count()));
+    pollfd ready{.fd = unwaiting, .events = POLLOUT, .revents = 0};
+    const int count = unwaiting >= 0 ? ::poll(&ready, 1, static_cast<int>(patience.count())) : 1;
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0) return false;
-    const ssize_t written = ::write(descriptor, text.data(), std::min(text.size(), kMostAtOnce));
+    const ssize_t written = ::write(unwaiting >= 0 ? unwaiting : STDERR_FILENO, text.data(),
+                                    std::min(text.size(), kMostAtOnce));
     if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return false;
+    if (written <= 0) return false;
     text.remove_prefix(static_cast<std::size_t>(written));
   }
   return true;
