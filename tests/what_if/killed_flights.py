@@ -52,6 +52,8 @@ def kill_often(program, file, whole):
     random.seed(1)
     seen = 0
     for _ in range(KILLS):
+        if seen == len(whole):  # a quick machine: all were flown before the last kills
+            break
         process = subprocess.Popen(explain(program, file, "--jobs", "2"), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         # Once it has more than the one before: else a slow machine would see no flight at all.
         while process.poll() is None and len(rows_of(file)) <= seen:
