@@ -3,6 +3,23 @@
 #include <algorithm>
 
 namespace avoidbench {
+namespace {
+
+/// How this program takes what would help.
+std::string hint_text(const std::string& hint) {
+  if (hint.empty()) return "";
+  if (hint == "list") return ": avoidbench replay DB --list shows them";
+  if (hint == "bless") return ": avoidbench compare DB --bless FILE writes one";
+  if (hint == "command") return " (--sweep-file FILE or --library FILE)";
+  return " (--" + hint + ")";
+}
+
+}  // namespace
+
+std::string option_message(const OptionError& error) {
+  const std::string option = error.option().empty() ? "" : "--" + error.option() + " ";
+  return option + error.what() + hint_text(error.hint());
+}
 
 CLI::Option* add_choice(CLI::App& command, const std::string& name, std::string& value,
                         const std::vector<std::string>& names, const std::string& doc) {

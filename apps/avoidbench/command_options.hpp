@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/enum_text.hpp"
-#include "base/input_error.hpp"
+#include "base/option_error.hpp"
 #include "export/trial_list.hpp"
 #include "table/table.hpp"
 #include "text/words.hpp"
@@ -85,6 +85,9 @@ CLI::Option* add_output_file(CLI::App& command, std::string& output);
 
 /// Adds --sort and --limit.
 void add_order_options(CLI::App& command, TrialOrder& order);
+
+/// What is wrong, with options in this program's spelling.
+std::string option_message(const OptionError& error);
 
 /// How and where a command writes its tables.
 struct OutputOptions {

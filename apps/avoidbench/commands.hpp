@@ -31,6 +31,10 @@ void add_worker_command(CLI::App& app);  ///< hidden
 std::vector<std::string> worker_words(double plan_timeout_s, std::optional<double> memory_limit_mib,
                                       int jobs);
 
+/// After so long without a sign of life a worker is ended: it has ended itself before, where a call
+/// of its planner takes too long.
+inline double silence_limit_s(double plan_timeout_s) { return plan_timeout_s + 20.0; }
+
 /// Of `maps`.
 void add_maps_list_command(CLI::App& maps);
 void add_maps_find_command(CLI::App& maps);

@@ -100,32 +100,46 @@ StoredTrial possible_trial(const Database& database, const std::string& key) {
   return stored;
 }
 
-ReplayFiles files_beside(const std::string& given, const Database& database, ReplayFiles files) {
+ReplayFiles files_beside(const std::string& given, const Database& database,
+                         const FlightOptions& options) {
   const std::filesystem::path path = given;
+  ReplayFiles files = options.files;
   files.folders = {".", path.parent_path(), database.path().parent_path()};
   files.database = database.path();
+  const bool is_sweep = path.extension() == ".yaml" || path.extension() == ".yml";
+  const std::string sweep = options.sweep.empty() && is_sweep ? given : options.sweep;
+  if (!sweep.empty()) files.own_planners = read_sweep(sweep).planners;
   return files;
 }
 
-ApartOptions apart_options(const Database& database, const std::vector<std::string>& keys,
-                           double plan_timeout_s, int jobs) {
-  // As they were flown: a planner that was let out may do something else within it.
-  const bool had_sandbox = std::none_of(keys.begin(), keys.end(), [&](const std::string& key) {
-    return database.sandbox_of(key).starts_with("none");
-  });
-  return {.worker_command = worker_words(plan_timeout_s, {}, jobs),
-          .sandbox = had_sandbox ? text(sandbox_support()) : "",
-          .silence_s = plan_timeout_s + 20.0};
+FleetOptions fleet_options(const FlightOptions& options, int jobs, const StopSignals* signals) {
+  return {.worker_command = worker_words(options.plan_timeout_s, {}, jobs),
+          .sandbox = options.no_sandbox ? "" : text(sandbox_support()),
+          .jobs = jobs,
+          .silence_s = silence_limit_s(options.plan_timeout_s),
+          .stop = signals != nullptr ? &signals->stop : nullptr,
+          .stop_now = signals != nullptr ? &signals->stop_now : nullptr};
 }
 
-void add_file_options(CLI::App& command, ReplayFiles& files) {
-  add_typed(command, "--library", files.planner, "NAME|FILE",
-            "Fly this planner library (default: what the sweep's name of it leads to, if "
-            "that is the file that was flown)");
+void add_replay_options(CLI::App& command, FlightOptions& options) {
+  ReplayFiles& files = options.files;
+  CLI::Option* library =
+      add_typed(command, "--library", files.planner, "NAME|FILE",
+                "Fly this planner's library or program (default: what the sweep's name of it leads "
+                "to, if that is the file that was flown)");
+  add_typed(command, "--sweep-file", options.sweep, "FILE",
+            "Sweep file of your own whose planners may be flown: a command (plugin: process) is "
+            "not started on a database's word")
+      ->excludes(library);
   add_typed(command, "--map-file", files.map, "FILE",
             "File of the map (default: by its name beside sweep and database, or in maps/)");
   add_typed(command, "--wind-file", files.wind, "FILE",
             "File of the wind field (default: by its name, as the map's, or in configs/wind/)");
+  add_number(command, "--plan-timeout", options.plan_timeout_s, CLI::PositiveNumber,
+             "Wall time after which a call of the planner counts as hung, s");
+  command.add_flag("--no-sandbox", options.no_sandbox,
+                   "Let planners write files, start programs and use the network, as with `run "
+                   "--no-sandbox` (docs/trust.md)");
 }
 
 }  // namespace avoidbench

@@ -5,8 +5,11 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "replay/apart.hpp"
+#include "fleet/fleet.hpp"
+#include "replay/replay.hpp"
+#include "stop_signals.hpp"
 #include "store/database.hpp"
+#include "sweep/allowance.hpp"
 
 namespace avoidbench {
 
@@ -23,17 +26,29 @@ Database open_checked(const std::filesystem::path& path);
 /// The databases, opened so, or the newest one where none is given.
 std::vector<Database> opened(const std::vector<std::string>& files, const std::string& purpose);
 
-/// --library, --map-file, --wind-file: what to fly stored trials with, where it is to be others
-/// than those that are found.
-void add_file_options(CLI::App& command, ReplayFiles& files);
+/// How stored trials are flown again, and with which files.
+struct FlightOptions {
+  ReplayFiles files;
+  std::string sweep;  ///< file of the user's own, whose planners may be started
+  int jobs = 0;       ///< 0: one per allowed CPU
+  double plan_timeout_s = 10.0;
+  bool no_sandbox = false;
 
-/// These, with the places where others are looked for: here, and beside the database, as it was
-/// given and where it is.
-ReplayFiles files_beside(const std::string& given, const Database& database, ReplayFiles files);
+  int job_count() const { return jobs > 0 ? jobs : allowed_cpus(); }
+};
 
-/// How `jobs` workers fly these trials again: in the sandbox, unless one of them was flown without.
-ApartOptions apart_options(const Database& database, const std::vector<std::string>& keys,
-                           double plan_timeout_s, int jobs);
+/// --library, --sweep-file, --map-file, --wind-file, --plan-timeout, --no-sandbox: what to fly
+/// stored trials with, where it is to be others than those that are found.
+void add_replay_options(CLI::App& command, FlightOptions& options);
+
+/// The files, with the places where others are looked for: here, and beside the database, as it was
+/// given and where it is; and with the planners of the sweep file that was given.
+ReplayFiles files_beside(const std::string& given, const Database& database,
+                         const FlightOptions& options);
+
+/// How so many workers fly stored trials again: in the sandbox unless the user says otherwise,
+/// whatever the database says of the run that flew them. `signals` stop them; null: none does.
+FleetOptions fleet_options(const FlightOptions& options, int jobs, const StopSignals* signals);
 
 /// The stored trial, ready to be flown. Throws InputError as read_stored_trial() does, and where
 /// its spec contradicts itself as no sweep file may.

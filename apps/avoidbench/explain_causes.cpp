@@ -1,31 +1,33 @@
 #include "explain.hpp"
 
-#include <atomic>
 #include <cmath>
 #include <exception>
 #include <iostream>
-#include <mutex>
+#include <map>
 #include <optional>
 #include <set>
-#include <thread>
 
 #include "base/option_error.hpp"
 #include "diagnosis/cause_counts.hpp"
 #include "explain/paragraph.hpp"
 #include "metrics/metric_table.hpp"
 #include "output.hpp"
+#include "page/flight_recording.hpp"
 #include "replay/explained_trial.hpp"
 #include "report/sweep_tables.hpp"
 #include "report/table_rows.hpp"
+#include "stop_signals.hpp"
 #include "store/record_format.hpp"
+#include "sweep/schedule.hpp"
 #include "table/table_text.hpp"
 #include "text/visible_text.hpp"
 #include "text/words.hpp"
 #include "view_output.hpp"
-#include "worker/worker_process.hpp"
 
 namespace avoidbench {
 namespace {
+
+constexpr int kExplainUnflown = 1;
 
 using Stored = std::map<std::string, ExplanationRow>;
 
@@ -48,58 +50,104 @@ ExplanationRow row_of(const StoredTrial& trial, const CauseFound& explanation) {
           .record_digest = record_digest(trial.row.record)};
 }
 
-/// Opened for writing, where it can be; what is told is shown in any case.
-std::optional<Database> writable(const std::filesystem::path& path) {
+/// Opens it for writing, where that can be; else causes are shown and not stored. Never beside a
+/// reader: SQLite would leave its log beside the file.
+bool reopen_for_writing(Database& database) {
+  const std::filesystem::path path = database.path();
+  database.close();
   try {
-    return Database::open_for_run(path, metric_table());
+    database = Database::open_for_run(path, metric_table());
+    return true;
   } catch (const InputError& error) {
     std::cerr << "warning: causes are not stored: " << error.what() << '\n';
-    return std::nullopt;
+    database = Database::open_for_reading(path);
+    return false;
   }
 }
 
-/// Tells the causes of these trials, `jobs` at once, each in a child process; one thread at a time
-/// uses the databases. What is stored and current stays.
-void tell(const std::vector<TrialListing>& trials, std::size_t jobs, const ReplayFiles& files,
-          const Database& database, std::optional<Database>& target, Stored& stored) {
-  std::mutex mutex;
-  std::atomic<std::size_t> next = 0;
-  std::int64_t new_count = 0;
-  std::exception_ptr failure;
-  const auto tell_one = [&](const TrialListing& trial) {
-    std::optional<StoredTrial> read;
-    {
-      const std::lock_guard lock(mutex);
-      read = possible_trial(database, trial.key);
-      const auto known = stored.find(trial.key);
-      if (known != stored.end() && is_current(known->second, *read)) return;
+/// The failures that are explained, and what is known of them.
+struct CauseRun {
+  Database& database;
+  const std::vector<TrialListing>& failures;
+  Stored& stored;
+  bool is_writable = false;
+  std::size_t explained = 0, unflown = 0;
+  std::map<std::size_t, CauseJob> in_flight = {};  ///< by index of the failure
+};
+
+/// Flown again where that is needed and can be, else from what is stored.
+CauseJob job_for(const StoredTrial& trial, const TrialListing& listing, ReplayPlanners& planners) {
+  std::string problem;
+  try {
+    return cause_job(trial, planners);
+  } catch (const OptionError& error) {
+    problem = option_message(error);
+  } catch (const InputError& error) {
+    problem = error.what();
+  }
+  CauseJob job = cause_job_without_flight(trial, planners.files());
+  std::cerr << "warning: trial " << listing.id
+            << ": it can't be flown again: " << visible_line(problem) << '\n';
+  job.is_incomplete = true;
+  return job;
+}
+
+/// The failures whose cause is not known by today's rules, last first.
+Schedule waiting_causes(const CauseRun& run) {
+  Schedule schedule;
+  for (std::size_t i = run.failures.size(); i-- > 0;) {
+    const TrialListing& listing = run.failures[i];
+    const auto known = run.stored.find(listing.key);
+    const bool is_told = known != run.stored.end() &&
+                         is_current(known->second, possible_trial(run.database, listing.key));
+    // Others are not flown: any worker that runs no planner's code takes them.
+    const bool is_flown = listing.outcome == Outcome::collided;
+    if (!is_told) {
+      add_waiting(schedule, i, listing.map_key, is_flown ? listing.planner_label : "");
     }
-    const ExplainedTrial told = explain_trial_apart(*read, files);
-    const std::lock_guard lock(mutex);
-    ++new_count;
-    for (const std::string& warning : told.warnings) {
-      std::cerr << "warning: trial " << trial.id << ": " << visible_line(warning) << '\n';
-    }
-    // An explanation that lacks what only a flight tells is shown and not kept.
-    const ExplanationRow row = row_of(*read, told.explanation);
-    if (target && told.warnings.empty()) target->add_explanation(row);
-    stored[trial.key] = row;
-    std::cerr << "told " << new_count << " of at most " << trials.size() << ": trial " << trial.id
-              << " " << row.cause << '\n';
+  }
+  return schedule;
+}
+
+/// Shows what was found, and stores it where nothing is lacking.
+void take_cause(CauseRun& run, std::size_t index, const JobEnd& end) {
+  const TrialListing& listing = run.failures[index];
+  const CauseJob job = std::move(run.in_flight.extract(index).mapped());
+  if (!end.killed_by.empty()) ++run.unflown;
+  const ExplainedTrial found = explanation_of(job, end);
+  for (const std::string& warning : found.warnings) {
+    std::cerr << "warning: trial " << listing.id << ": " << visible_line(warning) << '\n';
+  }
+  const ExplanationRow row = row_of(job.stored, found.explanation);
+  // An explanation that lacks what only a flight tells is shown and not kept.
+  const bool is_whole = found.warnings.empty() && !job.is_incomplete;
+  if (run.is_writable && is_whole) run.database.add_explanation(row);
+  run.stored[listing.key] = row;
+  std::cerr << "explained " << ++run.explained << " of at most " << run.failures.size()
+            << ": trial " << listing.id << " " << row.cause << '\n';
+}
+
+/// Finds the causes of these failures, several at once. What is stored and current stays.
+void find_causes(CauseRun& run, ReplayPlanners& planners, const FleetOptions& options) {
+  Schedule schedule = waiting_causes(run);
+  if (schedule.maps.empty()) return;
+  run.is_writable = reopen_for_writing(run.database);
+  const auto next = [&](const Memory& memory) -> std::optional<FleetJob> {
+    const auto assignment = next_assignment(schedule, memory);
+    if (!assignment) return std::nullopt;
+    const std::size_t index = *assignment->trial;
+    const TrialListing& listing = run.failures[index];
+    CauseJob cause = job_for(possible_trial(run.database, listing.key), listing, planners);
+    FleetJob job = cause.job;
+    job.index = index;
+    job.map = assignment->map;
+    if (!job.planner_label.empty()) job.planner_label = listing.planner_label;
+    run.in_flight.emplace(index, std::move(cause));
+    return job;
   };
-  const auto work = [&] {
-    try {
-      for (std::size_t i = next++; i < trials.size(); i = next++) tell_one(trials[i]);
-    } catch (...) {
-      const std::lock_guard lock(mutex);
-      if (!failure) failure = std::current_exception();
-      next = trials.size();  // nobody begins another one
-    }
-  };
-  std::vector<std::thread> threads;
-  for (std::size_t i = 0; i < std::min(jobs, trials.size()); ++i) threads.emplace_back(work);
-  for (std::thread& thread : threads) thread.join();
-  if (failure) std::rethrow_exception(failure);
+  fly(
+      next, [&](const FleetJob& job, const JobEnd& end) { take_cause(run, job.index, end); },
+      options);
 }
 
 /// A row a fact that has a value.
@@ -123,21 +171,20 @@ Table fact_table(const Facts& facts) {
 }
 
 /// The flight as it was at the decisive moment.
-void write_moment(const StoredTrial& stored, const ReplayFiles& files, const std::string& title,
+void write_moment(const StoredFlight& flight, const FleetOptions& options, const std::string& title,
                   double at_s, const std::string& png) {
-  const Replay replay(stored, files);
-  MomentRecorder recorder({at_s}, 0.0, replay.stored().spec);
-  TrialObserver observer;
-  observer.planned = [&](const PlanStep& step) { recorder.planned(step); };
-  std::vector<std::string> log;
-  const TrialRecord record = replay.fly(observer, log);
-  write_sheets(replay.stored(), replay.world(), record, recorder.finish(record.end_time_s), title,
-               png);
+  FleetJob job = flight.job;
+  job.job.lookout = recording_job({.has_moments = true, .at_s = {at_s}}, job.job.spec);
+  const JobEnd end = fly_one(job, options);
+  if (!end.answer) throw InputError("its flight for the picture did not come to its end");
+  const StoredTrial& stored = flight.stored;
+  const World world = make_world(stored.spec.map, stored.spec.map_seed);
+  write_sheets(stored, world, *end.answer->trial, recording_from(*end.answer->reported).moments,
+               title, png);
 }
 
-void show_trial(const Database& database, const TrialListing& listing, const ExplanationRow& row,
-                const ReplayFiles& files, const ExplainOptions& options) {
-  const StoredTrial stored = possible_trial(database, listing.key);
+void show_trial(const TrialListing& listing, const ExplanationRow& row,
+                const ExplainOptions& options) {
   const CauseFound explanation{.cause = *enum_from_text<Cause>(row.cause),
                                .facts = facts_from_json(row.facts_json)};
   const std::string title = title_line(listing);
@@ -145,20 +192,16 @@ void show_trial(const Database& database, const TrialListing& listing, const Exp
       visible_line(paragraph(explanation, listing.outcome, listing.reason));
   if (options.output.is_for_people()) {
     constexpr std::size_t kWidth = 100;
-    write_text(title + "\n" + cause_text(explanation.cause) + "\n\n" +
-                   wrapped(sentences, kWidth, 0) + "\n\n" +
-                   format_table(fact_table(explanation.facts), options.output.format),
-               options.output.output);
-  } else {
-    Section section{.name = "explain",
-                    .title = title,
-                    .tables = {fact_table(explanation.facts)},
-                    .notes = {{"cause", cause_text(explanation.cause)}, {"flight", sentences}}};
-    write_sections(std::span(&section, 1), options.output);
+    return write_text(title + "\n" + cause_text(explanation.cause) + "\n\n" +
+                          wrapped(sentences, kWidth, 0) + "\n\n" +
+                          format_table(fact_table(explanation.facts), options.output.format),
+                      options.output.output);
   }
-  if (options.png.empty()) return;
-  write_moment(stored, files, title + ", " + row.cause,
-               decisive_s(explanation, stored.row.record.end_time_s), options.png);
+  Section section{.name = "explain",
+                  .title = title,
+                  .tables = {fact_table(explanation.facts)},
+                  .notes = {{"cause", cause_text(explanation.cause)}, {"flight", sentences}}};
+  write_sections(std::span(&section, 1), options.output);
 }
 
 void show_all(const std::vector<TrialListing>& failures, const std::vector<TrialListing>& all,
@@ -210,8 +253,7 @@ void explain_causes(const ExplainOptions& options) {
   const std::filesystem::path path = database_of(options.database);
   check_output(options.output.output, text(options.output.format));
   if (!options.png.empty()) check_output(options.png, "png");
-  enter_worker_environment();  // which may begin the program again
-  const Database database = Database::open_for_reading(path);
+  Database database = Database::open_for_reading(path);
   const std::vector<TrialListing> all = chosen_trials(database.list_trials(), options.choice);
   std::vector<TrialListing> failures = all;
   std::erase_if(failures,
@@ -228,15 +270,33 @@ void explain_causes(const ExplainOptions& options) {
   if (!options.png.empty() && !is_one) {
     throw OptionError("a picture is of one trial: give TRIAL", "", "png");
   }
-  const ReplayFiles files = files_beside(options.database, database, options.files);
-  std::optional<Database> target = writable(path);
+  const StopSignals& signals = watch_stop_signals();
+  ReplayPlanners planners(files_beside(options.database, database, options.flights));
   Stored stored;
-  for (ExplanationRow& row : database.read_explanations()) stored[row.trial_key] = std::move(row);
-  tell(failures, static_cast<std::size_t>(options.job_count()), files, database, target, stored);
-  target.reset();
-  if (!is_one) return show_all(failures, all, stored, options);
-  const TrialListing& listing = failures.front();
-  show_trial(database, listing, stored.at(listing.key), files, options);
+  for (ExplanationRow& row : database.read_explanations()) {
+    stored[row.trial_key] = std::move(row);
+  }
+  CauseRun run{.database = database, .failures = failures, .stored = stored};
+  const FleetOptions fleet = fleet_options(options.flights, options.flights.job_count(), &signals);
+  find_causes(run, planners, fleet);
+  if (signals.stop) {
+    end_stopped(signals, "stopped: what was found is stored, the same command goes on from there");
+  }
+  if (is_one) {
+    const TrialListing& listing = failures.front();
+    const ExplanationRow& row = stored.at(listing.key);
+    show_trial(listing, row, options);
+    if (!options.png.empty()) {
+      const StoredFlight flight = stored_flight(possible_trial(database, listing.key), planners);
+      const CauseFound explanation{.cause = *enum_from_text<Cause>(row.cause),
+                                   .facts = facts_from_json(row.facts_json)};
+      write_moment(flight, fleet, title_line(listing) + ", " + row.cause,
+                   decisive_s(explanation, flight.stored.row.record.end_time_s), options.png);
+    }
+  } else {
+    show_all(failures, all, stored, options);
+  }
+  if (run.unflown > 0) throw CLI::RuntimeError(kExplainUnflown);
 }
 
 }  // namespace avoidbench

@@ -40,7 +40,7 @@ void add_explain_command(CLI::App& app) {
             "Picture of TRIAL at the decisive moment: the last chance to stop before a "
             "collision, where it came nearest to the goal before a time-out");
   add_what_if_options(command, options);
-  add_file_options(command, options.files);
+  add_replay_options(command, options.flights);
   add_output_options(command, options.output);
 }
 

@@ -101,15 +101,15 @@ void explain_minimal(const ExplainOptions& options) {
   const StoredTrial stored = possible_trial(database, listing.key);
   const std::filesystem::path folder = made_folder(options.minimal);
   const StopSignals& signals = watch_stop_signals();
-  const SceneRequest request{.stored = stored,
-                             .files = files_beside(options.database, database, options.files),
-                             .folder = folder,
-                             .most_flights = options.most_flights,
-                             .fleet = explain_fleet(options, database, {listing.key}, signals),
-                             .on_progress = [](std::int64_t flights, std::size_t obstacles) {
-                               std::cerr << flights << " flights, " << obstacles
-                                         << " obstacles left\n";
-                             }};
+  const SceneRequest request{
+      .stored = stored,
+      .files = files_beside(options.database, database, options.flights),
+      .folder = folder,
+      .most_flights = options.most_flights,
+      .fleet = fleet_options(options.flights, options.flights.job_count(), &signals),
+      .on_progress = [](std::int64_t flights, std::size_t obstacles) {
+        std::cerr << flights << " flights, " << obstacles << " obstacles left\n";
+      }};
   SmallestScene scene = smallest_scene(request);
   if (scene.is_stopped) end_stopped(signals, "stopped: nothing was written");
   keep_wind_file(scene, folder);

@@ -34,7 +34,7 @@ WhatIfRequest request_of(const ExplainOptions& options, const Database& database
 
 WhatIfSource source_of(const ExplainOptions& options, const Database& database) {
   return {.read = possible_trial,
-          .files = files_beside(options.database, database, options.files),
+          .files = files_beside(options.database, database, options.flights),
           .program_version = std::string(kVersion) + " " + kGitHash};
 }
 
@@ -43,9 +43,7 @@ WhatIfRun fly_missing(const ExplainOptions& options, WhatIfPlan& plan, const Wha
                       Database reader) {
   const std::filesystem::path file = reader.path();
   const StopSignals& signals = watch_stop_signals();
-  std::vector<std::string> keys;
-  for (const WhatIfTrial& trial : plan.trials) keys.push_back(trial.key);
-  const FleetOptions fleet = explain_fleet(options, reader, keys, signals);
+  const FleetOptions fleet = fleet_options(options.flights, options.flights.job_count(), &signals);
   reader.close();
   Database database = Database::open_for_run(file, metric_table());
   std::cerr << counted(plan.missing_count(), "flight") << " to fly, " << fleet.jobs << " at once\n";
@@ -71,15 +69,6 @@ std::string change_list() {
 }
 
 }  // namespace
-
-FleetOptions explain_fleet(const ExplainOptions& options, const Database& database,
-                           const std::vector<std::string>& keys, const StopSignals& signals) {
-  const int jobs = options.job_count();
-  return {.apart = apart_options(database, keys, options.plan_timeout_s, jobs),
-          .jobs = jobs,
-          .stop = &signals.stop,
-          .stop_now = &signals.stop_now};
-}
 
 void explain_what_if(const ExplainOptions& options) {
   changes_of(options.what_if);  // wrong names first
@@ -119,10 +108,8 @@ void add_what_if_options(CLI::App& command, ExplainOptions& options) {
   add_number(command, "--most-flights", options.most_flights, CLI::Range(1, 1'000'000),
              "Most flights that --minimal may take")
       ->needs(minimal);
-  add_number(command, "-j,--jobs", options.jobs, CLI::Range(0, 1024),
+  add_number(command, "-j,--jobs", options.flights.jobs, CLI::Range(0, 1024),
              "Worker processes; 0: one per allowed CPU");
-  add_number(command, "--plan-timeout", options.plan_timeout_s, CLI::PositiveNumber,
-             "Wall time after which a call of the planner counts as hung, s");
   command.footer(change_list() + command.get_footer());
 }
 

@@ -10,7 +10,7 @@
 #include <system_error>
 #include <vector>
 
-#include "base/option_error.hpp"
+#include "command_options.hpp"
 #include "commands.hpp"
 #include "plugin/planner_library.hpp"
 #include "text/visible_text.hpp"
@@ -195,14 +195,6 @@ int run_program(int argc, const char* const* argv) {
   return kUsageError;
 }
 
-/// How this program takes what would help.
-std::string hint_text(const std::string& hint) {
-  if (hint.empty()) return "";
-  if (hint == "list") return ": avoidbench replay DB --list shows them";
-  if (hint == "bless") return ": avoidbench compare DB --bless FILE writes one";
-  return " (--" + hint + ")";
-}
-
 /// What the system has no more of, where that is what went wrong; else "".
 std::string shortage(const std::exception& error) {
   if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) {
@@ -222,8 +214,7 @@ int guarded_program(int argc, const char* const* argv) {
   try {
     return run_program(argc, argv);
   } catch (const OptionError& error) {
-    const std::string option = error.option().empty() ? "" : "--" + error.option() + " ";
-    std::cerr << visible_line(option + error.what() + hint_text(error.hint())) << '\n';
+    std::cerr << visible_line(option_message(error)) << '\n';
     return kUsageError;
   } catch (const InputError& error) {
     for (const InputProblem& problem : error.problems()) {

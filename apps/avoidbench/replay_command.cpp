@@ -1,7 +1,4 @@
-#include <unistd.h>
-
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <iomanip>
 #include <iostream>
@@ -14,23 +11,18 @@
 #include "export/export_flight.hpp"
 #include "output.hpp"
 #include "page/flight_page.hpp"
+#include "page/flight_recording.hpp"
 #include "page_output.hpp"
-#include "process/isolated_run.hpp"
-#include "process/print_capture.hpp"
-#include "program_planner/program_prints.hpp"
-#include "replay/apart.hpp"
-#include "replay/replay.hpp"
 #include "replay/sample.hpp"
+#include "replay/stored_flight.hpp"
+#include "replay_verify.hpp"
 #include "text/number_text.hpp"
 #include "text/visible_text.hpp"
 #include "view_output.hpp"
 #include "worker/worker_death.hpp"
-#include "worker/worker_process.hpp"
 
 namespace avoidbench {
 namespace {
-
-constexpr int kExitDiffers = 1;
 
 struct ReplayOptions {
   std::string database;
@@ -39,36 +31,30 @@ struct ReplayOptions {
   bool is_list = false, is_verify = false;
   std::string sample = "100%";
   OutputOptions output;
-  ReplayFiles files;
+  FlightOptions flights;
   std::string png, csv, commands, page, video;
   std::vector<double> at_s;
   std::optional<double> every_s;
   std::size_t log_lines = 30;
-  double plan_timeout_s = 10.0;
 };
 
-/// A line that the planner logged.
-struct LogLine {
-  double time_s;  ///< NaN: before or after the calls
-  std::string text;
-};
-
-/// A trial that is to be flown again.
+/// A trial that is flown again, and how.
 struct Task {
   const Database& database;
   const TrialListing& listing;
-  const StoredTrial& stored;
-  const ReplayFiles& files;
+  const StoredFlight& flight;
+  const FleetOptions& fleet;
   const ReplayOptions& options;
 };
 
 /// All that is known of a flight that was flown again.
 struct Flown {
   TrialRecord record;
-  std::vector<LogLine> log;
-  std::vector<CommandLine> calls;
-  std::vector<Moment> moments;
-  std::optional<SeenRecorder> seen;  ///< for a page
+  bool has_died = false;           ///< its worker
+  bool has_begun = false;          ///< then: the planner was called; else the record has no path
+  std::vector<std::string> stack;  ///< where
+  std::string printed;             ///< by the planner
+  FlightRecording recording;
 };
 
 std::string outcome_line(const TrialRecord& record) {
@@ -77,12 +63,17 @@ std::string outcome_line(const TrialRecord& record) {
   return record.reason.empty() ? line : line + ": " + visible_line(record.reason);
 }
 
-std::string calls_line(const std::vector<CommandLine>& calls) {
+std::string calls_line(const Flown& flown) {
+  const std::vector<PlanCall>& calls = flown.record.plan_calls;
+  if (flown.has_died) {
+    return std::to_string(calls.size()) +
+           (flown.has_begun ? " that came back, and one that did not" : "");
+  }
   std::size_t commands = 0, no_plans = 0;
   double sum_s = 0.0, most_s = 0.0;
-  for (const CommandLine& call : calls) {
-    commands += call.status == PlanStatus::command ? 1 : 0;
-    no_plans += call.status == PlanStatus::no_plan ? 1 : 0;
+  for (const PlanCall& call : calls) {
+    commands += call.status == AB_OK ? 1 : 0;
+    no_plans += call.status == AB_NO_PLAN ? 1 : 0;
     sum_s += call.cpu_time_s;
     most_s = std::max(most_s, call.cpu_time_s);
   }
@@ -102,32 +93,48 @@ std::string place_line(const Sample& sample) {
          fixed_digits(sample.time_s, 3) + " s";
 }
 
-/// Flies it, or, where `most_calls` is given, up to the call of the planner after so many.
-Flown fly(const Replay& replay, const Task& task, std::optional<std::size_t> most_calls = {}) {
-  const ReplayOptions& options = task.options;
-  Flown flown;
-  const bool is_film = !options.video.empty(), has_moments = is_film || !options.png.empty();
-  const double every_s = is_film ? 1.0 / kFilmMoments_hz : options.every_s.value_or(0.0);
-  MomentRecorder recorder(options.at_s, every_s, task.stored.spec);
-  if (!options.page.empty()) flown.seen.emplace(task.stored.spec);
-  TrialObserver observer;
-  observer.planned = [&](const PlanStep& step) {
-    for (const std::string& line : step.log) flown.log.push_back({step.time_s, line});
-    flown.calls.push_back(command_line(step));
-    if (has_moments) recorder.planned(step);
-    if (flown.seen) flown.seen->planned(step);
-  };
-  PrintTrimmer trimmer(STDOUT_FILENO);
-  observer.planning = [&](const PlanCallAhead& call) {
-    trimmer.trim();
-    if (!most_calls || flown.calls.size() < *most_calls) return true;
-    if (has_moments) recorder.planning(call);
-    return false;
-  };
-  std::vector<std::string> other_lines;
-  flown.record = replay.fly(observer, other_lines);
-  for (const std::string& line : other_lines) flown.log.push_back({std::nan(""), line});
-  if (has_moments) flown.moments = recorder.finish(flown.record.end_time_s);
+/// What is to be noted of it.
+RecordingWanted wanted_of(const ReplayOptions& options) {
+  const bool is_film = !options.video.empty();
+  return {.has_calls = !options.commands.empty(),
+          .has_moments = is_film || !options.png.empty(),
+          .has_page = !options.page.empty(),
+          .at_s = options.at_s,
+          .every_s = is_film ? 1.0 / kFilmMoments_hz : options.every_s.value_or(0.0)};
+}
+
+JobEnd fly_recorded(const Task& task, const RecordingWanted& wanted) {
+  FleetJob job = task.flight.job;
+  job.job.lookout = recording_job(wanted, job.job.spec);
+  return fly_one(job, task.fleet);
+}
+
+/// Flies it. Where its worker dies, what that has noted is lost: it is flown once more, up to the
+/// call that did not come back.
+Flown fly(const Task& task) {
+  RecordingWanted wanted = wanted_of(task.options);
+  JobEnd end = fly_recorded(task, wanted);
+  const PlannerChoice& planner = task.flight.job.job.spec.planner;
+  Flown flown{.record = record_of(end, planner),
+              .has_died = end.death.has_value(),
+              .has_begun = end.death && end.death->flown,
+              .stack = {},
+              .printed = std::move(end.printed),
+              .recording = {}};
+  for (const std::string& line : end.stack) flown.stack.push_back(under_flown_name(line, planner));
+  if (const std::string map = other_map_warning(task.flight.stored, end); !map.empty()) {
+    std::cerr << "warning: " << map << '\n';
+  }
+  if (flown.has_begun) {
+    wanted.most_calls = flown.record.plan_calls.size();
+    end = fly_recorded(task, wanted);
+    if (end.death) {
+      std::cerr << "warning: flown once more for its log and pictures, it ended before the call "
+                   "that it did not come back from ("
+                << visible_line(end.death->reason) << "): there are none\n";
+    }
+  }
+  if (end.answer) flown.recording = recording_from(*end.answer->reported);
   return flown;
 }
 
@@ -158,40 +165,24 @@ void print_prints(const std::string& printed, std::size_t most) {
              [](const std::string& line) { std::cout << "  " << visible_line(line) << "\n"; });
 }
 
-/// Prints how the flight compares with the stored one. True where it is the same, or may differ.
-bool print_comparison(const StoredTrial& stored, bool must_be_equal, const TrialRecord& record) {
-  const std::vector<std::string> found = differences(stored.row.record, record);
-  if (found.empty()) {
-    std::cout << "replay    equal to the stored trial, bit for bit\n";
-    return true;
-  }
-  std::cout << "replay    differs from the stored trial\n" << std::flush;
-  for (const std::string& line : found) std::cerr << "warning: " << visible_line(line) << '\n';
-  return !must_be_equal;
-}
-
 /// The files that show what was seen: pictures, a video, a page.
-void write_views(const Flown& flown, const Replay& replay, const Task& task) {
-  const auto& [database, listing, stored, files, options] = task;
-  const World& world = replay.world();
+void write_views(const Flown& flown, const Task& task) {
+  const auto& [database, listing, flight, fleet, options] = task;
+  if (options.png.empty() && options.video.empty() && options.page.empty()) return;
+  const StoredTrial& stored = flight.stored;
+  const FlightRecording& recording = flown.recording;
+  const World world = make_world(stored.spec.map, stored.spec.map_seed);
   if (!options.png.empty()) {
-    write_sheets(stored, world, flown.record, flown.moments, title_line(listing), options.png);
+    write_sheets(stored, world, flown.record, recording.moments, title_line(listing), options.png);
   }
   if (!options.video.empty()) {
-    write_film(stored, world, flown.record, flown.moments, options.video);
+    write_film(stored, world, flown.record, recording.moments, options.video);
   }
-  if (flown.seen) {
-    // A child of a process must not read by its parent's handle.
-    const Database own = Database::open_for_reading(database.path());
-    write_page(flight_page(own, stored, world, flown.record, *flown.seen, listing,
+  if (!options.page.empty()) {
+    write_page(flight_page(database, stored, world, flown.record, recording.seen, listing,
                            trial_text(listing), page_origin()),
                options.page);
   }
-}
-
-/// Whether the end was a worker's, which a flight in this process can't have.
-bool is_of_worker(Outcome outcome) {
-  return outcome == Outcome::planner_crashed || outcome == Outcome::planner_hung;
 }
 
 /// Not where a machine's time decided at which call the flight ended.
@@ -199,95 +190,21 @@ bool is_repeatable(const TrialRecord& record) {
   return record.outcome == Outcome::planner_crashed || record.reason == kCallTimeout;
 }
 
-/// What a child says of a flight that it flew again.
-constexpr char kFlownCopy = 'c', kFlownFile = 'f', kNotFlown = 'e';
-
-/// Flies it again: one of the marks above, and lines about what differs, or why it can't be flown.
-std::string repeat_text(const StoredTrial& stored, const ReplayFiles& files) {
-  try {
-    const Replay replay(stored, files);
-    std::vector<std::string> log;
-    const TrialRecord flown = replay.fly({}, log);
-    std::string text(1, replay.kept_planner_file().empty() ? kFlownFile : kFlownCopy);
-    const std::vector<std::string> found = differences(replay.stored().row.record, flown);
-    for (const std::string& line : found) text += "  " + visible_line(line) + '\n';
-    if (found.empty()) return text;
-    for (const std::string& line : replay.warnings()) text += "  note: " + line + '\n';
-    return text;
-  } catch (const OptionError& error) {
-    return kNotFlown + error.hint() + '\n' + error.what();
-  } catch (const InputError& error) {
-    return kNotFlown + std::string("\n") + error.what();
+/// Prints how the flight compares with the stored one. True where it is the same, or may differ.
+bool print_comparison(const StoredFlight& flight, const TrialRecord& flown) {
+  const TrialRecord& stored = flight.stored.row.record;
+  // An older program stored no path of flights that ended with their worker.
+  const bool is_comparable =
+      !is_of_worker(stored.outcome) || !stored.samples.empty() || flown.samples.empty();
+  if (!is_comparable) return true;
+  const std::vector<std::string> found = differences(stored, flown);
+  if (found.empty()) {
+    std::cout << "replay    equal to the stored trial, bit for bit\n";
+    return true;
   }
-}
-
-/// The error that a child could not fly for.
-[[noreturn]] void throw_not_flown(const std::string& text) {
-  const std::size_t line_end = text.find('\n');
-  const std::string hint = text.substr(1, line_end - 1);
-  if (!hint.empty()) throw OptionError(text.substr(line_end + 1), "", hint);
-  std::vector<InputProblem> problems;
-  std::istringstream lines(text.substr(line_end + 1));
-  for (std::string line; std::getline(lines, line);)
-    problems.push_back({.file = {}, .message = line});
-  throw InputError(std::move(problems));
-}
-
-/// Flies it again in a process of its own, so that no planner knows of another trial; whether it is
-/// the same. Counts a flight with a kept copy of the planner.
-bool is_repeated(const Database& database, const TrialListing& trial, const ReplayFiles& files,
-                 std::int64_t& with_copy) {
-  constexpr double kMostTime_s = 3600.0;  // as a trial of a run
-  const StoredTrial stored = possible_trial(database, trial.key);
-  const IsolatedEnd end = run_isolated(
-      [&](IsolatedOutput& output) { output.write(repeat_text(stored, files)); }, kMostTime_s);
-  std::string lines;
-  if (!end.problem.empty() || end.output.empty()) {
-    lines = "  flown again it " + (end.problem.empty() ? "says nothing" : end.problem) + '\n';
-  } else if (end.output.front() == kNotFlown) {
-    throw_not_flown(end.output);
-  } else {
-    with_copy += end.output.front() == kFlownCopy ? 1 : 0;
-    lines = end.output.substr(1);
-  }
-  if (lines.empty()) return true;
-  std::cout << "trial " << trial.id << " (" << trial.key.substr(0, 8) << ", "
-            << visible_line(trial.planner_label) << ") differs:\n"
-            << lines;
-  return false;
-}
-
-/// Flies a share of these trials again and prints where they differ from what is stored.
-void verify_trials(const Database& database, const std::vector<TrialListing>& trials, double share,
-                   const ReplayFiles& files) {
-  const bool has_several = std::any_of(trials.begin(), trials.end(), [&](const TrialListing& one) {
-    return one.planner_label != trials.front().planner_label;
-  });
-  if (!files.planner.empty() && has_several) {
-    throw OptionError(
-        files.planner + ": the trials are of several planners: choose one by --planner", "library");
-  }
-  std::int64_t flown = 0, different = 0, passed_over = 0, with_copy = 0;
-  for (const TrialListing& trial : trials) {
-    if (!is_sampled(trial.key, share)) continue;
-    if (is_of_worker(trial.outcome)) {
-      ++passed_over;
-      continue;
-    }
-    ++flown;
-    different += is_repeated(database, trial, files, with_copy) ? 0 : 1;
-  }
-  std::cout << flown << " trials flown again, " << different << " different\n";
-  if (passed_over > 0) {
-    std::cout << passed_over << " crashed or hung and were not flown: see avoidbench run --rerun\n";
-  }
-  if (with_copy > 0) {
-    std::cerr << with_copy
-              << " of them with copies of planners that the run kept: their files are gone or "
-                 "others now\n";
-  }
-  if (flown == 0 && passed_over == 0) std::cerr << "the sample has no trial: make it larger\n";
-  if (different > 0) throw CLI::RuntimeError(kExitDiffers);
+  std::cout << "replay    differs from the stored trial\n" << std::flush;
+  for (const std::string& line : found) std::cerr << "warning: " << visible_line(line) << '\n';
+  return !flight.warnings.empty() || (is_of_worker(stored.outcome) && !is_repeatable(stored));
 }
 
 /// Before the flight, which may take long.
@@ -304,84 +221,36 @@ void check_outputs(const ReplayOptions& options, const TrialListing& trial) {
   }
 }
 
-/// What a child does with a flight whose planner does not come back from its last call of
-/// `apart`'s: it flies up to there, writes the files that are wanted and tells its lines, those for
-/// stderr with a mark.
-constexpr char kToStderr = '!';
-std::string look_up_to(const TrialRecord& apart, const Task& task) {
-  const Replay replay(task.stored, task.files);
-  Flown flown = fly(replay, task, apart.plan_calls.size());
-  flown.record.outcome = apart.outcome;
-  flown.record.reason = apart.reason;
-  std::ostringstream out, errors;  // from here on only: what the planner prints is shown already
-  std::streambuf* const cout_before = std::cout.rdbuf(out.rdbuf());
-  std::streambuf* const cerr_before = std::cerr.rdbuf(errors.rdbuf());
-  try {
-    print_log(flown.log, task.options.log_lines);
-    if (!task.options.commands.empty()) {
-      write_text(commands_csv(flown.calls), task.options.commands);
-    }
-    write_views(flown, replay, task);
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
+void replay_one(const Task& task) {
+  const auto& [database, listing, flight, fleet, options] = task;
+  for (const std::string& warning : flight.warnings) std::cerr << "warning: " << warning << '\n';
+  if (flight.is_with_kept_planner) {
+    std::cerr << "the planner's file is gone or another one now: flown with the copy that the run "
+                 "kept, "
+              << flight.job.job.spec.planner.file << '\n';
   }
-  std::cout.rdbuf(cout_before);
-  std::cerr.rdbuf(cerr_before);
-  std::string lines = out.str();
-  std::istringstream of_errors(errors.str());
-  for (std::string line; std::getline(of_errors, line);) lines += kToStderr + line + '\n';
-  return lines;
-}
-
-/// Runs look_up_to() in a child, since the planner may end a process earlier this time.
-void look_apart(const TrialRecord& apart, const Task& task, double most_s) {
-  const IsolatedEnd end =
-      run_isolated([&](IsolatedOutput& output) { output.write(look_up_to(apart, task)); }, most_s);
-  std::istringstream lines(end.output);
-  for (std::string line; std::getline(lines, line);) {
-    const bool is_error = line.starts_with(kToStderr);
-    (is_error ? std::cerr : std::cout) << line.substr(is_error ? 1 : 0) << '\n';
-  }
-  if (!end.problem.empty()) {
-    std::cerr << "warning: flown once more for its log and pictures, it " << end.problem
-              << " before the call that it did not come back from: there are none\n";
-  }
-}
-
-/// A trial whose planner crashed or hung, flown in a process of its own, with the time limit.
-void replay_apart(const Task& task) {
-  const auto& [database, listing, stored, files, options] = task;
-  std::cout << title_line(listing) << "\nstored    " << outcome_line(stored.row.record) << "\n"
+  std::cout << title_line(listing) << "\nstored    " << outcome_line(flight.stored.row.record)
+            << "\n"
             << std::flush;
-  const auto began = std::chrono::steady_clock::now();
-  const ApartFlight flown =
-      fly_apart(stored, files, apart_options(database, {listing.key}, options.plan_timeout_s, 1));
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
-  for (const std::string& warning : flown.warnings) std::cerr << "warning: " << warning << '\n';
+  const Flown flown = fly(task);
   const TrialRecord& record = flown.record;
-  std::cout << "now       " << outcome_line(record) << "\ncalls     " << record.plan_calls.size()
-            << (flown.has_begun && is_of_worker(record.outcome)
-                    ? " that came back, and one that did not"
-                    : "")
-            << "\n";
-  if (!record.samples.empty()) {
+  std::cout << "now       " << outcome_line(record) << "\ncalls     " << calls_line(flown) << "\n";
+  if (flown.has_died && !record.samples.empty()) {
     std::cout << "place     " << place_line(record.samples.back()) << "\n";
   }
-  bool is_explained = true;
-  // An older program stored no path of such flights.
-  if (!stored.row.record.samples.empty() || record.samples.empty()) {
-    const bool must_be_equal = flown.warnings.empty() && is_repeatable(stored.row.record);
-    is_explained = print_comparison(stored, must_be_equal, record);
-  }
+  const bool is_explained = print_comparison(flight, record);
   print_last("stack, innermost first", flown.stack, 0,
              [](const std::string& line) { std::cout << "  " << visible_line(line) << "\n"; });
-  print_prints(flown.printed, options.log_lines);
+  // What it printed last is next to where it died.
+  if (flown.has_died) print_prints(flown.printed, options.log_lines);
+  print_log(flown.recording.log, options.log_lines);
+  if (!flown.has_died) print_prints(flown.printed, options.log_lines);
   std::cout << std::flush;
   if (!options.csv.empty()) write_text(trajectory_csv(record.samples), options.csv);
-  // Its way there takes no longer than that; pictures take some time, too.
-  const double most_s = 60.0 + 3.0 * took.count();
-  if (flown.has_begun) look_apart(record, task, most_s);
-  std::cout << std::flush;
+  if (!options.commands.empty()) {
+    write_text(commands_csv(flown.recording.calls), options.commands);
+  }
+  write_views(flown, task);
   if (!is_explained) throw CLI::RuntimeError(kExitDiffers);
 }
 
@@ -398,44 +267,21 @@ void replay(const ReplayOptions& options) {
         trial_table(chosen_trials(all, options.choice), fields, options.output.is_for_people()),
         options.output);
   }
-  const ReplayFiles files = files_beside(options.database, database, options.files);
+  ReplayPlanners planners(files_beside(options.database, database, options.flights));
   if (options.is_verify) {
     const double share = share_from(options.sample);
-    enter_worker_environment();
-    return verify_trials(database, chosen_trials(all, options.choice), share, files);
+    const StopSignals& signals = watch_stop_signals();
+    const FleetOptions fleet =
+        fleet_options(options.flights, options.flights.job_count(), &signals);
+    return verify_trials({database, chosen_trials(all, options.choice), share}, planners, fleet,
+                         signals);
   }
   const TrialListing listing = the_trial(all, options.choice);
-  enter_worker_environment();  // which may begin the program again
   check_outputs(options, listing);
-  const StoredTrial stored = possible_trial(database, listing.key);
-  const Task task{database, listing, stored, files, options};
-  if (is_of_worker(listing.outcome)) return replay_apart(task);
-  const PrintCapture prints;
-  std::optional<PrintsCaptured> captured(prints);
-  pass_prints_on(STDOUT_FILENO);  // planners that are programs are captured there as libraries are
-  const Replay replay(stored, files);
-  captured.reset();
-  for (const std::string& warning : replay.warnings()) std::cerr << "warning: " << warning << '\n';
-  if (!replay.kept_planner_file().empty()) {
-    std::cerr << "the planner's file is gone or another one now: flown with the copy that the run "
-                 "kept, "
-              << replay.kept_planner_file().string() << '\n';
-  }
-  std::cout << title_line(listing) << "\nstored    " << outcome_line(stored.row.record) << "\n"
-            << std::flush;
-  captured.emplace(prints);
-  const Flown flown = fly(replay, task);
-  captured.reset();
-  std::cout << "now       " << outcome_line(flown.record) << "\ncalls     "
-            << calls_line(flown.calls) << "\n";
-  const bool is_explained = print_comparison(stored, replay.warnings().empty(), flown.record);
-  print_log(flown.log, options.log_lines);
-  print_prints(prints.text(), options.log_lines);
-  std::cout << std::flush;
-  if (!options.csv.empty()) write_text(trajectory_csv(flown.record.samples), options.csv);
-  if (!options.commands.empty()) write_text(commands_csv(flown.calls), options.commands);
-  write_views(flown, replay, task);
-  if (!is_explained) throw CLI::RuntimeError(kExitDiffers);
+  const StoredFlight flight = stored_flight(possible_trial(database, listing.key), planners);
+  // A signal ends it at once: there is nothing to lose.
+  const FleetOptions fleet = fleet_options(options.flights, 1, nullptr);
+  replay_one({database, listing, flight, fleet, options});
 }
 
 void add_choice_options(CLI::App& command, TrialChoice& choice) {
@@ -509,15 +355,15 @@ void add_replay_command(CLI::App& app) {
       .add_option("--sample", options.sample,
                   "Share of them to verify, such as 10%, chosen by their keys")
       ->needs(verify);
+  add_number(command, "-j,--jobs", options.flights.jobs, CLI::Range(0, 1024),
+             "Worker processes that verify; 0: one per allowed CPU")
+      ->needs(verify);
   add_view_options(command, options);
   add_typed(command, "--csv", options.csv, "FILE", "Path to write as CSV");
   add_typed(command, "--commands", options.commands, "FILE", "The planner's calls to write as CSV");
   command.add_option("--log", options.log_lines,
                      "Most lines of the planner's log, and of what it printed; 0: all");
-  add_number(command, "--plan-timeout", options.plan_timeout_s, CLI::PositiveNumber,
-             "Wall time after which a call of the planner counts as hung, s; of a trial that "
-             "crashed or hung, which is flown in a process of its own");
-  add_file_options(command, options.files);
+  add_replay_options(command, options.flights);
   add_output_options(command, options.output);
 }
 

@@ -1,7 +1,9 @@
 #include "run_end.hpp"
 
+#include <algorithm>
 #include <iostream>
 #include <map>
+#include <span>
 
 #include "diagnosis/computing_times.hpp"
 #include "diagnosis/failure_kinds.hpp"
@@ -60,9 +62,15 @@ void print_summary(const RunSummary& summary, int ignored_signals) {
               << " signals to stop came from a planner; they were ignored\n";
   }
   if (summary.unflown.empty()) return;
-  for (const UnflownTrial& trial : summary.unflown) {
+  constexpr std::size_t kMostShown = 10;  // of a map that could not be measured, all
+  const std::size_t shown = std::min(summary.unflown.size(), kMostShown);
+  for (const UnflownTrial& trial : std::span(summary.unflown).first(shown)) {
     std::cerr << "warning: trial " << trial.key.substr(0, 8) << " of " << trial.planner_label
-              << " is not stored: its worker was killed twice, by " << trial.reason << '\n';
+              << " is not stored: its worker was killed " << kMostTries << " times, by "
+              << trial.reason << '\n';
+  }
+  if (shown < summary.unflown.size()) {
+    std::cerr << "warning: and so are " << summary.unflown.size() - shown << " more\n";
   }
   std::cerr
       << summary.unflown.size()

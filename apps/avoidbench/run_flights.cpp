@@ -215,24 +215,25 @@ std::int64_t fly_sweep(const RunCommand& command, const SweepSpec& sweep, const 
                               : command.progress == "json" ? ProgressStyle::json
                                                            : ProgressStyle::line;
   RunProgress shown(style, command.heartbeat);
-  const RunOptions options{
-      .jobs = jobs,
-      .shard = shard,
-      .rerun = rerun,
-      .rerun_key = command.rerun,
-      .in_process = command.in_process,
-      .worker_command = worker_words(command.plan_timeout_s, command.memory_limit_mib, jobs),
-      .sandbox = sandbox_of(command),
-      .silence_s = command.plan_timeout_s + 20.0,
-      .trial_timeout_s = command.trial_timeout_s,
-      .grace_s = command.grace_s,
-      .keep_planners = !command.no_keep,
-      .keep_maps = command.is_bundle,
-      .on_progress = [&shown](const Progress& progress) { shown.show(progress); },
-      .on_revision =
-          [&](const SweepRevision& revision) { print_revision(database, sweep.name, revision); },
-      .stop = &signals.stop,
-      .stop_now = &signals.stop_now};
+  RunOptions options;
+  options.worker_command = worker_words(command.plan_timeout_s, command.memory_limit_mib, jobs);
+  options.sandbox = sandbox_of(command);
+  options.jobs = jobs;
+  options.silence_s = silence_limit_s(command.plan_timeout_s);
+  options.trial_timeout_s = command.trial_timeout_s;
+  options.grace_s = command.grace_s;
+  options.stop = &signals.stop;
+  options.stop_now = &signals.stop_now;
+  options.shard = shard;
+  options.rerun = rerun;
+  options.rerun_key = command.rerun;
+  options.in_process = command.in_process;
+  options.keep_planners = !command.no_keep;
+  options.keep_maps = command.is_bundle;
+  options.on_progress = [&shown](const Progress& progress) { shown.show(progress); };
+  options.on_revision = [&](const SweepRevision& revision) {
+    print_revision(database, sweep.name, revision);
+  };
   RunSummary summary;
   try {
     summary = run_sweep(sweep, provenance(command, sweep, shard), database, options);

@@ -1,6 +1,8 @@
 #include "base/data_folder.hpp"
 #include "command_options.hpp"
 #include "commands.hpp"
+#include "page/flight_recording.hpp"
+#include "replay/explained_trial.hpp"
 #include "sweep/allowance.hpp"
 #include "text/number_text.hpp"
 #include "worker/worker.hpp"
@@ -10,7 +12,8 @@ namespace avoidbench {
 void add_worker_command(CLI::App& app) {
   const auto [command, options] = add_command<WorkerOptions>(
       app, "worker", "Flies trials for a parent process", [](const WorkerOptions& told) {
-        const int code = run_worker(told);
+        const int code = run_worker(
+            told, {{kCauseLookout, cause_lookout}, {kRecordingLookout, recording_lookout}});
         if (code != 0) throw CLI::RuntimeError(code);
       });
   command.group("");  // started by `run` only

@@ -248,7 +248,7 @@ ordered_json SeenRecorder::json() const {
 }
 
 ordered_json flight_page(const Database& database, const StoredTrial& stored, const World& world,
-                         const TrialRecord& flown, const SeenRecorder& seen,
+                         const TrialRecord& flown, const ordered_json& seen,
                          const TrialListing& listing, const std::string& title,
                          const PageOrigin& origin) {
   ordered_json page = page_start("flight", title, origin);
@@ -271,7 +271,7 @@ ordered_json flight_page(const Database& database, const StoredTrial& stored, co
     }
   }
   page["flights"] = std::move(flights);
-  page["seen"] = seen.json();
+  page["seen"] = seen;
   page["world_digest"] = world.digest;
   page["planner_digest"] = stored.row.planner_file_digest;
   add_scenes(std::move(scenes), page);

@@ -41,10 +41,10 @@ class SeenRecorder {
 };
 
 /// The data of a page of one flight that was flown again, with the stored flights of the other
-/// planners on the same mission.
+/// planners on the same mission. `seen` is a SeenRecorder's.
 nlohmann::ordered_json flight_page(const Database& database, const StoredTrial& stored,
                                    const World& world, const TrialRecord& flown,
-                                   const SeenRecorder& seen, const TrialListing& listing,
+                                   const nlohmann::ordered_json& seen, const TrialListing& listing,
                                    const std::string& title, const PageOrigin& origin);
 
 }  // namespace avoidbench

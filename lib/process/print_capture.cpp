@@ -1,7 +1,6 @@
 #include "process/print_capture.hpp"
 
 #include <fcntl.h>
-#include <stdio_ext.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -25,13 +24,6 @@ std::string bytes_at(int fd, std::size_t begin, std::size_t count) {
   const ssize_t got = ::pread(fd, bytes.data(), count, static_cast<off_t>(begin));
   bytes.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
   return bytes;
-}
-
-/// C++'s streams and C's: either may still hold text.
-void flush_streams() {
-  std::cout << std::flush;
-  std::cerr << std::flush;
-  std::fflush(nullptr);
 }
 
 /// What did not fit any more has left them in a state in which they print nothing.
@@ -96,31 +88,6 @@ void PrintTrimmer::trim() {
   const ssize_t written = ::pwrite(fd_, kept.data(), kept.size(), static_cast<off_t>(kKeptHead));
   if (written < 0) return;
   ::lseek(fd_, static_cast<off_t>(kKeptHead + kept.size()), SEEK_SET);
-}
-
-PrintsCaptured::PrintsCaptured(const PrintCapture& capture) {
-  flush_streams();
-  // Above the standard streams' numbers: one of them may be closed, and a copy under its number
-  // would be written over below.
-  out_ = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
-  err_ = ::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
-  ::dup2(capture.fd(), STDOUT_FILENO);
-  ::dup2(capture.fd(), STDERR_FILENO);
-}
-
-PrintsCaptured::~PrintsCaptured() {
-  flush_streams();
-  ::__fpurge(stdout);  // what did not fit is lost, and must not come out later
-  const std::pair<int, int> streams[] = {{out_, STDOUT_FILENO}, {err_, STDERR_FILENO}};
-  for (const auto& [kept, stream] : streams) {
-    if (kept < 0) {  // it was closed before
-      ::close(stream);
-      continue;
-    }
-    ::dup2(kept, stream);
-    ::close(kept);
-  }
-  clear_streams();
 }
 
 std::string last_line_of(const std::string& text) {

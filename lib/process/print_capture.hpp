@@ -51,18 +51,6 @@ class PrintTrimmer {
   std::size_t left_out_ = 0, mark_size_ = 0;
 };
 
-/// Standard output and error of this process go to `capture` for as long as it lives.
-class PrintsCaptured {
- public:
-  explicit PrintsCaptured(const PrintCapture& capture);
-  ~PrintsCaptured();
-  PrintsCaptured(const PrintsCaptured&) = delete;
-  PrintsCaptured& operator=(const PrintsCaptured&) = delete;
-
- private:
-  int out_ = -1, err_ = -1;
-};
-
 /// The last line of a text that has anything to read; "" if there is none.
 std::string last_line_of(const std::string& text);
 

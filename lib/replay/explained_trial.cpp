@@ -1,97 +1,136 @@
 #include "replay/explained_trial.hpp"
 
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <utility>
 
 #include "base/input_error.hpp"
 #include "explain/explain.hpp"
-#include "process/isolated_run.hpp"
 
 namespace avoidbench {
 namespace {
 
-FailedFlight failed_flight(const StoredTrial& stored, const World& world) {
-  return {.spec = stored.spec,
-          .world = world,
-          .mission = stored.mission,
-          .record = stored.row.record,
-          .reference_length_m = stored.reference_length_m};
+/// What the lookout needs: the flight as it is stored.
+LookoutJob cause_wanted(const StoredTrial& stored, bool has_flight) {
+  constexpr std::size_t kMostBytes = 1U << 20U;
+  LookoutJob wanted{.kind = kCauseLookout,
+                    .wanted = record_message(stored.row.record),
+                    .most_bytes = kMostBytes,
+                    .has_flight = has_flight};
+  wanted.wanted.json["reference_length_m"] = number_to_json(stored.reference_length_m);
+  return wanted;
 }
 
-/// Of what is stored, without the planner.
-CauseFound unwatched(const StoredTrial& stored, const ReplayFiles& files) {
-  const StoredTrial whole = with_files(stored, files);
-  const World world = make_world(whole.spec.map, whole.spec.map_seed);
-  const auto patch = struck_patch(world, whole.row.record);
-  return explained(failed_flight(whole, world), patch ? &*patch : nullptr, nullptr);
-}
-
-/// Flies it again under watch; nothing where it flies otherwise now.
-std::optional<CauseFound> watched(const StoredTrial& stored, const ReplayFiles& files,
-                                  std::vector<std::string>& warnings) {
-  const Replay replay(stored, files);
-  const TrialRecord& record = replay.stored().row.record;
-  const auto patch = struck_patch(replay.world(), record);
-  if (!patch) return std::nullopt;
-  FlightWatch watch(replay.stored().spec, record.samples, *patch);
-  TrialObserver observer;
-  observer.planned = [&](const PlanStep& step) { watch.planned(step); };
-  std::vector<std::string> log;
-  const std::vector<std::string> found = differences(record, replay.fly(observer, log));
-  if (found.empty()) {
-    return explained(failed_flight(replay.stored(), replay.world()), &*patch, &watch);
+/// A flight as it is stored, and who watches it flown again; it stays at its address.
+struct WatchedFlight {
+  WatchedFlight(const Job& job, const World& flown_world)
+      : spec(job.spec),
+        mission(job.mission->mission),
+        world(flown_world),
+        record(record_from(job.lookout->wanted)),
+        reference_length_m(number_from_json(job.lookout->wanted.json.at("reference_length_m"))),
+        patch(struck_patch(world, record)) {
+    if (job.lookout->has_flight && patch) watch.emplace(spec, record.samples, *patch);
   }
-  warnings.push_back("flown again it differs from the stored trial: " + found.front());
-  for (const std::string& warning : replay.warnings()) warnings.push_back(warning);
-  return std::nullopt;
+  WatchedFlight(const WatchedFlight&) = delete;
+  WatchedFlight& operator=(const WatchedFlight&) = delete;
+
+  Message report(const TrialRecord* flown) const {
+    std::vector<std::string> found;
+    if (flown != nullptr && watch) found = differences(record, *flown);
+    const bool is_watched = flown != nullptr && watch && found.empty();
+    const CauseFound cause = explained({.spec = spec,
+                                        .world = world,
+                                        .mission = mission,
+                                        .record = record,
+                                        .reference_length_m = reference_length_m},
+                                       patch ? &*patch : nullptr, is_watched ? &*watch : nullptr);
+    nlohmann::json told{{"cause", std::string(text(cause.cause))},
+                        {"facts", facts_json(cause.facts)}};
+    if (!found.empty()) told["difference"] = found.front();
+    return {.json = std::move(told), .bytes = {}};
+  }
+
+  const TrialSpec& spec;
+  const Mission& mission;
+  const World& world;
+  TrialRecord record;
+  double reference_length_m;
+  std::optional<StruckPatch> patch;
+  std::optional<FlightWatch> watch;
+};
+
+/// A worker's answer, whose memory its planner shares.
+ExplainedTrial explanation_from(const Message& told, const std::vector<std::string>& notes) {
+  ExplainedTrial found;
+  try {
+    const auto cause = enum_from_text<Cause>(told.json.at("cause").get<std::string>());
+    found.explanation.facts = facts_from_json(told.json.at("facts").get<std::string>());
+    found.explanation.cause = cause.value();
+    if (told.json.contains("difference")) {
+      found.warnings.push_back("flown again it differs from the stored trial: " +
+                               told.json.at("difference").get<std::string>());
+      found.warnings.insert(found.warnings.end(), notes.begin(), notes.end());
+    }
+  } catch (const std::exception& error) {
+    found = {.explanation = {},
+             .warnings = {std::string("its worker's answer can't be read: ") + error.what()}};
+  }
+  return found;
 }
 
 }  // namespace
 
-ExplainedTrial explain_trial(const StoredTrial& stored, const ReplayFiles& files) {
-  ExplainedTrial told;
-  if (needs_watch(stored.row.record)) {
-    try {
-      if (const auto found = watched(stored, files, told.warnings)) {
-        told.explanation = *found;
-        return told;
-      }
-    } catch (const InputError& error) {
-      told.warnings.push_back(std::string("it can't be flown again: ") + error.what());
-    }
+Lookout cause_lookout(const Job& job, const World& world) {
+  const auto flight = std::make_shared<WatchedFlight>(job, world);
+  Lookout lookout;
+  if (flight->watch) {
+    lookout.observer.planned = [flight](const PlanStep& step) { flight->watch->planned(step); };
   }
-  told.explanation = unwatched(stored, files);
-  return told;
+  lookout.report = [flight](const TrialRecord* flown) { return flight->report(flown); };
+  return lookout;
 }
 
-ExplainedTrial explain_trial_apart(const StoredTrial& stored, const ReplayFiles& files) {
-  constexpr double kMostTime_s = 3600.0;  // as a trial of a run
-  const IsolatedEnd end = run_isolated(
-      [&](IsolatedOutput& output) {
-        nlohmann::json told = nlohmann::json::object();
-        try {
-          const ExplainedTrial found = explain_trial(stored, files);
-          told["cause"] = std::string(text(found.explanation.cause));
-          told["facts"] = facts_json(found.explanation.facts);
-          told["warnings"] = found.warnings;
-        } catch (const InputError& error) {
-          told["error"] = error.what();
-        }
-        output.write(told.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
-      },
-      kMostTime_s);
-  ExplainedTrial found;
-  const nlohmann::json told = nlohmann::json::parse(end.output, nullptr, false);
-  if (!end.problem.empty() || !told.is_object()) {
-    found.warnings.push_back("flown again it " +
-                             (end.problem.empty() ? "says nothing" : end.problem));
-    return found;
+CauseJob cause_job(StoredTrial stored, ReplayPlanners& planners) {
+  if (!needs_watch(stored.row.record)) {
+    return cause_job_without_flight(std::move(stored), planners.files());
   }
-  if (told.contains("error")) throw InputError(told.at("error").get<std::string>());
-  const auto cause = enum_from_text<Cause>(told.at("cause").get<std::string>());
-  if (cause) found.explanation.cause = *cause;
-  found.explanation.facts = facts_from_json(told.at("facts").get<std::string>());
-  found.warnings = told.at("warnings").get<std::vector<std::string>>();
+  StoredFlight flight = stored_flight(std::move(stored), planners);
+  CauseJob cause{.job = std::move(flight.job),
+                 .stored = std::move(flight.stored),
+                 .notes = std::move(flight.warnings)};
+  cause.job.job.lookout = cause_wanted(cause.stored, true);
+  return cause;
+}
+
+CauseJob cause_job_without_flight(StoredTrial stored, const ReplayFiles& files) {
+  CauseJob cause{.job = {}, .stored = with_files(std::move(stored), files), .notes = {}};
+  Job& job = cause.job.job;
+  job.token = make_token();
+  job.spec = cause.stored.spec;
+  job.mission.emplace().index = cause.stored.spec.mission_index;
+  job.mission->mission = cause.stored.mission;
+  job.lookout = cause_wanted(cause.stored, false);
+  return cause;
+}
+
+ExplainedTrial explanation_of(const CauseJob& job, const JobEnd& end) {
+  ExplainedTrial found;
+  if (!end.killed_by.empty()) {
+    found.warnings = {"its workers were killed, by " + end.killed_by};
+  } else if (end.death) {
+    found.warnings = {"flown again it ends otherwise: " +
+                      record_of(end, job.job.job.spec.planner).reason};
+  } else if (!end.answer->error.empty()) {
+    throw InputError(end.answer->error);
+  } else {
+    std::vector<std::string> notes = job.notes;
+    if (const std::string map = other_map_warning(job.stored, end); !map.empty()) {
+      notes.push_back(map);
+    }
+    found = explanation_from(*end.answer->reported, notes);
+  }
   return found;
 }
 

@@ -4,7 +4,8 @@
 #include <vector>
 
 #include "explain/causes.hpp"
-#include "replay/replay.hpp"
+#include "replay/stored_flight.hpp"
+#include "worker/worker.hpp"
 
 namespace avoidbench {
 
@@ -14,11 +15,26 @@ struct ExplainedTrial {
   std::vector<std::string> warnings;
 };
 
-/// Tells it from the stored flight, which is flown again in this process where that is needed.
-/// Throws InputError where the map can't be had. The trial did not reach the goal.
-ExplainedTrial explain_trial(const StoredTrial& stored, const ReplayFiles& files);
+/// The lookout that tells a flight's cause, and its name for run_worker().
+inline constexpr const char* kCauseLookout = "cause";
+Lookout cause_lookout(const Job& job, const World& world);
 
-/// The same in a child process, so that no planner can harm this one.
-ExplainedTrial explain_trial_apart(const StoredTrial& stored, const ReplayFiles& files);
+/// A failed trial whose cause a worker tells.
+struct CauseJob {
+  FleetJob job;
+  StoredTrial stored;
+  std::vector<std::string> notes;  ///< why it may fly otherwise
+  bool is_incomplete = false;      ///< it should be flown again, and can't be
+};
+
+/// From the flight flown again, where that is needed. Throws InputError where its planner or a file
+/// can't be had. The trial did not reach the goal.
+CauseJob cause_job(StoredTrial stored, ReplayPlanners& planners);
+
+/// From what is stored of it and the map; flies nothing. Throws InputError as cause_job().
+CauseJob cause_job_without_flight(StoredTrial stored, const ReplayFiles& files);
+
+/// What came of it. Throws InputError where the map can't be had.
+ExplainedTrial explanation_of(const CauseJob& job, const JobEnd& end);
 
 }  // namespace avoidbench

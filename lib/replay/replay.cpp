@@ -8,14 +8,10 @@
 #include "base/input_error.hpp"
 #include "base/kept_files.hpp"
 #include "base/option_error.hpp"
-#include "base/spec_json.hpp"
 #include "replay/stored_spec.hpp"
 #include "store/record_format.hpp"
 #include "store/stored_text.hpp"
-#include "sweep/recorded_latency.hpp"
-#include "sweep/sweep_spec.hpp"
 #include "text/number_text.hpp"
-#include "trial/planner_view.hpp"
 
 namespace avoidbench {
 namespace {
@@ -29,13 +25,21 @@ bool has_digest(const std::filesystem::path& file, const PlannerChoice& choice) 
   }
 }
 
-/// The library or program to fly with. Of one that was named by a path its bare name is tried, too.
-/// What a database names, or a run kept, is loaded, and with that run, only where it is the file
-/// that the trial was flown with; what the user names, in any case. `kept` gets the copy that is
-/// taken.
-std::filesystem::path planner_file(const PlannerChoice& choice, const ReplayFiles& files,
-                                   std::filesystem::path& kept) {
-  if (!files.planner.empty()) return find_planner(files.planner, ".");
+/// "sh -c 'rm …'": what a database would have started.
+std::string command_text(const PlannerChoice& choice) {
+  std::string text;
+  for (const std::string& word : choice.command) {
+    const std::string& shown = word == kFileWord ? choice.plugin : word;
+    const bool is_plain =
+        !shown.empty() && shown.find_first_of(" '\"\\$|&;<>()*?`") == std::string::npos;
+    text += (text.empty() ? "" : " ") + (is_plain ? shown : "'" + shown + "'");
+  }
+  return text;
+}
+
+/// The file of the database's choice. Of one that was named by a path its bare name is tried, too.
+/// It is taken only where it is the file that the trial was flown with; so is the run's copy.
+FoundPlanner planner_of_database(const PlannerChoice& choice, const ReplayFiles& files) {
   std::vector<std::string> problems;
   std::vector<std::string> names{choice.plugin};
   // `./my_planner.so` is looked for as `my_planner` too.
@@ -47,7 +51,7 @@ std::filesystem::path planner_file(const PlannerChoice& choice, const ReplayFile
     for (const std::filesystem::path& folder : files.folders) {
       try {
         const std::filesystem::path file = find_planner(name, folder);
-        if (has_digest(file, choice)) return file;
+        if (has_digest(file, choice)) return {.source = file};
         if (other.empty()) other = file;
       } catch (const InputError& error) {
         problems.emplace_back(error.what());
@@ -56,8 +60,7 @@ std::filesystem::path planner_file(const PlannerChoice& choice, const ReplayFile
   }
   // What a run kept, whatever has become of the file.
   if (const auto copy = kept_planner(files.database, choice.file_digest)) {
-    kept = *copy;
-    return kept;
+    return {.source = *copy, .is_kept = true};
   }
   if (other.empty()) {
     // Without folders nothing was looked for, and there are no problems.
@@ -127,6 +130,11 @@ bool same_bits(const Sample& a, const Sample& b) {
   return sample_bytes({&a, 1}) == sample_bytes({&b, 1});
 }
 
+bool same_touch(const Collision& a, const Collision& b) {
+  return a.time_s == b.time_s && a.speed_mps == b.speed_mps && a.obstacle == b.obstacle &&
+         a.kind == b.kind;
+}
+
 bool same_answer(const PlanCall& a, const PlanCall& b) {
   // Not CPU and wall times, which the host measures.
   return a.time_s == b.time_s && a.status == b.status && a.command_kind == b.command_kind;
@@ -148,9 +156,19 @@ StoredTrial with_files(StoredTrial stored, const ReplayFiles& files) {
   return completed(std::move(stored), files);
 }
 
-PlannerSource library_for(const PlannerChoice& choice, const ReplayFiles& files) {
-  std::filesystem::path kept;
-  return {planner_file(choice, files, kept), choice.command};
+FoundPlanner planner_for(const PlannerChoice& choice, const ReplayFiles& files) {
+  // Started as a file of its kind is: no word of the database's is.
+  if (!files.planner.empty()) return {.source = find_planner(files.planner, ".")};
+  for (const PlannerChoice& own : files.own_planners) {
+    const bool is_same = own.command == choice.command && own.file_digest == choice.file_digest;
+    if (is_same) return {.source = own.source()};
+  }
+  if (choice.command.empty()) return planner_of_database(choice, files);
+  throw OptionError("the database names a command as planner " + choice.label + ": " +
+                        command_text(choice) +
+                        ": a command is not started on a database's word. Give the sweep file of "
+                        "yours that has it, or a planner's file to fly instead",
+                    "", "command");
 }
 
 StoredTrial read_stored_trial(const Database& database, const std::string& key) {
@@ -192,29 +210,6 @@ StoredTrial StoredTrialReader::read(const std::string& key) {
   return stored;
 }
 
-/// The scene refers to the world, and the library is loaded last: its digest was compared before.
-Replay::Replay(StoredTrial stored, const ReplayFiles& files)
-    : stored_(with_files(std::move(stored), files)),
-      world_(make_world(stored_.spec.map, stored_.spec.map_seed)),
-      scene_(world_),
-      library_(PlannerLibrary::load(
-          PlannerSource(planner_file(stored_.spec.planner, files, kept_planner_),
-                        stored_.spec.planner.command))) {
-  const PlannerDescription& planner = library_.description();
-  if (world_.digest != stored_.world_digest) {
-    warnings_.emplace_back("the map is another one than that of the stored trial");
-  }
-  // The key holds the result version: another key of the same spec is another version.
-  if (trial_key(stored_.spec) != stored_.row.key) {
-    warnings_.push_back(
-        "the trial was flown by a program whose results differ: see CHANGELOG.md, Results change");
-  }
-  if (planner.file_digest != stored_.spec.planner.file_digest) {  // by --library only
-    warnings_.push_back(other_library_warning(planner));
-  }
-  values_ = usable_values(stored_.spec.planner, planner, warnings_);
-}
-
 std::string other_library_warning(const PlannerDescription& planner) {
   return "the planner's file is another one than in the stored trial: " + planner.file.string();
 }
@@ -240,27 +235,6 @@ std::vector<ParameterValue> usable_values(const PlannerChoice& stored,
   return resolve_parameters(planner, given);
 }
 
-TrialRecord Replay::fly(const TrialObserver& observer, std::vector<std::string>& log) const {
-  std::optional<PlannerInstance> planner;
-  try {
-    planner.emplace(library_, planner_setup(stored_.spec), values_);
-  } catch (const InputError& error) {  // as in a sweep
-    TrialRecord record;
-    record.outcome = Outcome::planner_error;
-    record.reason = error.what();
-    return record;
-  }
-  // What was printed while the planner was made, before what it prints in flight.
-  log = planner->take_log();
-  planner->want_drawings(true);
-  // A trial whose latency was measured repeats only with the times of then.
-  const auto recorded_s = recorded_latencies(stored_.spec, stored_.row.record);
-  TrialRecord record = run_trial(stored_.spec, scene_, stored_.mission, *planner, observer,
-                                 recorded_s ? &*recorded_s : nullptr);
-  for (std::string& line : planner->take_log()) log.push_back(std::move(line));
-  return record;
-}
-
 std::vector<std::string> differences(const TrialRecord& stored, const TrialRecord& flown) {
   std::vector<std::string> lines;
   const auto told = [&lines](const char* what, const std::string& was, const std::string& is) {
@@ -279,6 +253,9 @@ std::vector<std::string> differences(const TrialRecord& stored, const TrialRecor
   }
   if (const auto at = first_difference(stored.plan_calls, flown.plan_calls, same_answer)) {
     lines.push_back("calls of the planner " + place(stored.plan_calls, flown.plan_calls, *at));
+  }
+  if (const auto at = first_difference(stored.collisions, flown.collisions, same_touch)) {
+    lines.push_back("collisions " + place(stored.collisions, flown.collisions, *at));
   }
   return lines;
 }

@@ -6,10 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "render/scene.hpp"
+#include "plugin/planner_library.hpp"
 #include "store/database.hpp"
 #include "store/trial_table.hpp"
-#include "trial/run_trial.hpp"
+#include "trial/mission.hpp"
+#include "trial/trial_record.hpp"
 #include "trial/trial_spec.hpp"
 
 namespace avoidbench {
@@ -31,6 +32,7 @@ struct ReplayFiles {
   std::string wind = {};  ///< of a wind field; "": its name in `folders` and in configs/wind/
   std::vector<std::filesystem::path> folders{"."};  ///< the sweep's, the database's, …
   std::filesystem::path database = {};  ///< beside which copies are kept (base/kept_files.hpp)
+  std::vector<PlannerChoice> own_planners = {};  ///< of a sweep file that the user gave
 };
 
 /// Reads the trial of this key. Throws InputError where there is none, or where another version of
@@ -58,9 +60,17 @@ class StoredTrialReader {
 /// not found.
 StoredTrial with_files(StoredTrial stored, const ReplayFiles& files);
 
-/// The library to fly with, not loaded: what the user names, in any case; what the database names,
-/// only if it is the file that the trial was flown with. Throws InputError.
-PlannerSource library_for(const PlannerChoice& choice, const ReplayFiles& files);
+/// The planner to fly with, not loaded, and whether it is the copy that the run kept.
+struct FoundPlanner {
+  PlannerSource source;
+  bool is_kept = false;
+};
+
+/// What the user names, in any case; else the file that the database names, only if it is the one
+/// that the trial was flown with. A command that the database names is never started: its words can
+/// say anything, whatever file they begin with. It has to be in one of the user's own sweeps.
+/// Throws InputError that says what else can be done.
+FoundPlanner planner_for(const PlannerChoice& choice, const ReplayFiles& files);
 
 /// The stored values of the parameters that the library declares, and presets of others; what does
 /// not fit is warned of.
@@ -71,44 +81,8 @@ std::vector<ParameterValue> usable_values(const PlannerChoice& choice,
 /// That this library is another one than the stored trial's.
 std::string other_library_warning(const PlannerDescription& planner);
 
-/// A stored trial made ready to be flown again in this process. Stays at its address.
-class Replay {
- public:
-  /// Loads map and planner; where their files are gone or are others now, the copies that the run
-  /// kept. Parameters that the library no longer declares are left out. Throws
-  /// InputError where map or planner can't be had, and where the planner that the database names is
-  /// another file than the stored trial's: code is not run on a database's word alone.
-  explicit Replay(StoredTrial stored, const ReplayFiles& files = {});
-  Replay(const Replay&) = delete;
-  Replay& operator=(const Replay&) = delete;
-
-  const StoredTrial& stored() const { return stored_; }
-  const World& world() const { return world_; }
-
-  /// Why the flight may differ from the stored one: another file of the planner, other parameters,
-  /// another version of the program.
-  const std::vector<std::string>& warnings() const { return warnings_; }
-
-  /// The kept copy that the planner is loaded from; empty where its own file is still the one that
-  /// was flown, or another one is named.
-  const std::filesystem::path& kept_planner_file() const { return kept_planner_; }
-
-  /// Flies it, with drawings wanted; measured latencies are those of the stored flight. `log` gets
-  /// what the planner logged before its first and after its last call.
-  TrialRecord fly(const TrialObserver& observer, std::vector<std::string>& log) const;
-
- private:
-  StoredTrial stored_;
-  World world_;
-  Scene scene_;
-  std::vector<std::string> warnings_;
-  std::filesystem::path kept_planner_;
-  PlannerLibrary library_;
-  std::vector<ParameterValue> values_;
-};
-
 /// Where two records of one trial differ in what must not: outcome, end, reason, samples (bit for
-/// bit), status and kind of each plan call; a line each. Empty where they are equal.
+/// bit), status and kind of each plan call, collisions; a line each. Empty where they are equal.
 std::vector<std::string> differences(const TrialRecord& stored, const TrialRecord& flown);
 
 }  // namespace avoidbench

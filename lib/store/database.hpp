@@ -113,9 +113,7 @@ class Database {
   std::vector<TrialListing> list_trials(const std::vector<std::string>& fields = {}) const;
   std::vector<TrialListing> list_trials(std::string_view sweep,
                                         std::int64_t revision) const;  ///< those of a sweep, by id
-  /// What shut the planner in when it flew this trial: RunRow::sandbox.
-  std::string sandbox_of(std::string_view trial_key) const;
-  std::map<std::string, TrialCost> mean_costs() const;  ///< by planner label
+  std::map<std::string, TrialCost> mean_costs() const;                 ///< by planner label
   /// By trial key, then change. Throws InputError for a row that is not as it was stored.
   std::vector<WhatIfRow> read_what_ifs() const;
   /// By trial key. Throws as read_what_ifs().

@@ -169,7 +169,8 @@ std::string listing_query(const Database& db, const std::vector<std::string>& fi
   // The row's number is the id that users type.
   return "SELECT t.rowid, t.trial_key, p.label, m.generator, m.map_seed, "
          "json_extract(m.spec_json, '$.poisson_radius_m'), t.mission_index, t.outcome, t.reason, "
-         "t.end_time_s, i.start_x_m, i.start_y_m, i.start_z_m, i.goal_x_m, i.goal_y_m, i.goal_z_m" +
+         "t.end_time_s, i.start_x_m, i.start_y_m, i.start_z_m, i.goal_x_m, i.goal_y_m, i.goal_z_m, "
+         "t.map_key" +
          field_columns(db, fields) +
          " FROM trials t JOIN planners p USING (planner_key) JOIN maps m ON m.map_key = t.map_key "
          "JOIN missions i ON i.map_key = t.map_key AND i.mission_index = t.mission_index JOIN runs "
@@ -178,7 +179,7 @@ std::string listing_query(const Database& db, const std::vector<std::string>& fi
 
 /// The rows of listing_query().
 std::vector<TrialListing> listings(Statement& s, std::size_t field_count) {
-  constexpr int kFirstField = 16;
+  constexpr int kFirstField = 17;
   s.rows_of("trials", 1);
   std::vector<TrialListing> trials;
   while (s.step()) {
@@ -193,7 +194,8 @@ std::vector<TrialListing> listings(Statement& s, std::size_t field_count) {
                       .reason = s.free_text(8),
                       .end_time_s = s.real(9),
                       .mission = {.start_world = {s.real(10), s.real(11), s.real(12)},
-                                  .goal_world = {s.real(13), s.real(14), s.real(15)}}});
+                                  .goal_world = {s.real(13), s.real(14), s.real(15)}},
+                      .map_key = s.text(16)});
     for (std::size_t i = 0; i < field_count; ++i) {
       trials.back().fields.push_back(s.value(kFirstField + static_cast<int>(i)));
     }
@@ -320,13 +322,6 @@ std::vector<TrialListing> Database::list_trials(std::string_view sweep,
                   "ORDER BY t.rowid");
   s.bind_text(sweep).bind_integer(revision);
   return listings(s, 0);
-}
-
-std::string Database::sandbox_of(std::string_view trial_key) const {
-  Statement s(handle(), path(),
-              "SELECT r.sandbox FROM trials t JOIN runs r USING (run_id) WHERE t.trial_key = ?");
-  s.bind_text(trial_key);
-  return s.step() ? s.free_text(0) : "";
 }
 
 std::map<std::string, TrialCost> Database::mean_costs() const {

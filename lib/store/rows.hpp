@@ -113,6 +113,7 @@ struct TrialListing {
   std::string reason;
   double end_time_s = 0.0;  ///< NaN where not known
   Mission mission = {};
+  std::string map_key = {};
   std::vector<TableValue> fields = {};  ///< one an element of those that were asked for
 };
 

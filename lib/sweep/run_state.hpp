@@ -40,10 +40,7 @@ struct Run {
   std::map<std::string, std::string> last_words;  ///< of workers that died, by key of their trial
   bool has_begun = false;                         ///< the database knows of this run
 
-  // Two stages: no further job is handed out; what is in flight is ended, too. Signal handlers set
-  // both, so that they are atomics of the caller's.
   bool is_stopped() const { return options.stop != nullptr && options.stop->load(); }
-  bool must_end_now() const { return options.stop_now != nullptr && options.stop_now->load(); }
 };
 
 void report_progress(const Run& run);

@@ -16,8 +16,8 @@
 #include "plugin/planner_description.hpp"
 #include "plugin/planner_library.hpp"
 #include "sweep/key_maker.hpp"
+#include "sweep/run_in_workers.hpp"
 #include "sweep/run_state.hpp"
-#include "sweep/seats.hpp"
 #include "sweep/sweep_rows.hpp"
 #include "worker/worker.hpp"
 

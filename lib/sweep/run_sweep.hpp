@@ -1,12 +1,12 @@
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "fleet/fleet.hpp"
 #include "store/database.hpp"
 #include "sweep/schedule.hpp"
 #include "sweep/sweep_spec.hpp"
@@ -37,33 +37,25 @@ struct SweepRevision {
   std::vector<std::string> changes;  ///< of a new one: where it differs from the one before
 };
 
-struct RunOptions {
-  int jobs = 1;
+/// A run's trials are flown by a fleet.
+struct RunOptions : FleetOptions {
   Shard shard;
   Rerun rerun = Rerun::none;  ///< failed: that ended in an error, a crash or a hang of the planner
   std::string rerun_key;      ///< of the chosen one: the key or its beginning
   /// Trials fly in this process, one after the other, for debuggers. Crashes and hangs are not
   /// caught then, and the C library's processor-dependent functions are in use by planners.
   bool in_process = false;
-  std::vector<std::string> worker_command;  ///< starts a worker; four file descriptors are appended
-  std::string sandbox;      ///< that workers enter, as text(SandboxSupport) has it; "": none
-  double silence_s = 30.0;  ///< a worker that says for so long not even that it lives is ended
-  double trial_timeout_s = 3600.0;  ///< wall time after which a trial ends as planner_hung
-  double grace_s = 30.0;            ///< after `stop`, for the trials that fly
   /// Copies of the planners, and of the maps and wind fields, are kept beside the database.
   bool keep_planners = false, keep_maps = false;
   std::function<void(const Progress&)> on_progress;  ///< at each change, and each second
   /// Before the first trial, where the sweep has several revisions.
   std::function<void(const SweepRevision&)> on_revision = {};
-  const std::atomic<bool>* stop =
-      nullptr;  ///< set: hand out nothing more, commit what ends within grace_s, return
-  const std::atomic<bool>* stop_now = nullptr;  ///< set: end what flies, return
 };
 
-/// A trial that is not in the database, since its worker was killed from outside more than once.
+/// A trial that is not in the database, since its workers were killed from outside: kMostTries.
 struct UnflownTrial {
   std::string key, planner_label;
-  std::string reason;  ///< "signal 9 (Killed)"
+  std::string reason;  ///< "signal 9 (Killed)", and of its map: "…, while it measured the map"
 };
 
 struct RunSummary {

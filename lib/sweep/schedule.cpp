@@ -11,15 +11,6 @@
 namespace avoidbench {
 namespace {
 
-TrialGroup& group_of(MapPlan& map, const std::string& label) {
-  const auto found =
-      std::find_if(map.groups.begin(), map.groups.end(),
-                   [&](const TrialGroup& group) { return group.planner_label == label; });
-  if (found != map.groups.end()) return *found;
-  map.groups.push_back({.planner_label = label, .waiting = {}});
-  return map.groups.back();
-}
-
 /// Whether each of the keys has been there before.
 /// Different settings may have one key, such as two that differ in what their mode does not use.
 std::vector<bool> repeated(const std::vector<std::string>& keys) {
@@ -103,6 +94,15 @@ std::vector<PlannedTrial> trials_of(const Shard& shard, std::vector<PlannedTrial
   return kept;
 }
 
+TrialGroup& group_of(MapPlan& map, const std::string& planner_label) {
+  const auto found =
+      std::find_if(map.groups.begin(), map.groups.end(),
+                   [&](const TrialGroup& group) { return group.planner_label == planner_label; });
+  if (found != map.groups.end()) return *found;
+  map.groups.push_back({.planner_label = planner_label, .waiting = {}});
+  return map.groups.back();
+}
+
 std::size_t waiting_count(const MapPlan& map) {
   std::size_t count = 0;
   for (const TrialGroup& group : map.groups) count += group.waiting.size();
@@ -146,6 +146,18 @@ Schedule make_schedule(std::vector<PlannedTrial> trials,
   return schedule;
 }
 
+void add_waiting(Schedule& schedule, std::size_t trial, const std::string& map_key,
+                 const std::string& planner_label) {
+  auto map = std::find_if(schedule.maps.begin(), schedule.maps.end(),
+                          [&](const MapPlan& one) { return one.key == map_key; });
+  if (map == schedule.maps.end()) {
+    map = schedule.maps.insert(map, MapPlan{});
+    map->key = map_key;
+    map->record.emplace();
+  }
+  group_of(*map, planner_label).waiting.push_back(trial);
+}
+
 /// In this order: the same planner on the map at hand, any planner there, a map to measure, the
 /// largest group anywhere.
 std::optional<Assignment> next_assignment(Schedule& schedule, const Memory& memory) {
@@ -176,16 +188,6 @@ std::string first_planner(const Schedule& schedule, std::size_t map) {
   const std::vector<TrialGroup>& groups = schedule.maps[map].groups;
   const auto first = largest(groups);
   return first == groups.end() ? std::string() : first->planner_label;
-}
-
-void give_back(Schedule& schedule, const Assignment& assignment) {
-  MapPlan& map = schedule.maps[assignment.map];
-  if (!assignment.trial) {
-    map.is_requested = false;
-    return;
-  }
-  const std::string& label = schedule.trials[*assignment.trial].planner_label();
-  group_of(map, label).waiting.push_back(*assignment.trial);
 }
 
 }  // namespace avoidbench

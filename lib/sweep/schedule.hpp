@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "fleet/fleet.hpp"
 #include "metrics/map_record.hpp"
 #include "sweep/shard.hpp"
 #include "sweep/sweep_spec.hpp"
@@ -36,9 +37,12 @@ struct MapPlan {
 /// Trials of this map that are not handed out yet.
 std::size_t waiting_count(const MapPlan& map);
 
+/// Those of this planner; the group is made where there is none.
+TrialGroup& group_of(MapPlan& map, const std::string& planner_label);
+
 /// What there is to do, and what of it is done. Plain data; the functions below change it.
 /// Invariant: a trial is in one `waiting` list, handed out, or settled; next_assignment() takes it
-/// out and give_back() returns it. Trials of a map without a record are never handed out.
+/// out. Trials of a map without a record are never handed out.
 struct Schedule {
   std::vector<PlannedTrial> trials;
   std::vector<std::string> keys;    ///< of the trials
@@ -50,16 +54,15 @@ struct Schedule {
 Schedule make_schedule(std::vector<PlannedTrial> trials,
                        const std::set<std::string>& finished_keys);
 
+/// Adds a trial by a number of the caller's, on a map that need not be measured: what is stored
+/// waits so to be flown again. To be called for trials from the last to the first.
+void add_waiting(Schedule& schedule, std::size_t trial, const std::string& map_key,
+                 const std::string& planner_label);
+
 /// One job: measure `map`, or fly `trial` on it.
 struct Assignment {
   std::size_t map = 0;
   std::optional<std::size_t> trial;
-};
-
-/// What a worker process has in memory: a map, and the planner that it flew there.
-struct Memory {
-  std::optional<std::size_t> map;
-  std::string planner_label;  ///< "": none yet
 };
 
 /// The next job for a worker with this in memory: a trial of its planner on its map, else one of
@@ -69,8 +72,5 @@ std::optional<Assignment> next_assignment(Schedule& schedule, const Memory& memo
 
 /// The planner whose trials a worker that has measured this map gets first; "" where none is left.
 std::string first_planner(const Schedule& schedule, std::size_t map);
-
-/// The job was not done: it will be handed out again.
-void give_back(Schedule& schedule, const Assignment& assignment);
 
 }  // namespace avoidbench

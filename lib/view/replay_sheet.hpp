@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "render/scene.hpp"
 #include "replay/replay.hpp"
+#include "trial/trial_observer.hpp"
 #include "view/replay_panel.hpp"
 #include "view/struck_obstacle.hpp"
 

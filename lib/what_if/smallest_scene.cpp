@@ -10,6 +10,7 @@
 #include "base/math.hpp"
 #include "map_file/export_map.hpp"
 #include "maps/map_spec.hpp"
+#include "replay/stored_flight.hpp"
 #include "sweep/listed_missions.hpp"
 #include "what_if/ddmin.hpp"
 #include "world/scenery.hpp"
@@ -98,11 +99,10 @@ struct SceneEnd {
 /// Flies the trial on maps that are files.
 class SceneFlights {
  public:
-  SceneFlights(const SceneRequest& request, Job job, std::uint32_t needs, World world)
-      : request_(request), job_(std::move(job)), needs_(needs), world_(std::move(world)) {}
+  SceneFlights(const SceneRequest& request, Job job, const PlannerDescription& planner, World world)
+      : request_(request), job_(std::move(job)), planner_(planner), world_(std::move(world)) {}
 
   const World& world() const { return world_; }
-  const Job& job() const { return job_; }
   std::int64_t count() const { return count_; }
   bool is_stopped() const { return is_stopped_; }
   const SceneEnd& end_of(const IndexSet& set) const { return ends_.at(sorted(set)); }
@@ -171,38 +171,44 @@ class SceneFlights {
   void fly(const std::vector<IndexSet>& sets, std::size_t begin, std::size_t end) {
     std::size_t index = begin;
     std::map<std::size_t, std::filesystem::path> tried;
-    const auto next = [&]() -> std::optional<FleetFlight> {
+    const auto next = [&](const Memory&) -> std::optional<FleetJob> {
       while (index < end && ends_.contains(sorted(sets[index]))) ++index;
       if (index == end) return std::nullopt;
       const std::size_t now = index++;
       tried[now] = request_.folder / ("tried_" + std::to_string(now) + ".glb");
-      FleetFlight flight{.index = now, .job = job_, .needs = needs_};
+      FleetJob flight = fleet_job(now, job_, planner_);
+      flight.map = now;
       flight.job.spec = write_map(sets[now], tried[now]);
       return flight;
     };
-    const auto ended = [&](std::size_t now, const ApartFlight& flight) {
-      if (!flight.killed_by.empty()) {
-        throw InputError("the worker that flew was killed, " + flight.killed_by +
+    const auto ended = [&](const FleetJob& job, const JobEnd& its_end) {
+      if (!its_end.killed_by.empty()) {
+        throw InputError("the workers that flew were killed, by " + its_end.killed_by +
                          ": run the same command again, with fewer workers if memory is short");
       }
-      ends_[sorted(sets[now])] = {flight.record.outcome, flight.record.reason};
+      if (its_end.answer && !its_end.answer->error.empty()) throw InputError(its_end.answer->error);
+      const TrialRecord record = record_of(its_end, job.job.spec.planner);
+      ends_[sorted(sets[job.index])] = {record.outcome, record.reason};
     };
     const auto forget = [&] {
       std::error_code error;
       for (const auto& [now, file] : tried) std::filesystem::remove(file, error);
     };
     try {
-      is_stopped_ = !fly_fleet(next, ended, request_.fleet);
+      avoidbench::fly(next, ended, request_.fleet);
     } catch (...) {
       forget();
       throw;
     }
     forget();
+    for (std::size_t i = begin; i < end; ++i) {
+      is_stopped_ = is_stopped_ || !ends_.contains(sorted(sets[i]));
+    }
   }
 
   const SceneRequest& request_;
   Job job_;
-  std::uint32_t needs_ = 0;
+  const PlannerDescription& planner_;
   World world_;
   std::map<IndexSet, SceneEnd> ends_;
   std::set<std::pair<std::int64_t, IndexSet>> counted_;
@@ -230,13 +236,13 @@ SmallestScene smallest_scene(const SceneRequest& request) {
   std::vector<std::string> warnings;
   const StoredTrial stored = with_files(request.stored, request.files);
   const PlannerDescription planner =
-      describe_planner(library_for(stored.spec.planner, request.files));
+      describe_planner(planner_for(stored.spec.planner, request.files).source);
   Job job = stored_job(stored, planner, warnings);
   job.mission->mission.start_yaw_rad = written_yaw_rad(job.mission->mission);
   const std::vector<Sample>& path = stored.row.record.samples;
   World world = still_world(make_world(stored.spec.map, stored.spec.map_seed),
                             path.empty() ? 0.0 : path.back().time_s);
-  SceneFlights flights(request, std::move(job), planner.needs, std::move(world));
+  SceneFlights flights(request, std::move(job), planner, std::move(world));
   const IndexSet all = by_distance(flights.world(), path);
   // Mission 0 of a list of one if that fails, too; else as many as keep the number, from which
   // noise follows.

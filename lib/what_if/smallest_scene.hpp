@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "fleet/fleet.hpp"
 #include "replay/replay.hpp"
-#include "what_if/fleet.hpp"
 
 /// The smallest set of obstacles with which a flight still does not reach its goal.
 namespace avoidbench {

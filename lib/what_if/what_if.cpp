@@ -7,8 +7,9 @@
 #include <utility>
 
 #include "base/input_error.hpp"
+#include "replay/stored_flight.hpp"
 #include "store/record_format.hpp"
-#include "sweep/key_maker.hpp"
+#include "sweep/schedule.hpp"
 #include "text/words.hpp"
 #include "worker/worker_death.hpp"
 
@@ -18,7 +19,6 @@ namespace {
 /// A trial made ready to be flown with a change.
 struct PreparedFlight {
   Job job;
-  std::uint32_t needs = 0;
   std::string not_applicable;
 };
 
@@ -36,8 +36,7 @@ std::vector<double> repeated_latencies(const std::vector<double>& recorded_s,
 
 PreparedFlight prepared(const StoredTrial& stored, const Change& change,
                         const PlannerDescription& planner, std::vector<std::string>& warnings) {
-  PreparedFlight flight{
-      .job = stored_job(stored, planner, warnings), .needs = planner.needs, .not_applicable = {}};
+  PreparedFlight flight{.job = stored_job(stored, planner, warnings), .not_applicable = {}};
   ChangedTrial trial{.spec = flight.job.spec};
   flight.not_applicable = change.apply({stored.row.record, planner}, trial);
   flight.job.spec = std::move(trial.spec);
@@ -85,23 +84,6 @@ std::vector<TrialListing> chosen_for(const Database& database, const WhatIfReque
   return all;
 }
 
-/// Planners of this process, each described once.
-class Planners {
- public:
-  explicit Planners(const ReplayFiles& files) : files_(files) {}
-
-  const PlannerDescription& of(const PlannerChoice& choice) {
-    const std::string key = choice.plugin + '\n' + choice.file_digest;
-    const auto known = planners_.find(key);
-    if (known != planners_.end()) return known->second;
-    return planners_.emplace(key, describe_planner(library_for(choice, files_))).first->second;
-  }
-
- private:
-  const ReplayFiles& files_;
-  std::map<std::string, PlannerDescription> planners_;
-};
-
 }  // namespace
 
 std::size_t WhatIfPlan::missing_count() const {
@@ -119,13 +101,13 @@ WhatIfPlan plan_what_ifs(const Database& database, const WhatIfRequest& request,
   WhatIfPlan plan;
   std::set<std::string> warnings;
   std::int64_t of_other_program = 0;
-  Planners planners(source.files);
+  ReplayPlanners planners(source.files);
   for (const TrialListing& listing : chosen_for(database, request)) {
     const StoredTrial stored = source.read(database, listing.key);
     const TrialRecord& record = stored.row.record;
     const bool is_of_this_program = trial_key(stored.spec) == listing.key;
     of_other_program += is_of_this_program ? 0 : 1;
-    const PlannerDescription& planner = planners.of(stored.spec.planner);
+    const PlannerDescription& planner = planners.of(stored.spec.planner).description;
     const bool is_repeated = is_of_this_program && must_repeat(record) &&
                              planner.file_digest == stored.spec.planner.file_digest;
     plan.trials.push_back({.id = listing.id,
@@ -163,54 +145,55 @@ WhatIfPlan plan_what_ifs(const Database& database, const WhatIfRequest& request,
 WhatIfRun fly_what_ifs(WhatIfPlan& plan, Database& database, const WhatIfSource& source,
                        const FleetOptions& options,
                        const std::function<void(std::size_t, std::size_t)>& flown) {
-  std::vector<std::size_t> order;  // of what is missing
-  for (std::size_t i = 0; i < plan.flights.size(); ++i) {
-    if (plan.flights[i].is_missing()) order.push_back(i);
+  Schedule schedule;
+  std::size_t missing = 0, done = 0;
+  for (std::size_t i = plan.flights.size(); i-- > 0;) {
+    if (!plan.flights[i].is_missing()) continue;
+    const WhatIfTrial& trial = plan.trials[plan.flights[i].trial];
+    add_waiting(schedule, i, trial.map_key, trial.planner_label);
+    ++missing;
   }
-  // By planner and map: a worker keeps both for its next flight.
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    const WhatIfTrial& one = plan.trials[plan.flights[a].trial];
-    const WhatIfTrial& other = plan.trials[plan.flights[b].trial];
-    return std::tie(one.planner_label, one.map_key) < std::tie(other.planner_label, other.map_key);
-  });
   WhatIfRun run;
-  Planners planners(source.files);
-  std::map<std::size_t, std::string> digests;  // of the planners that fly
-  std::size_t begun = 0, done = 0;
-  const auto next = [&]() -> std::optional<FleetFlight> {
-    if (begun == order.size()) return std::nullopt;
-    const std::size_t index = order[begun++];
+  ReplayPlanners planners(source.files);
+  const auto next = [&](const Memory& memory) -> std::optional<FleetJob> {
+    const auto assignment = next_assignment(schedule, memory);
+    if (!assignment) return std::nullopt;
+    const std::size_t index = *assignment->trial;
     const WhatIfFlight& planned = plan.flights[index];
-    const StoredTrial stored =
-        with_files(source.read(database, plan.trials[planned.trial].key), source.files);
-    std::vector<std::string> warnings;  // told by the plan
-    PreparedFlight flight =
-        prepared(stored, *planned.change, planners.of(stored.spec.planner), warnings);
-    digests[index] = flight.job.spec.planner.file_digest;
-    return FleetFlight{.index = index, .job = std::move(flight.job), .needs = flight.needs};
-  };
-  const auto ended = [&](std::size_t index, const ApartFlight& flight) {
-    WhatIfFlight& planned = plan.flights[index];
     const WhatIfTrial& trial = plan.trials[planned.trial];
-    flown(++done, order.size());
-    if (!flight.killed_by.empty()) {
+    const StoredTrial stored = with_files(source.read(database, trial.key), source.files);
+    std::vector<std::string> warnings;  // told by the plan
+    const PlannerDescription& planner = planners.of(stored.spec.planner).description;
+    PreparedFlight flight = prepared(stored, *planned.change, planner, warnings);
+    FleetJob job = fleet_job(index, std::move(flight.job), planner);
+    job.map = assignment->map;
+    job.planner_label = trial.planner_label;
+    return job;
+  };
+  const auto ended = [&](const FleetJob& job, JobEnd end) {
+    WhatIfFlight& planned = plan.flights[job.index];
+    const WhatIfTrial& trial = plan.trials[planned.trial];
+    if (end.answer && !end.answer->error.empty()) throw InputError(end.answer->error);
+    flown(++done, missing);
+    if (!end.killed_by.empty()) {
       run.unflown.push_back("trial " + std::to_string(trial.id) + " " +
-                            std::string(planned.change->phrase) + ": its worker was killed, " +
-                            flight.killed_by);
+                            std::string(planned.change->phrase) + ": its workers were killed, by " +
+                            end.killed_by);
       return;
     }
+    const TrialRecord record = record_of(end, job.job.spec.planner);
     planned.row = {.trial_key = trial.key,
                    .change = std::string(planned.change->name),
-                   .outcome = flight.record.outcome,
-                   .reason = flight.record.reason,
-                   .end_time_s = flight.record.end_time_s,
+                   .outcome = record.outcome,
+                   .reason = record.reason,
+                   .end_time_s = record.end_time_s,
                    .program_version = source.program_version,
-                   .planner_digest = digests.at(index),
-                   .record_digest = record_digest(flight.record)};
+                   .planner_digest = job.job.spec.planner.file_digest,
+                   .record_digest = record_digest(record)};
     database.add_what_if(*planned.row);
   };
-  // The last flights may end while it is told to stop.
-  run.is_stopped = !fly_fleet(next, ended, options) && done < order.size();
+  fly(next, ended, options);
+  run.is_stopped = done < missing;
   return run;
 }
 

@@ -6,9 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "fleet/fleet.hpp"
+#include "replay/replay.hpp"
 #include "store/database.hpp"
 #include "what_if/changes.hpp"
-#include "what_if/fleet.hpp"
 
 /// Stored trials flown again with one thing changed: which, what became of them.
 namespace avoidbench {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cerrno>
+#include <span>
 #include <string_view>
 
 #include "base/check.hpp"
@@ -133,6 +134,8 @@ bool answers(const JobResult& result, const Job& job) {
   if (result.token != job.token) return false;
   // An error is an answer, whatever else is missing.
   if (!result.error.empty()) return true;
+  if (job.lookout && !result.reported) return false;
+  if (job.lookout && !job.lookout->has_flight) return true;
   if (job.mission) return result.trial && result.metrics.size() == metric_table().size();
   const auto count = static_cast<std::size_t>(job.mission_count);
   if (!result.map || result.map->missions.size() != count) return false;
@@ -150,10 +153,22 @@ JobResult parsed(const Message& message) {
   result.error = message.json.at("error");
   result.wall_time_s = message.json.at("wall_time_s");
   result.is_out_of_memory = message.json.at("is_out_of_memory");
+  result.world_digest = message.json.at("world_digest");
+  std::span<const std::byte> samples = message.bytes;
+  if (message.json.contains("reported")) {
+    const auto begin = message.json.at("reported_from").get<std::size_t>();
+    if (begin > samples.size()) throw InputError("the report lies outside the message");
+    const std::span<const std::byte> reported = samples.subspan(begin);
+    samples = samples.first(begin);
+    result.reported = {.json = message.json.at("reported"),
+                       .bytes = {reported.begin(), reported.end()}};
+  }
+  // The last sample is cut off.
+  if (samples.size() % kSampleBytes != 0) throw InputError("half a sample");
   if (message.json.contains("map")) result.map = map_from_json(message.json.at("map"));
   if (message.json.contains("trial")) {
     result.trial = trial_from_json(message.json.at("trial"));
-    result.trial->samples = samples_from_bytes(message.bytes);
+    result.trial->samples = samples_from_bytes(samples);
     for (const json& value : message.json.at("metrics")) {
       result.metrics.push_back(number_from_json(value));
     }
@@ -162,6 +177,23 @@ JobResult parsed(const Message& message) {
 }
 
 }  // namespace
+
+Message record_message(const TrialRecord& record) {
+  Message message{.json = trial_to_json(record), .bytes = sample_bytes(record.samples)};
+  // NaN of flights that an older program stored.
+  message.json["end_time_s"] = number_to_json(record.end_time_s);
+  return message;
+}
+
+TrialRecord record_from(const Message& message) {
+  json trial = message.json;
+  const double end_time_s = number_from_json(trial.at("end_time_s"));
+  trial["end_time_s"] = 0.0;
+  TrialRecord record = trial_from_json(trial);
+  record.end_time_s = end_time_s;
+  record.samples = samples_from_bytes(message.bytes);
+  return record;
+}
 
 Message job_message(const Job& job) {
   Message message;
@@ -175,6 +207,13 @@ Message job_message(const Job& job) {
   if (job.recorded_latency_s) message.json["recorded_latency_s"] = *job.recorded_latency_s;
   if (job.change.tracks_perfectly) message.json["tracks_perfectly"] = true;
   if (job.change.still_at_s) message.json["still_at_s"] = *job.change.still_at_s;
+  if (job.lookout) {
+    message.json["lookout"] = {{"kind", job.lookout->kind},
+                               {"wanted", job.lookout->wanted.json},
+                               {"most_bytes", job.lookout->most_bytes},
+                               {"has_flight", job.lookout->has_flight}};
+    message.bytes = job.lookout->wanted.bytes;
+  }
   return message;
 }
 
@@ -185,12 +224,19 @@ Job job_from(const Message& message) {
           .listed_missions = {},
           .mission = std::nullopt,
           .recorded_latency_s = std::nullopt,
-          .change = {}};
+          .change = {},
+          .lookout = {}};
   if (const auto recorded = message.json.find("recorded_latency_s"); recorded != message.json.end())
     job.recorded_latency_s = recorded->get<std::vector<double>>();
   job.change.tracks_perfectly = message.json.value("tracks_perfectly", false);
   if (const auto still = message.json.find("still_at_s"); still != message.json.end())
     job.change.still_at_s = still->get<double>();
+  if (const auto lookout = message.json.find("lookout"); lookout != message.json.end()) {
+    job.lookout = {.kind = lookout->at("kind"),
+                   .wanted = {.json = lookout->at("wanted"), .bytes = message.bytes},
+                   .most_bytes = lookout->at("most_bytes"),
+                   .has_flight = lookout->at("has_flight")};
+  }
   for (const json& mission : message.json.at("listed_missions"))
     job.listed_missions.push_back(places_from_json(mission));
   if (message.json.contains("mission")) job.mission = mission_from_json(message.json.at("mission"));
@@ -203,6 +249,7 @@ Message result_message(const JobResult& result) {
   message.json["error"] = result.error;
   message.json["wall_time_s"] = result.wall_time_s;
   message.json["is_out_of_memory"] = result.is_out_of_memory;
+  message.json["world_digest"] = result.world_digest;
   if (result.map) message.json["map"] = map_to_json(*result.map);
   if (result.trial) {
     message.json["trial"] = trial_to_json(*result.trial);
@@ -211,18 +258,22 @@ Message result_message(const JobResult& result) {
     message.json["metrics"] = metrics;
     message.bytes = sample_bytes(result.trial->samples);
   }
+  if (result.reported) {
+    message.json["reported"] = result.reported->json;
+    message.json["reported_from"] = message.bytes.size();
+    message.bytes.insert(message.bytes.end(), result.reported->bytes.begin(),
+                         result.reported->bytes.end());
+  }
   return message;
 }
 
 std::optional<JobResult> result_from(const Message& message, const Job& job) {
-  // The last sample is cut off.
-  if (message.bytes.size() % kSampleBytes != 0) return std::nullopt;
   try {
     JobResult result = parsed(message);
     if (answers(result, job)) return result;
   } catch (const nlohmann::json::exception&) {  // a part is missing or of another type
   } catch (const std::bad_optional_access&) {   // no outcome of ours
-  } catch (const InputError&) {                 // calls that can't be read
+  } catch (const InputError&) {                 // samples or calls that can't be read
   }
   return std::nullopt;
 }
@@ -235,7 +286,8 @@ std::size_t most_result_bytes(const Job& job) {
       time_s * ((job.spec.rates.sample_hz + kJerkRate_hz) * static_cast<double>(kSampleBytes) +
                 job.spec.rates.plan_hz * kPlanCall);
   const double of_map = static_cast<double>(job.mission_count) * kMission;
-  return static_cast<std::size_t>(kRest + kSpare * (of_flight + of_map));
+  const std::size_t of_lookout = job.lookout ? job.lookout->most_bytes : 0;
+  return static_cast<std::size_t>(kRest + kSpare * (of_flight + of_map)) + of_lookout;
 }
 
 std::string make_token() {

@@ -13,6 +13,14 @@
 /// What a worker is asked to do and what it answers, as messages.
 namespace avoidbench {
 
+/// What somebody wants to know of a trial besides its record: see Lookout.
+struct LookoutJob {
+  std::string kind;            ///< of the lookout: one that run_worker() was given
+  Message wanted;              ///< what it needs to know
+  std::size_t most_bytes = 0;  ///< that it reports
+  bool has_flight = true;      ///< false: it looks at the map alone, and no planner is flown
+};
+
 /// Measure a map and lay out its missions, or, with a mission, fly one trial.
 struct Job {
   /// Drawn for this job; the answer repeats it, so that an older one, or one that somebody else
@@ -24,15 +32,18 @@ struct Job {
   std::optional<MissionRecord> mission;       ///< of a trial job
   std::optional<std::vector<double>> recorded_latency_s = {};  ///< of one that replays
   FlightChange change = {};                                    ///< of a trial job
+  std::optional<LookoutJob> lookout = {};                      ///< of a trial job
 };
 
-/// The answer: a map, a flown trial with its metrics, or why neither could be had.
+/// The answer: a map, a flown trial with its metrics, what a lookout reports, or why there is none.
 struct JobResult {
   std::string token = {};
   std::optional<MapRecord> map;
   std::optional<TrialRecord> trial;
   std::vector<double> metrics;
-  double wall_time_s = 0.0;  ///< that the job took
+  std::string world_digest;         ///< of the map
+  std::optional<Message> reported;  ///< by the lookout
+  double wall_time_s = 0.0;         ///< that the job took
   std::string error;
   bool is_out_of_memory = false;  ///< that was the error
 };
@@ -43,6 +54,11 @@ Message result_message(const JobResult& result);
 /// Nothing where the message is no answer to this job: another token, a part that is missing, of
 /// another type or of another size than asked for.
 std::optional<JobResult> result_from(const Message& message, const Job& job);
+
+/// A flight's record as a message, bit for bit.
+Message record_message(const TrialRecord& record);
+/// Throws InputError or nlohmann's exceptions where the message is none.
+TrialRecord record_from(const Message& message);
 
 /// No answer to this job is longer.
 std::size_t most_result_bytes(const Job& job);

@@ -123,11 +123,13 @@ struct Worker::Internals {
   std::map<std::string, PlannerInstance> instances;  // by instance_key
   std::optional<FlightJournal> journal;
   std::optional<PrintTrimmer> trimmer;
+  LookoutMakers lookouts;
 
   const MapScene& map_of(const TrialSpec& spec);
   PlannerInstance& instance_of(const TrialSpec& spec);
-  TrialRecord fly(const Job& job, const Scene& scene);
-  TrialObserver bookkeeper();
+  TrialRecord fly(const Job& job, const Scene& scene, std::optional<Lookout>& lookout);
+  TrialObserver bookkeeper(const Lookout* lookout);
+  std::optional<Lookout> lookout_of(const Job& job, const World& world);
 };
 
 const MapScene& Worker::Internals::map_of(const TrialSpec& spec) {
@@ -157,7 +159,14 @@ PlannerInstance& Worker::Internals::instance_of(const TrialSpec& spec) {
   return instances.emplace(key, std::move(made)).first->second;
 }
 
-TrialRecord Worker::Internals::fly(const Job& job, const Scene& scene) {
+std::optional<Lookout> Worker::Internals::lookout_of(const Job& job, const World& world) {
+  if (!job.lookout) return std::nullopt;
+  return lookouts.at(job.lookout->kind)(job, world);
+}
+
+/// `lookout` gets what has looked on, where the job asks for one.
+TrialRecord Worker::Internals::fly(const Job& job, const Scene& scene,
+                                   std::optional<Lookout>& lookout) {
   PlannerInstance* planner = nullptr;
   try {
     planner = &instance_of(job.spec);
@@ -170,36 +179,44 @@ TrialRecord Worker::Internals::fly(const Job& job, const Scene& scene) {
   }
   const std::vector<double>* recorded_s =
       job.recorded_latency_s ? &*job.recorded_latency_s : nullptr;
+  planner->want_drawings(lookout && lookout->wants_drawings);
+  if (lookout && lookout->logged) lookout->logged(planner->take_log());
   const auto flown = [&] {
-    return run_trial(job.spec, scene, job.mission->mission, *planner, bookkeeper(), recorded_s,
-                     job.change);
+    return run_trial(job.spec, scene, job.mission->mission, *planner,
+                     bookkeeper(lookout ? &*lookout : nullptr), recorded_s, job.change);
   };
   TrialRecord record = flown();
   const auto was_killed = [&] {
     return record.outcome == Outcome::planner_crashed && planner->was_killed();
   };
-  if (!was_killed()) return record;
-  // By somebody else, maybe, as a worker may be: flown again. A second time it counts, unless a
-  // limit of CPU time ends programs whatever they do.
-  if (journal) journal->restart();
-  record = flown();
-  if (was_killed() && has_cpu_limit()) end_from_outside(SIGXCPU);
+  if (was_killed()) {
+    // By somebody else, maybe, as a worker may be: flown again. A second time it counts, unless a
+    // limit of CPU time ends programs whatever they do.
+    if (journal) journal->restart();
+    lookout = lookout_of(job, scene.world());
+    record = flown();
+    if (was_killed() && has_cpu_limit()) end_from_outside(SIGXCPU);
+  }
+  if (lookout && lookout->logged) lookout->logged(planner->take_log());
   return record;
 }
 
-TrialObserver Worker::Internals::bookkeeper() {
+TrialObserver Worker::Internals::bookkeeper(const Lookout* lookout) {
   TrialObserver observer;
+  if (lookout != nullptr) observer = lookout->observer;
   if (!journal && !trimmer) return observer;
   // Before each call: what a dead worker leaves is then all up to the call that it died in.
-  observer.planning = [this](const PlanCallAhead& call) {
+  observer.planning = [this, asked = observer.planning](const PlanCallAhead& call) {
     if (journal) journal->add(call.record, call.time_s);
     if (trimmer) trimmer->trim();
-    return true;
+    return !asked || asked(call);
   };
   return observer;
 }
 
-Worker::Worker() : internals_(std::make_unique<Internals>()) {}
+Worker::Worker(LookoutMakers lookouts) : internals_(std::make_unique<Internals>()) {
+  internals_->lookouts = std::move(lookouts);
+}
 Worker::~Worker() = default;
 Worker::Worker(Worker&&) noexcept = default;
 Worker& Worker::operator=(Worker&&) noexcept = default;
@@ -213,12 +230,15 @@ JobResult Worker::work(const Job& job) {
   if (internals_->trimmer) internals_->trimmer->restart();
   try {
     const MapScene& map = internals_->map_of(job.spec);
+    result.world_digest = map.world.digest;
+    std::optional<Lookout> lookout = internals_->lookout_of(job, map.world);
     if (!job.mission) {
       result.map = make_map_record(job.spec, map.scene, job.mission_count, job.listed_missions);
-    } else {
-      result.trial = internals_->fly(job, map.scene);
+    } else if (!lookout || job.lookout->has_flight) {
+      result.trial = internals_->fly(job, map.scene, lookout);
       result.metrics = compute_metrics({job.spec, *job.mission, *result.trial});
     }
+    if (lookout) result.reported = lookout->report(result.trial ? &*result.trial : nullptr);
   } catch (const InputError& error) {
     result.error = error.what();
   } catch (const std::bad_alloc&) {
@@ -260,7 +280,7 @@ void Worker::watch(const WorkerOptions& options) {
   });
 }
 
-int run_worker(const WorkerOptions& options) {
+int run_worker(const WorkerOptions& options, LookoutMakers lookouts) {
   // Files, locks and pipes that the shell, a script or a build left open are not the planner's.
   close_from(std::max({options.in_fd, options.out_fd, options.notes_fd, options.journal_fd}) + 1);
   leave_terminal();
@@ -284,7 +304,7 @@ int run_worker(const WorkerOptions& options) {
   }
   const FileIdentity results(options.out_fd), jobs(options.in_fd);
   const pid_t self = ::getpid();
-  Worker worker;
+  Worker worker(std::move(lookouts));
   if (options.journal_fd >= 0) worker.keep_journal(FlightJournal(options.journal_fd));
   worker.trim_prints();
   pass_prints_on(STDOUT_FILENO);  // of planners that are programs

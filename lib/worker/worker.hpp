@@ -1,8 +1,12 @@
 #pragma once
 
+#include <functional>
+#include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "trial/trial_observer.hpp"
 #include "worker/flight_journal.hpp"
 #include "worker/job.hpp"
 
@@ -25,11 +29,24 @@ struct WorkerOptions {
   std::string allowed;            ///< in the sandbox, as text(SandboxRules) has it
 };
 
+/// Looks on in the worker while a trial is flown, for those who want to know more than its record.
+struct Lookout {
+  TrialObserver observer = {};
+  bool wants_drawings = false;
+  /// Where set: gets what the planner logged before its first and after its last call.
+  std::function<void(const std::vector<std::string>&)> logged = {};
+  /// What it has seen, after the flight; null where there was none.
+  std::function<Message(const TrialRecord*)> report;
+};
+/// Makes the one that Job::lookout asks for. The job and the world outlive it.
+using LookoutMaker = std::function<Lookout(const Job&, const World&)>;
+using LookoutMakers = std::map<std::string, LookoutMaker>;  ///< by LookoutJob::kind
+
 /// Does jobs in this process and keeps what the next one may need again: the last map with its BVH,
 /// planner libraries and instances. Move-only.
 class Worker {
  public:
-  Worker();
+  explicit Worker(LookoutMakers lookouts = {});
   ~Worker();
   Worker(Worker&&) noexcept;
   Worker& operator=(Worker&&) noexcept;
@@ -54,6 +71,6 @@ class Worker {
 
 /// A worker process's main loop: jobs in, results out, until the parent closes its end or is gone.
 /// Returns the exit code.
-int run_worker(const WorkerOptions& options);
+int run_worker(const WorkerOptions& options, LookoutMakers lookouts = {});
 
 }  // namespace avoidbench

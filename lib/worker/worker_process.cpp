@@ -10,7 +10,6 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
-#include <fstream>
 #include <span>
 #include <thread>
 #include <utility>
@@ -90,24 +89,6 @@ struct HighCopy {
 };
 
 }  // namespace
-
-void enter_worker_environment() {
-  for (char** variable = environ; *variable != nullptr; ++variable) {
-    // The mark that this is the second beginning: without it the program would start itself for
-    // ever.
-    if (std::strcmp(*variable, kTunables) == 0) return;
-  }
-  std::ifstream file("/proc/self/cmdline", std::ios::binary);
-  std::vector<std::string> arguments;
-  for (std::string word; std::getline(file, word, '\0');) arguments.push_back(word);
-  if (arguments.empty()) return;
-  std::vector<char*> pointers;
-  for (std::string& word : arguments) pointers.push_back(word.data());
-  pointers.push_back(nullptr);
-  // Returns only on failure; then the program goes on as it is, with a result that may differ in
-  // the last bit.
-  ::execve("/proc/self/exe", pointers.data(), child_environment().data());
-}
 
 WorkerProcess::WorkerProcess(const std::vector<std::string>& command) {
   Pipe jobs, results, notes;

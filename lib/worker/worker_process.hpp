@@ -12,11 +12,6 @@
 
 namespace avoidbench {
 
-/// Begins this program again with its own arguments in the environment that worker processes have,
-/// so that planners give the same bits here as in a sweep; returns where it is in it already, or
-/// where that can't be done. Call it before anything was done that must not be done twice.
-void enter_worker_environment();
-
 /// How a process ended, in words: "signal 11 (Segmentation fault)", "exit code 3".
 struct ProcessEnd {
   std::string text;

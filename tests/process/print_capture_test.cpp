@@ -1,6 +1,8 @@
 #include "process/print_capture.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <stdio_ext.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -12,6 +14,40 @@ namespace {
 void print(const PrintCapture& capture, const std::string& text) {
   ASSERT_EQ(::write(capture.fd(), text.data(), text.size()), static_cast<ssize_t>(text.size()));
 }
+
+/// Standard output and error of this process go to `capture` for as long as it lives, as a worker's
+/// do.
+class PrintsCaptured {
+ public:
+  explicit PrintsCaptured(const PrintCapture& capture)
+      : out_(::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1)),
+        err_(::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1)) {
+    flush();
+    ::dup2(capture.fd(), STDOUT_FILENO);
+    ::dup2(capture.fd(), STDERR_FILENO);
+  }
+  ~PrintsCaptured() {
+    flush();
+    ::__fpurge(stdout);  // what did not fit is lost, and must not come out later
+    ::dup2(out_, STDOUT_FILENO);
+    ::dup2(err_, STDERR_FILENO);
+    ::close(out_);
+    ::close(err_);
+    std::clearerr(stdout);
+    std::cout.clear();
+    std::cerr.clear();
+  }
+  PrintsCaptured(const PrintsCaptured&) = delete;
+  PrintsCaptured& operator=(const PrintsCaptured&) = delete;
+
+ private:
+  static void flush() {
+    std::cout << std::flush;
+    std::cerr << std::flush;
+    std::fflush(nullptr);
+  }
+  int out_, err_;
+};
 
 TEST(PrintCapture, HoldsBothStreamsInOrderAndForgets) {
   PrintCapture capture;

@@ -144,6 +144,9 @@ def same_bits(runs):
     runs.expect_nothing_left("after sweeps")
     database = runs.folder / "quick1.db"
     verified = runs.call("replay", database, "--verify")
+    runs.expect("replay --verify starts no command on a database's word", verified.returncode == 2
+                and "a command is not started" in verified.stderr, verified.stdout + verified.stderr)
+    verified = runs.call("replay", database, "--verify", "--sweep-file", runs.folder / "quick.yaml")
     runs.expect("replay --verify flies all of them again", verified.returncode == 0, verified.stdout + verified.stderr)
 
 

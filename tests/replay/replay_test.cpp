@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "base/digest.hpp"
 #include "base/input_error.hpp"
 #include "base/option_error.hpp"
 #include "metrics/metric_table.hpp"
+#include "support/flown_again.hpp"
 #include "support/planner_files.hpp"
 #include "sweep/run_sweep.hpp"
 
@@ -51,23 +53,13 @@ TEST_F(ReplayTest, FliesTheStoredTrialsBitForBit) {
   for (const TrialListing& listing : trials) {
     EXPECT_EQ(listing.generator, "hall");
     EXPECT_EQ(listing.poisson_radius_m, 2.5);
-    const Replay replay(read_stored_trial(database, listing.key));
-    EXPECT_TRUE(replay.warnings().empty()) << replay.warnings().front();
-    std::size_t calls = 0, drawings = 0;
-    TrialObserver observer;
-    observer.planned = [&](const PlanStep& step) {
-      ++calls;
-      drawings += step.drawings.size();
-    };
-    std::vector<std::string> log;
-    const TrialRecord record = replay.fly(observer, log);
-    const TrialRecord& stored = replay.stored().row.record;
-    const std::vector<std::string> found = differences(stored, record);
+    const test::FlownAgain flown = test::flown_again(read_stored_trial(database, listing.key));
+    EXPECT_TRUE(flown.flight.warnings.empty()) << flown.flight.warnings.front();
+    EXPECT_EQ(other_map_warning(flown.flight.stored, flown.end), "");
+    const std::vector<std::string> found = flown.differences();
     EXPECT_TRUE(found.empty()) << listing.planner_label << ": " << found.front();
-    EXPECT_EQ(record.outcome, listing.outcome);
-    EXPECT_GT(record.samples.size(), 100U);
-    EXPECT_EQ(calls, record.plan_calls.size());
-    EXPECT_EQ(drawings > 0, listing.planner_label == "reactive");
+    EXPECT_EQ(flown.record().outcome, listing.outcome);
+    EXPECT_GT(flown.record().samples.size(), 100U);
   }
 }
 
@@ -76,9 +68,11 @@ TEST_F(ReplayTest, TellsWhatDiffers) {
   StoredTrial stored = read_stored_trial(database, database.list_trials().front().key);
   stored.spec.planner.file_digest = "of another day";
   stored.spec.planner.parameters.push_back({.name = "no_more", .number = 1.0, .text = {}});
-  const Replay replay(stored,
-                      {.planner = test::built_planner("straight_line"), .map = {}, .wind = {}});
-  EXPECT_EQ(replay.warnings().size(), 3U);  // key, file, parameter
+  stored.world_digest = "of another map";
+  const test::FlownAgain flown =
+      test::flown_again(stored, {.planner = test::built_planner("straight_line")});
+  EXPECT_EQ(flown.flight.warnings.size(), 3U);  // key, file, parameter
+  EXPECT_NE(other_map_warning(flown.flight.stored, flown.end), "");
   const TrialRecord& same = stored.row.record;
   EXPECT_TRUE(differences(same, same).empty());
   TrialRecord other = same;
@@ -92,32 +86,91 @@ TEST_F(ReplayTest, TellsWhatDiffers) {
   EXPECT_NE(found[2].find("differ from t = 0.1000 s on"), std::string::npos) << found[2];
 }
 
-/// A library that says so in a file when it is loaded: dlopen alone runs its code.
-TEST_F(ReplayTest, LoadsNoLibraryOnADatabasesWord) {
+TEST(Differences, CollisionsAreCompared) {
+  TrialRecord stored;
+  stored.collisions = {{.time_s = 1.5, .speed_mps = 2.0, .obstacle = 3, .kind = "tree"}};
+  EXPECT_TRUE(differences(stored, stored).empty());
+  const auto found_with = [&](auto&& change) {
+    TrialRecord flown = stored;
+    change(flown.collisions);
+    return differences(stored, flown);
+  };
+  const std::vector<std::string> otherwise{"collisions differ from t = 1.5000 s on"};
+  EXPECT_EQ(found_with([](auto& all) { all[0].time_s = 1.25; }), otherwise);
+  EXPECT_EQ(found_with([](auto& all) { all[0].speed_mps += 1e-15; }), otherwise);
+  EXPECT_EQ(found_with([](auto& all) { all[0].obstacle = 4; }), otherwise);
+  EXPECT_EQ(found_with([](auto& all) { all[0].kind = "wall"; }), otherwise);
+  EXPECT_EQ(found_with([](auto& all) { all.clear(); }),
+            std::vector<std::string>{"collisions were 1, now 0"});
+}
+
+/// What a trial's planner is looked for by, and what is said where it is not taken.
+std::string refusal_of(const PlannerChoice& choice, const ReplayFiles& files, std::string& hint) {
+  try {
+    planner_for(choice, files);
+  } catch (const OptionError& error) {
+    hint = error.hint();
+    return error.what();
+  }
+  return "";
+}
+
+TEST_F(ReplayTest, TakesNoLibraryOnADatabasesWord) {
   const Database database = Database::open_for_reading(file_);
   StoredTrial stored = read_stored_trial(database, database.list_trials().front().key);
-  const std::filesystem::path mark = file_.string() + ".loaded";
-  ::setenv("AVOIDBENCH_TEST_MARK", mark.c_str(), 1);
+  std::string hint;
   for (const std::string& plugin :
        {std::string(AVOIDBENCH_MARKING_PLANNER),
         "./" + std::filesystem::relative(AVOIDBENCH_MARKING_PLANNER).string()}) {
     stored.spec.planner.plugin = plugin;
-    try {
-      const Replay replay(stored);
-      FAIL() << "another library than the stored one";
-    } catch (const OptionError& error) {
-      const std::string message = error.what();
-      EXPECT_NE(message.find("is not the library that the trial was flown with"), std::string::npos)
-          << message;
-      EXPECT_TRUE(error.hint().starts_with("library ")) << error.hint();
-    }
-    EXPECT_FALSE(std::filesystem::exists(mark)) << "its code has run";
+    const std::string message = refusal_of(stored.spec.planner, {}, hint);
+    EXPECT_NE(message.find("is not the library that the trial was flown with"), std::string::npos)
+        << message;
+    EXPECT_TRUE(hint.starts_with("library ")) << hint;
   }
-  // Named by the user it is loaded; only then does it turn out to be no planner.
-  EXPECT_THROW(Replay(stored, {.planner = AVOIDBENCH_MARKING_PLANNER, .map = {}, .wind = {}}),
-               InputError);
-  EXPECT_TRUE(std::filesystem::exists(mark));
-  std::filesystem::remove(mark);
+  // Named by the user it is taken.
+  EXPECT_EQ(planner_for(stored.spec.planner, {.planner = AVOIDBENCH_MARKING_PLANNER}).source.file,
+            AVOIDBENCH_MARKING_PLANNER);
+}
+
+/// Loading it, which is to run its code, writes a file: it can't, in a child in the sandbox.
+TEST_F(ReplayTest, RunsNoCodeOfAPlannerInItsOwnProcess) {
+  const Database database = Database::open_for_reading(file_);
+  StoredTrial stored = read_stored_trial(database, database.list_trials().front().key);
+  const std::filesystem::path mark = file_.string() + ".loaded";
+  ::setenv("AVOIDBENCH_TEST_MARK", mark.c_str(), 1);
+  ReplayPlanners planners({.planner = AVOIDBENCH_MARKING_PLANNER});
+  EXPECT_THROW(stored_flight(stored, planners), InputError);  // it is no planner
+  EXPECT_FALSE(std::filesystem::exists(mark)) << "its code has run outside of a sandbox";
+}
+
+/// The first word's digest is no check: /bin/sh is the same file everywhere, and what it is to do
+/// are the words after it.
+TEST_F(ReplayTest, StartsNoCommandOnADatabasesWord) {
+  const Database database = Database::open_for_reading(file_);
+  PlannerChoice choice =
+      read_stored_trial(database, database.list_trials().front().key).spec.planner;
+  choice.plugin = "/bin/sh";
+  choice.file_digest = file_digest("/bin/sh");
+  choice.command = {kFileWord, "-c", "touch /tmp/pwned; exec prog"};
+  std::string hint;
+  const std::string message = refusal_of(choice, {}, hint);
+  EXPECT_NE(message.find("/bin/sh -c 'touch /tmp/pwned; exec prog'"), std::string::npos) << message;
+  EXPECT_EQ(hint, "command");
+  // The user's own planner is started as a file of its kind: by no word of the database's.
+  EXPECT_TRUE(planner_for(choice, {.planner = test::built_planner("straight_line")})
+                  .source.command.empty());
+  // What a sweep of the user's has, word by word and with that file, is the user's own word.
+  ReplayFiles files;
+  PlannerChoice own = choice;
+  own.file = "/bin/sh";
+  files.own_planners = {own};
+  EXPECT_EQ(planner_for(choice, files).source.command, own.command);
+  choice.command.back() += " ";
+  EXPECT_NE(refusal_of(choice, files, hint), "");
+  choice = own;
+  choice.file_digest = "of another file";
+  EXPECT_NE(refusal_of(choice, files, hint), "");
 }
 
 TEST_F(ReplayTest, SaysWhatIsMissing) {
@@ -126,23 +179,22 @@ TEST_F(ReplayTest, SaysWhatIsMissing) {
   StoredTrial stored = read_stored_trial(database, database.list_trials().front().key);
   stored.spec.planner.plugin = "./moved/away_planner.so";
   try {
-    const Replay replay(stored);
+    planner_for(stored.spec.planner, {});
     FAIL() << "a planner that is not there";
   } catch (const OptionError& error) {
     EXPECT_EQ(error.hint(), "library") << error.what();
   }
-  const Replay elsewhere(stored,
-                         {.planner = test::built_planner("straight_line"), .map = {}, .wind = {}});
-  EXPECT_TRUE(elsewhere.warnings().empty());
+  ReplayPlanners elsewhere({.planner = test::built_planner("straight_line")});
+  EXPECT_TRUE(stored_flight(stored, elsewhere).warnings.empty());
 }
 
-TEST(LibraryFor, NoFolderToLookInIsAnError) {
+TEST(PlannerFor, NoFolderToLookInIsAnError) {
   PlannerChoice choice;
   choice.plugin = "mine";
   ReplayFiles files;
   files.folders.clear();
   try {
-    library_for(choice, files);
+    planner_for(choice, files);
     FAIL() << "a planner out of no folder";
   } catch (const OptionError& error) {
     EXPECT_EQ(std::string(error.what()).find("no planner 'mine'"), 0U) << error.what();

@@ -4,7 +4,7 @@
 
 #include "base/digest.hpp"
 #include "base/option_error.hpp"
-#include "replay/replay.hpp"
+#include "support/flown_again.hpp"
 #include "support/problems.hpp"
 #include "support/small_sweep.hpp"
 
@@ -44,9 +44,10 @@ class KeptFiles : public test::SweepTest {
     return files;
   }
 
-  Replay replayed() const {
+  test::FlownAgain replayed() const {
     const Database database = Database::open_for_reading(folder_ / "a.db");
-    return Replay(read_stored_trial(database, database.list_trials().at(0).key), beside_database());
+    return test::flown_again(read_stored_trial(database, database.list_trials().at(0).key),
+                             beside_database());
   }
 
   SweepSpec sweep_;
@@ -59,16 +60,14 @@ TEST_F(KeptFiles, FlyATrialAgainWhenThePlannerWasRebuiltAndTheMapIsGone) {
   const fs::path kept = folder_ / "a.planners" / (digest_ + ".so");
   EXPECT_EQ(file_digest(kept), digest_);
   EXPECT_TRUE(fs::exists(folder_ / "a.maps" / (file_digest(map_) + ".obj")));
-  EXPECT_TRUE(replayed().kept_planner_file().empty());  // the planner is still the one
+  EXPECT_FALSE(replayed().flight.is_with_kept_planner);  // the planner is still the one
   std::ofstream(planner_, std::ios::app) << "rebuilt";
   fs::remove(map_);
-  std::vector<std::string> log;
-  const Database database = Database::open_for_reading(folder_ / "a.db");
-  const Replay replay(read_stored_trial(database, database.list_trials().at(0).key),
-                      beside_database());
-  EXPECT_EQ(replay.kept_planner_file(), kept);
-  EXPECT_TRUE(replay.warnings().empty());
-  EXPECT_TRUE(differences(replay.stored().row.record, replay.fly({}, log)).empty());
+  const test::FlownAgain flown = replayed();
+  EXPECT_EQ(flown.flight.job.job.spec.planner.file, kept);
+  EXPECT_TRUE(flown.flight.is_with_kept_planner);
+  EXPECT_TRUE(flown.flight.warnings.empty());
+  EXPECT_TRUE(flown.differences().empty());
 }
 
 TEST_F(KeptFiles, AreFoundWhenTheDatabaseWasRenamedOrMerged) {

@@ -5,6 +5,7 @@
 #include "base/input_error.hpp"
 #include "base/spec_json.hpp"
 #include "replay/replay.hpp"
+#include "support/flown_again.hpp"
 #include "support/small_sweep.hpp"
 #include "sweep/recorded_latency.hpp"
 
@@ -72,20 +73,19 @@ TEST_F(MeasuredLatencyTest, AReplayFliesTheSameBitsAsTheMeasuredRun) {
   // A replay needs no measured run any more: its own database has the times, too.
   std::filesystem::remove(folder_ / "measured.db");
   const Database database = Database::open_for_reading(folder_ / "replayed.db");
-  const Replay replay(read_stored_trial(database, database.list_trials().back().key));
-  EXPECT_TRUE(replay.warnings().empty()) << replay.warnings().front();
-  std::vector<std::string> log;
-  EXPECT_TRUE(differences(replay.stored().row.record, replay.fly({}, log)).empty());
+  const test::FlownAgain flown =
+      test::flown_again(read_stored_trial(database, database.list_trials().back().key));
+  EXPECT_TRUE(flown.flight.warnings.empty()) << flown.flight.warnings.front();
+  EXPECT_TRUE(flown.differences().empty());
 }
 
 TEST_F(MeasuredLatencyTest, AStoredTrialIsFlownAgainByItsOwnTimes) {
   run(measured_sweep(), "measured.db", 1);
   const Database database = Database::open_for_reading(folder_ / "measured.db");
   for (const TrialListing& trial : database.list_trials()) {
-    const Replay replay(read_stored_trial(database, trial.key));
-    EXPECT_TRUE(replay.warnings().empty()) << replay.warnings().front();
-    std::vector<std::string> log;
-    const auto found = differences(replay.stored().row.record, replay.fly({}, log));
+    const test::FlownAgain flown = test::flown_again(read_stored_trial(database, trial.key));
+    EXPECT_TRUE(flown.flight.warnings.empty()) << flown.flight.warnings.front();
+    const std::vector<std::string> found = flown.differences();
     EXPECT_TRUE(found.empty()) << found.front();
   }
   EXPECT_TRUE(database.read_sweep("small", 1).has_measured_latency);

@@ -74,7 +74,7 @@ class WhatIfTest : public testing::Test {
     return {.read = read_stored_trial, .files = {}, .program_version = "1 test"};
   }
   static FleetOptions fleet(int jobs) {
-    return {.apart = {.worker_command = worker(), .sandbox = {}}, .jobs = jobs};
+    return {.worker_command = worker(), .sandbox = {}, .jobs = jobs};
   }
 
   /// Flies all that is asked for; the plan with its results.

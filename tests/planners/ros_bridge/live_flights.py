@@ -281,7 +281,7 @@ def reach(runs):
     runs.expect_no_trace("after them")
     sandbox = sqlite3.connect(runs.folder / "reach.db").execute("SELECT sandbox FROM runs").fetchall()[0][0]
     runs.expect("in the sandbox, with network", "network" in sandbox or "none" in sandbox, sandbox)
-    verified = subprocess.run([runs.program, "replay", runs.folder / "reach.db", "--verify"], cwd=runs.work, env=runs.environment,
+    verified = subprocess.run([runs.program, "replay", runs.folder / "reach.db", "--verify", "--sweep-file", runs.work / "reach.yaml"], cwd=runs.work, env=runs.environment,
                               capture_output=True, text=True)
     said = verified.stdout + verified.stderr
     runs.expect("replay --verify says what it finds", verified.returncode in (0, 1) and "flown again" in said, said)

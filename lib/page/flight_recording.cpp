@@ -1,0 +1,313 @@
+#include "page/flight_recording.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <span>
+#include <type_traits>
+#include <utility>
+
+#include "base/input_error.hpp"
+#include "page/flight_page.hpp"
+
+namespace avoidbench {
+namespace {
+
+/// More lines of a log than these, by their bytes, are left out.
+constexpr std::size_t kMostLogBytes = std::size_t{32} << 20U;
+
+template <class T>
+concept Plain = std::is_trivially_copyable_v<T> && !std::is_pointer_v<T>;
+
+/// Writes one after the other what a Reader takes in the same order.
+class Writer {
+ public:
+  template <Plain T>
+  void operator()(const T& value) {
+    const auto bytes = std::as_bytes(std::span(&value, 1));
+    bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
+  }
+  template <Plain T>
+  void operator()(const std::vector<T>& values) {
+    (*this)(values.size());
+    const auto bytes = std::as_bytes(std::span(values));
+    bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
+  }
+  void operator()(const std::string& text) { (*this)(std::vector(text.begin(), text.end())); }
+  void operator()(const Eigen::Vector3d& v) { (*this)(std::array{v.x(), v.y(), v.z()}); }
+  template <class T>
+  requires(!Plain<T>) void operator()(const std::vector<T>& values) {
+    (*this)(values.size());
+    for (const T& value : values) transfer(*this, value);
+  }
+  std::vector<std::byte> take() { return std::move(bytes_); }
+
+ private:
+  std::vector<std::byte> bytes_;
+};
+
+class Reader {
+ public:
+  explicit Reader(std::span<const std::byte> bytes) : bytes_(bytes) {}
+  template <Plain T>
+  void operator()(T& value) {
+    std::memcpy(&value, taken(sizeof value).data(), sizeof value);
+  }
+  template <Plain T>
+  void operator()(std::vector<T>& values) {
+    const std::span<const std::byte> bytes = taken(count(sizeof(T)) * sizeof(T));
+    values.resize(bytes.size() / sizeof(T));
+    if (!bytes.empty()) std::memcpy(values.data(), bytes.data(), bytes.size());
+  }
+  void operator()(std::string& text) {
+    std::vector<char> letters;
+    (*this)(letters);
+    text.assign(letters.begin(), letters.end());
+  }
+  void operator()(Eigen::Vector3d& v) {
+    std::array<double, 3> xyz{};
+    (*this)(xyz);
+    v = {xyz[0], xyz[1], xyz[2]};
+    require(v.allFinite());
+  }
+  template <class T>
+  requires(!Plain<T>) void operator()(std::vector<T>& values) {
+    const std::size_t size = count(1);  // each takes at least a byte
+    for (std::size_t i = 0; i < size; ++i) transfer(*this, values.emplace_back());
+  }
+  void finish() const { require(bytes_.empty()); }
+  static void require(bool makes_sense) {
+    if (!makes_sense) throw InputError("what the worker recorded makes no sense");
+  }
+
+ private:
+  std::size_t count(std::size_t element_bytes) {
+    std::size_t number = 0;
+    (*this)(number);
+    require(number <= bytes_.size() / element_bytes);
+    return number;
+  }
+  std::span<const std::byte> taken(std::size_t size) {
+    require(size <= bytes_.size());
+    const std::span<const std::byte> first = bytes_.first(size);
+    bytes_ = bytes_.subspan(size);
+    return first;
+  }
+
+  std::span<const std::byte> bytes_;
+};
+
+/// An enum whose last value is `last`.
+template <class Enum>
+void transfer_enum(Writer& writer, Enum value, Enum) {
+  writer(value);
+}
+template <class Enum>
+void transfer_enum(Reader& reader, Enum& value, Enum last) {
+  std::underlying_type_t<Enum> number{};
+  reader(number);
+  Reader::require(number >= 0 && number <= static_cast<std::underlying_type_t<Enum>>(last));
+  value = static_cast<Enum>(number);
+}
+
+/// An address of the worker's is none here.
+void transfer_command(Writer& writer, ab_command command) {
+  command.points = nullptr;
+  writer(command);
+}
+void transfer_command(Reader& reader, ab_command& command) {
+  reader(command);
+  command.points = nullptr;
+}
+
+void check(const Writer&, const SeenImage&) {}
+void check(const Reader&, const SeenImage& image) {
+  constexpr int kMostPixels = 1 << 16;
+  const bool is_sized = image.width_px >= 0 && image.width_px <= kMostPixels &&
+                        image.height_px >= 0 && image.height_px <= kMostPixels;
+  Reader::require(is_sized);
+  const auto pixels =
+      static_cast<std::size_t>(image.width_px) * static_cast<std::size_t>(image.height_px);
+  const bool is_depth = image.depth_m.size() == pixels && image.bytes.empty();
+  const bool is_light =
+      image.depth_m.empty() && (image.bytes.size() == pixels || image.bytes.size() == 3 * pixels);
+  Reader::require(is_depth || is_light);
+}
+
+template <class Io, class T>
+requires std::is_same_v<std::remove_const_t<T>, Eigen::Vector3d>
+void transfer(Io& io, T& place) { io(place); }
+
+template <class Io, class T>
+requires std::is_same_v<std::remove_const_t<T>, LogLine>
+void transfer(Io& io, T& line) {
+  io(line.time_s);
+  io(line.text);
+}
+
+template <class Io, class T>
+requires std::is_same_v<std::remove_const_t<T>, CommandLine>
+void transfer(Io& io, T& call) {
+  io(call.time_s);
+  io(call.effect_s);
+  io(call.cpu_time_s);
+  transfer_enum(io, call.status, PlanStatus::error);
+  transfer_command(io, call.command);
+  io(call.points);
+}
+
+template <class Io, class T>
+requires std::is_same_v<std::remove_const_t<T>, Drawing>
+void transfer(Io& io, T& drawing) {
+  transfer_enum(io, drawing.kind, DrawingKind::text);
+  io(drawing.color_rgb);
+  io(drawing.label);
+  io(drawing.size_px);
+  io(drawing.points_world);
+}
+
+template <class Io, class T>
+requires std::is_same_v<std::remove_const_t<T>, SeenImage>
+void transfer(Io& io, T& image) {
+  io(image.time_s);
+  io(image.width_px);
+  io(image.height_px);
+  io(image.depth_m);
+  io(image.bytes);
+  check(io, image);
+}
+
+/// Of what the vehicle believed, the place and attitude: more is not drawn.
+template <class Io, class T>
+requires std::is_same_v<std::remove_const_t<T>, Moment>
+void transfer(Io& io, T& moment) {
+  io(moment.time_s);
+  io(moment.call_s);
+  io(moment.believed.position_world);
+  io(moment.believed.velocity_world);
+  io(moment.believed.rates_body);
+  for (int i = 0; i < 4; ++i) io(moment.believed.q_world_body.coeffs()[i]);
+  transfer_enum(io, moment.result.status, PlanStatus::error);
+  io(moment.result.reason);
+  transfer_command(io, moment.result.command);
+  io(moment.result.points);
+  io(moment.result.cpu_time_s);
+  io(moment.drawings);
+  io(moment.images);
+}
+
+/// The recorders of one flight.
+struct Recorders {
+  FlightRecording recording;
+  std::optional<MomentRecorder> moments;
+  std::optional<SeenRecorder> seen;
+  std::size_t call_count = 0, log_bytes = 0;
+  bool has_calls = false;
+
+  void add_line(double time_s, const std::string& text) {
+    const bool had_room = log_bytes < kMostLogBytes;
+    log_bytes += text.size();
+    if (log_bytes < kMostLogBytes) {
+      recording.log.push_back({time_s, text});
+    } else if (had_room) {
+      recording.log.push_back({time_s, "(the rest of the log is left out: it is too long)"});
+    }
+  }
+
+  void planned(const PlanStep& step) {
+    ++call_count;
+    for (const std::string& line : step.log) add_line(step.time_s, line);
+    if (has_calls) recording.calls.push_back(command_line(step));
+    if (moments) moments->planned(step);
+    if (seen) seen->planned(step);
+  }
+
+  Message report(const TrialRecord& flown) {
+    if (moments) recording.moments = moments->finish(flown.end_time_s);
+    Writer writer;
+    writer(recording.log);
+    writer(recording.calls);
+    writer(recording.moments);
+    writer(seen ? seen->json().dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)
+                : std::string("null"));
+    return {.json = nlohmann::json::object(), .bytes = writer.take()};
+  }
+};
+
+}  // namespace
+
+Lookout recording_lookout(const Job& job, const World&) {
+  const nlohmann::json& wanted = job.lookout->wanted.json;
+  const auto recorders = std::make_shared<Recorders>();
+  recorders->has_calls = wanted.at("calls");
+  if (wanted.at("moments").get<bool>()) {
+    recorders->moments.emplace(wanted.at("at_s").get<std::vector<double>>(),
+                               wanted.at("every_s").get<double>(), job.spec);
+  }
+  if (wanted.at("page").get<bool>()) recorders->seen.emplace(job.spec);
+  std::optional<std::size_t> most_calls;
+  if (wanted.contains("most_calls")) most_calls = wanted.at("most_calls").get<std::size_t>();
+  Lookout lookout;
+  lookout.wants_drawings = true;
+  lookout.logged = [recorders](const std::vector<std::string>& lines) {
+    for (const std::string& line : lines) recorders->add_line(std::nan(""), line);
+  };
+  lookout.observer.planned = [recorders](const PlanStep& step) { recorders->planned(step); };
+  lookout.observer.planning = [recorders, most_calls](const PlanCallAhead& call) {
+    if (!most_calls || recorders->call_count < *most_calls) return true;
+    if (recorders->moments) recorders->moments->planning(call);
+    return false;
+  };
+  lookout.report = [recorders](const TrialRecord* flown) { return recorders->report(*flown); };
+  return lookout;
+}
+
+LookoutJob recording_job(const RecordingWanted& wanted, const TrialSpec& spec) {
+  LookoutJob job{.kind = kRecordingLookout, .wanted = {}, .most_bytes = 0, .has_flight = true};
+  nlohmann::json& json = job.wanted.json;
+  json = {{"calls", wanted.has_calls},
+          {"moments", wanted.has_moments},
+          {"page", wanted.has_page},
+          {"at_s", nlohmann::json::array()},
+          {"every_s", wanted.every_s}};
+  // No time is NaN in JSON: of a flight without an end the end is shown.
+  for (const double at_s : wanted.at_s) {
+    if (std::isfinite(at_s)) json["at_s"].push_back(at_s);
+  }
+  if (wanted.most_calls) json["most_calls"] = *wanted.most_calls;
+  // Memory is taken for what comes, not for this.
+  constexpr double kRest = 256.0 * 1024 * 1024;    // log, calls, what a page shows
+  constexpr double kDrawings = 8.0 * 1024 * 1024;  // of one call: kMostDrawnPoints
+  constexpr double kPixelBytes = 4.0, kMostMoments = 2000.0;
+  double bytes = kRest;
+  if (wanted.has_moments) {
+    double pixels = 0.0;
+    for (const RigCamera& camera : rig_cameras(spec.sensor)) {
+      pixels += static_cast<double>(camera.kind.width_px * camera.kind.height_px);
+    }
+    const double spaced =
+        wanted.every_s > 0.0 ? spec.mission.time_limit_s / wanted.every_s + 2.0 : 1.0;
+    const double moments = std::min(kMostMoments, static_cast<double>(wanted.at_s.size()) + spaced);
+    bytes += moments * (kDrawings + kPixelBytes * pixels);
+  }
+  job.most_bytes = static_cast<std::size_t>(bytes);
+  return job;
+}
+
+FlightRecording recording_from(const Message& reported) {
+  Reader reader(reported.bytes);
+  FlightRecording recording;
+  std::string seen;
+  reader(recording.log);
+  reader(recording.calls);
+  reader(recording.moments);
+  reader(seen);
+  reader.finish();
+  recording.seen = nlohmann::ordered_json::parse(seen, nullptr, false);
+  Reader::require(!recording.seen.is_discarded());
+  return recording;
+}
+
+}  // namespace avoidbench
