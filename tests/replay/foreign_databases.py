@@ -50,9 +50,11 @@ class Folder:
         sweep.write_text(SWEEP.replace("PLANNER", planner))
         database = self.folder / f"{name}.db"
         done = self.call("run", sweep, "--db", database, "--quiet", "--jobs", "1", *options)
+        if done.returncode != 0:
+            sys.exit(f"{name} is not flown: {done.stderr}")
         with sqlite3.connect(database) as file:
             outcomes = [outcome for (outcome,) in file.execute("SELECT outcome FROM trials ORDER BY rowid")]
-        self.expect(f"{name} is flown", done.returncode == 0 and "collided" in outcomes, (outcomes, done.stderr))
+        self.expect(f"{name} is flown, and something struck", "collided" in outcomes, outcomes)
         return database, outcomes.index("collided") + 1
 
 
@@ -72,7 +74,7 @@ def commands(database, trial):
 
 
 def foreign_command(at, straight_line):
-    payload = f"{{ : > {at.mark}; }} 2>/dev/null; exec {straight_line}"
+    payload = f"{{ echo was here > {at.mark}; }} 2>/dev/null; exec {straight_line}"
     planner = f"{{plugin: process, label: evil, parameters: {{command: [sh, -c, \"{payload}\"]}}}}"
     database, trial = at.flown("command", planner, "--no-sandbox")
     at.expect("the command would leave a mark", at.mark.exists())
