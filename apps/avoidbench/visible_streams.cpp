@@ -153,6 +153,7 @@ std::streambuf* plain_output() {
 void make_streams_visible() {
   // Never destroyed: streams are written to until the very end of the program.
   plain_output();
+  unwaiting_error();  // now: what a child has there is not the user's
   std::cout.rdbuf(new VisibleBuffer(std::cout.rdbuf()));
   std::cerr.rdbuf(new VisibleBuffer(new ErrorBuffer));
 }
