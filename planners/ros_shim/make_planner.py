@@ -214,7 +214,7 @@ class Planner:
                   f"const ab_planner planner_table = {{sizeof(ab_planner), AVOIDBENCH_ABI_VERSION, {quoted(self.name)},",
                   f"    {quoted(self.version)}, {quoted(self.summary)},", f"    {' | '.join(sorted(self.needs))}, {self.command.bits},",
                   f"    {count}, 0, {'parameter_pointers' if count else 'nullptr'}, &create, &destroy, &reset, &plan, nullptr, 0, 0, "
-                  "nullptr};", "", "}  // namespace ros_shim", ""]
+                  "nullptr, 0.0, 0.0};", "", "}  // namespace ros_shim", ""]
         return "\n".join(lines)
 
 

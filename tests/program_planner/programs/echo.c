@@ -113,6 +113,8 @@ static const ab_planner planner = {
     get_extension,
     1,
     0,
-    profiles};
+    profiles,
+    0.0,
+    0.0};
 
 int main(void) { return avoidbench_serve(&planner); }
