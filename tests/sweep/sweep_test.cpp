@@ -230,6 +230,7 @@ std::string defined_key(const TrialSpec& spec) {
   fields["planner"].erase("plugin");
   fields["planner"].erase("files");
   if (fields["planner"].at("command").empty()) fields["planner"].erase("command");
+  if (spec.planner.camera == kAllCameras) fields["planner"].erase("camera");
   forget_unused_latency(fields);
   if (fields.at("missions_digest") == "") fields.erase("missions_digest");
   if (fields.at("sensor").at("more_cameras").empty()) fields.at("sensor").erase("more_cameras");
