@@ -12,7 +12,7 @@
 namespace avoidbench {
 namespace {
 
-constexpr std::uint64_t kMostBytes = 4'000'000'000;  ///< of a library
+constexpr std::uint64_t kMostLibraryBytes = 4'000'000'000;  ///< of a library
 
 /// The struct at `offset`, or nothing where the file ends before.
 template <class Struct>
@@ -46,7 +46,7 @@ template <class Entry, class Visit>
 void visit_entries(const std::filesystem::path& file, std::uint32_t type,
                    std::uint64_t (*text_index)(const Entry&), Visit&& visit) {
   if (!shared_library_problem(file).empty()) return;
-  const std::string bytes = read_input_file(file, kMostBytes);
+  const std::string bytes = read_input_file(file, kMostLibraryBytes);
   const auto header = struct_at<Elf64_Ehdr>(bytes, 0);
   if (!header) return;
   const auto section = [&](std::uint64_t index) {
@@ -91,7 +91,7 @@ std::string shared_library_problem(const std::filesystem::path& file) {
   // The header alone: what is no library may be a huge file of another kind.
   std::string bytes(sizeof(Elf64_Ehdr), '\0');
   try {
-    bytes.resize(InputFile(file, kMostBytes).read(bytes));
+    bytes.resize(InputFile(file, kMostLibraryBytes).read(bytes));
   } catch (const InputError& error) {
     return error.problems().front().message;
   }
@@ -110,7 +110,7 @@ std::string shared_library_problem(const std::filesystem::path& file) {
 bool is_elf_program(const std::filesystem::path& file) {
   std::string bytes;
   try {
-    bytes = InputFile(file, kMostBytes).read_rest();
+    bytes = InputFile(file, kMostLibraryBytes).read_rest();
   } catch (const InputError&) {
     return false;
   }
