@@ -24,7 +24,8 @@ PlannerSetup rig_setup() {
 /// The same flight with that camera's images of level ground, each before the first camera's.
 ConformanceFlight with_ground(ConformanceFlight flight, const PlannerSetup& setup) {
   const CameraSetup& down = setup.cameras.back();
-  const auto pixels = static_cast<std::size_t>(down.width_px * down.height_px);
+  const auto pixels =
+      static_cast<std::size_t>(down.width_px) * static_cast<std::size_t>(down.height_px);
   for (Frame& frame : flight.frames) {
     // Depth is along camera z: level ground is everywhere as deep as the camera is high.
     const double height_m = frame.position_world.z() + down.T_body_camera.translation().z();
