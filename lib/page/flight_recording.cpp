@@ -199,6 +199,7 @@ void transfer(Io& io, T& moment) {
 }
 
 /// The recorders of one flight.
+// NOLINTNEXTLINE(bugprone-exception-escape): nlohmann::json says it of its own members
 struct Recorders {
   FlightRecording recording;
   std::optional<MomentRecorder> moments;

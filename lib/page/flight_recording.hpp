@@ -29,6 +29,7 @@ struct RecordingWanted {
 };
 
 /// What came of it.
+// NOLINTNEXTLINE(bugprone-exception-escape): nlohmann::json says it of its own members
 struct FlightRecording {
   std::vector<LogLine> log;
   std::vector<CommandLine> calls;
