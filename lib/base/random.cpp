@@ -72,10 +72,13 @@ double RandomStream::uniform(double lowest, double highest) {
 
 std::uint64_t RandomStream::below(std::uint64_t count) {
   AB_CHECK(count > 0);
-  const std::uint64_t limit =
-      (0 - count) % count;  // 2^64 mod count: the values that would bias are redrawn
   std::uint64_t value = bits();
-  while (value < limit) value = bits();
+  // Values below 2^64 mod count would bias and are redrawn. That is less than count: nearly every
+  // value needs one division only.
+  if (value < count) {
+    const std::uint64_t limit = (0 - count) % count;
+    while (value < limit) value = bits();
+  }
   return value % count;
 }
 
