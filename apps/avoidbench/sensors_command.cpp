@@ -5,11 +5,13 @@
 #include <optional>
 #include <sstream>
 
+#include "base/input_error.hpp"
 #include "commands.hpp"
 #include "config/sweep_file.hpp"
 #include "output.hpp"
 #include "report/table_rows.hpp"
 #include "text/number_text.hpp"
+#include "text/words.hpp"
 #include "trial/sensor_errors.hpp"
 #include "view/map_views.hpp"
 #include "view/sensor_sheet.hpp"
@@ -56,6 +58,10 @@ void show(const SensorOptions& options) {
   if (options.pose.empty()) {
     T_world_body = start_pose(scene, trial, options.mission_index);
   } else {
+    if (options.pose.size() < 3 || options.pose.size() > 4) {
+      throw InputError("--pose: expected X,Y,Z or X,Y,Z,YAW, got " +
+                       counted(options.pose.size(), "number"));
+    }
     const double yaw_deg = options.pose.size() > 3 ? options.pose[3] : 0.0;
     T_world_body = make_pose({options.pose[0], options.pose[1], options.pose[2]},
                              yaw_rotation(yaw_deg * math::kDegree));
@@ -190,11 +196,10 @@ void add_sensors_command(CLI::App& app) {
       ->required()
       ->expected(1);
   add_map_options(show_command, show_options);
-  add_typed(show_command, "--pose", show_options.pose, "X,Y,Z[,YAW]",
-            "Where the body is: x,y,z in metres and yaw in degrees "
-            "(default: the start of --mission)")
-      ->delimiter(',')
-      ->expected(3, 4);
+  add_repeatable(show_command, "--pose", show_options.pose, "X,Y,Z[,YAW]",
+                 "Where the body is: x,y,z in metres and yaw in degrees "
+                 "(default: the start of --mission)")
+      ->delimiter(',');
   add_number(show_command, "--mission", show_options.mission_index, CLI::NonNegativeNumber,
              "Which mission's start");
   add_choice(show_command, "--view", show_options.view, sensor_view_names(),

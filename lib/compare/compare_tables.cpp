@@ -81,7 +81,7 @@ Table metric_table_of(const Comparison& comparison) {
        {.name = "new_mean", .header = "new"},
        {.name = "change",
         .doc = "new less base, over the pairs; its 95 % interval is by bootstrap over maps "
-               "(BCa); an end – can't be told from so few maps"},
+               "(BCa); an end – is unknown from so few maps"},
        {.name = "interval", .header = "95 % interval"},
        {.name = "p",
         .doc = "that nothing changed, corrected (Holm) over the " +
