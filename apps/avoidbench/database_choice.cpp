@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <iostream>
+#include <memory>
+#include <set>
 #include <utility>
 
 #include "command_options.hpp"
 #include "config/sweep_file.hpp"
+#include "output.hpp"
 #include "process/sandbox.hpp"
 #include "store/row_digest.hpp"
 #include "store/stored_text.hpp"
@@ -118,7 +121,12 @@ FleetOptions fleet_options(const FlightOptions& options, int jobs, const StopSig
           .jobs = jobs,
           .silence_s = silence_limit_s(options.plan_timeout_s),
           .stop = signals != nullptr ? &signals->stop : nullptr,
-          .stop_now = signals != nullptr ? &signals->stop_now : nullptr};
+          .stop_now = signals != nullptr ? &signals->stop_now : nullptr,
+          .on_granted = [said = std::make_shared<std::set<std::string>>()](const FleetJob& job) {
+            if (said->insert(job.planner_label).second) {
+              warn_of_granted(job.planner_label, text(job.rules));
+            }
+          }};
 }
 
 void add_replay_options(CLI::App& command, FlightOptions& options) {

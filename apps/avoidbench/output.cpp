@@ -7,9 +7,11 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <iostream>
 #include <string_view>
 
 #include "base/output_file.hpp"
+#include "text/visible_text.hpp"
 #include "visible_streams.hpp"
 
 namespace avoidbench {
@@ -117,6 +119,11 @@ std::filesystem::path made_folder(const std::string& folder) {
     refuse_file(folder, std::string("can't be written: ") + std::strerror(errno));
   }
   return folder;
+}
+
+void warn_of_granted(const std::string& planner_label, const std::string& granted) {
+  std::cerr << "warning: planner " << visible_line(planner_label) << " declares that it needs "
+            << granted << ": its sandbox lets it\n";
 }
 
 }  // namespace avoidbench

@@ -36,6 +36,10 @@ void write_text(const std::string& text, const std::string& output);
 void write_table(const Table& table, const OutputOptions& options);
 void write_sections(std::span<const Section> sections, const OutputOptions& options);
 
+/// Warns on standard error of what a planner declares to need: `granted`, as text(SandboxRules) has
+/// it.
+void warn_of_granted(const std::string& planner_label, const std::string& granted);
+
 /// The folder, made if it is missing. Throws InputError where it can't be made or written to.
 std::filesystem::path made_folder(const std::string& folder);
 

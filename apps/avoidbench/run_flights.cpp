@@ -87,8 +87,7 @@ void warn(const RunCommand& command, const SweepSpec& sweep, int jobs) {
   for (const PlannerChoice& planner : sweep.planners) {
     const std::string granted = text(sandbox_rules(planner.needs));
     if (granted.empty() || sandbox_of(command).empty()) continue;
-    std::cerr << "warning: planner " << planner.label << " declares that it needs " << granted
-              << ": its sandbox lets it\n";
+    warn_of_granted(planner.label, granted);
   }
   if (!command.in_process && text(sandbox_support()).empty()) {
     std::cerr << "warning: this kernel has no sandbox: planners can do all that you can\n";

@@ -80,13 +80,15 @@ class Fleet {
   }
 
  private:
-  void start_process(Seat& seat, const SandboxRules& rules) {
+  void start_process(Seat& seat, const FleetJob& job) {
     std::vector<std::string> command = options_.worker_command;
     if (!options_.sandbox.empty()) {
-      command.insert(command.end(), {"--sandbox", options_.sandbox, "--allow", text(rules)});
+      const std::string granted = text(job.rules);
+      if (!granted.empty() && options_.on_granted) options_.on_granted(job);
+      command.insert(command.end(), {"--sandbox", options_.sandbox, "--allow", granted});
     }
     seat.process.emplace(command);
-    seat.rules = rules;
+    seat.rules = job.rules;
     seat.silent_s = 0.0;
   }
 
@@ -127,7 +129,7 @@ class Fleet {
     bool is_sent = seat.process && seat.process->send(message, most_bytes);
     if (!is_sent) {
       end_process(seat);
-      start_process(seat, job.rules);
+      start_process(seat, job);
       is_sent = seat.process->send(message, most_bytes);
     }
     if (!is_sent) {

@@ -14,19 +14,6 @@
 
 namespace avoidbench {
 
-/// How jobs are done several at once.
-struct FleetOptions {
-  std::vector<std::string> worker_command;  ///< starts a worker; four file descriptors are appended
-  std::string sandbox;      ///< that workers enter, as text(SandboxSupport) has it; "": none
-  int jobs = 1;             ///< worker processes
-  double silence_s = 30.0;  ///< a worker that says for so long not even that it lives is ended
-  double trial_timeout_s = 3600.0;              ///< wall time after which a trial ends as hung
-  double grace_s = 30.0;                        ///< after `stop`, for what flies
-  const std::atomic<bool>* stop = nullptr;      ///< set: begin nothing more
-  const std::atomic<bool>* stop_now = nullptr;  ///< set: end what flies
-  std::function<void()> on_turn = {};  ///< where set: once a second or more often, while jobs go on
-};
-
 /// A job is given up, and JobEnd::killed_by says so, when so many workers that had it were killed
 /// from outside: once may be chance, such as memory that another process took.
 inline constexpr int kMostTries = 3;
@@ -54,6 +41,21 @@ struct JobEnd {
   std::string killed_by = {};       ///< by somebody else each time: "signal 9 (Killed)"
   std::string printed = {};  ///< by the worker, bounded: see PrintTrimmer; of a lookout's job
   std::vector<std::string> stack = {};  ///< where it died, innermost first
+};
+
+/// How jobs are done several at once.
+struct FleetOptions {
+  std::vector<std::string> worker_command;  ///< starts a worker; four file descriptors are appended
+  std::string sandbox;      ///< that workers enter, as text(SandboxSupport) has it; "": none
+  int jobs = 1;             ///< worker processes
+  double silence_s = 30.0;  ///< a worker that says for so long not even that it lives is ended
+  double trial_timeout_s = 3600.0;              ///< wall time after which a trial ends as hung
+  double grace_s = 30.0;                        ///< after `stop`, for what flies
+  const std::atomic<bool>* stop = nullptr;      ///< set: begin nothing more
+  const std::atomic<bool>* stop_now = nullptr;  ///< set: end what flies
+  /// Where set: before each worker whose sandbox grants a planner what it declares to need.
+  std::function<void(const FleetJob&)> on_granted = {};
+  std::function<void()> on_turn = {};  ///< where set: once a second or more often, while jobs go on
 };
 
 /// Does jobs in worker processes, several at once: the one way in which trials are flown.

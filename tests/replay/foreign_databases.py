@@ -92,6 +92,7 @@ def foreign_command(at, straight_line):
     done = at.call("replay", database, "--verify", "--sweep-file", sweep)
     at.expect("what a sweep of one's own has is flown, in the sandbox",
               (done.returncode, done.stdout) == (0, "2 trials flown again, 0 different\n") and not at.mark.exists(), done)
+    at.expect("what its sandbox grants it is said once", done.stderr.count("planner evil declares that it needs processes") == 1, done.stderr)
     done = at.call("explain", database, "--sweep-file", sweep)
     at.expect("and explained", done.returncode == 0 and REFUSAL not in done.stderr and not at.mark.exists(), done.stderr)
 
