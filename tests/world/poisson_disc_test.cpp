@@ -74,6 +74,17 @@ TEST(PoissonDiscDensity, IsThatOfAMaximalField) {
   EXPECT_LT(count, 0.78);
 }
 
+// Another way of drawing them would give a maximal field, too, but not the maps that were
+// published.
+TEST(PoissonDiscPoints, AreThoseOfEveryMachine) {
+  RandomStream random(11);
+  const auto points = poisson_disc({12.0, 9.0}, 2.0, random);
+  ASSERT_EQ(points.size(), 25U);
+  EXPECT_EQ(points[0], Eigen::Vector2d(0x1.56f2fe8e7759cp+1, 0x1.91f9e2b47e054p-1));
+  EXPECT_EQ(points[1], Eigen::Vector2d(0x1.63c96dec4fda4p+0, 0x1.cc35654ce31d5p+1));
+  EXPECT_EQ(points.back(), Eigen::Vector2d(0x1.020ec75ee7847p-9, 0x1.1f772e4cb65e6p+3));
+}
+
 TEST(PoissonDiscDensity, IsEvenOverTheArea) {
   RandomStream random(8);
   const auto points = poisson_disc({160.0, 160.0}, 2.3, random);
