@@ -15,7 +15,6 @@
 #include <thread>
 
 #include "plugin/bad_planners.hpp"
-#include "process/isolated_run.hpp"
 
 /// Libraries that do harm as soon as they are loaded: whoever describes them comes to none.
 namespace avoidbench {
@@ -226,26 +225,6 @@ TEST_F(AtLoad, LoadingIsACallOfTheWatchdogsClock) {
   is_over = true;
   watcher.join();
   EXPECT_GT(longest_s, 0.1);
-}
-
-TEST(IsolatedRun, GivesBackWhatWasWritten) {
-  const std::string bytes("a\0b\xff", 4);
-  const IsolatedEnd end = run_isolated(
-      [&](IsolatedOutput& output) {
-        EXPECT_TRUE(output.write(bytes));
-        EXPECT_TRUE(output.write(bytes));
-        EXPECT_FALSE(output.write(std::string(IsolatedOutput::kMostBytes, 'x')));
-      },
-      30.0);
-  EXPECT_EQ(end.problem, "");
-  EXPECT_EQ(end.output, bytes + bytes);
-}
-
-TEST(IsolatedRun, AnExceptionEndsTheChildOnly) {
-  const IsolatedEnd end =
-      run_isolated([](IsolatedOutput&) { throw std::runtime_error("out of the child"); }, 30.0);
-  EXPECT_THAT(end.problem, HasSubstr("signal 6"));
-  EXPECT_THAT(end.last_words, HasSubstr("out of the child"));
 }
 
 }  // namespace
