@@ -109,7 +109,7 @@ TEST(MeshMap, EveryFormatGivesTheSameTriangles) {
     EXPECT_EQ(triangles.size(), 12U) << name;
     if (first.empty()) first = triangles;
     EXPECT_EQ(triangles, first) << name;
-    EXPECT_EQ(make_world(spec_of((folder.path / name).string()), 7).digest, world.digest) << name;
+    EXPECT_EQ(make_world(spec_of((folder.path() / name).string()), 7).digest, world.digest) << name;
   }
 }
 
@@ -397,9 +397,9 @@ TEST(MeshMap, WrongSpecs) {
     const std::size_t at = text.find(file);
     return at == std::string::npos ? text : text.replace(at, file.size(), "FILE");
   };
-  EXPECT_EQ(message([&](MeshSpec& s) { s.file = folder.path / "none.obj"; }),
-            (folder.path / "none.obj").string() + ": no such file");
-  EXPECT_EQ(message([&](MeshSpec& s) { s.file = folder.path.string() + "/"; }),
+  EXPECT_EQ(message([&](MeshSpec& s) { s.file = folder.path() / "none.obj"; }),
+            (folder.path() / "none.obj").string() + ": no such file");
+  EXPECT_EQ(message([&](MeshSpec& s) { s.file = folder.path().string() + "/"; }),
             "file: '' is none of obj, ply, stl, glb, gltf");
   EXPECT_EQ(message([](MeshSpec& s) { s.file = "a.fbx"; }),
             "file: 'fbx' is none of obj, ply, stl, glb, gltf");
@@ -495,8 +495,8 @@ TEST(MeshMap, WhatIsExportedComesBack) {
   const TemporaryFolder folder;
   const World world = make_world(GapWallsSpec{}, 1);
   for (const std::string name : {"a.obj", "a.ply", "a.stl", "a.glb"}) {
-    export_mesh(world, folder.path / name);
-    MeshSpec spec = spec_of((folder.path / name).string());
+    export_mesh(world, folder.path() / name);
+    MeshSpec spec = spec_of((folder.path() / name).string());
     spec.up_axis = name == "a.glb" ? UpAxis::y : UpAxis::z;
     spec.bounds = {{-1, -1, 0}, {50, 50, 5}};
     const World back = make_world(spec, 1);
@@ -510,8 +510,8 @@ TEST(MeshMap, WhatIsExportedComesBack) {
 TEST(MeshMap, AGlbThatIsExportedKeepsItsObstacles) {
   const TemporaryFolder folder;
   const World world = make_world(HallSpec{.poisson_radius_m = 6.0}, 1);
-  export_mesh(world, folder.path / "a.glb");
-  MeshSpec spec = spec_of((folder.path / "a.glb").string());
+  export_mesh(world, folder.path() / "a.glb");
+  MeshSpec spec = spec_of((folder.path() / "a.glb").string());
   spec.up_axis = UpAxis::y;
   const World back = make_world(spec, 1);
   ASSERT_EQ(back.obstacles.size(), world.obstacles.size());

@@ -1,38 +1,18 @@
 #pragma once
 
-#include <stdlib.h>
-
 #include <array>
 #include <bit>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "geometry/triangle_mesh.hpp"
 #include "map_file/map_file.hpp"
+#include "support/temporary_folder.hpp"
 
 /// Map files to read, written by the test itself.
 namespace avoidbench::test {
-
-/// A folder of its own, gone with the object.
-struct TemporaryFolder {
-  std::filesystem::path path;
-  TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "avoidbench_XXXXXX").string();
-    path = mkdtemp(name.data());
-  }
-  ~TemporaryFolder() { std::filesystem::remove_all(path); }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  std::string write(const std::string& name, const std::string& bytes) const {
-    std::ofstream(path / name, std::ios::binary) << bytes;
-    return (path / name).string();
-  }
-};
 
 template <class T>
 std::string raw(T value, bool is_big_endian = false) {

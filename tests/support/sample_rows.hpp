@@ -8,6 +8,7 @@
 
 #include "base/digest.hpp"
 #include "store/database.hpp"
+#include "support/temporary_folder.hpp"
 
 /// Rows made by hand for tests of the database and of reports.
 namespace avoidbench::sample_rows {
@@ -22,25 +23,7 @@ inline constexpr MetricDef kMetrics[] = {
     {"processing_time_ms", 2, "ms", "Mean time of a plan call.", "mean", "host", Better::less,
      Population::all, true, no_value}};
 
-/// A folder that goes when the test ends.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "avoidbench_XXXXXX").string();
-    path_ = mkdtemp(name.data());
-  }
-  ~TemporaryFolder() {
-    std::error_code error;
-    std::filesystem::remove_all(path_, error);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
+using test::TemporaryFolder;
 
 inline std::string key_of(const std::string& name) { return Digest().add(name).hex(); }
 
