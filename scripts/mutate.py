@@ -53,7 +53,7 @@ class Mutant:
 UNREAD = re.compile(
     r"""//[^\n]*|/\*.*?\*/|R"(?P<mark>[^(\s]*)\(.*?\)(?P=mark)"|"(?:\\.|[^"\\\n])*"|(?<![0-9a-fA-F])'(?:\\.|[^'\\\n])+'""", re.S)
 # What is no behaviour, or none that a test could see: checks of our own mistakes, declarations, room kept in advance.
-SKIPPED = re.compile(r"\s*(#|using |namespace |template|enum |friend |extern )|.*\b(reserve\(|operator|constexpr bool is_|= default|= delete)")
+SKIPPED = re.compile(r"\s*(#|using |namespace |template|enum |friend |extern |alignas\()|.*\b(reserve\(|operator|constexpr bool is_|= default|= delete)")
 CHECKED = re.compile(r"\s*(static_assert|AB_CHECK)\b")
 NUMBER = re.compile(r"(?<![\w.'])(\d[\d']*(?:\.\d*)?(?:e[-+]?\d+)?)([uUlLfF]*)(?![\w.'>])")
 PAIRS = {"arithmetic": [(" + ", " - "), (" * ", " / "), (" += ", " -= "), (" *= ", " /= ")],

@@ -5,8 +5,11 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <span>
+#include <string>
 #include <vector>
 
+#include "base/digest.hpp"
 #include "maps/map_spec.hpp"
 #include "render/depth.hpp"
 #include "render/ray_tracing_isa.hpp"
@@ -101,6 +104,19 @@ TEST(Radiance, BothKernelsGiveTheSameBits) {
   expect_same_bits_of_both_kernels(small_hall());
   expect_same_bits_of_both_kernels(small_forest());
   expect_same_bits_of_both_kernels(test::scattered_world(31));
+}
+
+// What stereo matches: other textures are other results (golden tables follow).
+TEST(Radiance, TexturesAreThoseOfEveryMachine) {
+  std::string digests;
+  for (const Material material : kTextured) {
+    const World world = wall(material, 1.0);
+    const Scene scene(world);
+    const auto image =
+        radiance(scene, make_pinhole(31, 23, 1.2, kInfinity), facing_wall(3.0), {}, Channels::rgb);
+    digests += Digest().add_array(std::span(image)).hex().substr(0, 8) + ' ';
+  }
+  EXPECT_EQ(digests, "e418f3b4 147393f3 771be379 40a78452 586a0ba4 bc9d3bc4 ");
 }
 
 TEST(Radiance, GreyIsTheLuminance) {

@@ -4,8 +4,11 @@
 
 #include <array>
 #include <numeric>
+#include <span>
+#include <utility>
 #include <vector>
 
+#include "base/digest.hpp"
 #include "support/test_worlds.hpp"
 
 namespace avoidbench {
@@ -43,6 +46,27 @@ TEST(Shading, IsTheSameBitsEachTime) {
   const Pinhole camera = make_pinhole(61, 43, 1.4, 1000.0);
   const Pose pose = test::looking({-9.0, 0.0, 1.0}, {1.0, 0.0, -0.1});
   EXPECT_EQ(shaded(world, camera, pose, {}, 2), shaded(world, camera, pose, {}, 2));
+}
+
+// Pictures are kept beside results, and compared. Where the light is meant to change, so is this.
+TEST(Shading, APictureIsThatOfEveryMachine) {
+  const World world = test::scattered_world(21);
+  const Pinhole camera = make_pinhole(61, 43, 1.4, 1000.0);
+  const auto rgb = shaded(world, camera, test::looking({-9.0, 0.0, 1.0}, {1.0, 0.0, -0.1}));
+  EXPECT_EQ(Digest().add_array(std::span(std::as_const(rgb))).hex().substr(0, 16),
+            "2d17bf8afa30b89b");
+}
+
+TEST(Shading, BrighterLightIsNeverDarker) {
+  const World world = test::scattered_world(21);
+  const Pinhole camera = make_pinhole(31, 23, 1.4, 1000.0);
+  const Pose pose = test::looking({-9.0, 0.0, 1.0}, {1.0, 0.0, -0.1});
+  std::vector<std::uint8_t> dimmer = shaded(world, camera, pose, {.sun = 0.2});
+  for (const double sun : {0.6, 1.0, 2.0, 6.0, 30.0}) {
+    const std::vector<std::uint8_t> brighter = shaded(world, camera, pose, {.sun = sun});
+    for (std::size_t i = 0; i < brighter.size(); ++i) ASSERT_GE(brighter[i], dimmer[i]) << sun;
+    dimmer = brighter;
+  }
 }
 
 TEST(Shading, SkyIsBlueAboveAndPaleAtTheHorizon) {

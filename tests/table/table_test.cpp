@@ -5,6 +5,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 #include "base/random.hpp"
 #include "report/parsed_csv.hpp"
@@ -337,6 +339,15 @@ TEST(MakeTable, EndsOfIntervalsStandBehindTheirColumn) {
 std::string unquoted(std::string_view field) {
   const std::vector<std::vector<std::string>> rows = parsed_csv(std::string(field) + "\r\n");
   return rows.at(0).at(0);
+}
+
+TEST(Decimals, AreThoseOfSoManyDigits) {
+  const std::vector<std::pair<double, int>> of_three{{0.0, 2},  {1.0, 2},   {9.99, 2},  {10.0, 1},
+                                                     {99.9, 1}, {100.0, 0}, {1e6, 0},   {0.99, 3},
+                                                     {0.1, 3},  {0.099, 4}, {0.002, 5}, {1e-9, 6}};
+  for (const auto& [size, decimals] : of_three) EXPECT_EQ(decimals_for(size, 3), decimals) << size;
+  EXPECT_EQ(decimals_for(10.0, 2), 0);
+  EXPECT_EQ(decimals_for(5.0, 2), 1);
 }
 
 TEST(Csv, NoFieldIsAFormula) {
