@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "control/perfect_tracking.hpp"
 #include "support/vehicles.hpp"
 
 namespace avoidbench {
@@ -53,6 +54,27 @@ TEST(FlatState, RatesAreTheAttitudesDerivative) {
       EXPECT_LT((rates - flat.rates_body_radps).norm(), 1e-7) << t << ' ' << drag.transpose();
     }
   }
+}
+
+TEST(PerfectTracking, TheStateIsThatOfItsReference) {
+  const VehicleModel model = make_model(hummingbird_spec());
+  VehicleState before = hovering_at(model.spec, {9, 9, 9}, 0.0);
+  before.tick = 360;
+  const Reference reference = lissajous(1.3);
+  const VehicleState on = state_on(reference, model, before);
+  EXPECT_EQ(on.tick, 360);
+  EXPECT_EQ(on.position_world, reference.position_world);
+  EXPECT_EQ(on.velocity_world, reference.velocity_world);
+  const FlatState flat = flat_state(reference, model.drag_per_s, model.spec.gravity_mps2);
+  EXPECT_LT((on.q_world_body.toRotationMatrix() - flat.R_world_body).norm(), 1e-12);
+  EXPECT_EQ(on.rates_body, flat.rates_body_radps);
+  EXPECT_GT(on.rates_body.norm(), 0.1);
+  // The thrust of rotors at these speeds, over the mass.
+  double thrust_n = 0.0;
+  for (const double speed : on.rotor_speed_radps) {
+    thrust_n += model.spec.thrust_coefficient_ns2 * speed * speed;
+  }
+  EXPECT_NEAR(thrust_n / model.spec.mass_kg, flat.thrust_mps2, 1e-9);
 }
 
 TEST(PositionControl, AsksForNothingButHoverAtItsReference) {

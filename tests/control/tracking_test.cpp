@@ -134,6 +134,23 @@ TEST(Tracking, CircleWithFeedForward) {
   }
 }
 
+TEST(Tracking, ACommandBeginsWhereTheOneBeforeHasLed) {
+  const VehicleModel model = make_model(hummingbird_spec());
+  VehicleState state = hovering_at(model.spec, {0, 0, 2}, 0);
+  Tracker kept = make_tracker(model, state);
+  accept(kept, model, fly_at({2, 0, 0}), state);
+  state.tick += 400 * kTicksPerMillisecond;
+  state.position_world.x() = 0.3;
+  Tracker changed = kept;
+  advance(kept, model, state);
+  ASSERT_GT(kept.reference.velocity_world.x(), 0.1);
+  accept(changed, model, fly_at({0, 2, 0}), state);
+  EXPECT_EQ(changed.reference_tick, state.tick);
+  EXPECT_EQ(changed.reference.position_world, kept.reference.position_world);
+  EXPECT_EQ(changed.reference.velocity_world, kept.reference.velocity_world);
+  EXPECT_EQ(changed.reference.acceleration_world, kept.reference.acceleration_world);
+}
+
 TEST(Tracking, TrajectoryEndsAtRestAtItsLastPoint) {
   const VehicleModel model = make_model(hummingbird_spec());
   VehicleState start = hovering_at(model.spec, {2, 0, 2}, M_PI / 2);

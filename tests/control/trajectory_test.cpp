@@ -76,6 +76,8 @@ TEST(Command, ProblemsAreNamed) {
   command = circle(2, 3, 1, 0.1);
   command.trajectory[4].time_s = 0.3;
   EXPECT_EQ(command_problem(command), "trajectory point 4 is not later than the one before");
+  command.trajectory.resize(2);
+  EXPECT_EQ(command_problem(command), "");
   command.trajectory.resize(1);
   EXPECT_EQ(command_problem(command), "a trajectory of fewer than two points");
   command.kind = CommandKind::rates;
