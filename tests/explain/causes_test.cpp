@@ -218,6 +218,9 @@ TEST(Causes, TimeOuts) {
   }
   told = without_end(full, 30.0);
   EXPECT_EQ(told.explanation.cause, Cause::blocked_goal) << facts_text(told.explanation);
+  // Between four poles, not where one stands, in the goal's middle.
+  EXPECT_GT(told.explanation.facts.goal_clearance_m, 0.13);
+  EXPECT_LT(told.explanation.facts.goal_clearance_m, 0.35 / std::sqrt(2.0) - 0.05);
 
   act = [](const ab_observation& seen) {
     return velocity(std::fmod(seen.state->time_s, 4.0) < 2.0 ? 2.0 : -2.0, 0, 0);

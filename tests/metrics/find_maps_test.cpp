@@ -41,6 +41,10 @@ TEST(FindMaps, KeepsTheSeedsWithinTheTolerance) {
     EXPECT_EQ(is_kept, std::abs(rising(found.parameter, seed) - 12.0) <= 0.4) << seed;
   }
   EXPECT_EQ(calls, static_cast<int>(found.tried.size()));
+  // Both ends and halves between them, until one is nearer than a fifth of the tolerance.
+  std::set<double> parameters;
+  for (const MapTried& tried : found.tried) parameters.insert(tried.parameter);
+  EXPECT_EQ(parameters, (std::set<double>{1.0, 9.0, 5.0, 3.0, 4.0}));
   EXPECT_EQ(std::count_if(found.tried.begin(), found.tried.end(),
                           [](const MapTried& tried) { return tried.is_accepted; }),
             4);

@@ -126,6 +126,18 @@ TEST(Rates, ClusteredIntervalIsThatOfTheMapsWhereTheyDecide) {
   EXPECT_NEAR(interval.upper, centre + half, 1e-10);
 }
 
+TEST(Rates, ClusteredIntervalTakesTwoClusters) {
+  const std::vector<std::int64_t> successes{3, 5, 0}, trials{10, 10, 0};
+  const std::span<const std::int64_t> s(successes), n(trials);
+  EXPECT_TRUE(std::isnan(clustered_wilson_interval(s.first(1), n.first(1)).lower));
+  const Interval two = clustered_wilson_interval(s.first(2), n.first(2));
+  EXPECT_GT(two.lower, 0.0);
+  EXPECT_LT(two.upper, 1.0);
+  // A cluster without trials is none.
+  EXPECT_EQ(clustered_wilson_interval(s, n).lower, two.lower);
+  EXPECT_TRUE(std::isnan(clustered_wilson_interval(s.last(2), n.last(2)).upper));
+}
+
 TEST(Rates, ClusteredIntervalIsNeverNarrowerThanWilsons) {
   const std::vector<std::int64_t> trials{10, 10, 10, 0, 5, 10};
   for (const std::vector<std::int64_t>& successes : {std::vector<std::int64_t>{5, 5, 5, 0, 2, 5},
