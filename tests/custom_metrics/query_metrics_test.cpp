@@ -40,6 +40,16 @@ TEST_F(QueryMetrics, AreTheColumnsOfTheSelect) {
   EXPECT_EQ(computed.values.at(collided().key), std::vector<double>{13.5});
 }
 
+TEST_F(QueryMetrics, OnlyLinesOfCommentsDescribe) {
+  const ComputedMetrics computed =
+      query_metrics(db_,
+                    "-- of mine\n/*\n   late_s: not this [m]\n: */\n"
+                    "-- late_s: End [s]\n"
+                    "SELECT trial_key, end_time_s AS late_s FROM trials");
+  ASSERT_EQ(computed.metrics.size(), 1U);
+  EXPECT_EQ(computed.metrics[0].unit, "s");
+}
+
 TEST_F(QueryMetrics, ASelectWithoutAnEndIsEnded) {
   const std::string numbers = "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n) ";
   for (const char* select : {"SELECT trial_key, (SELECT max(i) FROM n) AS most FROM trials",

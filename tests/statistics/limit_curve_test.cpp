@@ -313,5 +313,19 @@ TEST(LimitContrast, TellsTheHigherLimit) {
   EXPECT_DOUBLE_EQ(same.difference, 0.0);
 }
 
+// Another choice is another sweep: `limit` flies what this says, and stores it.
+TEST(LimitCurve, FliesTheLevelsOfEveryMachine) {
+  const LimitCurve falls(kLevels, kWanted, LimitDirection::falls);
+  const std::vector<std::int64_t> room(kLevels, 10);
+  const std::vector<LimitCell> few{{.level = 4, .map = 0, .successes = 5, .trials = 5},
+                                   {.level = 36, .map = 1, .successes = 1, .trials = 6}};
+  EXPECT_EQ(falls.next(few, 6, room), (std::vector<std::size_t>{25, 25, 22, 21, 21, 20}));
+  std::vector<LimitCell> more = few;
+  more.push_back({.level = 20, .map = 2, .successes = 9, .trials = 10});
+  EXPECT_EQ(falls.next(more, 6, room), (std::vector<std::size_t>{27, 25, 40, 9, 24, 24}));
+  EXPECT_EQ(LimitCurve(kLevels, 0.5).next(more, 6, room),
+            (std::vector<std::size_t>{32, 32, 32, 9, 33, 33}));
+}
+
 }  // namespace
 }  // namespace avoidbench

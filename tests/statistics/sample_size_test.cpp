@@ -39,6 +39,7 @@ TEST(SampleSize, ExactTrialsAreTheFirstFromWhichOnThePowerHolds) {
   EXPECT_THROW(two_rates_trials_exact(0.5, 0.5), InputError);
   EXPECT_THROW(two_rates_trials_exact(1.5, 0.5), InputError);
   EXPECT_THROW(two_rates_trials_exact(0.7, 0.5, 1.0), InputError);
+  EXPECT_THROW(two_rates_trials_exact(0.7, 0.5, 0.8, 1.0), InputError);
 }
 
 // Casagrande, Pike and Smith (1978) and its kin give 219 for 0.9 against 0.8.
@@ -59,6 +60,10 @@ TEST(SampleSize, PairedMissionsAreFewerWherePlannersAgree) {
   EXPECT_EQ(paired_rates_trials(0.9, -0.1, 0.26, 0.8, 0.05), differing);
   EXPECT_THROW(paired_rates_trials(0.8, 0.1, 0.05, 0.8, 0.05), InputError);  // change > discordance
   EXPECT_THROW(paired_rates_trials(0.95, 0.1, 0.2, 0.8, 0.05), InputError);
+  for (const double level : {0.0, 1.0, -0.1, 1.5}) {
+    EXPECT_THROW(paired_rates_trials(0.8, 0.1, 0.2, level, 0.05), InputError) << level;
+    EXPECT_THROW(paired_rates_trials(0.8, 0.1, 0.2, 0.8, level), InputError) << level;
+  }
   EXPECT_THROW(paired_rates_trials(0.8, 0.0, 0.2, 0.8, 0.05), InputError);
 }
 
