@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <pthread.h>
 #include <signal.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -71,7 +72,7 @@ static uint64_t describe(void) {
   ab_process_description description;
   memset(&planner, 0, sizeof planner);
   memset(&description, 0, sizeof description);
-  planner.struct_size = is("table_short") ? 12 : sizeof planner;
+  planner.struct_size = is("table_short") ? offsetof(ab_planner, get_extension) : sizeof planner;
   planner.abi_version = AVOIDBENCH_ABI_VERSION;
   put_offset(&planner.name, add("hostile", 8));
   put_offset(&planner.version, add("1", 2));
