@@ -39,6 +39,13 @@ TEST(LimitRule, LevelsAreTheRulesValues) {
   EXPECT_DOUBLE_EQ(speed_rule().value_at(0.5), 2.5);
 }
 
+TEST(LimitRule, WithoutAWidthNoIntervalIsNarrowEnough) {
+  LimitRule rule = speed_rule();
+  EXPECT_DOUBLE_EQ(rule.relative_width(), 0.5 / 3.0);
+  rule.width = LimitRule{}.width;
+  EXPECT_EQ(rule.relative_width(), 0.0);
+}
+
 TEST(LimitRule, MapsThatDifferInTheFieldAreOnePlace) {
   LimitRule rule = speed_rule();
   rule.field = "map.poisson_radius_m";

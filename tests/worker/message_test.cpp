@@ -1,11 +1,14 @@
 #include "worker/message.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <thread>
 #include <tuple>
 
 #include "metrics/metric_table.hpp"
@@ -74,6 +77,28 @@ TEST(MessageInbox, TextThatIsNoObjectIsNoMessage) {
   MessageInbox inbox = expecting();
   ASSERT_EQ(inbox.add(message_bytes({.json = "text", .bytes = {}})), State::whole);
   EXPECT_FALSE(inbox.take());
+}
+
+TEST(Message, GoesThroughAPipeInPieces) {
+  int ends[2];
+  ASSERT_EQ(::pipe(ends), 0);
+  // More than a pipe holds.
+  const Message sent{.json = {{"a", 1}}, .bytes = std::vector<std::byte>(300'000, std::byte{5})};
+  std::thread writer([&] { EXPECT_TRUE(send_message(ends[1], sent)); });
+  const std::optional<Message> message = receive_message(ends[0]);
+  writer.join();
+  ASSERT_TRUE(message);
+  EXPECT_EQ(message->json, sent.json);
+  EXPECT_EQ(message->bytes, sent.bytes);
+  // Half a message, and then the end.
+  const std::vector<std::byte> bytes = message_bytes(sent);
+  ASSERT_EQ(::write(ends[1], bytes.data(), 100), 100);
+  ::close(ends[1]);
+  EXPECT_FALSE(receive_message(ends[0]));
+  ::close(ends[0]);
+  errno = 0;
+  EXPECT_FALSE(receive_message(ends[0]));
+  EXPECT_FALSE(send_message(ends[0], sent));
 }
 
 TEST(Message, TextThatIsNotUtf8IsReplaced) {
