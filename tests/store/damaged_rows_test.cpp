@@ -205,6 +205,11 @@ TEST(StoredText, NestedTooDeepIsNoObject) {
   for (int i = 0; i < 70; ++i) deep += "[";
   for (int i = 0; i < 70; ++i) deep += "]";
   EXPECT_THROW(stored_object(deep + "}"), BadText);
+  // Many that stand beside each other are not deep, nor is a long text.
+  std::string flat = "{\"a\":[0";
+  for (int i = 0; i < 200; ++i) flat += ",[],{}";
+  EXPECT_EQ(stored_object(flat + "],\"text\":\"" + std::string(300, 'x') + "\"}").at("a").size(),
+            401U);
   EXPECT_NO_THROW(
       stored_object("{\"a\":\"[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[["
                     "[[[[[[\\\"[\"}"));

@@ -393,5 +393,25 @@ TEST(Database, AMetricOfANewerProgramBecomesAColumn) {
   EXPECT_EQ(Database::open_for_reading(folder / "r.db").metrics()[0].name, "min_clearance_m");
 }
 
+/// What some specs lack is NULL for their trials.
+TEST(Database, AFieldIsThereWhereOneTrialHasIt) {
+  const TemporaryFolder folder;
+  Database db = begun(folder / "s.db");
+  TrialRow with = finished();
+  with.spec_json = R"({"seed":1,"mission":{"far_m":2.5}})";
+  db.add_trial(with);
+  db.add_trial(collided());
+  const SweepResult result = db.read_sweep("forest", 1, {"mission.far_m"});
+  ASSERT_EQ(result.trials.size(), 2U);
+  int found = 0;
+  for (const TrialSummary& trial : result.trials) {
+    const bool is_with = trial.key == with.key;
+    EXPECT_EQ(std::holds_alternative<std::monostate>(trial.fields.at(0)), !is_with);
+    if (is_with) found += std::get<double>(trial.fields.at(0)) == 2.5;
+  }
+  EXPECT_EQ(found, 1);
+  EXPECT_THROW(db.read_sweep("forest", 1, {"mission.fra_m"}), InputError);
+}
+
 }  // namespace
 }  // namespace avoidbench
