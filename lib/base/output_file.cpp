@@ -28,6 +28,17 @@ bool is_database(const std::filesystem::path& file) {
   return start.starts_with("SQLite format 3");
 }
 
+/// Whether SQLite takes it for a part of the database beside it, whose last rows may be there only.
+bool is_part_of_database(const std::filesystem::path& file) {
+  const std::string name = file.string();
+  for (const std::string_view ending : {"-wal", "-shm", "-journal"}) {
+    if (name.ends_with(ending) && is_database(name.substr(0, name.size() - ending.size()))) {
+      return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 std::string safe_file_name(std::string_view text) {
@@ -55,6 +66,9 @@ void check_output_file(const std::filesystem::path& file) {
   if (!std::filesystem::is_directory(folder, error)) refuse(file, "no folder " + folder.string());
   if (is_database(file)) {
     refuse(file, "it is a database (SQLite): delete it first, or name another file");
+  }
+  if (is_part_of_database(file)) {
+    refuse(file, "SQLite would take it for a part of the database beside it: name another file");
   }
   const std::filesystem::path& to_write = std::filesystem::exists(file, error) ? file : folder;
   if (::access(to_write.c_str(), W_OK) != 0) refuse(file, std::strerror(errno));

@@ -124,15 +124,16 @@ class Fleet {
     const Message message = job_message(job.job);
     const std::size_t most_bytes = most_result_bytes(job.job);
     // A worker may have ended after its last answer, through what its planner left there. That is
-    // no fault of this job's: it gets a new process. If that one takes no job either, the fault is
-    // not a planner's.
+    // no fault of this job's: it gets a new process. If that one takes no job either, somebody has
+    // killed it, or workers can't be started at all.
     bool is_sent = seat.process && seat.process->send(message, most_bytes);
     if (!is_sent) {
       end_process(seat);
       start_process(seat, job);
       is_sent = seat.process->send(message, most_bytes);
     }
-    if (!is_sent) {
+    const ProcessEnd end = is_sent ? ProcessEnd{} : seat.process->wait();
+    if (!is_sent && end.signal == 0) {
       const std::string words = last_words(*seat.process);
       throw InputError("worker processes end before they take a job" +
                        (words.empty() ? "" : ": " + words));
@@ -141,6 +142,7 @@ class Fleet {
     seat.planner_digest = job.job.spec.planner.file_digest;
     seat.silent_s = 0.0;
     seat.task = std::move(task);
+    if (!is_sent) take_kill(seat, end);
   }
 
   /// The seat's job has come to an end.

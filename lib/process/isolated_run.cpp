@@ -39,8 +39,10 @@ constexpr double kKilling_s = 2.0;
 
 /// What the watcher reports.
 struct Verdict {
-  int status = 0;  ///< as waitpid gives it; of no meaning after the time limit
+  int status = 0;  ///< as waitpid gives it; of no meaning unless in_time
   bool in_time = false;
+  int ended_by = 0;    ///< not 0: a signal that somebody else sent to the watcher ended it
+  int fork_error = 0;  ///< not 0: there was no process for the work
 };
 
 [[noreturn]] void fail(const char* what, int error) {
@@ -157,6 +159,12 @@ bool has_ended(pid_t worker) {
          info.si_pid == worker;
 }
 
+/// The watcher's last act.
+[[noreturn]] void report(const Verdict& verdict, const Pipe& verdicts) noexcept {
+  [[maybe_unused]] const ssize_t written = ::write(verdicts.write_end, &verdict, sizeof verdict);
+  ::_exit(0);
+}
+
 /// Between the caller and the worker: waits for the worker's end or the time limit, ends all that
 /// the worker has left behind, and says how it went.
 [[noreturn]] void be_watcher(const std::function<void(IsolatedOutput&)>& work,
@@ -171,13 +179,13 @@ bool has_ended(pid_t worker) {
   const pid_t watcher = ::getpid();
   const pid_t worker = ::fork();
   if (worker == 0) be_worker(work, output, words_fd, watcher);
-  if (worker < 0) ::_exit(1);
+  if (worker < 0) report({.fork_error = errno}, verdicts);
+  Verdict verdict;
 
   sigset_t awaited;
   ::sigemptyset(&awaited);
   for (const int number : {SIGCHLD, SIGTERM, SIGINT, SIGHUP, SIGQUIT})
     ::sigaddset(&awaited, number);
-  Verdict verdict;
   while (!verdict.in_time) {
     const double left_s = seconds_until(end);
     if (left_s <= 0.0) break;
@@ -185,24 +193,36 @@ bool has_ended(pid_t worker) {
     const timespec left{static_cast<time_t>(whole_s), static_cast<long>(1e9 * (left_s - whole_s))};
     // Signals were blocked before the fork, so that none is lost between looks.
     const int signal = ::sigtimedwait(&awaited, nullptr, &left);
-    if (signal > 0 && signal != SIGCHLD) break;
+    if (signal > 0 && signal != SIGCHLD) {
+      verdict.ended_by = signal;
+      break;
+    }
     verdict.in_time = has_ended(worker);
   }
   // In any case: what the worker has left behind goes with it.
   verdict.status = kill_all(worker);
-  [[maybe_unused]] const ssize_t written = ::write(verdicts.write_end, &verdict, sizeof verdict);
-  ::_exit(0);
+  report(verdict, verdicts);
+}
+
+std::string signal_text(int number) {
+  return "signal " + std::to_string(number) + " (" + ::strsignal(number) + ")";
 }
 
 std::string ending(const Verdict& verdict, double time_limit_s) {
+  if (verdict.fork_error != 0) {
+    return std::string("got no process of its own: ") + std::strerror(verdict.fork_error) +
+           " (see ulimit -u and free memory)";
+  }
+  if (verdict.ended_by != 0) {
+    return "was ended by " + signal_text(verdict.ended_by) + " of somebody else: run it again";
+  }
   if (!verdict.in_time) {
     char text[64];
     std::snprintf(text, sizeof text, "did not return within %g s", time_limit_s);
     return text;
   }
   if (WIFSIGNALED(verdict.status)) {
-    const int number = WTERMSIG(verdict.status);
-    return "crashed by signal " + std::to_string(number) + " (" + ::strsignal(number) + ")";
+    return "crashed by " + signal_text(WTERMSIG(verdict.status));
   }
   return "ended the process with code " + std::to_string(WEXITSTATUS(verdict.status));
 }

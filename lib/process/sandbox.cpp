@@ -1,6 +1,7 @@
 #include "process/sandbox.hpp"
 
 #include <fcntl.h>
+#include <linux/capability.h>
 #include <sys/prctl.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
@@ -140,6 +141,20 @@ void for_each_rule(Visit visit) {
   visit("network", &SandboxRules::network);
 }
 
+/// Root's: to set up interfaces and routes, which sockets of AF_NETLINK would do, and raw packets.
+void give_up_network_rights() {
+  constexpr std::uint32_t kRights = (1U << CAP_NET_ADMIN) | (1U << CAP_NET_RAW);
+  __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
+  __user_cap_data_struct sets[_LINUX_CAPABILITY_U32S_3] = {};
+  if (::syscall(SYS_capget, &header, sets) != 0) return;
+  sets[0].effective &= ~kRights;
+  sets[0].permitted &= ~kRights;
+  sets[0].inheritable &= ~kRights;
+  ::syscall(SYS_capset, &header, sets);
+  // Else programs that root starts would have them again.
+  for (const int right : {CAP_NET_ADMIN, CAP_NET_RAW}) ::prctl(PR_CAPBSET_DROP, right, 0, 0, 0);
+}
+
 }  // namespace
 
 SandboxSupport sandbox_support() {
@@ -173,6 +188,7 @@ SandboxRules sandbox_rules_from(const std::string& text) {
 
 SandboxSupport enter_sandbox(const SandboxRules& rules, const SandboxSupport& support) {
   SandboxSupport entered;
+  give_up_network_rights();
   // The kernel's condition for filters without root: no program that is started gains rights.
   if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return entered;
   if (support.landlock_abi > 0 && enter_landlock(rules, support.landlock_abi)) {

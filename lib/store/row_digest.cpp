@@ -173,8 +173,9 @@ void write_digests(const Database& db, std::string_view trial_key) {
 }
 
 void check_digests(const Database& db, bool flights) {
-  db.read_what_ifs();  // both check theirs
+  db.read_what_ifs();  // each checks its own
   db.read_explanations();
+  db.read_planners();
   const std::vector<std::string> columns = digested_columns(db);
   Statement row(db.handle(), db.path(),
                 row_query(columns, false) + (flights ? " ORDER BY rowid" : ""));

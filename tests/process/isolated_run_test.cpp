@@ -10,6 +10,7 @@
 #include <chrono>
 #include <cstdio>
 #include <stdexcept>
+#include <utility>
 
 namespace avoidbench {
 namespace {
@@ -96,6 +97,18 @@ TEST(IsolatedRun, WhatKillsItsWatcherIsNotWaitedFor) {
     while (true) ::pause();
   });
   EXPECT_THAT(end.problem, HasSubstr("ended the process that watches it"));
+}
+
+TEST(IsolatedRun, ASignalOfSomebodyElseIsNoTimeLimit) {
+  for (const auto& [number, words] :
+       {std::pair(SIGTERM, "signal 15 (Terminated)"), std::pair(SIGINT, "signal 2 (Interrupt)")}) {
+    const IsolatedEnd end = soon([number = number](IsolatedOutput&) {
+      ::kill(::getppid(), number);
+      while (true) ::pause();
+    });
+    EXPECT_EQ(end.problem,
+              std::string("was ended by ") + words + " of somebody else: run it again");
+  }
 }
 
 TEST(IsolatedRun, ReachesNoDescriptorOfOurs) {

@@ -2,7 +2,9 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <linux/capability.h>
 #include <linux/fs.h>
+#include <netinet/in.h>
 #include <signal.h>
 #include <sys/ioctl.h>
 #include <sys/ipc.h>
@@ -285,6 +287,20 @@ TEST_P(SandboxTest, ProcessesAndSocketsNeedToBeAllowed) {
     EXPECT_TRUE(is_refused([&] { return makes_pair(SOCK_DGRAM); }, rules));
     EXPECT_TRUE(is_refused([&] { return makes_pair(SOCK_RAW); }, rules));
   }
+}
+
+// Root's sockets could set up interfaces and routes.
+TEST_P(SandboxTest, TheNetworkIsUsedAndNotSetUp) {
+  const auto makes_packets = [] { return ::socket(AF_INET, SOCK_RAW, IPPROTO_ICMP) >= 0; };
+  const auto may_set_up = [] {
+    __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
+    __user_cap_data_struct sets[_LINUX_CAPABILITY_U32S_3] = {};
+    ::syscall(SYS_capget, &header, sets);
+    return ((sets[0].effective | sets[0].permitted) & (1U << CAP_NET_ADMIN)) != 0;
+  };
+  EXPECT_TRUE(is_refused(makes_packets, {.network = true}));
+  EXPECT_TRUE(is_refused(may_set_up, {.network = true}));
+  EXPECT_TRUE(is_refused(may_set_up, {}));
 }
 
 TEST_P(SandboxTest, ChildrenThatAreAllowedCanBeEndedAndTheParentNot) {

@@ -132,6 +132,15 @@ TEST(Merge, RefusesAnotherTrajectoryAndItself) {
   EXPECT_THROW(merge_database(db, folder / "none.db"), InputError);
 }
 
+TEST(Merge, RefusesAPlannerWhoseKeyIsNotItsOwn) {
+  const TemporaryFolder folder;
+  write_part(folder / "1.db", "", trials_of("a"));
+  test::run_sql(folder / "1.db", "UPDATE planners SET label = 'zzz'");
+  Database db = Database::open_for_run(folder / "all.db", kMetrics);
+  EXPECT_THROW(merge_database(db, folder / "1.db"), InputError);
+  EXPECT_TRUE(db.list_trials().empty());
+}
+
 /// What merging says where `change` was done to the second of two equal files, by a program that
 /// wrote the digests of what it stored.
 std::string refusal_after(const std::string& change) {
