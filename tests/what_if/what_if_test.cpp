@@ -8,6 +8,7 @@
 #include "base/input_error.hpp"
 #include "base/option_error.hpp"
 #include "metrics/metric_table.hpp"
+#include "statistics/rates.hpp"
 #include "support/planner_files.hpp"
 #include "sweep/run_sweep.hpp"
 #include "what_if/what_if_tables.hpp"
@@ -147,11 +148,31 @@ TEST_F(WhatIfTest, CountsFailuresAndAControl) {
   EXPECT_EQ(counts[2].successes, 3);
   EXPECT_EQ(counts[2].broken, 0);
   EXPECT_EQ(sentence_of(counts[2]), "Without latency, of 3 successes none breaks.");
-  const Section section = what_if_section(answered(file, request), request, "");
+  WhatIfPlan plan = answered(file, request);
+  const Section section = what_if_section(plan, request, "");
+  for (WhatIfFlight& flight : plan.flights) {
+    if (plan.trials[flight.trial].is_failure()) continue;
+    flight.row->outcome = Outcome::collided;
+    break;
+  }
+  EXPECT_EQ(count_what_ifs(plan)[2].broken, 1);
+  EXPECT_EQ(sentence_of(count_what_ifs(plan)[2]), "Without latency, of 3 successes 1 breaks.");
   for (const TableFormat format : {TableFormat::table, TableFormat::csv, TableFormat::json,
                                    TableFormat::markdown, TableFormat::latex}) {
     EXPECT_NE(format_sections(std::span(&section, 1), format).find("no"), std::string::npos);
   }
+  // The table has what was counted, in percent; lower and upper end are Wilson's of 4 of 4.
+  const Table& table = section.tables.front();
+  ASSERT_EQ(table.rows.size(), 4U);
+  const auto number = [&](std::string_view column) {
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+      if (table.columns[i].name == column) return std::get<double>(table.rows[0][i].value);
+    }
+    return -1.0;
+  };
+  EXPECT_EQ(number("cured_pct"), 100.0);
+  EXPECT_DOUBLE_EQ(number("cured_pct_lower"), 100.0 * wilson_interval(4, 4).lower);
+  EXPECT_DOUBLE_EQ(number("cured_pct_upper"), 100.0 * wilson_interval(4, 4).upper);
   // A larger control has the smaller one's trials.
   request.control = 4;
   const WhatIfPlan larger = plan_what_ifs(Database::open_for_reading(file), request, source());
