@@ -9,6 +9,7 @@
 #include "replay/replay.hpp"
 #include "support/problems.hpp"
 #include "support/small_sweep.hpp"
+#include "support/temporary_folder.hpp"
 #include "sweep/key_maker.hpp"
 #include "sweep/sweep_rows.hpp"
 
@@ -159,6 +160,10 @@ TEST(ListedMissionChecks, NameWhatCantBeFlownWithItsPlace) {
   has(2, "m.csv:4:1: start (",
       "has a surface 0.50 m away, nearer than mission.free_radius_m, 1.3 m");
   has(3, "m.csv:5:1: start (", "is 0.00 m from the goal, within mission.goal_radius_m, 0.8 m");
+  // A database that has not measured the map knows nothing of them.
+  const test::TemporaryFolder folder;
+  const Database empty = Database::open_for_run(folder / "empty.db", metric_table());
+  EXPECT_EQ(problems_of([&] { check_listed_missions(sweep, expand(sweep), &empty); }), problems);
   sweep.trials = 1;  // the others are not flown
   EXPECT_EQ(problems_of([&] { check_listed_missions(sweep, expand(sweep)); }), "");
 }

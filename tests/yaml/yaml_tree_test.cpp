@@ -91,6 +91,9 @@ TEST(YamlTree, MergeKeysPutMappingsIn) {
   EXPECT_EQ(root.find("c")->find("n")->line, 1);
   EXPECT_EQ(value("d", "n"), "1");  // the first of several
   EXPECT_EQ(value("d", "k"), "4");
+  EXPECT_EQ(root.find("c")->keys.size(), 2U);  // none twice
+  EXPECT_EQ(root.find("d")->keys.size(), 3U);
+  EXPECT_EQ(root.find("d")->items.size(), 3U);
   EXPECT_EQ(value("e", "<<"), "6");  // in quotes a key as any other
   EXPECT_EQ(parse_problems("a: {<<: 3}\n"),
             "f.yaml:1:9: <<: expected a mapping, as in `<<: *anchor`, found \"3\"");
