@@ -287,6 +287,18 @@ TEST(Summary, ASweepOfNoPlannersLacksNoTrials) {
   EXPECT_FALSE(has_warning(summary_of(result), "not done"));
 }
 
+TEST(Summary, SaysWhereTheRuleStoppedAPlanner) {
+  // Of 20 missions a map as many were flown as the rule needs; the last one is mission 9.
+  SweepResult result = result_of(2, 10, [](char, int, int) { return true; });
+  nlohmann::json spec{{"trial_count", 80}, {"trials", 20}, {"until", "success_rate ci<0.4"}};
+  spec["planners"] = {{{"label", "a"}}, {{"label", "b"}}};
+  result.spec_json = spec.dump();
+  const SweepSummary summary = summary_of(result);
+  EXPECT_TRUE(has_warning(summary, "a stopped after 10 of 20 missions per map"));
+  EXPECT_TRUE(has_warning(summary, "b stopped after 10 of 20 missions per map"));
+  EXPECT_FALSE(has_warning(summary, "not flown yet"));
+}
+
 TEST(Summary, TellsOfMeasuredLatency) {
   SweepResult result = result_of(1, 3, [](char, int, int) { return true; });
   EXPECT_FALSE(has_warning(summary_of(result), "latency"));
