@@ -129,6 +129,19 @@ TEST(ExportTrials, JsonLinesHoldWhatTheCsvHolds) {
   EXPECT_EQ(count + 1, rows.size());
 }
 
+TEST(ExportTrials, JsonLinesKeepLettersAsTheyAre) {
+  const TemporaryFolder folder;
+  {
+    Database db = filled(folder / "r.db");
+    TrialRow row = trial_row("a", 1, 1, Outcome::collided);
+    row.record.reason = "touched größtes \"Ding\"";
+    db.add_trial(row);
+  }
+  const std::vector<Database> db = one(Database::open_for_reading(folder / "r.db"));
+  const std::string lines = exported(db, "", TrialFormat::jsonl);
+  EXPECT_NE(lines.find(R"(touched größtes \"Ding\")"), std::string::npos) << lines;
+}
+
 TEST(ExportTrials, PartsInAnyOrderGiveTheWholesTable) {
   const TemporaryFolder folder;
   const std::vector<Database> whole = one(filled(folder / "whole.db"));

@@ -11,6 +11,7 @@
 #include "statistics/rates.hpp"
 #include "support/planner_files.hpp"
 #include "sweep/run_sweep.hpp"
+#include "what_if/smallest_scene.hpp"
 #include "what_if/what_if_tables.hpp"
 
 namespace avoidbench {
@@ -245,6 +246,35 @@ TEST_F(WhatIfTest, OneTrialAlone) {
   const Section section = what_if_section(plan, request, "");
   ASSERT_EQ(section.tables.size(), 1U);
   EXPECT_EQ(section.tables[0].rows.size(), 3U) << "as it was, and two changes";
+}
+
+/// A planner that sees nothing strikes one cylinder: the others go, whichever order they are in.
+TEST_F(WhatIfTest, TheSmallestSceneIsTheObstacleThatWasStruck) {
+  SweepSpec sweep;
+  sweep.name = "scene";
+  sweep.base.map = HallSpec{.area_m = {10, 14}, .poisson_radius_m = 2.5};
+  sweep.base.mission.time_limit_s = 20.0;
+  sweep.base.sensor.width_px = 80;
+  sweep.base.sensor.height_px = 60;
+  sweep.trials = 4;
+  sweep.planners = {test::preset_choice("straight_line")};
+  const Database database = Database::open_for_reading(fly(sweep));
+  std::string key;
+  for (const TrialListing& trial : database.list_trials()) {
+    if (trial.outcome == Outcome::collided) key = trial.key;
+  }
+  ASSERT_NE(key, "");
+  const SmallestScene scene = smallest_scene({.stored = read_stored_trial(database, key),
+                                              .files = {},
+                                              .folder = folder_,
+                                              .fleet = fleet(2)});
+  EXPECT_GT(scene.obstacles_before, 5U);
+  EXPECT_EQ(scene.obstacles, 1U);
+  EXPECT_EQ(scene.kinds, std::vector<std::string>{"cylinder"});
+  EXPECT_TRUE(scene.is_minimal);
+  EXPECT_EQ(scene.outcome, Outcome::collided) << scene.reason;
+  EXPECT_GT(scene.flights, 3);
+  EXPECT_TRUE(std::filesystem::exists(folder_ / kSceneMapFile));
 }
 
 TEST(WhatIfNames, AreSuggested) {
