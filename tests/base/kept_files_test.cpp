@@ -5,7 +5,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "base/input_file.hpp"
+#include "base/digest.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace avoidbench {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "base/input_error.hpp"
 #include "report/sweep_tables.hpp"

@@ -5,6 +5,7 @@
 
 #include "base/input_error.hpp"
 #include "store/record_format.hpp"
+#include "store/run_sql.hpp"
 #include "support/canonical_rows.hpp"
 #include "support/redigest.hpp"
 #include "support/sample_rows.hpp"
