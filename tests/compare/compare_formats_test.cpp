@@ -47,16 +47,16 @@ TEST(CompareFormats, ChangesHaveSignsAndDigitsOfTheirInterval) {
   row.base_mean = 0.5;
   row.new_mean = 0.502;
   row.change = 0.002;
-  row.change_interval = {-0.25, 0.75};
+  row.change_interval = {0.25, 0.75};
   std::string text = format_comparison(comparison, CompareFormat::table);
   EXPECT_NE(text.find("+0.002"), std::string::npos) << text;
-  EXPECT_NE(text.find("[-0.250, +0.750]"), std::string::npos) << text;
+  EXPECT_NE(text.find("[+0.250, +0.750]"), std::string::npos) << text;
   EXPECT_EQ(text.find("+0.0020"), std::string::npos) << text;
   EXPECT_EQ(text.find("+0.50"), std::string::npos) << text;  // means have none
   // An end that is not known.
   row.change_interval.upper = std::nan("");
   text = format_comparison(comparison, CompareFormat::table);
-  EXPECT_NE(text.find("[-0.250, –]"), std::string::npos) << text;
+  EXPECT_NE(text.find("[+0.250, –]"), std::string::npos) << text;
 }
 
 TEST(CompareFormats, JsonHasAllFlips) {

@@ -27,7 +27,7 @@ struct BesideAPole : testing::Test {
 
 TEST_F(BesideAPole, TheFirstStepIsLookedAt) {
   const Scene scene(world);
-  EXPECT_TRUE(contact(check, scene, at(0.1)).has_value());
+  EXPECT_TRUE(contact(check, scene, at(0.1, 0.5)).has_value());
 }
 
 TEST_F(BesideAPole, TheClearanceIsFromTheBox) {

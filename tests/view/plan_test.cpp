@@ -186,6 +186,12 @@ TEST(Struck, IsRingedWhereTheImageShowsIt) {
   turned.linear() = Eigen::AngleAxisd(math::kPi, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   EXPECT_FALSE(ring_struck(struck, camera, turned, 2.0, behind));
   EXPECT_EQ(behind.rgb, black().rgb);
+  // Ahead, but beside what the image shows.
+  for (const double aside_m : {-3.0, 3.0}) {
+    struck.contact_world = {2.5, aside_m, 0.0};
+    EXPECT_FALSE(ring_struck(struck, camera, Pose::Identity(), 2.0, behind));
+  }
+  EXPECT_EQ(behind.rgb, black().rgb);
 }
 
 }  // namespace
