@@ -10,6 +10,7 @@
 #include "metrics/metric_table.hpp"
 #include "statistics/rates.hpp"
 #include "support/planner_files.hpp"
+#include "support/small_sweep.hpp"
 #include "sweep/run_sweep.hpp"
 #include "what_if/smallest_scene.hpp"
 #include "what_if/what_if_tables.hpp"
@@ -250,14 +251,8 @@ TEST_F(WhatIfTest, OneTrialAlone) {
 
 /// A planner that sees nothing strikes one cylinder: the others go, whichever order they are in.
 TEST_F(WhatIfTest, TheSmallestSceneIsTheObstacleThatWasStruck) {
-  SweepSpec sweep;
-  sweep.name = "scene";
-  sweep.base.map = HallSpec{.area_m = {10, 14}, .poisson_radius_m = 2.5};
-  sweep.base.mission.time_limit_s = 20.0;
-  sweep.base.sensor.width_px = 80;
-  sweep.base.sensor.height_px = 60;
-  sweep.trials = 4;
-  sweep.planners = {test::preset_choice("straight_line")};
+  SweepSpec sweep = test::small_sweep();
+  sweep.planners.resize(1);
   const Database database = Database::open_for_reading(fly(sweep));
   std::string key;
   for (const TrialListing& trial : database.list_trials()) {
