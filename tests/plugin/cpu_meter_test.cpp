@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <ctime>
 #include <thread>
 
 #include "conformance/conformance_flight.hpp"
@@ -75,6 +76,36 @@ TEST(CpuMeter, ChargesNobodyForTheHostsAndOtherPlannersThreads) {
     busy_s += used_s(busy, 1);
   }
   EXPECT_GE(busy_s, 0.02);
+}
+
+/// Until the calling thread has used so much more.
+void compute(double cpu_s) {
+  const auto now_s = [] {
+    timespec now{};
+    ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+  };
+  for (const double end_s = now_s() + cpu_s; now_s() < end_s;) {
+  }
+}
+
+/// What the host's thread used until its end stays the host's, and no more than that.
+TEST(CpuMeter, GoesOnChargingAfterAThreadOfTheHostEnded) {
+  threads_belong_to(kHostThreads);
+  CpuMeter meter(new_thread_owner());
+  std::jthread host([](const std::stop_token& stop) {
+    while (!stop.stop_requested()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  });
+  meter.begin_call();  // from now on the thread is known
+  meter.end_call();
+  meter.settle();
+  host.request_stop();
+  host.join();
+  meter.begin_call();
+  std::thread([] { compute(0.1); }).join();
+  const double call_s = meter.end_call();
+  EXPECT_GE(call_s, 0.08);
+  EXPECT_LT(call_s, 0.15);
 }
 
 TEST(CpuMeter, CostsLittle) {

@@ -48,6 +48,14 @@ TEST_F(Drawings, ArriveAsTheyWereDrawn) {
   EXPECT_TRUE(host.take_log().empty());
 }
 
+/// Which 0 stands for, in what planners draw and in what others make.
+TEST_F(Drawings, AreOfTheUsualSizeWhereNoneIsSaid) {
+  EXPECT_EQ(Drawing{}.size_px, 0.0);
+  canvas.points("p", 0, std::vector<Vec3>{{1.0, 0.0, 0.0}});
+  canvas.line("l", 0, std::vector<Vec3>{{1.0, 0.0, 0.0}, {2.0, 0.0, 0.0}});
+  for (const Drawing& drawn : host.take_drawings()) EXPECT_EQ(drawn.size_px, 0.0) << drawn.label;
+}
+
 TEST_F(Drawings, AreNotKeptWhereNobodyLooks) {
   host.want_drawings(false);
   EXPECT_FALSE(canvas.is_wanted());

@@ -10,6 +10,7 @@
 
 #include "base/poll.hpp"
 #include "render/depth.hpp"
+#include "render/scene_internals.hpp"
 #include "support/test_worlds.hpp"
 
 namespace avoidbench {
@@ -111,6 +112,44 @@ TEST_P(SceneOf, NearestIsThatOfAllTriangles) {
   }
 }
 
+TEST_P(SceneOf, VisitsEveryTriangleWithinTheRadius) {
+  const auto is_same = [](const Triangle& a, const Triangle& b) {
+    return std::equal(a.begin(), a.end(), b.begin());
+  };
+  std::size_t within = 0;
+  for (int i = 0; i < 20; ++i) {
+    const Vector3d center = test::random_point(random_, 7.0);
+    std::vector<Triangle> visited;
+    scene_.visit_triangles(center, 1.5, [&](const Triangle& corners) {
+      visited.push_back(corners);
+      return 1.5;
+    });
+    for (const auto& placed : triangles_) {
+      if ((closest_point(center, placed.corners) - center).norm() > 1.5) continue;
+      ++within;
+      EXPECT_TRUE(std::any_of(visited.begin(), visited.end(), [&](const Triangle& corners) {
+        return is_same(corners, placed.corners);
+      }));
+    }
+  }
+  EXPECT_GT(within, 100U);
+}
+
+/// Of thousands that are within the radius at first: what the first visit gives, and no greater
+/// one that a later visit gives, is what counts.
+TEST_P(SceneOf, VisitsNoneBeyondTheRadiusThatAVisitGave) {
+  ASSERT_GT(triangles_.size(), 1000U);
+  int visits = 0;
+  scene_.visit_triangles(Vector3d::Zero(), 30.0, [&](const Triangle& corners) {
+    ++visits;
+    // No triangle is so near.
+    EXPECT_GT(closest_point(Vector3d::Zero(), corners).norm(), 0.01);
+    return visits == 1 ? 0.001 : 30.0;
+  });
+  EXPECT_GE(visits, 1);
+  EXPECT_LT(visits, 100);
+}
+
 TEST_P(SceneOf, TouchIsThatOfAllTriangles) {
   const Vector3d size(0.9, 0.7, 0.3);
   int touching = 0;
@@ -189,29 +228,53 @@ TEST(Scene, BothKindsAnswerPointQueriesWithTheSameBits) {
   EXPECT_GT(touching, 20);
 }
 
+/// Vertices a metre apart, `side` × `side` of them from the origin on, at heights that `height`
+/// gives.
+template <class Height>
+TriangleMesh field_mesh(std::uint32_t side, Height height) {
+  TriangleMesh mesh;
+  for (std::uint32_t i = 0; i < side * side; ++i) {
+    mesh.vertices.emplace_back(static_cast<float>(i / side), static_cast<float>(i % side),
+                               static_cast<float>(height()));
+  }
+  for (std::uint32_t i = 0; i + side + 1 < side * side; ++i) {
+    if (i % side == side - 1) continue;
+    mesh.triangles.push_back({i, i + side, i + side + 1});
+    mesh.triangles.push_back({i, i + side + 1, i + 1});
+  }
+  return mesh;
+}
+
 TEST(Scene, BuildingIsEndedByWhoeverWaitsForIt) {
-  TriangleMesh mesh;  // a hierarchy over one mesh of 320 000 triangles takes Embree 100 ms and more
+  // A hierarchy over one mesh of 320 000 triangles takes Embree 100 ms and more.
   RandomStream heights(3);
-  constexpr std::uint32_t kSide = 401;
-  for (std::uint32_t i = 0; i < kSide * kSide; ++i) {
-    mesh.vertices.emplace_back(static_cast<float>(i / kSide), static_cast<float>(i % kSide),
-                               static_cast<float>(heights.uniform()));
-  }
-  for (std::uint32_t i = 0; i + kSide + 1 < kSide * kSide; ++i) {
-    if (i % kSide == kSide - 1) continue;
-    mesh.triangles.push_back({i, i + kSide, i + kSide + 1});
-    mesh.triangles.push_back({i, i + kSide + 1, i + 1});
-  }
-  const World world = test::world_of(mesh);
+  const World world = test::world_of(field_mesh(401, [&] { return heights.uniform(); }));
   for (const std::size_t flatten_triangles : {std::size_t{0}, std::size_t{1'000'000}}) {
     int polls = 0;
     const PollScope scope([&polls] {
       if (++polls > 2) throw std::runtime_error("enough");
     });
     EXPECT_THROW(Scene(world, flatten_triangles), std::runtime_error);
+    EXPECT_LT(polls, 6) << "it is asked whether to go on after it was ended";
     polls = -1'000'000;
     EXPECT_NEAR(Scene(world, flatten_triangles).nearest({50.0, 50.0, 20.0}).distance_m, 19.0, 1.0)
         << "another goes well";
+  }
+}
+
+/// A floor of 7200 triangles: the plane of each is as near as the nearest one's.
+TEST(Scene, OfAFloorFewAreVisitedWhereTheFirstVisitNarrowsTheSearch) {
+  const World world = test::world_of(field_mesh(61, [] { return 0.0; }));
+  for (const std::size_t flatten_triangles : {std::size_t{0}, std::size_t{1'000'000}}) {
+    const Scene scene(world, flatten_triangles);
+    int visits = 0;
+    scene.visit_triangles({30.3, 30.4, 0.5}, 50.0, [&](const Triangle&) {
+      ++visits;
+      return 1.0;
+    });
+    // Within a metre is a disc of 0.87 m on the floor, of some ten triangles.
+    EXPECT_GE(visits, 8);
+    EXPECT_LT(visits, 500);
   }
 }
 
@@ -248,6 +311,28 @@ TEST(Scene, MovesWithItsWorld) {
     const Vector3d point = test::random_point(random, 7.0);
     EXPECT_NEAR(here.nearest(point).distance_m, there.nearest(point + shift).distance_m, 4e-6);
   }
+}
+
+/// A hall with two lamps below its ceiling, of which the second is the lowest; a shelf is lower.
+TEST(Scene, KnowsTheLowestPointOfCeilingsAndLamps) {
+  World world;
+  world.prototypes = {test::make_prototype(test::plane_mesh(5.0F)),
+                      test::make_prototype(test::box_mesh({1, 1, 1}))};
+  const auto add = [&](std::uint32_t prototype, const std::string& kind, float z) {
+    Eigen::Affine3f T_world_prototype = Eigen::Affine3f::Identity();
+    T_world_prototype.translation().z() = z;
+    test::place(world, prototype, T_world_prototype, kind);
+  };
+  const auto lowest_m = [&] { return Scene(world).internals().lowest_ceiling_m; };
+  add(0, "ground", 0.0F);
+  add(1, "shelf", 1.0F);
+  EXPECT_EQ(lowest_m(), kInfinity);
+  add(0, "ceiling", 6.0F);
+  EXPECT_EQ(lowest_m(), 6.0);
+  add(1, "lamp", 5.75F);
+  add(1, "lamp", 4.75F);
+  add(1, "lamp", 5.5F);
+  EXPECT_EQ(lowest_m(), 4.25);  // half a metre below its middle
 }
 
 /// A floor and a box that goes back and forth over it along x.

@@ -134,6 +134,10 @@ TEST(DamagedRows, AreNamedByTableAndRow) {
         {"UPDATE trials SET spec_json = "
          "'{\"mission\":{\"time_limit_s\":0.25},\"rates\":{\"sample_hz\":10}}'",
          "it has 20 samples; the trial's time limit and sample rate allow 17"},
+        // 0.26 s at 10 Hz and at the 50 Hz of jerks: 15.6 samples, and one at each end.
+        {"UPDATE trials SET spec_json = "
+         "'{\"mission\":{\"time_limit_s\":0.26},\"rates\":{\"sample_hz\":10}}'",
+         "it has 20 samples; the trial's time limit and sample rate allow 18"},
         {"UPDATE trajectories SET sample_count = -1", "damaged: table trajectories, row "},
         {"UPDATE trajectories SET samples = x'00'", "damaged: table trajectories, row "}}) {
     const std::string message = message_of_reading(sql);

@@ -1,13 +1,16 @@
 #!/usr/bin/env python3
-"""Runs that are disturbed at random (seeded) moments, again and again, until they end, give the rows of one that was left alone.
+"""Runs that are disturbed at random (seeded) moments, again and again, until they end, give the rows of one that was
+left alone.
 
     disturbed_runs.py PROGRAM [--count 300] [--databases 40] [--seed 1] [--long-locks 2] [--only WAY]
 
-Each database is flown by the same command until that has ended well and its share of disturbances is used up: signals to the run (KILL,
-TERM, INT, HUP, USR1 and then TERM, STOP and CONT) and to its workers, these also as if their planner had crashed, a limit of their CPU
-time, nobody who reads the messages, a full disk, a lock on the database, the database moved, deleted, replaced.
-Then its rows are those of the undisturbed run. A run that ends otherwise says what to do, unless SIGKILL ended it; it never says that all
-is well while trials are missing from the file that it names; the file is sound at all times; no process is left."""
+Each database is flown by the same command until that has ended well and its share of disturbances is used up: signals
+to the run (KILL, TERM, INT, HUP, USR1 and then TERM, STOP and CONT) and to its workers, these also as if their planner
+had crashed, a limit of their CPU time, nobody who reads the messages, a full disk, a lock on the database, the database
+moved, deleted, replaced. Then its rows are those of the undisturbed run. A run that ends otherwise says what to do,
+unless SIGKILL ended it; it never says that all is well while trials are missing from the file that it names; the file
+is sound at all times; no process is left."""
+
 import argparse
 import contextlib
 import itertools
@@ -30,8 +33,31 @@ from same_bits import rows
 MARK = "AVOIDBENCH_DISTURBED_RUN"  # in the environment of a run and of all that it starts
 WHAT_TO_DO = re.compile(r"again|free|make room|move it|elsewhere|another|--db|see ", re.IGNORECASE)
 # What ends a process that does not catch it; each in its turn.
-ENDING = itertools.cycle(["SEGV", "ABRT", "BUS", "QUIT", "ALRM", "XCPU", "FPE", "ILL", "TRAP", "SYS", "USR2", "VTALRM", "PROF", "XFSZ", "IO",
-                          "PWR", "STKFLT", "RTMIN", "RTMAX", "PIPE", "HUP"])
+ENDING = itertools.cycle(
+    [
+        "SEGV",
+        "ABRT",
+        "BUS",
+        "QUIT",
+        "ALRM",
+        "XCPU",
+        "FPE",
+        "ILL",
+        "TRAP",
+        "SYS",
+        "USR2",
+        "VTALRM",
+        "PROF",
+        "XFSZ",
+        "IO",
+        "PWR",
+        "STKFLT",
+        "RTMIN",
+        "RTMAX",
+        "PIPE",
+        "HUP",
+    ]
+)
 LONG_LOCK_S = 35.0
 DISK_KIB = 65536
 
@@ -63,12 +89,13 @@ class Disturbed:
     def __init__(self, runs, name, draws, whole_s):
         self.runs, self.name, self.draws, self.whole_s = runs, name, draws, whole_s
         self.file = runs.folder / name
-        self.done = []           # what was done, for messages
+        self.done = []  # what was done, for messages
         self.process = None
-        self.undo = []           # to be done when the run has ended
-        self.must_fail = False   # the run can't end well any more
-        self.is_mute = False     # nobody reads its messages
-        self.locks = []          # threads that hold one
+        self.undo = []  # to be done when the run has ended
+        self.must_fail = False  # the run can't end well any more
+        self.is_gone = False  # its file went away, perhaps when the run had nothing left to store
+        self.is_mute = False  # nobody reads its messages
+        self.locks = []  # threads that hold one
 
     def problem(self, text):
         print(f"PROBLEM  {self.name}, after {', '.join(self.done) or 'nothing'}: {text}", flush=True)
@@ -76,9 +103,14 @@ class Disturbed:
 
     def start(self):
         environment = os.environ | {MARK: str(os.getpid())}
-        self.must_fail = self.is_mute = False
-        self.process = subprocess.Popen(self.runs.command(self.name, "--jobs", "2", "--grace", "2"), stdout=subprocess.DEVNULL,
-                                        stderr=subprocess.PIPE, text=True, env=environment)
+        self.must_fail = self.is_gone = self.is_mute = False
+        self.process = subprocess.Popen(
+            self.runs.command(self.name, "--jobs", "2", "--grace", "2"),
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.PIPE,
+            text=True,
+            env=environment,
+        )
 
     def wait(self, seconds):
         """Whether it has ended after that time."""
@@ -96,8 +128,10 @@ class Disturbed:
 
     def stored(self):
         """How many trials the file has."""
-        with contextlib.suppress(sqlite3.Error), contextlib.closing(
-                sqlite3.connect(f"file:{self.file}?mode=ro", uri=True, timeout=5.0)) as db:
+        with (
+            contextlib.suppress(sqlite3.Error),
+            contextlib.closing(sqlite3.connect(f"file:{self.file}?mode=ro", uri=True, timeout=5.0)) as db,
+        ):
             return db.execute("SELECT count(*) FROM trials").fetchone()[0]
         return 0
 
@@ -197,7 +231,10 @@ class Disturbed:
         taken = threading.Event()
 
         def hold():
-            with contextlib.suppress(sqlite3.Error), contextlib.closing(sqlite3.connect(self.file, timeout=5.0, isolation_level=None)) as db:
+            with (
+                contextlib.suppress(sqlite3.Error),
+                contextlib.closing(sqlite3.connect(self.file, timeout=5.0, isolation_level=None)) as db,
+            ):
                 db.execute(kind)
                 taken.set()
                 time.sleep(seconds)
@@ -222,23 +259,44 @@ class Disturbed:
         def move_back():
             if not self.file.exists():
                 elsewhere.rename(self.file)
+
         self.undo.append(move_back)
 
     def delete(self):
         if self.file.exists():
-            self.must_fail = self.missing()
+            self.must_fail, self.is_gone = self.missing(), True
             self.file.unlink(missing_ok=True)
 
     def replace(self):
         if self.file.exists():
-            self.must_fail = self.missing()
+            self.must_fail, self.is_gone = self.missing(), True
             new = self.file.with_suffix(".new")
             new.write_bytes(b"")
             new.rename(self.file)
 
-    KINDS = (kill, terminate, interrupt, hang_up, close_messages, interrupt_twice, warn_and_terminate, stop_and_continue, kill_worker,
-             kill_workers_often, terminate_worker, interrupt_worker, signal_worker, signal_worker, limit_cpu_of_workers, stop_worker,
-             fill_disk, lock, move, delete, replace)
+    KINDS = (
+        kill,
+        terminate,
+        interrupt,
+        hang_up,
+        close_messages,
+        interrupt_twice,
+        warn_and_terminate,
+        stop_and_continue,
+        kill_worker,
+        kill_workers_often,
+        terminate_worker,
+        interrupt_worker,
+        signal_worker,
+        signal_worker,
+        limit_cpu_of_workers,
+        stop_worker,
+        fill_disk,
+        lock,
+        move,
+        delete,
+        replace,
+    )
 
     def disturb(self, kind):
         """Does it, unless the run has ended; whether it did."""
@@ -267,7 +325,17 @@ class Disturbed:
             self.problem("exit code 0, but trials were missing when its file went away")
         if code in (-signal.SIGINT, -signal.SIGTERM, -signal.SIGHUP, -signal.SIGUSR1) and text == "":
             code = -signal.SIGKILL  # before it could say anything
-        if code not in (0, 1, 2, 75, 130, -signal.SIGKILL, 128 + signal.SIGINT, 128 + signal.SIGTERM, 128 + signal.SIGUSR1):
+        if code not in (
+            0,
+            1,
+            2,
+            75,
+            130,
+            -signal.SIGKILL,
+            128 + signal.SIGINT,
+            128 + signal.SIGTERM,
+            128 + signal.SIGUSR1,
+        ):
             self.problem(f"exit code {code}: {text[-300:]}")
         elif code not in (0, -signal.SIGKILL) and not self.is_mute and not WHAT_TO_DO.search(text):
             self.problem(f"exit code {code} and nothing about what to do: {text[-300:]!r}")
@@ -286,11 +354,12 @@ class Disturbed:
             undo()
         self.undo = []
         self.runs.check_file(self.name)
-        return code == 0
+        return code == 0 and not self.is_gone
 
 
 def fly(runs, name, draws, whole_s, kinds):
-    """One database, disturbed in these ways one after the other, then left alone until it is whole; how many were used."""
+    """One database, disturbed in these ways one after the other, then left alone until it is whole; how many were
+    used."""
     one = Disturbed(runs, name, draws, whole_s)
     kinds, used = list(kinds), 0
     ended_well = False
@@ -316,7 +385,12 @@ def fly(runs, name, draws, whole_s, kinds):
 def small_disk(folder):
     """A folder on a small disk of its own, where one can be mounted."""
     folder.mkdir()
-    mounted = subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={DISK_KIB}k", "tmpfs", folder], capture_output=True).returncode == 0
+    mounted = (
+        subprocess.run(
+            ["mount", "-t", "tmpfs", "-o", f"size={DISK_KIB}k", "tmpfs", folder], capture_output=True
+        ).returncode
+        == 0
+    )
     try:
         yield
     finally:

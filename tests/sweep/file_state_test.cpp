@@ -26,6 +26,8 @@ TEST(FileState, SeesAFileWrittenAnewWithItsOldTime) {
   EXPECT_NE(file_state(file), before);
   std::filesystem::remove(file);
   EXPECT_EQ(file_state(file), FileState{});
+  EXPECT_EQ(file_state(file).bytes, -1);
+  EXPECT_EQ(file_state(file).inode, 0U);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "maps/map_spec.hpp"
 #include "view/film.hpp"
@@ -59,6 +60,58 @@ TEST_F(ThroughAHall, TheFilmsLastFramesSayHowItEnded) {
   EXPECT_EQ(picture.rgb, other_film.frame(10).rgb);
   const std::size_t last = film.frame_count() - 1;
   EXPECT_NE(film.frame(last).rgb, other_film.frame(last).rgb);
+}
+
+TEST_F(ThroughAHall, TheFilmShowsTheImageThatThePlannerSaw) {
+  std::vector<Moment> moments(2);
+  SeenImage image;
+  image.width_px = 40;
+  image.height_px = 30;
+  image.depth_m.assign(1200, std::numeric_limits<float>::quiet_NaN());  // grey
+  moments[1].call_s = 1.0;
+  moments[1].images = {SeenImage(), image};  // the first camera had none yet
+  Film film(stored, world, record, moments);
+  const Color invalid{96, 96, 96};
+  const auto count_at = [&](double time_s) {
+    const Picture picture =
+        film.frame(static_cast<std::size_t>(std::lround(kFilmRate_hz * time_s)));
+    return count_of(picture, invalid, 0, picture.width_px);
+  };
+  EXPECT_LT(count_at(0.4), 1000);
+  EXPECT_GT(count_at(1.2), 50'000);  // most of 426 × 320 pixels
+}
+
+/// On its plan, which is right of the view from behind.
+TEST_F(ThroughAHall, TheFilmShowsTheWayFlownUntilThen) {
+  const std::vector<Moment> moments;
+  Film film(stored, world, record, moments);
+  const Color path{20, 90, 200};
+  constexpr int kPlan_px = 2 * (kFilmWidth_px / 3);
+  int before = 0;
+  for (const std::size_t frame : {10U, 25U, 45U}) {
+    const Picture picture = film.frame(frame);
+    const int count =
+        count_of(picture, path, 0, picture.width_px) - count_of(picture, path, 0, kPlan_px);
+    EXPECT_GT(count, before) << frame;
+    before = count;
+  }
+}
+
+TEST(Moments, AreThoseAskedForAndAllMultiples) {
+  MomentRecorder recorder({0.75}, 0.5, TrialSpec{});
+  const VehicleState believed;
+  const PlannerView view;
+  const TrialRecord record;
+  for (int i = 0; i <= 6; ++i) {
+    recorder.planning({.time_s = 0.25 * i, .believed = believed, .view = view, .record = record});
+  }
+  std::vector<double> times_s, calls_s;
+  for (const Moment& moment : recorder.finish(1.625)) {
+    times_s.push_back(moment.time_s);
+    calls_s.push_back(moment.call_s);
+  }
+  EXPECT_EQ(times_s, (std::vector<double>{0.0, 0.5, 0.75, 1.0, 1.5, 1.625}));
+  EXPECT_EQ(calls_s, (std::vector<double>{0.0, 0.5, 0.75, 1.0, 1.5, 1.5}));
 }
 
 TEST_F(ThroughAHall, ASheetShowsWhatEachCameraSaw) {

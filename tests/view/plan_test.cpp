@@ -2,11 +2,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "base/math.hpp"
 #include "support/flight_worlds.hpp"
 #include "view/map_plan.hpp"
+#include "view/replay_panel.hpp"
 #include "view/replay_sheet.hpp"
 #include "view/struck_obstacle.hpp"
 
@@ -47,6 +52,27 @@ TEST(Plan, CrownsDoNotHideWhatStandsAtFlightHeight) {
   EXPECT_EQ(plan_color(scene, 0.1, 0.0, 2.0), crown);  // the trunk stands there
   EXPECT_EQ(plan_color(scene, 2.0, 0.0, 5.0), crown);  // at that height the crown does
   EXPECT_EQ(plan_color(scene, 10.0, 0.0, 5.0), ground);
+}
+
+/// 90 × 90 pixels on 10 m × 10 m around (0, `center_y`, 2), seen from above.
+Panel panel_at(double center_y = 0.0) {
+  return make_panel(90, 90, {0, center_y, 2}, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(),
+                    10.0);
+}
+
+TEST(Plan, IsAQuarterPalerUnderDrawings) {
+  const World world = tree_world();
+  const Scene scene(world);
+  Panel panel = panel_at();
+  paint_plan(scene, 2.0, panel);
+  for (const auto& [column, row] : {std::pair{45, 45}, {60, 45}, {3, 80}}) {
+    const Eigen::Vector3d at = panel.world_at(column + 0.5, row + 0.5);
+    const Color plan = plan_color(scene, at.x(), at.y(), 2.0);
+    const Color seen = pixel(panel.picture, Eigen::Vector2d(column, row));
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_NEAR(seen[i], 0.75 * plan[i] + 0.25 * 255, 0.51) << column << ", " << row;
+    }
+  }
 }
 
 TEST(Plan, FitsTheMap) {
@@ -113,6 +139,60 @@ TEST(Struck, TheContactIsOnTheObstacleAndMarkedThere) {
   EXPECT_EQ(pixel(panel.picture, panel.to_pixels({0.0, 1.5, 2})), (Color{255, 255, 255}));
 }
 
+/// Its arms go along both diagonals, 7 px from the middle.
+TEST(Struck, IsMarkedByACross) {
+  StruckObstacle struck(tree_world());
+  struck.contact_world = {1.0, -1.0, 0.0};
+  struck.is_shown = false;
+  Panel panel = panel_at();
+  panel.picture.rgb.assign(panel.picture.rgb.size(), 0);
+  draw_struck(struck, panel);
+  const Eigen::Vector2d middle = panel.to_pixels(struck.contact_world);
+  EXPECT_TRUE(middle.isApprox(Eigen::Vector2d(54, 54)));
+  for (const int x : {-5, 5}) {
+    EXPECT_TRUE(is_reddish(pixel(panel.picture, middle + Eigen::Vector2d(x, 5))));
+    EXPECT_TRUE(is_reddish(pixel(panel.picture, middle + Eigen::Vector2d(x, -5))));
+    EXPECT_FALSE(is_reddish(pixel(panel.picture, middle + Eigen::Vector2d(x, 0))));
+    EXPECT_FALSE(is_reddish(pixel(panel.picture, middle + Eigen::Vector2d(0, x))));
+  }
+}
+
+/// By the middles of its pixels: on one side of the box, the last one's is 5 mm within it.
+TEST(Silhouette, IsTintedPixelByPixel) {
+  World world = test::flight_world();
+  world.prototypes.clear();
+  world.instances.clear();
+  world.obstacles.clear();
+  test::add_obstacle(world, test::box_mesh({4, 4, 4}), {0, 0, 0}, "box");
+  const Scene scene(world);
+  Panel panel =
+      make_panel(100, 100, {0, 0.055, 2}, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), 10.0);
+  panel.picture.rgb.assign(panel.picture.rgb.size(), 0);
+  paint_silhouette(scene, {0, 0, 2}, 20.0, kWhite, panel);
+  for (int row = 0; row < 100; ++row) {
+    // The middle of the picture is y = 0.055 m, and a pixel 0.1 m.
+    const double y = 0.055 + 0.1 * (50 - row - 0.5);
+    const bool is_tinted = pixel(panel.picture, Eigen::Vector2d(50, row)) != Color{0, 0, 0};
+    EXPECT_EQ(is_tinted, std::abs(y) < 2.0) << row;
+  }
+}
+
+TEST(Legend, HasEachLineOnceAndTwelveAtMost) {
+  const auto color_of_line = [](std::size_t i) { return color_of(std::uint32_t(0x400000 + i)); };
+  std::vector<LegendLine> lines{{color_of_line(99), ""}};  // says nothing
+  for (std::size_t i = 0; i < 20; ++i) {
+    lines.push_back({color_of_line(i), "line " + std::to_string(i)});
+    lines.push_back(lines.back());
+  }
+  Picture picture = make_picture(200, 500);
+  add_legend(lines, picture);
+  // The first line's middle is at 33 px, the others follow each 18 px.
+  for (std::size_t i = 0; i < 20; ++i) {
+    const Color swatch = pixel(picture, Eigen::Vector2d(13.0, 33.0 + 18.0 * double(i)));
+    EXPECT_EQ(swatch == color_of_line(i), i < 12) << i;
+  }
+}
+
 TEST(Struck, IsNothingWhereNothingWasTouched) {
   const World world = tree_world();
   TrialRecord record = crash_into(1, "tree");
@@ -133,6 +213,23 @@ TEST(Struck, TheGroundIsNotPaintedRed) {
   panel.picture.rgb.assign(panel.picture.rgb.size(), 255);
   draw_struck(*struck, panel);
   EXPECT_EQ(pixel(panel.picture, panel.to_pixels({2.0, 2.0, 2})), (Color{255, 255, 255}));
+}
+
+/// What the camera has as depth, and what people would see.
+TEST(MapViews, OfDepthIsBlackWhereNothingIsInRangeAndThatOfAPersonIsNot) {
+  const World world = test::flight_world();
+  MapView view;
+  view.width_px = 160;
+  view.height_px = 120;
+  view.samples = 1;
+  view.listed_missions = {test::straight_mission()};
+  std::string note;
+  const auto above_the_horizon = [&](const std::string& name) {
+    view.name = name;
+    return pixel(render_map(world, TrialSpec{}, view, note), {80.0, 20.0});
+  };
+  EXPECT_EQ(above_the_horizon("depth"), (Color{0, 0, 0}));
+  EXPECT_GT(above_the_horizon("first_person")[2], 100);  // the sky
 }
 
 /// The trunk's face is at x = −0.5: what a body of 0.5 m has left before it is told for where it

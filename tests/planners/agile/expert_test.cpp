@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "expert/clearance_field.hpp"
 #include "expert/trajectory_cost.hpp"
@@ -87,6 +88,36 @@ TEST(TrajectoryCostTest, CountsWallsTheMapsSidesAndHaste) {
               0.1 * 0.01 * 20.0 * 21.0 * 41.0 / 6.0 / 20.0, 1e-9);
   Situation aside = from({2.0, 3.0, 2.0}, {0.0, 3.0, 0.0});  // 90° from where it looks
   EXPECT_GT(trajectory_cost(walled(30.0), aside, straight(aside)).view, 0.2);
+}
+
+/// 0 from 0.8 m on, 1 at 0.4 m, 4 at a surface, with parabola and line between and beyond.
+TEST(TrajectoryCostTest, OfCollisionIsThatOfTheClearanceWhereThisIsTheSameAllTheWay) {
+  const Situation situation = from({2.0, 6.0, 2.0}, {3.0, 0.0, 0.0});
+  ClearanceField field = walled(30.0);
+  for (const auto& [clearance_m, expected] :
+       {std::pair{0.9, 0.0}, {0.6, 0.5}, {0.4, 1.0}, {0.2, 3.25}, {0.0, 4.0}, {-0.25, 6.0}}) {
+    const double steps = std::round(100.0 * (clearance_m + 0.5));
+    field.steps.assign(field.steps.size(), static_cast<std::uint8_t>(steps));
+    const TrajectoryCost cost = trajectory_cost(field, situation, straight(situation));
+    EXPECT_NEAR(cost.collision, expected, 1e-9) << clearance_m;
+  }
+}
+
+/// Step i of 20 weighs 1.5 - i / 20: all of them together 19.5.
+TEST(TrajectoryCostTest, OfCollisionWeighsWhatComesSoonMore) {
+  const Situation situation = from({2.0, 6.0, 2.0}, {3.0, 0.0, 0.0});
+  // The field before or behind x = 5, where step 10 is, is a surface.
+  const auto cost_where = [&](auto is_surface) {
+    ClearanceField field = walled(30.0);
+    for (std::size_t i = 0; i < field.steps.size(); ++i) {
+      const auto column = static_cast<double>(i % static_cast<std::size_t>(field.size.x()));
+      field.steps[i] = is_surface(field.origin_world.x() + field.cell_m * column) ? 50 : 255;
+    }
+    return trajectory_cost(field, situation, straight(situation)).collision;
+  };
+  // Steps 1 to 9, and 11 to 20.
+  EXPECT_NEAR(cost_where([](double x) { return x < 5.0; }), 4.0 * 11.25 / 19.5, 1e-9);
+  EXPECT_NEAR(cost_where([](double x) { return x > 5.0; }), 4.0 * 7.25 / 19.5, 1e-9);
 }
 
 TEST(ExpertTest, FliesRoundAWallAndBestFirst) {

@@ -147,6 +147,20 @@ TEST_F(PilotTest, LooksAboutWhileItSeesNoWay) {
   EXPECT_LT((position_ - Vector3d(0.0, 0.0, 2.0)).norm(), 1e-9);
 }
 
+/// Ever farther to both sides of the goal, left first, and then from the middle on again.
+TEST_F(PilotTest, LooksAboutInOrder) {
+  settings_.scan_s = 4.0;
+  settings_.scan_rad = 0.4;
+  Pilot pilot = begun([](const Situation& s, const Image&) { return all(ahead(s, 1.5F)); });
+  double end_s = 0.0;
+  for (const int steps : {0, 1, -1, 2, -2, 3, -3, 0, 1}) {
+    // Nearly to the end of this look, which is long enough to turn.
+    end_s += settings_.scan_s;
+    fly(pilot, end_s - 2.0 * kPeriod_s - time_s_);
+    EXPECT_NEAR(yaw_rad_, settings_.scan_rad * steps, 0.01) << steps;
+  }
+}
+
 TEST_F(PilotTest, TurnsToAGoalBehindBeforeItFlies) {
   mission_.start_yaw_rad = 3.1;
   Pilot pilot = begun([](const Situation& situation, const Image&) {

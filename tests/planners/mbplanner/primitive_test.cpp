@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "planning/random.hpp"
 
 namespace mbplanner {
@@ -47,6 +49,23 @@ TEST(Primitive, KeepsSpeedAccelerationAndJerkWhateverPullsFollow) {
     expect_within(knots, from, limits);
     from = knots.back();
   }
+}
+
+/// At a pull that would lead beyond it, to 0.95 of the limit, and it stays there.
+TEST(Primitive, GoesUpToItsSpeed) {
+  const Limits limits{3.0, 4.0, 20.0};
+  const std::vector<Motion> knots = rolled_out(Motion(), Vector3d(4.0, 0.0, 0.0), limits, 80);
+  for (std::size_t i = 40; i < knots.size(); ++i) {
+    EXPECT_NEAR(knots[i].velocity.x(), 0.95 * 3.0, 0.05) << i;
+  }
+}
+
+/// What is beside the way is pulled for as before, also at full speed.
+TEST(Primitive, TurnsAtItsSpeed) {
+  const Motion from{Vector3d::Zero(), Vector3d(0.95 * 3.0, 0.0, 0.0), Vector3d::Zero()};
+  const Motion to = stepped(from, Vector3d(4.0, 0.5, 0.0), {3.0, 4.0, 20.0});
+  EXPECT_NEAR(to.acceleration.x(), 0.0, 1e-9);
+  EXPECT_NEAR(to.acceleration.y(), 0.5, 1e-9);
 }
 
 TEST(Stop, EndsAtRestAtTheDistanceOfABrakeWithRamps) {
@@ -95,6 +114,16 @@ TEST(StopAt, EndsAtThePlaceWithinTheLimits) {
   ASSERT_FALSE(knots.empty());
   EXPECT_LT((knots.back().position - Vector3d(6.0, 1.0, 0.3)).norm(), 1e-9);
   expect_within(knots, from, limits);
+}
+
+/// A metre from rest to rest: the quintic's jerk is 60 m / T³ at both ends, so that 20 m/s³ need
+/// 1.44 s; durations that are tried are 1.15 times each other, in whole steps. Its speed of
+/// 1.875 m / T and its acceleration of 5.77 m / T² need less.
+TEST(StopAt, TakesAsLongAsTheJerkWants) {
+  const std::vector<Motion> knots = stop_at(Motion(), {0.6, 0.8, 0.0}, {3.0, 4.0, 20.0});
+  const double duration_s = kStep_s * static_cast<double>(knots.size());
+  EXPECT_GE(duration_s, std::cbrt(60.0 / 20.0));
+  EXPECT_LE(duration_s, 1.15 * std::cbrt(60.0 / 20.0) + kStep_s);
 }
 
 }  // namespace

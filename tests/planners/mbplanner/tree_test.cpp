@@ -183,6 +183,26 @@ TEST(Tree, KeepsItsLimitsAndItsShape) {
   EXPECT_GT(tree.vertices().size(), 150U);
 }
 
+/// 0.9 s in steps of 0.05 s.
+TEST(Tree, HasWholePrimitivesWhereAllIsFree) {
+  Place place;
+  place.make_free({-9.0, -9.0, -1.0}, {9.0, 9.0, 4.0});
+  Task task = task_in(place);
+  task.space.lowest_m = -0.5;
+  task.space.highest_m = 3.5;
+  Settings settings = figures();
+  settings.levels = 3;  // none leads out of what is free
+  planning::Random random(2);
+  Tree tree(settings);
+  tree.grow(task, random);
+  ASSERT_GT(tree.vertices().size(), 15U);
+  for (std::size_t i = 1; i < tree.vertices().size(); ++i) {
+    const Vertex& vertex = tree.vertices()[i];
+    EXPECT_EQ(vertex.steps, 18) << i;
+    EXPECT_NEAR(vertex.time_s, 0.9 * (vertex.level + 1), 1e-9) << i;
+  }
+}
+
 TEST(Tree, IsTheSameForTheSameSeed) {
   Place place;
   place.make_free({-3.0, -5.0, 0.2}, {7.0, 5.0, 3.0});

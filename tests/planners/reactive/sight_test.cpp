@@ -257,6 +257,17 @@ TEST(ObstacleMemory, ForgetsByAgeDistanceAndSight) {
   EXPECT_EQ(count(), 0U);
 }
 
+/// To the very second and the very metre.
+TEST(ObstacleMemory, KeepsWhatIsJustWithinAgeAndRange) {
+  ObstacleMemory memory;
+  const Sight blind;
+  memory.add({3.0, 4.0, 0.0}, 1.0);
+  memory.prune({}, 5.0, 11.0, 10.0, blind);
+  std::vector<Vector3> points;
+  memory.append_points(-1.0, points);
+  EXPECT_EQ(points.size(), 1U);
+}
+
 TEST(PolarHistogram, MeasuresToTheTouchOfABall) {
   PolarHistogram histogram;
   histogram.clear(10.0);

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "base/math.hpp"
 #include "planners/support/conformance_expectation.hpp"
 #include "planners/support/kinematic_flight.hpp"
 
@@ -47,6 +48,48 @@ TEST(StraightLine, ComesBackToTheLine) {
   EXPECT_DOUBLE_EQ(plan.command.velocity_world_mps[1], -1.0);
   EXPECT_DOUBLE_EQ(plan.command.velocity_world_mps[2], -0.5);
   EXPECT_EQ(plan.command.yaw_rad, 0.0);
+}
+
+/// From (1, 2, 3), with 0.3 rad at the start.
+struct FromAPlace : testing::Test {
+  /// The command of a vehicle that is so far from the start.
+  ab_command command_to(const Eigen::Vector3d& goal_world, const Eigen::Vector3d& aside_m) {
+    PlannerMission mission;
+    mission.start_world = {1.0, 2.0, 3.0};
+    mission.start_yaw_rad = 0.3;
+    mission.goal_world = goal_world;
+    EXPECT_EQ(planner.reset(mission), "");
+    PlannerView view;
+    view.position_world = mission.start_world + aside_m;
+    view.velocity_world = view.rates_body = Eigen::Vector3d::Zero();
+    view.q_world_body.setIdentity();
+    const PlanResult plan = planner.plan(view);
+    EXPECT_EQ(plan.status, PlanStatus::command) << plan.reason;
+    return plan.command;
+  }
+  PlannerInstance planner = kinematic::instance_of(PLANNER_FILE);
+};
+
+TEST_F(FromAPlace, LooksAlongTheCourseWhereThatHasAHeading) {
+  const Eigen::Vector3d none = Eigen::Vector3d::Zero();
+  EXPECT_EQ(command_to({9.0, 2.0, 3.0}, none).yaw_rad, 0.0);
+  EXPECT_NEAR(command_to({1.0, 9.0, 3.0}, none).yaw_rad, 0.5 * math::kPi, 1e-12);
+  EXPECT_NEAR(command_to({-4.0, -3.0, 3.0}, none).yaw_rad, -0.75 * math::kPi, 1e-12);
+  EXPECT_EQ(command_to({1.0, 2.0, 9.0}, none).yaw_rad, 0.3);  // straight up: as at the start
+}
+
+TEST_F(FromAPlace, WhereTheStartIsTheGoalItGoesBackThere) {
+  const ab_command command = command_to({1.0, 2.0, 3.0}, {0.5, -0.25, 0.125});
+  EXPECT_DOUBLE_EQ(command.velocity_world_mps[0], -0.5);
+  EXPECT_DOUBLE_EQ(command.velocity_world_mps[1], 0.25);
+  EXPECT_DOUBLE_EQ(command.velocity_world_mps[2], -0.125);
+  EXPECT_EQ(command.yaw_rad, 0.3);
+}
+
+/// Twice the way that is left a second, however near, and back where it flew past.
+TEST_F(FromAPlace, SlowsDownToTheGoalAndComesBackFromBeyondIt) {
+  EXPECT_NEAR(command_to({5.0, 2.0, 3.0}, {3.99, 0.0, 0.0}).velocity_world_mps[0], 0.02, 1e-12);
+  EXPECT_NEAR(command_to({5.0, 2.0, 3.0}, {4.02, 0.0, 0.0}).velocity_world_mps[0], -0.04, 1e-12);
 }
 
 }  // namespace
