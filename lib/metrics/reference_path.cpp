@@ -8,6 +8,7 @@
 #include <queue>
 #include <tuple>
 
+#include "metrics/column_distances.hpp"
 #include "metrics/taut_path.hpp"
 
 namespace avoidbench {
@@ -38,6 +39,8 @@ struct Search {
   std::int64_t start_index, goal_index;
   std::vector<Cell> cells;
   std::map<std::int64_t, Vector3d> beside_surface;  ///< places of such cells
+  int closed_count = 0;
+  std::optional<ColumnDistances> distances = {};
 
   Cell& at(std::int64_t index) { return cells[static_cast<std::size_t>(index)]; }
   bool is_free(const Vector3d& point) {
@@ -88,9 +91,18 @@ Vector3d place_of(const Search& search, std::int64_t index) {
   return search.grid.centre(search.grid.cell(index));
 }
 
-/// No way from `place` to the goal region is shorter: it is reached at any height.
-double heuristic_m(const Search& search, const Vector3d& place) {
-  return std::max(0.0, (search.goal.center_world - place).head<2>().norm() - search.goal.radius_m);
+/// A bound of the way that is left, a little raised: of many ways that differ by less than a
+/// hundredth the search follows one, and takes a fifth of the time in a forest. Straight at first:
+/// only a search that goes on for long is worth the look around what stands in the way.
+double hoped_m(Search& search, const Vector3d& place) {
+  constexpr double kRaised = 1.01;
+  constexpr int kLong = 1000;  // cells
+  if (search.closed_count < kLong) {
+    const double straight_m = (search.goal.center_world - place).head<2>().norm();
+    return kRaised * std::max(0.0, straight_m - search.goal.radius_m);
+  }
+  if (!search.distances) search.distances.emplace(search.grid, search.goal, search.radius_m);
+  return kRaised * search.distances->at_least_m(place);
 }
 
 /// An entry of the open list. Ties go to the longer way behind, then to the lower index, so that
@@ -171,7 +183,7 @@ Path any_angle_search(Search& search) {
   first.cost_m = 0.0;
   first.parent = static_cast<std::int32_t>(search.start_index);
   first.is_sighted = true;
-  open.push({heuristic_m(search, search.start), 0.0, search.start_index});
+  open.push({hoped_m(search, search.start), 0.0, search.start_index});
   while (!open.empty()) {
     const std::int64_t index = open.top().index;
     open.pop();
@@ -180,17 +192,18 @@ Path any_angle_search(Search& search) {
     if (cell.is_closed) continue;
     // Lazy: the line of sight is looked at only when the cell's turn has come.
     if (!cell.is_sighted) {
-      const double hoped_m = cell.cost_m;
+      const double straight_m = cell.cost_m;
       if (!settle_parent(search, index)) continue;
       cell.is_sighted = true;
       // The way around is longer than the straight one that was hoped for: others may come first
       // now.
-      if (cell.cost_m > hoped_m) {
-        open.push({cell.cost_m + heuristic_m(search, place_of(search, index)), cell.cost_m, index});
+      if (cell.cost_m > straight_m) {
+        open.push({cell.cost_m + hoped_m(search, place_of(search, index)), cell.cost_m, index});
         continue;
       }
     }
     cell.is_closed = true;
+    ++search.closed_count;
     // Every cell of the region ends the search, not the goal's centre alone: the nearest entry
     // counts.
     if (search.goal.contains(place_of(search, index))) return path_to(search, index);
@@ -206,7 +219,7 @@ Path any_angle_search(Search& search) {
       other.cost_m = cost_m;
       other.parent = cell.parent;
       other.is_sighted = false;
-      open.push({cost_m + heuristic_m(search, there), cost_m, next});
+      open.push({cost_m + hoped_m(search, there), cost_m, next});
     });
   }
   return {};

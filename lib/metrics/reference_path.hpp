@@ -14,9 +14,10 @@ namespace avoidbench {
 /// region: the world's bounds, that a flight's centre may not leave either. Its length is d_min of
 /// the metrics.
 ///
-/// Lazy Theta* (Nash, Koenig and Tovey 2010) over the grid's cells with exact lines of sight, then
-/// the path is pulled taut against the surfaces themselves. Deterministic. An independent search
-/// finds none that is 0.5 % shorter (see the tests).
+/// Lazy Theta* (Nash, Koenig and Tovey 2010) over the grid's cells with exact lines of sight, led
+/// by the distances of ColumnDistances raised by a hundredth, then the path is pulled taut against
+/// the surfaces themselves. Deterministic. An independent search finds none that is 0.5 % shorter
+/// (see the tests).
 ///
 /// The ball is the largest in the body's horizontal outline: upright and whichever way it is
 /// turned, the body needs that width. But it is flatter than the ball, so that it can pass a slot
