@@ -120,8 +120,8 @@ void add_options(CLI::App& command, CompareCommand& options) {
                   "Write BASE's trials to this table, to be committed, and compare nothing")
       ->excludes(planner);
   add_choice(command, "--format", options.format,
-             "table, markdown, json, junit, bencher (Bencher Metric Format), github or "
-             "github_bigger (github-action-benchmark, metrics of which less or more is better)");
+             "table, markdown, json, junit or github (github-action-benchmark's "
+             "customSmallerIsBetter)");
   add_output_file(command, options.output);
 }
 

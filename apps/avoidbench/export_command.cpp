@@ -8,7 +8,6 @@
 #include "database_choice.hpp"
 #include "export/export_flight.hpp"
 #include "export/export_trials.hpp"
-#include "export/ompl_log.hpp"
 #include "export/trial_list.hpp"
 #include "output.hpp"
 #include "report/selection.hpp"
@@ -21,7 +20,6 @@ struct ExportOptions {
   std::string sweep, output = "-";
   TrialFormat trial_format = TrialFormat::csv;
   TrajectoryFormat trajectory_format = TrajectoryFormat::csv;
-  std::optional<double> progress_period_s;
   TrialOrder trial_order;
 };
 
@@ -104,37 +102,6 @@ void write_calls(const ExportOptions& options) {
              [](const TrialRecord& record) { return plan_calls_csv(record.plan_calls); });
 }
 
-void write_ompl(const ExportOptions& options) {
-  if (options.words.size() > 1) {
-    throw InputError("one database at a time: put several into one with avoidbench merge");
-  }
-  const std::vector<Database> databases = opened(options.words, "trials");
-  const std::vector<std::vector<SweepInfo>> sweeps = chosen_sweeps(databases, options.sweep);
-  std::vector<OmplExperiment> experiments;
-  for (const SweepInfo& sweep : sweeps.front()) {
-    for (OmplExperiment& one : ompl_experiments(databases.front(), sweep)) {
-      experiments.push_back(std::move(one));
-    }
-  }
-  const bool is_file = options.output == "-" || options.output.ends_with(".log");
-  if (is_file && experiments.size() > 1) {
-    throw InputError("--output " + options.output + ": a log holds one map, and these are " +
-                     std::to_string(experiments.size()) + ": name a folder");
-  }
-  const std::filesystem::path folder = is_file ? "" : made_folder(options.output);
-  for (const OmplExperiment& experiment : experiments) {
-    Output output(is_file ? options.output
-                          : (folder / (safe_file_name(experiment.name) + ".log")).string());
-    write_ompl_log(databases.front(), experiment, options.progress_period_s.value_or(0.0),
-                   [&](const std::string& text) { output.write(text); });
-    output.close();
-  }
-  if (!is_file) {
-    std::cerr << "wrote " << experiments.size() << (experiments.size() == 1 ? " log" : " logs")
-              << " to " << folder.string() << '\n';
-  }
-}
-
 void add_trials(CLI::App& app) {
   const auto [command, options] = add_command(
       app, "trials", "Every trial with its map, mission and metrics: one flat table", write_trials);
@@ -183,37 +150,15 @@ void add_calls(CLI::App& app) {
       .first.footer("Example:\n  avoidbench export calls results/quick.db 3 --output calls.csv");
 }
 
-void add_ompl(CLI::App& app) {
-  const auto [command, options] = add_command(
-      app, "ompl",
-      "Benchmark logs of OMPL, one per map, for ompl_benchmark_statistics and Planner Arena",
-      write_ompl);
-  command.add_option("DB", options.words, "Database (default: the newest results/*.db)");
-  add_sweep_choice(command, options.sweep);
-  command
-      .add_option(
-          "--output", options.output,
-          "Folder for the logs; of a single map also a file *.log, or - for standard output")
-      ->required();
-  add_number(command, "--progress", options.progress_period_s, CLI::PositiveNumber,
-             "Also how each flight went on, every so many seconds (default: not)")
-      ->type_name("SECONDS");
-  command.footer(
-      "Example:\n"
-      "  avoidbench export ompl results/quick.db --output logs\n"
-      "  ompl_benchmark_statistics logs/*.log -d arena.db       # then upload to plannerarena.org");
-}
-
 }  // namespace
 
 void add_export_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
-      "export", "Results for other programs: flat tables, flown paths, planner calls, OMPL logs");
+      "export", "Results for other programs: flat tables, flown paths, planner calls");
   command->require_subcommand(0, 1);
   add_trials(*command);
   add_trajectory(*command);
   add_calls(*command);
-  add_ompl(*command);
 }
 
 }  // namespace avoidbench

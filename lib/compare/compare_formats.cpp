@@ -204,29 +204,13 @@ std::string junit_text(const ExactComparison& comparison) {
   return junit_of("avoidbench compare, exact, " + comparison.new_sweep, cases);
 }
 
-/// {planner: {metric: {value, lower_value, upper_value}}}; all metrics, gated or not.
-std::string bencher_text(const Comparison& comparison) {
-  Json all = Json::object();
-  for (const MetricComparison& row : comparison.rows) {
-    if (std::isnan(row.new_mean)) continue;
-    Json measure{{"value", row.new_mean}};
-    if (std::isfinite(row.new_interval.lower) && std::isfinite(row.new_interval.upper)) {
-      measure["lower_value"] = row.new_interval.lower;
-      measure["upper_value"] = row.new_interval.upper;
-    }
-    all[comparison.planners[row.planner].planner][row.metric] = std::move(measure);
-  }
-  return dumped(all);
-}
-
-/// The metrics of which `better` is better; the success rate is turned to the failure rate for
-/// `less`.
-std::string github_text(const Comparison& comparison, Better better) {
+/// The metrics of which less is better, and the failure rate.
+std::string github_text(const Comparison& comparison) {
   Json all = Json::array();
   for (const MetricComparison& row : comparison.rows) {
-    // That tool knows one direction a file, so the rate is in both, in each as its direction wants.
-    const bool is_turned = row.metric == "success_rate" && better == Better::less;
-    if (std::isnan(row.new_mean) || (row.better != better && !is_turned)) continue;
+    // That tool knows one direction a file.
+    const bool is_turned = row.metric == "success_rate";
+    if (std::isnan(row.new_mean) || (row.better != Better::less && !is_turned)) continue;
     Json entry{{"name", comparison.planners[row.planner].planner + " / " +
                             (is_turned ? "failure_rate" : row.metric)},
                {"unit", row.unit.empty() ? "ratio" : row.unit},
@@ -259,12 +243,8 @@ std::string format_comparison(const Comparison& comparison, CompareFormat format
       return json_text(comparison);
     case CompareFormat::junit:
       return junit_text(comparison);
-    case CompareFormat::bencher:
-      return bencher_text(comparison);
     case CompareFormat::github:
-      return github_text(comparison, Better::less);
-    case CompareFormat::github_bigger:
-      return github_text(comparison, Better::more);
+      return github_text(comparison);
   }
   return {};
 }

@@ -5,7 +5,7 @@
 
 namespace avoidbench {
 
-enum class CompareFormat { table, markdown, json, junit, bencher, github, github_bigger };
+enum class CompareFormat { table, markdown, json, junit, github };
 template <>
 struct EnumText<CompareFormat> {
   static constexpr std::pair<CompareFormat, std::string_view> entries[] = {
@@ -13,9 +13,7 @@ struct EnumText<CompareFormat> {
       {CompareFormat::markdown, "markdown"},
       {CompareFormat::json, "json"},
       {CompareFormat::junit, "junit"},
-      {CompareFormat::bencher, "bencher"},
-      {CompareFormat::github, "github"},
-      {CompareFormat::github_bigger, "github_bigger"}};
+      {CompareFormat::github, "github"}};
 };
 
 /// The comparison as text that ends with a newline.
@@ -23,11 +21,8 @@ struct EnumText<CompareFormat> {
 /// - json: everything, all flips too, numbers with all digits, null where there is none;
 /// - junit: JUnit XML, one test case a planner and metric: a regression is a failure, a metric that
 ///   may not fail the comparison is skipped;
-/// - bencher: Bencher Metric Format, a benchmark a planner, a measure a metric, the new means with
-///   their 95 % intervals;
 /// - github: github-action-benchmark's customSmallerIsBetter of the new means of metrics of which
-///   less is better, the failure rate among them; github_bigger: its customBiggerIsBetter of the
-///   others, the success rate among them.
+///   less is better, the failure rate among them.
 std::string format_comparison(const Comparison& comparison, CompareFormat format);
 
 /// The same for table, markdown, json and junit (a test case a planner and metric, failed where a

@@ -21,8 +21,8 @@ mission: {time_limit_s: 1}
 sensor: {width_px: 80, height_px: 60}
 """
 
-# Of each command that writes files: its words, and by option the file that is a database already. @ is the option with it;
-# "" is a file without an option, and what is written beside another file is not named.
+# Of each command that writes files: its words, and by option the file that is a database already. @ is the option with
+# it; "" is a file without an option, and what is written beside another file is not named.
 COMMANDS = {
     "compare": [("compare db.db db.db @", {"--output": "v.sqlite"}), ("compare db.db @", {"--bless": "v.csv"})],
     "config defaults": [("config defaults @", {"--output": "v.yaml"})],
@@ -30,13 +30,21 @@ COMMANDS = {
     "config sweeps": [("config sweeps @", {"--output": "v.sqlite"})],
     "explain": [("explain db.db @", {"--output": "v.sqlite"}), ("explain db.db 1 @", {"--png": "v.png"})],
     "export calls": [("export calls db.db 1 @", {"--output": "v.csv"})],
-    "export ompl": [("export ompl db.db @", {"--output": "v.log"})],
     "export trajectory": [("export trajectory db.db 1 @", {"--output": "v.csv"})],
     "export trials": [("export trials db.db @", {"--output": "v.csv"})],
-    "limit": [("limit sweep.yaml --db other.db --over latency.ms=0..400 --quiet @", {"--output": "v.sqlite", "--heartbeat": "v.json"})],
-    "maps export": [("maps export hall @", {"": "v.obj"}), ("maps export hall other.obj", {"beside": "other.mtl"}),
-                    ("maps export hall --as cloud @", {"": "v.ply"}), ("maps export hall --as occupancy @", {"": "v.npy"}),
-                    ("maps export hall --as occupancy other.npy", {"beside": "other.npy.json"})],
+    "limit": [
+        (
+            "limit sweep.yaml --db other.db --over latency.ms=0..400 --quiet @",
+            {"--output": "v.sqlite", "--heartbeat": "v.json"},
+        )
+    ],
+    "maps export": [
+        ("maps export hall @", {"": "v.obj"}),
+        ("maps export hall other.obj", {"beside": "other.mtl"}),
+        ("maps export hall --as cloud @", {"": "v.ply"}),
+        ("maps export hall --as occupancy @", {"": "v.npy"}),
+        ("maps export hall --as occupancy other.npy", {"beside": "other.npy.json"}),
+    ],
     "maps info": [("maps info hall @", {"--output": "v.sqlite"})],
     "maps list": [("maps list @", {"--output": "v.sqlite"})],
     "maps show": [("maps show hall @", {"--png": "v.png"}), ("maps show hall @", {"--page": "v.html"})],
@@ -45,12 +53,18 @@ COMMANDS = {
     "planners describe": [("planners describe straight_line @", {"--output": "v.sqlite"})],
     "planners list": [("planners list @", {"--output": "v.sqlite"})],
     "power": [("power --trials 10 @", {"--output": "v.sqlite"})],
-    "replay": [("replay db.db 1 @", {"--png": "v.png", "--video": "v.mp4", "--page": "v.html", "--csv": "v.csv",
-                                     "--commands": "v.csv"}),
-               ("replay db.db --list @", {"--output": "v.sqlite"})],
+    "replay": [
+        (
+            "replay db.db 1 @",
+            {"--png": "v.png", "--video": "v.mp4", "--page": "v.html", "--csv": "v.csv", "--commands": "v.csv"},
+        ),
+        ("replay db.db --list @", {"--output": "v.sqlite"}),
+    ],
     "report": [("report db.db @", {"--output": "v.sqlite", "--page": "v.html"})],
-    "run": [("run sweep.yaml --db other.db --quiet @", {"--heartbeat": "v.json"}),
-            ("run sweep.yaml --db other.db --quiet --heartbeat h", {"beside": "h.new"})],
+    "run": [
+        ("run sweep.yaml --db other.db --quiet @", {"--heartbeat": "v.json"}),
+        ("run sweep.yaml --db other.db --quiet --heartbeat h", {"beside": "h.new"}),
+    ],
     "sensors list": [("sensors list @", {"--output": "v.sqlite"})],
     "sensors measure": [("sensors measure depth_ideal @", {"--output": "v.sqlite"})],
     "sensors show": [("sensors show depth_ideal @", {"--png": "v.png"})],
@@ -84,10 +98,16 @@ def main():
     with tempfile.TemporaryDirectory(prefix="avoidbench_outputs_") as folder:
         here = pathlib.Path(folder)
         (here / "sweep.yaml").write_text(SWEEP)
-        subprocess.run([program, "run", "sweep.yaml", "--db", "db.db", "--quiet"], cwd=here, check=True, capture_output=True)
+        subprocess.run(
+            [program, "run", "sweep.yaml", "--db", "db.db", "--quiet"], cwd=here, check=True, capture_output=True
+        )
         digest = hashlib.sha256((here / "db.db").read_bytes()).hexdigest()
-        for words, option, name in [(words, option, name) for entries in COMMANDS.values() for words, files in entries
-                                    for option, name in files.items()]:
+        for words, option, name in [
+            (words, option, name)
+            for entries in COMMANDS.values()
+            for words, files in entries
+            for option, name in files.items()
+        ]:
             victim = here / name
             shutil.copy(here / "db.db", victim)
             given = words.replace("@", f"{option} {name}").split()
@@ -102,7 +122,10 @@ def main():
             if made:
                 failures.append(f"{' '.join(given)}: made {', '.join(sorted(made))}")
             victim.unlink()
-    print("\n".join(failures) or f"{sum(len(files) for entries in COMMANDS.values() for _, files in entries)} outputs tried")
+    print(
+        "\n".join(failures)
+        or f"{sum(len(files) for entries in COMMANDS.values() for _, files in entries)} outputs tried"
+    )
     sys.exit(1 if failures else 0)
 
 

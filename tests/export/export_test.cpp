@@ -8,7 +8,6 @@
 #include "base/input_error.hpp"
 #include "export/export_flight.hpp"
 #include "export/export_trials.hpp"
-#include "export/ompl_log.hpp"
 #include "report/parsed_csv.hpp"
 #include "report/selection.hpp"
 #include "support/sample_rows.hpp"
@@ -257,84 +256,6 @@ TEST(ExportTrajectory, CallsHaveTheirStatusInWords) {
   EXPECT_EQ(field(rows, 3, "command_kind"), "");
   EXPECT_EQ(std::strtod(field(rows, 5, "time_s").c_str(), nullptr), 4.0 / 30.0);
   EXPECT_EQ(std::strtod(field(rows, 5, "cpu_time_s").c_str(), nullptr), 0.001 * 5.0 / 3.0);
-}
-
-std::string ompl_log(const Database& db, std::size_t map, double progress_period_s) {
-  const std::vector<OmplExperiment> experiments = ompl_experiments(db, db.read_sweeps().front());
-  EXPECT_EQ(experiments.size(), 2U);
-  std::string text;
-  write_ompl_log(db, experiments.at(map), progress_period_s,
-                 [&](const std::string& part) { text += part; });
-  return text;
-}
-
-TEST(OmplLog, StandsAsTheManualsGrammarSays) {
-  const TemporaryFolder folder;
-  const Database db = filled(folder / "r.db");
-  const std::string name = ompl_experiments(db, db.read_sweeps().front()).at(1).name;
-  const MapRow map = map_row(0, 2);  // the greater seed comes later: read as signed, -1 after -2
-  EXPECT_EQ(name, "forest-forest-r2.5-s18446744073709551615-" + map.record.key.substr(0, 8));
-  const std::string start = "avoidbench version 0.1.0\nExperiment " + name +
-                            "\n5 experiment properties\n"
-                            "poisson_radius_m REAL = 2.5\n"
-                            "traversability REAL = 20\n"
-                            "traversability_normalized_ratio REAL = 0.3\n"
-                            "obstacle_density_1pm2 REAL = 0.1\n"
-                            "free_volume_ratio REAL = 0.95\n"
-                            "Running on bench\nStarting at 2024-02-03 04:05:06\n<<<|\nmap {";
-  const std::string log = ompl_log(db, 1, 0.0);
-  EXPECT_EQ(log.substr(0, start.size()), start);
-  const std::string middle =
-      "18446744073709551615 is the random seed\n0 seconds per run\n0 MB per run\n"
-      "2 runs per planner\n0 seconds spent to collect the data\n1 enum type\n"
-      "status|reached_goal|collided|left_bounds|timed_out|planner_gave_up|planner_error|"
-      "planner_crashed|planner_hung\n2 planners\na\n5 common properties\n"
-      "planner_name = A_planner\nplanner_version = 1.2\nfile_sha256 = " +
-      planner_row("a").file_digest +
-      "\nis_privileged = 0\nhorizon_m = 5\n10 properties for each run\n"
-      "solved BOOLEAN\nstatus ENUM\nmission_index INTEGER\nreference_length_m REAL\n"
-      "traversability_obstruction REAL\nview_occlusion REAL\nangle_over_length_1pm REAL\n"
-      "path_optimality_pct REAL\nmission_progress_pct REAL\nprocessing_time_ms REAL\n2 runs\n"
-      "1; 0; 0; 40; 1.5; 0; 0.125; 4; 100; 3.5; \n"
-      "0; 1; 1; 41; 1.5; 0.25; 0.125; ; 40; 3.5; \n.\nb\n";
-  EXPECT_NE(log.find(middle), std::string::npos) << log;
-  EXPECT_TRUE(log.ends_with("\n.\n"));
-}
-
-TEST(OmplLog, ProgressIsSampledAndEndsWithTheFlight) {
-  const TemporaryFolder folder;
-  const Database db = filled(folder / "r.db");
-  const std::string log = ompl_log(db, 1, 0.1);
-  // Samples each 0.01 s from 0 to 0.19 s: at 0, 0.1, and the last one.
-  const std::string start =
-      "4 progress properties for each run\ntime REAL\ngoal_distance_m REAL\nspeed_mps REAL\n"
-      "clearance_m REAL\n2 runs\n0,";
-  const std::size_t at = log.find(start);
-  ASSERT_NE(at, std::string::npos) << log;
-  const std::size_t begin = at + start.size() - 2;
-  const std::string line = log.substr(begin, log.find('\n', begin) - begin);
-  EXPECT_EQ(std::count(line.begin(), line.end(), ';'), 3);
-  EXPECT_NE(line.find(";0.1,"), std::string::npos) << line;
-  EXPECT_NE(line.find(";0.19,"), std::string::npos) << line;
-}
-
-TEST(OmplLog, PlannersOfOneLabelKeepApart) {
-  const TemporaryFolder folder;
-  Database db = begun(folder / "r.db");
-  PlannerRow other = planner_row("a");
-  other.file_digest = key_of("another file");
-  db.add_planner(other);
-  TrialRow row = trial_row("a", 0, 0, Outcome::reached_goal);
-  db.add_trial(row);
-  row = trial_row("a", 1, 0, Outcome::reached_goal);
-  db.add_trial(row);
-  row.key = key_of("by the other");
-  row.planner_file_digest = other.file_digest;
-  db.add_trial(row);
-  const std::string log = ompl_log(db, 0, 0.0);  // of map 1
-  EXPECT_NE(log.find("\n2 planners\na_"), std::string::npos) << log;
-  EXPECT_NE(log.find("a_" + planner_key(planner_row("a")).substr(0, 8) + "\n"), std::string::npos);
-  EXPECT_NE(log.find("a_" + planner_key(other).substr(0, 8) + "\n"), std::string::npos);
 }
 
 }  // namespace

@@ -10,7 +10,6 @@
 #include "compare/compare_formats.hpp"
 #include "compare/trial_table.hpp"
 #include "export/export_trials.hpp"
-#include "export/ompl_log.hpp"
 #include "page/page.hpp"
 #include "page/page_text.hpp"
 #include "replay/replay.hpp"
@@ -67,11 +66,6 @@ void compare_and_export(const Database& db) {
         format_comparison(comparison, format);
       }
       table_of_csv(csv_of_table(table), "again");
-    });
-    pass_over_input_errors([&] {
-      for (const OmplExperiment& experiment : ompl_experiments(db, sweep)) {
-        write_ompl_log(db, experiment, 0.1, ignore);
-      }
     });
   }
   pass_over_input_errors([&] { export_trials({&db, 1}, "", TrialFormat::jsonl, ignore); });
