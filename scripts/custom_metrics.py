@@ -6,19 +6,15 @@ Each public function of FILE.py is a metric. It takes one flight and returns a n
 defined; the first line of its docstring describes it: "Turns per metre [1/m]; less is better".
 
 A flight has, all in the world frame (ENU, z up), for n samples in order of time:
-  trial                     a dict: the trial's row of the view trial_table (outcome, planner, end_time_s, all metrics, …)
-  time_s                    (n,)   simulated
-  position_world_m          (n, 3)
-  velocity_world_mps        (n, 3)
-  acceleration_world_mps2   (n, 3)
-  q_world_body              (n, 4) w x y z
-  rates_body_radps          (n, 3)
-  reference_world_m         (n, 3) commanded position; NaN where there was none
-  clearance_m               (n,)   between body and the nearest surface
-  rotor_power_w             (n,)
-  calls                     a list of dicts: time_s, cpu_time_s, wall_time_s, status, command_kind of each planner's call
+  trial                     a dict: the trial's row of the view trial_table (outcome, planner, end_time_s, all metrics,
+  …) time_s                    (n,)   simulated position_world_m          (n, 3) velocity_world_mps        (n, 3)
+  acceleration_world_mps2   (n, 3) q_world_body              (n, 4) w x y z rates_body_radps          (n, 3)
+  reference_world_m         (n, 3) commanded position; NaN where there was none clearance_m               (n,)   between
+  body and the nearest surface rotor_power_w             (n,) calls                     a list of dicts: time_s,
+  cpu_time_s, wall_time_s, status, command_kind of each planner's call
 n is 0 where the planner crashed before it flew.
 """
+
 import functools
 import importlib.util
 import inspect
@@ -34,9 +30,16 @@ import numpy
 
 # Of one sample in the table trajectories: name and first and last column (schema.sql).
 COLUMNS = {
-    "time_s": (0, 0), "position_world_m": (1, 3), "velocity_world_mps": (4, 6), "acceleration_world_mps2": (7, 9),
-    "q_world_body": (10, 13), "rates_body_radps": (14, 16), "reference_world_m": (17, 19), "clearance_m": (20, 20),
-    "rotor_power_w": (21, 21)}
+    "time_s": (0, 0),
+    "position_world_m": (1, 3),
+    "velocity_world_mps": (4, 6),
+    "acceleration_world_mps2": (7, 9),
+    "q_world_body": (10, 13),
+    "rates_body_radps": (14, 16),
+    "reference_world_m": (17, 19),
+    "clearance_m": (20, 20),
+    "rotor_power_w": (21, 21),
+}
 WIDTH = 22
 CALL_COLUMNS = ("time_s", "cpu_time_s", "wall_time_s", "status", "command_kind", "latency_s")
 
@@ -50,13 +53,12 @@ class Flight:
 
     @functools.cached_property
     def _samples(self):
-        row = self._database.execute("SELECT sample_count, samples, is_packed FROM trajectories WHERE trial_key = ?",
-                                     (self.trial["trial_key"],)).fetchone()
+        row = self._database.execute(
+            "SELECT sample_count, samples FROM trajectories WHERE trial_key = ?", (self.trial["trial_key"],)
+        ).fetchone()
         if row is None:
             return numpy.empty((0, WIDTH))
-        count, samples, is_packed = row
-        if not is_packed:
-            return numpy.frombuffer(samples, "<f8").reshape(count, WIDTH)
+        count, samples = row
         planes = numpy.frombuffer(zlib.decompress(samples), "u1").reshape(WIDTH, 8, count)
         return planes.transpose(2, 0, 1).copy().view("<f8")[..., 0]
 
@@ -64,12 +66,13 @@ class Flight:
         if name not in COLUMNS:
             raise AttributeError(f"a flight has no {name}; it has trial, calls, {', '.join(COLUMNS)}")
         first, last = COLUMNS[name]
-        return self._samples[:, first] if first == last else self._samples[:, first:last + 1]
+        return self._samples[:, first] if first == last else self._samples[:, first : last + 1]
 
     @functools.cached_property
     def calls(self):
-        row = self._database.execute("SELECT calls_json FROM plan_calls WHERE trial_key = ?",
-                                     (self.trial["trial_key"],)).fetchone()
+        row = self._database.execute(
+            "SELECT calls_json FROM plan_calls WHERE trial_key = ?", (self.trial["trial_key"],)
+        ).fetchone()
         return [dict(zip(CALL_COLUMNS, call)) for call in json.loads(row[0])] if row else []
 
 
@@ -79,13 +82,18 @@ def metrics_of(file):
     module = importlib.util.module_from_spec(spec)
     sys.path.insert(0, str(file.resolve().parent))
     spec.loader.exec_module(module)
-    found = [function for name, function in vars(module).items()
-             if inspect.isfunction(function) and function.__module__ == module.__name__ and not name.startswith("_")]
+    found = [
+        function
+        for name, function in vars(module).items()
+        if inspect.isfunction(function) and function.__module__ == module.__name__ and not name.startswith("_")
+    ]
     if not found:
         raise SystemExit(f"{file}: has no public function: each is a metric")
     for function in found:
         if len(inspect.signature(function).parameters) != 1:
-            raise SystemExit(f"{file}:{function.__code__.co_firstlineno}: {function.__name__} is to take one argument, the flight")
+            raise SystemExit(
+                f"{file}:{function.__code__.co_firstlineno}: {function.__name__} is to take one argument, the flight"
+            )
     return found
 
 
@@ -118,7 +126,9 @@ def main():
     for trial in trial_rows(database):
         flight = Flight(trial, database)
         values[trial["trial_key"]] = [value_of(function, flight, file) for function in functions]
-    metrics = [{"name": function.__name__, "doc": (inspect.getdoc(function) or "").split("\n")[0]} for function in functions]
+    metrics = [
+        {"name": function.__name__, "doc": (inspect.getdoc(function) or "").split("\n")[0]} for function in functions
+    ]
     json.dump({"metrics": metrics, "values": values}, sys.stdout)
 
 

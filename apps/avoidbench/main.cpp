@@ -139,21 +139,6 @@ void show_defaults(CLI::App& app) {
   for (CLI::App* command : app.get_subcommands({})) show_defaults(*command);
 }
 
-/// `verify DB`, which is `replay DB --verify` now. It goes with the next release.
-bool is_old_spelling(int argc, const char* const* argv) {
-  return argc > 1 && std::string_view(argv[1]) == "verify";
-}
-
-/// The words of the command line in today's spelling.
-std::vector<std::string> current_words(int argc, const char* const* argv) {
-  std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
-  if (is_old_spelling(argc, argv)) {
-    words.front() = "replay";
-    words.emplace_back("--verify");
-  }
-  return words;
-}
-
 int run_program(int argc, const char* const* argv) {
   CLI::App app("Benchmark of obstacle-avoidance planners for multirotors.", "avoidbench");
   app.set_version_flag("--version", version_text(), "Print version, git hash and compiler");
@@ -179,7 +164,8 @@ int run_program(int argc, const char* const* argv) {
       "Exit codes: 0 done, 1 done but a check failed, 2 usage or input, 3 an error of this "
       "program");
   try {
-    std::vector<std::string> words = current_words(argc, argv);
+    // argc may be 0.
+    std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
     std::reverse(words.begin(), words.end());  // as CLI11 takes them
     app.parse(std::move(words));
   } catch (const CLI::RuntimeError& stop) {
@@ -237,9 +223,6 @@ int guarded_program(int argc, const char* const* argv) {
 int main(int argc, char** argv) {
   avoidbench::make_streams_visible();
   const int code = avoidbench::guarded_program(argc, argv);
-  if (avoidbench::is_old_spelling(argc, argv)) {  // last, since a replay starts the program again
-    std::cerr << "avoidbench verify is called avoidbench replay --verify now, and will go\n";
-  }
   std::cout.flush();
   // Planners' destructors may change the code, or hang.
   if (avoidbench::PlannerLibrary::is_any_loaded()) {

@@ -193,7 +193,7 @@ bool is_repeatable(const TrialRecord& record) {
 /// Prints how the flight compares with the stored one. True where it is the same, or may differ.
 bool print_comparison(const StoredFlight& flight, const TrialRecord& flown) {
   const TrialRecord& stored = flight.stored.row.record;
-  // An older program stored no path of flights that ended with their worker.
+  // A worker that died before the first sample leaves no path.
   const bool is_comparable =
       !is_of_worker(stored.outcome) || !stored.samples.empty() || flown.samples.empty();
   if (!is_comparable) return true;

@@ -10,13 +10,20 @@
 #include "base/enum_text.hpp"
 #include "base/fields.hpp"
 
-/// Specs as JSON and back, through their visit(). Used between the processes of a run and for the
-/// trial's key: keys are sorted, numbers are printed with the fewest digits that read back to the
-/// same bits. For input from people see config/: what comes here was checked before.
+/// Specs as JSON and back, through their visit(). Used between the processes of a run, in databases
+/// and for the trial's key: keys are sorted, numbers are printed with the fewest digits that read
+/// back to the same bits. For input from people see config/: what comes here was checked before.
 namespace avoidbench {
 
 template <class Spec>
 nlohmann::json spec_to_json(const Spec& spec);
+
+/// Without the fields that are at their defaults, in nested specs neither; kinds of variants stay.
+/// A field that a later program adds, at its default, changes nothing of it.
+template <class Spec>
+nlohmann::json sparse_json(const Spec& spec);
+
+/// A field that is not there is at its default.
 template <class Spec>
 Spec spec_from_json(const nlohmann::json& json);
 
@@ -45,12 +52,37 @@ struct JsonWriter {
   }
 };
 
+template <class T>
+nlohmann::json sparse_value(const T& value);
+
+/// Writes the fields that differ from `defaults`, the same spec's at its defaults.
+struct SparseJsonWriter {
+  nlohmann::json& json;
+  const nlohmann::json& defaults;
+
+  template <class T>
+  void field(std::string_view name, const T& value, Range, std::string_view) {
+    const std::string key(name);
+    if (value_to_json(value) != defaults.at(key)) json[key] = sparse_value(value);
+  }
+  template <class T>
+  void field(std::string_view name, const T& value, std::string_view doc) {
+    field(name, value, Range{}, doc);
+  }
+  template <class Variant>
+  void variant(std::string_view name, const Variant& value, std::string_view) {
+    json[std::string(name)] = std::string(kind(value));
+    std::visit([this](const auto& held) { json.update(sparse_json(held)); }, value);
+  }
+};
+
 struct JsonReader {
   const nlohmann::json& json;
 
   template <class T>
   void field(std::string_view name, T& value, Range, std::string_view) {
-    value_from_json(json.at(std::string(name)), value);
+    const auto found = json.find(std::string(name));
+    if (found != json.end()) value_from_json(*found, value);
   }
   template <class T>
   void field(std::string_view name, T& value, std::string_view doc) {
@@ -103,6 +135,19 @@ nlohmann::json value_to_json(const T& value) {
 }
 
 template <class T>
+nlohmann::json sparse_value(const T& value) {
+  if constexpr (IsSequence<T>::value) {
+    nlohmann::json array = nlohmann::json::array();
+    for (const auto& element : value) array.push_back(sparse_value(element));
+    return array;
+  } else if constexpr (!TextEnum<T> && Visitable<const T, JsonWriter>) {
+    return sparse_json(value);
+  } else {
+    return value_to_json(value);
+  }
+}
+
+template <class T>
 void value_from_json(const nlohmann::json& json, T& value) {
   if constexpr (TextEnum<T>) {
     const auto found = enum_from_text<T>(json.get<std::string>());
@@ -125,6 +170,15 @@ template <class Spec>
 nlohmann::json spec_to_json(const Spec& spec) {
   nlohmann::json json = nlohmann::json::object();
   detail::JsonWriter writer{json};
+  visit(writer, spec);
+  return json;
+}
+
+template <class Spec>
+nlohmann::json sparse_json(const Spec& spec) {
+  nlohmann::json json = nlohmann::json::object();
+  const nlohmann::json defaults = spec_to_json(Spec{});
+  detail::SparseJsonWriter writer{json, defaults};
   visit(writer, spec);
   return json;
 }

@@ -133,16 +133,6 @@ void read_comment(const CsvReader& reader, std::string_view line, TrialTable& ta
   }
 }
 
-/// Older programs put no quotes around labels that begin with #: their trials would vanish.
-void check_is_no_trial(const CsvReader& reader, std::string_view line, std::size_t metric_count) {
-  // By its commas: a person's comment may have any quotes.
-  const auto commas = static_cast<std::size_t>(std::count(line.begin(), line.end(), ','));
-  if (commas + 1 < kColumns.size() + metric_count) return;
-  reader.fail(
-      "either a comment or a trial whose label begins with #: put the label in quotes, or bless "
-      "the table again");
-}
-
 /// A line of the table; fails, with its place, at the first field that can't be.
 TableTrial trial_of(const CsvReader& reader, const std::vector<std::string>& fields,
                     std::size_t metric_count) {
@@ -224,7 +214,6 @@ TrialTable table_of_csv(const std::string& text, const std::string& source) {
   while (reader.next(line)) {
     if (line.empty()) continue;
     if (line.starts_with('#')) {
-      if (has_header) check_is_no_trial(reader, line, table.metrics.size());
       read_comment(reader, line, table);
     } else if (!has_header) {
       std::vector<std::string> wanted(kColumns.begin(), kColumns.end());

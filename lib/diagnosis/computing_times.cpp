@@ -22,7 +22,7 @@ bool is_varied(const nlohmann::json& spec, std::string_view path) {
 }  // namespace
 
 ComputingTimes::ComputingTimes(std::span<const MetricRow> metrics) {
-  // All of them or none: databases of older programs lack some.
+  // All of them or none.
   for (const std::string_view name : kTimeMetrics) {
     const auto found = std::find_if(metrics.begin(), metrics.end(),
                                     [&](const MetricRow& metric) { return metric.name == name; });

@@ -37,7 +37,7 @@ bool needs_watch(const TrialRecord& record) {
 CauseFound explained(const FailedFlight& flight, const StruckPatch* patch,
                      const FlightWatch* watch) {
   AB_CHECK(flight.record.outcome != Outcome::reached_goal);
-  // An older program stored no path of flights that ended with their worker.
+  // A worker that died before the first sample leaves no path.
   const bool has_path = !flight.record.samples.empty();
   switch (flight.record.outcome) {
     case Outcome::collided:

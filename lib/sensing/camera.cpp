@@ -139,7 +139,7 @@ void Camera::Internals::match(CameraImages& images) {
   const auto at_1m = static_cast<float>(at_1m_px);
   const auto nearest = static_cast<float>(sensor.min_range_m);
   const auto farthest = static_cast<float>(sensor.max_range_m);
-  const auto* census = std::get_if<StereoCensusSpec>(&sensor.method);
+  const auto* census = std::get_if<StereoSgmSpec>(&sensor.method);
   const auto step = static_cast<float>(census != nullptr ? census->depth_step_m : 0.0);
   for (std::size_t i = 0; i < images.depth_m.size(); ++i) {
     float depth = at_1m / images.disparity_px[i];

@@ -34,15 +34,15 @@ SensorSpec plain_stereo(std::string name, const DepthMethod& method) {
 
 /// Penalties and uniqueness were chosen by errors in hall and forest: see docs/sensors.md.
 SensorSpec stereo_sgm() {
-  return plain_stereo("stereo_sgm", StereoCensusSpec{.window = CensusWindow::five_by_five,
-                                                     .disparities = 64,
-                                                     .paths = 4,
-                                                     .p1 = 5,
-                                                     .p2 = 32,
-                                                     .subpixel = true,
-                                                     .uniqueness_percent = 10,
-                                                     .speckle_window_px = 100,
-                                                     .depth_step_m = 0.0});
+  return plain_stereo("stereo_sgm", StereoSgmSpec{.window = CensusWindow::five_by_five,
+                                                  .disparities = 64,
+                                                  .paths = 4,
+                                                  .p1 = 5,
+                                                  .p2 = 32,
+                                                  .subpixel = true,
+                                                  .uniqueness_percent = 10,
+                                                  .speckle_window_px = 100,
+                                                  .depth_step_m = 0.0});
 }
 
 /// The outdoor camera of AvoidBench (task_outdoor.yaml; the indoor one has 91°): 640 × 480, 0.12 m,
@@ -50,7 +50,7 @@ SensorSpec stereo_sgm() {
 SensorSpec stereo_original() {
   SensorSpec sensor;
   sensor.name = "stereo_original";
-  sensor.method = StereoCensusSpec{};
+  sensor.method = StereoSgmSpec{};
   sensor.width_px = 640;
   sensor.height_px = 480;
   sensor.fov_x_deg = 100.0;
@@ -97,7 +97,7 @@ SensorSpec d435_like() {
 SensorSpec oak_d_like() {
   SensorSpec sensor;
   sensor.name = "oak_d_like";
-  StereoCensusSpec census;
+  StereoSgmSpec census;
   census.disparities = 96;
   census.subpixel = true;
   sensor.method = census;
@@ -134,7 +134,7 @@ SensorSpec surround() {
 
 std::vector<SensorSpec> sensor_presets() {
   return {
-      SensorSpec{},      depth_noisy(), stereo_sgm(), plain_stereo("stereo_sgbm", StereoSgmSpec{}),
+      SensorSpec{},      depth_noisy(), stereo_sgm(), plain_stereo("stereo_sgbm", StereoSgbmSpec{}),
       stereo_original(), d435_like(),   oak_d_like(), surround()};
 }
 

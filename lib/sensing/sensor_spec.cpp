@@ -76,8 +76,8 @@ SensorSpec one_camera(const SensorSpec& rig, std::size_t index) {
 }
 
 bool is_stereo(const CameraSpec& camera) {
-  return std::holds_alternative<StereoSgmSpec>(camera.method) ||
-         std::holds_alternative<StereoCensusSpec>(camera.method);
+  return std::holds_alternative<StereoSgbmSpec>(camera.method) ||
+         std::holds_alternative<StereoSgmSpec>(camera.method);
 }
 
 double disparity_at_1m_px(const CameraSpec& camera) {

@@ -77,11 +77,9 @@ struct EnumText<SgbmMode> {
                                                                       {SgbmMode::hh4, "hh4"}};
 };
 
-/// A shaded stereo pair matched by OpenCV's StereoSGBM (Hirschmüller 2008, with block costs): the
-/// preset stereo_sgbm. The kind is called as it was when no other matcher gave sub-pixels, so that
-/// sensors and trials written down then stay what they are.
-struct StereoSgmSpec {
-  static constexpr std::string_view kind = "stereo_sgm";
+/// A shaded stereo pair matched by OpenCV's StereoSGBM (Hirschmüller 2008, with block costs).
+struct StereoSgbmSpec {
+  static constexpr std::string_view kind = "stereo_sgbm";
   SgbmMode mode = SgbmMode::three_way;
   std::int64_t disparities = 64;
   std::int64_t block_px = 5;
@@ -91,7 +89,7 @@ struct StereoSgmSpec {
   std::int64_t left_right_px = 1;
 };
 
-template <class Visitor, ConstOr<StereoSgmSpec> Spec>
+template <class Visitor, ConstOr<StereoSgbmSpec> Spec>
 void visit(Visitor& v, Spec& s) {
   v.field("mode", s.mode, "The matcher's paths: 5, 3, 8 or 4 of them.");
   v.field("disparities", s.disparities, Range{16, 512},
@@ -116,10 +114,10 @@ struct EnumText<CensusWindow> {
       {CensusWindow::nine_by_seven, "9x7"}, {CensusWindow::five_by_five, "5x5"}};
 };
 
-/// A shaded stereo pair matched over a census cost by match_census(): the original AvoidBench's
-/// matcher, of which the defaults are, and that of the preset stereo_sgm.
-struct StereoCensusSpec {
-  static constexpr std::string_view kind = "stereo_census";
+/// A shaded stereo pair matched over a census cost by match_census(). The defaults are the original
+/// AvoidBench's matcher (preset stereo_original).
+struct StereoSgmSpec {
+  static constexpr std::string_view kind = "stereo_sgm";
   CensusWindow window = CensusWindow::nine_by_seven;
   std::int64_t disparities = 128;
   std::int64_t paths = 8;
@@ -131,7 +129,7 @@ struct StereoCensusSpec {
   double depth_step_m = 0.001;
 };
 
-template <class Visitor, ConstOr<StereoCensusSpec> Spec>
+template <class Visitor, ConstOr<StereoSgmSpec> Spec>
 void visit(Visitor& v, Spec& s) {
   v.field("window", s.window,
           "Pixels that are compared with each other; the smaller window blurs edges less.");
@@ -153,7 +151,7 @@ void visit(Visitor& v, Spec& s) {
           "Depth is cut down to a whole multiple of this; 0: not cut.");
 }
 
-using DepthMethod = std::variant<DepthIdealSpec, DepthNoisySpec, StereoSgmSpec, StereoCensusSpec>;
+using DepthMethod = std::variant<DepthIdealSpec, DepthNoisySpec, StereoSgbmSpec, StereoSgmSpec>;
 
 /// Where a camera sits on the body and where it looks.
 struct MountingSpec {

@@ -28,7 +28,7 @@ int sgbm_mode(SgbmMode mode) {
 
 class SgbmMatcher : public StereoMatcher {
  public:
-  SgbmMatcher(const StereoSgmSpec& spec, int width_px, int height_px)
+  SgbmMatcher(const StereoSgbmSpec& spec, int width_px, int height_px)
       : size_(width_px, height_px), border_(static_cast<int>(spec.disparities)) {
     cv::setNumThreads(1);  // one trial a core; the result does not depend on it
     const int block = static_cast<int>(spec.block_px);
@@ -79,7 +79,7 @@ class SgbmMatcher : public StereoMatcher {
 
 class CensusMatcher : public StereoMatcher {
  public:
-  CensusMatcher(const StereoCensusSpec& spec, int width_px, int height_px)
+  CensusMatcher(const StereoSgmSpec& spec, int width_px, int height_px)
       : settings_{.window = spec.window,
                   .disparities = static_cast<int>(spec.disparities),
                   .paths = static_cast<int>(spec.paths),
@@ -124,11 +124,11 @@ class CensusMatcher : public StereoMatcher {
 }  // namespace
 
 std::unique_ptr<StereoMatcher> make_stereo_matcher(const CameraSpec& sensor) {
-  if (const auto* sgm = std::get_if<StereoSgmSpec>(&sensor.method)) {
+  if (const auto* sgm = std::get_if<StereoSgbmSpec>(&sensor.method)) {
     return std::make_unique<SgbmMatcher>(*sgm, static_cast<int>(sensor.width_px),
                                          static_cast<int>(sensor.height_px));
   }
-  if (const auto* census = std::get_if<StereoCensusSpec>(&sensor.method)) {
+  if (const auto* census = std::get_if<StereoSgmSpec>(&sensor.method)) {
     return std::make_unique<CensusMatcher>(*census, static_cast<int>(sensor.width_px),
                                            static_cast<int>(sensor.height_px));
   }

@@ -64,13 +64,6 @@ MetricRow metric_row(const MetricDef& def) {
           .is_measured = def.is_measured};
 }
 
-std::string with_replaced(std::string text, std::string_view mark, std::string_view by) {
-  for (auto at = text.find(mark); at != std::string::npos; at = text.find(mark, at + by.size())) {
-    text.replace(at, mark.size(), by);
-  }
-  return text;
-}
-
 /// views.sql with the columns of `metrics`.
 std::string views_sql(std::span<const MetricRow> metrics) {
   std::string columns, means;
@@ -200,9 +193,12 @@ Database Database::open_for_run(const std::filesystem::path& path,
   Transaction transaction(handle, path);
   const bool is_new = object_count(handle, path) == 0;
   write_cookie(handle, path, cookie_of_next_run(read_cookie(handle, path), is_new));
-  if (is_new) execute(handle, path, std::string(kSchemaSql));
-  check_columns(handle, path, "main");
-  database.bring_metrics(metrics);
+  if (is_new) {
+    execute(handle, path, schema_sql(metrics));
+  } else {
+    check_columns(handle, path, "main");
+  }
+  database.bring_metrics(metrics, is_new);
   transaction.commit();
   database.use_own_views();
   // From here on it is ours: closing may take its log in.
@@ -328,7 +324,7 @@ std::string Database::rescued_copy() {
 }
 
 void Database::use_own_views() {
-  // What a file's views say is up to who wrote it, or an older program.
+  // What a file's views say is up to who wrote it.
   // A temporary view shadows one of the file's of the same name.
   std::string views = with_replaced(views_sql(metrics_), "CREATE VIEW ", "CREATE TEMP VIEW ");
   execute(handle(), path(), views);
@@ -345,13 +341,12 @@ void Database::check_identity() const {
   const std::int64_t version = value_of(handle(), path(), "PRAGMA user_version");
   if (version == kSchemaVersion) return;
   const std::string own = std::to_string(kSchemaVersion), its = std::to_string(version);
-  refuse_file(path(), version > kSchemaVersion
-                          ? "made by a newer avoidbench, with schema version " + its +
-                                "; this one reads version " + own +
-                                ": use an avoidbench with schema version " + its + " or newer"
-                          : "its schema version (PRAGMA user_version) is " + its +
-                                "; this avoidbench reads version " + own +
-                                ": fly its sweep again into another file");
+  refuse_file(
+      path(),
+      "its schema version (PRAGMA user_version) is " + its + "; this avoidbench reads version " +
+          own + ": " +
+          (version > kSchemaVersion ? "use the newer avoidbench that made it, or fly" : "fly") +
+          " its sweep again into another file");
 }
 
 void Database::check_integrity(bool whole) const {
@@ -403,7 +398,7 @@ void Database::check_references() const {
   }
 }
 
-void Database::bring_metrics(std::span<const MetricDef> metrics) {
+void Database::bring_metrics(std::span<const MetricDef> metrics, bool has_columns) {
   read_metrics();
   std::vector<MetricRow> wanted;
   for (const MetricDef& def : metrics) wanted.push_back(metric_row(def));
@@ -437,11 +432,10 @@ void Database::bring_metrics(std::span<const MetricDef> metrics) {
       "formula = excluded.formula, source = excluded.source");
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     const MetricRow& row = wanted[i];
-    AB_CHECK(is_column_name(row.name), row.name);
     const bool is_new =
         std::none_of(metrics_.begin(), metrics_.end(),
                      [&](const MetricRow& stored) { return stored.name == row.name; });
-    if (is_new) {
+    if (is_new && !has_columns) {
       // Trials that are there keep NULL: they were not measured so.
       execute(handle(), path(), "ALTER TABLE trials ADD COLUMN " + sql_name(row.name) + " REAL");
     }

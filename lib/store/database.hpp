@@ -21,7 +21,7 @@ struct sqlite3;
 namespace avoidbench {
 
 inline constexpr int kApplicationId = 0x6176426e;  ///< "avBn", in the SQLite header of our files
-inline constexpr int kSchemaVersion = 5;
+inline constexpr int kSchemaVersion = 1;
 
 class RunLock;
 
@@ -150,7 +150,8 @@ class Database {
   void check_identity() const;
   void check_integrity(bool whole) const;
   void check_references() const;
-  void bring_metrics(std::span<const MetricDef> metrics);
+  /// `has_columns`: schema.sql has just made them.
+  void bring_metrics(std::span<const MetricDef> metrics, bool has_columns);
   void read_metrics();
   void use_own_views();
   std::string rescued_copy();

@@ -1,8 +1,9 @@
 -- The database of results: one file, read by anything that reads SQLite. Names carry their units, as in the sweep files
 -- and the program; NULL is "not defined" (a metric of the finished trials, in a trial that failed). Start with the views
--- latest_trials, planner_summary, map_summary and plan_call_table of views.sql.
+-- latest_trials, planner_summary, map_summary and plan_call_table of views.sql. A name
+-- in braces stands for a REAL column for each row of metric_definitions.
 PRAGMA application_id = 1635140206;  -- "avBn"
-PRAGMA user_version = 5;             -- of this schema
+PRAGMA user_version = 1;             -- of this schema
 
 CREATE TABLE runs (
   -- One row an invocation of `avoidbench run`: where trials come from. Nothing here is part of a result.
@@ -104,7 +105,7 @@ CREATE TABLE metric_definitions (
 ) STRICT, WITHOUT ROWID;
 
 CREATE TABLE trials (
-  -- One row a finished trial, failed ones too. The columns after spec_json are the metrics of metric_definitions.
+  -- One row a finished trial, failed ones too. Its metrics are those of metric_definitions.
   trial_key TEXT PRIMARY KEY,     -- SHA-256 of spec_json (without paths) and of the program's result version
   map_key TEXT NOT NULL,
   mission_index INTEGER NOT NULL,
@@ -115,11 +116,12 @@ CREATE TABLE trials (
   end_time_s REAL,                -- simulated
   attempt INTEGER NOT NULL,       -- 1, and one more each time it was flown anew; the last one is kept
   run_id INTEGER NOT NULL REFERENCES runs,
-  spec_json TEXT NOT NULL,        -- all that determines the trial: enough to fly it again
   wall_time_s REAL,               -- it took on the host; NULL where a worker died
   flight_digest TEXT,             -- SHA-256 of the counts and digests in trajectories and plan_calls and of all events
   row_digest TEXT,                -- SHA-256 of the columns that have a value, with their names; without attempt and
                                   -- run_id
+{metrics}  spec_json TEXT NOT NULL,        -- all that determines the trial: enough to fly it again. Last, since it is long
+                                  -- and most readers want what stands before it
   FOREIGN KEY (map_key, mission_index) REFERENCES missions
 ) STRICT;
 
@@ -143,8 +145,7 @@ CREATE TABLE trajectories (
   trial_key TEXT PRIMARY KEY REFERENCES trials,
   sample_count INTEGER NOT NULL,
   samples_digest TEXT NOT NULL,   -- SHA-256 of the samples, one after the other: equal flights have equal digests
-  samples BLOB NOT NULL,
-  is_packed INTEGER NOT NULL DEFAULT 0 CHECK (is_packed IN (0, 1))  -- 0: one after the other as they are (schema 2)
+  samples BLOB NOT NULL
 ) STRICT;
 
 CREATE TABLE plan_calls (

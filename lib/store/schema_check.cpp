@@ -66,7 +66,7 @@ Expected made_by_schema() {
   AB_CHECK(sqlite3_open(":memory:", &opened) == SQLITE_OK);
   const std::unique_ptr<sqlite3, decltype(&sqlite3_close)> handle(opened, sqlite3_close);
   const std::filesystem::path path = ":memory:";
-  execute(opened, path, std::string(kSchemaSql));
+  execute(opened, path, schema_sql({}));
   Expected expected;
   Statement objects(opened, path, "SELECT type, name, sql FROM sqlite_schema WHERE sql NOT NULL");
   while (objects.step()) {
@@ -206,6 +206,22 @@ bool is_column_name(std::string_view name) {
   return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
   });
+}
+
+std::string with_replaced(std::string text, std::string_view mark, std::string_view by) {
+  for (auto at = text.find(mark); at != std::string::npos; at = text.find(mark, at + by.size())) {
+    text.replace(at, mark.size(), by);
+  }
+  return text;
+}
+
+std::string schema_sql(std::span<const MetricDef> metrics) {
+  std::string columns;
+  for (const MetricDef& metric : metrics) {
+    AB_CHECK(is_column_name(metric.name), metric.name);
+    columns += "  " + sql_name(metric.name) + " REAL,\n";
+  }
+  return with_replaced(std::string(kSchemaSql), "{metrics}", columns);
 }
 
 std::string sql_name(std::string_view name) {

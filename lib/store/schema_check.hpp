@@ -3,18 +3,27 @@
 #include <sqlite3.h>
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "metrics/metric_table.hpp"
+
 namespace avoidbench {
 
-extern const std::string_view kSchemaSql;  ///< schema.sql
+extern const std::string_view kSchemaSql;  ///< schema.sql, with {metrics} in it
 extern const std::string_view kViewsSql;   ///< views.sql
 
 /// The views of views.sql.
 inline constexpr std::string_view kViews[] = {"trial_table", "latest_trials", "planner_summary",
                                               "map_summary", "plan_call_table"};
+
+/// `text` with `by` wherever it has `mark`.
+std::string with_replaced(std::string text, std::string_view mark, std::string_view by);
+
+/// schema.sql with a column for each of these metrics, whose names are is_column_name().
+std::string schema_sql(std::span<const MetricDef> metrics);
 
 /// What a file may hold beside the tables, indices and views of this program.
 enum class Extras {

@@ -84,20 +84,18 @@ std::int64_t most_samples(const std::string& spec_json) {
 std::vector<Sample> read_samples(Statement& s, std::string_view key, std::int64_t most) {
   s.reset().bind_text(key);
   if (!s.step()) return {};
-  if (s.integer(3) > most) {
-    s.damaged("it has " + std::to_string(s.integer(3)) +
+  if (s.integer(2) > most) {
+    s.damaged("it has " + std::to_string(s.integer(2)) +
               " samples; the trial's time limit and sample rate allow " + std::to_string(most));
   }
   // Negative in a damaged file; the sizes below then contradict it.
-  const auto count = static_cast<std::size_t>(std::max<std::int64_t>(0, s.integer(3)));
-  const auto bytes = s.integer(2) != 0 ? unpacked_samples(s.blob(1), count)
-                                       // Older programs stored the samples unpacked.
-                                       : std::vector<std::byte>(s.blob(1).begin(), s.blob(1).end());
+  const auto count = static_cast<std::size_t>(std::max<std::int64_t>(0, s.integer(2)));
+  const std::vector<std::byte> bytes = unpacked_samples(s.blob(1), count);
   const bool has_size = bytes.size() % (kSampleDoubles * sizeof(double)) == 0 &&
                         bytes.size() / (kSampleDoubles * sizeof(double)) == count;
   if (!has_size) s.damaged("its samples can't be unpacked");
   // The digest is of the samples, not of their packing, which may change.
-  if (Digest().add_bytes(bytes).hex() != s.text(4)) {
+  if (Digest().add_bytes(bytes).hex() != s.text(3)) {
     s.damaged("its samples are not those that were stored (samples_digest)");
   }
   return samples_from_bytes(bytes);
@@ -294,7 +292,7 @@ struct TrialReader::Statements {
                 metric_columns(db) +
                 " FROM trials t JOIN planners p USING (planner_key) WHERE t.trial_key = ?"),
         samples(db.handle(), db.path(),
-                "SELECT trial_key, samples, is_packed, sample_count, samples_digest FROM "
+                "SELECT trial_key, samples, sample_count, samples_digest FROM "
                 "trajectories WHERE trial_key = ?"),
         plan_calls(db.handle(), db.path(),
                    "SELECT trial_key, call_count, calls_digest, calls_json FROM plan_calls WHERE "

@@ -121,7 +121,7 @@ void write_record(const Database& db, const TrialRow& row) {
   Statement trajectory(
       db.handle(), db.path(),
       "INSERT OR REPLACE INTO trajectories (trial_key, sample_count, samples_digest, "
-      "samples, is_packed) VALUES (?,?,?,?,1)");
+      "samples) VALUES (?,?,?,?)");
   trajectory.bind_text(row.key).bind_integer(static_cast<std::int64_t>(row.record.samples.size()));
   // Digested as samples, not as they are packed.
   trajectory.bind_text(Digest().add_bytes(samples).hex()).bind_blob(packed_samples(samples)).run();

@@ -10,7 +10,8 @@
 namespace avoidbench {
 
 /// A setting as canonical text, open where its trials differ: a trial's key is the digest of all of
-/// it. Canonical JSON has its keys sorted, so that latency_digest comes before mission_index.
+/// it. Canonical JSON has its keys sorted, so that latency_digest comes before mission_index. A
+/// field at its default is not in it, except mission_index.
 class KeyText {
  public:
   explicit KeyText(const TrialSpec& setting);
@@ -20,17 +21,6 @@ class KeyText {
   std::string before_digest_, before_index_, after_index_;
   bool has_digest_ = false;
 };
-
-/// Takes out of a TrialSpec's JSON the fields that came after databases were first written, where
-/// they say nothing (missions_digest, sensor.more_cameras, vehicle.thrust_to_weight): so trials
-/// keep the keys and texts that they had before.
-void forget_unused_later_fields(nlohmann::json& trial);
-
-/// The same of a planner's choice alone.
-void forget_unused_planner_fields(nlohmann::json& planner);
-
-/// Reverse of forget_unused_later_fields().
-void restore_later_fields(nlohmann::json& trial);
 
 /// The trial_key() and map_key() of many trials: what they follow from is made into text once for
 /// each setting.

@@ -65,22 +65,18 @@ std::string latency_digest(const std::vector<double>& latencies_s) {
   return digest.hex();
 }
 
-void forget_unused_latency(nlohmann::json& trial) {
-  nlohmann::json& latency = trial.at("latency");
-  const std::string mode = latency.at("mode");
-  const bool is_of_a_machine = mode == "measured" || mode == "replay";
+TrialSpec without_unused_latency(TrialSpec spec) {
+  const LatencySpec defaults;
   // A mode's keys hold what it uses: another `ms` in mode measured flies the same.
-  latency.erase(is_of_a_machine ? "ms" : "scale");
+  if (is_measured(spec.latency)) {
+    spec.latency.ms = defaults.ms;
+  } else {
+    spec.latency.scale = defaults.scale;
+  }
   // Its digest stands for it.
-  latency.erase("database");
-  if (mode != "replay") trial.erase("latency_digest");
-}
-
-void restore_latency(nlohmann::json& trial) {
-  nlohmann::json all = spec_to_json(LatencySpec{});
-  all.update(trial.at("latency"));
-  trial["latency"] = all;
-  trial.emplace("latency_digest", "");
+  spec.latency.database.clear();
+  if (spec.latency.mode != LatencyMode::replay) spec.latency_digest.clear();
+  return spec;
 }
 
 bool measures_latency(const SweepSpec& sweep) {

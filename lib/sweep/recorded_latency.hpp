@@ -1,7 +1,6 @@
 #pragma once
 
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,12 +31,9 @@ std::optional<std::vector<double>> recorded_latencies(const TrialSpec& spec,
 /// SHA-256 of them, as TrialSpec::latency_digest.
 std::string latency_digest(const std::vector<double>& latencies_s);
 
-/// Takes out of a TrialSpec's JSON what has no meaning in its mode of latency, so that trials which
-/// fly alike have one key; of the database only the digest of what it says stays.
-void forget_unused_latency(nlohmann::json& trial);
-
-/// Reverse of forget_unused_latency(), with defaults.
-void restore_latency(nlohmann::json& trial);
+/// What has no meaning in its mode of latency at its default, so that trials which fly alike have
+/// one key; of the database only the digest of what it says stays.
+TrialSpec without_unused_latency(TrialSpec spec);
 
 /// Whether times of the machine that flies it decide about flights of the sweep.
 bool measures_latency(const SweepSpec& sweep);

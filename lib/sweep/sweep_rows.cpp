@@ -7,7 +7,6 @@
 #include "base/input_error.hpp"
 #include "base/spec_json.hpp"
 #include "plugin/planner_description.hpp"
-#include "sweep/key_maker.hpp"
 #include "sweep/recorded_latency.hpp"
 
 namespace avoidbench {
@@ -46,22 +45,28 @@ nlohmann::json missions_json(const std::vector<ListedMission>& listed) {
   return all;
 }
 
-/// Replayed latencies as one digest; nothing of what the mode of latency has no use for.
-void write_latency(nlohmann::json& base, const SweepSpec& sweep,
-                   const std::vector<PlannedTrial>& trials) {
+/// Replayed latencies as one digest; "" where none are.
+std::string replayed_digest(const std::vector<PlannedTrial>& trials) {
   Digest digest;
   bool is_replay = false;
   for (const PlannedTrial& trial : trials) {
     is_replay = is_replay || trial.setting->latency.mode == LatencyMode::replay;
     digest.add(trial.latency_digest);
   }
+  return is_replay ? digest.hex() : "";
+}
+
+/// What all trials share, without what the mode of latency has no use for, unless an axis does.
+nlohmann::json base_json(const SweepSpec& sweep, const std::vector<PlannedTrial>& trials) {
   const bool is_swept = std::any_of(sweep.axes.begin(), sweep.axes.end(), [](const Axis& axis) {
     return axis.path.starts_with("latency.");
   });
+  nlohmann::json base = spec_to_json(is_swept ? sweep.base : without_unused_latency(sweep.base));
+  base.erase("planner");  // the planners stand beside it
+  forget_folders(base);
   base["latency"]["database"] = file_name(base["latency"]["database"]);
-  if (!is_swept) forget_unused_latency(base);
-  base.erase("latency_digest");
-  if (is_replay) base["latency_digest"] = digest.hex();
+  base["latency_digest"] = replayed_digest(trials);
+  return base;
 }
 
 }  // namespace
@@ -79,12 +84,10 @@ void forget_folders(nlohmann::json& trial) {
 
 std::string trial_json(const TrialSpec& spec) {
   // Keys are sorted by name: equal specs have equal texts.
-  nlohmann::json canonical = spec_to_json(spec);
+  nlohmann::json canonical = spec_to_json(without_unused_latency(spec));
   // The planner's file_digest says which library it was, wherever that lay.
   canonical["planner"].erase("file");
   forget_folders(canonical);
-  forget_unused_latency(canonical);
-  forget_unused_later_fields(canonical);
   return canonical.dump();
 }
 
@@ -94,17 +97,10 @@ std::string sweep_json(const SweepSpec& sweep, const std::vector<PlannedTrial>& 
   for (const PlannerChoice& planner : sweep.planners) {
     nlohmann::json choice = spec_to_json(planner);
     choice.erase("file");
-    forget_unused_planner_fields(choice);
     planners.push_back(choice);
   }
-  nlohmann::json base = spec_to_json(sweep.base);
-  // The planners stand beside it.
-  base.erase("planner");
-  forget_folders(base);
-  write_latency(base, sweep, trials);
-  forget_unused_later_fields(base);  // base.missions_digest is never filled
   nlohmann::json resolved{{"name", sweep.name},
-                          {"base", base},
+                          {"base", base_json(sweep, trials)},
                           {"axes", axes},
                           {"trials", sweep.trials},
                           {"planners", planners}};

@@ -62,7 +62,7 @@ struct PlannedTrial {
 
 /// Version of everything that results follow from: part of every key. Raised with each change
 /// announced as "Results change" in CHANGELOG.md.
-inline constexpr int kResultVersion = 3;
+inline constexpr int kResultVersion = 1;
 
 /// The sweep's trials, in order of axes (first slowest), mission index, planner. Fills the
 /// file_digest of maps and winds from files that lack it, the latency_digest of trials that replay

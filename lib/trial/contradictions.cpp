@@ -43,7 +43,7 @@ void check_matcher(const std::string& path, const CameraSpec& sensor, Found& fou
                                                   std::to_string(sensor.width_px)});
     }
   };
-  if (const auto* sgm = std::get_if<StereoSgmSpec>(&sensor.method)) {
+  if (const auto* sgm = std::get_if<StereoSgbmSpec>(&sensor.method)) {
     check_disparities(sgm->disparities);
     if (sgm->block_px % 2 == 0) {
       found.push_back({path + ".block_px", std::to_string(sgm->block_px) + " is not odd"});
@@ -54,7 +54,7 @@ void check_matcher(const std::string& path, const CameraSpec& sensor, Found& fou
                                                 shortest(sgm->p2_factor)});
     }
   }
-  if (const auto* census = std::get_if<StereoCensusSpec>(&sensor.method)) {
+  if (const auto* census = std::get_if<StereoSgmSpec>(&sensor.method)) {
     check_disparities(census->disparities);
     if (census->paths != 4 && census->paths != 8) {
       found.push_back({path + ".paths", std::to_string(census->paths) + " is neither 4 nor 8"});

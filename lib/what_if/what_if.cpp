@@ -51,7 +51,7 @@ PreparedFlight prepared(const StoredTrial& stored, const Change& change,
 }
 
 /// Whether the same flight must come out: not where a machine's time decided at which call it
-/// ended, and not where an older program kept no path.
+/// ended, and not where a worker left no path.
 bool must_repeat(const TrialRecord& record) {
   const bool is_hang = record.outcome == Outcome::planner_hung && record.reason != kCallTimeout;
   const bool is_death =

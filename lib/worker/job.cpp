@@ -180,7 +180,7 @@ JobResult parsed(const Message& message) {
 
 Message record_message(const TrialRecord& record) {
   Message message{.json = trial_to_json(record), .bytes = sample_bytes(record.samples)};
-  // NaN of flights that an older program stored.
+  // NaN where a worker died.
   message.json["end_time_s"] = number_to_json(record.end_time_s);
   return message;
 }

@@ -13,7 +13,7 @@ from typing import NamedTuple, SupportsIndex
 
 # Of lib/store/schema.sql.
 APPLICATION_ID = 1635140206
-SCHEMA_VERSION = 5
+SCHEMA_VERSION = 1
 
 _LOCK_TIMEOUT_S = 10.0
 _LEAST_SQLITE = (3, 37, 0)  # reads STRICT tables
@@ -59,32 +59,35 @@ def _connect(path: Path) -> sqlite3.Connection:
 
 
 def _check_log(path: Path) -> None:
-    """Refuses the log of another file, which SQLite would take by its name. The program compares more of the two; here it
-    is enough that a file which ended well has no log: SQLite deletes it before it writes 1 there."""
+    """Refuses the log of another file, which SQLite would take by its name. The program compares more of the two; here
+    it is enough that a file which ended well has no log: SQLite deletes it before it writes 1 there."""
     log = Path(f"{path}-wal")
     if not log.exists() or log.stat().st_size == 0:
         return
     with path.open("rb") as file:
         header = file.read(20)
     if header[18:20] == b"\x01\x01" and log.exists():
-        raise ResultsError(f"{path}: beside it lies {log.name}, the log of another file of that name, from a run that was "
-                           f"killed: move it away if {path.name} is the file that you mean")
+        raise ResultsError(
+            f"{path}: beside it lies {log.name}, the log of another file of that name, from a run that was "
+            f"killed: move it away if {path.name} is the file that you mean"
+        )
 
 
 def _check_identity(connection: sqlite3.Connection, path: Path) -> None:
     objects, application, version = connection.execute(
         "SELECT (SELECT count(*) FROM sqlite_schema), (SELECT application_id FROM "
-        "pragma_application_id), (SELECT user_version FROM pragma_user_version)").fetchone()
+        "pragma_application_id), (SELECT user_version FROM pragma_user_version)"
+    ).fetchone()
     if objects == 0:
         raise ResultsError(f"{path}: an empty file: it holds no results")
     if application != APPLICATION_ID:
         raise ResultsError(f"{path}: not a database of avoidbench, but of another program")
-    if version > SCHEMA_VERSION:
-        raise ResultsError(f"{path}: made by a newer avoidbench, with schema version {version}; this "
-                           f"one reads version {SCHEMA_VERSION}")
-    if version < SCHEMA_VERSION:
-        raise ResultsError(f"{path}: its schema version (PRAGMA user_version) is {version}; this avoidbench "
-                           f"reads version {SCHEMA_VERSION}: fly its sweep again into another file")
+    if version != SCHEMA_VERSION:
+        newer = "use the newer avoidbench that made it, or " if version > SCHEMA_VERSION else ""
+        raise ResultsError(
+            f"{path}: its schema version (PRAGMA user_version) is {version}; this avoidbench "
+            f"reads version {SCHEMA_VERSION}: {newer}fly its sweep again into another file"
+        )
 
 
 @contextlib.contextmanager
@@ -100,8 +103,10 @@ def opened(path: Path) -> Iterator[sqlite3.Connection]:
     if not path.is_file():
         raise ResultsError(f"{path}: not a file, but a folder or the like")
     if sqlite3.sqlite_version_info < _LEAST_SQLITE:
-        raise ResultsError(f"this Python has SQLite {sqlite3.sqlite_version}, which can't read tables of avoidbench: "
-                           "it takes 3.37 or newer")
+        raise ResultsError(
+            f"this Python has SQLite {sqlite3.sqlite_version}, which can't read tables of avoidbench: "
+            "it takes 3.37 or newer"
+        )
     _check_log(path)
     connection: sqlite3.Connection | None = None
     try:
@@ -135,8 +140,9 @@ def all_sweeps(connection: sqlite3.Connection) -> list[SweepChoice]:
     return [SweepChoice(*row) for row in rows]
 
 
-def chosen_sweeps(connection: sqlite3.Connection, path: Path, sweep: str | None,
-                  revision: int | None) -> list[SweepChoice]:
+def chosen_sweeps(
+    connection: sqlite3.Connection, path: Path, sweep: str | None, revision: int | None
+) -> list[SweepChoice]:
     """The revision that is meant; without a revision the latest, without a name of every sweep.
 
     Raises:
@@ -164,21 +170,27 @@ def trial_key_of(connection: sqlite3.Connection, path: Path, trial: str | Suppor
         ResultsError: there is none, or more than one.
     """
     if not isinstance(trial, str):
-        found = connection.execute("SELECT trial_key FROM trials WHERE rowid = ?",
-                                   (operator.index(trial),)).fetchone()
+        found = connection.execute("SELECT trial_key FROM trials WHERE rowid = ?", (operator.index(trial),)).fetchone()
         if found is None:
             raise ResultsError(f"{path}: no trial with trial_id {trial}")
         return str(found[0])
-    if not re.fullmatch("[0-9a-f]{%d,64}" % _LEAST_KEY_DIGITS, trial):
-        raise ResultsError(f"{trial!r} is no trial: a trial is named by the first {_LEAST_KEY_DIGITS} "
-                           "or more digits of its trial_key (a str), or by its trial_id (an int)")
-    keys = [str(row[0]) for row in connection.execute(
-        "SELECT trial_key FROM trials WHERE trial_key >= ? AND trial_key < ? ORDER BY trial_key "
-        "LIMIT 4", (trial, trial + "g"))]
+    if not re.fullmatch(f"[0-9a-f]{{{_LEAST_KEY_DIGITS},64}}", trial):
+        raise ResultsError(
+            f"{trial!r} is no trial: a trial is named by the first {_LEAST_KEY_DIGITS} "
+            "or more digits of its trial_key (a str), or by its trial_id (an int)"
+        )
+    keys = [
+        str(row[0])
+        for row in connection.execute(
+            "SELECT trial_key FROM trials WHERE trial_key >= ? AND trial_key < ? ORDER BY trial_key LIMIT 4",
+            (trial, trial + "g"),
+        )
+    ]
     if not keys:
         raise ResultsError(f"{path}: no trial whose key begins with {trial!r}")
     if len(keys) > 1:
-        shown = ", ".join(key[:max(_SHOWN_KEY_DIGITS, len(trial) + 4)] for key in keys[:3])
-        raise ResultsError(f"{path}: several trials have a key that begins with {trial!r}: {shown}"
-                           + (", …" if len(keys) > 3 else ""))
+        shown = ", ".join(key[: max(_SHOWN_KEY_DIGITS, len(trial) + 4)] for key in keys[:3])
+        raise ResultsError(
+            f"{path}: several trials have a key that begins with {trial!r}: {shown}" + (", …" if len(keys) > 3 else "")
+        )
     return keys[0]

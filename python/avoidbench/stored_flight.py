@@ -20,9 +20,30 @@ from avoidbench.database_file import damaged
 FloatArray = npt.NDArray[np.float64]
 
 # Of one stored sample, in their order (lib/store/schema.sql).
-_STORED = ("time_s", "x_m", "y_m", "z_m", "vx_mps", "vy_mps", "vz_mps", "ax_mps2", "ay_mps2", "az_mps2",
-           "qw", "qx", "qy", "qz", "rate_x_body_radps", "rate_y_body_radps", "rate_z_body_radps",
-           "reference_x_m", "reference_y_m", "reference_z_m", "clearance_m", "rotor_power_w")
+_STORED = (
+    "time_s",
+    "x_m",
+    "y_m",
+    "z_m",
+    "vx_mps",
+    "vy_mps",
+    "vz_mps",
+    "ax_mps2",
+    "ay_mps2",
+    "az_mps2",
+    "qw",
+    "qx",
+    "qy",
+    "qz",
+    "rate_x_body_radps",
+    "rate_y_body_radps",
+    "rate_z_body_radps",
+    "reference_x_m",
+    "reference_y_m",
+    "reference_z_m",
+    "clearance_m",
+    "rotor_power_w",
+)
 _SAMPLE_BYTES = 8 * len(_STORED)
 # As `avoidbench export trajectory` has them.
 TRAJECTORY_COLUMNS = (*_STORED[:14], "yaw_rad", *_STORED[14:20], "rotor_power_w", "clearance_m")
@@ -55,8 +76,9 @@ def _digested(name: str, value: Any) -> bytes:
 
 
 def _event_rows(connection: sqlite3.Connection, key: str) -> list[tuple[Any, ...]]:
-    return connection.execute(f"SELECT {', '.join(EVENT_COLUMNS)} FROM events WHERE trial_key = ? "
-                              "ORDER BY event_index", (key,)).fetchall()
+    return connection.execute(
+        f"SELECT {', '.join(EVENT_COLUMNS)} FROM events WHERE trial_key = ? ORDER BY event_index", (key,)
+    ).fetchall()
 
 
 def check_flight(connection: sqlite3.Connection, path: Path, key: str) -> None:
@@ -67,18 +89,20 @@ def check_flight(connection: sqlite3.Connection, path: Path, key: str) -> None:
     """
     trial = _row(connection, "trials", key) or {}
     covered = b""
-    for table, columns in (("trajectories", ("sample_count", "samples_digest")),
-                           ("plan_calls", ("call_count", "calls_digest"))):
-        row = connection.execute(f"SELECT {', '.join(columns)} FROM {table} WHERE trial_key = ?",
-                                 (key,)).fetchone()
+    for table, columns in (
+        ("trajectories", ("sample_count", "samples_digest")),
+        ("plan_calls", ("call_count", "calls_digest")),
+    ):
+        row = connection.execute(f"SELECT {', '.join(columns)} FROM {table} WHERE trial_key = ?", (key,)).fetchone()
         if row is not None:
             covered += b"".join(map(_digested, columns, row))
     for event in _event_rows(connection, key):
         covered += b"".join(map(_digested, EVENT_COLUMNS, event))
     # The program digests a text with its length before it.
     if hashlib.sha256(struct.pack("<Q", len(covered)) + covered).hexdigest() != trial.get("flight_digest"):
-        raise damaged(path, "trials", key, "its trajectory, plan calls or events are not those that "
-                                           "were stored (flight_digest)")
+        raise damaged(
+            path, "trials", key, "its trajectory, plan calls or events are not those that were stored (flight_digest)"
+        )
 
 
 def _unpacked(packed: bytes, count: int) -> bytes | None:
@@ -100,12 +124,11 @@ def _samples(connection: sqlite3.Connection, path: Path, key: str) -> FloatArray
     if row is None:
         return np.empty((0, len(_STORED)))
     count, stored = int(row["sample_count"]), bytes(row["samples"])
-    raw = _unpacked(stored, count) if row.get("is_packed", 0) else stored
-    if count < 0 or raw is None or len(raw) != count * _SAMPLE_BYTES:
+    raw = _unpacked(stored, count) if count >= 0 else None
+    if raw is None or len(raw) != count * _SAMPLE_BYTES:
         raise damaged(path, "trajectories", key, "its samples can't be unpacked")
     if hashlib.sha256(raw).hexdigest() != row["samples_digest"]:
-        raise damaged(path, "trajectories", key,
-                      "its samples are not those that were stored (samples_digest)")
+        raise damaged(path, "trajectories", key, "its samples are not those that were stored (samples_digest)")
     return np.frombuffer(raw, "<f8").reshape(count, len(_STORED)).astype(np.float64)
 
 
@@ -131,29 +154,42 @@ def read_calls(connection: sqlite3.Connection, path: Path, key: str) -> pd.DataF
     if row is not None:
         try:
             calls = json.loads(row["calls_json"])
-            digested = b"".join(struct.pack("<dQQ", _number(time_s), status & 0xFFFFFFFF, kind)
-                                for time_s, _, _, status, kind, *_ in calls)
+            digested = b"".join(
+                struct.pack("<dQQ", _number(time_s), status & 0xFFFFFFFF, kind)
+                for time_s, _, _, status, kind, *_ in calls
+            )
         except (ValueError, TypeError, struct.error) as error:
             raise damaged(path, "plan_calls", key, "calls_json is no list of plan calls") from error
         is_whole = row["call_count"] == len(calls)
         if not is_whole or hashlib.sha256(digested).hexdigest() != row["calls_digest"]:
-            raise damaged(path, "plan_calls", key,
-                          "its calls are not those that were stored (calls_digest)")
+            raise damaged(path, "plan_calls", key, "its calls are not those that were stored (calls_digest)")
     kinds = [_COMMAND_KINDS.get(call[4], f"kind {call[4]}") if call[3] == 0 else None for call in calls]
-    return pd.DataFrame({
-        "call_index": np.arange(len(calls), dtype=np.int64),
-        "time_s": np.array([_number(call[0]) for call in calls], dtype=np.float64),
-        "status": pd.Series([_STATUSES.get(call[3], "error") for call in calls], dtype=object),
-        "command_kind": pd.Series(kinds, dtype=object),
-        "cpu_time_s": np.array([_number(call[1]) for call in calls], dtype=np.float64),
-        "wall_time_s": np.array([_number(call[2]) for call in calls], dtype=np.float64),
-        "latency_s": np.array([_number(call[5]) if len(call) > 5 else math.nan for call in calls],
-                              dtype=np.float64)})
+    return pd.DataFrame(
+        {
+            "call_index": np.arange(len(calls), dtype=np.int64),
+            "time_s": np.array([_number(call[0]) for call in calls], dtype=np.float64),
+            "status": pd.Series([_STATUSES.get(call[3], "error") for call in calls], dtype=object),
+            "command_kind": pd.Series(kinds, dtype=object),
+            "cpu_time_s": np.array([_number(call[1]) for call in calls], dtype=np.float64),
+            "wall_time_s": np.array([_number(call[2]) for call in calls], dtype=np.float64),
+            "latency_s": np.array(
+                [_number(call[5]) if len(call) > 5 else math.nan for call in calls], dtype=np.float64
+            ),
+        }
+    )
 
 
 def read_events(connection: sqlite3.Connection, path: Path, key: str) -> pd.DataFrame:
     """The events of a flight: a row each with EVENT_COLUMNS."""
     check_flight(connection, path, key)
     frame = pd.DataFrame(_event_rows(connection, key), columns=list(EVENT_COLUMNS))
-    return frame.astype({"event_index": np.int64, "kind": object, "time_s": np.float64,
-                         "speed_mps": np.float64, "obstacle_index": np.int64, "obstacle_kind": object})
+    return frame.astype(
+        {
+            "event_index": np.int64,
+            "kind": object,
+            "time_s": np.float64,
+            "speed_mps": np.float64,
+            "obstacle_index": np.int64,
+            "obstacle_kind": object,
+        }
+    )

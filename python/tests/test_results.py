@@ -17,14 +17,13 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+import avoidbench
 import numpy as np
 import pandas as pd
 import pytest
-from conftest import Program
-
-import avoidbench
 from avoidbench import database_file
 from avoidbench.tables import text_of_csv_field, trials_of_csv
+from conftest import Program
 
 redigest = runpy.run_path(str(Path(__file__).parents[2] / "tests/support/redigest.py"))["redigest"]
 
@@ -96,8 +95,13 @@ def test_causes_are_texts(copy_db: Path, program: Program) -> None:
 
 
 def test_trials_of_axes_revisions_and_odd_labels(odd: avoidbench.Results, program: Program) -> None:
-    for chosen, name in ((odd, ""), (odd.sweep("odd"), "odd"), (odd.sweep("odd", 1), "odd@1"),
-                         (odd.sweep("odd", 2), "odd@2"), (odd.sweep("other"), "other")):
+    for chosen, name in (
+        (odd, ""),
+        (odd.sweep("odd"), "odd"),
+        (odd.sweep("odd", 1), "odd@1"),
+        (odd.sweep("odd", 2), "odd@2"),
+        (odd.sweep("other"), "other"),
+    ):
         options = ["--sweep", name] if name else []
         theirs = rows_of_jsonl(program("export", "trials", odd.path, "--format", "jsonl", *options))
         assert_same(chosen.trials, theirs)
@@ -117,8 +121,10 @@ def test_a_changed_table_does_not_change_the_next_one(tiny: avoidbench.Results) 
 
 
 def test_infinity_and_marked_texts_survive_csv() -> None:
-    data = ("sweep,planner,map_seed,min_clearance_m,is_finished,trial_key,sensor.preset,x.y\r\n"
-            "s,'=1+1,7,inf,1,ab,'-x,3\r\ns,'tis,7,,0,cd,\"a,\r\nb\",1e3\r\n").encode()
+    data = (
+        b"sweep,planner,map_seed,min_clearance_m,is_finished,trial_key,sensor.preset,x.y\r\n"
+        b"s,'=1+1,7,inf,1,ab,'-x,3\r\ns,'tis,7,,0,cd,\"a,\r\nb\",1e3\r\n"
+    )
     frame = trials_of_csv(data, {"sensor.preset"})
     assert list(frame["planner"]) == ["=1+1", "'tis"]
     assert list(frame["sensor.preset"]) == ["-x", "a,\r\nb"]
@@ -138,20 +144,26 @@ def test_trajectories_are_those_of_the_programs_export(tiny: avoidbench.Results,
         assert all(dtype == np.float64 for dtype in ours.dtypes)
 
 
-def test_calls_are_those_of_the_programs_export(tiny: avoidbench.Results, odd: avoidbench.Results,
-                                                program: Program) -> None:
+def test_calls_are_those_of_the_programs_export(
+    tiny: avoidbench.Results, odd: avoidbench.Results, program: Program
+) -> None:
     for results in (tiny, odd):
         for key in results.trials["trial_key"]:
-            assert_same(results.calls(key).drop(columns="latency_s"),
-                        rows_of_csv(program("export", "calls", results.path, key)))
+            assert_same(
+                results.calls(key).drop(columns="latency_s"), rows_of_csv(program("export", "calls", results.path, key))
+            )
     assert tiny.calls(1)["latency_s"].isna().all()
 
 
 def test_measured_latency_is_that_of_the_view(odd: avoidbench.Results) -> None:
     key = odd.sweep("odd").trials["trial_key"][0]
     with edited(odd.path) as database:
-        theirs = [row[0] for row in database.execute(
-            "SELECT latency_s FROM plan_call_table WHERE trial_key = ? ORDER BY call_index", (key,))]
+        theirs = [
+            row[0]
+            for row in database.execute(
+                "SELECT latency_s FROM plan_call_table WHERE trial_key = ? ORDER BY call_index", (key,)
+            )
+        ]
     assert list(odd.calls(key)["latency_s"]) == theirs
     assert min(theirs) >= 0.0
 
@@ -167,10 +179,18 @@ def test_events_are_those_stored(tiny: avoidbench.Results) -> None:
             assert events["time_s"][0] == trial["end_time_s"]
 
 
-def test_maps_and_missions_are_those_of_the_trials_and_the_report(tiny: avoidbench.Results,
-                                                                 odd: avoidbench.Results) -> None:
-    shared = ["traversability", "traversability_normalized_ratio", "relative_gap_size", "obstacle_density_1pm2",
-              "poisson_radius_m", "map_seed", "generator"]
+def test_maps_and_missions_are_those_of_the_trials_and_the_report(
+    tiny: avoidbench.Results, odd: avoidbench.Results
+) -> None:
+    shared = [
+        "traversability",
+        "traversability_normalized_ratio",
+        "relative_gap_size",
+        "obstacle_density_1pm2",
+        "poisson_radius_m",
+        "map_seed",
+        "generator",
+    ]
     places = [f"{end}_{axis}_m" for end in ("start", "goal") for axis in "xyz"] + ["reference_length_m"]
     for results in (tiny, odd.sweep("odd"), odd.sweep("other")):
         trials = results.trials
@@ -188,8 +208,7 @@ def test_maps_and_missions_are_those_of_the_trials_and_the_report(tiny: avoidben
 
 
 def test_metrics_are_those_that_the_program_defines(tiny: avoidbench.Results, program: Program) -> None:
-    theirs = {row["name"]: row for row in json.loads(program("metrics", "--format", "json"))
-              if row["of"] == "trial"}
+    theirs = {row["name"]: row for row in json.loads(program("metrics", "--format", "json")) if row["of"] == "trial"}
     assert list(tiny.metrics["name"]) == list(theirs)
     for _, metric in tiny.metrics.iterrows():
         for name in ("unit", "better", "version", "doc", "formula", "source"):
@@ -200,8 +219,9 @@ def test_metrics_are_those_that_the_program_defines(tiny: avoidbench.Results, pr
 
 def test_sweeps(odd: avoidbench.Results) -> None:
     sweeps = odd.sweeps
-    assert [tuple(row) for row in sweeps[["sweep", "revision", "is_latest", "trial_count", "mission_count"]].values] \
-        == [("odd", 1, False, 4, 1), ("odd", 2, True, 1, 1), ("other", 1, True, 1, 1)]
+    assert [
+        tuple(row) for row in sweeps[["sweep", "revision", "is_latest", "trial_count", "mission_count"]].values
+    ] == [("odd", 1, False, 4, 1), ("odd", 2, True, 1, 1), ("other", 1, True, 1, 1)]
     assert [len(json.loads(spec)["axes"]) for spec in sweeps["spec_json"]] == [2, 1, 0]
     assert odd.sweep("odd", 1).choice == "odd@1"
     assert "odd@2: 1 trial of 1 planner on 1 map; other: 1 trial" in repr(odd)
@@ -211,15 +231,26 @@ def test_reports_are_the_programs_own(tiny: avoidbench.Results, odd: avoidbench.
     for format in ("table", "csv", "json", "markdown", "latex"):
         assert tiny.report(format) == program("report", tiny.path, "--format", format).decode()
     assert tiny.report(everything=True) == program("report", tiny.path, "--all").decode()
-    assert tiny.report(where="planner = reactive", only=["planners", "maps"], metrics=["path_length_m"]) == \
-        program("report", tiny.path, "--where", "planner = reactive", "--tables", "planners,maps", "--metrics",
-                "path_length_m").decode()
+    assert (
+        tiny.report(where="planner = reactive", only=["planners", "maps"], metrics=["path_length_m"])
+        == program(
+            "report",
+            tiny.path,
+            "--where",
+            "planner = reactive",
+            "--tables",
+            "planners,maps",
+            "--metrics",
+            "path_length_m",
+        ).decode()
+    )
     assert odd.sweep("odd", 1).report() == program("report", odd.path, "--sweep", "odd@1").decode()
     assert repr(tiny.report()) == str(tiny.report())
 
 
-def test_tables_have_the_numbers_of_the_report(tiny: avoidbench.Results, odd: avoidbench.Results,
-                                               program: Program) -> None:
+def test_tables_have_the_numbers_of_the_report(
+    tiny: avoidbench.Results, odd: avoidbench.Results, program: Program
+) -> None:
     (report,) = json.loads(program("report", tiny.path, "--format", "json"))
     cells = rows_of_csv(program("report", tiny.path, "--format", "csv"))
     infinite = {(cell["table"], cell["planner"], cell["name"]) for cell in cells if cell["value"] == "inf"}
@@ -252,8 +283,10 @@ def test_infinite_means_are_infinite(copy_db: Path) -> None:
 
 def test_metrics_of_ones_own(tiny: avoidbench.Results, tmp_path: Path) -> None:
     file = tmp_path / "twice.sql"
-    file.write_text("-- twice_m: Twice the path [m]; less is better\n"
-                    "SELECT trial_key, 2 * path_length_m AS twice_m FROM trial_table\n")
+    file.write_text(
+        "-- twice_m: Twice the path [m]; less is better\n"
+        "SELECT trial_key, 2 * path_length_m AS twice_m FROM trial_table\n"
+    )
     means = tiny.table(metrics=["twice_m", "path_length_m"], metrics_from=file)
     assert list(means["twice_m"]) == list(2 * means["path_length_m"])
 
@@ -262,7 +295,7 @@ def test_notebooks_show_the_rates_of_the_report(tiny: avoidbench.Results, odd: a
     shown, text = tiny._repr_html_(), tiny.report()
     for rate in re.findall(r"\d\.\d\d \[\d\.\d\d, \d\.\d\d\]", text):
         assert rate in shown
-    assert "<td style=\"text-align:left\">reactive</td>" in shown
+    assert '<td style="text-align:left">reactive</td>' in shown
     assert "Sweep odd" in odd._repr_html_() and "Sweep other" in odd._repr_html_()
     assert repr(tiny) == f"<Results {tiny.path}: tiny: 4 trials of 2 planners on 1 map>"
 
@@ -274,8 +307,9 @@ def test_notebooks_get_no_markup_of_others(copy_db: Path) -> None:
     assert "<script" not in shown and "damaged" in shown
 
 
-def test_comparisons(tiny: avoidbench.Results, odd: avoidbench.Results, copy_db: Path, tmp_path: Path,
-                     program: Program) -> None:
+def test_comparisons(
+    tiny: avoidbench.Results, odd: avoidbench.Results, copy_db: Path, tmp_path: Path, program: Program
+) -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         same = tiny.compare(copy_db)
@@ -316,7 +350,7 @@ def test_files_that_are_no_results(tmp_path: Path, copy_db: Path) -> None:
         avoidbench.read(foreign)
     with edited(copy_db) as database:
         database.execute(f"PRAGMA user_version = {database_file.SCHEMA_VERSION + 1}")
-    with pytest.raises(avoidbench.ResultsError, match="newer avoidbench, with schema version"):
+    with pytest.raises(avoidbench.ResultsError, match="use the newer avoidbench"):
         avoidbench.read(copy_db)
 
 
@@ -331,9 +365,14 @@ def test_the_schema_is_that_of_the_program() -> None:
 
 def test_trials_that_are_not_there(tiny: avoidbench.Results, odd: avoidbench.Results) -> None:
     key = tiny.trials["trial_key"][0]
-    for wrong, message in (("ffffffff", "no trial whose key begins with 'ffffffff'"), (key[:3], "is no trial"),
-                           (key[:8] + "%", "is no trial"), (key.upper(), "is no trial"), ("", "is no trial"),
-                           (99, "no trial with trial_id 99")):
+    for wrong, message in (
+        ("ffffffff", "no trial whose key begins with 'ffffffff'"),
+        (key[:3], "is no trial"),
+        (key[:8] + "%", "is no trial"),
+        (key.upper(), "is no trial"),
+        ("", "is no trial"),
+        (99, "no trial with trial_id 99"),
+    ):
         with pytest.raises(avoidbench.ResultsError, match=message):
             tiny.trajectory(wrong)
     with pytest.raises(avoidbench.ResultsError, match="no sweep nope; there are: odd, other"):
@@ -345,19 +384,24 @@ def test_trials_that_are_not_there(tiny: avoidbench.Results, odd: avoidbench.Res
 def test_an_ambiguous_beginning(copy_db: Path) -> None:
     with edited(copy_db) as database:
         for rowid in (1, 2):
-            database.execute("UPDATE trials SET trial_key = 'abcdef' || ? || substr(trial_key, 8) WHERE rowid = ?",
-                             (rowid, rowid))
+            database.execute(
+                "UPDATE trials SET trial_key = 'abcdef' || ? || substr(trial_key, 8) WHERE rowid = ?", (rowid, rowid)
+            )
     with pytest.raises(avoidbench.ResultsError, match="several trials have a key that begins with 'abcdef': abcdef1"):
         avoidbench.read(copy_db).events("abcdef")
 
 
-@pytest.mark.parametrize(("change", "read_it", "message"), [
-    ("UPDATE trajectories SET samples = zeroblob(length(samples))", "trajectory", "unpacked"),
-    ("UPDATE trajectories SET sample_count = sample_count - 1", "trajectory", "flight_digest"),
-    ("UPDATE plan_calls SET calls_json = replace(calls_json, '[0.0,', '[0.25,')", "calls", "calls_digest"),
-    ("UPDATE plan_calls SET calls_json = '[[1]]'", "calls", "no list of plan calls"),
-    ("UPDATE events SET speed_mps = speed_mps + 1", "events", "flight_digest"),
-    ("DELETE FROM events", "trajectory", "flight_digest")])
+@pytest.mark.parametrize(
+    ("change", "read_it", "message"),
+    [
+        ("UPDATE trajectories SET samples = zeroblob(length(samples))", "trajectory", "unpacked"),
+        ("UPDATE trajectories SET sample_count = sample_count - 1", "trajectory", "flight_digest"),
+        ("UPDATE plan_calls SET calls_json = replace(calls_json, '[0.0,', '[0.25,')", "calls", "calls_digest"),
+        ("UPDATE plan_calls SET calls_json = '[[1]]'", "calls", "no list of plan calls"),
+        ("UPDATE events SET speed_mps = speed_mps + 1", "events", "flight_digest"),
+        ("DELETE FROM events", "trajectory", "flight_digest"),
+    ],
+)
 def test_damage_is_an_error(copy_db: Path, change: str, read_it: str, message: str) -> None:
     with edited(copy_db) as database:
         database.execute(change)
@@ -372,7 +416,7 @@ def test_a_changed_number_is_an_error(copy_db: Path) -> None:
         _ = avoidbench.read(copy_db).trials
 
 
-@pytest.mark.parametrize("version", [-1, 0, 1, 4])
+@pytest.mark.parametrize("version", [-1, 0])
 def test_another_schema_version_is_an_error(copy_db: Path, version: int) -> None:
     with edited(copy_db) as database:
         database.execute(f"PRAGMA user_version = {version}")

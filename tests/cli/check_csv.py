@@ -3,8 +3,9 @@
 
 usage: check_csv.py FILE…
 
-Lines before the header that begin with # are comments, which tables of trials for `avoidbench compare` have; they end as rows do.
-"""
+Lines before the header that begin with # are comments, which tables of trials for `avoidbench compare` have; they end
+as rows do."""
+
 import csv
 import io
 import pathlib
@@ -26,7 +27,9 @@ def check(file):
     sizes = sorted({len(row) for row in rows})
     if len(sizes) > 1:
         return f"rows of {', '.join(map(str, sizes))} fields"
-    if text.replace("\r\n", "").count("\n") > sum(field.replace("\r\n", "").count("\n") for row in rows for field in row):
+    if text.replace("\r\n", "").count("\n") > sum(
+        field.replace("\r\n", "").count("\n") for row in rows for field in row
+    ):
         return "a line does not end with CR LF"
     again = io.StringIO(newline="")
     csv.writer(again).writerows(rows)  # its dialect by default: CR LF, as few quotes as can be

@@ -3,6 +3,7 @@
 
 usage: check_runner.py
 """
+
 import contextlib
 import io
 import pathlib

@@ -7,10 +7,12 @@ usage: check_schemas.py --program build/avoidbench --configs configs [--page doc
 - Every file in configs/ and all that `config defaults` prints is valid.
 - Every example of the page is good for both.
 - Small files, good and wrong, are accepted or refused alike by the schema and by `config check`.
-- Every number that has a range is refused outside of it, and every word that is none of a choice, by both, field by field.
+- Every number that has a range is refused outside of it, and every word that is none of a choice, by both, field by
+field.
 
 Needs jsonschema 4 (Debian: python3-jsonschema) and PyYAML (python3-yaml).
 """
+
 import argparse
 import json
 import os
@@ -23,6 +25,7 @@ import tempfile
 try:
     import jsonschema
     import yaml
+
     validator_class = jsonschema.Draft202012Validator
 except (ImportError, AttributeError) as error:
     if os.path.realpath(sys.executable) != os.path.realpath("/usr/bin/python3") and os.path.exists("/usr/bin/python3"):
@@ -31,15 +34,19 @@ except (ImportError, AttributeError) as error:
 
 
 class CoreLoader(yaml.SafeLoader):
-    """YAML 1.2's core schema, as editors and the program read it: PyYAML's own takes 1e3 for text and `no` for false."""
+    """YAML 1.2's core schema, as editors and the program read it: PyYAML's own takes 1e3 for text and `no` for
+    false."""
 
 
 CoreLoader.yaml_implicit_resolvers = {}
 CoreLoader.add_implicit_resolver("tag:yaml.org,2002:null", re.compile(r"^(?:~|null|)$"), ["~", "n", ""])
 CoreLoader.add_implicit_resolver("tag:yaml.org,2002:bool", re.compile(r"^(?:true|false)$"), list("tf"))
 CoreLoader.add_implicit_resolver("tag:yaml.org,2002:int", re.compile(r"^[-+]?[0-9]+$"), list("-+0123456789"))
-CoreLoader.add_implicit_resolver("tag:yaml.org,2002:float",
-                                 re.compile(r"^[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?$"), list("-+.0123456789"))
+CoreLoader.add_implicit_resolver(
+    "tag:yaml.org,2002:float",
+    re.compile(r"^[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?$"),
+    list("-+.0123456789"),
+)
 CoreLoader.add_constructor("tag:yaml.org,2002:int", lambda loader, node: int(node.value))
 CoreLoader.add_constructor("tag:yaml.org,2002:float", lambda loader, node: float(node.value))
 
@@ -51,7 +58,7 @@ def load(text):
 # Sweep files that both take.
 GOOD = """
 sensor: {more_cameras: [d435_like, {preset: oak_d_like, yaw_deg: 90}, {width_px: 64}]}
-sensor: {preset: stereo_sgm, more_cameras: [{kind: stereo_census, disparities: 64}]}
+sensor: {preset: stereo_sgm, more_cameras: [{kind: stereo_sgm, disparities: 64}]}
 maps: {generator: hall, cylinder_height_m: [2, 4]}
 maps: {poisson_radius_m: [3, 4.5]}
 maps: {poisson_radius_m: {from: 2.3, to: 5.8, count: 10}}
@@ -78,7 +85,7 @@ vehicle: {position_controller: {drag_compensation: [true, false]}}
 vehicle: {rotors: [{position_body_m: [0.2, 0, 0], spin: -1}, {position_body_m: [0, 0.2, 0]}, {position_body_m: [-0.2, 0, 0], spin: -1}, {position_body_m: [0, -0.2, 0]}]}
 sensor: stereo_sgm
 sensor: {preset: stereo_sgm, disparities: 80}
-sensor: {kind: stereo_census, subpixel: true}
+sensor: {kind: stereo_sgm, subpixel: true}
 sensor: {more_mountings: [{yaw_deg: 90}, {}]}
 sensor: {name: 7}
 latency: {mode: zero}
@@ -220,7 +227,9 @@ class Checker:
     def check(self, text):
         """What `config check` says of a sweep file: its problems, none where it is good."""
         (self.folder / "s.yaml").write_text(text)
-        done = subprocess.run([self.program, "config", "check", "s.yaml"], cwd=self.folder, capture_output=True, text=True)
+        done = subprocess.run(
+            [self.program, "config", "check", "s.yaml"], cwd=self.folder, capture_output=True, text=True
+        )
         if done.returncode not in (0, 2):
             self.fail(f"exit code {done.returncode} for\n{text}\n{done.stderr}")
         return done.stderr.splitlines() if done.returncode == 2 else []
@@ -348,14 +357,24 @@ def main():
         head = "sweep: a\nplanners: [straight_line]\n"
         (checker.folder / "base.yaml").write_text(head + "maps: {generator: hall}\nsensor: stereo_sgm\n")
         checker.compare("include: base.yaml\nmaps: {cylinder_height_m: [2, 4]}\nsensor: {disparities: 80}\n", True)
-        checker.compare("include: base.yaml\nmaps: {height_m: \"4\"}\n", False)
+        checker.compare('include: base.yaml\nmaps: {height_m: "4"}\n', False)
         checker.compare("include: [base.yaml]\nmaps: {cylinder_heigth_m: [2, 4]}\n", False)
         shelves = {
-            "vehicle": [("preset: firefly\nmass_kg: 1.6\n", True), ("mass_kg: [1, 2]\n", False), ("mas_kg: 1\n", False),
-                        ("mass_kg: -1\n", False), ("- 1\n", False)],
-            "sensor": [("kind: stereo_sgm\ndisparities: 80\n", True), ("preset: stereo_sgm\ndisparities: 80\n", True),
-                       ("disparities: 80\n", False), ("kind: depth_ideal\ndisparities: 80\n", False),
-                       ("fov_x_deg: [60, 90]\n", False), ("kind: stereo\n", False)],
+            "vehicle": [
+                ("preset: firefly\nmass_kg: 1.6\n", True),
+                ("mass_kg: [1, 2]\n", False),
+                ("mas_kg: 1\n", False),
+                ("mass_kg: -1\n", False),
+                ("- 1\n", False),
+            ],
+            "sensor": [
+                ("kind: stereo_sgbm\ndisparities: 80\n", True),
+                ("preset: stereo_sgm\ndisparities: 80\n", True),
+                ("disparities: 80\n", False),
+                ("kind: depth_ideal\ndisparities: 80\n", False),
+                ("fov_x_deg: [60, 90]\n", False),
+                ("kind: stereo\n", False),
+            ],
         }
         for kind, files in shelves.items():
             for text, is_good in files:
@@ -369,7 +388,9 @@ def main():
         for generator in schema["$defs"]["maps"]["properties"]["generator"]["enum"]:
             fields = schema["$defs"]["maps." + generator]["properties"]
             maps = {name: field.get("default", "x") for name, field in fields.items()}
-            check_fields(checker, {"sweep": "a", "planners": ["straight_line"], "maps": {**maps, "generator": generator}})
+            check_fields(
+                checker, {"sweep": "a", "planners": ["straight_line"], "maps": {**maps, "generator": generator}}
+            )
         for sensor in schema["$defs"]["sensor"]["then"]["properties"]["kind"]["enum"]:
             fields = schema["$defs"]["sensor." + sensor]["properties"]
             values = {name: field.get("default", {}) for name, field in fields.items() if name != "preset"}

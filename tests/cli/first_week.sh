@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# A user's first week, typed as the user would, with an installed copy in a folder of its own: a first sweep, a planner of one's own, its
-# crash, a map of one's own, a comparison, results for a colleague.
+# A user's first week, typed as the user would, with an installed copy in a folder of its own: a first sweep, a planner
+# of one's own, its crash, a map of one's own, a comparison, results for a colleague.
 #   first_week.sh BUILD_FOLDER CXX_COMPILER
 set -euo pipefail
 build=$1 compiler=$2

@@ -13,10 +13,11 @@ A file is a list of steps, run in a new empty folder:
     ~~~ bad.yaml                            a file to write, up to the closing ~~~
     ~~~
 
-An expected line `...` stands for any number of lines, and `...` within a line for any text. A backslash at the beginning of an
-expected line is left out, so that what would begin something else can be expected: `\\# a heading`, `\\$ a command`, `\\~~~ text`. In
-commands and expected lines @SOURCE@ is the source tree, @PLUGINS@ the folder of bad planners. A file without a command fails.
-"""
+An expected line `...` stands for any number of lines, and `...` within a line for any text. A backslash at the
+beginning of an expected line is left out, so that what would begin something else can be expected: `\\# a heading`,
+`\\$ a command`, `\\~~~ text`. In commands and expected lines @SOURCE@ is the source tree, @PLUGINS@ the folder of bad
+planners. A file without a command fails."""
+
 import argparse
 import os
 import pathlib
@@ -94,12 +95,21 @@ def run_file(path, program, plugins):
                 target.write_text(filled(step[2]))
                 continue
             run = step[1]
-            done = subprocess.run(["/bin/sh", "-c", filled(run["command"])], cwd=folder, env=environment,
-                                  capture_output=True, text=True, timeout=300, stdin=subprocess.DEVNULL)
+            done = subprocess.run(
+                ["/bin/sh", "-c", filled(run["command"])],
+                cwd=folder,
+                env=environment,
+                capture_output=True,
+                text=True,
+                timeout=300,
+                stdin=subprocess.DEVNULL,
+            )
             place = f"{path.name}:{run['line']}: $ {run['command']}"
             if done.returncode != run["exit"]:
-                failures.append(f"{place}\n  exit code {done.returncode}, expected {run['exit']}\n"
-                                f"  stdout: {done.stdout}\n  stderr: {done.stderr}")
+                failures.append(
+                    f"{place}\n  exit code {done.returncode}, expected {run['exit']}\n"
+                    f"  stdout: {done.stdout}\n  stderr: {done.stderr}"
+                )
                 continue
             for stream in ("stdout", "stderr"):
                 expected = run[stream]
@@ -109,8 +119,9 @@ def run_file(path, program, plugins):
                 if actual and not actual.endswith("\n"):
                     actual += "\n"
                 if not pattern([filled(line) for line in expected]).fullmatch(actual):
-                    failures.append(f"{place}\n--- expected {stream}\n" + filled("\n".join(expected)) +
-                                    f"\n--- got\n{actual}")
+                    failures.append(
+                        f"{place}\n--- expected {stream}\n" + filled("\n".join(expected)) + f"\n--- got\n{actual}"
+                    )
     return failures
 
 

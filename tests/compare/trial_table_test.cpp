@@ -110,24 +110,6 @@ TEST(TrialTable, CsvKeepsEveryTrialWhateverItsLabel) {
             std::string::npos);
 }
 
-/// Written before fields that begin with # were quoted.
-TEST(TrialTable, ATrialThatLooksLikeACommentIsToldAndNotLeftOut) {
-  TrialTable table = compare_samples::finished_table("t.csv", 1, 2, "#1");
-  for (const TableTrial& one : compare_samples::finished_table("", 1, 2, "ego").trials) {
-    table.trials.push_back(one);
-  }
-  std::string csv = csv_of_table(table);
-  for (std::size_t at = csv.find("\"#1\""); at != std::string::npos; at = csv.find("\"#1\"")) {
-    csv.replace(at, 4, "#1");
-  }
-  const std::string message = test::message_of([&] { table_of_csv(csv, "t.csv"); });
-  EXPECT_NE(message.find("t.csv:12: "), std::string::npos) << message;
-  EXPECT_NE(message.find("a trial whose label begins with #"), std::string::npos) << message;
-  // A comment of a person's is still one.
-  csv = csv_of_table(compare_samples::finished_table("t.csv", 1, 2));
-  EXPECT_EQ(table_of_csv(csv + "# flown on \"Monday, twice\r\n", "t.csv").trials.size(), 2U);
-}
-
 TEST(TrialTable, DamagedCsvIsToldWithItsLine) {
   const TemporaryFolder folder;
   const std::string csv = csv_of_table(table_of(two_axes(folder / "r.db")));

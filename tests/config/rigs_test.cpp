@@ -20,7 +20,7 @@ TEST_F(Rigs, AnElementIsANameOrWhatDiffersFromOne) {
   ASSERT_EQ(sensor.more_cameras.size(), 3U);
   EXPECT_EQ(sensor.more_cameras[0].name, "d435_like");
   EXPECT_EQ(sensor.more_cameras[0].delay_ms, 25.0);
-  EXPECT_TRUE(std::holds_alternative<StereoCensusSpec>(sensor.more_cameras[1].method));
+  EXPECT_TRUE(std::holds_alternative<StereoSgmSpec>(sensor.more_cameras[1].method));
   EXPECT_EQ(sensor.more_cameras[1].mounting.yaw_deg, 90.0);
   EXPECT_EQ(sensor.more_cameras[1].rate_hz, 15.0);
   EXPECT_EQ(sensor.more_cameras[2].name, "depth_ideal");
@@ -131,10 +131,6 @@ TEST_F(OneCameraPlanners, TheCameraIsPartOfTheKeyWhereItIsNamed) {
   const std::string each = key("one_camera");
   EXPECT_EQ(key("{plugin: one_camera}"), each);
   EXPECT_NE(key("{plugin: one_camera, camera: 0}"), each);
-  // As it was before there was such a key.
-  nlohmann::json planner = spec_to_json(PlannerChoice{});
-  forget_unused_planner_fields(planner);
-  EXPECT_FALSE(planner.contains("camera"));
 }
 
 TEST_F(OneCameraPlanners, AKeyOfAnotherKindIsAProblem) {

@@ -215,10 +215,10 @@ TEST_F(SweepFiles, EachProblemHasItsPlaceAndReason) {
        "s.yaml:3:19: maps.generator: \"hal\" is none of " + generators() +
            " (did you mean hall?)\n"
            "s.yaml:3:52: maps.hight_m: unknown key (did you mean height_m?)"},
-      {"sensor: {kind: stereo_census2, census_px: 4, paths: 8, disparities: 64}",
-       "s.yaml:3:16: sensor.kind: \"stereo_census2\" is none of depth_ideal, depth_noisy, "
-       "stereo_sgm, stereo_census (did you mean stereo_census?)\n"
-       "s.yaml:3:32: sensor.census_px: unknown key"},
+      {"sensor: {kind: stereo_sgmm, census_px: 4, paths: 8, disparities: 64}",
+       "s.yaml:3:16: sensor.kind: \"stereo_sgmm\" is none of depth_ideal, depth_noisy, "
+       "stereo_sgbm, stereo_sgm (did you mean stereo_sgm?)\n"
+       "s.yaml:3:28: sensor.census_px: unknown key"},
       {"maps: forest", "s.yaml:3:7: maps: expected a mapping (name: value), found \"forest\""},
       {"maps: {seeds: [1, 1]}", "s.yaml:3:19: maps.seeds: 1 is given twice"},
       {"maps: {seeds: 0}", "s.yaml:3:15: maps.seeds: 0 is outside [1, 10000]"},
@@ -249,17 +249,17 @@ TEST_F(SweepFiles, EachProblemHasItsPlaceAndReason) {
       {"sensor: {preset: stereo_sgbm, p1_factor: 32}",
        "s.yaml:3:42: sensor.p1_factor: 32 is not below p2_factor, 32"},
       {"sensor: {preset: stereo_sgm, block_px: 5}",
-       "s.yaml:3:30: sensor.block_px: unknown key for kind stereo_census (a key of kind "
-       "stereo_sgm)"},
+       "s.yaml:3:30: sensor.block_px: unknown key for kind stereo_sgm (a key of kind "
+       "stereo_sgbm)"},
       {"sensor: {preset: stereo_original, paths: 6}",
        "s.yaml:3:42: sensor.paths: 6 is neither 4 nor 8"},
       {"sensor: {kind: depth_ideal, disparities: 64}",
        "s.yaml:3:29: sensor.disparities: unknown key for kind depth_ideal (a key of kind "
-       "stereo_sgm, "
-       "stereo_census)"},
+       "stereo_sgbm, "
+       "stereo_sgm)"},
       {"sensor: {kind: stereo}",
-       "s.yaml:3:16: sensor.kind: \"stereo\" is none of depth_ideal, depth_noisy, stereo_sgm, "
-       "stereo_census (did you mean stereo_sgm?)"},
+       "s.yaml:3:16: sensor.kind: \"stereo\" is none of depth_ideal, depth_noisy, stereo_sgbm, "
+       "stereo_sgm (did you mean stereo_sgm?)"},
       {"sensor: {more_mountings: [{yaw: 90}]}",
        "s.yaml:3:28: sensor.more_mountings[0].yaw: unknown key (did you mean yaw_deg?)"},
       {"imu: {rate_hz: 2000}",

@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
-"""Databases of strangers: nothing that they name runs outside of a worker's sandbox, and no command of theirs runs at all.
+"""Databases of strangers: nothing that they name runs outside of a worker's sandbox, and no command of theirs runs at
+all.
 
     foreign_databases.py PROGRAM LEAVES_MARK STRAIGHT_LINE
 
-LEAVES_MARK: the library of planners/leaves_mark.cpp, which writes a file where it is let; STRAIGHT_LINE: a planner that is a program.
-Each command that flies stored trials is tried with a database whose planner is a command, and with one of a library that was flown
-without a sandbox. Also: a planner of the user's own is flown, whatever the database says of how its planner was started; and no
-command leaves SQLite's files beside a database."""
+LEAVES_MARK: the library of planners/leaves_mark.cpp, which writes a file where it is let; STRAIGHT_LINE: a planner that
+is a program. Each command that flies stored trials is tried with a database whose planner is a command, and with one of
+a library that was flown without a sandbox. Also: a planner of the user's own is flown, whatever the database says of
+how its planner was started; and no command leaves SQLite's files beside a database."""
+
 import os
 import pathlib
 import re
@@ -38,8 +40,14 @@ class Folder:
         self.problems += 0 if is_so else 1
 
     def call(self, *words):
-        done = subprocess.run([self.program, *map(str, words)], env=self.environment, cwd=self.folder, capture_output=True, text=True,
-                              timeout=300)
+        done = subprocess.run(
+            [self.program, *map(str, words)],
+            env=self.environment,
+            cwd=self.folder,
+            capture_output=True,
+            text=True,
+            timeout=300,
+        )
         left = [path.name for path in self.folder.rglob("*") if path.name.endswith(("-wal", "-shm", "-journal"))]
         self.expect(f"{' '.join(map(str, words[:4]))} leaves no file beside a database", not left, left)
         return done
@@ -75,7 +83,7 @@ def commands(database, trial):
 
 def foreign_command(at, straight_line):
     payload = f"{{ echo was here > {at.mark}; }} 2>/dev/null; exec {straight_line}"
-    planner = f"{{plugin: process, label: evil, parameters: {{command: [sh, -c, \"{payload}\"]}}}}"
+    planner = f'{{plugin: process, label: evil, parameters: {{command: [sh, -c, "{payload}"]}}}}'
     database, trial = at.flown("command", planner, "--no-sandbox")
     at.expect("the command would leave a mark", at.mark.exists())
     at.mark.unlink(missing_ok=True)
@@ -84,17 +92,35 @@ def foreign_command(at, straight_line):
         done = at.call(*words)
         at.expect(f"{name} ends with {code}", done.returncode == code, (done.returncode, done.stderr))
         at.expect(f"{name} starts no command", not at.mark.exists())
-        at.expect(f"{name} shows it and says what to do", REFUSAL in done.stderr and str(at.mark) in done.stderr
-                  and "--sweep-file FILE or --library FILE" in done.stderr, done.stderr)
+        at.expect(
+            f"{name} shows it and says what to do",
+            REFUSAL in done.stderr
+            and str(at.mark) in done.stderr
+            and "--sweep-file FILE or --library FILE" in done.stderr,
+            done.stderr,
+        )
         at.mark.unlink(missing_ok=True)
     done = at.call("replay", database, trial, "--library", straight_line)
-    at.expect("a program of one's own is flown, by no word of the database's", done.returncode == 0 and not at.mark.exists(), done.stderr)
+    at.expect(
+        "a program of one's own is flown, by no word of the database's",
+        done.returncode == 0 and not at.mark.exists(),
+        done.stderr,
+    )
     done = at.call("replay", database, "--verify", "--sweep-file", sweep)
-    at.expect("what a sweep of one's own has is flown, in the sandbox",
-              (done.returncode, done.stdout) == (0, "2 trials flown again, 0 different\n") and not at.mark.exists(), done)
-    at.expect("what its sandbox grants it is said once", done.stderr.count("planner evil declares that it needs processes") == 1, done.stderr)
+    at.expect(
+        "what a sweep of one's own has is flown, in the sandbox",
+        (done.returncode, done.stdout) == (0, "2 trials flown again, 0 different\n") and not at.mark.exists(),
+        done,
+    )
+    at.expect(
+        "what its sandbox grants it is said once",
+        done.stderr.count("planner evil declares that it needs processes") == 1,
+        done.stderr,
+    )
     done = at.call("explain", database, "--sweep-file", sweep)
-    at.expect("and explained", done.returncode == 0 and REFUSAL not in done.stderr and not at.mark.exists(), done.stderr)
+    at.expect(
+        "and explained", done.returncode == 0 and REFUSAL not in done.stderr and not at.mark.exists(), done.stderr
+    )
 
 
 def foreign_library(at, library):
@@ -118,13 +144,26 @@ def foreign_library(at, library):
 def other_commands(at):
     """What else opens databases, also where it ends with an error."""
     database = at.folder / "library.db"
-    for words, code in ((["report", database], 0), (["report", database, "--page", "p.html"], 0), (["compare", database, database], 0),
-                        (["export", "trials", database], 0), (["replay", database, "--list"], 0), (["replay", database, "99"], 2),
-                        (["replay", database, "1", "--library", "nobody"], 2), (["explain", database, "99"], 2),
-                        (["explain", database, "--png", "x.png"], 2), (["merge", "all.db", database], 0),
-                        (["merge", "all.db", "nowhere.db"], 2), (["run", "library.yaml", "--db", database, "--rerun", "nobody"], 2)):
+    for words, code in (
+        (["report", database], 0),
+        (["report", database, "--page", "p.html"], 0),
+        (["compare", database, database], 0),
+        (["export", "trials", database], 0),
+        (["replay", database, "--list"], 0),
+        (["replay", database, "99"], 2),
+        (["replay", database, "1", "--library", "nobody"], 2),
+        (["explain", database, "99"], 2),
+        (["explain", database, "--png", "x.png"], 2),
+        (["merge", "all.db", database], 0),
+        (["merge", "all.db", "nowhere.db"], 2),
+        (["run", "library.yaml", "--db", database, "--rerun", "nobody"], 2),
+    ):
         done = at.call(*words)
-        at.expect(f"{words[0]} {words[2] if len(words) > 2 else ''} ends with {code}", done.returncode == code, (done.returncode, done.stderr))
+        at.expect(
+            f"{words[0]} {words[2] if len(words) > 2 else ''} ends with {code}",
+            done.returncode == code,
+            (done.returncode, done.stderr),
+        )
 
 
 def main():

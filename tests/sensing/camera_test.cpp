@@ -88,7 +88,7 @@ TEST(Camera, SubpixelDisparityOfATiltedPlaneIsRightWithinAQuarterPixel) {
       const Pose pose = facing_wall(distance_m, tilt_deg);
       EXPECT_LT(disparity_rms_px(preset("stereo_sgm"), scene, pose), 0.25) << tilt_deg;
       SensorSpec census = preset("stereo_original");
-      census.method = StereoCensusSpec{.subpixel = true};
+      census.method = StereoSgmSpec{.subpixel = true};
       EXPECT_LT(disparity_rms_px(census, scene, pose), 0.25) << tilt_deg;
     }
   }

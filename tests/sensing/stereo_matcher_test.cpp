@@ -18,7 +18,7 @@ std::vector<float> bland_disparities(bool subpixel) {
   CameraSpec sensor;
   sensor.width_px = 90;
   sensor.height_px = 40;
-  sensor.method = StereoCensusSpec{.disparities = 64, .subpixel = subpixel};
+  sensor.method = StereoSgmSpec{.disparities = 64, .subpixel = subpixel};
   const std::vector<std::uint8_t> grey(90 * 40, 77);
   std::vector<float> disparity_px(grey.size(), 1.0F);
   make_stereo_matcher(sensor)->match(grey, grey, disparity_px);
@@ -37,13 +37,13 @@ std::vector<float> square_disparities(int side_px, std::int64_t speckle_window_p
   CameraSpec sensor;
   sensor.width_px = kWidth_px;
   sensor.height_px = kHeight_px;
-  sensor.method = StereoCensusSpec{.window = CensusWindow::five_by_five,
-                                   .disparities = 64,
-                                   .p1 = 5,
-                                   .p2 = 32,
-                                   .subpixel = true,
-                                   .speckle_window_px = speckle_window_px,
-                                   .left_right_px = -1};
+  sensor.method = StereoSgmSpec{.window = CensusWindow::five_by_five,
+                                .disparities = 64,
+                                .p1 = 5,
+                                .p2 = 32,
+                                .subpixel = true,
+                                .speckle_window_px = speckle_window_px,
+                                .left_right_px = -1};
   RandomStream random(21);
   std::vector<std::uint8_t> right(kWidth_px * kHeight_px), left(right.size());
   for (std::uint8_t& value : right) value = static_cast<std::uint8_t>(random.uniform(0.0, 256.0));
@@ -76,7 +76,7 @@ TEST(StereoMatcher, SgbmMatchesNothingLeftOfTheRightImage) {
   CameraSpec sensor;
   sensor.width_px = kWidth_px;
   sensor.height_px = kHeight_px;
-  sensor.method = StereoSgmSpec{.speckle_window_px = 0};
+  sensor.method = StereoSgbmSpec{.speckle_window_px = 0};
   RandomStream random(22);
   std::vector<std::uint8_t> right(kWidth_px * kHeight_px), left(right.size());
   for (std::uint8_t& value : right) value = static_cast<std::uint8_t>(random.uniform(0.0, 256.0));

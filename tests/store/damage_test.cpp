@@ -59,17 +59,17 @@ TEST(Damage, ANewerSchemaIsRefusedWithTheVersionNeeded) {
   run_sql(folder / "n.db", "PRAGMA user_version = 7");
   const std::string message = message_of_opening(folder / "n.db");
   EXPECT_TRUE(has(message, "newer avoidbench")) << message;
-  EXPECT_TRUE(has(message, "version 7")) << message;
+  EXPECT_TRUE(has(message, " is 7; ")) << message;
 }
 
 TEST(Damage, AnotherSchemaVersionIsRefusedAndTheFileLeftAlone) {
   const TemporaryFolder folder;
   { begun(folder / "o.db").add_trial(trial_row("a", 0, 0, Outcome::reached_goal)); }
-  for (const int version : {-1, 0, 1, 2, 3, 4}) {
+  for (const int version : {-1, 0}) {
     run_sql(folder / "o.db", "PRAGMA user_version = " + std::to_string(version));
     const std::string before = file_digest(folder / "o.db");
     const std::string expected = "o.db: its schema version (PRAGMA user_version) is " +
-                                 std::to_string(version) + "; this avoidbench reads version 5: ";
+                                 std::to_string(version) + "; this avoidbench reads version 1: ";
     EXPECT_TRUE(has(message_of_opening(folder / "o.db"), expected));
     EXPECT_TRUE(
         has(message_of([&] { Database::open_for_run(folder / "o.db", kMetrics); }), expected));

@@ -111,7 +111,8 @@ TEST(ForeignSchema, OtherThingsUnderTheNamesOfOursAreRefused) {
       has(refusal_of("DROP VIEW latest_trials; DROP VIEW trial_table; DROP VIEW planner_summary; "
                      "ALTER TABLE trials DROP COLUMN mission_progress_pct"),
           "mission_progress_pct"));
-  EXPECT_TRUE(has(refusal_of("ALTER TABLE trajectories DROP COLUMN is_packed"), "is_packed"));
+  EXPECT_TRUE(
+      has(refusal_of("ALTER TABLE trajectories DROP COLUMN samples_digest"), "samples_digest"));
   EXPECT_TRUE(has(refusal_of("ALTER TABLE sweeps RENAME TO old; CREATE TABLE sweeps (sweep TEXT, "
                              "revision INTEGER, spec_json TEXT); INSERT INTO sweeps SELECT * FROM "
                              "old; DROP TABLE old"),

@@ -114,7 +114,7 @@ TEST(RowDigest, SamplesAndCallsAreCheckedWhenRead) {
             "x.trial_key <> trajectories.trial_key) WHERE trial_key = (SELECT trial_key FROM "
             "trials WHERE outcome = 'collided')",
             "trajectories"},
-        {"UPDATE trajectories SET samples = zeroblob(3520), is_packed = 0", "trajectories"},
+        {"UPDATE trajectories SET samples = zeroblob(3520)", "trajectories"},
         {"UPDATE trajectories SET samples = zeroblob(40)", "trajectories"},
         {"UPDATE plan_calls SET calls_json = replace(calls_json, ',8', ',4')", "plan_calls"},
         {"UPDATE plan_calls SET calls_json = '[]'", "plan_calls"}}) {

@@ -1,14 +1,17 @@
 #!/usr/bin/env python3
 """Flies planners that attack the program, one way at a time, beside good ones, and looks at what that did.
 
-    hostile_runs.py PROGRAM --planners FOLDER [--good FOLDER] [--ways a,b | --short] [--part I/N] [--parallel N] [--run-option=--no-sandbox] [--before WORDS]
+    hostile_runs.py PROGRAM --planners FOLDER [--good FOLDER] [--ways a,b | --short] [--part I/N] [--parallel N]
+    [--run-option=--no-sandbox] [--before WORDS]
                     [--as-user UID] [--keep FOLDER]
 
-FOLDER has the libraries of tests/sweep/hostile. For each way a small sweep is flown by two workers. After it, the good planners' rows are
-those of a run without the hostile one, to the bit; its own rows are those of the flight that it would have had, or say how it failed,
-whatever it wrote into the pipes; the maps, the tables, the other files are what they were; no process lives that was started by the run;
-no file lies about; the database has no log beside it, is sound and can be locked; and it took no longer than half again the limits that
-the hostile calls ran into. Ways that would reach processes outside of the run are passed over where there is no namespace for them."""
+FOLDER has the libraries of tests/sweep/hostile. For each way a small sweep is flown by two workers. After it, the good
+planners' rows are those of a run without the hostile one, to the bit; its own rows are those of the flight that it
+would have had, or say how it failed, whatever it wrote into the pipes; the maps, the tables, the other files are what
+they were; no process lives that was started by the run; no file lies about; the database has no log beside it, is sound
+and can be locked; and it took no longer than half again the limits that the hostile calls ran into. Ways that would
+reach processes outside of the run are passed over where there is no namespace for them."""
+
 import argparse
 import concurrent.futures
 import contextlib
@@ -56,8 +59,10 @@ TYPED = b"typed by the user\n"  # into the run's terminal, where it stays unread
 INHERITED = (77, 200)  # descriptors of the file "precious" that the shell has open as it starts the run
 
 
-# ---------------------------------------------------------------------------------------------------------------------------------
-# In a namespace of its own, as process 1, or at least as the one that orphans come to: runs the program and says what it left.
+# ----------------------------------------------------------------------------------------------------------------------
+# In a namespace of its own, as process 1, or at least as the one that orphans come to: runs the program and says what
+# it left.
+
 
 def descendants():
     """Processes that come from this one, however far, and live, with their command lines."""
@@ -71,17 +76,20 @@ def descendants():
         if fields[0] != "Z":
             parents[int(folder.name)] = int(fields[1])
             found[int(folder.name)] = command
+
     def comes_from_here(pid):
         while pid in parents:
             pid = parents[pid]
             if pid == os.getpid():
                 return True
         return False
+
     return {pid: command for pid, command in found.items() if comes_from_here(pid)}
 
 
 def wait_for(pid, deadline, look):
-    """Its exit code; or None where it did not end in time and was killed. Gathers whatever else ends, and looks at each turn."""
+    """Its exit code; or None where it did not end in time and was killed. Gathers whatever else ends, and looks at each
+    turn."""
     while True:
         look()
         ended, status = os.waitpid(-1, os.WNOHANG)
@@ -108,7 +116,8 @@ def shared_objects():
 
 
 def open_terminal(file):
-    """A terminal that echoes nothing, whose user has typed a line: both of its ends and its settings. Its name is written to the file."""
+    """A terminal that echoes nothing, whose user has typed a line: both of its ends and its settings. Its name is
+    written to the file."""
     control, terminal = pty.openpty()
     settings = termios.tcgetattr(terminal)
     settings[3] &= ~termios.ECHO
@@ -119,7 +128,8 @@ def open_terminal(file):
 
 
 def look_at(control, terminal, settings):
-    """What became of the terminal: what was shown, whether its settings are others, whether it is stopped, what stands to be read."""
+    """What became of the terminal: what was shown, whether its settings are others, whether it is stopped, what stands
+    to be read."""
     found = {"shown": "", "typed": "", "is_changed": True, "is_stopped": True}
     os.set_blocking(control, False)
     os.set_blocking(terminal, False)
@@ -175,7 +185,8 @@ def inside(file):
     (folder.parent / "found.json").write_text(json.dumps(found))
 
 
-# ---------------------------------------------------------------------------------------------------------------------------------
+# ----------------------------------------------------------------------------------------------------------------------
+
 
 def namespaces():
     """The words before a command that give it processes and mounts of its own: (words, has them)."""
@@ -189,10 +200,12 @@ def namespaces():
 
 def files_of(folder):
     """Every file below a folder, by name: what is in it; a word for what is no file."""
+
     def content(path):
         if path.is_symlink() or not path.is_file():
             return "folder" if path.is_dir() else "no file"
         return hashlib.sha256(path.read_bytes()).hexdigest()
+
     return {str(path.relative_to(folder)): content(path) for path in sorted(folder.rglob("*"))}
 
 
@@ -207,7 +220,16 @@ class Runs:
             folder.chmod(0o755)
             self.program = str(shutil.copy(self.program, folder))  # its own folder need not be open to that user
         options = subprocess.run([self.program, "run", "--help"], capture_output=True, text=True).stdout
-        self.options = ["--jobs", "2", "--quiet", "--plan-timeout", str(PLAN_TIMEOUT_S), "--memory-limit", str(MEMORY_MIB), *given.run_option]
+        self.options = [
+            "--jobs",
+            "2",
+            "--quiet",
+            "--plan-timeout",
+            str(PLAN_TIMEOUT_S),
+            "--memory-limit",
+            str(MEMORY_MIB),
+            *given.run_option,
+        ]
         self.trial_limit_s = SILENCE_S
         if "--trial-timeout" in options:
             self.options += ["--trial-timeout", str(TRIAL_TIMEOUT_S)]
@@ -215,7 +237,9 @@ class Runs:
         self.locales = folder / "locales"
         self.locales.mkdir()
         with contextlib.suppress(OSError):
-            subprocess.run(["localedef", "-f", "UTF-8", "-i", "de_DE", str(self.locales / "de_DE.UTF-8")], capture_output=True)
+            subprocess.run(
+                ["localedef", "-f", "UTF-8", "-i", "de_DE", str(self.locales / "de_DE.UTF-8")], capture_output=True
+            )
         if not (self.locales / "de_DE.UTF-8").exists():
             print("no locale with a decimal comma can be made here: its ways change nothing")
         self.metrics = 0
@@ -246,13 +270,33 @@ class Runs:
         environment |= {"HOME": str(home / "home"), "TMPDIR": str(home / "temporary"), "LOCPATH": str(self.locales)}
         # Without copies of planners, which are files that a run leaves.
         command = [*self.words, self.program, "run", "sweep.yaml", "--db", "results.db", "--no-keep", *self.options]
-        (home / "given.json").write_text(json.dumps({"folder": str(folder), "command": command, "environment": environment,
-                                                     "deadline_s": deadline_s,
-                                                     "has_terminal": re.split("[+]|_again", home.name)[0] in TERMINAL}))
-        made = subprocess.run([*self.before, sys.executable, __file__, "--inside", str(home / "given.json")], capture_output=True, text=True)
+        (home / "given.json").write_text(
+            json.dumps(
+                {
+                    "folder": str(folder),
+                    "command": command,
+                    "environment": environment,
+                    "deadline_s": deadline_s,
+                    "has_terminal": re.split("[+]|_again", home.name)[0] in TERMINAL,
+                }
+            )
+        )
+        made = subprocess.run(
+            [*self.before, sys.executable, __file__, "--inside", str(home / "given.json")],
+            capture_output=True,
+            text=True,
+        )
         if not (home / "found.json").exists():
-            return {"code": "none: what started it was ended, too", "took_s": 0.0, "left": [], "terminal": {}, "shared": 0, "foreground_is_run": True,
-                    "stdout": "", "stderr": made.stderr}
+            return {
+                "code": "none: what started it was ended, too",
+                "took_s": 0.0,
+                "left": [],
+                "terminal": {},
+                "shared": 0,
+                "foreground_is_run": True,
+                "stdout": "",
+                "stderr": made.stderr,
+            }
         found = json.loads((home / "found.json").read_text())
         for name in ("stdout", "stderr"):
             with open(home / name, "rb") as file:
@@ -276,8 +320,8 @@ class Runs:
             sys.exit("the good planners fly differently beside one that does nothing")
 
     def fly(self, name):
-        """The problems that a way makes, and a line about it. Once more, with limits measured again, where it took too long: others may
-        have used this machine, too."""
+        """The problems that a way makes, and a line about it. Once more, with limits measured again, where it took too
+        long: others may have used this machine, too."""
         problems, line = self.fly_once(name, name)
         if any(problem.startswith("took") for problem in problems):
             calm = self.run(self.prepare(f"{name}_calm", "nothing", "hostile.so"), 120.0)
@@ -291,10 +335,16 @@ class Runs:
         library = LIBRARIES.get(way, f"hostile_{uses}" if uses else "hostile") + ("" if uses == "program" else ".so")
         folder = self.prepare(folder_name, "nothing" if way in LIBRARIES else way, library)
         before = files_of(folder.parent)
-        limit_s = {"call": PLAN_TIMEOUT_S, "trial": self.trial_limit_s, "load": 0.0}[expected.limit] * self.given.missions
+        limit_s = {"call": PLAN_TIMEOUT_S, "trial": self.trial_limit_s, "load": 0.0}[
+            expected.limit
+        ] * self.given.missions
         limits_s = self.honest_s + limit_s + (DESCRIBE_TIMEOUT_S if expected.limit == "load" else 0.0)
         found = self.run(folder, 1.5 * limits_s + 5.0)
-        problems = ["it did not end" if found["code"] is None else f"exit code {found['code']}"] if found["code"] not in expected.codes else []
+        problems = (
+            ["it did not end" if found["code"] is None else f"exit code {found['code']}"]
+            if found["code"] not in expected.codes
+            else []
+        )
         if found["code"] in expected.codes and found["code"] != 0 and not re.search(expected.message, found["stderr"]):
             problems.append("nothing that says what to do")
         if found["took_s"] > 1.5 * limits_s:
@@ -306,7 +356,9 @@ class Runs:
         if not self.given.keep:
             shutil.rmtree(folder.parent, ignore_errors=True)
         last = found["stderr"].strip().splitlines()[-1:] if problems or found["code"] != 0 else []
-        return problems, f"{found['took_s']:5.1f} s  {name}: {outcome}" + "".join(f"\n      | {line[:200]}" for line in last)
+        return problems, f"{found['took_s']:5.1f} s  {name}: {outcome}" + "".join(
+            f"\n      | {line[:200]}" for line in last
+        )
 
     def check_files(self, folder, before):
         made = {"run/results.db", "given.json", "found.json", "stdout", "stderr", "terminal"}
@@ -345,7 +397,8 @@ class Runs:
         return problems + [self.judge(row, expected) for row in hostile_of(found) if self.judge(row, expected)]
 
     def judge(self, row, expected):
-        """What is wrong with a row of the hostile planner; nothing where it is an honest flight or says how that failed."""
+        """What is wrong with a row of the hostile planner; nothing where it is an honest flight or says how that
+        failed."""
         outcome, reason = row[3], row[4]
         is_honest = row in hostile_of(self.honest)
         failed = outcome in ("planner_error", "planner_crashed", "planner_hung")
@@ -382,7 +435,9 @@ def after_processes(found):
         problems.append(f"in the terminal stands to be read: {terminal['typed'][:40]!r}")
     if terminal.get("shown"):
         problems.append(f"written to the terminal: {terminal['shown'][:40]!r}")
-    problems += [f"the terminal {name.replace('_', ' ')}" for name in ("is_changed", "is_stopped") if terminal.get(name)]
+    problems += [
+        f"the terminal {name.replace('_', ' ')}" for name in ("is_changed", "is_stopped") if terminal.get(name)
+    ]
     if not found["foreground_is_run"]:
         problems.append("took the terminal")
     return problems
@@ -398,16 +453,23 @@ def hostile_of(found):
 
 def schema_of(file):
     with contextlib.closing(sqlite3.connect(file)) as db:
-        return db.execute("SELECT type, name, sql FROM sqlite_schema WHERE name NOT LIKE 'sqlite_stat%' ORDER BY 1, 2").fetchall()
+        return db.execute(
+            "SELECT type, name, sql FROM sqlite_schema WHERE name NOT LIKE 'sqlite_stat%' ORDER BY 1, 2"
+        ).fetchall()
 
 
 def compare_ways(program, folder):
     """The ways that the library has against those that are expected here: none may be forgotten."""
     environment = os.environ | {"AVOIDBENCH_PLANNER_PATH": str(folder)}
-    told = subprocess.run([program, "config", "explain", "hostile.way"], capture_output=True, text=True, env=environment).stdout
+    told = subprocess.run(
+        [program, "config", "explain", "hostile.way"], capture_output=True, text=True, env=environment
+    ).stdout
     listed = re.search(r"one of nothing, (.*)", told)
     names = set(listed[1].split(", ")) if listed else set()
-    missing, unknown = sorted({name for name in EXPECTED if '+' not in name} - set(LIBRARIES) - names), sorted(names - set(EXPECTED))
+    missing, unknown = (
+        sorted({name for name in EXPECTED if "+" not in name} - set(LIBRARIES) - names),
+        sorted(names - set(EXPECTED)),
+    )
     if missing or unknown:
         sys.exit(f"not in the library: {missing}; not expected: {unknown}")
 
@@ -415,10 +477,13 @@ def compare_ways(program, folder):
 def chosen(given, has_namespaces):
     names = given.ways.split(",") if given.ways else SHORT if given.short else list(EXPECTED)
     index, count = (int(part) for part in given.part.split("/"))
-    names = names[index - 1::count]
+    names = names[index - 1 :: count]
     dangerous = [name for name in names if not has_namespaces and name in NEED_PROCESSES + NEED_MOUNTS]
     for name in dangerous:
-        print(f"passed over: {name} (no namespace can be made here, and it would reach processes or mounts that are not ours)")
+        print(
+            f"passed over: {name} (no namespace can be made here, and it would reach processes or mounts that are "
+            f"not ours)"
+        )
     return [name for name in names if name not in dangerous]
 
 
@@ -433,7 +498,9 @@ def arguments(words):
     parser.add_argument("--missions", type=int, default=3)
     parser.add_argument("--parallel", type=int, default=1)
     parser.add_argument("--run-option", action="append", default=[])
-    parser.add_argument("--before", type=shlex.split, default=[], help="what stands before the program on its command line")
+    parser.add_argument(
+        "--before", type=shlex.split, default=[], help="what stands before the program on its command line"
+    )
     parser.add_argument("--as-user", type=int, default=0, help="for root: runs as this user")
     parser.add_argument("--keep", type=pathlib.Path, help="where the runs' folders stay")
     given = parser.parse_args(words)
@@ -456,7 +523,11 @@ def main():
         with concurrent.futures.ThreadPoolExecutor(given.parallel) as pool:
             for problems, line in pool.map(runs.fly, names):
                 broken += 1 if problems else 0
-                print(f"{'BROKEN' if problems else 'ok    '} {line}" + "".join(f"\n      {problem}" for problem in problems), flush=True)
+                print(
+                    f"{'BROKEN' if problems else 'ok    '} {line}"
+                    + "".join(f"\n      {problem}" for problem in problems),
+                    flush=True,
+                )
     print(f"{len(names)} ways, {broken} of them break something, {time.monotonic() - began:.0f} s")
     sys.exit(1 if broken or not names else 0)
 

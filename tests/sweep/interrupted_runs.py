@@ -3,9 +3,11 @@
 
     interrupted_runs.py PROGRAM [--kills N]
 
-Kills `run` N times at random (seeded) moments and lets it go on each time, checking the file after every kill; stops it by SIGTERM;
-flies three shards and merges them in two orders and twice; flies on after half; with 1, 2 and 4 workers; on a full disk where a small
-tmpfs can be mounted. Compares every deterministic value of every row with an undisturbed run."""
+Kills `run` N times at random (seeded) moments and lets it go on each time, checking the file after every kill; stops it
+by SIGTERM; flies three shards and merges them in two orders and twice; flies on after half; with 1, 2 and 4 workers; on
+a full disk where a small tmpfs can be mounted. Compares every deterministic value of every row with an undisturbed
+run."""
+
 import argparse
 import contextlib
 import pathlib
@@ -108,7 +110,11 @@ def sharded(runs):
         runs.run(f"shard{part}.db", "--shard", f"{part}/3")
     parts = [str(runs.folder / f"shard{part}.db") for part in (1, 2, 3)]
     for name, order in [("merged.db", parts), ("backward.db", parts[::-1]), ("merged.db", parts)]:
-        subprocess.run([runs.program, "merge", "--complete", str(runs.folder / name), *order], check=True, stdout=subprocess.DEVNULL)
+        subprocess.run(
+            [runs.program, "merge", "--complete", str(runs.folder / name), *order],
+            check=True,
+            stdout=subprocess.DEVNULL,
+        )
         runs.expect(f"three shards merged into {name}", rows(runs.folder / name), runs.whole)
 
 

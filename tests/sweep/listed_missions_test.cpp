@@ -74,36 +74,12 @@ TEST_F(ListedMissions, AreFoundAgainAndOnlyAChangedMapIsFlownAgain) {
   EXPECT_EQ(summary.revision, 2);
 }
 
-TEST(ListedMissionKeys, LeaveTextsAsTheyWereWhereNothingIsListed) {
+TEST(ListedMissionKeys, FollowFromTheirDigest) {
   TrialSpec spec;
-  EXPECT_EQ(trial_json(spec).find("missions_digest"), std::string::npos);
-  EXPECT_EQ(trial_json(spec).find("more_cameras"), std::string::npos);
-  const std::string sweep_text = sweep_json(test::small_sweep(), {});
-  for (const char* later : {"missions", "more_cameras", "trial_count"}) {
-    EXPECT_EQ(sweep_text.find(std::string("\"") + later + "\""), std::string::npos) << later;
-  }
   const std::string trial = trial_key(spec), map = map_key(spec);
   spec.missions_digest = "ab";
   EXPECT_NE(trial_key(spec), trial);
   EXPECT_NE(map_key(spec), map);
-}
-
-TEST(LaterFields, OfACensusAreKeptWhereTheyAreUsedInEveryCamera) {
-  TrialSpec spec;
-  spec.sensor.method = StereoCensusSpec{};
-  spec.sensor.more_cameras.resize(2);
-  spec.sensor.more_cameras[0].method = StereoCensusSpec{};
-  EXPECT_EQ(trial_json(spec).find("speckle"), std::string::npos);
-  EXPECT_EQ(trial_json(spec).find("window"), std::string::npos);
-  spec.sensor.more_cameras[1].method = StereoCensusSpec{.window = CensusWindow::five_by_five};
-  const std::string text = trial_json(spec);
-  EXPECT_NE(text.find("\"window\":\"5x5\""), std::string::npos);
-  nlohmann::json restored = nlohmann::json::parse(text);
-  restore_later_fields(restored);
-  EXPECT_EQ(restored.at("sensor").at("window"), "9x7");
-  EXPECT_EQ(restored.at("sensor").at("more_cameras")[0].at("speckle_range_px"), 2);
-  EXPECT_EQ(restored.at("sensor").at("more_cameras")[1].at("window"), "5x5");
-  EXPECT_EQ(restored.at("sensor").at("more_cameras")[1].at("uniqueness_percent"), 0);
 }
 
 TEST(ListedMissionKeys, FollowFromAllThatAMissionIs) {

@@ -157,11 +157,6 @@ TEST(LatencyKey, FollowsWhatTheModeUses) {
   EXPECT_EQ(trial_key(spec), replay);
   spec.latency_digest = "cd";
   EXPECT_NE(trial_key(spec), replay);
-
-  nlohmann::json json = spec_to_json(spec);
-  forget_unused_latency(json);
-  restore_latency(json);
-  EXPECT_EQ(trial_key(spec_from_json<TrialSpec>(json)), trial_key(spec));
 }
 
 }  // namespace

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""`run` flies and says what protects it: as root and as an ordinary user, with and without namespaces, Landlock of each version, filters of
-system calls.
+"""`run` flies and says what protects it: as root and as an ordinary user, with and without namespaces, Landlock of each
+version, filters of system calls.
 
     protected_runs.py PROGRAM --planners FOLDER [--cases 'a;b'] [--short]
 
-In each case the rows are those of the first one; the database (runs.sandbox) says what protects the run, and a warning where nothing does;
-and the ways of tests/sweep/hostile that it is protected from change nothing."""
+In each case the rows are those of the first one; the database (runs.sandbox) says what protects the run, and a warning
+where nothing does; and the ways of tests/sweep/hostile that it is protected from change nothing."""
+
 import argparse
 import contextlib
 import os
@@ -18,11 +19,32 @@ import tempfile
 from hostile_runs import Runs, arguments, good_of
 
 NOBODY = 65534
-SIGNALS = ["kill_parent", "stop_parent", "kill_parent_by_descriptor", "kill_parent_otherwise", "trace_parent", "limit_parents_files", "kill_siblings",
-           "change_terminal", "freeze_terminal", "send_datagram", "call_newer_kernels"]
+SIGNALS = [
+    "kill_parent",
+    "stop_parent",
+    "kill_parent_by_descriptor",
+    "kill_parent_otherwise",
+    "trace_parent",
+    "limit_parents_files",
+    "kill_siblings",
+    "change_terminal",
+    "freeze_terminal",
+    "send_datagram",
+    "call_newer_kernels",
+]
 PROGRAMS = ["read_parent_memory+program"]
-FILES = ["update_rows", "remove_database", "truncate_database", "rename_database", "change_good_planner", "leave_files", "write_parent_memory",
-         "read_terminal", "fill_shared_memory+processes", *PROGRAMS]
+FILES = [
+    "update_rows",
+    "remove_database",
+    "truncate_database",
+    "rename_database",
+    "change_good_planner",
+    "leave_files",
+    "write_parent_memory",
+    "read_terminal",
+    "fill_shared_memory+processes",
+    *PROGRAMS,
+]
 ALWAYS = ["write_inherited"]
 
 # Case: (words before the program, user, options of run, what runs.sandbox says, ways that change nothing).
@@ -33,12 +55,20 @@ CASES = {
     "an ordinary user, no namespaces": (["--no-namespaces"], NOBODY, [], r"landlock.*seccomp", SIGNALS + FILES),
     "no Landlock": (["--no-landlock"], 0, [], r"^(?!.*landlock).*seccomp", SIGNALS),
     "an ordinary user, no Landlock": (["--no-landlock"], NOBODY, [], r"^(?!.*landlock).*seccomp", SIGNALS + PROGRAMS),
-    "an ordinary user in a container, no Landlock": (["--no-landlock", "--no-namespaces"], NOBODY, [], r"^(?!.*landlock).*seccomp",
-                                                     SIGNALS + PROGRAMS),
+    "an ordinary user in a container, no Landlock": (
+        ["--no-landlock", "--no-namespaces"],
+        NOBODY,
+        [],
+        r"^(?!.*landlock).*seccomp",
+        SIGNALS + PROGRAMS,
+    ),
     "no seccomp": (["--no-seccomp"], 0, [], r"landlock(?!.*seccomp)", FILES),
     "nothing": (["--no-seccomp", "--no-landlock"], 0, [], r"^none: the kernel", ALWAYS),
     "--no-sandbox": ([], 0, ["--run-option=--no-sandbox"], r"^none: --no-sandbox", ALWAYS),
-} | {f"Landlock {version}": ([f"--landlock-version={version}"], 0, [], r"landlock.*seccomp", SIGNALS + FILES) for version in (1, 2, 3, 4, 5, 6)}
+} | {
+    f"Landlock {version}": ([f"--landlock-version={version}"], 0, [], r"landlock.*seccomp", SIGNALS + FILES)
+    for version in (1, 2, 3, 4, 5, 6)
+}
 
 
 def sandbox_of(file):
@@ -55,7 +85,21 @@ def check(given, folder, name, first):
         folder.chmod(0o755)
         (folder / "older_kernel").write_bytes((given.planners / "older_kernel").read_bytes())
         (folder / "older_kernel").chmod(0o755)
-    runs = Runs(arguments([str(given.program), "--planners", str(given.planners), "--missions", "2", f"--as-user={user}", before, *options]), folder)
+    runs = Runs(
+        arguments(
+            [
+                str(given.program),
+                "--planners",
+                str(given.planners),
+                "--missions",
+                "2",
+                f"--as-user={user}",
+                before,
+                *options,
+            ]
+        ),
+        folder,
+    )
     runs.measure()
     problems = []
     if first is not None and (good_of(runs.honest) != good_of(first) or runs.honest["map"] != first["map"]):
@@ -89,7 +133,11 @@ def main():
             problems, rows, said = check(given, pathlib.Path(folder), name, first)
         first = first or rows
         broken += 1 if problems else 0
-        print(f"{'BROKEN' if problems else 'ok    '} {name}: {said}" + "".join(f"\n      {problem}" for problem in problems), flush=True)
+        print(
+            f"{'BROKEN' if problems else 'ok    '} {name}: {said}"
+            + "".join(f"\n      {problem}" for problem in problems),
+            flush=True,
+        )
     sys.exit(1 if broken else 0)
 
 

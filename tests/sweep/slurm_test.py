@@ -3,10 +3,12 @@
 
     slurm_test.py PROGRAM SCRIPTS
 
-Starts munged, slurmctld and slurmd on this machine's loopback, each with files and a key of its own in a temporary folder (nothing of
-the system's is touched; needs no root), submits a small sweep by SCRIPTS/submit.sh as three shards, tells one element to stop as Slurm does before
-the time limit (USR1), requeues another one in flight as after a node's failure, and waits for the job that merges. Both come
-back and go on where they were or begin anew. Fails, and says what is missing, where Slurm is not installed."""
+Starts munged, slurmctld and slurmd on this machine's loopback, each with files and a key of its own in a temporary
+folder (nothing of the system's is touched; needs no root), submits a small sweep by SCRIPTS/submit.sh as three shards,
+tells one element to stop as Slurm does before the time limit (USR1), requeues another one in flight as after a node's
+failure, and waits for the job that merges. Both come back and go on where they were or begin anew. Fails, and says what
+is missing, where Slurm is not installed."""
+
 import contextlib
 import getpass
 import os
@@ -103,11 +105,26 @@ class Cluster:
         key.write_bytes(os.urandom(128))
         key.chmod(0o600)
         host = socket.gethostname().split(".")[0]
-        (self.folder / "slurm.conf").write_text(CONFIGURATION.format(
-            folder=self.folder, host=host, user=getpass.getuser(), controller_port=controller_port, node_port=node_port))
+        (self.folder / "slurm.conf").write_text(
+            CONFIGURATION.format(
+                folder=self.folder,
+                host=host,
+                user=getpass.getuser(),
+                controller_port=controller_port,
+                node_port=node_port,
+            )
+        )
         munge = self.folder / "munge"
-        self.start("munged", "--foreground", "--force", f"--key-file={key}", f"--socket={munge}/socket", f"--pid-file={munge}/pid",
-                   f"--seed-file={munge}/seed", f"--log-file={munge}/log")
+        self.start(
+            "munged",
+            "--foreground",
+            "--force",
+            f"--key-file={key}",
+            f"--socket={munge}/socket",
+            f"--pid-file={munge}/pid",
+            f"--seed-file={munge}/seed",
+            f"--log-file={munge}/log",
+        )
         wait_for("munged", (munge / "socket").exists, 20)
         self.start("slurmctld", "-D")
         wait_for("slurmctld", lambda: "UP" in self.tell("scontrol", "ping", check=False), 30)
@@ -163,7 +180,9 @@ def main():
         sweep = folder / "sweep.yaml"
         sweep.write_text(SWEEP)
         alone = folder / "alone.db"
-        subprocess.run([program, "run", sweep, "--quiet", "--jobs", "1", "--db", alone], check=True, stderr=subprocess.DEVNULL)
+        subprocess.run(
+            [program, "run", sweep, "--quiet", "--jobs", "1", "--db", alone], check=True, stderr=subprocess.DEVNULL
+        )
         with Cluster(folder) as cluster:
             fly(cluster, program, scripts, sweep, folder)
         expected, found = rows(alone), rows(folder / "merged.db")
@@ -189,7 +208,10 @@ def fly(cluster, program, scripts, sweep, folder):
     cluster.tell("scancel", "--batch", "--signal=USR1", f"{array}_1")
     in_flight(2)
     cluster.tell("scontrol", "requeue", f"{array}_2")
-    wait_for("the merged database", lambda: merged.exists() or "avoidbench" not in cluster.tell("squeue", "--format=%j", "--noheader"))
+    wait_for(
+        "the merged database",
+        lambda: merged.exists() or "avoidbench" not in cluster.tell("squeue", "--format=%j", "--noheader"),
+    )
     log = (folder / f"merged.shards/logs/avoidbench-{array}_1.log").read_text()
     if "stopped; run the same command again" not in log or "queues again" not in log:
         raise RuntimeError(f"element 1 was not stopped and queued again:\n{log}")

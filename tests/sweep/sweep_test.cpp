@@ -221,32 +221,36 @@ TEST_F(SweepTest, APlannerWrittenOverUnderWayStopsTheRunAndKeepsWhatWasFlown) {
   EXPECT_EQ(Database::open_for_reading(folder_ / "changed.db").list_trials().size(), 1U);
 }
 
-/// The key as it is defined: the digest of all the spec as one canonical text.
-std::string defined_key(const TrialSpec& spec) {
-  nlohmann::json fields = spec_to_json(spec);
-  fields["map"].erase("file");
-  fields["wind"]["field"].erase("file");
-  fields["planner"].erase("file");
-  fields["planner"].erase("plugin");
-  fields["planner"].erase("files");
-  if (fields["planner"].at("command").empty()) fields["planner"].erase("command");
-  if (spec.planner.camera == kAllCameras) fields["planner"].erase("camera");
-  forget_unused_latency(fields);
-  if (fields.at("missions_digest") == "") fields.erase("missions_digest");
-  if (fields.at("sensor").at("more_cameras").empty()) fields.at("sensor").erase("more_cameras");
-  // Sensors without what the census matcher learnt later are written as they were.
-  nlohmann::json before = {{"window", "9x7"},
-                           {"uniqueness_percent", 0},
-                           {"speckle_window_px", 0},
-                           {"speckle_range_px", 2}};
-  for (const auto& [field, value] : before.items()) {
-    nlohmann::json& sensor = fields.at("sensor");
-    if (sensor.at("kind") == "stereo_census" && sensor.at(field) == value) sensor.erase(field);
-  }
-  for (const char* derived : {"thrust_to_weight", "angular_acceleration_radps2"}) {
-    if (fields.at("vehicle").at(derived) == 0.0) fields.at("vehicle").erase(derived);
-  }
-  return Digest().add(fields.dump()).add(std::uint64_t{kResultVersion}).hex();
+TEST(TrialKey, IsTheDigestOfWhatIsNotAtItsDefault) {
+  TrialSpec spec;
+  spec.map = HallSpec{.poisson_radius_m = 4.5};
+  spec.map_seed = 7;
+  spec.mission_index = 0;
+  spec.planner.plugin = "here/slow.so";
+  spec.planner.file = "/there/here/slow.so";
+  spec.planner.label = "slow";
+  spec.planner.file_digest = "ab";
+  spec.vehicle = VehicleSpec{};
+  spec.vehicle.mass_kg = 1.5;
+  spec.latency.mode = LatencyMode::zero;
+  spec.latency.scale = 3.0;
+  const auto key_of = [](const std::string& text) {
+    return Digest().add(text).add(std::uint64_t{kResultVersion}).hex();
+  };
+  const std::string begin = R"({"latency":{"mode":"zero"},"map":{"kind":"hall",)"
+                            R"("poisson_radius_m":4.5},"map_seed":7,"mission_index":0,)"
+                            R"("planner":{"file_digest":"ab","label":"slow"},)",
+                    vehicle = R"("vehicle":{"mass_kg":1.5}})";
+  EXPECT_EQ(trial_key(spec), key_of(begin + vehicle));
+  spec.sensor.more_cameras.resize(1);
+  const auto method = [&](const char* camera) {
+    return key_of(begin + R"("sensor":{"kind":"depth_ideal","more_cameras":[)" + camera + "]}," +
+                  vehicle);
+  };
+  EXPECT_EQ(trial_key(spec), method(R"({"kind":"depth_ideal"})"));
+  EXPECT_EQ(trial_key({}), key_of(R"({"mission_index":0})"));
+  spec.sensor.more_cameras[0].method = StereoSgmSpec{.speckle_window_px = 9};
+  EXPECT_EQ(trial_key(spec), method(R"({"kind":"stereo_sgm","speckle_window_px":9})"));
 }
 
 TEST(TrialKey, FollowsTheSpecAndNotThePath) {
@@ -269,14 +273,21 @@ TEST(TrialKey, FollowsTheSpecAndNotThePath) {
   TrialSpec rebuilt = spec;
   rebuilt.planner.file_digest[0] = 'x';
   EXPECT_NE(trial_key(spec), trial_key(rebuilt));
-  TrialSpec often = spec, between = spec;
-  often.rates.sample_hz = 150.0;
-  between.rates.sample_hz = 120.0;
-  EXPECT_EQ(trial_key(often), defined_key(often));
-  EXPECT_NE(trial_key(between), defined_key(between)) << "such flights had fewer samples once";
   TrialSpec wide = spec;
   wide.vehicle.body_size_m[0] = 0.6;
   EXPECT_NE(map_key(spec), map_key(wide));
+}
+
+/// The key of a spec with a map from no file, from all of its text at once.
+std::string defined_key(const TrialSpec& spec) {
+  TrialSpec keyed = without_unused_latency(spec);
+  keyed.planner.plugin.clear();
+  keyed.planner.file.clear();
+  keyed.planner.files.clear();
+  nlohmann::json fields = sparse_json(keyed);
+  fields["mission_index"] = spec.mission_index;
+  if (spec.latency.mode == LatencyMode::replay) fields["latency_digest"] = spec.latency_digest;
+  return Digest().add(fields.dump()).add(std::uint64_t{kResultVersion}).hex();
 }
 
 TEST(KeyMaker, GivesTheSameKeysAsOneByOne) {
@@ -294,9 +305,9 @@ TEST(KeyMaker, GivesTheSameKeysAsOneByOne) {
                       .latency_digest = {}});
   };
   add([](TrialSpec& spec) { spec.map = ForestSpec{}; });
+  add([](TrialSpec& spec) { spec.sensor.method = StereoSgbmSpec{}; });
   add([](TrialSpec& spec) { spec.sensor.method = StereoSgmSpec{}; });
-  add([](TrialSpec& spec) { spec.sensor.method = StereoCensusSpec{}; });
-  add([](TrialSpec& spec) { spec.sensor.method = StereoCensusSpec{.speckle_window_px = 9}; });
+  add([](TrialSpec& spec) { spec.sensor.method = StereoSgmSpec{.speckle_window_px = 9}; });
   for (int i = 0; i < 1100; ++i) {  // more settings than it keeps
     add([&](TrialSpec& spec) { spec.wind.mean_world_mps[2] = i; });
   }

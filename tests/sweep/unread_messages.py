@@ -3,8 +3,10 @@
 
     unread_messages.py PROGRAM
 
-Standard error is a terminal that was stopped (Ctrl-S), one whose window takes no more, a full pipe, or a pipe that nobody reads; then the
-terminal goes away, which gives trials in flight the grace of any signal to stop, or none of it matters under nohup."""
+Standard error is a terminal that was stopped (Ctrl-S), one whose window takes no more, a full pipe, or a pipe that
+nobody reads; then the terminal goes away, which gives trials in flight the grace of any signal to stop, or none of it
+matters under nohup."""
+
 import contextlib
 import os
 import pty
@@ -49,7 +51,9 @@ class Unread:
         return [word for word in self.runs.command(name, "--jobs", "2", "--progress", "json") if word != "--quiet"]
 
     def start(self, name, stderr, **options):
-        return subprocess.Popen(self.command(name), stdout=subprocess.DEVNULL, stderr=stderr, stdin=subprocess.DEVNULL, **options)
+        return subprocess.Popen(
+            self.command(name), stdout=subprocess.DEVNULL, stderr=stderr, stdin=subprocess.DEVNULL, **options
+        )
 
     def problem(self, text):
         print(f"PROBLEM  {text}", flush=True)
@@ -100,8 +104,11 @@ class Unread:
 
     def broken_pipe(self):
         for name, to_stdout in (("broken_pipe.db", False), ("broken_both.db", True)):
-            process = subprocess.Popen(self.command(name), stdout=subprocess.PIPE if to_stdout else subprocess.DEVNULL,
-                                       stderr=subprocess.STDOUT if to_stdout else subprocess.PIPE)
+            process = subprocess.Popen(
+                self.command(name),
+                stdout=subprocess.PIPE if to_stdout else subprocess.DEVNULL,
+                stderr=subprocess.STDOUT if to_stdout else subprocess.PIPE,
+            )
             reader = process.stdout or process.stderr
             os.read(reader.fileno(), 1)
             reader.close()
@@ -117,7 +124,9 @@ class Unread:
         self.expect("a terminal that went away", process, "hang_up.db", codes=(0, 75))
         if process.returncode == 75 and "run the same command again to go on" not in text:
             self.problem(f"SIGHUP and no word of what to do: {text[-300:]!r}")
-        process = self.start("nohup.db", subprocess.PIPE, preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))
+        process = self.start(
+            "nohup.db", subprocess.PIPE, preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN)
+        )
         process.stderr.readline()
         process.send_signal(signal.SIGHUP)
         process.stderr.read()
@@ -128,8 +137,14 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         runs = Runs(sys.argv[1], folder)
         unread = Unread(runs, runs.fly_undisturbed("--jobs", "2"))
-        for way in (unread.stopped_terminal, unread.stopped_terminal_and_signal, unread.full_terminal, unread.full_pipe, unread.broken_pipe,
-                    unread.hang_up):
+        for way in (
+            unread.stopped_terminal,
+            unread.stopped_terminal_and_signal,
+            unread.full_terminal,
+            unread.full_pipe,
+            unread.broken_pipe,
+            unread.hang_up,
+        ):
             way()
     sys.exit(1 if runs.problems else 0)
 

@@ -40,8 +40,8 @@ TEST(RunTrial, EverySensorShowsWhatAPlannerMayAskFor) {
   for (SensorSpec sensor : sensor_presets()) {
     sensor.width_px = 80;
     sensor.height_px = 48;
-    if (auto* sgm = std::get_if<StereoSgmSpec>(&sensor.method)) sgm->disparities = 32;
-    if (auto* census = std::get_if<StereoCensusSpec>(&sensor.method)) census->disparities = 32;
+    if (auto* sgm = std::get_if<StereoSgbmSpec>(&sensor.method)) sgm->disparities = 32;
+    if (auto* census = std::get_if<StereoSgmSpec>(&sensor.method)) census->disparities = 32;
     TrialSpec spec;
     spec.sensor = sensor;
     spec.odometry.position_drift_ratio = 0.001;
