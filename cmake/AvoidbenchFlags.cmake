@@ -34,7 +34,8 @@ target_compile_options(avoidbench_flags INTERFACE
   -Wall -Wextra -Wpedantic
   $<$<COMPILE_LANGUAGE:CXX>:-Wconversion -Wsign-conversion -Wshadow -Wold-style-cast -Wdouble-promotion>)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  # g++ 12 sees uninitialised members of std::variant and std::optional that are never read (GCC bug 105562); clang's analyser looks instead.
+  # g++ 12 sees uninitialised members of std::variant and std::optional that are never read (GCC bug 105562); clang's
+  # analyser looks instead.
   target_compile_options(avoidbench_flags INTERFACE -Wno-maybe-uninitialized)
   if(AVOIDBENCH_UNITY)
     # Of sources compiled together, all but the first look like headers.

@@ -1,7 +1,7 @@
-# cmake --install. The program and the planners install themselves; here come what belongs to them (configurations, maps, docs,
-# scripts, the template of a planner; laid out as in the sources, so that what names each other finds it) and the SDK (component
-# sdk): headers and a CMake package `avoidbench` with avoidbench::planner_api, avoidbench_planner() and
-# avoidbench_ros_planner().
+# cmake --install. The program and the planners install themselves; here come what belongs to them (configurations,
+# maps, docs, scripts, the template of a planner; laid out as in the sources, so that what names each other finds it)
+# and the SDK (component sdk): headers and a CMake package `avoidbench` with avoidbench::planner_api,
+# avoidbench_planner() and avoidbench_ros_planner().
 include(CMakePackageConfigHelpers)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/avoidbench)

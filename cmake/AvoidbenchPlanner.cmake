@@ -1,6 +1,7 @@
 # avoidbench_planner(name SOURCES a.cpp …  [PRIVATE target …] [FILES weights.bin …])
-# One planner plugin: planners/<name>.so under the build tree, and beside it the files that it depends on. The same function is installed for planners that live in
-# a repository of their own; there set AVOIDBENCH_PLANNER_PATH to <build folder>/planners to use them by name.
+# One planner plugin: planners/<name>.so under the build tree, and beside it the files that it depends on. The same
+# function is installed for planners that live in a repository of their own; there set AVOIDBENCH_PLANNER_PATH to <build
+# folder>/planners to use them by name.
 include(GNUInstallDirs)
 function(avoidbench_planner name)
   cmake_parse_arguments(PLANNER "" "" "SOURCES;PRIVATE;FILES" ${ARGN})

@@ -1,5 +1,5 @@
-# Precompiled headers: the standard library, Eigen and json are most of the time of a build. Sources include what they use all
-# the same; the preset `clang` and clang-tidy go without, so that a forgotten include is found.
+# Precompiled headers: the standard library, Eigen and json are most of the time of a build. Sources include what they
+# use all the same; the preset `clang` and clang-tidy go without, so that a forgotten include is found.
 option(AVOIDBENCH_PRECOMPILED "Build with precompiled headers" ON)
 
 # avoidbench_precompiled(target kind): the target uses the precompiled headers of its kind: room, program or test.

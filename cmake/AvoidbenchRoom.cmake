@@ -17,9 +17,10 @@ function(avoidbench_room name)
   add_library(avoidbench::${name} ALIAS ${target})
 endfunction()
 
-# avoidbench_test(room [USES room …] [PRIVATE target …] [LABEL label] [TIMEOUT seconds]): every *_test.cpp beside the caller as one
-# test binary. In ctest each test is labelled with the room, or LABEL; those of suites whose names end in Slow are `slow` too and have
-# half an hour. The others have TIMEOUT, by default five minutes: for machines with other work to do, and so that a hang ends.
+# avoidbench_test(room [USES room …] [PRIVATE target …] [LABEL label] [TIMEOUT seconds]): every *_test.cpp beside the
+# caller as one test binary. In ctest each test is labelled with the room, or LABEL; those of suites whose names end in
+# Slow are `slow` too and have half an hour. The others have TIMEOUT, by default five minutes: for machines with other
+# work to do, and so that a hang ends.
 function(avoidbench_test name)
   cmake_parse_arguments(TEST "" "LABEL;TIMEOUT" "USES;PRIVATE" ${ARGN})
   if(NOT TEST_LABEL)
@@ -37,7 +38,8 @@ function(avoidbench_test name)
                              AVOIDBENCH_BINARY_DIR="${PROJECT_BINARY_DIR}")
   avoidbench_precompiled(${name}_tests test)
   gtest_discover_tests(${name}_tests TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60 NO_PRETTY_VALUES)
-  # ctest reads this after the tests were found. gtest_discover_tests' own PROPERTIES keep only the first of several labels.
+  # ctest reads this after the tests were found. gtest_discover_tests' own PROPERTIES keep only the first of several
+  # labels.
   set(properties ${CMAKE_CURRENT_BINARY_DIR}/${name}_test_properties.cmake)
   file(CONFIGURE OUTPUT ${properties} @ONLY CONTENT [[
 foreach(test IN LISTS @name@_tests_TESTS)
@@ -51,10 +53,10 @@ endforeach()
   set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${properties})
 endfunction()
 
-# avoidbench_script_test(label name [SLOW] [SERIAL] [CAN_SKIP] [PROCESSORS n] TIMEOUT seconds COMMAND word …): the test label.name.
-# SLOW: run by scripts/test.sh --all only. SERIAL: nothing else runs beside it, since it measures times. PROCESSORS: how many it uses,
-# by default one. CAN_SKIP: exit code 77 says that it can't run here. Scripts take seconds to minutes and so begin before the thousand
-# short tests of C++, which then fill what is free.
+# avoidbench_script_test(label name [SLOW] [SERIAL] [CAN_SKIP] [PROCESSORS n] TIMEOUT seconds COMMAND word …): the test
+# label.name. SLOW: run by scripts/test.sh --all only. SERIAL: nothing else runs beside it, since it measures times.
+# PROCESSORS: how many it uses, by default one. CAN_SKIP: exit code 77 says that it can't run here. Scripts take seconds
+# to minutes and so begin before the thousand short tests of C++, which then fill what is free.
 function(avoidbench_script_test label name)
   cmake_parse_arguments(TEST "SLOW;SERIAL;CAN_SKIP" "TIMEOUT;PROCESSORS" "COMMAND" ${ARGN})
   add_test(NAME ${label}.${name} COMMAND ${TEST_COMMAND})

@@ -1,8 +1,9 @@
-# avoidbench_ros_planner(name SOURCES a.cpp … TOPICS topics.yaml [PARAMS params.yaml] [MESSAGES package folder …] [INCLUDE folder …]
+# avoidbench_ros_planner(name SOURCES a.cpp … TOPICS topics.yaml [PARAMS params.yaml] [MESSAGES package folder …]
+# [INCLUDE folder …]
 #                        [NEEDS opencv pcl target …] [DEFINITIONS A=1 …] [STANDARD 14|17|20] [FOLDER folder])
-# ROS 1 sources, unchanged, as the planner <name>.so: docs/ros.md. MESSAGES: packages with .msg files of one's own. NEEDS: opencv
-# (cv_bridge), pcl (the real one; stand-ins of its points and clouds are there without), or targets to link. FOLDER: where <name>.so
-# goes instead of planners/ of the build tree; it is not installed then.
+# ROS 1 sources, unchanged, as the planner <name>.so: docs/ros.md. MESSAGES: packages with .msg files of one's own.
+# NEEDS: opencv (cv_bridge), pcl (the real one; stand-ins of its points and clouds are there without), or targets to
+# link. FOLDER: where <name>.so goes instead of planners/ of the build tree; it is not installed then.
 include(GNUInstallDirs)
 if(EXISTS ${CMAKE_CURRENT_LIST_DIR}/ros_shim/make_planner.py)
   set(AVOIDBENCH_ROS_SHIM ${CMAKE_CURRENT_LIST_DIR}/ros_shim CACHE INTERNAL "Folder of the stand-ins for ROS 1")
@@ -152,8 +153,8 @@ function(avoidbench_ros_planner name)
   if(TARGET avoidbench_flags)
     target_link_libraries(${name} PRIVATE avoidbench_flags)
   endif()
-  # Nothing but the two entries is seen from outside, and nothing outside takes the place of what is inside: the library is loaded
-  # once more for every trial.
+  # Nothing but the two entries is seen from outside, and nothing outside takes the place of what is inside: the library
+  # is loaded once more for every trial.
   set(script ${AVOIDBENCH_ROS_SHIM}/exports.map)
   target_link_options(${name} PRIVATE -Wl,--version-script=${script} -Wl,-Bsymbolic -Wl,-z,now)
   set_target_properties(${name} PROPERTIES PREFIX "" SUFFIX ".so" UNITY_BUILD OFF LINK_DEPENDS ${script}

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# bless_golden.sh "REASON": writes results/baselines/ci*.csv again after a wanted change of results, and puts REASON into CHANGELOG.md under
-# "Results change". It first shows what changes; where nothing does, nothing is written.
+# bless_golden.sh "REASON": writes results/baselines/ci*.csv again after a wanted change of results, and puts REASON
+# into CHANGELOG.md under "Results change". It first shows what changes; where nothing does, nothing is written.
 # AVOIDBENCH is the program to fly with (default: build/release/avoidbench).
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# changed_files.sh: the files that differ from the main branch, or on the main branch itself those of its last thirty commits, with
-# what is not committed yet. One path per line, the latest changed first.
+# changed_files.sh: the files that differ from the main branch, or on the main branch itself those of its last thirty
+# commits, with what is not committed yet. One path per line, the latest changed first.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

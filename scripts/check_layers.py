@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 """Checks that each room of lib/ includes only itself, rooms before it in lib/ORDER and the third parties named there,
-that no room has more than 25 files, that planners include only the SDK (but not what trains them), that no message of lib/ names an option of the command line, that no code uses what would make results differ between
-machines, that no two rooms define a type of one name (the linker would take either's functions for both, without a word), and that the
+that no room has more than 25 files, that planners include only the SDK (but not what trains them), that no message of
+lib/ names an option of the command line, that no code uses what would make results differ between machines, that no two
+rooms define a type of one name (the linker would take either's functions for both, without a word), and that the
 drawing in lib/README.md shows the includes as they are.
 
     check_layers.py [FOLDER] [--draw]    --draw: writes the drawing again"""
+
 import pathlib
 import re
 import sys
@@ -19,24 +21,45 @@ for line in (root / "lib/ORDER").read_text().splitlines():
         order.append(room)
         allowed[room] = set(third_parties.split())
 
-# The first part of an angle-bracket include -> the third party it belongs to. Others are the language's or the system's.
-THIRD_PARTIES = {"Eigen": "Eigen", "embree3": "embree3", "embree4": "embree4", "opencv2": "opencv2",
-                 "png.h": "png", "zlib.h": "zlib", "sqlite3.h": "sqlite3", "yaml-cpp": "yaml-cpp", "nlohmann": "nlohmann", "nettle": "nettle",
-                 "dlfcn.h": "dlfcn", "CLI": "CLI", "gtest": "gtest", "benchmark": "benchmark"}
+# The first part of an angle-bracket include -> the third party it belongs to. Others are the language's or the
+# system's.
+THIRD_PARTIES = {
+    "Eigen": "Eigen",
+    "embree3": "embree3",
+    "embree4": "embree4",
+    "opencv2": "opencv2",
+    "png.h": "png",
+    "zlib.h": "zlib",
+    "sqlite3.h": "sqlite3",
+    "yaml-cpp": "yaml-cpp",
+    "nlohmann": "nlohmann",
+    "nettle": "nettle",
+    "dlfcn.h": "dlfcn",
+    "CLI": "CLI",
+    "gtest": "gtest",
+    "benchmark": "benchmark",
+}
 UNREPEATABLE = [
-    (r"std::(uniform_\w+|normal|bernoulli|poisson|exponential)_distribution|std::shuffle|random_device|\b(s?rand)\(",
-     "draw from base/random.hpp"),
-    (r"std::(sin|cos|tan|asin|acos|atan2?|exp2?|log(2|10|1p)?|pow|cbrt|hypot|sinh|cosh|tanh)\(",
-     "use base/math.hpp: the C library's last bit depends on the processor"),
+    (
+        r"std::(uniform_\w+|normal|bernoulli|poisson|exponential)_distribution|std::shuffle|random_device|\b(s?rand)\(",
+        "draw from base/random.hpp",
+    ),
+    (
+        r"std::(sin|cos|tan|asin|acos|atan2?|exp2?|log(2|10|1p)?|pow|cbrt|hypot|sinh|cosh|tanh)\(",
+        "use base/math.hpp: the C library's last bit depends on the processor",
+    ),
     (r"std::unordered_(map|set)", "its order differs between libraries"),
 ]
-# The folder of a planner's own that makes what it is trained with: a program that knows the map, and no part of the planner.
+# The folder of a planner's own that makes what it is trained with: a program that knows the map, and no part of the
+# planner.
 TEACHER = "expert"
-# Where the C library's functions of that name are replaced by repeatable ones, and where they are looked for in planners.
+# Where the C library's functions of that name are replaced by repeatable ones, and where they are looked for in
+# planners.
 REPEATABLE = {"planners/ros_shim/src/random.cpp", "lib/conformance/import_notes.cpp"}
-# Messages of lib/ name no options of the command line: an OptionError has the option's name, and the program writes it out.
-# Allowed are whole words, which are arguments of a process, and the name of the place where overrides of keys stand.
-OPTION = re.compile(r'(?<![\w-])--[a-z]')
+# Messages of lib/ name no options of the command line: an OptionError has the option's name, and the program writes it
+# out. Allowed are whole words, which are arguments of a process, and the name of the place where overrides of keys
+# stand.
+OPTION = re.compile(r"(?<![\w-])--[a-z]")
 LITERAL = re.compile(r'"((?:[^"\\]|\\.)*)"')
 ALLOWED_LITERALS = {("lib/yaml/overrides.cpp", "--set ")}
 INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)[>"]')
@@ -100,7 +123,8 @@ TYPE = re.compile(r"(?:struct|class|enum class) (\w+)(?: final)?(?: :[^:].*)?(?:
 
 
 def types_of(file):
-    """The types that a file defines outside of other types and of unnamed namespaces, as (line, name with its namespace)."""
+    """The types that a file defines outside of other types and of unnamed namespaces, as (line, name with its
+    namespace)."""
     spaces = []
     for number, line in enumerate(file.read_text().splitlines(), 1):
         if match := NAMESPACE.match(line):
@@ -148,7 +172,11 @@ if readme.exists():
     if "--draw" in sys.argv:
         readme.write_text(drawn)
     elif drawn != text:
-        problem(readme, text[:text.find("```mermaid")].count("\n") + 1, "the drawing is not of these includes: scripts/check_layers.py --draw")
+        problem(
+            readme,
+            text[: text.find("```mermaid")].count("\n") + 1,
+            "the drawing is not of these includes: scripts/check_layers.py --draw",
+        )
 
 print("\n".join(problems) if problems else f"{len(order)} rooms in order")
 sys.exit(1 if problems else 0)

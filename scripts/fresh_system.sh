@@ -1,10 +1,13 @@
 #!/usr/bin/env bash
-# fresh_system.sh [SUITE [COMMAND…]]: do the package lists name all that is needed? In a Debian with only its base system (SUITE: bookworm,
-# trixie) installs the list `build` and configures as quickstart.sh does, installs the list `test` and configures the builds of test.sh;
-# then runs COMMAND there in a copy of this working tree: `scripts/fresh_system.sh trixie scripts/test.sh`.
-#   --bare FOLDER SUITE COMMAND…   no package is installed; COMMAND runs in a copy of FOLDER instead: does what lies there need nothing else?
-# Needs root, debootstrap, Debian's mirror, 5 GB in TMPDIR (/var/tmp) and some five minutes; exit code 77 where one of these is missing.
-# What it makes is removed at the end; with FRESH_SYSTEM_FOLDER=FOLDER the base system and the compilers' cache are kept there for the next call.
+# fresh_system.sh [SUITE [COMMAND…]]: do the package lists name all that is needed? In a Debian with only its base
+# system (SUITE: bookworm, trixie) installs the list `build` and configures as quickstart.sh does, installs the list
+# `test` and configures the builds of test.sh; then runs COMMAND there in a copy of this working tree:
+# `scripts/fresh_system.sh trixie scripts/test.sh`.
+#   --bare FOLDER SUITE COMMAND…   no package is installed; COMMAND runs in a copy of FOLDER instead: does what lies
+#   there need nothing else?
+# Needs root, debootstrap, Debian's mirror, 5 GB in TMPDIR (/var/tmp) and some five minutes; exit code 77 where one of
+# these is missing. What it makes is removed at the end; with FRESH_SYSTEM_FOLDER=FOLDER the base system and the
+# compilers' cache are kept there for the next call.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -18,7 +21,8 @@ shift || true
 cannot() { echo "fresh_system: not run: $*" >&2; exit 77; }
 [ "$(id -u)" = 0 ] || cannot "needs root"
 command -v debootstrap >/dev/null || cannot "needs debootstrap: scripts/install_packages.sh slow"
-# Mounts and processes live in namespaces of their own and end with them, so that nothing but a folder is to be removed here.
+# Mounts and processes live in namespaces of their own and end with them, so that nothing but a folder is to be removed
+# here.
 if [ -z "${FRESH_SYSTEM_WORK:-}" ]; then
   unshare --mount --pid --fork true 2>/dev/null || cannot "may not mount"
   work=$(mktemp -d "${TMPDIR:-/var/tmp}/fresh_system.XXXXXX")

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # fuzz.sh [SECONDS [TARGET…]]: builds the fuzz targets (point_cloud, mesh, database, database_edits) with address and
-# undefined-behaviour sanitizers (build/fuzz) and feeds each for SECONDS (default 60), one after the other. What they find
-# interesting stays in build/fuzz/corpus, a finding in build/fuzz/findings.
+# undefined-behaviour sanitizers (build/fuzz) and feeds each for SECONDS (default 60), one after the other. What they
+# find interesting stays in build/fuzz/corpus, a finding in build/fuzz/findings.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

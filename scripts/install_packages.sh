@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
-# install_packages.sh build|python|ros|ros_live|test|slow|plot: installs the Debian/Ubuntu packages that a build, the Python package,
-# planners written for ROS 1 (docs/ros.md), real ROS 1 nodes, the tests, the tests labelled slow too, or the pictures of
-# `report --plots` need, and says which.
-# Does nothing, and needs no root, if they are all there.
+# install_packages.sh build|python|ros|ros_live|test|slow|plot: installs the Debian/Ubuntu packages that a build, the
+# Python package, planners written for ROS 1 (docs/ros.md), real ROS 1 nodes, the tests, the tests labelled slow too, or
+# the pictures of `report --plots` need, and says which. Does nothing, and needs no root, if they are all there.
 set -euo pipefail
 
 # make: CMake's own choice where nothing says ninja, as for planners outside of the repository.
@@ -19,13 +18,14 @@ ros_live_packages=(
   python3 python3-numpy python3-yaml python3-rospy python3-rosmaster python3-roslaunch python3-rosparam python3-std-msgs
   python3-geometry-msgs python3-nav-msgs python3-sensor-msgs python3-trajectory-msgs python3-rosgraph-msgs
 )
-# llvm: its symbolizer; without it the sanitizers can't name functions, and what tests/support/leaks.supp names is not found.
+# llvm: its symbolizer; without it the sanitizers can't name functions, and what tests/support/leaks.supp names is not
+# found.
 test_packages=(
   "${plot_packages[@]}" "${python_packages[@]}" "${ros_packages[@]}" clang clang-format clang-tidy libclang-rt-14-dev llvm
-  libgtest-dev libgmock-dev python3-jsonschema valgrind locales npm chromium ffmpeg
+  libgtest-dev libgmock-dev python3-jsonschema valgrind locales npm chromium ffmpeg shellcheck
 )
-# A Slurm of one node, for the test of scripts/slurm (the system's own services play no part), and what scripts/fresh_system.sh needs.
-# ROS 1 where the system still has it: its test says that it was passed over.
+# A Slurm of one node, for the test of scripts/slurm (the system's own services play no part), and what
+# scripts/fresh_system.sh needs. ROS 1 where the system still has it: its test says that it was passed over.
 slow_packages=(munge slurmctld slurmd slurm-client debootstrap)
 if apt-cache show python3-rospy >/dev/null 2>&1; then slow_packages+=("${ros_live_packages[@]}"); fi
 

@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
-# lint.sh [FILE…|--all]: clang-format and clang-tidy over the given sources (clang-tidy over their neighbours too), or over all. Without
-# arguments clang-tidy looks at what changed (changed_files.sh; of a changed header at its folder) and at a rotating eighth of the rest.
+# lint.sh [FILE…|--all]: format and lint of every language; of C++ clang-format and clang-tidy over the given sources
+# (clang-tidy over their neighbours too), or over all. Without arguments clang-tidy looks at what changed (changed_files.sh; of a changed header at its folder) and
+# at a rotating eighth of the rest.
 #   --format-only    no clang-tidy
-# Both of version 14 only: others format otherwise and have other checks. Without it only torn comments are found, which is said.
+# Both of version 14 only: others format otherwise and have other checks. Without it only torn comments are found, which
+# is said.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -45,6 +47,24 @@ format=$(of_version clang-format)
 if [ -n "$format" ]; then
   "$format" --dry-run --Werror "${files[@]}"
   echo "${#files[@]} files formatted"
+fi
+
+# Of the other languages all files are looked at, where their tools are: ruff of scripts/python_venv.sh, biome of the
+# page's packages (npm ci in build/release/page), shellcheck of the package list `test`.
+# checked PROGRAM LANGUAGE COMMAND…
+checked() {
+  command -v "$1" >/dev/null || { echo "no $(basename "$1") here: $2 not checked" >&2; return 0; }
+  "${@:3}"
+  echo "$2 checked"
+}
+if [ ${#asked[@]} -eq 0 ]; then
+  mapfile -t python_files < <(git ls-files '*.py')
+  mapfile -t shell_files < <(git ls-files '*.sh' .ci/run)
+  ruff=build/venv/bin/ruff biome=build/release/page/node_modules/.bin/biome
+  checked "$ruff" Python "$ruff" format --check --quiet "${python_files[@]}"
+  checked "$ruff" Python "$ruff" check --quiet "${python_files[@]}"
+  checked "$biome" TypeScript "$biome" ci --colors=off --log-level=warn
+  checked shellcheck shell shellcheck --severity=warning "${shell_files[@]}"
 fi
 [ $format_only = 0 ] || exit 0
 

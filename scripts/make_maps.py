@@ -3,6 +3,7 @@
 
 usage: scripts/make_maps.py [FOLDER]      (default: maps/ of this repository)
 """
+
 import json
 import math
 import pathlib
@@ -17,24 +18,46 @@ class Glb:
     """A glTF scene, y up. Positions are given z up, as the program has them."""
 
     def __init__(self):
-        self.json = {"asset": {"version": "2.0", "generator": "avoidbench scripts/make_maps.py"}, "scene": 0,
-                     "scenes": [{"nodes": []}], "nodes": [], "meshes": [], "accessors": [], "bufferViews": [],
-                     "materials": [{"name": name} for name in MATERIALS]}
+        self.json = {
+            "asset": {"version": "2.0", "generator": "avoidbench scripts/make_maps.py"},
+            "scene": 0,
+            "scenes": [{"nodes": []}],
+            "nodes": [],
+            "meshes": [],
+            "accessors": [],
+            "bufferViews": [],
+            "materials": [{"name": name} for name in MATERIALS],
+        }
         self.bytes = b""
 
     def _accessor(self, data, count, component, kind, **limits):
         self.json["bufferViews"].append({"buffer": 0, "byteOffset": len(self.bytes), "byteLength": len(data)})
-        self.json["accessors"].append({"bufferView": len(self.json["bufferViews"]) - 1, "componentType": component,
-                                       "count": count, "type": kind, **limits})
+        self.json["accessors"].append(
+            {
+                "bufferView": len(self.json["bufferViews"]) - 1,
+                "componentType": component,
+                "count": count,
+                "type": kind,
+                **limits,
+            }
+        )
         self.bytes += data + b"\0" * (-len(data) % 4)
         return len(self.json["accessors"]) - 1
 
     def mesh(self, name, vertices, triangles, material):
         turned = [(x, z, -y) for x, y, z in vertices]
         columns = list(zip(*turned))
-        positions = self._accessor(b"".join(struct.pack("<3f", *v) for v in turned), len(turned), 5126, "VEC3",
-                                   min=[min(c) for c in columns], max=[max(c) for c in columns])
-        indices = self._accessor(b"".join(struct.pack("<3H", *t) for t in triangles), 3 * len(triangles), 5123, "SCALAR")
+        positions = self._accessor(
+            b"".join(struct.pack("<3f", *v) for v in turned),
+            len(turned),
+            5126,
+            "VEC3",
+            min=[min(c) for c in columns],
+            max=[max(c) for c in columns],
+        )
+        indices = self._accessor(
+            b"".join(struct.pack("<3H", *t) for t in triangles), 3 * len(triangles), 5123, "SCALAR"
+        )
         primitive = {"attributes": {"POSITION": positions}, "indices": indices, "material": MATERIALS.index(material)}
         self.json["meshes"].append({"name": name, "primitives": [primitive]})
         return len(self.json["meshes"]) - 1
@@ -46,20 +69,26 @@ class Glb:
     def box(self, name, low, high, material):
         """A node of its own, at the middle of the box's foot."""
         foot = ((low[0] + high[0]) / 2, (low[1] + high[1]) / 2, low[2])
-        self.node(name, self.mesh(name, *box([l - f for l, f in zip(low, foot)], [h - f for h, f in zip(high, foot)]),
-                                  material), foot)
+        self.node(
+            name,
+            self.mesh(name, *box([a - f for a, f in zip(low, foot)], [h - f for h, f in zip(high, foot)]), material),
+            foot,
+        )
 
     def write(self, path):
         self.json["buffers"] = [{"byteLength": len(self.bytes)}]
         text = json.dumps(self.json, separators=(",", ":")).encode()
         text += b" " * (-len(text) % 4)
-        chunks = struct.pack("<I4s", len(text), b"JSON") + text + struct.pack("<I4s", len(self.bytes), b"BIN\0") + self.bytes
+        chunks = (
+            struct.pack("<I4s", len(text), b"JSON") + text + struct.pack("<I4s", len(self.bytes), b"BIN\0") + self.bytes
+        )
         path.write_bytes(struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks)
 
 
 def box(low, high):
-    vertices = [(high[0] if i & 1 else low[0], high[1] if i & 2 else low[1], high[2] if i & 4 else low[2])
-                for i in range(8)]
+    vertices = [
+        (high[0] if i & 1 else low[0], high[1] if i & 2 else low[1], high[2] if i & 4 else low[2]) for i in range(8)
+    ]
     faces = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
     return vertices, [t for a, b, c, d in faces for t in ((a, b, c), (a, c, d))]
 
@@ -68,8 +97,10 @@ def turned_solid(profile, sides=16):
     """A solid of revolution around z: profile is [(radius, height), ...] from bottom to top."""
     vertices, triangles = [], []
     for radius, height in profile:
-        vertices += [(radius * math.cos(math.tau * k / sides), radius * math.sin(math.tau * k / sides), height)
-                     for k in range(sides)]
+        vertices += [
+            (radius * math.cos(math.tau * k / sides), radius * math.sin(math.tau * k / sides), height)
+            for k in range(sides)
+        ]
     for ring in range(len(profile) - 1):
         for k in range(sides):
             a, b = ring * sides + k, ring * sides + (k + 1) % sides
@@ -102,8 +133,11 @@ def courtyard(path):
         x = x1
     glb.box("pier.9", (x, y0, 0), (wide, y1, high), "brick")
 
-    pillar = glb.mesh("pillar", *turned_solid([(0.45, 0.0), (0.45, 0.25), (0.30, 0.40), (0.26, 3.2), (0.42, 3.45),
-                                               (0.42, 3.6)]), "concrete")
+    pillar = glb.mesh(
+        "pillar",
+        *turned_solid([(0.45, 0.0), (0.45, 0.25), (0.30, 0.40), (0.26, 3.2), (0.42, 3.45), (0.42, 3.6)]),
+        "concrete",
+    )
     for i in range(6):  # a colonnade of two rows in the far court, beams on top
         for side, px in enumerate((7.0, 17.0)):
             glb.node(f"pillar.{2 * i + side}", pillar, (px, 17.5 + 2.2 * i, 0))
@@ -120,8 +154,11 @@ def courtyard(path):
         glb.box(f"planter.{i}", (px - 0.7, py - 0.7, 0), (px + 0.7, py + 0.7, 0.7), "brick")
         crown = turned_solid([(0.08, 0.7), (0.10, 1.3), (0.75, 1.7), (0.95, 2.3), (0.6, 3.0), (0.1, 3.4)], 10)
         glb.node(f"shrub.{i}", glb.mesh("shrub", *crown, "leaf"), (px, py, 0))
-    basin = glb.mesh("basin", *turned_solid([(1.3, 0.0), (1.3, 0.5), (0.25, 0.55), (0.2, 1.6), (0.7, 1.8), (0.7, 1.9)], 24),
-                     "concrete")
+    basin = glb.mesh(
+        "basin",
+        *turned_solid([(1.3, 0.0), (1.3, 0.5), (0.25, 0.55), (0.2, 1.6), (0.7, 1.8), (0.7, 1.9)], 24),
+        "concrete",
+    )
     glb.node("fountain", basin, (12.0, 23.0, 0))
     glb.write(path)
 
@@ -132,13 +169,13 @@ def lzf_compressed(data):
 
     def flush():
         for i in range(0, len(literal), 32):
-            piece = literal[i:i + 32]
+            piece = literal[i : i + 32]
             out.append(len(piece) - 1)
             out.extend(piece)
         literal.clear()
 
     while at < len(data):
-        key = data[at:at + 3]
+        key = data[at : at + 3]
         before = seen.get(key, -1) if len(key) == 3 else -1
         seen[key] = at
         if before < 0 or at - before > 8192:
@@ -176,8 +213,13 @@ def tree(rng, x, y, points):
             r = r0 + (r1 - r0) * t
             for _ in range(max(2, int(math.tau * r / 0.06))):
                 angle = rng.uniform(0, math.tau)
-                points.append((a[0] + (b[0] - a[0]) * t + r * math.cos(angle), a[1] + (b[1] - a[1]) * t + r * math.sin(angle),
-                               a[2] + (b[2] - a[2]) * t))
+                points.append(
+                    (
+                        a[0] + (b[0] - a[0]) * t + r * math.cos(angle),
+                        a[1] + (b[1] - a[1]) * t + r * math.sin(angle),
+                        a[2] + (b[2] - a[2]) * t,
+                    )
+                )
 
     def on_trunk(h):
         return (x + lean[0] * h, y + lean[1] * h, foot + h)
@@ -219,9 +261,11 @@ def thicket(path):
     kept = [tuple(round(c * 32) / 32 for c in voxels[key]) for key in sorted(voxels)]
     columns = b"".join(struct.pack(f"<{len(kept)}f", *column) for column in zip(*kept))
     packed = lzf_compressed(columns)
-    header = ("# .PCD v0.7 - made by scripts/make_maps.py of avoidbench, MIT licence\nVERSION 0.7\nFIELDS x y z\n"
-              f"SIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH {len(kept)}\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\n"
-              f"POINTS {len(kept)}\nDATA binary_compressed\n")
+    header = (
+        "# .PCD v0.7 - made by scripts/make_maps.py of avoidbench, MIT licence\nVERSION 0.7\nFIELDS x y z\n"
+        f"SIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH {len(kept)}\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\n"
+        f"POINTS {len(kept)}\nDATA binary_compressed\n"
+    )
     path.write_bytes(header.encode() + struct.pack("<II", len(packed), len(columns)) + packed)
 
 

@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
-"""Writes tests/statistics/reference.json: what SciPy says of the cases that the tests of lib/statistics are held against.
-Needs python3-scipy (any version from 1.7 on); the tests need only the file. Run it again when a case is added."""
+"""Writes tests/statistics/reference.json: what SciPy says of the cases that the tests of lib/statistics are held
+against. Needs python3-scipy (any version from 1.7 on); the tests need only the file. Run it again when a case is
+added."""
+
 import itertools
 import json
 import math
@@ -13,7 +15,7 @@ from scipy import optimize, stats
 random = numpy.random.default_rng(1)
 reference = {
     "origin": f"scripts/make_statistics_reference.py with SciPy {scipy.__version__} and NumPy {numpy.__version__}; "
-              "Holm, Kaplan-Meier and exact tests with ties by their definitions there"
+    "Holm, Kaplan-Meier and exact tests with ties by their definitions there"
 }
 
 
@@ -23,7 +25,9 @@ def numbers(values):
 
 
 # Distributions.
-reference["normal_cdf"] = [{"z": z, "p": stats.norm.cdf(z)} for z in [-12, -6.5, -3, -2.0001, -1.96, -0.3, 0, 1e-3, 1.5, 2.5, 7]]
+reference["normal_cdf"] = [
+    {"z": z, "p": stats.norm.cdf(z)} for z in [-12, -6.5, -3, -2.0001, -1.96, -0.3, 0, 1e-3, 1.5, 2.5, 7]
+]
 
 
 def t_quantile(p, freedom):
@@ -34,10 +38,21 @@ def t_quantile(p, freedom):
     return t
 
 
-reference["student_t_quantile"] = [{"p": p, "freedom": f, "t": t_quantile(p, f)}
-                                   for p, f in itertools.product([0.6, 0.025, 0.975, 0.995, 0.0005], [1, 2, 7, 14.5, 29, 400])]
-reference["beta_cdf"] = [{"x": x, "a": a, "b": b, "p": stats.beta.cdf(x, a, b)}
-                         for a, b, x in [(0.5, 0.5, 0.1), (2, 3, 0.4), (10.5, 0.5, 0.97), (300.5, 700.5, 0.32), (3, 5000, 0.001), (1, 1, 0.7)]]
+reference["student_t_quantile"] = [
+    {"p": p, "freedom": f, "t": t_quantile(p, f)}
+    for p, f in itertools.product([0.6, 0.025, 0.975, 0.995, 0.0005], [1, 2, 7, 14.5, 29, 400])
+]
+reference["beta_cdf"] = [
+    {"x": x, "a": a, "b": b, "p": stats.beta.cdf(x, a, b)}
+    for a, b, x in [
+        (0.5, 0.5, 0.1),
+        (2, 3, 0.4),
+        (10.5, 0.5, 0.97),
+        (300.5, 700.5, 0.32),
+        (3, 5000, 0.001),
+        (1, 1, 0.7),
+    ]
+]
 reference["log_gamma"] = [{"x": x, "value": math.lgamma(x)} for x in [1e-3, 0.5, 1, 1.5, 2, 7.25, 12, 100, 12345.5]]
 
 # Rates.
@@ -49,16 +64,34 @@ for (k, n), confidence in itertools.product(counts, [0.95, 0.8]):
     ends = stats.binomtest(k, n).proportion_ci(confidence, method="wilson")
     row["wilson"] = [ends.low, ends.high]
     # binomtest's "exact" is the same by a search that ends at 2e-12.
-    row["exact"] = [0.0 if k == 0 else stats.beta.ppf(tail, k, n - k + 1), 1.0 if k == n else stats.beta.ppf(1 - tail, k + 1, n - k)]
-    row["jeffreys"] = [0.0 if k == 0 else stats.beta.ppf(tail, k + 0.5, n - k + 0.5),
-                       1.0 if k == n else stats.beta.ppf(1 - tail, k + 0.5, n - k + 0.5)]
+    row["exact"] = [
+        0.0 if k == 0 else stats.beta.ppf(tail, k, n - k + 1),
+        1.0 if k == n else stats.beta.ppf(1 - tail, k + 1, n - k),
+    ]
+    row["jeffreys"] = [
+        0.0 if k == 0 else stats.beta.ppf(tail, k + 0.5, n - k + 0.5),
+        1.0 if k == n else stats.beta.ppf(1 - tail, k + 0.5, n - k + 0.5),
+    ]
     intervals.append(row)
 reference["intervals"] = intervals
-reference["fisher"] = [{"counts": c, "p": stats.fisher_exact([[c[0], c[1] - c[0]], [c[2], c[3] - c[2]]])[1]}
-                       for c in [(6, 10, 2, 10), (10, 10, 6, 10), (9, 10, 2, 10), (3, 4, 1, 4), (0, 20, 7, 31), (50, 60, 101, 150), (7, 12, 3, 20),
-                                 (180, 200, 160, 200), (0, 5, 0, 9)]]
-reference["mcnemar"] = [{"only_first": a, "only_second": b, "p": stats.binomtest(a, a + b).pvalue}
-                        for a, b in [(0, 1), (0, 6), (3, 12), (5, 5), (14, 13), (40, 71), (0, 200), (1000, 1100)]]
+reference["fisher"] = [
+    {"counts": c, "p": stats.fisher_exact([[c[0], c[1] - c[0]], [c[2], c[3] - c[2]]])[1]}
+    for c in [
+        (6, 10, 2, 10),
+        (10, 10, 6, 10),
+        (9, 10, 2, 10),
+        (3, 4, 1, 4),
+        (0, 20, 7, 31),
+        (50, 60, 101, 150),
+        (7, 12, 3, 20),
+        (180, 200, 160, 200),
+        (0, 5, 0, 9),
+    ]
+]
+reference["mcnemar"] = [
+    {"only_first": a, "only_second": b, "p": stats.binomtest(a, a + b).pvalue}
+    for a, b in [(0, 1), (0, 6), (3, 12), (5, 5), (14, 13), (40, 71), (0, 200), (1000, 1100)]
+]
 
 # Ranks.
 
@@ -74,7 +107,7 @@ def exact_signed_p(differences):
 
 def exact_rank_sum_p(x, y):
     ranks = stats.rankdata(numpy.concatenate([x, y]))
-    seen = ranks[:len(x)].sum()
+    seen = ranks[: len(x)].sum()
     sums = numpy.array([sum(c) for c in itertools.combinations(ranks, len(x))])
     return min(1.0, 2 * min((sums <= seen + 1e-9).mean(), (sums >= seen - 1e-9).mean()))
 
@@ -87,18 +120,24 @@ for d in [[1, 1, 1, 1, 1], [1, -1, 2, 2, 3, 0, 5], [3, 3, -1, 2, 2, 2, -2, 0, 0,
     signed.append({"differences": d, "p": exact_signed_p(d), "is_exact": True})
 for n, shift, digits in [(51, 0.2, 6), (80, 0.1, 1), (200, -0.15, 1)]:
     d = numpy.round(random.normal(shift, 1, n), digits)
-    signed.append({"differences": d.tolist(), "p": stats.wilcoxon(d, correction=True, mode="approx").pvalue, "is_exact": False})
+    signed.append(
+        {"differences": d.tolist(), "p": stats.wilcoxon(d, correction=True, mode="approx").pvalue, "is_exact": False}
+    )
 reference["wilcoxon"] = signed
 
 sums = []
 for n, m, shift in [(1, 4, 0), (5, 7, 1), (8, 8, 0.5), (20, 14, 0.4), (25, 25, 0.8)]:
     x, y = numpy.round(random.normal(shift, 1, n), 6), numpy.round(random.normal(0, 1, m), 6)
-    sums.append({"x": x.tolist(), "y": y.tolist(), "p": stats.mannwhitneyu(x, y, method="exact").pvalue, "is_exact": True})
+    sums.append(
+        {"x": x.tolist(), "y": y.tolist(), "p": stats.mannwhitneyu(x, y, method="exact").pvalue, "is_exact": True}
+    )
 for x, y in [([1, 2, 2, 3], [2, 4, 4, 5, 6]), ([1, 1, 1], [1, 1]), ([0, 0, 0, 1, 5, 5], [5, 5, 6, 7, 7, 0])]:
     sums.append({"x": x, "y": y, "p": exact_rank_sum_p(x, y), "is_exact": True})
 for n, m, shift, digits in [(40, 11, 0.3, 6), (100, 60, 0.3, 1), (30, 300, 0.1, 0)]:
     x, y = numpy.round(random.normal(shift, 1, n), digits), numpy.round(random.normal(0, 1, m), digits)
-    sums.append({"x": x.tolist(), "y": y.tolist(), "p": stats.mannwhitneyu(x, y, method="asymptotic").pvalue, "is_exact": False})
+    sums.append(
+        {"x": x.tolist(), "y": y.tolist(), "p": stats.mannwhitneyu(x, y, method="asymptotic").pvalue, "is_exact": False}
+    )
 reference["mann_whitney"] = sums
 
 
@@ -112,8 +151,10 @@ def holm(p):
     return adjusted
 
 
-reference["holm"] = [{"p": numbers(p), "adjusted": numbers(holm(p))}
-                     for p in [[0.01, 0.04, 0.03, 0.005], [0.5, math.nan, 0.001, 0.02, 0.02, 0.9], [0.2], [math.nan, math.nan]]]
+reference["holm"] = [
+    {"p": numbers(p), "adjusted": numbers(holm(p))}
+    for p in [[0.01, 0.04, 0.03, 0.005], [0.5, math.nan, 0.001, 0.02, 0.02, 0.9], [0.2], [math.nan, math.nan]]
+]
 
 # Correlations.
 correlations = []
@@ -123,22 +164,38 @@ for n, slope, digits in [(4, 1, 6), (12, 0.5, 6), (30, -0.8, 1), (200, 0.1, 0)]:
     ends = stats.pearsonr(x, y).confidence_interval(0.95)
     r = stats.spearmanr(x, y)[0]
     half = stats.norm.ppf(0.975) * math.sqrt((1 + r * r / 2) / (n - 3))
-    correlations.append({"x": x.tolist(), "y": y.tolist(), "pearson": stats.pearsonr(x, y)[0], "pearson_interval": [ends.low, ends.high],
-                         "spearman": r, "spearman_interval": [math.tanh(math.atanh(r) - half), math.tanh(math.atanh(r) + half)]})
+    correlations.append(
+        {
+            "x": x.tolist(),
+            "y": y.tolist(),
+            "pearson": stats.pearsonr(x, y)[0],
+            "pearson_interval": [ends.low, ends.high],
+            "spearman": r,
+            "spearman_interval": [math.tanh(math.atanh(r) - half), math.tanh(math.atanh(r) + half)],
+        }
+    )
 reference["correlation"] = correlations
 
 # The bootstrap: SciPy's BCa with as many draws that Monte Carlo does not show, as distributions differ.
 clusters = numpy.round(random.lognormal(0, 0.8, 40), 4)
-ends = stats.bootstrap((clusters,), numpy.mean, n_resamples=200000, method="BCa", random_state=numpy.random.default_rng(2)).confidence_interval
-reference["bootstrap"] = {"values": clusters.tolist(), "bca": [ends.low, ends.high], "standard_deviation": clusters.std() / math.sqrt(40)}
+ends = stats.bootstrap(
+    (clusters,), numpy.mean, n_resamples=200000, method="BCa", random_state=numpy.random.default_rng(2)
+).confidence_interval
+reference["bootstrap"] = {
+    "values": clusters.tolist(),
+    "bca": [ends.low, ends.high],
+    "standard_deviation": clusters.std() / math.sqrt(40),
+}
 
 # Logistic curves: the likelihood maximised by BFGS and polished by Newton; Fisher's information inverted.
 curves = []
-for x, successes, trials in [([1, 2, 3, 4, 5], [9, 8, 5, 2, 1], [10, 10, 10, 10, 10]),
-                             ([0.0, 0.2, 0.4, 0.6, 0.8, 1.0], [3, 0, 7, 9, 20, 19], [20, 1, 15, 12, 22, 20]),
-                             ([1000, 1001, 1002, 1003], [4, 3, 3, 1], [5, 5, 5, 5]),
-                             ([-3, -1, 0, 1, 2, 5], [0, 1, 0, 1, 1, 1], [1, 1, 1, 1, 1, 1]),
-                             ([1, 2, 3, 4], [11, 9, 12, 10], [20, 20, 20, 20])]:
+for x, successes, trials in [
+    ([1, 2, 3, 4, 5], [9, 8, 5, 2, 1], [10, 10, 10, 10, 10]),
+    ([0.0, 0.2, 0.4, 0.6, 0.8, 1.0], [3, 0, 7, 9, 20, 19], [20, 1, 15, 12, 22, 20]),
+    ([1000, 1001, 1002, 1003], [4, 3, 3, 1], [5, 5, 5, 5]),
+    ([-3, -1, 0, 1, 2, 5], [0, 1, 0, 1, 1, 1], [1, 1, 1, 1, 1, 1]),
+    ([1, 2, 3, 4], [11, 9, 12, 10], [20, 20, 20, 20]),
+]:
     X, s, t = numpy.array(x, float), numpy.array(successes, float), numpy.array(trials, float)
     centre, scale = X.mean(), X.std()
     U = (X - centre) / scale
@@ -163,9 +220,21 @@ for x, successes, trials in [([1, 2, 3, 4, 5], [9, 8, 5, 2, 1], [10, 10, 10, 10,
     ends = None
     if coefficients[1] ** 2 > stats.norm.ppf(0.975) ** 2 * covariance[1, 1]:
         span = 100 * scale * max(1, abs(midpoint - centre) / scale)
-        ends = [optimize.brentq(excess, midpoint - span, midpoint, xtol=1e-13), optimize.brentq(excess, midpoint, midpoint + span, xtol=1e-13)]
-    curves.append({"x": x, "successes": successes, "trials": trials, "intercept": coefficients[0], "slope": coefficients[1],
-                   "covariance": [covariance[0, 0], covariance[0, 1], covariance[1, 1]], "midpoint_interval": ends})
+        ends = [
+            optimize.brentq(excess, midpoint - span, midpoint, xtol=1e-13),
+            optimize.brentq(excess, midpoint, midpoint + span, xtol=1e-13),
+        ]
+    curves.append(
+        {
+            "x": x,
+            "successes": successes,
+            "trials": trials,
+            "intercept": coefficients[0],
+            "slope": coefficients[1],
+            "covariance": [covariance[0, 0], covariance[0, 1], covariance[1, 1]],
+            "midpoint_interval": ends,
+        }
+    )
 reference["logistic"] = curves
 
 
@@ -181,7 +250,9 @@ def kaplan_meier(times, events):
             greenwood += count / (at_risk * (at_risk - count))
             half = stats.norm.ppf(0.975) * math.sqrt(greenwood) / math.log(survival)
             ends = [survival ** math.exp(-half), survival ** math.exp(half)]
-        rows.append({"time_s": time, "survival": survival, "interval": numbers(ends), "at_risk": at_risk, "events": count})
+        rows.append(
+            {"time_s": time, "survival": survival, "interval": numbers(ends), "at_risk": at_risk, "events": count}
+        )
     return rows
 
 
@@ -194,13 +265,27 @@ reference["survival"] = [{"times_s": t, "is_event": e, "points": kaplan_meier(t,
 # Power of Fisher's test, by going through all outcomes.
 def power(rate_1, rate_2, n, alpha=0.05):
     first, second = stats.binom.pmf(range(n + 1), n, rate_1), stats.binom.pmf(range(n + 1), n, rate_2)
-    return sum(first[i] * second[j] for i in range(n + 1) for j in range(n + 1) if stats.fisher_exact([[i, n - i], [j, n - j]])[1] < alpha)
+    return sum(
+        first[i] * second[j]
+        for i in range(n + 1)
+        for j in range(n + 1)
+        if stats.fisher_exact([[i, n - i], [j, n - j]])[1] < alpha
+    )
 
 
-reference["power"] = [{"rates": [a, b], "trials": n, "power": power(a, b, n)}
-                      for a, b, n in [(0.9, 0.2, 9), (0.9, 0.2, 8), (0.9, 0.6, 40), (1.0, 0.7, 25), (0.5, 0.5, 30), (0.1, 0.4, 33)]]
+reference["power"] = [
+    {"rates": [a, b], "trials": n, "power": power(a, b, n)}
+    for a, b, n in [(0.9, 0.2, 9), (0.9, 0.2, 8), (0.9, 0.6, 40), (1.0, 0.7, 25), (0.5, 0.5, 30), (0.1, 0.4, 33)]
+]
 
 path = pathlib.Path(__file__).resolve().parent.parent / "tests/statistics/reference.json"
-lines = [f"{json.dumps(name)}: " + (json.dumps(value) if not isinstance(value, list)
-                                    else "[\n  " + ",\n  ".join(json.dumps(row) for row in value) + "]") for name, value in reference.items()]
+lines = [
+    f"{json.dumps(name)}: "
+    + (
+        json.dumps(value)
+        if not isinstance(value, list)
+        else "[\n  " + ",\n  ".join(json.dumps(row) for row in value) + "]"
+    )
+    for name, value in reference.items()
+]
 path.write_text("{\n" + ",\n".join(lines) + "\n}\n")

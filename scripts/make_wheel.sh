@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# make_wheel.sh [FOLDER]: makes a wheel in FOLDER (build/wheels) for the Python of build/venv that carries the program, its planners, its
-# data, the extension and every library that they link to, apart from the C and C++ libraries: it runs where these are no older than here.
-# The last line is the wheel's path.
+# make_wheel.sh [FOLDER]: makes a wheel in FOLDER (build/wheels) for the Python of build/venv that carries the program,
+# its planners, its data, the extension and every library that they link to, apart from the C and C++ libraries: it runs
+# where these are no older than here. The last line is the wheel's path.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

@@ -1,15 +1,16 @@
 #!/usr/bin/env python3
-"""Mutates the sources of rooms, one small change at a time, and runs each room's tests: a change that no test notices is a place where a
-wrong result would pass, too.
+"""Mutates the sources of rooms, one small change at a time, and runs each room's tests: a change that no test notices
+is a place where a wrong result would pass, too.
 
     scripts/mutate.py [ROOM…] [--count N] [--seed S] [--jobs N] [--again] [--list]
 
-ROOM: a room of lib/, or a planner as planners/ego; by default all that have tests in C++. Mutants are drawn by the seed, first a kind and
-then a place: `--count 20` begins with those of `--count 10`. Each is built in a copy of the checkout (build/mutants/job0), so that the
-checkout never changes, whatever ends the run. A mutant is killed when a test fails or takes ten times as long as usual; those that do not
-compile are not counted. Tests of suites named …Slow are left out.
-Results are appended to build/mutants/results.jsonl as they come: a run that was ended goes on where it was, and leaves out what was
-tried already on the same file. --again tries those again that lived, after tests were added."""
+ROOM: a room of lib/, or a planner as planners/ego; by default all that have tests in C++. Mutants are drawn by the
+seed, first a kind and then a place: `--count 20` begins with those of `--count 10`. Each is built in a copy of the
+checkout (build/mutants/job0), so that the checkout never changes, whatever ends the run. A mutant is killed when a test
+fails or takes ten times as long as usual; those that do not compile are not counted. Tests of suites named …Slow are
+left out. Results are appended to build/mutants/results.jsonl as they come: a run that was ended goes on where it was,
+and leaves out what was tried already on the same file. --again tries those again that lived, after tests were added."""
+
 import argparse
 import concurrent.futures
 import contextlib
@@ -51,28 +52,47 @@ class Mutant:
 
 
 UNREAD = re.compile(
-    r"""//[^\n]*|/\*.*?\*/|R"(?P<mark>[^(\s]*)\(.*?\)(?P=mark)"|"(?:\\.|[^"\\\n])*"|(?<![0-9a-fA-F])'(?:\\.|[^'\\\n])+'""", re.S)
+    r"""//[^\n]*|/\*.*?\*/|R"(?P<mark>[^(\s]*)\(.*?\)(?P=mark)"|"(?:\\.|[^"\\\n])*"|(?<![0-9a-fA-F])'(?:\\.|[^'\\\n])+'""",
+    re.S,
+)
 # What is no behaviour, or none that a test could see: checks of our own mistakes, declarations, room kept in advance.
-SKIPPED = re.compile(r"\s*(#|using |namespace |template|enum |friend |extern |alignas\()|.*\b(reserve\(|operator|constexpr bool is_|= default|= delete)")
+SKIPPED = re.compile(
+    r"\s*(#|using |namespace |template|enum |friend |extern |alignas\()|.*\b(reserve\(|operator|constexpr bool is_|= default|= delete)"
+)
 CHECKED = re.compile(r"\s*(static_assert|AB_CHECK)\b")
 NUMBER = re.compile(r"(?<![\w.'])(\d[\d']*(?:\.\d*)?(?:e[-+]?\d+)?)([uUlLfF]*)(?![\w.'>])")
-PAIRS = {"arithmetic": [(" + ", " - "), (" * ", " / "), (" += ", " -= "), (" *= ", " /= ")],
-         "comparison": [(" < ", " <= "), (" > ", " >= "), (" == ", " != ")], "logic": [(" && ", " || ")], "truth": [("true", "false")],
-         "swap": [("std::min(", "std::max("), ("min_element(", "max_element("), ("minCoeff(", "maxCoeff("), ("math::sin(", "math::cos("),
-                  ("std::floor(", "std::ceil("), ("lower_bound(", "upper_bound("), ("any_of(", "all_of(")]}
+PAIRS = {
+    "arithmetic": [(" + ", " - "), (" * ", " / "), (" += ", " -= "), (" *= ", " /= ")],
+    "comparison": [(" < ", " <= "), (" > ", " >= "), (" == ", " != ")],
+    "logic": [(" && ", " || ")],
+    "truth": [("true", "false")],
+    "swap": [
+        ("std::min(", "std::max("),
+        ("min_element(", "max_element("),
+        ("minCoeff(", "maxCoeff("),
+        ("math::sin(", "math::cos("),
+        ("std::floor(", "std::ceil("),
+        ("lower_bound(", "upper_bound("),
+        ("any_of(", "all_of("),
+    ],
+}
 SWAPS = {kind: dict(pairs) | {b: a for a, b in pairs} for kind, pairs in PAIRS.items()}
 SIGN = re.compile(r"(?:(?<=[(,=?:] )|(?<=[(\[{])|(?<=return ))-(?=[\w(])")
 NOT = re.compile(r"(?<![\w!])!(?=[\w(])")
 CONDITION = re.compile(r"\s*(?:\} else )?if \((?P<inner>[^;=]*(?:[=!<>]=[^;=]*)*)\)(?: \{| [^;]*;)?$")
-STATEMENT = re.compile(r"\s*(?:if \(.*\) (?:[^;{]*);|(?!return|break|continue|throw|goto|case|default|delete)"
-                       r"(?:\+\+|--)?[a-z_][\w.:\[\]>-]*(?: (?:[-+*/|&]?=) .*|\(.*\));)$")
+STATEMENT = re.compile(
+    r"\s*(?:if \(.*\) (?:[^;{]*);|(?!return|break|continue|throw|goto|case|default|delete)"
+    r"(?:\+\+|--)?[a-z_][\w.:\[\]>-]*(?: (?:[-+*/|&]?=) .*|\(.*\));)$"
+)
 
 
 def without_words(text):
     """The text with comments blank and literals as underscores: every character stays where it was."""
+
     def blank(found):
         fill = " " if found[0].startswith("/") else "_"
         return "".join(c if c == "\n" else fill for c in found[0])
+
     return UNREAD.sub(blank, text)
 
 
@@ -91,11 +111,15 @@ def is_whole(condition):
 
 def changes(read, raw):
     """(kind, column, new line) of every change of a line; `read`: as without_words() gives it."""
+
     def put(start, end, text):
         return raw[:start] + text + raw[end:]
+
     for kind, swaps in SWAPS.items():
         for old, new in swaps.items():
-            for found in re.finditer((r"\b" if old[0].isalpha() else "") + re.escape(old) + (r"\b" if old[-1].isalpha() else ""), read):
+            for found in re.finditer(
+                (r"\b" if old[0].isalpha() else "") + re.escape(old) + (r"\b" if old[-1].isalpha() else ""), read
+            ):
                 yield kind, found.start(), put(found.start(), found.end(), new)
     for found in NUMBER.finditer(read):
         yield "constant", found.start(), put(found.start(1), found.end(1), other_number(found[1]))
@@ -124,17 +148,21 @@ def mutants_of(file, text):
         lines = list(changes(read, raw))
         # A whole statement of one line: what begins after an end.
         if ended and STATEMENT.match(code):
-            lines.append(("statement", 0, raw[:len(raw) - len(raw.lstrip())] + ";"))
+            lines.append(("statement", 0, raw[: len(raw) - len(raw.lstrip())] + ";"))
         found += [Mutant(file, number, column, kind, raw, new, digest) for kind, column, new in lines]
         ended = code.endswith((";", "{", "}", ":"))
     return found
 
 
 def order_drawn(mutants, seed):
-    """All of them in a drawn order: each time a kind, then one of it. So constants, which are most, do not crowd out the rest."""
+    """All of them in a drawn order: each time a kind, then one of it. So constants, which are most, do not crowd out
+    the rest."""
     generator = random.Random(seed)
     mutants = generator.sample(mutants, len(mutants))
-    kinds = {kind: [mutant for mutant in mutants if mutant.kind == kind] for kind in sorted({mutant.kind for mutant in mutants})}
+    kinds = {
+        kind: [mutant for mutant in mutants if mutant.kind == kind]
+        for kind in sorted({mutant.kind for mutant in mutants})
+    }
     drawn = []
     while left := [members for members in kinds.values() if members]:
         drawn.append(generator.choice(left).pop())
@@ -156,10 +184,22 @@ running = set()  # process groups
 
 def finished_in(command, folder, seconds, environment=None):
     """(exit code, output) of a command and all that it started; None where it took longer."""
+
     def limit():
         resource.setrlimit(resource.RLIMIT_AS, (MEMORY_BYTES, MEMORY_BYTES))
-    process = subprocess.Popen(command, cwd=folder, env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                               text=True, errors="replace", start_new_session=True, preexec_fn=limit)
+
+    process = subprocess.Popen(
+        command,
+        cwd=folder,
+        env=environment,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        errors="replace",
+        start_new_session=True,
+        preexec_fn=limit,
+    )
     running.add(process.pid)
     try:
         said = process.communicate(timeout=seconds)[0]
@@ -183,7 +223,9 @@ class Copy:
     def __init__(self, root, folder):
         self.source, self.build = folder / "source", folder / "build"
         # Only what differs is written, so that little is built again. What an ended run left changed is restored by it.
-        listed = subprocess.run(["git", "ls-files", "-coz", "--exclude-standard"], cwd=root, check=True, capture_output=True, text=True).stdout
+        listed = subprocess.run(
+            ["git", "ls-files", "-coz", "--exclude-standard"], cwd=root, check=True, capture_output=True, text=True
+        ).stdout
         names = {name for name in listed.split("\0") if name and (root / name).is_file()}
         for file in [file for file in self.source.rglob("*") if not file.is_dir()]:
             if str(file.relative_to(self.source)) not in names:
@@ -201,11 +243,17 @@ class Copy:
         if not (self.build / "build.ninja").is_file():
             # Without unity, a mutant is one object to compile.
             options = [f"-DAVOIDBENCH_{name}=OFF" for name in ("BENCH", "PAGE", "UNITY", "WERROR")]
-            code, said = finished_in(["cmake", "--preset", "release", "-B", self.build, *options], self.source, 600, environment)
+            code, said = finished_in(
+                ["cmake", "--preset", "release", "-B", self.build, *options], self.source, 600, environment
+            )
             if code != 0:
                 return code, said
-        return finished_in(["cmake", "--build", self.build, "--parallel", "1" if is_mutant else "2", "--target", target],
-                           self.source, 7200, environment)
+        return finished_in(
+            ["cmake", "--build", self.build, "--parallel", "1" if is_mutant else "2", "--target", target],
+            self.source,
+            7200,
+            environment,
+        )
 
     @contextlib.contextmanager
     def mutated(self, mutant):
@@ -228,7 +276,9 @@ def target_of(room):
 def tested(copy, room, seconds):
     slow = "-*Slow.*" + (":*.Clears*:*.GetsOutOfADeadEnd" if room.startswith("planners/") else "")
     folder = copy.build / "tests" / room
-    return finished_in([folder / target_of(room), "--gtest_brief=1", "--gtest_fail_fast", f"--gtest_filter={slow}"], folder, seconds)
+    return finished_in(
+        [folder / target_of(room), "--gtest_brief=1", "--gtest_fail_fast", f"--gtest_filter={slow}"], folder, seconds
+    )
 
 
 def tried(copy, room, mutant, seconds):
@@ -241,14 +291,23 @@ def tried(copy, room, mutant, seconds):
             failed = re.search(r"\[  FAILED  \] ([\w./]+)", said)
             outcome = "living" if code == 0 else "killed"
             by = "" if code == 0 else "time" if code is None else failed[1] if failed else f"exit code {code}"
-    return {"key": mutant.key(), "room": room, "outcome": outcome, "by": by, "seconds": round(time.monotonic() - began, 1), **asdict(mutant)}
+    return {
+        "key": mutant.key(),
+        "room": room,
+        "outcome": outcome,
+        "by": by,
+        "seconds": round(time.monotonic() - began, 1),
+        **asdict(mutant),
+    }
 
 
 def rooms_with_tests(root):
     lines = (root / "lib/ORDER").read_text().splitlines()
     rooms = [line.partition(":")[0] for line in lines if line and not line.startswith("#")]
     rooms += sorted(f"planners/{folder.name}" for folder in (root / "planners").iterdir() if folder.is_dir())
-    return [room for room in rooms if any((root / "tests" / room).glob("*_test.cpp")) and (root / folder_of(room)).is_dir()]
+    return [
+        room for room in rooms if any((root / "tests" / room).glob("*_test.cpp")) and (root / folder_of(room)).is_dir()
+    ]
 
 
 def known_results(file):
@@ -280,7 +339,7 @@ def run_room(copy, room, arguments, known, out, lock):
         raise SystemExit(f"{room}: does not pass without a mutant:\n{said[-4000:]}")
     seconds = 30 + 10 * (time.monotonic() - began)
     records = []
-    for mutant in drawn_in(copy.source, room, arguments.seed)[:TRIED_MOST * arguments.count]:
+    for mutant in drawn_in(copy.source, room, arguments.seed)[: TRIED_MOST * arguments.count]:
         if sum(record["outcome"] != "not viable" for record in records) == arguments.count:
             break
         record = known.get(mutant.key())
@@ -289,7 +348,11 @@ def run_room(copy, room, arguments, known, out, lock):
             with lock:
                 out.write(json.dumps(record) + "\n")
                 out.flush()
-                print(f"{record['outcome']:10} {mutant.file}:{mutant.line} {mutant.kind} {record['seconds']} s {record['by']}", flush=True)
+                print(
+                    f"{record['outcome']:10} {mutant.file}:{mutant.line} {mutant.kind} {record['seconds']} s "
+                    f"{record['by']}",
+                    flush=True,
+                )
         records.append(record)
     return records
 
@@ -302,14 +365,16 @@ def main():
     parser.add_argument("--jobs", type=int, default=1, help="rooms at once, each in its own copy")
     parser.add_argument("--again", action="store_true", help="try again what lived")
     parser.add_argument("--list", action="store_true", help="show what would be tried, build nothing")
-    parser.add_argument("--folder", type=pathlib.Path, default=ROOT / "build/mutants", help="copies and results (build/mutants)")
+    parser.add_argument(
+        "--folder", type=pathlib.Path, default=ROOT / "build/mutants", help="copies and results (build/mutants)"
+    )
     arguments = parser.parse_args()
     rooms = arguments.rooms or rooms_with_tests(ROOT)
     unknown = sorted(set(rooms) - set(rooms_with_tests(ROOT)))
     if unknown:
         parser.error(f"no room with tests in C++: {', '.join(unknown)}; there are {', '.join(rooms_with_tests(ROOT))}")
     if arguments.list:
-        for mutant in (mutant for room in rooms for mutant in drawn_in(ROOT, room, arguments.seed)[:arguments.count]):
+        for mutant in (mutant for room in rooms for mutant in drawn_in(ROOT, room, arguments.seed)[: arguments.count]):
             print(f"{mutant.file}:{mutant.line} ({mutant.kind})\n-{mutant.old}\n+{mutant.new}")
         return
     arguments.folder.mkdir(parents=True, exist_ok=True)
@@ -331,6 +396,7 @@ def main():
             print(error, file=sys.stderr)
         finally:
             copies.put(copy)
+
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
         try:
             list(pool.map(run, rooms))

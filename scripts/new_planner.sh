@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Writes a planner that builds, flies and is tested, to begin from: the files of planners/template with its names put in.
-# `avoidbench planners new` writes one outside of this repository.
+# Writes a planner that builds, flies and is tested, to begin from: the files of planners/template with its names put
+# in. `avoidbench planners new` writes one outside of this repository.
 set -euo pipefail
 
 usage() {

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# python_venv.sh [FOLDER]: a Python environment in FOLDER (build/venv) with the versions of python/requirements.lock, which build and test
-# the Python package. Does nothing where it is there already and neither the lock nor the system's Python has changed since.
-# PYTHON=PROGRAM: made with that Python instead of the system's.
+# python_venv.sh [FOLDER]: a Python environment in FOLDER (build/venv) with the versions of python/requirements.lock,
+# which build and test the Python package. Does nothing where it is there already and neither the lock nor the system's
+# Python has changed since. PYTHON=PROGRAM: made with that Python instead of the system's.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds the release, flies a small sweep and prints its report. May be run again: it goes on where it was.
+# Installs what is missing, builds the release, flies a small sweep and prints its report. May be run again: it goes on
+# where it was.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

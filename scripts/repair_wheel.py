@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
-"""auditwheel, but of the libraries that it counts on in every system only those of C and C++: a small system has no X11 and no zlib,
-which OpenCV's core is linked to in Debian. The wheel also gets the licence texts of all that it carries, as Debian's packages have them.
+"""auditwheel, but of the libraries that it counts on in every system only those of C and C++: a small system has no X11
+and no zlib, which OpenCV's core is linked to in Debian. The wheel also gets the licence texts of all that it carries,
+as Debian's packages have them.
 
 usage: as auditwheel's"""
+
 import json
 import pathlib
 import re
@@ -53,6 +55,7 @@ def take_nanobind_licence(folder):
 
 def with_licences(copy_library):
     """auditwheel's copylib, in the unpacked wheel's folder; `dest_dir` lies in it."""
+
     def copy(src_path, dest_dir, patcher):
         folder = next(dest_dir.absolute().parent.glob("*.dist-info")) / "licenses" / "of-others"
         if not folder.exists():

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# rotating_eighth.sh: prints every eighth line of its input, beginning further on with each commit, so that eight commits see all lines.
-# Of a shallow clone, which can't count its commits, the commit's name decides. Says on stderr which eighth it is.
+# rotating_eighth.sh: prints every eighth line of its input, beginning further on with each commit, so that eight
+# commits see all lines. Of a shallow clone, which can't count its commits, the commit's name decides. Says on stderr
+# which eighth it is.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

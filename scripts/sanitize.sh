@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
-# sanitize.sh [ROOM…|--all]: builds the tests of these rooms, or planners (planners/ego), with address and undefined-behaviour sanitizers
-# (build/asan) and runs them; of planners without the longest flights. Without arguments: what changed (changed_files.sh), of more than
-# two rooms those with the most changed files, and a rotating eighth of all rooms; the tests labelled slow only with --all.
-#   --python [PYTEST ARGUMENTS…]    the Python extension instead, by the package's tests; they fly with the program of build/release
+# sanitize.sh [ROOM…|--all]: builds the tests of these rooms, or planners (planners/ego), with address and
+# undefined-behaviour sanitizers (build/asan) and runs them; of planners without the longest flights. Without arguments:
+# what changed (changed_files.sh), of more than two rooms those with the most changed files, and a rotating eighth of
+# all rooms; the tests labelled slow only with --all.
+#   --python [PYTEST ARGUMENTS…]    the Python extension instead, by the package's tests; they fly with the program of
+#   build/release
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -14,8 +16,8 @@ if [ "${1:-}" = --python ]; then
   cmake --build build/asan --parallel "$(nproc)" --target _core
   # The sanitizer's own memory grows, which test_env_leaks.py takes for a leak.
   [ $# -gt 0 ] || set -- python/tests --ignore=python/tests/test_ppo_slow.py --ignore=python/tests/test_env_leaks.py
-  # Python is no sanitized program: the runtime is loaded before it, and the C++ library, whose exceptions the runtime looks for.
-  # Leaks are not looked for: Python leaves objects at its end. Crashes that tests want are theirs to handle.
+  # Python is no sanitized program: the runtime is loaded before it, and the C++ library, whose exceptions the runtime
+  # looks for. Leaks are not looked for: Python leaves objects at its end. Crashes that tests want are theirs to handle.
   exec env "LD_PRELOAD=$(clang++ -print-file-name=libclang_rt.asan-x86_64.so):$(clang++ -print-file-name=libstdc++.so.6)" \
     ASAN_OPTIONS=detect_leaks=0:handle_segv=0 UBSAN_OPTIONS=print_stacktrace=1 AVOIDBENCH_PROGRAM="$PWD/build/release/avoidbench" \
     PYTHONPATH="$PWD/build/asan/python" PYTHONDONTWRITEBYTECODE=1 build/venv/bin/python -m pytest -p no:cacheprovider "$@"
@@ -57,7 +59,8 @@ cmake --build build/asan --parallel "$(nproc)" --target "${targets[@]}"
 # Embree's and OpenCV's own threads and caches live until the process ends.
 export ASAN_OPTIONS=detect_leaks=1:strict_string_checks=1 UBSAN_OPTIONS=print_stacktrace=1
 export LSAN_OPTIONS=suppressions=$PWD/tests/support/leaks.supp:print_suppressions=0
-# As many rooms at once as there are processors; what each says is shown in one piece, and a failure ends with the others told.
+# As many rooms at once as there are processors; what each says is shown in one piece, and a failure ends with the
+# others told.
 run_room() {
   local filter=$2 said
   [[ $1 == planners/* ]] && filter="-*Slow.*:*.Clears*:*.GetsOutOfADeadEnd"

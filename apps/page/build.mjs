@@ -1,31 +1,32 @@
 // Bundles the page and writes it as a C++ source: node build.mjs page_program.cpp. With a second file also the parts as JSON.
-import { build } from 'esbuild';
-import { createHash } from 'node:crypto';
-import { writeFileSync } from 'node:fs';
 
-const digest = (text) => `'sha256-${createHash('sha256').update(text).digest('base64')}'`;
+import { createHash } from "node:crypto";
+import { writeFileSync } from "node:fs";
+import { build } from "esbuild";
+
+const digest = (text) => `'sha256-${createHash("sha256").update(text).digest("base64")}'`;
 
 const bundled = await build({
-  entryPoints: ['src/main.tsx'],
-  outfile: 'page.js',
+  entryPoints: ["src/main.tsx"],
+  outfile: "page.js",
   bundle: true,
   write: false,
   minify: true,
-  format: 'iife',
-  target: 'es2020',
-  charset: 'ascii',
-  legalComments: 'none',
+  format: "iife",
+  target: "es2020",
+  charset: "ascii",
+  legalComments: "none",
   preserveSymlinks: true,
-  jsx: 'automatic',
-  jsxImportSource: 'preact',
-  define: { 'process.env.NODE_ENV': '"production"' },
-  loader: { '.css': 'css' },
-  logLevel: 'warning',
+  jsx: "automatic",
+  jsxImportSource: "preact",
+  define: { "process.env.NODE_ENV": '"production"' },
+  loader: { ".css": "css" },
+  logLevel: "warning",
 });
 const text = (ending) => bundled.outputFiles.find((file) => file.path.endsWith(ending)).text.trim();
 // Nothing in a script may end it.
-const script = text('.js').replaceAll('</script', '<\\/script').replaceAll('<!--', '<\\!--');
-const style = text('.css');
+const script = text(".js").replaceAll("</script", "<\\/script").replaceAll("<!--", "<\\!--");
+const style = text(".css");
 
 // Licences of what is in the bundle: their text has to go with it.
 const notice = `/* avoidbench's page, with three.js, uPlot, preact and fflate, each under the MIT licence:
@@ -40,7 +41,7 @@ const policy = [
   `img-src data: blob:`,
   `base-uri 'none'`,
   `form-action 'none'`,
-].join('; ');
+].join("; ");
 
 const parts = {
   head: `<!doctype html>
@@ -68,12 +69,13 @@ const parts = {
 
 // Raw strings in pieces: compilers need not take longer ones.
 const piece = 60000;
-const delimiter = 'avoidbench';
+const delimiter = "avoidbench";
 function literal(name, value) {
   if (value.includes(`)${delimiter}"`)) throw new Error(`${name} has the end of a raw string`);
   const pieces = [];
-  for (let at = 0; at < value.length; at += piece) pieces.push(`R"${delimiter}(${value.slice(at, at + piece)})${delimiter}"`);
-  return `const char ${name}[] =\n${pieces.join('\n')};\n`;
+  for (let at = 0; at < value.length; at += piece)
+    pieces.push(`R"${delimiter}(${value.slice(at, at + piece)})${delimiter}"`);
+  return `const char ${name}[] =\n${pieces.join("\n")};\n`;
 }
 const source = `// Made by build.mjs of apps/page.
 #include "page_program.hpp"
@@ -83,9 +85,9 @@ const source = `// Made by build.mjs of apps/page.
 namespace avoidbench {
 namespace {
 
-${literal('kHead', parts.head)}
-${literal('kBody', parts.body)}
-${literal('kTail', parts.tail)}
+${literal("kHead", parts.head)}
+${literal("kBody", parts.body)}
+${literal("kTail", parts.tail)}
 template <std::size_t size>
 std::string_view text_of(const char (&text)[size]) {
   return {text, size - 1};

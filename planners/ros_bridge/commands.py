@@ -1,4 +1,6 @@
-"""What the usual command messages say, as commands of avoidbench: the same as set_point.h and commands.cpp of planners/ros_shim."""
+"""What the usual command messages say, as commands of avoidbench: the same as set_point.h and commands.cpp of
+planners/ros_shim."""
+
 import math
 from dataclasses import dataclass, field
 
@@ -25,7 +27,13 @@ class SetPoint:
         v = self.velocity_mps if self.velocity_mps is not None else np.zeros(3)
         a = self.acceleration_mps2 if self.acceleration_mps2 is not None else np.zeros(3)
         rate = self.yaw_rate_radps or 0.0
-        return (self.position_m + (v + 0.5 * a * after_s) * after_s, v + a * after_s, a, (self.yaw_rad or 0.0) + rate * after_s, rate)
+        return (
+            self.position_m + (v + 0.5 * a * after_s) * after_s,
+            v + a * after_s,
+            a,
+            (self.yaw_rad or 0.0) + rate * after_s,
+            rate,
+        )
 
 
 def xyz(vector):
@@ -37,7 +45,16 @@ def yaw_of(x, y, z, w):
 
 
 def of_position_command(message, now_ns):
-    return [SetPoint(now_ns, xyz(message.position), xyz(message.velocity), xyz(message.acceleration), message.yaw, message.yaw_dot)]
+    return [
+        SetPoint(
+            now_ns,
+            xyz(message.position),
+            xyz(message.velocity),
+            xyz(message.acceleration),
+            message.yaw,
+            message.yaw_dot,
+        )
+    ]
 
 
 def of_twist(message, now_ns):
@@ -50,7 +67,8 @@ def of_pose_stamped(message, now_ns):
 
 
 def of_position_target(message, now_ns):
-    """Its type_mask says what does not count. Frame 8 (BODY_NED) is the body's heading, as mavros turns it: x forward, y left, z up."""
+    """Its type_mask says what does not count. Frame 8 (BODY_NED) is the body's heading, as mavros turns it: x forward,
+    y left, z up."""
     mask = message.type_mask
     if mask & 512:
         raise ValueError("a PositionTarget with a force, not acceleration")
@@ -80,7 +98,11 @@ def of_trajectory(message, now_ns):
         if not one.transforms:
             raise ValueError("a trajectory's point has no transform")
         q = one.transforms[0].rotation
-        point = SetPoint(begin_ns + one.time_from_start.to_nsec(), xyz(one.transforms[0].translation), yaw_rad=yaw_of(q.x, q.y, q.z, q.w))
+        point = SetPoint(
+            begin_ns + one.time_from_start.to_nsec(),
+            xyz(one.transforms[0].translation),
+            yaw_rad=yaw_of(q.x, q.y, q.z, q.w),
+        )
         if one.velocities:
             point.velocity_mps, point.yaw_rate_radps = xyz(one.velocities[0].linear), one.velocities[0].angular.z
         if one.accelerations:
@@ -89,9 +111,15 @@ def of_trajectory(message, now_ns):
     return points
 
 
-READERS = {"PositionCommand": of_position_command, "Twist": of_twist,
-           "TwistStamped": lambda message, now_ns: of_twist(message.twist, now_ns), "PoseStamped": of_pose_stamped,
-           "PositionTarget": of_position_target, "AttitudeTarget": of_attitude_target, "MultiDOFJointTrajectory": of_trajectory}
+READERS = {
+    "PositionCommand": of_position_command,
+    "Twist": of_twist,
+    "TwistStamped": lambda message, now_ns: of_twist(message.twist, now_ns),
+    "PoseStamped": of_pose_stamped,
+    "PositionTarget": of_position_target,
+    "AttitudeTarget": of_attitude_target,
+    "MultiDOFJointTrajectory": of_trajectory,
+}
 
 
 def trajectory_of(points):
@@ -100,7 +128,9 @@ def trajectory_of(points):
     for _, motion in points[1:]:
         yaws.append(yaws[-1] + math.remainder(motion[3] - yaws[-1], math.tau))
     columns = [np.array([motion[i] for _, motion in points]) for i in range(3)]
-    return Trajectory([time_s for time_s, _ in points], *columns, yaw_rad=yaws, yaw_rate_radps=[motion[4] for _, motion in points])
+    return Trajectory(
+        [time_s for time_s, _ in points], *columns, yaw_rad=yaws, yaw_rate_radps=[motion[4] for _, motion in points]
+    )
 
 
 class Commands:

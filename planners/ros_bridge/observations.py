@@ -1,4 +1,6 @@
-"""What a planner sees, as messages on the topics that `publish` names: the same as planners/ros_shim/src/observations.cpp."""
+"""What a planner sees, as messages on the topics that `publish` names: the same as
+planners/ros_shim/src/observations.cpp."""
+
 import functools
 import math
 
@@ -12,15 +14,32 @@ from sensor_msgs.msg import CameraInfo, Image, Imu, PointCloud2, PointField
 from std_msgs.msg import Header
 
 QUEUE = 10
-POSES = {"geometry_msgs/PoseStamped": PoseStamped, "nav_msgs/Odometry": Odometry, "geometry_msgs/TransformStamped": TransformStamped}
-GOALS = {"geometry_msgs/PoseStamped": PoseStamped, "geometry_msgs/PointStamped": PointStamped, "nav_msgs/Path": Path,
-         "geometry_msgs/Pose": Pose}
-TYPES = {"odometry": Odometry, "pose": PoseStamped, "twist": TwistStamped, "imu": Imu, "depth": Image, "cloud": PointCloud2, "left": Image,
-         "right": Image, "color": Image}
+POSES = {
+    "geometry_msgs/PoseStamped": PoseStamped,
+    "nav_msgs/Odometry": Odometry,
+    "geometry_msgs/TransformStamped": TransformStamped,
+}
+GOALS = {
+    "geometry_msgs/PoseStamped": PoseStamped,
+    "geometry_msgs/PointStamped": PointStamped,
+    "nav_msgs/Path": Path,
+    "geometry_msgs/Pose": Pose,
+}
+TYPES = {
+    "odometry": Odometry,
+    "pose": PoseStamped,
+    "twist": TwistStamped,
+    "imu": Imu,
+    "depth": Image,
+    "cloud": PointCloud2,
+    "left": Image,
+    "right": Image,
+    "color": Image,
+}
 
 
 def time_of(time_ns):
-    return Time(time_ns // 10 ** 9, time_ns % 10 ** 9)
+    return Time(time_ns // 10**9, time_ns % 10**9)
 
 
 def put(vector, numbers):
@@ -38,13 +57,19 @@ def pose_of(position_m, q_wxyz):
 def rotation_of(q):
     """The matrix of a quaternion (w, x, y, z)."""
     w, x, y, z = (float(number) for number in q)
-    return np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-                     [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-                     [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]])
+    return np.array(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+        ]
+    )
 
 
 def camera_info(header, camera, baseline_m):
-    info = CameraInfo(header=header, width=camera.width_px, height=camera.height_px, distortion_model="plumb_bob", D=[0.0] * 5)
+    info = CameraInfo(
+        header=header, width=camera.width_px, height=camera.height_px, distortion_model="plumb_bob", D=[0.0] * 5
+    )
     fx, fy, cx, cy = camera.fx_px, camera.fy_px, camera.cx_px, camera.cy_px
     info.K = [fx, 0.0, cx, 0.0, fy, cy, 0.0, 0.0, 1.0]
     info.R = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]
@@ -56,7 +81,9 @@ def camera_info(header, camera, baseline_m):
 def depth_message(header, depth_m, one):
     depth = np.where(np.isnan(depth_m), np.float32(one["invalid_m"]), depth_m)
     depth = np.where(np.isinf(depth), np.float32(one["no_return_m"]), depth).astype("<f4")
-    message = Image(header=header, height=depth.shape[0], width=depth.shape[1], encoding="16UC1" if one["in_mm"] else "32FC1")
+    message = Image(
+        header=header, height=depth.shape[0], width=depth.shape[1], encoding="16UC1" if one["in_mm"] else "32FC1"
+    )
     if one["in_mm"]:
         with np.errstate(invalid="ignore"):
             mm = np.floor(depth * np.float32(1000.0) + np.float32(0.5))
@@ -69,15 +96,23 @@ def depth_message(header, depth_m, one):
 
 def cloud_message(header, image, camera, stride_px):
     depth = image.depth_m[::stride_px, ::stride_px].astype(np.float64)
-    rows, columns = np.mgrid[0:image.depth_m.shape[0]:stride_px, 0:image.depth_m.shape[1]:stride_px]
+    rows, columns = np.mgrid[0 : image.depth_m.shape[0] : stride_px, 0 : image.depth_m.shape[1] : stride_px]
     is_seen = np.isfinite(depth) & (depth > 0.0)
     z = depth[is_seen]
     x, y = (columns[is_seen] - camera.cx_px) / camera.fx_px * z, (rows[is_seen] - camera.cy_px) / camera.fy_px * z
     in_camera = np.stack([x, y, z], axis=1)
     points = (in_camera @ rotation_of(image.q_world_camera).T + image.position_world_m).astype("<f4")
     fields = [PointField(name=name, offset=4 * i, datatype=PointField.FLOAT32, count=1) for i, name in enumerate("xyz")]
-    return PointCloud2(header=header, height=1, width=len(points), fields=fields, point_step=12, row_step=12 * len(points),
-                       data=points.tobytes(), is_dense=True)
+    return PointCloud2(
+        header=header,
+        height=1,
+        width=len(points),
+        fields=fields,
+        point_step=12,
+        row_step=12 * len(points),
+        data=points.tobytes(),
+        is_dense=True,
+    )
 
 
 def _type_of(one):
@@ -93,7 +128,9 @@ class Observations:
         self._cameras = cameras
         self._topics = []
         for one in published:
-            publisher = rospy.Publisher(one["topic"], _type_of(one), queue_size=QUEUE, tcp_nodelay=True, latch=one["kind"] == "goal")
+            publisher = rospy.Publisher(
+                one["topic"], _type_of(one), queue_size=QUEUE, tcp_nodelay=True, latch=one["kind"] == "goal"
+            )
             info = rospy.Publisher(one["info"], CameraInfo, queue_size=QUEUE, tcp_nodelay=True) if one["info"] else None
             self._topics.append((one, publisher, info))
         self._goal_due_ns = {}
@@ -115,10 +152,15 @@ class Observations:
         return [topic for topic in self._topics if topic[0]["kind"] in kinds]
 
     def samples(self, seen):
-        """Of a call: samples of the IMU and states since the last one, as (ROS time, what publishes it), oldest first."""
-        found = [(self.ns_of(seen.imu.time_s[i]), functools.partial(self._publish_imu, seen.imu, i))
-                 for i in range(len(seen.imu.time_s) if seen.imu is not None else 0)]
-        found += [(self.ns_of(state.time_s), functools.partial(self._publish_state, state, True)) for state in seen.states]
+        """Of a call: samples of the IMU and states since the last one, as (ROS time, what publishes it), oldest
+        first."""
+        found = [
+            (self.ns_of(seen.imu.time_s[i]), functools.partial(self._publish_imu, seen.imu, i))
+            for i in range(len(seen.imu.time_s) if seen.imu is not None else 0)
+        ]
+        found += [
+            (self.ns_of(state.time_s), functools.partial(self._publish_state, state, True)) for state in seen.states
+        ]
         return sorted(found, key=lambda sample: sample[0])
 
     def _publish_imu(self, samples, i):
@@ -139,7 +181,10 @@ class Observations:
             if one["kind"] == "odometry":
                 message = Odometry(header=header, child_frame_id=one["child_frame"])
                 message.pose.pose = pose_of(position_m, q)
-                put(message.twist.twist.linear, rotation_of(q).T @ state.velocity_world_mps if one["in_body"] else state.velocity_world_mps)
+                put(
+                    message.twist.twist.linear,
+                    rotation_of(q).T @ state.velocity_world_mps if one["in_body"] else state.velocity_world_mps,
+                )
                 put(message.twist.twist.angular, state.rates_body_radps)
             elif one["kind"] == "pose":
                 message = PoseStamped(header=header, pose=pose_of(position_m, q))
@@ -152,7 +197,13 @@ class Observations:
     def publish_start(self, time_s):
         """The vehicle hovers before the trial."""
         half = 0.5 * self._mission.start_yaw_rad
-        state = State(time_s, self._mission.start_world_m, np.zeros(3), np.array([math.cos(half), 0.0, 0.0, math.sin(half)]), np.zeros(3))
+        state = State(
+            time_s,
+            self._mission.start_world_m,
+            np.zeros(3),
+            np.array([math.cos(half), 0.0, 0.0, math.sin(half)]),
+            np.zeros(3),
+        )
         for all_states in (False, True):
             self._publish_state(state, all_states)
 
@@ -189,19 +240,34 @@ class Observations:
             pixels = np.ascontiguousarray(picture.pixels)
             if info is not None:
                 info.publish(camera_info(header, camera, camera.baseline_m if kind == "right" else 0.0))
-            publisher.publish(Image(header=header, height=pixels.shape[0], width=pixels.shape[1],
-                                    encoding="rgb8" if pixels.ndim == 3 else "mono8", step=pixels[0].nbytes, data=pixels.tobytes()))
+            publisher.publish(
+                Image(
+                    header=header,
+                    height=pixels.shape[0],
+                    width=pixels.shape[1],
+                    encoding="rgb8" if pixels.ndim == 3 else "mono8",
+                    step=pixels[0].nbytes,
+                    data=pixels.tobytes(),
+                )
+            )
 
     def _publish_goals(self, now_ns):
         for one, publisher, _ in self._of("goal"):
             if now_ns < self._goal_due_ns.get(one["topic"], 0):
                 continue
-            self._goal_due_ns[one["topic"]] = now_ns + round(1e9 * one["repeat_s"]) if one["repeat_s"] > 0.0 else math.inf
-            stamped = PoseStamped(header=Header(stamp=time_of(now_ns), frame_id=one["frame"]),
-                                  pose=pose_of(self._mission.goal_world_m, (1.0, 0.0, 0.0, 0.0)))
-            messages = {"geometry_msgs/PoseStamped": stamped, "geometry_msgs/Pose": stamped.pose,
-                        "geometry_msgs/PointStamped": PointStamped(header=stamped.header, point=stamped.pose.position),
-                        "nav_msgs/Path": Path(header=stamped.header, poses=[stamped])}
+            self._goal_due_ns[one["topic"]] = (
+                now_ns + round(1e9 * one["repeat_s"]) if one["repeat_s"] > 0.0 else math.inf
+            )
+            stamped = PoseStamped(
+                header=Header(stamp=time_of(now_ns), frame_id=one["frame"]),
+                pose=pose_of(self._mission.goal_world_m, (1.0, 0.0, 0.0, 0.0)),
+            )
+            messages = {
+                "geometry_msgs/PoseStamped": stamped,
+                "geometry_msgs/Pose": stamped.pose,
+                "geometry_msgs/PointStamped": PointStamped(header=stamped.header, point=stamped.pose.position),
+                "nav_msgs/Path": Path(header=stamped.header, poses=[stamped]),
+            }
             publisher.publish(messages[one["type"]])
 
     def publish(self, seen, now_ns):

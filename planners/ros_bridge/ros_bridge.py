@@ -4,14 +4,22 @@
     ros_bridge.py TOPICS.yaml      by hand: checks the file and says what it would do
 
 In a sweep: {plugin: process, parameters: {command: [path/to/ros_bridge.py, topics.yaml]}}"""
+
 import importlib.util
 import os
 import pathlib
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
-NEEDED = {"rospy": "python3-rospy", "rosmaster": "python3-rosmaster", "yaml": "python3-yaml", "numpy": "python3-numpy",
-          "nav_msgs": "python3-nav-msgs", "sensor_msgs": "python3-sensor-msgs", "trajectory_msgs": "python3-trajectory-msgs"}
+NEEDED = {
+    "rospy": "python3-rospy",
+    "rosmaster": "python3-rosmaster",
+    "yaml": "python3-yaml",
+    "numpy": "python3-numpy",
+    "nav_msgs": "python3-nav-msgs",
+    "sensor_msgs": "python3-sensor-msgs",
+    "trajectory_msgs": "python3-trajectory-msgs",
+}
 SYSTEM_PYTHON = "/usr/bin/python3"
 NODE_ENDED = 70
 MARK = "AVOIDBENCH_ROS_PYTHON_TRIED"
@@ -22,14 +30,18 @@ def missing_modules():
 
 
 def take_python_of_ros():
-    """ROS's packages belong to one Python, which need not be the first one on the PATH: that of the system is asked, too."""
+    """ROS's packages belong to one Python, which need not be the first one on the PATH: that of the system is asked,
+    too."""
     missing = missing_modules() + (["Python 3.10"] if sys.version_info < (3, 10) else [])
     if not missing:
         return
     if MARK not in os.environ and os.access(SYSTEM_PYTHON, os.X_OK) and not sys.executable.startswith(SYSTEM_PYTHON):
         os.environ[MARK] = "1"
         os.execv(SYSTEM_PYTHON, [SYSTEM_PYTHON, *sys.argv])
-    sys.exit(f"ros_bridge.py: {sys.executable} lacks {', '.join(missing)}: scripts/install_packages.sh ros_live installs all that it needs")
+    sys.exit(
+        f"ros_bridge.py: {sys.executable} lacks {', '.join(missing)}: scripts/install_packages.sh ros_live installs "
+        f"all that it needs"
+    )
 
 
 def end_with(text):
@@ -39,7 +51,8 @@ def end_with(text):
 
 
 def planner_class(file):
-    """A subclass of avoidbench.Planner for a LiveFile. ROS itself is imported with the first trial: to describe a planner needs none."""
+    """A subclass of avoidbench.Planner for a LiveFile. ROS itself is imported with the first trial: to describe a
+    planner needs none."""
     from avoidbench.planner import Parameter, Planner
 
     def declared(one):
@@ -55,13 +68,22 @@ def planner_class(file):
         sees = file.sees
         commands = file.command.kinds
         parameters = tuple(declared(one) for one in file.parameters)
-        files = (*sorted(str(one) for folder in (HERE, HERE.parent / "ros_shim") for one in folder.glob("*.py")
-                         if not one.name.startswith("make_")), str(HERE / "console.conf"), *file.decisive_files())
+        files = (
+            *sorted(
+                str(one)
+                for folder in (HERE, HERE.parent / "ros_shim")
+                for one in folder.glob("*.py")
+                if not one.name.startswith("make_")
+            ),
+            str(HERE / "console.conf"),
+            *file.decisive_files(),
+        )
         uses = ("processes", "network", "globals") if file.live.each_trial else ("processes", "network")
 
         def reset(self, mission):
             from ros_flight import RosFlight
             from ros_processes import NodeEnded
+
             for note in file.notes:
                 print(note, flush=True)
             try:
@@ -77,6 +99,7 @@ def planner_class(file):
 
         def plan(self, observation):
             from ros_processes import NodeEnded
+
             try:
                 return Bridge.flight.plan(observation)
             except NodeEnded as problem:
@@ -89,9 +112,15 @@ def planner_class(file):
 def tell(file):
     """What a run by hand says."""
     live = file.live
-    print(f"{file.path.name}: planner {live.name}, sees {', '.join(file.sees)}, commands {', '.join(file.command.kinds)}")
+    print(
+        f"{file.path.name}: planner {live.name}, sees {', '.join(file.sees)}, commands {', '.join(file.command.kinds)}"
+    )
     for node in file.nodes:
-        print(f"  starts {' '.join(node.words)}" if node.words else f"  {node.full_name}: parameters alone; run: says how to start it")
+        print(
+            f"  starts {' '.join(node.words)}"
+            if node.words
+            else f"  {node.full_name}: parameters alone; run: says how to start it"
+        )
     if live.launch:
         print(f"  starts the nodes of {' '.join(live.launch)}")
     if not live.has_own_master:
@@ -111,6 +140,7 @@ def main():
     take_python_of_ros()
     sys.path.insert(0, str(HERE))
     from live_file import LiveFile, Problem
+
     try:
         file = LiveFile(sys.argv[1])
     except Problem as problem:
@@ -119,6 +149,7 @@ def main():
         tell(file)
         return
     import avoidbench
+
     planner = planner_class(file)
     avoidbench.serve(planner, is_script_file=False)  # but the topics file
     if planner.flight is not None:

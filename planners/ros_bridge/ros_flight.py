@@ -1,4 +1,6 @@
-"""Flights of real ROS nodes: a master, the bridge's own node in this process, the clock, and one trial after the other."""
+"""Flights of real ROS nodes: a master, the bridge's own node in this process, the clock, and one trial after the
+other."""
+
 import difflib
 import math
 import os
@@ -7,8 +9,8 @@ import threading
 import time
 from xmlrpc.client import ServerProxy
 
-import roslib.message
 import rosgraph
+import roslib.message
 import rospy
 from commands import Commands
 from live_file import evaluated, given_by
@@ -29,7 +31,7 @@ class RosFlight:
         self._wait = threading.Condition()
         self._problem = None
         self._arrived = (0.0, 0)  # of the newest command: when on the wall's clock, and its stamp
-        self._now_ns = FIRST_S * 10 ** 9
+        self._now_ns = FIRST_S * 10**9
         self._period_ns = max(1000000, round(1e9 * setup.plan_period_s))
         self._round_trips_s, self._calls, self._tell_at_s = [], 0, TELL_EACH_S
         self._commands = Commands(live_file.command, setup.plan_period_s, setup.gravity_mps2)
@@ -45,8 +47,14 @@ class RosFlight:
         self._is_started = False
         message = roslib.message.get_message_class(live_file.command.type)
         if message is None:
-            raise StartProblem(str(live_file.command.values["type"].problem(
-                f"there is no Python class of {live_file.command.type}: is its package installed, or its workspace sourced?")))
+            raise StartProblem(
+                str(
+                    live_file.command.values["type"].problem(
+                        f"there is no Python class of {live_file.command.type}: is its package installed, or its "
+                        f"workspace sourced?"
+                    )
+                )
+            )
         self._master.setParam("/use_sim_time", True)
         # Of the clock only the nodes know: this node waits for the wall's.
         rospy.init_node(NAME, argv=[NAME], disable_rostime=True, disable_rosout=True, disable_signals=True)
@@ -58,7 +66,9 @@ class RosFlight:
         try:
             self._master.getPid()
         except OSError:
-            raise StartProblem(f"no master answers at {uri} (ROS_MASTER_URI): start roscore and the nodes before the run") from None
+            raise StartProblem(
+                f"no master answers at {uri} (ROS_MASTER_URI): start roscore and the nodes before the run"
+            ) from None
         try:
             node = self._master.lookupNode(f"/{NAME}")
             ServerProxy(node).getPid(f"/{NAME}")
@@ -90,7 +100,8 @@ class RosFlight:
         self._clock.publish(Clock(clock=time_of(to_ns)))
 
     def _move_to(self, to_ns, rate, samples=()):
-        """In steps, each with its pause, so that timers of nodes run; samples, as (ROS time, what publishes it), come at their times."""
+        """In steps, each with its pause, so that timers of nodes run; samples, as (ROS time, what publishes it), come
+        at their times."""
         begin, begin_ns, step_ns = time.monotonic(), self._now_ns, round(1e9 * self._live.clock_step_s)
         i = 0
         while self._now_ns < to_ns or i < len(samples):
@@ -115,10 +126,12 @@ class RosFlight:
     def _set_parameters(self, mission):
         given = given_by(self._setup, mission)
         own = [self._setup.parameters[one.name] for one in self._file.parameters]
-        leaves = [*self._nodes.launch_parameters.items(),
-                  *((name, evaluated(value, given, own)) for name, value in self._file.leaves)]
+        leaves = [
+            *self._nodes.launch_parameters.items(),
+            *((name, evaluated(value, given, own)) for name, value in self._file.leaves),
+        ]
         for name, value in leaves:
-            if isinstance(value, int) and not isinstance(value, bool) and not -2 ** 31 <= value < 2 ** 31:
+            if isinstance(value, int) and not isinstance(value, bool) and not -(2**31) <= value < 2**31:
                 value = float(value)  # the parameter server has whole numbers of 32 bits
             self._master.setParam(name, value)
 
@@ -127,17 +140,37 @@ class RosFlight:
         heard, said = self._file.topics_to_wait_for()
         _, subscribers, _ = self._master.getSystemState()
         registered = {topic: len([name for name in names if name != f"/{NAME}"]) for topic, names in subscribers}
-        missing = [f"nobody publishes {topic} ({self._file.command.type})" for topic in said if self._command.get_num_connections() == 0]
-        missing += [f"nobody subscribes to {topic}" for topic in heard
-                    if self._observations.connections(topic) < max(1, registered.get(rosgraph.names.resolve_name(topic, "/"), 0))]
+        missing = [
+            f"nobody publishes {topic} ({self._file.command.type})"
+            for topic in said
+            if self._command.get_num_connections() == 0
+        ]
+        missing += [
+            f"nobody subscribes to {topic}"
+            for topic in heard
+            if self._observations.connections(topic)
+            < max(1, registered.get(rosgraph.names.resolve_name(topic, "/"), 0))
+        ]
         return ", ".join(dict.fromkeys(missing))
 
     def _near(self, missing):
         """Topics of the nodes that are named like missing ones."""
         publishers, subscribers, _ = self._master.getSystemState()
-        topics = {topic for topic, names in publishers + subscribers if set(names) - {f"/{NAME}"}} - {"/rosout", "/clock"}
-        near = sorted({one for word in missing.split() if word.startswith("/") for one in difflib.get_close_matches(word, topics, 3, 0.5)})
-        return f"; there is {', '.join(near)}" if near else f"; the nodes have {', '.join(sorted(topics)) or 'no topics'}"
+        topics = {topic for topic, names in publishers + subscribers if set(names) - {f"/{NAME}"}} - {
+            "/rosout",
+            "/clock",
+        }
+        near = sorted(
+            {
+                one
+                for word in missing.split()
+                if word.startswith("/")
+                for one in difflib.get_close_matches(word, topics, 3, 0.5)
+            }
+        )
+        return (
+            f"; there is {', '.join(near)}" if near else f"; the nodes have {', '.join(sorted(topics)) or 'no topics'}"
+        )
 
     def _wait_for_nodes(self):
         """They start while the clock goes with the wall's, and the vehicle hovers."""
@@ -150,13 +183,17 @@ class RosFlight:
                 shown_ns = self._now_ns
             missing = self._missing()
             if missing and time.monotonic() > end:
-                raise StartProblem(f"after {self._live.start_wait_s:g} s (live: start_wait_s) {missing}{self._near(missing)}")
+                raise StartProblem(
+                    f"after {self._live.start_wait_s:g} s (live: start_wait_s) {missing}{self._near(missing)}"
+                )
 
     def begin(self, mission):
         """A trial: parameters, nodes, and lead_s in which the vehicle hovers."""
         if math.isnan(mission.command_latency_s) and self._live.clock_rate > 0.0:
-            raise StartProblem("latency: {mode: measured} would count the pauses of the clock: "
-                               "take latency: {ms: …}, or live: {clock_rate: 0}")
+            raise StartProblem(
+                "latency: {mode: measured} would count the pauses of the clock: "
+                "take latency: {ms: …}, or live: {clock_rate: 0}"
+            )
         with self._wait:
             self._commands.forget()
         self._set_parameters(mission)
@@ -169,7 +206,7 @@ class RosFlight:
             self._is_started = True
         self._wait_for_nodes()
         lead_ns = round(1e9 * self._file.lead_s)
-        self._base_ns = math.ceil((self._now_ns + lead_ns) / 1e9) * 10 ** 9
+        self._base_ns = math.ceil((self._now_ns + lead_ns) / 1e9) * 10**9
         self._observations.begin(self._base_ns, mission)
         self._master.setParam(NEXT, 1e-9 * self._base_ns + mission.time_limit_s + 10.0)
         for at_ns in range(self._base_ns - lead_ns, self._base_ns, self._period_ns):

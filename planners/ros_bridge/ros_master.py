@@ -1,4 +1,6 @@
-"""ROS's own master on a free port, without roscore's log files and rosout: prints its URI, then serves until it is ended."""
+"""ROS's own master on a free port, without roscore's log files and rosout: prints its URI, then serves until it is
+ended."""
+
 import time
 
 from rosmaster.master import Master

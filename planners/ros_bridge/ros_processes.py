@@ -1,4 +1,5 @@
 """A master of the flight's own and the nodes, as processes that end with the bridge."""
+
 import ctypes
 import os
 import pathlib
@@ -25,12 +26,14 @@ class StartProblem(Exception):
 
 
 def _die_with_parent():
-    """In the child, before its program: SIGKILL when the bridge's thread ends that started it, which is the main one."""
+    """In the child, before its program: SIGKILL when the bridge's thread ends that started it, which is the main
+    one."""
     C_LIBRARY.prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
 
 
 def environment(master_uri, is_own):
-    """The variables of nodes: no file of the user's is written, and with a master of one's own no other host is spoken to."""
+    """The variables of nodes: no file of the user's is written, and with a master of one's own no other host is spoken
+    to."""
     variables = {name: value for name, value in os.environ.items() if name != "AVOIDBENCH_PLANNER_FDS"}
     variables["ROS_MASTER_URI"] = master_uri
     # A folder that is there and that nobody can write to: what is said goes to the console.
@@ -49,8 +52,15 @@ class Process:
         self.name, self.is_required = name, is_required
         self.was_refused = False
         try:
-            self.process = subprocess.Popen(words, cwd=folder, env=variables, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                                            stderr=subprocess.STDOUT, preexec_fn=_die_with_parent)
+            self.process = subprocess.Popen(
+                words,
+                cwd=folder,
+                env=variables,
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.STDOUT,
+                preexec_fn=_die_with_parent,
+            )
         except OSError as error:
             raise StartProblem(f"the node {name} can't be started: {words[0]}: {error.strerror}") from None
         self.reader = threading.Thread(target=self._read, daemon=True)
@@ -64,7 +74,8 @@ class Process:
                 print(f"[{self.name}] {text}", flush=True)
 
     def problem(self):
-        """Why it runs no more, or None. One that has done its work and says so by exit code 0 is fine, unless it is required."""
+        """Why it runs no more, or None. One that has done its work and says so by exit code 0 is fine, unless it is
+        required."""
         code = self.process.poll()
         if code is None or (code == 0 and not self.is_required):
             return None
@@ -81,8 +92,13 @@ class Process:
 
 def start_master(wait_s):
     """The process and its URI."""
-    process = subprocess.Popen([sys.executable, str(HERE / "ros_master.py")], env=environment("http://127.0.0.1:0", True),
-                               stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, preexec_fn=_die_with_parent)
+    process = subprocess.Popen(
+        [sys.executable, str(HERE / "ros_master.py")],
+        env=environment("http://127.0.0.1:0", True),
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        preexec_fn=_die_with_parent,
+    )
     ready, _, _ = select.select([process.stdout], [], [], wait_s)
     uri = process.stdout.readline().decode().strip() if ready else ""
     if not uri:
@@ -94,13 +110,17 @@ def start_master(wait_s):
 
 
 def _launched(words, folder, variables, place):
-    """The nodes and parameters of a launch file, by roslaunch's own reader: ([(name, words, folder, variables, required)], parameters)."""
-    os.environ.update({name: variables[name] for name in ("ROS_MASTER_URI", "ROS_LOG_DIR", "ROS_HOME", "ROS_PYTHON_LOG_CONFIG_FILE")})
+    """The nodes and parameters of a launch file, by roslaunch's own reader: ([(name, words, folder, variables,
+    required)], parameters)."""
+    os.environ.update(
+        {name: variables[name] for name in ("ROS_MASTER_URI", "ROS_LOG_DIR", "ROS_HOME", "ROS_PYTHON_LOG_CONFIG_FILE")}
+    )
     from roslaunch.config import ROSLaunchConfig
     from roslaunch.core import RLException, local_machine, setup_env
     from roslaunch.node_args import create_local_process_args
     from roslaunch.rlutil import resolve_launch_arguments
     from roslaunch.xmlloader import XmlLoader
+
     config = ROSLaunchConfig()
     try:
         words = [str(folder / words[0]), *words[1:]] if (folder / words[0]).is_file() else words
@@ -112,7 +132,9 @@ def _launched(words, folder, variables, place):
         nodes = []
         for node in config.nodes:
             if node.machine_name not in (None, "", "localhost"):
-                raise RLException(f"{node.name} is for another machine, {node.machine_name}: all nodes of a flight run on this one")
+                raise RLException(
+                    f"{node.name} is for another machine, {node.machine_name}: all nodes of a flight run on this one"
+                )
             command = create_local_process_args(node, local_machine())
             own = {**variables, **setup_env(node, local_machine(), variables["ROS_MASTER_URI"], env=variables)}
             name = f"{node.namespace}{node.name}".lstrip("/")
@@ -132,13 +154,16 @@ class Nodes:
         self._launch_nodes = []
         self.launch_parameters = {}
         if live_file.live.launch:
-            self._launch_nodes, self.launch_parameters = _launched(live_file.live.launch, live_file.folder, self._variables,
-                                                                   live_file.live.launch_place)
+            self._launch_nodes, self.launch_parameters = _launched(
+                live_file.live.launch, live_file.folder, self._variables, live_file.live.launch_place
+            )
 
     def start(self):
         for node in self._file.nodes:
             if node.words:
-                self._processes.append(Process(node.full_name.lstrip("/"), node.words, self._file.folder, self._variables))
+                self._processes.append(
+                    Process(node.full_name.lstrip("/"), node.words, self._file.folder, self._variables)
+                )
         for node in self._launch_nodes:
             self._processes.append(Process(*node))
 

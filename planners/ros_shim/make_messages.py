@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""Writes C++ headers of ROS 1 messages from .msg files, as ROS names them: geometry_msgs/Point.msg becomes geometry_msgs/Point.h
-with geometry_msgs::Point, PointPtr, PointConstPtr and the template Point_<Allocator>.
+"""Writes C++ headers of ROS 1 messages from .msg files, as ROS names them: geometry_msgs/Point.msg becomes
+geometry_msgs/Point.h with geometry_msgs::Point, PointPtr, PointConstPtr and the template Point_<Allocator>.
 
-    make_messages.py --out FOLDER PACKAGE…    PACKAGE: a folder with package.xml and msg/*.msg, or with *.msg, or a .msg file
-    make_messages.py --list PACKAGE…          the headers it would write, one a line
+    make_messages.py --out FOLDER PACKAGE…    PACKAGE: a folder with package.xml and msg/*.msg, or with *.msg, or a .msg
+    file make_messages.py --list PACKAGE…          the headers it would write, one a line
 
 A package's name is the <name> of its package.xml, else its folder's. Needs Python 3 alone. Written in C++14."""
+
 import argparse
 import pathlib
 import re
@@ -13,23 +14,34 @@ import sys
 
 # ROS's name -> (C++ type, kind of its constants)
 BUILT_IN = {
-    "bool": ("std::uint8_t", "integer"), "char": ("std::uint8_t", "integer"), "byte": ("std::int8_t", "integer"),
-    "int8": ("std::int8_t", "integer"), "uint8": ("std::uint8_t", "integer"),
-    "int16": ("std::int16_t", "integer"), "uint16": ("std::uint16_t", "integer"),
-    "int32": ("std::int32_t", "integer"), "uint32": ("std::uint32_t", "integer"),
-    "int64": ("std::int64_t", "integer"), "uint64": ("std::uint64_t", "integer"),
-    "float32": ("float", "real"), "float64": ("double", "real"),
-    "string": ("std::string", "text"), "time": ("ros::Time", None), "duration": ("ros::Duration", None),
+    "bool": ("std::uint8_t", "integer"),
+    "char": ("std::uint8_t", "integer"),
+    "byte": ("std::int8_t", "integer"),
+    "int8": ("std::int8_t", "integer"),
+    "uint8": ("std::uint8_t", "integer"),
+    "int16": ("std::int16_t", "integer"),
+    "uint16": ("std::uint16_t", "integer"),
+    "int32": ("std::int32_t", "integer"),
+    "uint32": ("std::uint32_t", "integer"),
+    "int64": ("std::int64_t", "integer"),
+    "uint64": ("std::uint64_t", "integer"),
+    "float32": ("float", "real"),
+    "float64": ("double", "real"),
+    "string": ("std::string", "text"),
+    "time": ("ros::Time", None),
+    "duration": ("ros::Duration", None),
 }
 RANGES = {"bool": (0, 1), "char": (0, 255), "byte": (-128, 127)}
 for bits in (8, 16, 32, 64):
-    RANGES[f"int{bits}"] = (-2 ** (bits - 1), 2 ** (bits - 1) - 1)
-    RANGES[f"uint{bits}"] = (0, 2 ** bits - 1)
+    RANGES[f"int{bits}"] = (-(2 ** (bits - 1)), 2 ** (bits - 1) - 1)
+    RANGES[f"uint{bits}"] = (0, 2**bits - 1)
 # Of a field's name C++ could not make anything.
-KEYWORDS = set("""alignas alignof and asm auto bool break case catch char class const constexpr continue decltype default delete do
-double else enum explicit export extern false float for friend goto if inline int long mutable namespace new noexcept not nullptr
-operator or private protected public register return short signed sizeof static struct switch template this throw true try typedef
-typeid typename union unsigned using virtual void volatile while xor""".split())
+KEYWORDS = set(
+    """alignas alignof and asm auto bool break case catch char class const constexpr continue decltype default delete do
+double else enum explicit export extern false float for friend goto if inline int long mutable namespace new
+noexcept not nullptr operator or private protected public register return short signed sizeof static struct switch
+template this throw true try typedef typeid typename union unsigned using virtual void volatile while xor""".split()
+)
 TYPE = re.compile(r"([A-Za-z][A-Za-z0-9_]*(?:/[A-Za-z][A-Za-z0-9_]*)?)(\[(\d*)\])?")
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 
@@ -48,7 +60,8 @@ class Place:
 
 class Field:
     def __init__(self, kind, package, name, count, place):
-        # kind: ROS's name without its package; package: None for built-in types; count: None, "" (any number) or a number
+        # kind: ROS's name without its package; package: None for built-in types; count: None, "" (any number) or a
+        # number
         self.kind, self.package, self.name, self.count, self.place = kind, package, name, count, place
 
     def header(self):
@@ -129,7 +142,7 @@ def read_line(message, line, file, number):
         raise Place(file, number, code.index("=") + 1).problem("a type and a name come before =")
     place = words[0][1]
     kind, package, count = field_type(message, words[0][0], place)
-    if len(words) < 2 or "=" in code[place.column - 1:words[1][1].column - 1]:
+    if len(words) < 2 or "=" in code[place.column - 1 : words[1][1].column - 1]:
         raise place.problem(f'"{words[0][0]}" without a name')
     name, at = words[1]
     if not NAME.fullmatch(name):
@@ -138,10 +151,10 @@ def read_line(message, line, file, number):
         raise at.problem(f'"{name}" is a word of C++')
     if any(name == other.name for other in message.fields + message.constants):
         raise at.problem(f'"{name}" is there already')
-    rest = code[at.column - 1 + len(name):]
+    rest = code[at.column - 1 + len(name) :]
     if rest.lstrip().startswith("="):
         value = rest.lstrip()[1:].strip()
-        behind = rest[rest.index("=") + 1:]
+        behind = rest[rest.index("=") + 1 :]
         where = Place(file, number, len(code) - len(behind.lstrip() or behind) + 1)
         if package or count is not None:
             raise place.problem("a constant is of a built-in type and no array")
@@ -200,24 +213,32 @@ def constant_lines(message):
     for constant in message.constants:
         kind, name = BUILT_IN[constant.kind], constant.name
         if kind[1] == "integer" and not constant.kind.endswith("64"):
-            suffix = "u" if constant.value > 0x7fffffff or constant.kind.startswith("uint") else ""
+            suffix = "u" if constant.value > 0x7FFFFFFF or constant.kind.startswith("uint") else ""
             inside.append(f"  enum {{ {name} = {value_text(constant.value, suffix)} }};")
             continue
         inside.append(f"  static const {kind[0]} {name};")
-        outside += ["template <class ContainerAllocator>",
-                    f"const {kind[0]} {message.name}_<ContainerAllocator>::{name} = {cpp_value(constant)};"]
+        outside += [
+            "template <class ContainerAllocator>",
+            f"const {kind[0]} {message.name}_<ContainerAllocator>::{name} = {cpp_value(constant)};",
+        ]
     return inside, outside
 
 
 def value_text(value, suffix):
-    if value == -2 ** 31:
+    if value == -(2**31):
         return "-2147483647 - 1"
     return f"{value}{suffix}"
 
 
 def quoted(text):
     """A string of C++ with these bytes in UTF-8."""
-    return '"' + "".join(c if 32 <= ord(c) < 127 and c not in '"\\?' else "".join(f"\\{b:03o}" for b in c.encode()) for c in text) + '"'
+    return (
+        '"'
+        + "".join(
+            c if 32 <= ord(c) < 127 and c not in '"\\?' else "".join(f"\\{b:03o}" for b in c.encode()) for c in text
+        )
+        + '"'
+    )
 
 
 def cpp_value(constant):
@@ -226,7 +247,7 @@ def cpp_value(constant):
     if constant.kind == "uint64":
         return f"{constant.value}ULL"
     if constant.kind == "int64":
-        return f"{constant.value}LL" if constant.value != -2 ** 63 else "-9223372036854775807LL - 1"
+        return f"{constant.value}LL" if constant.value != -(2**63) else "-9223372036854775807LL - 1"
     if constant.value != constant.value or abs(constant.value) == float("inf"):
         kind = BUILT_IN[constant.kind][0]
         if constant.value != constant.value:
@@ -258,30 +279,84 @@ def header_text(message):
     inside, outside = constant_lines(message)
     equal = " && ".join(f"a.{field.name} == b.{field.name}" for field in message.fields) or "true"
     unused = "" if message.fields else "/*{}*/"
-    parameter = (lambda word: unused.format(word) if unused else word)
-    lines = [f"// {message.type()}, by make_messages.py.", f"#ifndef {guard}", f"#define {guard}", "",
-             "#include <cstdint>", "#include <limits>", "#include <memory>", "#include <ostream>", "#include <string>",
-             "#include <vector>", "", '#include "ros/message_traits.h"', '#include "ros/time.h"', '#include "ros_shim/pointer.h"',
-             '#include "ros_shim/print.h"', *[f'#include "{header}.h"' for header in includes], "", f"namespace {package} {{", "",
-             "template <class ContainerAllocator>", f"struct {name}_ {{", f"  using Type = {own};",
-             f"  using Ptr = ros_shim::shared_ptr<{own}>;", f"  using ConstPtr = ros_shim::shared_ptr<const {own}>;", "",
-             f"  {name}_() = default;", f"  explicit {name}_(const ContainerAllocator&) {{}}"]
-    lines += [""] + [f"  {field.cpp()} {field.name}{initial(field)};" for field in message.fields] if message.fields else []
+
+    def parameter(word):
+        return unused.format(word) if unused else word
+
+    lines = [
+        f"// {message.type()}, by make_messages.py.",
+        f"#ifndef {guard}",
+        f"#define {guard}",
+        "",
+        "#include <cstdint>",
+        "#include <limits>",
+        "#include <memory>",
+        "#include <ostream>",
+        "#include <string>",
+        "#include <vector>",
+        "",
+        '#include "ros/message_traits.h"',
+        '#include "ros/time.h"',
+        '#include "ros_shim/pointer.h"',
+        '#include "ros_shim/print.h"',
+        *[f'#include "{header}.h"' for header in includes],
+        "",
+        f"namespace {package} {{",
+        "",
+        "template <class ContainerAllocator>",
+        f"struct {name}_ {{",
+        f"  using Type = {own};",
+        f"  using Ptr = ros_shim::shared_ptr<{own}>;",
+        f"  using ConstPtr = ros_shim::shared_ptr<const {own}>;",
+        "",
+        f"  {name}_() = default;",
+        f"  explicit {name}_(const ContainerAllocator&) {{}}",
+    ]
+    lines += (
+        [""] + [f"  {field.cpp()} {field.name}{initial(field)};" for field in message.fields] if message.fields else []
+    )
     lines += [""] + inside if inside else []
-    lines += ["};", f"using {name} = {name}_<std::allocator<void>>;", f"using {name}Ptr = ros_shim::shared_ptr<{name}>;",
-              f"using {name}ConstPtr = ros_shim::shared_ptr<const {name}>;", "", *outside, *([""] if outside else []),
-              "template <class ContainerAllocator>",
-              f"bool operator==(const {own}& {parameter('a')}, const {own}& {parameter('b')}) {{", f"  return {equal};", "}",
-              "template <class ContainerAllocator>", f"bool operator!=(const {own}& a, const {own}& b) {{",
-              "  return !(a == b);", "}", "template <class ContainerAllocator>",
-              f"void print_message(std::ostream& {parameter('out')}, const std::string& {parameter('indent')}, "
-              f"const {own}& {parameter('message')}) {{",
-              *[line for field in message.fields for line in printed(field)], "}", "template <class ContainerAllocator>",
-              f"std::ostream& operator<<(std::ostream& out, const {own}& message) {{", '  print_message(out, "", message);',
-              "  return out;", "}", "", f"}}  // namespace {package}", "", "namespace ros {", "namespace message_traits {",
-              "template <class ContainerAllocator>", f"struct DataType<::{package}::{own}> {{",
-              f'  static const char* value() {{ return "{message.type()}"; }}', "};", "}  // namespace message_traits",
-              "}  // namespace ros", "", "#endif", ""]
+    lines += [
+        "};",
+        f"using {name} = {name}_<std::allocator<void>>;",
+        f"using {name}Ptr = ros_shim::shared_ptr<{name}>;",
+        f"using {name}ConstPtr = ros_shim::shared_ptr<const {name}>;",
+        "",
+        *outside,
+        *([""] if outside else []),
+        "template <class ContainerAllocator>",
+        f"bool operator==(const {own}& {parameter('a')}, const {own}& {parameter('b')}) {{",
+        f"  return {equal};",
+        "}",
+        "template <class ContainerAllocator>",
+        f"bool operator!=(const {own}& a, const {own}& b) {{",
+        "  return !(a == b);",
+        "}",
+        "template <class ContainerAllocator>",
+        f"void print_message(std::ostream& {parameter('out')}, const std::string& {parameter('indent')}, "
+        f"const {own}& {parameter('message')}) {{",
+        *[line for field in message.fields for line in printed(field)],
+        "}",
+        "template <class ContainerAllocator>",
+        f"std::ostream& operator<<(std::ostream& out, const {own}& message) {{",
+        '  print_message(out, "", message);',
+        "  return out;",
+        "}",
+        "",
+        f"}}  // namespace {package}",
+        "",
+        "namespace ros {",
+        "namespace message_traits {",
+        "template <class ContainerAllocator>",
+        f"struct DataType<::{package}::{own}> {{",
+        f'  static const char* value() {{ return "{message.type()}"; }}',
+        "};",
+        "}  // namespace message_traits",
+        "}  // namespace ros",
+        "",
+        "#endif",
+        "",
+    ]
     return "\n".join(lines)
 
 
@@ -309,7 +384,9 @@ def main():
     parser.add_argument("packages", nargs="+", type=pathlib.Path)
     parser.add_argument("--out", type=pathlib.Path)
     parser.add_argument("--list", action="store_true")
-    parser.add_argument("--known", type=pathlib.Path, action="append", default=[], help="packages whose headers are there already")
+    parser.add_argument(
+        "--known", type=pathlib.Path, action="append", default=[], help="packages whose headers are there already"
+    )
     asked = parser.parse_args()
     try:
         files = [file for package in asked.packages for file in package_files(package)]

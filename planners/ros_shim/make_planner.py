@@ -3,8 +3,9 @@
 
     make_planner.py --name NAME --topics FILE [--params FILE] --out FOLDER SOURCE…
 
-It writes FOLDER/NAME_planner.cpp; a header main_STEM.h for each source with a node's main(), which is to be included before it
-(-include); and mains.cmake, which lists those sources. Needs PyYAML (python3-yaml)."""
+It writes FOLDER/NAME_planner.cpp; a header main_STEM.h for each source with a node's main(), which is to be included
+before it (-include); and mains.cmake, which lists those sources. Needs PyYAML (python3-yaml)."""
+
 import argparse
 import math
 import pathlib
@@ -16,17 +17,35 @@ import topics_spec
 from make_messages import quoted
 from topics_file import Problem
 
-FUNCTIONS = {"min": "std::min", "max": "std::max", "abs": "std::abs", "floor": "std::floor", "ceil": "std::ceil", "round": "std::round"}
+FUNCTIONS = {
+    "min": "std::min",
+    "max": "std::max",
+    "abs": "std::abs",
+    "floor": "std::floor",
+    "ceil": "std::ceil",
+    "round": "std::round",
+}
 # The last part of a message's type -> the function that reads it
 READERS = {
-    "PositionCommand": "points_of_position_command", "Twist": "points_of_twist", "TwistStamped": "points_of_twist_stamped",
-    "PoseStamped": "points_of_pose_stamped", "PositionTarget": "points_of_position_target",
-    "AttitudeTarget": "points_of_attitude_target", "MultiDOFJointTrajectory": "points_of_trajectory",
+    "PositionCommand": "points_of_position_command",
+    "Twist": "points_of_twist",
+    "TwistStamped": "points_of_twist_stamped",
+    "PoseStamped": "points_of_pose_stamped",
+    "PositionTarget": "points_of_position_target",
+    "AttitudeTarget": "points_of_attitude_target",
+    "MultiDOFJointTrajectory": "points_of_trajectory",
 }
-POSE_TYPES = {"geometry_msgs/PoseStamped": "PoseType::pose_stamped", "nav_msgs/Odometry": "PoseType::odometry",
-              "geometry_msgs/TransformStamped": "PoseType::transform_stamped"}
-GOAL_TYPES = {"geometry_msgs/PoseStamped": "GoalType::pose_stamped", "geometry_msgs/PointStamped": "GoalType::point_stamped",
-              "nav_msgs/Path": "GoalType::path", "geometry_msgs/Pose": "GoalType::pose"}
+POSE_TYPES = {
+    "geometry_msgs/PoseStamped": "PoseType::pose_stamped",
+    "nav_msgs/Odometry": "PoseType::odometry",
+    "geometry_msgs/TransformStamped": "PoseType::transform_stamped",
+}
+GOAL_TYPES = {
+    "geometry_msgs/PoseStamped": "GoalType::pose_stamped",
+    "geometry_msgs/PointStamped": "GoalType::point_stamped",
+    "nav_msgs/Path": "GoalType::path",
+    "geometry_msgs/Pose": "GoalType::pose",
+}
 MAIN = re.compile(r"\bint\s+main\s*\(([^)]*)\)")
 
 
@@ -44,8 +63,10 @@ def parameter_cpp(one):
         return "nullptr" if value is None else quoted(value)
 
     choices = None if one.choices is None else "|".join(one.choices)
-    return (f"{{sizeof(ab_parameter), {kind}, {quoted(one.name)}, {quoted(one.unit)}, {quoted(one.doc)}, {real(one.lowest)}, "
-            f"{real(one.highest)}, {real(one.preset)}, {text(choices)}, {text(one.preset_text)}}}")
+    return (
+        f"{{sizeof(ab_parameter), {kind}, {quoted(one.name)}, {quoted(one.unit)}, {quoted(one.doc)}, {real(one.lowest)}, "
+        f"{real(one.highest)}, {real(one.preset)}, {text(choices)}, {text(one.preset_text)}}}"
+    )
 
 
 def number_cpp(tree):
@@ -81,7 +102,7 @@ def value_cpp(value):
     if isinstance(value, bool):
         return f"Value({'true' if value else 'false'})"
     if isinstance(value, int):
-        return f"Value({value})" if -2 ** 31 < value < 2 ** 31 else f"Value({real(value)})"
+        return f"Value({value})" if -(2**31) < value < 2**31 else f"Value({real(value)})"
     if isinstance(value, float):
         return f"Value({real(value)})"
     return f"Value(std::string({quoted(value)}))"
@@ -113,16 +134,21 @@ class Node(topics_spec.NodeSpec):
     def cpp(self):
         remappings = ", ".join(f"{{{quoted(a)}, {quoted(b)}}}" for a, b in self.remappings)
         arguments = ", ".join(quoted(one) for one in self.arguments)
-        return (f"  spec.nodes.push_back({{{quoted(self.name)}, {quoted(self.space)}, &main_of_{self.name}, "
-                f"{{{remappings}}}, {{{arguments}}}}});")
+        return (
+            f"  spec.nodes.push_back({{{quoted(self.name)}, {quoted(self.space)}, &main_of_{self.name}, "
+            f"{{{remappings}}}, {{{arguments}}}}});"
+        )
 
 
 def publish_line(one):
     kind, topic, frame, camera = one["kind"], quoted(one["topic"]), quoted(one["frame"]), one["camera"]
     all_states = str(one["all_states"]).lower()
     if kind == "odometry":
-        return (f"  spec.odometry.push_back({{{topic}, {frame}, {quoted(one['child_frame'])}, {str(one['in_body']).lower()}, "
-                f"{all_states}}});")
+        return (
+            f"  "
+            f"spec.odometry.push_back({{{topic}, {frame}, {quoted(one['child_frame'])}, {str(one['in_body']).lower()}, "
+            f"{all_states}}});"
+        )
     if kind in ("pose", "twist", "imu"):
         member = {"pose": "poses", "twist": "twists", "imu": "imu"}[kind]
         return f"  spec.{member}.push_back({{{topic}, {frame}, {all_states}}});"
@@ -131,8 +157,11 @@ def publish_line(one):
     info = quoted(one["info"])
     if kind == "depth":
         pixel = "PixelFormat::unsigned_mm" if one["in_mm"] else "PixelFormat::float_m"
-        return (f"  spec.depth.push_back({{{topic}, {frame}, {info}, {pixel}, {real(one['no_return_m'])}, {real(one['invalid_m'])}, "
-                f"{camera}}});")
+        return (
+            f"  "
+            f"spec.depth.push_back({{{topic}, {frame}, {info}, {pixel}, {real(one['no_return_m'])}, {real(one['invalid_m'])}, "
+            f"{camera}}});"
+        )
     if kind == "cloud":
         return f"  spec.clouds.push_back({{{topic}, {frame}, {one['stride_px']}, {camera}}});"
     if kind == "goal":
@@ -147,8 +176,10 @@ class Command(topics_spec.CommandSpec):
         self.function = READERS[self.form]
         kinds = ("trajectory",) if self.ahead_node else self.kinds
         self.bits = " | ".join(f"AB_COMMAND_{kind.upper()}" for kind in kinds)
-        self.cpp = (f"  spec.command = {{{quoted(self.topic)}, {str(self.in_body).lower()}, {real(self.hover_thrust)}, "
-                    f"{real(self.stale_s)}, {quoted(self.ahead_node)}, {real(self.horizon_s)}, {real(self.step_s)}}};")
+        self.cpp = (
+            f"  spec.command = {{{quoted(self.topic)}, {str(self.in_body).lower()}, {real(self.hover_thrust)}, "
+            f"{real(self.stale_s)}, {quoted(self.ahead_node)}, {real(self.horizon_s)}, {real(self.step_s)}}};"
+        )
 
 
 class Planner:
@@ -162,13 +193,19 @@ class Planner:
         self.version = values["version"].text() if "version" in values else "1.0"
         self.summary = values["summary"].text() if "summary" in values else "ROS 1 nodes, compiled unchanged."
         self.lead_s = values["lead_s"].number(0, 600) if "lead_s" in values else 2.0
-        self.parameters = [topics_spec.Parameter(one) for one in values["parameters"].list()] if "parameters" in values else []
+        self.parameters = (
+            [topics_spec.Parameter(one) for one in values["parameters"].list()] if "parameters" in values else []
+        )
         expressions = topics_spec.Expressions(self.parameters)
         self.nodes = [Node(one, sources, expressions) for one in values["nodes"].list()]
         for later, node in enumerate(self.nodes):
             for other in self.nodes[:later]:
                 if node.name == other.name or node.source == other.source:
-                    raise values["nodes"].list()[later].problem("two nodes have one name or one main(): each needs its own")
+                    raise (
+                        values["nodes"]
+                        .list()[later]
+                        .problem("two nodes have one name or one main(): each needs its own")
+                    )
         self.lines = []
         if params is not None:
             self.lines += parameter_lines(topics_spec.leaves(topics_file.read(params), "/", expressions))
@@ -178,8 +215,14 @@ class Planner:
             self.lines += parameter_lines(node.parameters)
         # What is for real nodes alone (planners/ros_bridge) is passed over, and told.
         self.notes = [f"{values['live'].problem('live is for ros_bridge alone')}"] if "live" in values else []
-        self.notes += [f"{node.values['run'].problem('run is for ros_bridge alone')}" for node in self.nodes if "run" in node.values]
-        self.packages = [(key, value.text()) for key, _, value in values["packages"].items()] if "packages" in values else []
+        self.notes += [
+            f"{node.values['run'].problem('run is for ros_bridge alone')}"
+            for node in self.nodes
+            if "run" in node.values
+        ]
+        self.packages = (
+            [(key, value.text()) for key, _, value in values["packages"].items()] if "packages" in values else []
+        )
         published = topics_spec.all_published(values["publish"])
         self.needs = {f"AB_SEES_{what.upper()}" for what in topics_spec.seen_of(published)}
         self.published = [publish_line(one) for one in published]
@@ -187,8 +230,17 @@ class Planner:
 
     def cpp(self):
         count = len(self.parameters)
-        lines = ["// By make_planner.py.", "#include <algorithm>", "#include <cmath>", "#include <limits>", "",
-                 f'#include "{self.command.type}.h"', '#include "planner_spec.hpp"', '#include "ros_shim/callback.h"', ""]
+        lines = [
+            "// By make_planner.py.",
+            "#include <algorithm>",
+            "#include <cmath>",
+            "#include <limits>",
+            "",
+            f'#include "{self.command.type}.h"',
+            '#include "planner_spec.hpp"',
+            '#include "ros_shim/callback.h"',
+            "",
+        ]
         for node in self.nodes:
             lines.append(f'extern "C" int {node.symbol}({node.signature});')
         lines += ["", "namespace ros_shim {", "namespace {", ""]
@@ -200,21 +252,45 @@ class Planner:
             lines += [f"    {parameter_cpp(parameter)}," for parameter in self.parameters]
             pointers = ", ".join(f"&parameters[{index}]" for index in range(count))
             lines += ["};", f"const ab_parameter* const parameter_pointers[{count}] = {{{pointers}}};"]
-        lines += ["", "void set_parameters(const Given& given) {", "  static_cast<void>(given);", *self.lines, "}", "",
-                  "ros::Subscriber subscribe(ros::NodeHandle& host, const CommandForm& form,",
-                  "                          std::function<void(SetPoints)> take) {",
-                  f"  using Message = {self.command.type.replace('/', '::')};",
-                  "  return host.subscribe<Message>(form.topic, 0, [take](const Message::ConstPtr& message) {",
-                  f"    take({self.command.function}(*message, now_ns()));", "  });", "}", "", "}  // namespace", "",
-                  "PlannerSpec planner_spec() {", "  PlannerSpec spec;", f"  spec.lead_s = {real(self.lead_s)};",
-                  *[node.cpp() for node in self.nodes],
-                  *[f"  spec.packages.push_back({{{quoted(a)}, {quoted(b)}}});" for a, b in self.packages],
-                  *self.published, self.command.cpp, "  spec.set_parameters = &set_parameters;",
-                  "  spec.subscribe = &subscribe;", "  return spec;", "}", "",
-                  f"const ab_planner planner_table = {{sizeof(ab_planner), AVOIDBENCH_ABI_VERSION, {quoted(self.name)},",
-                  f"    {quoted(self.version)}, {quoted(self.summary)},", f"    {' | '.join(sorted(self.needs))}, {self.command.bits},",
-                  f"    {count}, 0, {'parameter_pointers' if count else 'nullptr'}, &create, &destroy, &reset, &plan, nullptr, 0, 0, "
-                  "nullptr, 0.0, 0.0};", "", "}  // namespace ros_shim", ""]
+        lines += [
+            "",
+            "void set_parameters(const Given& given) {",
+            "  static_cast<void>(given);",
+            *self.lines,
+            "}",
+            "",
+            "ros::Subscriber subscribe(ros::NodeHandle& host, const CommandForm& form,",
+            "                          std::function<void(SetPoints)> take) {",
+            f"  using Message = {self.command.type.replace('/', '::')};",
+            "  return host.subscribe<Message>(form.topic, 0, [take](const Message::ConstPtr& message) {",
+            f"    take({self.command.function}(*message, now_ns()));",
+            "  });",
+            "}",
+            "",
+            "}  // namespace",
+            "",
+            "PlannerSpec planner_spec() {",
+            "  PlannerSpec spec;",
+            f"  spec.lead_s = {real(self.lead_s)};",
+            *[node.cpp() for node in self.nodes],
+            *[f"  spec.packages.push_back({{{quoted(a)}, {quoted(b)}}});" for a, b in self.packages],
+            *self.published,
+            self.command.cpp,
+            "  spec.set_parameters = &set_parameters;",
+            "  spec.subscribe = &subscribe;",
+            "  return spec;",
+            "}",
+            "",
+            f"const ab_planner planner_table = {{sizeof(ab_planner), AVOIDBENCH_ABI_VERSION, {quoted(self.name)},",
+            f"    {quoted(self.version)}, {quoted(self.summary)},",
+            f"    {' | '.join(sorted(self.needs))}, {self.command.bits},",
+            f"    {count}, 0, {'parameter_pointers' if count else 'nullptr'}, &create, &destroy, &reset, &plan, "
+            f"nullptr, 0, 0, "
+            "nullptr, 0.0, 0.0};",
+            "",
+            "}  // namespace ros_shim",
+            "",
+        ]
         return "\n".join(lines)
 
 
@@ -246,8 +322,11 @@ def main():
     listing = []
     for node in planner.nodes:
         header = asked.out / f"main_{node.source.stem}.h"
-        write(header, f"// By make_planner.py: the node's main() under a name of its own.\nint main({node.signature}) "
-                      f'__asm__("{node.symbol}");\n')
+        write(
+            header,
+            f"// By make_planner.py: the node's main() under a name of its own.\nint main({node.signature}) "
+            f'__asm__("{node.symbol}");\n',
+        )
         listing.append(f'set_property(SOURCE "{node.source}" APPEND PROPERTY COMPILE_OPTIONS -include "{header}")')
     write(asked.out / "mains.cmake", "\n".join(listing) + "\n")
     return 0

@@ -1,4 +1,5 @@
 """Reads YAML with the place of every value, so that each problem says file:line:column. Needs PyYAML (python3-yaml)."""
+
 import difflib
 import math
 import re
@@ -86,7 +87,7 @@ class Tree:
                     raise OverflowError
                 return value
             value = yaml.safe_load(self.node.value) if tag in ("int", "float", "bool", "null") else self.node.value
-            return float(value) if isinstance(value, int) and abs(value) >= 2 ** 63 else value
+            return float(value) if isinstance(value, int) and abs(value) >= 2**63 else value
         except (OverflowError, ValueError):  # the second is of whole numbers of thousands of digits
             raise self.problem(f"{shown(self.node.value)} is beyond the greatest number, 1.8e308") from None
 
@@ -133,7 +134,9 @@ class Loader(yaml.SafeLoader):
     def compose_node(self, parent, index):
         self.depth += 1
         if self.depth > MOST_DEPTH:
-            raise yaml.MarkedYAMLError(problem=f"this nests more than {MOST_DEPTH} deep", problem_mark=self.peek_event().start_mark)
+            raise yaml.MarkedYAMLError(
+                problem=f"this nests more than {MOST_DEPTH} deep", problem_mark=self.peek_event().start_mark
+            )
         node = super().compose_node(parent, index)
         self.depth -= 1
         return node
@@ -176,7 +179,11 @@ def read(file):
         mark = error.problem_mark or error.context_mark
         place = f"{mark.line + 1}:{mark.column + 1}" if mark else "1:1"
         raise Problem(f"{file}:{place}: {error.problem or error.context}") from None
-    except (yaml.YAMLError, ValueError, OverflowError) as error:  # the last two from PyYAML, of "\\U00110000" and "\\UFFFFFFFF"
+    except (
+        yaml.YAMLError,
+        ValueError,
+        OverflowError,
+    ) as error:  # the last two from PyYAML, of "\\U00110000" and "\\UFFFFFFFF"
         raise Problem(f"{file}:1:1: {str(error).splitlines()[0]}") from None
     if node is None:
         raise Problem(f"{file}:1:1: the file is empty")

@@ -1,5 +1,6 @@
-"""What a topics file says (docs/ros.md), checked and with every preset filled in: for make_planner.py, which writes C++ of it, and for
-planners/ros_bridge, which flies by it."""
+"""What a topics file says (docs/ros.md), checked and with every preset filled in: for make_planner.py, which writes C++
+of it, and for planners/ros_bridge, which flies by it."""
+
 import ast
 import re
 import sys
@@ -7,28 +8,42 @@ import sys
 from topics_file import shown
 
 # What ${…} may name beside the planner's own parameters: the members of ros_shim::Given.
-GIVEN = """vehicle_max_speed_mps vehicle_max_acceleration_mps2 vehicle_max_yaw_rate_radps gravity_mps2 plan_period_s body_length_m
-body_width_m body_height_m body_radius_m width_px height_px fx_px fy_px cx_px cy_px camera_rate_hz min_range_m max_range_m baseline_m
-camera_x_m camera_y_m camera_z_m start_x_m start_y_m start_z_m start_yaw_rad goal_x_m goal_y_m goal_z_m goal_radius_m
-lowest_x_m lowest_y_m lowest_z_m highest_x_m highest_y_m highest_z_m command_latency_s time_limit_s seed""".split()
-ALIASES = {"max_speed_mps": "vehicle_max_speed_mps", "max_acceleration_mps2": "vehicle_max_acceleration_mps2",
-           "max_yaw_rate_radps": "vehicle_max_yaw_rate_radps"}
+GIVEN = """vehicle_max_speed_mps vehicle_max_acceleration_mps2 vehicle_max_yaw_rate_radps gravity_mps2 plan_period_s
+body_length_m body_width_m body_height_m body_radius_m width_px height_px fx_px fy_px cx_px cy_px
+camera_rate_hz min_range_m max_range_m baseline_m camera_x_m camera_y_m camera_z_m start_x_m start_y_m
+start_z_m start_yaw_rad goal_x_m goal_y_m goal_z_m goal_radius_m lowest_x_m lowest_y_m lowest_z_m
+highest_x_m highest_y_m highest_z_m command_latency_s time_limit_s seed""".split()
+ALIASES = {
+    "max_speed_mps": "vehicle_max_speed_mps",
+    "max_acceleration_mps2": "vehicle_max_acceleration_mps2",
+    "max_yaw_rate_radps": "vehicle_max_yaw_rate_radps",
+}
 MOST_CHARACTERS, MOST_DEPTH = 1000, 100  # of an expression: what reads it calls itself for each level
 FUNCTIONS = ("min", "max", "abs", "floor", "ceil", "round")
 OPERATORS = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/"}
 # The last part of a message's type -> the commands it may become, as avoidbench.Planner names them
 COMMANDS = {
-    "PositionCommand": ("trajectory",), "Twist": ("velocity",), "TwistStamped": ("velocity",), "PoseStamped": ("position",),
-    "PositionTarget": ("position", "velocity", "acceleration", "trajectory"), "AttitudeTarget": ("rates",),
+    "PositionCommand": ("trajectory",),
+    "Twist": ("velocity",),
+    "TwistStamped": ("velocity",),
+    "PoseStamped": ("position",),
+    "PositionTarget": ("position", "velocity", "acceleration", "trajectory"),
+    "AttitudeTarget": ("rates",),
     "MultiDOFJointTrajectory": ("trajectory", "position"),
 }
 # What is published -> (keys beside `topic` and `frame`, what the planner sees for it)
 PUBLISH = {
-    "odometry": (["child_frame", "velocity", "all_states"], "state"), "pose": (["all_states"], "state"),
-    "twist": (["all_states"], "state"), "imu": ([], "imu"),
-    "camera_pose": (["type", "camera"], "depth"), "depth": (["encoding", "info", "no_return_m", "invalid_m", "camera"], "depth"),
-    "cloud": (["stride_px", "camera"], "depth"), "left": (["info", "camera"], "stereo"), "right": (["info", "camera"], "stereo"),
-    "color": (["info", "camera"], "color"), "goal": (["type", "repeat_s"], "state"),
+    "odometry": (["child_frame", "velocity", "all_states"], "state"),
+    "pose": (["all_states"], "state"),
+    "twist": (["all_states"], "state"),
+    "imu": ([], "imu"),
+    "camera_pose": (["type", "camera"], "depth"),
+    "depth": (["encoding", "info", "no_return_m", "invalid_m", "camera"], "depth"),
+    "cloud": (["stride_px", "camera"], "depth"),
+    "left": (["info", "camera"], "stereo"),
+    "right": (["info", "camera"], "stereo"),
+    "color": (["info", "camera"], "color"),
+    "goal": (["type", "repeat_s"], "state"),
 }
 FRAMES = {"imu": "body", "twist": "world", "depth": "camera", "left": "camera", "right": "camera", "color": "camera"}
 POSE_TYPES = ("geometry_msgs/PoseStamped", "nav_msgs/Odometry", "geometry_msgs/TransformStamped")
@@ -113,10 +128,17 @@ class Expressions:
             return "number", float(node.value)
         if isinstance(node, ast.Name):
             return self._value_of(node.id, tree)
-        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in FUNCTIONS and not node.keywords:
+        if (
+            isinstance(node, ast.Call)
+            and isinstance(node.func, ast.Name)
+            and node.func.id in FUNCTIONS
+            and not node.keywords
+        ):
             arguments = [read(one) for one in node.args]
             if len(arguments) != (2 if node.func.id in ("min", "max") else 1):
-                raise tree.problem(f"{node.func.id} takes {'two values' if node.func.id in ('min', 'max') else 'one value'}")
+                raise tree.problem(
+                    f"{node.func.id} takes {'two values' if node.func.id in ('min', 'max') else 'one value'}"
+                )
             return node.func.id, *arguments
         raise tree.problem("${…} knows numbers, names, + - * /, brackets and " + ", ".join(FUNCTIONS))
 
@@ -200,11 +222,15 @@ def published(kind, tree):
     values = tree.map(["topic", "frame", *PUBLISH[kind][0]])
     if "topic" not in values:
         raise tree.problem(f"{kind} has a topic")
-    found = {"kind": kind, "topic": values["topic"].text(), "place": values["topic"],
-             "frame": values["frame"].text() if "frame" in values else FRAMES.get(kind, "world"),
-             "camera": values["camera"].integer(0) if "camera" in values else 0,
-             "info": values["info"].text() if "info" in values else "",
-             "all_states": "all_states" in values and values["all_states"].truth()}
+    found = {
+        "kind": kind,
+        "topic": values["topic"].text(),
+        "place": values["topic"],
+        "frame": values["frame"].text() if "frame" in values else FRAMES.get(kind, "world"),
+        "camera": values["camera"].integer(0) if "camera" in values else 0,
+        "info": values["info"].text() if "info" in values else "",
+        "all_states": "all_states" in values and values["all_states"].truth(),
+    }
     if kind == "odometry":
         found["child_frame"] = values["child_frame"].text() if "child_frame" in values else "body"
         found["in_body"] = "velocity" in values and values["velocity"].word(["world", "body"]) == "body"
@@ -252,7 +278,9 @@ class CommandSpec:
             raise values["type"].problem(f'"{self.type}" is no type of a message, as geometry_msgs/Twist')
         self.form = values["form"].word(list(COMMANDS)) if "form" in values else self.type.split("/")[1]
         if self.form not in COMMANDS:
-            raise values["type"].problem(f"{self.form} is none of {', '.join(COMMANDS)}; form: says whose members it has")
+            raise values["type"].problem(
+                f"{self.form} is none of {', '.join(COMMANDS)}; form: says whose members it has"
+            )
         self.kinds = COMMANDS[self.form]
         self.in_body = "frame" in values and values["frame"].word(["world", "body"]) == "body"
         self.hover_thrust = float(values["hover_thrust"].number(1e-6, 1e6)) if "hover_thrust" in values else 0.0
@@ -268,4 +296,6 @@ class CommandSpec:
             self.horizon_s = ahead["horizon_s"].number(1e-3, 60)
             self.step_s = ahead["step_s"].number(1e-3, 60) if "step_s" in ahead else self.step_s
             if self.form != "PositionCommand":
-                raise values["ahead"].problem("only PositionCommand is run ahead: it has position, velocity and acceleration")
+                raise values["ahead"].problem(
+                    "only PositionCommand is run ahead: it has position, velocity and acceleration"
+                )

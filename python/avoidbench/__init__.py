@@ -3,8 +3,8 @@
 World frame: ENU, z up, metres. Cameras: RDF (x right, y down, z forward). `T_a_b` takes b's coordinates to a's.
 `gymnasium.make` knows the environments of avoidbench.registration once this is imported.
 
-Where the package has no extension, as beside an installed program, or where the program has started a planner, only what planners need is
-imported: NumPy is enough."""
+Where the package has no extension, as beside an installed program, or where the program has started a planner, only
+what planners need is imported: NumPy is enough."""
 
 import os
 from importlib import import_module
@@ -62,9 +62,22 @@ __all__ = [
 # Imported when one of them is used: most take pandas.
 _MODULES = {"Comparison": "comparison", "Results": "results", "read": "results", "run": "sweep_run", "serve": "serving"}
 # And these the extension, where it was not imported.
-_OF_EXTENSION = {"AvoidbenchEnv": "env", "AvoidbenchVectorEnv": "env", "InputError": "_core", "Missions": "world", "Nearest": "world",
-                 "Obstacle": "world", "Occupancy": "world", "ProgramError": "program", "ResultsError": "database_file", "Reward": "env",
-                 "World": "world", "fly": "flying", "look_at": "world", "make_world": "world"}
+_OF_EXTENSION = {
+    "AvoidbenchEnv": "env",
+    "AvoidbenchVectorEnv": "env",
+    "InputError": "_core",
+    "Missions": "world",
+    "Nearest": "world",
+    "Obstacle": "world",
+    "Occupancy": "world",
+    "ProgramError": "program",
+    "ResultsError": "database_file",
+    "Reward": "env",
+    "World": "world",
+    "fly": "flying",
+    "look_at": "world",
+    "make_world": "world",
+}
 
 
 def __getattr__(name: str) -> Any:

@@ -9,8 +9,8 @@ from avoidbench._text import without_columns
 
 @contextmanager
 def plain_places(name: str | None) -> Iterator[None]:
-    """Within it, an InputError names the keys of the dict called `name`, and no column of the line that was made of it. None: of files,
-    whose errors keep their places."""
+    """Within it, an InputError names the keys of the dict called `name`, and no column of the line that was made of it.
+    None: of files, whose errors keep their places."""
     try:
         yield
     except InputError as error:

@@ -8,9 +8,9 @@ from avoidbench import _core
 
 
 def program_file() -> Path:
-    """The program `avoidbench` that this package uses. The first there is of: the file that the environment variable AVOIDBENCH_PROGRAM
-    names; that in the package, where it was installed with it; that of the build tree in which the package lies; `avoidbench` on the
-    PATH, unless that is this package's own.
+    """The program `avoidbench` that this package uses. The first there is of: the file that the environment variable
+    AVOIDBENCH_PROGRAM names; that in the package, where it was installed with it; that of the build tree in which the
+    package lies; `avoidbench` on the PATH, unless that is this package's own.
 
     Raises FileNotFoundError where there is none, or AVOIDBENCH_PROGRAM names none."""
     named = os.environ.get("AVOIDBENCH_PROGRAM")
@@ -26,8 +26,10 @@ def program_file() -> Path:
     on_path = shutil.which("avoidbench")
     if on_path and not _is_script(Path(on_path)):
         return Path(on_path)
-    raise FileNotFoundError("the avoidbench program was not found. Looked for: the environment variable AVOIDBENCH_PROGRAM (not set), "
-                            f"{', '.join(map(str, places))}, and avoidbench on the PATH")
+    raise FileNotFoundError(
+        "the avoidbench program was not found. Looked for: the environment variable AVOIDBENCH_PROGRAM (not set), "
+        f"{', '.join(map(str, places))}, and avoidbench on the PATH"
+    )
 
 
 def _is_program(file: Path) -> bool:

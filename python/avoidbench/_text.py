@@ -48,13 +48,14 @@ def plain_text(text: str, name: str) -> str:
 def yaml_text(value: Any, name: str) -> str:
     """`value` as YAML of one line. NumPy's numbers and arrays are taken as Python's, paths as text.
 
-    Raises TypeError for what YAML has no word for, ValueError for numbers that are not finite; `name` stands in the message."""
+    Raises TypeError for what YAML has no word for, ValueError for numbers that are not finite; `name` stands in the
+    message."""
     return json.dumps(_plain(value, name), ensure_ascii=False, allow_nan=False)
 
 
 def without_columns(message: str, name: str, shown: str | None = None) -> str:
-    """A message about what yaml_text() wrote, without the places in that one line: what is wrong stands there by its key, and nobody saw
-    the line. `name`: what the text is called there; `shown`: what it is called instead."""
+    """A message about what yaml_text() wrote, without the places in that one line: what is wrong stands there by its
+    key, and nobody saw the line. `name`: what the text is called there; `shown`: what it is called instead."""
     return re.sub(rf"^{re.escape(name)}(:1:\d+)?(?=: )", shown or name, message, flags=re.MULTILINE)
 
 

@@ -46,8 +46,12 @@ class Comparison:
         return self.text
 
 
-def _options(metrics: Sequence[str] | str | None, alpha: float | None, min_effect: str | float | None,
-             tolerances: str | os.PathLike[str] | None) -> list[str]:
+def _options(
+    metrics: Sequence[str] | str | None,
+    alpha: float | None,
+    min_effect: str | float | None,
+    tolerances: str | os.PathLike[str] | None,
+) -> list[str]:
     options = []
     if metrics is not None:
         options.append("--metrics=" + (metrics if isinstance(metrics, str) else ",".join(metrics)))
@@ -61,16 +65,26 @@ def _options(metrics: Sequence[str] | str | None, alpha: float | None, min_effec
     return options
 
 
-def compare_files(base: str, new: str, *, sweep: str | None, planner: str | None, exact: bool, complete: bool,
-                  gate_measured: bool, metrics: Sequence[str] | str | None, alpha: float | None,
-                  min_effect: str | float | None, tolerances: str | os.PathLike[str] | None) -> Comparison:
+def compare_files(
+    base: str,
+    new: str,
+    *,
+    sweep: str | None,
+    planner: str | None,
+    exact: bool,
+    complete: bool,
+    gate_measured: bool,
+    metrics: Sequence[str] | str | None,
+    alpha: float | None,
+    min_effect: str | float | None,
+    tolerances: str | os.PathLike[str] | None,
+) -> Comparison:
     """Compares two files; the arguments are those of Results.compare().
 
     Raises:
         ProgramError: there is nothing to compare, or an option is wrong.
     """
-    arguments = ["compare", path_argument(base), path_argument(new),
-                 *_options(metrics, alpha, min_effect, tolerances)]
+    arguments = ["compare", path_argument(base), path_argument(new), *_options(metrics, alpha, min_effect, tolerances)]
     arguments += [f"--sweep={sweep}"] if sweep else []
     arguments += [f"--planner={planner}"] if planner else []
     flags = {"--exact": exact, "--complete": complete, "--gate-measured": gate_measured}

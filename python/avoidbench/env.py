@@ -1,4 +1,5 @@
-"""Environments of Gymnasium: flights that a learner steps. Episodes are trials of a sweep, judged by the same metrics."""
+"""Environments of Gymnasium: flights that a learner steps. Episodes are trials of a sweep, judged by the same
+metrics."""
 
 import difflib
 import math
@@ -22,7 +23,9 @@ from avoidbench._text import overrides, plain_text, yaml_text
 
 Observation = dict[str, NDArray[Any]]
 Sweep = str | os.PathLike[str] | Mapping[str, Any]
-RewardFunction = Callable[[Observation, NDArray[np.float64], NDArray[np.float64], NDArray[np.bool_], NDArray[np.bool_]], ArrayLike]
+RewardFunction = Callable[
+    [Observation, NDArray[np.float64], NDArray[np.float64], NDArray[np.bool_], NDArray[np.bool_]], ArrayLike
+]
 
 OBSERVATIONS = ("depth", "state", "goal", "pose", "imu", "stereo", "color")
 _MOST_SEED = 2**64 - 1
@@ -79,7 +82,9 @@ def _view_space(name: str, shape: Mapping[str, Any], depth: str) -> gymnasium.sp
     """Of one flight."""
     cameras, height, width = shape["cameras"], shape["height_px"], shape["width_px"]
     if name == "depth":
-        return gymnasium.spaces.Box(0.0, 1.0 if depth == "inverse" else shape["max_range_m"], (cameras, height, width), np.float32)
+        return gymnasium.spaces.Box(
+            0.0, 1.0 if depth == "inverse" else shape["max_range_m"], (cameras, height, width), np.float32
+        )
     if name == "stereo":
         return gymnasium.spaces.Box(0, 255, (cameras, 2, height, width), np.uint8)
     if name == "color":
@@ -104,11 +109,32 @@ def _array(actions: ArrayLike, wanted: tuple[int, ...], name: str) -> NDArray[An
 class _Flights:
     """The flights of an environment, their arrays and spaces."""
 
-    def __init__(self, sweep: Sweep, slots: int, threads: int | None, set: Mapping[str, Any] | None, observe: Sequence[str], depth: str,
-                 action: str, frame: str, trajectory_points: SupportsIndex, trajectory_horizon_s: float,
-                 reward: Reward | RewardFunction | None, order: str, seed: SupportsIndex, kept_maps: SupportsIndex, policy: str) -> None:
+    def __init__(
+        self,
+        sweep: Sweep,
+        slots: int,
+        threads: int | None,
+        set: Mapping[str, Any] | None,
+        observe: Sequence[str],
+        depth: str,
+        action: str,
+        frame: str,
+        trajectory_points: SupportsIndex,
+        trajectory_horizon_s: float,
+        reward: Reward | RewardFunction | None,
+        order: str,
+        seed: SupportsIndex,
+        kept_maps: SupportsIndex,
+        policy: str,
+    ) -> None:
         self.observe = _observed(observe)
-        for name, word in (("depth", depth), ("action", action), ("frame", frame), ("order", order), ("policy", policy)):
+        for name, word in (
+            ("depth", depth),
+            ("action", action),
+            ("frame", frame),
+            ("order", order),
+            ("policy", policy),
+        ):
             if not isinstance(word, str):
                 raise TypeError(f"{name}: a word is wanted, not {type(word).__name__}")
         if reward is not None and not isinstance(reward, Reward) and not callable(reward):
@@ -116,10 +142,16 @@ class _Flights:
         self.reward_function = reward if callable(reward) else None
         weights = reward if isinstance(reward, Reward) else Reward(0.0, 0.0, 0.0, 0.0) if reward is None else Reward()
         options = {
-            "observe": list(self.observe), "depth": depth, "action": action, "frame": frame, "order": order,
+            "observe": list(self.observe),
+            "depth": depth,
+            "action": action,
+            "frame": frame,
+            "order": order,
             "policy": plain_text(policy, "policy"),
-            "slots": slots, "threads": _whole(_default_threads() if threads is None else threads, "threads", 1, 1024),
-            "seed": _whole(seed, "seed", 0, _MOST_SEED), "kept_maps": _whole(kept_maps, "kept_maps", 1, 10**6),
+            "slots": slots,
+            "threads": _whole(_default_threads() if threads is None else threads, "threads", 1, 1024),
+            "seed": _whole(seed, "seed", 0, _MOST_SEED),
+            "kept_maps": _whole(kept_maps, "kept_maps", 1, 10**6),
             "trajectory_points": _whole(trajectory_points, "trajectory_points", 1, 1000),
             "trajectory_horizon_s": _real(trajectory_horizon_s, "trajectory_horizon_s"),
             **{name: _real(value, f"reward.{name}") for name, value in asdict(weights).items()},
@@ -132,7 +164,9 @@ class _Flights:
         shape = self.core.shape()
         self.step_s: float = shape["step_s"]
         self.trial_count: int = shape["trial_count"]
-        self.action_space = gymnasium.spaces.Box(np.array(shape["action_lowest"], np.float32), np.array(shape["action_highest"], np.float32))
+        self.action_space = gymnasium.spaces.Box(
+            np.array(shape["action_lowest"], np.float32), np.array(shape["action_highest"], np.float32)
+        )
         self.observation_space = gymnasium.spaces.Dict({name: _view_space(name, shape, depth) for name in self.observe})
         self.views: Observation = {}
         for name in self.observe:
@@ -161,7 +195,9 @@ class _Flights:
         self._own_sums[before] = 0.0
         self.core.step(numbers, begins_next)
         if self.reward_function is not None:
-            own = np.asarray(self.reward_function(self.views, numbers, self.rewards.copy(), self.terminated, self.truncated))
+            own = np.asarray(
+                self.reward_function(self.views, numbers, self.rewards.copy(), self.terminated, self.truncated)
+            )
             if own.dtype.kind not in "fiub":
                 raise TypeError(f"reward: the function gave {own.dtype} where real numbers are wanted")
             if own.shape != (self.slots,):
@@ -209,58 +245,98 @@ def _seed_of(seed: int | None) -> int | None:
 class AvoidbenchVectorEnv(gymnasium.vector.VectorEnv[Observation, NDArray[Any], NDArray[Any]]):
     """N flights that are stepped together, by a pool of threads.
 
-    The same sweep, seed and actions give the same bytes, for any number of threads. Which trial comes next in a slot follows from the
-    seed, the slot and the number of the episode.
+    The same sweep, seed and actions give the same bytes, for any number of threads. Which trial comes next in a slot
+    follows from the seed, the slot and the number of the episode.
 
     Args:
-        sweep: a sweep file, the name of a built-in sweep, or what a sweep file says as a dict (`planners` may be left out). Its axes
+        sweep: a sweep file, the name of a built-in sweep, or what a sweep file says as a dict (`planners` may be left
+        out). Its axes
             and missions are the trials that episodes are drawn from.
         num_envs: N.
         threads: by default as many as there are processors.
         set: changes to the sweep, as the program's `--set`: {"maps.poisson_radius_m": 4.5}.
         observe: names of what is seen, of OBSERVATIONS; all is what the vehicle believes, in SI units:
-            depth (N, C, H, W) float32 of C cameras: see `depth`; state (N, 9) float32: velocity in the heading frame (x where the nose
-            points, level; y left; z up), the world's up in the body frame, body rates; goal (N, 3) float32: from the vehicle to the goal
-            in the heading frame; pose (N, 14) float64: time, position and velocity in the world frame, q_world_body (w, x, y, z), body
-            rates; imu (N, K, 7) float32: time, rates, specific force of the samples since the last step, newest last, zeros before;
-            stereo (N, C, 2, H, W) uint8, grey, left and right; color (N, C, H, W, 3) uint8, RGB. Images are the newest that came; at an
-            episode's end they are of its last moments.
-        depth: "metric": metres, the greatest range where nothing returns; "inverse": the least range over that. In both 0 is where
+            depth (N, C, H, W) float32 of C cameras: see `depth`; state (N, 9) float32: velocity in the heading frame (x
+            where the nose points, level; y left; z up), the world's up in the body frame, body rates; goal (N, 3)
+            float32: from the vehicle to the goal in the heading frame; pose (N, 14) float64: time, position and
+            velocity in the world frame, q_world_body (w, x, y, z), body rates; imu (N, K, 7) float32: time, rates,
+            specific force of the samples since the last step, newest last, zeros before; stereo (N, C, 2, H, W) uint8,
+            grey, left and right; color (N, C, H, W, 3) uint8, RGB. Images are the newest that came; at an episode's end
+            they are of its last moments.
+        depth: "metric": metres, the greatest range where nothing returns; "inverse": the least range over that. In both
+        0 is where
             nothing is known: nearer than the least range, not matched by stereo, or no image yet.
-        action: "velocity" (vx, vy, vz, yaw rate), "acceleration" (ax, ay, az, yaw rate), "rates_thrust" (body rates, thrust over mass:
-            9.81 hovers), or "trajectory" (for each of `trajectory_points` x, y, z and yaw, from where the vehicle is and looks now,
-            evenly spaced over `trajectory_horizon_s`). They take effect after the sweep's latency.
+        action: "velocity" (vx, vy, vz, yaw rate), "acceleration" (ax, ay, az, yaw rate), "rates_thrust" (body rates,
+        thrust over mass:
+            9.81 hovers), or "trajectory" (for each of `trajectory_points` x, y, z and yaw, from where the vehicle is
+            and looks now, evenly spaced over `trajectory_horizon_s`). They take effect after the sweep's latency.
         frame: of velocities, accelerations and trajectories: "heading" or "world".
-        reward: a Reward; a function of (observation, actions, default reward, terminated, truncated), arrays over N, that gives (N,);
+        reward: a Reward; a function of (observation, actions, default reward, terminated, truncated), arrays over N,
+        that gives (N,);
             or None for zeros. What the function gives must be finite; where it raises, the step was flown all the same.
-        order: "random", or "in_turn": slot s flies the trials s, s + N, … of the sweep, then begins again: see `rounds`. Missions that
+        order: "random", or "in_turn": slot s flies the trials s, s + N, … of the sweep, then begins again: see
+        `rounds`. Missions that
             can't be flown are passed over.
         seed: of the first reset() without a seed.
-        autoreset_mode: Gymnasium's. NEXT_STEP: the step after an end begins the next episode, without a reward. SAME_STEP: an end gives
-            the first observation of the next episode, the last one is in infos["final_obs"]. DISABLED: reset(options={"reset_mask": …}).
+        autoreset_mode: Gymnasium's. NEXT_STEP: the step after an end begins the next episode, without a reward.
+        SAME_STEP: an end gives
+            the first observation of the next episode, the last one is in infos["final_obs"]. DISABLED:
+            reset(options={"reset_mask": …}).
         copy: whether each call gives arrays of its own, or the same ones, which the next call overwrites.
         kept_maps: maps in memory beside those that fly.
         policy: the planner's label in trial keys.
 
-    infos of an episode's end (with Gymnasium's masks, "_outcome" and so on): outcome, reason, trial_key, map_seed, mission_index,
-    episode_index, round (see `rounds`), end_time_s, steps, reward_sum (of what reward gave), and in "metrics" each metric of
-    `avoidbench metrics`, NaN where it is of no meaning.
+    infos of an episode's end (with Gymnasium's masks, "_outcome" and so on): outcome, reason, trial_key, map_seed,
+    mission_index, episode_index, round (see `rounds`), end_time_s, steps, reward_sum (of what reward gave), and in
+    "metrics" each metric of `avoidbench metrics`, NaN where it is of no meaning.
 
-    Raises InputError, a ValueError, with file, line and column for what is wrong in a sweep; TypeError and ValueError for the rest."""
+    Raises InputError, a ValueError, with file, line and column for what is wrong in a sweep; TypeError and ValueError
+    for the rest."""
 
-    def __init__(self, sweep: Sweep, num_envs: int = 1, *, threads: int | None = None, set: Mapping[str, Any] | None = None,
-                 observe: Sequence[str] = ("depth", "state", "goal"), depth: str = "inverse", action: str = "velocity",
-                 frame: str = "heading", trajectory_points: int = 10, trajectory_horizon_s: float = 1.0,
-                 reward: Reward | RewardFunction | None = Reward(), order: str = "random", seed: int = 1,
-                 autoreset_mode: AutoresetMode | str = AutoresetMode.NEXT_STEP, copy: bool = True, kept_maps: int = 16,
-                 policy: str = "policy", render_mode: str | None = None) -> None:
+    def __init__(
+        self,
+        sweep: Sweep,
+        num_envs: int = 1,
+        *,
+        threads: int | None = None,
+        set: Mapping[str, Any] | None = None,
+        observe: Sequence[str] = ("depth", "state", "goal"),
+        depth: str = "inverse",
+        action: str = "velocity",
+        frame: str = "heading",
+        trajectory_points: int = 10,
+        trajectory_horizon_s: float = 1.0,
+        reward: Reward | RewardFunction | None = Reward(),
+        order: str = "random",
+        seed: int = 1,
+        autoreset_mode: AutoresetMode | str = AutoresetMode.NEXT_STEP,
+        copy: bool = True,
+        kept_maps: int = 16,
+        policy: str = "policy",
+        render_mode: str | None = None,
+    ) -> None:
         if render_mode is not None:
             raise ValueError("render_mode: a vector of flights is not drawn; AvoidbenchEnv is")
         self.num_envs = _whole(num_envs, "num_envs", 1, 65536)
         self.autoreset_mode = AutoresetMode(autoreset_mode)
         self.copy = copy
-        self._flights: _Flights | None = _Flights(sweep, self.num_envs, threads, set, observe, depth, action, frame, trajectory_points,
-                                                  trajectory_horizon_s, reward, order, seed, kept_maps, policy)
+        self._flights: _Flights | None = _Flights(
+            sweep,
+            self.num_envs,
+            threads,
+            set,
+            observe,
+            depth,
+            action,
+            frame,
+            trajectory_points,
+            trajectory_horizon_s,
+            reward,
+            order,
+            seed,
+            kept_maps,
+            policy,
+        )
         self.metadata = {"autoreset_mode": self.autoreset_mode, "render_modes": []}
         self.single_observation_space = self._flights.observation_space
         self.single_action_space = self._flights.action_space
@@ -278,16 +354,18 @@ class AvoidbenchVectorEnv(gymnasium.vector.VectorEnv[Observation, NDArray[Any], 
 
     @property
     def rounds(self) -> NDArray[np.int64]:
-        """(N,): in order "in_turn", how often each slot has flown its trials before the one that it flies now; infos["round"] has it of an
-        end. The episodes of round 0 are each trial that can be flown, once: a slot without a trial of its own begins with round 1. In
-        random order 0."""
+        """(N,): in order "in_turn", how often each slot has flown its trials before the one that it flies now;
+        infos["round"] has it of an end. The episodes of round 0 are each trial that can be flown, once: a slot without
+        a trial of its own begins with round 1. In random order 0."""
         return np.array(self._open().core.rounds(), np.int64)
 
     def _seen(self) -> Observation:
         views = self._open().views
         return {name: array.copy() for name, array in views.items()} if self.copy else dict(views)
 
-    def reset(self, *, seed: int | list[int | None] | None = None, options: dict[str, Any] | None = None) -> tuple[Observation, dict[str, Any]]:
+    def reset(
+        self, *, seed: int | list[int | None] | None = None, options: dict[str, Any] | None = None
+    ) -> tuple[Observation, dict[str, Any]]:
         """Begins an episode in each slot, or in those of options["reset_mask"], (N,) bool.
 
         seed: the trials begin anew, as this seed chooses them; a whole number, for all slots."""
@@ -301,17 +379,22 @@ class AvoidbenchVectorEnv(gymnasium.vector.VectorEnv[Observation, NDArray[Any], 
         if options and options["reset_mask"] is not None:
             array = np.asarray(options["reset_mask"])
             if array.shape != (self.num_envs,) or array.dtype != np.bool_:
-                raise ValueError(f"options['reset_mask']: bool ({self.num_envs},) is wanted, not {array.dtype} {array.shape}")
+                raise ValueError(
+                    f"options['reset_mask']: bool ({self.num_envs},) is wanted, not {array.dtype} {array.shape}"
+                )
             if not array.any():
                 raise ValueError("options['reset_mask']: at least one slot is wanted")
             mask = array
         flights.reset(_seed_of(seed), mask)
         return self._seen(), {}
 
-    def step(self, actions: NDArray[Any]) -> tuple[Observation, NDArray[Any], NDArray[Any], NDArray[Any], dict[str, Any]]:
+    def step(
+        self, actions: NDArray[Any]
+    ) -> tuple[Observation, NDArray[Any], NDArray[Any], NDArray[Any], dict[str, Any]]:
         """Flies each slot to its next observation, 1 / rates.plan_hz later. `actions`: (N, width).
 
-        Gives observations, rewards (N,) float64, terminated (N,) bool (goal, crash), truncated (N,) bool (time limit), infos."""
+        Gives observations, rewards (N,) float64, terminated (N,) bool (goal, crash), truncated (N,) bool (time limit),
+        infos."""
         flights = self._open()
         flights.step(actions, self.autoreset_mode == AutoresetMode.NEXT_STEP)
         rewards, terminated, truncated = flights.rewards.copy(), flights.terminated, flights.truncated
@@ -335,23 +418,53 @@ class AvoidbenchVectorEnv(gymnasium.vector.VectorEnv[Observation, NDArray[Any], 
 
 
 class AvoidbenchEnv(gymnasium.Env[Observation, NDArray[Any]]):
-    """One flight that is stepped; after an end comes reset(). See AvoidbenchVectorEnv, whose arguments and infos it has; its arrays have
-    no axis N. With render_mode="rgb_array" render() gives the first camera's depth as a grey picture (H, W, 3) uint8, near is bright."""
+    """One flight that is stepped; after an end comes reset(). See AvoidbenchVectorEnv, whose arguments and infos it
+    has; its arrays have no axis N. With render_mode="rgb_array" render() gives the first camera's depth as a grey
+    picture (H, W, 3) uint8, near is bright."""
 
     metadata = {"render_modes": ["rgb_array"], "render_fps": 30}
 
-    def __init__(self, sweep: Sweep, *, set: Mapping[str, Any] | None = None, observe: Sequence[str] = ("depth", "state", "goal"),
-                 depth: str = "inverse", action: str = "velocity", frame: str = "heading", trajectory_points: int = 10,
-                 trajectory_horizon_s: float = 1.0, reward: Reward | RewardFunction | None = Reward(), order: str = "random", seed: int = 1,
-                 kept_maps: int = 16, policy: str = "policy", render_mode: str | None = None) -> None:
+    def __init__(
+        self,
+        sweep: Sweep,
+        *,
+        set: Mapping[str, Any] | None = None,
+        observe: Sequence[str] = ("depth", "state", "goal"),
+        depth: str = "inverse",
+        action: str = "velocity",
+        frame: str = "heading",
+        trajectory_points: int = 10,
+        trajectory_horizon_s: float = 1.0,
+        reward: Reward | RewardFunction | None = Reward(),
+        order: str = "random",
+        seed: int = 1,
+        kept_maps: int = 16,
+        policy: str = "policy",
+        render_mode: str | None = None,
+    ) -> None:
         if render_mode not in (None, "rgb_array"):
             raise ValueError(f"render_mode: 'rgb_array' or None is wanted, not {render_mode!r}")
         if render_mode is not None and "depth" not in _observed(observe):
             raise ValueError("render_mode: pictures are of the depth, which is not observed")
         self.render_mode = render_mode
         self._depth = depth
-        self._flights: _Flights | None = _Flights(sweep, 1, 1, set, observe, depth, action, frame, trajectory_points, trajectory_horizon_s,
-                                                  reward, order, seed, kept_maps, policy)
+        self._flights: _Flights | None = _Flights(
+            sweep,
+            1,
+            1,
+            set,
+            observe,
+            depth,
+            action,
+            frame,
+            trajectory_points,
+            trajectory_horizon_s,
+            reward,
+            order,
+            seed,
+            kept_maps,
+            policy,
+        )
         self.observation_space = self._flights.observation_space  # type: ignore[assignment]
         self.action_space = self._flights.action_space
         self.step_s = self._flights.step_s
@@ -368,7 +481,9 @@ class AvoidbenchEnv(gymnasium.Env[Observation, NDArray[Any]]):
     def _seen(self) -> Observation:
         return {name: array[0].copy() for name, array in self._open().views.items()}
 
-    def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Observation, dict[str, Any]]:
+    def reset(
+        self, *, seed: int | None = None, options: dict[str, Any] | None = None
+    ) -> tuple[Observation, dict[str, Any]]:
         """Begins the next episode, or with a seed the first one that this seed chooses. There are no options."""
         seed = _seed_of(seed)
         super().reset(seed=seed)
@@ -392,7 +507,8 @@ class AvoidbenchEnv(gymnasium.Env[Observation, NDArray[Any]]):
 
     @property
     def round(self) -> int:
-        """In order "in_turn", how often the trials have been flown before the one that flies now: as AvoidbenchVectorEnv.rounds."""
+        """In order "in_turn", how often the trials have been flown before the one that flies now: as
+        AvoidbenchVectorEnv.rounds."""
         return int(self._open().core.rounds()[0])
 
     def render(self) -> NDArray[np.uint8] | None:

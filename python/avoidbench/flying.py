@@ -34,7 +34,9 @@ def _source_file(planner: type[Planner]) -> Path:
             return file.absolute()
         source = inspect.getsource(planner)
     except (OSError, TypeError):
-        raise ValueError(f"{planner.__name__}: its source is not to be had, and trials need its digest: write it in a file") from None
+        raise ValueError(
+            f"{planner.__name__}: its source is not to be had, and trials need its digest: write it in a file"
+        ) from None
     digest = hashlib.sha256(source.encode()).hexdigest()
     folder = Path(tempfile.gettempdir()) / f"avoidbench-{os.getuid()}" / digest
     folder.mkdir(parents=True, exist_ok=True)
@@ -62,33 +64,45 @@ class _Stopping:
             self._before = signal.signal(signal.SIGINT, self._ask)
         return self
 
-    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
         if self._before is not None:
             signal.signal(signal.SIGINT, self._before)
 
 
-def fly(sweep: str | os.PathLike[str] | Mapping[str, Any], planner: type[Planner], *, parameters: Mapping[str, Any] | None = None,
-        label: str | None = None, camera: int | None = None, set: Mapping[str, Any] | None = None,
-        database: str | os.PathLike[str] | None = None, progress: bool = True) -> "Results":
-    """Flies `planner` over all missions of a sweep in place of the sweep's own planners, in this process, one trial after the other.
+def fly(
+    sweep: str | os.PathLike[str] | Mapping[str, Any],
+    planner: type[Planner],
+    *,
+    parameters: Mapping[str, Any] | None = None,
+    label: str | None = None,
+    camera: int | None = None,
+    set: Mapping[str, Any] | None = None,
+    database: str | os.PathLike[str] | None = None,
+    progress: bool = True,
+) -> "Results":
+    """Flies `planner` over all missions of a sweep in place of the sweep's own planners, in this process, one trial
+    after the other.
 
-    The trials are those that the program flies: same missions, keys, metrics and database. What the planner's call costs, Python's
-    own share included, is its computing time. Trials that the database has are not flown again. An interrupt (Ctrl-C) ends after the
-    trial that flies; what was flown is kept.
+    The trials are those that the program flies: same missions, keys, metrics and database. What the planner's call
+    costs, Python's own share included, is its computing time. Trials that the database has are not flown again. An
+    interrupt (Ctrl-C) ends after the trial that flies; what was flown is kept.
 
     Args:
         sweep: a sweep file, the name of a built-in sweep ("quick"), or a dict that says what a file would.
-        planner: a subclass of Planner. The digests of the file that it is written in, of the modules that this imports from its folder
-            and of the planner's `files` are part of its trials' keys; what else it reads is not, so change `version` with it.
+        planner: a subclass of Planner. The digests of the file that it is written in, of the modules that this imports
+        from its folder
+            and of the planner's `files` are part of its trials' keys; what else it reads is not, so change `version`
+            with it.
         parameters: values of the planner's parameters.
         label: its name in reports; else its own.
-        camera: of a sensor with several cameras the one that it sees, by its index; else each. A planner of one_camera needs it there.
-        set: changes to the sweep, as the program's `--set`.
-        database: file of the results; else results/NAME.db, NAME being the sweep's.
-        progress: shows a bar.
+        camera: of a sensor with several cameras the one that it sees, by its index; else each. A planner of one_camera
+        needs it there. set: changes to the sweep, as the program's `--set`. database: file of the results; else
+        results/NAME.db, NAME being the sweep's. progress: shows a bar.
 
-    Raises InputError for what is wrong in a sweep, with file, line and column, or with the planner's declarations; KeyboardInterrupt
-    after an interrupt."""
+    Raises InputError for what is wrong in a sweep, with file, line and column, or with the planner's declarations;
+    KeyboardInterrupt after an interrupt."""
     from tqdm.auto import tqdm
 
     from avoidbench.results import Results
@@ -104,8 +118,11 @@ def fly(sweep: str | os.PathLike[str] | Mapping[str, Any], planner: type[Planner
         chosen["label"] = label
     if camera is not None:
         chosen["camera"] = camera
-    given, text = (plain_text(os.fspath(sweep), "sweep"), None) if not isinstance(sweep, Mapping) else \
-        ("the sweep", yaml_text({**sweep, "planners": []}, "sweep"))
+    given, text = (
+        (plain_text(os.fspath(sweep), "sweep"), None)
+        if not isinstance(sweep, Mapping)
+        else ("the sweep", yaml_text({**sweep, "planners": []}, "sweep"))
+    )
     changes = [*overrides(set or {}), f"planners={yaml_text([chosen], 'planners')}"]
     with _Stopping() as stopping, tqdm(unit="trial", disable=not progress) as bar:
 

@@ -37,15 +37,20 @@ def _planner_table(rows: Sequence[Mapping[str, Any]], units: Mapping[str, str]) 
     heads += [_cell(name + (f", {units[name]}" if units[name] else ""), "th") for name in means]
     lines = ["<tr>" + "".join(heads) + "</tr>"]
     for row in rows:
-        cells = [_cell(str(row["planner"]), is_left=True), _cell(str(row["trial_count"])),
-                 _cell(str(row["finished_count"])), _cell(_rate(row))]
+        cells = [
+            _cell(str(row["planner"]), is_left=True),
+            _cell(str(row["trial_count"])),
+            _cell(str(row["finished_count"])),
+            _cell(_rate(row)),
+        ]
         cells += [_cell(_number(row[name])) for name in means]
         lines.append("<tr>" + "".join(cells) + "</tr>")
     return "<table>" + "".join(lines) + "</table>"
 
 
-def summary_html(path: str, sweeps: Sequence[Mapping[str, Any]], metrics: pd.DataFrame | None,
-                 problem: str = "") -> str:
+def summary_html(
+    path: str, sweeps: Sequence[Mapping[str, Any]], metrics: pd.DataFrame | None, problem: str = ""
+) -> str:
     """A table by planner for each sweep of the program's report.
 
     Args:

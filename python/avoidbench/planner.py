@@ -1,8 +1,9 @@
 """Planners written in Python: the same interface as that of planner libraries, in Python's terms.
 
-Units are SI, angles radians. World frame: ENU, z up. Body frame: FLU, x forward. Camera frame: RDF, z forward. A quaternion q_a_b is
-(w, x, y, z) and takes coordinates in b to coordinates in a. Randomness only from Mission.seed, time only from the observation: after
-reset() equal inputs give equal outputs. Elementary functions with the same bits on every machine are in avoidbench.portable_math."""
+Units are SI, angles radians. World frame: ENU, z up. Body frame: FLU, x forward. Camera frame: RDF, z forward. A
+quaternion q_a_b is (w, x, y, z) and takes coordinates in b to coordinates in a. Randomness only from Mission.seed, time
+only from the observation: after reset() equal inputs give equal outputs. Elementary functions with the same bits on
+every machine are in avoidbench.portable_math."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -85,7 +86,8 @@ class Mission:
 
 @dataclass(frozen=True)
 class DepthImage:
-    """Depth along camera z; +inf: no return, NaN: invalid. The pixels are the program's: read them in the call, copy what is kept."""
+    """Depth along camera z; +inf: no return, NaN: invalid. The pixels are the program's: read them in the call, copy
+    what is kept."""
 
     time_s: float
     depth_m: NDArray[np.float32]
@@ -143,8 +145,8 @@ class State:
 
 @dataclass(frozen=True)
 class Observation(State):
-    """What a planner sees in one call: the newest state, and since the last call, of what it declares in `sees`, images, newest first,
-    samples of the IMU, and states at the IMU's rate, oldest first."""
+    """What a planner sees in one call: the newest state, and since the last call, of what it declares in `sees`,
+    images, newest first, samples of the IMU, and states at the IMU's rate, oldest first."""
 
     depth: tuple[DepthImage, ...] = ()
     stereo: tuple[StereoPair, ...] = ()
@@ -155,7 +157,8 @@ class Observation(State):
     states: tuple[State, ...] = ()
 
     def newest_depth(self, camera: int) -> DepthImage | None:
-        """The newest depth image of this camera (index into Setup.cameras) since the last call, or None: none is new."""
+        """The newest depth image of this camera (index into Setup.cameras) since the last call, or None: none is
+        new."""
         return next((image for image in self.depth if image.camera == camera), None)
 
     def newest_stereo(self, camera: int) -> StereoPair | None:
@@ -225,9 +228,9 @@ class GiveUp(Exception):
 
 
 class Planner:
-    """A planner: subclass it, say what it sees and gives, and write plan(). Any other exception than GiveUp ends the trial with
-    planner_error and its text. avoidbench.fly() flies it over a sweep in this process; a sweep flies it as `plugin: ./its_file.py`, in
-    a process of its own (avoidbench.serving)."""
+    """A planner: subclass it, say what it sees and gives, and write plan(). Any other exception than GiveUp ends the
+    trial with planner_error and its text. avoidbench.fly() flies it over a sweep in this process; a sweep flies it as
+    `plugin: ./its_file.py`, in a process of its own (avoidbench.serving)."""
 
     name: ClassVar[str]
     """[a-z0-9_]+"""
@@ -235,17 +238,20 @@ class Planner:
     summary: ClassVar[str] = ""
     """One line."""
     sees: ClassVar[Sequence[str]] = ("state",)
-    """Of state, depth, stereo, color, imu, states; with one_camera of a rig one camera alone, which a sweep names (`camera: 0`)."""
+    """Of state, depth, stereo, color, imu, states; with one_camera of a rig one camera alone, which a sweep names
+    (`camera: 0`)."""
     commands: ClassVar[Sequence[str]] = ("velocity",)
     """Of position, velocity, acceleration, trajectory, rates: what plan() may return."""
     uses: ClassVar[Sequence[str]] = ()
-    """Of processes, devices, network, globals: what it does beside computing and reading files (AB_USES_… of planner.h)."""
+    """Of processes, devices, network, globals: what it does beside computing and reading files (AB_USES_… of
+    planner.h)."""
     parameters: ClassVar[Sequence[Parameter]] = ()
     least_fov_rad: ClassVar[tuple[float, float]] = (0.0, 0.0)
-    """View across and down that each of its cameras must have; a sweep with a narrower one is refused before its first trial."""
+    """View across and down that each of its cameras must have; a sweep with a narrower one is refused before its first
+    trial."""
     files: ClassVar[Sequence[str]] = ()
-    """Further files that decide what it does, as weights, relative to the folder of its own: trials of other contents are other trials.
-    The modules that its file imports from that folder count by themselves."""
+    """Further files that decide what it does, as weights, relative to the folder of its own: trials of other contents
+    are other trials. The modules that its file imports from that folder count by themselves."""
 
     def __init__(self, setup: Setup) -> None:
         self.setup = setup

@@ -34,8 +34,8 @@ def _module_files(folder: Path, name: str) -> Iterator[Path]:
 
 
 def local_modules(script: Path) -> list[Path]:
-    """What the script imports from its own folder, and what that imports, found in the sources: the same wherever it is asked. Sorted,
-    relative to the folder."""
+    """What the script imports from its own folder, and what that imports, found in the sources: the same wherever it is
+    asked. Sorted, relative to the folder."""
     folder = script.parent
     found: set[Path] = set()
     waiting = [script]

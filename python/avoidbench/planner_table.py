@@ -37,9 +37,15 @@ def _text(value: bytes | None) -> str:
 def _parameter_struct(parameter: p.Parameter) -> abi.ParameterStruct:
     preset = parameter.preset
     if isinstance(preset, bool) or not isinstance(preset, (int, float, str)):
-        raise TypeError(f"parameter {parameter.name}: the preset must be a number or a text, not {type(preset).__name__}")
-    struct = abi.ParameterStruct(struct_size=c.sizeof(abi.ParameterStruct), name=parameter.name.encode(), unit=parameter.unit.encode(),
-                                 doc=parameter.doc.encode())
+        raise TypeError(
+            f"parameter {parameter.name}: the preset must be a number or a text, not {type(preset).__name__}"
+        )
+    struct = abi.ParameterStruct(
+        struct_size=c.sizeof(abi.ParameterStruct),
+        name=parameter.name.encode(),
+        unit=parameter.unit.encode(),
+        doc=parameter.doc.encode(),
+    )
     if isinstance(preset, str):
         struct.kind = abi.CHOICE if parameter.choices else abi.TEXT
         struct.choices = "|".join(parameter.choices).encode()
@@ -51,9 +57,20 @@ def _parameter_struct(parameter: p.Parameter) -> abi.ParameterStruct:
 
 
 def _camera(struct: abi.CameraStruct) -> p.Camera:
-    return p.Camera(struct.width_px, struct.height_px, struct.fx_px, struct.fy_px, struct.cx_px, struct.cy_px,
-                    _vector(struct.position_body_m), _vector(struct.q_body_camera), struct.rate_hz, struct.min_range_m, struct.max_range_m,
-                    struct.baseline_m)
+    return p.Camera(
+        struct.width_px,
+        struct.height_px,
+        struct.fx_px,
+        struct.fy_px,
+        struct.cx_px,
+        struct.cy_px,
+        _vector(struct.position_body_m),
+        _vector(struct.q_body_camera),
+        struct.rate_hz,
+        struct.min_range_m,
+        struct.max_range_m,
+        struct.baseline_m,
+    )
 
 
 def _setup(struct: abi.SetupStruct, parameters: tuple[p.Parameter, ...]) -> p.Setup:
@@ -61,15 +78,38 @@ def _setup(struct: abi.SetupStruct, parameters: tuple[p.Parameter, ...]) -> p.Se
     for i, parameter in enumerate(parameters):
         value = struct.values[i].contents
         preset = parameter.preset
-        values[parameter.name] = _text(value.text) if isinstance(preset, str) else int(value.number) if isinstance(preset, int) else value.number
-    return p.Setup(values, struct.max_speed_mps, struct.max_acceleration_mps2, struct.max_yaw_rate_radps, _vector(struct.body_size_m),
-                   struct.body_radius_m, struct.plan_period_s, struct.gravity_mps2,
-                   tuple(_camera(struct.cameras[i].contents) for i in range(struct.camera_count)))
+        values[parameter.name] = (
+            _text(value.text)
+            if isinstance(preset, str)
+            else int(value.number)
+            if isinstance(preset, int)
+            else value.number
+        )
+    return p.Setup(
+        values,
+        struct.max_speed_mps,
+        struct.max_acceleration_mps2,
+        struct.max_yaw_rate_radps,
+        _vector(struct.body_size_m),
+        struct.body_radius_m,
+        struct.plan_period_s,
+        struct.gravity_mps2,
+        tuple(_camera(struct.cameras[i].contents) for i in range(struct.camera_count)),
+    )
 
 
 def _mission(struct: abi.MissionStruct) -> p.Mission:
-    return p.Mission(struct.seed, _vector(struct.start_world_m), struct.start_yaw_rad, _vector(struct.goal_world_m), struct.goal_radius_m,
-                     struct.time_limit_s, _vector(struct.lowest_world_m), _vector(struct.highest_world_m), struct.command_latency_s)
+    return p.Mission(
+        struct.seed,
+        _vector(struct.start_world_m),
+        struct.start_yaw_rad,
+        _vector(struct.goal_world_m),
+        struct.goal_radius_m,
+        struct.time_limit_s,
+        _vector(struct.lowest_world_m),
+        _vector(struct.highest_world_m),
+        struct.command_latency_s,
+    )
 
 
 def _pixels(pointer: Any, shape: tuple[int, ...]) -> NDArray[Any]:
@@ -79,16 +119,26 @@ def _pixels(pointer: Any, shape: tuple[int, ...]) -> NDArray[Any]:
 
 
 def _depth(struct: abi.DepthStruct) -> p.DepthImage:
-    return p.DepthImage(struct.time_s, _pixels(struct.depth_m, (struct.height_px, struct.width_px)), _vector(struct.position_world_m),
-                        _vector(struct.q_world_camera), struct.camera)
+    return p.DepthImage(
+        struct.time_s,
+        _pixels(struct.depth_m, (struct.height_px, struct.width_px)),
+        _vector(struct.position_world_m),
+        _vector(struct.q_world_camera),
+        struct.camera,
+    )
 
 
 def _picture(struct: abi.PictureStruct) -> p.Picture:
     shape: tuple[int, ...] = (struct.height_px, struct.width_px)
     if struct.channels != 1:
         shape = (*shape, struct.channels)
-    return p.Picture(struct.time_s, _pixels(struct.pixels, shape), _vector(struct.position_world_m), _vector(struct.q_world_camera),
-                     struct.camera)
+    return p.Picture(
+        struct.time_s,
+        _pixels(struct.pixels, shape),
+        _vector(struct.position_world_m),
+        _vector(struct.q_world_camera),
+        struct.camera,
+    )
 
 
 def _imu(struct: abi.ObservationStruct) -> p.ImuSamples:
@@ -99,22 +149,34 @@ def _imu(struct: abi.ObservationStruct) -> p.ImuSamples:
 
 
 def _state(struct: abi.StateStruct) -> p.State:
-    return p.State(struct.time_s, _vector(struct.position_world_m), _vector(struct.velocity_world_mps), _vector(struct.q_world_body),
-                   _vector(struct.rates_body_radps))
+    return p.State(
+        struct.time_s,
+        _vector(struct.position_world_m),
+        _vector(struct.velocity_world_mps),
+        _vector(struct.q_world_body),
+        _vector(struct.rates_body_radps),
+    )
 
 
 def _observation(struct: abi.ObservationStruct, sees_imu: bool) -> p.Observation:
     state = struct.state.contents
     stereo = [struct.stereo[i].contents for i in range(struct.stereo_count)]
     return p.Observation(
-        state.time_s, _vector(state.position_world_m), _vector(state.velocity_world_mps), _vector(state.q_world_body),
+        state.time_s,
+        _vector(state.position_world_m),
+        _vector(state.velocity_world_mps),
+        _vector(state.q_world_body),
         _vector(state.rates_body_radps),
         depth=tuple(_depth(struct.depth[i].contents) for i in range(struct.depth_count)),
-        stereo=tuple(p.StereoPair(_picture(pair.left.contents), _picture(pair.right.contents), pair.baseline_m) for pair in stereo),
+        stereo=tuple(
+            p.StereoPair(_picture(pair.left.contents), _picture(pair.right.contents), pair.baseline_m)
+            for pair in stereo
+        ),
         color=tuple(_picture(struct.color[i].contents) for i in range(struct.color_count)),
         imu=_imu(struct) if sees_imu else None,
         call_time_s=struct.time_s,
-        states=tuple(_state(struct.states[i].contents) for i in range(struct.state_count)))
+        states=tuple(_state(struct.states[i].contents) for i in range(struct.state_count)),
+    )
 
 
 def _three(values: Any, name: str) -> list[float]:
@@ -131,7 +193,11 @@ def _fill_points(command: abi.CommandStruct, trajectory: p.Trajectory) -> Any:
     count = len(times)
     points = (abi.PointStruct * max(count, 1))()
     numbers = np.ctypeslib.as_array(c.cast(points, c.POINTER(c.c_double)), shape=(max(count, 1), 15))
-    columns = [("position_world_m", slice(1, 4)), ("velocity_world_mps", slice(4, 7)), ("acceleration_world_mps2", slice(7, 10))]
+    columns = [
+        ("position_world_m", slice(1, 4)),
+        ("velocity_world_mps", slice(4, 7)),
+        ("acceleration_world_mps2", slice(7, 10)),
+    ]
     for name, column in columns:
         array = np.asarray(getattr(trajectory, name), np.float64)
         if array.shape != (count, 3):
@@ -208,20 +274,32 @@ class Table:
         # ctypes keeps neither functions nor structs alive that a struct points to.
         self._kept: list[Any] = [pointers]
         self.struct = abi.PlannerStruct(
-            struct_size=c.sizeof(abi.PlannerStruct), abi_version=abi.ABI_VERSION, name=name.encode(), version=planner.version.encode(),
+            struct_size=c.sizeof(abi.PlannerStruct),
+            abi_version=abi.ABI_VERSION,
+            name=name.encode(),
+            version=planner.version.encode(),
             summary=(planner.summary or name).encode(),
-            needs=self._bits("sees", planner.sees, abi.SEES) | abi.SEES["state"] | self._bits("uses", planner.uses, abi.USES),
-            commands=self._bits("commands", planner.commands, abi.COMMANDS), parameter_count=len(structs),
-            parameters=c.cast(pointers, c.POINTER(c.POINTER(abi.ParameterStruct))), create=abi.Create(self._create),
-            destroy=abi.Destroy(self._destroy), reset=abi.Reset(self._reset), plan=abi.Plan(self._plan),
-            get_extension=abi.GetExtension(self._get_extension), least_fov_x_rad=planner.least_fov_rad[0],
-            least_fov_y_rad=planner.least_fov_rad[1])
+            needs=self._bits("sees", planner.sees, abi.SEES)
+            | abi.SEES["state"]
+            | self._bits("uses", planner.uses, abi.USES),
+            commands=self._bits("commands", planner.commands, abi.COMMANDS),
+            parameter_count=len(structs),
+            parameters=c.cast(pointers, c.POINTER(c.POINTER(abi.ParameterStruct))),
+            create=abi.Create(self._create),
+            destroy=abi.Destroy(self._destroy),
+            reset=abi.Reset(self._reset),
+            plan=abi.Plan(self._plan),
+            get_extension=abi.GetExtension(self._get_extension),
+            least_fov_x_rad=planner.least_fov_rad[0],
+            least_fov_y_rad=planner.least_fov_rad[1],
+        )
 
     def name_files(self, files: Sequence[str]) -> None:
         """The files that the planner depends on, from now on: before it is registered."""
         names = (c.c_char_p * max(len(files), 1))(*[os.fsencode(file) for file in files])
-        self._files = abi.FilesStruct(struct_size=c.sizeof(abi.FilesStruct), file_count=len(files),
-                                      files=c.cast(names, c.POINTER(c.c_char_p)))
+        self._files = abi.FilesStruct(
+            struct_size=c.sizeof(abi.FilesStruct), file_count=len(files), files=c.cast(names, c.POINTER(c.c_char_p))
+        )
         self._kept.append(names)
 
     def _get_extension(self, number: int | None, name: bytes) -> int | None:

@@ -28,8 +28,9 @@ class ProgramError(RuntimeError):
         stderr: all that the program said, warnings included.
     """
 
-    def __init__(self, message: str, command: Sequence[str] = (), exit_code: int | None = None,
-                 stderr: str = "") -> None:
+    def __init__(
+        self, message: str, command: Sequence[str] = (), exit_code: int | None = None, stderr: str = ""
+    ) -> None:
         super().__init__(message)
         self.command = tuple(command)
         self.exit_code = exit_code
@@ -92,8 +93,13 @@ def path_argument(path: str | os.PathLike[str]) -> str:
     return f"./{text}" if text.startswith("-") else text
 
 
-def run_program(arguments: Sequence[str], *, input_text: str | None = None,
-                good_exit_codes: Collection[int] = (0,), warns: bool = True) -> ProgramOutput:
+def run_program(
+    arguments: Sequence[str],
+    *,
+    input_text: str | None = None,
+    good_exit_codes: Collection[int] = (0,),
+    warns: bool = True,
+) -> ProgramOutput:
     """Runs the program to its end.
 
     Args:
@@ -107,8 +113,7 @@ def run_program(arguments: Sequence[str], *, input_text: str | None = None,
     """
     command = [str(find_program()), *arguments]
     try:
-        done = subprocess.run(command, input=(input_text or "").encode(), capture_output=True,
-                              check=False)
+        done = subprocess.run(command, input=(input_text or "").encode(), capture_output=True, check=False)
     except OSError as error:
         raise ProgramError(f"{command[0]} can't be started: {error.strerror}", command) from error
     stderr = done.stderr.decode("utf-8", errors="replace")

@@ -31,5 +31,9 @@ def register() -> None:
     """Makes IDS known to Gymnasium; once is enough. Sweep-v0 needs the argument `sweep`."""
     for name, kwargs in zip(IDS, ({"sweep": FOREST}, {"sweep": HALL}, {}), strict=True):
         if name not in gymnasium.registry:
-            gymnasium.register(id=name, entry_point="avoidbench.env:AvoidbenchEnv", vector_entry_point="avoidbench.env:AvoidbenchVectorEnv",
-                               kwargs=kwargs)
+            gymnasium.register(
+                id=name,
+                entry_point="avoidbench.env:AvoidbenchEnv",
+                vector_entry_point="avoidbench.env:AvoidbenchVectorEnv",
+                kwargs=kwargs,
+            )

@@ -32,8 +32,9 @@ def _with_infinities(sweeps: list[dict[str, Any]], cells: list[dict[str, str]]) 
                     if place == len(cells) or cells[place]["name"] != key:
                         continue  # says which row it is: a column of its own there
                     cell = cells[place]
-                    if (cell["sweep"], cell["table"]) != (sweep["sweep"], name) or \
-                            not _is_null_or_same(row[key], cell["value"]):
+                    if (cell["sweep"], cell["table"]) != (sweep["sweep"], name) or not _is_null_or_same(
+                        row[key], cell["value"]
+                    ):
                         return False
                     if row[key] is None and cell["value"] in _INFINITIES:
                         row[key] = float(cell["value"])

@@ -11,8 +11,15 @@ import pandas as pd
 
 from avoidbench import stored_flight, tables
 from avoidbench.comparison import Comparison, compare_files
-from avoidbench.database_file import (ResultsError, SweepChoice, all_sweeps, chosen_sweeps, opened, state_of,
-                                      trial_key_of)
+from avoidbench.database_file import (
+    ResultsError,
+    SweepChoice,
+    all_sweeps,
+    chosen_sweeps,
+    opened,
+    state_of,
+    trial_key_of,
+)
 from avoidbench.notebook import summary_html
 from avoidbench.program import ProgramError, run_program
 from avoidbench.report_data import read_report
@@ -106,17 +113,22 @@ class Results:
             chosen = " OR ".join("(sweep = ? AND revision = ?)" for _ in choices) or "0"
             values = [value for choice in choices for value in choice]
             specs = [row[0] for row in connection.execute(f"SELECT spec_json FROM sweeps WHERE {chosen}", values)]
-            has_trials = connection.execute(f"SELECT 1 FROM sweep_trials WHERE {chosen} LIMIT 1",
-                                            values).fetchone() is not None
+            has_trials = (
+                connection.execute(f"SELECT 1 FROM sweep_trials WHERE {chosen} LIMIT 1", values).fetchone() is not None
+            )
             metrics = list(tables.read_metrics(connection)["name"])
         if not has_trials:
             return tables.no_trials(metrics)
         output = run_program(["export", "trials", str(self._path), "--format=csv", *self._choice_argument()])
         return tables.trials_of_csv(output.stdout, tables.text_axes_of(specs))
 
-    def _report_arguments(self, metrics: Sequence[str] | str | None,
-                          metrics_from: Sequence[str | os.PathLike[str]] | str | os.PathLike[str],
-                          group_by: Sequence[str] | str, where: Sequence[str] | str) -> list[str]:
+    def _report_arguments(
+        self,
+        metrics: Sequence[str] | str | None,
+        metrics_from: Sequence[str | os.PathLike[str]] | str | os.PathLike[str],
+        group_by: Sequence[str] | str,
+        where: Sequence[str] | str,
+    ) -> list[str]:
         files = [metrics_from] if isinstance(metrics_from, (str, os.PathLike)) else metrics_from
         arguments = ["report", str(self._path), *self._choice_argument()]
         arguments += [f"--metrics={_listed(metrics)}"] if metrics else []
@@ -125,10 +137,17 @@ class Results:
         arguments += [f"--where={condition}" for condition in _each(where) if condition]
         return arguments
 
-    def report(self, format: str = "table", *, everything: bool = False, only: Sequence[str] | str = (),
-               metrics: Sequence[str] | str | None = None,
-               metrics_from: Sequence[str | os.PathLike[str]] | str | os.PathLike[str] = (),
-               group_by: Sequence[str] | str = (), where: Sequence[str] | str = ()) -> Text:
+    def report(
+        self,
+        format: str = "table",
+        *,
+        everything: bool = False,
+        only: Sequence[str] | str = (),
+        metrics: Sequence[str] | str | None = None,
+        metrics_from: Sequence[str | os.PathLike[str]] | str | os.PathLike[str] = (),
+        group_by: Sequence[str] | str = (),
+        where: Sequence[str] | str = (),
+    ) -> Text:
         """The report of `avoidbench report`, as text.
 
         Args:
@@ -148,9 +167,15 @@ class Results:
         arguments += [f"--tables={_listed(only)}"] if only else []
         return Text(run_program([*arguments, f"--format={format}"]).text)
 
-    def table(self, name: str = "planners", *, metrics: Sequence[str] | str | None = None,
-              metrics_from: Sequence[str | os.PathLike[str]] | str | os.PathLike[str] = (),
-              group_by: Sequence[str] | str = (), where: Sequence[str] | str = ()) -> pd.DataFrame:
+    def table(
+        self,
+        name: str = "planners",
+        *,
+        metrics: Sequence[str] | str | None = None,
+        metrics_from: Sequence[str | os.PathLike[str]] | str | os.PathLike[str] = (),
+        group_by: Sequence[str] | str = (),
+        where: Sequence[str] | str = (),
+    ) -> pd.DataFrame:
         """One table of the report, with the program's numbers: rates and means with the ends of their
         intervals (success_rate, success_rate_lower, success_rate_upper, …). A row is of one `sweep`.
 
@@ -168,13 +193,23 @@ class Results:
         known = sorted({table for sweep in sweeps for table in sweep["tables"]})
         if name not in known:
             raise ResultsError(f"the report has no table {name}; there are: {', '.join(known)}")
-        return tables.report_frame([{"sweep": sweep["sweep"], **row} for sweep in sweeps
-                                    for row in sweep["tables"].get(name, [])])
+        return tables.report_frame(
+            [{"sweep": sweep["sweep"], **row} for sweep in sweeps for row in sweep["tables"].get(name, [])]
+        )
 
-    def compare(self, new: Results | str | os.PathLike[str], *, exact: bool = False, complete: bool = False,
-                planner: str | None = None, metrics: Sequence[str] | str | None = None,
-                alpha: float | None = None, min_effect: str | float | None = None,
-                tolerances: str | os.PathLike[str] | None = None, gate_measured: bool = False) -> Comparison:
+    def compare(
+        self,
+        new: Results | str | os.PathLike[str],
+        *,
+        exact: bool = False,
+        complete: bool = False,
+        planner: str | None = None,
+        metrics: Sequence[str] | str | None = None,
+        alpha: float | None = None,
+        min_effect: str | float | None = None,
+        tolerances: str | os.PathLike[str] | None = None,
+        gate_measured: bool = False,
+    ) -> Comparison:
         """Judges new results against these, which are the base: what got worse, and surely so.
 
         Args:
@@ -201,9 +236,19 @@ class Results:
             # A sweep that only one side chose is the latest revision of the same name on the other.
             name = (self.choice or theirs).split("@")[0]
             sweep = f"{self.choice or name}:{theirs or name}"
-        return compare_files(str(self._path), file, sweep=sweep, planner=planner, exact=exact, complete=complete,
-                             gate_measured=gate_measured, metrics=metrics, alpha=alpha, min_effect=min_effect,
-                             tolerances=tolerances)
+        return compare_files(
+            str(self._path),
+            file,
+            sweep=sweep,
+            planner=planner,
+            exact=exact,
+            complete=complete,
+            gate_measured=gate_measured,
+            metrics=metrics,
+            alpha=alpha,
+            min_effect=min_effect,
+            tolerances=tolerances,
+        )
 
     # What the file holds.
 
@@ -238,8 +283,9 @@ class Results:
         with opened(self._path) as connection:
             return tables.read_metrics(connection)
 
-    def _read_flight(self, trial: str | SupportsIndex,
-                     read_one: Callable[[Any, Path, str], pd.DataFrame]) -> pd.DataFrame:
+    def _read_flight(
+        self, trial: str | SupportsIndex, read_one: Callable[[Any, Path, str], pd.DataFrame]
+    ) -> pd.DataFrame:
         with opened(self._path) as connection:
             return read_one(connection, self._path, trial_key_of(connection, self._path, trial))
 
@@ -285,11 +331,13 @@ class Results:
                 trials, planners, maps = connection.execute(
                     "SELECT count(*), count(DISTINCT t.planner_key), count(DISTINCT t.map_key) FROM "
                     "sweep_trials s JOIN trials t USING (trial_key) WHERE s.sweep = ? AND s.revision = ?",
-                    choice).fetchone()
+                    choice,
+                ).fetchone()
                 several = sum(other.sweep == choice.sweep for other in all_sweeps(connection)) > 1
                 name = str(choice) if several else choice.sweep
-                parts.append(f"{name}: {_counted(trials, 'trial')} of {_counted(planners, 'planner')} on "
-                             f"{_counted(maps, 'map')}")
+                parts.append(
+                    f"{name}: {_counted(trials, 'trial')} of {_counted(planners, 'planner')} on {_counted(maps, 'map')}"
+                )
         return "; ".join(parts) or "no sweep yet"
 
     def __repr__(self) -> str:

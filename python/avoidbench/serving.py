@@ -1,5 +1,5 @@
-"""Serves a planner written in Python to the program avoidbench, which starts it: docs/process_planners.md has the protocol. Needs NumPy
-and nothing else.
+"""Serves a planner written in Python to the program avoidbench, which starts it: docs/process_planners.md has the
+protocol. Needs NumPy and nothing else.
 
     if __name__ == "__main__":
         avoidbench.serve(MyPlanner)
@@ -68,12 +68,15 @@ class _Segment:
         if self.memory is None:
             header = os.pread(self._fd, HEADER.size, 0)
         else:
-            header = self.memory[:HEADER.size]
+            header = self.memory[: HEADER.size]
         magic, protocol, abi_version, size, self.answer, self.answer_bytes, self.request = HEADER.unpack(header)
         if size == self.size:
             return
         if magic != MAGIC or protocol != PROTOCOL or abi_version != abi.ABI_VERSION:
-            sys.exit(f"this avoidbench for Python speaks protocol {PROTOCOL} of ABI {abi.ABI_VERSION}, the program {protocol} of {abi_version}")
+            sys.exit(
+                f"this avoidbench for Python speaks protocol {PROTOCOL} of ABI {abi.ABI_VERSION}, the program "
+                f"{protocol} of {abi_version}"
+            )
         # Pixels that a planner kept hold the old one.
         self.memory = mmap.mmap(self._fd, size)
         self.size = size
@@ -106,7 +109,7 @@ class _Writer:
         if at + len(data) > self._segment.answer_bytes:
             raise ValueError(f"the answer is longer than {self._segment.answer_bytes} bytes")
         begin = self._segment.answer + at
-        self._segment.memory[begin:begin + len(data)] = data
+        self._segment.memory[begin : begin + len(data)] = data
         self.used = at + len(data)
         return int(begin)
 
@@ -121,40 +124,98 @@ def _description(writer: _Writer, planner: type[p.Planner], table: Table, files:
     known = table.struct
     parameters = []
     for one in table.parameter_structs:
-        texts = [0 if text is None else writer.add(text + b"\0") for text in (one.name, one.unit, one.doc, one.choices, one.preset_text)]
-        parameters.append(writer.add(PARAMETER.pack(PARAMETER.size, one.kind, *texts[:3], one.lowest, one.highest, one.preset, *texts[3:])))
+        texts = [
+            0 if text is None else writer.add(text + b"\0")
+            for text in (one.name, one.unit, one.doc, one.choices, one.preset_text)
+        ]
+        parameters.append(
+            writer.add(
+                PARAMETER.pack(PARAMETER.size, one.kind, *texts[:3], one.lowest, one.highest, one.preset, *texts[3:])
+            )
+        )
     name, version, summary = (writer.add(text + b"\0") for text in (known.name, known.version, known.summary))
-    at = writer.add(PLANNER.pack(PLANNER.size, abi.ABI_VERSION, name, version, summary, known.needs, known.commands, len(parameters), 0,
-                                 writer.offsets(parameters), 0, 0, 0, 0, 0, 0, 0, 0, known.least_fov_x_rad, known.least_fov_y_rad))
+    at = writer.add(
+        PLANNER.pack(
+            PLANNER.size,
+            abi.ABI_VERSION,
+            name,
+            version,
+            summary,
+            known.needs,
+            known.commands,
+            len(parameters),
+            0,
+            writer.offsets(parameters),
+            0,
+            0,
+            0,
+            0,
+            0,
+            0,
+            0,
+            0,
+            known.least_fov_x_rad,
+            known.least_fov_y_rad,
+        )
+    )
     named = writer.offsets([writer.text(file) for file in files])
     files_at = writer.add(FILES.pack(FILES.size, len(files), named)) if files else 0
     return writer.add(DESCRIPTION.pack(DESCRIPTION.size, PROTOCOL, at, files_at))
 
 
 def _setup(segment: _Segment, at: int, parameters: Sequence[p.Parameter]) -> p.Setup:
-    (_, value_count, values_at, max_speed, max_acceleration, max_yaw_rate, *body, radius, period, gravity, _, camera_count, _,
-     cameras_at) = SETUP.unpack_from(segment.memory, at)
+    (
+        _,
+        value_count,
+        values_at,
+        max_speed,
+        max_acceleration,
+        max_yaw_rate,
+        *body,
+        radius,
+        period,
+        gravity,
+        _,
+        camera_count,
+        _,
+        cameras_at,
+    ) = SETUP.unpack_from(segment.memory, at)
     values: dict[str, Any] = {}
     for parameter, offset in zip(parameters, segment.offsets(values_at, value_count), strict=False):
         _, _, number, text = VALUE.unpack_from(segment.memory, offset)
         preset = parameter.preset
-        values[parameter.name] = segment.text(text) if isinstance(preset, str) else int(number) if isinstance(preset, int) else number
+        values[parameter.name] = (
+            segment.text(text) if isinstance(preset, str) else int(number) if isinstance(preset, int) else number
+        )
     cameras = []
     for offset in segment.offsets(cameras_at, camera_count):
         _, width, height, _, fx, fy, cx, cy, *rest = CAMERA.unpack_from(segment.memory, offset)
         cameras.append(p.Camera(width, height, fx, fy, cx, cy, np.array(rest[:3]), np.array(rest[3:7]), *rest[7:]))
-    return p.Setup(values, max_speed, max_acceleration, max_yaw_rate, np.array(body), radius, period, gravity, tuple(cameras))
+    return p.Setup(
+        values, max_speed, max_acceleration, max_yaw_rate, np.array(body), radius, period, gravity, tuple(cameras)
+    )
 
 
 def _mission(segment: _Segment, at: int) -> p.Mission:
     _, _, seed, *numbers = MISSION.unpack_from(segment.memory, at)
-    return p.Mission(seed, np.array(numbers[:3]), numbers[3], np.array(numbers[4:7]), numbers[7], numbers[8],
-                     np.array(numbers[9:12]), np.array(numbers[12:15]), numbers[15])
+    return p.Mission(
+        seed,
+        np.array(numbers[:3]),
+        numbers[3],
+        np.array(numbers[4:7]),
+        numbers[7],
+        numbers[8],
+        np.array(numbers[9:12]),
+        np.array(numbers[12:15]),
+        numbers[15],
+    )
 
 
 def _depth(segment: _Segment, at: int) -> p.DepthImage:
     _, width, height, _, time_s, _, _, _, _, *pose, pixels, camera, _ = DEPTH.unpack_from(segment.memory, at)
-    return p.DepthImage(time_s, segment.pixels(np.float32, pixels, (height, width)), np.array(pose[:3]), np.array(pose[3:]), camera)
+    return p.DepthImage(
+        time_s, segment.pixels(np.float32, pixels, (height, width)), np.array(pose[:3]), np.array(pose[3:]), camera
+    )
 
 
 def _picture(segment: _Segment, at: int) -> p.Picture:
@@ -179,8 +240,23 @@ def _state_numbers(segment: _Segment, at: int) -> tuple[float, p.Vector, p.Vecto
 
 
 def _observation(segment: _Segment, at: int, sees_imu: bool) -> p.Observation:
-    (_, depth_count, state_at, depth_at, stereo_count, color_count, stereo_at, color_at, imu_count, _,
-     imu_at, time_s, state_count, _, states_at) = OBSERVATION.unpack_from(segment.memory, at)
+    (
+        _,
+        depth_count,
+        state_at,
+        depth_at,
+        stereo_count,
+        color_count,
+        stereo_at,
+        color_at,
+        imu_count,
+        _,
+        imu_at,
+        time_s,
+        state_count,
+        _,
+        states_at,
+    ) = OBSERVATION.unpack_from(segment.memory, at)
     return p.Observation(
         *_state_numbers(segment, state_at),
         depth=tuple(_depth(segment, offset) for offset in segment.offsets(depth_at, depth_count)),
@@ -188,7 +264,8 @@ def _observation(segment: _Segment, at: int, sees_imu: bool) -> p.Observation:
         color=tuple(_picture(segment, offset) for offset in segment.offsets(color_at, color_count)),
         imu=_imu(segment, imu_at, imu_count) if sees_imu else None,
         call_time_s=time_s,
-        states=tuple(p.State(*_state_numbers(segment, offset)) for offset in segment.offsets(states_at, state_count)))
+        states=tuple(p.State(*_state_numbers(segment, offset)) for offset in segment.offsets(states_at, state_count)),
+    )
 
 
 class _Server:
@@ -249,7 +326,9 @@ class _Server:
             status = abi.AB_ERROR
             writer.used = ANSWER.size
             error = writer.text(error_line(problem, __file__))
-        ANSWER.pack_into(self._segment.memory, self._segment.answer, sequence, kind, status, 0, writer.used, answer_body, error, 0)
+        ANSWER.pack_into(
+            self._segment.memory, self._segment.answer, sequence, kind, status, 0, writer.used, answer_body, error, 0
+        )
         return WORD.pack(sequence, kind)
 
     def run(self) -> None:
@@ -274,19 +353,25 @@ def _script_of(planner: type[p.Planner]) -> Path:
 
 
 def serve(planner: type[p.Planner], *, is_script_file: bool = True) -> None:
-    """Serves `planner` until the program avoidbench, which started this process, lets go of it. Call it at the end of the script.
+    """Serves `planner` until the program avoidbench, which started this process, lets go of it. Call it at the end of
+    the script.
 
     is_script_file: whether the planner's file, of which trials know it, is the script that defines the class. With
-    `command: [my_tool, model.yaml]` it is model.yaml: `files` are relative to its folder then, and modules of the script count only
-    where `files` names them.
+    `command: [my_tool, model.yaml]` it is model.yaml: `files` are relative to its folder then, and modules of the
+    script count only where `files` names them.
 
-    Raises TypeError and ValueError for what the class declares wrongly. Started by hand it says how a planner is flown, with exit
-    code 2."""
+    Raises TypeError and ValueError for what the class declares wrongly. Started by hand it says how a planner is flown,
+    with exit code 2."""
     given = os.environ.get(VARIABLE)
     if given is None:
-        sys.exit(f"{planner.name} is a planner: name this file in a sweep of avoidbench, as plugin: ./{Path(sys.argv[0]).name}")
+        sys.exit(
+            f"{planner.name} is a planner: name this file in a sweep of avoidbench, as plugin: "
+            f"./{Path(sys.argv[0]).name}"
+        )
     socket, segment = (int(fd) for fd in given.split(","))
-    files = planner_files(_script_of(planner), planner.files) if is_script_file else [str(name) for name in planner.files]
+    files = (
+        planner_files(_script_of(planner), planner.files) if is_script_file else [str(name) for name in planner.files]
+    )
     _Server(planner, files, socket, _Segment(segment)).run()
 
 
@@ -294,20 +379,29 @@ def _serves_itself(source: bytes) -> bool:
     """Whether the script calls serve()."""
     for node in ast.walk(ast.parse(source)):
         if isinstance(node, ast.Call):
-            name = node.func.attr if isinstance(node.func, ast.Attribute) else node.func.id if isinstance(node.func, ast.Name) else ""
+            name = (
+                node.func.attr
+                if isinstance(node.func, ast.Attribute)
+                else node.func.id
+                if isinstance(node.func, ast.Name)
+                else ""
+            )
             if name == "serve":
                 return True
     return False
 
 
 def _planners_of(module: Any) -> list[type[p.Planner]]:
-    return [value for value in vars(module).values()
-            if isinstance(value, type) and issubclass(value, p.Planner) and value.__module__ == module.__name__]
+    return [
+        value
+        for value in vars(module).values()
+        if isinstance(value, type) and issubclass(value, p.Planner) and value.__module__ == module.__name__
+    ]
 
 
 def main(file: str) -> None:
-    """Serves the planner of a file: by its own call of serve(), else the only one that it defines. A file without a planner is run as it
-    is: it may speak the protocol itself."""
+    """Serves the planner of a file: by its own call of serve(), else the only one that it defines. A file without a
+    planner is run as it is: it may speak the protocol itself."""
     script = Path(file).absolute()
     sys.argv = [str(script)]
     sys.path.insert(0, str(script.parent))
@@ -324,8 +418,10 @@ def main(file: str) -> None:
     if len(planners) == 1:
         serve(planners[0])
     elif planners:
-        sys.exit(f"{script.name} defines the planners {', '.join(one.__name__ for one in planners)}: say which one it is, "
-                 f'by if __name__ == "__main__": avoidbench.serve({planners[0].__name__}) at its end')
+        sys.exit(
+            f"{script.name} defines the planners {', '.join(one.__name__ for one in planners)}: say which one it is, "
+            f'by if __name__ == "__main__": avoidbench.serve({planners[0].__name__}) at its end'
+        )
     elif "AVOIDBENCH_PLANNER_FDS" in script.read_text(encoding="utf-8", errors="replace"):
         runpy.run_path(str(script), run_name="__main__")
     else:

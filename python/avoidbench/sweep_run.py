@@ -27,8 +27,10 @@ Sweep = str | os.PathLike[str] | Mapping[str, Any]
 
 _EXIT_DONE, _EXIT_UNFLOWN = 0, 1
 _POLL_S = 0.2
-_END = re.compile(r"results are in (?P<file>.*); to see them: avoidbench report .*?"
-                  r"( --sweep (?P<sweep>[A-Za-z0-9_.-]+)@(?P<revision>\d+))?")
+_END = re.compile(
+    r"results are in (?P<file>.*); to see them: avoidbench report .*?"
+    r"( --sweep (?P<sweep>[A-Za-z0-9_.-]+)@(?P<revision>\d+))?"
+)
 _NAME = re.compile(r"""^['"]?sweep['"]?:\s*['"]?(?P<name>[A-Za-z0-9_.-]+)['"]?\s*(#.*)?$""", re.MULTILINE)
 
 
@@ -82,10 +84,11 @@ class _Bar:
         if not self.is_shown:
             return
         if self._bar is None:
-            self._bar = tqdm(total=progress["total"], initial=progress["done_before"], unit="trial",
-                             dynamic_ncols=True)
-        goals = ", ".join(f"{_visible(label)} {planner['reached_goal']}/{planner['flown']}"
-                          for label, planner in progress["planners"].items())
+            self._bar = tqdm(total=progress["total"], initial=progress["done_before"], unit="trial", dynamic_ncols=True)
+        goals = ", ".join(
+            f"{_visible(label)} {planner['reached_goal']}/{planner['flown']}"
+            for label, planner in progress["planners"].items()
+        )
         self._bar.set_postfix_str(f"goals: {goals}" if goals else "", refresh=False)
         is_new = progress["done"] != self._bar.n
         self._bar.n = progress["done"]
@@ -172,8 +175,13 @@ def _fly(arguments: Sequence[str], input_text: str | None, bar: _Bar) -> tuple[l
         # In a session of its own: a terminal's Ctrl-C would reach it beside the signal sent here, and two
         # signals end it at once.
         try:
-            process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL,
-                                       stderr=subprocess.PIPE, start_new_session=True)
+            process = subprocess.Popen(
+                command,
+                stdin=subprocess.PIPE,
+                stdout=subprocess.DEVNULL,
+                stderr=subprocess.PIPE,
+                start_new_session=True,
+            )
         except OSError as error:
             raise ProgramError(f"{command[0]} can't be started: {error.strerror}", command) from error
         try:
@@ -196,8 +204,7 @@ def _fly(arguments: Sequence[str], input_text: str | None, bar: _Bar) -> tuple[l
 def _name_of(sweep: str, overrides: Sequence[str], input_text: str | None) -> str | None:
     """The sweep's own name; None where the file is wrong, which `run` reports."""
     try:
-        output = run_program(["config", "check", sweep, "--resolved", *overrides], input_text=input_text,
-                             warns=False)
+        output = run_program(["config", "check", sweep, "--resolved", *overrides], input_text=input_text, warns=False)
     except ProgramError:
         return None
     found = _NAME.search(output.text)
@@ -223,12 +230,24 @@ def _number_options(values: Mapping[str, float | None]) -> list[str]:
     return [f"--{name}={float(value)!r}" for name, value in values.items() if value is not None]
 
 
-def run(sweep: Sweep, *, set: Mapping[str, Any] | Sequence[str] | None = None, jobs: int | None = None,
-        database: str | os.PathLike[str] | None = None, progress: bool = True, shard: str | None = None,
-        until: str | None = None, rerun: str | None = None, plan_timeout_s: float | None = None,
-        trial_timeout_s: float | None = None, memory_limit_mib: float | None = None,
-        grace_s: float | None = None, bundle: bool = False, keep_planners: bool = True,
-        sandbox: bool = True) -> Results:
+def run(
+    sweep: Sweep,
+    *,
+    set: Mapping[str, Any] | Sequence[str] | None = None,
+    jobs: int | None = None,
+    database: str | os.PathLike[str] | None = None,
+    progress: bool = True,
+    shard: str | None = None,
+    until: str | None = None,
+    rerun: str | None = None,
+    plan_timeout_s: float | None = None,
+    trial_timeout_s: float | None = None,
+    memory_limit_mib: float | None = None,
+    grace_s: float | None = None,
+    bundle: bool = False,
+    keep_planners: bool = True,
+    sandbox: bool = True,
+) -> Results:
     """Flies a sweep's trials by the avoidbench program, in worker processes, and returns their results.
 
     Trials that the database has are not flown again, so the same call goes on where it was stopped. An
@@ -265,11 +284,22 @@ def run(sweep: Sweep, *, set: Mapping[str, Any] | Sequence[str] | None = None, j
     file = "-" if is_dict else path_argument(sweep)  # type: ignore[arg-type]
     overrides = _overrides(set)
     arguments = ["run", file, "--progress=json", *overrides]
-    texts = {"shard": shard, "until": until, "rerun": rerun,
-             "db": None if database is None else os.fspath(database), "jobs": None if jobs is None else str(jobs)}
+    texts = {
+        "shard": shard,
+        "until": until,
+        "rerun": rerun,
+        "db": None if database is None else os.fspath(database),
+        "jobs": None if jobs is None else str(jobs),
+    }
     arguments += [f"--{name}={value}" for name, value in texts.items() if value is not None]
-    arguments += _number_options({"plan-timeout": plan_timeout_s, "trial-timeout": trial_timeout_s,
-                                  "memory-limit": memory_limit_mib, "grace": grace_s})
+    arguments += _number_options(
+        {
+            "plan-timeout": plan_timeout_s,
+            "trial-timeout": trial_timeout_s,
+            "memory-limit": memory_limit_mib,
+            "grace": grace_s,
+        }
+    )
     flags = {"--bundle": bundle, "--no-keep": not keep_planners, "--no-sandbox": not sandbox}
     arguments += [flag for flag, is_given in flags.items() if is_given]
     name = _name_of(file, overrides, input_text)

@@ -16,12 +16,38 @@ import pandas as pd
 
 from avoidbench.database_file import SweepChoice
 
-_TEXTS = frozenset((
-    "sweep", "planner", "generator", "outcome", "reason", "cause", "planner_name", "planner_version",
-    "program_version", "git_hash", "map_key", "planner_key", "trial_key", "world_digest", "spec_json",
-    "invalid_reason"))
-_COUNTS = frozenset(("revision", "mission_index", "attempt", "trial_id", "obstacle_count", "triangle_count",
-                     "trial_count", "mission_count"))
+_TEXTS = frozenset(
+    (
+        "sweep",
+        "planner",
+        "generator",
+        "outcome",
+        "reason",
+        "cause",
+        "planner_name",
+        "planner_version",
+        "program_version",
+        "git_hash",
+        "map_key",
+        "planner_key",
+        "trial_key",
+        "world_digest",
+        "spec_json",
+        "invalid_reason",
+    )
+)
+_COUNTS = frozenset(
+    (
+        "revision",
+        "mission_index",
+        "attempt",
+        "trial_id",
+        "obstacle_count",
+        "triangle_count",
+        "trial_count",
+        "mission_count",
+    )
+)
 _FLAGS = frozenset(("is_finished", "is_privileged", "is_valid", "is_latest"))
 _NUMBER = re.compile(r"\+?-?((\d+\.?\d*|\.\d+)(e[+-]?\d+)?|inf|infinity|nan)", re.IGNORECASE)
 
@@ -51,7 +77,7 @@ def trials_of_csv(data: bytes, text_axes: Collection[str]) -> pd.DataFrame:
     """
     rows = list(csv.reader(io.StringIO(data.decode("utf-8"), newline=""), strict=True))
     names, cells = rows[0], list(zip(*rows[1:])) or [()] * len(rows[0])
-    axes = names[names.index("trial_key") + 1:]  # they come last
+    axes = names[names.index("trial_key") + 1 :]  # they come last
     columns: dict[str, pd.Series[Any]] = {}
     for name, column in zip(names, cells):
         if name in axes:
@@ -65,15 +91,31 @@ def trials_of_csv(data: bytes, text_axes: Collection[str]) -> pd.DataFrame:
         elif name in _FLAGS:
             columns[name] = pd.Series([bool(int(cell)) for cell in column], dtype=bool)
         else:
-            columns[name] = pd.Series([float(cell) if cell else math.nan for cell in column],
-                                      dtype=np.float64)
+            columns[name] = pd.Series([float(cell) if cell else math.nan for cell in column], dtype=np.float64)
     return pd.DataFrame(columns)
 
 
 def no_trials(metrics: Sequence[str]) -> pd.DataFrame:
     """A table of no trials, for a sweep of which none has finished yet."""
-    header = ("sweep", "revision", "planner", "generator", "map_seed", "mission_index", "outcome", "is_finished",
-              "reason", "cause", "end_time_s", *metrics, "attempt", "map_key", "planner_key", "trial_id", "trial_key")
+    header = (
+        "sweep",
+        "revision",
+        "planner",
+        "generator",
+        "map_seed",
+        "mission_index",
+        "outcome",
+        "is_finished",
+        "reason",
+        "cause",
+        "end_time_s",
+        *metrics,
+        "attempt",
+        "map_key",
+        "planner_key",
+        "trial_id",
+        "trial_key",
+    )
     return trials_of_csv((",".join(header) + "\r\n").encode(), ())
 
 
@@ -120,13 +162,42 @@ def _rows(connection: sqlite3.Connection, query: str, values: Sequence[Any]) -> 
     return [dict(zip(names, row)) for row in cursor]
 
 
-MAP_COLUMNS = ("generator", "map_seed", "poisson_radius_m", "obstacle_count", "triangle_count", "traversability",
-               "traversability_normalized_ratio", "relative_gap_size", "obstacle_density_1pm2",
-               "free_volume_ratio", "world_digest", "map_key", "spec_json")
-MISSION_COLUMNS = ("sweep", "revision", "generator", "map_seed", "mission_index", "start_x_m", "start_y_m",
-                   "start_z_m", "goal_x_m", "goal_y_m", "goal_z_m", "start_yaw_rad", "reference_length_m",
-                   "traversability_obstruction", "view_occlusion", "angle_over_length_1pm", "is_valid",
-                   "invalid_reason", "map_key")
+MAP_COLUMNS = (
+    "generator",
+    "map_seed",
+    "poisson_radius_m",
+    "obstacle_count",
+    "triangle_count",
+    "traversability",
+    "traversability_normalized_ratio",
+    "relative_gap_size",
+    "obstacle_density_1pm2",
+    "free_volume_ratio",
+    "world_digest",
+    "map_key",
+    "spec_json",
+)
+MISSION_COLUMNS = (
+    "sweep",
+    "revision",
+    "generator",
+    "map_seed",
+    "mission_index",
+    "start_x_m",
+    "start_y_m",
+    "start_z_m",
+    "goal_x_m",
+    "goal_y_m",
+    "goal_z_m",
+    "start_yaw_rad",
+    "reference_length_m",
+    "traversability_obstruction",
+    "view_occlusion",
+    "angle_over_length_1pm",
+    "is_valid",
+    "invalid_reason",
+    "map_key",
+)
 _FROM_FILES = ("mesh", "point_cloud")  # no fields of obstacles
 
 
@@ -140,8 +211,11 @@ def read_maps(connection: sqlite3.Connection, choices: Sequence[SweepChoice]) ->
     rows: list[dict[str, Any]] = []
     if choices:
         condition, values = _in_sweeps(choices)
-        rows = _rows(connection, "SELECT * FROM maps WHERE map_key IN (SELECT s.map_key FROM "
-                     f"sweep_missions s WHERE {condition})", values)
+        rows = _rows(
+            connection,
+            f"SELECT * FROM maps WHERE map_key IN (SELECT s.map_key FROM sweep_missions s WHERE {condition})",
+            values,
+        )
     for row in rows:
         row["poisson_radius_m"] = json.loads(row["spec_json"]).get("poisson_radius_m")
         if row["generator"] in _FROM_FILES:
@@ -155,30 +229,43 @@ def read_missions(connection: sqlite3.Connection, choices: Sequence[SweepChoice]
     rows: list[dict[str, Any]] = []
     if choices:
         condition, values = _in_sweeps(choices)
-        rows = _rows(connection, "SELECT i.*, s.sweep, s.revision, m.generator, m.map_seed FROM "
-                     "sweep_missions s JOIN missions i USING (map_key, mission_index) JOIN maps m ON "
-                     f"m.map_key = s.map_key WHERE {condition} ORDER BY s.sweep, s.revision, s.map_key, "
-                     "s.mission_index", values)
+        rows = _rows(
+            connection,
+            "SELECT i.*, s.sweep, s.revision, m.generator, m.map_seed FROM "
+            "sweep_missions s JOIN missions i USING (map_key, mission_index) JOIN maps m ON "
+            f"m.map_key = s.map_key WHERE {condition} ORDER BY s.sweep, s.revision, s.map_key, "
+            "s.mission_index",
+            values,
+        )
     return frame_of(rows, MISSION_COLUMNS)
 
 
 def read_sweeps(connection: sqlite3.Connection) -> pd.DataFrame:
     """Every revision of every sweep."""
-    rows = _rows(connection, """
+    rows = _rows(
+        connection,
+        """
         SELECT s.sweep, s.revision, s.spec_json,
                s.revision = (SELECT max(o.revision) FROM sweeps o WHERE o.sweep = s.sweep) AS is_latest,
                (SELECT count(*) FROM sweep_trials t WHERE t.sweep = s.sweep AND t.revision = s.revision)
                  AS trial_count,
                (SELECT count(*) FROM sweep_missions i WHERE i.sweep = s.sweep AND i.revision = s.revision)
                  AS mission_count
-        FROM sweeps s ORDER BY s.sweep, s.revision""", ())
+        FROM sweeps s ORDER BY s.sweep, s.revision""",
+        (),
+    )
     return frame_of(rows, ("sweep", "revision", "is_latest", "trial_count", "mission_count", "spec_json"))
 
 
 def read_metrics(connection: sqlite3.Connection) -> pd.DataFrame:
     """The definitions of the metrics that the file holds, in the order of reports."""
-    rows = _rows(connection, "SELECT name, unit, better, population, version, is_measured, doc, formula, "
-                 "source FROM metric_definitions ORDER BY position", ())
-    frame = pd.DataFrame(rows, columns=["name", "unit", "better", "population", "version", "is_measured",
-                                        "doc", "formula", "source"])
+    rows = _rows(
+        connection,
+        "SELECT name, unit, better, population, version, is_measured, doc, formula, "
+        "source FROM metric_definitions ORDER BY position",
+        (),
+    )
+    frame = pd.DataFrame(
+        rows, columns=["name", "unit", "better", "population", "version", "is_measured", "doc", "formula", "source"]
+    )
     return frame.astype({"version": np.int64, "is_measured": bool})

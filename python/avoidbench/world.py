@@ -31,7 +31,8 @@ class Occupancy(NamedTuple):
     is_occupied: NDArray[np.bool_]
     """(X, Y, Z): whether a surface touches the cell. What is inside of things is not occupied."""
     origin_world: NDArray[np.float64]
-    """(3,), metres: the low corner of cell (0, 0, 0). The centre of cell c is at origin_world + (c + 0.5) * resolution_m."""
+    """(3,), metres: the low corner of cell (0, 0, 0). The centre of cell c is at origin_world + (c + 0.5) *
+    resolution_m."""
     resolution_m: float
     """Side of a cell."""
 
@@ -128,13 +129,16 @@ def _joined(positions: NDArray[np.float64], rotations: NDArray[np.float64], name
 def look_at(positions_world: ArrayLike, targets_world: ArrayLike) -> NDArray[np.float64]:
     """Poses T_world_camera (N, 4, 4) of upright cameras that look from positions to targets.
 
-    positions_world, targets_world: (N, 3) or (3,), metres; a single one stands for all. Camera frame: RDF. Who looks straight up or
-    down has world x to the right.
+    positions_world, targets_world: (N, 3) or (3,), metres; a single one stands for all. Camera frame: RDF. Who looks
+    straight up or down has world x to the right.
 
-    Raises TypeError for what are no numbers, ValueError for wrong shapes, numbers that are not finite, and a target at its camera."""
+    Raises TypeError for what are no numbers, ValueError for wrong shapes, numbers that are not finite, and a target at
+    its camera."""
     positions, targets = _points(positions_world, "positions_world"), _points(targets_world, "targets_world")
     if len(positions) != len(targets) and 1 not in (len(positions), len(targets)):
-        raise ValueError(f"positions_world and targets_world: as many are wanted, not {len(positions)} and {len(targets)}")
+        raise ValueError(
+            f"positions_world and targets_world: as many are wanted, not {len(positions)} and {len(targets)}"
+        )
     forward = targets - positions
     lengths = np.sqrt((forward * forward).sum(axis=1))
     if not (lengths > 0.0).all():
@@ -159,8 +163,9 @@ def _seed(given: SupportsIndex, name: str) -> int:
 class World:
     """A map. make_world() makes one.
 
-    World frame: ENU, z up, metres. The same map and the same results from the same arguments on every machine. Obstacles that move stand
-    where they are when a flight begins. May be asked by several threads at once; the long calls run without Python's lock."""
+    World frame: ENU, z up, metres. The same map and the same results from the same arguments on every machine.
+    Obstacles that move stand where they are when a flight begins. May be asked by several threads at once; the long
+    calls run without Python's lock."""
 
     def __init__(self, core: _core.World) -> None:
         self._core = core
@@ -209,18 +214,19 @@ class World:
         return [Obstacle(kind, (row[0], row[1], row[2]), row[3]) for kind, row in self._core.obstacles()]
 
     def mesh(self) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
-        """The map as one mesh: vertices (V, 3), world, metres, and triangles (F, 3), three vertices each, counter-clockwise seen from
-        outside."""
+        """The map as one mesh: vertices (V, 3), world, metres, and triangles (F, 3), three vertices each,
+        counter-clockwise seen from outside."""
         vertices = np.empty((self._core.vertex_count, 3))
         triangles = np.empty((self._core.triangle_count, 3), dtype=np.int32)
         self._core.write_mesh(vertices, triangles)
         return vertices, triangles
 
     def nearest(self, points_world: ArrayLike, limit_m: float = np.inf) -> Nearest:
-        """For each of the points (N, 3) or (3,), world, metres: the distance to the nearest surface within limit_m, and the point there.
+        """For each of the points (N, 3) or (3,), world, metres: the distance to the nearest surface within limit_m, and
+        the point there.
 
-        Raises TypeError for what are no numbers, ValueError for wrong shapes, for points that are not finite or beyond 1e6 m, and for a
-        limit that is not above 0."""
+        Raises TypeError for what are no numbers, ValueError for wrong shapes, for points that are not finite or beyond
+        1e6 m, and for a limit that is not above 0."""
         points = _points(points_world, "points_world")
         distances, nearest = np.empty(len(points)), np.empty((len(points), 3))
         self._core.write_nearest(points, limit_m, distances, nearest)
@@ -236,7 +242,8 @@ class World:
     def missions(self, count: SupportsIndex) -> Missions:
         """The first `count` missions of the map, those that a sweep of it flies.
 
-        Raises ValueError for a count that is negative or more than the sweep lists, InputError where no place is free."""
+        Raises ValueError for a count that is negative or more than the sweep lists, InputError where no place is
+        free."""
         rows = np.array(self._core.missions(operator.index(count))).reshape(-1, 7)
         return Missions(rows[:, 0:3].copy(), rows[:, 3:6].copy(), rows[:, 6].copy())
 
@@ -251,21 +258,24 @@ class World:
         out: NDArray[np.float32] | None = None,
         **fields: Any,
     ) -> NDArray[np.float32]:
-        """What a depth camera sees from N places: depth along the camera's z, metres, float32 (N, height_px, width_px); from one place
-        (height_px, width_px). +inf where nothing is within max_range_m; NaN where it is nearer than min_range_m or the sensor fails.
+        """What a depth camera sees from N places: depth along the camera's z, metres, float32 (N, height_px, width_px);
+        from one place (height_px, width_px). +inf where nothing is within max_range_m; NaN where it is nearer than
+        min_range_m or the sensor fails.
 
-        T_world_camera: (N, 4, 4) or (4, 4), the camera's pose; camera frame RDF (x right, y down, z forward). look_at() makes some. Or
-        instead positions_world (N, 3) or (3,), metres, and quaternions_wxyz (N, 4) or (4,), unit, which take camera coordinates to
-        world's; a single one stands for all.
+        T_world_camera: (N, 4, 4) or (4, 4), the camera's pose; camera frame RDF (x right, y down, z forward). look_at()
+        makes some. Or instead positions_world (N, 3) or (3,), metres, and quaternions_wxyz (N, 4) or (4,), unit, which
+        take camera coordinates to world's; a single one stands for all.
 
-        sensor: a name of `avoidbench sensors list`, or a mapping as a sweep file has it; of several cameras the first. The default,
-        depth_ideal, has the true depth. fields: the sensor's fields that differ, such as width_px=64, height_px=48, fov_x_deg=90,
-        min_range_m=0, max_range_m=1000; `avoidbench config explain sensor` lists them.
+        sensor: a name of `avoidbench sensors list`, or a mapping as a sweep file has it; of several cameras the first.
+        The default, depth_ideal, has the true depth. fields: the sensor's fields that differ, such as width_px=64,
+        height_px=48, fov_x_deg=90, min_range_m=0, max_range_m=1000; `avoidbench config explain sensor` lists them.
 
-        seed: of the sensor's noise; image i has its own. out: a C-contiguous float32 array (N, height_px, width_px) to write to.
+        seed: of the sensor's noise; image i has its own. out: a C-contiguous float32 array (N, height_px, width_px) to
+        write to.
 
-        Raises InputError for a sensor that is none, TypeError for what are no numbers, ValueError for wrong shapes, for quaternions that
-        are no unit ones, for poses that are no rotation and translation, and for places that are not finite or beyond 1e6 m."""
+        Raises InputError for a sensor that is none, TypeError for what are no numbers, ValueError for wrong shapes, for
+        quaternions that are no unit ones, for poses that are no rotation and translation, and for places that are not
+        finite or beyond 1e6 m."""
         is_single, poses = self._camera_poses(T_world_camera, positions_world, quaternions_wxyz)
         camera = self._sensor(sensor, fields)
         shape = (len(poses), camera.height_px, camera.width_px)
@@ -302,15 +312,16 @@ class World:
         return self._sensors[key]
 
 
-def make_world(source: str | os.PathLike[str] | Mapping[str, Any], *, seed: SupportsIndex | None = None, **fields: Any) -> World:
+def make_world(
+    source: str | os.PathLike[str] | Mapping[str, Any], *, seed: SupportsIndex | None = None, **fields: Any
+) -> World:
     """A map.
 
-    source: the name of a generator ("forest"; `avoidbench maps list` has all), a sweep file, a file with a map's fields alone, a built-in
-    sweep's name, or a mapping with what such a file says: {"generator": "hall", "crates_ratio": 0.5} or {"maps": {…}, "mission": {…}}.
-    Of a sweep's several maps the first is taken.
-    seed: the map's; by default that of the file, else 1.
-    fields: what differs from there, such as poisson_radius_m=3.5 or area_m=[20, 30]; also a sweep's other settings, such as
-    mission={"free_radius_m": 1.0}, or **{"mission.free_radius_m": 1.0}.
+    source: the name of a generator ("forest"; `avoidbench maps list` has all), a sweep file, a file with a map's fields
+    alone, a built-in sweep's name, or a mapping with what such a file says: {"generator": "hall", "crates_ratio": 0.5}
+    or {"maps": {…}, "mission": {…}}. Of a sweep's several maps the first is taken. seed: the map's; by default that of
+    the file, else 1. fields: what differs from there, such as poisson_radius_m=3.5 or area_m=[20, 30]; also a sweep's
+    other settings, such as mission={"free_radius_m": 1.0}, or **{"mission.free_radius_m": 1.0}.
 
     Raises InputError with all that is wrong, each at its place; TypeError for values that a sweep file can't have."""
     options = overrides(fields)

@@ -2,19 +2,21 @@
 
     python python/bench/env_speed.py [--slots 64] [--steps 300] [--repeats 5]
 
-Prints medians over the repeats: microseconds for a call of all slots, and for one flight's step (a slot's share of it)."""
+Prints medians over the repeats: microseconds for a call of all slots, and for one flight's step (a slot's share of
+it)."""
 
 import argparse
 import statistics
 import time
 from typing import Any
 
+import avoidbench
 import numpy as np
 
-import avoidbench
-
 SWEEP: dict[str, Any] = {
-    "sweep": "speed", "trials": 20, "maps": {"generator": "hall"},
+    "sweep": "speed",
+    "trials": 20,
+    "maps": {"generator": "hall"},
     "sensor": {"preset": "depth_ideal", "width_px": 64, "height_px": 48},
     "axes": {"map_seed": [1, 2, 3, 4]},
 }

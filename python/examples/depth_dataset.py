@@ -22,10 +22,9 @@ import argparse
 from pathlib import Path
 from typing import Any
 
+import avoidbench
 import numpy as np
 from numpy.typing import NDArray
-
-import avoidbench
 
 Array = NDArray[np.float64]
 
@@ -69,9 +68,13 @@ def images_of(world: avoidbench.World, count: int) -> dict[str, NDArray[Any]]:
     by_angle = np.argsort(np.abs(DIRECTIONS_RAD), kind="stable")
     return {
         "depth_m": world.depth(avoidbench.look_at(places, targets), width_px=64, height_px=48),
-        "position_m": places, "heading_rad": headings_rad, "nearest_m": world.nearest(places).distances_m,
-        "free_m": free_m, "best": by_angle[free_m[:, by_angle].argmax(axis=1)],
-        "map_seed": np.full(count, world.seed)}
+        "position_m": places,
+        "heading_rad": headings_rad,
+        "nearest_m": world.nearest(places).distances_m,
+        "free_m": free_m,
+        "best": by_angle[free_m[:, by_angle].argmax(axis=1)],
+        "map_seed": np.full(count, world.seed),
+    }
 
 
 def main() -> None:
@@ -81,12 +84,18 @@ def main() -> None:
     parser.add_argument("--maps", type=int, default=8, help="with the seeds 1, 2, …")
     parser.add_argument("--images", type=int, default=250, help="of each map")
     arguments = parser.parse_args()
-    parts = [images_of(avoidbench.make_world(arguments.generator, seed=seed), arguments.images) for seed in range(1, arguments.maps + 1)]
+    parts = [
+        images_of(avoidbench.make_world(arguments.generator, seed=seed), arguments.images)
+        for seed in range(1, arguments.maps + 1)
+    ]
     data = {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
     np.savez(arguments.file, direction_rad=DIRECTIONS_RAD, **data)  # type: ignore[arg-type]
     size_mb = arguments.file.stat().st_size / 1e6
-    print(f"{arguments.file}: {len(data['depth_m'])} images, {size_mb:.0f} MB; nearest surface {np.median(data['nearest_m']):.2f} m "
-          f"away, best way {np.median(data['free_m'].max(axis=1)):.1f} m (medians)")
+    print(
+        f"{arguments.file}: {len(data['depth_m'])} images, {size_mb:.0f} MB; nearest surface "
+        f"{np.median(data['nearest_m']):.2f} m "
+        f"away, best way {np.median(data['free_m'].max(axis=1)):.1f} m (medians)"
+    )
 
 
 if __name__ == "__main__":

@@ -1,15 +1,15 @@
 """Learns to fly through an easy forest by depth, with PPO in plain NumPy, and compares with the planner straight_line.
 
-    python ppo.py --out build/ppo                              # trains, evaluates, writes weights.npz, curve.csv, evaluation.json
-    python ppo.py --out build/ppo --evaluate build/ppo/weights.npz
+    python ppo.py --out build/ppo                              # trains, evaluates, writes weights.npz, curve.csv,
+    evaluation.json python ppo.py --out build/ppo --evaluate build/ppo/weights.npz
 
-The policy sees the nearest depth in each cell of a 6 × 16 grid over the image, the vehicle's motion and the way to the goal, ten times a
-second. Its action is a velocity in the heading frame and a yaw rate: what it adds to flying straight to the goal. It trains on the maps
-1 … 8 and is judged on others, once on each mission, beside straight_line on the same missions with the same greatest speed.
+The policy sees the nearest depth in each cell of a 6 × 16 grid over the image, the vehicle's motion and the way to the
+goal, ten times a second. Its action is a velocity in the heading frame and a yaw rate: what it adds to flying straight
+to the goal. It trains on the maps 1 … 8 and is judged on others, once on each mission, beside straight_line on the same
+missions with the same greatest speed.
 
-PPO: Schulman et al., https://arxiv.org/abs/1707.06347; advantages: https://arxiv.org/abs/1506.02438. The same options give the same
-weights on the same machine, for any number of threads of the flights.
-"""
+PPO: Schulman et al., https://arxiv.org/abs/1707.06347; advantages: https://arxiv.org/abs/1506.02438. The same options
+give the same weights on the same machine, for any number of threads of the flights."""
 
 from __future__ import annotations
 
@@ -26,10 +26,9 @@ from typing import Any
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # of several threads, sums may differ in their last bits
 
+import avoidbench
 import numpy as np
 from numpy.typing import NDArray
-
-import avoidbench
 
 Array = NDArray[np.float64]
 Flights = dict[tuple[int, int], tuple[str, float]]  # outcome and end_time_s of missions: map seed, index
@@ -47,24 +46,37 @@ def forest(name: str, seeds: Iterable[int], missions: int, **changes: Any) -> di
     return {
         "sweep": name,
         "maps": {"generator": "forest", "area_m": [40, 40], "poisson_radius_m": 5.5, "seeds": list(seeds)},
-        "trials": missions, "mission": {"time_limit_s": 30}, "rates": {"plan_hz": 10},
-        "sensor": {"preset": "depth_ideal", "width_px": 64, "height_px": 48, "rate_hz": 10}, **changes}
+        "trials": missions,
+        "mission": {"time_limit_s": 30},
+        "rates": {"plan_hz": 10},
+        "sensor": {"preset": "depth_ideal", "width_px": 64, "height_px": 48, "rate_hz": 10},
+        **changes,
+    }
 
 
 def features(seen: dict[str, NDArray[Any]]) -> Array:
-    """(N, 106) of N observations with metric depth: nearness of what is nearest in each cell, motion, direction and distance of the goal."""
+    """(N, 106) of N observations with metric depth: nearness of what is nearest in each cell, motion, direction and
+    distance of the goal."""
     depth_m = seen["depth"][:, 0].astype(np.float64)
     height, width = depth_m.shape[1:]
     cells = depth_m.reshape(-1, GRID_ROWS, height // GRID_ROWS, GRID_COLUMNS, width // GRID_COLUMNS).min(axis=(2, 4))
     goal_m = seen["goal"].astype(np.float64)
     distance_m = np.linalg.norm(goal_m, axis=1, keepdims=True)
     motion = seen["state"] / np.array([MAX_SPEED_MPS] * 3 + [1.0] * 3 + [3.0] * 3)
-    return np.concatenate([2.0 / (1.0 + cells.reshape(len(cells), -1)), motion, goal_m / np.maximum(distance_m, 0.1),
-                           np.log1p(distance_m) / 3.0], axis=1)
+    return np.concatenate(
+        [
+            2.0 / (1.0 + cells.reshape(len(cells), -1)),
+            motion,
+            goal_m / np.maximum(distance_m, 0.1),
+            np.log1p(distance_m) / 3.0,
+        ],
+        axis=1,
+    )
 
 
 def command(seen: dict[str, NDArray[Any]], added: Array) -> Array:
-    """The environment's actions (N, 4): straight to the goal, plus what the policy adds, never faster than MAX_SPEED_MPS."""
+    """The environment's actions (N, 4): straight to the goal, plus what the policy adds, never faster than
+    MAX_SPEED_MPS."""
     goal_m = seen["goal"].astype(np.float64)
     toward = goal_m / np.maximum(np.linalg.norm(goal_m, axis=1, keepdims=True), 0.1)
     velocity = toward + added[:, :3]
@@ -135,7 +147,9 @@ class Learner:
         """(N,), but for a constant."""
         return np.asarray((-0.5 * ((actions - means) / np.exp(self.log_std)) ** 2 - self.log_std).sum(axis=1))
 
-    def update(self, inputs: Array, actions: Array, before: Array, advantages: Array, returns: Array, rate: float) -> None:
+    def update(
+        self, inputs: Array, actions: Array, before: Array, advantages: Array, returns: Array, rate: float
+    ) -> None:
         """All of one rollout, flat; `before`: log probabilities when the actions were drawn."""
         for _ in range(EPOCHS):
             for chosen in np.array_split(self.random.permutation(len(inputs)), MINIBATCHES):
@@ -148,9 +162,13 @@ class Learner:
                 weight = np.where(is_held, 0.0, -gain * ratio)[:, np.newaxis] / count  # of the log probabilities
                 off = (u - layers[-1]) / np.exp(self.log_std)
                 of_std = (weight * (off * off - 1.0)).sum(axis=0)
-                self.policy_adam.step([*self.policy.gradients(layers, weight * off / np.exp(self.log_std)), of_std], rate)
+                self.policy_adam.step(
+                    [*self.policy.gradients(layers, weight * off / np.exp(self.log_std)), of_std], rate
+                )
                 layers = self.value.forward(x)
-                self.value_adam.step(self.value.gradients(layers, (layers[-1] - returns[chosen, np.newaxis]) / count), rate)
+                self.value_adam.step(
+                    self.value.gradients(layers, (layers[-1] - returns[chosen, np.newaxis]) / count), rate
+                )
 
     def save(self, file: Path) -> None:
         names = [f"policy_{i}" for i in range(len(self.policy.parameters))]
@@ -171,7 +189,9 @@ def train(steps: int, seed: int, out: Path, slots: int = 64, threads: int | None
     """Flies `steps` steps, of all slots together, and learns; writes weights and curve into `out`."""
     learner, began_s = Learner(seed), time.monotonic()
     sweep = forest("ppo_training", TRAINING_SEEDS, 40, rates={"plan_hz": 10, "physics_hz": 250, "sample_hz": 50})
-    flights = avoidbench.AvoidbenchVectorEnv(sweep, slots, threads=threads, depth="metric", seed=seed, autoreset_mode="SameStep")
+    flights = avoidbench.AvoidbenchVectorEnv(
+        sweep, slots, threads=threads, depth="metric", seed=seed, autoreset_mode="SameStep"
+    )
     seen, _ = flights.reset()
     updates = max(1, steps // (slots * STEPS_PER_UPDATE))
     rows: list[dict[str, float]] = []
@@ -197,19 +217,36 @@ def train(steps: int, seed: int, out: Path, slots: int = 64, threads: int | None
                 ended = infos["final_info"]
                 outcomes += list(ended["outcome"][ended["_outcome"]])
                 flown_rewards += list(ended["reward_sum"][ended["_outcome"]])
-            for kept, array in ((inputs, x), (actions, u), (before, learner.log_probability(u, means)), (rewards, reward),
-                                (ends, (terminated | truncated).astype(np.float64))):
+            for kept, array in (
+                (inputs, x),
+                (actions, u),
+                (before, learner.log_probability(u, means)),
+                (rewards, reward),
+                (ends, (terminated | truncated).astype(np.float64)),
+            ):
                 kept.append(array)
         flat = np.concatenate(inputs)
         values = learner.value(flat)[:, 0].reshape(STEPS_PER_UPDATE, slots)
         gains = advantages_of(np.array(rewards), np.array(ends), values, learner.value(features(seen))[:, 0])
-        learner.update(flat, np.concatenate(actions), np.concatenate(before), gains.ravel(), (gains + values).ravel(),
-                       LEARNING_RATE * (1.0 - update / updates))
+        learner.update(
+            flat,
+            np.concatenate(actions),
+            np.concatenate(before),
+            gains.ravel(),
+            (gains + values).ravel(),
+            LEARNING_RATE * (1.0 - update / updates),
+        )
         count = max(1, len(outcomes))
-        rows.append({"steps": (update + 1) * slots * STEPS_PER_UPDATE, "wall_s": round(time.monotonic() - began_s, 1),
-                     "episodes": len(outcomes), "success_rate": outcomes.count("reached_goal") / count,
-                     "reward_mean": float(np.mean(flown_rewards)) if flown_rewards else float("nan"),
-                     "std_mean": float(np.exp(learner.log_std).mean())})
+        rows.append(
+            {
+                "steps": (update + 1) * slots * STEPS_PER_UPDATE,
+                "wall_s": round(time.monotonic() - began_s, 1),
+                "episodes": len(outcomes),
+                "success_rate": outcomes.count("reached_goal") / count,
+                "reward_mean": float(np.mean(flown_rewards)) if flown_rewards else float("nan"),
+                "std_mean": float(np.exp(learner.log_std).mean()),
+            }
+        )
         print(" ".join(f"{name} {value:.6g}" for name, value in rows[-1].items()), flush=True)
     flights.close()
     learner.save(out / "weights.npz")
@@ -223,8 +260,9 @@ def train(steps: int, seed: int, out: Path, slots: int = 64, threads: int | None
 def fly_held_out(policy: Network, missions: int, threads: int | None = None) -> Flights:
     """The missions of the held-out maps, each flown once, without the training's noise."""
     sweep = forest("ppo_held_out", HELD_OUT_SEEDS, missions)
-    flights = avoidbench.AvoidbenchVectorEnv(sweep, len(HELD_OUT_SEEDS), threads=threads, depth="metric", order="in_turn",
-                                             autoreset_mode="SameStep")
+    flights = avoidbench.AvoidbenchVectorEnv(
+        sweep, len(HELD_OUT_SEEDS), threads=threads, depth="metric", order="in_turn", autoreset_mode="SameStep"
+    )
     found: Flights = {}
     seen, _ = flights.reset()
     while (flights.rounds == 0).any():
@@ -240,8 +278,12 @@ def fly_held_out(policy: Network, missions: int, threads: int | None = None) -> 
 
 def fly_straight(missions: int, out: Path) -> Flights:
     """The same for straight_line, flown by the program."""
-    sweep = forest("ppo_held_out", HELD_OUT_SEEDS, missions,
-                   planners=[{"plugin": "straight_line", "parameters": {"max_speed_mps": MAX_SPEED_MPS}}])
+    sweep = forest(
+        "ppo_held_out",
+        HELD_OUT_SEEDS,
+        missions,
+        planners=[{"plugin": "straight_line", "parameters": {"max_speed_mps": MAX_SPEED_MPS}}],
+    )
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # that one planner is compared with none
         trials = avoidbench.run(sweep, database=out / "straight_line.db", progress=False).trials
@@ -250,7 +292,8 @@ def fly_straight(missions: int, out: Path) -> Flights:
 
 
 def wilson(count: int, of: int) -> tuple[float, float]:
-    """The 95 % interval of a rate (Wilson 1927), of missions that are independent. The report's is wider where those of one map are alike."""
+    """The 95 % interval of a rate (Wilson 1927), of missions that are independent. The report's is wider where those of
+    one map are alike."""
     z, rate = 1.959963984540054, count / of
     middle, half = rate + z * z / (2 * of), z * np.sqrt(rate * (1 - rate) / of + z * z / (4 * of * of))
     return float((middle - half) / (1 + z * z / of)), float((middle + half) / (1 + z * z / of))
@@ -262,15 +305,24 @@ def evaluate(policy: Network, out: Path, missions: int = 20, threads: int | None
     shared = sorted(flown["ppo"].keys() & flown["straight_line"].keys())
     goals = {name: [flights[mission][0] == "reached_goal" for mission in shared] for name, flights in flown.items()}
     pairs = list(zip(goals["ppo"], goals["straight_line"]))
-    found: dict[str, Any] = {"missions": len(shared), "only_ppo": pairs.count((True, False)),
-                             "only_straight_line": pairs.count((False, True))}
+    found: dict[str, Any] = {
+        "missions": len(shared),
+        "only_ppo": pairs.count((True, False)),
+        "only_straight_line": pairs.count((False, True)),
+    }
     for name, flights in flown.items():
         count = sum(goals[name])
         lower, upper = wilson(count, len(shared))
         outcomes = dict(Counter(flights[mission][0] for mission in shared))
         times_s = [flights[mission][1] for mission, pair in zip(shared, pairs) if all(pair)]
-        found[name] = {"reached": count, "success_rate": count / len(shared), "lower": lower, "upper": upper, "outcomes": outcomes,
-                       "mean_time_where_both_reached_s": float(np.mean(times_s)) if times_s else None}
+        found[name] = {
+            "reached": count,
+            "success_rate": count / len(shared),
+            "lower": lower,
+            "upper": upper,
+            "outcomes": outcomes,
+            "mean_time_where_both_reached_s": float(np.mean(times_s)) if times_s else None,
+        }
         print(f"{name:14} {count}/{len(shared)} = {count / len(shared):.2f} [{lower:.2f}, {upper:.2f}]  {outcomes}")
     print(f"reached by ppo alone: {found['only_ppo']}, by straight_line alone: {found['only_straight_line']}")
     (out / "evaluation.json").write_text(json.dumps(found, indent=1) + "\n")
@@ -292,13 +344,18 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=1, help="of weights, noise and the order of the missions")
     parser.add_argument("--out", type=Path, default=Path("ppo"), help="folder for what is written")
     parser.add_argument("--evaluate", type=Path, metavar="WEIGHTS", help="do not train: judge these weights")
-    parser.add_argument("--missions", type=int, default=20, help="held-out ones of each of the eight maps; 0: train only")
+    parser.add_argument(
+        "--missions", type=int, default=20, help="held-out ones of each of the eight maps; 0: train only"
+    )
     parser.add_argument("--slots", type=int, default=64, help="flights at once while it trains")
     parser.add_argument("--threads", type=int, help="of the flights; default: all processors")
     arguments = parser.parse_args()
     arguments.out.mkdir(parents=True, exist_ok=True)
-    policy = load(arguments.evaluate) if arguments.evaluate else train(arguments.steps, arguments.seed, arguments.out,
-                                                                       arguments.slots, arguments.threads)
+    policy = (
+        load(arguments.evaluate)
+        if arguments.evaluate
+        else train(arguments.steps, arguments.seed, arguments.out, arguments.slots, arguments.threads)
+    )
     if arguments.missions > 0:
         evaluate(policy, arguments.out, arguments.missions, arguments.threads)
 

@@ -17,8 +17,12 @@ import avoidbench
 def print_tables(results: avoidbench.Results) -> None:
     """Success rates as the report has them, and means that pandas makes of the trials."""
     rates = results.table("planners")
-    print(rates[["sweep", "planner", "trial_count", "success_rate", "success_rate_lower", "success_rate_upper"]]
-          .to_string(index=False), "\n")
+    print(
+        rates[
+            ["sweep", "planner", "trial_count", "success_rate", "success_rate_lower", "success_rate_upper"]
+        ].to_string(index=False),
+        "\n",
+    )
     trials = results.trials
     by_map = trials.groupby(["planner", "traversability_normalized_ratio"])
     print(by_map[["is_finished", "path_optimality_pct", "min_clearance_m"]].mean(), "\n")

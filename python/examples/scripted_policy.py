@@ -1,7 +1,8 @@
-"""A policy without learning: flies toward the gap in the depth image that is nearest to the goal's direction. Prints what came of it.
+"""A policy without learning: flies toward the gap in the depth image that is nearest to the goal's direction. Prints
+what came of it.
 
-    python scripted_policy.py                        # 64 trials in forests, 32 at once
-    python scripted_policy.py --hall --episodes 100
+python scripted_policy.py                        # 64 trials in forests, 32 at once
+python scripted_policy.py --hall --episodes 100
 """
 
 from __future__ import annotations
@@ -10,11 +11,10 @@ import argparse
 from collections import Counter
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
 import avoidbench
+import numpy as np
 from avoidbench.registration import FOREST, HALL
+from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
@@ -25,11 +25,12 @@ WIDTH_M = 0.8  # of the way that has to be free, to each side
 
 
 def free_ways(depth_m: Array) -> tuple[Array, Array]:
-    """The directions of the image's columns, left of the nose positive, and (N, columns): how far each is free for a body with a width."""
+    """The directions of the image's columns, left of the nose positive, and (N, columns): how far each is free for a
+    body with a width."""
     height, columns = depth_m.shape[1:]
     focal_px = columns / 2 / np.tan(FIELD_OF_VIEW_RAD / 2)
     angles_rad = np.arctan(((columns - 1) / 2 - np.arange(columns)) / focal_px)
-    nearest_m = depth_m[:, height // 3: 2 * height // 3].min(axis=1) / np.cos(angles_rad)
+    nearest_m = depth_m[:, height // 3 : 2 * height // 3].min(axis=1) / np.cos(angles_rad)
     free_m = np.empty_like(nearest_m)
     for column, angle_rad in enumerate(angles_rad):
         off_rad = np.abs(angles_rad - angle_rad)

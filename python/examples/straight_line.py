@@ -1,6 +1,6 @@
 """A planner in Python: the library straight_line written again. Its flights are the library's to the last bit.
 
-    python straight_line.py [SWEEP]      flies the sweep ("quick") with it and prints the report"""
+python straight_line.py [SWEEP]      flies the sweep ("quick") with it and prints the report"""
 
 import math
 import sys

@@ -9,9 +9,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-import pytest
-
 import avoidbench
+import pytest
 from avoidbench.program import find_program
 
 TINY: dict[str, Any] = {
@@ -39,10 +38,15 @@ Program = Callable[..., bytes]
 @pytest.fixture(scope="session")
 def program() -> Program:
     """Runs the program itself, apart from the package, and gives its standard output."""
-    # Without the sanitizers' runtime, which is loaded before Python: it does not live through forks beside threads, and the program forks.
+    # Without the sanitizers' runtime, which is loaded before Python: it does not live through forks beside threads, and
+    # the program forks.
     environment = {name: value for name, value in os.environ.items() if name != "LD_PRELOAD"}
+
     def run_it(*arguments: object) -> bytes:
-        return subprocess.run([find_program(), *map(str, arguments)], check=True, capture_output=True, env=environment).stdout
+        return subprocess.run(
+            [find_program(), *map(str, arguments)], check=True, capture_output=True, env=environment
+        ).stdout
+
     return run_it
 
 
@@ -67,9 +71,14 @@ def odd_db(tmp_path_factory: pytest.TempPathFactory) -> Path:
     a second revision with fewer trials, and another sweep."""
     path = tmp_path_factory.mktemp("odd") / "odd.db"
     sweep: dict[str, Any] = {
-        "sweep": "odd", "maps": {"generator": "hall", "seeds": [2**64 - 1]}, "trials": 1, "max_speed_mps": 3,
-        "planners": [{"plugin": "straight_line", "label": "=a+b"}], "latency": {"mode": "measured", "scale": 3},
-        "axes": {"wind.mean_world_mps": [[0, 0, 0], [4, 0, 0]], "vehicle.mass_kg": [0.7, 0.75]}}
+        "sweep": "odd",
+        "maps": {"generator": "hall", "seeds": [2**64 - 1]},
+        "trials": 1,
+        "max_speed_mps": 3,
+        "planners": [{"plugin": "straight_line", "label": "=a+b"}],
+        "latency": {"mode": "measured", "scale": 3},
+        "axes": {"wind.mean_world_mps": [[0, 0, 0], [4, 0, 0]], "vehicle.mass_kg": [0.7, 0.75]},
+    }
     fly(sweep, path)
     sweep["axes"] = {"vehicle.mass_kg": [0.7]}
     fly(sweep, path)

@@ -16,13 +16,21 @@ SMALL: dict[str, Any] = {
 }
 """Two small halls with two missions each, small pictures and short flights."""
 
-ONE: dict[str, Any] = {**SMALL, "sweep": "one", "maps": {**SMALL["maps"], "seeds": [1]}, "trials": 1, "mission": {"time_limit_s": 1}}
+ONE: dict[str, Any] = {
+    **SMALL,
+    "sweep": "one",
+    "maps": {**SMALL["maps"], "seeds": [1]},
+    "trials": 1,
+    "mission": {"time_limit_s": 1},
+}
 """One trial of a second, 30 steps."""
 
 
 def changed(sweep: dict[str, Any], **fields: Any) -> dict[str, Any]:
     """`sweep` with other fields; those that are dicts are joined."""
-    both = {name: {**sweep[name], **value} for name, value in fields.items() if isinstance(value, dict) and name in sweep}
+    both = {
+        name: {**sweep[name], **value} for name, value in fields.items() if isinstance(value, dict) and name in sweep
+    }
     return {**sweep, **fields, **both}
 
 

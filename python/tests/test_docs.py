@@ -30,10 +30,19 @@ def test_blocks_of_the_page_run(tmp_path: Path) -> None:
     assert len(listed) >= 9
     environment = {**os.environ, "MPLBACKEND": "Agg"}
     if "PYTHONPATH" in environment:  # the blocks run in another folder
-        environment["PYTHONPATH"] = os.pathsep.join(os.path.abspath(part) for part in environment["PYTHONPATH"].split(os.pathsep))
+        environment["PYTHONPATH"] = os.pathsep.join(
+            os.path.abspath(part) for part in environment["PYTHONPATH"].split(os.pathsep)
+        )
     # UTF-8 at both ends, in the locale "C" too: tables of results have dashes.
-    done = subprocess.run([sys.executable, "-X", "utf8", "-c", _DRIVER, str(PAGE)], input=repr(listed), cwd=tmp_path, env=environment,
-                          capture_output=True, encoding="utf-8", timeout=560)
+    done = subprocess.run(
+        [sys.executable, "-X", "utf8", "-c", _DRIVER, str(PAGE)],
+        input=repr(listed),
+        cwd=tmp_path,
+        env=environment,
+        capture_output=True,
+        encoding="utf-8",
+        timeout=560,
+    )
     assert done.returncode == 0, done.stderr
     for name in ("paths.png", "rates.png", "last_view.png"):
         assert (tmp_path / name).stat().st_size > 100

@@ -27,7 +27,9 @@ WORK = {
 
 
 def run(text: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run([sys.executable, "-c", text], cwd=Path(__file__).parent, capture_output=True, text=True, timeout=60, check=False)
+    return subprocess.run(
+        [sys.executable, "-c", text], cwd=Path(__file__).parent, capture_output=True, text=True, timeout=60, check=False
+    )
 
 
 @pytest.mark.parametrize("work", WORK)

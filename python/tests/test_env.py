@@ -9,28 +9,33 @@ from contextlib import closing
 from pathlib import Path
 from typing import Any
 
+import avoidbench
 import gymnasium
 import numpy as np
 import pytest
+from avoidbench.env import OBSERVATIONS, AvoidbenchEnv, AvoidbenchVectorEnv, Reward
+from avoidbench.registration import IDS
 from conftest import fly
 from flights import ONE, SMALL, changed, to_goal
 from gymnasium.utils.env_checker import check_env
 from gymnasium.vector import AutoresetMode, SyncVectorEnv
 from gymnasium.wrappers.vector import RecordEpisodeStatistics, RescaleAction
 
-import avoidbench
-from avoidbench.env import OBSERVATIONS, AvoidbenchEnv, AvoidbenchVectorEnv, Reward
-from avoidbench.registration import IDS
-
 HOVER = np.zeros(4, np.float32)
 # Places and velocities have no limits that always hold, and actions are in SI units.
-EXPECTED_WARNINGS = ("minimum value is -infinity", "maximum value is infinity", "we recommend using a symmetric and normalized space")
+EXPECTED_WARNINGS = (
+    "minimum value is -infinity",
+    "maximum value is infinity",
+    "we recommend using a symmetric and normalized space",
+)
 
 
 def same(one: Any, other: Any) -> bool:
     """Whether two results have the same bits, of whatever dicts and arrays they are made."""
     if isinstance(one, dict):
-        return isinstance(other, dict) and one.keys() == other.keys() and all(same(one[name], other[name]) for name in one)
+        return (
+            isinstance(other, dict) and one.keys() == other.keys() and all(same(one[name], other[name]) for name in one)
+        )
     if isinstance(one, tuple) or (isinstance(one, np.ndarray) and one.dtype == object):
         return len(one) == len(other) and all(same(a, b) for a, b in zip(one, other, strict=True))
     a, b = np.asarray(one), np.asarray(other)
@@ -44,7 +49,11 @@ def test_the_checker_passes_for_each_registered_environment(name: str) -> None:
         warnings.simplefilter("always")
         env = gymnasium.make(name, render_mode="rgb_array", **options)
         check_env(env.unwrapped)
-    unexpected = [str(warning.message) for warning in caught if not any(text in str(warning.message) for text in EXPECTED_WARNINGS)]
+    unexpected = [
+        str(warning.message)
+        for warning in caught
+        if not any(text in str(warning.message) for text in EXPECTED_WARNINGS)
+    ]
     assert not unexpected
 
 
@@ -137,10 +146,28 @@ SENSORS: dict[str, dict[str, Any]] = {
     "depth_ideal": {"preset": "depth_ideal", "width_px": 16, "height_px": 12},
     "depth_noisy": {"preset": "depth_noisy", "width_px": 32, "height_px": 24},
     "stereo_sgm": STEREO,
-    "more_mountings": {"preset": "depth_noisy", "width_px": 24, "height_px": 16, "more_mountings": [{"yaw_deg": 90}, {"yaw_deg": 180}]},
-    "more_cameras": {"preset": "depth_ideal", "width_px": 16, "height_px": 12,
-                     "more_cameras": [{"preset": "depth_noisy", "width_px": 16, "height_px": 12, "yaw_deg": 90, "rate_hz": 10,
-                                       "delay_ms": 120, "max_range_m": 30}]},
+    "more_mountings": {
+        "preset": "depth_noisy",
+        "width_px": 24,
+        "height_px": 16,
+        "more_mountings": [{"yaw_deg": 90}, {"yaw_deg": 180}],
+    },
+    "more_cameras": {
+        "preset": "depth_ideal",
+        "width_px": 16,
+        "height_px": 12,
+        "more_cameras": [
+            {
+                "preset": "depth_noisy",
+                "width_px": 16,
+                "height_px": 12,
+                "yaw_deg": 90,
+                "rate_hz": 10,
+                "delay_ms": 120,
+                "max_range_m": 30,
+            }
+        ],
+    },
     "late": {"preset": "depth_ideal", "width_px": 16, "height_px": 12, "delay_ms": 200},
 }
 
@@ -193,8 +220,12 @@ def test_each_kind_of_action_flies_upward(action: str, frame: str) -> None:
     options: dict[str, Any] = {"trajectory_points": 4, "trajectory_horizon_s": 0.8}
     env = AvoidbenchEnv(SMALL, action=action, frame=frame, observe=["pose"], **options)
     assert env.action_space.shape == ((16,) if action == "trajectory" else (4,))
-    upward = {"velocity": [0, 0, 1, 0], "acceleration": [0, 0, 1.5, 0], "rates_thrust": [0, 0, 0, 11.0],
-              "trajectory": [number for i in range(1, 5) for number in (0, 0, 0.2 * i, 0)]}[action]
+    upward = {
+        "velocity": [0, 0, 1, 0],
+        "acceleration": [0, 0, 1.5, 0],
+        "rates_thrust": [0, 0, 0, 11.0],
+        "trajectory": [number for i in range(1, 5) for number in (0, 0, 0.2 * i, 0)],
+    }[action]
     start, _ = env.reset(seed=1)
     assert env.action_space.contains(np.array(upward, np.float32))
     for _ in range(15):
@@ -234,10 +265,16 @@ def test_rewards_none_weights_and_functions() -> None:
 
     seen: list[tuple[Any, ...]] = []
 
-    def twice(observation: dict[str, np.ndarray], actions: np.ndarray, reward: np.ndarray, terminated: np.ndarray,
-              truncated: np.ndarray) -> np.ndarray:
+    def twice(
+        observation: dict[str, np.ndarray],
+        actions: np.ndarray,
+        reward: np.ndarray,
+        terminated: np.ndarray,
+        truncated: np.ndarray,
+    ) -> np.ndarray:
         seen.append((actions.shape, observation["goal"].shape, terminated.dtype, truncated.copy()))
         return 2.0 * reward + 1.0
+
     own, infos = flown(twice)
     began = np.zeros(62, bool)
     began[[30, 61]] = True
@@ -248,28 +285,38 @@ def test_rewards_none_weights_and_functions() -> None:
 
 
 def test_in_turn_each_trial_is_flown_once() -> None:
-    with closing(AvoidbenchVectorEnv(changed(SMALL, mission={"time_limit_s": 1}), 2, threads=2, observe=["goal"], order="in_turn")) as env:
+    with closing(
+        AvoidbenchVectorEnv(
+            changed(SMALL, mission={"time_limit_s": 1}), 2, threads=2, observe=["goal"], order="in_turn"
+        )
+    ) as env:
         assert env.trial_count == 4
         env.reset(seed=1)
         flown = []
         while len(flown) < 8:
             infos = env.step(np.zeros((2, 4)))[4]
             if infos:
-                flown += list(zip(infos["map_seed"].tolist(), infos["mission_index"].tolist(), infos["trial_key"], strict=True))
+                flown += list(
+                    zip(infos["map_seed"].tolist(), infos["mission_index"].tolist(), infos["trial_key"], strict=True)
+                )
     assert {trial[:2] for trial in flown[:4]} == {(1, 0), (1, 1), (2, 0), (2, 1)}
     assert len({trial[2] for trial in flown[:4]}) == 4 and flown[4:] == flown[:4]
 
 
 @pytest.mark.parametrize("mode", [AutoresetMode.NEXT_STEP, AutoresetMode.SAME_STEP])
 @pytest.mark.parametrize("slots", [2, 3, 15])
-def test_in_turn_the_ends_of_round_0_are_each_trial_that_can_be_flown_once(slots: int, mode: AutoresetMode, tmp_path: Path) -> None:
+def test_in_turn_the_ends_of_round_0_are_each_trial_that_can_be_flown_once(
+    slots: int, mode: AutoresetMode, tmp_path: Path
+) -> None:
     # So wide that some missions have no free start or goal.
     sweep = changed(SMALL, maps={"seeds": [1, 2, 3, 4, 5, 6]}, mission={"time_limit_s": 1, "free_radius_m": 1.7})
     missions = fly({**sweep, "planners": ["straight_line"]}, tmp_path / "flown.db").missions
     valid = missions[missions["is_valid"] == 1]
     assert 2 < len(valid) < len(missions) == 12
     flown = []
-    with closing(AvoidbenchVectorEnv(sweep, slots, threads=2, observe=["goal"], order="in_turn", autoreset_mode=mode)) as env:
+    with closing(
+        AvoidbenchVectorEnv(sweep, slots, threads=2, observe=["goal"], order="in_turn", autoreset_mode=mode)
+    ) as env:
         env.reset()
         while (env.rounds == 0).any():
             infos = env.step(np.zeros((slots, 4)))[4]
@@ -312,12 +359,19 @@ def straight_line(mission: Any, max_speed_mps: float, braking_mps2: float) -> Ca
         speed_mps = min(max_speed_mps, np.sqrt(2.0 * braking_mps2 * abs(left_m)), 2.0 * abs(left_m))
         aside_m = goal - left_m * course - pose[1:4]
         return np.array([*(np.copysign(speed_mps, left_m) * course + aside_m), 0.0])
+
     return command
 
 
 def test_episodes_end_as_the_programs_trials(tmp_path: Path) -> None:
-    sweep = changed(SMALL, maps={"poisson_radius_m": 4.5}, trials=3, planners=["straight_line"], max_speed_mps=2.0,
-                    mission={"time_limit_s": 20})
+    sweep = changed(
+        SMALL,
+        maps={"poisson_radius_m": 4.5},
+        trials=3,
+        planners=["straight_line"],
+        max_speed_mps=2.0,
+        mission={"time_limit_s": 20},
+    )
     results = fly(sweep, tmp_path / "flown.db")
     trials = results.trials.set_index(["map_seed", "mission_index"])
     missions = results.missions.set_index(["map_seed", "mission_index"])

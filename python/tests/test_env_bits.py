@@ -10,7 +10,9 @@ from typing import Any
 
 from flights import SMALL, changed, digest_of_random_flights
 
-SWEEP: dict[str, Any] = changed(SMALL, maps={"seeds": [1, 2, 3, 4]}, mission={"time_limit_s": 10}, sensor={"width_px": 8, "height_px": 8})
+SWEEP: dict[str, Any] = changed(
+    SMALL, maps={"seeds": [1, 2, 3, 4]}, mission={"time_limit_s": 10}, sensor={"width_px": 8, "height_px": 8}
+)
 OPTIONS: dict[str, Any] = {"observe": ["depth", "state", "goal", "pose", "imu"]}
 SCRIPT = """
 import json, sys
@@ -22,8 +24,12 @@ print(digest_of_random_flights(sweep, slots, 2, steps, **options))
 
 def test_random_flights_have_the_same_bits(is_long: bool) -> None:
     slots, steps = (64, 3000) if is_long else (16, 150)
-    other = subprocess.Popen([sys.executable, "-c", SCRIPT, json.dumps([SWEEP, slots, steps, OPTIONS])], stdout=subprocess.PIPE, text=True,
-                             env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)})
+    other = subprocess.Popen(
+        [sys.executable, "-c", SCRIPT, json.dumps([SWEEP, slots, steps, OPTIONS])],
+        stdout=subprocess.PIPE,
+        text=True,
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)},
+    )
     one = digest_of_random_flights(SWEEP, slots, 1, steps, **OPTIONS)
     two = digest_of_random_flights(SWEEP, slots, 2, steps, **OPTIONS)
     output, _ = other.communicate()
@@ -31,11 +37,17 @@ def test_random_flights_have_the_same_bits(is_long: bool) -> None:
 
 
 def test_the_digest_sees_other_flights() -> None:
-    digests = {digest_of_random_flights(changed(SWEEP, **change), 4, 2, 20, **OPTIONS)
-               for change in ({}, {"seed": 7}, {"sensor": {"fov_x_deg": 91}}, {"imu": {"rate_hz": 100}})}
+    digests = {
+        digest_of_random_flights(changed(SWEEP, **change), 4, 2, 20, **OPTIONS)
+        for change in ({}, {"seed": 7}, {"sensor": {"fov_x_deg": 91}}, {"imu": {"rate_hz": 100}})
+    }
     assert len(digests) == 4
 
 
 def test_with_noise_and_wind_too() -> None:
-    sweep = changed(SWEEP, sensor={"preset": "depth_noisy", "width_px": 32, "height_px": 24}, wind={"mean_world_mps": [2, 1, 0]})
-    assert len({digest_of_random_flights(sweep, 6, threads, 60, autoreset_mode="SameStep") for threads in (1, 2, 5)}) == 1
+    sweep = changed(
+        SWEEP, sensor={"preset": "depth_noisy", "width_px": 32, "height_px": 24}, wind={"mean_world_mps": [2, 1, 0]}
+    )
+    assert (
+        len({digest_of_random_flights(sweep, 6, threads, 60, autoreset_mode="SameStep") for threads in (1, 2, 5)}) == 1
+    )

@@ -8,9 +8,8 @@ import os
 from collections.abc import Callable
 
 import numpy as np
-from flights import ONE, SMALL, changed
-
 from avoidbench.env import AvoidbenchEnv, AvoidbenchVectorEnv
+from flights import ONE, SMALL, changed
 
 
 def memory_mib() -> float:

@@ -17,20 +17,21 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import avoidbench
 import gymnasium
 import numpy as np
 import pytest
+from avoidbench.env import AvoidbenchEnv, AvoidbenchVectorEnv, InputError
 from flights import ONE, SMALL, changed
 from gymnasium.vector import AsyncVectorEnv
-
-import avoidbench
-from avoidbench.env import AvoidbenchEnv, AvoidbenchVectorEnv, InputError
 
 STILL = np.zeros((2, 4))
 
 
 def vector(**options: Any) -> AvoidbenchVectorEnv:
-    return AvoidbenchVectorEnv(options.pop("sweep", SMALL), **{"num_envs": 2, "threads": 2, "observe": ["goal"], **options})
+    return AvoidbenchVectorEnv(
+        options.pop("sweep", SMALL), **{"num_envs": 2, "threads": 2, "observe": ["goal"], **options}
+    )
 
 
 def single(**options: Any) -> AvoidbenchEnv:
@@ -61,7 +62,9 @@ def single(**options: Any) -> AvoidbenchEnv:
     ],
 )
 @pytest.mark.filterwarnings("ignore:overflow encountered in cast")
-def test_actions_that_are_none_are_refused_and_nothing_is_flown(actions: Any, error: type[Exception], text: str) -> None:
+def test_actions_that_are_none_are_refused_and_nothing_is_flown(
+    actions: Any, error: type[Exception], text: str
+) -> None:
     env = vector(observe=["pose"], copy=False)
     seen, _ = env.reset(seed=1)
     before = seen["pose"].copy()
@@ -74,9 +77,12 @@ def test_actions_that_are_none_are_refused_and_nothing_is_flown(actions: Any, er
 def test_actions_of_one_flight_are_told_by_their_name() -> None:
     env = single()
     env.reset()
-    for action, error, text in ((np.zeros(3), ValueError, r"action: an array \(4,\) is wanted, not \(3,\)"),
-                                ([[1, 2], [3]], ValueError, "action: an array"), ("up", TypeError, "action: real numbers"),
-                                (np.zeros((1, 4)), ValueError, r"not \(1, 4\)")):
+    for action, error, text in (
+        (np.zeros(3), ValueError, r"action: an array \(4,\) is wanted, not \(3,\)"),
+        ([[1, 2], [3]], ValueError, "action: an array"),
+        ("up", TypeError, "action: real numbers"),
+        (np.zeros((1, 4)), ValueError, r"not \(1, 4\)"),
+    ):
         with pytest.raises(error, match=text):
             env.step(action)
 
@@ -225,7 +231,9 @@ def test_environments_that_can_not_be_are_refused(arguments: dict[str, Any], err
         vector(**arguments)
 
 
-@pytest.mark.parametrize(("count", "error"), [(0, ValueError), (-1, ValueError), (10**9, ValueError), (2.0, TypeError), ("2", TypeError)])
+@pytest.mark.parametrize(
+    ("count", "error"), [(0, ValueError), (-1, ValueError), (10**9, ValueError), (2.0, TypeError), ("2", TypeError)]
+)
 def test_numbers_of_slots_and_threads_that_can_not_be(count: Any, error: type[Exception]) -> None:
     with pytest.raises(error, match="num_envs"):
         vector(num_envs=count)
@@ -341,12 +349,20 @@ def test_closing_while_another_thread_steps() -> None:
     assert not thread.is_alive() and isinstance(raised[0], gymnasium.error.ClosedEnvironmentError)
 
 
-def outcome_of(script: str, *arguments: str, timeout_s: float = 100.0, signal_after: str | None = None) -> tuple[int, str]:
-    """Exit status and output of a Python that runs `script`. With `signal_after` a SIGINT comes when it has printed this line."""
+def outcome_of(
+    script: str, *arguments: str, timeout_s: float = 100.0, signal_after: str | None = None
+) -> tuple[int, str]:
+    """Exit status and output of a Python that runs `script`. With `signal_after` a SIGINT comes when it has printed
+    this line."""
     # Of a fork beside threads Python warns from 3.12 on; that is what is tried here.
     command = [sys.executable, "-X", "faulthandler", "-W", "ignore::DeprecationWarning", "-c", script, *arguments]
-    process = subprocess.Popen(command, stdout=subprocess.PIPE,
-                               stderr=subprocess.STDOUT, text=True, env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)})
+    process = subprocess.Popen(
+        command,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)},
+    )
     try:
         if signal_after is not None:
             assert process.stdout is not None
@@ -464,7 +480,9 @@ def test_control_c_ends_long_calls_soon(call: str, threads: int) -> None:
     else:  # a reset takes minutes, for maps of a second each
         sweep, slots = changed(SMALL, maps={"area_m": [40, 40], "seeds": list(range(1, 400))}), 400
     began = time.monotonic()
-    status, output = outcome_of(INTERRUPTED, json.dumps(sweep), str(slots), str(threads), call, json.dumps(SMALL), signal_after="go")
+    status, output = outcome_of(
+        INTERRUPTED, json.dumps(sweep), str(slots), str(threads), call, json.dumps(SMALL), signal_after="go"
+    )
     lines = output.split("\n")
     assert status == 0 and lines[0] == "interrupted" and lines[2] == "usable", output
     assert lines[1] in ("reset() comes before step()", "goes on"), output
@@ -485,13 +503,17 @@ except KeyboardInterrupt:
 
 def test_a_search_for_a_mission_is_interrupted() -> None:
     # Nowhere are 1.95 m free around a start; each of a thousand tries makes a map.
-    sweep = changed(SMALL, maps={"seeds": list(range(1, 100)), "poisson_radius_m": 2.0}, mission={"free_radius_m": 1.95})
+    sweep = changed(
+        SMALL, maps={"seeds": list(range(1, 100)), "poisson_radius_m": 2.0}, mission={"free_radius_m": 1.95}
+    )
     status, output = outcome_of(NO_MISSION, json.dumps(sweep), signal_after="go", timeout_s=60)
     assert (status, output) == (0, "interrupted\n")
 
 
 def test_a_handler_of_signals_may_not_step_what_is_being_stepped() -> None:
-    env = vector(sweep=changed(SMALL, sensor={"width_px": 320, "height_px": 240}), num_envs=64, threads=1, observe=["depth"])
+    env = vector(
+        sweep=changed(SMALL, sensor={"width_px": 320, "height_px": 240}), num_envs=64, threads=1, observe=["depth"]
+    )
     env.reset(seed=1)
     told: list[str] = []
 
@@ -519,9 +541,11 @@ def test_a_handler_of_signals_may_not_step_what_is_being_stepped() -> None:
 
 
 def test_environments_that_are_never_closed_end_with_the_process() -> None:
-    script = ("from flights import SMALL\nfrom avoidbench.env import *\n"
-              "kept = [AvoidbenchVectorEnv(SMALL, 3, threads=2) for _ in range(5)]\n"
-              "[env.reset() for env in kept]\nkept.append(kept)\n")
+    script = (
+        "from flights import SMALL\nfrom avoidbench.env import *\n"
+        "kept = [AvoidbenchVectorEnv(SMALL, 3, threads=2) for _ in range(5)]\n"
+        "[env.reset() for env in kept]\nkept.append(kept)\n"
+    )
     assert outcome_of(script) == (0, "")
 
 

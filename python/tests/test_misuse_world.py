@@ -55,7 +55,9 @@ def changed(row: int, column: int, value: float) -> np.ndarray:
         ("forest", {"seed": "1"}, TypeError, "str"),
     ],
 )
-def test_maps_that_can_not_be_are_refused(source: Any, fields: dict[str, Any], error: type[Exception], text: str) -> None:
+def test_maps_that_can_not_be_are_refused(
+    source: Any, fields: dict[str, Any], error: type[Exception], text: str
+) -> None:
     with pytest.raises(error, match=text):
         avoidbench.make_world(source, **fields)
 
@@ -100,7 +102,9 @@ def test_a_file_that_is_no_yaml_is_told_with_its_place(tmp_path: Path) -> None:
         (None, TypeError, "either T_world_camera"),
     ],
 )
-def test_poses_that_are_none_are_refused(world: avoidbench.World, poses: Any, error: type[Exception], text: str) -> None:
+def test_poses_that_are_none_are_refused(
+    world: avoidbench.World, poses: Any, error: type[Exception], text: str
+) -> None:
     with pytest.raises(error, match=text):
         world.depth(poses, width_px=16, height_px=8)
 

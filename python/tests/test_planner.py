@@ -8,12 +8,23 @@ import sys
 from pathlib import Path
 from typing import Any
 
+import avoidbench
 import numpy as np
 import pytest
-
-import avoidbench
 from avoidbench import _core, planner_abi, portable_math
-from avoidbench.planner import Acceleration, GiveUp, Mission, Observation, Parameter, Planner, Position, Rates, Setup, Trajectory, Velocity
+from avoidbench.planner import (
+    Acceleration,
+    GiveUp,
+    Mission,
+    Observation,
+    Parameter,
+    Planner,
+    Position,
+    Rates,
+    Setup,
+    Trajectory,
+    Velocity,
+)
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
 sys.path.insert(0, str(EXAMPLES))
@@ -30,7 +41,9 @@ HALL: dict[str, Any] = {
 
 
 def fly(planner: type[Planner], folder: Path, **changes: Any) -> Any:
-    return avoidbench.fly({**HALL, **changes.pop("sweep", {})}, planner, database=folder / "flown.db", progress=False, **changes)
+    return avoidbench.fly(
+        {**HALL, **changes.pop("sweep", {})}, planner, database=folder / "flown.db", progress=False, **changes
+    )
 
 
 def only_trial(planner: type[Planner], folder: Path, **changes: Any) -> Any:
@@ -54,7 +67,9 @@ def test_portable_math_is_close_to_pythons() -> None:
 def test_straight_line_in_python_flies_the_librarys_rows(tmp_path: Path) -> None:
     own = avoidbench.fly("quick", StraightLine, database=tmp_path / "own.db", progress=False)
     with pytest.warns(UserWarning, match="4 trials per map"):
-        library = avoidbench.run("quick", set={"planners": ["straight_line"]}, database=tmp_path / "library.db", progress=False)
+        library = avoidbench.run(
+            "quick", set={"planners": ["straight_line"]}, database=tmp_path / "library.db", progress=False
+        )
     assert len(own.trials) == 8
     comparison = library.compare(own, exact=True)
     assert "bit for bit" in str(comparison)
@@ -66,8 +81,12 @@ def test_straight_line_in_python_flies_the_librarys_rows(tmp_path: Path) -> None
 class Seeing(Planner):
     name = "seeing"
     sees = ("state", "depth", "stereo", "color", "imu")
-    parameters = (Parameter("count", 3, "Whole.", lowest=1, highest=9), Parameter("word", "safe", "One of.", choices=("safe", "fast")),
-                  Parameter("text", "none", "Any."), Parameter("gain", 0.5, "Real."))
+    parameters = (
+        Parameter("count", 3, "Whole.", lowest=1, highest=9),
+        Parameter("word", "safe", "One of.", choices=("safe", "fast")),
+        Parameter("text", "none", "Any."),
+        Parameter("gain", 0.5, "Real."),
+    )
     setups: list[Setup] = []
     missions: list[Mission] = []
     seen: list[dict[str, Any]] = []
@@ -84,10 +103,17 @@ class Seeing(Planner):
         image = observation.depth[0]
         with pytest.raises(ValueError, match="read-only"):
             image.depth_m[0, 0] = 1.0
-        Seeing.seen.append({
-            "time_s": observation.time_s, "depth": image.depth_m.copy(), "left": observation.stereo[0].left.pixels.shape,
-            "color": observation.color[0].pixels.shape, "imu": observation.imu.specific_force_body_mps2.copy(),
-            "place": observation.position_world_m, "camera": (image.position_world_m, image.q_world_camera)})
+        Seeing.seen.append(
+            {
+                "time_s": observation.time_s,
+                "depth": image.depth_m.copy(),
+                "left": observation.stereo[0].left.pixels.shape,
+                "color": observation.color[0].pixels.shape,
+                "imu": observation.imu.specific_force_body_mps2.copy(),
+                "place": observation.position_world_m,
+                "camera": (image.position_world_m, image.q_world_camera),
+            }
+        )
         return Velocity([0.0, 0.0, 0.0])
 
 
@@ -107,9 +133,11 @@ def test_what_is_seen(tmp_path: Path) -> None:
     world = avoidbench.make_world("hall", seed=1, area_m=[14, 16], poisson_radius_m=4.0)
     position, (w, x, y, z) = first["camera"]
     pose = np.eye(4)
-    pose[:3, :3] = [[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-                    [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-                    [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]]
+    pose[:3, :3] = [
+        [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+        [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+    ]
     pose[:3, 3] = position
     expected = world.depth(pose, sensor={"preset": "depth_ideal", "width_px": 24, "height_px": 16})
     np.testing.assert_allclose(first["depth"], expected, rtol=1e-4)
@@ -126,7 +154,11 @@ class OneEyed(Planner):
     def plan(self, observation: Observation) -> Velocity:
         assert len(self.setup.cameras) == 1
         image = observation.newest_depth(0)
-        assert observation.newest_depth(1) is None and observation.newest_color(0) is None and observation.newest_stereo(0) is None
+        assert (
+            observation.newest_depth(1) is None
+            and observation.newest_color(0) is None
+            and observation.newest_stereo(0) is None
+        )
         if image is not None:
             w, x, y, z = image.q_world_camera
             ahead = (2 * (x * z + w * y), 2 * (y * z - w * x))
@@ -153,7 +185,9 @@ RIG = {"preset": "depth_ideal", "width_px": 24, "height_px": 16, "more_mountings
 
 
 def test_a_planner_of_one_camera_is_given_one(tmp_path: Path) -> None:
-    with pytest.raises(avoidbench.InputError, match=r"one_eyed can't fly with sensor 'depth_ideal': it handles one camera and gets 2"):
+    with pytest.raises(
+        avoidbench.InputError, match=r"one_eyed can't fly with sensor 'depth_ideal': it handles one camera and gets 2"
+    ):
         only_trial(OneEyed, tmp_path, sweep={"sensor": RIG})
     with pytest.raises(avoidbench.InputError, match=r"needs a view of 57.3° × 28.6° or more"):
         only_trial(OneEyed, tmp_path, sweep={"sensor": {**RIG, "more_mountings": [], "fov_x_deg": 50}})
@@ -179,29 +213,37 @@ class Commanding(Planner):
 HOLD = [0.0, 0.0, 0.0]
 
 
-@pytest.mark.parametrize("answer", [
-    lambda self, seen: Position(seen.position_world_m + [0, 0, 0.1], yaw_rad=0.1),
-    lambda self, seen: Velocity(HOLD, yaw_rate_radps=0.2, horizon_s=0.5),
-    lambda self, seen: Acceleration(np.array([0.0, 0.1, 0.0], np.float32)),
-    lambda self, seen: Rates([0, 0, 0], 9.81),
-    lambda self, seen: Trajectory([0.0, 0.5], [seen.position_world_m, seen.position_world_m], [HOLD, HOLD], [HOLD, HOLD], yaw_rad=[0.1, 0.2]),
-    lambda self, seen: None,
-])
+@pytest.mark.parametrize(
+    "answer",
+    [
+        lambda self, seen: Position(seen.position_world_m + [0, 0, 0.1], yaw_rad=0.1),
+        lambda self, seen: Velocity(HOLD, yaw_rate_radps=0.2, horizon_s=0.5),
+        lambda self, seen: Acceleration(np.array([0.0, 0.1, 0.0], np.float32)),
+        lambda self, seen: Rates([0, 0, 0], 9.81),
+        lambda self, seen: Trajectory(
+            [0.0, 0.5], [seen.position_world_m, seen.position_world_m], [HOLD, HOLD], [HOLD, HOLD], yaw_rad=[0.1, 0.2]
+        ),
+        lambda self, seen: None,
+    ],
+)
 def test_every_command_flies(answer: Any, tmp_path: Path) -> None:
     Commanding.answer = answer
     assert only_trial(Commanding, tmp_path)["outcome"] == "timed_out"
 
 
-@pytest.mark.parametrize(("answer", "reason"), [
-    (lambda self, seen: 1 / 0, r"ZeroDivisionError: division by zero \(test_planner.py:\d+\)"),
-    (lambda self, seen: "left", "TypeError: plan\\(\\) gave str, which is no command"),
-    (lambda self, seen: Velocity([1, 2]), "velocity_world_mps: an array \\(3,\\) is wanted, not \\(2,\\)"),
-    (lambda self, seen: Velocity([1, 2, float("nan")]), "velocity_world_mps is not finite"),
-    (lambda self, seen: Velocity(HOLD, yaw_rad=0.0, yaw_rate_radps=0.0), "one of the two is wanted"),
-    (lambda self, seen: Trajectory([0.0], [HOLD], [HOLD], [HOLD]), "needs at least 2"),
-    (lambda self, seen: Trajectory([0.0, 1.0], [HOLD], [HOLD], [HOLD]), "position_world_m: an array \\(2, 3\\)"),
-    (lambda self, seen: sys.exit(3), "SystemExit"),
-])
+@pytest.mark.parametrize(
+    ("answer", "reason"),
+    [
+        (lambda self, seen: 1 / 0, r"ZeroDivisionError: division by zero \(test_planner.py:\d+\)"),
+        (lambda self, seen: "left", "TypeError: plan\\(\\) gave str, which is no command"),
+        (lambda self, seen: Velocity([1, 2]), "velocity_world_mps: an array \\(3,\\) is wanted, not \\(2,\\)"),
+        (lambda self, seen: Velocity([1, 2, float("nan")]), "velocity_world_mps is not finite"),
+        (lambda self, seen: Velocity(HOLD, yaw_rad=0.0, yaw_rate_radps=0.0), "one of the two is wanted"),
+        (lambda self, seen: Trajectory([0.0], [HOLD], [HOLD], [HOLD]), "needs at least 2"),
+        (lambda self, seen: Trajectory([0.0, 1.0], [HOLD], [HOLD], [HOLD]), "position_world_m: an array \\(2, 3\\)"),
+        (lambda self, seen: sys.exit(3), "SystemExit"),
+    ],
+)
 def test_mistakes_end_the_trial_with_their_reason(answer: Any, reason: str, tmp_path: Path) -> None:
     import re
 
@@ -250,9 +292,14 @@ def test_wrong_declarations_are_refused(tmp_path: Path) -> None:
         name = "preset"
         parameters = (Parameter("a", 3.0, "Beyond its range.", lowest=0, highest=1),)
 
-    for planner, error, words in ((NoName, ValueError, "NoName.name"), (Sees, ValueError, "'lidar' is none of"),
-                                  (Uses, ValueError, "'files' is none of processes"), (Text, TypeError, "a list"),
-                                  (Preset, avoidbench.InputError, "the preset is outside"), (int, TypeError, "a subclass of")):
+    for planner, error, words in (
+        (NoName, ValueError, "NoName.name"),
+        (Sees, ValueError, "'lidar' is none of"),
+        (Uses, ValueError, "'files' is none of processes"),
+        (Text, TypeError, "a list"),
+        (Preset, avoidbench.InputError, "the preset is outside"),
+        (int, TypeError, "a subclass of"),
+    ):
         with pytest.raises(error, match=words):
             fly(planner, tmp_path)
     with pytest.raises(avoidbench.InputError, match="line_gain_hz"):
@@ -295,7 +342,10 @@ def test_an_interrupt_ends_after_the_trial_that_flies(tmp_path: Path) -> None:
     trials = avoidbench.read(database).trials
     assert len(trials) == 1
     assert trials.iloc[0]["outcome"] in ("timed_out", "reached_goal", "collided")
-    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler or os.environ.get("PYTEST_XDIST_WORKER") is not None
+    assert (
+        signal.getsignal(signal.SIGINT) is signal.default_int_handler
+        or os.environ.get("PYTEST_XDIST_WORKER") is not None
+    )
 
 
 def test_a_class_without_a_file_is_refused(tmp_path: Path) -> None:

@@ -15,13 +15,12 @@ import time
 import warnings
 from pathlib import Path
 
+import avoidbench
 import numpy as np
 import pytest
-from conftest import TINY, fly
-
-import avoidbench
 from avoidbench import _location
 from avoidbench.program import find_program
+from conftest import TINY, fly
 
 SHORT = {**TINY, "planners": ["straight_line"]}
 LONG = {**TINY, "sweep": "long", "trials": 15, "planners": ["reactive"]}
@@ -77,8 +76,9 @@ def test_overrides_and_revisions(tmp_path: Path) -> None:
 
 
 def test_the_package_loads_without_pandas() -> None:
-    script = ("import sys, avoidbench; assert 'pandas' not in sys.modules; "
-              "from avoidbench import run; print(run.__name__)")
+    script = (
+        "import sys, avoidbench; assert 'pandas' not in sys.modules; from avoidbench import run; print(run.__name__)"
+    )
     assert subprocess.run([sys.executable, "-c", script], capture_output=True, check=True).stdout == b"run\n"
 
 
@@ -132,8 +132,9 @@ def test_the_bar_says_what_the_program_says(tmp_path: Path, capsys: pytest.Captu
     assert capsys.readouterr() == ("", "")
 
 
-def test_the_bar_obeys_no_label(tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
-                                capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_bar_obeys_no_label(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
     planners = {"\x1b[2J": {"flown": 1, "reached_goal": 1}}
     progress = json.dumps({"done": 1, "done_before": 0, "total": 2, "planners": planners})
     fake = fake_program(tmp_path / "program", f"printf '%s\\n' '{progress}' >&2\nexit 9\n")
@@ -164,8 +165,13 @@ def children_of(parent: int) -> list[int]:
 def test_an_interrupt_keeps_what_was_flown(tmp_path: Path, is_whole_group: bool) -> None:
     """By a signal to Python alone (a notebook), and to all of a terminal's foreground group (Ctrl-C)."""
     database = tmp_path / "long.db"
-    python = subprocess.Popen([sys.executable, "-c", INTERRUPTED, json.dumps(LONG), str(database)],
-                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True)
+    python = subprocess.Popen(
+        [sys.executable, "-c", INTERRUPTED, json.dumps(LONG), str(database)],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
+    )
     deadline_s = time.monotonic() + 120.0
     while trial_count(database) < 1:
         assert python.poll() is None and time.monotonic() < deadline_s
@@ -191,8 +197,12 @@ def test_an_interrupt_keeps_what_was_flown(tmp_path: Path, is_whole_group: bool)
 
 def test_a_second_interrupt_ends_at_once(tmp_path: Path) -> None:
     database = tmp_path / "long.db"
-    python = subprocess.Popen([sys.executable, "-c", INTERRUPTED, json.dumps(LONG), str(database)],
-                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    python = subprocess.Popen(
+        [sys.executable, "-c", INTERRUPTED, json.dumps(LONG), str(database)],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
     while trial_count(database) < 1:
         assert python.poll() is None
         time.sleep(0.05)
@@ -210,8 +220,12 @@ def test_a_second_interrupt_ends_at_once(tmp_path: Path) -> None:
 
 def test_results_are_read_while_a_run_writes(tmp_path: Path) -> None:
     database = tmp_path / "long.db"
-    python = subprocess.Popen([sys.executable, "-c", INTERRUPTED, json.dumps(LONG), str(database)],
-                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    python = subprocess.Popen(
+        [sys.executable, "-c", INTERRUPTED, json.dumps(LONG), str(database)],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
     try:
         while trial_count(database) < 1:
             assert python.poll() is None
@@ -245,8 +259,12 @@ def test_where_the_program_is_looked_for(tmp_path: Path, monkeypatch: pytest.Mon
     monkeypatch.delenv("AVOIDBENCH_PROGRAM", raising=False)
     with pytest.raises(avoidbench.ProgramError) as caught:
         find_program()
-    for words in ("AVOIDBENCH_PROGRAM", str(package / "program/bin/avoidbench"), str(tmp_path / "build/avoidbench"),
-                  "on the PATH"):
+    for words in (
+        "AVOIDBENCH_PROGRAM",
+        str(package / "program/bin/avoidbench"),
+        str(tmp_path / "build/avoidbench"),
+        "on the PATH",
+    ):
         assert words in str(caught.value)
     for place in (tmp_path / "bin", tmp_path / "build", package / "program" / "bin"):  # each before the one before it
         file = fake_program(place / "avoidbench", "exit 0\n")
@@ -263,14 +281,19 @@ def test_where_the_program_is_looked_for(tmp_path: Path, monkeypatch: pytest.Mon
         find_program()
 
 
-@pytest.mark.parametrize(("script", "message", "exit_code"), [
-    ("kill -SEGV $$\n", "avoidbench run was ended by SIGSEGV", -signal.SIGSEGV),
-    ("exit 7\n", "ended with exit code 7 and said nothing", 7),
-    ("echo 'warning: w' >&2; echo 'it broke' >&2; exit 3\n", "^it broke$", 3),
-    ("echo '{\"done\": 1}' >&2; exit 75\n", "done", 75),
-    ("exit 0\n", "did not say where its results are", None)])
-def test_a_program_that_fails(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, script: str, message: str,
-                              exit_code: int | None) -> None:
+@pytest.mark.parametrize(
+    ("script", "message", "exit_code"),
+    [
+        ("kill -SEGV $$\n", "avoidbench run was ended by SIGSEGV", -signal.SIGSEGV),
+        ("exit 7\n", "ended with exit code 7 and said nothing", 7),
+        ("echo 'warning: w' >&2; echo 'it broke' >&2; exit 3\n", "^it broke$", 3),
+        ("echo '{\"done\": 1}' >&2; exit 75\n", "done", 75),
+        ("exit 0\n", "did not say where its results are", None),
+    ],
+)
+def test_a_program_that_fails(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, script: str, message: str, exit_code: int | None
+) -> None:
     monkeypatch.setenv("AVOIDBENCH_PROGRAM", str(fake_program(tmp_path / "program", script)))
     with pytest.raises(avoidbench.ProgramError, match=message) as caught:
         avoidbench.run(SHORT, progress=False)

@@ -9,9 +9,8 @@ import sys
 from pathlib import Path
 from typing import Any
 
-import pytest
-
 import avoidbench
+import pytest
 from avoidbench import _core, _python_math, serving
 from avoidbench import planner_abi as abi
 from avoidbench._location import program_file
@@ -26,7 +25,7 @@ HALL: dict[str, Any] = {
     "sensor": {"preset": "stereo_sgm", "width_px": 96, "height_px": 72},
 }
 # Gives up, or fails, with a digest of all that it was told.
-TELLING = '''
+TELLING = """
 import hashlib
 
 from avoidbench.planner import GiveUp, Parameter, Planner, Trajectory, Velocity
@@ -64,8 +63,8 @@ class Telling(Planner):
             return Velocity([0.1, 0.2, 0.0], yaw_rate_radps=0.1, horizon_s=0.5)
         start = observation.position_world_m
         return Trajectory([0.0, 1.0], [start, start + [0.1, 0.0, 0.0]], [[0, 0, 0]] * 2, [[0, 0, 0]] * 2)
-'''
-TOLD = '''
+"""
+TOLD = """
 import dataclasses
 
 import numpy as np
@@ -79,7 +78,7 @@ def plain(value):
     if isinstance(value, dict):
         return sorted(value.items())
     return [plain(item) for item in value] if isinstance(value, tuple) else value
-'''
+"""
 
 
 def class_in(file: Path, name: str) -> Any:
@@ -111,10 +110,19 @@ def run(sweep: Any, database: Path, planner: Any) -> avoidbench.Results:
 
 def test_structs_are_those_of_the_header() -> None:
     sizes = _core.struct_sizes()
-    for form, name in ((serving.PLANNER, "ab_planner"), (serving.PARAMETER, "ab_parameter"), (serving.FILES, "ab_files"),
-                       (serving.SETUP, "ab_setup"), (serving.VALUE, "ab_value"), (serving.CAMERA, "ab_camera"),
-                       (serving.MISSION, "ab_mission"), (serving.OBSERVATION, "ab_observation"), (serving.DEPTH, "ab_depth_image"),
-                       (serving.PICTURE, "ab_picture"), (serving.STEREO, "ab_stereo_pair")):
+    for form, name in (
+        (serving.PLANNER, "ab_planner"),
+        (serving.PARAMETER, "ab_parameter"),
+        (serving.FILES, "ab_files"),
+        (serving.SETUP, "ab_setup"),
+        (serving.VALUE, "ab_value"),
+        (serving.CAMERA, "ab_camera"),
+        (serving.MISSION, "ab_mission"),
+        (serving.OBSERVATION, "ab_observation"),
+        (serving.DEPTH, "ab_depth_image"),
+        (serving.PICTURE, "ab_picture"),
+        (serving.STEREO, "ab_stereo_pair"),
+    ):
         assert form.size == sizes[name], name
     assert serving.COMMAND_BYTES == sizes["ab_command"]
     assert serving.COMMAND_POINTS == abi.CommandStruct.points.offset
@@ -158,7 +166,9 @@ def test_a_started_planner_is_told_the_same(tmp_path: Path, fails: int) -> None:
     (tmp_path / "told.py").write_text(TOLD)
     (tmp_path / "weights.txt").write_text("1")
     parameters = {"count": 5, "word": "fast", "text": "a\nb", "gain": 0.1, "fails": fails}
-    flown = avoidbench.fly(HALL, class_in(file, "Telling"), parameters=parameters, database=tmp_path / "flown.db", progress=False)
+    flown = avoidbench.fly(
+        HALL, class_in(file, "Telling"), parameters=parameters, database=tmp_path / "flown.db", progress=False
+    )
     started = run(HALL, tmp_path / "started.db", {"plugin": str(file), "parameters": parameters})
     assert set(started.trials["outcome"]) == {"planner_error" if fails else "planner_gave_up"}
     assert list(started.trials["trial_key"]) == list(flown.trials["trial_key"])
@@ -168,14 +178,28 @@ def test_a_started_planner_is_told_the_same(tmp_path: Path, fails: int) -> None:
 
 def test_files_are_found_in_the_sources(tmp_path: Path) -> None:
     (tmp_path / "package" / "inner").mkdir(parents=True)
-    for name, text in {"mine.py": "import numpy, helper\nfrom package import part\n", "helper.py": "import other_helper\n",
-                       "other_helper.py": "", "unused.py": "", "package/__init__.py": "from . import own\n", "package/own.py": "",
-                       "package/part.py": "from .inner.deep import x\n", "package/inner/__init__.py": "",
-                       "package/inner/deep.py": "import helper\nx = 1\n"}.items():
+    for name, text in {
+        "mine.py": "import numpy, helper\nfrom package import part\n",
+        "helper.py": "import other_helper\n",
+        "other_helper.py": "",
+        "unused.py": "",
+        "package/__init__.py": "from . import own\n",
+        "package/own.py": "",
+        "package/part.py": "from .inner.deep import x\n",
+        "package/inner/__init__.py": "",
+        "package/inner/deep.py": "import helper\nx = 1\n",
+    }.items():
         (tmp_path / name).write_text(text)
     modules = [module.as_posix() for module in local_modules(tmp_path / "mine.py")]
-    assert modules == ["helper.py", "other_helper.py", "package/__init__.py", "package/inner/__init__.py", "package/inner/deep.py",
-                       "package/own.py", "package/part.py"]
+    assert modules == [
+        "helper.py",
+        "other_helper.py",
+        "package/__init__.py",
+        "package/inner/__init__.py",
+        "package/inner/deep.py",
+        "package/own.py",
+        "package/part.py",
+    ]
     assert planner_files(tmp_path / "mine.py", ("w.npz", "helper.py"))[:2] == ["w.npz", "helper.py"]
 
 

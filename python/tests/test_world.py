@@ -17,7 +17,9 @@ HALL = {"area_m": [20, 30], "height_m": 5.0}
 
 def empty_hall() -> avoidbench.World:
     """A hall of a few cylinders that are lower than every camera here."""
-    return avoidbench.make_world("hall", **HALL, poisson_radius_m=10.0, cylinder_height_m=[0.3, 0.3], flight_height_m=2.0)
+    return avoidbench.make_world(
+        "hall", **HALL, poisson_radius_m=10.0, cylinder_height_m=[0.3, 0.3], flight_height_m=2.0
+    )
 
 
 def pixel_rays(width: int, height: int, fov_x_deg: float) -> np.ndarray:
@@ -29,7 +31,8 @@ def pixel_rays(width: int, height: int, fov_x_deg: float) -> np.ndarray:
 
 
 def triangle_distances(point: np.ndarray, triangles: np.ndarray) -> np.ndarray:
-    """Distance from a point (3,) to each of the triangles (F, 3, 3): the least of those to its plane inside and to its edges."""
+    """Distance from a point (3,) to each of the triangles (F, 3, 3): the least of those to its plane inside and to its
+    edges."""
     a, b, c = triangles[:, 0], triangles[:, 1], triangles[:, 2]
     best = np.full(len(triangles), np.inf)
     for start, end in ((a, b), (b, c), (c, a)):
@@ -205,7 +208,11 @@ def test_generators_files_and_mappings_give_the_same_map(tmp_path: Path) -> None
     assert (by_name.generator, by_name.seed) == ("hall", 5)
     file = tmp_path / "map.yaml"
     file.write_text("generator: hall\ncrates_ratio: 0.25\nseeds: [5]\n")
-    sweep = {"sweep": "mine", "trials": 3, "maps": {"generator": "hall", "crates_ratio": np.float64(0.25), "seeds": [5, 6]}}
+    sweep = {
+        "sweep": "mine",
+        "trials": 3,
+        "maps": {"generator": "hall", "crates_ratio": np.float64(0.25), "seeds": [5, 6]},
+    }
     others = [
         avoidbench.make_world(file),
         avoidbench.make_world(str(file), crates_ratio=0.25),
@@ -274,7 +281,9 @@ def test_making_a_map_is_interrupted_wherever_it_is(tmp_path: Path) -> None:
     def make() -> float:
         """The processor's time that it takes."""
         began = time.process_time()
-        avoidbench.make_world("mesh", file=tmp_path / "bumps.stl", bounds={"lowest_m": [0, 0, 0], "highest_m": [60, 60, 10]})
+        avoidbench.make_world(
+            "mesh", file=tmp_path / "bumps.stl", bounds={"lowest_m": [0, 0, 0], "highest_m": [60, 60, 10]}
+        )
         return time.process_time() - began
 
     def interrupt(*_: object) -> None:

@@ -1,10 +1,10 @@
 """The figures: each a function of a section of the report and of the sweep's trials."""
+
 import dataclasses
 
 import numpy
-from matplotlib.ticker import FixedLocator, FuncFormatter, NullFormatter, NullLocator
-
 import style
+from matplotlib.ticker import FixedLocator, FuncFormatter, NullFormatter, NullLocator
 
 TRAVERSABILITY = "traversability_normalized_ratio"
 TRAVERSABILITY_LABEL = "normalised traversability"
@@ -12,10 +12,10 @@ TRAVERSABILITY_LABEL = "normalised traversability"
 
 @dataclasses.dataclass(frozen=True)
 class Metric:
-    name: str    # column of the report
+    name: str  # column of the report
     column: str  # of the trials
-    file: str    # of its figure; "" where it has none of its own
-    label: str   # of its axis
+    file: str  # of its figure; "" where it has none of its own
+    label: str  # of its axis
 
 
 METRICS = [
@@ -26,12 +26,20 @@ METRICS = [
     Metric("processing_time_ms", "processing_time_ms", "processing_time", "processing time (ms)"),
     Metric("success_rate", "is_finished", "", "success rate"),
 ]
-REPORTED = [metric.name for metric in METRICS if metric.name != "success_rate"]  # to be asked for; rates are always there
+REPORTED = [
+    metric.name for metric in METRICS if metric.name != "success_rate"
+]  # to be asked for; rates are always there
 
 
 def names():
-    return ["success_by_traversability", "contrast_factors", "traversability_by_gap_size",
-            *(metric.file for metric in METRICS if metric.file), "metrics", "limit_curve"]
+    return [
+        "success_by_traversability",
+        "contrast_factors",
+        "traversability_by_gap_size",
+        *(metric.file for metric in METRICS if metric.file),
+        "metrics",
+        "limit_curve",
+    ]
 
 
 def draw(section, trials, wanted):
@@ -76,8 +84,11 @@ def group_bounds(groups):
 def rows_of(groups, planner):
     """The planner's rows with the place of their group."""
     places = {bounds: i for i, bounds in enumerate(group_bounds(groups))}
-    rows = [(places[row["lowest_" + TRAVERSABILITY], row["highest_" + TRAVERSABILITY]], row)
-            for row in groups if row["planner"] == planner]
+    rows = [
+        (places[row["lowest_" + TRAVERSABILITY], row["highest_" + TRAVERSABILITY]], row)
+        for row in groups
+        if row["planner"] == planner
+    ]
     return sorted(rows, key=lambda pair: pair[0])
 
 
@@ -96,8 +107,18 @@ def success_by_group(groups, planners):
         upper = numpy.array([row["success_rate_upper"] for _, row in rows])
         look = style.looks(planners)[planner]
         # An interval holds its rate; rounding may put it a hair outside.
-        axes.errorbar(x, rate, yerr=[numpy.maximum(0, rate - lower), numpy.maximum(0, upper - rate)], fmt=look["marker"],
-                      color=look["color"], elinewidth=0.9, capsize=1.5, capthick=0.9, clip_on=False, zorder=3)
+        axes.errorbar(
+            x,
+            rate,
+            yerr=[numpy.maximum(0, rate - lower), numpy.maximum(0, upper - rate)],
+            fmt=look["marker"],
+            color=look["color"],
+            elinewidth=0.9,
+            capsize=1.5,
+            capthick=0.9,
+            clip_on=False,
+            zorder=3,
+        )
     for place in range(1, len(bounds)):
         axes.axvline(place - 0.5, color="#DDDDDD", linewidth=0.5)
     axes.set_xticks(range(len(bounds)), [f"{low:.2f}–{high:.2f}" for low, high in bounds])
@@ -146,11 +167,23 @@ def contrast_factors(pairs):
             values += [lower, upper]
         axes.plot([middle], [y], "o", color="#0072B2", zorder=4, label="smoothed, 95 % interval" if i == 0 else None)
         values.append(middle)
-    plain = [(len(known) - 1 - i, row["contrast_factor"]) for i, row in enumerate(known)
-             if row["contrast_factor"] is not None and row["contrast_factor"] > 0]
+    plain = [
+        (len(known) - 1 - i, row["contrast_factor"])
+        for i, row in enumerate(known)
+        if row["contrast_factor"] is not None and row["contrast_factor"] > 0
+    ]
     if plain:
-        axes.plot([value for _, value in plain], [y for y, _ in plain], "D", markerfacecolor="none", color="#D55E00",
-                  markersize=5.5, markeredgewidth=0.9, zorder=3, label="as defined")
+        axes.plot(
+            [value for _, value in plain],
+            [y for y, _ in plain],
+            "D",
+            markerfacecolor="none",
+            color="#D55E00",
+            markersize=5.5,
+            markeredgewidth=0.9,
+            zorder=3,
+            label="as defined",
+        )
         values += [value for _, value in plain]
     values = [value for value in values if value > 0] + [1.0]
     low, high = min(0.4, min(values) / 1.25), max(2.5, max(values) * 1.25)
@@ -175,17 +208,32 @@ def limit_curve(section):
     figure, axes = style.column_figure(2.6, planners)
     values = sorted({row["value"] for row in curve})
     field, unit = limits[0]["field"].split(".", 1)[-1], section["columns"]["value"]["unit"]
-    for i, planner in enumerate(planners):
+    for planner in planners:
         look = style.looks(planners)[planner]
         rows = sorted((row for row in curve if row["planner"] == planner), key=lambda row: row["value"])
         x = [row["value"] for row in rows]
         axes.plot(x, [row["fitted_rate"] for row in rows], color=look["color"], linestyle=look["linestyle"], zorder=3)
-        axes.fill_between(x, [row["fitted_rate_lower"] for row in rows], [row["fitted_rate_upper"] for row in rows],
-                          color=look["color"], alpha=0.12, linewidth=0, zorder=1)
+        axes.fill_between(
+            x,
+            [row["fitted_rate_lower"] for row in rows],
+            [row["fitted_rate_upper"] for row in rows],
+            color=look["color"],
+            alpha=0.12,
+            linewidth=0,
+            zorder=1,
+        )
         flown = [row for row in rows if row["trial_count"] > 0]
-        axes.scatter([row["value"] for row in flown], [row["finished_count"] / row["trial_count"] for row in flown],
-                     s=[min(40.0, 2.0 + 1.5 * row["trial_count"]) for row in flown], marker=look["marker"], color=look["color"], alpha=0.45,
-                     linewidths=0, clip_on=False, zorder=2)
+        axes.scatter(
+            [row["value"] for row in flown],
+            [row["finished_count"] / row["trial_count"] for row in flown],
+            s=[min(40.0, 2.0 + 1.5 * row["trial_count"]) for row in flown],
+            marker=look["marker"],
+            color=look["color"],
+            alpha=0.45,
+            linewidths=0,
+            clip_on=False,
+            zorder=2,
+        )
     axes.axhline(limits[0]["wanted_rate"], color=style.GREY, linewidth=0.7, linestyle=(0, (4, 3)))
     axes.set_xlim(values[0], values[-1])
     axes.set_ylim(0, 1)
@@ -202,8 +250,14 @@ def traversability_by_gap(maps):
     look = style.looks(generators)
     for name in generators:
         of_kind = maps[maps["generator"] == name].dropna(subset=["relative_gap_size", TRAVERSABILITY])
-        axes.plot(of_kind["relative_gap_size"], of_kind[TRAVERSABILITY], linestyle="none", marker=look[name]["marker"],
-                  color=look[name]["color"], label=name)
+        axes.plot(
+            of_kind["relative_gap_size"],
+            of_kind[TRAVERSABILITY],
+            linestyle="none",
+            marker=look[name]["marker"],
+            color=look[name]["color"],
+            label=name,
+        )
     axes.set_xlabel("relative gap size")
     axes.set_ylabel(TRAVERSABILITY_LABEL)
     axes.set_xlim(left=0)
@@ -220,12 +274,23 @@ def metric_by_traversability(axes, metric, groups, trials, planners):
         look = style.looks(planners)[planner]
         own = trials[trials["planner"] == planner].dropna(subset=[metric.column, TRAVERSABILITY])
         by_map = own.groupby("map_key").agg({TRAVERSABILITY: "first", metric.column: "mean"})
-        axes.plot(by_map[TRAVERSABILITY], by_map[metric.column], linestyle="none", marker=look["marker"], markersize=2.8,
-                  color=look["color"], alpha=0.5, markeredgewidth=0, zorder=2)
+        axes.plot(
+            by_map[TRAVERSABILITY],
+            by_map[metric.column],
+            linestyle="none",
+            marker=look["marker"],
+            markersize=2.8,
+            color=look["color"],
+            alpha=0.5,
+            markeredgewidth=0,
+            zorder=2,
+        )
         drawn.append(by_map[metric.column].to_numpy())
         x, y = [], []
         for _, row in rows_of(groups, planner):
-            of_group = trials[trials[TRAVERSABILITY].between(row["lowest_" + TRAVERSABILITY], row["highest_" + TRAVERSABILITY])]
+            of_group = trials[
+                trials[TRAVERSABILITY].between(row["lowest_" + TRAVERSABILITY], row["highest_" + TRAVERSABILITY])
+            ]
             if row[metric.name] is None:
                 continue
             x.append(of_group.drop_duplicates("map_key")[TRAVERSABILITY].mean())
@@ -233,7 +298,15 @@ def metric_by_traversability(axes, metric, groups, trials, planners):
         axes.plot(x, y, zorder=3, **look)
     values = numpy.concatenate(drawn)
     if values.size == 0:
-        axes.text(0.5, 0.5, "not defined in any trial", ha="center", va="center", transform=axes.transAxes, fontsize=style.SMALL_PT)
+        axes.text(
+            0.5,
+            0.5,
+            "not defined in any trial",
+            ha="center",
+            va="center",
+            transform=axes.transAxes,
+            fontsize=style.SMALL_PT,
+        )
     elif values.min() > 0 and values.max() > 30 * values.min():
         axes.set_yscale("log")
         low, high = axes.get_ylim()

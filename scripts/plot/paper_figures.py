@@ -3,9 +3,9 @@
 
 usage: paper_figures.py DB… --output FOLDER [--sweep NAME] [--program avoidbench] [--formats pdf,png] [--figures NAME,…]
 
-Every number comes from the program: rates, means and intervals from `avoidbench report --format json`, single trials and
-maps from `avoidbench export trials`. Of each sweep, FOLDER/SWEEP/ gets these figures, one column (3.5 in) wide, as PDF and
-PNG; the same results give the same bytes:
+Every number comes from the program: rates, means and intervals from `avoidbench report --format json`, single trials
+and maps from `avoidbench export trials`. Of each sweep, FOLDER/SWEEP/ gets these figures, one column (3.5 in) wide, as
+PDF and PNG; the same results give the same bytes:
 
   success_by_traversability    6a: success rate by group of maps, with Wilson's 95 % intervals
   contrast_factors             6b: contrast factors of pairs of planners, with their intervals
@@ -18,6 +18,7 @@ Of a sweep that looks for a limit (`avoidbench limit`) there is one figure inste
 
   limit_curve                  success rate as the field changes: fitted curves with 95 % intervals, and the trials
 """
+
 import argparse
 import hashlib
 import io
@@ -29,10 +30,13 @@ import sys
 
 try:
     import matplotlib
+
     matplotlib.use("Agg")
     import pandas
 except ImportError as error:
-    sys.exit(f"figures need Python with matplotlib and pandas ({error}): apt-get install python3-matplotlib python3-pandas")
+    sys.exit(
+        f"figures need Python with matplotlib and pandas ({error}): apt-get install python3-matplotlib python3-pandas"
+    )
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
@@ -55,11 +59,13 @@ def read_results(arguments):
     """The report's sections, and one table of all trials."""
     choice = ["--sweep", arguments.sweep] if arguments.sweep else []
     databases = [str(file) for file in arguments.databases]
-    report = output_of([arguments.program, "report", *databases, *choice, "--format", "json", "--metrics",
-                        ",".join(figures.REPORTED)])
+    report = output_of(
+        [arguments.program, "report", *databases, *choice, "--format", "json", "--metrics", ",".join(figures.REPORTED)]
+    )
     trials = output_of([arguments.program, "export", "trials", *databases, *choice])
     return json.loads(report), pandas.read_csv(
-        io.StringIO(trials), dtype={"planner": str, "sweep": str}, float_precision="round_trip")
+        io.StringIO(trials), dtype={"planner": str, "sweep": str}, float_precision="round_trip"
+    )
 
 
 def with_report_labels(trials):
@@ -72,7 +78,8 @@ def with_report_labels(trials):
 
 
 def safe_file_name(text):
-    """A folder's name made of a sweep's: never a path, hidden, or an option. As safe_file_name of lib/base/output_file.hpp."""
+    """A folder's name made of a sweep's: never a path, hidden, or an option. As safe_file_name of
+    lib/base/output_file.hpp."""
     name = re.sub(r"^[.-]", "_", re.sub(r"[^A-Za-z0-9_.-]", "_", text))
     if name == text and 0 < len(name) <= 100:
         return name
@@ -83,7 +90,9 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("databases", nargs="+", type=pathlib.Path, metavar="DB")
     parser.add_argument("--output", required=True, type=pathlib.Path, metavar="FOLDER")
-    parser.add_argument("--sweep", default="", help="only this sweep; NAME@2 for its revision 2 (default: all, the latest revisions)")
+    parser.add_argument(
+        "--sweep", default="", help="only this sweep; NAME@2 for its revision 2 (default: all, the latest revisions)"
+    )
     parser.add_argument("--program", default="avoidbench", help="avoidbench itself (default: the one on the PATH)")
     parser.add_argument("--formats", default="pdf,png", help="pdf, png or svg, separated by commas (default: pdf,png)")
     parser.add_argument("--figures", default=",".join(figures.names()), help="only these, separated by commas")

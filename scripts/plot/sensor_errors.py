@@ -3,8 +3,9 @@
 
 usage: sensor_errors.py ERRORS.csv FIGURE.png|pdf|svg
 
-Three panels over the value: valid pixels, disparity errors beyond 1 px, and the deviation of the others, away from edges.
-"""
+Three panels over the value: valid pixels, disparity errors beyond 1 px, and the deviation of the others, away from
+edges."""
+
 import argparse
 import pathlib
 
@@ -13,11 +14,9 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as pyplot  # noqa: E402
 import pandas  # noqa: E402
-
 import style  # noqa: E402
 
-PANELS = [("valid_pct", "valid (%)"), ("outlier_pct", "beyond 1 px (%)"),
-          ("sigma_px", "deviation (px)")]
+PANELS = [("valid_pct", "valid (%)"), ("outlier_pct", "beyond 1 px (%)"), ("sigma_px", "deviation (px)")]
 
 
 def main():

@@ -1,12 +1,13 @@
 """How the figures look: for print, one column wide, told apart without colours."""
+
 import matplotlib
 import matplotlib.pyplot as pyplot
 
 COLUMN_IN, PAGE_IN = 3.5, 7.16  # widths of a column and of a page in IEEE's and most journals' layouts
 FONT_PT, SMALL_PT = 8.0, 7.0
 
-# Okabe and Ito (2008): colours that colour-blind people tell apart, with markers and line styles that need no colour. A planner
-# has the same one in pages (apps/page/src/data.ts).
+# Okabe and Ito (2008): colours that colour-blind people tell apart, with markers and line styles that need no colour. A
+# planner has the same one in pages (apps/page/src/data.ts).
 _COLOURS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"]
 _MARKERS = ["o", "s", "^", "D", "v", "P", "X", "<", ">"]
 _LINES = ["-", (0, (5, 1.5)), (0, (1, 1.2)), (0, (5, 1.5, 1, 1.5)), (0, (3, 1, 1, 1, 1, 1))]
@@ -64,9 +65,14 @@ def save(figure, path):
 
 def looks(planners):
     """Colour, marker and line style of each planner, by its place among all of the sweep."""
-    return {name: {"color": _COLOURS[i % len(_COLOURS)], "marker": _MARKERS[i % len(_MARKERS)],
-                   "linestyle": _LINES[i % len(_LINES)]}
-            for i, name in enumerate(planners)}
+    return {
+        name: {
+            "color": _COLOURS[i % len(_COLOURS)],
+            "marker": _MARKERS[i % len(_MARKERS)],
+            "linestyle": _LINES[i % len(_LINES)],
+        }
+        for i, name in enumerate(planners)
+    }
 
 
 def shortened(label, most=24):
@@ -74,7 +80,7 @@ def shortened(label, most=24):
     if len(label) <= most:
         return label
     head = (most - 1) // 2
-    return label[:head] + "…" + label[len(label) - (most - 1 - head):]
+    return label[:head] + "…" + label[len(label) - (most - 1 - head) :]
 
 
 def literal(text):
@@ -110,10 +116,15 @@ def legend_shape(planners, width_in, has_lines=True):
 
 
 def planner_legend(target, planners, width_in, has_lines=True):
-    """A legend above the plot, in as many columns as the width takes. `target` is the axes, or the figure of several."""
+    """A legend above the plot, in as many columns as the width takes. `target` is the axes, or the figure of
+    several."""
     look = looks(planners)
-    handles = [matplotlib.lines.Line2D([], [], label=shown(name), **(look[name] if has_lines else
-                                       {**look[name], "linestyle": "none"})) for name in planners]
+    handles = [
+        matplotlib.lines.Line2D(
+            [], [], label=shown(name), **(look[name] if has_lines else {**look[name], "linestyle": "none"})
+        )
+        for name in planners
+    ]
     rows, columns = legend_shape(planners, width_in, has_lines)
     options = {"handles": handles, "ncol": columns, "handlelength": 2.4 if has_lines else 1.0}
     if isinstance(target, matplotlib.figure.Figure):

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Installs the SDK to a fresh prefix, writes a new planner outside of the repository by `planners new`, builds it
-# against the installed package alone, without a warning, and lets the conformance suite judge it. Also the one for this repository.
+# against the installed package alone, without a warning, and lets the conformance suite judge it. Also the one for this
+# repository.
 #   installed_sdk_test.sh SOURCE_FOLDER BUILD_FOLDER CXX_COMPILER CONFORMANCE_PROGRAM AVOIDBENCH
 set -euo pipefail
 source_folder=$1 build_folder=$2 compiler=$3 conformance=$4 program=$5

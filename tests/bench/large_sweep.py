@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""How the program stands a sweep of 100,000 trials: time and memory of `run` when everything is flown and when half is, of `report`, and the
-size of the database a trial, with and without trajectories.
+"""How the program stands a sweep of 100,000 trials: time and memory of `run` when everything is flown and when half is,
+of `report`, and the size of the database a trial, with and without trajectories.
 
     tests/bench/large_sweep.py [BUILD FOLDER, build/release] [--maps COUNT] [--trials COUNT] [--folder FOLDER]
 
-The database is filled by bench/large_sweep: real keys and specs of every trial, one real flight a planner for all. A figure is the
-least of three; the folder is a temporary one, removed at the end, if not given."""
+The database is filled by bench/large_sweep: real keys and specs of every trial, one real flight a planner for all. A
+figure is the least of three; the folder is a temporary one, removed at the end, if not given."""
+
 import argparse
 import os
 import pathlib
@@ -46,7 +47,9 @@ def fill(build, folder, name, maps, trials, *options):
     sweep.write_text(SWEEP.format(build=build, seeds=max(1, maps // 10), trials=trials))
     database = folder / f"{name}.db"
     database.unlink(missing_ok=True)
-    said = subprocess.run([build / "bench/large_sweep", sweep, database, *options], check=True, capture_output=True, text=True).stdout
+    said = subprocess.run(
+        [build / "bench/large_sweep", sweep, database, *options], check=True, capture_output=True, text=True
+    ).stdout
     print(said.strip())
     count = int(said.split()[0])
     print(f"{'database, a trial':44} {database.stat().st_size / count / 1024:7.1f} KiB", flush=True)

@@ -1,12 +1,15 @@
 #!/usr/bin/env python3
-"""What a sweep costs beside its flights: how much faster two workers are than one, and where the CPU time of all processes goes.
+"""What a sweep costs beside its flights: how much faster two workers are than one, and where the CPU time of all
+processes goes.
 
-    tests/bench/run_overhead.py [BUILD FOLDER, build/release] [--rounds 5] [--sweep configs/sweeps/quick.yaml] [--set PATH=VALUE …]
+    tests/bench/run_overhead.py [BUILD FOLDER, build/release] [--rounds 5] [--sweep configs/sweeps/quick.yaml] [--set
+    PATH=VALUE …]
 
-Wall times are medians of as many rounds, one and two workers in turn; on a machine that others use they say little, and the CPU time a
-trial, which stays the same where nothing is lost, says more. The profile needs perf: samples of the parent, and those of workers in
-message passing, JSON, the start of processes and the kernel are overhead; those in the C library that nobody can be charged with are
-listed by themselves, and counted as overhead in the upper bound."""
+Wall times are medians of as many rounds, one and two workers in turn; on a machine that others use they say little, and
+the CPU time a trial, which stays the same where nothing is lost, says more. The profile needs perf: samples of the
+parent, and those of workers in message passing, JSON, the start of processes and the kernel are overhead; those in the
+C library that nobody can be charged with are listed by themselves, and counted as overhead in the upper bound."""
+
 import argparse
 import collections
 import os
@@ -74,8 +77,23 @@ def kind_of(sample, parent, work, overhead):
 
 def profile(program, build, given, folder):
     data = pathlib.Path(folder) / "perf.data"
-    command = ["perf", "record", "-q", "-F", "299", "-o", data, program, "run", given.sweep, "--quiet", "--jobs", "2", "--db",
-               pathlib.Path(folder) / "profile.db"]
+    command = [
+        "perf",
+        "record",
+        "-q",
+        "-F",
+        "299",
+        "-o",
+        data,
+        program,
+        "run",
+        given.sweep,
+        "--quiet",
+        "--jobs",
+        "2",
+        "--db",
+        pathlib.Path(folder) / "profile.db",
+    ]
     for setting in given.set:
         command += ["--set", setting]
     subprocess.run(command, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
@@ -115,10 +133,16 @@ def main():
                 rounds.append(fly(program, given, folder, jobs))
         for jobs, rounds in figures.items():
             wall_s, cpu_s = (statistics.median(column) for column in zip(*rounds))
-            print(f"{jobs} workers: {wall_s:7.2f} s wall, {cpu_s:7.2f} s CPU, {cpu_s / wall_s:.2f} cores in use", flush=True)
+            print(
+                f"{jobs} workers: {wall_s:7.2f} s wall, {cpu_s:7.2f} s CPU, {cpu_s / wall_s:.2f} cores in use",
+                flush=True,
+            )
         walls = [[wall_s for wall_s, _ in figures[jobs]] for jobs in (1, 2)]
         pairs = [one / two for one, two in zip(*walls)]
-        print(f"two workers are {statistics.median(pairs):.2f} times as fast (median of {given.rounds}; {min(pairs):.2f} to {max(pairs):.2f})")
+        print(
+            f"two workers are {statistics.median(pairs):.2f} times as fast (median of {given.rounds}; "
+            f"{min(pairs):.2f} to {max(pairs):.2f})"
+        )
         cpu = [statistics.median(cpu_s for _, cpu_s in figures[jobs]) for jobs in (1, 2)]
         print(f"two workers take {100 * (cpu[1] / cpu[0] - 1):+.1f} % CPU")
         if shutil.which("perf") is None:

@@ -1,4 +1,5 @@
 """takes_depth.cpp in Python."""
+
 from avoidbench.planner import Planner, Velocity
 
 

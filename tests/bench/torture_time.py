@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
-"""What a planner that misbehaves in every way costs the others: wall time of a sweep with and without it, and whether the others' flights
-stay the same.
+"""What a planner that misbehaves in every way costs the others: wall time of a sweep with and without it, and whether
+the others' flights stay the same.
 
     tests/bench/torture_time.py [BUILD FOLDER, build/release] [--rounds 1] [--trials 32] [--jobs 2] [--plan-timeout 10]
 
-The torture planner (tests/sweep/planners/torture.cpp) misbehaves as the mission's seed decides: crashes, exits, exceptions, endless loops,
-memory, stack, closed descriptors, NaN, threads. A hang costs a whole plan timeout of one worker. Fails where a trial lacks its row or a
-good flight differs. Rounds of the two sweeps alternate; on a machine that others use the ratio says little."""
+The torture planner (tests/sweep/planners/torture.cpp) misbehaves as the mission's seed decides: crashes, exits,
+exceptions, endless loops, memory, stack, closed descriptors, NaN, threads. A hang costs a whole plan timeout of one
+worker. Fails where a trial lacks its row or a good flight differs. Rounds of the two sweeps alternate; on a machine
+that others use the ratio says little."""
+
 import argparse
 import collections
 import pathlib
@@ -32,8 +34,20 @@ def fly(build, folder, name, planners, given):
     sweep, database = folder / f"{name}.yaml", folder / f"{name}.db"
     sweep.write_text(SWEEP.format(trials=given.trials, planners=", ".join(str(planner) for planner in planners)))
     database.unlink(missing_ok=True)
-    command = [build / "avoidbench", "run", sweep, "--quiet", "--jobs", str(given.jobs), "--plan-timeout", str(given.plan_timeout),
-               "--memory-limit", "800", "--db", database]
+    command = [
+        build / "avoidbench",
+        "run",
+        sweep,
+        "--quiet",
+        "--jobs",
+        str(given.jobs),
+        "--plan-timeout",
+        str(given.plan_timeout),
+        "--memory-limit",
+        "800",
+        "--db",
+        database,
+    ]
     began = time.monotonic()
     subprocess.run(command, check=True, stderr=subprocess.DEVNULL)
     return time.monotonic() - began, database
@@ -75,9 +89,16 @@ def main():
             with_s, both = fly(build, pathlib.Path(name), "with", [*GOOD, torture], given)
             bad = check(trials_of(alone), trials_of(both), given)
             ratios.append(with_s / alone_s)
-            print(f"{len(bad) * len(GOOD)} good trials {alone_s:6.1f} s; with {len(bad)} of the torture planner {with_s:6.1f} s: "
-                  f"{ratios[-1]:.2f} times", flush=True)
-    print(f"median {statistics.median(ratios):.2f} times ({min(ratios):.2f} to {max(ratios):.2f}); every trial has its row, the good flights are the same")
+            print(
+                f"{len(bad) * len(GOOD)} good trials {alone_s:6.1f} s; with {len(bad)} of the torture planner "
+                f"{with_s:6.1f} s: "
+                f"{ratios[-1]:.2f} times",
+                flush=True,
+            )
+    print(
+        f"median {statistics.median(ratios):.2f} times ({min(ratios):.2f} to {max(ratios):.2f}); every trial has its "
+        f"row, the good flights are the same"
+    )
     for reason, count in collections.Counter(f"{row[0]}: {row[1][:60]}" for row in bad).most_common():
         print(f"  {count:3}  {reason}")
 

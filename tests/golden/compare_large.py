@@ -4,8 +4,9 @@ the digests of half a gigabyte a database are half of it.
 
 usage: compare_large.py PROGRAM [TRIALS]
 
-One flown trial is copied to TRIALS / 4 missions of 4 planners with other keys, outcomes and figures: the rows are as long as real ones.
-"""
+One flown trial is copied to TRIALS / 4 missions of 4 planners with other keys, outcomes and figures: the rows are as
+long as real ones."""
+
 import hashlib
 import os
 import pathlib
@@ -70,11 +71,14 @@ def grow(path, trial_count, seed):
     """Adds maps, missions, planners and trials to a database that has one trial."""
     luck = random.Random(seed)
     connection = sqlite3.connect(path)
-    add = {table: copies_of(connection, table) for table in
-           ("planners", "maps", "missions", "sweep_missions", "trials", "sweep_trials")}
+    add = {
+        table: copies_of(connection, table)
+        for table in ("planners", "maps", "missions", "sweep_missions", "trials", "sweep_trials")
+    }
     planners = [key("planner", i) for i in range(PLANNERS)]
     labels = [f"planner_{i}" for i in range(PLANNERS)]
-    # A planner's key is the digest of its columns, which the program makes anew: so it is told by the program's own rule.
+    # A planner's key is the digest of its columns, which the program makes anew: so it is told by the program's own
+    # rule.
     for i in range(PLANNERS):
         label, name, version, file_digest, json, privileged = labels[i], "p", "1", key("file", i), "{}", 0
         digest = hashlib.sha256()
@@ -82,8 +86,15 @@ def grow(path, trial_count, seed):
             digest.update(len(text).to_bytes(8, "little") + text.encode())
         digest.update(privileged.to_bytes(8, "little"))
         planners[i] = digest.hexdigest()
-        add["planners"](planner_key=planners[i], label=label, name=name, version=version, file_digest=file_digest,
-                        parameters_json=json, is_privileged=privileged)
+        add["planners"](
+            planner_key=planners[i],
+            label=label,
+            name=name,
+            version=version,
+            file_digest=file_digest,
+            parameters_json=json,
+            is_privileged=privileged,
+        )
     for mission in range(trial_count // PLANNERS):
         map_number, index = divmod(mission, MISSIONS_A_MAP)
         map_key = key("map", map_number)
@@ -94,13 +105,19 @@ def grow(path, trial_count, seed):
         for planner in planners:
             is_finished = luck.random() < 0.8
             trial = key("trial", planner, map_key, index)
-            add["trials"](trial_key=trial, map_key=map_key, mission_index=index, planner_key=planner,
-                          outcome="reached_goal" if is_finished else "collided", finished=int(is_finished),
-                          path_optimality_pct=luck.uniform(1, 9) if is_finished else None,
-                          energy_optimality=luck.uniform(10, 90) if is_finished else None,
-                          average_goal_velocity_mps=luck.uniform(1, 3) if is_finished else None,
-                          mission_progress_pct=100 if is_finished else luck.uniform(0, 90),
-                          min_clearance_m=luck.uniform(0, 1))
+            add["trials"](
+                trial_key=trial,
+                map_key=map_key,
+                mission_index=index,
+                planner_key=planner,
+                outcome="reached_goal" if is_finished else "collided",
+                finished=int(is_finished),
+                path_optimality_pct=luck.uniform(1, 9) if is_finished else None,
+                energy_optimality=luck.uniform(10, 90) if is_finished else None,
+                average_goal_velocity_mps=luck.uniform(1, 3) if is_finished else None,
+                mission_progress_pct=100 if is_finished else luck.uniform(0, 90),
+                min_clearance_m=luck.uniform(0, 1),
+            )
             add["sweep_trials"](trial_key=trial)
     flown = connection.execute("SELECT row_digest FROM trials ORDER BY rowid").fetchone()
     write_digests(connection)
@@ -118,8 +135,11 @@ def main():
         sweep.write_text(SWEEP)
         databases = [pathlib.Path(folder, name) for name in ("base.db", "new.db")]
         for seed, database in enumerate(databases):
-            subprocess.run([program, "run", sweep, "--db", database, "--jobs", "1", "--quiet"], check=True,
-                           stderr=subprocess.DEVNULL)
+            subprocess.run(
+                [program, "run", sweep, "--db", database, "--jobs", "1", "--quiet"],
+                check=True,
+                stderr=subprocess.DEVNULL,
+            )
             grow(database, trial_count, seed)
         usage = resource.getrusage(resource.RUSAGE_CHILDREN)
         before = usage.ru_utime + usage.ru_stime
@@ -131,7 +151,10 @@ def main():
         peak_mb = usage.ru_maxrss / 1024
         size_mb = databases[0].stat().st_size / 1e6
     print(done.stdout)
-    print(f"2 x {trial_count} trials (files of {size_mb:.0f} MB): {wall_s:.2f} s, {cpu_s:.2f} s of the processor, {peak_mb:.0f} MB")
+    print(
+        f"2 x {trial_count} trials (files of {size_mb:.0f} MB): {wall_s:.2f} s, {cpu_s:.2f} s of the processor, "
+        f"{peak_mb:.0f} MB"
+    )
     if done.returncode not in (0, 1) or cpu_s > 12 or peak_mb > 500:
         sys.exit(f"exit code {done.returncode}, or more than 12 s or 500 MB")
 

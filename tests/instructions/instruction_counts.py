@@ -26,7 +26,14 @@ def count(program, work):
     with tempfile.TemporaryDirectory() as folder:
         out = pathlib.Path(folder) / "callgrind.out"
         run = subprocess.run(
-            ["valgrind", "--tool=callgrind", "--toggle-collect=counted_work", f"--callgrind-out-file={out}", program, work],
+            [
+                "valgrind",
+                "--tool=callgrind",
+                "--toggle-collect=counted_work",
+                f"--callgrind-out-file={out}",
+                program,
+                work,
+            ],
             capture_output=True,
             text=True,
         )

@@ -3,6 +3,7 @@
 
 usage: check_colors.py FOLDER_OF_THE_PROJECT
 """
+
 import itertools
 import pathlib
 import re
@@ -25,10 +26,12 @@ def times(matrix, vector):
 
 
 def lab(colour, seen):
-    encoded = [int(colour[i:i + 2], 16) / 255 for i in (1, 3, 5)]
+    encoded = [int(colour[i : i + 2], 16) / 255 for i in (1, 3, 5)]
     linear = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in encoded]
     xyz = times(XYZ, [min(1.0, max(0.0, c)) for c in times(SEEN[seen], linear)])
-    x, y, z = (v ** (1 / 3) if v > 216 / 24389 else (24389 / 27 * v + 16) / 116 for v in (a / b for a, b in zip(xyz, WHITE)))
+    x, y, z = (
+        v ** (1 / 3) if v > 216 / 24389 else (24389 / 27 * v + 16) / 116 for v in (a / b for a, b in zip(xyz, WHITE))
+    )
     return 116 * y - 16, 500 * (x - y), 200 * (y - z)
 
 

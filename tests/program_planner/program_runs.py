@@ -3,10 +3,12 @@
 
     program_runs.py PROGRAM PROGRAMS SOURCES TORTURE [--kills N]
 
-The rows of straight_line are the library's to the last bit where it flies as a program in C and in Python: with one worker and two, and
-after SIGKILLs of the run and of its processes; replay and the conformance suite take it. Programs that break, hang or leave something
-behind cost their own trials only; a file that a planner depends on and that changes stops the run. PROGRAMS: the folder of the test
-programs; TORTURE: the library of tests/sweep/planners/torture.cpp. Exit code 77: no Python with NumPy here."""
+The rows of straight_line are the library's to the last bit where it flies as a program in C and in Python: with one
+worker and two, and after SIGKILLs of the run and of its processes; replay and the conformance suite take it. Programs
+that break, hang or leave something behind cost their own trials only; a file that a planner depends on and that changes
+stops the run. PROGRAMS: the folder of the test programs; TORTURE: the library of tests/sweep/planners/torture.cpp. Exit
+code 77: no Python with NumPy here."""
+
 import argparse
 import os
 import pathlib
@@ -33,26 +35,50 @@ planners:
 """
 HAS_ENDED = "planner_crashed"
 HOSTILE = [  # the way, the outcome, a part of the reason
-    ("exit", HAS_ENDED, "ended with exit code 3"), ("segfault", HAS_ENDED, "ended by signal 11"), ("kill", HAS_ENDED, "ended by signal 9"),
-    ("says_and_exits", HAS_ENDED, "it printed: first words / the"), ("fork_and_exit", HAS_ENDED, "exit code 5"),
-    ("fork_of_its_own_and_exit", HAS_ENDED, "exit code 5"), ("exit_in_reset", HAS_ENDED, "reset: the program hostile ended"),
-    ("exit_in_create", "planner_error", "exit code 7"), ("create_fails", "planner_error", "no memory for it"),
-    ("close_socket", "planner_error", "has closed its socket"), ("close_all", "planner_error", "has closed its socket"),
-    ("points_many", "planner_error", "lie outside of the answer"), ("points_wrap", "planner_error", "lie outside of the answer"),
-    ("size_huge", "planner_error", "an impossible size"), ("word_sequence", "planner_error", "another request"),
-    ("half_word", "planner_error", "4 bytes"), ("garbage", "planner_error", "another request"),
+    ("exit", HAS_ENDED, "ended with exit code 3"),
+    ("segfault", HAS_ENDED, "ended by signal 11"),
+    ("kill", HAS_ENDED, "ended by signal 9"),
+    ("says_and_exits", HAS_ENDED, "it printed: first words / the"),
+    ("fork_and_exit", HAS_ENDED, "exit code 5"),
+    ("fork_of_its_own_and_exit", HAS_ENDED, "exit code 5"),
+    ("exit_in_reset", HAS_ENDED, "reset: the program hostile ended"),
+    ("exit_in_create", "planner_error", "exit code 7"),
+    ("create_fails", "planner_error", "no memory for it"),
+    ("close_socket", "planner_error", "has closed its socket"),
+    ("close_all", "planner_error", "has closed its socket"),
+    ("points_many", "planner_error", "lie outside of the answer"),
+    ("points_wrap", "planner_error", "lie outside of the answer"),
+    ("size_huge", "planner_error", "an impossible size"),
+    ("word_sequence", "planner_error", "another request"),
+    ("half_word", "planner_error", "4 bytes"),
+    ("garbage", "planner_error", "another request"),
     ("status", "planner_error", "99, which is no status"),
-    ("silent_error", "planner_error", "without saying why"), ("command_short", "planner_error", "struct_size 8"),
-    ("spin", "planner_hung", "longer than the plan timeout"), ("stop", "planner_hung", "longer than the plan timeout"),
+    ("silent_error", "planner_error", "without saying why"),
+    ("command_short", "planner_error", "struct_size 8"),
+    ("spin", "planner_hung", "longer than the plan timeout"),
+    ("stop", "planner_hung", "longer than the plan timeout"),
 ]
 
-# The way: what it may be of a program. It reaches neither the worker's pipes nor its rounding, and overwrites the segment's head, which
-# the host writes again. Memory fills slowly on some machines; a thread may crash after the trial's end.
+# The way: what it may be of a program. It reaches neither the worker's pipes nor its rounding, and overwrites the
+# segment's head, which the host writes again. Memory fills slowly on some machines; a thread may crash after the
+# trial's end.
 TORTURE = {
-    "nothing": ["reached_goal"], "segfault": [HAS_ENDED], "abort": [HAS_ENDED], "exit": [HAS_ENDED], "throw": ["planner_error"],
-    "loop": ["planner_hung"], "memory": ["planner_crashed", "planner_hung"], "overflow": [HAS_ENDED], "close": [HAS_ENDED],
-    "print": ["reached_goal"], "nan": ["planner_error"], "thread": [HAS_ENDED, "reached_goal"], "scribble": ["reached_goal"],
-    "round": ["reached_goal"], "reopen": [HAS_ENDED], "terminate": [HAS_ENDED],
+    "nothing": ["reached_goal"],
+    "segfault": [HAS_ENDED],
+    "abort": [HAS_ENDED],
+    "exit": [HAS_ENDED],
+    "throw": ["planner_error"],
+    "loop": ["planner_hung"],
+    "memory": ["planner_crashed", "planner_hung"],
+    "overflow": [HAS_ENDED],
+    "close": [HAS_ENDED],
+    "print": ["reached_goal"],
+    "nan": ["planner_error"],
+    "thread": [HAS_ENDED, "reached_goal"],
+    "scribble": ["reached_goal"],
+    "round": ["reached_goal"],
+    "reopen": [HAS_ENDED],
+    "terminate": [HAS_ENDED],
 }
 
 
@@ -118,16 +144,21 @@ def by_label(found, label):
 
 
 def doors(runs):
-    return [f"{{plugin: {runs.programs}/straight_line, label: c}}",
-            f"{{plugin: {runs.sources}/python/examples/straight_line.py, label: python}}"]
+    return [
+        f"{{plugin: {runs.programs}/straight_line, label: c}}",
+        f"{{plugin: {runs.sources}/python/examples/straight_line.py, label: python}}",
+    ]
 
 
 def same_bits(runs):
     quick = runs.sources / "configs/sweeps/quick.yaml"
-    planners = ["{plugin: straight_line, label: library}", *doors(runs),
-                f"{{plugin: process, label: command, parameters: {{command: [{runs.programs}/straight_line]}}}}"]
+    planners = [
+        "{plugin: straight_line, label: library}",
+        *doors(runs),
+        f"{{plugin: process, label: command, parameters: {{command: [{runs.programs}/straight_line]}}}}",
+    ]
     head = quick.read_text()
-    head = head[:head.index("planners:")] + "planners:\n"
+    head = head[: head.index("planners:")] + "planners:\n"
     tail = re.sub(r"(?s)^.*\nvehicle:", "vehicle:", quick.read_text())
     first = None
     for jobs in (1, 2):
@@ -144,8 +175,11 @@ def same_bits(runs):
     runs.expect_nothing_left("after sweeps")
     database = runs.folder / "quick1.db"
     verified = runs.call("replay", database, "--verify")
-    runs.expect("replay --verify starts no command on a database's word", verified.returncode == 2
-                and "a command is not started" in verified.stderr, verified.stdout + verified.stderr)
+    runs.expect(
+        "replay --verify starts no command on a database's word",
+        verified.returncode == 2 and "a command is not started" in verified.stderr,
+        verified.stdout + verified.stderr,
+    )
     verified = runs.call("replay", database, "--verify", "--sweep-file", runs.folder / "quick.yaml")
     runs.expect("replay --verify flies all of them again", verified.returncode == 0, verified.stdout + verified.stderr)
 
@@ -155,7 +189,9 @@ def killed(runs, kills):
     sweep = runs.sweep("killed.yaml", ["{plugin: straight_line, label: library}", *doors(runs)])
     runs.run(sweep, "whole.db", "--jobs", "2")
     whole = rows(runs.folder / "whole.db")
-    runs.expect("rows of the small sweep", by_label(whole, "c") == by_label(whole, "python") == by_label(whole, "library"))
+    runs.expect(
+        "rows of the small sweep", by_label(whole, "c") == by_label(whole, "python") == by_label(whole, "library")
+    )
     draws = random.Random(11)
     for kill in range(kills):
         process = runs.start(sweep, f"killed{kill // 5}.db", "--jobs", "2")
@@ -205,20 +241,28 @@ def hostile(runs):
     planners = ["{plugin: straight_line, label: good}"]
     for way, _, _ in HOSTILE:
         planners.append(f"{{plugin: process, label: {way}, parameters: {{command: [{runs.programs}/hostile, {way}]}}}}")
-    sweep = runs.sweep("hostile.yaml", planners, SMALL.replace("seeds: 2", "seeds: 1").replace("trials: 3", "trials: 2"))
+    sweep = runs.sweep(
+        "hostile.yaml", planners, SMALL.replace("seeds: 2", "seeds: 1").replace("trials: 3", "trials: 2")
+    )
     runs.run(sweep, "hostile.db", "--jobs", "2", "--plan-timeout", "2")
     db = sqlite3.connect(runs.folder / "hostile.db")
     found = {}
-    for label, outcome, reason in db.execute("SELECT label, outcome, reason FROM trials JOIN planners USING (planner_key)"):
+    for label, outcome, reason in db.execute(
+        "SELECT label, outcome, reason FROM trials JOIN planners USING (planner_key)"
+    ):
         found.setdefault(label, []).append((outcome, reason))
     for way, outcome, reason in HOSTILE:
         trials = found.get(way, [])
         is_so = len(trials) == 2 and all(one == outcome and reason in why for one, why in trials)
         runs.expect(f"hostile: {way} is {outcome}", is_so, trials)
-    alone = runs.sweep("alone.yaml", planners[:1], SMALL.replace("seeds: 2", "seeds: 1").replace("trials: 3", "trials: 2"))
+    alone = runs.sweep(
+        "alone.yaml", planners[:1], SMALL.replace("seeds: 2", "seeds: 1").replace("trials: 3", "trials: 2")
+    )
     runs.run(alone, "alone.db")
-    runs.expect("a good planner's rows beside them", by_label(rows(runs.folder / "hostile.db"), "good") ==
-                by_label(rows(runs.folder / "alone.db"), "good"))
+    runs.expect(
+        "a good planner's rows beside them",
+        by_label(rows(runs.folder / "hostile.db"), "good") == by_label(rows(runs.folder / "alone.db"), "good"),
+    )
     runs.expect_nothing_left("after hostile programs")
 
 
@@ -235,20 +279,29 @@ def tortured(runs):
         wall_s[door] = time.monotonic() - began
         found[door] = rows(runs.folder / f"torture_{door}.db")
         runs.expect_nothing_left(f"after torture by a {door}")
-    runs.expect("good planner's rows: the same beside tortured libraries and programs",
-                by_label(found["library"], "good") == by_label(found["program"], "good"))
+    runs.expect(
+        "good planner's rows: the same beside tortured libraries and programs",
+        by_label(found["library"], "good") == by_label(found["program"], "good"),
+    )
     db = sqlite3.connect(runs.folder / "torture_program.db")
     for way, outcomes in TORTURE.items():
-        given = [one for one, in db.execute("SELECT outcome FROM trials JOIN planners USING (planner_key) WHERE label = ?", (way,))]
+        given = [
+            one
+            for (one,) in db.execute(
+                "SELECT outcome FROM trials JOIN planners USING (planner_key) WHERE label = ?", (way,)
+            )
+        ]
         is_so = len(given) == 2 and set(given) <= set(outcomes)
         runs.expect(f"torture through the door: {way} is {' or '.join(outcomes)}", is_so, given)
     for way in ("nothing", "print"):
         runs.expect(f"{way}: the library's rows", by_label(found["library"], way) == by_label(found["program"], way))
-    print(f"    wall time by the program {wall_s['program']:.1f} s, by the library {wall_s['library']:.1f} s: "
-          f"ratio {wall_s['program'] / wall_s['library']:.2f}")
+    print(
+        f"    wall time by the program {wall_s['program']:.1f} s, by the library {wall_s['library']:.1f} s: "
+        f"ratio {wall_s['program'] / wall_s['library']:.2f}"
+    )
 
 
-PLANNER = '''
+PLANNER = """
 import avoidbench
 from avoidbench.planner import Planner, Velocity
 import own_gains
@@ -263,7 +316,7 @@ class Mine(Planner):
     def plan(self, observation):
         print("seen at", observation.time_s)
         return Velocity([own_gains.GAIN, 0.0, 0.0])
-'''
+"""
 
 
 def files_of_planners(runs):
@@ -273,11 +326,20 @@ def files_of_planners(runs):
     (own / "own_gains.py").write_text("GAIN = 1.0\n")
     (own / "weights.txt").write_text("1\n")
     described = runs.call("planners", "describe", own / "mine.py")
-    runs.expect("describe shows the files", "own_gains.py" in described.stdout and "weights.txt" in described.stdout,
-                described.stdout + described.stderr)
-    listed = subprocess.run([runs.program, "planners", "list"], capture_output=True, text=True,
-                            env={**runs.environment, "AVOIDBENCH_PLANNER_PATH": str(own)})
-    runs.expect("list shows them", "mine" in listed.stdout and "depends on own_gains.py" in listed.stderr, listed.stderr)
+    runs.expect(
+        "describe shows the files",
+        "own_gains.py" in described.stdout and "weights.txt" in described.stdout,
+        described.stdout + described.stderr,
+    )
+    listed = subprocess.run(
+        [runs.program, "planners", "list"],
+        capture_output=True,
+        text=True,
+        env={**runs.environment, "AVOIDBENCH_PLANNER_PATH": str(own)},
+    )
+    runs.expect(
+        "list shows them", "mine" in listed.stdout and "depends on own_gains.py" in listed.stderr, listed.stderr
+    )
     sweep = own / "sweep.yaml"
     sweep.write_text(SMALL.replace("trials: 3", "trials: 1").replace("seeds: 2", "seeds: 1") + "  - mine.py\n")
 
@@ -298,16 +360,30 @@ def files_of_planners(runs):
         (latest,) = set(keys()) - set(before)
 
     def replay(key):
-        return subprocess.run([runs.program, "replay", runs.folder / "files.db", key[:12]], capture_output=True, text=True, cwd=own,
-                              env=runs.environment)
+        return subprocess.run(
+            [runs.program, "replay", runs.folder / "files.db", key[:12]],
+            capture_output=True,
+            text=True,
+            cwd=own,
+            env=runs.environment,
+        )
 
     replayed = replay(latest)
-    runs.expect("replay flies it, and shows what it prints", replayed.returncode == 0 and "seen at" in replayed.stdout,
-                replayed.stdout + replayed.stderr)
+    runs.expect(
+        "replay flies it, and shows what it prints",
+        replayed.returncode == 0 and "seen at" in replayed.stdout,
+        replayed.stdout + replayed.stderr,
+    )
     replayed = replay(first[0])
-    runs.expect("replay does not fly a trial of other files", replayed.returncode == 2 and "mine.py" in replayed.stderr, replayed.stderr)
+    runs.expect(
+        "replay does not fly a trial of other files",
+        replayed.returncode == 2 and "mine.py" in replayed.stderr,
+        replayed.stderr,
+    )
     # While a sweep flies.
-    sweep.write_text(SMALL.replace("trials: 3", "trials: 40").replace("time_limit_s: 20", "time_limit_s: 30") + "  - mine.py\n")
+    sweep.write_text(
+        SMALL.replace("trials: 3", "trials: 40").replace("time_limit_s: 20", "time_limit_s: 30") + "  - mine.py\n"
+    )
     process = runs.start(sweep, "changed.db", "--jobs", "1")
     time.sleep(2.5)
     (own / "weights.txt").write_text("while it is flown\n")
@@ -318,14 +394,21 @@ def files_of_planners(runs):
 
 def mistakes(runs):
     folder = runs.folder
-    (folder / "two.py").write_text("from avoidbench.planner import Planner\nclass A(Planner):\n    name = 'a'\nclass B(Planner):\n    name = 'b'\n")
+    (folder / "two.py").write_text(
+        "from avoidbench.planner import Planner\nclass A(Planner):\n    name = 'a'\nclass B(Planner):\n    name = 'b'\n"
+    )
     (folder / "none.py").write_text("import avoidbench\n")
     (folder / "broken.py").write_text("import avoidbench\n1 +\n")
     (folder / "unnamed.py").write_text("from avoidbench.planner import Planner\nclass A(Planner):\n    name = 'A b'\n")
-    for planner, wanted in (("two.py", "defines the planners A, B"), ("none.py", "defines no subclass"), ("broken.py", "SyntaxError"),
-                            ("unnamed.py", "a text of a-z 0-9 _ is wanted"), ("process", "it needs parameters: {command:"),
-                            ("{plugin: process, parameters: {command: []}}", "expected a program and its arguments"),
-                            ("{plugin: process, parameters: {command: [no-such-program]}}", "there is no program 'no-such-program'")):
+    for planner, wanted in (
+        ("two.py", "defines the planners A, B"),
+        ("none.py", "defines no subclass"),
+        ("broken.py", "SyntaxError"),
+        ("unnamed.py", "a text of a-z 0-9 _ is wanted"),
+        ("process", "it needs parameters: {command:"),
+        ("{plugin: process, parameters: {command: []}}", "expected a program and its arguments"),
+        ("{plugin: process, parameters: {command: [no-such-program]}}", "there is no program 'no-such-program'"),
+    ):
         sweep = runs.sweep("mistake.yaml", [planner])
         said = runs.run(sweep, "mistake.db", code=2)
         at = re.search(r"mistake\.yaml:\d+:\d+: ", said)
@@ -355,8 +438,15 @@ def main():
     folder = tempfile.mkdtemp()
     try:
         runs = Runs(given, folder)
-        parts = {"mistakes": mistakes, "checked": checked, "same_bits": same_bits, "files": files_of_planners, "hostile": hostile,
-                 "tortured": tortured, "killed": lambda all_runs: killed(all_runs, given.kills)}
+        parts = {
+            "mistakes": mistakes,
+            "checked": checked,
+            "same_bits": same_bits,
+            "files": files_of_planners,
+            "hostile": hostile,
+            "tortured": tortured,
+            "killed": lambda all_runs: killed(all_runs, given.kills),
+        }
         for name, part in parts.items():
             if given.only in ("", name):
                 part(runs)

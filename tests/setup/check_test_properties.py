@@ -3,16 +3,19 @@
 
 usage: check_test_properties.py CTEST BUILD_FOLDER
 
-Names: folder.a_script for scripts; room_or_planner.Suite.TestInCamelCase for C++, where generated parts may stand before the suite and
-behind the test: room.Each/Suite.Test/what. A test is `slow` if its suite's name ends in Slow; scripts say so themselves.
-"""
+Names: folder.a_script for scripts; room_or_planner.Suite.TestInCamelCase for C++, where generated parts may stand
+before the suite and behind the test: room.Each/Suite.Test/what. A test is `slow` if its suite's name ends in Slow;
+scripts say so themselves."""
+
 import json
 import re
 import subprocess
 import sys
 
 SCRIPT = re.compile(r"[a-z_]+\.[a-z0-9_]+")
-CASE = re.compile(r"[a-z_]+\.([A-Za-z0-9]+/)?(?P<suite>[A-Z][A-Za-z0-9]*)(/[A-Za-z0-9_]+)?\.[A-Z][A-Za-z0-9]*(/[A-Za-z0-9_]+)?")
+CASE = re.compile(
+    r"[a-z_]+\.([A-Za-z0-9]+/)?(?P<suite>[A-Z][A-Za-z0-9]*)(/[A-Za-z0-9_]+)?\.[A-Z][A-Za-z0-9]*(/[A-Za-z0-9_]+)?"
+)
 
 
 def problems_of(test):
@@ -32,7 +35,9 @@ def problems_of(test):
 
 def main():
     ctest, build = sys.argv[1:]
-    shown = subprocess.run([ctest, "--test-dir", build, "--show-only=json-v1"], capture_output=True, text=True, check=True)
+    shown = subprocess.run(
+        [ctest, "--test-dir", build, "--show-only=json-v1"], capture_output=True, text=True, check=True
+    )
     # What is not built yet stands there as one test without properties, and fails by itself.
     tests = [test for test in json.loads(shown.stdout)["tests"] if not test["name"].endswith("_NOT_BUILT")]
     if not any(CASE.fullmatch(test["name"]) for test in tests):

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# hardened.sh PROGRAM LIBRARY…: each is bound at its start with its tables read-only after that, has no executable stack and checks its stack;
-# the program also checks the sizes of what it copies (a library may copy nothing).
+# hardened.sh PROGRAM LIBRARY…: each is bound at its start with its tables read-only after that, has no executable stack
+# and checks its stack; the program also checks the sizes of what it copies (a library may copy nothing).
 set -euo pipefail
 
 problems=0

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# looked_at.sh SOURCE_FOLDER: which files changed_files.sh and rotating_eighth.sh choose, in a repository of forty commits.
+# looked_at.sh SOURCE_FOLDER: which files changed_files.sh and rotating_eighth.sh choose, in a repository of forty
+# commits.
 set -euo pipefail
 
 source=$1

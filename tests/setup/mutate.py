@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
-"""scripts/mutate.py draws the same mutants twice, only where code is, and changes nothing but its copy: on a small sample, without a build.
+"""scripts/mutate.py draws the same mutants twice, only where code is, and changes nothing but its copy: on a small
+sample, without a build.
 
 usage: mutate.py SOURCE_FOLDER
 """
+
 import importlib.util
 import json
 import pathlib
@@ -29,11 +31,23 @@ double tangled(double x, bool is_so) {
 }
 """
 EXPECTED = {  # line, what is there afterwards
-    (10, "  double sum_m = 0.625;"), (11, "  sum_m -= std::max(x, -1.5 * x);"), (11, "  sum_m += std::min(x, -1.5 * x);"),
-    (11, "  sum_m += std::max(x, 1.5 * x);"), (11, "  sum_m += std::max(x, -1.5 / x);"), (11, "  sum_m += std::max(x, -1.875 * x);"), (11, "  ;"),
-    (12, "  if (is_so || x < 2.0) sum_m = 0.0;"), (12, "  if (is_so && x <= 2.0) sum_m = 0.0;"), (12, "  if (is_so && x < 2.5) sum_m = 0.0;"),
-    (12, "  if (is_so && x < 2.0) sum_m = 1.0;"), (12, "  if (!(is_so && x < 2.0)) sum_m = 0.0;"), (12, "  ;"),
-    (13, "  if (is_so) {"), (13, "  if (!(!is_so)) {"), (14, "    ;")}
+    (10, "  double sum_m = 0.625;"),
+    (11, "  sum_m -= std::max(x, -1.5 * x);"),
+    (11, "  sum_m += std::min(x, -1.5 * x);"),
+    (11, "  sum_m += std::max(x, 1.5 * x);"),
+    (11, "  sum_m += std::max(x, -1.5 / x);"),
+    (11, "  sum_m += std::max(x, -1.875 * x);"),
+    (11, "  ;"),
+    (12, "  if (is_so || x < 2.0) sum_m = 0.0;"),
+    (12, "  if (is_so && x <= 2.0) sum_m = 0.0;"),
+    (12, "  if (is_so && x < 2.5) sum_m = 0.0;"),
+    (12, "  if (is_so && x < 2.0) sum_m = 1.0;"),
+    (12, "  if (!(is_so && x < 2.0)) sum_m = 0.0;"),
+    (12, "  ;"),
+    (13, "  if (is_so) {"),
+    (13, "  if (!(!is_so)) {"),
+    (14, "    ;"),
+}
 
 
 def expect(is_so, what):
@@ -61,11 +75,15 @@ def check_copy(mutate, root, folder):
         there = (copy.source / file).read_text()
         changed = [(a, b) for a, b in zip(text.split("\n"), there.split("\n")) if a != b]
         expect(changed == [(mutant.old, mutant.new)], f"one line is another: {changed}")
-    # A run that was killed leaves its mutant and whatever else in the copy: the next one begins with the checkout's files.
+    # A run that was killed leaves its mutant and whatever else in the copy: the next one begins with the checkout's
+    # files.
     (copy.source / file).write_text(there)
     (copy.source / "lib/little/b.cpp").write_text("int b;\n")
     copy = mutate.Copy(root, folder)
-    expect((copy.source / file).read_text() == text and not (copy.source / "lib/little/b.cpp").exists(), "a new copy is the checkout again")
+    expect(
+        (copy.source / file).read_text() == text and not (copy.source / "lib/little/b.cpp").exists(),
+        "a new copy is the checkout again",
+    )
 
     expect(mutate.finished_in(["sh", "-c", "echo so; exit 3"], folder, 60) == (3, "so\n"), "a command's code and words")
     expect(mutate.finished_in(["sleep", "60"], folder, 0.1)[0] is None, "a command that takes too long is ended")
@@ -96,8 +114,13 @@ def main():
         check_copy(mutate, root, pathlib.Path(name, "job0"))
         results = pathlib.Path(name, "results.jsonl")
         results.write_text('{"key": "a", "outcome": "living"}\n{"key": "a", "outcome": "killed"}\n{"key": "b", "out')
-        expect(mutate.known_results(results) == {"a": {"key": "a", "outcome": "killed"}}, "the last whole record of each counts")
-    listed = subprocess.run([script, "text", "--list", "--count", "5"], check=True, capture_output=True, text=True).stdout
+        expect(
+            mutate.known_results(results) == {"a": {"key": "a", "outcome": "killed"}},
+            "the last whole record of each counts",
+        )
+    listed = subprocess.run(
+        [script, "text", "--list", "--count", "5"], check=True, capture_output=True, text=True
+    ).stdout
     expect(listed.count("\n-") == 5 and listed.startswith("lib/text/"), f"--list shows five of room text: {listed}")
 
 

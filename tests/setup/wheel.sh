@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# wheel.sh SOURCE_FOLDER: the wheel of make_wheel.sh needs nothing but a Python: installed in a Debian of this release with only its base
-# system and python3-venv, its program flies, and its extension makes the map that the program makes. Exit code 77 as fresh_system.sh.
+# wheel.sh SOURCE_FOLDER: the wheel of make_wheel.sh needs nothing but a Python: installed in a Debian of this release
+# with only its base system and python3-venv, its program flies, and its extension makes the map that the program makes.
+# Exit code 77 as fresh_system.sh.
 set -euo pipefail
 cd "$1"
 

@@ -39,14 +39,16 @@ def redigest(database):
         names = [column[0] for column in cursor.description]
         return b"".join(digested(names, row) for row in cursor)
 
-    columns = sorted({row[1] for row in database.execute("PRAGMA table_info(trials)")} -
-                     {"attempt", "run_id", "row_digest"})
+    columns = sorted(
+        {row[1] for row in database.execute("PRAGMA table_info(trials)")} - {"attempt", "run_id", "row_digest"}
+    )
     of_trial = ", ".join(f'"{column}"' for column in columns)
-    for key, in database.execute("SELECT trial_key FROM trials").fetchall():
+    for (key,) in database.execute("SELECT trial_key FROM trials").fetchall():
         flight = hex_of(
-            covered_by("SELECT sample_count, samples_digest FROM trajectories WHERE trial_key = ?", key) +
-            covered_by("SELECT call_count, calls_digest FROM plan_calls WHERE trial_key = ?", key) +
-            covered_by(f"SELECT {EVENTS} FROM events WHERE trial_key = ? ORDER BY event_index", key))
+            covered_by("SELECT sample_count, samples_digest FROM trajectories WHERE trial_key = ?", key)
+            + covered_by("SELECT call_count, calls_digest FROM plan_calls WHERE trial_key = ?", key)
+            + covered_by(f"SELECT {EVENTS} FROM events WHERE trial_key = ? ORDER BY event_index", key)
+        )
         database.execute("UPDATE trials SET flight_digest = ? WHERE trial_key = ?", (flight, key))
         row = hex_of(covered_by(f"SELECT {of_trial} FROM trials WHERE trial_key = ?", key))
         database.execute("UPDATE trials SET row_digest = ? WHERE trial_key = ?", (row, key))

@@ -1,10 +1,13 @@
 #!/usr/bin/env python3
-"""Flights of `explain --what-if` that are killed or stopped go on where they were; the smallest scene is flown by `run`.
+"""Flights of `explain --what-if` that are killed or stopped go on where they were; the smallest scene is flown by
+`run`.
 
     killed_flights.py PROGRAM
 
-Kills `explain` at seeded moments, looks at the file after each, stops it once by SIGINT, and compares the rows with those of an
-undisturbed call with one worker. Then finds the smallest scene of a collision and flies what was written."""
+Kills `explain` at seeded moments, looks at the file after each, stops it once by SIGINT, and compares the rows with
+those of an undisturbed call with one worker. Then finds the smallest scene of a collision and flies what was
+written."""
+
 import pathlib
 import random
 import shutil
@@ -54,7 +57,9 @@ def kill_often(program, file, whole):
     for _ in range(KILLS):
         if seen == len(whole):  # a quick machine: all were flown before the last kills
             break
-        process = subprocess.Popen(explain(program, file, "--jobs", "2"), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        process = subprocess.Popen(
+            explain(program, file, "--jobs", "2"), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+        )
         # Once it has more than the one before: else a slow machine would see no flight at all.
         while process.poll() is None and len(rows_of(file)) <= seen:
             time.sleep(0.05)
@@ -68,7 +73,9 @@ def kill_often(program, file, whole):
 
 
 def stop_once(program, file):
-    process = subprocess.Popen(explain(program, file, "--jobs", "2"), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    process = subprocess.Popen(
+        explain(program, file, "--jobs", "2"), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True
+    )
     line = process.stderr.readline()
     while "flights" not in line and line:
         line = process.stderr.readline()
@@ -79,18 +86,32 @@ def stop_once(program, file):
 
 def smallest_scene(program, folder, file):
     with sqlite3.connect(f"file:{file}?mode=ro", uri=True) as database:
-        key, reason = database.execute("SELECT trial_key, reason FROM trials WHERE outcome = 'collided' ORDER BY trial_key").fetchone()
+        key, reason = database.execute(
+            "SELECT trial_key, reason FROM trials WHERE outcome = 'collided' ORDER BY trial_key"
+        ).fetchone()
     scene = folder / "scene"
-    texts = [subprocess.run([program, "explain", str(file), key, "--minimal", str(scene), "--jobs", jobs],
-                            check=True, text=True, capture_output=True).stdout for jobs in ("1", "2")]
+    texts = [
+        subprocess.run(
+            [program, "explain", str(file), key, "--minimal", str(scene), "--jobs", jobs],
+            check=True,
+            text=True,
+            capture_output=True,
+        ).stdout
+        for jobs in ("1", "2")
+    ]
     expect(texts[0] == texts[1], "the same scene for any number of workers:\n" + texts[0])
     expect(texts[0].startswith("obstacles  1 of "), "one obstacle is left")
     expect(sorted(path.name for path in scene.iterdir()) == ["map.glb", "sweep.yaml"], "nothing else is left behind")
-    subprocess.run([program, "run", str(scene / "sweep.yaml"), "--db", str(folder / "scene.db"), "--quiet"], check=True,
-                   stderr=subprocess.DEVNULL)
+    subprocess.run(
+        [program, "run", str(scene / "sweep.yaml"), "--db", str(folder / "scene.db"), "--quiet"],
+        check=True,
+        stderr=subprocess.DEVNULL,
+    )
     with sqlite3.connect(folder / "scene.db") as database:
         flown = database.execute("SELECT outcome, reason FROM trials ORDER BY mission_index DESC").fetchone()
-    expect(f"flight     {flown[0]}: {flown[1]}\n" in texts[0], f"run flies the same: {flown}; the trial itself: {reason}")
+    expect(
+        f"flight     {flown[0]}: {flown[1]}\n" in texts[0], f"run flies the same: {flown}; the trial itself: {reason}"
+    )
 
 
 def main():
@@ -99,19 +120,27 @@ def main():
         folder = pathlib.Path(name)
         (folder / "sweep.yaml").write_text(SWEEP)
         whole, killed = folder / "whole.db", folder / "killed.db"
-        subprocess.run([program, "run", str(folder / "sweep.yaml"), "--db", str(whole), "--quiet"], check=True, stderr=subprocess.DEVNULL)
+        subprocess.run(
+            [program, "run", str(folder / "sweep.yaml"), "--db", str(whole), "--quiet"],
+            check=True,
+            stderr=subprocess.DEVNULL,
+        )
         shutil.copy(whole, killed)
         told = subprocess.run(explain(program, whole, "--jobs", "1"), check=True, text=True, capture_output=True).stdout
         expected = rows(whole)
         expect(len(expected) > 10, f"{len(expected)} rows undisturbed")
         kill_often(program, killed, expected)
         stop_once(program, killed)
-        again = subprocess.run(explain(program, killed, "--jobs", "2"), check=True, text=True, capture_output=True).stdout
+        again = subprocess.run(
+            explain(program, killed, "--jobs", "2"), check=True, text=True, capture_output=True
+        ).stdout
         expect(rows(killed) == expected, "the same rows")
         expect(again.replace("What if, killed", "What if, whole") == told, "the same tables")
         killed.chmod(0o444)
         once_more = subprocess.run(explain(program, killed), check=True, text=True, capture_output=True)
-        expect(once_more.stdout == again and "to fly" not in once_more.stderr, "all is there: nothing is flown or written")
+        expect(
+            once_more.stdout == again and "to fly" not in once_more.stderr, "all is there: nothing is flown or written"
+        )
         smallest_scene(program, folder, whole)
 
 

@@ -1,52 +1,179 @@
 // The page's data: what lib/page writes into <script id="data">, and its trials as columns.
-import { Unpacked, deltasOf, floatsOf } from './packed';
+import { deltasOf, floatsOf, Unpacked } from "./packed";
 
 export type Vector = [number, number, number];
 export type Cell = number | string | null;
 
-export interface ReportColumn { name: string; header: string; unit: string; doc: string; place: string; decimals: number }
-export interface ReportTable { name: string; title: string; columns: ReportColumn[]; rows: { cells: Cell[]; best: number[] }[] }
+export interface ReportColumn {
+  name: string;
+  header: string;
+  unit: string;
+  doc: string;
+  place: string;
+  decimals: number;
+}
+export interface ReportTable {
+  name: string;
+  title: string;
+  columns: ReportColumn[];
+  rows: { cells: Cell[]; best: number[] }[];
+}
 export interface Metric {
-  name: string; unit: string; doc: string; formula: string; better: 'less' | 'more' | 'neither';
-  population: string; is_measured: boolean;
+  name: string;
+  unit: string;
+  doc: string;
+  formula: string;
+  better: "less" | "more" | "neither";
+  population: string;
+  is_measured: boolean;
 }
-interface Dictionary { words: Cell[]; index: string }
+interface Dictionary {
+  words: Cell[];
+  index: string;
+}
 interface PackedTrials {
-  count: number; planner: string; map: string; mission: string; outcome: string; id: string; key: string; end_s: string;
-  reference_m: string; reason: Dictionary; cause?: Dictionary; metrics: string[]; axes: (Dictionary & { field: string })[];
+  count: number;
+  planner: string;
+  map: string;
+  mission: string;
+  outcome: string;
+  id: string;
+  key: string;
+  end_s: string;
+  reference_m: string;
+  reason: Dictionary;
+  cause?: Dictionary;
+  metrics: string[];
+  axes: (Dictionary & { field: string })[];
 }
-export interface Planner { label: string; name: string; version: string; digest: string; parameters: unknown; is_privileged: boolean }
-export interface MapEntry { text: string; generator: string; seed: string; traversability: number | null; digest: string }
-export interface Curve { planner: number; intercept: number | null; slope: number | null; is_separated: boolean }
-export interface Run { date: string; program: string; git: string; compiler: string; command: string }
+export interface Planner {
+  label: string;
+  name: string;
+  version: string;
+  digest: string;
+  parameters: unknown;
+  is_privileged: boolean;
+}
+export interface MapEntry {
+  text: string;
+  generator: string;
+  seed: string;
+  traversability: number | null;
+  digest: string;
+}
+export interface Curve {
+  planner: number;
+  intercept: number | null;
+  slope: number | null;
+  is_separated: boolean;
+}
+export interface Run {
+  date: string;
+  program: string;
+  git: string;
+  compiler: string;
+  command: string;
+}
 /** What `avoidbench limit` varies: an axis of the trials, and the rate of success that is crossed. */
-export interface LimitRule { field: string; unit: string; low: number; high: number; success_rate: number }
+export interface LimitRule {
+  field: string;
+  unit: string;
+  low: number;
+  high: number;
+  success_rate: number;
+}
 export interface SweepData {
-  name: string; revision: number; title: string; warnings: string[]; conditions: string[]; tables: ReportTable[]; limit: LimitRule | null; curves: Curve[];
-  planners: Planner[]; maps: MapEntry[]; metrics: Metric[]; usual_metrics: string[]; outcomes: string[]; runs: Run[];
+  name: string;
+  revision: number;
+  title: string;
+  warnings: string[];
+  conditions: string[];
+  tables: ReportTable[];
+  limit: LimitRule | null;
+  curves: Curve[];
+  planners: Planner[];
+  maps: MapEntry[];
+  metrics: Metric[];
+  usual_metrics: string[];
+  outcomes: string[];
+  runs: Run[];
   trials: PackedTrials;
 }
-export interface Touch { t: number; speed: number; obstacle: number; kind: string }
-export interface FlightHead { id: number; key: string; planner: string; outcome: string; reason: string; end_s: number | null }
+export interface Touch {
+  t: number;
+  speed: number;
+  obstacle: number;
+  kind: string;
+}
+export interface FlightHead {
+  id: number;
+  key: string;
+  planner: string;
+  outcome: string;
+  reason: string;
+  end_s: number | null;
+}
 export interface FlightData {
-  n: number; reference: boolean; data: string; touches: Touch[]; status: [number, number][]; sweep?: number; trial?: number;
-  world: number | null; rig: number; goal_radius: number; start: Vector; goal: Vector; head?: FlightHead;
+  n: number;
+  reference: boolean;
+  data: string;
+  touches: Touch[];
+  status: [number, number][];
+  sweep?: number;
+  trial?: number;
+  world: number | null;
+  rig: number;
+  goal_radius: number;
+  start: Vector;
+  goal: Vector;
+  head?: FlightHead;
 }
 export interface WorldData {
-  prototypes: number; instances: number; kinds: string[]; data: string; triangles: number;
+  prototypes: number;
+  instances: number;
+  kinds: string[];
+  data: string;
+  triangles: number;
   motions: { instance: number; amplitude: Vector; period: number; phase: number }[];
-  bounds: [Vector, Vector]; flight_bounds: [Vector, Vector];
+  bounds: [Vector, Vector];
+  flight_bounds: [Vector, Vector];
 }
-export interface MeshData { vertices: number; triangles: number; data: string }
+export interface MeshData {
+  vertices: number;
+  triangles: number;
+  data: string;
+}
 export interface CameraData {
-  position: Vector; q: [number, number, number, number]; fov_x_deg: number; width: number; height: number; min_m: number; max_m: number;
+  position: Vector;
+  q: [number, number, number, number];
+  fov_x_deg: number;
+  width: number;
+  height: number;
+  min_m: number;
+  max_m: number;
 }
-export interface Rig { body: Vector; cameras: CameraData[] }
+export interface Rig {
+  body: Vector;
+  cameras: CameraData[];
+}
 export interface SeenImage {
-  kind: 'depth' | 'grey' | 'color'; t: number; camera: number; width: number; height: number; skip: number; channels: number;
-  data: string; pose: { position: Vector; q: [number, number, number, number] };
+  kind: "depth" | "grey" | "color";
+  t: number;
+  camera: number;
+  width: number;
+  height: number;
+  skip: number;
+  channels: number;
+  data: string;
+  pose: { position: Vector; q: [number, number, number, number] };
 }
-export interface DrawingData { kind: 'points' | 'line' | 'segments' | 'text'; color: number; label: string; n: number; data: string }
+export interface DrawingData {
+  kind: "points" | "line" | "segments" | "text";
+  color: number;
+  label: string;
+  n: number;
+  data: string;
+}
 export interface Seen {
   images: SeenImage[];
   drawings: { t: number; drawings: DrawingData[] }[];
@@ -54,29 +181,61 @@ export interface Seen {
   calls: { n: number; t: string; speed: string; acceleration: string; thrust: string; status: string; cpu_ms: string };
 }
 export interface PageData {
-  format: number; kind: 'sweep' | 'flight' | 'map'; title: string; program: { version: string; git: string; compiler: string };
-  command: string; sweeps?: SweepData[]; flights: FlightData[]; flights_left_out?: number; worlds: WorldData[]; meshes: MeshData[];
-  rigs: Rig[]; scene_warnings: string[]; seen?: Seen; missions?: { index: number; start: Vector; goal: Vector }[];
-  goal_radius?: number; digest?: string; world_digest?: string; planner_digest?: string;
+  format: number;
+  kind: "sweep" | "flight" | "map";
+  title: string;
+  program: { version: string; git: string; compiler: string };
+  command: string;
+  sweeps?: SweepData[];
+  flights: FlightData[];
+  flights_left_out?: number;
+  worlds: WorldData[];
+  meshes: MeshData[];
+  rigs: Rig[];
+  scene_warnings: string[];
+  seen?: Seen;
+  missions?: { index: number; start: Vector; goal: Vector }[];
+  goal_radius?: number;
+  digest?: string;
+  world_digest?: string;
+  planner_digest?: string;
 }
 
-export interface Words { words: Cell[]; of: Float64Array }
-export interface Axis extends Words { field: string }
+export interface Words {
+  words: Cell[];
+  of: Float64Array;
+}
+export interface Axis extends Words {
+  field: string;
+}
 
 /** The trials of a sweep, a column each. */
 export interface Trials {
-  count: number; planner: Float64Array; map: Float64Array; mission: Float64Array; outcome: Float64Array; id: Float64Array;
-  key: string[]; end_s: Float32Array; reference_m: Float32Array; reason: Words; cause: Words | null; metrics: Float32Array[];
+  count: number;
+  planner: Float64Array;
+  map: Float64Array;
+  mission: Float64Array;
+  outcome: Float64Array;
+  id: Float64Array;
+  key: string[];
+  end_s: Float32Array;
+  reference_m: Float32Array;
+  reason: Words;
+  cause: Words | null;
+  metrics: Float32Array[];
   axes: Axis[];
   /** Index into PageData.flights, -1 where the flight is not in this page. */
   flight: Int32Array;
 }
 
-export interface Sweep extends Omit<SweepData, 'trials'> { index: number; t: Trials }
+export interface Sweep extends Omit<SweepData, "trials"> {
+  index: number;
+  t: Trials;
+}
 
 export function readPage(): PageData {
-  const element = document.getElementById('data');
-  if (!element?.textContent) throw new Error('this page has no data');
+  const element = document.getElementById("data");
+  if (!element?.textContent) throw new Error("this page has no data");
   const page = JSON.parse(element.textContent) as PageData;
   if (page.format !== 1) throw new Error(`this page has data of format ${String(page.format)}`);
   return page;
@@ -88,8 +247,8 @@ export function readSweep(page: PageData, index: number): Sweep {
   const bytes = new Unpacked(p.key).raw(6 * n);
   const key: string[] = [];
   for (let i = 0; i < n; ++i) {
-    let digits = '';
-    for (let k = 0; k < 6; ++k) digits += bytes[6 * i + k].toString(16).padStart(2, '0');
+    let digits = "";
+    for (let k = 0; k < 6; ++k) digits += bytes[6 * i + k].toString(16).padStart(2, "0");
     key.push(digits);
   }
   const words = (d: Dictionary): Words => ({ words: d.words, of: deltasOf(d.index, n) });
@@ -98,43 +257,60 @@ export function readSweep(page: PageData, index: number): Sweep {
     if (f.sweep === index && f.trial !== undefined) flight[f.trial] = i;
   });
   const t: Trials = {
-    count: n, planner: deltasOf(p.planner, n), map: deltasOf(p.map, n), mission: deltasOf(p.mission, n),
-    outcome: deltasOf(p.outcome, n), id: deltasOf(p.id, n), key, end_s: floatsOf(p.end_s, n),
-    reference_m: floatsOf(p.reference_m, n), reason: words(p.reason), cause: p.cause ? words(p.cause) : null,
-    metrics: p.metrics.map((m) => floatsOf(m, n)), axes: p.axes.map((a) => ({ field: a.field, ...words(a) })), flight,
+    count: n,
+    planner: deltasOf(p.planner, n),
+    map: deltasOf(p.map, n),
+    mission: deltasOf(p.mission, n),
+    outcome: deltasOf(p.outcome, n),
+    id: deltasOf(p.id, n),
+    key,
+    end_s: floatsOf(p.end_s, n),
+    reference_m: floatsOf(p.reference_m, n),
+    reason: words(p.reason),
+    cause: p.cause ? words(p.cause) : null,
+    metrics: p.metrics.map((m) => floatsOf(m, n)),
+    axes: p.axes.map((a) => ({ field: a.field, ...words(a) })),
+    flight,
   };
   return { ...rest, index, t };
 }
 
 export const isFinished = (t: Trials, i: number): boolean => t.outcome[i] === 0;
-export const outcomeText = (word: string): string => word.replaceAll('_', ' ');
+export const outcomeText = (word: string): string => word.replaceAll("_", " ");
 
 // Okabe and Ito (2008), for colour-blind people, as in scripts/plot/style.py. Seven, and six signs: none recurs before the 43rd planner.
-const kPlannerColors = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#e69f00', '#56b4e9', '#000000'];
+const kPlannerColors = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"];
 // The same hues, as bright as a dark ground needs them.
-const kBrightColors = ['#51a5e7', '#fb8b49', '#32cea0', '#e99cc9', '#ffcc54', '#9adcff', '#f4f4f4'];
+const kBrightColors = ["#51a5e7", "#fb8b49", "#32cea0", "#e99cc9", "#ffcc54", "#9adcff", "#f4f4f4"];
 let isDark = false;
 /** Before anything is drawn. */
-export const setDark = (dark: boolean): void => { isDark = dark; };
-export const kDashes = ['', '6 3', '2 3', '8 3 2 3', '1 3', '10 4', '4 2 1 2', '3 5'];
+export const setDark = (dark: boolean): void => {
+  isDark = dark;
+};
+export const kDashes = ["", "6 3", "2 3", "8 3 2 3", "1 3", "10 4", "4 2 1 2", "3 5"];
 export const plannerColor = (i: number): string => (isDark ? kBrightColors : kPlannerColors)[i % kPlannerColors.length];
-const kOutcomeColors = ['#0b8f6f', '#d55e00', '#c979af', '#e69f00', '#a5a138', '#56b4e9', '#555555', '#999999'];
+const kOutcomeColors = ["#0b8f6f", "#d55e00", "#c979af", "#e69f00", "#a5a138", "#56b4e9", "#555555", "#999999"];
 export const outcomeColor = (i: number): string => kOutcomeColors[i % kOutcomeColors.length];
 
 /** So many significant digits, without an exponent for usual sizes. */
 export function digits(value: number | null | undefined, count = 3): string {
-  if (value === null || value === undefined || Number.isNaN(value)) return '–';
-  if (!Number.isFinite(value)) return value > 0 ? '∞' : '−∞';
-  if (value === 0) return '0';
-  const text = Math.abs(value) >= 1e6 || Math.abs(value) < 1e-4 ? value.toExponential(count - 1)
-    : Math.abs(value) >= 10 ** count ? Math.round(value).toString() : value.toPrecision(count);
-  return text.replace('-', '−');
+  if (value === null || value === undefined || Number.isNaN(value)) return "–";
+  if (!Number.isFinite(value)) return value > 0 ? "∞" : "−∞";
+  if (value === 0) return "0";
+  const text =
+    Math.abs(value) >= 1e6 || Math.abs(value) < 1e-4
+      ? value.toExponential(count - 1)
+      : Math.abs(value) >= 10 ** count
+        ? Math.round(value).toString()
+        : value.toPrecision(count);
+  return text.replace("-", "−");
 }
 
 /** Metric name without its unit, in words. */
 export function metricWords(name: string): string {
-  return name.replace(/_(pct|ratio|mps2|mps|ms|1pm|m|s|j)$/, '').replaceAll('_', ' ');
+  return name.replace(/_(pct|ratio|mps2|mps|ms|1pm|m|s|j)$/, "").replaceAll("_", " ");
 }
 
 /** "3.5 m/s" */
-export const limitValue = (rule: LimitRule, value: Cell): string => `${typeof value === 'number' ? digits(value, 4) : String(value)}${rule.unit ? ` ${rule.unit}` : ''}`;
+export const limitValue = (rule: LimitRule, value: Cell): string =>
+  `${typeof value === "number" ? digits(value, 4) : String(value)}${rule.unit ? ` ${rule.unit}` : ""}`;

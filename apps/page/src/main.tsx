@@ -1,18 +1,19 @@
 // The page: reads its data, keeps what is shown in the link, shows it.
-import { Component, render } from 'preact';
-import type { ComponentChildren, JSX } from 'preact';
-import { useEffect, useMemo, useState } from 'preact/hooks';
-import { About } from './about';
-import { Sign } from './charts';
-import { digits, limitValue, outcomeColor, outcomeText, plannerColor, readPage, readSweep, setDark } from './data';
-import type { FlightData, PageData, Sweep } from './data';
-import { Overview } from './overview';
-import { Replay } from './replay';
-import type { Entry, Scene } from './replay';
-import { chosenTrials, facetId, facetsOf, kUsualView, linkOfView, viewOfLink } from './state';
-import type { Facet, View } from './state';
-import { TrialTable } from './trials';
-import './style.css';
+
+import type { ComponentChildren, JSX } from "preact";
+import { Component, render } from "preact";
+import { useEffect, useMemo, useState } from "preact/hooks";
+import { About } from "./about";
+import { Sign } from "./charts";
+import type { FlightData, PageData, Sweep } from "./data";
+import { digits, limitValue, outcomeColor, outcomeText, plannerColor, readPage, readSweep, setDark } from "./data";
+import { Overview } from "./overview";
+import type { Entry, Scene } from "./replay";
+import { Replay } from "./replay";
+import type { Facet, View } from "./state";
+import { chosenTrials, facetId, facetsOf, kUsualView, linkOfView, viewOfLink } from "./state";
+import { TrialTable } from "./trials";
+import "./style.css";
 
 /** The mission of a trial with all its flights that are in the page; null where its own is not. */
 function sceneOfTrial(page: PageData, sweep: Sweep, trial: number): Scene | null {
@@ -22,25 +23,40 @@ function sceneOfTrial(page: PageData, sweep: Sweep, trial: number): Scene | null
   const beside: number[] = [];
   for (let i = 0; i < t.count; ++i) {
     // Axes that are no part of the map, as of sensors: only flights of the same.
-    const isAlike = t.axes.every((a) => a.field.startsWith('planner') || a.of[i] === a.of[trial]);
-    if (i !== trial && t.flight[i] >= 0 && t.map[i] === t.map[trial] && t.mission[i] === t.mission[trial] && isAlike) beside.push(i);
+    const isAlike = t.axes.every((a) => a.field.startsWith("planner") || a.of[i] === a.of[trial]);
+    if (i !== trial && t.flight[i] >= 0 && t.map[i] === t.map[trial] && t.mission[i] === t.mission[trial] && isAlike)
+      beside.push(i);
   }
   // Where a limit is looked for a planner flies a mission several times.
   const varied = sweep.limit && t.axes.find((a) => a.field === sweep.limit!.field);
-  const label = (i: number): string => sweep.planners[t.planner[i]].label + (varied ? ` at ${limitValue(sweep.limit!, varied.words[varied.of[i]])}` : '');
+  const label = (i: number): string =>
+    sweep.planners[t.planner[i]].label + (varied ? ` at ${limitValue(sweep.limit!, varied.words[varied.of[i]])}` : "");
   const entry = (i: number): Entry => ({
-    label: label(i), color: plannerColor(t.planner[i]), shape: t.planner[i], data: page.flights[t.flight[i]], isMain: i === trial,
-    outcome: sweep.outcomes[t.outcome[i]], reason: String(t.reason.words[t.reason.of[i]] ?? ''), cause: t.cause ? String(t.cause.words[t.cause.of[i]] ?? '') : '',
-    id: t.id[i], key: t.key[i],
+    label: label(i),
+    color: plannerColor(t.planner[i]),
+    shape: t.planner[i],
+    data: page.flights[t.flight[i]],
+    isMain: i === trial,
+    outcome: sweep.outcomes[t.outcome[i]],
+    reason: String(t.reason.words[t.reason.of[i]] ?? ""),
+    cause: t.cause ? String(t.cause.words[t.cause.of[i]] ?? "") : "",
+    id: t.id[i],
+    key: t.key[i],
     facts: sweep.usual_metrics.map((name): [string, string] => {
       const m = sweep.metrics.findIndex((one) => one.name === name);
-      return [name.replaceAll('_', ' '), digits(t.metrics[m][i])];
+      return [name.replaceAll("_", " "), digits(t.metrics[m][i])];
     }),
   });
   const flight = page.flights[own];
   return {
-    title: `${label(trial)}, ${sweep.maps[t.map[trial]].text}, mission ${t.mission[trial]}`, world: flight.world, start: flight.start, goal: flight.goal,
-    goalRadius: flight.goal_radius, entries: [trial, ...beside.sort((a, b) => t.planner[a] - t.planner[b])].map(entry), seen: null, missions: [],
+    title: `${label(trial)}, ${sweep.maps[t.map[trial]].text}, mission ${t.mission[trial]}`,
+    world: flight.world,
+    start: flight.start,
+    goal: flight.goal,
+    goalRadius: flight.goal_radius,
+    entries: [trial, ...beside.sort((a, b) => t.planner[a] - t.planner[b])].map(entry),
+    seen: null,
+    missions: [],
   };
 }
 
@@ -49,21 +65,46 @@ function sceneOfPage(page: PageData): Scene {
   const entry = (data: FlightData, i: number): Entry => {
     const head = data.head!;
     const twice = page.flights.some((f, k) => k < i && f.head!.planner === head.planner);
-    return { label: twice ? `${head.planner} (${head.id})` : head.planner, color: plannerColor(i), shape: i, data, isMain: i === 0, outcome: head.outcome, reason: head.reason, cause: '', id: head.id, key: head.key, facts: [] };
+    return {
+      label: twice ? `${head.planner} (${head.id})` : head.planner,
+      color: plannerColor(i),
+      shape: i,
+      data,
+      isMain: i === 0,
+      outcome: head.outcome,
+      reason: head.reason,
+      cause: "",
+      id: head.id,
+      key: head.key,
+      facts: [],
+    };
   };
   const first = page.flights[0];
   const mission = page.missions?.[0];
   return {
-    title: page.title, world: page.worlds.length ? 0 : null, start: first?.start ?? mission?.start ?? null, goal: first?.goal ?? mission?.goal ?? null,
-    goalRadius: first?.goal_radius ?? page.goal_radius ?? 0.8, entries: page.flights.map(entry), seen: page.seen ?? null, missions: page.missions ?? [],
+    title: page.title,
+    world: page.worlds.length ? 0 : null,
+    start: first?.start ?? mission?.start ?? null,
+    goal: first?.goal ?? mission?.goal ?? null,
+    goalRadius: first?.goal_radius ?? page.goal_radius ?? 0.8,
+    entries: page.flights.map(entry),
+    seen: page.seen ?? null,
+    missions: page.missions ?? [],
   };
 }
 
-function Filters(props: { sweep: Sweep; facets: Facet[]; view: View; count: number; change: (part: Partial<View>) => void }): JSX.Element {
+function Filters(props: {
+  sweep: Sweep;
+  facets: Facet[];
+  view: View;
+  count: number;
+  change: (part: Partial<View>) => void;
+}): JSX.Element {
   const { sweep, facets, view, change } = props;
   const set = (facet: Facet, values: string[]): void => {
     const filters = { ...view.filters };
-    if (values.length) filters[facet.name] = values; else delete filters[facet.name];
+    if (values.length) filters[facet.name] = values;
+    else delete filters[facet.name];
     change({ filters });
   };
   const toggle = (facet: Facet, id: string): void => {
@@ -71,35 +112,77 @@ function Filters(props: { sweep: Sweep; facets: Facet[]; view: View; count: numb
     set(facet, chosen.includes(id) ? chosen.filter((c) => c !== id) : [...chosen, id]);
   };
   const seen = new Set(sweep.t.outcome);
-  const isFiltered = Object.keys(view.filters).length > 0 || view.search !== '';
+  const isFiltered = Object.keys(view.filters).length > 0 || view.search !== "";
   return (
     <form class="filters" aria-label="Filters" onSubmit={(e) => e.preventDefault()}>
-      {facets.filter((f) => f.name === 'planner' || f.name === 'outcome').map((facet) => (
-        <fieldset>
-          <legend>{facet.title}</legend>
-          {facet.values.map((value, i) => (facet.name === 'outcome' && !seen.has(i) ? null : (
-            <button type="button" class="chip" aria-pressed={(view.filters[facet.name] ?? []).includes(facetId(facet, i))} onClick={() => toggle(facet, facetId(facet, i))}>
-              <svg width="14" height="14" aria-hidden="true">
-                {facet.name === 'planner' ? <Sign shape={i} x={7} y={7} size={4.5} color={plannerColor(i)} /> : <rect x="2" y="2" width="10" height="10" rx="2" fill={outcomeColor(i)} />}
-              </svg>
-              {facet.name === 'outcome' ? outcomeText(value) : value}
-            </button>
-          )))}
-        </fieldset>
-      ))}
-      <div class="selects">
-        {facets.filter((f) => f.name !== 'planner' && f.name !== 'outcome' && f.values.length > 1).map((facet) => (
-          <label>{facet.title}
-            <select name={facet.name} value={view.filters[facet.name]?.[0] ?? ''} onChange={(e) => set(facet, e.currentTarget.value === '' ? [] : [e.currentTarget.value])}>
-              <option value="">all</option>
-              {facet.values.map((value, i) => ({ value, i })).sort((a, b) => (facet.name === 'map' ? a.i - b.i : Number(a.value) - Number(b.value) || (a.value < b.value ? -1 : 1)))
-                .map(({ value, i }) => <option value={facetId(facet, i)}>{value}</option>)}
-            </select>
-          </label>
+      {facets
+        .filter((f) => f.name === "planner" || f.name === "outcome")
+        .map((facet) => (
+          <fieldset>
+            <legend>{facet.title}</legend>
+            {facet.values.map((value, i) =>
+              facet.name === "outcome" && !seen.has(i) ? null : (
+                <button
+                  type="button"
+                  class="chip"
+                  aria-pressed={(view.filters[facet.name] ?? []).includes(facetId(facet, i))}
+                  onClick={() => toggle(facet, facetId(facet, i))}
+                >
+                  <svg width="14" height="14" aria-hidden="true">
+                    {facet.name === "planner" ? (
+                      <Sign shape={i} x={7} y={7} size={4.5} color={plannerColor(i)} />
+                    ) : (
+                      <rect x="2" y="2" width="10" height="10" rx="2" fill={outcomeColor(i)} />
+                    )}
+                  </svg>
+                  {facet.name === "outcome" ? outcomeText(value) : value}
+                </button>
+              ),
+            )}
+          </fieldset>
         ))}
-        <label>Search <input type="search" value={view.search} placeholder="id, key, planner, reason …" onInput={(e) => change({ search: e.currentTarget.value })} /></label>
-        <span class="shown" aria-live="polite">{props.count} of {sweep.t.count} trials</span>
-        {isFiltered ? <button type="button" onClick={() => change({ filters: {}, search: '' })}>Show all</button> : null}
+      <div class="selects">
+        {facets
+          .filter((f) => f.name !== "planner" && f.name !== "outcome" && f.values.length > 1)
+          .map((facet) => (
+            <label>
+              {facet.title}
+              <select
+                name={facet.name}
+                value={view.filters[facet.name]?.[0] ?? ""}
+                onChange={(e) => set(facet, e.currentTarget.value === "" ? [] : [e.currentTarget.value])}
+              >
+                <option value="">all</option>
+                {facet.values
+                  .map((value, i) => ({ value, i }))
+                  .sort((a, b) =>
+                    facet.name === "map"
+                      ? a.i - b.i
+                      : Number(a.value) - Number(b.value) || (a.value < b.value ? -1 : 1),
+                  )
+                  .map(({ value, i }) => (
+                    <option value={facetId(facet, i)}>{value}</option>
+                  ))}
+              </select>
+            </label>
+          ))}
+        <label>
+          Search{" "}
+          <input
+            type="search"
+            value={view.search}
+            placeholder="id, key, planner, reason …"
+            onInput={(e) => change({ search: e.currentTarget.value })}
+          />
+        </label>
+        <span class="shown" aria-live="polite">
+          {props.count} of {sweep.t.count} trials
+        </span>
+        {isFiltered ? (
+          <button type="button" onClick={() => change({ filters: {}, search: "" })}>
+            Show all
+          </button>
+        ) : null}
       </div>
     </form>
   );
@@ -109,92 +192,243 @@ function Warnings({ sweep }: { sweep: Sweep }): JSX.Element | null {
   if (!sweep.warnings.length) return null;
   const short = (w: string): string => w.split(/: |; | \(/)[0];
   return (
-    <details class="warnings"><summary>{sweep.warnings.length} {sweep.warnings.length === 1 ? 'warning' : 'warnings'}: {sweep.warnings.map(short).join('; ')}</summary>
-      <ul>{sweep.warnings.map((w) => <li>{w}</li>)}</ul>
+    <details class="warnings">
+      <summary>
+        {sweep.warnings.length} {sweep.warnings.length === 1 ? "warning" : "warnings"}:{" "}
+        {sweep.warnings.map(short).join("; ")}
+      </summary>
+      <ul>
+        {sweep.warnings.map((w) => (
+          <li>{w}</li>
+        ))}
+      </ul>
     </details>
   );
 }
 
 function usedTheme(view: View): string {
-  return view.theme || (window.matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light');
+  return view.theme || (window.matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
 }
 
-function Frame(props: { page: PageData; view: View; change: (part: Partial<View>) => void; tabs: [string, string][]; subtitle: string; title: string; children: ComponentChildren; sweeps?: JSX.Element | null }): JSX.Element {
+function Frame(props: {
+  page: PageData;
+  view: View;
+  change: (part: Partial<View>) => void;
+  tabs: [string, string][];
+  subtitle: string;
+  title: string;
+  children: ComponentChildren;
+  sweeps?: JSX.Element | null;
+}): JSX.Element {
   const { view, change } = props;
   const theme = usedTheme(view);
   return (
     <>
-      <a class="skip" href="#main" onClick={(e) => { e.preventDefault(); document.getElementById('main')?.focus(); }}>To the content</a>
+      <a
+        class="skip"
+        href="#main"
+        onClick={(e) => {
+          e.preventDefault();
+          document.getElementById("main")?.focus();
+        }}
+      >
+        To the content
+      </a>
       <header>
-        <div class="title"><h1>{props.title}</h1><p>{props.subtitle}</p></div>
+        <div class="title">
+          <h1>{props.title}</h1>
+          <p>{props.subtitle}</p>
+        </div>
         {props.sweeps}
-        <nav aria-label="Parts of the page">{props.tabs.map(([id, name]) => <button aria-current={view.tab === id ? 'page' : undefined} onClick={() => change({ tab: id })}>{name}</button>)}</nav>
-        <button class="theme" onClick={() => change({ theme: theme === 'dark' ? 'light' : 'dark' })} aria-label={`Switch to ${theme === 'dark' ? 'light' : 'dark'} colours`}>{theme === 'dark' ? '☀' : '☾'}</button>
+        <nav aria-label="Parts of the page">
+          {props.tabs.map(([id, name]) => (
+            <button aria-current={view.tab === id ? "page" : undefined} onClick={() => change({ tab: id })}>
+              {name}
+            </button>
+          ))}
+        </nav>
+        <button
+          class="theme"
+          onClick={() => change({ theme: theme === "dark" ? "light" : "dark" })}
+          aria-label={`Switch to ${theme === "dark" ? "light" : "dark"} colours`}
+        >
+          {theme === "dark" ? "☀" : "☾"}
+        </button>
       </header>
-      <main id="main" tabIndex={-1}>{props.children}</main>
-      <footer>avoidbench {props.page.program.version} ({props.page.program.git}) · <code>{props.page.command}</code></footer>
+      <main id="main" tabIndex={-1}>
+        {props.children}
+      </main>
+      <footer>
+        avoidbench {props.page.program.version} ({props.page.program.git}) · <code>{props.page.command}</code>
+      </footer>
     </>
   );
 }
 
-function SweepPage({ page, view, change }: { page: PageData; view: View; change: (part: Partial<View>) => void }): JSX.Element {
+function SweepPage({
+  page,
+  view,
+  change,
+}: {
+  page: PageData;
+  view: View;
+  change: (part: Partial<View>) => void;
+}): JSX.Element {
   const at = Math.min(Math.max(Math.trunc(view.sweep), 0), page.sweeps!.length - 1);
   const sweep = useMemo(() => readSweep(page, at), [page, at]);
   const facets = useMemo(() => facetsOf(sweep), [sweep]);
   const chosen = useMemo(() => chosenTrials(sweep, facets, view), [sweep, facets, view.filters, view.search]);
-  const trial = useMemo(() => (view.trial ? sweep.t.key.findIndex((k) => k === view.trial) : -1), [sweep, view.trial]);
-  const scene = useMemo(() => (trial < 0 ? null : sceneOfTrial(page, sweep, trial)), [page, sweep, trial, usedTheme(view)]);
-  const open = (i: number): void => change({ tab: 'replay', trial: sweep.t.key[i], time: null });
-  const date = sweep.runs[0]?.date ?? '';
-  const tabs: [string, string][] = [['overview', 'Overview'], ['trials', 'Trials'], ...(trial >= 0 ? [['replay', 'Flight'] as [string, string]] : []), ['about', 'About']];
-  const tab = view.tab === 'replay' && trial < 0 ? 'trials' : view.tab;
-  const sweeps = page.sweeps!.length > 1 ? (
-    <label class="sweeps">Sweep <select value={String(at)} onChange={(e) => change({ ...kUsualView, theme: view.theme, sweep: Number(e.currentTarget.value) })}>
-      {page.sweeps!.map((s, i) => <option value={String(i)}>{s.name}{s.revision > 1 ? `@${s.revision}` : ''}</option>)}
-    </select></label>
-  ) : null;
+  const trial = useMemo(() => (view.trial ? sweep.t.key.indexOf(view.trial) : -1), [sweep, view.trial]);
+  const scene = useMemo(
+    () => (trial < 0 ? null : sceneOfTrial(page, sweep, trial)),
+    [page, sweep, trial, usedTheme(view)],
+  );
+  const open = (i: number): void => change({ tab: "replay", trial: sweep.t.key[i], time: null });
+  const date = sweep.runs[0]?.date ?? "";
+  const tabs: [string, string][] = [
+    ["overview", "Overview"],
+    ["trials", "Trials"],
+    ...(trial >= 0 ? [["replay", "Flight"] as [string, string]] : []),
+    ["about", "About"],
+  ];
+  const tab = view.tab === "replay" && trial < 0 ? "trials" : view.tab;
+  const sweeps =
+    page.sweeps!.length > 1 ? (
+      <label class="sweeps">
+        Sweep{" "}
+        <select
+          value={String(at)}
+          onChange={(e) => change({ ...kUsualView, theme: view.theme, sweep: Number(e.currentTarget.value) })}
+        >
+          {page.sweeps!.map((s, i) => (
+            <option value={String(i)}>
+              {s.name}
+              {s.revision > 1 ? `@${s.revision}` : ""}
+            </option>
+          ))}
+        </select>
+      </label>
+    ) : null;
   return (
-    <Frame page={page} view={{ ...view, tab }} change={change} tabs={tabs} title={sweep.name} subtitle={`${sweep.title.replace(/^Sweep [^:]*: /, '')}${date ? ` · ${date.slice(0, 10)}` : ''}`} sweeps={sweeps}>
-      {tab === 'overview' ? <Warnings sweep={sweep} /> : null}
-      {tab === 'overview' || tab === 'trials' ? <Filters sweep={sweep} facets={facets} view={view} count={chosen.length} change={change} /> : null}
-      {tab === 'overview' ? <Overview sweep={sweep} chosen={chosen} view={view} change={change} open={open} /> : null}
-      {tab === 'trials' ? <TrialTable sweep={sweep} chosen={chosen} view={view} change={change} open={open} /> : null}
-      {tab === 'about' ? <About page={page} sweep={sweep} /> : null}
-      {tab === 'replay' ? (scene ? (
-        <Replay page={page} scene={scene} time={view.time} camera={view.camera} color={view.color} theme={usedTheme(view)} change={change} close={() => change({ tab: 'trials' })} />
-      ) : <NoFlight sweep={sweep} trial={trial} page={page} close={() => change({ tab: 'trials' })} />) : null}
+    <Frame
+      page={page}
+      view={{ ...view, tab }}
+      change={change}
+      tabs={tabs}
+      title={sweep.name}
+      subtitle={`${sweep.title.replace(/^Sweep [^:]*: /, "")}${date ? ` · ${date.slice(0, 10)}` : ""}`}
+      sweeps={sweeps}
+    >
+      {tab === "overview" ? <Warnings sweep={sweep} /> : null}
+      {tab === "overview" || tab === "trials" ? (
+        <Filters sweep={sweep} facets={facets} view={view} count={chosen.length} change={change} />
+      ) : null}
+      {tab === "overview" ? <Overview sweep={sweep} chosen={chosen} view={view} change={change} open={open} /> : null}
+      {tab === "trials" ? <TrialTable sweep={sweep} chosen={chosen} view={view} change={change} open={open} /> : null}
+      {tab === "about" ? <About page={page} sweep={sweep} /> : null}
+      {tab === "replay" ? (
+        scene ? (
+          <Replay
+            page={page}
+            scene={scene}
+            time={view.time}
+            camera={view.camera}
+            color={view.color}
+            theme={usedTheme(view)}
+            change={change}
+            close={() => change({ tab: "trials" })}
+          />
+        ) : (
+          <NoFlight sweep={sweep} trial={trial} page={page} close={() => change({ tab: "trials" })} />
+        )
+      ) : null}
     </Frame>
   );
 }
 
-function NoFlight({ sweep, trial, page, close }: { sweep: Sweep; trial: number; page: PageData; close: () => void }): JSX.Element {
+function NoFlight({
+  sweep,
+  trial,
+  page,
+  close,
+}: {
+  sweep: Sweep;
+  trial: number;
+  page: PageData;
+  close: () => void;
+}): JSX.Element {
   return (
     <section class="empty">
       <button onClick={close}>← Trials</button>
       <h2>The flight of trial {sweep.t.id[trial]} is not in this page</h2>
-      <p>{page.flights_left_out ? 'There was no room for it: --page-size makes more. ' : 'It has no stored path. '}To fly it again into a page of its own:</p>
+      <p>
+        {page.flights_left_out ? "There was no room for it: --page-size makes more. " : "It has no stored path. "}To fly
+        it again into a page of its own:
+      </p>
       <pre>avoidbench replay DATABASE {sweep.t.key[trial]} --page flight.html</pre>
     </section>
   );
 }
 
-function OnePage({ page, view, change }: { page: PageData; view: View; change: (part: Partial<View>) => void }): JSX.Element {
+function OnePage({
+  page,
+  view,
+  change,
+}: {
+  page: PageData;
+  view: View;
+  change: (part: Partial<View>) => void;
+}): JSX.Element {
   const scene = useMemo(() => sceneOfPage(page), [page, usedTheme(view)]);
   const [mission, setMission] = useState(0);
   const shown = useMemo(() => {
     const m = scene.missions[mission];
     return m ? { ...scene, start: m.start, goal: m.goal } : scene;
   }, [scene, mission]);
-  const tab = view.tab === 'about' ? 'about' : 'replay';
+  const tab = view.tab === "about" ? "about" : "replay";
   const head = page.flights[0]?.head;
   const world = page.worlds[0];
-  const subtitle = head ? `${outcomeText(head.outcome)}${head.end_s === null ? '' : ` at ${digits(head.end_s, 4)} s`}` : world ? `${world.instances} instances, ${world.triangles} triangles` : '';
+  const subtitle = head
+    ? `${outcomeText(head.outcome)}${head.end_s === null ? "" : ` at ${digits(head.end_s, 4)} s`}`
+    : world
+      ? `${world.instances} instances, ${world.triangles} triangles`
+      : "";
   return (
-    <Frame page={page} view={{ ...view, tab }} change={change} title={page.title} subtitle={subtitle} tabs={[['replay', page.kind === 'map' ? 'Map' : 'Flight'], ['about', 'About']]}>
-      {tab === 'about' ? <About page={page} sweep={null} /> : (
+    <Frame
+      page={page}
+      view={{ ...view, tab }}
+      change={change}
+      title={page.title}
+      subtitle={subtitle}
+      tabs={[
+        ["replay", page.kind === "map" ? "Map" : "Flight"],
+        ["about", "About"],
+      ]}
+    >
+      {tab === "about" ? (
+        <About page={page} sweep={null} />
+      ) : (
         <>
-          {scene.missions.length > 1 ? <label class="missions">Mission <select value={String(mission)} onChange={(e) => setMission(Number(e.currentTarget.value))}>{scene.missions.map((m, i) => <option value={String(i)}>{m.index}</option>)}</select></label> : null}
-          <Replay page={page} scene={shown} time={view.time} camera={view.camera} color={view.color} theme={usedTheme(view)} change={change} close={null} />
+          {scene.missions.length > 1 ? (
+            <label class="missions">
+              Mission{" "}
+              <select value={String(mission)} onChange={(e) => setMission(Number(e.currentTarget.value))}>
+                {scene.missions.map((m, i) => (
+                  <option value={String(i)}>{m.index}</option>
+                ))}
+              </select>
+            </label>
+          ) : null}
+          <Replay
+            page={page}
+            scene={shown}
+            time={view.time}
+            camera={view.camera}
+            color={view.color}
+            theme={usedTheme(view)}
+            change={change}
+            close={null}
+          />
         </>
       )}
     </Frame>
@@ -205,39 +439,60 @@ function App({ page }: { page: PageData }): JSX.Element {
   const [view, setView] = useState<View>(() => viewOfLink(location.hash));
   useEffect(() => {
     const read = (): void => setView(viewOfLink(location.hash));
-    window.addEventListener('hashchange', read);
-    return () => window.removeEventListener('hashchange', read);
+    window.addEventListener("hashchange", read);
+    return () => window.removeEventListener("hashchange", read);
   }, []);
-  const change = (part: Partial<View>): void => setView((before) => {
-    const next = { ...before, ...part };
-    const link = `#${linkOfView(next)}`;
-    // A new part of the page is a step back in the history; a filter or a moment is not.
-    if (next.tab !== before.tab || next.trial !== before.trial) history.pushState(null, '', link); else history.replaceState(null, '', link);
-    return next;
-  });
-  setDark(usedTheme(view) === 'dark');
-  useEffect(() => { document.documentElement.dataset.theme = usedTheme(view); }, [view.theme]);
-  useEffect(() => { window.scrollTo(0, 0); }, [view.tab]);
-  return page.kind === 'sweep' ? <SweepPage page={page} view={view} change={change} /> : <OnePage page={page} view={view} change={change} />;
+  const change = (part: Partial<View>): void =>
+    setView((before) => {
+      const next = { ...before, ...part };
+      const link = `#${linkOfView(next)}`;
+      // A new part of the page is a step back in the history; a filter or a moment is not.
+      if (next.tab !== before.tab || next.trial !== before.trial) history.pushState(null, "", link);
+      else history.replaceState(null, "", link);
+      return next;
+    });
+  setDark(usedTheme(view) === "dark");
+  useEffect(() => {
+    document.documentElement.dataset.theme = usedTheme(view);
+  }, [view.theme]);
+  useEffect(() => {
+    window.scrollTo(0, 0);
+  }, [view.tab]);
+  return page.kind === "sweep" ? (
+    <SweepPage page={page} view={view} change={change} />
+  ) : (
+    <OnePage page={page} view={view} change={change} />
+  );
 }
 
 /** Says what went wrong in place of an empty page. */
 class Guard extends Component<{ children: ComponentChildren }, { problem: string }> {
-  override state = { problem: '' };
+  override state = { problem: "" };
   static override getDerivedStateFromError(error: unknown): { problem: string } {
     return { problem: error instanceof Error ? error.message : String(error) };
   }
   override render(): ComponentChildren {
-    return this.state.problem ? <p class="failure" role="alert">This page could not be shown: {this.state.problem}</p> : this.props.children;
+    return this.state.problem ? (
+      <p class="failure" role="alert">
+        This page could not be shown: {this.state.problem}
+      </p>
+    ) : (
+      this.props.children
+    );
   }
 }
 
-const root = document.getElementById('app')!;
-root.textContent = '';
+const root = document.getElementById("app")!;
+root.textContent = "";
 try {
   document.documentElement.dataset.theme = usedTheme(viewOfLink(location.hash));
   const page = readPage();
-  render(<Guard><App page={page} /></Guard>, root);
+  render(
+    <Guard>
+      <App page={page} />
+    </Guard>,
+    root,
+  );
 } catch (error) {
   root.textContent = `This page could not be shown: ${error instanceof Error ? error.message : String(error)}`;
 }

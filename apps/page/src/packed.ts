@@ -1,5 +1,5 @@
 // Reads what lib/page/packed.cpp writes.
-import { unzlibSync } from 'fflate';
+import { unzlibSync } from "fflate";
 
 function bytesOfBase64(text: string): Uint8Array {
   const binary = atob(text);
@@ -21,7 +21,7 @@ export class Unpacked {
     let value = 0;
     let factor = 1;
     for (;;) {
-      if (this.at >= this.bytes.length) throw new Error('a packed text of this page ends too early');
+      if (this.at >= this.bytes.length) throw new Error("a packed text of this page ends too early");
       const byte = this.bytes[this.at++];
       value += (byte & 127) * factor;
       if (byte < 128) return value;

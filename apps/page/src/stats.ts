@@ -1,10 +1,15 @@
 // The intervals and fits of lib/statistics, for trials that a filter has chosen.
-export interface Interval { lower: number; upper: number }
+export interface Interval {
+  lower: number;
+  upper: number;
+}
 
 function logGamma(x: number): number {
   // Lanczos, g = 7, n = 9.
-  const c = [0.99999999999980993, 676.5203681218851, -1259.1392167224028, 771.32342877765313, -176.61502916214059,
-    12.507343278686905, -0.13857109526572012, 9.9843695780195716e-6, 1.5056327351493116e-7];
+  const c = [
+    0.99999999999980993, 676.5203681218851, -1259.1392167224028, 771.32342877765313, -176.61502916214059,
+    12.507343278686905, -0.13857109526572012, 9.9843695780195716e-6, 1.5056327351493116e-7,
+  ];
   if (x < 0.5) return Math.log(Math.PI / Math.sin(Math.PI * x)) - logGamma(1 - x);
   let sum = c[0];
   for (let i = 1; i < 9; ++i) sum += c[i] / (x - 1 + i);
@@ -23,8 +28,12 @@ function incompleteBeta(x: number, a: number, b: number): number {
   let d = 0;
   for (let i = 0; i <= 500; ++i) {
     const m = i >> 1;
-    const numerator = i === 0 ? 1 : i % 2 === 0 ? (m * (b - m) * x) / ((a + 2 * m - 1) * (a + 2 * m))
-      : -((a + m) * (a + b + m) * x) / ((a + 2 * m) * (a + 2 * m + 1));
+    const numerator =
+      i === 0
+        ? 1
+        : i % 2 === 0
+          ? (m * (b - m) * x) / ((a + 2 * m - 1) * (a + 2 * m))
+          : -((a + m) * (a + b + m) * x) / ((a + 2 * m) * (a + 2 * m + 1));
     d = 1 / (1 + numerator * d || 1e-300);
     c = 1 + numerator / c || 1e-300;
     const step = c * d;
@@ -42,7 +51,8 @@ export function studentQuantile(p: number, freedom: number): number {
   while (below(high) < p) high *= 2;
   for (let i = 0; i < 200 && high - low > 1e-14 * high; ++i) {
     const middle = 0.5 * (low + high);
-    if (below(middle) < p) low = middle; else high = middle;
+    if (below(middle) < p) low = middle;
+    else high = middle;
   }
   return 0.5 * (low + high);
 }
@@ -95,13 +105,20 @@ export function logisticFit(points: [number, number, number][]): { intercept: nu
   let b = 0;
   let best = likelihood(a, b);
   for (let i = 0; i < 100; ++i) {
-    let ga = 0, gb = 0, haa = 0, hab = 0, hbb = 0;
+    let ga = 0,
+      gb = 0,
+      haa = 0,
+      hab = 0,
+      hbb = 0;
     for (const [x, s, n] of used) {
       const u = x - mean;
       const p = 1 / (1 + Math.exp(-(a + b * u)));
       const w = n * p * (1 - p);
-      ga += s - n * p; gb += (s - n * p) * u;
-      haa += w; hab += w * u; hbb += w * u * u;
+      ga += s - n * p;
+      gb += (s - n * p) * u;
+      haa += w;
+      hab += w * u;
+      hbb += w * u * u;
     }
     const determinant = haa * hbb - hab * hab;
     if (!(determinant > 1e-300)) return null;
@@ -113,7 +130,8 @@ export function logisticFit(points: [number, number, number][]): { intercept: nu
       share /= 2;
       next = likelihood(a + share * da, b + share * db);
     }
-    a += share * da; b += share * db;
+    a += share * da;
+    b += share * db;
     const gain = next - best;
     best = next;
     if (Math.abs(gain) < 1e-13 * (1 + Math.abs(best))) break;
@@ -137,6 +155,7 @@ export function ticks(low: number, high: number, count: number): number[] {
   const power = 10 ** Math.floor(Math.log10(rough));
   const step = [1, 2, 5, 10].map((f) => f * power).find((s) => s >= rough) ?? 10 * power;
   const all: number[] = [];
-  for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) all.push(Number((k * step).toPrecision(12)));
+  for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k)
+    all.push(Number((k * step).toPrecision(12)));
   return all;
 }

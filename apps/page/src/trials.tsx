@@ -1,37 +1,87 @@
 // The table of trials: only the rows that are seen are made, so that ten thousand scroll.
-import type { JSX } from 'preact';
-import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
-import { digits, metricWords, outcomeColor, outcomeText, plannerColor } from './data';
-import type { Sweep } from './data';
-import { Sign } from './charts';
-import type { View } from './state';
+import type { JSX } from "preact";
+import { useEffect, useMemo, useRef, useState } from "preact/hooks";
+import { Sign } from "./charts";
+import type { Sweep } from "./data";
+import { digits, metricWords, outcomeColor, outcomeText, plannerColor } from "./data";
+import type { View } from "./state";
 
 const kRow = 32;
 
-interface Column { id: string; title: string; unit: string; number: boolean; width: number; value: (i: number) => number | string | null; cell?: (i: number) => JSX.Element }
+interface Column {
+  id: string;
+  title: string;
+  unit: string;
+  number: boolean;
+  width: number;
+  value: (i: number) => number | string | null;
+  cell?: (i: number) => JSX.Element;
+}
 
 function columnsOf(sweep: Sweep): Column[] {
   const t = sweep.t;
   const all: Column[] = [
-    { id: 'id', title: 'trial', unit: '', number: true, width: 64, value: (i) => t.id[i] },
-    { id: 'planner', title: 'planner', unit: '', number: false, width: 150, value: (i) => sweep.planners[t.planner[i]].label,
-      cell: (i) => <span class="with-sign"><svg width="14" height="14" aria-hidden="true"><Sign shape={t.planner[i]} x={7} y={7} size={4.5} color={plannerColor(t.planner[i])} /></svg>{sweep.planners[t.planner[i]].label}</span> },
-    { id: 'map', title: 'map', unit: '', number: false, width: 210, value: (i) => sweep.maps[t.map[i]].text },
-    { id: 'mission', title: 'mission', unit: '', number: true, width: 74, value: (i) => t.mission[i] },
-    { id: 'outcome', title: 'outcome', unit: '', number: false, width: 132, value: (i) => outcomeText(sweep.outcomes[t.outcome[i]]),
-      cell: (i) => <span class="with-sign"><svg width="12" height="12" aria-hidden="true"><rect x="1" y="1" width="10" height="10" rx="2" fill={outcomeColor(t.outcome[i])} /></svg>{outcomeText(sweep.outcomes[t.outcome[i]])}</span> },
-    { id: 'end_s', title: 'end', unit: 's', number: true, width: 76, value: (i) => t.end_s[i] },
+    { id: "id", title: "trial", unit: "", number: true, width: 64, value: (i) => t.id[i] },
+    {
+      id: "planner",
+      title: "planner",
+      unit: "",
+      number: false,
+      width: 150,
+      value: (i) => sweep.planners[t.planner[i]].label,
+      cell: (i) => (
+        <span class="with-sign">
+          <svg width="14" height="14" aria-hidden="true">
+            <Sign shape={t.planner[i]} x={7} y={7} size={4.5} color={plannerColor(t.planner[i])} />
+          </svg>
+          {sweep.planners[t.planner[i]].label}
+        </span>
+      ),
+    },
+    { id: "map", title: "map", unit: "", number: false, width: 210, value: (i) => sweep.maps[t.map[i]].text },
+    { id: "mission", title: "mission", unit: "", number: true, width: 74, value: (i) => t.mission[i] },
+    {
+      id: "outcome",
+      title: "outcome",
+      unit: "",
+      number: false,
+      width: 132,
+      value: (i) => outcomeText(sweep.outcomes[t.outcome[i]]),
+      cell: (i) => (
+        <span class="with-sign">
+          <svg width="12" height="12" aria-hidden="true">
+            <rect x="1" y="1" width="10" height="10" rx="2" fill={outcomeColor(t.outcome[i])} />
+          </svg>
+          {outcomeText(sweep.outcomes[t.outcome[i]])}
+        </span>
+      ),
+    },
+    { id: "end_s", title: "end", unit: "s", number: true, width: 76, value: (i) => t.end_s[i] },
   ];
   for (const axis of t.axes) {
-    if (axis.field === 'map_seed' || axis.field === 'map.poisson_radius_m') continue;
-    const number = axis.words.every((w) => typeof w === 'number');
-    all.push({ id: axis.field, title: axis.field, unit: '', number, width: 130, value: (i) => axis.words[axis.of[i]] });
+    if (axis.field === "map_seed" || axis.field === "map.poisson_radius_m") continue;
+    const number = axis.words.every((w) => typeof w === "number");
+    all.push({ id: axis.field, title: axis.field, unit: "", number, width: 130, value: (i) => axis.words[axis.of[i]] });
   }
   const why = t.cause ?? t.reason;
-  all.push({ id: 'reason', title: t.cause ? 'cause' : 'reason', unit: '', number: false, width: 330, value: (i) => why.words[why.of[i]] || (t.reason.words[t.reason.of[i]] as string) });
+  all.push({
+    id: "reason",
+    title: t.cause ? "cause" : "reason",
+    unit: "",
+    number: false,
+    width: 330,
+    value: (i) => why.words[why.of[i]] || (t.reason.words[t.reason.of[i]] as string),
+  });
   for (const name of sweep.usual_metrics) {
     const at = sweep.metrics.findIndex((m) => m.name === name);
-    all.push({ id: name, title: metricWords(name), unit: sweep.metrics[at].unit, number: true, width: 40 + 7.4 * (metricWords(name).length + sweep.metrics[at].unit.length), value: (i) => t.metrics[at][i] });
+    all.push({
+      id: name,
+      title: metricWords(name),
+      unit: sweep.metrics[at].unit,
+      number: true,
+      width: 40 + 7.4 * (metricWords(name).length + sweep.metrics[at].unit.length),
+      value: (i) => t.metrics[at][i],
+    });
   }
   return all;
 }
@@ -39,12 +89,20 @@ function columnsOf(sweep: Sweep): Column[] {
 /** All trials; what has no value comes last, whichever way. */
 function sorted(count: number, column: Column, down: boolean): Int32Array {
   const values = Array.from({ length: count }, (_, i) => column.value(i));
-  const none = (v: number | string | null): boolean => v === null || v === '' || (typeof v === 'number' && Number.isNaN(v));
+  const none = (v: number | string | null): boolean =>
+    v === null || v === "" || (typeof v === "number" && Number.isNaN(v));
   return Int32Array.from(values.keys()).sort((a, b) => {
     const x = values[a];
     const y = values[b];
     if (none(x) || none(y)) return Number(none(x)) - Number(none(y)) || a - b;
-    const order = typeof x === 'number' && typeof y === 'number' ? x - y : String(x) < String(y) ? -1 : String(x) > String(y) ? 1 : 0;
+    const order =
+      typeof x === "number" && typeof y === "number"
+        ? x - y
+        : String(x) < String(y)
+          ? -1
+          : String(x) > String(y)
+            ? 1
+            : 0;
     return (down ? -order : order) || a - b;
   });
 }
@@ -56,7 +114,13 @@ function chosenOf(order: Int32Array, chosen: Int32Array): Int32Array {
   return order.filter((i) => isChosen[i] === 1);
 }
 
-export function TrialTable(props: { sweep: Sweep; chosen: Int32Array; view: View; change: (part: Partial<View>) => void; open: (trial: number) => void }): JSX.Element {
+export function TrialTable(props: {
+  sweep: Sweep;
+  chosen: Int32Array;
+  view: View;
+  change: (part: Partial<View>) => void;
+  open: (trial: number) => void;
+}): JSX.Element {
   const { sweep, chosen, view, change, open } = props;
   const columns = useMemo(() => columnsOf(sweep), [sweep]);
   const column = columns.find((c) => c.id === view.sort) ?? columns[0];
@@ -72,8 +136,8 @@ export function TrialTable(props: { sweep: Sweep; chosen: Int32Array; view: View
   useEffect(() => {
     const measure = (): void => setHeight(box.current?.clientHeight ?? 600);
     measure();
-    window.addEventListener('resize', measure);
-    return () => window.removeEventListener('resize', measure);
+    window.addEventListener("resize", measure);
+    return () => window.removeEventListener("resize", measure);
   }, []);
   useEffect(() => {
     // Where it is there already, asking the browser would make it lay out the page at once.
@@ -101,29 +165,53 @@ export function TrialTable(props: { sweep: Sweep; chosen: Int32Array; view: View
     const head = 40;
     if (!element) return;
     if (to * kRow < element.scrollTop) element.scrollTop = to * kRow;
-    else if ((to + 1) * kRow > element.scrollTop + element.clientHeight - head) element.scrollTop = (to + 1) * kRow - element.clientHeight + head;
+    else if ((to + 1) * kRow > element.scrollTop + element.clientHeight - head)
+      element.scrollTop = (to + 1) * kRow - element.clientHeight + head;
     setTop(element.scrollTop);
   };
   const keys = (e: KeyboardEvent): void => {
     const page = Math.max(1, Math.floor(height / kRow) - 2);
     const at = focused.current;
-    const moves: Record<string, number> = { ArrowDown: at + 1, ArrowUp: at - 1, PageDown: at + page, PageUp: at - page, Home: 0, End: order.length - 1 };
-    if (e.key in moves) { e.preventDefault(); go(moves[e.key]); }
-    if (e.key === 'Enter' && order.length) { e.preventDefault(); open(order[at]); }
+    const moves: Record<string, number> = {
+      ArrowDown: at + 1,
+      ArrowUp: at - 1,
+      PageDown: at + page,
+      PageUp: at - page,
+      Home: 0,
+      End: order.length - 1,
+    };
+    if (e.key in moves) {
+      e.preventDefault();
+      go(moves[e.key]);
+    }
+    if (e.key === "Enter" && order.length) {
+      e.preventDefault();
+      open(order[at]);
+    }
   };
   const width = columns.reduce((sum, c) => sum + c.width, 40);
   return (
     <section aria-label="Trials" class="trials">
-      <p class="note" aria-live="polite">{order.length} of {sweep.t.count} trials. A click or Enter opens a flight; ▶ marks those that are in this page.</p>
+      <p class="note" aria-live="polite">
+        {order.length} of {sweep.t.count} trials. A click or Enter opens a flight; ▶ marks those that are in this page.
+      </p>
       <div class="table" ref={box} onScroll={(e) => setTop(e.currentTarget.scrollTop)} tabIndex={-1}>
         <table role="grid" aria-rowcount={order.length + 1} aria-label="Trials" style={{ width: `${width}px` }}>
           <thead>
             <tr aria-rowindex={1}>
-              <th scope="col" style={{ width: '40px' }}><span class="hidden">flight</span></th>
+              <th scope="col" style={{ width: "40px" }}>
+                <span class="hidden">flight</span>
+              </th>
               {columns.map((c) => (
-                <th scope="col" style={{ width: `${c.width}px` }} aria-sort={c === column ? (view.down ? 'descending' : 'ascending') : 'none'}>
+                <th
+                  scope="col"
+                  style={{ width: `${c.width}px` }}
+                  aria-sort={c === column ? (view.down ? "descending" : "ascending") : "none"}
+                >
                   <button onClick={() => change({ sort: c.id, down: c === column ? !view.down : false })}>
-                    {c.title}{c.unit ? <span class="unit"> {c.unit}</span> : null}<span aria-hidden="true">{c === column ? (view.down ? ' ▼' : ' ▲') : ''}</span>
+                    {c.title}
+                    {c.unit ? <span class="unit"> {c.unit}</span> : null}
+                    <span aria-hidden="true">{c === column ? (view.down ? " ▼" : " ▲") : ""}</span>
                   </button>
                 </th>
               ))}
@@ -134,18 +222,45 @@ export function TrialTable(props: { sweep: Sweep; chosen: Int32Array; view: View
             {Array.from(order.slice(first, last), (i, k) => {
               const place = first + k;
               return (
-                <tr key={i} aria-rowindex={place + 2} data-place={place} data-trial={sweep.t.key[i]} class={sweep.t.flight[i] >= 0 ? 'has-flight' : ''}
-                  tabIndex={place === focus ? 0 : -1} onFocus={() => { if (!wanted.current) { focused.current = place; setFocus(place); } }} onClick={() => open(i)} style={{ height: `${kRow}px` }}>
-                  <td class="play">{sweep.t.flight[i] >= 0 ? '▶' : ''}</td>
+                <tr
+                  key={i}
+                  aria-rowindex={place + 2}
+                  data-place={place}
+                  data-trial={sweep.t.key[i]}
+                  class={sweep.t.flight[i] >= 0 ? "has-flight" : ""}
+                  tabIndex={place === focus ? 0 : -1}
+                  onFocus={() => {
+                    if (!wanted.current) {
+                      focused.current = place;
+                      setFocus(place);
+                    }
+                  }}
+                  onClick={() => open(i)}
+                  style={{ height: `${kRow}px` }}
+                >
+                  <td class="play">{sweep.t.flight[i] >= 0 ? "▶" : ""}</td>
                   {columns.map((c) => {
                     const value = c.value(i);
-                    const text = c.number && typeof value === 'number' ? (Number.isInteger(value) ? String(value) : digits(value)) : value === null ? '–' : String(value);
-                    return <td class={c.number ? 'number' : ''} title={!c.number && text.length > 24 ? text : undefined}>{c.cell ? c.cell(i) : text}</td>;
+                    const text =
+                      c.number && typeof value === "number"
+                        ? Number.isInteger(value)
+                          ? String(value)
+                          : digits(value)
+                        : value === null
+                          ? "–"
+                          : String(value);
+                    return (
+                      <td class={c.number ? "number" : ""} title={!c.number && text.length > 24 ? text : undefined}>
+                        {c.cell ? c.cell(i) : text}
+                      </td>
+                    );
                   })}
                 </tr>
               );
             })}
-            {last < order.length ? <tr aria-hidden="true" style={{ height: `${(order.length - last) * kRow}px` }} /> : null}
+            {last < order.length ? (
+              <tr aria-hidden="true" style={{ height: `${(order.length - last) * kRow}px` }} />
+            ) : null}
           </tbody>
         </table>
       </div>

@@ -1,22 +1,41 @@
 // The 3-D view: map, paths, vehicles, camera frustum, what was seen and drawn. Draws only when something has changed.
-import * as THREE from 'three';
-import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
-import { Line2 } from 'three/examples/jsm/lines/Line2.js';
-import { LineGeometry } from 'three/examples/jsm/lines/LineGeometry.js';
-import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
-import type { CameraData, DrawingData, PageData, Rig, Vector } from './data';
-import { placeOf, stateAt } from './flight';
-import type { Flight } from './flight';
-import { Unpacked } from './packed';
-import { MapModel } from './world';
+import * as THREE from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { Line2 } from "three/examples/jsm/lines/Line2.js";
+import { LineGeometry } from "three/examples/jsm/lines/LineGeometry.js";
+import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
+import type { CameraData, DrawingData, PageData, Rig, Vector } from "./data";
+import type { Flight } from "./flight";
+import { placeOf, stateAt } from "./flight";
+import { Unpacked } from "./packed";
+import { MapModel } from "./world";
 
-export type CameraMode = 'orbit' | 'follow' | 'top';
-export type PathColor = 'planner' | 'speed' | 'clearance';
+export type CameraMode = "orbit" | "follow" | "top";
+export type PathColor = "planner" | "speed" | "clearance";
 
-export interface Track { label: string; color: string; flight: Flight; rig: Rig; isMain: boolean; isShown: boolean; struck: { t: number; obstacle: number }[] }
+export interface Track {
+  label: string;
+  color: string;
+  flight: Flight;
+  rig: Rig;
+  isMain: boolean;
+  isShown: boolean;
+  struck: { t: number; obstacle: number }[];
+}
 
 // Cividis (Nuñez et al. 2018), sampled: safe for colour-blind people.
-const kCividis = ['#00224e', '#123570', '#3b496c', '#575d6d', '#707173', '#8a8678', '#a59c74', '#c3b369', '#e1cc55', '#fee838'];
+const kCividis = [
+  "#00224e",
+  "#123570",
+  "#3b496c",
+  "#575d6d",
+  "#707173",
+  "#8a8678",
+  "#a59c74",
+  "#c3b369",
+  "#e1cc55",
+  "#fee838",
+];
 export function cividis(share: number): THREE.Color {
   const at = Math.min(Math.max(share, 0), 1) * (kCividis.length - 1);
   const low = Math.min(Math.floor(at), kCividis.length - 2);
@@ -24,11 +43,19 @@ export function cividis(share: number): THREE.Color {
 }
 export const kScaleColors = kCividis;
 
-interface Shown { track: Track; lines: Line2[]; faint: THREE.Line; vehicle: THREE.Group; materials: LineMaterial[] }
+interface Shown {
+  track: Track;
+  lines: Line2[];
+  faint: THREE.Line;
+  vehicle: THREE.Group;
+  materials: LineMaterial[];
+}
 
-const kDepthMaterial = (near: number, far: number): THREE.ShaderMaterial => new THREE.ShaderMaterial({
-  side: THREE.DoubleSide, uniforms: { near: { value: near }, far: { value: far } },
-  vertexShader: `varying float depth;
+const kDepthMaterial = (near: number, far: number): THREE.ShaderMaterial =>
+  new THREE.ShaderMaterial({
+    side: THREE.DoubleSide,
+    uniforms: { near: { value: near }, far: { value: far } },
+    vertexShader: `varying float depth;
 void main() {
   vec4 place = vec4(position, 1.0);
   #ifdef USE_INSTANCING
@@ -38,8 +65,8 @@ void main() {
   depth = -seen.z;
   gl_Position = projectionMatrix * seen;
 }`,
-  // Turbo's polynomial (Mikhailov 2019): near things red, far ones blue, as in the program's pictures.
-  fragmentShader: `varying float depth;
+    // Turbo's polynomial (Mikhailov 2019): near things red, far ones blue, as in the program's pictures.
+    fragmentShader: `varying float depth;
 uniform float near;
 uniform float far;
 void main() {
@@ -52,7 +79,7 @@ void main() {
     dot(v4, vec4(0.09140261, 2.19418839, 4.84296658, -14.18503333)) + dot(v2, vec2(4.27729857, 2.82956604)),
     dot(v4, vec4(0.10667330, 12.64194608, -60.58204836, 110.36276771)) + dot(v2, vec2(-89.90310912, 27.34824973)), 1.0);
 }`,
-});
+  });
 
 export class Viewer {
   private readonly renderer: THREE.WebGLRenderer;
@@ -67,8 +94,8 @@ export class Viewer {
   private shown: Shown[] = [];
   private frustum: THREE.LineSegments | null = null;
   private ahead: THREE.Line | null = null;
-  private mode: CameraMode = 'orbit';
-  private pathColor: PathColor = 'speed';
+  private mode: CameraMode = "orbit";
+  private pathColor: PathColor = "speed";
   private time = 0;
   private asked = 0;
   private yaw = 0;
@@ -78,20 +105,26 @@ export class Viewer {
   /** Fastest and slowest of the paths' colours. */
   range: [number, number] = [0, 1];
 
-  constructor(canvas: HTMLCanvasElement, private readonly page: PageData, private readonly dark: boolean) {
+  constructor(
+    canvas: HTMLCanvasElement,
+    private readonly page: PageData,
+    private readonly dark: boolean,
+  ) {
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
     this.camera.up.set(0, 0, 1);
     this.onboard.up.set(0, 0, 1);
-    this.scene.background = new THREE.Color(dark ? '#10161d' : '#dfe8f0');
-    this.scene.add(new THREE.HemisphereLight(dark ? '#c8d8ea' : '#ffffff', dark ? '#3a3226' : '#a89a84', dark ? 2.5 : 2.1));
-    const sun = new THREE.DirectionalLight('#ffffff', dark ? 1.5 : 1.5);
+    this.scene.background = new THREE.Color(dark ? "#10161d" : "#dfe8f0");
+    this.scene.add(
+      new THREE.HemisphereLight(dark ? "#c8d8ea" : "#ffffff", dark ? "#3a3226" : "#a89a84", dark ? 2.5 : 2.1),
+    );
+    const sun = new THREE.DirectionalLight("#ffffff", dark ? 1.5 : 1.5);
     sun.position.set(0.45, -0.35, 0.82);
     this.scene.add(sun, this.overlay);
     this.overlay.add(this.seen, this.drawn);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enableDamping = false;
-    this.controls.addEventListener('change', () => this.draw());
+    this.controls.addEventListener("change", () => this.draw());
     this.depthLook = kDepthMaterial(0.1, 15);
   }
 
@@ -106,24 +139,31 @@ export class Viewer {
   }
 
   setTracks(tracks: Track[], start: Vector | null, goal: Vector | null, goalRadius: number): void {
-    for (const child of [...this.overlay.children]) if (child !== this.seen && child !== this.drawn) this.overlay.remove(child);
+    for (const child of [...this.overlay.children])
+      if (child !== this.seen && child !== this.drawn) this.overlay.remove(child);
     this.shown = tracks.map((track) => this.showTrack(track));
     this.frustum = null;
     const main = tracks.find((t) => t.isMain);
     const camera = main?.rig.cameras[0];
     if (camera) {
-      this.frustum = new THREE.LineSegments(frustumGeometry(camera), new THREE.LineBasicMaterial({ color: this.dark ? '#f2f2f2' : '#20262c', transparent: true, opacity: 0.7 }));
+      this.frustum = new THREE.LineSegments(
+        frustumGeometry(camera),
+        new THREE.LineBasicMaterial({ color: this.dark ? "#f2f2f2" : "#20262c", transparent: true, opacity: 0.7 }),
+      );
       this.frustum.matrixAutoUpdate = false;
       this.overlay.add(this.frustum);
       this.depthLook = kDepthMaterial(camera.min_m, camera.max_m);
     }
-    this.ahead = new THREE.Line(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ color: '#e69f00' }));
+    this.ahead = new THREE.Line(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ color: "#e69f00" }));
     this.ahead.visible = false;
     this.overlay.add(this.ahead);
-    if (start) this.overlay.add(marker(start, 0.18, '#009e73'));
+    if (start) this.overlay.add(marker(start, 0.18, "#009e73"));
     if (goal) {
-      this.overlay.add(marker(goal, 0.18, '#d55e00'));
-      const ring = new THREE.Mesh(new THREE.TorusGeometry(goalRadius, 0.03, 6, 40), new THREE.MeshBasicMaterial({ color: '#d55e00' }));
+      this.overlay.add(marker(goal, 0.18, "#d55e00"));
+      const ring = new THREE.Mesh(
+        new THREE.TorusGeometry(goalRadius, 0.03, 6, 40),
+        new THREE.MeshBasicMaterial({ color: "#d55e00" }),
+      );
       ring.position.set(...goal);
       this.overlay.add(ring);
     }
@@ -149,9 +189,17 @@ export class Viewer {
       materials.push(material);
     }
     const geometry = new THREE.BufferGeometry();
-    geometry.setAttribute('position', new THREE.Float32BufferAttribute(positions, 3));
+    geometry.setAttribute("position", new THREE.Float32BufferAttribute(positions, 3));
     // Seen through what hides it.
-    const faint = new THREE.Line(geometry, new THREE.LineBasicMaterial({ color: track.color, transparent: true, opacity: track.isMain ? 0.5 : 0.3, depthTest: false }));
+    const faint = new THREE.Line(
+      geometry,
+      new THREE.LineBasicMaterial({
+        color: track.color,
+        transparent: true,
+        opacity: track.isMain ? 0.5 : 0.3,
+        depthTest: false,
+      }),
+    );
     faint.frustumCulled = false;
     const vehicle = vehicleModel(track.rig.body, track.color);
     this.overlay.add(faint, vehicle);
@@ -165,15 +213,20 @@ export class Viewer {
   }
 
   private colorPaths(): void {
-    const values = (f: Flight): Float64Array => (this.pathColor === 'clearance' ? f.clearance : f.speed);
+    const values = (f: Flight): Float64Array => (this.pathColor === "clearance" ? f.clearance : f.speed);
     const all = this.shown.flatMap((s) => [...values(s.track.flight)]).filter(Number.isFinite);
-    this.range = this.pathColor === 'clearance' ? [0, 2] : [0, Math.max(0.5, ...all)];
+    this.range = this.pathColor === "clearance" ? [0, 2] : [0, Math.max(0.5, ...all)];
     for (const { track, lines } of this.shown) {
       const f = track.flight;
       const colors: number[] = [];
       for (let i = 0; i < f.n; ++i) {
         const v = values(f)[i];
-        const c = this.pathColor === 'planner' ? new THREE.Color(track.color) : Number.isFinite(v) ? cividis((v - this.range[0]) / (this.range[1] - this.range[0])) : new THREE.Color('#888888');
+        const c =
+          this.pathColor === "planner"
+            ? new THREE.Color(track.color)
+            : Number.isFinite(v)
+              ? cividis((v - this.range[0]) / (this.range[1] - this.range[0]))
+              : new THREE.Color("#888888");
         colors.push(c.r, c.g, c.b);
       }
       for (const line of lines) (line.geometry as LineGeometry).setColors(colors);
@@ -200,13 +253,17 @@ export class Viewer {
       for (const part of [vehicle, faint, ...lines]) part.visible = track.isShown && track.flight.n > 0;
       vehicle.position.set(...state.position);
       vehicle.quaternion.set(state.q[1], state.q[2], state.q[3], state.q[0]);
-      if (lines[1]) (lines[1].geometry as LineGeometry).instanceCount = Math.max(1, Math.min(track.flight.n - 1, placeOf(track.flight, time)[0] + 1));
+      if (lines[1])
+        (lines[1].geometry as LineGeometry).instanceCount = Math.max(
+          1,
+          Math.min(track.flight.n - 1, placeOf(track.flight, time)[0] + 1),
+        );
       if (!track.isMain) continue;
       for (const touch of track.struck) if (touch.t <= time + 1e-3) struck = touch.obstacle;
       this.placeOnboard(track, vehicle, state.index);
     }
     this.map?.setStruck(struck);
-    if (this.mode === 'follow') this.follow(false);
+    if (this.mode === "follow") this.follow(false);
     this.draw();
   }
 
@@ -214,7 +271,11 @@ export class Viewer {
     const camera = track.rig.cameras[0];
     vehicle.updateMatrixWorld();
     if (camera && this.frustum) {
-      const mount = new THREE.Matrix4().compose(new THREE.Vector3(...camera.position), new THREE.Quaternion(camera.q[1], camera.q[2], camera.q[3], camera.q[0]), new THREE.Vector3(1, 1, 1));
+      const mount = new THREE.Matrix4().compose(
+        new THREE.Vector3(...camera.position),
+        new THREE.Quaternion(camera.q[1], camera.q[2], camera.q[3], camera.q[0]),
+        new THREE.Vector3(1, 1, 1),
+      );
       const pose = new THREE.Matrix4().multiplyMatrices(vehicle.matrixWorld, mount);
       this.frustum.matrix.copy(pose);
       this.frustum.visible = track.isShown;
@@ -222,7 +283,8 @@ export class Viewer {
       const flipped = pose.clone().multiply(new THREE.Matrix4().makeRotationX(Math.PI));
       flipped.decompose(this.onboard.position, this.onboard.quaternion, new THREE.Vector3());
       this.onboard.aspect = camera.width / camera.height;
-      this.onboard.fov = (2 * Math.atan(Math.tan((camera.fov_x_deg * Math.PI) / 360) / this.onboard.aspect) * 180) / Math.PI;
+      this.onboard.fov =
+        (2 * Math.atan(Math.tan((camera.fov_x_deg * Math.PI) / 360) / this.onboard.aspect) * 180) / Math.PI;
       this.onboard.updateProjectionMatrix();
     }
     const ahead = track.flight.ahead;
@@ -241,9 +303,12 @@ export class Viewer {
     this.seen.clear();
     if (points && colors) {
       const geometry = new THREE.BufferGeometry();
-      geometry.setAttribute('position', new THREE.BufferAttribute(points, 3));
-      geometry.setAttribute('color', new THREE.BufferAttribute(colors, 3));
-      const cloud = new THREE.Points(geometry, new THREE.PointsMaterial({ size: 2.5, sizeAttenuation: false, vertexColors: true }));
+      geometry.setAttribute("position", new THREE.BufferAttribute(points, 3));
+      geometry.setAttribute("color", new THREE.BufferAttribute(colors, 3));
+      const cloud = new THREE.Points(
+        geometry,
+        new THREE.PointsMaterial({ size: 2.5, sizeAttenuation: false, vertexColors: true }),
+      );
       cloud.frustumCulled = false;
       this.seen.add(cloud);
     }
@@ -253,17 +318,21 @@ export class Viewer {
   setDrawings(drawings: DrawingData[]): void {
     this.drawn.clear();
     for (const d of drawings) {
-      if (d.n === 0 || d.kind === 'text') continue;
+      if (d.n === 0 || d.kind === "text") continue;
       const u = new Unpacked(d.data);
       const axes = [0, 1, 2].map(() => u.deltas(d.n));
       const positions = new Float32Array(3 * d.n);
       for (let i = 0; i < d.n; ++i) for (let k = 0; k < 3; ++k) positions[3 * i + k] = 0.01 * axes[k][i];
       const geometry = new THREE.BufferGeometry();
-      geometry.setAttribute('position', new THREE.BufferAttribute(positions, 3));
+      geometry.setAttribute("position", new THREE.BufferAttribute(positions, 3));
       const color = new THREE.Color(d.color);
-      const look = { color, transparent: true, opacity: 0.85, depthTest: d.kind === 'points' };
-      const object = d.kind === 'points' ? new THREE.Points(geometry, new THREE.PointsMaterial({ ...look, size: 2, sizeAttenuation: false }))
-        : d.kind === 'line' ? new THREE.Line(geometry, new THREE.LineBasicMaterial(look)) : new THREE.LineSegments(geometry, new THREE.LineBasicMaterial(look));
+      const look = { color, transparent: true, opacity: 0.85, depthTest: d.kind === "points" };
+      const object =
+        d.kind === "points"
+          ? new THREE.Points(geometry, new THREE.PointsMaterial({ ...look, size: 2, sizeAttenuation: false }))
+          : d.kind === "line"
+            ? new THREE.Line(geometry, new THREE.LineBasicMaterial(look))
+            : new THREE.LineSegments(geometry, new THREE.LineBasicMaterial(look));
       object.frustumCulled = false;
       this.drawn.add(object);
     }
@@ -278,22 +347,30 @@ export class Viewer {
 
   setMode(mode: CameraMode, low: Vector, high: Vector, start: Vector | null, goal: Vector | null): void {
     this.mode = mode;
-    this.controls.enabled = mode !== 'follow';
+    this.controls.enabled = mode !== "follow";
     const middle = new THREE.Vector3((low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2);
     const reach = Math.max(high[0] - low[0], high[1] - low[1], 4);
     const narrow = Math.min(1, this.camera.aspect);
     this.camera.up.set(0, 0, 1);
-    if (mode === 'top') {
-      const height = (0.62 * Math.max(high[1] - low[1], (high[0] - low[0]) / Math.max(this.camera.aspect, 0.3), 4)) / Math.tan((this.camera.fov * Math.PI) / 360);
+    if (mode === "top") {
+      const height =
+        (0.62 * Math.max(high[1] - low[1], (high[0] - low[0]) / Math.max(this.camera.aspect, 0.3), 4)) /
+        Math.tan((this.camera.fov * Math.PI) / 360);
       this.controls.target.copy(middle);
       this.camera.position.set(middle.x, middle.y - 0.001, middle.z + height);
       this.camera.lookAt(middle);
       this.controls.update();
-    } else if (mode === 'follow') {
+    } else if (mode === "follow") {
       this.follow(true);
     } else {
-      const from = start && goal ? new THREE.Vector3(goal[0] - start[0], goal[1] - start[1], 0).normalize() : new THREE.Vector3(0, 1, 0);
-      const eye = middle.clone().addScaledVector(from, (-0.95 * reach) / narrow).addScaledVector(new THREE.Vector3(from.y, -from.x, 0), 0.25 * reach);
+      const from =
+        start && goal
+          ? new THREE.Vector3(goal[0] - start[0], goal[1] - start[1], 0).normalize()
+          : new THREE.Vector3(0, 1, 0);
+      const eye = middle
+        .clone()
+        .addScaledVector(from, (-0.95 * reach) / narrow)
+        .addScaledVector(new THREE.Vector3(from.y, -from.x, 0), 0.25 * reach);
       eye.z = middle.z + (0.72 * reach) / narrow;
       this.controls.target.copy(middle);
       this.camera.position.copy(eye);
@@ -355,7 +432,7 @@ export class Viewer {
     this.renderer.setScissor(size.x - width - 10, 10, width, height);
     this.renderer.setViewport(size.x - width - 10, 10, width, height);
     const background = this.scene.background;
-    this.scene.background = new THREE.Color('#000000');
+    this.scene.background = new THREE.Color("#000000");
     this.scene.overrideMaterial = this.depthLook;
     this.overlay.visible = false;
     this.renderer.render(this.scene, this.onboard);
@@ -366,10 +443,24 @@ export class Viewer {
   }
 
   private labels(size: THREE.Vector2): { label: string; color: string; x: number; y: number }[] {
-    return this.shown.filter((s) => s.track.isShown && s.track.flight.n > 0).flatMap((s) => {
-      const at = s.vehicle.position.clone().add(new THREE.Vector3(0, 0, 0.35)).project(this.camera);
-      return at.z > 1 || Math.abs(at.x) > 1 || Math.abs(at.y) > 1 ? [] : [{ label: s.track.label, color: s.track.color, x: ((at.x + 1) / 2) * size.x, y: ((1 - at.y) / 2) * size.y }];
-    });
+    return this.shown
+      .filter((s) => s.track.isShown && s.track.flight.n > 0)
+      .flatMap((s) => {
+        const at = s.vehicle.position
+          .clone()
+          .add(new THREE.Vector3(0, 0, 0.35))
+          .project(this.camera);
+        return at.z > 1 || Math.abs(at.x) > 1 || Math.abs(at.y) > 1
+          ? []
+          : [
+              {
+                label: s.track.label,
+                color: s.track.color,
+                x: ((at.x + 1) / 2) * size.x,
+                y: ((1 - at.y) / 2) * size.y,
+              },
+            ];
+      });
   }
 
   dispose(): void {
@@ -384,14 +475,22 @@ function frustumGeometry(camera: CameraData): THREE.BufferGeometry {
   const depth = Math.min(2.5, camera.max_m);
   const x = depth * Math.tan((camera.fov_x_deg * Math.PI) / 360);
   const y = (x * camera.height) / camera.width;
-  const corners = [[-x, -y], [x, -y], [x, y], [-x, y]].map(([cx, cy]) => new THREE.Vector3(cx, cy, depth));
+  const corners = [
+    [-x, -y],
+    [x, -y],
+    [x, y],
+    [-x, y],
+  ].map(([cx, cy]) => new THREE.Vector3(cx, cy, depth));
   const eye = new THREE.Vector3();
   return new THREE.BufferGeometry().setFromPoints(corners.flatMap((c, i) => [eye, c, c, corners[(i + 1) % 4]]));
 }
 
 function marker(place: Vector, radius: number, color: string): THREE.Object3D {
   const ball = new THREE.Mesh(new THREE.SphereGeometry(radius, 16, 12), new THREE.MeshBasicMaterial({ color }));
-  const rod = new THREE.Mesh(new THREE.CylinderGeometry(0.02, 0.02, 4, 6), new THREE.MeshBasicMaterial({ color, transparent: true, opacity: 0.5 }));
+  const rod = new THREE.Mesh(
+    new THREE.CylinderGeometry(0.02, 0.02, 4, 6),
+    new THREE.MeshBasicMaterial({ color, transparent: true, opacity: 0.5 }),
+  );
   rod.rotation.x = Math.PI / 2;
   const group = new THREE.Group();
   group.add(ball, rod);
@@ -405,12 +504,23 @@ function vehicleModel(body: Vector, color: string): THREE.Group {
   const [length, width, height] = body;
   const look = new THREE.MeshLambertMaterial({ color, flatShading: true });
   const hull = new THREE.Mesh(new THREE.BoxGeometry(0.55 * length, 0.4 * width, Math.max(0.5 * height, 0.04)), look);
-  const nose = new THREE.Mesh(new THREE.ConeGeometry(0.14 * width, 0.3 * length, 8), new THREE.MeshLambertMaterial({ color: '#f5f5f5' }));
+  const nose = new THREE.Mesh(
+    new THREE.ConeGeometry(0.14 * width, 0.3 * length, 8),
+    new THREE.MeshLambertMaterial({ color: "#f5f5f5" }),
+  );
   nose.rotation.z = -Math.PI / 2;
   nose.position.x = 0.4 * length;
   group.add(hull, nose);
-  for (const [sx, sy] of [[1, 1], [1, -1], [-1, 1], [-1, -1]]) {
-    const rotor = new THREE.Mesh(new THREE.CylinderGeometry(0.22 * width, 0.22 * width, 0.02, 18), new THREE.MeshLambertMaterial({ color, transparent: true, opacity: 0.75 }));
+  for (const [sx, sy] of [
+    [1, 1],
+    [1, -1],
+    [-1, 1],
+    [-1, -1],
+  ]) {
+    const rotor = new THREE.Mesh(
+      new THREE.CylinderGeometry(0.22 * width, 0.22 * width, 0.02, 18),
+      new THREE.MeshLambertMaterial({ color, transparent: true, opacity: 0.75 }),
+    );
     rotor.rotation.x = Math.PI / 2;
     rotor.position.set(0.3 * length * sx, 0.3 * width * sy, 0.4 * height);
     group.add(rotor);

@@ -1,13 +1,16 @@
 // A map as instanced meshes of three.js. World frame: ENU, z up, metres.
-import * as THREE from 'three';
-import type { MeshData, PageData, WorldData } from './data';
-import { Unpacked } from './packed';
+import * as THREE from "three";
+import type { MeshData, PageData, WorldData } from "./data";
+import { Unpacked } from "./packed";
 
 /** In the order of the program's materials: soil, bark, leaf, brick, concrete, painted metal, lamp. */
-const kLight = ['#a89a7d', '#8a6a4a', '#7fa05a', '#b0705a', '#a9adb0', '#7b93b5', '#f2e4b0'];
-const kDark = ['#6e6552', '#75583c', '#567a3c', '#8f5a48', '#7d8286', '#5b7396', '#cfc08a'];
+const kLight = ["#a89a7d", "#8a6a4a", "#7fa05a", "#b0705a", "#a9adb0", "#7b93b5", "#f2e4b0"];
+const kDark = ["#6e6552", "#75583c", "#567a3c", "#8f5a48", "#7d8286", "#5b7396", "#cfc08a"];
 
-interface Geometry { geometry: THREE.BufferGeometry; materials: number[] }
+interface Geometry {
+  geometry: THREE.BufferGeometry;
+  materials: number[];
+}
 
 function readGeometry(data: MeshData): Geometry {
   const u = new Unpacked(data.data);
@@ -29,12 +32,16 @@ function readGeometry(data: MeshData): Geometry {
     }
     geometry.addGroup(from, at - from, group);
   });
-  geometry.setAttribute('position', new THREE.BufferAttribute(positions, 3));
+  geometry.setAttribute("position", new THREE.BufferAttribute(positions, 3));
   geometry.setIndex(new THREE.BufferAttribute(index, 1));
   return { geometry, materials: used };
 }
 
-interface Placed { mesh: THREE.InstancedMesh; slot: number; matrix: THREE.Matrix4 }
+interface Placed {
+  mesh: THREE.InstancedMesh;
+  slot: number;
+  matrix: THREE.Matrix4;
+}
 
 /** A map in a scene: made once, thrown away with dispose(). */
 export class MapModel {
@@ -44,13 +51,20 @@ export class MapModel {
   private readonly garbage: { dispose(): void }[] = [];
   private struck: number | null = null;
 
-  constructor(page: PageData, private readonly world: WorldData, dark: boolean) {
+  constructor(
+    page: PageData,
+    private readonly world: WorldData,
+    dark: boolean,
+  ) {
     const u = new Unpacked(world.data);
     const prototypes = Array.from({ length: world.prototypes }, () => {
       const mesh = u.unsigned();
       const low: number[] = [];
       const size: number[] = [];
-      for (let k = 0; k < 3; ++k) { low.push(u.signed() / 1000); size.push(u.signed() / 1000); }
+      for (let k = 0; k < 3; ++k) {
+        low.push(u.signed() / 1000);
+        size.push(u.signed() / 1000);
+      }
       return { mesh, low, size };
     });
     const n = world.instances;
@@ -61,28 +75,43 @@ export class MapModel {
     const batches = new Map<string, number[]>();
     for (let i = 0; i < n; ++i) {
       const word = world.kinds[kind[i]];
-      if (word === 'ceiling' || word === 'roof') continue;
-      const name = `${prototypes[prototype[i]].mesh} ${word === 'wall' ? 'wall' : ''}`;
+      if (word === "ceiling" || word === "roof") continue;
+      const name = `${prototypes[prototype[i]].mesh} ${word === "wall" ? "wall" : ""}`;
       const list = batches.get(name);
-      if (list) list.push(i); else batches.set(name, [i]);
+      if (list) list.push(i);
+      else batches.set(name, [i]);
     }
     const palette = dark ? kDark : kLight;
     const matrixOf = (i: number): THREE.Matrix4 => {
       const p = prototypes[prototype[i]];
       const q = new THREE.Quaternion(turn[1][i], turn[2][i], turn[3][i], turn[0][i]).normalize();
       const s = scale[i] * 0.0001;
-      const outer = new THREE.Matrix4().compose(new THREE.Vector3(place[0][i] / 1000, place[1][i] / 1000, place[2][i] / 1000), q, new THREE.Vector3(s, s, s));
+      const outer = new THREE.Matrix4().compose(
+        new THREE.Vector3(place[0][i] / 1000, place[1][i] / 1000, place[2][i] / 1000),
+        q,
+        new THREE.Vector3(s, s, s),
+      );
       // Meshes are within [0, 1] along each side of their box; flat ones keep a little height.
-      const box = new THREE.Matrix4().makeScale(p.size[0] || 1e-4, p.size[1] || 1e-4, p.size[2] || 1e-4).setPosition(p.low[0], p.low[1], p.low[2]);
+      const box = new THREE.Matrix4()
+        .makeScale(p.size[0] || 1e-4, p.size[1] || 1e-4, p.size[2] || 1e-4)
+        .setPosition(p.low[0], p.low[1], p.low[2]);
       return outer.multiply(box);
     };
     const slots: (Placed | null)[] = new Array<Placed | null>(n).fill(null);
     for (const [name, members] of batches) {
       const { geometry, materials } = readGeometry(page.meshes[prototypes[prototype[members[0]]].mesh]);
-      const isWall = name.endsWith('wall');
-      const looks = materials.map((m) => new THREE.MeshLambertMaterial({
-        color: palette[m] ?? palette[4], flatShading: true, side: THREE.DoubleSide, transparent: isWall, opacity: isWall ? 0.16 : 1, depthWrite: !isWall,
-      }));
+      const isWall = name.endsWith("wall");
+      const looks = materials.map(
+        (m) =>
+          new THREE.MeshLambertMaterial({
+            color: palette[m] ?? palette[4],
+            flatShading: true,
+            side: THREE.DoubleSide,
+            transparent: isWall,
+            opacity: isWall ? 0.16 : 1,
+            depthWrite: !isWall,
+          }),
+      );
       const mesh = new THREE.InstancedMesh(geometry, looks, members.length);
       mesh.frustumCulled = false;
       if (isWall) mesh.userData.isWall = true;
@@ -93,12 +122,15 @@ export class MapModel {
         this.placed.push(one);
         slots[i] = one;
         const list = this.ofObstacle.get(obstacle[i]);
-        if (list) list.push(one); else this.ofObstacle.set(obstacle[i], [one]);
+        if (list) list.push(one);
+        else this.ofObstacle.set(obstacle[i], [one]);
       });
       this.group.add(mesh);
       this.garbage.push(geometry, mesh, ...looks);
     }
-    this.moving = world.motions.map((m) => ({ ...m, placed: slots[m.instance] })).filter((m) => m.placed !== null) as typeof this.moving;
+    this.moving = world.motions
+      .map((m) => ({ ...m, placed: slots[m.instance] }))
+      .filter((m) => m.placed !== null) as typeof this.moving;
   }
 
   private readonly moving: { placed: Placed; amplitude: [number, number, number]; period: number; phase: number }[];
@@ -107,7 +139,9 @@ export class MapModel {
   setTime(time: number): void {
     for (const m of this.moving) {
       const share = Math.sin(2 * Math.PI * (time / m.period + m.phase));
-      const moved = new THREE.Matrix4().makeTranslation(m.amplitude[0] * share, m.amplitude[1] * share, m.amplitude[2] * share).multiply(m.placed.matrix);
+      const moved = new THREE.Matrix4()
+        .makeTranslation(m.amplitude[0] * share, m.amplitude[1] * share, m.amplitude[2] * share)
+        .multiply(m.placed.matrix);
       m.placed.mesh.setMatrixAt(m.placed.slot, moved);
       m.placed.mesh.instanceMatrix.needsUpdate = true;
     }

@@ -1,9 +1,9 @@
 """The cost J of predicted trajectories, in torch and differentiable. The expert in C++ has the same.
 
-A trajectory is a polynomial of degree 5 over s = t/T, whose position, velocity and acceleration at s = 0 are those of the plan's start,
-fitted by least squares to the ten points that the network predicts. Points are in the unit v_des T, relative to the start, in the axes of
-the image frame: origin at the camera at exposure, x along the camera's heading (level), y left, z up.
-"""
+A trajectory is a polynomial of degree 5 over s = t/T, whose position, velocity and acceleration at s = 0 are those of
+the plan's start, fitted by least squares to the ten points that the network predicts. Points are in the unit v_des T,
+relative to the start, in the axes of the image frame: origin at the camera at exposure, x along the camera's heading
+(level), y left, z up."""
 
 from __future__ import annotations
 
@@ -26,11 +26,15 @@ TINY = 1e-12  # keeps a norm's gradient finite at zero
 
 
 def projection_matrix() -> numpy.ndarray:
-    """(12, 80): takes an axis' ten points, start velocity (unit v_des) and half start acceleration (unit v_des / T) to its position and
-    first three derivatives by s at the 20 times i/20: first all positions, then all first derivatives, and so on."""
+    """(12, 80): takes an axis' ten points, start velocity (unit v_des) and half start acceleration (unit v_des / T) to
+    its position and first three derivatives by s at the 20 times i/20: first all positions, then all first derivatives,
+    and so on."""
+
     def powers(s: numpy.ndarray, derivative: int) -> numpy.ndarray:
         """(len(s), 5): the derivative of s¹ … s⁵."""
-        return numpy.stack([math.perm(k, derivative) * s ** (k - derivative) if k >= derivative else 0 * s for k in range(1, 6)], 1)
+        return numpy.stack(
+            [math.perm(k, derivative) * s ** (k - derivative) if k >= derivative else 0 * s for k in range(1, 6)], 1
+        )
 
     at_points = powers(numpy.arange(1, POINTS + 1) / POINTS, 0)
     fit = numpy.linalg.pinv(at_points[:, 2:])  # (3, 10)
@@ -46,6 +50,7 @@ def projection_matrix() -> numpy.ndarray:
 @dataclasses.dataclass
 class Places:
     """Where each of B samples lies in its map."""
+
     cell: Tensor  # (B, 3) the image frame's origin in cells of the clearance grid, x, y, z
     turn: Tensor  # (B, 2) cosine and sine of the image frame's yaw
     lowest: Tensor  # (B, 3) the map's box relative to the image frame's origin, m, in the world's axes
@@ -64,6 +69,7 @@ class Places:
 @dataclasses.dataclass
 class Evaluation:
     """What is known of B × M trajectories."""
+
     total: Tensor  # (B, M) J
     clearance_m: Tensor  # (B, M, 20) to the nearest surface or side of the box
     points: Tensor  # (B, M, 10, 3) of the projected trajectories, in the unit v_des T
@@ -81,19 +87,25 @@ class Cost:
         self.weights = (weights / weights.mean()).float().to(device)
 
     def project(self, points: Tensor, inputs: Tensor) -> Tensor:
-        """(4, B, M, 20, 3) positions relative to the start and their derivatives by s, unit v_des T, of points (B, M, 10, 3)."""
-        half_acceleration = inputs[:, 6:9] * (0.5 * HORIZON_S * ACCELERATION_UNIT_MPS2 / SPEED_UNIT_MPS) / inputs[:, 16:17]
+        """(4, B, M, 20, 3) positions relative to the start and their derivatives by s, unit v_des T, of points (B, M,
+        10, 3)."""
+        half_acceleration = (
+            inputs[:, 6:9] * (0.5 * HORIZON_S * ACCELERATION_UNIT_MPS2 / SPEED_UNIT_MPS) / inputs[:, 16:17]
+        )
         start = torch.stack([inputs[:, 3:6], half_acceleration], 1).unsqueeze(1).expand(-1, points.shape[1], -1, -1)
         given = torch.cat([points, start], 2).transpose(2, 3)  # (B, M, 3, 12)
         found = given @ self.projection.to(given.dtype)
         return found.unflatten(3, (4, TIMES)).permute(3, 0, 1, 4, 2)
 
     def clearance(self, points_m: Tensor, places: Places) -> Tensor:
-        """(B, N) distances, m, of points (B, N, 3) of the image frame: to the nearest surface, the box's sides and its top."""
+        """(B, N) distances, m, of points (B, N, 3) of the image frame: to the nearest surface, the box's sides and its
+        top."""
         cosine, sine = places.turn[:, :1], places.turn[:, 1:]
         x, y = points_m[:, :, 0], points_m[:, :, 1] * places.side.unsqueeze(1)
         world = torch.stack([cosine * x - sine * y, sine * x + cosine * y, points_m[:, :, 2]], 2)
-        to_box = torch.minimum((world[:, :, :2] - places.lowest[:, None, :2]).amin(2), (places.highest.unsqueeze(1) - world).amin(2))
+        to_box = torch.minimum(
+            (world[:, :, :2] - places.lowest[:, None, :2]).amin(2), (places.highest.unsqueeze(1) - world).amin(2)
+        )
         return torch.minimum(self.surface_distance(places.cell.unsqueeze(1) + world / self.cell_m, places), to_box)
 
     def surface_distance(self, cell: Tensor, places: Places) -> Tensor:
@@ -108,7 +120,9 @@ class Cost:
         has_next = (places.shape > 1).long()  # a grid of one cell along an axis has no neighbour there
         steps = torch.stack([has_next[:, 0], has_next[:, 1] * step_y[:, 0], has_next[:, 2] * step_z[:, 0]], 1)
         corners = torch.tensor([[k & 1, k >> 1 & 1, k >> 2] for k in range(8)], device=cell.device)
-        index = base.unsqueeze(2) + (steps.unsqueeze(1) * corners).sum(2).unsqueeze(1)  # (B, N, 8); no matrix product, GPUs have none of int64
+        index = base.unsqueeze(2) + (steps.unsqueeze(1) * corners).sum(2).unsqueeze(
+            1
+        )  # (B, N, 8); no matrix product, GPUs have none of int64
         value = self.grids[index].to(cell.dtype)
         value = torch.lerp(value[:, :, :4], value[:, :, 4:], part[:, :, 2:])
         value = torch.lerp(value[:, :, :2], value[:, :, 2:], part[:, :, 1:2])
@@ -124,14 +138,14 @@ class Cost:
         seen_m = at * reach_m + inputs[:, None, None, :3]
         clearance_m = self.clearance(seen_m.flatten(1, 2), places).view(batch, modes, TIMES)
         acceleration = norm_squared(second * (speed_mps / HORIZON_S))
-        jerk = norm_squared(third * (speed_mps / HORIZON_S ** 2))
+        jerk = norm_squared(third * (speed_mps / HORIZON_S**2))
         too_fast = torch.relu(torch.sqrt(norm_squared(first) + TINY) - 1.0)
         too_strong = torch.relu(torch.sqrt(acceleration + TINY) / MAX_ACCELERATION_MPS2 - 1.0)
         parts = {
             "collision": 2.0 * (collision_cost(clearance_m) * self.weights.to(clearance_m.dtype)).mean(2),
             "progress": progress_cost(at[:, :, -1], inputs),
-            "effort": 0.1 * (acceleration / MAX_ACCELERATION_MPS2 ** 2 + jerk / MAX_JERK_MPS3 ** 2).mean(2),
-            "limits": (20.0 * too_fast ** 2 + 4.0 * too_strong ** 2).mean(2),
+            "effort": 0.1 * (acceleration / MAX_ACCELERATION_MPS2**2 + jerk / MAX_JERK_MPS3**2).mean(2),
+            "limits": (20.0 * too_fast**2 + 4.0 * too_strong**2).mean(2),
             "view": view_cost(at[:, :, :VIEW_TIMES] * reach_m),
             "height": height_cost(at * reach_m, inputs),
         }
@@ -151,17 +165,19 @@ def collision_cost(clearance_m: Tensor) -> Tensor:
 
 
 def progress_cost(end: Tensor, inputs: Tensor) -> Tensor:
-    """(B, M): 0 where the trajectory's end (B, M, 3) has come v_des T nearer to a goal that lies 1.5 times as far away as that."""
+    """(B, M): 0 where the trajectory's end (B, M, 3) has come v_des T nearer to a goal that lies 1.5 times as far away
+    as that."""
     left = torch.sqrt(norm_squared((inputs[:, 12:15] * GOAL_REACH).unsqueeze(1) - end) + TINY)
     return 1.0 - (GOAL_REACH - left)
 
 
 def view_cost(from_start_m: Tensor) -> Tensor:
-    """(B, M): of the first places (B, M, 8, 3) relative to the start, how far they lie aside of what the camera sees."""
+    """(B, M): of the first places (B, M, 8, 3) relative to the start, how far they lie aside of what the camera
+    sees."""
     aside = torch.sqrt(norm_squared(from_start_m[..., 1:]) + TINY)
     angle = torch.atan2(aside, from_start_m[..., 0])
     cost = 0.02 * (torch.relu(angle - VIEW_RAD) / VIEW_SCALE_RAD) ** 2
-    return torch.where(norm_squared(from_start_m) > VIEW_FROM_M ** 2, cost, torch.zeros_like(cost)).mean(2)
+    return torch.where(norm_squared(from_start_m) > VIEW_FROM_M**2, cost, torch.zeros_like(cost)).mean(2)
 
 
 def height_cost(from_start_m: Tensor, inputs: Tensor) -> Tensor:

@@ -14,7 +14,11 @@ PANELS: tuple[tuple[str, tuple[tuple[str, str, str], ...], bool], ...] = (
     ("loss", (("loss", "-", ""),), False),
     ("error to the labels, (v_des T)²", (("label_error", "-", ""),), True),
     ("cost J", (("chosen_cost", "-", "least alpha"), ("best_cost", ":", "best of three")), False),
-    ("share of trajectories nearer than 0.3 m", (("chosen_collision", "-", "least alpha"), ("best_collision", ":", "best of three")), False),
+    (
+        "share of trajectories nearer than 0.3 m",
+        (("chosen_collision", "-", "least alpha"), ("best_collision", ":", "best of three")),
+        False,
+    ),
     ("mean square error of alpha", (("alpha_error", "-", ""),), True),
     ("learning rate", (("rate", "-", ""),), False),
 )
@@ -30,7 +34,9 @@ def draw(rows: list[dict[str, Any]], expert: dict[str, float], title: str, pictu
             for part, colour in (("training", TRAINING), ("validation", VALIDATION)):
                 points = [(row["seconds"] / 60.0, row[part][key]) for row in rows if key in row.get(part, {})]
                 if points:
-                    axes.plot(*zip(*points), style, color=colour, linewidth=1.2, label=", ".join(filter(None, (part, label))))
+                    axes.plot(
+                        *zip(*points), style, color=colour, linewidth=1.2, label=", ".join(filter(None, (part, label)))
+                    )
             if key in expert:
                 axes.axhline(expert[key], color=EXPERT, linewidth=0.8, linestyle="--", label="expert, validation")
         axes.set_title(name, fontsize=9)

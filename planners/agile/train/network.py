@@ -1,8 +1,8 @@
-"""The network of the planner agile: three trajectories with a predicted cost each, from one small depth image and 22 numbers.
+"""The network of the planner agile: three trajectories with a predicted cost each, from one small depth image and 22
+numbers.
 
-Its trained form, without batch normalisation and rounded to half floats, lies in a safetensors file that C++ reads as well: eight
-bytes with the length of a JSON header, the header, the tensors' bytes one after another.
-"""
+Its trained form, without batch normalisation and rounded to half floats, lies in a safetensors file that C++ reads as
+well: eight bytes with the length of a JSON header, the header, the tensors' bytes one after another."""
 
 from __future__ import annotations
 
@@ -24,8 +24,9 @@ LAYERS = ("image_full", "state1", "state2", "head1", "head2", "out")
 
 
 class Network(nn.Module):
-    """forward(image (B, 1, 64, 96) of nearness 0 … 1, inputs (B, 22)) gives (B, 3, 31). As trained it has batch normalisation behind the
-    convolutions; with batch_norm=False its convolutions have a bias instead, as in the file."""
+    """forward(image (B, 1, 64, 96) of nearness 0 … 1, inputs (B, 22)) gives (B, 3, 31). As trained it has batch
+    normalisation behind the convolutions; with batch_norm=False its convolutions have a bias instead, as in the
+    file."""
 
     def __init__(self, batch_norm: bool = True) -> None:
         super().__init__()
@@ -60,8 +61,8 @@ class Network(nn.Module):
 
 
 def first_guess() -> Tensor:
-    """(3, 31): what an untrained network says: straight on, an arc to the left and one to the right, at a cost of 1 each. Three unlike
-    beginnings, lest the modes learn the same."""
+    """(3, 31): what an untrained network says: straight on, an arc to the left and one to the right, at a cost of 1
+    each. Three unlike beginnings, lest the modes learn the same."""
     modes = torch.zeros(MODES, MODE_OUTPUTS)
     modes[:, 0] = 1.0
     s = torch.arange(1, POINTS + 1) / POINTS
@@ -93,8 +94,8 @@ def folded(network: Network) -> Network:
 
 
 def with_batch_norm(plain: Network, images: Tensor) -> Network:
-    """The reverse: a network with batch normalisation that is the same function where the images' statistics are as in these, to be
-    trained on."""
+    """The reverse: a network with batch normalisation that is the same function where the images' statistics are as in
+    these, to be trained on."""
     network = Network().to(images.device)
     with torch.no_grad():
         x = images
@@ -130,7 +131,11 @@ def write_weights(file: Path, network: Network, metadata: dict[str, str]) -> Non
     data = b""
     for name, weights in rounded(network).named_parameters():
         values = weights.detach().cpu().numpy().astype("<f2").tobytes()
-        header[name] = {"dtype": "F16", "shape": list(weights.shape), "data_offsets": [len(data), len(data) + len(values)]}
+        header[name] = {
+            "dtype": "F16",
+            "shape": list(weights.shape),
+            "data_offsets": [len(data), len(data) + len(values)],
+        }
         data += values
     text = json.dumps(header, separators=(",", ":")).encode()
     text += b" " * (-len(text) % 8)
@@ -141,7 +146,7 @@ def read_weights(file: Path) -> tuple[Network, dict[str, str]]:
     """The network (without batch normalisation) and the metadata of a file."""
     content = file.read_bytes()
     length = struct.unpack_from("<Q", content)[0]
-    header = json.loads(content[8:8 + length])
+    header = json.loads(content[8 : 8 + length])
     metadata = header.pop("__metadata__", {})
     if metadata.get("format") != FORMAT:
         raise ValueError(f"{file}: its format is {metadata.get('format')!r}, not {FORMAT!r}")

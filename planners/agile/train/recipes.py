@@ -1,18 +1,16 @@
 """What the training makes small, and the figures by which it is judged.
 
-imitation: the modes follow the expert's three trajectories, as in Loquercio et al. (2021), and go down the cost a little as well.
-descent: after a beginning by the expert's trajectories the modes go down the cost alone.
-Both teach alpha what the mode's cost is.
-"""
+imitation: the modes follow the expert's three trajectories, as in Loquercio et al. (2021), and go down the cost a
+little as well. descent: after a beginning by the expert's trajectories the modes go down the cost alone. Both teach
+alpha what the mode's cost is."""
 
 from __future__ import annotations
 
 import torch
-from torch import Tensor
-
 from cost import COLLISION_M, Cost, Evaluation
 from network import MODES, Network, alphas_and_points
 from samples import Batch
+from torch import Tensor
 
 RECIPES = ("imitation", "descent")
 WINNER_SHARE = 0.95  # of a label's error for the mode nearest to it
@@ -25,8 +23,8 @@ APART, APART_WEIGHT = 0.2, 0.05  # of descent: how far from each other modes sho
 
 
 def label_error(points: Tensor, labels: Tensor) -> Tensor:
-    """(B): relaxed winner-takes-all of projected points (B, 3, 10, 3). Each label draws the mode that is nearest to it; a mode that is
-    nearest to none is drawn a little by the best label."""
+    """(B): relaxed winner-takes-all of projected points (B, 3, 10, 3). Each label draws the mode that is nearest to it;
+    a mode that is nearest to none is drawn a little by the best label."""
     errors = (points.unsqueeze(1) - labels.unsqueeze(2)).square().mean((3, 4))  # (B, label, mode)
     won = torch.nn.functional.one_hot(errors.argmin(2), MODES).to(errors.dtype)
     idle = (won.sum(1) == 0).to(errors.dtype)
@@ -73,8 +71,10 @@ def figures(alphas: Tensor, found: Evaluation, of_labels: Tensor) -> dict[str, T
     collides = (clearance_m.amin(2) < COLLISION_M).to(total.dtype)
     return {
         "label_error": of_labels.detach().mean(),
-        "chosen_cost": total.gather(1, chosen).mean(), "best_cost": total.amin(1).mean(),
-        "chosen_collision": collides.gather(1, chosen).mean(), "best_collision": collides.amin(1).mean(),
+        "chosen_cost": total.gather(1, chosen).mean(),
+        "best_cost": total.amin(1).mean(),
+        "chosen_collision": collides.gather(1, chosen).mean(),
+        "best_collision": collides.amin(1).mean(),
         "alpha_error": alpha_error(alphas, found).mean(),
         "closeness": closeness(found.points.detach()).mean(),
     }
@@ -89,7 +89,9 @@ class Means:
 
     def add(self, values: dict[str, Tensor], count: int) -> None:
         for name, value in values.items():
-            self.sums[name] = self.sums.get(name, torch.zeros((), dtype=torch.float64, device=value.device)) + value.double() * count
+            self.sums[name] = (
+                self.sums.get(name, torch.zeros((), dtype=torch.float64, device=value.device)) + value.double() * count
+            )
         self.count += count
 
     def take(self) -> dict[str, float]:
@@ -114,7 +116,8 @@ def validate(network: Network, batches: list[Batch], cost: Cost) -> dict[str, fl
 
 @torch.no_grad()
 def expert(batches: list[Batch], label_costs: Tensor, cost: Cost) -> dict[str, float]:
-    """The same figures of the expert's trajectories, and how far this cost of them is from the expert's own: the two should agree."""
+    """The same figures of the expert's trajectories, and how far this cost of them is from the expert's own: the two
+    should agree."""
     means = Means()
     differences = []
     first = 0
@@ -122,7 +125,11 @@ def expert(batches: list[Batch], label_costs: Tensor, cost: Cost) -> dict[str, f
         found = cost(batch.labels, batch.inputs, batch.places)
         collides = (found.clearance_m.amin(2) < COLLISION_M).float()
         means.add({"best_cost": found.total[:, 0].mean(), "best_collision": collides[:, 0].mean()}, len(batch.inputs))
-        differences.append((found.total - label_costs[first:first + len(batch.inputs)]).abs())
+        differences.append((found.total - label_costs[first : first + len(batch.inputs)]).abs())
         first += len(batch.inputs)
     difference = torch.cat(differences).flatten()
-    return {**means.take(), "median_cost_difference": float(difference.median()), "greatest_cost_difference": float(difference.max())}
+    return {
+        **means.take(),
+        "median_cost_difference": float(difference.median()),
+        "greatest_cost_difference": float(difference.max()),
+    }

@@ -43,7 +43,17 @@ def draw(flights: dict[str, dict[str, int]], picture: Path) -> None:
             shares.append(count / total)
             below.append(max(0.0, count / total - low))
             above.append(max(0.0, high - count / total))
-        axes.errorbar(places, shares, yerr=[below, above], color=colour, label=label, marker="o", markersize=4, linewidth=1.2, capsize=3)
+        axes.errorbar(
+            places,
+            shares,
+            yerr=[below, above],
+            color=colour,
+            label=label,
+            marker="o",
+            markersize=4,
+            linewidth=1.2,
+            capsize=3,
+        )
     total = max(ends["flights"] for ends in flights.values())
     axes.set_title(f"{total} flights of each at 3 m/s with true depth, maps that no sample is from", fontsize=9)
     axes.set_xticks(list(places), [name.replace("_", "\n") for name in flights], fontsize=8)
@@ -58,7 +68,9 @@ def draw(flights: dict[str, dict[str, int]], picture: Path) -> None:
 
 def main(given: list[str] | None = None) -> None:
     parser = argparse.ArgumentParser(description="Draws success during training.")
-    parser.add_argument("flights", type=Path, nargs="+", metavar="JSON", help="what agile_samples --outcomes wrote, in order")
+    parser.add_argument(
+        "flights", type=Path, nargs="+", metavar="JSON", help="what agile_samples --outcomes wrote, in order"
+    )
     parser.add_argument("--plot", type=Path, required=True, metavar="PNG")
     options = parser.parse_args(given)
     draw({file.name.removesuffix(SUFFIX): json.loads(file.read_text()) for file in options.flights}, options.plot)

@@ -1,5 +1,5 @@
-"""Made-up samples for the tests and for measuring the training's speed: poles on a plain, seen by a perfect camera. Nobody trains on these
-to fly.
+"""Made-up samples for the tests and for measuring the training's speed: poles on a plain, seen by a perfect camera.
+Nobody trains on these to fly.
 
     python synthetic.py FOLDER --maps 20 --samples 200 --seed 1
 """
@@ -11,10 +11,9 @@ import json
 from pathlib import Path
 
 import numpy
-import torch
-
 import samples as sample_files
-from cost import Cost, HORIZON_S
+import torch
+from cost import HORIZON_S, Cost
 from network import COLUMNS, INPUTS, ROWS
 
 CELL_M, FOCAL_PX, CENTRE_COLUMN, CENTRE_ROW = 0.2, 48.0, 47.5, 31.5
@@ -40,7 +39,7 @@ def image(origin: numpy.ndarray, yaw: float, poles: numpy.ndarray) -> numpy.ndar
     x, y = cosine - sine * aside, sine + cosine * aside  # rays of depth 1
     from_pole = origin[:2] - poles[:, :2]
     a, b = x * x + y * y, from_pole[:, :1] * x + from_pole[:, 1:] * y
-    root = b * b - a * ((from_pole ** 2).sum(1) - poles[:, 2] ** 2)[:, None]
+    root = b * b - a * ((from_pole**2).sum(1) - poles[:, 2] ** 2)[:, None]
     depth = numpy.where(root > 0, (-b - numpy.sqrt(numpy.maximum(root, 0))) / a, numpy.inf)
     depth = numpy.where(depth > 0.05, depth, numpy.inf).min(0)
     ground = numpy.where(down > 0, origin[2] / numpy.maximum(down, 1e-9), numpy.inf)
@@ -77,15 +76,20 @@ def state(random: numpy.random.Generator, poles: numpy.ndarray) -> tuple[numpy.n
     inputs[17] = min(2.0, (origin[2] + start[2] - LOWEST[2]) / 3)
     inputs[18] = min(2.0, (HIGHEST[2] - origin[2] - start[2]) / 3)
     for k, turn in enumerate((0.0, numpy.pi / 2, -numpy.pi / 2)):
-        inputs[19 + k] = min(1.0, way_to_side(origin, numpy.array([numpy.cos(yaw + turn), numpy.sin(yaw + turn)])) / reach)
+        inputs[19 + k] = min(
+            1.0, way_to_side(origin, numpy.array([numpy.cos(yaw + turn), numpy.sin(yaw + turn)])) / reach
+        )
     return image(origin, yaw, poles), inputs, numpy.array([*origin, yaw, v_des])
 
 
 def candidates() -> torch.Tensor:
     """(45, 10, 3) arcs to the left, to the right, up and down."""
     s = torch.arange(1, 11) / 10
-    arcs = [torch.stack([ahead * s, aside * s * s, above * s * s], 1)
-            for aside in numpy.linspace(-0.7, 0.7, 15) for ahead, above in ((0.85, 0.0), (0.6, 0.0), (0.85, 0.1))]
+    arcs = [
+        torch.stack([ahead * s, aside * s * s, above * s * s], 1)
+        for aside in numpy.linspace(-0.7, 0.7, 15)
+        for ahead, above in ((0.85, 0.0), (0.6, 0.0), (0.85, 0.1))
+    ]
     return torch.stack(arcs).float()
 
 
@@ -122,12 +126,26 @@ def write(folder: Path, maps: int, count: int, seed: int) -> None:
         poles = poles_of(random)
         values = numpy.clip(numpy.round((clearance(centres, poles) + 0.5) * 100), 0, 255).astype(numpy.uint8)
         images, inputs, frames = (numpy.stack(column) for column in zip(*(state(random, poles) for _ in range(count))))
-        arrays = {"images": images, "inputs": inputs.astype(numpy.float32), "frames": frames, "clearance": values,
-                  "labels": numpy.zeros((count, 3, 10, 3), numpy.float32), "label_costs": numpy.zeros((count, 3), numpy.float32)}
+        arrays = {
+            "images": images,
+            "inputs": inputs.astype(numpy.float32),
+            "frames": frames,
+            "clearance": values,
+            "labels": numpy.zeros((count, 3, 10, 3), numpy.float32),
+            "label_costs": numpy.zeros((count, 3), numpy.float32),
+        }
         for name, array in arrays.items():
             numpy.save(folder / f"{number:04}.{name}.npy", array)
-        about = {"origin": centres[0, 0, 0].tolist(), "cell_m": CELL_M, "lowest": LOWEST.tolist(), "highest": HIGHEST.tolist(),
-                 "sweep": "synthetic", "map": f"poles {number}", "samples": count, "round": 0}
+        about = {
+            "origin": centres[0, 0, 0].tolist(),
+            "cell_m": CELL_M,
+            "lowest": LOWEST.tolist(),
+            "highest": HIGHEST.tolist(),
+            "sweep": "synthetic",
+            "map": f"poles {number}",
+            "samples": count,
+            "round": 0,
+        }
         (folder / f"{number:04}.json").write_text(json.dumps(about))
     label(folder)
 

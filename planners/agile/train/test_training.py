@@ -1,4 +1,5 @@
-"""Tests of the training: python -m pytest planners/agile/train/test_training.py, or python planners/agile/train/test_training.py."""
+"""Tests of the training: python -m pytest planners/agile/train/test_training.py, or python
+planners/agile/train/test_training.py."""
 
 from __future__ import annotations
 
@@ -28,6 +29,7 @@ torch.set_num_threads(min(2, torch.get_num_threads()))
 
 class WithSamples(unittest.TestCase):
     """Has two small folders of made-up samples."""
+
     @classmethod
     def setUpClass(cls) -> None:
         cls.folder = tempfile.TemporaryDirectory()
@@ -83,7 +85,9 @@ class Samples(WithSamples):
         for name in one.parts:
             torch.testing.assert_close(one.parts[name], two.parts[name], rtol=1e-4, atol=1e-4)
         torch.testing.assert_close(one.clearance_m, two.clearance_m, rtol=0, atol=1e-5)
-        torch.testing.assert_close(recipes.label_error(one.points, batch.labels), recipes.label_error(two.points, other.labels))
+        torch.testing.assert_close(
+            recipes.label_error(one.points, batch.labels), recipes.label_error(two.points, other.labels)
+        )
         for field in ("images", "inputs", "labels"):  # twice is not at all
             again = sample_files.mirrored(other, which)
             self.assertTrue(torch.equal(getattr(again, field), getattr(batch, field)))
@@ -117,7 +121,10 @@ class CostOfTrajectories(WithSamples):
         inputs[:, 6:9] = torch.from_numpy(coefficients[:, :, 1] * 2 * v_des / costs.HORIZON_S / 10.0)
 
         def values(times: numpy.ndarray, derivative: int) -> numpy.ndarray:
-            polynomials = [[numpy.polynomial.Polynomial([0, *axis]).deriv(derivative)(times) for axis in axes] for axes in coefficients]
+            polynomials = [
+                [numpy.polynomial.Polynomial([0, *axis]).deriv(derivative)(times) for axis in axes]
+                for axes in coefficients
+            ]
             return numpy.array(polynomials).transpose(0, 2, 1)
 
         points = torch.from_numpy(values(numpy.arange(1, 11) / 10, 0)).unsqueeze(1)
@@ -125,7 +132,9 @@ class CostOfTrajectories(WithSamples):
         found = self.cost.project(points, inputs)
         self.cost.projection = kept
         for derivative in range(4):
-            numpy.testing.assert_allclose(found[derivative, :, 0].numpy(), values(numpy.arange(1, 21) / 20, derivative), atol=1e-9)
+            numpy.testing.assert_allclose(
+                found[derivative, :, 0].numpy(), values(numpy.arange(1, 21) / 20, derivative), atol=1e-9
+            )
         # In float32 as it is used.
         found = self.cost.project(points.float(), inputs.float())
         numpy.testing.assert_allclose(found[3, :, 0].numpy(), values(numpy.arange(1, 21) / 20, 3), atol=0.05)
@@ -137,8 +146,15 @@ class CostOfTrajectories(WithSamples):
         cost = costs.Cost(torch.from_numpy(numpy.concatenate([grid.ravel() for grid in grids])), 0.2)
         offsets = numpy.cumsum([0] + [grid.size for grid in grids])[:3]
         shape = torch.tensor([s[::-1] for s in shapes])
-        places = costs.Places(torch.zeros(3, 3), torch.zeros(3, 2), torch.zeros(3, 3), torch.zeros(3, 3), shape, torch.from_numpy(offsets),
-                              torch.ones(3))
+        places = costs.Places(
+            torch.zeros(3, 3),
+            torch.zeros(3, 2),
+            torch.zeros(3, 3),
+            torch.zeros(3, 3),
+            shape,
+            torch.from_numpy(offsets),
+            torch.ones(3),
+        )
         cells = random.uniform(-1.5, 1.5, (3, 200, 3)) + random.uniform(0, 1, (3, 200, 3)) * shape.numpy()[:, None]
         cells[:, :8] = numpy.round(cells[:, :8])
         found = cost.surface_distance(torch.from_numpy(cells), places).numpy()
@@ -161,8 +177,14 @@ class CostOfTrajectories(WithSamples):
         random = numpy.random.default_rng(4)
         points = random.uniform([0, -2, -0.5], [3, 2, 0.5], (24, 50, 3))
         cosine, sine = numpy.cos(frames[:, 3:4]), numpy.sin(frames[:, 3:4])
-        world = frames[:, None, :3] + numpy.stack([cosine * points[..., 0] - sine * points[..., 1], sine * points[..., 0] + cosine * points[..., 1],
-                                                   points[..., 2]], -1)
+        world = frames[:, None, :3] + numpy.stack(
+            [
+                cosine * points[..., 0] - sine * points[..., 1],
+                sine * points[..., 0] + cosine * points[..., 1],
+                points[..., 2],
+            ],
+            -1,
+        )
         poles = synthetic.poles_of(numpy.random.default_rng([1, 0]))
         inside = numpy.minimum((world - synthetic.LOWEST)[..., :2].min(-1), (synthetic.HIGHEST - world).min(-1))
         expected = numpy.minimum(synthetic.clearance(world, poles), inside)
@@ -174,24 +196,33 @@ class CostOfTrajectories(WithSamples):
 
     def test_parts_by_hand(self) -> None:
         distances = torch.tensor([1.5, 0.9, 0.65, 0.4, 0.2, 0.0, -0.1], dtype=torch.float64)
-        torch.testing.assert_close(costs.collision_cost(distances), torch.tensor([0, 0, 0.375, 1.0, 3.25, 4.0, 4.8], dtype=torch.float64))
+        torch.testing.assert_close(
+            costs.collision_cost(distances), torch.tensor([0, 0, 0.375, 1.0, 3.25, 4.0, 4.8], dtype=torch.float64)
+        )
         # Flight straight on at v_des: no cost but that the goal is to the left for the second.
         inputs = torch.zeros(2, 22)
         inputs[:, 3], inputs[:, 16] = 1.0, 0.6
         inputs[0, 12], inputs[1, 13] = 1.0, 1.0
-        places = costs.Places(torch.zeros(2, 3), torch.tensor([[1.0, 0.0]] * 2), torch.full((2, 3), -50.0), torch.full((2, 3), 50.0),
-                              torch.ones(2, 3, dtype=torch.int64), torch.zeros(2, dtype=torch.int64), torch.ones(2))
+        places = costs.Places(
+            torch.zeros(2, 3),
+            torch.tensor([[1.0, 0.0]] * 2),
+            torch.full((2, 3), -50.0),
+            torch.full((2, 3), 50.0),
+            torch.ones(2, 3, dtype=torch.int64),
+            torch.zeros(2, dtype=torch.int64),
+            torch.ones(2),
+        )
         free = costs.Cost(torch.full((1,), 255, dtype=torch.uint8), 0.2)
         points = torch.zeros(2, 1, 10, 3)
         points[..., 0] = torch.arange(1, 11) / 10
         found = free(points, inputs, places)
-        torch.testing.assert_close(found.total[:, 0], torch.tensor([0.0, 3.25 ** 0.5 - 0.5]), atol=1e-4, rtol=0)
+        torch.testing.assert_close(found.total[:, 0], torch.tensor([0.0, 3.25**0.5 - 0.5]), atol=1e-4, rtol=0)
 
     def test_gradient_by_differences(self) -> None:
         batch = self.data.batch(torch.arange(0, 240, 10))
         inputs = batch.inputs.double()
         points = self.some_points(24).double().requires_grad_()
-        gradient, = torch.autograd.grad(self.cost(points, inputs, batch.places).total.sum(), points)
+        (gradient,) = torch.autograd.grad(self.cost(points, inputs, batch.places).total.sum(), points)
         self.assertTrue(torch.isfinite(gradient).all())
         random = torch.Generator().manual_seed(7)
         agree = []
@@ -241,9 +272,13 @@ class NetworkFile(unittest.TestCase):
 
     @torch.no_grad()
     def test_first_guess(self) -> None:
-        alphas, points = networks.alphas_and_points(networks.Network().eval()(torch.rand(2, 1, 64, 96), torch.randn(2, 22)))
+        alphas, points = networks.alphas_and_points(
+            networks.Network().eval()(torch.rand(2, 1, 64, 96), torch.randn(2, 22))
+        )
         self.assertLess(float((alphas - 1.0).abs().max()), 0.2)
-        torch.testing.assert_close(points[0, :, 9], torch.tensor([[0.8, 0.0, 0.0], [0.8, 0.3, 0.0], [0.8, -0.3, 0.0]]), atol=0.2, rtol=0)
+        torch.testing.assert_close(
+            points[0, :, 9], torch.tensor([[0.8, 0.0, 0.0], [0.8, 0.3, 0.0], [0.8, -0.3, 0.0]]), atol=0.2, rtol=0
+        )
 
     @torch.no_grad()
     def test_file_round_trip(self) -> None:
@@ -260,12 +295,14 @@ class NetworkFile(unittest.TestCase):
             networks.write_weights(other, read, metadata)
             self.assertEqual(file.read_bytes(), other.read_bytes())
             length = int.from_bytes(file.read_bytes()[:8], "little")
-            header = json.loads(file.read_bytes()[8:8 + length])
+            header = json.loads(file.read_bytes()[8 : 8 + length])
             self.assertEqual(length % 8, 0)
             self.assertEqual(header["conv1.weight"], {"dtype": "F16", "shape": [16, 1, 5, 5], "data_offsets": [0, 800]})
             self.assertEqual(header["image_full.weight"]["shape"], [128, 2304])
-            self.assertEqual(8 + length + max(entry["data_offsets"][1] for name, entry in header.items() if name != "__metadata__"),
-                             file.stat().st_size)
+            self.assertEqual(
+                8 + length + max(entry["data_offsets"][1] for name, entry in header.items() if name != "__metadata__"),
+                file.stat().st_size,
+            )
             vector = check.vector(file)
             self.assertEqual((len(vector["inputs"]), len(vector["outputs"])), (22, 93))
             broken = file.read_bytes().replace(b"agile/1", b"agile/9")
@@ -279,14 +316,27 @@ class Recipes(unittest.TestCase):
         points, labels = torch.zeros(1, 3, 10, 3), torch.zeros(1, 3, 10, 3)
         points[0, 1], points[0, 2] = 1.0, 5.0
         labels[0, 0], labels[0, 1], labels[0, 2] = 0.1, 0.8, 0.3  # nearest to the modes 0, 1, 0; mode 2 is idle
-        expected = (0.95 * (0.01 + 0.04 + 0.09) + 0.05 / 2 * 4.9 ** 2) / 3
+        expected = (0.95 * (0.01 + 0.04 + 0.09) + 0.05 / 2 * 4.9**2) / 3
         self.assertAlmostEqual(float(recipes.label_error(points, labels)), expected, places=5)
 
 
 class WholeTraining(WithSamples):
     def run_training(self, name: str, *more: str) -> train.Training:
-        return train.main(["--samples", str(self.root / "a"), str(self.root / "b"), "--out", str(self.root / name), "--batch", "32", "--threads", "2",
-                           "--cpu", *more])
+        return train.main(
+            [
+                "--samples",
+                str(self.root / "a"),
+                str(self.root / "b"),
+                "--out",
+                str(self.root / name),
+                "--batch",
+                "32",
+                "--threads",
+                "2",
+                "--cpu",
+                *more,
+            ]
+        )
 
     def test_learns_and_goes_on(self) -> None:
         picture, log = self.root / "curves.png", self.root / "log.json"
@@ -296,10 +346,15 @@ class WholeTraining(WithSamples):
         self.assertTrue(picture.read_bytes().startswith(b"\x89PNG"))
         written = json.loads(log.read_text())
         network, metadata = networks.read_weights(self.root / "a.safetensors")
-        self.assertEqual((metadata["recipe"], metadata["steps"], metadata["seed"], metadata["samples"]), ("imitation", "60", "1", "264"))
+        self.assertEqual(
+            (metadata["recipe"], metadata["steps"], metadata["seed"], metadata["samples"]),
+            ("imitation", "60", "1", "264"),
+        )
         self.assertEqual(metadata["validation_best_cost"], f"{written['validation']['best_cost']:.5f}")
         batches = train.batches_of(training.data, training.held_out)
-        self.assertAlmostEqual(recipes.validate(network, batches, training.cost)["best_cost"], written["validation"]["best_cost"], places=4)
+        self.assertAlmostEqual(
+            recipes.validate(network, batches, training.cost)["best_cost"], written["validation"]["best_cost"], places=4
+        )
         # A second round begins where the first ended.
         further = self.run_training("b.safetensors", "--steps", "20", "--init", str(self.root / "a.safetensors"))
         self.assertLess(sum(further.losses[:5]) / 5, 1.5 * sum(training.losses[-5:]) / 5)
@@ -310,7 +365,9 @@ class WholeTraining(WithSamples):
         self.assertLess(costs_seen[-1], 0.8 * costs_seen[0])
 
     def test_seed_gives_the_losses(self) -> None:
-        one, two, other = (self.run_training("d.safetensors", "--steps", "5", "--seed", seed) for seed in ("4", "4", "5"))
+        one, two, other = (
+            self.run_training("d.safetensors", "--steps", "5", "--seed", seed) for seed in ("4", "4", "5")
+        )
         self.assertEqual(one.losses, two.losses)
         self.assertNotEqual(one.losses, other.losses)
 
@@ -320,15 +377,28 @@ class WholeTraining(WithSamples):
         self.assertEqual(steps, {"f_1of3.safetensors": "3", "f_2of3.safetensors": "6", "f.safetensors": "9"})
         # They have no part in the training.
         self.run_training("g.safetensors", "--steps", "9")
-        self.assertTrue(all(torch.equal(a, b) for a, b in zip(*(
-            networks.read_weights(self.root / f"{name}.safetensors")[0].parameters() for name in "fg"))))
+        self.assertTrue(
+            all(
+                torch.equal(a, b)
+                for a, b in zip(
+                    *(networks.read_weights(self.root / f"{name}.safetensors")[0].parameters() for name in "fg")
+                )
+            )
+        )
 
     def test_success_is_drawn(self) -> None:
         for end in success.wilson(45, 50):  # where 0.9 lies 1.96 standard deviations from the rate
             self.assertAlmostEqual(abs(0.9 - end) / (end * (1.0 - end) / 50) ** 0.5, 1.95996, places=4)
         for name, ends in (("x_1of2", {"flights": 4, "collided": 4}), ("x", {"flights": 4, "reached_goal": 4})):
             (self.root / f"{name}_flights.json").write_text(json.dumps(ends))
-        success.main(["--plot", str(self.root / "success.png"), str(self.root / "x_1of2_flights.json"), str(self.root / "x_flights.json")])
+        success.main(
+            [
+                "--plot",
+                str(self.root / "success.png"),
+                str(self.root / "x_1of2_flights.json"),
+                str(self.root / "x_flights.json"),
+            ]
+        )
         self.assertTrue((self.root / "success.png").read_bytes().startswith(b"\x89PNG"))
 
     def test_stops_at_the_time_limit_and_skips_what_is_not_finite(self) -> None:

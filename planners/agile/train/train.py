@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
 """Trains the network of the planner agile on what agile_samples wrote.
 
-    python train.py --recipe imitation --minutes 40 --samples build/agile/round0 --out agile.safetensors --plot curves.png --log log.json
+    python train.py --recipe imitation --minutes 40 --samples build/agile/round0 --out agile.safetensors --plot
+    curves.png --log log.json
 
---init goes on from weights, for a further round of samples. A training ends after --minutes or after --steps, whichever comes first. With
+--init goes on from weights, for a further round of samples. A training ends after --minutes or after --steps, whichever
+comes first. With
 --steps alone the same options give the same weights on the same machine with the same number of threads.
 """
 
@@ -20,11 +22,10 @@ from typing import Any
 
 os.environ.setdefault("OMP_WAIT_POLICY", "passive")  # of use where other programs share the processor
 
-import torch
-
 import curves
 import recipes
 import samples as sample_files
+import torch
 from cost import Cost
 from network import Network, read_weights, rounded, with_batch_norm, write_weights
 from samples import Batch, Samples
@@ -36,7 +37,8 @@ MOST_BAD_STEPS = 50  # with no finite loss, one after another
 
 
 class Order:
-    """Batches of indices, each sample once an epoch, in an order that a seed gives; with each a draw of which are mirrored."""
+    """Batches of indices, each sample once an epoch, in an order that a seed gives; with each a draw of which are
+    mirrored."""
 
     def __init__(self, indices: torch.Tensor, size: int, seed: int) -> None:
         self.random = torch.Generator().manual_seed(seed)
@@ -46,7 +48,7 @@ class Order:
     def take(self) -> tuple[torch.Tensor, torch.Tensor]:
         if len(self.left) < self.size:
             self.left = torch.randperm(len(self.indices), generator=self.random)
-        chosen, self.left = self.left[:self.size], self.left[self.size:]
+        chosen, self.left = self.left[: self.size], self.left[self.size :]
         which = torch.rand(self.size, generator=self.random) < 0.5
         return self.indices[chosen.to(self.indices.device)], which.to(self.indices.device)
 
@@ -80,12 +82,18 @@ def few_of(indices: torch.Tensor) -> torch.Tensor:
     """VALIDATION_SAMPLES of the indices or fewer, spread over all of them."""
     if len(indices) <= VALIDATION_SAMPLES:
         return indices
-    return indices[torch.linspace(0, len(indices) - 1, VALIDATION_SAMPLES, dtype=torch.float64).long().to(indices.device)]
+    return indices[
+        torch.linspace(0, len(indices) - 1, VALIDATION_SAMPLES, dtype=torch.float64).long().to(indices.device)
+    ]
 
 
 def text_of(values: dict[str, float]) -> str:
-    return (f"labels {values['label_error']:.5f}  J chosen {values['chosen_cost']:.3f} best {values['best_cost']:.3f}  collision chosen "
-            f"{100 * values['chosen_collision']:.1f} % best {100 * values['best_collision']:.1f} %  alpha {values['alpha_error']:.4f}")
+    return (
+        f"labels {values['label_error']:.5f}  J chosen {values['chosen_cost']:.3f} best {values['best_cost']:.3f}  "
+        f"collision chosen "
+        f"{100 * values['chosen_collision']:.1f} % best {100 * values['best_collision']:.1f} %  alpha "
+        f"{values['alpha_error']:.4f}"
+    )
 
 
 class Training:
@@ -117,13 +125,23 @@ class Training:
 
     def describe(self) -> None:
         data, options = self.data, self.options
-        print(f"{len(data)} samples of {len(data.map_numbers.unique())} map numbers ({data.left_out} left out, not finite); "
-              f"{len(self.training)} for training, {len(self.held_out)} held out; grids {data.grids.numel() / 1e6:.0f} MB")
-        print(f"recipe {options.recipe}, seed {options.seed}, batch {self.order.size}, {self.device}, {torch.get_num_threads()} threads, "
-              f"torch {torch.__version__}")
-        print(f"expert on held-out maps: J {self.expert['best_cost']:.3f}, in collision {100 * self.expert['best_collision']:.1f} %; its "
-              f"costs differ from these by {self.expert['median_cost_difference']:.4f} in the median, by "
-              f"{self.expert['greatest_cost_difference']:.4f} at most", flush=True)
+        print(
+            f"{len(data)} samples of {len(data.map_numbers.unique())} map numbers ({data.left_out} left out, not "
+            f"finite); "
+            f"{len(self.training)} for training, {len(self.held_out)} held out; grids {data.grids.numel() / 1e6:.0f} MB"
+        )
+        print(
+            f"recipe {options.recipe}, seed {options.seed}, batch {self.order.size}, {self.device}, "
+            f"{torch.get_num_threads()} threads, "
+            f"torch {torch.__version__}"
+        )
+        print(
+            f"expert on held-out maps: J {self.expert['best_cost']:.3f}, in collision "
+            f"{100 * self.expert['best_collision']:.1f} %; its "
+            f"costs differ from these by {self.expert['median_cost_difference']:.4f} in the median, by "
+            f"{self.expert['greatest_cost_difference']:.4f} at most",
+            flush=True,
+        )
         if self.expert["median_cost_difference"] > 0.02:
             print("warning: the expert's cost and this one disagree", file=sys.stderr)
 
@@ -193,9 +211,15 @@ class Training:
         found = recipes.validate(final, batches_of(self.data, self.held_out), self.cost)
         print(f"weights as written, held-out maps: {text_of(found)}")
         metadata = {
-            "recipe": options.recipe, "seed": str(options.seed), "steps": str(self.step), "batch": str(self.order.size),
-            "minutes": f"{minutes:.1f}", "samples": str(len(self.training)), "held_out_samples": str(len(self.held_out)),
-            "device": self.device.type, "torch": torch.__version__,
+            "recipe": options.recipe,
+            "seed": str(options.seed),
+            "steps": str(self.step),
+            "batch": str(self.order.size),
+            "minutes": f"{minutes:.1f}",
+            "samples": str(len(self.training)),
+            "held_out_samples": str(len(self.held_out)),
+            "device": self.device.type,
+            "torch": torch.__version__,
             **{f"validation_{name}": f"{value:.5f}" for name, value in found.items()},
         }
         if options.init:
@@ -204,11 +228,22 @@ class Training:
         write_weights(options.out, final, metadata)
         self.rows.append({"seconds": round(self.clock.seconds(), 1), "step": self.step, "validation": found})
         if options.log:
-            log = {**metadata, "steps_without_finite_loss": self.bad_steps, "samples_left_out": self.data.left_out, "expert": self.expert,
-                   "validation": found, "rows": self.rows}
+            log = {
+                **metadata,
+                "steps_without_finite_loss": self.bad_steps,
+                "samples_left_out": self.data.left_out,
+                "expert": self.expert,
+                "validation": found,
+                "rows": self.rows,
+            }
             options.log.write_text(json.dumps(log, indent=1) + "\n")
         if options.plot:
-            curves.draw(self.rows, self.expert, f"{options.recipe}, {len(self.training)} samples, {self.step} steps, {minutes:.1f} min", options.plot)
+            curves.draw(
+                self.rows,
+                self.expert,
+                f"{options.recipe}, {len(self.training)} samples, {self.step} steps, {minutes:.1f} min",
+                options.plot,
+            )
         return found
 
 
@@ -221,7 +256,9 @@ def arguments(given: list[str] | None) -> argparse.Namespace:
     parser.add_argument("--samples", type=Path, nargs="+", required=True, metavar="DIR")
     parser.add_argument("--init", type=Path, metavar="FILE", help="weights to go on from")
     parser.add_argument("--out", type=Path, required=True, metavar="FILE", help="where the weights go")
-    parser.add_argument("--snapshots", type=int, default=1, metavar="N", help="also write the weights after each N-th of the training")
+    parser.add_argument(
+        "--snapshots", type=int, default=1, metavar="N", help="also write the weights after each N-th of the training"
+    )
     parser.add_argument("--plot", type=Path, metavar="PNG", help="where the curves go")
     parser.add_argument("--log", type=Path, metavar="JSON", help="where the figures go")
     parser.add_argument("--batch", type=int, default=64)

@@ -1,16 +1,20 @@
 #!/usr/bin/env bash
-# train.sh [--steps N | --minutes M] [--seed S] [--out FOLDER] [--few]: makes samples, trains agile's net on them, lets it fly, and trains
-# it on what it met. Writes agile.safetensors, curves, success during training and figures into FOLDER (build/agile; in the repository
-# unless it begins with /). To fly the weights copy them to planners/agile and build. One that was stopped goes on with the next part.
-#   --steps N      steps of the three trainings together (18000: 16 to 30 minutes on two cores). Samples and flights take half as long again as they
-#   --minutes M    wall time of the three trainings together, instead of steps: weights then depend on the machine's speed
+# train.sh [--steps N | --minutes M] [--seed S] [--out FOLDER] [--few]: makes samples, trains agile's net on them, lets
+# it fly, and trains it on what it met. Writes agile.safetensors, curves, success during training and figures into
+# FOLDER (build/agile; in the repository unless it begins with /). To fly the weights copy them to planners/agile and
+# build. One that was stopped goes on with the next part.
+#   --steps N      steps of the three trainings together (18000: 16 to 30 minutes on two cores). Samples and flights
+#   take half as long again as they
+#   --minutes M    wall time of the three trainings together, instead of steps: weights then depend on the machine's
+#   speed
 #   --seed S       of the trainings and of the samples' flights (1); maps and missions stay the same
 #   --few          a sixteenth of the flights and of the steps: to see that all of it works
-# Needs the release build (scripts/quickstart.sh or cmake) and Python 3.10 or later; PyTorch comes into an environment of its own.
+# Needs the release build (scripts/quickstart.sh or cmake) and Python 3.10 or later; PyTorch comes into an environment
+# of its own.
 set -euo pipefail
 cd "$(dirname "$0")/../../.."
 
-steps=18000 minutes= seed=1 out=build/agile few=()
+steps=18000 minutes="" seed=1 out=build/agile few=()
 usage() { sed -n '2,10s/^# \{0,1\}//p' "$0" >&2; exit 2; }
 while [ $# -gt 0 ]; do
   case "$1" in

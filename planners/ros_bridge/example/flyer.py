@@ -1,5 +1,7 @@
 #!/usr/bin/python3
-"""A ROS 1 node as one writes it for a vehicle: odometry, depth image and goal in, velocity out. It knows nothing of avoidbench."""
+"""A ROS 1 node as one writes it for a vehicle: odometry, depth image and goal in, velocity out. It knows nothing of
+avoidbench."""
+
 import math
 
 import numpy as np
@@ -20,7 +22,7 @@ class Flyer:
         self.odometry, self.goal, self.rays = None, None, None
         self.publisher = rospy.Publisher("cmd_vel", TwistStamped, queue_size=1)
         rospy.Subscriber("~goal", PoseStamped, self.take_goal)
-        rospy.Subscriber("~depth", Image, self.take_depth, queue_size=1, buff_size=2 ** 22)
+        rospy.Subscriber("~depth", Image, self.take_depth, queue_size=1, buff_size=2**22)
         rospy.Subscriber("~odom", Odometry, self.take_odometry, queue_size=1, tcp_nodelay=True)
         rospy.loginfo("ready")
 
@@ -30,14 +32,17 @@ class Flyer:
     def take_depth(self, message):
         """The nearest depth of each column, in the rows at flight height."""
         depth = np.frombuffer(message.data, "<f4").reshape(message.height, message.width)
-        rows = depth[3 * message.height // 8:5 * message.height // 8]
+        rows = depth[3 * message.height // 8 : 5 * message.height // 8]
         nearest = np.where(np.isnan(rows), 0.0, np.minimum(rows, 20.0)).min(axis=0)
         self.rays = (np.arctan2(self.cx - np.arange(message.width), self.fx), nearest)
 
     def free_m(self, bearing):
         """How far the body gets along a bearing that the camera sees."""
         angles, depth = self.rays
-        along, aside = depth * np.cos(angles - bearing) / np.cos(angles), depth * np.sin(angles - bearing) / np.cos(angles)
+        along, aside = (
+            depth * np.cos(angles - bearing) / np.cos(angles),
+            depth * np.sin(angles - bearing) / np.cos(angles),
+        )
         hit = along[(np.abs(aside) < self.margin) & (along > 0.0)]
         return hit.min() if hit.size else 20.0
 
@@ -53,7 +58,10 @@ class Flyer:
         bearing, speed = to_goal, 0.0
         if self.rays is not None:
             seen = min(abs(self.rays[0][0]), abs(self.rays[0][-1]))
-            ways = [(abs(one - to_goal) - 0.8 * min(self.free_m(one), FREE_M, away), one) for one in np.linspace(-seen, seen, STEPS)]
+            ways = [
+                (abs(one - to_goal) - 0.8 * min(self.free_m(one), FREE_M, away), one)
+                for one in np.linspace(-seen, seen, STEPS)
+            ]
             bearing = min(ways)[1]
             speed = min(self.max_speed, 0.5 * max(0.0, self.free_m(bearing) - 0.5), 0.5 * away + 0.2)
             speed *= max(0.0, math.cos(bearing)) if abs(to_goal) < 1.6 else 0.0

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# training.sh SOURCE_FOLDER OUT_FOLDER: the training's own tests, and all of train.sh with few samples: its weights must fly and know more
-# than at the beginning.
+# training.sh SOURCE_FOLDER OUT_FOLDER: the training's own tests, and all of train.sh with few samples: its weights must
+# fly and know more than at the beginning.
 set -euo pipefail
 cd "$1"
 out=$2

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""check_files.py BRIDGE: topics files for real nodes, each problem with its place; ${…}; and what command messages become. Without ROS:
-messages are stand-ins with their members. Exit code 77: no NumPy or PyYAML here."""
+"""check_files.py BRIDGE: topics files for real nodes, each problem with its place; ${…}; and what command messages
+become. Without ROS: messages are stand-ins with their members. Exit code 77: no NumPy or PyYAML here."""
+
 import importlib.util
 import math
 import os
@@ -77,22 +78,36 @@ def files(folder):
             expect(f"{new!r}: {problem}", str(told).startswith(f"{topics}:{problem}"), told)
     topics.write_text(GOOD)
     file = LiveFile(topics)
-    expect("a name", file.live.name == "mine" and file.nodes[0].words == ["./node.py", "__name:=one"], file.nodes[0].words)
+    expect(
+        "a name", file.live.name == "mine" and file.nodes[0].words == ["./node.py", "__name:=one"], file.nodes[0].words
+    )
     expect("files", file.decisive_files() == ["node.py"], file.decisive_files())
     camera = Camera(160, 120, 100.0, 100.0, 80.0, 60.0, np.zeros(3), np.array([1.0, 0, 0, 0]), 30.0, 0.3, 20.0, 0.1)
     setup = Setup({}, 3.0, 5.0, 1.5, np.array([0.4, 0.4, 0.2]), 0.3, 0.05, 9.81, (camera,))
-    mission = Mission(7, np.array([1.0, 2.0, 2.0]), 0.0, np.array([11.0, 2.0, 2.0]), 1.0, 60.0, np.zeros(3), np.ones(3), 0.033)
+    mission = Mission(
+        7, np.array([1.0, 2.0, 2.0]), 0.0, np.array([11.0, 2.0, 2.0]), 1.0, 60.0, np.zeros(3), np.ones(3), 0.033
+    )
     given = given_by(setup, mission)
     values = {name: evaluated(value, given, []) for name, value in file.leaves}
     wanted = {"/one/gain": 6.0, "/one/far": 10.0, "/one/f": 50.0, "/one/deep/list": [1, 3.0], "/one/most": math.inf}
     expect("values", values == wanted and all(type(one) in (float, list) for one in values.values()), values)
     shutil.copytree(bridge / "example", folder / "example")
     example = LiveFile(folder / "example/topics.yaml")
-    expect("the example", example.sees == ("state", "depth") and example.decisive_files() == ["flyer.py"] and not example.notes)
-    topics.write_text(GOOD.replace("run:", "main: one\n    run:").replace(
-        "geometry_msgs/Twist}", "own_msgs/Set, form: PositionCommand, ahead: {node: one, horizon_s: 1}}"))
+    expect(
+        "the example",
+        example.sees == ("state", "depth") and example.decisive_files() == ["flyer.py"] and not example.notes,
+    )
+    topics.write_text(
+        GOOD.replace("run:", "main: one\n    run:").replace(
+            "geometry_msgs/Twist}", "own_msgs/Set, form: PositionCommand, ahead: {node: one, horizon_s: 1}}"
+        )
+    )
     notes = LiveFile(topics).notes
-    expect("what is for the shim alone is told", len(notes) == 2 and f"{topics}:3:11: main is for ros_shim alone" in notes[0], notes)
+    expect(
+        "what is for the shim alone is told",
+        len(notes) == 2 and f"{topics}:3:11: main is for ros_shim alone" in notes[0],
+        notes,
+    )
 
 
 def commands():
@@ -104,25 +119,53 @@ def commands():
 
     twist = Of(linear=vector(1.0, 0.0, 0.5), angular=vector(0, 0, 0.3))
     found = answer("Twist", twist)
-    expect("a twist", isinstance(found, Velocity) and list(found.velocity_world_mps) == [1, 0, 0.5] and found.yaw_rate_radps == 0.3, found)
+    expect(
+        "a twist",
+        isinstance(found, Velocity) and list(found.velocity_world_mps) == [1, 0, 0.5] and found.yaw_rate_radps == 0.3,
+        found,
+    )
     found = answer("TwistStamped", Of(twist=twist), in_body=True, yaw=math.pi / 2)
     expect("in the heading's frame", np.allclose(found.velocity_world_mps, [0, 1, 0.5]), found)
     expect("too old", answer("Twist", twist, now_s=10.6) is None)
     upright = Of(x=0.0, y=0.0, z=math.sin(0.2), w=math.cos(0.2))
     found = answer("PoseStamped", Of(pose=Of(position=vector(1, 2, 3), orientation=upright)))
-    expect("a pose", isinstance(found, Position) and list(found.position_world_m) == [1, 2, 3] and abs(found.yaw_rad - 0.4) < 1e-12, found)
+    expect(
+        "a pose",
+        isinstance(found, Position) and list(found.position_world_m) == [1, 2, 3] and abs(found.yaw_rad - 0.4) < 1e-12,
+        found,
+    )
     point = Of(position=vector(1, 0, 2), velocity=vector(2, 0, 0), acceleration=vector(1, 0, 0), yaw=0.1, yaw_dot=0.2)
     found = answer("PositionCommand", point, now_s=10.1)
-    expect("a set point, brought to now", isinstance(found, Trajectory) and list(found.time_s) == [0.0, 0.2]
-           and np.allclose(found.position_world_m, [[1.205, 0, 2], [1.645, 0, 2]])
-           and np.allclose(found.velocity_world_mps[:, 0], [2.1, 2.3]) and np.allclose(found.yaw_rad, [0.12, 0.16]), found)
-    target = Of(type_mask=7 | 56 | 2048, coordinate_frame=1, position=vector(0, 0, 0), velocity=vector(0, 0, 0),
-                acceleration_or_force=vector(1, 2, 3), yaw=0.5, yaw_rate=0.0)
+    expect(
+        "a set point, brought to now",
+        isinstance(found, Trajectory)
+        and list(found.time_s) == [0.0, 0.2]
+        and np.allclose(found.position_world_m, [[1.205, 0, 2], [1.645, 0, 2]])
+        and np.allclose(found.velocity_world_mps[:, 0], [2.1, 2.3])
+        and np.allclose(found.yaw_rad, [0.12, 0.16]),
+        found,
+    )
+    target = Of(
+        type_mask=7 | 56 | 2048,
+        coordinate_frame=1,
+        position=vector(0, 0, 0),
+        velocity=vector(0, 0, 0),
+        acceleration_or_force=vector(1, 2, 3),
+        yaw=0.5,
+        yaw_rate=0.0,
+    )
     found = answer("PositionTarget", target)
-    expect("a target", isinstance(found, Acceleration) and list(found.acceleration_world_mps2) == [1, 2, 3] and found.yaw_rad == 0.5, found)
+    expect(
+        "a target",
+        isinstance(found, Acceleration) and list(found.acceleration_world_mps2) == [1, 2, 3] and found.yaw_rad == 0.5,
+        found,
+    )
     found = answer("AttitudeTarget", Of(type_mask=128, body_rate=vector(1, 2, 3), thrust=0.25))
     expect("rates", isinstance(found, Rates) and found.thrust_mps2 == 5.0, found)
-    for form, message in (("PositionTarget", Of(**{**vars(target), "type_mask": 512})), ("AttitudeTarget", Of(type_mask=1))):
+    for form, message in (
+        ("PositionTarget", Of(**{**vars(target), "type_mask": 512})),
+        ("AttitudeTarget", Of(type_mask=1)),
+    ):
         try:
             answer(form, message)
             expect(f"{form} that can't be flown", False)
@@ -131,14 +174,23 @@ def commands():
 
     def at(second, x, yaw):
         turned = Of(x=0.0, y=0.0, z=math.sin(yaw / 2), w=math.cos(yaw / 2))
-        return Of(transforms=[Of(translation=vector(x, 0, 2), rotation=turned)], velocities=[twist], accelerations=[],
-                  time_from_start=Of(to_nsec=lambda: round(1e9 * second)))
+        return Of(
+            transforms=[Of(translation=vector(x, 0, 2), rotation=turned)],
+            velocities=[twist],
+            accelerations=[],
+            time_from_start=Of(to_nsec=lambda: round(1e9 * second)),
+        )
 
     points = [at(0.0, 0.0, 3.1), at(0.5, 0.5, -3.1), at(0.51, 0.51, -3.1), at(1.0, 1.0, -3.0)]
-    path = Of(header=Of(stamp=Of(to_nsec=lambda: 10 ** 10)), points=points)
+    path = Of(header=Of(stamp=Of(to_nsec=lambda: 10**10)), points=points)
     found = answer("MultiDOFJointTrajectory", path, now_s=10.2, taken_s=9.0)
-    expect("a trajectory", np.allclose(found.time_s, [0.0, 0.3, 0.8]) and np.allclose(found.position_world_m[:, 0], [0.2, 0.5, 1.0])
-           and np.all(np.abs(np.diff(found.yaw_rad)) < 0.3), found)
+    expect(
+        "a trajectory",
+        np.allclose(found.time_s, [0.0, 0.3, 0.8])
+        and np.allclose(found.position_world_m[:, 0], [0.2, 0.5, 1.0])
+        and np.all(np.abs(np.diff(found.yaw_rad)) < 0.3),
+        found,
+    )
     expect("a motion", SetPoint(0, np.zeros(3)).after(1.0)[3:] == (0.0, 0.0))
 
 

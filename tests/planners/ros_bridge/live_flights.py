@@ -3,8 +3,10 @@
 
     live_flights.py PROGRAM SOURCES [--only PART]
 
-The example reaches its goals with two workers that never hear each other; all that can be published is heard; nodes that end, or are
-ended, cost their own trials; a launch file and a master that runs already; nothing is left: no process, no file. Exit code 77: no rospy here."""
+The example reaches its goals with two workers that never hear each other; all that can be published is heard; nodes
+that end, or are ended, cost their own trials; a launch file and a master that runs already; nothing is left: no
+process, no file. Exit code 77: no rospy here."""
+
 import argparse
 import os
 import pathlib
@@ -229,7 +231,9 @@ class LiveRuns(Runs):
         """The rows (label, outcome, reason) of a run, and what it said."""
         head = HEAD.replace("TRIALS", str(trials)).replace("depth_ideal, width_px: 160, height_px: 120", sensor)
         text = head + "".join(
-            f"  - {{plugin: process, label: {label}, parameters: {{command: [{self.bridge}, {topics}]}}}}\n" for label, topics in planners)
+            f"  - {{plugin: process, label: {label}, parameters: {{command: [{self.bridge}, {topics}]}}}}\n"
+            for label, topics in planners
+        )
         sweep = self.work / f"{name}.yaml"
         sweep.write_text(text)
         said = self.run(sweep, f"{name}.db", "--jobs", str(jobs), "--plan-timeout", "60", code=0)
@@ -237,7 +241,9 @@ class LiveRuns(Runs):
 
     def rows(self, name):
         db = sqlite3.connect(self.folder / f"{name}.db")
-        return db.execute("SELECT label, outcome, reason FROM trials JOIN planners USING (planner_key) ORDER BY label").fetchall()
+        return db.execute(
+            "SELECT label, outcome, reason FROM trials JOIN planners USING (planner_key) ORDER BY label"
+        ).fetchall()
 
     def write(self, name, text):
         (self.work / name).write_text(text)
@@ -263,8 +269,11 @@ class LiveRuns(Runs):
         while time.monotonic() < end:
             for folder in pathlib.Path("/proc").iterdir():
                 try:
-                    if folder.name.isdigit() and word in (folder / "cmdline").read_text().split("\0") and \
-                            f"AVOIDBENCH_TEST_MARK={self.folder}" in (folder / "environ").read_text().split("\0"):
+                    if (
+                        folder.name.isdigit()
+                        and word in (folder / "cmdline").read_text().split("\0")
+                        and f"AVOIDBENCH_TEST_MARK={self.folder}" in (folder / "environ").read_text().split("\0")
+                    ):
                         return int(folder.name)
                 except (OSError, UnicodeDecodeError):
                     pass
@@ -273,34 +282,52 @@ class LiveRuns(Runs):
 
 
 def reach(runs):
-    watched = runs.topics_of_example(watch=("    run: ./flyer.py", "    run: ./flyer.py"),
-                                     more=("\npublish:", "  - {name: watcher, run: ./watcher.py}\n\npublish:"))
+    watched = runs.topics_of_example(
+        watch=("    run: ./flyer.py", "    run: ./flyer.py"),
+        more=("\npublish:", "  - {name: watcher, run: ./watcher.py}\n\npublish:"),
+    )
     topics = runs.write("watched.yaml", watched)
     found, _ = runs.flies("reach", [("a", topics), ("b", topics)], trials=2, jobs=2)
-    runs.expect("four flights with two workers reach their goals", [row[1] for row in found] == ["reached_goal"] * 4, found)
+    runs.expect(
+        "four flights with two workers reach their goals", [row[1] for row in found] == ["reached_goal"] * 4, found
+    )
     runs.expect_no_trace("after them")
     sandbox = sqlite3.connect(runs.folder / "reach.db").execute("SELECT sandbox FROM runs").fetchall()[0][0]
     runs.expect("in the sandbox, with network", "network" in sandbox or "none" in sandbox, sandbox)
-    verified = subprocess.run([runs.program, "replay", runs.folder / "reach.db", "--verify", "--sweep-file", runs.work / "reach.yaml"], cwd=runs.work, env=runs.environment,
-                              capture_output=True, text=True)
+    verified = subprocess.run(
+        [runs.program, "replay", runs.folder / "reach.db", "--verify", "--sweep-file", runs.work / "reach.yaml"],
+        cwd=runs.work,
+        env=runs.environment,
+        capture_output=True,
+        text=True,
+    )
     said = verified.stdout + verified.stderr
     runs.expect("replay --verify says what it finds", verified.returncode in (0, 1) and "flown again" in said, said)
 
 
 def heard(runs):
-    found, _ = runs.flies("heard", [("all", runs.write("all_topics.yaml", ALL_TOPICS))], sensor="stereo_sgm, width_px: 96, height_px: 72")
+    found, _ = runs.flies(
+        "heard", [("all", runs.write("all_topics.yaml", ALL_TOPICS))], sensor="stereo_sgm, width_px: 96, height_px: 72"
+    )
     runs.expect("all that can be published is heard, and a trajectory flown", have_flown(found, 1), found)
     runs.expect_no_trace("after it")
 
 
 def outcomes(runs):
-    ways = {"exits": ("planner_crashed", "the node node ended with exit code 3"), "segfault": ("planner_crashed", "ended by signal 11"),
-            "writes": ("planner_crashed", "run --no-sandbox lets them"), "silent": ("timed_out", ""),
-            "unsaid": ("planner_error", "nobody publishes /cmd_velo (geometry_msgs/TwistStamped); there is /cmd_vel"),
-            "unheard": ("planner_error", "nobody subscribes to /imu"),
-            "stranger": ("planner_error", "there is no Python class of own_msgs/Twist")}
-    changes = {"unsaid": ("/cmd_vel", "/cmd_velo"), "unheard": ("  goal:", "  imu: {topic: /imu}\n  goal:"),
-               "stranger": ("geometry_msgs/TwistStamped", "own_msgs/Twist")}
+    ways = {
+        "exits": ("planner_crashed", "the node node ended with exit code 3"),
+        "segfault": ("planner_crashed", "ended by signal 11"),
+        "writes": ("planner_crashed", "run --no-sandbox lets them"),
+        "silent": ("timed_out", ""),
+        "unsaid": ("planner_error", "nobody publishes /cmd_velo (geometry_msgs/TwistStamped); there is /cmd_vel"),
+        "unheard": ("planner_error", "nobody subscribes to /imu"),
+        "stranger": ("planner_error", "there is no Python class of own_msgs/Twist"),
+    }
+    changes = {
+        "unsaid": ("/cmd_vel", "/cmd_velo"),
+        "unheard": ("  goal:", "  imu: {topic: /imu}\n  goal:"),
+        "stranger": ("geometry_msgs/TwistStamped", "own_msgs/Twist"),
+    }
     planners = []
     for way in ways:
         text = TOPICS.replace("WAY", way).replace(*changes.get(way, ("start_wait_s", "answer_wait_s: 0, start_wait_s")))
@@ -316,10 +343,15 @@ def outcomes(runs):
 
 def killed(runs):
     topics = runs.write("killed_topics.yaml", TOPICS.replace("WAY", "flies"))
-    sweep = HEAD.replace("TRIALS", "2") + f"  - {{plugin: process, label: a, parameters: {{command: [{runs.bridge}, {topics}]}}}}\n"
+    sweep = (
+        HEAD.replace("TRIALS", "2")
+        + f"  - {{plugin: process, label: a, parameters: {{command: [{runs.bridge}, {topics}]}}}}\n"
+    )
     (runs.work / "killed.yaml").write_text(sweep)
     for whom, word in (("the node", "./node.py"), ("the worker", "worker"), ("the run", "run")):
-        process = runs.start(runs.work / "killed.yaml", f"killed_{word.strip('./')}.db", "--jobs", "1", "--plan-timeout", "60")
+        process = runs.start(
+            runs.work / "killed.yaml", f"killed_{word.strip('./')}.db", "--jobs", "1", "--plan-timeout", "60"
+        )
         node = runs.wait_for_process("./node.py")
         time.sleep(1.5)
         victim = process.pid if word == "run" else node if word == "./node.py" else runs.wait_for_process(word)
@@ -327,7 +359,9 @@ def killed(runs):
         process.communicate()
         if word == "./node.py":
             found = runs.rows("killed_node.py")
-            crashed = [row for row in found if row[1] == "planner_crashed" and "the node node ended by signal 9" in row[2]]
+            crashed = [
+                row for row in found if row[1] == "planner_crashed" and "the node node ended by signal 9" in row[2]
+            ]
             runs.expect("a node that is killed costs its trial alone", len(found) == 2 and len(crashed) == 1, found)
         runs.expect_no_trace(f"after SIGKILL of {whom}")
 
@@ -341,12 +375,18 @@ def launched(runs):
     runs.environment["ROS_PACKAGE_PATH"] = f"{runs.work}:/usr/share"
     begin, end = "    run: ./flyer.py", "\n\npublish:"
     text = runs.topics_of_example(launch=("live:\n", "live:\n  launch: [live_test, flight.launch, 'speed:=0.8']\n"))
-    text = "\n".join(line for line in text.split("\n") if begin not in line and "remap:" not in line and "      max_speed:" not in line)
+    text = "\n".join(
+        line
+        for line in text.split("\n")
+        if begin not in line and "remap:" not in line and "      max_speed:" not in line
+    )
     found, _ = runs.flies("launched", [("launched", runs.write("launched_topics.yaml", text))])
     runs.expect("a launch file's node reaches the goal", [row[1] for row in found] == ["reached_goal"], found)
     bad = text.replace("'speed:=0.8'", "'sped:=0.8'")
     found, _ = runs.flies("launched_badly", [("launched", runs.write("bad_topics.yaml", bad))])
-    runs.expect("a mistake in it has its place", found[0][1] == "planner_error" and "bad_topics.yaml:" in found[0][2], found)
+    runs.expect(
+        "a mistake in it has its place", found[0][1] == "planner_error" and "bad_topics.yaml:" in found[0][2], found
+    )
     assert end in text
     runs.expect_no_trace("after launch files")
 
@@ -361,15 +401,24 @@ def running(runs):
     log.mkdir()
     uri = "http://127.0.0.1:11417"
     own = {**os.environ, "ROS_MASTER_URI": uri, "ROS_IP": "127.0.0.1", "ROS_LOG_DIR": str(log), "ROS_HOME": str(log)}
-    started = [subprocess.Popen(["roscore", "-p", "11417"], env=own, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)]
+    started = [
+        subprocess.Popen(["roscore", "-p", "11417"], env=own, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    ]
     try:
         for _ in range(100):
-            if subprocess.run(["rosparam", "set", "/use_sim_time", "true"], env=own, capture_output=True).returncode == 0:
+            if (
+                subprocess.run(["rosparam", "set", "/use_sim_time", "true"], env=own, capture_output=True).returncode
+                == 0
+            ):
                 break
             time.sleep(0.1)
         started.append(subprocess.Popen(["./node.py", "straight"], cwd=runs.work, env=own))
         runs.environment.update(ROS_MASTER_URI=uri, ROS_IP="127.0.0.1")
-        text = TOPICS.replace(", run: [./node.py, WAY]", "").replace("WAY", "runs").replace("live: {", "live: {master: running, ")
+        text = (
+            TOPICS.replace(", run: [./node.py, WAY]", "")
+            .replace("WAY", "runs")
+            .replace("live: {", "live: {master: running, ")
+        )
         found, _ = runs.flies("running", [("runs", runs.write("running_topics.yaml", text))], trials=2)
         runs.expect("nodes that run already fly two trials", have_flown(found, 2), found)
         runs.expect("and live on", started[1].poll() is None)
@@ -399,7 +448,12 @@ def main():
     given = parser.parse_args()
     given.program = str(pathlib.Path(given.program).absolute())
     given.programs = given.torture = "."
-    has_ros = subprocess.run([PYTHON, "-c", "import rospy, rosmaster, roslaunch, yaml, numpy"], capture_output=True).returncode == 0
+    has_ros = (
+        subprocess.run(
+            [PYTHON, "-c", "import rospy, rosmaster, roslaunch, yaml, numpy"], capture_output=True
+        ).returncode
+        == 0
+    )
     if not has_ros or shutil.which("roscore") is None:
         print(f"passed over: {PYTHON} has no rospy, or there is no roscore: scripts/install_packages.sh ros_live")
         sys.exit(77)

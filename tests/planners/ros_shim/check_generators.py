@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
-"""check_generators.py SHIM: make_messages.py and make_planner.py on good and on bad files; each problem is told with its place."""
+"""check_generators.py SHIM: make_messages.py and make_planner.py on good and on bad files; each problem is told with
+its place."""
+
 import pathlib
 import subprocess
 import sys
@@ -15,7 +17,9 @@ def expect(what, condition, seen=""):
 
 
 def run(script, *words):
-    done = subprocess.run([sys.executable, "-B", shim / script, *map(str, words)], capture_output=True, text=True, timeout=20)
+    done = subprocess.run(
+        [sys.executable, "-B", shim / script, *map(str, words)], capture_output=True, text=True, timeout=20
+    )
     return done.returncode, done.stderr.strip(), done.stdout
 
 
@@ -73,14 +77,19 @@ BAD_TOPICS = {
     ("publish:", "publis:"): '4:1: there is no "publis" here; did you mean publish?',
     ("nodes:", "lead_s: soon\nnodes:"): '1:9: "soon" is no number',
     ("  odometry: {topic: /odom}", "  odometry: {topic: /odom"): "6:",
-    ("command: {topic: /cmd,", "command: {ahead: {node: planer, horizon_s: 1}, topic: /cmd,"): '6:25: "planer" is none of planner',
+    (
+        "command: {topic: /cmd,",
+        "command: {ahead: {node: planer, horizon_s: 1}, topic: /cmd,",
+    ): '6:25: "planer" is none of planner',
 }
 PARAMETER = "parameters: [{name: a, default: %s, lowest: %s, highest: 9, doc: d}]\nnodes:"
 ALIASES = "".join(f"      a{i}: &a{i} [{', '.join([f'*a{i - 1}'] * 10)}]\n" for i in range(1, 9))
 NOT_BOUNDED = {
     ('params: {gain: "${2 * max_speed_mps}"}', "params: &p {gain: *p}"): "3:13: this contains itself",
-    ('params: {gain: "${2 * max_speed_mps}"}', "params:\n      a0: &a0 [1, 1, 1, 1, 1, 1, 1, 1, 1, 1]\n" + ALIASES):
-        "4:37: with its aliases the file has more than 50000 values",
+    (
+        'params: {gain: "${2 * max_speed_mps}"}',
+        "params:\n      a0: &a0 [1, 1, 1, 1, 1, 1, 1, 1, 1, 1]\n" + ALIASES,
+    ): "4:37: with its aliases the file has more than 50000 values",
     ('"${2 * max_speed_mps}"', "[" * 3000 + "]" * 3000): "3:66: this nests more than 50 deep",
     ('"${2 * max_speed_mps}"', "{a: " * 3000 + "1" + "}" * 3000): "3:201: this nests more than 50 deep",
     ("2 * max_speed_mps", "-" * 100_000 + "1"): "3:20: an expression has 1000 characters at most",
@@ -95,7 +104,7 @@ NOT_BOUNDED = {
     ("nodes:", PARAMETER % (".nan", 0)): "1:33: nan is not finite",
     ("nodes:", PARAMETER % ("1", ".nan")): "1:44: nan is not finite",
     ("nodes:", PARAMETER % ("1", "-.inf")): "1:44: -inf is not finite",
-    ("nodes:", "version: \"a\\0b\"\nnodes:"): "1:10: the character U+0000 can't stand in a text",
+    ("nodes:", 'version: "a\\0b"\nnodes:'): "1:10: the character U+0000 can't stand in a text",
     ("nodes:", 'summary: "\\ud83d"\nnodes:'): "1:10: the character U+D83D can't stand in a text",
     ("nodes:", 'summary: "\\UFFFFFFFF"\nnodes:'): "1:1: ",
     ("nodes:", 'summary: "\\U00110000"\nnodes:'): "1:1: ",
@@ -119,16 +128,28 @@ with tempfile.TemporaryDirectory() as name:
     code, said, _ = run("make_messages.py", "--out", folder / "out", *stock, package.parent)
     expect("a good message", code == 0, said)
     header = (folder / "out/own_msgs/Good.h").read_text()
-    for line in ("enum { YES = 1 };", "enum { LOW = -128 };", "18446744073709551615ULL", "= 0.5F;",
-                 r'"\042quoted\042 # and all that is left"', "::std_msgs::Header_<ContainerAllocator> header;", "ros::Time stamp;",
-                 "std::vector<ros::Duration> periods;", "std::uint8_t c{};", "std::int8_t b{};",
-                 "ros_shim::array<::geometry_msgs::Point_<ContainerAllocator>, 3> corners{};",
-                 "std::vector<::own_msgs::Other_<ContainerAllocator>> others;", '#include "own_msgs/Other.h"',
-                 "using GoodConstPtr = ros_shim::shared_ptr<const Good>;"):
+    for line in (
+        "enum { YES = 1 };",
+        "enum { LOW = -128 };",
+        "18446744073709551615ULL",
+        "= 0.5F;",
+        r'"\042quoted\042 # and all that is left"',
+        "::std_msgs::Header_<ContainerAllocator> header;",
+        "ros::Time stamp;",
+        "std::vector<ros::Duration> periods;",
+        "std::uint8_t c{};",
+        "std::int8_t b{};",
+        "ros_shim::array<::geometry_msgs::Point_<ContainerAllocator>, 3> corners{};",
+        "std::vector<::own_msgs::Other_<ContainerAllocator>> others;",
+        '#include "own_msgs/Other.h"',
+        "using GoodConstPtr = ros_shim::shared_ptr<const Good>;",
+    ):
         expect(f"{line} in the header", line in header, header)
     (package.parent / "package.xml").write_text("<package><name>named_msgs</name></package>")
     _, _, listed = run("make_messages.py", "--list", package.parent)
-    expect("a package's name is in its package.xml", listed.split() == ["named_msgs/Good.h", "named_msgs/Other.h"], listed)
+    expect(
+        "a package's name is in its package.xml", listed.split() == ["named_msgs/Good.h", "named_msgs/Other.h"], listed
+    )
     code, said, _ = run("make_messages.py", "--out", folder / "out", folder / "nowhere")
     expect("a folder that is not there", code == 1 and said.endswith("nowhere: no such folder"), said)
 

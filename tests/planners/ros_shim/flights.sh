@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# flights.sh PROGRAM PLANNER: the example in easy halls: it reaches the goals; one and two workers and a second run give the same rows,
-# and stored trials fly again bit for bit.
+# flights.sh PROGRAM PLANNER: the example in easy halls: it reaches the goals; one and two workers and a second run give
+# the same rows, and stored trials fly again bit for bit.
 set -euo pipefail
 program=$1 planner=$2
 folder=$(mktemp -d)

@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# What tests do not see: format, the warnings of another compiler (build/clang, whose program scripts/test.sh can compare bits with),
+# clang-tidy and sanitizers. The last two look at what changed (scripts/changed_files.sh) and at a rotating eighth of the rest.
+#   --all    for every night: each source is compiled by itself with clang and finds its own headers, clang-tidy and the sanitizers look at
+#            everything, and the fuzz targets run for a minute each
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+case "${1:-}" in
+  '') all=() unity=ON ;;
+  --all) all=(--all) unity=OFF ;;
+  *) echo "usage: $0 [--all]" >&2; exit 2 ;;
+esac
+
+scripts/install_packages.sh test
+scripts/python_venv.sh
+stage() { printf '== %s  (after %d:%02d)\n' "$1" $((SECONDS / 60)) $((SECONDS % 60)); }
+export CCACHE_NOHASHDIR=1 CCACHE_BASEDIR=$PWD
+
+stage "format"
+scripts/lint.sh --format-only
+stage "build the program and planners with clang (build/clang)"
+cmake --preset clang "-DAVOIDBENCH_UNITY=$unity" "-DAVOIDBENCH_PRECOMPILED=$unity" >/dev/null
+cmake --build build/clang --parallel "$(nproc)" --target program
+stage "clang-tidy"
+scripts/lint.sh "${all[@]}"
+stage "sanitizers"
+scripts/sanitize.sh "${all[@]}"
+if [ ${#all[@]} -gt 0 ]; then
+  stage "fuzz targets"
+  scripts/fuzz.sh 60
+fi
+stage "end"
