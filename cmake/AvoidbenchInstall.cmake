@@ -28,7 +28,7 @@ foreach(folder configs maps docs scripts planners/template python/avoidbench)
   file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${folder} ${PROJECT_BINARY_DIR}/${data_folder}/${folder} SYMBOLIC)
 endforeach()
 
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/lib/planner_api/avoidbench DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/lib/sdk/planner_api/avoidbench DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
         COMPONENT sdk FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp")
 install(TARGETS avoidbench_planner_api EXPORT avoidbench_targets COMPONENT sdk)
 install(EXPORT avoidbench_targets FILE avoidbench-targets.cmake NAMESPACE avoidbench:: DESTINATION ${package_folder}

@@ -1,17 +1,19 @@
 # avoidbench_room(name SOURCES a.cpp … USES room … PRIVATE third-party target …)
-# One static library a folder of lib/, `avoidbench::<name>`; without SOURCES a header-only room.
+# One static library a room, lib/WING/ROOM: `avoidbench::<name>`; without SOURCES a header-only room. Rooms include each
+# other as room/file.hpp, whatever their wings.
 function(avoidbench_room name)
   cmake_parse_arguments(ROOM "" "" "SOURCES;USES;PUBLIC;PRIVATE" ${ARGN})
   list(TRANSFORM ROOM_USES PREPEND avoidbench::)
   set(target avoidbench_${name})
+  get_filename_component(wing ${CMAKE_CURRENT_SOURCE_DIR} DIRECTORY)
   if(ROOM_SOURCES)
     add_library(${target} STATIC ${ROOM_SOURCES})
-    target_include_directories(${target} PUBLIC ${PROJECT_SOURCE_DIR}/lib)
+    target_include_directories(${target} PUBLIC ${wing})
     target_link_libraries(${target} PUBLIC ${ROOM_USES} ${ROOM_PUBLIC} PRIVATE avoidbench_flags ${ROOM_PRIVATE})
     avoidbench_precompiled(${target} room)
   else()
     add_library(${target} INTERFACE)
-    target_include_directories(${target} INTERFACE ${PROJECT_SOURCE_DIR}/lib)
+    target_include_directories(${target} INTERFACE ${wing})
     target_link_libraries(${target} INTERFACE ${ROOM_USES} ${ROOM_PUBLIC})
   endif()
   add_library(avoidbench::${name} ALIAS ${target})

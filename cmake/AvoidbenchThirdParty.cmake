@@ -26,7 +26,7 @@ foreach(module calib3d imgproc core)
 endforeach()
 target_include_directories(avoidbench_opencv SYSTEM INTERFACE ${OPENCV_INCLUDE})
 
-# Embree 4 where there is one, else 3.13; lib/render/embree.hpp hides which.
+# Embree 4 where there is one, else 3.13; lib/sim/render/embree.hpp hides which.
 find_package(embree 4 QUIET)
 if(NOT embree_FOUND)
   find_package(embree 3.13 REQUIRED)

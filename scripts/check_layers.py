@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Checks that each room of lib/ includes only itself, rooms before it in lib/ORDER and the third parties named there,
-that no room has more than 25 files, that planners include only the SDK (but not what trains them), that no message of
+that no wing includes one that comes after it or stands beside it, that planners include only the SDK (but not what trains them), that no message of
 lib/ names an option of the command line, that no code uses what would make results differ between machines, that no two
 rooms define a type of one name (the linker would take either's functions for both, without a word), and that the
 drawing in lib/README.md shows the includes as they are.
@@ -13,12 +13,14 @@ import sys
 
 arguments = [word for word in sys.argv[1:] if word != "--draw"]
 root = pathlib.Path(arguments[0] if arguments else ".").resolve()
-MOST_FILES = 25
-order, allowed, includes = [], {}, {}
+BESIDE = {("planner", "sim")}  # wings that stand side by side
+order, wings, allowed, includes = [], {}, {}, {}
 for line in (root / "lib/ORDER").read_text().splitlines():
     if line and not line.startswith("#"):
-        room, _, third_parties = line.partition(":")
+        place, _, third_parties = line.partition(":")
+        wing, _, room = place.partition("/")
         order.append(room)
+        wings[room] = wing
         allowed[room] = set(third_parties.split())
 
 # The first part of an angle-bracket include -> the third party it belongs to. Others are the language's or the
@@ -55,13 +57,13 @@ UNREPEATABLE = [
 TEACHER = "expert"
 # Where the C library's functions of that name are replaced by repeatable ones, and where they are looked for in
 # planners.
-REPEATABLE = {"planners/ros_shim/src/random.cpp", "lib/conformance/import_notes.cpp"}
+REPEATABLE = {"planners/ros_shim/src/random.cpp", "lib/planner/conformance/import_notes.cpp"}
 # Messages of lib/ name no options of the command line: an OptionError has the option's name, and the program writes it
 # out. Allowed are whole words, which are arguments of a process, and the name of the place where overrides of keys
 # stand.
 OPTION = re.compile(r"(?<![\w-])--[a-z]")
 LITERAL = re.compile(r'"((?:[^"\\]|\\.)*)"')
-ALLOWED_LITERALS = {("lib/yaml/overrides.cpp", "--set ")}
+ALLOWED_LITERALS = {("lib/base/yaml/overrides.cpp", "--set ")}
 INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)[>"]')
 problems = []
 
@@ -81,6 +83,8 @@ def check_include(file, number, kind, path, room):
         return
     if first not in order:
         problem(file, number, f'"{path}" is no room of lib/ORDER')
+    elif first != room and (wings[room], wings[first]) in BESIDE:
+        problem(file, number, f"wing {wings[room]} includes {path}, but {wings[first]} stands beside it")
     elif first != room and order.index(first) < order.index(room):
         includes.setdefault(room, set()).add(first)
     elif first != room:
@@ -99,9 +103,9 @@ def sources(folder):
 for folder in [root / "lib", root / "planners"]:
     for file in sources(folder):
         in_lib = folder.name == "lib"
-        room = file.relative_to(folder).parts[0]
-        if in_lib and room not in allowed:
-            problem(file, 1, f"folder {room} is not in lib/ORDER")
+        room = file.relative_to(folder).parts[1 if in_lib else 0]
+        if in_lib and (room not in allowed or file.relative_to(folder).parts[0] != wings[room]):
+            problem(file, 1, f"folder {file.parent.relative_to(folder)} is not in lib/ORDER")
             continue
         for number, line in enumerate(file.read_text().splitlines(), 1):
             if match := INCLUDE.match(line):
@@ -141,27 +145,27 @@ for file in sources(root / "lib"):
         if first_place.setdefault(name, file.relative_to(root)) != file.relative_to(root):
             problem(file, number, f"{name} is defined in {first_place[name]} too")
 
-for room in order:
-    count = sum(file.suffix in {".cpp", ".hpp", ".h"} for file in (root / "lib" / room).rglob("*"))
-    if count > MOST_FILES:
-        problem(root / "lib/ORDER", order.index(room) + 1, f"room {room} has {count} files: more than {MOST_FILES}")
 
-
-def below(room):
-    """All rooms that a room includes, itself or through others."""
-    found = set()
-    for other in includes.get(room, ()):
-        found |= {other} | below(other)
-    return found
+def below(wing, uses):
+    """All wings that a wing includes, itself or through others."""
+    return {other for direct in uses[wing] for other in {direct} | below(direct, uses)}
 
 
 def drawing():
-    """The includes as Mermaid, without those that follow from others."""
+    """The wings, their rooms and who includes whom as Mermaid, without what follows from other arrows."""
+    in_order = list(dict.fromkeys(wings.values()))
+    uses = {wing: set() for wing in in_order}
+    for room, others in includes.items():
+        uses[wings[room]] |= {wings[other] for other in others} - {wings[room]}
     lines = ["```mermaid", "graph BT"]
-    for room in order:
-        direct = includes.get(room, set())
-        shown = [other for other in order if other in direct and not any(other in below(third) for third in direct)]
-        lines += [f"  {room} --> {other}" for other in shown]
+    for wing in in_order:
+        lines.append(f'  {wing}["<b>{wing}</b><br/>{" ".join(room for room in order if wings[room] == wing)}"]')
+    for wing in in_order:
+        lines += [
+            f"  {wing} --> {other}"
+            for other in in_order
+            if other in uses[wing] and not any(other in below(third, uses) for third in uses[wing])
+        ]
     return "\n".join(lines + ["```"])
 
 

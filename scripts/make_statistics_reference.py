@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes tests/statistics/reference.json: what SciPy says of the cases that the tests of lib/statistics are held
+"""Writes tests/statistics/reference.json: what SciPy says of the cases that the tests of lib/base/statistics are held
 against. Needs python3-scipy (any version from 1.7 on); the tests need only the file. Run it again when a case is
 added."""
 

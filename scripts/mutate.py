@@ -169,12 +169,12 @@ def order_drawn(mutants, seed):
     return drawn
 
 
-def folder_of(room):
-    return room if room.startswith("planners/") else f"lib/{room}"
+def folder_of(root, room):
+    return root / room if room.startswith("planners/") else next((root / "lib").glob(f"*/{room}"), root / "lib" / room)
 
 
 def drawn_in(root, room, seed):
-    files = sorted(file for file in (root / folder_of(room)).rglob("*") if file.suffix in (".cpp", ".hpp", ".h"))
+    files = sorted(file for file in folder_of(root, room).rglob("*") if file.suffix in (".cpp", ".hpp", ".h"))
     mutants = [mutant for file in files for mutant in mutants_of(str(file.relative_to(root)), file.read_text())]
     return order_drawn(mutants, f"{seed}/{room}")
 
@@ -303,10 +303,10 @@ def tried(copy, room, mutant, seconds):
 
 def rooms_with_tests(root):
     lines = (root / "lib/ORDER").read_text().splitlines()
-    rooms = [line.partition(":")[0] for line in lines if line and not line.startswith("#")]
+    rooms = [line.partition(":")[0].partition("/")[2] for line in lines if line and not line.startswith("#")]
     rooms += sorted(f"planners/{folder.name}" for folder in (root / "planners").iterdir() if folder.is_dir())
     return [
-        room for room in rooms if any((root / "tests" / room).glob("*_test.cpp")) and (root / folder_of(room)).is_dir()
+        room for room in rooms if any((root / "tests" / room).glob("*_test.cpp")) and folder_of(root, room).is_dir()
     ]
 
 

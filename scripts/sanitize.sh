@@ -23,7 +23,7 @@ if [ "${1:-}" = --python ]; then
     PYTHONPATH="$PWD/build/asan/python" PYTHONDONTWRITEBYTECODE=1 build/venv/bin/python -m pytest -p no:cacheprovider "$@"
 fi
 
-mapfile -t rooms < <(grep -vE '^\s*(#|$)' lib/ORDER | cut -d: -f1 | tr -d ' ')
+mapfile -t rooms < <(grep -vE '^\s*(#|$)' lib/ORDER | cut -d: -f1 | cut -d/ -f2)
 rooms+=(planners/*/)
 tested=()
 # Not those whose tests are scripts alone.
@@ -42,7 +42,7 @@ case "${1:-}" in
   '')
     changed=$(scripts/changed_files.sh)
     most_changed=$(for room in "${tested[@]}"; do
-        count=$(grep -cE "^(lib/|tests/)?$room/.*\.(cpp|hpp|h|c|sql)$" <<<"$changed" || true)
+        count=$(grep -cE "^(lib/[a-z]+/|tests/)?$room/.*\.(cpp|hpp|h|c|sql)$" <<<"$changed" || true)
         [ "$count" -eq 0 ] || echo "$count $room"
       done | sort -rn | head -n 2 | cut -d' ' -f2)
     mapfile -t chosen < <({ echo "$most_changed"; printf '%s\n' "${tested[@]}" | scripts/rotating_eighth.sh; } | grep . | sort -u || true)

@@ -9,9 +9,9 @@
 
 #include "base/enum_text.hpp"
 #include "base/option_error.hpp"
+#include "base/words.hpp"
 #include "export/trial_list.hpp"
 #include "table/table.hpp"
-#include "text/words.hpp"
 
 // Commands, and options that several of them have.
 namespace avoidbench {

@@ -8,7 +8,8 @@
 #include <set>
 
 #include "base/option_error.hpp"
-#include "diagnosis/cause_counts.hpp"
+#include "base/visible_text.hpp"
+#include "base/words.hpp"
 #include "explain/paragraph.hpp"
 #include "metrics/metric_table.hpp"
 #include "output.hpp"
@@ -18,10 +19,9 @@
 #include "report/table_rows.hpp"
 #include "stop_signals.hpp"
 #include "store/record_format.hpp"
+#include "sweep/cause_counts.hpp"
 #include "sweep/schedule.hpp"
 #include "table/table_text.hpp"
-#include "text/visible_text.hpp"
-#include "text/words.hpp"
 #include "view_output.hpp"
 
 namespace avoidbench {

@@ -5,10 +5,10 @@
 
 #include "base/math.hpp"
 #include "base/spec_json.hpp"
+#include "base/visible_text.hpp"
 #include "config/sweep_file.hpp"
 #include "explain.hpp"
 #include "output.hpp"
-#include "text/visible_text.hpp"
 #include "what_if/smallest_scene.hpp"
 
 namespace avoidbench {

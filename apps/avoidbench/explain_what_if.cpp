@@ -2,9 +2,9 @@
 
 #include <iostream>
 
+#include "base/visible_text.hpp"
 #include "metrics/metric_table.hpp"
 #include "output.hpp"
-#include "text/visible_text.hpp"
 #include "version.hpp"
 #include "what_if/what_if_tables.hpp"
 

@@ -10,11 +10,11 @@
 #include <system_error>
 #include <vector>
 
+#include "base/visible_text.hpp"
+#include "base/words.hpp"
 #include "command_options.hpp"
 #include "commands.hpp"
 #include "plugin/planner_library.hpp"
-#include "text/visible_text.hpp"
-#include "text/words.hpp"
 #include "version.hpp"
 #include "visible_streams.hpp"
 

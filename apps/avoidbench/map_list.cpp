@@ -1,9 +1,9 @@
+#include "base/number_text.hpp"
 #include "commands.hpp"
 #include "maps/generators.hpp"
 #include "metrics/environment.hpp"
 #include "output.hpp"
 #include "report/table_rows.hpp"
-#include "text/number_text.hpp"
 #include "trial/trial_spec.hpp"
 
 namespace avoidbench {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "base/number_text.hpp"
 #include "commands.hpp"
 #include "config/sweep_file.hpp"
 #include "map_file/export_map.hpp"
@@ -16,7 +17,6 @@
 #include "page_output.hpp"
 #include "report/table_rows.hpp"
 #include "sweep/listed_missions.hpp"
-#include "text/number_text.hpp"
 #include "view/map_plan.hpp"
 #include "view/map_views.hpp"
 #include "world/voxels.hpp"

@@ -1,11 +1,11 @@
 #include <iostream>
 
 #include "base/kept_files.hpp"
+#include "base/visible_text.hpp"
 #include "command_options.hpp"
 #include "commands.hpp"
 #include "metrics/metric_table.hpp"
 #include "store/merge.hpp"
-#include "text/visible_text.hpp"
 
 namespace avoidbench {
 namespace {

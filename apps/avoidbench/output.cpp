@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "base/output_file.hpp"
-#include "text/visible_text.hpp"
+#include "base/visible_text.hpp"
 #include "visible_streams.hpp"
 
 namespace avoidbench {

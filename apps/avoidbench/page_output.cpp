@@ -2,9 +2,9 @@
 
 #include <iostream>
 
+#include "base/number_text.hpp"
 #include "output.hpp"
 #include "page_program.hpp"
-#include "text/number_text.hpp"
 #include "version.hpp"
 
 namespace avoidbench {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/data_folder.hpp"
+#include "base/number_text.hpp"
 #include "commands.hpp"
 #include "conformance/conformance.hpp"
 #include "conformance/planner_project.hpp"
@@ -12,7 +13,6 @@
 #include "plugin/planner_library.hpp"
 #include "plugin/planner_table.hpp"
 #include "report/table_rows.hpp"
-#include "text/number_text.hpp"
 #include "yaml/yaml_values.hpp"
 
 namespace avoidbench {

@@ -5,7 +5,9 @@
 #include <optional>
 #include <sstream>
 
+#include "base/number_text.hpp"
 #include "base/option_error.hpp"
+#include "base/visible_text.hpp"
 #include "commands.hpp"
 #include "database_choice.hpp"
 #include "export/export_flight.hpp"
@@ -16,8 +18,6 @@
 #include "replay/sample.hpp"
 #include "replay/stored_flight.hpp"
 #include "replay_verify.hpp"
-#include "text/number_text.hpp"
-#include "text/visible_text.hpp"
 #include "view_output.hpp"
 #include "worker/worker_death.hpp"
 

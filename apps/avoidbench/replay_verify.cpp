@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "base/option_error.hpp"
+#include "base/visible_text.hpp"
 #include "database_choice.hpp"
 #include "replay/sample.hpp"
 #include "sweep/schedule.hpp"
-#include "text/visible_text.hpp"
 
 namespace avoidbench {
 namespace {

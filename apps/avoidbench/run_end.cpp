@@ -5,12 +5,12 @@
 #include <map>
 #include <span>
 
-#include "diagnosis/computing_times.hpp"
-#include "diagnosis/failure_kinds.hpp"
-#include "diagnosis/standing_flights.hpp"
+#include "base/visible_text.hpp"
+#include "base/words.hpp"
 #include "store/trial_table.hpp"
-#include "text/visible_text.hpp"
-#include "text/words.hpp"
+#include "sweep/computing_times.hpp"
+#include "sweep/failure_kinds.hpp"
+#include "sweep/standing_flights.hpp"
 
 namespace avoidbench {
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/output_file.hpp"
-#include "text/visible_text.hpp"
+#include "base/visible_text.hpp"
 #include "visible_streams.hpp"
 
 namespace avoidbench {

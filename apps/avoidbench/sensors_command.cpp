@@ -6,12 +6,12 @@
 #include <sstream>
 
 #include "base/input_error.hpp"
+#include "base/number_text.hpp"
+#include "base/words.hpp"
 #include "commands.hpp"
 #include "config/sweep_file.hpp"
 #include "output.hpp"
 #include "report/table_rows.hpp"
-#include "text/number_text.hpp"
-#include "text/words.hpp"
 #include "trial/sensor_errors.hpp"
 #include "view/map_views.hpp"
 #include "view/sensor_sheet.hpp"

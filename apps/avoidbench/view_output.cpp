@@ -7,9 +7,9 @@
 #include <sstream>
 
 #include "base/input_error.hpp"
+#include "base/number_text.hpp"
 #include "output.hpp"
 #include "process/fed_program.hpp"
-#include "text/number_text.hpp"
 
 namespace avoidbench {
 namespace {

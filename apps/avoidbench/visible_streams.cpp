@@ -14,7 +14,7 @@
 #include <string>
 #include <string_view>
 
-#include "text/visible_text.hpp"
+#include "base/visible_text.hpp"
 
 namespace avoidbench {
 namespace {

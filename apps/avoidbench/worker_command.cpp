@@ -1,10 +1,10 @@
 #include "base/data_folder.hpp"
+#include "base/number_text.hpp"
 #include "command_options.hpp"
 #include "commands.hpp"
 #include "page/flight_recording.hpp"
 #include "replay/explained_trial.hpp"
 #include "sweep/allowance.hpp"
-#include "text/number_text.hpp"
 #include "worker/worker.hpp"
 
 namespace avoidbench {

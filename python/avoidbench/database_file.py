@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple, SupportsIndex
 
-# Of lib/store/schema.sql.
+# Of lib/bench/store/schema.sql.
 APPLICATION_ID = 1635140206
 SCHEMA_VERSION = 1
 

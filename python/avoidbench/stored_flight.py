@@ -19,7 +19,7 @@ from avoidbench.database_file import damaged
 
 FloatArray = npt.NDArray[np.float64]
 
-# Of one stored sample, in their order (lib/store/schema.sql).
+# Of one stored sample, in their order (lib/bench/store/schema.sql).
 _STORED = (
     "time_s",
     "x_m",
@@ -50,7 +50,7 @@ TRAJECTORY_COLUMNS = (*_STORED[:14], "yaw_rad", *_STORED[14:20], "rotor_power_w"
 CALL_COLUMNS = ("call_index", "time_s", "status", "command_kind", "cpu_time_s", "wall_time_s", "latency_s")
 EVENT_COLUMNS = ("event_index", "kind", "time_s", "speed_mps", "obstacle_index", "obstacle_kind")
 
-# ab_status and the kinds of ab_command (lib/planner_api/avoidbench/planner.h).
+# ab_status and the kinds of ab_command (lib/sdk/planner_api/avoidbench/planner.h).
 _STATUSES = {0: "command", 1: "no_plan", 2: "gave_up"}
 _COMMAND_KINDS = {1: "position", 2: "velocity", 4: "acceleration", 8: "trajectory", 16: "rates"}
 

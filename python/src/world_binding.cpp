@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "base/input_error.hpp"
+#include "base/number_text.hpp"
 #include "base/poll.hpp"
 #include "base/random.hpp"
 #include "bindings.hpp"
@@ -25,7 +26,6 @@
 #include "metrics/environment.hpp"
 #include "sensing/camera.hpp"
 #include "sweep/listed_missions.hpp"
-#include "text/number_text.hpp"
 #include "trial/map_scene.hpp"
 #include "trial/mission.hpp"
 #include "world/voxels.hpp"

@@ -355,7 +355,7 @@ def test_files_that_are_no_results(tmp_path: Path, copy_db: Path) -> None:
 
 
 def test_the_schema_is_that_of_the_program() -> None:
-    schema = Path(__file__).parents[2] / "lib" / "store" / "schema.sql"
+    schema = Path(__file__).parents[2] / "lib" / "bench" / "store" / "schema.sql"
     if not schema.exists():
         pytest.skip("the package is tested apart from its repository")
     text = schema.read_text()

@@ -79,7 +79,7 @@ def with_report_labels(trials):
 
 def safe_file_name(text):
     """A folder's name made of a sweep's: never a path, hidden, or an option. As safe_file_name of
-    lib/base/output_file.hpp."""
+    lib/base/base/output_file.hpp."""
     name = re.sub(r"^[.-]", "_", re.sub(r"[^A-Za-z0-9_.-]", "_", text))
     if name == text and 0 < len(name) <= 100:
         return name

@@ -10,7 +10,7 @@ namespace {
 // The static_asserts of layout.hpp are the test of sizes and offsets. This one guards what they
 // can't see.
 TEST(PlannerHeader, IncludesOnlyStdint) {
-  std::ifstream header(AVOIDBENCH_SOURCE_DIR "/lib/planner_api/avoidbench/planner.h");
+  std::ifstream header(AVOIDBENCH_SOURCE_DIR "/lib/sdk/planner_api/avoidbench/planner.h");
   ASSERT_TRUE(header);
   std::string line, includes;
   while (std::getline(header, line)) {

@@ -45,7 +45,7 @@ def fly(program, given, folder, jobs):
 def symbols_of(build, rooms):
     names = set()
     for room in rooms:
-        for library in (build / "lib" / room).glob("*.a"):
+        for library in (build / "lib").glob(f"*/{room}/*.a"):
             said = subprocess.run(["nm", "-C", "--defined-only", library], capture_output=True, text=True).stdout
             for line in said.splitlines():
                 if match := re.match(r"[0-9a-f]+ [tTuUwWV] (.*)", line):

@@ -43,7 +43,7 @@ def copies_of(connection, table):
 
 
 def row_digest(row):
-    """What the program writes beside a trial's values (lib/store/row_digest.hpp): `compare` checks it."""
+    """What the program writes beside a trial's values (lib/bench/store/row_digest.hpp): `compare` checks it."""
     packed = b""
     for name, value in sorted(row.items()):
         if value is None or name in ("attempt", "run_id", "row_digest"):

@@ -13,9 +13,10 @@
 #include "render/scene.hpp"
 #include "trial/mission.hpp"
 
-/// A second search for the shortest path of a ball, by other means than lib/metrics: the Eikonal
-/// equation on a grid (fast marching, Sethian 1996), a descent of its times, then exact shortcuts
-/// and small moves of the corners. It shares with the library the scene's nearest point only.
+/// A second search for the shortest path of a ball, by other means than lib/flight/metrics: the
+/// Eikonal equation on a grid (fast marching, Sethian 1996), a descent of its times, then exact
+/// shortcuts and small moves of the corners. It shares with the library the scene's nearest point
+/// only.
 namespace avoidbench::test {
 
 using Line = std::vector<Eigen::Vector3d>;

@@ -79,7 +79,7 @@ mission: {time_limit_s: 3}
   run("report", "limit.db", "--page", "limit.html");
 }
 
-// ---- What lib/page packs, for a page of 10,000 trials made of a small one.
+// ---- What lib/results/page packs, for a page of 10,000 trials made of a small one.
 
 function varints(bytes, values) {
   let last = 0;

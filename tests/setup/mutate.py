@@ -119,9 +119,11 @@ def main():
             "the last whole record of each counts",
         )
     listed = subprocess.run(
-        [script, "text", "--list", "--count", "5"], check=True, capture_output=True, text=True
+        [script, "table", "--list", "--count", "5"], check=True, capture_output=True, text=True
     ).stdout
-    expect(listed.count("\n-") == 5 and listed.startswith("lib/text/"), f"--list shows five of room text: {listed}")
+    expect(
+        listed.count("\n-") == 5 and listed.startswith("lib/base/table/"), f"--list shows five of room table: {listed}"
+    )
 
 
 if __name__ == "__main__":

@@ -1,9 +1,9 @@
 #include "support/canonical_rows.hpp"
 
+#include "base/number_text.hpp"
 #include "store/record_format.hpp"
 #include "store/schema_check.hpp"
 #include "store/statement.hpp"
-#include "text/number_text.hpp"
 
 namespace avoidbench::test {
 namespace {

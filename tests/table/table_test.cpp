@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "base/random.hpp"
+#include "base/visible_text.hpp"
 #include "report/parsed_csv.hpp"
 #include "report/table_rows.hpp"
 #include "table/csv.hpp"
 #include "table/table_text.hpp"
-#include "text/visible_text.hpp"
 
 namespace avoidbench {
 namespace {

@@ -1,4 +1,4 @@
-// The page's data: what lib/page writes into <script id="data">, and its trials as columns.
+// The page's data: what lib/results/page writes into <script id="data">, and its trials as columns.
 import { deltasOf, floatsOf, Unpacked } from "./packed";
 
 export type Vector = [number, number, number];

@@ -1,4 +1,4 @@
-// Reads what lib/page/packed.cpp writes.
+// Reads what lib/results/page/packed.cpp writes.
 import { unzlibSync } from "fflate";
 
 function bytesOfBase64(text: string): Uint8Array {

@@ -6,7 +6,7 @@ export function pixelsOf(image: SeenImage): Uint8Array {
   return new Unpacked(image.data).raw(image.width * image.height * image.channels);
 }
 
-/** Metres of a byte as lib/page/flight_page.cpp rounds them: NaN invalid, infinity no return. */
+/** Metres of a byte as lib/results/page/flight_page.cpp rounds them: NaN invalid, infinity no return. */
 export function depthOfByte(byte: number, near: number, far: number): number {
   if (byte === 0) return NaN;
   if (byte === 255) return Infinity;

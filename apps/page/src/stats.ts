@@ -1,4 +1,4 @@
-// The intervals and fits of lib/statistics, for trials that a filter has chosen.
+// The intervals and fits of lib/base/statistics, for trials that a filter has chosen.
 export interface Interval {
   lower: number;
   upper: number;

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "base/input_error.hpp"
-#include "text/npy_header.hpp"
+#include "base/npy_header.hpp"
 
 namespace agile {
 namespace {

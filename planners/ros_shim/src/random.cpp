@@ -6,7 +6,7 @@
 // rand() of the nodes. The C library's has one state for the whole process, so that a flight would
 // depend on those before it; this one belongs to the library, of which each trial has a copy. The
 // numbers are the C library's: from seed 1 as in a process that has just started. The same as
-// lib/maps/glibc_random, which the shim can't use: planners are built with the SDK alone.
+// lib/sim/maps/glibc_random, which the shim can't use: planners are built with the SDK alone.
 namespace {
 
 class Random {

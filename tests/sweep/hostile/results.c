@@ -1,5 +1,5 @@
 /* Results that no flight had, written to the parent as if the worker had sent them
- * (lib/worker/message.cpp). */
+ * (lib/bench/worker/message.cpp). */
 #include <fcntl.h>
 #include <signal.h>
 #include <stdint.h>

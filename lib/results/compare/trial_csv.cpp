@@ -1,0 +1,239 @@
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <limits>
+#include <optional>
+#include <sstream>
+
+#include "base/input_error.hpp"
+#include "base/number_text.hpp"
+#include "base/option_error.hpp"
+#include "base/utf8.hpp"
+#include "base/visible_text.hpp"
+#include "compare/trial_table.hpp"
+#include "table/csv.hpp"
+
+namespace avoidbench {
+namespace {
+
+constexpr std::string_view kTitle = "# avoidbench trials, format 1";
+constexpr std::array<std::string_view, 8> kColumns{
+    "planner", "generator", "map_seed", "setting", "mission_index", "map", "mission", "outcome"};
+
+/// Before the fields of a metric's definition. No field: with its # in quotes it would be none.
+constexpr std::string_view kMetric = "# metric,";
+
+/// Digests as 16 digits, whatever their leading zeros.
+std::string in_hex(std::uint64_t value) {
+  std::array<char, 24> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "%016llx", static_cast<unsigned long long>(value));
+  return buffer.data();
+}
+
+/// A line before the rows that is no row, with their end of line.
+std::string comment_line(const std::string& text) { return text + "\r\n"; }
+
+/// The text and where it stands, so that what is wrong can be told with its line.
+class CsvReader {
+ public:
+  CsvReader(const std::string& text, const std::string& source) : rest_(text), source_(source) {}
+
+  /// The next row or comment without its end; false after the last.
+  bool next(std::string_view& line) {
+    if (rest_.empty()) return false;
+    line_ = next_line_;
+    line = rest_.substr(0, end_of_line());
+    rest_.remove_prefix(std::min(rest_.size(), line.size() + 1));
+    next_line_ += 1 + static_cast<int>(std::count(line.begin(), line.end(), '\n'));
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    return true;
+  }
+
+  [[noreturn]] void fail(const std::string& message) const {
+    throw InputError(InputProblem{.file = source_, .line = line_, .message = message});
+  }
+
+  // Quotes may begin anywhere in a field.
+  std::vector<std::string> fields(std::string_view line) const {
+    std::vector<std::string> all(1);
+    bool is_quoted = false;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      const bool is_escaped = is_quoted && line.substr(i).starts_with("\"\"");
+      if (is_escaped) {
+        all.back() += '"';
+        ++i;
+      } else if (line[i] == '"') {
+        is_quoted = !is_quoted;
+      } else if (line[i] == ',' && !is_quoted) {
+        all.emplace_back();
+      } else {
+        all.back() += line[i];
+      }
+    }
+    if (is_quoted) fail("a quote is not closed");
+    return all;
+  }
+
+  template <class Number, class... Base>
+  Number number(const std::string& field, const char* what, Base... base) const {
+    // An empty field is a metric without a value; whole numbers have no such.
+    if (std::is_floating_point_v<Number> && field.empty()) {
+      return std::numeric_limits<Number>::quiet_NaN();
+    }
+    const std::optional<Number> value = number_from<Number>(field, base...);
+    if (!value) fail(std::string(what) + ": '" + field + "' is no such number");
+    return *value;
+  }
+
+ private:
+  /// Where the line ends: line ends in quotes belong to their field (RFC 4180). A quote in a
+  /// comment of a person's opens nothing.
+  std::size_t end_of_line() const {
+    const bool has_fields = !rest_.starts_with('#') || rest_.starts_with(kMetric);
+    bool is_quoted = false;
+    for (std::size_t i = 0; i < rest_.size(); ++i) {
+      // The two quotes of an escaped one close and open again.
+      if (has_fields && rest_[i] == '"') is_quoted = !is_quoted;
+      if (rest_[i] == '\n' && !is_quoted) return i;
+    }
+    return std::string_view::npos;
+  }
+
+  std::string_view rest_;
+  const std::string& source_;
+  int line_ = 0, next_line_ = 1;
+};
+
+/// A table has to be read by later programs, whose metrics may have changed: it brings the
+/// definitions that comparing needs.
+MetricRow metric_of(const CsvReader& reader, const std::vector<std::string>& fields) {
+  const auto better = enum_from_text<Better>(fields.size() == 6 ? fields[4] : "");
+  const auto population = enum_from_text<Population>(fields.size() == 6 ? fields[5] : "");
+  if (!better || !population) {
+    reader.fail("a metric is '# metric,NAME,VERSION,UNIT,less|more|neither,all|finished'");
+  }
+  MetricRow metric;
+  metric.name = fields[1];
+  metric.version = reader.number<int>(fields[2], "version");
+  metric.unit = fields[3];
+  metric.better = *better;
+  metric.population = *population;
+  return metric;
+}
+
+/// Comments that are not known are passed over.
+void read_comment(const CsvReader& reader, std::string_view line, TrialTable& table) {
+  if (line.starts_with("# sweep: ")) table.sweep = line.substr(9);
+  if (line.starts_with("# axes:")) {
+    std::istringstream paths(std::string(line.substr(7)));
+    for (std::string path; paths >> path;) table.axes.push_back(path);
+  }
+  if (line.starts_with(kMetric)) {
+    table.metrics.push_back(metric_of(reader, reader.fields(line)));
+  }
+}
+
+/// A line of the table; fails, with its place, at the first field that can't be.
+TableTrial trial_of(const CsvReader& reader, const std::vector<std::string>& fields,
+                    std::size_t metric_count) {
+  if (fields.size() != kColumns.size() + metric_count) {
+    reader.fail(std::to_string(fields.size()) + " fields instead of " +
+                std::to_string(kColumns.size() + metric_count));
+  }
+  TableTrial trial;
+  // Without the apostrophe that guards spreadsheets from formulas.
+  trial.identity = {.planner = std::string(text_of_csv_field(fields[0])),
+                    .generator = std::string(text_of_csv_field(fields[1])),
+                    .map_seed = reader.number<std::uint64_t>(fields[2], "map_seed"),
+                    .setting = std::string(text_of_csv_field(fields[3])),
+                    .mission_index = reader.number<std::int64_t>(fields[4], "mission_index")};
+  trial.map = reader.number<std::uint64_t>(fields[5], "map", 16);
+  trial.mission = reader.number<std::uint64_t>(fields[6], "mission", 16);
+  const auto outcome = enum_from_text<Outcome>(fields[7]);
+  if (!outcome) {
+    reader.fail("outcome: '" + fields[7] + "' is none" +
+                did_you_mean(fields[7], enum_texts<Outcome>()));
+  }
+  trial.outcome = *outcome;
+  for (std::size_t i = kColumns.size(); i < fields.size(); ++i) {
+    trial.metrics.push_back(reader.number<double>(fields[i], "metric"));
+  }
+  return trial;
+}
+
+}  // namespace
+
+std::string csv_of_table(const TrialTable& table) {
+  std::string title(kTitle), axes = "# axes:";
+  title += ": what `avoidbench compare` needs of each trial, as it wrote it";
+  for (const std::string& path : table.axes) axes += " " + path;
+  std::string out = comment_line(title);
+  // Without the revision: the file is compared by name. A database of somebody else's may have any
+  // name, and a comment is one line.
+  out += comment_line("# sweep: " + visible_line(table.sweep.substr(0, table.sweep.find('@'))));
+  out += comment_line(axes);
+  CsvRow header;
+  for (const std::string_view column : kColumns) header.add(column);
+  for (const MetricRow& metric : table.metrics) {
+    // Left out, so that the file does not change from run to run.
+    if (metric.is_measured) continue;
+    CsvRow definition;
+    definition.add_words({metric.name, std::to_string(metric.version), metric.unit});
+    definition.add_words({text(metric.better), text(metric.population)});
+    out += std::string(kMetric) + definition.line();
+    header.add(metric.name);
+  }
+  out += header.line();
+  for (const TableTrial& trial : table.trials) {
+    const TrialIdentity& id = trial.identity;
+    CsvRow row;
+    row.add_words({id.planner, id.generator, std::to_string(id.map_seed), id.setting});
+    row.add_words({std::to_string(id.mission_index), in_hex(trial.map), in_hex(trial.mission)});
+    row.add(text(trial.outcome));
+    for (std::size_t i = 0; i < table.metrics.size(); ++i) {
+      if (!table.metrics[i].is_measured) row.add(trial.metrics[i]);
+    }
+    out += row.line();
+  }
+  return out;
+}
+
+TrialTable table_of_csv(const std::string& text, const std::string& source) {
+  check_utf8(text, source);
+  CsvReader reader(text, source);
+  TrialTable table{.source = source};
+  std::string_view line;
+  if (!reader.next(line) || !line.starts_with(kTitle)) {
+    throw OptionError(
+        {.file = source,
+         .message = "is neither a database of results nor a table of trials that `avoidbench "
+                    "compare` wrote"},
+        "", "bless");
+  }
+  bool has_header = false;
+  while (reader.next(line)) {
+    if (line.empty()) continue;
+    if (line.starts_with('#')) {
+      read_comment(reader, line, table);
+    } else if (!has_header) {
+      std::vector<std::string> wanted(kColumns.begin(), kColumns.end());
+      for (const MetricRow& metric : table.metrics) wanted.push_back(metric.name);
+      if (reader.fields(line) != wanted) {
+        reader.fail("the columns are not those of this format and of the metrics above");
+      }
+      has_header = true;
+    } else {
+      table.trials.push_back(trial_of(reader, reader.fields(line), table.metrics.size()));
+      const std::size_t count = table.trials.size();
+      // Pairing and the comparison bit for bit walk through trials in order; an edited file may
+      // have lost it.
+      if (count > 1 && !(table.trials[count - 2].identity < table.trials[count - 1].identity)) {
+        reader.fail("trials are not in order, or this one is there twice");
+      }
+    }
+  }
+  if (table.trials.empty()) refuse_file(source, "has no trials");
+  return table;
+}
+
+}  // namespace avoidbench

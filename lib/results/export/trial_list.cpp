@@ -1,0 +1,286 @@
+#include "export/trial_list.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numeric>
+#include <set>
+
+#include "base/check.hpp"
+#include "base/number_text.hpp"
+#include "base/option_error.hpp"
+#include "base/visible_text.hpp"
+#include "base/words.hpp"
+#include "report/table_rows.hpp"
+#include "store/trial_fields.hpp"
+#include "table/table_text.hpp"
+
+namespace avoidbench {
+namespace {
+
+/// The ids of some trials: "3, 7, 12, …".
+std::string ids_of(const std::vector<TrialListing>& trials) {
+  constexpr std::size_t kMost = 8;
+  std::string ids;
+  for (std::size_t i = 0; i < std::min(kMost, trials.size()); ++i) {
+    ids += (i == 0 ? "" : ", ") + std::to_string(trials[i].id);
+  }
+  return ids + (trials.size() > kMost ? ", …" : "");
+}
+
+/// Up to nine digits, so that it fits an id; longer ones are beginnings of keys.
+bool is_number(const std::string& text) {
+  return !text.empty() && text.size() < 10 &&
+         std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+/// The program says how to list what there is.
+[[noreturn]] void fail(const std::string& message) { throw OptionError(message, "", "list"); }
+
+/// Of a number that is no id, the nearest ones are offered.
+[[noreturn]] void throw_no_trial(std::vector<TrialListing> all, const std::string& trial) {
+  if (!is_number(trial)) {
+    fail("no trial whose key begins with '" + trial +
+         "'; a trial is named by its id or the beginning of its key");
+  }
+  const std::int64_t wanted = std::atoll(trial.c_str());
+  std::stable_sort(all.begin(), all.end(), [&](const TrialListing& a, const TrialListing& b) {
+    return std::abs(a.id - wanted) < std::abs(b.id - wanted);
+  });
+  all.resize(std::min<std::size_t>(3, all.size()));
+  fail("no trial " + trial + "; the nearest ids are " + ids_of(all));
+}
+
+/// The trials of this id, or with this beginning of their key.
+std::vector<TrialListing> named(const std::vector<TrialListing>& all, const std::string& trial) {
+  std::vector<TrialListing> found;
+  for (const TrialListing& one : all) {
+    // An id wins: a key may begin with digits too, and is then given with more of them.
+    if (is_number(trial) && one.id == std::atoll(trial.c_str())) return {one};
+  }
+  for (const TrialListing& one : all) {
+    // Shorter beginnings would fit too many keys.
+    if (trial.size() >= 4 && one.key.starts_with(trial)) found.push_back(one);
+  }
+  if (found.empty()) throw_no_trial(all, trial);
+  return found;
+}
+
+/// Throws where a word that was given stands in no trial.
+void check_word(const std::string& option, const std::string& word,
+                const std::vector<std::string>& known) {
+  if (word.empty() || contains(known, word)) return;
+  throw OptionError(
+      word + ": no trial has it" + did_you_mean(word, known) + "; there are: " + joined(known),
+      option);
+}
+
+/// "2,1 → 38,12": start and goal in plan, whole metres.
+std::string way_text(const Mission& mission) {
+  if (mission.start_world.hasNaN() || mission.goal_world.hasNaN()) return "";
+  const auto place = [](const Eigen::Vector3d& place_m) {
+    return fixed_digits(place_m.x(), 0) + "," + fixed_digits(place_m.y(), 0);
+  };
+  return place(mission.start_world) + " → " + place(mission.goal_world);
+}
+
+/// The last part of a field's path if no other field has the same.
+std::string field_header(const std::string& field, const std::vector<std::string>& fields) {
+  const auto last = [](const std::string& path) { return path.substr(path.rfind('.') + 1); };
+  const auto count = std::count_if(fields.begin(), fields.end(), [&](const std::string& other) {
+    return last(other) == last(field);
+  });
+  return count == 1 ? last(field) : field;
+}
+
+/// People see start and goal as one text, programs each coordinate.
+std::vector<Column> trial_columns(const std::vector<std::string>& fields, bool is_for_people) {
+  const Place words = Place::words;
+  std::vector<Column> columns{{.name = "id"}};
+  if (!is_for_people) columns.push_back({.name = "trial_key", .place = words});
+  columns.insert(columns.end(), {{.name = "planner", .place = words},
+                                 {.name = "map", .place = words},
+                                 {.name = "seed"},
+                                 {.name = "radius_m"}});
+  for (const std::string& field : fields) {
+    columns.push_back({.name = field, .header = field_header(field, fields)});
+  }
+  columns.push_back({.name = "mission"});
+  if (is_for_people) {
+    columns.push_back({.name = "way", .header = "from → to, m", .place = words});
+  } else {
+    for (const char* name :
+         {"start_x_m", "start_y_m", "start_z_m", "goal_x_m", "goal_y_m", "goal_z_m"}) {
+      columns.push_back({.name = name});
+    }
+  }
+  columns.insert(columns.end(), {{.name = "outcome", .place = words},
+                                 {.name = "end_s", .decimals = 2},
+                                 {.name = "reason", .place = words}});
+  return columns;
+}
+
+/// NaN is none.
+bool has_value(const TableValue& value) {
+  const auto* number = std::get_if<double>(&value);
+  return !std::holds_alternative<std::monostate>(value) &&
+         (number == nullptr || *number == *number);
+}
+
+/// Whole numbers and others have one order.
+bool is_less(const TableValue& a, const TableValue& b) {
+  const std::optional<double> number_a = number_in(a), number_b = number_in(b);
+  if (a.index() != b.index() && number_a && number_b) return *number_a < *number_b;
+  // Of two texts, or by the kind of value where they have nothing in common.
+  return a < b;
+}
+
+bool is_constant(const Table& table, std::size_t at) {
+  return std::all_of(table.rows.begin(), table.rows.end(),
+                     [&](const Row& row) { return row[at].value == table.rows.front()[at].value; });
+}
+
+/// Leaves out what can be missed until a reason of 30 columns fits on a line of 100: what is the
+/// same for all trials, then start and goal.
+void fit(Table& table, const std::vector<std::string>& fields) {
+  constexpr std::size_t kMost = 70, kGap = 2;
+  const auto is_too_wide = [&] {
+    std::size_t width = 0;
+    for (const TextColumn& column : text_columns(table)) width += column.width + kGap;
+    // Without the last column, the reason, which is wrapped.
+    return width - text_columns(table).back().width - kGap > kMost;
+  };
+  std::vector<std::string> names{"map", "radius_m"};
+  names.insert(names.end(), fields.begin(), fields.end());
+  // One after the other, and only as long as it is too wide.
+  for (const std::string& name : names) {
+    const std::size_t at = column_at(table, name);
+    const bool can_go = at < table.columns.size() && table.rows.size() > 1;
+    if (can_go && is_too_wide() && is_constant(table, at)) drop_column(table, at);
+  }
+  if (is_too_wide()) drop_column(table, column_at(table, "way"));
+}
+
+}  // namespace
+
+std::vector<TrialListing> chosen_trials(const std::vector<TrialListing>& all,
+                                        const TrialChoice& choice) {
+  std::set<std::string> planners, outcomes;
+  for (const TrialListing& one : all) {
+    planners.insert(one.planner_label);
+    outcomes.emplace(text(one.outcome));
+  }
+  check_word("planner", choice.planner, {planners.begin(), planners.end()});
+  check_word("outcome", choice.outcome, {outcomes.begin(), outcomes.end()});
+  std::vector<TrialListing> chosen = choice.trial.empty() ? all : named(all, choice.trial);
+  std::erase_if(chosen, [&](const TrialListing& one) {
+    const bool is_meant =
+        (choice.planner.empty() || one.planner_label == choice.planner) &&
+        (choice.outcome.empty() || text(one.outcome) == choice.outcome) &&
+        (!choice.map_seed || one.map_seed == *choice.map_seed) &&
+        (!choice.mission || one.mission_index == *choice.mission) &&
+        // A user types 2.4, which a computed radius may miss by rounding; NaN of other maps is
+        // never near.
+        (!choice.radius_m || std::abs(one.poisson_radius_m - *choice.radius_m) < 1e-6);
+    return !is_meant;
+  });
+  return chosen;
+}
+
+TrialListing the_trial(const std::vector<TrialListing>& all, const TrialChoice& choice) {
+  const std::vector<TrialListing> chosen = chosen_trials(all, choice);
+  if (chosen.size() == 1) return chosen.front();
+  if (chosen.empty()) fail("no trial matches");
+  fail(std::to_string(chosen.size()) + " trials match (ids " + ids_of(chosen) + "): name one");
+}
+
+std::vector<std::string> listed_fields(const Database& database, const TrialOrder& order) {
+  std::vector<std::string> fields = axis_fields(database.read_sweeps());
+  std::erase_if(fields, [](const std::string& path) {
+    return path == "map.poisson_radius_m" || path == "map_seed";  // have columns of their own
+  });
+  // What trials are sorted by is shown.
+  if (!order.field.empty() && !contains(fields, order.field)) fields.push_back(order.field);
+  return fields;
+}
+
+std::vector<std::size_t> worst_first(const std::vector<TableValue>& values, Better better) {
+  std::vector<std::size_t> places(values.size());
+  std::iota(places.begin(), places.end(), std::size_t{0});
+  // Stable: equal values stay in the order of the table. What has no value comes last, since
+  // nothing is known of it.
+  std::stable_sort(places.begin(), places.end(), [&](std::size_t a, std::size_t b) {
+    if (!has_value(values[a]) || !has_value(values[b])) {
+      return has_value(values[a]) && !has_value(values[b]);
+    }
+    return better == Better::more ? is_less(values[a], values[b]) : is_less(values[b], values[a]);
+  });
+  return places;
+}
+
+/// A field that is no metric is sorted as if more were better: from its least value up.
+Better better_of(const std::string& field, const std::vector<MetricRow>& metrics) {
+  const auto metric = std::find_if(metrics.begin(), metrics.end(),
+                                   [&](const MetricRow& one) { return one.name == field; });
+  return metric == metrics.end() ? Better::more : metric->better;
+}
+
+std::vector<TrialListing> in_order(std::vector<TrialListing> trials, const TrialOrder& order,
+                                   const std::vector<std::string>& fields,
+                                   const std::vector<MetricRow>& metrics) {
+  if (!order.field.empty()) {
+    const auto found = std::find(fields.begin(), fields.end(), order.field);
+    AB_CHECK(found != fields.end(), order.field);
+    const auto at = static_cast<std::size_t>(found - fields.begin());
+    std::vector<TableValue> values;
+    for (const TrialListing& one : trials) values.push_back(one.fields[at]);
+    std::vector<TrialListing> sorted;
+    for (const std::size_t place : worst_first(values, better_of(order.field, metrics))) {
+      sorted.push_back(std::move(trials[place]));
+    }
+    trials = std::move(sorted);
+  }
+  if (order.limit && trials.size() > *order.limit) trials.resize(*order.limit);
+  return trials;
+}
+
+Table trial_table(const std::vector<TrialListing>& trials, const std::vector<std::string>& fields,
+                  bool is_for_people) {
+  constexpr std::size_t kMostLetters = 16;
+  std::vector<std::string> labels;
+  for (const TrialListing& one : trials) labels.push_back(one.planner_label);
+  // Short for people; labels that differ stay different.
+  if (is_for_people) labels = cut_apart(labels, kMostLetters);
+  Table table = make_table("trials", "", trial_columns(fields, is_for_people));
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    const TrialListing& one = trials[i];
+    Row row = make_row(one.id);
+    if (!is_for_people) append(row, one.key);
+    append(row, make_row(labels[i], one.generator, one.map_seed, one.poisson_radius_m));
+    for (const TableValue& value : one.fields) append(row, Cell{.value = value});
+    append(row, one.mission_index);
+    if (is_for_people) {
+      append(row, way_text(one.mission));
+    } else {
+      for (const Eigen::Vector3d& place : {one.mission.start_world, one.mission.goal_world}) {
+        append(row, make_row(place.x(), place.y(), place.z()));
+      }
+    }
+    append(row, make_row(text(one.outcome), one.end_time_s, one.reason));
+    table.rows.push_back(std::move(row));
+  }
+  // Maps that are no Poisson-disc fields have no radius.
+  drop_if_empty(table, "radius_m");
+  if (is_for_people) fit(table, fields);
+  return table;
+}
+
+std::string trial_text(const TrialListing& trial) {
+  const bool has_radius = !std::isnan(trial.poisson_radius_m);
+  return visible_line(trial.planner_label + ", " + trial.generator + " seed " +
+                      std::to_string(trial.map_seed) +
+                      (has_radius ? ", radius " + shortest(trial.poisson_radius_m) + " m" : "") +
+                      ", mission " + std::to_string(trial.mission_index));
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,263 @@
+#include "page/page.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/input_error.hpp"
+#include "base/number_text.hpp"
+#include "base/words.hpp"
+#include "maps/map_spec.hpp"
+#include "page/flight_choice.hpp"
+#include "page/flight_data.hpp"
+#include "page/page_text.hpp"
+#include "report/sweep_tables.hpp"
+#include "sensing/sensor_spec.hpp"
+#include "table/table_text.hpp"
+#include "trial/planner_view.hpp"
+
+namespace avoidbench {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr std::size_t kMostUnread = 20;  ///< flights of which it is said why they are not there
+constexpr std::size_t kMostText = 300;   ///< of a warning, characters
+
+ordered_json camera_json(const RigCamera& camera) {
+  const Pose pose = T_body_camera(camera.mounting);
+  const Eigen::Quaterniond q(pose.linear());
+  return {{"position", to_array(pose.translation())}, {"q", {q.w(), q.x(), q.y(), q.z()}},
+          {"fov_x_deg", camera.kind.fov_x_deg},       {"width", camera.kind.width_px},
+          {"height", camera.kind.height_px},          {"min_m", camera.kind.min_range_m},
+          {"max_m", camera.kind.max_range_m}};
+}
+
+/// Flights of a page while it fills.
+struct Filling {
+  PageScenes scenes = {};
+  ordered_json flights = ordered_json::array();
+  std::size_t bytes = 0, limit = 0;
+  std::size_t largest_bytes = 0;  ///< of the flights, without maps
+  std::size_t unread_count = 0;   ///< of flights that can't be read
+
+  /// Whether another flight is not even worth reading.
+  bool is_full() const { return bytes + largest_bytes > limit; }
+};
+
+/// A trial of a page: the place of its sweep, and its own in there.
+struct PageTrial {
+  std::size_t sweep = 0, trial = 0;
+};
+
+/// Puts the flight into the page, with map and rig. False: there is no room, and nothing was put
+/// in.
+bool add_flight(PackedFlight packed, const PageTrial& of, std::span<const PageDatabase> databases,
+                Filling& filling) {
+  if (!packed.stored) {
+    // Of all flights of a damaged file a few stand for the others.
+    if (filling.unread_count++ < kMostUnread) {
+      filling.scenes.warnings.push_back("a flight is not shown: " + packed.problem);
+    }
+    return true;
+  }
+  if (packed.json == nullptr) return true;
+  const StoredTrial& stored = *packed.stored;
+  const PageScenes::Mark before = filling.scenes.mark();
+  ordered_json flight = std::move(*packed.json);
+  flight["sweep"] = of.sweep;
+  flight["trial"] = of.trial;
+  flight["world"] = filling.scenes.world_of(stored, databases[packed.database].files);
+  flight["rig"] = filling.scenes.rig_of(stored.spec);
+  flight["goal_radius"] = stored.spec.mission.goal_radius_m;
+  flight["start"] = to_array(stored.mission.start_world);
+  flight["goal"] = to_array(stored.mission.goal_world);
+  const std::size_t flight_bytes = size_in_page(flight);
+  const std::size_t bytes = flight_bytes + filling.scenes.bytes_since(before);
+  if (filling.bytes + bytes > filling.limit) {
+    filling.scenes.back_to(before);
+    return false;
+  }
+  filling.bytes += bytes;
+  filling.largest_bytes = std::max(filling.largest_bytes, flight_bytes);
+  filling.flights.push_back(std::move(flight));
+  return true;
+}
+
+/// All trials in the order in which their flights are put into a page: sweep after sweep.
+std::vector<PageTrial> flights_in_order(const std::vector<PageSweep>& sweeps) {
+  std::vector<PageTrial> order;
+  for (std::size_t i = 0; i < sweeps.size(); ++i) {
+    const SweepResult& result = sweeps[i].result;
+    const std::vector<std::size_t> planners = page_planners(sweeps[i]).of_trials;
+    const std::vector<std::size_t> maps = maps_of(result);
+    std::vector<FlightCandidate> candidates;
+    for (std::size_t k = 0; k < result.trials.size(); ++k) {
+      const TrialSummary& trial = result.trials[k];
+      candidates.push_back({.planner = planners[k],
+                            .map = maps[k],
+                            .mission = trial.mission_index,
+                            .is_finished = trial.outcome == Outcome::reached_goal});
+    }
+    for (const std::size_t k : flight_order(candidates)) order.push_back({.sweep = i, .trial = k});
+  }
+  return order;
+}
+
+std::string megabytes(std::size_t bytes) {
+  return fixed_digits(1e-6 * static_cast<double>(bytes), 1) + " MB";
+}
+
+/// What a page's sweeps leave out, whatever their size.
+void warn_of_pairs(const std::vector<PageSweep>& sweeps, std::vector<std::string>& warnings) {
+  for (const PageSweep& sweep : sweeps) {
+    for (const Table& table : sweep.section.tables) {
+      if (!is_left_out(table)) continue;
+      warnings.push_back("the " + counted(table.rows.size(), "pair") + " of planners of sweep " +
+                         sweep.summary.name + " are not shown: a report has them in its table " +
+                         table.name);
+    }
+  }
+}
+
+}  // namespace
+
+std::size_t PageScenes::bytes_since(const Mark& mark) const {
+  std::size_t bytes = 0;
+  for (std::size_t i = mark.worlds; i < worlds.size(); ++i) bytes += size_in_page(worlds[i]);
+  for (std::size_t i = mark.rigs; i < rigs.size(); ++i) bytes += size_in_page(rigs[i]);
+  for (std::size_t i = mark.meshes; i < meshes.size(); ++i) bytes += size_in_page(meshes[i]);
+  return bytes + (warnings.size() - mark.warnings) * kMostText;
+}
+
+void PageScenes::back_to(const Mark& mark) {
+  worlds.erase(worlds.begin() + static_cast<std::ptrdiff_t>(mark.worlds), worlds.end());
+  rigs.erase(rigs.begin() + static_cast<std::ptrdiff_t>(mark.rigs), rigs.end());
+  meshes.cut(mark.meshes);
+  warnings.resize(mark.warnings);
+  std::erase_if(world_index_, [&](const auto& entry) {
+    return entry.second.is_number() && entry.second >= mark.worlds;
+  });
+  std::erase_if(rig_index_, [&](const auto& entry) { return entry.second >= mark.rigs; });
+}
+
+std::size_t PageScenes::add_world(const World& world) {
+  worlds.push_back(world_json(world, meshes));
+  return worlds.size() - 1;
+}
+
+ordered_json PageScenes::world_of(const StoredTrial& stored, const ReplayFiles& files) {
+  const auto [entry, is_new] = world_index_.emplace(stored.world_digest, nullptr);
+  if (!is_new) return entry->second;
+  try {
+    const StoredTrial placed = with_files(stored, files);
+    const World world = make_world(placed.spec.map, placed.spec.map_seed);
+    if (triangle_count(world) > kMostPageTriangles) {
+      throw InputError("it has more than " + counted(kMostPageTriangles, "triangle"));
+    }
+    if (world.digest != stored.world_digest) {
+      warnings.push_back(
+          "a map is not the one that was flown: this program makes another one of "
+          "its spec, or its file has changed");
+    }
+    entry->second = add_world(world);
+  } catch (const InputError& error) {
+    warnings.push_back(std::string("a map is not shown: ") + error.what());
+  }
+  return entry->second;
+}
+
+std::size_t PageScenes::rig_of(const TrialSpec& spec) {
+  ordered_json cameras = ordered_json::array();
+  for (const RigCamera& camera : rig_cameras(seen_sensor(spec)))
+    cameras.push_back(camera_json(camera));
+  const ordered_json rig = {{"body", spec.vehicle.body_size_m}, {"cameras", cameras}};
+  const auto [entry, is_new] = rig_index_.emplace(rig.dump(), rigs.size());
+  if (is_new) rigs.push_back(rig);
+  return entry->second;
+}
+
+ordered_json page_start(std::string_view kind, const std::string& title, const PageOrigin& origin) {
+  return {{"format", 1},
+          {"kind", kind},
+          {"title", title},
+          {"program",
+           {{"version", origin.version}, {"git", origin.git_hash}, {"compiler", origin.compiler}}},
+          {"command", origin.command}};
+}
+
+void add_scenes(PageScenes scenes, ordered_json& page) {
+  page["worlds"] = std::move(scenes.worlds);
+  page["meshes"] = scenes.meshes.json();
+  page["rigs"] = std::move(scenes.rigs);
+  // A map of many flights is warned of once.
+  std::vector<std::string>& warnings = scenes.warnings;
+  std::sort(warnings.begin(), warnings.end());
+  warnings.erase(std::unique(warnings.begin(), warnings.end()), warnings.end());
+  for (std::string& warning : warnings) warning = cut_to_width(warning, kMostText);
+  page["scene_warnings"] = std::move(warnings);
+}
+
+ordered_json sweeps_page(const std::vector<PageSweep>& sweeps,
+                         std::span<const PageDatabase> databases, const PageOrigin& origin,
+                         std::size_t limit_bytes) {
+  std::string title;
+  for (const PageSweep& sweep : sweeps) title += (title.empty() ? "" : ", ") + sweep.summary.name;
+  ordered_json page = page_start("sweep", title, origin);
+  page["sweeps"] = ordered_json::array();
+  std::size_t trial_count = 0;
+  for (const PageSweep& sweep : sweeps) {
+    page["sweeps"].push_back(sweep_json(sweep));
+    trial_count += sweep.result.trials.size();
+  }
+  // Beside flights, maps and rigs, with warnings as long as they get.
+  const std::size_t own_bytes = size_in_page(page) + (kMostUnread + 2 + sweeps.size()) * kMostText;
+  Filling filling{.bytes = own_bytes, .limit = limit_bytes};
+  warn_of_pairs(sweeps, filling.scenes.warnings);
+  if (own_bytes > limit_bytes) {
+    filling.scenes.warnings.push_back(
+        "no flight has room: the tables and the numbers of " + counted(trial_count, "trial") +
+        " alone take " + megabytes(own_bytes) + ", and the limit leaves " + megabytes(limit_bytes) +
+        " beside the page's program: the page is larger than that");
+  }
+  const std::vector<PageTrial> order = flights_in_order(sweeps);
+  std::vector<std::string> keys;
+  for (const PageTrial& one : order) keys.push_back(sweeps[one.sweep].result.trials[one.trial].key);
+  FlightReader flights(databases, std::move(keys),
+                       limit_bytes > own_bytes ? limit_bytes - own_bytes : 0);
+  std::size_t shown = 0;
+  while (shown < order.size() && !filling.is_full() &&
+         add_flight(flights.next(), order[shown], databases, filling)) {
+    ++shown;
+  }
+  if (filling.unread_count > kMostUnread) {
+    filling.scenes.warnings.push_back(
+        "and so " + counted(filling.unread_count - kMostUnread, "further flight"));
+  }
+  page["flights"] = std::move(filling.flights);
+  page["flights_left_out"] = order.size() - shown;
+  add_scenes(std::move(filling.scenes), page);
+  return page;
+}
+
+ordered_json map_page(const World& world, const TrialSpec& trial, std::span<const Mission> missions,
+                      const std::string& title, const PageOrigin& origin) {
+  ordered_json page = page_start("map", title, origin);
+  ordered_json listed = ordered_json::array();
+  for (std::size_t i = 0; i < missions.size(); ++i) {
+    listed.push_back({{"index", i},
+                      {"start", to_array(missions[i].start_world)},
+                      {"goal", to_array(missions[i].goal_world)},
+                      {"reference_m", nullptr}});
+  }
+  page["missions"] = std::move(listed);
+  page["goal_radius"] = trial.mission.goal_radius_m;
+  page["digest"] = world.digest;
+  page["flights"] = ordered_json::array();
+  PageScenes scenes;
+  scenes.add_world(world);
+  scenes.rig_of(trial);
+  add_scenes(std::move(scenes), page);
+  return page;
+}
+
+}  // namespace avoidbench
