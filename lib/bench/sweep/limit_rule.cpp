@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::string_view kOfPlanner = "planner.", kOfMap = "map.";
+constexpr std::string_view kOfMap = "map.";
 
 }  // namespace
 

@@ -4,6 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "statistics/limit_curve.hpp"
@@ -36,6 +37,9 @@ struct LimitRule {
   /// `width` as a share of the range.
   double relative_width() const { return width / (values.back() - values.front()); }
 };
+
+/// What a field begins with that is a parameter of all planners.
+inline constexpr std::string_view kOfPlanner = "planner.";
 
 nlohmann::json to_json(const LimitRule& rule);
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <utility>
@@ -25,8 +27,6 @@ namespace avoidbench {
 namespace {
 
 using Changes = std::vector<std::string>;
-
-constexpr std::string_view kOfPlanner = "planner.";  // before the name of its parameter
 
 /// One job after the other, without sandbox and without time limits: for debuggers and tests.
 void run_in_process(Run& run) {
@@ -111,25 +111,51 @@ void skip_flown(const Run& run, std::set<std::string>& skip) {
   }
 }
 
-/// Flies the sweep's missions in rounds; a planner whose rule is met stays out of further ones.
-void fly_until(Run& run, const std::vector<PlannedTrial>& trials, std::set<std::string>& skip) {
+/// The trials of the next round, those of rounds before it among them; nothing after the last.
+using NextRound = std::function<std::optional<std::vector<PlannedTrial>>()>;
+
+/// Flies round after round. What a round flies may follow from all trials of those before.
+void fly_rounds(Run& run, const NextRound& next, std::set<std::string> skip) {
+  for (bool is_first = true;; is_first = false) {
+    std::optional<std::vector<PlannedTrial>> round = next();
+    if (!round) return;
+    if (!is_first) skip_flown(run, skip);
+    fly(run, *std::move(round), skip);
+    // A round that was not flown to its end decides nothing.
+    if (run.is_stopped() || !run.unflown.empty()) return;
+  }
+}
+
+/// All trials at once.
+NextRound one_round(std::vector<PlannedTrial> trials) {
+  return [trials = std::optional(std::move(trials))]() mutable {
+    return std::exchange(trials, std::nullopt);
+  };
+}
+
+/// More and more missions; a planner whose rule is met stays out of further rounds.
+NextRound rounds_until_enough(const Run& run, std::vector<PlannedTrial> trials) {
   // A planner with enough keeps the missions of its last round in later ones: they are skipped as
   // done, and stay part of the schedule that is counted.
   std::map<std::string, std::int64_t> last_mission;  // of the planners that have flown enough
-  for (const std::int64_t mission_count : looks(run.sweep.trials)) {
-    std::vector<PlannedTrial> round;
-    for (const PlannedTrial& trial : trials) {
-      const auto end = last_mission.find(trial.planner_label());
-      const std::int64_t count = end == last_mission.end() ? mission_count : end->second;
-      if (trial.mission_index < count) round.push_back(trial);
-    }
-    fly(run, std::move(round), skip);
-    if (run.is_stopped() || !run.unflown.empty()) return;  // decided by all trials of a round only
-    skip_flown(run, skip);
-    for (const std::string& label : planners_with_enough(run)) {
-      last_mission.emplace(label, mission_count);
-    }
-  }
+  return
+      [&run, trials = std::move(trials), counts = looks(run.sweep.trials), round = std::size_t{0},
+       last_mission]() mutable -> std::optional<std::vector<PlannedTrial>> {
+        if (round > 0) {
+          for (const std::string& label : planners_with_enough(run)) {
+            last_mission.emplace(label, counts[round - 1]);
+          }
+        }
+        if (round == counts.size()) return std::nullopt;
+        std::vector<PlannedTrial> chosen;
+        for (const PlannedTrial& trial : trials) {
+          const auto end = last_mission.find(trial.planner_label());
+          const std::int64_t count = end == last_mission.end() ? counts[round] : end->second;
+          if (trial.mission_index < count) chosen.push_back(trial);
+        }
+        ++round;
+        return chosen;
+      };
 }
 
 /// The field's value in a trial.
@@ -182,19 +208,25 @@ std::vector<LimitTrial> limit_trials(const LimitRule& rule,
   return all;
 }
 
-/// Flies the trials that tell most of the limit, round after round.
-void fly_limit(Run& run, const std::vector<PlannedTrial>& trials, std::set<std::string>& skip) {
-  LimitSearch search(run.sweep.limit, limit_trials(run.sweep.limit, trials));
-  std::vector<PlannedTrial> asked;  // in all rounds: those before are skipped as done, and counted
-  while (true) {
-    const std::vector<std::size_t> round = search.next_round(run.database.finished_trials());
-    if (round.empty()) return;
-    for (const std::size_t trial : round) asked.push_back(trials[trial]);
-    fly(run, asked, skip);
-    // The next round follows from all trials of this one.
-    if (run.is_stopped() || !run.unflown.empty()) return;
-    skip_flown(run, skip);
-  }
+/// The trials that tell most of the limit by what the rounds before found.
+NextRound rounds_to_limit(const Run& run, std::vector<PlannedTrial> trials) {
+  const auto search =
+      std::make_shared<LimitSearch>(run.sweep.limit, limit_trials(run.sweep.limit, trials));
+  return
+      [&run, search, trials = std::move(trials),
+       asked = std::vector<PlannedTrial>()]() mutable -> std::optional<std::vector<PlannedTrial>> {
+        const std::vector<std::size_t> round = search->next_round(run.database.finished_trials());
+        if (round.empty()) return std::nullopt;
+        // Those before are skipped as done, and counted.
+        for (const std::size_t trial : round) asked.push_back(trials[trial]);
+        return asked;
+      };
+}
+
+NextRound rounds_of(const Run& run, std::vector<PlannedTrial> trials) {
+  if (run.sweep.limit.is_set()) return rounds_to_limit(run, std::move(trials));
+  if (run.sweep.until.is_set()) return rounds_until_enough(run, std::move(trials));
+  return one_round(std::move(trials));
 }
 
 /// Adds the sweep, and says so where the database has it with other contents.
@@ -274,7 +306,6 @@ RunSummary run_sweep(const SweepSpec& sweep, const RunRow& provenance, Database&
     run.sandbox_rules[planner.label] = sandbox_rules(planner.needs);
     if ((planner.needs & AB_USES_GLOBALS) != 0) run.planners_with_globals.insert(planner.label);
   }
-  std::set<std::string> skip = keys_to_skip(database, options);
   std::vector<PlannedTrial> trials = expand(sweep);
   const std::int64_t revision =
       add_sweep(database, {.name = sweep.name, .spec_json = sweep_json(sweep, trials)}, options);
@@ -286,13 +317,7 @@ RunSummary run_sweep(const SweepSpec& sweep, const RunRow& provenance, Database&
     unkept = keep_files(flown_files(sweep, trials, options.keep_maps), database.path());
   }
   run.progress.is_open = sweep.limit.is_set() || sweep.until.is_set();
-  if (sweep.limit.is_set()) {
-    fly_limit(run, trials, skip);
-  } else if (sweep.until.is_set()) {
-    fly_until(run, trials, skip);
-  } else {
-    fly(run, std::move(trials), skip);
-  }
+  fly_rounds(run, rounds_of(run, std::move(trials)), keys_to_skip(database, options));
   if (run.progress.is_open && !run.is_stopped()) {
     run.progress.is_open = false;
     report_progress(run);
