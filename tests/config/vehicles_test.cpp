@@ -4,7 +4,6 @@
 #include "config/explain.hpp"
 #include "config/sweep_fixture.hpp"
 #include "sweep/key_maker.hpp"
-#include "sweep/sweep_rows.hpp"
 #include "vehicle/capability.hpp"
 
 namespace avoidbench {
@@ -62,16 +61,6 @@ TEST_F(SweepFiles, DerivedKeysOfVehiclesAreAxes) {
     EXPECT_EQ(keys.size(), 8U);
     EXPECT_EQ(ratios, (std::set<double>{2, 3, 4, 5}));
   }
-}
-
-TEST_F(SweepFiles, VehiclesWithoutDerivedKeysKeepTheirTexts) {
-  const TrialSpec plain = specs_of(read(kVehicleHead)).front();
-  EXPECT_EQ(trial_json(plain).find("thrust_to_weight"), std::string::npos);
-  EXPECT_EQ(trial_json(plain).find("angular_acceleration"), std::string::npos);
-  const TrialSpec strong =
-      specs_of(read(kVehicleHead + "vehicle: {thrust_to_weight: 4}\n")).front();
-  EXPECT_NE(trial_json(strong).find("\"thrust_to_weight\":4.0"), std::string::npos);
-  EXPECT_EQ(trial_json(strong).find("angular_acceleration"), std::string::npos);
 }
 
 TEST_F(SweepFiles, WhatFollowsFromADerivedKeyCantStandBesideIt) {

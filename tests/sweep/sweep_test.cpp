@@ -237,7 +237,7 @@ TEST(TrialKey, IsTheDigestOfWhatIsNotAtItsDefault) {
   const auto key_of = [](const std::string& text) {
     return Digest().add(text).add(std::uint64_t{kResultVersion}).hex();
   };
-  const std::string begin = R"({"latency":{"mode":"zero"},"map":{"kind":"hall",)"
+  const std::string begin = R"({"latency":{"mode":"zero"},"map":{"generator":"hall",)"
                             R"("poisson_radius_m":4.5},"map_seed":7,"mission_index":0,)"
                             R"("planner":{"file_digest":"ab","label":"slow"},)",
                     vehicle = R"("vehicle":{"mass_kg":1.5}})";
