@@ -54,6 +54,12 @@ CLI::Option* add_output_file(CLI::App& command, std::string& output) {
   return command.add_option("--output", output, "File to write, - for standard output");
 }
 
+void add_where(CLI::App& command, std::vector<std::string>& where) {
+  add_repeatable(command, "--where", where, "CONDITION",
+                 "Only trials that fulfil this: FIELD OP VALUE, such as 'map.poisson_radius_m < "
+                 "3' or 'planner = ego, reactive'; repeatable, all of them have to hold");
+}
+
 void add_order_options(CLI::App& command, TrialOrder& order) {
   add_typed(command, "--sort", order.field, "METRIC",
             "Metric, the worst trials first (`avoidbench metrics`), or another field of "

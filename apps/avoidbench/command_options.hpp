@@ -83,6 +83,9 @@ CLI::Option* add_repeatable(CLI::App& command, const std::string& name, std::vec
 /// Adds --output: a file, or "-" for standard output.
 CLI::Option* add_output_file(CLI::App& command, std::string& output);
 
+/// Adds --where, which chooses trials by conditions.
+void add_where(CLI::App& command, std::vector<std::string>& where);
+
 /// Adds --sort and --limit.
 void add_order_options(CLI::App& command, TrialOrder& order);
 

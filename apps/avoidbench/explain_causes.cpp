@@ -254,7 +254,8 @@ void explain_causes(const ExplainOptions& options) {
   check_output(options.output.output, text(options.output.format));
   if (!options.png.empty()) check_output(options.png, "png");
   Database database = Database::open_for_reading(path);
-  const std::vector<TrialListing> all = chosen_trials(database.list_trials(), options.choice);
+  const std::vector<TrialListing> all =
+      chosen_trials(database.list_trials(listed_fields(database)), options.choice);
   std::vector<TrialListing> failures = all;
   std::erase_if(failures,
                 [](const TrialListing& one) { return one.outcome == Outcome::reached_goal; });

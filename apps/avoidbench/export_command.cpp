@@ -54,7 +54,7 @@ std::pair<Database, std::vector<TrialListing>> chosen(const std::vector<std::str
   }
   Database database = Database::open_for_reading(has_database ? database_of(words.front())
                                                               : newest_database("trials"));
-  const std::vector<TrialListing> all = database.list_trials();
+  const std::vector<TrialListing> all = database.list_trials(listed_fields(database));
   std::vector<TrialListing> trials;
   for (std::size_t i = has_database ? 1 : 0; i < words.size(); ++i) {
     trials.push_back(the_trial(all, {.trial = words[i]}));
@@ -113,8 +113,8 @@ void add_trials(CLI::App& app) {
   add_output_file(command, options.output);
   add_order_options(command, options.trial_order);
   command.footer(
-      "The columns are those of the view trial_table and the sweep's axes; names carry units, "
-      "numbers all their\ndigits.\n\n"
+      "The columns are those of the view trial_table, with what the sweep varies by its path; "
+      "names carry units,\nnumbers all their digits.\n\n"
       "Example:\n"
       "  avoidbench export trials results/quick.db --output quick.csv\n"
       "  avoidbench export trials quick --sort min_clearance_m --limit 10");

@@ -27,6 +27,7 @@ namespace {
 struct ReplayOptions {
   std::string database;
   TrialChoice choice;
+  std::vector<std::string> where;
   TrialOrder order;
   bool is_list = false, is_verify = false;
   std::string sample = "100%";
@@ -256,16 +257,17 @@ void replay_one(const Task& task) {
 
 void replay(const ReplayOptions& options) {
   const Database database = Database::open_for_reading(database_of(options.database));
-  const std::vector<std::string> fields = listed_fields(database, options.order);
-  std::vector<TrialListing> all = database.list_trials(fields);
-  if (all.empty()) refuse_file(database.path(), "holds no finished trial");
-  if (!options.order.field.empty() || options.order.limit) {
-    all = in_order(chosen_trials(all, options.choice), options.order, fields, database.metrics());
+  TrialChoice choice = options.choice;
+  for (const std::string& condition : options.where) {
+    choice.where.push_back(parse_condition(condition));
   }
+  const std::vector<std::string> fields = listed_fields(database, options.order, choice.where);
+  const std::vector<TrialListing> all = listed_trials(database, fields, choice.where);
+  if (all.empty()) refuse_file(database.path(), "holds no finished trial");
+  const std::vector<TrialListing> chosen =
+      in_order(chosen_trials(all, choice, fields), options.order, fields, database.metrics());
   if (options.is_list) {
-    return write_table(
-        trial_table(chosen_trials(all, options.choice), fields, options.output.is_for_people()),
-        options.output);
+    return write_table(trial_table(chosen, fields, options.output.is_for_people()), options.output);
   }
   ReplayPlanners planners(files_beside(options.database, database, options.flights));
   if (options.is_verify) {
@@ -273,10 +275,9 @@ void replay(const ReplayOptions& options) {
     const StopSignals& signals = watch_stop_signals();
     const FleetOptions fleet =
         fleet_options(options.flights, options.flights.job_count(), &signals);
-    return verify_trials({database, chosen_trials(all, options.choice), share}, planners, fleet,
-                         signals);
+    return verify_trials({database, chosen, share}, planners, fleet, signals);
   }
-  const TrialListing listing = the_trial(all, options.choice);
+  const TrialListing listing = the_one_of(chosen);
   check_outputs(options, listing);
   const StoredFlight flight = stored_flight(possible_trial(database, listing.key), planners);
   // A signal ends it at once: there is nothing to lose.
@@ -290,8 +291,6 @@ void add_choice_options(CLI::App& command, TrialChoice& choice) {
                      "options below leave)");
   command.add_option("--planner", choice.planner, "Only trials of this planner, by its label");
   command.add_option("--map-seed", choice.map_seed, "Only trials of maps with this seed");
-  command.add_option("--radius", choice.radius_m,
-                     "Only trials of maps with this Poisson radius, m");
   command.add_option("--mission", choice.mission, "Only trials of this mission");
   command.add_option("--outcome", choice.outcome,
                      "Only trials that ended so: collided, timed_out, …");
@@ -331,9 +330,9 @@ void add_replay_command(CLI::App& app) {
       "  avoidbench replay results/quick.db --list --outcome collided\n"
       "  avoidbench replay results/quick.db --list --sort min_clearance_m --limit 5\n"
       "  avoidbench replay results/quick.db 12 --png trial.png\n"
-      "  avoidbench replay results/quick.db --planner reactive --map-seed 1 --radius 3.5 "
+      "  avoidbench replay results/quick.db --planner reactive --map-seed 1 "
       "--mission 2 \\\n"
-      "    --png t.png --at 3.2 --at 4\n"
+      "    --where 'map.poisson_radius_m = 3.5' --png t.png --at 3.2 --at 4\n"
       "  avoidbench replay quick 12 --csv path.csv --commands commands.csv\n"
       "  avoidbench replay quick 12 --page flight.html --video flight.mp4\n"
       "  avoidbench replay quick --verify --sample 10%");
@@ -341,6 +340,7 @@ void add_replay_command(CLI::App& app) {
       .add_option("DB", options.database, "Database, or a sweep's file or name for results/NAME.db")
       ->required();
   add_choice_options(command, options.choice);
+  add_where(command, options.where);
   add_order_options(command, options.order);
   CLI::Option* list = command.add_flag(
       "--list", options.is_list,

@@ -268,11 +268,9 @@ void add_report_command(CLI::App& app) {
                  "the others; repeatable");
   add_list(command, "--group-by", options.group_by,
            "Columns to group trials by, separated by commas: a field of the trials (planner, "
-           "traversability, map.poisson_radius_m, wind.mean_mps, sensor, …), or FIELD/5 for its "
-           "range in five groups of equal map count");
-  add_repeatable(command, "--where", options.where, "CONDITION",
-                 "Only trials that fulfil this: FIELD OP VALUE, such as 'map.poisson_radius_m < "
-                 "3' or 'planner = ego, reactive'; repeatable, all of them have to hold");
+           "traversability, map.poisson_radius_m, wind.mean_world_mps, sensor, …), or FIELD/5 for "
+           "its range in five groups of equal map count");
+  add_where(command, options.where);
   add_list(command, "--tables", options.tables,
            "Tables to show, separated by commas: limits, limit_pairs, limit_curve, planners, "
            "groups, grouped, outcomes, causes, pairs, difficulty, flight_time, "

@@ -96,7 +96,8 @@ class Results:
 
         Sweep, planner (its label), map, mission with start and goal, outcome and reason, all metrics
         (`metrics` explains them), versions, trial_id (of this file) and trial_key, and a column for
-        each axis of the sweep that has none otherwise, by its path. An axis of lists is their text.
+        each thing that the sweep varies, by its path: "map.poisson_radius_m", "planner.horizon_m". Lists are
+        their text.
         Empty where no trial has finished yet.
 
         Raises:
@@ -264,7 +265,8 @@ class Results:
 
     @property
     def maps(self) -> pd.DataFrame:
-        """The maps of the chosen sweeps, a row each, with what was measured of them; m and 1/m²."""
+        """The maps of the chosen sweeps, a row each, with what was measured of them (m and 1/m²) and what the
+        sweeps vary of them, by its path."""
         with opened(self._path) as connection:
             return tables.read_maps(connection, self._choices(connection))
 

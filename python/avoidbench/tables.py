@@ -59,8 +59,13 @@ def text_of_csv_field(field: str) -> str:
     return field[1:] if is_marked else field
 
 
+def _is_axis(name: str) -> bool:
+    """Whether a column of the trials is what a sweep varies: it is called by its path."""
+    return "." in name or name == "seed"
+
+
 def _axis_column(cells: Sequence[str], is_text: bool) -> pd.Series[Any]:
-    """An axis of a sweep: numbers where all its values are numbers."""
+    """What a sweep varies: numbers where all its values are numbers."""
     if is_text or not all(_NUMBER.fullmatch(cell) for cell in cells if cell):
         return pd.Series([text_of_csv_field(cell) for cell in cells], dtype=object)
     if all(re.fullmatch(r"-?\d{1,18}", cell) for cell in cells):
@@ -73,14 +78,13 @@ def trials_of_csv(data: bytes, text_axes: Collection[str]) -> pd.DataFrame:
 
     Args:
         data: the program's output.
-        text_axes: axes of the sweep whose values are no numbers.
+        text_axes: what the sweep varies whose values are no numbers.
     """
     rows = list(csv.reader(io.StringIO(data.decode("utf-8"), newline=""), strict=True))
     names, cells = rows[0], list(zip(*rows[1:])) or [()] * len(rows[0])
-    axes = names[names.index("trial_key") + 1 :]  # they come last
     columns: dict[str, pd.Series[Any]] = {}
     for name, column in zip(names, cells):
-        if name in axes:
+        if _is_axis(name):
             columns[name] = _axis_column(column, name in text_axes)
         elif name == "map_seed":
             columns[name] = pd.Series([int(cell) for cell in column], dtype=np.uint64)
@@ -120,13 +124,40 @@ def no_trials(metrics: Sequence[str]) -> pd.DataFrame:
 
 
 def text_axes_of(specs: Collection[str]) -> set[str]:
-    """The axes of these sweeps that have a value which is no number, by path."""
+    """What of these sweeps' axes and planners' parameters has a value that is no number, by path."""
     found: set[str] = set()
-    for spec in specs:
-        for axis in json.loads(spec).get("axes", []):
+    for spec in map(json.loads, specs):
+        for axis in spec.get("axes", []):
             if not all(isinstance(value, (int, float)) for value in axis["values"]):
                 found.add(axis["path"])
+        for planner in spec.get("planners", []):
+            found |= {f"planner.{one['name']}" for one in planner.get("parameters", []) if one.get("is_text")}
     return found
+
+
+def _map_axes(specs: Collection[str]) -> list[str]:
+    """What these sweeps vary of their maps, by path: "map.poisson_radius_m"."""
+    paths = [axis["path"] for spec in specs for axis in json.loads(spec).get("axes", [])]
+    return list(dict.fromkeys(path for path in paths if path.startswith("map.")))
+
+
+def _map_value(spec: Any, path: str) -> Any:
+    """What a map's spec says at a path of trials; a list is its text, as in the table of trials."""
+    for part in path.split(".")[1:]:
+        if isinstance(spec, list) and part.isdecimal() and int(part) < len(spec):
+            spec = spec[int(part)]
+        else:
+            spec = spec.get(part) if isinstance(spec, dict) else None
+    return json.dumps(spec, separators=(",", ":")) if isinstance(spec, (list, dict)) else spec
+
+
+def _value_column(cells: Sequence[Any]) -> pd.Series[Any]:
+    """Numbers where all values are numbers, NaN for none."""
+    values = [cell for cell in cells if cell is not None]
+    if not all(isinstance(cell, (int, float)) for cell in values):
+        return pd.Series(cells, dtype=object)
+    is_whole = len(values) == len(cells) and all(type(cell) is int for cell in values)
+    return pd.Series(cells, dtype=np.int64 if is_whole else np.float64)
 
 
 def frame_of(rows: Sequence[Mapping[str, Any]], names: Sequence[str]) -> pd.DataFrame:
@@ -165,7 +196,6 @@ def _rows(connection: sqlite3.Connection, query: str, values: Sequence[Any]) -> 
 MAP_COLUMNS = (
     "generator",
     "map_seed",
-    "poisson_radius_m",
     "obstacle_count",
     "triangle_count",
     "traversability",
@@ -207,8 +237,9 @@ def _in_sweeps(choices: Sequence[SweepChoice]) -> tuple[str, list[Any]]:
 
 
 def read_maps(connection: sqlite3.Connection, choices: Sequence[SweepChoice]) -> pd.DataFrame:
-    """The maps of these sweeps, a row each with MAP_COLUMNS."""
+    """The maps of these sweeps, a row each with MAP_COLUMNS and what the sweeps vary of them."""
     rows: list[dict[str, Any]] = []
+    specs: list[str] = []
     if choices:
         condition, values = _in_sweeps(choices)
         rows = _rows(
@@ -216,12 +247,16 @@ def read_maps(connection: sqlite3.Connection, choices: Sequence[SweepChoice]) ->
             f"SELECT * FROM maps WHERE map_key IN (SELECT s.map_key FROM sweep_missions s WHERE {condition})",
             values,
         )
+        specs = [row[0] for row in connection.execute(f"SELECT s.spec_json FROM sweeps s WHERE {condition}", values)]
     for row in rows:
-        row["poisson_radius_m"] = json.loads(row["spec_json"]).get("poisson_radius_m")
         if row["generator"] in _FROM_FILES:
             row["obstacle_density_1pm2"] = None
     rows.sort(key=lambda row: (row["generator"], row["map_seed"] % 2**64, row["map_key"]))
-    return frame_of(rows, MAP_COLUMNS)
+    frame = frame_of(rows, MAP_COLUMNS)
+    map_specs = [json.loads(row["spec_json"]) for row in rows]
+    for path in _map_axes(specs):
+        frame[path] = _value_column([_map_value(spec, path) for spec in map_specs])
+    return frame
 
 
 def read_missions(connection: sqlite3.Connection, choices: Sequence[SweepChoice]) -> pd.DataFrame:

@@ -99,7 +99,33 @@ TEST(ExportTrials, HasIdsStartsGoalsAndAxesAndTheWorstFirst) {
   EXPECT_EQ(field(rows, 2, "trial_id"), "1");
   const Mission mission = map_row(0, 2).record.missions[0].mission;
   EXPECT_EQ(std::strtod(field(rows, 2, "goal_x_m").c_str(), nullptr), mission.goal_world.x());
-  for (const std::string& name : rows.front()) EXPECT_NE(name, "map.poisson_radius_m");
+  EXPECT_EQ(field(rows, 1, "map.poisson_radius_m"), "3");
+  EXPECT_EQ(field(rows, 2, "map.poisson_radius_m"), "2.5");
+}
+
+TEST(ExportTrials, FilesOfOtherAxesStandInOneTable) {
+  const TemporaryFolder folder;
+  std::vector<Database> files;
+  for (const std::string path : {"wind.speed_mps", "planner.gain"}) {
+    Database& db = files.emplace_back(begun(folder / (path + ".db")));
+    db.add_sweep(sweep_row(R"({"axes":[{"path":")" + path + R"(","values":[1,2]}]})"));
+    db.add_map(map_row(0, 2), "forest");
+    TrialRow row = trial_row(path == "planner.gain" ? "b" : "a", 0, 0, Outcome::reached_goal);
+    row.spec_json =
+        R"({"wind":{"speed_mps":1.5},"planner":{"parameters":[{"name":"gain","number":2.0}]}})";
+    db.add_trial(row);
+  }
+  const auto rows = parsed_csv(exported(files, "", TrialFormat::csv));
+  ASSERT_EQ(rows.size(), 3U);
+  for (std::size_t i = 1; i < 3; ++i) {
+    EXPECT_EQ(field(rows, i, "wind.speed_mps"), "1.5");
+    EXPECT_EQ(field(rows, i, "planner.gain"), "2");
+  }
+  // Of a sweep's own export, nothing that another one of the file varies.
+  files[0].add_sweep({.name = "other", .spec_json = R"({"axes":[{"path":"a.b","values":[1]}]})"});
+  const auto alone = parsed_csv(exported({files.data(), 1}, "forest", TrialFormat::csv));
+  EXPECT_EQ(std::count(alone[0].begin(), alone[0].end(), "a.b"), 0);
+  EXPECT_EQ(std::count(alone[0].begin(), alone[0].end(), "wind.speed_mps"), 1);
 }
 
 TEST(ExportTrials, JsonLinesHoldWhatTheCsvHolds) {

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "base/option_error.hpp"
@@ -19,7 +18,6 @@ TrialListing listing(std::int64_t id, const std::string& planner, Outcome outcom
   one.planner_label = planner;
   one.generator = "hall";
   one.map_seed = 7;
-  one.poisson_radius_m = 2.5;
   one.mission_index = id % 2;
   one.outcome = outcome;
   one.end_time_s = 1.0 / 3.0;
@@ -48,7 +46,44 @@ TEST(TrialList, ATrialIsNamedByIdKeyOrWhatItWas) {
   EXPECT_EQ(the_trial(three(), {.planner = "ego", .outcome = "collided"}).id, 2);
   EXPECT_EQ(chosen_trials(three(), {.outcome = "collided"}).size(), 2U);
   EXPECT_EQ(chosen_trials(three(), {.map_seed = 8}).size(), 0U);
-  EXPECT_EQ(chosen_trials(three(), {.radius_m = 2.5}).size(), 3U);
+}
+
+TEST(TrialList, ConditionsChooseByAnyField) {
+  std::vector<TrialListing> trials = three();
+  for (TrialListing& one : trials) {
+    one.fields = {0.5 * static_cast<double>(one.id), one.planner_label};
+  }
+  const std::vector<std::string> fields{"wind.mean_world_mps.0", "planner"};
+  const auto ids = [&](const std::vector<std::string>& where) {
+    TrialChoice choice;
+    for (const std::string& text : where) choice.where.push_back(parse_condition(text));
+    std::vector<std::int64_t> all;
+    for (const TrialListing& one : chosen_trials(trials, choice, fields)) all.push_back(one.id);
+    return all;
+  };
+  using Ids = std::vector<std::int64_t>;
+  EXPECT_EQ(ids({"wind.mean_world_mps.0 > 0.5"}), (Ids{2, 3}));
+  EXPECT_EQ(ids({"wind.mean_world_mps.0 >= 1", "planner = ego"}), (Ids{2}));
+  EXPECT_EQ(ids({"planner != ego"}), (Ids{3}));
+  // As `report` says it. All conditions are held against all trials.
+  EXPECT_EQ(ids({"planner != ego", "planner = ego"}), Ids());
+  try {
+    ids({"wind.mean_world_mps.0 = 0.6"});
+    ADD_FAILURE() << "a value that no trial has";
+  } catch (const OptionError& error) {
+    EXPECT_EQ(error.option(), "where");
+    EXPECT_EQ(
+        std::string(error.what()),
+        "'wind.mean_world_mps.0 = 0.6': no trial has 0.6 (did you mean 0.5?); there are: 0.5, "
+        "1, 1.5");
+  }
+}
+
+TEST(TrialList, ATrialIsCalledByWhatItsSweepVaries) {
+  TrialListing one = listing(1, "ego", Outcome::collided);
+  EXPECT_EQ(trial_text(one), "ego, hall seed 7, mission 1");
+  one.setting = "poisson_radius_m 3.5, ms 40";
+  EXPECT_EQ(trial_text(one), "ego, hall seed 7, poisson_radius_m 3.5, ms 40, mission 1");
 }
 
 TEST(TrialList, WhatIsNotThereIsToldWithWhatIs) {
@@ -71,10 +106,10 @@ TEST(TrialList, TableIsShortForPeopleAndWholeForPrograms) {
   ASSERT_EQ(rows.size(), 4U);
   EXPECT_EQ(rows[0][1], "trial_key");
   EXPECT_EQ(rows[3][2], "a_planner_with_a_long_label");
-  EXPECT_EQ(rows[0][7], "start_x_m");
-  EXPECT_EQ(rows[3][12], "-3.25");  // goal_z_m
-  EXPECT_EQ(rows[3][14], "0.3333333333333333");
-  EXPECT_EQ(rows[3][15], "why, it ended");
+  EXPECT_EQ(rows[0][6], "start_x_m");
+  EXPECT_EQ(rows[3][11], "-3.25");  // goal_z_m
+  EXPECT_EQ(rows[3][13], "0.3333333333333333");
+  EXPECT_EQ(rows[3][14], "why, it ended");
   const nlohmann::json json =
       nlohmann::json::parse(format_table(trial_table(three(), {}, false), TableFormat::json));
   EXPECT_EQ(json.at(2).at("seed"), 7);
@@ -99,10 +134,10 @@ TEST(TrialList, ShowsAxesAndWhereThereIsRoomStartAndGoal) {
   std::vector<TrialListing> trials = three();
   trials[2].planner_label = "ego";
   for (TrialListing& one : trials) {
-    one.poisson_radius_m = std::nan("");  // a map from a file
-    one.fields = {0.5 * static_cast<double>(one.id)};
+    one.fields = {0.5 * static_cast<double>(one.id), std::string("hall"), one.map_seed};
   }
-  const std::vector<std::string> fields{"wind.gust.amplitude_mps"};
+  // Those that have a column of their own are not shown twice.
+  const std::vector<std::string> fields{"wind.gust.amplitude_mps", "generator", "map_seed"};
   const std::string text = format_table(trial_table(trials, fields, true), TableFormat::table);
   EXPECT_EQ(text.substr(0, text.find('\n')),
             "id  planner  seed  amplitude_mps  mission  outcome       end_s  reason")
@@ -111,7 +146,7 @@ TEST(TrialList, ShowsAxesAndWhereThereIsRoomStartAndGoal) {
   const std::string fewer = format_table(trial_table(trials, {}, true), TableFormat::table);
   EXPECT_NE(fewer.find("1,2 → 9,2"), std::string::npos) << fewer;
   const auto rows = parsed_csv(format_table(trial_table(trials, {}, false), TableFormat::csv));
-  EXPECT_EQ(rows[0][5], "mission");  // no radius
+  EXPECT_EQ(rows[0][5], "mission");
 }
 
 TEST(TrialOrder, TheWorstComeFirstAndThoseWithoutValueLast) {

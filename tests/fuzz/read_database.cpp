@@ -44,8 +44,9 @@ void report(const Database& db) {
   for (const SweepInfo& sweep : db.read_sweeps()) {
     pass_over_input_errors([&] {
       ReportQuery query;
-      const SweepResult result = db.read_sweep(
-          sweep.name, sweep.revision, {"planner", "reason", "poisson_radius_m", "sensor.width_px"});
+      const SweepResult result =
+          db.read_sweep(sweep.name, sweep.revision,
+                        {"planner", "reason", "map.poisson_radius_m", "sensor.width_px"});
       const SweepSummary summary = summarize(result, query);
       const Section section = sweep_section(summary);
       for (const auto& [format, name] : EnumText<TableFormat>::entries) {

@@ -250,6 +250,16 @@ TEST(FlightOrder, APageMayHaveThreeMegabytesForAThousandTrials) {
   EXPECT_EQ(usual_page_bytes(10'000), 15'000'000U);
 }
 
+TEST(SweepData, AMapIsCalledByWhatItsSweepVaries) {
+  MapRow map;
+  map.generator = "forest";
+  map.spec_json = R"({"poisson_radius_m":3.4999999999,"trees":{"count":3}})";
+  map.map_seed = 7;
+  EXPECT_EQ(map_text(map, {}), "forest, seed 7");
+  EXPECT_EQ(map_text(map, {"map.poisson_radius_m", "map.trees.count", "map.none"}),
+            "forest, seed 7, poisson_radius_m 3.5, count 3");
+}
+
 TEST(PageText, NothingIsMarkup) {
   const nlohmann::ordered_json data = {
       {"name", "</script><script>alert(1)</script><!-- & \xe2\x80\xa8 \xe2\x80\xa9 \xff"}};

@@ -76,6 +76,38 @@ TEST(Summary, CausesAreCountedByPlanner) {
                           [](const auto& note) { return note.first == "occluded"; }));
 }
 
+TEST(Summary, MapsAreShownWithWhatTheSweepVariesOfThem) {
+  SweepResult result = result_of(2, 3, [](char, int, int) { return true; });
+  result.maps[0].spec_json = R"({"poisson_radius_m":2.5,"walls":{"count":3},"area_m":[10.0,12.0]})";
+  result.maps[1].spec_json = R"({"poisson_radius_m":3.5,"walls":{"count":4}})";
+  result.spec_json = R"({"axes":[{"path":"map_seed","values":[1]},)"
+                     R"({"path":"map.poisson_radius_m","values":[2.5,3.5]},)"
+                     R"({"path":"map.walls.count","values":[3,4]},)"
+                     R"({"path":"map.area_m","values":[[10.0,12.0]]},)"
+                     R"({"path":"map.nowhere","values":[1]},)"
+                     R"({"path":"wind.mean_world_mps","values":[[0,0,0]]}]})";
+  const Section section = sweep_section(summary_of(result), std::vector<std::string>{"maps"});
+  ASSERT_EQ(section.tables.size(), 1U);
+  const Table& table = section.tables[0];
+  ASSERT_EQ(table.rows.size(), 2U);
+  const std::vector<std::pair<std::string, std::string>> columns{
+      {"map.poisson_radius_m", "poisson_radius_m"},
+      {"map.walls.count", "count"},
+      {"map.area_m", "area_m"},
+      {"map.nowhere", "nowhere"},
+      {"obstacle_count", "obstacles"}};
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    EXPECT_EQ(table.columns[2 + i].name, columns[i].first);
+    EXPECT_EQ(table.columns[2 + i].header, columns[i].second);
+  }
+  // The less traversable map comes first.
+  EXPECT_EQ(table.rows[0][2].value, TableValue(2.5));
+  EXPECT_EQ(table.rows[1][2].value, TableValue(3.5));
+  EXPECT_EQ(table.rows[1][3].value, TableValue(std::int64_t{4}));
+  EXPECT_EQ(table.rows[0][4].value, TableValue(std::string("[10.0,12.0]")));
+  EXPECT_EQ(table.rows[1][4].value, TableValue());
+}
+
 TEST(Summary, InvalidMissionsAreShownNotCounted) {
   SweepResult result = result_of(2, 3, [](char, int, int) { return true; });
   result.maps[1] = map_row(1, 4, true);

@@ -54,7 +54,7 @@ void read_all(const std::filesystem::path& file) {
   for (const SweepInfo& sweep : sweeps) {
     const std::vector<std::string> paths = axis_paths(sweep.spec_json);
     visit_trials(db, sweep.name, sweep.revision, paths, [](const VisitedTrial&) {});
-    db.read_sweep(sweep.name, sweep.revision, {"planner", "poisson_radius_m"});
+    db.read_sweep(sweep.name, sweep.revision, {"planner", "map.poisson_radius_m"});
     for (const MapFlights& flights : read_map_flights(db, sweep)) db.read_map(flights.map_key);
   }
   TrialTableReader rows(db, sweeps);

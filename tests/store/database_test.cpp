@@ -343,7 +343,6 @@ TEST(Database, ViewsAnswerPeoplesQuestions) {
   db.add_trial(trial_row("a", 0, 1, Outcome::collided));
   db.add_trial(trial_row("b", 1, 0, Outcome::reached_goal));
   EXPECT_EQ(number(db, "SELECT count(*) FROM trial_table"), 3);
-  EXPECT_EQ(number(db, "SELECT poisson_radius_m FROM trial_table WHERE planner = 'b'"), 3.0);
   EXPECT_EQ(
       number(db, "SELECT path_optimality_pct FROM trial_table WHERE is_finished AND planner = 'a'"),
       4.0);

@@ -59,9 +59,16 @@ function columnsOf(sweep: Sweep): Column[] {
     { id: "end_s", title: "end", unit: "s", number: true, width: 76, value: (i) => t.end_s[i] },
   ];
   for (const axis of t.axes) {
-    if (axis.field === "map_seed" || axis.field === "map.poisson_radius_m") continue;
+    if (axis.field === "map_seed") continue; // the map's words have it
     const number = axis.words.every((w) => typeof w === "number");
-    all.push({ id: axis.field, title: axis.field, unit: "", number, width: 130, value: (i) => axis.words[axis.of[i]] });
+    all.push({
+      id: axis.field,
+      title: axis.field,
+      unit: "",
+      number,
+      width: Math.max(130, 40 + 7.4 * axis.field.length),
+      value: (i) => axis.words[axis.of[i]],
+    });
   }
   const why = t.cause ?? t.reason;
   all.push({

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/input_error.hpp"
+#include "base/json_path.hpp"
 #include "base/number_text.hpp"
 #include "base/words.hpp"
 #include "config/defaults.hpp"
@@ -75,8 +76,8 @@ std::vector<Json> other_values(const FieldTree& field) {
 /// `maps: {generator: hall, height_m: 5}` for maps.height_m, the kinds said first.
 std::string example_line(const KindField& entry, const OrderedJson& value) {
   OrderedJson document;
-  for (const SaidKind& said : entry.kinds) document[pointer_of(said.path)] = said.kind;
-  document[pointer_of(entry.path)] = value;
+  for (const SaidKind& said : entry.kinds) document[json_place(said.path)] = said.kind;
+  document[json_place(entry.path)] = value;
   const std::string text = flow_yaml(document);
   // Without the outer braces: the document is a mapping.
   return text.substr(1, text.size() - 2);
@@ -93,7 +94,7 @@ std::vector<Json> example_values(const KindField& entry) {
   // The presets of an unusual kind may contradict others already: only more of it counts.
   const std::size_t before = contradictions(sweep_from(keys).base).size();
   for (const Json& other : other_values(field)) {
-    keys[pointer_of(entry.path)] = other;
+    keys[json_place(entry.path)] = other;
     const TrialSpec changed = sweep_from(keys).base;
     if (contradictions(changed).size() > before || !fits_free_space(changed)) continue;
     values.push_back(other);
@@ -368,8 +369,6 @@ std::vector<Explanation> about_planner(const std::string& key,
   }
   return {};
 }
-
-std::string last_part(const std::string& path) { return path.substr(path.rfind('.') + 1); }
 
 /// All that can be explained. A field that several kinds have is one key.
 std::vector<std::string> all_keys(const std::vector<PlannerDescription>& planners) {

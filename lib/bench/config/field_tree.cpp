@@ -44,12 +44,6 @@ std::vector<KindField> fields_at(const FieldTree& block, std::string_view path) 
   return found;
 }
 
-nlohmann::json::json_pointer pointer_of(const std::string& path) {
-  std::string text = "/" + path;
-  std::replace(text.begin(), text.end(), '.', '/');
-  return nlohmann::json::json_pointer(text);
-}
-
 nlohmann::json preset_json(const FieldTree& block, const std::vector<SaidKind>& kinds,
                            const std::string& prefix) {
   nlohmann::json json = nlohmann::json::object();

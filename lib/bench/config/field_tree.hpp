@@ -70,9 +70,6 @@ std::vector<KindField> all_fields(const FieldTree& block);
 /// Those of one path: none where there is no such field.
 std::vector<KindField> fields_at(const FieldTree& block, std::string_view path);
 
-/// The path as one into the JSON of a block.
-nlohmann::json::json_pointer pointer_of(const std::string& path);
-
 /// The block's JSON as spec_to_json() gives it for the spec that the tree was made of; with
 /// `kinds`, for that of these kinds. `prefix` stands before the block's paths in `kinds`.
 nlohmann::json preset_json(const FieldTree& block, const std::vector<SaidKind>& kinds = {},

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <functional>
 
+#include "base/json_path.hpp"
 #include "base/number_text.hpp"
 #include "config/field_tree.hpp"
 #include "config/sweep_file.hpp"
@@ -87,7 +88,7 @@ Field field_of(const SweepSpec& sweep, const Over& over, const std::string& text
   const std::string path = trial_path(over.path);
   const std::vector<KindField> found = fields_at(tree, path);
   const nlohmann::json base = spec_to_json(sweep.base);
-  if (found.empty() || !base.contains(pointer_of(path))) {
+  if (found.empty() || !base.contains(json_place(path))) {
     std::vector<std::string> known{kSpeedField};
     for (const KindField& field : all_fields(tree)) {
       if (is_number(*field.field)) known.push_back(sweep_path(field.path));
@@ -95,7 +96,7 @@ Field field_of(const SweepSpec& sweep, const Over& over, const std::string& text
     refuse(text, "the sweep has no such field" + did_you_mean(over.path, known));
   }
   const FieldTree* field = found.front().field;
-  const nlohmann::json& value = base.at(pointer_of(path));
+  const nlohmann::json& value = base.at(json_place(path));
   if (over.element) {
     const bool is_there = value.is_array() && *over.element < value.size();
     if (!is_there || !is_number(field->fields.front()))
@@ -189,14 +190,14 @@ SweepSpec read_limit_sweep(const std::filesystem::path& file,
       rule.values.end()) {
     refuse(request.over, "its values can't be told apart: they are rounded to whole ticks");
   }
-  rule.unit = unit_of(over.path.substr(over.path.rfind('.') + 1));
+  rule.unit = unit_of(last_part(over.path));
   rule.success_rate = request.success_rate;
   rule.width = request.width.value_or((values.back() - values.front()) / 10.0);
   rule.most_trials = request.most_trials;
   rule.is_paired = request.is_paired;
   rule.direction = request.direction;
   if (is_speed) require_all_levels(sweep, request.over);
-  std::string name = over.path.substr(over.path.rfind('.') + 1);
+  std::string name = last_part(over.path);
   if (over.element) name += std::to_string(*over.element);
   sweep.name += "_limit_" + name;
   return sweep;

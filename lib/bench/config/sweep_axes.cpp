@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/json_path.hpp"
 #include "config/field_reader.hpp"
 #include "config/sweep_keys.hpp"
 #include "yaml/yaml_values.hpp"
@@ -46,7 +47,7 @@ std::string path_problem(const std::string& path, const FieldTree& trial, const 
     if (found.field->kind != FieldKind::variant) continue;
     return "a " + found.field->name + " can't be an axis; write one sweep for each";
   }
-  if (base.contains(pointer_of(path)) && base.at(pointer_of(path)).is_object()) {
+  if (base.contains(json_place(path)) && base.at(json_place(path)).is_object()) {
     return "is a group of fields, not one";
   }
   return "";
@@ -72,7 +73,7 @@ void read_axis(const GivenValue& key, const YamlNode& values, SweepSpec& sweep) 
     // Into a whole trial: a field of a kind is there only in a trial of that kind.
     read_block({nested(path, key.node, value), "", found}, trial_tree, trial);
     if (found.problems.size() >= kMostProblems) break;
-    if (found.problems.empty()) axis.values.push_back(trial.at(pointer_of(path)));
+    if (found.problems.empty()) axis.values.push_back(trial.at(json_place(path)));
   }
   std::vector<InputProblem>& problems = key.reading.problems;
   key.reading.remember(sweep_path(path), key.node);
@@ -85,7 +86,7 @@ void combine(const std::vector<Axis>& axes, std::size_t at, Json& trial, const C
   // Trials are made from JSON only at the end of a combination.
   if (at == axes.size()) return check(spec_from_json<TrialSpec>(trial));
   for (const Json& value : axes[at].values) {
-    trial.at(pointer_of(axes[at].path)) = value;
+    trial.at(json_place(axes[at].path)) = value;
     combine(axes, at + 1, trial, check);
   }
 }
@@ -114,7 +115,7 @@ void for_each_combination(const SweepSpec& sweep, const Check& check) {
   Json first = spec_to_json(sweep.base);
   if (total <= kMostCombinations) return combine(sweep.axes, 0, first, check);
   // Too many to look at all: each axis by itself, the others at their first values.
-  for (const Axis& axis : sweep.axes) first.at(pointer_of(axis.path)) = axis.values.front();
+  for (const Axis& axis : sweep.axes) first.at(json_place(axis.path)) = axis.values.front();
   for (const Axis& axis : sweep.axes) {
     Json trial = first;
     combine({axis}, 0, trial, check);

@@ -12,6 +12,7 @@
 #include "store/schema_check.hpp"
 #include "store/statement.hpp"
 #include "store/stored_text.hpp"
+#include "store/trial_fields.hpp"
 
 namespace avoidbench {
 namespace {
@@ -64,16 +65,35 @@ MetricRow metric_row(const MetricDef& def) {
           .is_measured = def.is_measured};
 }
 
-/// views.sql with the columns of `metrics`.
-std::string views_sql(std::span<const MetricRow> metrics) {
+/// What the file's sweeps vary. A damaged one is passed over: who reads it says so.
+std::vector<std::string> axes_of_file(const Database& db) {
+  Statement statement(db.handle(), db.path(),
+                      "SELECT sweep, spec_json FROM sweeps ORDER BY sweep, revision");
+  statement.rows_of("sweeps");
+  std::vector<SweepInfo> sweeps;
+  while (statement.step()) {
+    const std::string spec_json = statement.free_text(1);
+    try {
+      stored_sweep(spec_json);
+    } catch (const BadText&) {
+      continue;
+    }
+    sweeps.push_back({.name = {}, .spec_json = spec_json});
+  }
+  return axis_fields(sweeps);
+}
+
+/// views.sql with the columns of metrics and axes.
+std::string views_sql(const Database& db) {
   std::string columns, means;
-  for (const MetricRow& metric : metrics) {
+  for (const MetricRow& metric : db.metrics()) {
     columns += ",\n         t." + sql_name(metric.name);
     means +=
         ",\n         avg(t." + sql_name(metric.name) + ") AS " + sql_name("mean_" + metric.name);
   }
-  return with_replaced(with_replaced(std::string(kViewsSql), "{metrics}", columns),
-                       "{metric_means}", means);
+  const std::string sql = with_replaced(std::string(kViewsSql), "{metrics}", columns);
+  return with_replaced(with_replaced(sql, "{metric_means}", means), "{axes}",
+                       axis_columns(db, axes_of_file(db)));
 }
 
 /// Nothing that a file says may run code, write elsewhere or reach another file.
@@ -92,6 +112,11 @@ void harden(sqlite3* handle) {
   // Damaged cells are found when a page is read, not when they are followed.
   sqlite3_exec(handle, "PRAGMA cell_size_check = ON; PRAGMA temp_store = MEMORY", nullptr, nullptr,
                nullptr);
+}
+
+/// The file's own views are not used from here on.
+void use_temporary_views_only(sqlite3* handle) {
+  sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
 }
 
 std::int64_t value_of(sqlite3* handle, const std::filesystem::path& path, const std::string& sql) {
@@ -200,7 +225,7 @@ Database Database::open_for_run(const std::filesystem::path& path,
   }
   database.bring_metrics(metrics, is_new);
   transaction.commit();
-  database.use_own_views();
+  use_temporary_views_only(handle);
   // From here on it is ours: closing may take its log in.
   database.handle_.get_deleter().is_writer = true;
   return database;
@@ -239,7 +264,8 @@ Database Database::open_for_reading(const std::filesystem::path& path) {
   database.check_integrity(false);
   database.read_metrics();
   database.check_references();
-  database.use_own_views();
+  database.make_views(false);
+  use_temporary_views_only(database.handle());
   return database;
 }
 
@@ -323,12 +349,28 @@ std::string Database::rescued_copy() {
   return "";
 }
 
-void Database::use_own_views() {
-  // What a file's views say is up to who wrote it.
-  // A temporary view shadows one of the file's of the same name.
-  std::string views = with_replaced(views_sql(metrics_), "CREATE VIEW ", "CREATE TEMP VIEW ");
-  execute(handle(), path(), views);
-  sqlite3_db_config(handle(), SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);  // but for temporary ones
+void Database::make_views(bool is_in_file) {
+  std::string views = views_sql(*this);
+  if (views == views_) return;
+  std::string drop_own, drop_temporary;
+  for (const std::string_view view : kViews) {
+    drop_own += "DROP VIEW IF EXISTS main." + sql_name(view) + ";";
+    drop_temporary += "DROP VIEW IF EXISTS temp." + sql_name(view) + ";";
+  }
+  if (is_in_file) execute(handle(), path(), drop_own + views);
+  // What a file's views say is up to who wrote it: a temporary view shadows one of the file's of
+  // the same name.
+  execute(handle(), path(),
+          drop_temporary + with_replaced(views, "CREATE VIEW ", "CREATE TEMP VIEW "));
+  views_ = std::move(views);
+}
+
+void Database::remake_views() {
+  // Each change of the schema counts on in the cookie, and a log has to begin with the very next
+  // one of its file.
+  const std::uint32_t cookie = read_cookie(handle(), path());
+  make_views(true);
+  write_cookie(handle(), path(), cookie);
 }
 
 void Database::check_identity() const {
@@ -445,11 +487,7 @@ void Database::bring_metrics(std::span<const MetricDef> metrics, bool has_column
     define.bind_integer(row.is_measured ? 1 : 0).run();
   }
   metrics_ = wanted;
-  // Views list the metrics' columns: they are made anew.
-  for (const std::string_view view : kViews) {
-    execute(handle(), path(), "DROP VIEW IF EXISTS " + sql_name(view));
-  }
-  execute(handle(), path(), views_sql(metrics_));
+  make_views(true);
 }
 
 void Database::read_metrics() {

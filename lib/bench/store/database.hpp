@@ -127,6 +127,9 @@ class Database {
 
   /// SQLite's handle, for this room and custom_metrics only.
   sqlite3* handle() const { return handle_.get(); }
+  /// Makes the views anew where sweeps were added that vary something else, for this room only.
+  /// Within a transaction.
+  void remake_views();
   /// The file as SQLite opened it, for this room only.
   const std::string& uri() const { return uri_; }
 
@@ -153,7 +156,7 @@ class Database {
   /// `has_columns`: schema.sql has just made them.
   void bring_metrics(std::span<const MetricDef> metrics, bool has_columns);
   void read_metrics();
-  void use_own_views();
+  void make_views(bool is_in_file);
   std::string rescued_copy();
   std::int64_t revision_of(std::string_view sweep) const;
 
@@ -164,6 +167,7 @@ class Database {
   std::unique_ptr<RunLock> lock_;  // before the handle: closed after it (see RunLock)
   std::unique_ptr<sqlite3, Close> handle_;
   std::vector<MetricRow> metrics_;
+  std::string views_;  // as they were made last
   std::int64_t run_id_ = 0;
   std::map<std::string, std::int64_t, std::less<>> revisions_;  // of the sweeps added here
   std::map<std::pair<std::string, std::string>, std::string>

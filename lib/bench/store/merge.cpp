@@ -306,6 +306,7 @@ MergeResult merge_database(Database& into, const std::filesystem::path& from) {
     result.new_trials = count_of(into, "SELECT count(*) FROM temp.added");
     execute(into.handle(), into.path(),
             "DROP TABLE temp.added; DROP TABLE temp.run_of; DROP TABLE temp.sweep_of;");
+    into.remake_views();
     transaction.commit();
   }
   into.require_in_place();

@@ -168,8 +168,8 @@ TrialSummary summary_of(const Database& db, const Statement& row) {
 std::string listing_query(const Database& db, const std::vector<std::string>& fields) {
   // The row's number is the id that users type.
   return "SELECT t.rowid, t.trial_key, p.label, m.generator, m.map_seed, "
-         "json_extract(m.spec_json, '$.poisson_radius_m'), t.mission_index, t.outcome, t.reason, "
-         "t.end_time_s, i.start_x_m, i.start_y_m, i.start_z_m, i.goal_x_m, i.goal_y_m, i.goal_z_m, "
+         "t.mission_index, t.outcome, t.reason, t.end_time_s, i.start_x_m, i.start_y_m, "
+         "i.start_z_m, i.goal_x_m, i.goal_y_m, i.goal_z_m, "
          "t.map_key" +
          field_columns(db, fields) +
          " FROM trials t JOIN planners p USING (planner_key) JOIN maps m ON m.map_key = t.map_key "
@@ -177,9 +177,10 @@ std::string listing_query(const Database& db, const std::vector<std::string>& fi
          "r USING (run_id)";
 }
 
-/// The rows of listing_query().
-std::vector<TrialListing> listings(Statement& s, std::size_t field_count) {
-  constexpr int kFirstField = 17;
+/// The rows of listing_query(). `axes`: what the file's sweeps vary.
+std::vector<TrialListing> listings(Statement& s, const std::vector<std::string>& fields,
+                                   const std::vector<std::string>& axes) {
+  constexpr int kFirstField = 16;
   s.rows_of("trials", 1);
   std::vector<TrialListing> trials;
   while (s.step()) {
@@ -188,17 +189,18 @@ std::vector<TrialListing> listings(Statement& s, std::size_t field_count) {
                       .planner_label = s.text(2),
                       .generator = s.text(3),
                       .map_seed = std::bit_cast<std::uint64_t>(s.integer(4)),
-                      .poisson_radius_m = s.real(5),
-                      .mission_index = s.integer(6),
-                      .outcome = outcome_of(s, 7),
-                      .reason = s.free_text(8),
-                      .end_time_s = s.real(9),
-                      .mission = {.start_world = {s.real(10), s.real(11), s.real(12)},
-                                  .goal_world = {s.real(13), s.real(14), s.real(15)}},
-                      .map_key = s.text(16)});
-    for (std::size_t i = 0; i < field_count; ++i) {
-      trials.back().fields.push_back(s.value(kFirstField + static_cast<int>(i)));
+                      .mission_index = s.integer(5),
+                      .outcome = outcome_of(s, 6),
+                      .reason = s.free_text(7),
+                      .end_time_s = s.real(8),
+                      .mission = {.start_world = {s.real(9), s.real(10), s.real(11)},
+                                  .goal_world = {s.real(12), s.real(13), s.real(14)}},
+                      .map_key = s.text(15)});
+    TrialListing& trial = trials.back();
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      trial.fields.push_back(s.value(kFirstField + static_cast<int>(i)));
     }
+    trial.setting = setting_text(fields, trial.fields, axes);
   }
   return trials;
 }
@@ -322,7 +324,7 @@ std::optional<TrialRow> Database::read_trial(std::string_view key) const {
 
 std::vector<TrialListing> Database::list_trials(const std::vector<std::string>& fields) const {
   Statement s(handle(), path(), listing_query(*this, fields) + " ORDER BY t.rowid");
-  return listings(s, fields.size());
+  return listings(s, fields, fields.empty() ? fields : axis_fields(read_sweeps()));
 }
 
 std::vector<TrialListing> Database::list_trials(std::string_view sweep,
@@ -332,7 +334,7 @@ std::vector<TrialListing> Database::list_trials(std::string_view sweep,
                   " JOIN sweep_trials s USING (trial_key) WHERE s.sweep = ? AND s.revision = ? "
                   "ORDER BY t.rowid");
   s.bind_text(sweep).bind_integer(revision);
-  return listings(s, 0);
+  return listings(s, {}, {});
 }
 
 std::map<std::string, TrialCost> Database::mean_costs() const {

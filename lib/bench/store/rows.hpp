@@ -107,7 +107,6 @@ struct TrialListing {
       0;  ///< for people: a small number, of this file and as long as it isn't rebuilt
   std::string key, planner_label, generator;
   std::uint64_t map_seed = 0;
-  double poisson_radius_m = 0.0;  ///< NaN where the map has none
   std::int64_t mission_index = 0;
   Outcome outcome = Outcome::timed_out;
   std::string reason;
@@ -115,6 +114,8 @@ struct TrialListing {
   Mission mission = {};
   std::string map_key = {};
   std::vector<TableValue> fields = {};  ///< one an element of those that were asked for
+  std::string setting =
+      {};  ///< those of the fields that sweeps vary: "poisson_radius_m 3.5, ms 40"
 };
 
 /// What reports need of one trial.

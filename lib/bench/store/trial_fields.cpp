@@ -1,9 +1,14 @@
 #include "store/trial_fields.hpp"
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <utility>
 
+#include "base/check.hpp"
 #include "base/input_error.hpp"
+#include "base/json_path.hpp"
+#include "base/words.hpp"
 #include "store/schema_check.hpp"
 #include "store/statement.hpp"
 #include "store/stored_text.hpp"
@@ -24,7 +29,6 @@ constexpr NamedField kNamedFields[] = {
     {"is_privileged", "p.is_privileged"},
     {"generator", "m.generator"},
     {"map_seed", "m.map_seed"},
-    {"poisson_radius_m", "json_extract(m.spec_json, '$.poisson_radius_m')"},
     {"obstacle_count", "m.obstacle_count"},
     {"traversability", "m.traversability"},
     {"traversability_normalized_ratio", "m.traversability_normalized_ratio"},
@@ -51,7 +55,7 @@ constexpr NamedField kNamedFields[] = {
     {"vehicle", "json_extract(t.spec_json, '$.vehicle.name')"},
 };
 
-constexpr std::string_view kParameterPrefix = "planner.";
+constexpr std::string_view kMapPrefix = "map.", kParameterPrefix = "planner.";
 /// No parameters, though "planner." stands before them: fields of the choice itself.
 constexpr std::string_view kOwnOfPlanner[] = {"label", "plugin", "file_digest"};
 
@@ -65,19 +69,15 @@ std::string in_quotes(std::string_view text, char quote) {
   return out + quote;
 }
 
-/// `$."a"[0]."b"` for a.0.b, as a literal of SQL.
-std::string json_path(std::string_view dotted) {
-  std::string path = "$";
-  while (!dotted.empty()) {
-    const std::size_t dot = dotted.find('.');
-    std::string part(dotted.substr(0, dot));
-    std::erase(part, '"');  // which no key of ours has
-    const bool is_index =
-        !part.empty() && part.find_first_not_of("0123456789") == std::string::npos;
-    path += is_index ? "[" + part + "]" : ".\"" + part + "\"";
-    dotted.remove_prefix(dot == std::string_view::npos ? dotted.size() : dot + 1);
-  }
-  return in_quotes(path, '\'');
+/// Of two parts or more. SQLite takes no path with an empty part.
+bool is_dotted(std::string_view path) {
+  const std::vector<std::string_view> parts = parts_of_path(path);
+  return parts.size() > 1 && !contains(parts, "");
+}
+
+/// What the JSON in the column says at this path.
+std::string extracted(std::string_view column, std::string_view path) {
+  return "json_extract(" + std::string(column) + ", " + in_quotes(sql_json_path(path), '\'') + ")";
 }
 
 /// Named fields first, then metrics, then a planner's parameters, then any path of the spec. The
@@ -100,8 +100,10 @@ std::string sql_of(const Database& db, const std::string& field) {
              in_quotes(name, '\'') + ")";
     }
   }
-  if (field.find('.') != std::string::npos) {
-    return "json_extract(t.spec_json, " + json_path(field) + ")";
+  if (is_dotted(field)) {
+    // The map's own row has the same, and is shorter than a trial's by far.
+    if (!field.starts_with(kMapPrefix)) return extracted("t.spec_json", field);
+    return extracted("m.spec_json", std::string_view(field).substr(kMapPrefix.size()));
   }
   std::vector<std::string> known;
   for (const NamedField& named : kNamedFields) known.emplace_back(named.name);
@@ -144,13 +146,40 @@ std::vector<std::string> paths_of(const Database& db, const std::string& trial_k
   return paths;
 }
 
-/// Whether it is a field by its looks: what a file says here may be anybody's.
+/// Whether it is a field by its looks: what a file says here may be anybody's, and becomes SQL.
 bool is_path(const std::string& text) {
+  constexpr std::size_t kMostLetters = 200;
   const bool is_plain = std::all_of(text.begin(), text.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
            c == '.';
   });
-  return is_plain && (text.find('.') != std::string::npos || text == "map_seed" || text == "seed");
+  return is_plain && text.size() <= kMostLetters &&
+         (is_dotted(text) || text == kSeedField || text == "seed");
+}
+
+/// The elements of an object's array; none where it has no such array.
+nlohmann::json elements(const nlohmann::json& object, const char* name) {
+  if (!object.is_object() || !object.contains(name)) return nlohmann::json::array();
+  return object[name].is_array() ? object[name] : nlohmann::json::array();
+}
+
+/// The parameters to which a sweep's planners of one plugin give several values, as fields.
+std::vector<std::string> varied_parameters(const nlohmann::json& sweep) {
+  std::vector<std::string> fields;
+  std::map<std::pair<std::string, std::string>, nlohmann::json> first;  // by plugin and name
+  for (const nlohmann::json& planner : elements(sweep, "planners")) {
+    for (const nlohmann::json& parameter : elements(planner, "parameters")) {
+      const auto plugin = planner.find("plugin");
+      if (plugin == planner.end() || !plugin->is_string() || !parameter.is_object()) continue;
+      const auto name = parameter.find("name");
+      if (name == parameter.end() || !name->is_string()) continue;
+      const auto word = name->get<std::string>();
+      const auto known = first.try_emplace({plugin->get<std::string>(), word}, parameter).first;
+      const std::string field = std::string(kParameterPrefix) + word;
+      if (known->second != parameter && !contains(fields, field)) fields.push_back(field);
+    }
+  }
+  return fields;
 }
 
 }  // namespace
@@ -184,28 +213,82 @@ std::string field_columns(const Database& db, const std::vector<std::string>& fi
   return columns;
 }
 
+std::string sql_json_path(std::string_view field) {
+  std::string path = "$";
+  for (const std::string_view text : parts_of_path(field)) {
+    std::string part(text);
+    std::erase(part, '"');  // which no key of ours has
+    const bool is_index =
+        !part.empty() && part.find_first_not_of("0123456789") == std::string::npos;
+    path += is_index ? "[" + part + "]" : ".\"" + part + "\"";
+  }
+  return path;
+}
+
 std::vector<std::string> axis_fields(std::span<const SweepInfo> sweeps) {
+  // SQLite has 2,000 columns at most, and people look at far fewer.
+  constexpr std::size_t kMostFields = 200;
   std::vector<std::string> fields;
   for (const SweepInfo& sweep : sweeps) {
-    for (const std::string& path : axis_paths(sweep.spec_json)) {
-      const bool is_new = std::find(fields.begin(), fields.end(), path) == fields.end();
-      if (is_new && is_path(path)) fields.push_back(path);
+    std::vector<std::string> paths = axis_paths(sweep.spec_json);
+    const auto spec = nlohmann::json::parse(sweep.spec_json, nullptr, false);
+    for (std::string& parameter : varied_parameters(spec)) paths.push_back(std::move(parameter));
+    for (const std::string& path : paths) {
+      if (fields.size() == kMostFields) return fields;
+      if (is_path(path) && !contains(fields, path)) fields.push_back(path);
     }
   }
   return fields;
 }
 
+std::string axis_columns(const Database& db, const std::vector<std::string>& axes) {
+  std::string columns;
+  for (const std::string& axis : axes) {
+    if (axis != kSeedField) columns += field_columns(db, {axis}) + " AS " + sql_name(axis);
+  }
+  return columns;
+}
+
+std::string setting_text(const std::vector<std::string>& fields,
+                         const std::vector<TableValue>& values,
+                         const std::vector<std::string>& axes) {
+  AB_CHECK(fields.size() == values.size(), fields.size(), values.size());
+  std::string text;
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    const std::string& field = fields[i];
+    // Planners are told apart by their labels.
+    const bool is_shown = contains(axes, field) && field != kSeedField &&
+                          !field.starts_with(kParameterPrefix) && !text_of(values[i]).empty();
+    if (!is_shown) continue;
+    text += (text.empty() ? "" : ", ") + short_name(field, axes) + " " + text_of(values[i]);
+  }
+  return text;
+}
+
+namespace {
+
 /// A path is not known until a trial is looked at: where no trial has it, it is likely misspelt.
-void refuse_empty_field(const Database& db, const SweepResult& result, std::size_t field) {
-  const std::string& name = result.fields[field];
-  if (name.find('.') == std::string::npos || result.trials.empty()) return;
-  const bool is_there =
-      std::any_of(result.trials.begin(), result.trials.end(), [&](const TrialSummary& trial) {
-        return !std::holds_alternative<std::monostate>(trial.fields[field]);
-      });
+template <class Trial>
+void refuse_empty(const Database& db, const std::vector<Trial>& trials, std::size_t field,
+                  const std::string& name, const std::string& of_what) {
+  if (name.find('.') == std::string::npos || trials.empty()) return;
+  const bool is_there = std::any_of(trials.begin(), trials.end(), [&](const Trial& trial) {
+    return !std::holds_alternative<std::monostate>(trial.fields[field]);
+  });
   if (is_there) return;
-  throw InputError("no trial of sweep " + result.name + " has a value at " + name +
-                   did_you_mean(name, paths_of(db, result.trials.front().key)));
+  throw InputError("no trial" + of_what + " has a value at " + name +
+                   did_you_mean(name, paths_of(db, trials.front().key)));
+}
+
+}  // namespace
+
+void refuse_empty_field(const Database& db, const SweepResult& result, std::size_t field) {
+  refuse_empty(db, result.trials, field, result.fields[field], " of sweep " + result.name);
+}
+
+void refuse_empty_field(const Database& db, const std::vector<TrialListing>& trials,
+                        std::size_t field, const std::string& name) {
+  refuse_empty(db, trials, field, name, "");
 }
 
 }  // namespace avoidbench

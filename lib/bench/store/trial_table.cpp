@@ -24,44 +24,23 @@ std::string places_of(std::size_t sweep_count) {
   return places;
 }
 
-std::string trial_query(std::size_t sweep_count, bool is_of_one_map,
-                        const std::string& axis_columns) {
-  const std::string from = axis_columns.empty()
-                               ? " FROM trial_table v"
-                               : " FROM trial_table v JOIN trials t ON t.trial_key = v.trial_key";
-  // The axes' columns stand behind the view's, as the reader below expects.
-  return "SELECT v.*" + axis_columns + from + " WHERE (v.sweep, v.revision) IN (VALUES " +
-         places_of(sweep_count) + ")" + (is_of_one_map ? " AND v.map_key = ?" : "") +
-         " ORDER BY v.sweep, v.revision, v.planner, v.planner_key, v.map_key, v.mission_index, "
+/// The SELECT of the view trial_table with a column for each of these axes.
+std::string select_of_view(const Database& db, const std::vector<std::string>& axes) {
+  constexpr std::string_view kBegin = "CREATE VIEW trial_table AS", kEnd = ";\n";
+  const std::size_t begin = kViewsSql.find(kBegin);
+  AB_CHECK(begin != std::string_view::npos);
+  std::string_view select = kViewsSql.substr(begin + kBegin.size());
+  select = select.substr(0, select.find(kEnd));
+  std::string metrics = metric_columns(db);
+  return with_replaced(with_replaced(std::string(select), "{metrics}", metrics), "{axes}",
+                       axis_columns(db, axes));
+}
+
+std::string trial_query(const std::string& select, std::size_t sweep_count) {
+  return "SELECT v.* FROM (" + select + "\n) v WHERE (v.sweep, v.revision) IN (VALUES " +
+         places_of(sweep_count) +
+         ") ORDER BY v.sweep, v.revision, v.planner, v.planner_key, v.map_key, v.mission_index, "
          "v.trial_key";
-}
-
-/// Those of `axes` that the view trial_table has no column of.
-std::vector<std::string> axes_apart(const Database& database, std::span<const std::string> axes) {
-  Statement view(database.handle(), database.path(), "SELECT * FROM trial_table LIMIT 0");
-  std::vector<std::string> apart;
-  for (const std::string& axis : axes) {
-    bool is_there = false;
-    for (int i = 0; i < view.column_count(); ++i) {
-      const std::string name = view.column_name(i);
-      is_there = is_there || axis == name || axis == "map." + name;
-    }
-    if (!is_there) apart.push_back(axis);
-  }
-  return apart;
-}
-
-/// SQLite's way to write a dotted path: `$.cameras[0].fov_x_deg`.
-std::string sqlite_path(std::string_view path) {
-  std::string result = "$";
-  while (!path.empty()) {
-    const std::string_view part = path.substr(0, path.find('.'));
-    path.remove_prefix(std::min(path.size(), part.size() + 1));
-    const bool is_index = !part.empty() && std::all_of(part.begin(), part.end(),
-                                                       [](char c) { return c >= '0' && c <= '9'; });
-    result += is_index ? "[" + std::string(part) + "]" : "." + std::string(part);
-  }
-  return result;
 }
 
 /// How many samples a flight of the spec has at most: one a period and one a period of jerks, one
@@ -133,32 +112,23 @@ std::vector<Collision> read_collisions(Statement& s, std::string_view key) {
 }  // namespace
 
 TrialTableReader::TrialTableReader(const Database& database, std::span<const SweepInfo> sweeps,
-                                   std::string_view map_key, std::span<const std::string> axes) {
+                                   const std::vector<std::string>& axes)
+    : statement_(
+          std::make_unique<Statement>(database.handle(), database.path(),
+                                      trial_query(select_of_view(database, axes), sweeps.size()))) {
   AB_CHECK(!sweeps.empty(), sweeps.size());
-  const std::vector<std::string> apart = axes_apart(database, axes);
-  statement_ = std::make_unique<Statement>(
-      database.handle(), database.path(),
-      trial_query(sweeps.size(), !map_key.empty(), field_columns(database, apart)));
-  // From behind, as `v.*` may be followed by more columns.
-  const auto key = [&] {
-    for (int i = statement_->column_count(); i-- > 0;) {
-      if (statement_->column_name(i) == "trial_key") return i;
-    }
-    return 0;
-  };
-  statement_->rows_of("trials", key());
   for (const SweepInfo& sweep : sweeps) {
     statement_->bind_text(sweep.name).bind_integer(sweep.revision);
   }
-  if (!map_key.empty()) statement_->bind_text(map_key);
   for (int i = 0; i < statement_->column_count(); ++i) {
     columns_.push_back(statement_->column_name(i));
   }
-  // SQL's names of the last columns are expressions: the axes' paths stand for them.
-  std::copy(apart.begin(), apart.end(), columns_.end() - static_cast<std::ptrdiff_t>(apart.size()));
+  const auto place_of = [&](std::string_view name) {
+    return std::find(columns_.begin(), columns_.end(), name) - columns_.begin();
+  };
+  statement_->rows_of("trials", static_cast<int>(place_of("trial_key")));
+  seed_column_ = static_cast<std::size_t>(place_of(kSeedField));
   row_.resize(columns_.size());
-  const auto seed = std::find(columns_.begin(), columns_.end(), "map_seed");
-  seed_column_ = static_cast<std::size_t>(seed - columns_.begin());
 }
 
 TrialTableReader::~TrialTableReader() = default;
@@ -168,12 +138,10 @@ TrialTableReader& TrialTableReader::operator=(TrialTableReader&& other) noexcept
 bool TrialTableReader::next() {
   if (!statement_->step()) return false;
   for (std::size_t i = 0; i < row_.size(); ++i) row_[i] = statement_->value(static_cast<int>(i));
-  if (seed_column_ < row_.size()) {
-    // SQLite's integers have a sign: a seed is stored by its bits.
-    TableValue& seed = row_[seed_column_];
-    if (const auto* bits = std::get_if<std::int64_t>(&seed)) {
-      seed = std::bit_cast<std::uint64_t>(*bits);
-    }
+  // SQLite's integers have a sign: a seed is stored by its bits.
+  TableValue& seed = row_[seed_column_];
+  if (const auto* bits = std::get_if<std::int64_t>(&seed)) {
+    seed = std::bit_cast<std::uint64_t>(*bits);
   }
   return true;
 }
@@ -205,7 +173,7 @@ void visit_trials(const Database& database, std::string_view sweep, std::int64_t
           "t.trial_key) FROM sweep_trials s JOIN trials t USING (trial_key) WHERE s.sweep = ? AND "
           "s.revision = ?");
   s.rows_of("trials", 4 + static_cast<int>(paths.size() + database.metrics().size()));
-  for (const std::string& path : paths) s.bind_text(sqlite_path(path));
+  for (const std::string& path : paths) s.bind_text(sql_json_path(path));
   s.bind_text(sweep).bind_integer(revision);
   while (s.step()) {
     VisitedTrial trial;

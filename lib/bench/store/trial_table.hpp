@@ -21,10 +21,10 @@ class Statement;
 /// as in a sweep's file. The database has to outlive it.
 class TrialTableReader {
  public:
-  /// Rows of these revisions of sweeps; only of the map `map_key` where it is not empty. Behind the
-  /// view's columns stand those of `axes`, by their paths, except those that the view has.
+  /// Rows of these revisions of sweeps, with the columns of `axes` (axis_fields()) instead of those
+  /// of all sweeps of the file.
   TrialTableReader(const Database& database, std::span<const SweepInfo> sweeps,
-                   std::string_view map_key = {}, std::span<const std::string> axes = {});
+                   const std::vector<std::string>& axes = {});
   ~TrialTableReader();
   TrialTableReader(TrialTableReader&& other) noexcept;
   TrialTableReader& operator=(TrialTableReader&& other) noexcept;

@@ -1,10 +1,9 @@
--- Views for people, made anew whenever the program opens the file for writing. A name in braces stands for the columns
--- of metric_definitions.
+-- Views for people, made anew whenever the program opens the file for writing or adds a sweep. A name in braces stands
+-- for columns: those of metric_definitions, and one for each thing that the file's sweeps vary.
 CREATE VIEW trial_table AS
   -- One row a trial, sweep and revision, flat: for pandas, DuckDB, R or a spreadsheet. A trial of two revisions is there
-  -- twice; latest_trials has it once.
-  SELECT s.sweep, s.revision, p.label AS planner, m.generator, m.map_seed,
-         json_extract(m.spec_json, '$.poisson_radius_m') AS poisson_radius_m,
+  -- twice; latest_trials has it once. What a sweep varies is a column called by its path: "wind.gust.amplitude_mps".
+  SELECT s.sweep, s.revision, p.label AS planner, m.generator, m.map_seed{axes},
          m.traversability, m.traversability_normalized_ratio, m.relative_gap_size,
          -- A map from a file is no field of obstacles.
          CASE WHEN m.generator IN ('mesh', 'point_cloud') THEN NULL ELSE m.obstacle_density_1pm2 END
@@ -45,9 +44,8 @@ CREATE VIEW planner_summary AS
 
 CREATE VIEW map_summary AS
   -- One row a map: its environment metrics, missions, and how all planners together fared.
-  SELECT m.generator, json_extract(m.spec_json, '$.poisson_radius_m') AS poisson_radius_m, m.map_seed,
-         m.obstacle_count, m.triangle_count, m.traversability, m.traversability_normalized_ratio,
-         m.relative_gap_size,
+  SELECT m.generator, m.map_seed, m.obstacle_count, m.triangle_count, m.traversability,
+         m.traversability_normalized_ratio, m.relative_gap_size,
          CASE WHEN m.generator IN ('mesh', 'point_cloud') THEN NULL ELSE m.obstacle_density_1pm2 END
            AS obstacle_density_1pm2,
          m.free_volume_ratio,

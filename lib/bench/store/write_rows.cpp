@@ -221,6 +221,7 @@ std::int64_t Database::add_sweep(const SweepRow& row) {
     insert.bind_text(row.name).bind_text(row.spec_json).step();
     revision = insert.integer(0);
     insert.run();
+    remake_views();
   }
   transaction.commit();
   require_in_place();

@@ -7,6 +7,7 @@
 
 #include "base/check.hpp"
 #include "base/digest.hpp"
+#include "base/json_path.hpp"
 #include "base/spec_json.hpp"
 #include "metrics/map_record.hpp"
 #include "sweep/key_maker.hpp"
@@ -18,11 +19,6 @@ namespace avoidbench {
 namespace {
 
 using nlohmann::json;
-
-json::json_pointer pointer(std::string path) {
-  std::replace(path.begin(), path.end(), '.', '/');
-  return json::json_pointer("/" + path);
-}
 
 /// Fills the digests of the latencies that trials replay.
 void fill_latencies(std::vector<PlannedTrial>& trials) {
@@ -41,7 +37,7 @@ void fill_latencies(std::vector<PlannedTrial>& trials) {
 void expand_axes(const SweepSpec& sweep, std::size_t axis, const json& spec,
                  std::map<std::string, std::string>& digests, std::vector<PlannedTrial>& trials) {
   if (axis < sweep.axes.size()) {
-    const json::json_pointer place = pointer(sweep.axes[axis].path);
+    const json::json_pointer place = json_place(sweep.axes[axis].path);
     AB_CHECK(spec.contains(place), sweep.axes[axis].path);
     for (const json& value : sweep.axes[axis].values) {
       json changed = spec;

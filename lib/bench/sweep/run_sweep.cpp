@@ -11,6 +11,7 @@
 
 #include "base/check.hpp"
 #include "base/input_error.hpp"
+#include "base/json_path.hpp"
 #include "base/kept_files.hpp"
 #include "base/spec_json.hpp"
 #include "plugin/planner_description.hpp"
@@ -161,9 +162,7 @@ NextRound rounds_until_enough(const Run& run, std::vector<PlannedTrial> trials) 
 /// The field's value in a trial.
 double limit_value(const TrialSpec& trial, const nlohmann::json& spec, const std::string& field) {
   if (!field.starts_with(kOfPlanner)) {
-    std::string path = "/" + field;
-    std::replace(path.begin(), path.end(), '.', '/');
-    return spec.at(nlohmann::json::json_pointer(path)).get<double>();
+    return spec.at(json_place(field)).get<double>();
   }
   for (const ParameterChoice& parameter : trial.planner.parameters) {
     if (parameter.name == field.substr(kOfPlanner.size())) return parameter.number;

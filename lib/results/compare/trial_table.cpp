@@ -9,12 +9,15 @@
 #include "base/check.hpp"
 #include "base/digest.hpp"
 #include "base/input_error.hpp"
+#include "base/json_path.hpp"
 #include "store/trial_table.hpp"
 
 namespace avoidbench {
 namespace {
 
 using nlohmann::json;
+
+constexpr std::string_view kOfMap = "map.";
 
 /// Enough to tell worlds apart; 0 for a row without a digest.
 std::uint64_t first_64_bits(const std::string& digest) {
@@ -35,15 +38,13 @@ std::uint64_t mission_digest(const MapRecord& map, const Mission& mission) {
 }
 
 /// What a map's spec says at a path of a trial's spec: "map.poisson_radius_m".
-std::string map_value(const json& spec, std::string path) {
-  path.erase(0, std::string_view("map").size());
-  std::replace(path.begin(), path.end(), '.', '/');
-  const json::json_pointer place(path);
+std::string map_value(const json& spec, std::string_view path) {
+  const json::json_pointer place = json_place(path.substr(kOfMap.size()));
   return spec.contains(place) ? spec[place].dump() : "";
 }
 
 void append_setting(std::string& setting, const std::string& path, const std::string& value) {
-  const std::string name = path.starts_with("map.") ? path.substr(4) : path;
+  const std::string name = path.starts_with(kOfMap) ? path.substr(kOfMap.size()) : path;
   setting += (setting.empty() ? "" : " ") + name + "=" + value;
 }
 
@@ -66,7 +67,7 @@ MapOfTable map_of(const Database& database, const std::string& key,
   // Without throwing: a spec that can't be read has no values.
   const json spec = json::parse(row->spec_json, nullptr, false);
   for (const std::string& path : axes) {
-    if (path.starts_with("map.")) append_setting(map.setting, path, map_value(spec, path));
+    if (path.starts_with(kOfMap)) append_setting(map.setting, path, map_value(spec, path));
   }
   for (const MissionRecord& mission : row->record.missions) {
     map.missions[mission.index] = mission_digest(row->record, mission.mission);
@@ -111,7 +112,7 @@ TrialTable table_of_sweep(const Database& database, const SweepInfo& sweep,
   std::map<std::string, MapOfTable> maps;
   // A map's settings are in its own row, once for all its trials.
   std::vector<std::string> paths = axes;  // of a trial's own settings
-  std::erase_if(paths, [](const std::string& path) { return path.starts_with("map."); });
+  std::erase_if(paths, [](const std::string& path) { return path.starts_with(kOfMap); });
   table.trials.reserve(static_cast<std::size_t>(sweep.trial_count));
   visit_trials(database, sweep.name, sweep.revision, paths, [&](VisitedTrial trial) {
     // Each map is read once, when its first trial comes.

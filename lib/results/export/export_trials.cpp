@@ -169,7 +169,7 @@ std::vector<std::string> columns_left_out(std::span<const Database> databases,
     }
   }
   std::vector<std::string> left_out;
-  if (are_from_files) left_out = {"poisson_radius_m", "relative_gap_size", "obstacle_density_1pm2"};
+  if (are_from_files) left_out = {"relative_gap_size", "obstacle_density_1pm2"};
   if (file_count > 1) left_out.emplace_back("trial_id");
   return left_out;
 }
@@ -190,7 +190,7 @@ void export_trials(std::span<const Database> databases, std::string_view wanted,
     if (sweeps[i].empty()) continue;
     if (first == nullptr) first = &databases[i];
     // The axes of all sweeps are columns in each, so that the columns are the same.
-    readers.emplace_back(databases[i], sweeps[i], std::string_view(), axes);
+    readers.emplace_back(databases[i], sweeps[i], axes);
     check_same_columns(readers.front().columns(), readers.back().columns(), databases[i]);
   }
   const std::vector<std::string> left_out = columns_left_out(databases, sweeps);

@@ -19,8 +19,8 @@ struct EnumText<TrialFormat> {
 };
 
 /// Writes the trials of `wanted` sweeps (as chosen_sweeps()) by `write`, a line a call: the columns
-/// of the view trial_table, without those of obstacles where all maps come from files, and one per
-/// axis of the sweeps that it lacks, numbers with the fewest digits that read back to the same
+/// of the view trial_table, without those of obstacles where all maps come from files, with one for
+/// each thing that these sweeps vary, numbers with the fewest digits that read back to the same
 /// bits. What is not defined is empty in CSV (RFC 4180, one header line) and null in JSON lines,
 /// where infinity is null, too. Order: sweep, revision, planner, planner_key, map_key,
 /// mission_index, trial_key, whatever the order of files and flights, unless `trial_order` sorts by

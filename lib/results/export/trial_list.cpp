@@ -1,12 +1,12 @@
 #include "export/trial_list.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <numeric>
 #include <set>
 
 #include "base/check.hpp"
+#include "base/json_path.hpp"
 #include "base/number_text.hpp"
 #include "base/option_error.hpp"
 #include "base/visible_text.hpp"
@@ -84,13 +84,17 @@ std::string way_text(const Mission& mission) {
   return place(mission.start_world) + " → " + place(mission.goal_world);
 }
 
-/// The last part of a field's path if no other field has the same.
-std::string field_header(const std::string& field, const std::vector<std::string>& fields) {
-  const auto last = [](const std::string& path) { return path.substr(path.rfind('.') + 1); };
-  const auto count = std::count_if(fields.begin(), fields.end(), [&](const std::string& other) {
-    return last(other) == last(field);
-  });
-  return count == 1 ? last(field) : field;
+std::size_t place_of(const std::string& field, const std::vector<std::string>& fields) {
+  const auto found = std::find(fields.begin(), fields.end(), field);
+  AB_CHECK(found != fields.end(), field);
+  return static_cast<std::size_t>(found - fields.begin());
+}
+
+/// The fields whose values the list shows by itself.
+bool is_of_list(const std::string& field) {
+  constexpr std::string_view kOwn[] = {"planner",    "generator", kSeedField, "mission_index",
+                                       "end_time_s", "outcome",   "reason"};
+  return contains(kOwn, field);
 }
 
 /// People see start and goal as one text, programs each coordinate.
@@ -98,12 +102,12 @@ std::vector<Column> trial_columns(const std::vector<std::string>& fields, bool i
   const Place words = Place::words;
   std::vector<Column> columns{{.name = "id"}};
   if (!is_for_people) columns.push_back({.name = "trial_key", .place = words});
-  columns.insert(columns.end(), {{.name = "planner", .place = words},
-                                 {.name = "map", .place = words},
-                                 {.name = "seed"},
-                                 {.name = "radius_m"}});
+  columns.insert(
+      columns.end(),
+      {{.name = "planner", .place = words}, {.name = "map", .place = words}, {.name = "seed"}});
   for (const std::string& field : fields) {
-    columns.push_back({.name = field, .header = field_header(field, fields)});
+    if (is_of_list(field)) continue;
+    columns.push_back({.name = field, .header = short_name(field, fields)});
   }
   columns.push_back({.name = "mission"});
   if (is_for_people) {
@@ -150,7 +154,7 @@ void fit(Table& table, const std::vector<std::string>& fields) {
     // Without the last column, the reason, which is wrapped.
     return width - text_columns(table).back().width - kGap > kMost;
   };
-  std::vector<std::string> names{"map", "radius_m"};
+  std::vector<std::string> names{"map"};
   names.insert(names.end(), fields.begin(), fields.end());
   // One after the other, and only as long as it is too wide.
   for (const std::string& name : names) {
@@ -164,7 +168,8 @@ void fit(Table& table, const std::vector<std::string>& fields) {
 }  // namespace
 
 std::vector<TrialListing> chosen_trials(const std::vector<TrialListing>& all,
-                                        const TrialChoice& choice) {
+                                        const TrialChoice& choice,
+                                        const std::vector<std::string>& fields) {
   std::set<std::string> planners, outcomes;
   for (const TrialListing& one : all) {
     planners.insert(one.planner_label);
@@ -174,34 +179,53 @@ std::vector<TrialListing> chosen_trials(const std::vector<TrialListing>& all,
   check_word("outcome", choice.outcome, {outcomes.begin(), outcomes.end()});
   std::vector<TrialListing> chosen = choice.trial.empty() ? all : named(all, choice.trial);
   std::erase_if(chosen, [&](const TrialListing& one) {
-    const bool is_meant =
-        (choice.planner.empty() || one.planner_label == choice.planner) &&
-        (choice.outcome.empty() || text(one.outcome) == choice.outcome) &&
-        (!choice.map_seed || one.map_seed == *choice.map_seed) &&
-        (!choice.mission || one.mission_index == *choice.mission) &&
-        // A user types 2.4, which a computed radius may miss by rounding; NaN of other maps is
-        // never near.
-        (!choice.radius_m || std::abs(one.poisson_radius_m - *choice.radius_m) < 1e-6);
+    const bool is_meant = (choice.planner.empty() || one.planner_label == choice.planner) &&
+                          (choice.outcome.empty() || text(one.outcome) == choice.outcome) &&
+                          (!choice.map_seed || one.map_seed == *choice.map_seed) &&
+                          (!choice.mission || one.mission_index == *choice.mission);
     return !is_meant;
   });
+  for (const Condition& condition : choice.where) {
+    const std::size_t field = place_of(condition.field, fields);
+    std::set<TableValue> there;
+    for (const TrialListing& one : all) there.insert(one.fields[field]);
+    check_values(condition, there);
+    std::erase_if(chosen,
+                  [&](const TrialListing& one) { return !holds(condition, one.fields[field]); });
+  }
   return chosen;
 }
 
 TrialListing the_trial(const std::vector<TrialListing>& all, const TrialChoice& choice) {
-  const std::vector<TrialListing> chosen = chosen_trials(all, choice);
+  return the_one_of(chosen_trials(all, choice));
+}
+
+TrialListing the_one_of(const std::vector<TrialListing>& chosen) {
   if (chosen.size() == 1) return chosen.front();
   if (chosen.empty()) fail("no trial matches");
   fail(std::to_string(chosen.size()) + " trials match (ids " + ids_of(chosen) + "): name one");
 }
 
-std::vector<std::string> listed_fields(const Database& database, const TrialOrder& order) {
+std::vector<std::string> listed_fields(const Database& database, const TrialOrder& order,
+                                       const std::vector<Condition>& where) {
   std::vector<std::string> fields = axis_fields(database.read_sweeps());
-  std::erase_if(fields, [](const std::string& path) {
-    return path == "map.poisson_radius_m" || path == "map_seed";  // have columns of their own
-  });
-  // What trials are sorted by is shown.
-  if (!order.field.empty() && !contains(fields, order.field)) fields.push_back(order.field);
+  const auto add = [&](const std::string& field) {
+    if (!field.empty() && !contains(fields, field)) fields.push_back(field);
+  };
+  // What trials are sorted and chosen by is shown.
+  add(order.field);
+  for (const Condition& condition : where) add(condition.field);
   return fields;
+}
+
+std::vector<TrialListing> listed_trials(const Database& database,
+                                        const std::vector<std::string>& fields,
+                                        const std::vector<Condition>& where) {
+  std::vector<TrialListing> trials = database.list_trials(fields);
+  for (const Condition& condition : where) {
+    refuse_empty_field(database, trials, place_of(condition.field, fields), condition.field);
+  }
+  return trials;
 }
 
 std::vector<std::size_t> worst_first(const std::vector<TableValue>& values, Better better) {
@@ -229,9 +253,7 @@ std::vector<TrialListing> in_order(std::vector<TrialListing> trials, const Trial
                                    const std::vector<std::string>& fields,
                                    const std::vector<MetricRow>& metrics) {
   if (!order.field.empty()) {
-    const auto found = std::find(fields.begin(), fields.end(), order.field);
-    AB_CHECK(found != fields.end(), order.field);
-    const auto at = static_cast<std::size_t>(found - fields.begin());
+    const std::size_t at = place_of(order.field, fields);
     std::vector<TableValue> values;
     for (const TrialListing& one : trials) values.push_back(one.fields[at]);
     std::vector<TrialListing> sorted;
@@ -256,8 +278,10 @@ Table trial_table(const std::vector<TrialListing>& trials, const std::vector<std
     const TrialListing& one = trials[i];
     Row row = make_row(one.id);
     if (!is_for_people) append(row, one.key);
-    append(row, make_row(labels[i], one.generator, one.map_seed, one.poisson_radius_m));
-    for (const TableValue& value : one.fields) append(row, Cell{.value = value});
+    append(row, make_row(labels[i], one.generator, one.map_seed));
+    for (std::size_t k = 0; k < fields.size(); ++k) {
+      if (!is_of_list(fields[k])) append(row, Cell{.value = one.fields[k]});
+    }
     append(row, one.mission_index);
     if (is_for_people) {
       append(row, way_text(one.mission));
@@ -269,18 +293,15 @@ Table trial_table(const std::vector<TrialListing>& trials, const std::vector<std
     append(row, make_row(text(one.outcome), one.end_time_s, one.reason));
     table.rows.push_back(std::move(row));
   }
-  // Maps that are no Poisson-disc fields have no radius.
-  drop_if_empty(table, "radius_m");
   if (is_for_people) fit(table, fields);
   return table;
 }
 
 std::string trial_text(const TrialListing& trial) {
-  const bool has_radius = !std::isnan(trial.poisson_radius_m);
   return visible_line(trial.planner_label + ", " + trial.generator + " seed " +
                       std::to_string(trial.map_seed) +
-                      (has_radius ? ", radius " + shortest(trial.poisson_radius_m) + " m" : "") +
-                      ", mission " + std::to_string(trial.mission_index));
+                      (trial.setting.empty() ? "" : ", " + trial.setting) + ", mission " +
+                      std::to_string(trial.mission_index));
 }
 
 }  // namespace avoidbench

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "report/selection.hpp"
 #include "store/database.hpp"
 #include "store/rows.hpp"
 #include "table/table.hpp"
@@ -17,16 +18,20 @@ struct TrialChoice {
   std::string planner = {}, outcome = {};
   std::optional<std::uint64_t> map_seed = {};
   std::optional<std::int64_t> mission = {};
-  std::optional<double> radius_m = {};
+  std::vector<Condition> where = {};  ///< all of them hold
 };
 
-/// Those of `all` that are meant. Throws InputError, with what there is, where a planner or outcome
-/// is of none of them, or no trial has this id or key.
+/// Those of `all` that are meant. `fields` are the names of theirs, with those of the conditions.
+/// Throws InputError, with what there is, where a planner, an outcome or a condition's value is of
+/// none of them, or no trial has this id or key.
 std::vector<TrialListing> chosen_trials(const std::vector<TrialListing>& all,
-                                        const TrialChoice& choice);
+                                        const TrialChoice& choice,
+                                        const std::vector<std::string>& fields = {});
 
 /// The one trial that is meant. Throws InputError, naming some, where there is not exactly one.
 TrialListing the_trial(const std::vector<TrialListing>& all, const TrialChoice& choice);
+/// The same of trials that were chosen before.
+TrialListing the_one_of(const std::vector<TrialListing>& chosen);
 
 /// Which trials of many are listed or exported, and in which order.
 struct TrialOrder {
@@ -41,9 +46,16 @@ std::vector<std::size_t> worst_first(const std::vector<TableValue>& values, Bett
 /// Of a metric what is better; Better::more for other fields, so that the least comes first.
 Better better_of(const std::string& field, const std::vector<MetricRow>& metrics);
 
-/// The fields that a list of trials needs: the axes of the database's sweeps, and what it is sorted
-/// by; for Database::list_trials().
-std::vector<std::string> listed_fields(const Database& database, const TrialOrder& order);
+/// The fields that a list of trials needs: what the database's sweeps vary, and what it is sorted
+/// and chosen by; for Database::list_trials().
+std::vector<std::string> listed_fields(const Database& database, const TrialOrder& order = {},
+                                       const std::vector<Condition>& where = {});
+
+/// The database's trials with these fields. Throws InputError where a condition's field is a path
+/// at which none of them has a value.
+std::vector<TrialListing> listed_trials(const Database& database,
+                                        const std::vector<std::string>& fields,
+                                        const std::vector<Condition>& where);
 
 /// The trials in this order, at most as many as it says. `fields` are those of the trials, with
 /// that of the order.
@@ -56,7 +68,8 @@ std::vector<TrialListing> in_order(std::vector<TrialListing> trials, const Trial
 Table trial_table(const std::vector<TrialListing>& trials, const std::vector<std::string>& fields,
                   bool is_for_people);
 
-/// "reactive, forest seed 1, radius 3.5 m, mission 2".
+/// "reactive, forest seed 1, poisson_radius_m 3.5, mission 2": with what its sweep varies, if the
+/// trial was listed with these fields.
 std::string trial_text(const TrialListing& trial);
 
 }  // namespace avoidbench

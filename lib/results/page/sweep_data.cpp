@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/check.hpp"
+#include "base/json_path.hpp"
 #include "base/number_text.hpp"
 #include "page/packed.hpp"
 #include "report/sweep_tables.hpp"
@@ -92,10 +93,10 @@ ordered_json planners_json(const PageSweep& sweep, const PagePlanners& planners)
   return all;
 }
 
-ordered_json maps_json(const SweepResult& result) {
+ordered_json maps_json(const PageSweep& sweep) {
   ordered_json all = ordered_json::array();
-  for (const MapRow& map : result.maps) {
-    all.push_back({{"text", map_text(map)},
+  for (const MapRow& map : sweep.result.maps) {
+    all.push_back({{"text", map_text(map, sweep.summary.environment.axes)},
                    {"generator", map.generator},
                    {"seed", std::to_string(map.map_seed)},
                    {"traversability", number(map.record.traversability_normalized_ratio)},
@@ -299,12 +300,13 @@ std::vector<std::size_t> maps_of(const SweepResult& result) {
   return all;
 }
 
-std::string map_text(const MapRow& map) {
+std::string map_text(const MapRow& map, const std::vector<std::string>& axes) {
   std::string words = map.generator + ", seed " + std::to_string(map.map_seed);
-  const auto spec = nlohmann::json::parse(map.spec_json, nullptr, false);
-  if (spec.is_object() && spec.contains("poisson_radius_m") &&
-      spec["poisson_radius_m"].is_number()) {
-    words += ", radius " + significant_digits(spec["poisson_radius_m"].get<double>(), 4) + " m";
+  for (const std::string& axis : axes) {
+    const TableValue value = map_field(map, axis);
+    const auto* number = std::get_if<double>(&value);
+    const std::string text = number != nullptr ? significant_digits(*number, 4) : text_of(value);
+    if (!text.empty()) words += ", " + short_name(axis, axes) + " " + text;
   }
   return words;
 }
@@ -334,7 +336,7 @@ ordered_json sweep_json(const PageSweep& sweep) {
           {"limit", limit_json(sweep.summary.limits.rule)},
           {"curves", curves_json(sweep.summary)},
           {"planners", planners_json(sweep, planners)},
-          {"maps", maps_json(sweep.result)},
+          {"maps", maps_json(sweep)},
           {"metrics", metrics_json(sweep.result)},
           {"usual_metrics", usual},
           {"outcomes", outcomes},

@@ -37,8 +37,8 @@ PagePlanners page_planners(const PageSweep& sweep);
 /// For each trial of the result the index of its map.
 std::vector<std::size_t> maps_of(const SweepResult& result);
 
-/// "forest, seed 1, radius 3.5 m"
-std::string map_text(const MapRow& map);
+/// "forest, seed 1, poisson_radius_m 3.5", with what the sweep varies of its maps.
+std::string map_text(const MapRow& map, const std::vector<std::string>& axes);
 
 nlohmann::ordered_json mission_json(const MissionRecord& mission);
 

@@ -6,12 +6,17 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "base/check.hpp"
+#include "base/json_path.hpp"
 #include "maps/map_spec.hpp"
 #include "metrics/map_measure.hpp"
 #include "statistics/correlation.hpp"
+#include "store/trial_fields.hpp"
 
 namespace avoidbench {
 namespace {
+
+constexpr std::string_view kMapFields = "map.";
 
 MapSummary summary_of(std::size_t index, const MapRecord& map) {
   MapSummary summary;
@@ -56,17 +61,27 @@ EnvironmentCorrelation correlation_of(std::string measure,
 
 }  // namespace
 
-double spec_number(const MapRow& map, const char* name) {
-  // Without throwing: a spec that can't be read has no such number either.
+TableValue map_field(const MapRow& map, std::string_view field) {
+  AB_CHECK(field.starts_with(kMapFields), field);
+  // Without throwing: a spec that can't be read has no such field either.
   const nlohmann::json spec = nlohmann::json::parse(map.spec_json, nullptr, false);
-  if (!spec.is_object() || !spec.contains(name) || !spec[name].is_number()) {
-    return std::numeric_limits<double>::quiet_NaN();
-  }
-  return spec[name].get<double>();
+  const nlohmann::json::json_pointer place = json_place(field.substr(kMapFields.size()));
+  if (!spec.is_object() || !spec.contains(place)) return {};
+  const nlohmann::json& value = spec.at(place);
+  if (value.is_null()) return {};
+  if (value.is_boolean()) return std::int64_t{value.get<bool>() ? 1 : 0};
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_number_integer()) return value.get<std::int64_t>();
+  if (value.is_number()) return value.get<double>();
+  return value.dump();
 }
 
 EnvironmentSummary environment_summary(const SweepResult& result, const Trials& trials) {
   EnvironmentSummary summary;
+  const SweepInfo sweep{.name = result.name, .spec_json = result.spec_json};
+  summary.axes = axis_fields({&sweep, 1});
+  std::erase_if(summary.axes,
+                [](const std::string& field) { return !field.starts_with(kMapFields); });
   for (std::size_t i = 0; i < result.maps.size(); ++i) {
     summary.maps.push_back(summary_of(i, result.maps[i].record));
   }

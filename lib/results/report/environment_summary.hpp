@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "report/planner_summary.hpp"
@@ -24,12 +25,14 @@ struct EnvironmentCorrelation {
 };
 
 struct EnvironmentSummary {
-  std::vector<MapSummary> maps;                      ///< the least traversable first
+  std::vector<std::string> axes;  ///< what the sweep varies of its maps: "map.poisson_radius_m"
+  std::vector<MapSummary> maps;   ///< the least traversable first
   std::vector<EnvironmentCorrelation> correlations;  ///< of those measures that vary
 };
 
-/// A number of the map's spec, NaN where it has none of this name.
-double spec_number(const MapRow& map, const char* name);
+/// What the map's spec says of a field of trials that is one of their map, such as
+/// "map.poisson_radius_m": a number, a text, or JSON; nothing where it has none.
+TableValue map_field(const MapRow& map, std::string_view field);
 
 EnvironmentSummary environment_summary(const SweepResult& result, const Trials& trials);
 

@@ -199,36 +199,40 @@ bool holds(const Condition& condition, const TableValue& value) {
   return condition.comparison == Comparison::greater ? *number > limit : *number >= limit;
 }
 
-/// A value that no trial has is likely misspelt. Without this, a condition with `=` would leave
-/// nothing and one with `!=` leave out nothing, both in silence.
+void check_values(const Condition& condition, const std::set<TableValue>& there) {
+  constexpr std::size_t kMostShown = 12;
+  const bool is_by_value =
+      condition.comparison == Comparison::equal || condition.comparison == Comparison::unequal;
+  if (!is_by_value) return;
+  for (const Condition::Value& value : condition.values) {
+    const auto is_meant = [&](const TableValue& one) { return is_equal(one, value); };
+    if (std::any_of(there.begin(), there.end(), is_meant)) continue;
+    std::vector<std::string> words;
+    for (const TableValue& one : there) {
+      if (std::holds_alternative<std::monostate>(one)) continue;
+      const std::optional<double> number = number_in(one);
+      words.push_back(number ? shortest(*number) : text_of(one));
+    }
+    const std::string near = did_you_mean(value.word, words);
+    const std::size_t count = words.size();
+    words.resize(std::min(kMostShown, count));
+    throw OptionError("'" + condition.text + "': no trial has " + value.word + near +
+                          "; there are: " + joined(words) + (count > kMostShown ? ", …" : ""),
+                      "where");
+  }
+}
+
+/// Without this, a condition with `=` would leave nothing and one with `!=` leave out nothing, both
+/// in silence.
 void check_values(std::span<const SweepResult* const> results,
                   const std::vector<Condition>& conditions) {
-  constexpr std::size_t kMostShown = 12;
   for (const Condition& condition : conditions) {
-    const bool is_by_value =
-        condition.comparison == Comparison::equal || condition.comparison == Comparison::unequal;
-    if (!is_by_value) continue;
     std::set<TableValue> there;
     for (const SweepResult* result : results) {
       const std::size_t field = field_of(*result, condition.field);
       for (const TrialSummary& trial : result->trials) there.insert(trial.fields[field]);
     }
-    for (const Condition::Value& value : condition.values) {
-      const auto is_meant = [&](const TableValue& one) { return is_equal(one, value); };
-      if (std::any_of(there.begin(), there.end(), is_meant)) continue;
-      std::vector<std::string> words;
-      for (const TableValue& one : there) {
-        if (std::holds_alternative<std::monostate>(one)) continue;
-        const std::optional<double> number = number_in(one);
-        words.push_back(number ? shortest(*number) : text_of(one));
-      }
-      const std::string near = did_you_mean(value.word, words);
-      const std::size_t count = words.size();
-      words.resize(std::min(kMostShown, count));
-      throw OptionError("'" + condition.text + "': no trial has " + value.word + near +
-                            "; there are: " + joined(words) + (count > kMostShown ? ", …" : ""),
-                        "where");
-    }
+    check_values(condition, there);
   }
 }
 

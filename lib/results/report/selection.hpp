@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -43,8 +44,11 @@ Condition parse_condition(const std::string& text);
 /// never less or greater than a number. A field without value fulfils != only.
 bool holds(const Condition& condition, const TableValue& value);
 
-/// Throws OptionError, with the values that there are, where `=` or `!=` names a value that no
-/// trial of any of these results has: it was misspelled, and would choose nothing or everything.
+/// Throws OptionError, with the values that there are, where `=` or `!=` names a value that is none
+/// of `there`: it was misspelled, and would choose nothing or everything.
+void check_values(const Condition& condition, const std::set<TableValue>& there);
+
+/// The same for what the trials of these results have.
 void check_values(std::span<const SweepResult* const> results,
                   const std::vector<Condition>& conditions);
 

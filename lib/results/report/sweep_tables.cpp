@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/json_path.hpp"
 #include "base/math.hpp"
 #include "base/words.hpp"
 #include "explain/causes.hpp"
@@ -143,10 +144,7 @@ Table grouped_table(const SweepSummary& summary) {
   std::vector<Column> keys;
   for (const GroupColumn& column : summary.group_columns) {
     title += (title.empty() ? "By " : ", ") + column.field;
-    keys.push_back({.name = column.field,
-                    // The last part of the path, as "poisson_radius_m" of "map.poisson_radius_m".
-                    .header = column.field.substr(column.field.rfind('.') + 1),
-                    .place = Place::key});
+    keys.push_back({.name = column.field, .header = last_part(column.field), .place = Place::key});
   }
   keys.push_back({.name = "map_count", .header = "maps"});
   Table table = make_group_table("grouped", title, keys, summary.metrics);
@@ -284,13 +282,16 @@ Table flight_time_curve_table(const SweepSummary& summary) {
   return table;
 }
 
-Table map_table(const SweepSummary& summary) {
-  Table table = make_table(
-      "maps", "Maps, hard ones first",
-      {{.name = "map", .place = Place::key},
-       {.name = "map_seed", .header = "seed"},
-       {.name = "poisson_radius_m", .header = "radius", .unit = "m"},
-       {.name = "obstacle_count", .header = "obstacles"},
+/// What the sweep varies of its maps, then what was measured of them.
+std::vector<Column> map_columns(const std::vector<std::string>& axes) {
+  std::vector<Column> columns{{.name = "map", .place = Place::key},
+                              {.name = "map_seed", .header = "seed"}};
+  for (const std::string& axis : axes) {
+    columns.push_back({.name = axis, .header = short_name(axis, axes)});
+  }
+  columns.insert(
+      columns.end(),
+      {{.name = "obstacle_count", .header = "obstacles"},
        {.name = "traversability",
         .header = "TRAV",
         .doc = "traversability: mean free flight distance, in diagonals of the vehicle"},
@@ -311,24 +312,30 @@ Table map_table(const SweepSummary& summary) {
        machine_column("invalid_mission_count"),
        {.name = "trial_count", .header = "trials"},
        {.name = "finished_count", .header = "finished"}});
+  return columns;
+}
+
+Table map_table(const SweepSummary& summary) {
+  const std::vector<std::string>& axes = summary.environment.axes;
+  Table table = make_table("maps", "Maps, hard ones first", map_columns(axes));
   for (const MapSummary& map : summary.environment.maps) {
     const MapRow& row = summary.maps[map.map];
     const MapRecord& record = row.record;
     const bool is_field = !is_from_file(row.generator);
     const Cell count{.value = is_field ? TableValue(record.obstacle_count) : TableValue()};
-    table.rows.push_back(
-        // Several generators' maps may have one seed.
-        make_row(row.generator + " " + record.key.substr(0, 6), row.map_seed,
-                 spec_number(row, "poisson_radius_m"), count, record.traversability,
-                 record.traversability_normalized_ratio, record.relative_gap_size,
-                 is_field ? record.obstacle_density_1pm2 : math::kNaN,
-                 map.traversability_obstruction, map.view_occlusion, map.angle_over_length_1pm,
-                 map.mission_count, map.invalid_mission_count, map.trial_count,
-                 map.finished_count));
+    // Several generators' maps may have one seed.
+    Row cells = make_row(row.generator + " " + record.key.substr(0, 6), row.map_seed);
+    for (const std::string& axis : axes) append(cells, Cell{.value = map_field(row, axis)});
+    append(cells,
+           make_row(count, record.traversability, record.traversability_normalized_ratio,
+                    record.relative_gap_size, is_field ? record.obstacle_density_1pm2 : math::kNaN,
+                    map.traversability_obstruction, map.view_occlusion, map.angle_over_length_1pm,
+                    map.mission_count, map.invalid_mission_count, map.trial_count,
+                    map.finished_count));
+    table.rows.push_back(std::move(cells));
   }
   // Maps of other generators than the original's have no such number.
-  for (const char* name :
-       {"poisson_radius_m", "obstacle_count", "relative_gap_size", "obstacle_density_1pm2"}) {
+  for (const char* name : {"obstacle_count", "relative_gap_size", "obstacle_density_1pm2"}) {
     drop_if_empty(table, name);
   }
   return table;
