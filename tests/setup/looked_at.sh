@@ -30,6 +30,12 @@ echo more >>file_3 && git commit --quiet --all --message "on a branch"
 echo more >>file_2 && touch file_new
 expect "a branch: what it changes, with what is not committed" $'file_2\nfile_new\nfile_3' "$(scripts/changed_files.sh)"
 
+git checkout --quiet --force main && git clean --quiet --force && git checkout --quiet -b moves
+git mv file_38 moved && git commit --quiet --message "a move alone"
+expect "a file that only moved" "" "$(scripts/changed_files.sh)"
+echo more >>moved && git commit --quiet --all --message "a change" && git mv moved again && git commit --quiet --message "a move"
+expect "a file that moved after its change" "again" "$(scripts/changed_files.sh)"
+
 seen=
 for commit in $(git log --format=%h -n 8 main); do
   git checkout --quiet --force "$commit"
