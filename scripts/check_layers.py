@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Checks that each room of lib/ includes only itself, rooms before it in lib/ORDER and the third parties named there,
-that no wing includes one that comes after it or stands beside it, that planners include only the SDK (but not what trains them), that no message of
-lib/ names an option of the command line, that no code uses what would make results differ between machines, that no two
-rooms define a type of one name (the linker would take either's functions for both, without a word), and that the
-drawing in lib/README.md shows the includes as they are.
+that no wing includes one that comes after it or stands beside it, that planners include only the SDK (but not what
+trains them), that no message of lib/ names an option of the command line, that no code uses what would make results
+differ between machines, that no two rooms define a type of one name (the linker would take either's functions for both,
+without a word), and that the drawing in lib/README.md shows the includes as they are.
 
     check_layers.py [FOLDER] [--draw]    --draw: writes the drawing again"""
 
