@@ -298,7 +298,8 @@ LimitEstimate LimitCurve::estimate(std::span<const LimitCell> cells, double fall
   double falling = 0.0;
   for (std::size_t i = 0; i < weights.size(); ++i) {
     if (is_falling_[i]) falling += weights[i];
-    const bool is_before = limits_[i]<0.0, is_after = limits_[i]> 1.0;
+    const bool is_before = limits_[i] < 0.0;
+    const bool is_after = limits_[i] > 1.0;
     if (is_falling_[i] ? is_after : is_before) result.above += weights[i];
     if (is_falling_[i] ? is_before : is_after) result.below += weights[i];
   }

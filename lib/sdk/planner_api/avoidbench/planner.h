@@ -39,8 +39,8 @@ typedef int32_t ab_status;
 #define AB_OK 0       /* a command was given */
 #define AB_NO_PLAN 1  /* no command now: the host brakes and hovers, counts it, and asks again */
 #define AB_ERROR (-1) /* the trial ends with planner_error and the text given to set_error */
-#define AB_GIVE_UP \
-  2 /* the planner knows it cannot reach the goal: the trial ends with planner_gave_up */
+/* The planner knows that it can't reach the goal: the trial ends with planner_gave_up. */
+#define AB_GIVE_UP 2
 
 /* ab_planner.needs: what the planner wants to see. */
 #define AB_SEES_STATE 1u
