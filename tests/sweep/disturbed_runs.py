@@ -102,8 +102,8 @@ class Disturbed:
         self.runs.problems += 1
 
     def start(self):
-        if not self.file.exists():
-            # Of a run that was killed after its file was deleted: refused until somebody moves it away.
+        if not self.file.exists() or self.file.stat().st_size == 0:
+            # Of a run that was killed after its file was deleted or replaced: refused until somebody moves it away.
             self.file.with_name(self.file.name + "-wal").unlink(missing_ok=True)
         environment = os.environ | {MARK: str(os.getpid())}
         self.must_fail = self.is_gone = self.is_mute = False
