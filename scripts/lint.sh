@@ -50,7 +50,7 @@ if [ -n "$format" ]; then
 fi
 
 # Of the other languages all files are looked at, where their tools are: ruff of scripts/python_venv.sh, biome of the
-# page's packages (npm ci in build/release/page), shellcheck of the package list `test`.
+# page's packages (npm ci in build/*/page), shellcheck of the package list `test`.
 # checked PROGRAM LANGUAGE COMMAND…
 checked() {
   command -v "$1" >/dev/null || { echo "no $(basename "$1") here: $2 not checked" >&2; return 0; }
@@ -60,7 +60,10 @@ checked() {
 if [ ${#asked[@]} -eq 0 ]; then
   mapfile -t python_files < <(git ls-files '*.py')
   mapfile -t shell_files < <(git ls-files '*.sh' .ci/run)
-  ruff=build/venv/bin/ruff biome=build/release/page/node_modules/.bin/biome
+  ruff=build/venv/bin/ruff
+  # Of the build that is there: CI lints after it built with clang, before it builds with g++.
+  biome=$(compgen -G 'build/*/page/node_modules/.bin/biome' | head -n 1 || true)
+  biome=${biome:-biome}
   checked "$ruff" Python "$ruff" format --check --quiet "${python_files[@]}"
   checked "$ruff" Python "$ruff" check --quiet "${python_files[@]}"
   checked "$biome" TypeScript "$biome" ci --colors=off --log-level=warn

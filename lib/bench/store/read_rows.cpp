@@ -241,17 +241,6 @@ void read_sweep_spec(const Database& db, SweepResult& result) {
   if (latest.step() && !latest.is_null(0)) result.latest_revision = latest.integer(0);
 }
 
-/// Of its trials, in order.
-std::vector<std::string> keys_of_sweep(const Database& db, const SweepResult& sweep) {
-  const auto s = of_sweep(
-      db, sweep,
-      "SELECT s.trial_key FROM sweep_trials s" + std::string(kOfSweep) + "ORDER BY s.trial_key");
-  s->rows_of("sweep_trials");
-  std::vector<std::string> keys;
-  while (s->step()) keys.push_back(s->text(0));
-  return keys;
-}
-
 /// Reads maps and missions; the place of each map by its key.
 std::map<std::string, std::size_t> read_sweep_maps(const Database& db, SweepResult& result) {
   const auto maps = of_sweep(db, result,
@@ -386,44 +375,42 @@ SweepResult Database::read_sweep(std::string_view name, std::int64_t revision,
   read_sweep_spec(*this, result);
   const std::map<std::string, std::size_t> map_indices = read_sweep_maps(*this, result);
 
-  // Once over the trials, which are most of the file, as they lie in it; what they refer to is few
-  // and looked up here, unless a field asks for it.
-  const std::vector<std::string> keys = keys_of_sweep(*this, result);
-  Statement trials(
-      handle(), path(),
+  // Once over the sweep's trials; what they refer to is few and looked up here, unless a field asks
+  // for it.
+  const std::string_view tables =
+      fields.empty() ? " FROM sweep_trials s JOIN trials t USING (trial_key)" : kTrialTables;
+  const auto trials = of_sweep(
+      *this, result,
       "SELECT t.trial_key, t.planner_key, t.map_key, t.mission_index, t.outcome, t.run_id, "
       "t.end_time_s" +
-          metric_columns(*this) + field_columns(*this, fields) +
-          std::string(fields.empty() ? " FROM trials t" : kTrialTables));
+          metric_columns(*this) + field_columns(*this, fields) + std::string(tables) +
+          std::string(kOfSweep) + "ORDER BY s.trial_key");
   const int first_field = 7 + static_cast<int>(metrics_.size());
-  trials.rows_of("trials");
+  trials->rows_of("trials");
   std::set<std::string> planner_keys;
   std::set<std::int64_t> runs;
   std::map<std::string, std::string> causes;
   for (ExplanationRow& row : read_explanations()) {
     causes.emplace(std::move(row.trial_key), std::move(row.cause));
   }
-  while (trials.step()) {
-    if (!std::binary_search(keys.begin(), keys.end(), trials.text(0))) continue;
-    TrialSummary trial = summary_of(*this, trials);
+  while (trials->step()) {
+    TrialSummary trial = summary_of(*this, *trials);
     if (const auto cause = causes.find(trial.key); cause != causes.end()) {
       trial.cause = cause->second;
     }
     const auto map = map_indices.find(trial.map_key);
-    if (map == map_indices.end()) trials.damaged("its map is not there");
+    if (map == map_indices.end()) trials->damaged("its map is not there");
     const auto length_m = reference_length_m(result.maps[map->second], trial.mission_index);
-    if (!length_m) trials.damaged("its mission is not there");
+    if (!length_m) trials->damaged("its mission is not there");
     trial.reference_length_m = *length_m;
     // Most trials have a planner that was seen before: looking is cheaper than a node made in vain.
     if (!planner_keys.contains(trial.planner_key)) planner_keys.insert(trial.planner_key);
-    runs.insert(trials.integer(5));
+    runs.insert(trials->integer(5));
     for (std::size_t i = 0; i < fields.size(); ++i) {
-      trial.fields.push_back(trials.value(first_field + static_cast<int>(i)));
+      trial.fields.push_back(trials->value(first_field + static_cast<int>(i)));
     }
     result.trials.push_back(std::move(trial));
   }
-  std::sort(result.trials.begin(), result.trials.end(),
-            [](const TrialSummary& a, const TrialSummary& b) { return a.key < b.key; });
   for (std::size_t i = 0; i < fields.size(); ++i) refuse_empty_field(*this, result, i);
   result.planners = planners_of(*this, planner_keys);
   result.program_versions = versions_of(*this, runs);

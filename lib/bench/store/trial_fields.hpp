@@ -15,11 +15,10 @@ class Statement;
 Outcome outcome_of(const Statement& row, int column);
 
 /// The tables that a field's expression may name: trials t, planners p, maps m, missions i, runs r.
-/// CROSS: trials are gone through as they lie in the file.
 inline constexpr std::string_view kTrialTables =
-    " FROM trials t CROSS JOIN planners p USING (planner_key) CROSS JOIN maps m ON m.map_key = "
-    "t.map_key CROSS JOIN runs r USING (run_id) CROSS JOIN missions i ON i.map_key = t.map_key AND "
-    "i.mission_index = t.mission_index";
+    " FROM sweep_trials s JOIN trials t USING (trial_key) JOIN planners p USING (planner_key) "
+    "JOIN maps m ON m.map_key = t.map_key JOIN runs r USING (run_id) JOIN missions i ON "
+    "i.map_key = t.map_key AND i.mission_index = t.mission_index";
 
 /// `, t.a, t.b` for the metrics a and b.
 std::string metric_columns(const Database& db);
