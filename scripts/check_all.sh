@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # What tests do not see: format, the warnings of another compiler (build/clang, whose program scripts/test.sh can compare bits with),
-# clang-tidy and sanitizers. The last two look at what changed (scripts/changed_files.sh) and at a rotating eighth of the rest.
+# clang-tidy and sanitizers. The last two look at what changed (scripts/changed_files.sh) and at a rotating sixteenth of the rest.
 #   --all    for every night: each source is compiled by itself with clang and finds its own headers, clang-tidy and the sanitizers look at
 #            everything, and the fuzz targets run for a minute each
 set -euo pipefail

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # lint.sh [FILE…|--all]: format and lint of every language; of C++ clang-format and clang-tidy over the given sources
 # (clang-tidy over their neighbours too), or over all. Without arguments clang-tidy looks at what changed (changed_files.sh; of a changed header at its folder) and
-# at a rotating eighth of the rest.
+# at a rotating sixteenth of the rest.
 #   --format-only    no clang-tidy
 # Both of version 14 only: others format otherwise and have other checks. Without it only torn comments are found, which
 # is said.
@@ -88,10 +88,10 @@ if [ ${#asked[@]} -gt 0 ]; then
 elif [ $all = 1 ]; then
   units=("${every[@]}")
 else
-  # Of many folders those that changed last: the eighth comes to the others.
+  # Of many folders those that changed last: the rotation comes to the others.
   mapfile -t changed < <(scripts/changed_files.sh | grep -E '^(lib|apps|planners|python)/.*\.(cpp|hpp|h|c)$' |
     sed -E 's|/[^/]*$|/|' | awk '!seen[$0]++ && ++count <= 12')
-  mapfile -t units < <({ units_with "${changed[@]}"; printf '%s\n' "${every[@]}" | scripts/rotating_eighth.sh; } | sort -u)
+  mapfile -t units < <({ units_with "${changed[@]}"; printf '%s\n' "${every[@]}" | scripts/rotating_part.sh; } | sort -u)
 fi
 [ ${#units[@]} -gt 0 ] || { echo "nothing to check"; exit 0; }
 tidy_unit() {

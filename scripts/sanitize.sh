@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # sanitize.sh [ROOM…|--all]: builds the tests of these rooms, or planners (planners/ego), with address and
 # undefined-behaviour sanitizers (build/asan) and runs them; of planners without the longest flights. Without arguments:
-# what changed (changed_files.sh), of more than two rooms those with the most changed files, and a rotating eighth of
+# what changed (changed_files.sh), of more than two rooms those with the most changed files, and a rotating sixteenth of
 # all rooms; the tests labelled slow only with --all.
 #   --python [PYTEST ARGUMENTS…]    the Python extension instead, by the package's tests; they fly with the program of
 #   build/release
@@ -45,7 +45,7 @@ case "${1:-}" in
         count=$(grep -cE "^(lib/[a-z]+/|tests/)?$room/.*\.(cpp|hpp|h|c|sql)$" <<<"$changed" || true)
         [ "$count" -eq 0 ] || echo "$count $room"
       done | sort -rn | head -n 2 | cut -d' ' -f2)
-    mapfile -t chosen < <({ echo "$most_changed"; printf '%s\n' "${tested[@]}" | scripts/rotating_eighth.sh; } | grep . | sort -u || true)
+    mapfile -t chosen < <({ echo "$most_changed"; printf '%s\n' "${tested[@]}" | scripts/rotating_part.sh; } | grep . | sort -u || true)
     ;;
   *) chosen=("$@") ;;
 esac

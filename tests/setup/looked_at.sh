@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# looked_at.sh SOURCE_FOLDER: which files changed_files.sh and rotating_eighth.sh choose, in a repository of forty
+# looked_at.sh SOURCE_FOLDER: which files changed_files.sh and rotating_part.sh choose, in a repository of forty
 # commits.
 set -euo pipefail
 
@@ -14,7 +14,7 @@ expect() {  # expect WHAT WANTED GIVEN
 upstream=$folder/upstream
 mkdir -p "$upstream/scripts" && cd "$upstream"
 git init --quiet --initial-branch main
-cp "$source"/scripts/{changed_files,rotating_eighth}.sh scripts/
+cp "$source"/scripts/{changed_files,rotating_part}.sh scripts/
 for i in $(seq 40); do
   echo "$i" >"file_$i"
   git add . && git commit --quiet --message "$i"
@@ -37,12 +37,12 @@ echo more >>moved && git commit --quiet --all --message "a change" && git mv mov
 expect "a file that moved after its change" "again" "$(scripts/changed_files.sh)"
 
 seen=
-for commit in $(git log --format=%h -n 8 main); do
+for commit in $(git log --format=%h -n 16 main); do
   git checkout --quiet --force "$commit"
-  seen+=$(seq 30 | scripts/rotating_eighth.sh 2>/dev/null)$'\n'
+  seen+=$(seq 30 | scripts/rotating_part.sh 2>/dev/null)$'\n'
 done
-expect "eight commits see every line once" "$(seq 30)" "$(grep . <<<"$seen" | sort -n)"
+expect "sixteen commits see every line once" "$(seq 30)" "$(grep . <<<"$seen" | sort -n)"
 
 git clone --quiet --depth 1 "file://$upstream" "$folder/shallow" && cd "$folder/shallow"
-turn=$(seq 8 | scripts/rotating_eighth.sh 2>/dev/null)
-expect "a shallow clone: one eighth, the same each time" "1 $turn" "$(wc -w <<<"$turn") $(seq 8 | scripts/rotating_eighth.sh 2>/dev/null)"
+turn=$(seq 16 | scripts/rotating_part.sh 2>/dev/null)
+expect "a shallow clone: one line, the same each time" "1 $turn" "$(wc -w <<<"$turn") $(seq 16 | scripts/rotating_part.sh 2>/dev/null)"
