@@ -42,12 +42,16 @@ void add_limit_command(CLI::App& app) {
       app, "limit",
       "Find how far planners go: the value of a field at which success crosses a rate", limit);
   add_sweep_options(command, options.run);
-  add_typed(command, "--over", options.request.over, "FIELD=LOW..HIGH",
-            "The number that is varied, and its range: max_speed_mps=1..10, "
-            "maps.poisson_radius_m=1.5..6, latency.ms=0..500, wind.mean_world_mps[0]=0..12")
+  add_typed(
+      command, "--over", options.request.over, "FIELD=LOW..HIGH",
+      "The number that is varied, and its range: maps.poisson_radius_m=1.5..6, latency.ms=0..500, "
+      "wind.mean_world_mps[0]=0..12, max_speed_mps=1..10")
       ->required();
   add_number(command, "--success", options.request.success_rate, CLI::Range(0.05, 0.99),
              "The rate of success that is crossed there");
+  add_number(command, "--reach", options.request.reach_mps, CLI::PositiveNumber,
+             "A mission counts with this goal velocity (shortest path over flight time) or more, "
+             "m/s: with the usual rate the limit is where v90 falls below it [any]");
   add_number(command, "--width", options.request.width, CLI::PositiveNumber,
              "Width of the 95 % interval that is narrow enough, in units of the field [a tenth of "
              "the range]");
@@ -72,7 +76,7 @@ void add_limit_command(CLI::App& app) {
       "in turn; give it many\n"
       "(maps.seeds), since what is found is of maps like these.\n\n"
       "Examples:\n"
-      "  avoidbench limit forest_small --over max_speed_mps=1..10 --falls --set maps.seeds=30\n"
+      "  avoidbench limit forest_small --over maps.poisson_radius_m=1.5..6 --reach 3\n"
       "  avoidbench limit hall_small --over latency.ms=0..400 --success 0.8 --paired\n\n"
       "Exit codes: as those of `run`");
 }

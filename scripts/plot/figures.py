@@ -33,6 +33,7 @@ REPORTED = [
 
 def names():
     return [
+        "speed_curve",
         "success_by_traversability",
         "contrast_factors",
         "traversability_by_gap_size",
@@ -51,6 +52,8 @@ def draw(section, trials, wanted):
             yield "limit_curve", limit_curve(section)
         return
     planners = [row["planner"] for row in tables["planners"]]
+    if "speed_curve" in wanted and any(row["goal_velocity_mps"] > 0 for row in tables["speed_curve"]):
+        yield "speed_curve", speed_curve(tables["speed_curve"], tables["speed"], planners)
     groups = tables.get("groups", [])
     maps = trials.drop_duplicates("map_key")
     if "success_by_traversability" in wanted and groups:
@@ -74,6 +77,29 @@ def draw(section, trials, wanted):
             axes.set_title(f"({'abcdef'[i]})", loc="left", fontsize=style.FONT_PT)
         style.planner_legend(figure, planners, style.PAGE_IN)
         yield "metrics", figure
+
+
+def speed_curve(curve, speeds, planners):
+    """S(v): the share of missions completed with at least a goal velocity, and where each reaches nine of ten."""
+    figure, axes = style.column_figure(2.4, planners)
+    v90 = {row["planner"]: row["v90_mps"] for row in speeds}
+    for planner in planners:
+        look = style.looks(planners)[planner]
+        rows = [row for row in curve if row["planner"] == planner]
+        # S holds from the step before up to its speed, and is 0 beyond the last.
+        x = [row["goal_velocity_mps"] for row in rows] + [rows[-1]["goal_velocity_mps"]]
+        share, lower, upper = ([row["reached_share" + end] for row in rows] + [0.0] for end in ("", "_lower", "_upper"))
+        axes.step(x, share, where="pre", color=look["color"], linestyle=look["linestyle"], zorder=3)
+        axes.fill_between(x, lower, upper, step="pre", color=look["color"], alpha=0.1, linewidth=0, zorder=1)
+        if v90[planner]:
+            axes.plot(v90[planner], 0.9, marker=look["marker"], color=look["color"], zorder=4)
+    axes.axhline(0.9, color=style.GREY, linewidth=0.7, linestyle=(0, (4, 3)))
+    axes.set_xlim(left=0)
+    axes.set_ylim(0, 1)
+    axes.set_xlabel("goal velocity v (m/s)")
+    axes.set_ylabel("missions completed at v or faster")
+    style.planner_legend(axes, planners, style.COLUMN_IN)
+    return figure
 
 
 def group_bounds(groups):

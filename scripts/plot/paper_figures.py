@@ -7,6 +7,7 @@ Every number comes from the program: rates, means and intervals from `avoidbench
 and maps from `avoidbench export trials`. Of each sweep, FOLDER/SWEEP/ gets these figures, one column (3.5 in) wide, as
 PDF and PNG; the same results give the same bytes:
 
+  speed_curve                  share of missions completed with at least a goal velocity, and v90 of each planner
   success_by_traversability    6a: success rate by group of maps, with Wilson's 95 % intervals
   contrast_factors             6b: contrast factors of pairs of planners, with their intervals
   traversability_by_gap_size   6c: each map's traversability against its relative gap size

@@ -30,7 +30,7 @@ Comparison sample() {
 
 TEST(CompareFormats, TableFitsATerminal) {
   const std::string text = format_comparison(sample(), CompareFormat::table);
-  EXPECT_EQ(text.find("3 regressions: b.db against a.db"), 0U) << text;
+  EXPECT_EQ(text.find("4 regressions: b.db against a.db"), 0U) << text;
   std::size_t start = 0;
   while (start < text.size()) {
     const std::string line = text.substr(start, text.find('\n', start) - start);
@@ -61,7 +61,7 @@ TEST(CompareFormats, ChangesHaveSignsAndDigitsOfTheirInterval) {
 
 TEST(CompareFormats, JsonHasAllFlips) {
   const json all = json::parse(format_comparison(sample(), CompareFormat::json));
-  EXPECT_EQ(all.at("regression_count"), 3);
+  EXPECT_EQ(all.at("regression_count"), 4);
   EXPECT_EQ(all.at("flips").size(), 20U);
   EXPECT_EQ(all.at("flips")[0].at("before"), "reached_goal");
   EXPECT_EQ(all.at("metrics")[0].at("metric"), "success_rate");
@@ -71,7 +71,7 @@ TEST(CompareFormats, JsonHasAllFlips) {
 
 TEST(CompareFormats, JunitIsEscapedAndCounts) {
   const std::string xml = format_comparison(sample(), CompareFormat::junit);
-  EXPECT_NE(xml.find("tests=\"6\" failures=\"3\" errors=\"0\" skipped=\"1\""), std::string::npos)
+  EXPECT_NE(xml.find("tests=\"7\" failures=\"4\" errors=\"0\" skipped=\"1\""), std::string::npos)
       << xml;
   EXPECT_NE(xml.find("classname=\"&lt;ego &amp; &quot;co&quot;&gt;\" name=\"success_rate\""),
             std::string::npos);

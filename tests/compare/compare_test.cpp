@@ -26,6 +26,27 @@ TEST(Compare, EqualRunsAreTheSame) {
   EXPECT_EQ(comparison.test_count, 5);  // SR, PO, AGV, MP, clearance; the measured one is not gated
 }
 
+TEST(Compare, ASlowerPlannerFailsByV90) {
+  const TrialTable base = finished_table("a.db", 8, 5);
+  TrialTable now = finished_table("b.db", 8, 5);
+  for (TableTrial& trial : now.trials) trial.metrics[1] = trial.mission % 2 == 0 ? 1.5 : 1.6;
+  const Comparison comparison = compare_tables(base, now, {});
+  const MetricComparison& speed = row_of(comparison, "v90_mps");
+  EXPECT_EQ(speed.base_mean, 2.0);
+  EXPECT_EQ(speed.new_mean, 1.5);
+  EXPECT_EQ(speed.change, -0.5);
+  EXPECT_EQ(speed.p, std::ldexp(1.0, -7));  // eight maps that all differ one way
+  EXPECT_EQ(speed.verdict, Verdict::unclear);
+  CompareSettings settings;
+  settings.alpha = 0.05;
+  EXPECT_EQ(row_of(compare_tables(base, now, settings), "v90_mps").verdict, Verdict::regression);
+  // Of 28 pairs nothing is said.
+  for (const MetricComparison& row :
+       compare_tables(finished_table("a.db", 7, 4), finished_table("b.db", 7, 4), {}).rows) {
+    EXPECT_NE(row.metric, "v90_mps");
+  }
+}
+
 TEST(Compare, LostTrialsAreARegressionWithMcNemarsP) {
   const TrialTable base = finished_table("a.db", 5, 8);
   TrialTable now = finished_table("b.db", 5, 8);
@@ -35,7 +56,7 @@ TEST(Compare, LostTrialsAreARegressionWithMcNemarsP) {
   EXPECT_EQ(rate.base_mean, 1.0);
   EXPECT_EQ(rate.new_mean, 0.5);
   EXPECT_NEAR(rate.p / std::ldexp(1.0, -19), 1.0, 1e-12);  // 2 · 2^-20
-  EXPECT_NEAR(rate.adjusted_p / rate.p, 5.0, 1e-12);       // first of five tests
+  EXPECT_NEAR(rate.adjusted_p / rate.p, 6.0, 1e-12);       // first of six tests
   EXPECT_EQ(rate.verdict, Verdict::regression);
   EXPECT_EQ(comparison.flips.size(), 20U);
   EXPECT_EQ(comparison.planners[0].lost_count, 20);

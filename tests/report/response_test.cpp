@@ -119,13 +119,13 @@ std::vector<std::string> tables_for_people(const Section& section) {
 TEST(Tables, ABriefReportHasGroupsOnlyOfSeveralMaps) {
   const auto some = [](char, int map, int mission) { return map + mission > 3; };
   const SweepSummary few = summarize(result_of(9, 4, some));  // one group has a single map
-  const std::vector<std::string> usual{"planners", "outcomes", "pairs"};
+  const std::vector<std::string> usual{"speed", "planners", "outcomes", "pairs"};
   EXPECT_EQ(tables_for_people(sweep_section(few, {}, Detail::brief)), usual);
   const SweepSummary many = summarize(result_of(10, 4, some));
-  const std::vector<std::string> with_groups{"planners", "groups", "outcomes", "pairs"};
+  const std::vector<std::string> with_groups{"speed", "planners", "groups", "outcomes", "pairs"};
   EXPECT_EQ(tables_for_people(sweep_section(many, {}, Detail::brief)), with_groups);
-  const std::vector<std::string> all{"planners", "groups",     "outcomes",
-                                     "pairs",    "difficulty", "flight_time"};
+  const std::vector<std::string> all{"speed", "planners",   "groups",     "outcomes",
+                                     "pairs", "difficulty", "flight_time"};
   EXPECT_EQ(tables_for_people(sweep_section(few)), all);
   // Machines get all of it; what is asked for by name has its legend.
   EXPECT_EQ(sweep_section(few, {}, Detail::brief).tables.size(), sweep_section(few).tables.size());

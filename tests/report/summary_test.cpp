@@ -15,14 +15,10 @@ namespace avoidbench {
 namespace {
 
 using namespace sample_rows;
+using sample_sweep::has_warning;
 using sample_sweep::result_of;
 
 SweepSummary summary_of(const SweepResult& result) { return summarize(result); }
-
-bool has_warning(const SweepSummary& summary, const std::string& part) {
-  return std::any_of(summary.warnings.begin(), summary.warnings.end(),
-                     [&](const std::string& w) { return w.find(part) != std::string::npos; });
-}
 
 TEST(Summary, CountsRatesAndMeansOverTheirPopulations) {
   // a fails mission 3 of each map, b finishes only mission 0.

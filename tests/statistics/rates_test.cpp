@@ -36,6 +36,29 @@ TEST(Rates, FisherWorkedByHand) {
   EXPECT_NEAR(fisher_exact_p(7, 12, 3, 20), fisher_exact_p(3, 20, 7, 12), 1e-14);
 }
 
+TEST(Rates, PoissonIntervalsOfGarwood) {
+  EXPECT_EQ(poisson_interval(0).lower, 0.0);
+  EXPECT_NEAR(poisson_interval(0).upper, -std::log(0.025), 1e-12);
+  EXPECT_NEAR(poisson_interval(1).lower, -std::log(0.975), 1e-12);
+  EXPECT_NEAR(poisson_interval(10).lower, 4.7954, 5e-5);
+  EXPECT_NEAR(poisson_interval(10).upper, 18.3904, 5e-5);
+  EXPECT_NEAR(poisson_interval(100).lower, 81.3640, 5e-5);
+  EXPECT_NEAR(poisson_interval(100).upper, 121.6271, 5e-4);
+  for (const std::int64_t count : {3, 40, 2000}) {
+    // The ends are the means of which a count as low, or as high, has 2.5 %.
+    const auto at_most = [](double mean, std::int64_t k) {
+      double sum = 0.0, log_term = -mean;
+      for (std::int64_t i = 0; i <= k; ++i) {
+        sum += std::exp(log_term);
+        log_term += std::log(mean) - std::log(static_cast<double>(i + 1));
+      }
+      return sum;
+    };
+    EXPECT_NEAR(at_most(poisson_interval(count).upper, count), 0.025, 1e-9);
+    EXPECT_NEAR(1.0 - at_most(poisson_interval(count).lower, count - 1), 0.025, 1e-9);
+  }
+}
+
 TEST(Rates, JeffreysRateIsNeverSure) {
   EXPECT_EQ(jeffreys_rate(0, 9), 0.05);
   EXPECT_EQ(jeffreys_rate(9, 9), 0.95);

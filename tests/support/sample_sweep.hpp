@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <string>
+
 #include "support/sample_rows.hpp"
 
 /// Results made by hand for tests of reports.
@@ -46,6 +49,13 @@ inline SweepResult result_of(int map_count, int mission_count, Succeeds succeeds
   }
   result.program_versions = {"0.1.0 abcdef"};
   return result;
+}
+
+/// Whether one of a summary's warnings has this part.
+template <class Summary>
+bool has_warning(const Summary& summary, const std::string& part) {
+  return std::any_of(summary.warnings.begin(), summary.warnings.end(),
+                     [&](const std::string& w) { return w.find(part) != std::string::npos; });
 }
 
 }  // namespace avoidbench::sample_sweep

@@ -37,6 +37,36 @@ double beta_fraction(double x, double a, double b) {
   return fraction;
 }
 
+/// The continued fraction of the upper incomplete gamma function (Abramowitz and Stegun 6.5.31) by
+/// the same algorithm; converges fast for x > a + 1.
+double gamma_fraction(double x, double a) {
+  double b = x + 1.0 - a;
+  double c = 1e300;
+  double d = 1.0 / b;
+  double fraction = d;
+  for (double k = 1.0; k < 100000.0; k += 1.0) {
+    const double numerator = -k * (k - a);
+    b += 2.0;
+    d = 1.0 / (numerator * d + b);
+    c = b + numerator / c;
+    const double factor = d * c;
+    fraction *= factor;
+    if (std::abs(factor - 1.0) < 1e-16) break;
+  }
+  return fraction;
+}
+
+/// Where `is_below` changes, by bisection until no double lies between: the same on every machine,
+/// whatever the slope.
+template <class IsBelow>
+double bisected(double below, double above, IsBelow is_below) {
+  while (true) {
+    const double middle = 0.5 * (below + above);
+    if (middle <= below || middle >= above) return middle;
+    (is_below(middle) ? below : above) = middle;
+  }
+}
+
 }  // namespace
 
 double normal_cdf(double z) {
@@ -95,16 +125,28 @@ double beta_cdf(double x, double a, double b) {
   return 1.0 - front * beta_fraction(1.0 - x, b, a) / b;
 }
 
+double gamma_cdf(double x, double a) {
+  AB_CHECK(a > 0.0, a);
+  if (x <= 0.0) return 0.0;
+  const double front = math::exp(a * math::log(x) - x - log_gamma(a));
+  if (x < a + 1.0) {
+    double term = 1.0 / a, sum = term;
+    for (double k = a + 1.0; term > 1e-17 * sum; k += 1.0) sum += term *= x / k;
+    return front * sum;
+  }
+  return 1.0 - front * gamma_fraction(x, a);
+}
+
 double beta_quantile(double p, double a, double b) {
   AB_CHECK(p >= 0.0 && p <= 1.0, p);
-  double below = 0.0;
-  double above = 1.0;
-  // Until no double lies between: the same on every machine, whatever the slope.
-  while (true) {
-    const double middle = 0.5 * (below + above);
-    if (middle <= below || middle >= above) return middle;
-    (beta_cdf(middle, a, b) < p ? below : above) = middle;
-  }
+  return bisected(0.0, 1.0, [&](double x) { return beta_cdf(x, a, b) < p; });
+}
+
+double gamma_quantile(double p, double a) {
+  AB_CHECK(p >= 0.0 && p < 1.0, p);
+  double above = a + 1.0;
+  while (gamma_cdf(above, a) < p) above *= 2.0;
+  return bisected(0.0, above, [&](double x) { return gamma_cdf(x, a) < p; });
 }
 
 double binomial_cdf(double k, double n, double rate) {
@@ -112,6 +154,12 @@ double binomial_cdf(double k, double n, double rate) {
   if (k >= n) return 1.0;
   // The binomial's sum is an incomplete beta function.
   return beta_cdf(1.0 - rate, n - k, k + 1.0);
+}
+
+double student_t_tail(double t, double freedom) {
+  AB_CHECK(t >= 0.0 && freedom > 0.0, t, freedom);
+  // An infinite t too: its share of the beta variable is 0.
+  return 0.5 * beta_cdf(1.0 / (1.0 + t * (t / freedom)), 0.5 * freedom, 0.5);
 }
 
 double student_t_quantile(double p, double freedom) {

@@ -10,6 +10,7 @@
 #include "base/math.hpp"
 #include "base/random.hpp"
 #include "statistics/bootstrap.hpp"
+#include "statistics/rates.hpp"
 
 namespace avoidbench {
 namespace {
@@ -40,9 +41,6 @@ constexpr double kMargin = 0.1;
 
 /// One of as many trials is chosen by turns, not by what it tells of the curve.
 constexpr std::size_t kTurn = 12;
-
-/// Fewer maps say nothing of how maps differ.
-constexpr std::size_t kLeastMaps = 5;
 
 double logistic(double x) { return 1.0 / (1.0 + math::exp(-x)); }
 

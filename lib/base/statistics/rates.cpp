@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 #include "base/check.hpp"
@@ -49,6 +50,13 @@ Interval clopper_pearson_interval(std::int64_t successes, std::int64_t trials, d
           successes == trials ? 1.0 : beta_quantile(1.0 - tail, k + 1.0, failures)};
 }
 
+Interval poisson_interval(std::int64_t count, double confidence) {
+  AB_CHECK(count >= 0, count);
+  const double tail = 0.5 - 0.5 * confidence;
+  const auto k = static_cast<double>(count);
+  return {count == 0 ? 0.0 : gamma_quantile(tail, k), gamma_quantile(1.0 - tail, k + 1.0)};
+}
+
 Interval jeffreys_interval(std::int64_t successes, std::int64_t trials, double confidence) {
   check_counts(successes, trials);
   if (trials == 0) return {kNaN, kNaN};
@@ -59,37 +67,57 @@ Interval jeffreys_interval(std::int64_t successes, std::int64_t trials, double c
           successes == trials ? 1.0 : beta_quantile(1.0 - tail, a, b)};
 }
 
-Interval clustered_wilson_interval(std::span<const std::int64_t> successes,
-                                   std::span<const std::int64_t> trials, double confidence) {
-  AB_CHECK(successes.size() == trials.size(), successes.size(), trials.size());
-  double clusters = 0.0, n = 0.0, finished = 0.0;
-  for (std::size_t i = 0; i < trials.size(); ++i) {
-    check_counts(successes[i], trials[i]);
-    if (trials[i] == 0) continue;
-    clusters += 1.0;
-    n += static_cast<double>(trials[i]);
-    finished += static_cast<double>(successes[i]);
-  }
-  if (clusters < 2.0) return {kNaN, kNaN};
-  const double rate = finished / n;
+void ClusterSums::add(std::int64_t cluster_successes, std::int64_t cluster_trials) {
+  check_counts(cluster_successes, cluster_trials);
+  if (cluster_trials == 0) return;
+  clusters += 1;
+  trials += cluster_trials;
+  successes += cluster_successes;
+  success_squares += cluster_successes * cluster_successes;
+  products += cluster_successes * cluster_trials;
+  trial_squares += cluster_trials * cluster_trials;
+}
+
+Interval clustered_wilson_interval(const ClusterSums& sums, double t) {
+  if (sums.clusters < 2) return {kNaN, kNaN};
+  const auto clusters = static_cast<double>(sums.clusters);
+  const auto n = static_cast<double>(sums.trials);
+  const double rate = static_cast<double>(sums.successes) / n;
   double effective = n;
   if (rate > 0.0 && rate < 1.0) {
-    double squares = 0.0;
-    for (std::size_t i = 0; i < trials.size(); ++i) {
-      // The rate is a ratio of two sums over clusters: the linearised variance is that of these
-      // residuals.
-      const double residual =
-          static_cast<double>(successes[i]) - rate * static_cast<double>(trials[i]);
-      squares += residual * residual;
-    }
+    // The rate is a ratio of two sums over clusters: the linearised variance is that of the
+    // residuals s - rate n.
+    const double squares = static_cast<double>(sums.success_squares) -
+                           2.0 * rate * static_cast<double>(sums.products) +
+                           rate * rate * static_cast<double>(sums.trial_squares);
     const double variance = clusters / (clusters - 1.0) * squares / (n * n);
     // The design effect: how much larger the variance between clusters is than that of independent
     // trials. Never below 1, since that is chance.
     effective = n / std::max(1.0, variance / (rate * (1.0 - rate) / n));
   }
   // As many independent trials as would be as certain.
-  return score_interval(rate, effective,
-                        student_t_quantile(0.5 + 0.5 * confidence, clusters - 1.0));
+  return score_interval(rate, effective, t);
+}
+
+Interval clustered_wilson_interval(std::span<const std::int64_t> successes,
+                                   std::span<const std::int64_t> trials, double confidence) {
+  AB_CHECK(successes.size() == trials.size(), successes.size(), trials.size());
+  ClusterSums sums;
+  for (std::size_t i = 0; i < trials.size(); ++i) sums.add(successes[i], trials[i]);
+  if (sums.clusters < 2) return {kNaN, kNaN};
+  return clustered_wilson_interval(
+      sums, student_t_quantile(0.5 + 0.5 * confidence, static_cast<double>(sums.clusters) - 1.0));
+}
+
+Interval rate_interval(std::span<const std::int64_t> successes,
+                       std::span<const std::int64_t> trials, double confidence) {
+  const auto flown = std::count_if(trials.begin(), trials.end(), [](auto n) { return n > 0; });
+  if (flown >= static_cast<std::ptrdiff_t>(kLeastMaps)) {
+    return clustered_wilson_interval(successes, trials, confidence);
+  }
+  return wilson_interval(std::accumulate(successes.begin(), successes.end(), std::int64_t{0}),
+                         std::accumulate(trials.begin(), trials.end(), std::int64_t{0}),
+                         confidence);
 }
 
 double jeffreys_rate(std::int64_t successes, std::int64_t trials) {

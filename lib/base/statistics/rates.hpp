@@ -18,6 +18,9 @@ Interval wilson_interval(std::int64_t successes, std::int64_t trials, double con
 Interval clopper_pearson_interval(std::int64_t successes, std::int64_t trials,
                                   double confidence = 0.95);
 
+/// Exact interval for the mean of a Poisson variable that was seen to be `count` (Garwood 1936).
+Interval poisson_interval(std::int64_t count, double confidence = 0.95);
+
 /// Equal-tailed credible interval of a rate under Jeffreys' prior, Beta(1/2, 1/2), with 0 as its
 /// lower end where nothing succeeded and 1 as its upper where all did (Brown, Cai and DasGupta
 /// 2001, eq. (8)). NaN without trials.
@@ -36,6 +39,26 @@ Interval jeffreys_interval(std::int64_t successes, std::int64_t trials, double c
 /// failures. Wilson's of the same covers 95, 89, 79 and 64 % at 0, 0.5, 1 and 2.
 Interval clustered_wilson_interval(std::span<const std::int64_t> successes,
                                    std::span<const std::int64_t> trials, double confidence = 0.95);
+
+/// What clustered_wilson_interval() needs of its maps: sums that one more success changes by
+/// little, for intervals of many rates of the same trials.
+struct ClusterSums {
+  std::int64_t clusters = 0, trials = 0, successes = 0;
+  std::int64_t success_squares = 0, products = 0, trial_squares = 0;  ///< Σ s², Σ s n, Σ n²
+
+  void add(std::int64_t cluster_successes, std::int64_t cluster_trials);
+};
+/// `t` is Student's quantile for the clusters, student_t_quantile(0.5 + 0.5 * confidence, clusters
+/// - 1). NaN for fewer than 2 clusters.
+Interval clustered_wilson_interval(const ClusterSums& sums, double t);
+
+/// Maps from which on an interval over maps is given: fewer say too little of how maps differ.
+inline constexpr std::size_t kLeastMaps = 5;
+
+/// The interval of a success rate as reports show it: for maps like those flown where there are
+/// kLeastMaps of them (clustered_wilson_interval), else for these maps alone (wilson_interval).
+Interval rate_interval(std::span<const std::int64_t> successes,
+                       std::span<const std::int64_t> trials, double confidence = 0.95);
 
 /// (successes + 1/2) / (trials + 1): never 0 or 1, so that its logarithm can be taken.
 double jeffreys_rate(std::int64_t successes, std::int64_t trials);

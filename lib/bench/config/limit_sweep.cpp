@@ -192,6 +192,7 @@ SweepSpec read_limit_sweep(const std::filesystem::path& file,
   }
   rule.unit = unit_of(last_part(over.path));
   rule.success_rate = request.success_rate;
+  rule.reach_mps = request.reach_mps;
   rule.width = request.width.value_or((values.back() - values.front()) / 10.0);
   rule.most_trials = request.most_trials;
   rule.is_paired = request.is_paired;
@@ -200,6 +201,8 @@ SweepSpec read_limit_sweep(const std::filesystem::path& file,
   std::string name = last_part(over.path);
   if (over.element) name += std::to_string(*over.element);
   sweep.name += "_limit_" + name;
+  // Another question: its trials are others.
+  if (rule.reach_mps > 0.0) sweep.name += "_reach_" + shortest(rule.reach_mps);
   return sweep;
 }
 

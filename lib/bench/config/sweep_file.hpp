@@ -48,6 +48,7 @@ MapChoice map_of_document(const Document& document, const std::vector<std::strin
 struct LimitRequest {
   std::string over;  ///< "max_speed_mps=1..10", "wind.mean_world_mps[0]=0..10"
   double success_rate = 0.9;
+  double reach_mps = 0.0;       ///< see LimitRule
   std::optional<double> width;  ///< of the interval, in units of the field; a tenth of the range
   std::int64_t most_trials = 400;
   bool is_paired = false;

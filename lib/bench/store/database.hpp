@@ -104,6 +104,8 @@ class Database {
   // Reading.
 
   std::map<std::string, Outcome> finished_trials() const;
+  /// d_min / T by trial key, m/s; 0 where the goal was not reached.
+  std::map<std::string, double> goal_velocities_mps() const;
   std::set<std::string> finished_keys() const;
   std::optional<MapRow> read_map(std::string_view key) const;
   std::optional<TrialRow> read_trial(

@@ -272,12 +272,31 @@ std::map<std::string, std::size_t> read_sweep_maps(const Database& db, SweepResu
 
 }  // namespace
 
+double goal_velocity_mps(const TrialSummary& trial) {
+  if (trial.outcome != Outcome::reached_goal || !(trial.end_time_s > 0.0)) return 0.0;
+  return trial.reference_length_m / trial.end_time_s;
+}
+
 std::map<std::string, Outcome> Database::finished_trials() const {
   std::map<std::string, Outcome> trials;
   Statement s(handle(), path(), "SELECT trial_key, outcome FROM trials");
   s.rows_of("trials");
   while (s.step()) trials.emplace(s.text(0), outcome_of(s, 1));
   return trials;
+}
+
+std::map<std::string, double> Database::goal_velocities_mps() const {
+  std::map<std::string, double> velocities;
+  Statement s(handle(), path(),
+              "SELECT t.trial_key, t.outcome, t.end_time_s, i.reference_length_m FROM trials t "
+              "JOIN missions i USING (map_key, mission_index)");
+  s.rows_of("trials");
+  while (s.step()) {
+    velocities.emplace(s.text(0), goal_velocity_mps({.outcome = outcome_of(s, 1),
+                                                     .reference_length_m = s.real(3),
+                                                     .end_time_s = s.real(2)}));
+  }
+  return velocities;
 }
 
 std::set<std::string> Database::finished_keys() const {

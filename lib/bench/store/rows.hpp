@@ -120,15 +120,19 @@ struct TrialListing {
 
 /// What reports need of one trial.
 struct TrialSummary {
-  std::string key, planner_key, map_key;
+  std::string key = {}, planner_key = {}, map_key = {};
   std::int64_t mission_index = 0;
   Outcome outcome = Outcome::timed_out;
   double reference_length_m = 0.0;
-  double end_time_s = 0.0;      ///< simulated
-  std::vector<double> metrics;  ///< one an element of SweepResult::metrics, NaN where there is none
+  double end_time_s = 0.0;  ///< simulated
+  /// One an element of SweepResult::metrics, NaN where there is none
+  std::vector<double> metrics = {};
   std::vector<TableValue> fields = {};  ///< one an element of SweepResult::fields
   std::string cause = {};  ///< of a failure, as `explain` has told it; "" where it has not
 };
+
+/// d_min / T, m/s; 0 where the goal was not reached.
+double goal_velocity_mps(const TrialSummary& trial);
 
 /// All that reports need of one sweep. Everything is ordered by key, whatever the order of
 /// insertion.

@@ -20,7 +20,8 @@ json to_json(const LimitRule& rule) {
                  {"values", rule.values},      {"success_rate", rule.success_rate},
                  {"width", rule.width},        {"most_trials", rule.most_trials},
                  {"is_paired", rule.is_paired}};
-  // Younger than the rest: what does not ask for it is stored as before.
+  // As in keys, a field at its default is not there.
+  if (rule.reach_mps > 0.0) stored["reach_mps"] = rule.reach_mps;
   if (rule.direction != LimitDirection::unknown) stored["direction"] = text(rule.direction);
   return stored;
 }
@@ -35,6 +36,7 @@ std::optional<LimitRule> limit_rule_of(const std::string& spec_json) {
                    .unit = given.at("unit").get<std::string>(),
                    .values = given.at("values").get<std::vector<double>>(),
                    .success_rate = given.at("success_rate").get<double>(),
+                   .reach_mps = given.value("reach_mps", 0.0),
                    .width = given.at("width").get<double>(),
                    .most_trials = given.at("most_trials").get<std::int64_t>(),
                    .is_paired = given.at("is_paired").get<bool>()};
@@ -47,7 +49,8 @@ std::optional<LimitRule> limit_rule_of(const std::string& spec_json) {
         rule.values.size() <= kMostLevels &&
         std::is_sorted(rule.values.begin(), rule.values.end(), std::less_equal<>()) &&
         rule.values.back() - rule.values.front() < std::numeric_limits<double>::infinity() &&
-        rule.success_rate > 0.0 && rule.success_rate < 1.0 && rule.width > 0.0;
+        rule.success_rate > 0.0 && rule.success_rate < 1.0 && rule.width > 0.0 &&
+        rule.reach_mps >= 0.0;
     if (is_sound) return rule;
   } catch (const json::exception&) {
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "statistics/limit_curve.hpp"
+#include "trial/trial_record.hpp"
 
 namespace avoidbench {
 
@@ -21,6 +22,9 @@ struct LimitRule {
   std::string unit;            ///< for people: "m/s"
   std::vector<double> values;  ///< equally spaced, rising; at least two
   double success_rate = 0.9;
+  /// A mission counts as a success with this goal velocity (d_min / T) or more; 0: however slowly
+  /// the goal is reached. The limit is then where v90 is this speed.
+  double reach_mps = 0.0;
   double width = 0.0;  ///< of the 95 % interval that is narrow enough, in units of the field
   std::int64_t most_trials = 400;  ///< of a planner
   /// All planners fly what one of them needs, so that they are compared on the same missions.
@@ -28,6 +32,9 @@ struct LimitRule {
   /// Whether success falls or rises with the field, where that is known beforehand.
   LimitDirection direction = LimitDirection::unknown;
 
+  bool is_success(Outcome outcome, double goal_velocity_mps) const {
+    return outcome == Outcome::reached_goal && goal_velocity_mps >= reach_mps;
+  }
   LimitCurve curve() const { return {values.size(), success_rate, direction}; }
   bool is_set() const { return !field.empty(); }
   /// From a position of LimitCurve to the field.

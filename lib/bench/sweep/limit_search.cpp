@@ -38,16 +38,16 @@ LimitSearch::LimitSearch(const LimitRule& rule, std::vector<LimitTrial> trials)
 }
 
 std::vector<LimitCell> LimitSearch::cells_of(const Planner& planner,
-                                             const std::map<std::string, Outcome>& outcomes) const {
+                                             const std::map<std::string, bool>& successes) const {
   std::map<std::pair<std::size_t, std::size_t>, LimitCell> cells;  // by level and map
   for (const std::size_t trial : planner.rounds) {
-    const auto outcome = outcomes.find(trials_[trial].key);
-    if (outcome == outcomes.end()) continue;  // an invalid mission
+    const auto success = successes.find(trials_[trial].key);
+    if (success == successes.end()) continue;  // an invalid mission
     LimitCell& cell = cells[{trials_[trial].level, map_of_[trial]}];
     cell.level = trials_[trial].level;
     cell.map = map_of_[trial];
     ++cell.trials;
-    if (outcome->second == Outcome::reached_goal) ++cell.successes;
+    if (success->second) ++cell.successes;
   }
   std::vector<LimitCell> all;
   for (const auto& [place, cell] : cells) all.push_back(cell);
@@ -99,11 +99,11 @@ std::vector<std::size_t> LimitSearch::levels_wanted(Planner& planner,
   return levels;
 }
 
-std::vector<std::size_t> LimitSearch::next_round(const std::map<std::string, Outcome>& outcomes) {
+std::vector<std::size_t> LimitSearch::next_round(const std::map<std::string, bool>& successes) {
   std::map<std::string, std::vector<std::size_t>> wanted;  // by planner
   std::vector<std::size_t> together;
   std::vector<std::vector<LimitCell>> cells;
-  for (const auto& [label, planner] : planners_) cells.push_back(cells_of(planner, outcomes));
+  for (const auto& [label, planner] : planners_) cells.push_back(cells_of(planner, successes));
   const std::vector<double> others = directions_of_others(curve_, cells);
   std::size_t index = 0;
   for (auto& [label, planner] : planners_) {

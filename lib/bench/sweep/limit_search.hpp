@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "sweep/limit_rule.hpp"
-#include "trial/trial_record.hpp"
 
 namespace avoidbench {
 
@@ -29,9 +28,9 @@ class LimitSearch {
   LimitSearch(const LimitRule& rule, std::vector<LimitTrial> trials);
 
   /// The trials of the next round; empty when every planner's limit is known well enough, or has
-  /// taken the most trials. `outcomes` by key: those of all rounds before; a trial without one
+  /// taken the most trials. `successes` by key: of all rounds before; a trial without one
   /// could not be flown.
-  std::vector<std::size_t> next_round(const std::map<std::string, Outcome>& outcomes);
+  std::vector<std::size_t> next_round(const std::map<std::string, bool>& successes);
 
  private:
   /// Trials of a planner at a level, in the order in which they are flown: the first mission of
@@ -48,7 +47,7 @@ class LimitSearch {
   };
 
   std::vector<LimitCell> cells_of(const Planner& planner,
-                                  const std::map<std::string, Outcome>& outcomes) const;
+                                  const std::map<std::string, bool>& successes) const;
   /// `falls` as in LimitCurve::estimate().
   std::vector<std::size_t> levels_wanted(Planner& planner, const std::vector<LimitCell>& cells,
                                          double falls) const;

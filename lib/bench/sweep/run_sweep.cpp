@@ -207,6 +207,16 @@ std::vector<LimitTrial> limit_trials(const LimitRule& rule,
   return all;
 }
 
+/// Of all finished trials, whether they count as a success of the limit.
+std::map<std::string, bool> limit_successes(const Database& database, const LimitRule& rule) {
+  const std::map<std::string, double> velocities = database.goal_velocities_mps();
+  std::map<std::string, bool> successes;
+  for (const auto& [key, outcome] : database.finished_trials()) {
+    successes.emplace(key, rule.is_success(outcome, velocities.at(key)));
+  }
+  return successes;
+}
+
 /// The trials that tell most of the limit by what the rounds before found.
 NextRound rounds_to_limit(const Run& run, std::vector<PlannedTrial> trials) {
   const auto search =
@@ -214,7 +224,8 @@ NextRound rounds_to_limit(const Run& run, std::vector<PlannedTrial> trials) {
   return
       [&run, search, trials = std::move(trials),
        asked = std::vector<PlannedTrial>()]() mutable -> std::optional<std::vector<PlannedTrial>> {
-        const std::vector<std::size_t> round = search->next_round(run.database.finished_trials());
+        const std::vector<std::size_t> round =
+            search->next_round(limit_successes(run.database, run.sweep.limit));
         if (round.empty()) return std::nullopt;
         // Those before are skipped as done, and counted.
         for (const std::size_t trial : round) asked.push_back(trials[trial]);

@@ -12,12 +12,15 @@
 #include "statistics/bootstrap.hpp"
 #include "statistics/ranks.hpp"
 #include "statistics/rates.hpp"
+#include "statistics/reached_speed.hpp"
 
 namespace avoidbench {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr std::string_view kSuccessRate = "success_rate";
+constexpr std::string_view kV90 = "v90_mps";
+constexpr const char* kGoalVelocity = "average_goal_velocity_mps";
 /// Few: Holm's correction over all thirty would hide losses that five tests show.
 constexpr std::array<std::string_view, 6> kUsualMetrics{
     "path_optimality_pct",  "energy_optimality", "average_goal_velocity_mps",
@@ -157,6 +160,40 @@ std::vector<PairValue> values_of(const TrialTable& base, const TrialTable& now,
   return values;
 }
 
+/// v90 over the pairs on either side, and its change by draws of maps, the same for both. p takes
+/// the change over the draws' spread as Student's t of the maps; NaN for fewer than kLeastMaps.
+void fill_v90_figures(const TrialTable& base, const TrialTable& now,
+                      const std::vector<TrialPair>& pairs, std::size_t replicate_count,
+                      MetricComparison& row) {
+  const auto [base_column, new_column] = common_metric(base, now, kGoalVelocity);
+  std::map<std::uint64_t, std::size_t> maps;
+  for (const TrialPair& pair : pairs) maps.emplace(pair.before->map, 0);
+  std::size_t map_count = 0;
+  // In order of the maps' digests, as sums_by_map().
+  for (auto& [digest, number] : maps) number = map_count++;
+  std::vector<SpeedTrial> before, after;
+  for (const auto& [old_trial, new_trial] : pairs) {
+    const std::size_t map = maps.at(old_trial->map);
+    before.push_back({map, finished(*old_trial) ? old_trial->metrics[base_column] : 0.0});
+    after.push_back({map, finished(*new_trial) ? new_trial->metrics[new_column] : 0.0});
+  }
+  row.pair_count = static_cast<std::int64_t>(pairs.size());
+  row.adjusted_p = kNaN;
+  const std::vector<SpeedStep> curve = speed_curve(after);
+  row.base_mean = reached_speed(speed_curve(before), kReachedShare);
+  row.new_mean = reached_speed(curve, kReachedShare);
+  row.new_interval = reached_speed_interval(curve, kReachedShare);
+  const std::vector<double> old_draws =
+      reached_speed_draws(before, map_count, kReachedShare, replicate_count);
+  const std::vector<double> new_draws =
+      reached_speed_draws(after, map_count, kReachedShare, replicate_count);
+  const SpeedDifference difference =
+      speed_difference(row.new_mean, row.base_mean, new_draws, old_draws, map_count);
+  row.change = difference.difference_mps;
+  row.change_interval = difference.interval;
+  row.p = difference.p;
+}
+
 /// The row without its verdict, which judge() gives when all rows are there.
 MetricComparison row_of(const TrialTable& base, const TrialTable& now,
                         const std::vector<TrialPair>& pairs, std::size_t planner,
@@ -165,6 +202,11 @@ MetricComparison row_of(const TrialTable& base, const TrialTable& now,
   row.planner = planner;
   row.metric = metric;
   row.better = Better::more;
+  if (metric == kV90) {
+    row.unit = "m/s";
+    fill_v90_figures(base, now, pairs, replicate_count, row);
+    return row;
+  }
   if (metric != kSuccessRate) {
     const MetricRow& definition = now.metrics[common_metric(base, now, metric).second];
     row.unit = definition.unit;
@@ -214,11 +256,12 @@ void judge(const CompareSettings& settings, Comparison& comparison) {
   }
 }
 
-/// The success rate is always first. `finished` is the same in other words, and would be tested
-/// twice.
+/// The success rate is always first, then v90 where both sides have goal velocities. `finished` is
+/// the success rate in other words, and would be tested twice.
 std::vector<std::string> wanted_metrics(const TrialTable& base, const TrialTable& now,
                                         const CompareSettings& settings) {
   std::vector<std::string> names{std::string(kSuccessRate)};
+  if (has_metric(base, kGoalVelocity) && has_metric(now, kGoalVelocity)) names.emplace_back(kV90);
   if (settings.metrics == std::vector<std::string>{"all"}) {
     for (const MetricRow& metric : now.metrics) {
       // What only one side has can't be paired; a metric that was asked for by name is an error
@@ -370,7 +413,7 @@ Comparison compare_tables(const TrialTable& base, const TrialTable& now,
   const std::vector<std::string> metrics = wanted_metrics(base, now, settings);
   // Unknown names and versions fail here, before anything is computed.
   for (const std::string& name : metrics) {
-    if (name != kSuccessRate) common_metric(base, now, name);
+    if (name != kSuccessRate && name != kV90) common_metric(base, now, name);
   }
 
   std::map<std::string, PlannerPairs> counts;
@@ -412,6 +455,8 @@ Comparison compare_tables(const TrialTable& base, const TrialTable& now,
       comparison.causes.push_back(std::move(change));
     }
     for (const std::string& metric : metrics) {
+      // Fewer say nothing of nine missions of ten.
+      if (metric == kV90 && count.pair_count < least_trials_for(kReachedShare)) continue;
       comparison.rows.push_back(row_of(base, now, trials[planner], comparison.planners.size() - 1,
                                        metric, settings.replicate_count));
     }

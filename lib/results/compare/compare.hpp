@@ -28,10 +28,11 @@ struct Tolerance {
 struct CompareSettings {
   double alpha = 0.01;                          ///< of all tests together
   Tolerance tolerance;                          ///< where `tolerances` says nothing
-  std::map<std::string, Tolerance> tolerances;  ///< by metric; "success_rate" too
+  std::map<std::string, Tolerance> tolerances;  ///< by metric; "success_rate" and "v90_mps" too
   bool gates_measured = false;                  ///< whether times of the host may fail it
   std::size_t replicate_count = 2000;           ///< draws of a bootstrap interval
-  std::vector<std::string> metrics;  ///< to compare beside the success rate; empty: the usual ones
+  std::vector<std::string>
+      metrics;  ///< to compare beside success rate and v90; empty: the usual ones
 };
 
 /// `5%` or `0.05` of the base's mean: what --min-effect takes. Throws InputError.
@@ -58,12 +59,12 @@ struct EnumText<Verdict> {
 /// One metric of one planner over the pairs of trials that it speaks of.
 struct MetricComparison {
   std::size_t planner = 0;  ///< index into Comparison::planners
-  std::string metric;       ///< "success_rate" or a metric's name
+  std::string metric;       ///< "success_rate", "v90_mps" or a metric's name
   std::string unit;
   Better better = Better::neither;
   bool is_measured = false;
   std::int64_t pair_count = 0;
-  double base_mean = 0.0, new_mean = 0.0;  ///< over the pairs; NaN without
+  double base_mean = 0.0, new_mean = 0.0;  ///< (v90: values) over the pairs; NaN without
   double change = 0.0;                     ///< new − base
   Interval change_interval;                ///< 95 %, maps as clusters; NaN for fewer than 2 maps
   Interval new_interval;                   ///< the same of new_mean
@@ -107,12 +108,13 @@ struct Comparison {
 
 /// Compares the trials that both tables have.
 ///
-/// Success is tested by McNemar's exact test, any other metric by Wilcoxon's signed-rank test of
-/// the differences; p is two-sided and corrected by Holm over all tests that may fail the
-/// comparison. Mission progress, end distance and collisions, which a failure makes worst, are
-/// compared over all pairs; every other metric over the missions that both finished, so that
-/// failing on hard missions improves none. Throws InputError where nothing is paired, a metric is
-/// unknown, or the two define it in different versions.
+/// Success is tested by McNemar's exact test, v90 (over all pairs, from 29 on) by draws of maps,
+/// any other metric by Wilcoxon's signed-rank test of the differences; p is two-sided and corrected
+/// by Holm over all tests that may fail the comparison. Mission progress, end distance and
+/// collisions, which a failure makes worst, are compared over all pairs; every other metric over
+/// the missions that both finished, so that failing on hard missions improves none. Throws
+/// InputError where nothing is paired, a metric is unknown, or the two define it in different
+/// versions.
 Comparison compare_tables(const TrialTable& base, const TrialTable& now,
                           const CompareSettings& settings);
 

@@ -47,9 +47,13 @@ std::string p_text(double p) {
 /// where there is none.
 std::pair<std::string, std::string> short_name(const MetricComparison& row) {
   constexpr std::pair<std::string_view, std::string_view> kShort[] = {
-      {"success_rate", "SR"},         {"path_optimality_pct", "PO"},
-      {"energy_optimality", "EO"},    {"average_goal_velocity_mps", "AGV"},
-      {"mission_progress_pct", "MP"}, {"min_clearance_m", "clearance"},
+      {"success_rate", "SR"},
+      {"v90_mps", "v90"},
+      {"path_optimality_pct", "PO"},
+      {"energy_optimality", "EO"},
+      {"average_goal_velocity_mps", "AGV"},
+      {"mission_progress_pct", "MP"},
+      {"min_clearance_m", "clearance"},
       {"processing_time_ms", "PT"}};
   const std::string of_unit = row.unit.empty() ? "" : ", " + row.unit;
   for (const auto& [name, header] : kShort) {
@@ -86,7 +90,8 @@ Table metric_table_of(const Comparison& comparison) {
        {.name = "p",
         .doc = "that nothing changed, corrected (Holm) over the " +
                counted(comparison.test_count, "test") +
-               " that may fail the comparison: McNemar for SR, Wilcoxon's signed-rank test for "
+               " that may fail the comparison: McNemar for SR, draws of maps for v90, Wilcoxon's "
+               "signed-rank test for "
                "the others"}});
   for (const MetricComparison& row : comparison.rows) {
     const int decimals = decimals_of_means(row), finer = decimals_of_change(row);

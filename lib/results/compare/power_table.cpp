@@ -1,10 +1,13 @@
 #include "compare/power_table.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/input_error.hpp"
+#include "base/normal_quantile.hpp"
 #include "base/number_text.hpp"
 #include "base/option_error.hpp"
+#include "base/words.hpp"
 #include "report/table_rows.hpp"
 #include "statistics/rates.hpp"
 #include "statistics/sample_size.hpp"
@@ -81,6 +84,46 @@ Table found_table(const PowerQuestion& question, double lower_rate) {
 }
 
 }  // namespace
+
+Section speed_power_section(const SweepSummary& pilot, double detect_mps, double power,
+                            double alpha) {
+  if (!(power > alpha && power < 1.0 && alpha > 0.0)) {
+    throw InputError("power and level are between 0 and 1, the power above the level");
+  }
+  Table table = make_table(
+      "maps", "Maps that each planner flies",
+      {planner_column(),
+       {.name = "other_planner", .header = "against", .place = Place::key},
+       {.name = "pilot_difference_mps", .header = "Δ v90", .unit = "m/s", .has_interval = true},
+       {.name = "spread_mps",
+        .header = "spread",
+        .unit = "m/s",
+        .doc = "spread_mps: standard deviation of this difference over draws of the pilot's maps"},
+       {.name = "map_count", .header = "maps"}});
+  const auto pilot_maps = static_cast<double>(pilot.maps.size());
+  const double quantiles = normal_quantile(1.0 - 0.5 * alpha) + normal_quantile(power);
+  for (const Contrast& c : pilot.contrasts) {
+    if (std::isnan(c.v90.spread_mps) || std::isnan(c.v90.difference_mps)) continue;
+    // The variance falls with the number of maps.
+    const double ratio = quantiles * c.v90.spread_mps / detect_mps;
+    const double maps = std::max(static_cast<double>(kLeastMaps), pilot_maps * ratio * ratio);
+    table.rows.push_back(make_row(pilot.planners[c.planner_1], pilot.planners[c.planner_2],
+                                  c.v90.difference_mps, c.v90.interval, c.v90.spread_mps,
+                                  static_cast<std::int64_t>(std::ceil(maps))));
+  }
+  if (table.rows.empty()) {
+    throw InputError("sweep " + pilot.name +
+                     ": no pair of planners with a v90 each (29 missions) "
+                     "on five maps or more");
+  }
+  Section section{.name = "power"};
+  section.title = "To tell two v90 apart that differ by " + shortest(detect_mps) +
+                  " m/s with power " + percent(power) + " at a level of " + percent(alpha) +
+                  " (two-sided), by sweep " + pilot.name + " of " +
+                  counted(pilot.maps.size(), "map");
+  section.tables.push_back(std::move(table));
+  return section;
+}
 
 Section power_section(const PowerQuestion& question) {
   check(question);

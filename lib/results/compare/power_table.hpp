@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "report/summary.hpp"
 #include "table/table.hpp"
 
 namespace avoidbench {
@@ -21,5 +22,11 @@ struct PowerQuestion {
 /// Tables `trials` (needed, by test) and, where the question gives trials, `found` (power and
 /// interval with these). Throws InputError for rates, levels or losses that are none.
 Section power_section(const PowerQuestion& question);
+
+/// How many maps tell two planners' v90 apart that differ by `detect_mps`, by how much a pilot
+/// sweep's differences vary over its maps. Table `maps`, a row a pair of planners. Throws
+/// InputError where the pilot has no pair with a v90 on kLeastMaps maps or more.
+Section speed_power_section(const SweepSummary& pilot, double detect_mps, double power,
+                            double alpha);
 
 }  // namespace avoidbench

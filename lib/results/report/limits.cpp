@@ -9,6 +9,7 @@
 #include "base/math.hpp"
 #include "base/number_text.hpp"
 #include "report/table_rows.hpp"
+#include "statistics/rates.hpp"
 #include "store/stored_text.hpp"
 
 namespace avoidbench {
@@ -84,7 +85,16 @@ Interval interval_of(const LimitEstimate& estimate, const LimitRule& rule) {
   return {rule.value_at(estimate.interval.lower), rule.value_at(estimate.interval.upper)};
 }
 
-std::string percent(double rate) { return significant_digits(100.0 * rate, 3) + " %"; }
+/// NaN where the results have no such metric.
+double mean_speed_mps(const SweepResult& result, const TrialSummary& trial) {
+  for (std::size_t i = 0; i < result.metrics.size(); ++i) {
+    if (result.metrics[i].name == "mean_speed_mps") return trial.metrics[i];
+  }
+  return math::kNaN;
+}
+
+std::string percent_number(double rate) { return significant_digits(100.0 * rate, 3); }
+std::string percent(double rate) { return percent_number(rate) + " %"; }
 
 }  // namespace
 
@@ -99,17 +109,21 @@ LimitSummary limits_of(const SweepResult& result, const LimitRule& rule) {
     versions.emplace(label_without(planner.label, rule), planner.version);
   }
   std::map<std::string, Cells> planners;
+  std::map<std::string, std::vector<double>> flown_mps;
   for (const TrialSummary& trial : result.trials) {
     const std::optional<double> value = number_in(trial.fields[field_index]);
     const std::optional<std::size_t> level = value ? level_of(rule, *value) : std::nullopt;
     if (!level)
       throw InputError("trial " + trial.key + ": its " + rule.field + " is none of the limit's");
     const std::size_t map = numbers.at(trial.map_key);
-    LimitCell& cell = planners[labels.at(trial.planner_key)][{*level, map}];
+    const std::string& label = labels.at(trial.planner_key);
+    LimitCell& cell = planners[label][{*level, map}];
     cell.level = *level;
     cell.map = map;
     ++cell.trials;
-    if (trial.outcome == Outcome::reached_goal) ++cell.successes;
+    flown_mps[label].resize(rule.values.size());
+    flown_mps[label][*level] += mean_speed_mps(result, trial);
+    if (rule.is_success(trial.outcome, goal_velocity_mps(trial))) ++cell.successes;
   }
   LimitSummary summary;
   summary.rule = rule;
@@ -130,14 +144,15 @@ LimitSummary limits_of(const SweepResult& result, const LimitRule& rule) {
                      .version = versions.at(label),
                      .estimate = curve.estimate_whole(all, others[index]),
                      .trials = {},
-                     .successes = {}});
+                     .successes = {},
+                     .flown_mps = flown_mps.at(label)});
     planner.trials.resize(rule.values.size());
     planner.successes.resize(rule.values.size());
     for (const LimitCell& cell : all) {
       planner.trials[cell.level] += cell.trials;
       planner.successes[cell.level] += cell.successes;
     }
-    if (map_count < kLeastLimitMaps || planners.size() < 2) continue;
+    if (map_count < kLeastMaps || planners.size() < 2) continue;
     // One seed: the same maps are drawn for all planners.
     draws.push_back(limit_draws(curve, all, map_count, map_count, others[index]));
   }
@@ -149,11 +164,51 @@ LimitSummary limits_of(const SweepResult& result, const LimitRule& rule) {
   return summary;
 }
 
+Table limit_speed_table(const LimitSummary& summary) {
+  constexpr std::size_t kGroups = 3;
+  Table table = make_table(
+      "limit_speeds",
+      "Speeds flown at these settings: what follows is a limit of the setting, not of a speed",
+      {planner_column(),
+       {.name = "settings", .header = "setting", .unit = "m/s", .place = Place::key},
+       {.name = "trial_count", .header = "trials"},
+       {.name = "flown_speed_mps",
+        .header = "flown",
+        .unit = "m/s",
+        .doc = "flown_speed_mps: mean of the flights' mean speeds",
+        .brief = "mean of the flights' mean speeds"}});
+  if (summary.rule.field != std::string(kOfPlanner) + "max_speed_mps") return table;
+  const std::vector<double>& values = summary.rule.values;
+  for (const PlannerLimit& planner : summary.planners) {
+    for (std::size_t group = 0; group < kGroups; ++group) {
+      const std::size_t begin = group * values.size() / kGroups;
+      const std::size_t end = (group + 1) * values.size() / kGroups;
+      std::int64_t trials = 0;
+      double sum_mps = 0.0;
+      for (std::size_t level = begin; level < end; ++level) {
+        trials += planner.trials[level];
+        sum_mps += planner.flown_mps[level];
+      }
+      if (trials == 0) continue;
+      table.rows.push_back(make_row(
+          planner.planner,
+          significant_digits(values[begin], 3) + "–" + significant_digits(values[end - 1], 3),
+          trials, sum_mps / static_cast<double>(trials)));
+    }
+  }
+  return table;
+}
+
 Table limit_table(const LimitSummary& summary) {
   const LimitRule& rule = summary.rule;
   const std::string name = rule.field.substr(rule.field.find('.') + 1);
+  const std::string what = rule.reach_mps > 0.0
+                               ? " of missions reach the goal with " + shortest(rule.reach_mps) +
+                                     " m/s or more (" + "v" + percent_number(rule.success_rate) +
+                                     " falls below it)"
+                               : " of missions reach the goal";
   Table table = make_table(
-      "limits", "Limits: " + name + " at which success is " + percent(rule.success_rate),
+      "limits", "Limits: " + name + " at which " + percent(rule.success_rate) + what,
       {planner_column(),
        {.name = "limit",
         .unit = rule.unit,
@@ -251,7 +306,7 @@ Table limit_curve_table(const LimitSummary& summary) {
 
 std::vector<std::string> warnings_of(const LimitSummary& summary) {
   std::vector<std::string> warnings;
-  if (summary.map_count < static_cast<std::int64_t>(kLeastLimitMaps)) {
+  if (summary.map_count < static_cast<std::int64_t>(kLeastMaps)) {
     warnings.push_back("on " + std::to_string(summary.map_count) +
                        " maps: fewer than five say nothing of how maps differ, so that intervals "
                        "are of these maps alone, and pairs are not told apart");

@@ -15,14 +15,14 @@ struct PlannerLimit {
   std::string planner, version;  ///< label without the field
   LimitEstimate estimate;
   std::vector<std::int64_t> trials, successes;  ///< at each level
+  std::vector<double> flown_mps;  ///< sum of the mean speeds of these flights, at each level
 };
 
-/// Of two planners on the same maps; from kLeastLimitMaps maps on.
+/// Of two planners on the same maps; from kLeastMaps maps on.
 struct LimitPair {
   std::size_t planner_1 = 0, planner_2 = 0;
   LimitContrast contrast;
 };
-inline constexpr std::size_t kLeastLimitMaps = 5;
 
 /// What a sweep with a LimitRule has found, computed from its trials. Without such a rule
 /// `planners` is empty.
@@ -36,6 +36,10 @@ struct LimitSummary {
 /// `result` has the rule's field among its fields. Throws InputError where a trial's value is none
 /// of the rule's.
 LimitSummary limits_of(const SweepResult& result, const LimitRule& rule);
+
+/// The table `limit_speeds`, of a limit over max_speed_mps alone: how fast flights at lower, middle
+/// and higher settings were.
+Table limit_speed_table(const LimitSummary& summary);
 
 /// The tables `limits`, `limit_pairs` and `limit_curve`; without rows for other sweeps.
 Table limit_table(const LimitSummary& summary);

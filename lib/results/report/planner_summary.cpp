@@ -135,15 +135,13 @@ double smoothed_factor(const std::vector<CountPair>& maps, std::span<const std::
   return contrast_factor(rates[0], lengths_m[0], rates[1], lengths_m[1]);
 }
 
-Interval success_interval(const Trials& trials, std::int64_t finished_count) {
+Interval success_interval(const Trials& trials) {
   std::vector<std::int64_t> finished, flown;
   for (const MapCount& count : counts_by_map(trials)) {
     finished.push_back(count.finished);
     flown.push_back(count.trials);
   }
-  // Few maps don't say how maps differ: then it is the interval of these maps alone.
-  if (flown.size() >= kLeastMaps) return clustered_wilson_interval(finished, flown);
-  return wilson_interval(finished_count, static_cast<std::int64_t>(trials.size()));
+  return rate_interval(finished, flown);
 }
 
 /// Whether `a`'s rate is significantly above `b`'s, on these missions and on maps like these.
@@ -200,7 +198,7 @@ PlannerSummary planner_summary(std::size_t planner, const Trials& trials,
   summary.finished_count = summary.outcome_counts[static_cast<std::size_t>(Outcome::reached_goal)];
   const auto count = static_cast<double>(trials.size());
   summary.success_rate = static_cast<double>(summary.finished_count) / count;  // 0 / 0 is NaN
-  summary.success_interval = success_interval(trials, summary.finished_count);
+  summary.success_interval = success_interval(trials);
   summary.mean_reference_length_m = length_m / count;
   for (const std::size_t metric : metrics) summary.means.push_back(metric_mean(trials, metric));
   return summary;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "statistics/interval.hpp"
+#include "statistics/reached_speed.hpp"
 #include "store/rows.hpp"
 
 namespace avoidbench {
@@ -29,9 +30,6 @@ struct MetricMean {
   std::int64_t count = 0;
   bool is_best = false;  ///< and significantly better than that of every other planner
 };
-
-/// Maps from which on an interval over maps is given: fewer say too little of how maps differ.
-inline constexpr std::size_t kLeastMaps = 5;
 
 /// One planner's trials, all or those of one group.
 struct PlannerSummary {
@@ -83,6 +81,7 @@ struct Contrast {
   /// The same on maps like these: Wilcoxon's test of the maps' rates; NaN for fewer than
   /// kLeastMapsToTest.
   double map_p = 1.0;
+  SpeedDifference v90 = {};  ///< NaN where either has none
 
   bool is_clear() const { return fisher_p < kAlpha && !(map_p >= kAlpha); }
 };

@@ -190,6 +190,8 @@ void add_pairs_and_curves(SweepSummary& summary, const SweepResult& result,
     for (std::size_t two = one + 1; two < planners.size(); ++two) {
       summary.contrasts.push_back(
           contrast_of(summary.overall[one], planners[one], summary.overall[two], planners[two]));
+      summary.contrasts.back().v90 =
+          v90_difference(summary.speeds[one], summary.speeds[two], result.maps.size());
     }
     summary.flight_times.push_back(flight_times(one, planners[one]));
     if (map_count_of(planners[one]) >= static_cast<std::int64_t>(kLeastMaps)) {
@@ -273,6 +275,8 @@ SweepSummary summarize(SweepResult result, const ReportQuery& query) {
   const Trials trials = trials_on_maps(result);
   const std::vector<Trials> planners = by_planner(result, trials);
   summary.overall = summaries(result, trials, indices);
+  summary.speeds = planner_speeds(result, planners);
+  summary.best_settings = best_settings(summary.speeds, result.planners);
   summary.groups = groups_of(result, trials, indices);
   summary.group_columns = query.group_by;
   if (!query.group_by.empty()) {

@@ -10,6 +10,7 @@
 #include "report/planner_summary.hpp"
 #include "report/response.hpp"
 #include "report/selection.hpp"
+#include "report/speeds.hpp"
 #include "sweep/cause_counts.hpp"
 
 namespace avoidbench {
@@ -51,7 +52,9 @@ struct SweepSummary {
   std::vector<MapRow> maps;
   std::int64_t mission_count = 0, invalid_mission_count = 0, trial_count = 0;
   std::vector<PlannerSummary> overall;
-  std::vector<MapGroup> groups;  ///< from hard to easy maps; empty for fewer than 2 maps
+  std::vector<PlannerSpeeds> speeds;       ///< one a planner
+  std::vector<BestSetting> best_settings;  ///< of planners that flew with several
+  std::vector<MapGroup> groups;            ///< from hard to easy maps; empty for fewer than 2 maps
   std::vector<GroupColumn> group_columns;
   std::vector<GroupRow> group_rows;  ///< empty without ReportQuery::group_by
   std::vector<Contrast> contrasts;

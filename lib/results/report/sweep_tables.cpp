@@ -8,6 +8,7 @@
 #include "base/words.hpp"
 #include "explain/causes.hpp"
 #include "maps/map_spec.hpp"
+#include "report/speed_tables.hpp"
 #include "report/table_rows.hpp"
 
 namespace avoidbench {
@@ -202,11 +203,18 @@ Table pair_table(const SweepSummary& summary) {
         .doc = "that they are equal on maps like these (Wilcoxon's signed-rank test of the maps' "
                "rates); from six maps on",
         .decimals = 3,
-        .brief = "the same on other maps like these"}});
+        .brief = "the same on other maps like these"},
+       {.name = "v90_difference_mps",
+        .header = "Δ v90",
+        .unit = "m/s",
+        .doc = "v90_difference_mps: v90 of the first planner less that of the other, with a 95 % "
+               "interval by bootstrap over maps, the same for both",
+        .has_interval = true,
+        .brief = "v90 less the other's [95 % interval]"}});
   for (const Contrast& c : summary.contrasts) {
     table.rows.push_back(make_row(summary.planners[c.planner_1], summary.planners[c.planner_2],
                                   c.factor, c.smoothed_factor, c.smoothed_interval, c.fisher_p,
-                                  c.map_p));
+                                  c.map_p, c.v90.difference_mps, c.v90.interval));
   }
   return table;
 }
@@ -397,12 +405,16 @@ struct TableKind {
 };
 
 constexpr TableKind kTables[] = {
+    {"limit_speeds", TableKind::always,
+     [](const SweepSummary& summary) { return limit_speed_table(summary.limits); }},
     {"limits", TableKind::always,
      [](const SweepSummary& summary) { return limit_table(summary.limits); }},
     {"limit_pairs", TableKind::always,
      [](const SweepSummary& summary) { return limit_pair_table(summary.limits); }},
     {"limit_curve", TableKind::never,
      [](const SweepSummary& summary) { return limit_curve_table(summary.limits); }},
+    {"speed", TableKind::always, speed_table},
+    {"speed_curve", TableKind::never, speed_curve_table},
     {"planners", TableKind::always, planner_table},
     {"groups", TableKind::always, group_table},
     {"grouped", TableKind::always, grouped_table},

@@ -6,6 +6,7 @@
 
 #include "base/number_text.hpp"
 #include "base/words.hpp"
+#include "report/speed_tables.hpp"
 #include "report/summary.hpp"
 #include "statistics/sample_size.hpp"
 #include "statistics/stop_rule.hpp"
@@ -228,6 +229,7 @@ std::vector<std::string> warnings_of(const SweepSummary& summary, const SweepRes
   Warnings warnings;
   warn_of_missing_trials(summary, result, spec, warnings);
   warn_of_few_trials(summary, warnings);
+  for (std::string& warning : speed_warnings(summary)) warnings.push_back(std::move(warning));
   warn_of_unclear_differences(summary, warnings);
   warn_of_standing_flights(summary, result, warnings);
   warn_of_computing_times(summary, result, warnings);

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "report/summary.hpp"
+#include "table/table.hpp"
+
+namespace avoidbench {
+
+/// The tables `speed` (v90, v50, mean goal velocity and crashes a planner, and the best of several
+/// settings) and `speed_curve` (S(v)).
+Table speed_table(const SweepSummary& summary);
+Table speed_curve_table(const SweepSummary& summary);
+
+/// What v90 can't say of these flights: too few, or nine of ten did not arrive.
+std::vector<std::string> speed_warnings(const SweepSummary& summary);
+
+}  // namespace avoidbench
