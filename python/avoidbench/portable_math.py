@@ -2,17 +2,45 @@
 Python's `math` asks the machine's C library, whose last bits differ. `math.sqrt` and the four operations are the same
 everywhere."""
 
-import os
-from importlib.util import find_spec
+import ctypes
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
 
-if "AVOIDBENCH_PLANNER_FDS" not in os.environ and find_spec("avoidbench._core") is not None:
-    from avoidbench import _core
+_PACKAGE = Path(__file__).parent.absolute()  # not resolved: a build tree has this file by a link
+# Beside the program's copy of this package; from the package itself in a build tree, and where pip installed it.
+_FOLDERS = (
+    _PACKAGE.parent,
+    _PACKAGE.parent.parent / "share/avoidbench/python",
+    _PACKAGE / "program/share/avoidbench/python",
+)
 
-    sin, cos, tan = _core.portable_sin, _core.portable_cos, _core.portable_tan
-    asin, acos = _core.portable_asin, _core.portable_acos
-    atan, atan2 = _core.portable_atan, _core.portable_atan2
-    exp, log = _core.portable_exp, _core.portable_log
-else:  # the same bits, more slowly
-    from avoidbench._python_math import acos, asin, atan, atan2, cos, exp, log, sin, tan
+
+def _library() -> ctypes.CDLL:
+    for folder in _FOLDERS:
+        file = folder / "libportable_math.so"
+        if file.is_file():
+            return ctypes.CDLL(str(file))
+    raise ImportError(f"libportable_math.so, which is built with avoidbench, is not in {', '.join(map(str, _FOLDERS))}")
+
+
+def _function(name: str, arguments: int = 1) -> Any:
+    function = _LIBRARY[f"portable_{name}"]
+    function.restype = ctypes.c_double
+    function.argtypes = [ctypes.c_double] * arguments
+    return function
+
+
+_LIBRARY = _library()
+_OfOne = Callable[[float], float]
+sin: _OfOne = _function("sin")
+cos: _OfOne = _function("cos")
+tan: _OfOne = _function("tan")
+asin: _OfOne = _function("asin")
+acos: _OfOne = _function("acos")
+atan: _OfOne = _function("atan")
+exp: _OfOne = _function("exp")
+log: _OfOne = _function("log")
+atan2: Callable[[float, float], float] = _function("atan2", 2)
 
 __all__ = ["acos", "asin", "atan", "atan2", "cos", "exp", "log", "sin", "tan"]

@@ -1,9 +1,6 @@
 """Planners in Python that the program starts: what they see, and that they fly what avoidbench.fly flies."""
 
 import importlib.util
-import math
-import random
-import struct
 import subprocess
 import sys
 from pathlib import Path
@@ -11,7 +8,7 @@ from typing import Any
 
 import avoidbench
 import pytest
-from avoidbench import _core, _python_math, serving
+from avoidbench import _core, serving
 from avoidbench import planner_abi as abi
 from avoidbench._location import program_file
 from avoidbench.planner_files import local_modules, planner_files
@@ -128,22 +125,6 @@ def test_structs_are_those_of_the_header() -> None:
     assert serving.COMMAND_POINTS == abi.CommandStruct.points.offset
     assert 8 * serving.IMU_NUMBERS == sizes["ab_imu_sample"]
     assert 8 * (serving.STATE_NUMBERS + 1) == sizes["ab_state"]
-
-
-def test_portable_math_in_python_has_the_extensions_bits() -> None:
-    draws = random.Random(3)
-    special = [0.0, -0.0, math.inf, -math.inf, math.nan, 1e-310, 1.0, -1.0, 0.4375, 1e6, 1e7, 710.0, -746.0]
-    values = special + [draws.uniform(-1, 1) * 10.0 ** draws.uniform(-12, 6) for _ in range(20000)]
-
-    def bits(value: float) -> bytes:
-        return b"nan" if math.isnan(value) else struct.pack("<d", value)
-
-    for name in ("sin", "cos", "tan", "asin", "acos", "atan", "exp", "log"):
-        own, extension = getattr(_python_math, name), getattr(_core, f"portable_{name}")
-        for x in values:
-            assert bits(own(x)) == bits(extension(x)), (name, x)
-    for x, y in zip(values, values[::-1], strict=True):
-        assert bits(_python_math.atan2(x, y)) == bits(_core.portable_atan2(x, y)), (x, y)
 
 
 def test_what_fly_flew_the_program_replays_and_does_not_fly_again(tmp_path: Path) -> None:
