@@ -21,7 +21,6 @@ if TYPE_CHECKING or _IS_WHOLE:
     from avoidbench._core import version as __version__
     from avoidbench.database_file import ResultsError
     from avoidbench.env import AvoidbenchEnv, AvoidbenchVectorEnv, Reward
-    from avoidbench.flying import fly
     from avoidbench.program import ProgramError
     from avoidbench.registration import register as _register
     from avoidbench.world import Missions, Nearest, Obstacle, Occupancy, World, look_at, make_world
@@ -31,6 +30,7 @@ if TYPE_CHECKING or _IS_WHOLE:
 
 if TYPE_CHECKING:
     from avoidbench.comparison import Comparison
+    from avoidbench.flying import fly
     from avoidbench.results import Results, read
     from avoidbench.serving import serve
     from avoidbench.sweep_run import run
@@ -60,7 +60,14 @@ __all__ = [
 ]
 
 # Imported when one of them is used: most take pandas.
-_MODULES = {"Comparison": "comparison", "Results": "results", "read": "results", "run": "sweep_run", "serve": "serving"}
+_MODULES = {
+    "Comparison": "comparison",
+    "Results": "results",
+    "fly": "flying",
+    "read": "results",
+    "run": "sweep_run",
+    "serve": "serving",
+}
 # And these the extension, where it was not imported.
 _OF_EXTENSION = {
     "AvoidbenchEnv": "env",
@@ -74,7 +81,6 @@ _OF_EXTENSION = {
     "ResultsError": "database_file",
     "Reward": "env",
     "World": "world",
-    "fly": "flying",
     "look_at": "world",
     "make_world": "world",
 }

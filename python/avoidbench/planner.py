@@ -229,8 +229,8 @@ class GiveUp(Exception):
 
 class Planner:
     """A planner: subclass it, say what it sees and gives, and write plan(). Any other exception than GiveUp ends the
-    trial with planner_error and its text. avoidbench.fly() flies it over a sweep in this process; a sweep flies it as
-    `plugin: ./its_file.py`, in a process of its own (avoidbench.serving)."""
+    trial with planner_error and its text. A sweep flies it as `plugin: ./its_file.py`, in a process of its own
+    (avoidbench.serving); avoidbench.fly() does that from Python."""
 
     name: ClassVar[str]
     """[a-z0-9_]+"""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import signal
 import subprocess
+import sys
 import warnings
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
@@ -65,6 +66,12 @@ def find_program() -> Path:
         raise ProgramError(str(error)) from None
 
 
+def environment() -> dict[str, str]:
+    """For the program: it starts planners in Python by this Python, as in its activated environment."""
+    folders = [os.path.dirname(sys.executable), os.environ.get("PATH", os.defpath)]
+    return {**os.environ, "PATH": os.pathsep.join(filter(None, folders))}
+
+
 def warn_of(stderr: str, stacklevel: int = 3) -> None:
     """Gives the program's warnings to Python's `warnings`."""
     for line in stderr.splitlines():
@@ -113,7 +120,9 @@ def run_program(
     """
     command = [str(find_program()), *arguments]
     try:
-        done = subprocess.run(command, input=(input_text or "").encode(), capture_output=True, check=False)
+        done = subprocess.run(
+            command, input=(input_text or "").encode(), capture_output=True, check=False, env=environment()
+        )
     except OSError as error:
         raise ProgramError(f"{command[0]} can't be started: {error.strerror}", command) from error
     stderr = done.stderr.decode("utf-8", errors="replace")

@@ -4,54 +4,37 @@ protocol. Needs NumPy and nothing else.
     if __name__ == "__main__":
         avoidbench.serve(MyPlanner)
 
-A file that defines one planner needs not even that: `python -m avoidbench.serving FILE` serves it."""
+A file that defines one planner needs not even that: `python -m avoidbench.serving FILE` serves it, and with a class's
+name behind it that one of several."""
 
 import ast
 import importlib.util
 import inspect
 import mmap
 import os
+import re
 import runpy
-import struct
 import sys
+import traceback
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
+from avoidbench import _layouts as layouts
 from avoidbench import planner as p
-from avoidbench import planner_abi as abi
 from avoidbench.planner_files import planner_files
-from avoidbench.planner_table import Table, error_line, fill_command
 
-PROTOCOL = 1
-MAGIC = b"avoidben"
-VARIABLE = "AVOIDBENCH_PLANNER_FDS"
-HELLO, CREATE, RESET, PLAN, DESTROY = 1, 2, 3, 4, 5
+_WORDS = {
+    "sees": ("AB_SEES_", ("state", "depth", "stereo", "color", "imu", "states", "one_camera")),
+    "uses": ("AB_USES_", ("processes", "devices", "network", "globals")),
+    "commands": ("AB_COMMAND_", ("position", "velocity", "acceleration", "trajectory", "rates")),
+}
+"""What a class may declare, and with which prefix planner.h has it."""
 
-# Little-endian; in the segment each pointer is an offset. Names as in process_protocol.h and planner.h.
-HEADER = struct.Struct("<8sIIQQQQ16x")
-WORD = struct.Struct("<II")
-REQUEST = struct.Struct("<IIQQ8x")
-ANSWER = struct.Struct("<IIiIQQQQ16x")
-DESCRIPTION = struct.Struct("<IIQQ")
-PLANNER = struct.Struct("<IIQQQIIIIQQQQQQIIQdd")
-PARAMETER = struct.Struct("<IiQQQdddQQ")
-FILES = struct.Struct("<IIQ")
-SETUP = struct.Struct("<IIQddd3ddddQIIQ")
-VALUE = struct.Struct("<IIdQ")
-CAMERA = struct.Struct("<IiiI4d3d4ddddd")
-MISSION = struct.Struct("<IIQ3dd3ddd3d3dd")
-OBSERVATION = struct.Struct("<IIQQIIQQIIQdIIQ")
-DEPTH = struct.Struct("<IiiIddddd3d4dQII")
-PICTURE = struct.Struct("<IiiIIIddddd3d4dQ")
-STEREO = struct.Struct("<IIdQQ")
-STATE_NUMBERS = 14
-IMU_NUMBERS = 7
-COMMAND_BYTES = 152
-COMMAND_POINTS = 136
+Made = TypeVar("Made")
 
 
 class _Segment:
@@ -59,42 +42,57 @@ class _Segment:
 
     def __init__(self, fd: int) -> None:
         self._fd = fd
-        self.size = 0
-        self.memory: Any = None
+        self._size = 0
+        self.memory = mmap.mmap(fd, layouts.ab_process_header.itemsize)
+        self._header = self.struct(layouts.ab_process_header, 0)
         self.look()
 
     def look(self) -> None:
         """Maps it as large as it is now."""
-        if self.memory is None:
-            header = os.pread(self._fd, HEADER.size, 0)
-        else:
-            header = self.memory[: HEADER.size]
-        magic, protocol, abi_version, size, self.answer, self.answer_bytes, self.request = HEADER.unpack(header)
-        if size == self.size:
+        size = self._header["segment_bytes"].item()
+        if size == self._size:
             return
-        if magic != MAGIC or protocol != PROTOCOL or abi_version != abi.ABI_VERSION:
+        spoken = tuple(self._header[name].item() for name in ("magic", "protocol", "abi_version"))
+        ours = (layouts.AB_PROCESS_MAGIC.encode(), layouts.AB_PROCESS_PROTOCOL, layouts.AVOIDBENCH_ABI_VERSION)
+        if spoken != ours:
             sys.exit(
-                f"this avoidbench for Python speaks protocol {PROTOCOL} of ABI {abi.ABI_VERSION}, the program "
-                f"{protocol} of {abi_version}"
+                f"this avoidbench for Python speaks protocol {ours[1]} of ABI {ours[2]}, the program {spoken[1]} of "
+                f"{spoken[2]}"
             )
         # Pixels that a planner kept hold the old one.
         self.memory = mmap.mmap(self._fd, size)
-        self.size = size
+        self._size = size
+        self._header = self.struct(layouts.ab_process_header, 0)
+        self.answer_at, self.answer_bytes, request_at = (
+            self._header[name].item() for name in ("answer_offset", "answer_bytes", "request_offset")
+        )
+        self.answer = self.struct(layouts.ab_process_answer, self.answer_at)
+        self.request = self.struct(layouts.ab_process_request, request_at)
+
+    def struct(self, layout: np.dtype[np.void], offset: int) -> NDArray[np.void]:
+        return np.ndarray((), layout, self.memory, offset)
 
     def text(self, offset: int) -> str:
         end = self.memory.find(b"\0", offset)
-        return bytes(self.memory[offset:end]).decode("utf-8", errors="replace")
+        return self.memory[offset:end].decode("utf-8", errors="replace")
 
-    def offsets(self, offset: int, count: int) -> tuple[int, ...]:
-        return struct.unpack_from(f"<{count}Q", self.memory, offset) if count else ()
+    def offsets(self, given: NDArray[np.void], name: str, count: str) -> list[int]:
+        """The offsets in the array that this field names, of which another has the count."""
+        length = given[count].item()
+        if length == 0:
+            return []
+        offsets: list[int] = np.ndarray(length, np.uint64, self.memory, given[name].item()).tolist()
+        return offsets
 
     def pixels(self, kind: Any, offset: int, shape: tuple[int, ...]) -> NDArray[Any]:
-        count = 1
-        for length in shape:
-            count *= length
-        array: NDArray[Any] = np.frombuffer(self.memory, kind, count, offset).reshape(shape)
+        array: NDArray[Any] = np.ndarray(shape, kind, self.memory, offset)
         array.flags.writeable = False
         return array
+
+
+def _set(struct: NDArray[np.void], **fields: Any) -> None:
+    for name, value in fields.items():
+        struct[name] = value
 
 
 class _Writer:
@@ -102,13 +100,13 @@ class _Writer:
 
     def __init__(self, segment: _Segment) -> None:
         self._segment = segment
-        self.used = ANSWER.size
+        self.used = layouts.ab_process_answer.itemsize
 
     def add(self, data: bytes) -> int:
         at = (self.used + 7) // 8 * 8
         if at + len(data) > self._segment.answer_bytes:
             raise ValueError(f"the answer is longer than {self._segment.answer_bytes} bytes")
-        begin = self._segment.answer + at
+        begin = self._segment.answer_at + at
         self._segment.memory[begin : begin + len(data)] = data
         self.used = at + len(data)
         return int(begin)
@@ -117,239 +115,276 @@ class _Writer:
         return self.add(text.encode("utf-8", errors="replace").replace(b"\0", b"") + b"\0")
 
     def offsets(self, offsets: Sequence[int]) -> int:
-        return self.add(struct.pack(f"<{len(offsets)}Q", *offsets)) if offsets else 0
+        return self.add(np.array(offsets, np.uint64).tobytes()) if offsets else 0
+
+    def struct(self, layout: np.dtype[np.void], **fields: Any) -> int:
+        """What is not given is 0."""
+        struct = np.zeros((), layout)
+        _set(struct, struct_size=layout.itemsize, **fields)
+        return self.add(struct.tobytes())
 
 
-def _description(writer: _Writer, planner: type[p.Planner], table: Table, files: Sequence[str]) -> int:
-    known = table.struct
-    parameters = []
-    for one in table.parameter_structs:
-        texts = [
-            0 if text is None else writer.add(text + b"\0")
-            for text in (one.name, one.unit, one.doc, one.choices, one.preset_text)
-        ]
-        parameters.append(
-            writer.add(
-                PARAMETER.pack(PARAMETER.size, one.kind, *texts[:3], one.lowest, one.highest, one.preset, *texts[3:])
+def _bits(planner: type[p.Planner], what: str) -> int:
+    words = getattr(planner, what)
+    prefix, known = _WORDS[what]
+    if isinstance(words, str):
+        raise TypeError(f"{planner.__name__}.{what}: expected a list of words, got the text {words!r}")
+    for word in words:
+        if word not in known:
+            raise ValueError(f"{planner.__name__}.{what}: expected words of {', '.join(known)}, got {word!r}")
+    return sum(getattr(layouts, prefix + word.upper()) for word in set(words))
+
+
+def check(planner: type[p.Planner]) -> None:
+    """Raises TypeError and ValueError for what a class declares wrongly; the program checks the rest."""
+    if not (isinstance(planner, type) and issubclass(planner, p.Planner)):
+        raise TypeError(f"expected a subclass of avoidbench.Planner, got {planner!r}")
+    name = getattr(planner, "name", None)
+    if not isinstance(name, str) or not re.fullmatch("[a-z0-9_]+", name):
+        raise ValueError(f"{planner.__name__}.name: expected a text of a-z 0-9 _, got {name!r}")
+    for what in _WORDS:
+        _bits(planner, what)
+    for parameter in planner.parameters:
+        preset = parameter.preset
+        if isinstance(preset, bool) or not isinstance(preset, (int, float, str)):
+            raise TypeError(
+                f"parameter {parameter.name}: expected a number or a text as its preset, got {type(preset).__name__}"
             )
-        )
-    name, version, summary = (writer.add(text + b"\0") for text in (known.name, known.version, known.summary))
-    at = writer.add(
-        PLANNER.pack(
-            PLANNER.size,
-            abi.ABI_VERSION,
-            name,
-            version,
-            summary,
-            known.needs,
-            known.commands,
-            len(parameters),
-            0,
-            writer.offsets(parameters),
-            0,
-            0,
-            0,
-            0,
-            0,
-            0,
-            0,
-            0,
-            known.least_fov_x_rad,
-            known.least_fov_y_rad,
-        )
+
+
+def _parameter(writer: _Writer, parameter: p.Parameter) -> int:
+    fields: dict[str, Any] = {name: writer.text(getattr(parameter, name)) for name in ("name", "unit", "doc")}
+    preset = parameter.preset
+    if isinstance(preset, str):
+        fields["kind"] = layouts.AB_CHOICE if parameter.choices else layouts.AB_TEXT
+        fields["choices"] = writer.text("|".join(parameter.choices))
+        fields["preset_text"] = writer.text(preset)
+    else:
+        fields["kind"] = layouts.AB_INTEGER if isinstance(preset, int) else layouts.AB_NUMBER
+        fields.update(lowest=parameter.lowest, highest=parameter.highest, preset=preset)
+    return writer.struct(layouts.ab_parameter, **fields)
+
+
+def _description(writer: _Writer, planner: type[p.Planner], files: Sequence[str]) -> int:
+    check(planner)
+    parameters = [_parameter(writer, parameter) for parameter in planner.parameters]
+    described = writer.struct(
+        layouts.ab_planner,
+        abi_version=layouts.AVOIDBENCH_ABI_VERSION,
+        name=writer.text(planner.name),
+        version=writer.text(planner.version),
+        summary=writer.text(planner.summary or planner.name),
+        needs=_bits(planner, "sees") | layouts.AB_SEES_STATE | _bits(planner, "uses"),
+        commands=_bits(planner, "commands"),
+        parameter_count=len(parameters),
+        parameters=writer.offsets(parameters),
+        least_fov_x_rad=planner.least_fov_rad[0],
+        least_fov_y_rad=planner.least_fov_rad[1],
     )
     named = writer.offsets([writer.text(file) for file in files])
-    files_at = writer.add(FILES.pack(FILES.size, len(files), named)) if files else 0
-    return writer.add(DESCRIPTION.pack(DESCRIPTION.size, PROTOCOL, at, files_at))
+    return writer.struct(
+        layouts.ab_process_description,
+        protocol=layouts.AB_PROCESS_PROTOCOL,
+        planner=described,
+        files=writer.struct(layouts.ab_files, file_count=len(files), files=named) if files else 0,
+    )
+
+
+def _made(kind: type[Made], given: NDArray[np.void], **others: Any) -> Made:
+    """One of planner.py's dataclasses, whose fields have the names that they have in the struct; but for `others`."""
+    for name in kind.__dataclass_fields__:  # type: ignore[attr-defined]
+        if name not in others:
+            value = given[name]
+            others[name] = value.copy() if value.shape else value.item()
+    return kind(**others)
 
 
 def _setup(segment: _Segment, at: int, parameters: Sequence[p.Parameter]) -> p.Setup:
-    (
-        _,
-        value_count,
-        values_at,
-        max_speed,
-        max_acceleration,
-        max_yaw_rate,
-        *body,
-        radius,
-        period,
-        gravity,
-        _,
-        camera_count,
-        _,
-        cameras_at,
-    ) = SETUP.unpack_from(segment.memory, at)
+    given = segment.struct(layouts.ab_setup, at)
     values: dict[str, Any] = {}
-    for parameter, offset in zip(parameters, segment.offsets(values_at, value_count), strict=False):
-        _, _, number, text = VALUE.unpack_from(segment.memory, offset)
-        preset = parameter.preset
-        values[parameter.name] = (
-            segment.text(text) if isinstance(preset, str) else int(number) if isinstance(preset, int) else number
-        )
-    cameras = []
-    for offset in segment.offsets(cameras_at, camera_count):
-        _, width, height, _, fx, fy, cx, cy, *rest = CAMERA.unpack_from(segment.memory, offset)
-        cameras.append(p.Camera(width, height, fx, fy, cx, cy, np.array(rest[:3]), np.array(rest[3:7]), *rest[7:]))
-    return p.Setup(
-        values, max_speed, max_acceleration, max_yaw_rate, np.array(body), radius, period, gravity, tuple(cameras)
+    for parameter, offset in zip(parameters, segment.offsets(given, "values", "value_count"), strict=True):
+        value, preset = segment.struct(layouts.ab_value, offset), parameter.preset
+        if isinstance(preset, str):
+            values[parameter.name] = segment.text(value["text"].item())
+        else:
+            number = value["number"].item()
+            values[parameter.name] = int(number) if isinstance(preset, int) else number
+    cameras = (
+        segment.struct(layouts.ab_camera, offset) for offset in segment.offsets(given, "cameras", "camera_count")
     )
-
-
-def _mission(segment: _Segment, at: int) -> p.Mission:
-    _, _, seed, *numbers = MISSION.unpack_from(segment.memory, at)
-    return p.Mission(
-        seed,
-        np.array(numbers[:3]),
-        numbers[3],
-        np.array(numbers[4:7]),
-        numbers[7],
-        numbers[8],
-        np.array(numbers[9:12]),
-        np.array(numbers[12:15]),
-        numbers[15],
-    )
+    return _made(p.Setup, given, parameters=values, cameras=tuple(_made(p.Camera, camera) for camera in cameras))
 
 
 def _depth(segment: _Segment, at: int) -> p.DepthImage:
-    _, width, height, _, time_s, _, _, _, _, *pose, pixels, camera, _ = DEPTH.unpack_from(segment.memory, at)
-    return p.DepthImage(
-        time_s, segment.pixels(np.float32, pixels, (height, width)), np.array(pose[:3]), np.array(pose[3:]), camera
-    )
+    given = segment.struct(layouts.ab_depth_image, at)
+    shape = (given["height_px"].item(), given["width_px"].item())
+    return _made(p.DepthImage, given, depth_m=segment.pixels(np.float32, given["depth_m"].item(), shape))
 
 
 def _picture(segment: _Segment, at: int) -> p.Picture:
-    _, width, height, channels, camera, _, time_s, _, _, _, _, *pose, pixels = PICTURE.unpack_from(segment.memory, at)
-    shape = (height, width) if channels == 1 else (height, width, channels)
-    return p.Picture(time_s, segment.pixels(np.uint8, pixels, shape), np.array(pose[:3]), np.array(pose[3:]), camera)
+    given = segment.struct(layouts.ab_picture, at)
+    channels = given["channels"].item()
+    shape = (given["height_px"].item(), given["width_px"].item(), *((channels,) if channels != 1 else ()))
+    return _made(p.Picture, given, pixels=segment.pixels(np.uint8, given["pixels"].item(), shape))
 
 
 def _stereo(segment: _Segment, at: int) -> p.StereoPair:
-    _, _, baseline_m, left, right = STEREO.unpack_from(segment.memory, at)
-    return p.StereoPair(_picture(segment, left), _picture(segment, right), baseline_m)
+    given = segment.struct(layouts.ab_stereo_pair, at)
+    left, right = (_picture(segment, given[name].item()) for name in ("left", "right"))
+    return _made(p.StereoPair, given, left=left, right=right)
 
 
-def _imu(segment: _Segment, at: int, count: int) -> p.ImuSamples:
-    numbers = np.frombuffer(segment.memory, np.float64, count * IMU_NUMBERS, at).reshape(count, IMU_NUMBERS).copy()
-    return p.ImuSamples(numbers[:, 0], numbers[:, 1:4], numbers[:, 4:7])
-
-
-def _state_numbers(segment: _Segment, at: int) -> tuple[float, p.Vector, p.Vector, p.Vector, p.Vector]:
-    numbers = np.frombuffer(segment.memory, np.float64, STATE_NUMBERS, at + 8).copy()
-    return float(numbers[0]), numbers[1:4], numbers[4:7], numbers[7:11], numbers[11:14]
+def _imu(segment: _Segment, given: NDArray[np.void]) -> p.ImuSamples:
+    samples: NDArray[np.void] = np.ndarray(
+        given["imu_count"].item(), layouts.ab_imu_sample, segment.memory, given["imu"].item()
+    )
+    return _made(p.ImuSamples, samples)
 
 
 def _observation(segment: _Segment, at: int, sees_imu: bool) -> p.Observation:
-    (
-        _,
-        depth_count,
-        state_at,
-        depth_at,
-        stereo_count,
-        color_count,
-        stereo_at,
-        color_at,
-        imu_count,
-        _,
-        imu_at,
-        time_s,
-        state_count,
-        _,
-        states_at,
-    ) = OBSERVATION.unpack_from(segment.memory, at)
-    return p.Observation(
-        *_state_numbers(segment, state_at),
-        depth=tuple(_depth(segment, offset) for offset in segment.offsets(depth_at, depth_count)),
-        stereo=tuple(_stereo(segment, offset) for offset in segment.offsets(stereo_at, stereo_count)),
-        color=tuple(_picture(segment, offset) for offset in segment.offsets(color_at, color_count)),
-        imu=_imu(segment, imu_at, imu_count) if sees_imu else None,
-        call_time_s=time_s,
-        states=tuple(p.State(*_state_numbers(segment, offset)) for offset in segment.offsets(states_at, state_count)),
+    given = segment.struct(layouts.ab_observation, at)
+    states = (segment.struct(layouts.ab_state, offset) for offset in segment.offsets(given, "states", "state_count"))
+    return _made(
+        p.Observation,
+        segment.struct(layouts.ab_state, given["state"].item()),
+        depth=tuple(_depth(segment, offset) for offset in segment.offsets(given, "depth", "depth_count")),
+        stereo=tuple(_stereo(segment, offset) for offset in segment.offsets(given, "stereo", "stereo_count")),
+        color=tuple(_picture(segment, offset) for offset in segment.offsets(given, "color", "color_count")),
+        imu=_imu(segment, given) if sees_imu else None,
+        call_time_s=given["time_s"].item(),
+        states=tuple(_made(p.State, state) for state in states),
     )
+
+
+def _shaped(values: ArrayLike, name: str, *shapes: tuple[int, ...]) -> NDArray[np.float64]:
+    array = np.asarray(values, np.float64)
+    if array.shape not in shapes:
+        raise ValueError(f"{name}: expected an array of shape {shapes[-1]}, got {array.shape}")
+    return array
+
+
+def _points(trajectory: p.Trajectory) -> NDArray[np.void]:
+    times = np.asarray(trajectory.time_s, np.float64)
+    if times.ndim != 1:
+        raise ValueError(f"time_s: expected an array of shape (N,), got {times.shape}")
+    points = np.zeros(len(times), layouts.ab_point)
+    points["time_s"] = times
+    for name in ("position_world_m", "velocity_world_mps", "acceleration_world_mps2"):
+        points[name] = _shaped(getattr(trajectory, name), name, (len(times), 3))
+    for name in ("yaw_rad", "yaw_rate_radps"):
+        points[name] = _shaped(getattr(trajectory, name), name, (), (len(times),))
+    return points
+
+
+def _command(writer: _Writer, given: p.Command) -> int:
+    fields: dict[str, Any] = {"horizon_s": given.horizon_s}
+    if isinstance(given, p.Trajectory):
+        points = _points(given)
+        fields.update(kind=layouts.AB_COMMAND_TRAJECTORY, point_count=len(points), points=writer.add(points.tobytes()))
+        return writer.struct(layouts.ab_command, **fields)
+    if isinstance(given, p.Rates):
+        kind, name = layouts.AB_COMMAND_RATES, "rates_body_radps"
+        fields["thrust_mps2"] = given.thrust_mps2
+    elif given.yaw_rad is not None and given.yaw_rate_radps is not None:
+        raise ValueError("expected yaw_rad or yaw_rate_radps, got both")
+    elif given.yaw_rad is not None:
+        fields["yaw_rad"] = given.yaw_rad
+    else:
+        fields.update(flags=layouts.AB_YAW_IS_RATE, yaw_rate_radps=given.yaw_rate_radps or 0.0)
+    if isinstance(given, p.Velocity):
+        kind, name = layouts.AB_COMMAND_VELOCITY, "velocity_world_mps"
+    elif isinstance(given, p.Acceleration):
+        kind, name = layouts.AB_COMMAND_ACCELERATION, "acceleration_world_mps2"
+    elif isinstance(given, p.Position):
+        kind, name = layouts.AB_COMMAND_POSITION, "position_world_m"
+    fields[name] = _shaped(getattr(given, name), name, (3,))
+    return writer.struct(layouts.ab_command, kind=kind, **fields)
+
+
+def _error_line(error: BaseException) -> str:
+    """The exception and its innermost place in no file of ours, in one line."""
+    frames = traceback.extract_tb(error.__traceback__)
+    text = " ".join(f"{type(error).__name__}: {error}".split())
+    own = [frame for frame in frames if frame.filename != __file__]
+    return f"{text} ({own[-1].filename.rsplit('/', 1)[-1]}:{own[-1].lineno})" if own else text
 
 
 class _Server:
     def __init__(self, planner: type[p.Planner], files: Sequence[str], socket: int, segment: _Segment) -> None:
         self._class = planner
-        self._table = Table(planner)
-        self._parameters = tuple(planner.parameters)
         self._files = files
-        self._sees_imu = "imu" in planner.sees
         self._socket = socket
         self._segment = segment
         self._instance: p.Planner | None = None
-        self._command = abi.CommandStruct()
 
     def _plan(self, body: int, writer: _Writer) -> tuple[int, int]:
         assert self._instance is not None
-        given = self._instance.plan(_observation(self._segment, body, self._sees_imu))
+        given = self._instance.plan(_observation(self._segment, body, "imu" in self._class.sees))
         if given is None:
-            return abi.AB_NO_PLAN, 0
+            return layouts.AB_NO_PLAN, 0
         if not isinstance(given, p.Command):
-            raise TypeError(f"plan() gave {type(given).__name__}, which is no command")
-        command = abi.CommandStruct(struct_size=COMMAND_BYTES)
-        points = fill_command(command, given)
-        data = bytearray(command)
-        if points is not None:
-            struct.pack_into("<Q", data, COMMAND_POINTS, writer.add(bytes(points)))
-        return abi.AB_OK, writer.add(bytes(data))
+            raise TypeError(f"plan(): expected a command or None, got {type(given).__name__}")
+        return layouts.AB_OK, _command(writer, given)
 
     def _do(self, kind: int, body: int, writer: _Writer) -> tuple[int, int]:
         """The status and the answer's body."""
-        if kind == PLAN:
+        if kind == layouts.AB_PROCESS_PLAN:
             return self._plan(body, writer)
-        if kind == RESET:
+        if kind == layouts.AB_PROCESS_RESET:
             assert self._instance is not None
-            self._instance.reset(_mission(self._segment, body))
-        elif kind == CREATE:
+            self._instance.reset(_made(p.Mission, self._segment.struct(layouts.ab_mission, body)))
+        elif kind == layouts.AB_PROCESS_CREATE:
             self._instance = None
-            self._instance = self._class(_setup(self._segment, body, self._parameters))
-        elif kind == DESTROY:
+            self._instance = self._class(_setup(self._segment, body, self._class.parameters))
+        elif kind == layouts.AB_PROCESS_DESTROY:
             self._instance = None
-        elif kind == HELLO:
-            return abi.AB_OK, _description(writer, self._class, self._table, self._files)
+        elif kind == layouts.AB_PROCESS_HELLO:
+            return layouts.AB_OK, _description(writer, self._class, self._files)
         else:
             raise ValueError(f"request {kind} is unknown")
-        return abi.AB_OK, 0
+        return layouts.AB_OK, 0
 
-    def _answer(self) -> bytes:
-        sequence, kind, _, body = REQUEST.unpack_from(self._segment.memory, self._segment.request)
+    def _answer(self) -> None:
+        sequence, kind, body = (self._segment.request[name].item() for name in ("sequence", "kind", "body"))
         writer = _Writer(self._segment)
         error = 0
         answer_body = 0
         try:
             status, answer_body = self._do(kind, body, writer)
         except p.GiveUp as reason:
-            status = abi.AB_GIVE_UP
+            status = layouts.AB_GIVE_UP
             error = writer.text(str(reason))
         except BaseException as problem:  # also what sys.exit() raises: an error of this trial, not the program's end
-            status = abi.AB_ERROR
-            writer.used = ANSWER.size
-            error = writer.text(error_line(problem, __file__))
-        ANSWER.pack_into(
-            self._segment.memory, self._segment.answer, sequence, kind, status, 0, writer.used, answer_body, error, 0
+            status = layouts.AB_ERROR
+            writer.used = layouts.ab_process_answer.itemsize
+            error = writer.text(_error_line(problem))
+        _set(
+            self._segment.answer,
+            sequence=sequence,
+            kind=kind,
+            status=status,
+            bytes=writer.used,
+            body=answer_body,
+            error=error,
+            log_count=0,
+            log=0,
         )
-        return WORD.pack(sequence, kind)
 
     def run(self) -> None:
         """Until the program lets go of the planner."""
         while True:
             try:
-                word = os.read(self._socket, WORD.size)
+                word = os.read(self._socket, layouts.ab_process_word.itemsize)
             except ConnectionResetError:
                 return
-            if len(word) < WORD.size:
+            if len(word) < layouts.ab_process_word.itemsize:
                 return
             self._segment.look()
-            answer = self._answer()
+            self._answer()
             try:
-                os.write(self._socket, answer)
+                os.write(self._socket, word)
             except BrokenPipeError:
                 return
-
-
-def _script_of(planner: type[p.Planner]) -> Path:
-    return Path(inspect.getfile(planner)).absolute()
 
 
 def serve(planner: type[p.Planner], *, is_script_file: bool = True) -> None:
@@ -360,18 +395,17 @@ def serve(planner: type[p.Planner], *, is_script_file: bool = True) -> None:
     `command: [my_tool, model.yaml]` it is model.yaml: `files` are relative to its folder then, and modules of the
     script count only where `files` names them.
 
-    Raises TypeError and ValueError for what the class declares wrongly. Started by hand it says how a planner is flown,
-    with exit code 2."""
-    given = os.environ.get(VARIABLE)
+    What the class declares wrongly is the program's to tell. Started by hand it says how a planner is flown, with exit
+    code 2."""
+    given = os.environ.get(layouts.AB_PROCESS_VARIABLE)
     if given is None:
         sys.exit(
             f"{planner.name} is a planner: name this file in a sweep of avoidbench, as plugin: "
             f"./{Path(sys.argv[0]).name}"
         )
     socket, segment = (int(fd) for fd in given.split(","))
-    files = (
-        planner_files(_script_of(planner), planner.files) if is_script_file else [str(name) for name in planner.files]
-    )
+    script = Path(inspect.getfile(planner)).absolute()
+    files = planner_files(script, planner.files) if is_script_file else [str(name) for name in planner.files]
     _Server(planner, files, socket, _Segment(segment)).run()
 
 
@@ -391,21 +425,22 @@ def _serves_itself(source: bytes) -> bool:
     return False
 
 
-def _planners_of(module: Any) -> list[type[p.Planner]]:
-    return [
-        value
+def planners_of(module: Any) -> dict[str, type[p.Planner]]:
+    """The planners that a module defines, by the names of their classes."""
+    return {
+        value.__name__: value
         for value in vars(module).values()
         if isinstance(value, type) and issubclass(value, p.Planner) and value.__module__ == module.__name__
-    ]
+    }
 
 
-def main(file: str) -> None:
-    """Serves the planner of a file: by its own call of serve(), else the only one that it defines. A file without a
-    planner is run as it is: it may speak the protocol itself."""
+def main(file: str, name: str | None = None) -> None:
+    """Serves the planner of a file: the class of this name, else by its own call of serve(), else the only one that it
+    defines. A file without a planner is run as it is: it may speak the protocol itself."""
     script = Path(file).absolute()
     sys.argv = [str(script)]
     sys.path.insert(0, str(script.parent))
-    if _serves_itself(script.read_bytes()):
+    if name is None and _serves_itself(script.read_bytes()):
         runpy.run_path(str(script), run_name="__main__")
         return
     spec = importlib.util.spec_from_file_location(script.stem, script)
@@ -414,15 +449,21 @@ def main(file: str) -> None:
     module = importlib.util.module_from_spec(spec)
     sys.modules[spec.name] = module
     spec.loader.exec_module(module)
-    planners = list(dict.fromkeys(_planners_of(module)))
-    if len(planners) == 1:
-        serve(planners[0])
+    planners = planners_of(module)
+    if name in planners:
+        serve(planners[name])
+    elif name is not None:
+        sys.exit(
+            f"{script.name}: expected one of its planners ({', '.join(planners) or 'it defines none'}), got {name}"
+        )
+    elif len(planners) == 1:
+        serve(*planners.values())
     elif planners:
         sys.exit(
-            f"{script.name} defines the planners {', '.join(one.__name__ for one in planners)}: say which one it is, "
-            f'by if __name__ == "__main__": avoidbench.serve({planners[0].__name__}) at its end'
+            f"{script.name} defines the planners {', '.join(planners)}: say which one it is, by `plugin: process, "
+            f"parameters: {{command: [python3, -m, avoidbench.serving, {script.name}, {next(iter(planners))}]}}`"
         )
-    elif "AVOIDBENCH_PLANNER_FDS" in script.read_text(encoding="utf-8", errors="replace"):
+    elif layouts.AB_PROCESS_VARIABLE in script.read_text(encoding="utf-8", errors="replace"):
         runpy.run_path(str(script), run_name="__main__")
     else:
         sys.exit(f"{script.name} defines no subclass of avoidbench.Planner")
@@ -432,4 +473,4 @@ if __name__ == "__main__":
     # By its import, not by this copy of it that Python runs as __main__.
     from avoidbench.serving import main as _main
 
-    _main(sys.argv[1])
+    _main(*sys.argv[1:3])

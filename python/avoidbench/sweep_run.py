@@ -20,7 +20,7 @@ from tqdm.auto import tqdm
 
 from avoidbench._text import without_columns
 from avoidbench.database_file import all_sweeps, opened
-from avoidbench.program import ProgramError, error_of, find_program, path_argument, run_program, warn_of
+from avoidbench.program import ProgramError, environment, error_of, find_program, path_argument, run_program, warn_of
 from avoidbench.results import Results
 
 Sweep = str | os.PathLike[str] | Mapping[str, Any]
@@ -181,6 +181,7 @@ def _fly(arguments: Sequence[str], input_text: str | None, bar: _Bar) -> tuple[l
                 stdout=subprocess.DEVNULL,
                 stderr=subprocess.PIPE,
                 start_new_session=True,
+                env=environment(),
             )
         except OSError as error:
             raise ProgramError(f"{command[0]} can't be started: {error.strerror}", command) from error

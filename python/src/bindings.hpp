@@ -9,7 +9,6 @@ namespace avoidbench::python {
 void bind_errors(nanobind::module_& m);
 void bind_world(nanobind::module_& m);
 void bind_env(nanobind::module_& m);
-void bind_planner(nanobind::module_& m);
 /// What Python does at its end with threads that are in this module.
 void bind_interpreter();
 

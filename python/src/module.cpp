@@ -18,6 +18,5 @@ NB_MODULE(_core, m) {
       "Planners and data are looked for as the program `file` would.");
   python::bind_world(m);
   python::bind_env(m);
-  python::bind_planner(m);
   python::bind_interpreter();
 }

@@ -1,30 +1,23 @@
-"""Planners written in Python: the interface's structs, bits, mistakes."""
+"""Planners written in Python, flown by fly(): what they see and give, mistakes, and from where they are flown."""
 
-import ctypes
-import os
-import signal
+import base64
+import json
+import linecache
+import re
 import subprocess
 import sys
+import types
+import warnings
 from pathlib import Path
 from typing import Any
 
 import avoidbench
 import numpy as np
 import pytest
-from avoidbench import _core, planner_abi, portable_math
-from avoidbench.planner import (
-    Acceleration,
-    GiveUp,
-    Mission,
-    Observation,
-    Parameter,
-    Planner,
-    Position,
-    Rates,
-    Setup,
-    Trajectory,
-    Velocity,
-)
+from avoidbench import portable_math
+from avoidbench.planner import Parameter, Planner
+
+from planners import ANSWERS, AllEyed, Commanding, OneEyed, Preset, Seeing, Undeclared
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
 sys.path.insert(0, str(EXAMPLES))
@@ -40,10 +33,12 @@ HALL: dict[str, Any] = {
 }
 
 
-def fly(planner: type[Planner], folder: Path, **changes: Any) -> Any:
-    return avoidbench.fly(
-        {**HALL, **changes.pop("sweep", {})}, planner, database=folder / "flown.db", progress=False, **changes
-    )
+def fly(planner: Any, folder: Path, **changes: Any) -> Any:
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        return avoidbench.fly(
+            {**HALL, **changes.pop("sweep", {})}, planner, database=folder / "flown.db", progress=False, **changes
+        )
 
 
 def only_trial(planner: type[Planner], folder: Path, **changes: Any) -> Any:
@@ -52,8 +47,11 @@ def only_trial(planner: type[Planner], folder: Path, **changes: Any) -> Any:
     return trials.iloc[0]
 
 
-def test_structs_are_those_of_the_header() -> None:
-    assert {name: ctypes.sizeof(struct) for name, struct in planner_abi.STRUCTS.items()} == _core.struct_sizes()
+def told(planner: type[Planner], folder: Path, **changes: Any) -> str:
+    """What it says where it gives up."""
+    trial = only_trial(planner, folder, **changes)
+    assert trial["outcome"] == "planner_gave_up", trial["reason"]
+    return str(trial["reason"])
 
 
 def test_portable_math_is_close_to_pythons() -> None:
@@ -65,8 +63,9 @@ def test_portable_math_is_close_to_pythons() -> None:
 
 
 def test_straight_line_in_python_flies_the_librarys_rows(tmp_path: Path) -> None:
-    own = avoidbench.fly("quick", StraightLine, database=tmp_path / "own.db", progress=False)
-    with pytest.warns(UserWarning, match="4 trials per map"):
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        own = avoidbench.fly("quick", StraightLine, database=tmp_path / "own.db", progress=False, jobs=2)
         library = avoidbench.run(
             "quick", set={"planners": ["straight_line"]}, database=tmp_path / "library.db", progress=False
         )
@@ -78,60 +77,22 @@ def test_straight_line_in_python_flies_the_librarys_rows(tmp_path: Path) -> None
         np.testing.assert_array_equal(own.trajectory(key_own).to_numpy(), library.trajectory(key).to_numpy())
 
 
-class Seeing(Planner):
-    name = "seeing"
-    sees = ("state", "depth", "stereo", "color", "imu")
-    parameters = (
-        Parameter("count", 3, "Whole.", lowest=1, highest=9),
-        Parameter("word", "safe", "One of.", choices=("safe", "fast")),
-        Parameter("text", "none", "Any."),
-        Parameter("gain", 0.5, "Real."),
-    )
-    setups: list[Setup] = []
-    missions: list[Mission] = []
-    seen: list[dict[str, Any]] = []
-
-    def __init__(self, setup: Setup) -> None:
-        super().__init__(setup)
-        Seeing.setups.append(setup)
-
-    def reset(self, mission: Mission) -> None:
-        Seeing.missions.append(mission)
-
-    def plan(self, observation: Observation) -> Velocity:
-        assert observation.imu is not None
-        image = observation.depth[0]
-        with pytest.raises(ValueError, match="read-only"):
-            image.depth_m[0, 0] = 1.0
-        Seeing.seen.append(
-            {
-                "time_s": observation.time_s,
-                "depth": image.depth_m.copy(),
-                "left": observation.stereo[0].left.pixels.shape,
-                "color": observation.color[0].pixels.shape,
-                "imu": observation.imu.specific_force_body_mps2.copy(),
-                "place": observation.position_world_m,
-                "camera": (image.position_world_m, image.q_world_camera),
-            }
-        )
-        return Velocity([0.0, 0.0, 0.0])
-
-
 def test_what_is_seen(tmp_path: Path) -> None:
-    trial = only_trial(Seeing, tmp_path, parameters={"count": 4, "word": "fast", "gain": 0.25})
-    assert trial["outcome"] == "timed_out"
-    setup, mission = Seeing.setups[-1], Seeing.missions[-1]
-    assert setup.parameters == {"count": 4, "word": "fast", "text": "none", "gain": 0.25}
-    assert (setup.cameras[0].width_px, setup.cameras[0].height_px) == (24, 16)
-    assert setup.plan_period_s == pytest.approx(1 / 30)
-    assert mission.time_limit_s == 2.0
-    assert len(Seeing.seen) == 60
-    first = Seeing.seen[0]
-    np.testing.assert_array_equal(first["place"], mission.start_world_m)
-    np.testing.assert_allclose(Seeing.seen[30]["imu"][-1], [0.0, 0.0, 9.81], atol=0.5)
-    assert first["left"] == (16, 24) and first["color"] == (16, 24, 3)
+    told_text = told(Seeing, tmp_path, parameters={"count": 4, "word": "fast", "gain": 0.25})
+    seen = json.loads(told_text)
+    assert seen["parameters"] == {"count": 4, "word": "fast", "text": "Grüße", "gain": 0.25}
+    assert (seen["size_px"], seen["left"], seen["color"]) == ([24, 16], [16, 24], [16, 24, 3])
+    assert seen["plan_period_s"] == pytest.approx(1 / 30)
+    assert seen["mission.time_limit_s"] == 2.0
+    assert not seen["is_writable"]
+    assert seen["place"] == seen["mission.start_world_m"]
+    assert np.linalg.norm(seen["eyes_m"]) == pytest.approx(seen["baseline_m"])
+    np.testing.assert_allclose(seen["imu"], [0.0, 0.0, 9.81], atol=0.5)
+    np.testing.assert_allclose(seen["times_s"], 1.0, atol=1e-9)
+    np.testing.assert_array_equal(seen["state_times_s"], seen["imu_times_s"])
+    assert seen["state_times_s"][-1] == seen["times_s"][0] and len(seen["state_times_s"]) > 1
     world = avoidbench.make_world("hall", seed=1, area_m=[14, 16], poisson_radius_m=4.0)
-    position, (w, x, y, z) = first["camera"]
+    position, (w, x, y, z) = seen["camera"]
     pose = np.eye(4)
     pose[:3, :3] = [
         [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
@@ -140,45 +101,8 @@ def test_what_is_seen(tmp_path: Path) -> None:
     ]
     pose[:3, 3] = position
     expected = world.depth(pose, sensor={"preset": "depth_ideal", "width_px": 24, "height_px": 16})
-    np.testing.assert_allclose(first["depth"], expected, rtol=1e-4)
-
-
-class OneEyed(Planner):
-    """Stands; keeps what its camera shows."""
-
-    name = "one_eyed"
-    sees = ("state", "depth", "one_camera")
-    least_fov_rad = (1.0, 0.5)
-    yaws: list[float] = []
-
-    def plan(self, observation: Observation) -> Velocity:
-        assert len(self.setup.cameras) == 1
-        image = observation.newest_depth(0)
-        assert (
-            observation.newest_depth(1) is None
-            and observation.newest_color(0) is None
-            and observation.newest_stereo(0) is None
-        )
-        if image is not None:
-            w, x, y, z = image.q_world_camera
-            ahead = (2 * (x * z + w * y), 2 * (y * z - w * x))
-            OneEyed.yaws.append(float(np.degrees(np.arctan2(ahead[1], ahead[0]))))
-        return Velocity([0.0, 0.0, 0.0])
-
-
-class AllEyed(Planner):
-    """Stands; counts the images of each camera."""
-
-    name = "all_eyed"
-    sees = ("state", "depth")
-    seen: list[tuple[int, ...]] = []
-
-    def plan(self, observation: Observation) -> Velocity:
-        for camera in range(len(self.setup.cameras)):
-            image = observation.newest_depth(camera)
-            assert image is None or image.camera == camera
-        AllEyed.seen.append(tuple(image.camera for image in observation.depth))
-        return Velocity([0.0, 0.0, 0.0])
+    depth = np.frombuffer(base64.b64decode(seen["depth"]), np.float32).reshape(16, 24)
+    np.testing.assert_allclose(depth, expected, rtol=1e-4)
 
 
 RIG = {"preset": "depth_ideal", "width_px": 24, "height_px": 16, "more_mountings": [{"yaw_deg": 90}]}
@@ -191,84 +115,40 @@ def test_a_planner_of_one_camera_is_given_one(tmp_path: Path) -> None:
         only_trial(OneEyed, tmp_path, sweep={"sensor": RIG})
     with pytest.raises(avoidbench.InputError, match=r"needs a view of 57.3° × 28.6° or more"):
         only_trial(OneEyed, tmp_path, sweep={"sensor": {**RIG, "more_mountings": [], "fov_x_deg": 50}})
-    turns = []
-    for camera in (0, 1):
-        OneEyed.yaws.clear()
-        only_trial(OneEyed, tmp_path, sweep={"sensor": RIG}, camera=camera, label=f"eye{camera}")
-        turns.append(OneEyed.yaws[-1])
+    turns = [
+        float(told(OneEyed, tmp_path, sweep={"sensor": RIG}, camera=camera, label=f"eye{camera}")) for camera in (0, 1)
+    ]
     assert abs((turns[1] - turns[0]) % 360.0 - 90.0) < 1.0
-    only_trial(AllEyed, tmp_path, sweep={"sensor": RIG})
-    assert AllEyed.seen[-1] == (1, 0)
+    assert told(AllEyed, tmp_path, sweep={"sensor": RIG}) == "[1, 0]"
 
 
-class Commanding(Planner):
-    name = "commanding"
-    commands = ("position", "velocity", "acceleration", "trajectory", "rates")
-    answer: Any = None
-
-    def plan(self, observation: Observation) -> Any:
-        return Commanding.answer(self, observation)
-
-
-HOLD = [0.0, 0.0, 0.0]
-
-
-@pytest.mark.parametrize(
-    "answer",
-    [
-        lambda self, seen: Position(seen.position_world_m + [0, 0, 0.1], yaw_rad=0.1),
-        lambda self, seen: Velocity(HOLD, yaw_rate_radps=0.2, horizon_s=0.5),
-        lambda self, seen: Acceleration(np.array([0.0, 0.1, 0.0], np.float32)),
-        lambda self, seen: Rates([0, 0, 0], 9.81),
-        lambda self, seen: Trajectory(
-            [0.0, 0.5], [seen.position_world_m, seen.position_world_m], [HOLD, HOLD], [HOLD, HOLD], yaw_rad=[0.1, 0.2]
-        ),
-        lambda self, seen: None,
-    ],
-)
-def test_every_command_flies(answer: Any, tmp_path: Path) -> None:
-    Commanding.answer = answer
-    assert only_trial(Commanding, tmp_path)["outcome"] == "timed_out"
+MISTAKES = {
+    "divides": r"ZeroDivisionError: division by zero \(planners.py:\d+\)",
+    "text": r"TypeError: plan\(\): expected a command or None, got str",
+    "two_numbers": r"velocity_world_mps: expected an array of shape \(3,\), got \(2,\)",
+    "nan": "velocity_world_mps is not finite",
+    "two_yaws": "expected yaw_rad or yaw_rate_radps, got both",
+    "one_point": "needs at least 2",
+    "one_place": r"position_world_m: expected an array of shape \(2, 3\), got \(1, 3\)",
+    "exits": "SystemExit",
+}
 
 
-@pytest.mark.parametrize(
-    ("answer", "reason"),
-    [
-        (lambda self, seen: 1 / 0, r"ZeroDivisionError: division by zero \(test_planner.py:\d+\)"),
-        (lambda self, seen: "left", "TypeError: plan\\(\\) gave str, which is no command"),
-        (lambda self, seen: Velocity([1, 2]), "velocity_world_mps: an array \\(3,\\) is wanted, not \\(2,\\)"),
-        (lambda self, seen: Velocity([1, 2, float("nan")]), "velocity_world_mps is not finite"),
-        (lambda self, seen: Velocity(HOLD, yaw_rad=0.0, yaw_rate_radps=0.0), "one of the two is wanted"),
-        (lambda self, seen: Trajectory([0.0], [HOLD], [HOLD], [HOLD]), "needs at least 2"),
-        (lambda self, seen: Trajectory([0.0, 1.0], [HOLD], [HOLD], [HOLD]), "position_world_m: an array \\(2, 3\\)"),
-        (lambda self, seen: sys.exit(3), "SystemExit"),
-    ],
-)
-def test_mistakes_end_the_trial_with_their_reason(answer: Any, reason: str, tmp_path: Path) -> None:
-    import re
-
-    Commanding.answer = answer
-    trial = only_trial(Commanding, tmp_path)
-    assert trial["outcome"] == "planner_error"
-    assert re.search(reason, trial["reason"]), trial["reason"]
-
-
-def test_giving_up_is_an_outcome(tmp_path: Path) -> None:
-    def answer(self: Planner, seen: Observation) -> None:
-        raise GiveUp("walled in")
-
-    Commanding.answer = answer
-    trial = only_trial(Commanding, tmp_path)
-    assert (trial["outcome"], trial["reason"]) == ("planner_gave_up", "walled in")
+def test_every_answer_ends_as_it_should(tmp_path: Path) -> None:
+    flown = fly(Commanding, tmp_path, parameters={"answer": list(ANSWERS)}, jobs=2).trials
+    trials = {trial.planner.split("=")[1].rstrip("]"): trial for trial in flown.itertuples()}
+    assert trials.keys() == ANSWERS.keys()
+    for answer, trial in trials.items():
+        if answer in MISTAKES:
+            assert trial.outcome == "planner_error", answer
+            assert re.search(MISTAKES[answer], trial.reason), trial.reason
+        elif answer == "gives_up":
+            assert (trial.outcome, trial.reason) == ("planner_gave_up", "walled in")
+        else:
+            assert trial.outcome == "timed_out", trial.reason
 
 
 def test_a_command_that_is_not_declared_is_an_error(tmp_path: Path) -> None:
-    class Undeclared(Planner):
-        name = "undeclared"
-
-        def plan(self, observation: Observation) -> Position:
-            return Position(observation.position_world_m)
-
     assert "does not declare" in only_trial(Undeclared, tmp_path)["reason"]
 
 
@@ -288,17 +168,22 @@ def test_wrong_declarations_are_refused(tmp_path: Path) -> None:
         name = "text"
         commands = "velocity"
 
-    class Preset(Planner):
-        name = "preset"
-        parameters = (Parameter("a", 3.0, "Beyond its range.", lowest=0, highest=1),)
+    class Kind(Planner):
+        name = "kind"
+        parameters = (Parameter("a", True, "Neither number nor text."),)
+
+    class Inner(Planner):
+        name = "inner"
 
     for planner, error, words in (
-        (NoName, ValueError, "NoName.name"),
-        (Sees, ValueError, "'lidar' is none of"),
-        (Uses, ValueError, "'files' is none of processes"),
-        (Text, TypeError, "a list"),
+        (NoName, ValueError, "NoName.name: expected a text of a-z 0-9 _, got None"),
+        (Sees, ValueError, "Sees.sees: expected words of state, .*, got 'lidar'"),
+        (Uses, ValueError, "expected words of processes, .*, got 'files'"),
+        (Text, TypeError, "expected a list of words"),
+        (Kind, TypeError, "parameter a: expected a number or a text as its preset, got bool"),
+        (Inner, ValueError, "expected a class at the top level of its file, got .*<locals>.Inner"),
         (Preset, avoidbench.InputError, "the preset is outside"),
-        (int, TypeError, "a subclass of"),
+        (int, TypeError, "expected a subclass of avoidbench.Planner, got <class 'int'>"),
     ):
         with pytest.raises(error, match=words):
             fly(planner, tmp_path)
@@ -306,6 +191,13 @@ def test_wrong_declarations_are_refused(tmp_path: Path) -> None:
         fly(StraightLine, tmp_path, parameters={"line_gain": 1.0})
     with pytest.raises(avoidbench.InputError, match="poisson_radius_m"):
         fly(StraightLine, tmp_path, sweep={"maps": {"generator": "hall", "poisson_radius_m": -1, "seeds": [1]}})
+    # What only the program's own look at the file finds.
+    file = tmp_path / "lidar.py"
+    file.write_text("from avoidbench import Planner\nclass A(Planner):\n    name, sees = 'a', ('lidar',)\n")
+    with pytest.raises(
+        avoidbench.ProgramError, match="lidar.py does not describe itself: ValueError: A.sees: expected"
+    ):
+        avoidbench.run({**HALL, "planners": [str(file)]}, database=tmp_path / "flown.db", progress=False)
 
 
 def test_the_next_call_flies_what_is_missing(tmp_path: Path) -> None:
@@ -316,41 +208,34 @@ def test_the_next_call_flies_what_is_missing(tmp_path: Path) -> None:
     assert fly(StraightLine, tmp_path, label="mine").trials["planner"].tolist() == ["mine"]
 
 
-INTERRUPTED = """
-import os, signal, sys, time
-sys.path.insert(0, {examples!r})
-import avoidbench
-from straight_line import StraightLine
-class Slow(StraightLine):
-    name = "slow"
-    def plan(self, seen):
-        if seen.time_s > 0.3: os.kill(os.getpid(), signal.SIGINT)
-        return super().plan(seen)
-try:
-    avoidbench.fly({sweep!r}, Slow, database={database!r}, progress=False)
-except KeyboardInterrupt:
-    sys.exit(7)
+CELL = """
+from avoidbench.planner import Planner, Velocity
+
+class Celled(Planner):
+    name = "celled"
+
+    def plan(self, observation):
+        return Velocity([0.0, 0.0, 0.0])
 """
 
 
-def test_an_interrupt_ends_after_the_trial_that_flies(tmp_path: Path) -> None:
-    script = tmp_path / "interrupted.py"
-    database = tmp_path / "flown.db"
-    script.write_text(INTERRUPTED.format(examples=str(EXAMPLES), sweep={**HALL, "trials": 5}, database=str(database)))
-    done = subprocess.run([sys.executable, str(script)], capture_output=True, text=True, timeout=120, check=False)
-    assert done.returncode == 7, done.stderr
-    trials = avoidbench.read(database).trials
-    assert len(trials) == 1
-    assert trials.iloc[0]["outcome"] in ("timed_out", "reached_goal", "collided")
-    assert (
-        signal.getsignal(signal.SIGINT) is signal.default_int_handler
-        or os.environ.get("PYTEST_XDIST_WORKER") is not None
-    )
+def test_a_class_of_a_notebook_is_flown_from_its_cell(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("TMPDIR", str(tmp_path))
+    notebook = types.ModuleType("a_notebook")
+    monkeypatch.setitem(sys.modules, "a_notebook", notebook)
+    exec(compile(CELL, "<cell 1>", "exec"), vars(notebook))
+    with pytest.raises(ValueError, match="its source can't be found"):
+        fly(notebook.Celled, tmp_path)
+    monkeypatch.setitem(linecache.cache, "<cell 1>", (len(CELL), None, CELL.splitlines(keepends=True), "<cell 1>"))
+    # One of another cell, which is not in the way.
+    exec(compile(CELL.replace("Celled", "Other"), "<cell 2>", "exec"), vars(notebook))
+    assert only_trial(notebook.Celled, tmp_path)["outcome"] == "timed_out"
 
 
-def test_a_class_without_a_file_is_refused(tmp_path: Path) -> None:
-    names: dict[str, Any] = {}
-    exec("from avoidbench.planner import Planner\nclass Nowhere(Planner):\n    name = 'nowhere'", names)
-    names["Nowhere"].__module__ = "nowhere_at_all"
-    with pytest.raises(ValueError, match="its source is not to be had"):
-        fly(names["Nowhere"], tmp_path)
+def test_a_file_that_flies_while_it_is_imported_is_told(tmp_path: Path) -> None:
+    script = tmp_path / "careless.py"
+    script.write_text(f"import avoidbench\n{CELL}\navoidbench.fly('quick', Celled, progress=False)\n")
+    done = subprocess.run([sys.executable, str(script)], cwd=tmp_path, capture_output=True, text=True, timeout=120)
+    assert done.returncode == 1
+    assert "call it under if __name__ == '__main__'" in done.stderr
+    assert "InputError" in done.stderr and not (tmp_path / "results").exists()

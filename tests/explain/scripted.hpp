@@ -1,12 +1,11 @@
 #pragma once
 
-#include <fstream>
 #include <functional>
 #include <optional>
 
 #include "avoidbench/planner.hpp"
 #include "explain/explain.hpp"
-#include "plugin/planner_table.hpp"
+#include "plugin/planner_library.hpp"
 #include "support/flight_worlds.hpp"
 #include "trial/planner_view.hpp"
 #include "trial/run_trial.hpp"
@@ -17,6 +16,8 @@ namespace avoidbench::scripted {
 /// What they do and say, for the test that runs.
 inline std::function<std::optional<ab_command>(const ab_observation&)> act;
 inline std::function<std::uint8_t(const Vec3&)> knows;
+/// Of the planner that flies, which is in no library.
+inline const ab_planner* table = nullptr;
 
 /// Sees depth; does not say what it knows.
 struct Silent {
@@ -44,12 +45,8 @@ struct Blind : Silent {
 
 template <class Planner>
 TrialSpec spec_of() {
-  const std::filesystem::path file =
-      std::filesystem::path(testing::TempDir()) / (std::string(Planner::name) + ".py");
-  std::ofstream(file) << "# " << Planner::name << '\n';
-  register_own_planner(file, detail::Table<Planner>::value);
+  table = &detail::Table<Planner>::value;
   TrialSpec spec;
-  spec.planner.file = file.string();
   spec.sensor.width_px = 160;
   spec.sensor.height_px = 120;
   spec.mission.time_limit_s = 20.0;
@@ -71,7 +68,7 @@ struct Told {
 inline Told fly_and_explain(const TrialSpec& spec, const World& world, const Mission& mission,
                             double reference_length_m = 30.0) {
   const Scene scene(world);
-  const PlannerLibrary library = PlannerLibrary::load(spec.planner.file);
+  const PlannerLibrary library = PlannerLibrary::with_table({}, *table, new_thread_owner());
   const auto fly = [&](const TrialObserver& observer) {
     PlannerInstance planner(library, planner_setup(spec), {});
     return run_trial(spec, scene, mission, planner, observer);

@@ -2,45 +2,22 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-
-#include "avoidbench/planner.hpp"
 #include "base/digest.hpp"
 #include "base/input_error.hpp"
 #include "maps/map_spec.hpp"
 #include "page/flight_page.hpp"
-#include "plugin/planner_table.hpp"
 #include "support/sample_rows.hpp"
 
 namespace avoidbench {
 namespace {
 
-/// Sees depth, stands where it is and says so once.
-class Talking {
- public:
-  static constexpr const char* name = "talking";
-  static constexpr std::uint32_t needs = AB_SEES_STATE | AB_SEES_DEPTH;
-  static constexpr std::uint32_t commands = AB_COMMAND_VELOCITY;
-  Talking(const ab_setup&, const ab_host& host) : host_(&host) {}
-  void reset(const ab_mission&) {}
-  std::optional<ab_command> plan(const ab_observation& seen) {
-    if (seen.time_s == 0.0) host_->log(host_->context, AB_LOG_INFO, "I stand");
-    return avoidbench::make_velocity_command({0.0, 0.0, 0.0}, 0.0);
-  }
-
- private:
-  const ab_host* host_;
-};
-
 struct Recorded : testing::Test {
   Recorded() {
-    const std::string file = folder.write("talking.py", "# talking\n");
-    register_own_planner(file, detail::Table<Talking>::value);
     job.token = make_token();
     job.spec.map = HallSpec{.area_m = {12.0, 12.0}, .poisson_radius_m = 4.0};
     job.spec.map_seed = 2;
-    job.spec.planner.file = file;
-    job.spec.planner.file_digest = file_digest(file);
+    job.spec.planner.file = TALKING;
+    job.spec.planner.file_digest = file_digest(TALKING);
     job.spec.sensor.width_px = 40;
     job.spec.sensor.height_px = 30;
     job.spec.mission.time_limit_s = 1.0;

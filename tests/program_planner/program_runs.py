@@ -404,7 +404,7 @@ def mistakes(runs):
         ("two.py", "defines the planners A, B"),
         ("none.py", "defines no subclass"),
         ("broken.py", "SyntaxError"),
-        ("unnamed.py", "a text of a-z 0-9 _ is wanted"),
+        ("unnamed.py", "expected a text of a-z 0-9 _"),
         ("process", "it needs parameters: {command:"),
         ("{plugin: process, parameters: {command: []}}", "expected a program and its arguments"),
         ("{plugin: process, parameters: {command: [no-such-program]}}", "there is no program 'no-such-program'"),

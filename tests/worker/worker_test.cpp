@@ -2,41 +2,19 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-
-#include "avoidbench/planner.hpp"
-#include "base/digest.hpp"
 #include "maps/map_spec.hpp"
-#include "plugin/planner_table.hpp"
+#include "support/planner_files.hpp"
 
 namespace avoidbench {
 namespace {
 
-/// Stands where it is.
-struct Standing {
-  static constexpr const char* name = "standing";
-  static constexpr std::uint32_t needs = AB_SEES_STATE;
-  static constexpr std::uint32_t commands = AB_COMMAND_VELOCITY;
-  explicit Standing(const ab_setup&) {}
-  void reset(const ab_mission&) {}
-  std::optional<ab_command> plan(const ab_observation&) {
-    return make_velocity_command({0.0, 0.0, 0.0}, 0.0);
-  }
-};
-
 /// A hall, and what one lookout was asked and saw.
 struct InAHall : testing::Test {
   InAHall() {
-    const std::filesystem::path file =
-        std::filesystem::path(testing::TempDir()) / "worker_standing.py";
-    std::ofstream(file) << "# standing\n";
-    register_own_planner(file, detail::Table<Standing>::value);
     job.token = "one";
     job.spec.map = HallSpec{.area_m = {12.0, 12.0}, .poisson_radius_m = 4.0};
     job.spec.map_seed = 2;
-    job.spec.planner.file = file.string();
-    job.spec.planner.file_digest = file_digest(file);
+    job.spec.planner = test::preset_choice("straight_line");
     job.spec.mission.time_limit_s = 0.5;
   }
   LookoutMakers lookouts() {

@@ -221,8 +221,6 @@ PlannerDescription describe_planner(const PlannerSource& source, double time_lim
 }
 
 PlannerDescription describe_planner(const PlannerSource& source) {
-  // Its code is this process's own: there is nothing to be protected from.
-  if (own_planner(source.file) != nullptr) return PlannerLibrary::load(source).description();
   static std::mutex mutex;
   // By path, command and digest: a planner is asked once a run, again when its file changes.
   // Failures are kept, too, since a hang costs the whole time limit.

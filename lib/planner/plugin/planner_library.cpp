@@ -93,15 +93,14 @@ const ab_planner* table_from(const std::filesystem::path& file, TableFunction fu
 }  // namespace
 
 bool PlannerLibrary::is_program(const PlannerSource& source) {
-  // A command is a program by itself; what this process registered is none, whatever its file is.
+  // A command is a program by itself.
   if (!source.command.empty()) return true;
-  if (own_planner(source.file) != nullptr || !can_be_started(source.file)) return false;
+  if (!can_be_started(source.file)) return false;
   // What may be executed may still be a library: linkers set the bit for both.
   return is_elf_program(source.file) || !shared_library_problem(source.file).empty();
 }
 
 void PlannerLibrary::check(const PlannerSource& source) {
-  if (own_planner(source.file) != nullptr) return;
   std::error_code error;
   if (std::filesystem::is_regular_file(source.file, error) && is_program(source)) return;
   check_file(source.file);
@@ -132,10 +131,6 @@ PlannerLibrary PlannerLibrary::with_table(const PlannerSource& source, const ab_
 
 PlannerLibrary PlannerLibrary::load_checked(const PlannerSource& source, CallClock* clock) {
   const std::filesystem::path& file = source.file;
-  if (const ab_planner* own = own_planner(file)) {
-    return with_table(source, *own,
-                      new_thread_owner());  // else the host's threads would be its own
-  }
   if (is_program(source)) {
     // A program that hangs before it describes itself is seen by the watchdog like any call.
     const TimedCall timed(clock);

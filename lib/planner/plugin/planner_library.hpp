@@ -28,6 +28,10 @@ class PlannerLibrary {
   /// As load, of a file that was checked, without its digest.
   static PlannerLibrary load_checked(const PlannerSource& source, CallClock* clock = nullptr);
 
+  /// The one whose table this is, which must be sound; threads of `owner` are its own.
+  static PlannerLibrary with_table(const PlannerSource& source, const ab_planner& table,
+                                   ThreadOwner owner);
+
   /// Whether the planner is no library but a program, to be started: what a command starts, a .py,
   /// and what may be executed and is no shared library.
   static bool is_program(const PlannerSource& source);
@@ -40,9 +44,6 @@ class PlannerLibrary {
   ThreadOwner thread_owner() const { return thread_owner_; }  ///< of threads that loading started
 
  private:
-  static PlannerLibrary with_table(const PlannerSource& source, const ab_planner& table,
-                                   ThreadOwner owner);
-
   PlannerDescription description_;
   const ab_planner* table_ = nullptr;
   ThreadOwner thread_owner_ = kHostThreads;

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
-#include <map>
-#include <mutex>
 #include <set>
 #include <span>
 #include <string_view>
@@ -259,22 +257,6 @@ double fov_rad(std::int32_t size_px, double focal_px) {
   return 2.0 * math::atan2(0.5 * size_px, focal_px);
 }
 
-/// Planners that live in this process, such as Python's classes, by the files that stand for them.
-struct OwnPlanners {
-  std::mutex mutex;
-  std::map<std::filesystem::path, const ab_planner*> tables;
-};
-
-OwnPlanners& own_planners() {
-  static OwnPlanners planners;
-  return planners;
-}
-
-/// One key for all ways to write a path.
-std::filesystem::path plain(const std::filesystem::path& file) {
-  return std::filesystem::absolute(file).lexically_normal();
-}
-
 }  // namespace
 
 /// Nothing between two bars is a word, too, for choice_problem() to refuse.
@@ -424,20 +406,6 @@ std::string camera_problem(const PlannerDescription& planner,
            " has " + view_text(x_rad, y_rad);
   }
   return "";
-}
-
-void register_own_planner(const std::filesystem::path& file, const ab_planner& table) {
-  require_sound_table(file, table);
-  OwnPlanners& planners = own_planners();
-  const std::lock_guard lock(planners.mutex);
-  planners.tables[plain(file)] = &table;
-}
-
-const ab_planner* own_planner(const std::filesystem::path& file) {
-  OwnPlanners& planners = own_planners();
-  const std::lock_guard lock(planners.mutex);
-  const auto found = planners.tables.find(plain(file));
-  return found == planners.tables.end() ? nullptr : found->second;
 }
 
 }  // namespace avoidbench

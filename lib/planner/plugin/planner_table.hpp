@@ -37,13 +37,4 @@ std::string camera_problem(const PlannerDescription& planner, std::span<const Ca
 /// The words of "safe|fast".
 std::vector<std::string> choice_words(const std::string& choices);
 
-/// A planner of this process itself, which is in no library, as those written in Python: from now
-/// on `file`, wherever a planner's library may be named, is this planner. The file is what the
-/// planner is written in: its digest is part of keys. `table` must live until the process ends or
-/// the file is registered again. Throws InputError where the table is not sound.
-void register_own_planner(const std::filesystem::path& file, const ab_planner& table);
-
-/// The one registered for this file, or null.
-const ab_planner* own_planner(const std::filesystem::path& file);
-
 }  // namespace avoidbench

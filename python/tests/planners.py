@@ -1,0 +1,157 @@
+"""Planners that tests fly, several in one file. The program starts them, so what they saw they tell by giving up."""
+
+import base64
+import json
+import math
+import sys
+from typing import Any
+
+import numpy as np
+from avoidbench.planner import (
+    Acceleration,
+    GiveUp,
+    Mission,
+    Observation,
+    Parameter,
+    Planner,
+    Position,
+    Rates,
+    Setup,
+    Trajectory,
+    Velocity,
+)
+
+HOLD = [0.0, 0.0, 0.0]
+
+
+def plain(value: Any) -> Any:
+    """For JSON."""
+    return value.tolist() if isinstance(value, np.ndarray) else value
+
+
+def is_writable(pixels: Any) -> bool:
+    try:
+        pixels[0, 0] = pixels[0, 0]
+    except ValueError:
+        return False
+    return True
+
+
+class Seeing(Planner):
+    """Stands for 30 calls, and then tells what it was told first, and its newest samples."""
+
+    name = "seeing"
+    sees = ("state", "depth", "stereo", "color", "imu", "states")
+    parameters = (
+        Parameter("count", 3, "Whole.", lowest=1, highest=9),
+        Parameter("word", "safe", "One of.", choices=("safe", "fast")),
+        Parameter("text", "Grüße", "Any."),
+        Parameter("gain", 0.5, "Real."),
+    )
+
+    def reset(self, mission: Mission) -> None:
+        self.calls = 0
+        self.told = {f"mission.{name}": plain(value) for name, value in vars(mission).items()}
+        self.told["parameters"] = dict(self.setup.parameters)
+        self.told["plan_period_s"] = self.setup.plan_period_s
+        self.told["size_px"] = [self.setup.cameras[0].width_px, self.setup.cameras[0].height_px]
+
+    def plan(self, observation: Observation) -> Velocity:
+        assert observation.imu is not None
+        self.calls += 1
+        if self.calls == 1:
+            image, pair, picture = observation.depth[0], observation.stereo[0], observation.color[0]
+            self.told["place"] = observation.position_world_m.tolist()
+            self.told["camera"] = [image.position_world_m.tolist(), image.q_world_camera.tolist()]
+            self.told["depth"] = base64.b64encode(image.depth_m.tobytes()).decode()
+            self.told["left"], self.told["color"] = pair.left.pixels.shape, picture.pixels.shape
+            self.told["eyes_m"] = (pair.right.position_world_m - pair.left.position_world_m).tolist()
+            self.told["baseline_m"] = pair.baseline_m
+            self.told["is_writable"] = is_writable(image.depth_m)
+        if self.calls == 31:
+            self.told["imu"] = observation.imu.specific_force_body_mps2[-1].tolist()
+            self.told["state_times_s"] = [state.time_s for state in observation.states]
+            self.told["imu_times_s"] = observation.imu.time_s.tolist()
+            self.told["times_s"] = [observation.time_s, observation.call_time_s]
+            raise GiveUp(json.dumps(self.told))
+        return Velocity(HOLD)
+
+
+class OneEyed(Planner):
+    """Tells where its camera looks."""
+
+    name = "one_eyed"
+    sees = ("state", "depth", "one_camera")
+    least_fov_rad = (1.0, 0.5)
+
+    def plan(self, observation: Observation) -> Velocity:
+        image = observation.newest_depth(0)
+        assert len(self.setup.cameras) == 1 and observation.newest_depth(1) is None
+        assert observation.newest_color(0) is None and observation.newest_stereo(0) is None
+        assert image is not None
+        w, x, y, z = image.q_world_camera
+        raise GiveUp(str(math.degrees(math.atan2(2 * (y * z - w * x), 2 * (x * z + w * y)))))
+
+
+class AllEyed(Planner):
+    """Tells of which cameras it has images."""
+
+    name = "all_eyed"
+    sees = ("state", "depth")
+
+    def plan(self, observation: Observation) -> Velocity:
+        for camera in range(len(self.setup.cameras)):
+            image = observation.newest_depth(camera)
+            assert image is not None and image.camera == camera
+        raise GiveUp(str([image.camera for image in observation.depth]))
+
+
+def gives_up(seen: Observation) -> None:
+    raise GiveUp("walled in")
+
+
+ANSWERS: dict[str, Any] = {
+    "position": lambda seen: Position(seen.position_world_m + [0, 0, 0.1], yaw_rad=0.1),
+    "velocity": lambda seen: Velocity(HOLD, yaw_rate_radps=0.2, horizon_s=0.5),
+    "acceleration": lambda seen: Acceleration(np.array([0.0, 0.1, 0.0], np.float32)),
+    "rates": lambda seen: Rates([0, 0, 0], 9.81),
+    "trajectory": lambda seen: Trajectory(
+        [0.0, 0.5], [seen.position_world_m, seen.position_world_m], [HOLD, HOLD], [HOLD, HOLD], yaw_rad=[0.1, 0.2]
+    ),
+    "none": lambda seen: None,
+    "gives_up": gives_up,
+    "divides": lambda seen: 1 / 0,
+    "text": lambda seen: "left",
+    "two_numbers": lambda seen: Velocity([1, 2]),
+    "nan": lambda seen: Velocity([1, 2, float("nan")]),
+    "two_yaws": lambda seen: Velocity(HOLD, yaw_rad=0.0, yaw_rate_radps=0.0),
+    "one_point": lambda seen: Trajectory([0.0], [HOLD], [HOLD], [HOLD]),
+    "one_place": lambda seen: Trajectory([0.0, 1.0], [HOLD], [HOLD], [HOLD]),
+    "exits": lambda seen: sys.exit(3),
+}
+
+
+class Commanding(Planner):
+    """Gives one answer again and again."""
+
+    name = "commanding"
+    commands = ("position", "velocity", "acceleration", "trajectory", "rates")
+    parameters = (Parameter("answer", "none", "What it gives.", choices=tuple(ANSWERS)),)
+
+    def __init__(self, setup: Setup) -> None:
+        self.answer = ANSWERS[setup.parameters["answer"]]
+
+    def plan(self, observation: Observation) -> Any:
+        return self.answer(observation)
+
+
+class Undeclared(Planner):
+    name = "undeclared"
+
+    def plan(self, observation: Observation) -> Position:
+        return Position(observation.position_world_m)
+
+
+class Preset(Planner):
+    name = "preset"
+    parameters = (Parameter("a", 3.0, "Beyond its range.", lowest=0, highest=1),)
