@@ -44,7 +44,7 @@ ReportQuery query_of(const ReportOptions& options) {
   }
   const std::vector<std::string> known = table_names();
   for (const std::string& table : options.tables) {
-    if (std::find(known.begin(), known.end(), table) == known.end()) {
+    if (!contains(known, table)) {
       throw InputError("--tables " + table + ": unknown" + did_you_mean(table, known));
     }
   }
@@ -93,8 +93,8 @@ std::vector<std::string> fields_of(const ReportQuery& query, const Database& dat
   std::vector<std::string> shown = axis_fields({&sweep, 1});
   add_limit_field(sweep.spec_json, shown);
   for (const std::string& axis : shown) {
-    if (std::find(axes.begin(), axes.end(), axis) == axes.end()) axes.push_back(axis);
-    if (std::find(fields.begin(), fields.end(), axis) == fields.end()) fields.push_back(axis);
+    if (!contains(axes, axis)) axes.push_back(axis);
+    if (!contains(fields, axis)) fields.push_back(axis);
   }
   for (TrialListing& listing : database.list_trials(sweep.name, sweep.revision)) {
     std::string key = listing.key;

@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <iostream>
-#include <map>
 #include <span>
 
 #include "base/visible_text.hpp"
 #include "base/words.hpp"
 #include "store/trial_table.hpp"
-#include "sweep/computing_times.hpp"
 #include "sweep/failure_kinds.hpp"
-#include "sweep/standing_flights.hpp"
+#include "sweep/planner_tallies.hpp"
 
 namespace avoidbench {
 
@@ -97,26 +95,20 @@ void print_failures(const Database& database, const std::string& sweep, const Ru
 }
 
 void warn_of_planners(const Database& database, const std::string& sweep, std::int64_t revision) {
-  ComputingTimes times(database.metrics());
-  StandingFlights standing(database.metrics());
+  PlannerTallies tallies(database.metrics());
   visit_trials(database, sweep, revision, {}, [&](const VisitedTrial& trial) {
-    times.add(trial.planner_key, trial.metrics);
-    standing.add(trial.planner_key, trial.outcome, trial.metrics);
+    tallies.add(trial.planner_key, trial.outcome, trial.metrics);
   });
-  TimeDemand demand;
+  std::string spec_json;
   for (const SweepInfo& info : database.read_sweeps()) {
-    if (info.name == sweep && info.revision == revision) demand = time_demand(info.spec_json);
+    if (info.name == sweep && info.revision == revision) spec_json = info.spec_json;
   }
-  std::map<std::string, std::string> labels;
-  for (const PlannerRow& row : database.read_planners()) labels[planner_key(row)] = row.label;
-  const auto print = [](const std::vector<std::string>& warnings) {
-    for (const std::string& line : warnings) std::cerr << "warning: " << line << '\n';
-  };
-  for (const auto& [key, counts] : standing.by_planner()) {
-    print(standing_warnings(labels[key], counts));
+  std::vector<std::pair<std::string, std::string>> planners;
+  for (const PlannerRow& row : database.read_planners()) {
+    planners.emplace_back(planner_key(row), row.label);
   }
-  for (const auto& [key, of_planner] : times.by_planner()) {
-    print(computing_time_warnings(labels[key], of_planner, demand));
+  for (const std::string& line : tallies.warnings(planners, spec_json)) {
+    std::cerr << "warning: " << line << '\n';
   }
 }
 

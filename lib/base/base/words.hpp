@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -42,6 +44,17 @@ std::string replaced(std::string_view text, const Signs& signs) {
 template <class Words>
 bool contains(const Words& words, std::string_view word) {
   return std::find(std::begin(words), std::end(words), word) != std::end(words);
+}
+
+/// The place of the first of these whose `part` is `value`, or nothing.
+template <class Range, class Value, class Part = std::identity>
+std::optional<std::size_t> place_in(const Range& range, const Value& value, Part part = {}) {
+  std::size_t place = 0;
+  for (const auto& one : range) {
+    if (std::invoke(part, one) == value) return place;
+    ++place;
+  }
+  return std::nullopt;
 }
 
 /// "1 trial", "3 trials".

@@ -371,18 +371,15 @@ std::vector<TrialPair> paired_trials(const TrialTable& base, const TrialTable& n
 }
 
 bool has_metric(const TrialTable& table, std::string_view name) {
-  return std::any_of(table.metrics.begin(), table.metrics.end(),
-                     [&](const MetricRow& metric) { return metric.name == name; });
+  return place_in(table.metrics, name, &MetricRow::name).has_value();
 }
 
 std::pair<std::size_t, std::size_t> common_metric(const TrialTable& base, const TrialTable& now,
                                                   const std::string& name) {
   const auto position = [&](const TrialTable& table) {
+    if (const auto place = place_in(table.metrics, name, &MetricRow::name)) return *place;
     std::vector<std::string> names;
-    for (std::size_t i = 0; i < table.metrics.size(); ++i) {
-      if (table.metrics[i].name == name) return i;
-      names.push_back(table.metrics[i].name);
-    }
+    for (const MetricRow& metric : table.metrics) names.push_back(metric.name);
     refuse_file(table.source, "has no metric " + name + did_you_mean(name, names));
   };
   const std::pair columns{position(base), position(now)};

@@ -29,9 +29,7 @@ constexpr std::string_view kOrder[] = {"sweep",   "revision",      "planner",  "
 std::vector<std::size_t> order_of(const std::vector<std::string>& columns) {
   std::vector<std::size_t> order;
   for (const std::string_view name : kOrder) {
-    const auto at = std::find(columns.begin(), columns.end(), name);
-    AB_CHECK(at != columns.end(), name);
-    order.push_back(static_cast<std::size_t>(at - columns.begin()));
+    order.push_back(place_of(std::string(name), columns));
   }
   return order;
 }
@@ -123,11 +121,11 @@ class MergedRows {
 
 /// The column of this name.
 std::size_t column_of(const std::string& name, const std::vector<std::string>& columns) {
-  const auto column = std::find(columns.begin(), columns.end(), name);
-  if (column == columns.end()) {
+  const auto column = place_in(columns, name);
+  if (!column) {
     throw OptionError(name + ": no column of the table" + did_you_mean(name, columns), "sort");
   }
-  return static_cast<std::size_t>(column - columns.begin());
+  return *column;
 }
 
 /// The rows that are wanted, in the order of column `sorted` or as they come, each given to `take`.

@@ -84,12 +84,6 @@ std::string way_text(const Mission& mission) {
   return place(mission.start_world) + " → " + place(mission.goal_world);
 }
 
-std::size_t place_of(const std::string& field, const std::vector<std::string>& fields) {
-  const auto found = std::find(fields.begin(), fields.end(), field);
-  AB_CHECK(found != fields.end(), field);
-  return static_cast<std::size_t>(found - fields.begin());
-}
-
 /// The fields whose values the list shows by itself.
 bool is_of_list(const std::string& field) {
   constexpr std::string_view kOwn[] = {"planner",    "generator", kSeedField, "mission_index",
@@ -244,9 +238,8 @@ std::vector<std::size_t> worst_first(const std::vector<TableValue>& values, Bett
 
 /// A field that is no metric is sorted as if more were better: from its least value up.
 Better better_of(const std::string& field, const std::vector<MetricRow>& metrics) {
-  const auto metric = std::find_if(metrics.begin(), metrics.end(),
-                                   [&](const MetricRow& one) { return one.name == field; });
-  return metric == metrics.end() ? Better::more : metric->better;
+  const auto metric = place_in(metrics, field, &MetricRow::name);
+  return metric ? metrics[*metric].better : Better::more;
 }
 
 std::vector<TrialListing> in_order(std::vector<TrialListing> trials, const TrialOrder& order,

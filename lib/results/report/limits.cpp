@@ -8,6 +8,7 @@
 #include "base/input_error.hpp"
 #include "base/math.hpp"
 #include "base/number_text.hpp"
+#include "base/words.hpp"
 #include "report/table_rows.hpp"
 #include "statistics/rates.hpp"
 #include "store/stored_text.hpp"
@@ -99,9 +100,8 @@ std::string percent(double rate) { return percent_number(rate) + " %"; }
 }  // namespace
 
 LimitSummary limits_of(const SweepResult& result, const LimitRule& rule) {
-  const auto field = std::find(result.fields.begin(), result.fields.end(), rule.field);
-  if (field == result.fields.end()) throw InputError("the trials were read without " + rule.field);
-  const auto field_index = static_cast<std::size_t>(field - result.fields.begin());
+  const auto field = place_in(result.fields, rule.field);
+  if (!field) throw InputError("the trials were read without " + rule.field);
   const std::map<std::string, std::size_t> numbers = map_numbers(result, rule);
   const std::map<std::string, std::string> labels = labels_by_key(result, rule);
   std::map<std::string, std::string> versions;
@@ -111,7 +111,7 @@ LimitSummary limits_of(const SweepResult& result, const LimitRule& rule) {
   std::map<std::string, Cells> planners;
   std::map<std::string, std::vector<double>> flown_mps;
   for (const TrialSummary& trial : result.trials) {
-    const std::optional<double> value = number_in(trial.fields[field_index]);
+    const std::optional<double> value = number_in(trial.fields[*field]);
     const std::optional<std::size_t> level = value ? level_of(rule, *value) : std::nullopt;
     if (!level)
       throw InputError("trial " + trial.key + ": its " + rule.field + " is none of the limit's");

@@ -41,12 +41,6 @@ bool is_equal(const TableValue& value, const Condition::Value& wanted) {
   return number && number == wanted.number;
 }
 
-std::size_t field_of(const SweepResult& result, const std::string& name) {
-  const auto found = std::find(result.fields.begin(), result.fields.end(), name);
-  AB_CHECK(found != result.fields.end());
-  return static_cast<std::size_t>(found - result.fields.begin());
-}
-
 /// More are a slip, such as grouping by a measured number.
 constexpr std::size_t kMostGroups = 1000;
 
@@ -80,7 +74,7 @@ struct Binning {
 /// How a column's values become keys: as they are, or by bins of about equal count.
 Binning binning_of(const SweepResult& result, const Trials& trials, const GroupColumn& column) {
   Binning binning;
-  binning.field = field_of(result, column.field);
+  binning.field = place_of(column.field, result.fields);
   if (column.bin_count == 0) return binning;
   // A value counts once a map, so that a measure of maps is cut into groups of equal map count.
   std::set<std::pair<double, std::size_t>> values;
@@ -109,6 +103,12 @@ Binning binning_of(const SweepResult& result, const Trials& trials, const GroupC
 }
 
 }  // namespace
+
+std::size_t place_of(const std::string& field, const std::vector<std::string>& fields) {
+  const auto place = place_in(fields, field);
+  AB_CHECK(place.has_value(), field);
+  return *place;
+}
 
 std::vector<std::vector<SweepInfo>> chosen_sweeps(std::span<const Database> databases,
                                                   std::string_view wanted,
@@ -229,7 +229,7 @@ void check_values(std::span<const SweepResult* const> results,
   for (const Condition& condition : conditions) {
     std::set<TableValue> there;
     for (const SweepResult* result : results) {
-      const std::size_t field = field_of(*result, condition.field);
+      const std::size_t field = place_of(condition.field, result->fields);
       for (const TrialSummary& trial : result->trials) there.insert(trial.fields[field]);
     }
     check_values(condition, there);
@@ -240,7 +240,7 @@ SweepResult selected(SweepResult result, const std::vector<Condition>& condition
   std::set<std::string> maps, planners;
   for (const Condition& condition : conditions) {
     // Conditions hold together: each takes out what it refuses.
-    const std::size_t field = field_of(result, condition.field);
+    const std::size_t field = place_of(condition.field, result.fields);
     std::erase_if(result.trials, [&](const TrialSummary& trial) {
       return !holds(condition, trial.fields[field]);
     });

@@ -20,6 +20,9 @@ std::vector<std::vector<SweepInfo>> chosen_sweeps(std::span<const Database> data
                                                   std::string_view wanted,
                                                   std::vector<std::string>* unflown = nullptr);
 
+/// The place of a field that is one of these.
+std::size_t place_of(const std::string& field, const std::vector<std::string>& fields);
+
 /// What a trial's field must be to be reported: `map.poisson_radius_m < 3`, `planner = ego, mine`.
 struct Condition {
   enum class Comparison { equal, unequal, less, at_most, greater, at_least };

@@ -33,11 +33,11 @@ std::vector<std::size_t> metric_indices(const SweepResult& result,
   for (const MetricRow& metric : result.metrics) known.push_back(metric.name);
   std::vector<std::size_t> indices;
   for (const std::string& name : names) {
-    const auto found = std::find(known.begin(), known.end(), name);
-    if (found == known.end()) {
+    const auto place = place_in(known, name);
+    if (!place) {
       throw InputError("no metric " + name + " in the results" + did_you_mean(name, known));
     }
-    indices.push_back(static_cast<std::size_t>(found - known.begin()));
+    indices.push_back(*place);
   }
   return indices;
 }
@@ -159,27 +159,23 @@ std::vector<GroupRow> group_rows(const SweepResult& result, const Trials& trials
                     .summary = planner_summary(0, group.trials, metrics)});
     of_rows.push_back(std::move(group.trials));
   }
-  const auto planner = std::find_if(columns.begin(), columns.end(),
-                                    [](const auto& column) { return column.field == kPlanner; });
-  if (planner != columns.end()) {
-    mark_best_rows(rows, of_rows, static_cast<std::size_t>(planner - columns.begin()), metrics,
-                   result.metrics);
+  if (const auto planner = place_in(columns, kPlanner, &GroupColumn::field)) {
+    mark_best_rows(rows, of_rows, *planner, metrics, result.metrics);
   }
   return rows;
 }
 
 /// Planners' labels in the trials' field `planner` as they are shown: none stands for two planners.
 void name_planners(SweepResult& result, const std::vector<std::string>& labels) {
-  const auto field = std::find(result.fields.begin(), result.fields.end(), kPlanner);
+  const auto field = place_in(result.fields, kPlanner);
   // Fields are read where a condition or a group asks for them.
-  if (field == result.fields.end()) return;
+  if (!field) return;
   std::map<std::string, std::string> label_of_key;
   for (std::size_t i = 0; i < labels.size(); ++i) {
     label_of_key.emplace(planner_key(result.planners[i]), labels[i]);
   }
-  const auto index = static_cast<std::size_t>(field - result.fields.begin());
   for (TrialSummary& trial : result.trials) {
-    trial.fields[index] = label_of_key.at(trial.planner_key);
+    trial.fields[*field] = label_of_key.at(trial.planner_key);
   }
 }
 

@@ -11,8 +11,7 @@
 #include "statistics/sample_size.hpp"
 #include "statistics/stop_rule.hpp"
 #include "store/trial_table.hpp"
-#include "sweep/computing_times.hpp"
-#include "sweep/standing_flights.hpp"
+#include "sweep/planner_tallies.hpp"
 #include "trial/map_fields.hpp"
 
 namespace avoidbench {
@@ -97,34 +96,17 @@ std::int64_t asked_trials(const nlohmann::json& spec) {
   return spec.value("trial_count", count);
 }
 
-void warn_of_computing_times(const SweepSummary& summary, const SweepResult& result,
-                             Warnings& warnings) {
-  ComputingTimes times(result.metrics);
-  for (const TrialSummary& trial : result.trials) times.add(trial.planner_key, trial.metrics);
-  const std::map<std::string, CallTimes> by_planner = times.by_planner();
-  const TimeDemand demand = time_demand(result.spec_json);
-  for (std::size_t i = 0; i < result.planners.size(); ++i) {
-    const auto found = by_planner.find(planner_key(result.planners[i]));
-    if (found == by_planner.end()) continue;
-    for (std::string& warning :
-         computing_time_warnings(summary.planners[i], found->second, demand)) {
-      warnings.push_back(std::move(warning));
-    }
-  }
-}
-
-void warn_of_standing_flights(const SweepSummary& summary, const SweepResult& result,
-                              Warnings& warnings) {
-  StandingFlights standing(result.metrics);
+void warn_of_planners(const SweepSummary& summary, const SweepResult& result, Warnings& warnings) {
+  PlannerTallies tallies(result.metrics);
   for (const TrialSummary& trial : result.trials) {
-    standing.add(trial.planner_key, trial.outcome, trial.metrics);
+    tallies.add(trial.planner_key, trial.outcome, trial.metrics);
   }
+  std::vector<std::pair<std::string, std::string>> planners;
   for (std::size_t i = 0; i < result.planners.size(); ++i) {
-    const auto found = standing.by_planner().find(planner_key(result.planners[i]));
-    if (found == standing.by_planner().end()) continue;
-    for (std::string& warning : standing_warnings(summary.planners[i], found->second)) {
-      warnings.push_back(std::move(warning));
-    }
+    planners.emplace_back(planner_key(result.planners[i]), summary.planners[i]);
+  }
+  for (std::string& warning : tallies.warnings(planners, result.spec_json)) {
+    warnings.push_back(std::move(warning));
   }
 }
 
@@ -231,8 +213,7 @@ std::vector<std::string> warnings_of(const SweepSummary& summary, const SweepRes
   warn_of_few_trials(summary, warnings);
   for (std::string& warning : speed_warnings(summary)) warnings.push_back(std::move(warning));
   warn_of_unclear_differences(summary, warnings);
-  warn_of_standing_flights(summary, result, warnings);
-  warn_of_computing_times(summary, result, warnings);
+  warn_of_planners(summary, result, warnings);
   warn_of_mixtures(summary, result, warnings);
   if (result.has_measured_latency) {
     warnings.push_back(
