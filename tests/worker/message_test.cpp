@@ -150,6 +150,33 @@ TEST(JobResult, TellsTheFlightAsItWas) {
             std::tuple(0.5, 0.001, 0.002, 1, 0.003));
 }
 
+TEST(Job, ComesAsItWasSent) {
+  Job sent = trial_job();
+  sent.spec.map_seed = 7;
+  sent.listed_missions = {{.start_world = {1.0, 2.0, 0.1 + 0.2}, .start_yaw_rad = -0.5}};
+  sent.mission->index = 3;
+  sent.mission->reference_length_m = std::nan("");
+  sent.recorded_latency_s = {0.25, 0.5};
+  sent.change = {.tracks_perfectly = true, .still_at_s = 1.5};
+  sent.lookout = {.kind = "cause",
+                  .wanted = {.json = {{"a", {1, "b"}}}, .bytes = {std::byte{7}}},
+                  .most_bytes = 12,
+                  .has_flight = false};
+  const Message message = job_message(sent);
+  const Job came = job_from(message);
+  EXPECT_EQ(came.spec.map_seed, 7U);
+  ASSERT_EQ(came.listed_missions.size(), 1U);
+  EXPECT_EQ(came.listed_missions[0].start_world, sent.listed_missions[0].start_world);
+  EXPECT_EQ(came.mission->index, 3);
+  EXPECT_TRUE(std::isnan(came.mission->reference_length_m));
+  EXPECT_EQ(came.recorded_latency_s, sent.recorded_latency_s);
+  EXPECT_EQ(came.change.still_at_s, 1.5);
+  EXPECT_EQ(came.lookout->wanted.bytes, sent.lookout->wanted.bytes);
+  EXPECT_EQ(job_message(came).json, message.json);
+  const Job bare = job_from(job_message({.token = "token", .spec = {}, .mission = {}}));
+  EXPECT_FALSE(bare.mission || bare.recorded_latency_s || bare.change.still_at_s || bare.lookout);
+}
+
 TEST(JobResult, OfAnotherJobIsNone) {
   JobResult other = good_result();
   other.token = "another";

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
+#include <cmath>
+#include <concepts>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,16 +26,17 @@ nlohmann::json spec_to_json(const Spec& spec);
 template <class Spec>
 nlohmann::json sparse_json(const Spec& spec);
 
-/// A field that is not there is at its default.
+/// A field that is not there is at its default, or, with `needs_all`, throws as one does whose
+/// value is of another type: nlohmann::json::exception.
 template <class Spec>
-Spec spec_from_json(const nlohmann::json& json);
+Spec spec_from_json(const nlohmann::json& json, bool needs_all = false);
 
 namespace detail {
 
 template <class T>
 nlohmann::json value_to_json(const T& value);
 template <class T>
-void value_from_json(const nlohmann::json& json, T& value);
+void value_from_json(const nlohmann::json& json, T& value, bool needs_all);
 
 struct JsonWriter {
   nlohmann::json& json;
@@ -42,7 +46,7 @@ struct JsonWriter {
     json[std::string(name)] = value_to_json(value);
   }
   template <class T>
-  void field(std::string_view name, const T& value, std::string_view doc) {
+  void field(std::string_view name, const T& value, std::string_view doc = {}) {
     field(name, value, Range{}, doc);
   }
   template <class Variant>
@@ -66,7 +70,7 @@ struct SparseJsonWriter {
     if (value_to_json(value) != defaults.at(key)) json[key] = sparse_value(value);
   }
   template <class T>
-  void field(std::string_view name, const T& value, std::string_view doc) {
+  void field(std::string_view name, const T& value, std::string_view doc = {}) {
     field(name, value, Range{}, doc);
   }
   template <class Variant>
@@ -78,14 +82,15 @@ struct SparseJsonWriter {
 
 struct JsonReader {
   const nlohmann::json& json;
+  bool needs_all = false;
 
   template <class T>
   void field(std::string_view name, T& value, Range, std::string_view) {
-    const auto found = json.find(std::string(name));
-    if (found != json.end()) value_from_json(*found, value);
+    const std::string key(name);
+    if (needs_all || json.contains(key)) value_from_json(json.at(key), value, needs_all);
   }
   template <class T>
-  void field(std::string_view name, T& value, std::string_view doc) {
+  void field(std::string_view name, T& value, std::string_view doc = {}) {
     field(name, value, Range{}, doc);
   }
   template <class Variant>
@@ -120,9 +125,37 @@ template <class T, std::size_t count>
 struct IsSequence<std::array<T, count>> : std::true_type {};
 
 template <class T>
+struct IsOptional : std::false_type {};
+template <class T>
+struct IsOptional<std::optional<T>> : std::true_type {};
+
+/// JSON has neither NaN nor infinity, and null would not say which.
+inline nlohmann::json number_to_json(double value) {
+  if (std::isnan(value)) return "nan";
+  if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
+  return value;
+}
+
+[[noreturn]] inline void throw_no_value(const nlohmann::json& json) {
+  throw nlohmann::json::type_error::create(302, "no such value: " + json.dump(), &json);
+}
+
+inline double number_from_json(const nlohmann::json& json) {
+  if (!json.is_string()) return json.get<double>();
+  const auto& text = json.get_ref<const std::string&>();
+  if (text == "nan") return std::numeric_limits<double>::quiet_NaN();
+  if (text != "inf" && text != "-inf") throw_no_value(json);
+  return (text == "inf" ? 1.0 : -1.0) * std::numeric_limits<double>::infinity();
+}
+
+template <class T>
 nlohmann::json value_to_json(const T& value) {
   if constexpr (TextEnum<T>) {
     return std::string(text(value));
+  } else if constexpr (std::same_as<T, double>) {
+    return number_to_json(value);
+  } else if constexpr (IsOptional<T>::value) {
+    return value ? value_to_json(*value) : nlohmann::json();
   } else if constexpr (IsSequence<T>::value) {
     nlohmann::json array = nlohmann::json::array();
     for (const auto& element : value) array.push_back(value_to_json(element));
@@ -148,17 +181,24 @@ nlohmann::json sparse_value(const T& value) {
 }
 
 template <class T>
-void value_from_json(const nlohmann::json& json, T& value) {
+void value_from_json(const nlohmann::json& json, T& value, bool needs_all) {
   if constexpr (TextEnum<T>) {
     const auto found = enum_from_text<T>(json.get<std::string>());
-    AB_CHECK(found.has_value(), json);
+    if (!found) throw_no_value(json);
     value = *found;
+  } else if constexpr (std::same_as<T, double>) {
+    value = number_from_json(json);
+  } else if constexpr (IsOptional<T>::value) {
+    value.reset();
+    if (!json.is_null()) value_from_json(json, value.emplace(), needs_all);
   } else if constexpr (IsSequence<T>::value) {
-    if constexpr (requires { value.resize(json.size()); }) value.resize(json.size());
-    AB_CHECK(json.size() == value.size(), json);
-    for (std::size_t i = 0; i < value.size(); ++i) value_from_json(json[i], value[i]);
+    if (!json.is_array()) throw_no_value(json);
+    if constexpr (requires { value.clear(); }) value.resize(json.size());
+    std::size_t i = 0;
+    for (auto& element : value) value_from_json(json.at(i++), element, needs_all);
+    if (i != json.size()) throw_no_value(json);
   } else if constexpr (Visitable<T, JsonReader>) {
-    value = spec_from_json<T>(json);
+    value = spec_from_json<T>(json, needs_all);
   } else {
     value = json.get<T>();
   }
@@ -184,9 +224,9 @@ nlohmann::json sparse_json(const Spec& spec) {
 }
 
 template <class Spec>
-Spec spec_from_json(const nlohmann::json& json) {
+Spec spec_from_json(const nlohmann::json& json, bool needs_all) {
   Spec spec{};
-  detail::JsonReader reader{json};
+  detail::JsonReader reader{json, needs_all};
   visit(reader, spec);
   return spec;
 }

@@ -14,22 +14,19 @@ namespace {
 /// What the lookout needs: the flight as it is stored.
 LookoutJob cause_wanted(const StoredTrial& stored, bool has_flight) {
   constexpr std::size_t kMostBytes = 1U << 20U;
-  LookoutJob wanted{.kind = kCauseLookout,
-                    .wanted = record_message(stored.row.record),
-                    .most_bytes = kMostBytes,
-                    .has_flight = has_flight};
-  wanted.wanted.json["reference_length_m"] = number_to_json(stored.reference_length_m);
-  return wanted;
+  return {.kind = kCauseLookout,
+          .wanted = record_message(stored.row.record),
+          .most_bytes = kMostBytes,
+          .has_flight = has_flight};
 }
 
 /// A flight as it is stored, and who watches it flown again; it stays at its address.
 struct WatchedFlight {
   WatchedFlight(const Job& job, const World& flown_world)
       : spec(job.spec),
-        mission(job.mission->mission),
+        mission(*job.mission),
         world(flown_world),
         record(record_from(job.lookout->wanted)),
-        reference_length_m(number_from_json(job.lookout->wanted.json.at("reference_length_m"))),
         patch(struck_patch(world, record)) {
     if (job.lookout->has_flight && patch) watch.emplace(spec, record.samples, *patch);
   }
@@ -42,9 +39,9 @@ struct WatchedFlight {
     const bool is_watched = flown != nullptr && watch && found.empty();
     const CauseFound cause = explained({.spec = spec,
                                         .world = world,
-                                        .mission = mission,
+                                        .mission = mission.mission,
                                         .record = record,
-                                        .reference_length_m = reference_length_m},
+                                        .reference_length_m = mission.reference_length_m},
                                        patch ? &*patch : nullptr, is_watched ? &*watch : nullptr);
     nlohmann::json told{{"cause", std::string(text(cause.cause))},
                         {"facts", facts_json(cause.facts)}};
@@ -53,10 +50,9 @@ struct WatchedFlight {
   }
 
   const TrialSpec& spec;
-  const Mission& mission;
+  const MissionRecord& mission;
   const World& world;
   TrialRecord record;
-  double reference_length_m;
   std::optional<StruckPatch> patch;
   std::optional<FlightWatch> watch;
 };
@@ -109,8 +105,7 @@ CauseJob cause_job_without_flight(StoredTrial stored, const ReplayFiles& files) 
   Job& job = cause.job.job;
   job.token = make_token();
   job.spec = cause.stored.spec;
-  job.mission.emplace().index = cause.stored.spec.mission_index;
-  job.mission->mission = cause.stored.mission;
+  job.mission = mission_of(cause.stored);
   job.lookout = cause_wanted(cause.stored, false);
   return cause;
 }

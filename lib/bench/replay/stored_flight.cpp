@@ -18,6 +18,14 @@ const ReplayPlanner& ReplayPlanners::of(const PlannerChoice& choice) {
   return planners_.emplace(key, std::move(planner)).first->second;
 }
 
+MissionRecord mission_of(const StoredTrial& stored) {
+  MissionRecord mission;
+  mission.index = stored.spec.mission_index;
+  mission.mission = stored.mission;
+  mission.reference_length_m = stored.reference_length_m;
+  return mission;
+}
+
 Job stored_job(StoredTrial stored, const PlannerDescription& planner,
                std::vector<std::string>& warnings) {
   PlannerChoice& choice = stored.spec.planner;
@@ -36,14 +44,10 @@ Job stored_job(StoredTrial stored, const PlannerDescription& planner,
   choice.file_digest = planner.file_digest;
   choice.files = planner.files;
   choice.command = planner.command;  // of what was found, never of the database
-  // The mission as it was stored: nothing is measured again.
-  MissionRecord mission;
-  mission.index = stored.spec.mission_index;
-  mission.mission = stored.mission;
   return {.token = make_token(),
           .spec = stored.spec,
           .mission_count = 0,
-          .mission = mission,
+          .mission = mission_of(stored),
           .recorded_latency_s = recorded_latencies(stored.spec, stored.row.record)};
 }
 

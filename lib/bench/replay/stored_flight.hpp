@@ -31,6 +31,9 @@ class ReplayPlanners {
   std::map<std::string, ReplayPlanner> planners_;
 };
 
+/// The mission as it was stored: nothing is measured again.
+MissionRecord mission_of(const StoredTrial& stored);
+
 /// The job of flying a stored trial again with this planner, and parameters that it takes; `stored`
 /// is that of with_files(). Why it may differ from the stored flight is added to `warnings`.
 Job stored_job(StoredTrial stored, const PlannerDescription& planner,

@@ -14,117 +14,125 @@
 #include "store/record_format.hpp"
 #include "trial/periods.hpp"
 
+/// A list of three numbers.
+template <>
+struct avoidbench::detail::IsSequence<Eigen::Vector3d> : std::true_type {};
+
 namespace avoidbench {
+
+// Between parent and worker only: no person reads these names, so they have no docs.
+template <class Visitor, ConstOr<Mission> M>
+void visit(Visitor& v, M& m) {
+  v.field("start_world", m.start_world);
+  v.field("goal_world", m.goal_world);
+  v.field("start_yaw_rad", m.start_yaw_rad);
+}
+
+template <class Visitor, ConstOr<MissionDifficulty> M>
+void visit(Visitor& v, M& m) {
+  v.field("traversability_obstruction", m.traversability_obstruction);
+  v.field("view_occlusion", m.view_occlusion);
+  v.field("angle_over_length_1pm", m.angle_over_length_1pm);
+}
+
+template <class Visitor, ConstOr<MissionRecord> M>
+void visit(Visitor& v, M& m) {
+  v.field("index", m.index);
+  v.field("mission", m.mission);
+  v.field("reference_length_m", m.reference_length_m);
+  v.field("difficulty", m.difficulty);
+  v.field("is_valid", m.is_valid);
+  v.field("invalid_reason", m.invalid_reason);
+}
+
+/// Without its key: who asked for the map knows it.
+template <class Visitor, ConstOr<MapRecord> M>
+void visit(Visitor& v, M& m) {
+  v.field("world_digest", m.world_digest);
+  v.field("obstacle_count", m.obstacle_count);
+  v.field("triangle_count", m.triangle_count);
+  v.field("traversability", m.traversability);
+  v.field("traversability_normalized_ratio", m.traversability_normalized_ratio);
+  v.field("relative_gap_size", m.relative_gap_size);
+  v.field("obstacle_density_1pm2", m.obstacle_density_1pm2);
+  v.field("free_volume_ratio", m.free_volume_ratio);
+  v.field("missions", m.missions);
+}
+
+template <class Visitor, ConstOr<Collision> C>
+void visit(Visitor& v, C& c) {
+  v.field("time_s", c.time_s);
+  v.field("speed_mps", c.speed_mps);
+  v.field("obstacle", c.obstacle);
+  v.field("kind", c.kind);
+}
+
+/// Without samples and calls: see trial_json().
+template <class Visitor, ConstOr<TrialRecord> R>
+void visit(Visitor& v, R& r) {
+  v.field("outcome", r.outcome);
+  v.field("reason", r.reason);
+  v.field("end_time_s", r.end_time_s);
+  v.field("collisions", r.collisions);
+}
+
+template <class Visitor, ConstOr<FlightChange> C>
+void visit(Visitor& v, C& c) {
+  v.field("tracks_perfectly", c.tracks_perfectly);
+  v.field("still_at_s", c.still_at_s);
+}
+
+/// Bytes go beside.
+template <class Visitor, ConstOr<LookoutJob> L>
+void visit(Visitor& v, L& l) {
+  v.field("kind", l.kind);
+  v.field("wanted", l.wanted.json);
+  v.field("most_bytes", l.most_bytes);
+  v.field("has_flight", l.has_flight);
+}
+
+template <class Visitor, ConstOr<Job> J>
+void visit(Visitor& v, J& j) {
+  v.field("token", j.token);
+  v.field("spec", j.spec);
+  v.field("mission_count", j.mission_count);
+  v.field("listed_missions", j.listed_missions);
+  v.field("mission", j.mission);
+  v.field("recorded_latency_s", j.recorded_latency_s);
+  v.field("change", j.change);
+  v.field("lookout", j.lookout);
+}
+
+/// Without flight and report, part of which goes as bytes.
+template <class Visitor, ConstOr<JobResult> R>
+void visit(Visitor& v, R& r) {
+  v.field("token", r.token);
+  v.field("map", r.map);
+  v.field("metrics", r.metrics);
+  v.field("world_digest", r.world_digest);
+  v.field("wall_time_s", r.wall_time_s);
+  v.field("error", r.error);
+  v.field("is_out_of_memory", r.is_out_of_memory);
+}
+
 namespace {
 
 using nlohmann::json;
 
-json vector_to_json(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-
-Eigen::Vector3d vector_from_json(const json& v) {
-  return {v.at(0).get<double>(), v.at(1).get<double>(), v.at(2).get<double>()};
+/// Samples go as bytes beside the JSON, calls as their stored text: as fields they would take
+/// several times as much and long to read.
+json trial_json(const TrialRecord& record) {
+  json trial = spec_to_json(record);
+  trial["plan_calls"] = plan_calls_json(record.plan_calls);
+  return trial;
 }
 
-json places_to_json(const Mission& mission) {
-  return {{"start", vector_to_json(mission.start_world)},
-          {"goal", vector_to_json(mission.goal_world)},
-          {"start_yaw_rad", mission.start_yaw_rad}};
-}
-
-Mission places_from_json(const json& from) {
-  return {.start_world = vector_from_json(from.at("start")),
-          .goal_world = vector_from_json(from.at("goal")),
-          .start_yaw_rad = from.at("start_yaw_rad")};
-}
-
-json mission_to_json(const MissionRecord& record) {
-  json mission{
-      {"index", record.index},
-      // Of a mission that is not valid, these are NaN, for which JSON has no number.
-      {"reference_length_m", number_to_json(record.reference_length_m)},
-      {"traversability_obstruction", number_to_json(record.difficulty.traversability_obstruction)},
-      {"view_occlusion", number_to_json(record.difficulty.view_occlusion)},
-      {"angle_over_length_1pm", number_to_json(record.difficulty.angle_over_length_1pm)},
-      {"is_valid", record.is_valid},
-      {"invalid_reason", record.invalid_reason}};
-  mission.update(places_to_json(record.mission));
-  return mission;
-}
-
-MissionRecord mission_from_json(const json& from) {
-  return {
-      .index = from.at("index"),
-      .mission = places_from_json(from),
-      .reference_length_m = number_from_json(from.at("reference_length_m")),
-      .difficulty = {.traversability_obstruction =
-                         number_from_json(from.at("traversability_obstruction")),
-                     .view_occlusion = number_from_json(from.at("view_occlusion")),
-                     .angle_over_length_1pm = number_from_json(from.at("angle_over_length_1pm"))},
-      .is_valid = from.at("is_valid"),
-      .invalid_reason = from.at("invalid_reason")};
-}
-
-json map_to_json(const MapRecord& map) {
-  json missions = json::array();
-  for (const MissionRecord& mission : map.missions) missions.push_back(mission_to_json(mission));
-  return {{"world_digest", map.world_digest},
-          {"obstacle_count", map.obstacle_count},
-          {"triangle_count", map.triangle_count},
-          {"traversability", map.traversability},
-          {"traversability_normalized_ratio", map.traversability_normalized_ratio},
-          // NaN where no Poisson radius keeps the obstacles apart.
-          {"relative_gap_size", number_to_json(map.relative_gap_size)},
-          {"obstacle_density_1pm2", map.obstacle_density_1pm2},
-          {"free_volume_ratio", map.free_volume_ratio},
-          {"missions", missions}};
-}
-
-MapRecord map_from_json(const json& from) {
-  // The worker knows no keys: who asked gives the map its own.
-  MapRecord map{.key = {},
-                .world_digest = from.at("world_digest"),
-                .obstacle_count = from.at("obstacle_count"),
-                .triangle_count = from.at("triangle_count"),
-                .traversability = from.at("traversability"),
-                .traversability_normalized_ratio = from.at("traversability_normalized_ratio"),
-                .relative_gap_size = number_from_json(from.at("relative_gap_size")),
-                .obstacle_density_1pm2 = from.at("obstacle_density_1pm2"),
-                .free_volume_ratio = from.at("free_volume_ratio"),
-                .missions = {}};
-  for (const json& mission : from.at("missions"))
-    map.missions.push_back(mission_from_json(mission));
-  return map;
-}
-
-/// Samples go as bytes beside the JSON, which would take several times as much and long to read.
-json trial_to_json(const TrialRecord& record) {
-  json collisions = json::array();
-  for (const Collision& collision : record.collisions) {
-    // By position, not by name: trial_from_json() reads them in this order.
-    collisions.push_back(
-        {collision.time_s, collision.speed_mps, collision.obstacle, collision.kind});
-  }
-  return {{"outcome", std::string(text(record.outcome))},
-          {"reason", record.reason},
-          {"end_time_s", record.end_time_s},
-          {"plan_calls", plan_calls_json(record.plan_calls)},
-          {"collisions", collisions}};
-}
-
-TrialRecord trial_from_json(const json& from) {
-  const auto outcome = enum_from_text<Outcome>(from.at("outcome").get<std::string>());
-  TrialRecord record{.outcome = outcome.value(),
-                     .reason = from.at("reason"),
-                     .end_time_s = from.at("end_time_s"),
-                     .samples = {},
-                     .plan_calls = plan_calls_from_json(from.at("plan_calls").get<std::string>()),
-                     .collisions = {}};
-  for (const json& collision : from.at("collisions")) {
-    record.collisions.push_back({.time_s = collision.at(0),
-                                 .speed_mps = collision.at(1),
-                                 .obstacle = collision.at(2),
-                                 .kind = collision.at(3)});
-  }
+TrialRecord trial_from(const json& trial, std::span<const std::byte> samples) {
+  auto record = spec_from_json<TrialRecord>(trial, true);
+  record.plan_calls = plan_calls_from_json(trial.at("plan_calls").get<std::string>());
+  // The last sample is cut off.
+  if (samples.size() % kSampleBytes != 0) throw InputError("half a sample");
+  record.samples = samples_from_bytes(samples);
   return record;
 }
 
@@ -148,12 +156,7 @@ bool answers(const JobResult& result, const Job& job) {
 
 /// Throws what nlohmann::json throws at the first part that is missing or of another type.
 JobResult parsed(const Message& message) {
-  JobResult result;
-  result.token = message.json.at("token");
-  result.error = message.json.at("error");
-  result.wall_time_s = message.json.at("wall_time_s");
-  result.is_out_of_memory = message.json.at("is_out_of_memory");
-  result.world_digest = message.json.at("world_digest");
+  auto result = spec_from_json<JobResult>(message.json, true);
   std::span<const std::byte> samples = message.bytes;
   if (message.json.contains("reported")) {
     const auto begin = message.json.at("reported_from").get<std::size_t>();
@@ -163,15 +166,8 @@ JobResult parsed(const Message& message) {
     result.reported = {.json = message.json.at("reported"),
                        .bytes = {reported.begin(), reported.end()}};
   }
-  // The last sample is cut off.
-  if (samples.size() % kSampleBytes != 0) throw InputError("half a sample");
-  if (message.json.contains("map")) result.map = map_from_json(message.json.at("map"));
   if (message.json.contains("trial")) {
-    result.trial = trial_from_json(message.json.at("trial"));
-    result.trial->samples = samples_from_bytes(samples);
-    for (const json& value : message.json.at("metrics")) {
-      result.metrics.push_back(number_from_json(value));
-    }
+    result.trial = trial_from(message.json.at("trial"), samples);
   }
   return result;
 }
@@ -179,83 +175,26 @@ JobResult parsed(const Message& message) {
 }  // namespace
 
 Message record_message(const TrialRecord& record) {
-  Message message{.json = trial_to_json(record), .bytes = sample_bytes(record.samples)};
-  // NaN where a worker died.
-  message.json["end_time_s"] = number_to_json(record.end_time_s);
-  return message;
+  return {.json = trial_json(record), .bytes = sample_bytes(record.samples)};
 }
 
-TrialRecord record_from(const Message& message) {
-  json trial = message.json;
-  const double end_time_s = number_from_json(trial.at("end_time_s"));
-  trial["end_time_s"] = 0.0;
-  TrialRecord record = trial_from_json(trial);
-  record.end_time_s = end_time_s;
-  record.samples = samples_from_bytes(message.bytes);
-  return record;
-}
+TrialRecord record_from(const Message& message) { return trial_from(message.json, message.bytes); }
 
 Message job_message(const Job& job) {
-  Message message;
-  message.json["token"] = job.token;
-  message.json["spec"] = spec_to_json(job.spec);
-  message.json["mission_count"] = job.mission_count;
-  json listed = json::array();
-  for (const Mission& mission : job.listed_missions) listed.push_back(places_to_json(mission));
-  message.json["listed_missions"] = listed;
-  if (job.mission) message.json["mission"] = mission_to_json(*job.mission);
-  if (job.recorded_latency_s) message.json["recorded_latency_s"] = *job.recorded_latency_s;
-  if (job.change.tracks_perfectly) message.json["tracks_perfectly"] = true;
-  if (job.change.still_at_s) message.json["still_at_s"] = *job.change.still_at_s;
-  if (job.lookout) {
-    message.json["lookout"] = {{"kind", job.lookout->kind},
-                               {"wanted", job.lookout->wanted.json},
-                               {"most_bytes", job.lookout->most_bytes},
-                               {"has_flight", job.lookout->has_flight}};
-    message.bytes = job.lookout->wanted.bytes;
-  }
-  return message;
+  return {.json = spec_to_json(job),
+          .bytes = job.lookout ? job.lookout->wanted.bytes : std::vector<std::byte>{}};
 }
 
 Job job_from(const Message& message) {
-  Job job{.token = message.json.at("token"),
-          .spec = spec_from_json<TrialSpec>(message.json.at("spec")),
-          .mission_count = message.json.at("mission_count"),
-          .listed_missions = {},
-          .mission = std::nullopt,
-          .recorded_latency_s = std::nullopt,
-          .change = {},
-          .lookout = {}};
-  if (const auto recorded = message.json.find("recorded_latency_s"); recorded != message.json.end())
-    job.recorded_latency_s = recorded->get<std::vector<double>>();
-  job.change.tracks_perfectly = message.json.value("tracks_perfectly", false);
-  if (const auto still = message.json.find("still_at_s"); still != message.json.end())
-    job.change.still_at_s = still->get<double>();
-  if (const auto lookout = message.json.find("lookout"); lookout != message.json.end()) {
-    job.lookout = {.kind = lookout->at("kind"),
-                   .wanted = {.json = lookout->at("wanted"), .bytes = message.bytes},
-                   .most_bytes = lookout->at("most_bytes"),
-                   .has_flight = lookout->at("has_flight")};
-  }
-  for (const json& mission : message.json.at("listed_missions"))
-    job.listed_missions.push_back(places_from_json(mission));
-  if (message.json.contains("mission")) job.mission = mission_from_json(message.json.at("mission"));
+  Job job = spec_from_json<Job>(message.json, true);
+  if (job.lookout) job.lookout->wanted.bytes = message.bytes;
   return job;
 }
 
 Message result_message(const JobResult& result) {
-  Message message;
-  message.json["token"] = result.token;
-  message.json["error"] = result.error;
-  message.json["wall_time_s"] = result.wall_time_s;
-  message.json["is_out_of_memory"] = result.is_out_of_memory;
-  message.json["world_digest"] = result.world_digest;
-  if (result.map) message.json["map"] = map_to_json(*result.map);
+  Message message{.json = spec_to_json(result), .bytes = {}};
   if (result.trial) {
-    message.json["trial"] = trial_to_json(*result.trial);
-    json metrics = json::array();
-    for (const double value : result.metrics) metrics.push_back(number_to_json(value));
-    message.json["metrics"] = metrics;
+    message.json["trial"] = trial_json(*result.trial);
     message.bytes = sample_bytes(result.trial->samples);
   }
   if (result.reported) {
@@ -272,7 +211,6 @@ std::optional<JobResult> result_from(const Message& message, const Job& job) {
     JobResult result = parsed(message);
     if (answers(result, job)) return result;
   } catch (const nlohmann::json::exception&) {  // a part is missing or of another type
-  } catch (const std::bad_optional_access&) {   // no outcome of ours
   } catch (const InputError&) {                 // samples or calls that can't be read
   }
   return std::nullopt;

@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <limits>
 #include <string>
 
 namespace avoidbench {
@@ -115,22 +113,6 @@ std::optional<Message> MessageInbox::take() {
   Header header;
   std::memcpy(&header, bytes_.data(), sizeof header);
   return message_of(header, std::span(bytes_).subspan(sizeof header));
-}
-
-/// JSON has neither NaN nor infinity, and null would not say which.
-nlohmann::json number_to_json(double value) {
-  if (std::isnan(value)) return "nan";
-  if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
-  return value;
-}
-
-double number_from_json(const nlohmann::json& json) {
-  if (json.is_number()) return json.get<double>();
-  const std::string text = json.get<std::string>();
-  if (text == "inf") return std::numeric_limits<double>::infinity();
-  if (text == "-inf") return -std::numeric_limits<double>::infinity();
-  if (text == "nan") return std::numeric_limits<double>::quiet_NaN();
-  throw nlohmann::json::type_error::create(302, "no number: " + text, &json);
 }
 
 }  // namespace avoidbench

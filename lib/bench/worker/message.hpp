@@ -44,8 +44,4 @@ class MessageInbox {
   std::size_t most_bytes_ = 0;
 };
 
-/// A double as JSON that reads back to the same bits; JSON itself has no NaN and no infinity.
-nlohmann::json number_to_json(double value);
-double number_from_json(const nlohmann::json& json);
-
 }  // namespace avoidbench

@@ -34,42 +34,42 @@ struct Answer {
 // Between child and parent only: no person reads these names, so they have no docs.
 template <class Visitor, ConstOr<ParameterDef> Spec>
 void visit(Visitor& v, Spec& p) {
-  v.field("name", p.name, "");
-  v.field("unit", p.unit, "");
-  v.field("doc", p.doc, "");
-  v.field("kind", p.kind, "");
-  v.field("lowest", p.lowest, "");
-  v.field("highest", p.highest, "");
-  v.field("preset", p.preset, "");
-  v.field("choices", p.choices, "");
-  v.field("preset_text", p.preset_text, "");
+  v.field("name", p.name);
+  v.field("unit", p.unit);
+  v.field("doc", p.doc);
+  v.field("kind", p.kind);
+  v.field("lowest", p.lowest);
+  v.field("highest", p.highest);
+  v.field("preset", p.preset);
+  v.field("choices", p.choices);
+  v.field("preset_text", p.preset_text);
 }
 
 template <class Visitor, ConstOr<ProfileDef::Number> Spec>
 void visit(Visitor& v, Spec& p) {
-  v.field("name", p.name, "");
-  v.field("number", p.number, "");
+  v.field("name", p.name);
+  v.field("number", p.number);
 }
 
 template <class Visitor, ConstOr<ProfileDef> Spec>
 void visit(Visitor& v, Spec& p) {
-  v.field("choice", p.choice, "");
-  v.field("word", p.word, "");
-  v.field("numbers", p.numbers, "");
+  v.field("choice", p.choice);
+  v.field("word", p.word);
+  v.field("numbers", p.numbers);
 }
 
 template <class Visitor, ConstOr<PlannerDescription> Spec>
 void visit(Visitor& v, Spec& p) {
-  v.field("name", p.name, "");
-  v.field("version", p.version, "");
-  v.field("summary", p.summary, "");
-  v.field("needs", p.needs, "");
-  v.field("commands", p.commands, "");
-  v.field("parameters", p.parameters, "");
-  v.field("profiles", p.profiles, "");
-  v.field("least_fov_x_rad", p.least_fov_x_rad, "");
-  v.field("least_fov_y_rad", p.least_fov_y_rad, "");
-  v.field("file_names", p.file_names, "");
+  v.field("name", p.name);
+  v.field("version", p.version);
+  v.field("summary", p.summary);
+  v.field("needs", p.needs);
+  v.field("commands", p.commands);
+  v.field("parameters", p.parameters);
+  v.field("profiles", p.profiles);
+  v.field("least_fov_x_rad", p.least_fov_x_rad);
+  v.field("least_fov_y_rad", p.least_fov_y_rad);
+  v.field("file_names", p.file_names);
 }
 
 namespace {

@@ -10,9 +10,21 @@
 #include <utility>
 
 #include "base/input_error.hpp"
+#include "base/spec_json.hpp"
 #include "page/flight_page.hpp"
 
 namespace avoidbench {
+
+template <class Visitor, ConstOr<RecordingWanted> W>
+void visit(Visitor& v, W& w) {
+  v.field("has_calls", w.has_calls);
+  v.field("has_moments", w.has_moments);
+  v.field("has_page", w.has_page);
+  v.field("at_s", w.at_s);
+  v.field("every_s", w.every_s);
+  v.field("most_calls", w.most_calls);
+}
+
 namespace {
 
 /// More lines of a log than these, by their bytes, are left out.
@@ -99,6 +111,11 @@ class Reader {
   std::span<const std::byte> bytes_;
 };
 
+template <class Io, class... Parts>
+void all(Io& io, Parts&... parts) {
+  (io(parts), ...);
+}
+
 /// An enum whose last value is `last`.
 template <class Enum>
 void transfer_enum(Writer& writer, Enum value, Enum) {
@@ -136,66 +153,47 @@ void check(const Reader&, const SeenImage& image) {
   Reader::require(is_depth || is_light);
 }
 
-template <class Io, class T>
-requires std::is_same_v<std::remove_const_t<T>, Eigen::Vector3d>
-void transfer(Io& io, T& place) { io(place); }
-
-template <class Io, class T>
-requires std::is_same_v<std::remove_const_t<T>, LogLine>
-void transfer(Io& io, T& line) {
-  io(line.time_s);
-  io(line.text);
+template <class Io, ConstOr<Eigen::Vector3d> T>
+void transfer(Io& io, T& place) {
+  io(place);
 }
 
-template <class Io, class T>
-requires std::is_same_v<std::remove_const_t<T>, CommandLine>
+template <class Io, ConstOr<LogLine> T>
+void transfer(Io& io, T& line) {
+  all(io, line.time_s, line.text);
+}
+
+template <class Io, ConstOr<CommandLine> T>
 void transfer(Io& io, T& call) {
-  io(call.time_s);
-  io(call.effect_s);
-  io(call.cpu_time_s);
+  all(io, call.time_s, call.effect_s, call.cpu_time_s);
   transfer_enum(io, call.status, PlanStatus::error);
   transfer_command(io, call.command);
   io(call.points);
 }
 
-template <class Io, class T>
-requires std::is_same_v<std::remove_const_t<T>, Drawing>
+template <class Io, ConstOr<Drawing> T>
 void transfer(Io& io, T& drawing) {
   transfer_enum(io, drawing.kind, DrawingKind::text);
-  io(drawing.color_rgb);
-  io(drawing.label);
-  io(drawing.size_px);
-  io(drawing.points_world);
+  all(io, drawing.color_rgb, drawing.label, drawing.size_px, drawing.points_world);
 }
 
-template <class Io, class T>
-requires std::is_same_v<std::remove_const_t<T>, SeenImage>
+template <class Io, ConstOr<SeenImage> T>
 void transfer(Io& io, T& image) {
-  io(image.time_s);
-  io(image.width_px);
-  io(image.height_px);
-  io(image.depth_m);
-  io(image.bytes);
+  all(io, image.time_s, image.width_px, image.height_px, image.depth_m, image.bytes);
   check(io, image);
 }
 
 /// Of what the vehicle believed, the place and attitude: more is not drawn.
-template <class Io, class T>
-requires std::is_same_v<std::remove_const_t<T>, Moment>
+template <class Io, ConstOr<Moment> T>
 void transfer(Io& io, T& moment) {
-  io(moment.time_s);
-  io(moment.call_s);
-  io(moment.believed.position_world);
-  io(moment.believed.velocity_world);
-  io(moment.believed.rates_body);
-  for (int i = 0; i < 4; ++i) io(moment.believed.q_world_body.coeffs()[i]);
+  auto& believed = moment.believed;
+  all(io, moment.time_s, moment.call_s, believed.position_world, believed.velocity_world,
+      believed.rates_body);
+  for (int i = 0; i < 4; ++i) io(believed.q_world_body.coeffs()[i]);
   transfer_enum(io, moment.result.status, PlanStatus::error);
   io(moment.result.reason);
   transfer_command(io, moment.result.command);
-  io(moment.result.points);
-  io(moment.result.cpu_time_s);
-  io(moment.drawings);
-  io(moment.images);
+  all(io, moment.result.points, moment.result.cpu_time_s, moment.drawings, moment.images);
 }
 
 /// The recorders of one flight.
@@ -240,23 +238,19 @@ struct Recorders {
 }  // namespace
 
 Lookout recording_lookout(const Job& job, const World&) {
-  const nlohmann::json& wanted = job.lookout->wanted.json;
+  const auto wanted = spec_from_json<RecordingWanted>(job.lookout->wanted.json, true);
   const auto recorders = std::make_shared<Recorders>();
-  recorders->has_calls = wanted.at("calls");
-  if (wanted.at("moments").get<bool>()) {
-    recorders->moments.emplace(wanted.at("at_s").get<std::vector<double>>(),
-                               wanted.at("every_s").get<double>(), job.spec);
-  }
-  if (wanted.at("page").get<bool>()) recorders->seen.emplace(job.spec);
-  std::optional<std::size_t> most_calls;
-  if (wanted.contains("most_calls")) most_calls = wanted.at("most_calls").get<std::size_t>();
+  recorders->has_calls = wanted.has_calls;
+  if (wanted.has_moments) recorders->moments.emplace(wanted.at_s, wanted.every_s, job.spec);
+  if (wanted.has_page) recorders->seen.emplace(job.spec);
   Lookout lookout;
   lookout.wants_drawings = true;
   lookout.logged = [recorders](const std::vector<std::string>& lines) {
     for (const std::string& line : lines) recorders->add_line(std::nan(""), line);
   };
   lookout.observer.planned = [recorders](const PlanStep& step) { recorders->planned(step); };
-  lookout.observer.planning = [recorders, most_calls](const PlanCallAhead& call) {
+  lookout.observer.planning = [recorders,
+                               most_calls = wanted.most_calls](const PlanCallAhead& call) {
     if (!most_calls || recorders->call_count < *most_calls) return true;
     if (recorders->moments) recorders->moments->planning(call);
     return false;
@@ -265,19 +259,9 @@ Lookout recording_lookout(const Job& job, const World&) {
   return lookout;
 }
 
-LookoutJob recording_job(const RecordingWanted& wanted, const TrialSpec& spec) {
-  LookoutJob job{.kind = kRecordingLookout, .wanted = {}, .most_bytes = 0, .has_flight = true};
-  nlohmann::json& json = job.wanted.json;
-  json = {{"calls", wanted.has_calls},
-          {"moments", wanted.has_moments},
-          {"page", wanted.has_page},
-          {"at_s", nlohmann::json::array()},
-          {"every_s", wanted.every_s}};
-  // No time is NaN in JSON: of a flight without an end the end is shown.
-  for (const double at_s : wanted.at_s) {
-    if (std::isfinite(at_s)) json["at_s"].push_back(at_s);
-  }
-  if (wanted.most_calls) json["most_calls"] = *wanted.most_calls;
+LookoutJob recording_job(RecordingWanted wanted, const TrialSpec& spec) {
+  // Of a flight without an end the end is shown.
+  std::erase_if(wanted.at_s, [](double at_s) { return !std::isfinite(at_s); });
   // Memory is taken for what comes, not for this.
   constexpr double kRest = 256.0 * 1024 * 1024;    // log, calls, what a page shows
   constexpr double kDrawings = 8.0 * 1024 * 1024;  // of one call: kMostDrawnPoints
@@ -293,8 +277,10 @@ LookoutJob recording_job(const RecordingWanted& wanted, const TrialSpec& spec) {
     const double moments = std::min(kMostMoments, static_cast<double>(wanted.at_s.size()) + spaced);
     bytes += moments * (kDrawings + kPixelBytes * pixels);
   }
-  job.most_bytes = static_cast<std::size_t>(bytes);
-  return job;
+  return {.kind = kRecordingLookout,
+          .wanted = {.json = spec_to_json(wanted), .bytes = {}},
+          .most_bytes = static_cast<std::size_t>(bytes),
+          .has_flight = true};
 }
 
 FlightRecording recording_from(const Message& reported) {

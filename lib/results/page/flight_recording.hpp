@@ -42,7 +42,7 @@ inline constexpr const char* kRecordingLookout = "recording";
 Lookout recording_lookout(const Job& job, const World& world);
 
 /// To be set as Job::lookout of a flight by this spec.
-LookoutJob recording_job(const RecordingWanted& wanted, const TrialSpec& spec);
+LookoutJob recording_job(RecordingWanted wanted, const TrialSpec& spec);
 
 /// The recording that a worker reports. Its planner shares the worker's memory: throws InputError
 /// where what came makes no sense.
