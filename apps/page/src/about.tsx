@@ -1,59 +1,38 @@
 // What the page is of: commands, versions, digests, dates.
-import type { JSX } from "preact";
+import type { ComponentChildren, JSX } from "preact";
 import type { PageData, Sweep } from "./data";
+import { ScrollTable } from "./figure";
 
 export function About({ page, sweep }: { page: PageData; sweep: Sweep | null }): JSX.Element {
   const words = (value: unknown): string => (typeof value === "string" ? value : JSON.stringify(value));
+  const code = (text?: string): ComponentChildren => text && <code>{text}</code>;
+  const facts: [string, ComponentChildren][] = [
+    ["page written by", `avoidbench ${page.program.version}, git ${page.program.git}, ${page.program.compiler}`],
+    ["command", code(page.command)],
+    ["map’s SHA-256", code(page.digest ?? page.world_digest)],
+    ["planner’s SHA-256", code(page.planner_digest)],
+    ["trials", sweep?.conditions.length ? `those with ${sweep.conditions.join(" and ")}` : null],
+    [
+      "flights",
+      page.flights_left_out ? (
+        <>
+          {page.flights.length} are in this page, {page.flights_left_out} had no room (<code>--page-size</code>)
+        </>
+      ) : null,
+    ],
+  ];
   return (
     <section class="about" aria-label="About this page">
       <h2>Where this comes from</h2>
       <dl>
-        <dt>page written by</dt>
-        <dd>
-          avoidbench {page.program.version}, git {page.program.git}, {page.program.compiler}
-        </dd>
-        <dt>command</dt>
-        <dd>
-          <code>{page.command}</code>
-        </dd>
-        {page.digest ? (
-          <>
-            <dt>map’s SHA-256</dt>
-            <dd>
-              <code>{page.digest}</code>
-            </dd>
-          </>
-        ) : null}
-        {page.world_digest ? (
-          <>
-            <dt>map’s SHA-256</dt>
-            <dd>
-              <code>{page.world_digest}</code>
-            </dd>
-          </>
-        ) : null}
-        {page.planner_digest ? (
-          <>
-            <dt>planner’s SHA-256</dt>
-            <dd>
-              <code>{page.planner_digest}</code>
-            </dd>
-          </>
-        ) : null}
-        {sweep?.conditions.length ? (
-          <>
-            <dt>trials</dt>
-            <dd>those with {sweep.conditions.join(" and ")}</dd>
-          </>
-        ) : null}
-        {page.flights_left_out ? (
-          <>
-            <dt>flights</dt>
-            <dd>
-              {page.flights.length} are in this page, {page.flights_left_out} had no room (<code>--page-size</code>)
-            </dd>
-          </>
-        ) : null}
+        {facts
+          .filter(([, what]) => what)
+          .map(([name, what]) => (
+            <>
+              <dt>{name}</dt>
+              <dd>{what}</dd>
+            </>
+          ))}
       </dl>
       {page.scene_warnings.length ? (
         <>
@@ -78,64 +57,40 @@ export function About({ page, sweep }: { page: PageData; sweep: Sweep | null }):
             ))}
           </ul>
           <h3>Planners</h3>
-          <div class="scroll" tabIndex={0} role="region" aria-label="Planners">
-            <table>
-              <thead>
-                <tr>
-                  <th scope="col">label</th>
-                  <th scope="col">name</th>
-                  <th scope="col">version</th>
-                  <th scope="col">SHA-256 of its file</th>
-                  <th scope="col">parameters</th>
-                </tr>
-              </thead>
-              <tbody>
-                {sweep.planners.map((p) => (
-                  <tr>
-                    <td>{p.label}</td>
-                    <td>
-                      {p.name}
-                      {p.is_privileged ? " (sees the world itself)" : ""}
-                    </td>
-                    <td>{p.version}</td>
-                    <td>
-                      <code title={p.digest}>{p.digest.slice(0, 16)}…</code>
-                    </td>
-                    <td class="wrap">
-                      {p.parameters && typeof p.parameters === "object"
-                        ? Object.entries(p.parameters)
-                            .map(([k, v]) => `${k} ${words(v)}`)
-                            .join(", ")
-                        : "–"}
-                    </td>
-                  </tr>
-                ))}
-              </tbody>
-            </table>
-          </div>
+          <ScrollTable label="Planners" head={["label", "name", "version", "SHA-256 of its file", "parameters"]}>
+            {sweep.planners.map((p) => (
+              <tr>
+                <td>{p.label}</td>
+                <td>
+                  {p.name}
+                  {p.is_privileged ? " (sees the world itself)" : ""}
+                </td>
+                <td>{p.version}</td>
+                <td>
+                  <code title={p.digest}>{p.digest.slice(0, 16)}…</code>
+                </td>
+                <td class="wrap">
+                  {p.parameters && typeof p.parameters === "object"
+                    ? Object.entries(p.parameters)
+                        .map(([k, v]) => `${k} ${words(v)}`)
+                        .join(", ")
+                    : "–"}
+                </td>
+              </tr>
+            ))}
+          </ScrollTable>
           <h3>Maps</h3>
-          <div class="scroll" tabIndex={0} role="region" aria-label="Maps">
-            <table>
-              <thead>
-                <tr>
-                  <th scope="col">map</th>
-                  <th scope="col">traversability</th>
-                  <th scope="col">SHA-256</th>
-                </tr>
-              </thead>
-              <tbody>
-                {sweep.maps.slice(0, 500).map((m) => (
-                  <tr>
-                    <td>{m.text}</td>
-                    <td class="number">{m.traversability?.toPrecision(4) ?? "–"}</td>
-                    <td>
-                      <code title={m.digest}>{m.digest.slice(0, 16)}…</code>
-                    </td>
-                  </tr>
-                ))}
-              </tbody>
-            </table>
-          </div>
+          <ScrollTable label="Maps" head={["map", "traversability", "SHA-256"]}>
+            {sweep.maps.slice(0, 500).map((m) => (
+              <tr>
+                <td>{m.text}</td>
+                <td class="number">{m.traversability?.toPrecision(4) ?? "–"}</td>
+                <td>
+                  <code title={m.digest}>{m.digest.slice(0, 16)}…</code>
+                </td>
+              </tr>
+            ))}
+          </ScrollTable>
         </>
       ) : null}
       <p class="note">

@@ -1,80 +1,11 @@
-// Charts as SVG, each with its numbers as a table.
+// Charts as SVG.
 import type { ComponentChildren, JSX } from "preact";
-import { useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
+import { useLayoutEffect, useMemo, useRef, useState } from "preact/hooks";
 import { digits } from "./data";
 import { ticks } from "./stats";
 
-export interface NumberTable {
-  head: string[];
-  rows: (string | number | null)[][];
-}
-
-/** A number with all its digits for whoever asks, and a few to see. */
-function NumberCell({ value }: { value: string | number | null }): JSX.Element {
-  if (typeof value === "string") return <td>{value}</td>;
-  const has = value !== null && !Number.isNaN(value);
-  return (
-    <td class="number" data-value={has ? String(value) : ""}>
-      {Number.isInteger(value) ? String(value) : digits(value, 4)}
-    </td>
-  );
-}
-
-/** `hidden`: there, but not shown, which costs less than to make it anew. */
-export function Figure(props: {
-  title: string;
-  note?: string;
-  name: string;
-  numbers: NumberTable;
-  wide?: boolean;
-  hidden?: boolean;
-  children: ComponentChildren;
-}): JSX.Element {
-  // Thousands of cells are made when someone looks.
-  const [open, setOpen] = useState(false);
-  useEffect(() => {
-    const show = (): void => setOpen(true);
-    window.addEventListener("beforeprint", show);
-    return () => window.removeEventListener("beforeprint", show);
-  }, []);
-  return (
-    <figure class={props.wide ? "wide" : ""} data-figure={props.name} hidden={props.hidden}>
-      <figcaption>
-        <h3>{props.title}</h3>
-        {props.note ? <p class="note">{props.note}</p> : null}
-      </figcaption>
-      {props.children}
-      <details open={open} onToggle={(e) => setOpen((e.currentTarget as HTMLDetailsElement).open)}>
-        <summary>Numbers</summary>
-        {open ? (
-          <div class="scroll" tabIndex={0} role="region" aria-label={`Numbers of ${props.title}`}>
-            <table>
-              <thead>
-                <tr>
-                  {props.numbers.head.map((h) => (
-                    <th scope="col">{h}</th>
-                  ))}
-                </tr>
-              </thead>
-              <tbody>
-                {props.numbers.rows.map((row) => (
-                  <tr>
-                    {row.map((c) => (
-                      <NumberCell value={c} />
-                    ))}
-                  </tr>
-                ))}
-              </tbody>
-            </table>
-          </div>
-        ) : null}
-      </details>
-    </figure>
-  );
-}
-
 /** The width that a chart may take, px. */
-export function useWidth(): [{ current: HTMLDivElement | null }, number] {
+function useWidth(): [{ current: HTMLDivElement | null }, number] {
   const ref = useRef<HTMLDivElement>(null);
   const [width, setWidth] = useState(0);
   useLayoutEffect(() => {
@@ -95,7 +26,7 @@ interface Tip {
 }
 
 /** An SVG as wide as its place; `draw` gets its width and what shows a value beside the pointer. */
-export function Chart(props: {
+function Chart(props: {
   height: number;
   label: string;
   draw: (width: number, tip: (text: string) => object) => ComponentChildren;
@@ -133,59 +64,68 @@ export function Chart(props: {
   );
 }
 
-export interface Scale {
+interface Scale {
+  /** Pixels; those of the nearer end for values outside. */
   (value: number): number;
-  low: number;
-  high: number;
+  ticks: (count: number) => number[];
 }
-export function scaleOf(low: number, high: number, from: number, to: number): Scale {
+function scaleOf(low: number, high: number, from: number, to: number): Scale {
   const span = high > low ? high - low : 1;
-  return Object.assign((v: number) => from + ((v - low) / span) * (to - from), { low, high });
+  return Object.assign((v: number) => from + Math.min(Math.max((v - low) / span, 0), 1) * (to - from), {
+    ticks: (count: number) => ticks(low, high, count),
+  });
+}
+/** The same over the values' logarithms. */
+function logScaleOf(low: number, high: number, from: number, to: number): Scale {
+  const scale = scaleOf(Math.log10(low), Math.log10(high), from, to);
+  const marks = [0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 1, 3, 10, 30, 100];
+  return Object.assign((v: number) => scale(Math.log10(v)), {
+    ticks: () => marks.filter((v) => v >= low && v <= high),
+  });
 }
 
-/** Vertical grid lines with numbers below. */
-export function XAxis(props: {
+const axisText = (v: number, percent?: boolean): string => (percent ? `${Math.round(100 * v)} %` : shortNumber(v));
+
+/** Vertical grid lines from `top` to `bottom` with numbers below. */
+function XAxis(props: {
   x: Scale;
+  left: number;
+  right: number;
   top: number;
   bottom: number;
-  count?: number;
   unit?: string;
   percent?: boolean;
+  one?: boolean;
 }): JSX.Element {
   const { x, top, bottom } = props;
+  const count = Math.floor((props.right - props.left) / 50);
   return (
     <g class="axis" aria-hidden="true">
-      {ticks(x.low, x.high, props.count ?? 5).map((v) => (
+      {x.ticks(Math.min(Math.max(count, 3), 7)).map((v) => (
         <>
-          <line x1={x(v)} x2={x(v)} y1={top} y2={bottom} class="grid" />
+          <line x1={x(v)} x2={x(v)} y1={top} y2={bottom} class={props.one && v === 1 ? "one" : "grid"} />
           <text x={x(v)} y={bottom + 14} text-anchor="middle">
-            {props.percent ? `${Math.round(100 * v)} %` : shortNumber(v)}
+            {axisText(v, props.percent)}
           </text>
         </>
       ))}
       {props.unit ? (
-        <text x={(x(x.low) + x(x.high)) / 2} y={bottom + 29} text-anchor="middle" class="unit">
+        <text x={(props.left + props.right) / 2} y={bottom + 29} text-anchor="middle" class="unit">
           {props.unit}
         </text>
       ) : null}
     </g>
   );
 }
-export function YAxis(props: {
-  y: Scale;
-  left: number;
-  right: number;
-  count?: number;
-  percent?: boolean;
-}): JSX.Element {
+function YAxis(props: { y: Scale; left: number; right: number; count: number; percent?: boolean }): JSX.Element {
   const { y, left, right } = props;
   return (
     <g class="axis" aria-hidden="true">
-      {ticks(y.low, y.high, props.count ?? 4).map((v) => (
+      {y.ticks(props.count).map((v) => (
         <>
           <line x1={left} x2={right} y1={y(v)} y2={y(v)} class="grid" />
           <text x={left - 6} y={y(v) + 4} text-anchor="end">
-            {props.percent ? `${Math.round(100 * v)} %` : shortNumber(v)}
+            {axisText(v, props.percent)}
           </text>
         </>
       ))}
@@ -196,19 +136,19 @@ const shortNumber = (v: number): string =>
   (Math.abs(v) >= 10000 ? `${Number((v / 1000).toPrecision(3))}k` : String(Number(v.toPrecision(6)))).replace("-", "−");
 
 /** Text that fits so many pixels, at about 6.6 each letter; the whole of it in a tooltip. */
-export function Fitting(props: { text: string; x: number; y: number; width: number; anchor?: string }): JSX.Element {
+function Fitting(props: { text: string; x: number; y: number; width: number }): JSX.Element {
   const most = Math.max(3, Math.floor(props.width / 6.6));
   const letters = [...props.text];
   const shown = letters.length > most ? `${letters.slice(0, most - 1).join("")}…` : props.text;
   return (
-    <text x={props.x} y={props.y} text-anchor={props.anchor ?? "start"} class="label">
+    <text x={props.x} y={props.y} class="label">
       {shown}
       {shown === props.text ? null : <title>{props.text}</title>}
     </text>
   );
 }
 
-/** `text` stands in place of the value; `note` in the row, where there is nothing to draw. */
+/** `text` stands in place of the value; `note` in the row, where there is nothing to draw. A NaN is not drawn; an interval that is infinite goes to the chart's end. */
 export interface Mark {
   label: string;
   color: string;
@@ -222,7 +162,7 @@ export interface Mark {
 }
 
 /** A small sign, another one for each planner: colour is not all that tells them apart. */
-export function Sign(props: { shape: number; x: number; y: number; size: number; color: string }): JSX.Element {
+function Sign(props: { shape: number; x: number; y: number; size: number; color: string }): JSX.Element {
   const { x, y, size: s, color } = props;
   const path = [
     `M${x - s},${y}a${s},${s} 0 1,0 ${2 * s},0a${s},${s} 0 1,0 ${-2 * s},0`,
@@ -235,64 +175,118 @@ export function Sign(props: { shape: number; x: number; y: number; size: number;
   return <path d={path} fill={color} class="sign" />;
 }
 
-/** Values with their intervals, a row each. */
-export function IntervalChart(props: {
-  marks: Mark[];
+/** The sign of a planner, or without one a square of an outcome's colour, beside its name. */
+export function Swatch(props: { shape?: number; color: string }): JSX.Element {
+  return (
+    <svg width="14" height="14" aria-hidden="true">
+      {props.shape === undefined ? (
+        <rect x={2} y={2} width={10} height={10} rx={2} fill={props.color} />
+      ) : (
+        <Sign shape={props.shape} x={7} y={7} size={4.5} color={props.color} />
+      )}
+    </svg>
+  );
+}
+
+interface Values {
   low: number;
   high: number;
   percent?: boolean;
   unit?: string;
+  log?: boolean;
+}
+
+const kRow = 34;
+
+/** A row each: its label, and beside it what `draw` makes about a middle line. */
+function RowChart<Row extends { label: string; tip?: string }>(props: {
+  rows: Row[];
   label: string;
+  /** Of the labels: at most so many px, and such a share of the width. */
+  labels: [number, number];
+  right: number;
+  values?: Values;
+  draw: (
+    row: Row,
+    y: number,
+    x: Scale,
+    left: number,
+    width: number,
+    tip: (text: string) => object,
+  ) => ComponentChildren;
 }): JSX.Element {
-  const row = 34;
-  const height = props.marks.length * row + (props.unit ? 40 : 26);
+  const { rows, values } = props;
+  const bottom = rows.length * kRow;
   return (
     <Chart
-      height={height}
+      height={bottom + (values ? (values.unit ? 40 : 26) : 4)}
       label={props.label}
       draw={(width, tip) => {
-        const left = Math.min(150, width * 0.33);
-        const x = scaleOf(props.low, props.high, left, width - 76);
+        const left = Math.min(props.labels[0], props.labels[1] * width);
+        const right = width - props.right;
+        const x = (values?.log ? logScaleOf : scaleOf)(values?.low ?? 0, values?.high ?? 1, left, right);
         return (
           <>
-            <XAxis
-              x={x}
-              top={4}
-              bottom={props.marks.length * row}
-              percent={props.percent}
-              unit={props.unit}
-              count={width < 420 ? 3 : 5}
-            />
-            {props.marks.map((m, i) => {
-              const y = i * row + row / 2;
-              const shown = Number.isFinite(m.value);
+            {values ? (
+              <XAxis
+                x={x}
+                left={left}
+                right={right}
+                top={2}
+                bottom={bottom}
+                percent={values.percent}
+                unit={values.unit}
+                one={values.log}
+              />
+            ) : null}
+            {rows.map((row, i) => {
+              const y = (i + 0.5) * kRow;
               return (
-                <g {...tip(m.tip)}>
-                  <rect x={0} y={i * row} width={width} height={row} class="hit" />
-                  <Fitting text={m.label} x={0} y={y + 4} width={left - 12} />
-                  {Number.isFinite(m.lower) ? (
-                    <line
-                      x1={x(m.lower)}
-                      x2={x(m.upper)}
-                      y1={y}
-                      y2={y}
-                      stroke={m.color}
-                      stroke-width={3}
-                      stroke-linecap="round"
-                      opacity={0.55}
-                    />
-                  ) : null}
-                  {shown ? <Sign shape={m.shape} x={x(m.value)} y={y} size={5.5} color={m.color} /> : null}
-                  {m.note ? <Fitting text={m.note} x={left} y={y + 4} width={width - left - 76} /> : null}
-                  <text x={width - 2} y={y + 4} text-anchor="end" class="value">
-                    {m.text ?? (props.percent ? `${digits(100 * m.value, 3)} %` : digits(m.value))}
-                  </text>
+                <g {...(row.tip ? tip(row.tip) : {})}>
+                  <rect x={0} y={i * kRow} width={width} height={kRow} class="hit" />
+                  <Fitting text={row.label} x={0} y={y + 4} width={left - 12} />
+                  {props.draw(row, y, x, left, width, tip)}
                 </g>
               );
             })}
           </>
         );
       }}
+    />
+  );
+}
+
+/** Values with their intervals, a row each. */
+export function IntervalChart(props: { marks: Mark[]; values: Values; label: string; labels?: number }): JSX.Element {
+  const { percent } = props.values;
+  return (
+    <RowChart
+      rows={props.marks}
+      values={props.values}
+      label={props.label}
+      labels={[props.labels ?? 150, 0.36]}
+      right={76}
+      draw={(m, y, x, left, width) => (
+        <>
+          {Number.isNaN(m.lower + m.upper) ? null : (
+            <line
+              x1={x(m.lower)}
+              x2={x(m.upper)}
+              y1={y}
+              y2={y}
+              stroke={m.color}
+              stroke-width={3}
+              stroke-linecap="round"
+              opacity={0.55}
+            />
+          )}
+          {Number.isFinite(m.value) ? <Sign shape={m.shape} x={x(m.value)} y={y} size={5.5} color={m.color} /> : null}
+          {m.note ? <Fitting text={m.note} x={left} y={y + 4} width={width - left - 76} /> : null}
+          <text x={width - 2} y={y + 4} text-anchor="end" class="value">
+            {m.text ?? (percent ? `${digits(100 * m.value, 3)} %` : digits(m.value))}
+          </text>
+        </>
+      )}
     />
   );
 }
@@ -304,21 +298,26 @@ export interface Line {
   shape: number;
   points: [number, number][];
   band?: [number, number, number][];
-  dots: { x: number; y: number; size: number; tip: string }[];
+  width?: number;
+  dots?: { x: number; y: number; size: number; tip: string }[];
 }
 
-/** Curves with the points that they are of, those of one place `spread` px apart, bands of [x, lower, upper] about them, and a level to compare with. */
+/** What lies left and right of a line chart's values, px. */
+const [kLeft, kRight] = [46, 12];
+
+/** Curves with the points that they are of, those of one place `spread` px apart, bands of [x, lower, upper] about them, a level to compare with, and shaded spans of x. */
 export function LineChart(props: {
   lines: Line[];
   x: [number, number];
   y: [number, number];
-  xUnit: string;
+  xUnit?: string;
   percent?: boolean;
   label: string;
   step?: boolean;
   height?: number;
   level?: number;
   spread?: number;
+  spans?: [number, number][];
 }): JSX.Element {
   const height = props.height ?? 280;
   return (
@@ -326,7 +325,7 @@ export function LineChart(props: {
       height={height}
       label={props.label}
       draw={(width, tip) => {
-        const [left, right, top, bottom] = [46, width - 12, 10, height - 40];
+        const [left, right, top, bottom] = [kLeft, width - kRight, 10, height - (props.xUnit ? 40 : 22)];
         const x = scaleOf(props.x[0], props.x[1], left, right);
         const y = scaleOf(props.y[0], props.y[1], bottom, top);
         const path = (points: [number, number][]): string =>
@@ -343,17 +342,13 @@ export function LineChart(props: {
           `${path(band.map(([px, , upper]) => [px, upper]))}${path(band.map(([px, lower]): [number, number] => [px, lower]).reverse()).replace("M", "L")}Z`;
         return (
           <>
-            <XAxis x={x} top={top} bottom={bottom} unit={props.xUnit} count={width < 420 ? 4 : 7} />
-            <YAxis y={y} left={left} right={right} percent={props.percent} count={5} />
+            {props.spans?.map(([from, to]) => (
+              <rect x={x(from)} width={Math.max(2, x(to) - x(from))} y={top} height={bottom - top} class="span" />
+            ))}
+            <XAxis x={x} left={left} right={right} top={top} bottom={bottom} unit={props.xUnit} />
+            <YAxis y={y} left={left} right={right} percent={props.percent} count={height < 200 ? 3 : 5} />
             {props.level === undefined ? null : (
-              <line
-                x1={left}
-                x2={right}
-                y1={y(props.level)}
-                y2={y(props.level)}
-                class="interval"
-                stroke-dasharray="4 4"
-              />
+              <line x1={left} x2={right} y1={y(props.level)} y2={y(props.level)} class="level" />
             )}
             {props.lines.map((line, k) => (
               <g>
@@ -363,12 +358,12 @@ export function LineChart(props: {
                     d={path(line.points)}
                     fill="none"
                     stroke={line.color}
-                    stroke-width={2.2}
+                    stroke-width={line.width ?? 2.2}
                     stroke-dasharray={line.dash}
                     {...tip(line.label)}
                   />
                 ) : null}
-                {line.dots.map((dot) => (
+                {line.dots?.map((dot) => (
                   <g {...tip(dot.tip)}>
                     <Sign
                       shape={line.shape}
@@ -388,6 +383,60 @@ export function LineChart(props: {
   );
 }
 
+/** Lines over the time of a flight, and one at the shown moment: a click or drag goes there. */
+export function TimeChart(props: {
+  title: string;
+  unit: string;
+  lines: Line[];
+  time: number;
+  end: number;
+  seek: (t: number) => void;
+  spans?: [number, number][];
+}): JSX.Element {
+  const { lines, end, spans } = props;
+  // Not drawn again while the flight plays.
+  const chart = useMemo(() => {
+    let [low, high] = [0, 0.1];
+    for (const line of lines)
+      for (const [, v] of line.points) {
+        low = Math.min(low, v);
+        high = Math.max(high, v);
+      }
+    return (
+      <LineChart
+        lines={lines}
+        x={[0, end]}
+        y={[low, 1.05 * high]}
+        height={112}
+        spans={spans}
+        label={`${props.title} over time`}
+      />
+    );
+  }, [lines, end, spans]);
+  const seek = (e: PointerEvent): void => {
+    const box = (e.currentTarget as Element).getBoundingClientRect();
+    props.seek(((e.clientX - box.left - kLeft) / (box.width - kLeft - kRight)) * end);
+  };
+  return (
+    <div class="plot">
+      <h3>
+        {props.title} <span class="unit">{props.unit}</span>
+      </h3>
+      <div
+        class="timed"
+        onPointerDown={(e) => {
+          e.currentTarget.setPointerCapture(e.pointerId);
+          seek(e);
+        }}
+        onPointerMove={(e) => (e.buttons & 1 ? seek(e) : undefined)}
+      >
+        {chart}
+        <div class="moment" style={{ left: `calc(${kLeft}px + (100% - ${kLeft + kRight}px) * ${props.time / end})` }} />
+      </div>
+    </div>
+  );
+}
+
 export interface Box {
   label: string;
   color: string;
@@ -399,64 +448,45 @@ export interface Box {
 }
 
 /** Distributions: 5 %, quartiles and 95 %, the mean, and single values where there are few. */
-export function BoxChart(props: { boxes: Box[]; low: number; high: number; unit: string; label: string }): JSX.Element {
-  const row = 36;
-  const height = props.boxes.length * row + 40;
+export function BoxChart(props: { boxes: Box[]; values: Values; label: string }): JSX.Element {
+  const { low, high } = props.values;
   return (
-    <Chart
-      height={height}
+    <RowChart
+      rows={props.boxes}
+      values={props.values}
       label={props.label}
-      draw={(width, tip) => {
-        const left = Math.min(130, width * 0.33);
-        const x = scaleOf(props.low, props.high, left, width - 14);
-        const inside = (v: number): number => x(Math.min(Math.max(v, props.low), props.high));
+      labels={[130, 0.33]}
+      right={14}
+      draw={(b, y, x, left) => {
+        if (!b.sorted.length)
+          return (
+            <text x={left + 4} y={y + 4} class="unit">
+              no values
+            </text>
+          );
+        const [p5, q1, q2, q3, p95] = b.five.map(x);
         return (
           <>
-            <XAxis x={x} top={2} bottom={props.boxes.length * row} unit={props.unit} count={4} />
-            {props.boxes.map((b, i) => {
-              const y = i * row + row / 2;
-              const [p5, q1, q2, q3, p95] = b.five;
-              return (
-                <g {...tip(b.tip)}>
-                  <rect x={0} y={i * row} width={width} height={row} class="hit" />
-                  <Fitting text={b.label} x={0} y={y + 4} width={left - 12} />
-                  {b.sorted.length ? (
-                    <>
-                      {b.sorted.length <= 160
-                        ? [...b.sorted].map((v, k) =>
-                            v >= props.low && v <= props.high ? (
-                              <circle
-                                cx={x(v)}
-                                cy={y + 9 * Math.sin(k * 2.399)}
-                                r={1.6}
-                                fill={b.color}
-                                opacity={0.45}
-                              />
-                            ) : null,
-                          )
-                        : null}
-                      <line x1={inside(p5)} x2={inside(p95)} y1={y} y2={y} stroke={b.color} stroke-width={1.5} />
-                      <rect
-                        x={inside(q1)}
-                        width={Math.max(1, inside(q3) - inside(q1))}
-                        y={y - 8}
-                        height={16}
-                        fill={b.color}
-                        opacity={0.3}
-                        stroke={b.color}
-                        rx={2}
-                      />
-                      <line x1={inside(q2)} x2={inside(q2)} y1={y - 8} y2={y + 8} stroke={b.color} stroke-width={2.5} />
-                      <Sign shape={b.shape} x={inside(b.mean)} y={y} size={4} color={b.color} />
-                    </>
-                  ) : (
-                    <text x={left + 4} y={y + 4} class="unit">
-                      no values
-                    </text>
-                  )}
-                </g>
-              );
-            })}
+            {b.sorted.length <= 160
+              ? [...b.sorted].map((v, k) =>
+                  v >= low && v <= high ? (
+                    <circle cx={x(v)} cy={y + 9 * Math.sin(k * 2.399)} r={1.6} fill={b.color} opacity={0.45} />
+                  ) : null,
+                )
+              : null}
+            <line x1={p5} x2={p95} y1={y} y2={y} stroke={b.color} stroke-width={1.5} />
+            <rect
+              x={q1}
+              width={Math.max(1, q3 - q1)}
+              y={y - 8}
+              height={16}
+              fill={b.color}
+              opacity={0.3}
+              stroke={b.color}
+              rx={2}
+            />
+            <line x1={q2} x2={q2} y1={y - 8} y2={y + 8} stroke={b.color} stroke-width={2.5} />
+            <Sign shape={b.shape} x={x(b.mean)} y={y} size={4} color={b.color} />
           </>
         );
       }}
@@ -467,58 +497,45 @@ export function BoxChart(props: { boxes: Box[]; low: number; high: number; unit:
 export interface Bar {
   label: string;
   parts: { name: string; color: string; count: number }[];
-  onClick?: () => void;
 }
 
 /** Counts as stacked bars, a row each; `share`: all bars equally long. */
 export function BarChart(props: { bars: Bar[]; label: string; share?: boolean }): JSX.Element {
-  const row = 32;
-  const sums = props.bars.map((b) => b.parts.reduce((sum, p) => sum + p.count, 0));
-  const most = Math.max(1, ...sums);
+  const sumOf = (bar: Bar): number => bar.parts.reduce((sum, p) => sum + p.count, 0);
+  const most = Math.max(1, ...props.bars.map(sumOf));
   return (
-    <Chart
-      height={props.bars.length * row + 4}
+    <RowChart
+      rows={props.bars}
       label={props.label}
-      draw={(width, tip) => {
-        const left = props.share ? Math.min(150, width * 0.33) : Math.min(320, width * 0.5);
-        return props.bars.map((bar, i) => {
-          const full = width - left - 46;
-          let at = left;
-          return (
-            <g>
-              <Fitting text={bar.label} x={0} y={i * row + 20} width={left - 10} />
-              {bar.parts
-                .filter((p) => p.count > 0)
-                .map((p) => {
-                  const length = (full * p.count) / (props.share ? sums[i] || 1 : most);
-                  const from = at;
-                  at += length;
-                  return (
-                    <g
-                      {...tip(`${bar.label}: ${p.count} ${p.name} (${digits((100 * p.count) / (sums[i] || 1), 3)} %)`)}
-                    >
-                      <rect
-                        x={from}
-                        y={i * row + 5}
-                        width={Math.max(length - 1, 0.5)}
-                        height={row - 10}
-                        fill={p.color}
-                        rx={2}
-                      />
-                      {length > 24 ? (
-                        <text x={from + length / 2} y={i * row + 20} text-anchor="middle" class="onbar">
-                          {p.count}
-                        </text>
-                      ) : null}
-                    </g>
-                  );
-                })}
-              <text x={width - 2} y={i * row + 20} text-anchor="end" class="value">
-                {sums[i]}
-              </text>
-            </g>
-          );
-        });
+      labels={props.share ? [150, 0.33] : [320, 0.5]}
+      right={46}
+      draw={(bar, y, x, _, width, tip) => {
+        const sum = sumOf(bar);
+        let before = 0;
+        return (
+          <>
+            {bar.parts
+              .filter((p) => p.count > 0)
+              .map((p) => {
+                const from = x(before / (props.share ? sum : most));
+                before += p.count;
+                const length = x(before / (props.share ? sum : most)) - from;
+                return (
+                  <g {...tip(`${bar.label}: ${p.count} ${p.name} (${digits((100 * p.count) / sum, 3)} %)`)}>
+                    <rect x={from} y={y - 11} width={Math.max(length - 1, 0.5)} height={22} fill={p.color} rx={2} />
+                    {length > 24 ? (
+                      <text x={from + length / 2} y={y + 4} text-anchor="middle" class="onbar">
+                        {p.count}
+                      </text>
+                    ) : null}
+                  </g>
+                );
+              })}
+            <text x={width - 2} y={y + 4} text-anchor="end" class="value">
+              {sum}
+            </text>
+          </>
+        );
       }}
     />
   );
@@ -531,24 +548,22 @@ export function Legend(props: {
     <ul class="legend">
       {props.items.map((item) => (
         <li>
-          <svg width="22" height="14" aria-hidden="true">
-            {item.shape === undefined ? (
-              <rect x={3} y={1} width={15} height={12} rx={2} fill={item.color} />
-            ) : (
-              <>
-                <line
-                  x1={0}
-                  x2={22}
-                  y1={7}
-                  y2={7}
-                  stroke={item.color}
-                  stroke-width={2}
-                  stroke-dasharray={item.dash ?? ""}
-                />
-                <Sign shape={item.shape} x={11} y={7} size={4.5} color={item.color} />
-              </>
-            )}
-          </svg>
+          {item.shape === undefined ? (
+            <Swatch color={item.color} />
+          ) : (
+            <svg width="22" height="14" aria-hidden="true">
+              <line
+                x1={0}
+                x2={22}
+                y1={7}
+                y2={7}
+                stroke={item.color}
+                stroke-width={2}
+                stroke-dasharray={item.dash ?? ""}
+              />
+              <Sign shape={item.shape} x={11} y={7} size={4.5} color={item.color} />
+            </svg>
+          )}
           {item.label}
         </li>
       ))}

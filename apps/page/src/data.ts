@@ -40,7 +40,6 @@ interface PackedTrials {
   id: string;
   key: string;
   end_s: string;
-  reference_m: string;
   reason: Dictionary;
   cause?: Dictionary;
   metrics: string[];
@@ -56,8 +55,6 @@ export interface Planner {
 }
 export interface MapEntry {
   text: string;
-  generator: string;
-  seed: string;
   traversability: number | null;
   digest: string;
 }
@@ -65,7 +62,6 @@ export interface Curve {
   planner: number;
   intercept: number | null;
   slope: number | null;
-  is_separated: boolean;
 }
 export interface Run {
   date: string;
@@ -101,9 +97,7 @@ export interface SweepData {
 }
 export interface Touch {
   t: number;
-  speed: number;
   obstacle: number;
-  kind: string;
 }
 export interface FlightHead {
   id: number;
@@ -143,9 +137,12 @@ export interface MeshData {
   triangles: number;
   data: string;
 }
-export interface CameraData {
+export interface PoseData {
   position: Vector;
   q: [number, number, number, number];
+}
+export interface CameraData {
+  pose: PoseData;
   fov_x_deg: number;
   width: number;
   height: number;
@@ -165,7 +162,7 @@ export interface SeenImage {
   skip: number;
   channels: number;
   data: string;
-  pose: { position: Vector; q: [number, number, number, number] };
+  pose: PoseData;
 }
 export interface DrawingData {
   kind: "points" | "line" | "segments" | "text";
@@ -219,7 +216,6 @@ export interface Trials {
   id: Float64Array;
   key: string[];
   end_s: Float32Array;
-  reference_m: Float32Array;
   reason: Words;
   cause: Words | null;
   metrics: Float32Array[];
@@ -265,7 +261,6 @@ export function readSweep(page: PageData, index: number): Sweep {
     id: deltasOf(p.id, n),
     key,
     end_s: floatsOf(p.end_s, n),
-    reference_m: floatsOf(p.reference_m, n),
     reason: words(p.reason),
     cause: p.cause ? words(p.cause) : null,
     metrics: p.metrics.map((m) => floatsOf(m, n)),
@@ -292,6 +287,20 @@ export const plannerColor = (i: number): string => (isDark ? kBrightColors : kPl
 const kOutcomeColors = ["#0b8f6f", "#d55e00", "#c979af", "#e69f00", "#a5a138", "#56b4e9", "#555555", "#999999"];
 export const outcomeColor = (i: number): string => kOutcomeColors[i % kOutcomeColors.length];
 
+/** How a planner is drawn, and its name. */
+export interface Look {
+  label: string;
+  color: string;
+  shape: number;
+  dash: string;
+}
+export const lookOf = (planner: number, label: string): Look => ({
+  label,
+  color: plannerColor(planner),
+  shape: planner,
+  dash: kDashes[planner % kDashes.length],
+});
+
 /** So many significant digits, without an exponent for usual sizes. */
 export function digits(value: number | null | undefined, count = 3): string {
   if (value === null || value === undefined || Number.isNaN(value)) return "–";
@@ -314,3 +323,4 @@ export function metricWords(name: string): string {
 /** "3.5 m/s" */
 export const limitValue = (rule: LimitRule, value: Cell): string =>
   `${typeof value === "number" ? digits(value, 4) : String(value)}${rule.unit ? ` ${rule.unit}` : ""}`;
+export const percent = (v: number): string => `${digits(100 * v, 3)} %`;

@@ -4,9 +4,19 @@ import type { ComponentChildren, JSX } from "preact";
 import { Component, render } from "preact";
 import { useEffect, useMemo, useState } from "preact/hooks";
 import { About } from "./about";
-import { Sign } from "./charts";
+import { Swatch } from "./charts";
 import type { FlightData, PageData, Sweep } from "./data";
-import { digits, limitValue, outcomeColor, outcomeText, plannerColor, readPage, readSweep, setDark } from "./data";
+import {
+  digits,
+  limitValue,
+  lookOf,
+  outcomeColor,
+  outcomeText,
+  plannerColor,
+  readPage,
+  readSweep,
+  setDark,
+} from "./data";
 import { Overview } from "./overview";
 import type { Entry, Scene } from "./replay";
 import { Replay } from "./replay";
@@ -32,9 +42,7 @@ function sceneOfTrial(page: PageData, sweep: Sweep, trial: number): Scene | null
   const label = (i: number): string =>
     sweep.planners[t.planner[i]].label + (varied ? ` at ${limitValue(sweep.limit!, varied.words[varied.of[i]])}` : "");
   const entry = (i: number): Entry => ({
-    label: label(i),
-    color: plannerColor(t.planner[i]),
-    shape: t.planner[i],
+    ...lookOf(t.planner[i], label(i)),
     data: page.flights[t.flight[i]],
     isMain: i === trial,
     outcome: sweep.outcomes[t.outcome[i]],
@@ -66,9 +74,7 @@ function sceneOfPage(page: PageData): Scene {
     const head = data.head!;
     const twice = page.flights.some((f, k) => k < i && f.head!.planner === head.planner);
     return {
-      label: twice ? `${head.planner} (${head.id})` : head.planner,
-      color: plannerColor(i),
-      shape: i,
+      ...lookOf(i, twice ? `${head.planner} (${head.id})` : head.planner),
       data,
       isMain: i === 0,
       outcome: head.outcome,
@@ -128,13 +134,11 @@ function Filters(props: {
                   aria-pressed={(view.filters[facet.name] ?? []).includes(facetId(facet, i))}
                   onClick={() => toggle(facet, facetId(facet, i))}
                 >
-                  <svg width="14" height="14" aria-hidden="true">
-                    {facet.name === "planner" ? (
-                      <Sign shape={i} x={7} y={7} size={4.5} color={plannerColor(i)} />
-                    ) : (
-                      <rect x="2" y="2" width="10" height="10" rx="2" fill={outcomeColor(i)} />
-                    )}
-                  </svg>
+                  {facet.name === "planner" ? (
+                    <Swatch shape={i} color={plannerColor(i)} />
+                  ) : (
+                    <Swatch color={outcomeColor(i)} />
+                  )}
                   {facet.name === "outcome" ? outcomeText(value) : value}
                 </button>
               ),
@@ -210,16 +214,21 @@ function usedTheme(view: View): string {
   return view.theme || (window.matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
 }
 
-function Frame(props: {
+interface Shown {
   page: PageData;
   view: View;
   change: (part: Partial<View>) => void;
-  tabs: [string, string][];
-  subtitle: string;
-  title: string;
-  children: ComponentChildren;
-  sweeps?: JSX.Element | null;
-}): JSX.Element {
+}
+
+function Frame(
+  props: Shown & {
+    tabs: [string, string][];
+    subtitle: string;
+    title: string;
+    children: ComponentChildren;
+    sweeps?: JSX.Element | null;
+  },
+): JSX.Element {
   const { view, change } = props;
   const theme = usedTheme(view);
   return (
@@ -265,15 +274,7 @@ function Frame(props: {
   );
 }
 
-function SweepPage({
-  page,
-  view,
-  change,
-}: {
-  page: PageData;
-  view: View;
-  change: (part: Partial<View>) => void;
-}): JSX.Element {
+function SweepPage({ page, view, change }: Shown): JSX.Element {
   const at = Math.min(Math.max(Math.trunc(view.sweep), 0), page.sweeps!.length - 1);
   const sweep = useMemo(() => readSweep(page, at), [page, at]);
   const facets = useMemo(() => facetsOf(sweep), [sweep]);
@@ -284,6 +285,7 @@ function SweepPage({
     [page, sweep, trial, usedTheme(view)],
   );
   const open = (i: number): void => change({ tab: "replay", trial: sweep.t.key[i], time: null });
+  const close = (): void => change({ tab: "trials" });
   const date = sweep.runs[0]?.date ?? "";
   const tabs: [string, string][] = [
     ["overview", "Overview"],
@@ -328,35 +330,17 @@ function SweepPage({
       {tab === "about" ? <About page={page} sweep={sweep} /> : null}
       {tab === "replay" ? (
         scene ? (
-          <Replay
-            page={page}
-            scene={scene}
-            time={view.time}
-            camera={view.camera}
-            color={view.color}
-            theme={usedTheme(view)}
-            change={change}
-            close={() => change({ tab: "trials" })}
-          />
+          <Replay page={page} view={view} change={change} scene={scene} theme={usedTheme(view)} close={close} />
         ) : (
-          <NoFlight sweep={sweep} trial={trial} page={page} close={() => change({ tab: "trials" })} />
+          <NoFlight sweep={sweep} trial={trial} page={page} close={close} />
         )
       ) : null}
     </Frame>
   );
 }
 
-function NoFlight({
-  sweep,
-  trial,
-  page,
-  close,
-}: {
-  sweep: Sweep;
-  trial: number;
-  page: PageData;
-  close: () => void;
-}): JSX.Element {
+function NoFlight(props: { sweep: Sweep; trial: number; page: PageData; close: () => void }): JSX.Element {
+  const { sweep, trial, page, close } = props;
   return (
     <section class="empty">
       <button onClick={close}>← Trials</button>
@@ -370,15 +354,7 @@ function NoFlight({
   );
 }
 
-function OnePage({
-  page,
-  view,
-  change,
-}: {
-  page: PageData;
-  view: View;
-  change: (part: Partial<View>) => void;
-}): JSX.Element {
+function OnePage({ page, view, change }: Shown): JSX.Element {
   const scene = useMemo(() => sceneOfPage(page), [page, usedTheme(view)]);
   const [mission, setMission] = useState(0);
   const shown = useMemo(() => {
@@ -419,16 +395,7 @@ function OnePage({
               </select>
             </label>
           ) : null}
-          <Replay
-            page={page}
-            scene={shown}
-            time={view.time}
-            camera={view.camera}
-            color={view.color}
-            theme={usedTheme(view)}
-            change={change}
-            close={null}
-          />
+          <Replay page={page} view={view} change={change} scene={shown} theme={usedTheme(view)} close={null} />
         </>
       )}
     </Frame>
@@ -458,11 +425,8 @@ function App({ page }: { page: PageData }): JSX.Element {
   useEffect(() => {
     window.scrollTo(0, 0);
   }, [view.tab]);
-  return page.kind === "sweep" ? (
-    <SweepPage page={page} view={view} change={change} />
-  ) : (
-    <OnePage page={page} view={view} change={change} />
-  );
+  const Page = page.kind === "sweep" ? SweepPage : OnePage;
+  return <Page page={page} view={view} change={change} />;
 }
 
 /** Says what went wrong in place of an empty page. */

@@ -2,9 +2,11 @@
 import type { JSX } from "preact";
 import { useMemo } from "preact/hooks";
 import type { Bar, Box, Line, Mark } from "./charts";
-import { BarChart, BoxChart, Chart, Figure, IntervalChart, Legend, LineChart, Sign, scaleOf } from "./charts";
-import type { Cell, ReportTable, Sweep } from "./data";
-import { digits, isFinished, kDashes, limitValue, metricWords, outcomeColor, outcomeText, plannerColor } from "./data";
+import { BarChart, BoxChart, IntervalChart, Legend, LineChart } from "./charts";
+import type { Look, Sweep } from "./data";
+import { digits, isFinished, lookOf, metricWords, outcomeColor, outcomeText, percent } from "./data";
+import { Figure, ScrollTable } from "./figure";
+import { Contrasts, Limits, Report } from "./report";
 import type { View } from "./state";
 import { logisticFit, quantile, successInterval } from "./stats";
 
@@ -17,6 +19,7 @@ interface OverviewProps {
 }
 interface Group {
   planner: number;
+  look: Look;
   trials: number[];
 }
 interface Props extends OverviewProps {
@@ -27,7 +30,9 @@ interface Props extends OverviewProps {
 function byPlanner(sweep: Sweep, chosen: Int32Array): Group[] {
   const lists: number[][] = sweep.planners.map(() => []);
   for (const i of chosen) lists[sweep.t.planner[i]].push(i);
-  return lists.map((trials, planner) => ({ planner, trials })).filter((p) => p.trials.length > 0);
+  return lists
+    .map((trials, planner) => ({ planner, look: lookOf(planner, sweep.planners[planner].label), trials }))
+    .filter((p) => p.trials.length > 0);
 }
 
 /** The finite values of these trials, the least first. */
@@ -51,26 +56,18 @@ function byMap(sweep: Sweep, trials: number[]): Map<number, [number, number]> {
   return maps;
 }
 
-const percent = (v: number): string => `${digits(100 * v, 3)} %`;
-
 function Success({ sweep, groups }: Props): JSX.Element {
-  const rates = groups.map(({ planner, trials }) => {
+  const rates = groups.map(({ look, trials }) => {
     const finished = trials.filter((i) => isFinished(sweep.t, i)).length;
-    return {
-      planner,
-      count: trials.length,
-      finished,
-      rate: finished / trials.length,
-      interval: successInterval(byMap(sweep, trials).values()),
-    };
+    const interval = successInterval(byMap(sweep, trials).values());
+    return { look, count: trials.length, finished, value: finished / trials.length, ...interval };
   });
-  const marks: Mark[] = rates.map((r) => ({
-    label: sweep.planners[r.planner].label,
-    color: plannerColor(r.planner),
-    shape: r.planner,
-    value: r.rate,
-    ...r.interval,
-    tip: `${sweep.planners[r.planner].label}: ${r.finished} of ${r.count} trials reached the goal, ${percent(r.rate)}, 95 % interval ${percent(r.interval.lower)} to ${percent(r.interval.upper)}`,
+  const marks: Mark[] = rates.map(({ look, value, lower, upper, ...r }) => ({
+    ...look,
+    value,
+    lower,
+    upper,
+    tip: `${look.label}: ${r.finished} of ${r.count} trials reached the goal, ${percent(value)}, 95 % interval ${percent(lower)} to ${percent(upper)}`,
   }));
   return (
     <Figure
@@ -79,21 +76,12 @@ function Success({ sweep, groups }: Props): JSX.Element {
       note="Share of trials that reached the goal, with 95 % intervals."
       numbers={{
         head: ["planner", "trials", "finished", "success rate", "lower", "upper"],
-        rows: rates.map((r) => [
-          sweep.planners[r.planner].label,
-          r.count,
-          r.finished,
-          r.rate,
-          r.interval.lower,
-          r.interval.upper,
-        ]),
+        rows: rates.map((r) => [r.look.label, r.count, r.finished, r.value, r.lower, r.upper]),
       }}
     >
       <IntervalChart
         marks={marks}
-        low={0}
-        high={1}
-        percent
+        values={{ low: 0, high: 1, percent: true }}
         label={`Success by planner: ${marks.map((m) => m.tip).join("; ")}`}
       />
     </Figure>
@@ -108,7 +96,7 @@ function Difficulty({ sweep, chosen, groups }: Props): JSX.Element | null {
   const pad = 0.03 * (Math.max(...known) - Math.min(...known));
   const [low, high] = [Math.min(...known) - pad, Math.max(...known) + pad];
   const rows: (string | number | null)[][] = [];
-  const lines: Line[] = groups.map(({ planner, trials }) => {
+  const lines: Line[] = groups.map(({ planner, look, trials }) => {
     const maps = [...byMap(sweep, trials)]
       .filter(([map]) => Number.isFinite(ratios[map]))
       .sort((a, b) => ratios[a[0]] - ratios[b[0]]);
@@ -128,13 +116,10 @@ function Difficulty({ sweep, chosen, groups }: Props): JSX.Element | null {
         const x = low + ((high - low) * k) / 60;
         points.push([x, 1 / (1 + Math.exp(-(fit.intercept + fit.slope * x)))]);
       }
-    const label = sweep.planners[planner].label;
+    const { label } = look;
     for (const [map, [s, n]] of maps) rows.push([label, sweep.maps[map].text, ratios[map], s, n, s / n]);
     return {
-      label,
-      color: plannerColor(planner),
-      dash: kDashes[planner % kDashes.length],
-      shape: planner,
+      ...look,
       points,
       dots: maps.map(([map, [s, n]]) => ({
         x: ratios[map],
@@ -152,7 +137,7 @@ function Difficulty({ sweep, chosen, groups }: Props): JSX.Element | null {
       note="Each sign is a map; curves are logistic fits from five maps on. To the left maps are harder: 1 is free of obstacles."
       numbers={{ head: ["planner", "map", "traversability", "finished", "trials", "success rate"], rows }}
     >
-      <Legend items={lines.map((l) => ({ label: l.label, color: l.color, shape: l.shape, dash: l.dash }))} />
+      <Legend items={lines} />
       <LineChart
         lines={lines}
         x={[low, high]}
@@ -172,8 +157,8 @@ function Outcomes({ sweep, groups }: Props): JSX.Element {
     return of;
   });
   const seen = sweep.outcomes.map((_, o) => o).filter((o) => counts.some((c) => c[o] > 0));
-  const bars: Bar[] = groups.map(({ planner }, k) => ({
-    label: sweep.planners[planner].label,
+  const bars: Bar[] = groups.map(({ look }, k) => ({
+    label: look.label,
     parts: seen.map((o) => ({ name: outcomeText(sweep.outcomes[o]), color: outcomeColor(o), count: counts[k][o] })),
   }));
   return (
@@ -183,7 +168,7 @@ function Outcomes({ sweep, groups }: Props): JSX.Element {
       note="How the trials ended."
       numbers={{
         head: ["planner", ...sweep.outcomes.map(outcomeText)],
-        rows: groups.map(({ planner }, k) => [sweep.planners[planner].label, ...counts[k]]),
+        rows: groups.map(({ look }, k) => [look.label, ...counts[k]]),
       }}
     >
       <Legend items={seen.map((o) => ({ label: outcomeText(sweep.outcomes[o]), color: outcomeColor(o) }))} />
@@ -198,12 +183,11 @@ function Arrivals({ sweep, chosen, groups }: Props): JSX.Element {
     0,
   );
   const rows: (string | number | null)[][] = [];
-  const lines: Line[] = groups.map(({ planner, trials }) => {
+  const lines: Line[] = groups.map(({ look, trials }) => {
     const times = sortedValues(
       sweep.t.end_s,
       trials.filter((i) => isFinished(sweep.t, i)),
     );
-    const label = sweep.planners[planner].label;
     // Steps that are finer than a screen's pixels are taken together.
     const points: [number, number][] = [[0, 0]];
     times.forEach((t, k) => {
@@ -212,15 +196,8 @@ function Arrivals({ sweep, chosen, groups }: Props): JSX.Element {
     });
     points.push([longest, times.length / trials.length]);
     for (const share of [0.25, 0.5, 0.75])
-      rows.push([label, `${100 * share} %`, times[Math.ceil(share * trials.length) - 1] ?? null]);
-    return {
-      label,
-      color: plannerColor(planner),
-      dash: kDashes[planner % kDashes.length],
-      shape: planner,
-      points,
-      dots: [],
-    };
+      rows.push([look.label, `${100 * share} %`, times[Math.ceil(share * trials.length) - 1] ?? null]);
+    return { ...look, points };
   });
   return (
     <Figure
@@ -229,7 +206,7 @@ function Arrivals({ sweep, chosen, groups }: Props): JSX.Element {
       note="Share of all trials that has arrived; a failed trial has not arrived by any time."
       numbers={{ head: ["planner", "share of trials", "has arrived by, s"], rows }}
     >
-      <Legend items={lines.map((l) => ({ label: l.label, color: l.color, shape: l.shape, dash: l.dash }))} />
+      <Legend items={lines} />
       <LineChart
         lines={lines}
         x={[0, longest || 1]}
@@ -248,19 +225,16 @@ function MetricChart({ sweep, groups, name }: Props & { name: string }): JSX.Ele
   const at = sweep.metrics.findIndex((m) => m.name === name);
   if (at < 0) return null;
   const metric = sweep.metrics[at];
-  const boxes: Box[] = groups.map(({ planner, trials }) => {
+  const boxes: Box[] = groups.map(({ look, trials }) => {
     const sorted = sortedValues(sweep.t.metrics[at], trials);
     const mean = sorted.reduce((sum, v) => sum + v, 0) / sorted.length;
     const five = [0.05, 0.25, 0.5, 0.75, 0.95].map((share) => quantile(sorted, share));
-    const label = sweep.planners[planner].label;
     return {
-      label,
-      color: plannerColor(planner),
-      shape: planner,
+      ...look,
       sorted,
       mean,
       five,
-      tip: `${label}: mean ${digits(mean)}, median ${digits(five[2])}, quartiles ${digits(five[1])} to ${digits(five[3])}, 5 to 95 % ${digits(five[0])} to ${digits(five[4])}, of ${sorted.length} trials`,
+      tip: `${look.label}: mean ${digits(mean)}, median ${digits(five[2])}, quartiles ${digits(five[1])} to ${digits(five[3])}, 5 to 95 % ${digits(five[0])} to ${digits(five[4])}, of ${sorted.length} trials`,
     };
   });
   const all = sortedValues(
@@ -308,9 +282,7 @@ function MetricChart({ sweep, groups, name }: Props & { name: string }): JSX.Ele
     >
       <BoxChart
         boxes={boxes}
-        low={low - pad}
-        high={high + pad}
-        unit={metric.unit}
+        values={{ low: low - pad, high: high + pad, unit: metric.unit }}
         label={`${metricWords(name)} by planner: ${boxes.map((b) => b.tip).join("; ")}`}
       />
     </Figure>
@@ -339,7 +311,6 @@ function Reasons({ sweep, chosen, groups, open }: Props): JSX.Element | null {
   if (reasons.size === 0) return null;
   const sorted = [...reasons].sort((a, b) => b[1].count - a[1].count);
   const shown = sorted.slice(0, 12);
-  const planners = groups.map((g) => g.planner);
   return (
     <Figure
       name="reasons"
@@ -347,19 +318,19 @@ function Reasons({ sweep, chosen, groups, open }: Props): JSX.Element | null {
       title={cause ? "Causes of failures" : "Reasons of failures"}
       note={`${cause ? "As avoidbench explain tells them, with the outcome" : "Reasons that differ in their numbers only count as one"}${sorted.length > shown.length ? `; the ${shown.length} most frequent of ${sorted.length}` : ""}.`}
       numbers={{
-        head: ["reason", "trials", ...planners.map((p) => sweep.planners[p].label)],
-        rows: sorted.map(([name, g]) => [name, g.count, ...planners.map((p) => g.parts.get(p) ?? 0)]),
+        head: ["reason", "trials", ...groups.map(({ look }) => look.label)],
+        rows: sorted.map(([name, g]) => [name, g.count, ...groups.map(({ planner }) => g.parts.get(planner) ?? 0)]),
       }}
     >
-      <Legend items={planners.map((p) => ({ label: sweep.planners[p].label, color: plannerColor(p) }))} />
+      <Legend items={groups.map(({ look: { label, color } }) => ({ label, color }))} />
       <BarChart
         label="Reasons of failures; their numbers are in the table below"
         bars={shown.map(([name, g]) => ({
           label: name,
-          parts: planners.map((p) => ({
-            name: sweep.planners[p].label,
-            color: plannerColor(p),
-            count: g.parts.get(p) ?? 0,
+          parts: groups.map(({ planner, look }) => ({
+            name: look.label,
+            color: look.color,
+            count: g.parts.get(planner) ?? 0,
           })),
         }))}
       />
@@ -392,328 +363,34 @@ function Grid({ sweep, groups, view, change }: Props): JSX.Element | null {
         <h3>Maps</h3>
         <p class="note">Finished trials on each map, hard maps first. A click shows the trials.</p>
       </figcaption>
-      <div class="scroll grid" tabIndex={0} role="region" aria-label="Success by map and planner">
-        <table>
-          <thead>
-            <tr>
-              <th scope="col">map</th>
-              <th scope="col">traversability</th>
-              {groups.map((p) => (
-                <th scope="col">{sweep.planners[p.planner].label}</th>
-              ))}
-            </tr>
-          </thead>
-          <tbody>
-            {maps.map((map) => (
-              <tr>
-                <th scope="row">{sweep.maps[map].text}</th>
-                <td class="number">{digits(sweep.maps[map].traversability)}</td>
-                {counts.map((c, k) => {
-                  const cell = c.get(map);
-                  if (!cell) return <td />;
-                  return (
-                    <td class="rate">
-                      <button
-                        style={{ background: shade(cell[0] / cell[1]) }}
-                        onClick={() =>
-                          change({
-                            tab: "trials",
-                            filters: { ...view.filters, planner: [String(groups[k].planner)], map: [String(map)] },
-                          })
-                        }
-                      >
-                        {cell[0]}/{cell[1]}
-                      </button>
-                    </td>
-                  );
-                })}
-              </tr>
-            ))}
-          </tbody>
-        </table>
-      </div>
+      <ScrollTable
+        class="grid"
+        label="Success by map and planner"
+        head={["map", "traversability", ...groups.map(({ look }) => look.label)]}
+      >
+        {maps.map((map) => (
+          <tr>
+            <th scope="row">{sweep.maps[map].text}</th>
+            <td class="number">{digits(sweep.maps[map].traversability)}</td>
+            {counts.map((c, k) => {
+              const cell = c.get(map);
+              if (!cell) return <td />;
+              const filters = { ...view.filters, planner: [String(groups[k].planner)], map: [String(map)] };
+              return (
+                <td class="rate">
+                  <button
+                    style={{ background: shade(cell[0] / cell[1]) }}
+                    onClick={() => change({ tab: "trials", filters })}
+                  >
+                    {cell[0]}/{cell[1]}
+                  </button>
+                </td>
+              );
+            })}
+          </tr>
+        ))}
+      </ScrollTable>
     </figure>
-  );
-}
-
-/** A table's cells by the name of their column. */
-function columnsOf(table: ReportTable): (cells: Cell[], name: string, place?: number) => Cell {
-  const at = new Map(table.columns.map((c, i): [string, number] => [c.name, i]));
-  return (cells, name, place = 0) => cells[(at.get(name) ?? -1) + place] ?? null;
-}
-
-const number = (cell: Cell): number =>
-  typeof cell === "number" ? cell : cell === "inf" ? Infinity : cell === "-inf" ? -Infinity : NaN;
-
-/** How far each planner goes, and the curves that say so. */
-function Limits({ sweep, chosen }: Props): JSX.Element | null {
-  const rule = sweep.limit;
-  const [limits, curve] = ["limits", "limit_curve"].map((name) => sweep.tables.find((t) => t.name === name));
-  if (!rule || !limits || !curve) return null;
-  const hidden = chosen.length !== sweep.t.count;
-  const [ofLimit, ofCurve] = [columnsOf(limits), columnsOf(curve)];
-  const planner = (cells: Cell[]): number => sweep.planners.findIndex((p) => p.label === cells[0]);
-  const inside = (v: number): number => Math.min(Math.max(v, rule.low), rule.high);
-  const found = limits.rows.map(({ cells }) => {
-    const [value, lower, upper] = [0, 1, 2].map((place) => number(ofLimit(cells, "limit", place)));
-    return {
-      label: String(cells[0]),
-      planner: planner(cells),
-      value,
-      lower,
-      upper,
-      state: String(ofLimit(cells, "state")),
-      trials: number(ofLimit(cells, "trial_count")),
-    };
-  });
-  const marks: Mark[] = found.map((f) => ({
-    label: f.label,
-    color: plannerColor(f.planner),
-    shape: f.planner,
-    value: f.value,
-    lower: inside(f.lower),
-    upper: inside(f.upper),
-    text: Number.isFinite(f.value)
-      ? undefined
-      : Number.isNaN(f.value)
-        ? ""
-        : f.value > 0
-          ? `> ${digits(rule.high)}`
-          : `< ${digits(rule.low)}`,
-    note: Number.isNaN(f.value) ? f.state : undefined,
-    tip: `${f.label}: ${Number.isNaN(f.value) ? "" : `${limitValue(rule, f.value)}, 95 % interval ${digits(f.lower)} to ${digits(f.upper)}; `}${f.state}; ${f.trials} trials`,
-  }));
-  const lines: Line[] = found.map((f) => {
-    const rows = curve.rows
-      .filter(({ cells }) => cells[0] === f.label)
-      .map(({ cells }) => ({
-        x: number(ofCurve(cells, "value")),
-        rate: [0, 1, 2].map((place) => number(ofCurve(cells, "fitted_rate", place))),
-        trials: number(ofCurve(cells, "trial_count")),
-        finished: number(ofCurve(cells, "finished_count")),
-      }));
-    return {
-      label: f.label,
-      color: plannerColor(f.planner),
-      dash: kDashes[f.planner % kDashes.length],
-      shape: f.planner,
-      points: rows.map((r): [number, number] => [r.x, r.rate[0]]),
-      band: rows.map((r): [number, number, number] => [r.x, r.rate[1], r.rate[2]]),
-      dots: rows
-        .filter((r) => r.trials > 0)
-        .map((r) => ({
-          x: r.x,
-          y: r.finished / r.trials,
-          size: Math.min(6, 1.5 + Math.sqrt(r.trials) / 1.6),
-          tip: `${f.label} at ${limitValue(rule, r.x)}: ${r.finished} of ${r.trials} reached the goal; fitted ${percent(r.rate[0])}`,
-        })),
-    };
-  });
-  const name = rule.field.slice(rule.field.indexOf(".") + 1);
-  return (
-    <>
-      <Figure
-        name="limit curves"
-        wide
-        hidden={hidden}
-        title={`Success as ${name} changes`}
-        note={`Curves are fitted, with 95 % bands; signs are trials at one value, larger where there are more. The dashed line is at ${Number((100 * rule.success_rate).toPrecision(4))} %. Of all trials.`}
-        numbers={{
-          head: ["planner", name, "finished", "trials", "fitted rate", "lower", "upper"],
-          rows: curve.rows.map(({ cells }) => [
-            String(cells[0]),
-            number(ofCurve(cells, "value")),
-            number(ofCurve(cells, "finished_count")),
-            number(ofCurve(cells, "trial_count")),
-            ...[0, 1, 2].map((place) => number(ofCurve(cells, "fitted_rate", place))),
-          ]),
-        }}
-      >
-        <Legend items={lines.map((l) => ({ label: l.label, color: l.color, shape: l.shape, dash: l.dash }))} />
-        <LineChart
-          lines={lines}
-          x={[rule.low, rule.high]}
-          y={[0, 1]}
-          percent
-          spread={0}
-          level={rule.success_rate}
-          xUnit={`${name}${rule.unit ? `, ${rule.unit}` : ""}`}
-          label="Fitted rates of success along the range, by planner; their numbers are in the table below"
-        />
-      </Figure>
-      <Figure
-        name="limits"
-        hidden={hidden}
-        title={limits.title}
-        note="With 95 % intervals; a line to the chart’s end goes on beyond it. Of all trials."
-        numbers={{
-          head: ["planner", "limit", "lower", "upper", "state", "trials"],
-          rows: found.map((f) => [
-            f.label,
-            ...[f.value, f.lower, f.upper].map((v) => (Number.isFinite(v) ? v : null)),
-            f.state,
-            f.trials,
-          ]),
-        }}
-      >
-        <IntervalChart
-          marks={marks}
-          low={rule.low}
-          high={rule.high}
-          unit={rule.unit || name}
-          label={`Limits by planner: ${marks.map((m) => m.tip).join("; ")}`}
-        />
-      </Figure>
-    </>
-  );
-}
-
-function Contrasts({ sweep, chosen }: Props): JSX.Element | null {
-  const table = sweep.tables.find((t) => t.name === "pairs");
-  if (!table) return null;
-  const at = (name: string): number => table.columns.findIndex((c) => c.name === name);
-  const [a, b, factor] = [at("planner"), at("other_planner"), at("contrast_factor_smoothed")];
-  if (factor < 0) return null;
-  const pairs = table.rows.map((row) => ({
-    label: `${String(row.cells[a])} / ${String(row.cells[b])}`,
-    value: number(row.cells[factor]),
-    lower: number(row.cells[factor + 1]),
-    upper: number(row.cells[factor + 2]),
-  }));
-  const ends = pairs
-    .flatMap((p) => [p.value, p.lower, p.upper])
-    .filter((v) => Number.isFinite(v) && v > 0)
-    .map(Math.log10);
-  if (!ends.length) return null;
-  const [low, high] = [Math.min(-0.3, ...ends), Math.max(0.3, ...ends)];
-  const row = 30;
-  return (
-    <Figure
-      name="contrasts"
-      hidden={chosen.length !== sweep.t.count}
-      title="Contrast factors"
-      note="Failures per metre of the first planner over those of the second, smoothed: left of 1 the first is better. Of all trials."
-      numbers={{
-        head: ["pair", "contrast factor, smoothed", "lower", "upper"],
-        rows: pairs.map((p) => [p.label, p.value, p.lower, p.upper].map((v) => (Number.isNaN(v) ? null : v))),
-      }}
-    >
-      <Chart
-        height={pairs.length * row + 40}
-        label="Contrast factors of pairs of planners; their numbers are in the table below"
-        draw={(width, tip) => {
-          const left = Math.min(190, width * 0.42);
-          const x = scaleOf(low, high, left, width - 16);
-          const bottom = pairs.length * row;
-          const marks = [0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 1, 3, 10, 30, 100].filter(
-            (v) => Math.log10(v) >= low && Math.log10(v) <= high,
-          );
-          return (
-            <>
-              {marks.map((v) => (
-                <g class="axis">
-                  <line
-                    class={v === 1 ? "one" : "grid"}
-                    x1={x(Math.log10(v))}
-                    x2={x(Math.log10(v))}
-                    y1={2}
-                    y2={bottom}
-                  />
-                  <text x={x(Math.log10(v))} y={bottom + 14} text-anchor="middle">
-                    {v}
-                  </text>
-                </g>
-              ))}
-              {pairs.map((p, i) => {
-                const y = i * row + row / 2;
-                return (
-                  <g {...tip(`${p.label}: ${digits(p.value)} [${digits(p.lower)}, ${digits(p.upper)}]`)}>
-                    <rect x={0} y={i * row} width={width} height={row} class="hit" />
-                    <text x={0} y={y + 4} class="label">
-                      <title>{p.label}</title>
-                      {p.label.length > left / 6.6 ? `${p.label.slice(0, Math.floor(left / 6.6) - 2)}…` : p.label}
-                    </text>
-                    {p.lower > 0 && Number.isFinite(p.upper) ? (
-                      <line x1={x(Math.log10(p.lower))} x2={x(Math.log10(p.upper))} y1={y} y2={y} class="interval" />
-                    ) : null}
-                    {p.value > 0 && Number.isFinite(p.value) ? (
-                      <Sign shape={3} x={x(Math.log10(p.value))} y={y} size={4.5} color="var(--ink)" />
-                    ) : null}
-                  </g>
-                );
-              })}
-            </>
-          );
-        }}
-      />
-    </Figure>
-  );
-}
-
-const cellText = (cell: Cell, decimals: number): string => {
-  if (cell === null) return "–";
-  if (typeof cell === "string") return cell === "inf" ? "∞" : cell === "-inf" ? "−∞" : cell;
-  if (decimals >= 0 && !Number.isInteger(cell)) return cell.toFixed(decimals);
-  return Number.isInteger(cell) ? String(cell) : digits(cell);
-};
-
-/** A table of the report as it is; numbers with all their digits as a data attribute and on hover. */
-function Report({ table }: { table: ReportTable }): JSX.Element {
-  const columns = table.columns
-    .map((c, i) => ({ ...c, i }))
-    .filter((c) => c.place !== "machine" && c.place !== "bound");
-  const bounds = (i: number): boolean =>
-    table.columns[i + 1]?.place === "bound" && table.columns[i + 2]?.place === "bound";
-  return (
-    <details class="report" data-table={table.name} open={table.name === "planners" || table.name === "limits"}>
-      <summary>
-        {table.title || table.name} <span class="count">{table.rows.length} rows</span>
-      </summary>
-      <div class="scroll" tabIndex={0} role="region" aria-label={table.title || table.name}>
-        <table>
-          <thead>
-            <tr>
-              {columns.map((c) => (
-                <th scope="col" title={c.doc || c.name}>
-                  {c.header}
-                  {c.unit ? <span class="unit"> {c.unit}</span> : null}
-                </th>
-              ))}
-            </tr>
-          </thead>
-          <tbody>
-            {table.rows.map((row) => (
-              <tr>
-                {columns.map((c) => {
-                  const cell = row.cells[c.i];
-                  const isNumber = typeof cell === "number";
-                  return (
-                    <td
-                      class={isNumber ? "number" : ""}
-                      data-column={c.name}
-                      data-value={cell === null ? "" : String(cell)}
-                      title={isNumber ? String(cell) : undefined}
-                    >
-                      {row.best.includes(c.i) ? (
-                        <strong>{cellText(cell, c.decimals)}*</strong>
-                      ) : (
-                        cellText(cell, c.decimals)
-                      )}
-                      {bounds(c.i) && (row.cells[c.i + 1] !== null || row.cells[c.i + 2] !== null) ? (
-                        <span class="bounds">
-                          {" "}
-                          [{cellText(row.cells[c.i + 1], c.decimals)}, {cellText(row.cells[c.i + 2], c.decimals)}]
-                        </span>
-                      ) : null}
-                    </td>
-                  );
-                })}
-              </tr>
-            ))}
-          </tbody>
-        </table>
-      </div>
-    </details>
   );
 }
 

@@ -1,21 +1,17 @@
 // A mission in 3-D with all its flights, plots below and one time slider.
 import type { JSX } from "preact";
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
-import { Sign } from "./charts";
-import type { FlightData, PageData, Seen, Vector } from "./data";
+import { Swatch } from "./charts";
+import type { FlightData, Look, PageData, Seen, Vector } from "./data";
 import { digits, outcomeText } from "./data";
-import { placeOf, readFlight, stateAt } from "./flight";
-import { deltasOf, floatsOf } from "./packed";
-import type { Series } from "./plots";
-import { Plot } from "./plots";
+import { readFlight, stateAt } from "./flight";
+import { Plots } from "./plots";
 import { latest, paint, pointsOf } from "./seen";
+import type { View } from "./state";
 import type { CameraMode, PathColor, Track } from "./viewer";
 import { kScaleColors, Viewer } from "./viewer";
 
-export interface Entry {
-  label: string;
-  color: string;
-  shape: number;
+export interface Entry extends Look {
   data: FlightData;
   isMain: boolean;
   outcome: string;
@@ -83,28 +79,26 @@ function boxOf(tracks: Track[], page: PageData, scene: Scene): [Vector, Vector] 
 export function Replay(props: {
   page: PageData;
   scene: Scene;
-  time: number | null;
-  camera: string;
-  color: string;
+  view: View;
   theme: string;
-  change: (part: { time?: number; camera?: string; color?: string }) => void;
+  change: (part: Partial<View>) => void;
   close: (() => void) | null;
 }): JSX.Element {
-  const { page, scene, theme } = props;
+  const { page, scene, theme, view } = props;
   const canvas = useRef<HTMLCanvasElement>(null);
   const stage = useRef<HTMLDivElement>(null);
   const viewer = useRef<Viewer | null>(null);
   const [failure, setFailure] = useState("");
   // Counts the viewers: what is shown in one is put into the next, too.
   const [remade, setRemade] = useState(0);
-  const [time, setTime] = useState(props.time ?? 0);
+  const [time, setTime] = useState(view.time ?? 0);
   const [playing, setPlaying] = useState(false);
   const [rate, setRate] = useState(1);
   const [hidden, setHidden] = useState<Set<string>>(new Set());
   const [layers, setLayers] = useState({ points: true, drawings: true, inset: true });
   const [labels, setLabels] = useState<{ label: string; color: string; x: number; y: number }[]>([]);
-  const mode = (kModes.find(([m]) => m === props.camera)?.[0] ?? "orbit") as CameraMode;
-  const color = (kColors.find(([c]) => c === props.color)?.[0] ?? "speed") as PathColor;
+  const mode = (kModes.find(([m]) => m === view.camera)?.[0] ?? "orbit") as CameraMode;
+  const color = (kColors.find(([c]) => c === view.color)?.[0] ?? "speed") as PathColor;
 
   const tracks = useMemo(
     () =>
@@ -116,7 +110,7 @@ export function Replay(props: {
           rig: page.rigs[e.data.rig] ?? { body: [0.5, 0.5, 0.2], cameras: [] },
           isMain: e.isMain,
           isShown: true,
-          struck: e.data.touches.map((t) => ({ t: t.t, obstacle: t.obstacle })),
+          struck: e.data.touches,
         }),
       ),
     [scene],
@@ -235,6 +229,12 @@ export function Replay(props: {
 
   const state = main?.flight.n ? stateAt(main.flight, time) : null;
   const range = viewer.current?.range ?? [0, 1];
+  const layer = (name: keyof typeof layers, what: string): JSX.Element => (
+    <label>
+      <input type="checkbox" checked={layers[name]} onChange={() => setLayers({ ...layers, [name]: !layers[name] })} />{" "}
+      {what}
+    </label>
+  );
   return (
     <section class="replay" aria-label="Replay">
       <div class="replay-head">
@@ -306,9 +306,7 @@ export function Replay(props: {
                       })
                     }
                   />
-                  <svg width="14" height="14" aria-hidden="true">
-                    <Sign shape={e.shape} x={7} y={7} size={5} color={e.color} />
-                  </svg>
+                  <Swatch shape={e.shape} color={e.color} />
                   <strong>{e.label}</strong>
                 </label>
                 <span class="what">
@@ -409,36 +407,9 @@ export function Replay(props: {
           {main ? (
             <Choice title="Paths by" options={kColors} value={color} set={(c) => props.change({ color: c })} />
           ) : null}
-          {scene.seen?.images.some((i) => i.kind === "depth") ? (
-            <label>
-              <input
-                type="checkbox"
-                checked={layers.points}
-                onChange={() => setLayers({ ...layers, points: !layers.points })}
-              />{" "}
-              points as seen
-            </label>
-          ) : null}
-          {scene.seen?.drawings.length ? (
-            <label>
-              <input
-                type="checkbox"
-                checked={layers.drawings}
-                onChange={() => setLayers({ ...layers, drawings: !layers.drawings })}
-              />{" "}
-              drawings
-            </label>
-          ) : null}
-          {main ? (
-            <label>
-              <input
-                type="checkbox"
-                checked={layers.inset}
-                onChange={() => setLayers({ ...layers, inset: !layers.inset })}
-              />{" "}
-              camera
-            </label>
-          ) : null}
+          {scene.seen?.images.some((i) => i.kind === "depth") ? layer("points", "points as seen") : null}
+          {scene.seen?.drawings.length ? layer("drawings", "drawings") : null}
+          {main ? layer("inset", "camera") : null}
         </div>
       </div>
       {main ? (
@@ -452,7 +423,6 @@ export function Replay(props: {
             setPlaying(false);
             seek(t);
           }}
-          theme={theme}
         />
       ) : null}
     </section>
@@ -475,88 +445,6 @@ function Choice<Value extends string>(props: {
       ))}
     </div>
   );
-}
-
-function Plots(props: {
-  scene: Scene;
-  tracks: Track[];
-  hidden: Set<string>;
-  time: number;
-  end: number;
-  seek: (t: number) => void;
-  theme: string;
-}): JSX.Element {
-  const { scene, tracks, hidden } = props;
-  const shown = tracks.filter((t) => !hidden.has(t.label)).sort((a, b) => Number(a.isMain) - Number(b.isMain));
-  const name = shown.map((t) => t.label).join("\n");
-  const of = (value: (t: Track) => ArrayLike<number>): Series[] =>
-    shown.map((t) => ({
-      label: t.label,
-      color: t.color,
-      t: t.flight.t,
-      v: value(t),
-      isMain: t.isMain,
-      dash: scene.entries.findIndex((e) => e.label === t.label),
-    }));
-  const speed = useMemo(() => of((t) => t.flight.speed), [name, tracks]);
-  const clearance = useMemo(() => of((t) => t.flight.clearance), [name, tracks]);
-  const main = tracks.find((t) => t.isMain)!;
-  const entry = scene.entries.find((e) => e.isMain)!;
-  const commands = useMemo((): { title: string; unit: string; series: Series[] }[] => {
-    const calls = scene.seen?.calls;
-    if (calls?.n) {
-      const t = floatsOf(calls.t, calls.n);
-      const wanted: [string, string, string][] = [
-        ["Commanded speed", "m/s", calls.speed],
-        ["Commanded acceleration", "m/s²", calls.acceleration],
-        ["Commanded thrust over mass", "m/s²", calls.thrust],
-        ["CPU time of a call", "ms", calls.cpu_ms],
-      ];
-      return wanted
-        .map(([title, unit, text]) => ({
-          title,
-          unit,
-          series: [{ label: entry.label, color: entry.color, t, v: floatsOf(text, calls.n), isMain: true }],
-        }))
-        .filter((p) => Array.from(p.series[0].v).some(Number.isFinite));
-    }
-    const ahead = of((t) => {
-      const a = t.flight.ahead;
-      return a ? t.flight.t.map((_, i) => Math.hypot(a[0][i], a[1][i], a[2][i])) : [];
-    }).filter((s) => s.v.length > 0);
-    return ahead.length ? [{ title: "Commanded position ahead of the vehicle", unit: "m", series: ahead }] : [];
-  }, [name, tracks, scene]);
-  // When the planner had no plan.
-  const bands = useMemo((): [number, number][] => {
-    const changes: [number, number][] = scene.seen?.calls.n ? statusChanges(scene.seen) : entry.data.status;
-    return changes.flatMap(([from, status], i) =>
-      status === 0 ? [] : [[from, changes[i + 1]?.[0] ?? main.flight.end_s] as [number, number]],
-    );
-  }, [scene]);
-  const common = { time: props.time, end: props.end, seek: props.seek, theme: props.theme };
-  return (
-    <div class="plots">
-      <Plot title="Speed" unit="m/s" series={speed} {...common} />
-      <Plot title="Clearance" unit="m" series={clearance} {...common} />
-      {commands.map((c) => (
-        <Plot title={c.title} unit={c.unit} series={c.series} bands={bands} {...common} />
-      ))}
-      <p class="note">
-        {bands.length ? "Shaded: the planner answered without a command. " : ""}Clearance is to the nearest surface, 5 m
-        at most{scene.seen ? "" : "; between two samples shown the least is told"}.
-      </p>
-    </div>
-  );
-}
-
-function statusChanges(seen: Seen): [number, number][] {
-  const t = floatsOf(seen.calls.t, seen.calls.n);
-  const status = deltasOf(seen.calls.status, seen.calls.n);
-  const changes: [number, number][] = [];
-  status.forEach((s, i) => {
-    if (s !== (changes.length ? changes[changes.length - 1][1] : 0)) changes.push([t[i], s]);
-  });
-  return changes;
 }
 
 function Log({ scene, time }: { scene: Scene; time: number }): JSX.Element {
@@ -640,5 +528,3 @@ function SeenView(props: {
     </div>
   );
 }
-
-export { placeOf };

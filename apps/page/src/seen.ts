@@ -2,12 +2,12 @@
 import type { CameraData, SeenImage } from "./data";
 import { Unpacked } from "./packed";
 
-export function pixelsOf(image: SeenImage): Uint8Array {
+function pixelsOf(image: SeenImage): Uint8Array {
   return new Unpacked(image.data).raw(image.width * image.height * image.channels);
 }
 
 /** Metres of a byte as lib/results/page/flight_page.cpp rounds them: NaN invalid, infinity no return. */
-export function depthOfByte(byte: number, near: number, far: number): number {
+function depthOfByte(byte: number, near: number, far: number): number {
   if (byte === 0) return NaN;
   if (byte === 255) return Infinity;
   return near * (far / near) ** ((byte - 1) / 253);
@@ -16,7 +16,7 @@ export function depthOfByte(byte: number, near: number, far: number): number {
 const nearest = (camera: CameraData): number => Math.max(camera.min_m, 0.05);
 
 /** Turbo (Mikhailov 2019): 0 blue to 1 red. */
-export function turbo(x: number): [number, number, number] {
+function turbo(x: number): [number, number, number] {
   const sum = (c: number[]): number =>
     Math.min(
       1,

@@ -44,7 +44,7 @@ function incompleteBeta(x: number, a: number, b: number): number {
 }
 
 /** Student's t below which a share `p` > 1/2 lies. */
-export function studentQuantile(p: number, freedom: number): number {
+function studentQuantile(p: number, freedom: number): number {
   const below = (t: number): number => 1 - 0.5 * incompleteBeta(freedom / (freedom + t * t), freedom / 2, 0.5);
   let low = 0;
   let high = 1;

@@ -1,7 +1,7 @@
 // The table of trials: only the rows that are seen are made, so that ten thousand scroll.
 import type { JSX } from "preact";
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
-import { Sign } from "./charts";
+import { Swatch } from "./charts";
 import type { Sweep } from "./data";
 import { digits, metricWords, outcomeColor, outcomeText, plannerColor } from "./data";
 import type { View } from "./state";
@@ -11,8 +11,8 @@ const kRow = 32;
 interface Column {
   id: string;
   title: string;
-  unit: string;
-  number: boolean;
+  unit?: string;
+  number?: boolean;
   width: number;
   value: (i: number) => number | string | null;
   cell?: (i: number) => JSX.Element;
@@ -21,37 +21,29 @@ interface Column {
 function columnsOf(sweep: Sweep): Column[] {
   const t = sweep.t;
   const all: Column[] = [
-    { id: "id", title: "trial", unit: "", number: true, width: 64, value: (i) => t.id[i] },
+    { id: "id", title: "trial", number: true, width: 64, value: (i) => t.id[i] },
     {
       id: "planner",
       title: "planner",
-      unit: "",
-      number: false,
       width: 150,
       value: (i) => sweep.planners[t.planner[i]].label,
       cell: (i) => (
         <span class="with-sign">
-          <svg width="14" height="14" aria-hidden="true">
-            <Sign shape={t.planner[i]} x={7} y={7} size={4.5} color={plannerColor(t.planner[i])} />
-          </svg>
+          <Swatch shape={t.planner[i]} color={plannerColor(t.planner[i])} />
           {sweep.planners[t.planner[i]].label}
         </span>
       ),
     },
-    { id: "map", title: "map", unit: "", number: false, width: 210, value: (i) => sweep.maps[t.map[i]].text },
-    { id: "mission", title: "mission", unit: "", number: true, width: 74, value: (i) => t.mission[i] },
+    { id: "map", title: "map", width: 210, value: (i) => sweep.maps[t.map[i]].text },
+    { id: "mission", title: "mission", number: true, width: 74, value: (i) => t.mission[i] },
     {
       id: "outcome",
       title: "outcome",
-      unit: "",
-      number: false,
       width: 132,
       value: (i) => outcomeText(sweep.outcomes[t.outcome[i]]),
       cell: (i) => (
         <span class="with-sign">
-          <svg width="12" height="12" aria-hidden="true">
-            <rect x="1" y="1" width="10" height="10" rx="2" fill={outcomeColor(t.outcome[i])} />
-          </svg>
+          <Swatch color={outcomeColor(t.outcome[i])} />
           {outcomeText(sweep.outcomes[t.outcome[i]])}
         </span>
       ),
@@ -64,7 +56,6 @@ function columnsOf(sweep: Sweep): Column[] {
     all.push({
       id: axis.field,
       title: axis.field,
-      unit: "",
       number,
       width: Math.max(130, 40 + 7.4 * axis.field.length),
       value: (i) => axis.words[axis.of[i]],
@@ -74,8 +65,6 @@ function columnsOf(sweep: Sweep): Column[] {
   all.push({
     id: "reason",
     title: t.cause ? "cause" : "reason",
-    unit: "",
-    number: false,
     width: 330,
     value: (i) => why.words[why.of[i]] || (t.reason.words[t.reason.of[i]] as string),
   });
@@ -102,14 +91,8 @@ function sorted(count: number, column: Column, down: boolean): Int32Array {
     const x = values[a];
     const y = values[b];
     if (none(x) || none(y)) return Number(none(x)) - Number(none(y)) || a - b;
-    const order =
-      typeof x === "number" && typeof y === "number"
-        ? x - y
-        : String(x) < String(y)
-          ? -1
-          : String(x) > String(y)
-            ? 1
-            : 0;
+    const [u, v] = typeof x === "number" && typeof y === "number" ? [x, y] : [String(x), String(y)];
+    const order = Number(u > v) - Number(u < v);
     return (down ? -order : order) || a - b;
   });
 }
@@ -248,14 +231,8 @@ export function TrialTable(props: {
                   <td class="play">{sweep.t.flight[i] >= 0 ? "▶" : ""}</td>
                   {columns.map((c) => {
                     const value = c.value(i);
-                    const text =
-                      c.number && typeof value === "number"
-                        ? Number.isInteger(value)
-                          ? String(value)
-                          : digits(value)
-                        : value === null
-                          ? "–"
-                          : String(value);
+                    const isReal = c.number && typeof value === "number" && !Number.isInteger(value);
+                    const text = isReal || value === null ? digits(value as number | null) : String(value);
                     return (
                       <td class={c.number ? "number" : ""} title={!c.number && text.length > 24 ? text : undefined}>
                         {c.cell ? c.cell(i) : text}

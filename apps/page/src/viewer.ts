@@ -36,7 +36,7 @@ const kCividis = [
   "#e1cc55",
   "#fee838",
 ];
-export function cividis(share: number): THREE.Color {
+function cividis(share: number): THREE.Color {
   const at = Math.min(Math.max(share, 0), 1) * (kCividis.length - 1);
   const low = Math.min(Math.floor(at), kCividis.length - 2);
   return new THREE.Color(kCividis[low]).lerp(new THREE.Color(kCividis[low + 1]), at - low);
@@ -271,9 +271,10 @@ export class Viewer {
     const camera = track.rig.cameras[0];
     vehicle.updateMatrixWorld();
     if (camera && this.frustum) {
+      const { position, q } = camera.pose;
       const mount = new THREE.Matrix4().compose(
-        new THREE.Vector3(...camera.position),
-        new THREE.Quaternion(camera.q[1], camera.q[2], camera.q[3], camera.q[0]),
+        new THREE.Vector3(...position),
+        new THREE.Quaternion(q[1], q[2], q[3], q[0]),
         new THREE.Vector3(1, 1, 1),
       );
       const pose = new THREE.Matrix4().multiplyMatrices(vehicle.matrixWorld, mount);

@@ -81,8 +81,7 @@ ordered_json status_changes(std::span<const PlanCall> calls) {
 ordered_json touches(std::span<const Collision> collisions) {
   ordered_json all = ordered_json::array();
   for (const Collision& c : collisions) {
-    all.push_back(
-        {{"t", c.time_s}, {"speed", c.speed_mps}, {"obstacle", c.obstacle}, {"kind", c.kind}});
+    all.push_back({{"t", c.time_s}, {"obstacle", c.obstacle}});
   }
   return all;
 }

@@ -21,11 +21,6 @@ double norm_of(const double* xyz) {
   return std::sqrt(xyz[0] * xyz[0] + xyz[1] * xyz[1] + xyz[2] * xyz[2]);
 }
 
-ordered_json pose_json(const Eigen::Isometry3d& pose) {
-  const Eigen::Quaterniond q(pose.linear());
-  return {{"position", to_array(pose.translation())}, {"q", {q.w(), q.x(), q.y(), q.z()}}};
-}
-
 /// Of each so many pixels the middle one: an average would be at no surface.
 template <class Pixel>
 ordered_json image_json(int width_px, int height_px, int channels, const Pixel& byte_at) {
@@ -69,19 +64,7 @@ std::vector<std::size_t> thinned(std::size_t count, bool in_pairs) {
   return kept;
 }
 
-std::string_view kind_text(DrawingKind kind) {
-  switch (kind) {
-    case DrawingKind::points:
-      return "points";
-    case DrawingKind::line:
-      return "line";
-    case DrawingKind::segments:
-      return "segments";
-    case DrawingKind::text:
-      break;
-  }
-  return "text";
-}
+constexpr std::string_view kDrawingTexts[] = {"points", "line", "segments", "text"};
 
 ordered_json drawing_json(const Drawing& drawing) {
   const bool in_pairs = drawing.kind == DrawingKind::segments;
@@ -95,7 +78,7 @@ ordered_json drawing_json(const Drawing& drawing) {
   }
   Packed packed;
   for (const auto& axis : axes) packed.add_deltas(axis);
-  return {{"kind", kind_text(drawing.kind)},
+  return {{"kind", kDrawingTexts[static_cast<std::size_t>(drawing.kind)]},
           {"color", drawing.color_rgb & 0xffffffU},
           {"label", drawing.label},
           {"n", kept.size()},
@@ -123,12 +106,6 @@ Wanted wanted_of(const PlanResult& result) {
   return wanted;
 }
 
-std::string floats_text(const std::vector<double>& values) {
-  Packed packed;
-  packed.add_floats(values);
-  return packed.text();
-}
-
 ordered_json flight_head(const StoredTrial& stored, const TrialListing& listing) {
   const TrialRecord& record = stored.row.record;
   return {{"id", listing.id},
@@ -143,11 +120,7 @@ ordered_json one_flight(const StoredTrial& stored, const TrialListing& listing,
                         const TrialRecord& record, PageScenes& scenes) {
   ordered_json flight = flight_json(record, kAllSamples_hz);
   flight["head"] = flight_head(stored, listing);
-  flight["world"] = 0;
-  flight["rig"] = scenes.rig_of(stored.spec);
-  flight["goal_radius"] = stored.spec.mission.goal_radius_m;
-  flight["start"] = to_array(stored.mission.start_world);
-  flight["goal"] = to_array(stored.mission.goal_world);
+  scenes.place(stored, 0, flight);
   return flight;
 }
 
@@ -232,19 +205,17 @@ void SeenRecorder::planned(const PlanStep& step) {
 }
 
 ordered_json SeenRecorder::json() const {
-  Packed statuses;
-  statuses.add_deltas(statuses_);
   return {{"images", images_},
           {"drawings", drawings_},
           {"log", log_},
           {"calls",
            {{"n", times_s_.size()},
-            {"t", floats_text(times_s_)},
-            {"speed", floats_text(speeds_mps_)},
-            {"acceleration", floats_text(accelerations_mps2_)},
-            {"thrust", floats_text(thrusts_mps2_)},
-            {"status", statuses.text()},
-            {"cpu_ms", floats_text(cpu_ms_)}}}};
+            {"t", packed_floats(times_s_)},
+            {"speed", packed_floats(speeds_mps_)},
+            {"acceleration", packed_floats(accelerations_mps2_)},
+            {"thrust", packed_floats(thrusts_mps2_)},
+            {"status", packed_deltas(statuses_)},
+            {"cpu_ms", packed_floats(cpu_ms_)}}}};
 }
 
 ordered_json flight_page(const Database& database, const StoredTrial& stored, const World& world,

@@ -85,6 +85,12 @@ std::string Packed::text() const {
   return base64(std::span(deflated).first(size));
 }
 
+std::string packed_floats(std::span<const double> values) {
+  Packed packed;
+  packed.add_floats(values);
+  return packed.text();
+}
+
 std::int64_t steps(double value, double step, std::int64_t none) {
   // Beyond it the number of steps is no whole number of 64 bits; nothing that is shown is.
   constexpr double kMost = 1e15;

@@ -35,6 +35,15 @@ class Packed {
   std::vector<std::byte> bytes_;
 };
 
+/// The text of such numbers alone.
+template <class Values>
+std::string packed_deltas(const Values& values) {
+  Packed packed;
+  packed.add_deltas(std::vector<std::int64_t>(values.begin(), values.end()));
+  return packed.text();
+}
+std::string packed_floats(std::span<const double> values);
+
 /// The nearest whole number of steps; `none` where the value is not finite.
 std::int64_t steps(double value, double step, std::int64_t none = 0);
 

@@ -24,11 +24,11 @@ constexpr std::size_t kMostUnread = 20;  ///< flights of which it is said why th
 constexpr std::size_t kMostText = 300;   ///< of a warning, characters
 
 ordered_json camera_json(const RigCamera& camera) {
-  const Pose pose = T_body_camera(camera.mounting);
-  const Eigen::Quaterniond q(pose.linear());
-  return {{"position", to_array(pose.translation())}, {"q", {q.w(), q.x(), q.y(), q.z()}},
-          {"fov_x_deg", camera.kind.fov_x_deg},       {"width", camera.kind.width_px},
-          {"height", camera.kind.height_px},          {"min_m", camera.kind.min_range_m},
+  return {{"pose", pose_json(T_body_camera(camera.mounting))},
+          {"fov_x_deg", camera.kind.fov_x_deg},
+          {"width", camera.kind.width_px},
+          {"height", camera.kind.height_px},
+          {"min_m", camera.kind.min_range_m},
           {"max_m", camera.kind.max_range_m}};
 }
 
@@ -66,11 +66,8 @@ bool add_flight(PackedFlight packed, const PageTrial& of, std::span<const PageDa
   ordered_json flight = std::move(*packed.json);
   flight["sweep"] = of.sweep;
   flight["trial"] = of.trial;
-  flight["world"] = filling.scenes.world_of(stored, databases[packed.database].files);
-  flight["rig"] = filling.scenes.rig_of(stored.spec);
-  flight["goal_radius"] = stored.spec.mission.goal_radius_m;
-  flight["start"] = to_array(stored.mission.start_world);
-  flight["goal"] = to_array(stored.mission.goal_world);
+  filling.scenes.place(stored, filling.scenes.world_of(stored, databases[packed.database].files),
+                       flight);
   const std::size_t flight_bytes = size_in_page(flight);
   const std::size_t bytes = flight_bytes + filling.scenes.bytes_since(before);
   if (filling.bytes + bytes > filling.limit) {
@@ -121,6 +118,11 @@ void warn_of_pairs(const std::vector<PageSweep>& sweeps, std::vector<std::string
 
 }  // namespace
 
+ordered_json pose_json(const Eigen::Isometry3d& pose) {
+  const Eigen::Quaterniond q(pose.linear());
+  return {{"position", to_array(pose.translation())}, {"q", {q.w(), q.x(), q.y(), q.z()}}};
+}
+
 std::size_t PageScenes::bytes_since(const Mark& mark) const {
   std::size_t bytes = 0;
   for (std::size_t i = mark.worlds; i < worlds.size(); ++i) bytes += size_in_page(worlds[i]);
@@ -164,6 +166,14 @@ ordered_json PageScenes::world_of(const StoredTrial& stored, const ReplayFiles& 
     warnings.push_back(std::string("a map is not shown: ") + error.what());
   }
   return entry->second;
+}
+
+void PageScenes::place(const StoredTrial& stored, ordered_json world, ordered_json& flight) {
+  flight["world"] = std::move(world);
+  flight["rig"] = rig_of(stored.spec);
+  flight["goal_radius"] = stored.spec.mission.goal_radius_m;
+  flight["start"] = to_array(stored.mission.start_world);
+  flight["goal"] = to_array(stored.mission.goal_world);
 }
 
 std::size_t PageScenes::rig_of(const TrialSpec& spec) {
@@ -246,8 +256,7 @@ ordered_json map_page(const World& world, const TrialSpec& trial, std::span<cons
   for (std::size_t i = 0; i < missions.size(); ++i) {
     listed.push_back({{"index", i},
                       {"start", to_array(missions[i].start_world)},
-                      {"goal", to_array(missions[i].goal_world)},
-                      {"reference_m", nullptr}});
+                      {"goal", to_array(missions[i].goal_world)}});
   }
   page["missions"] = std::move(listed);
   page["goal_radius"] = trial.mission.goal_radius_m;

@@ -28,6 +28,9 @@ class PageScenes {
   nlohmann::ordered_json world_of(const StoredTrial& stored, const ReplayFiles& files);
   std::size_t add_world(const World& world);
   std::size_t rig_of(const TrialSpec& spec);
+  /// Gives the flight its map, by index, its rig, and its mission.
+  void place(const StoredTrial& stored, nlohmann::ordered_json world,
+             nlohmann::ordered_json& flight);
 
   /// How many of each there are: a place to go back to.
   struct Mark {
@@ -60,6 +63,8 @@ nlohmann::ordered_json sweeps_page(const std::vector<PageSweep>& sweeps,
 nlohmann::ordered_json map_page(const World& world, const TrialSpec& trial,
                                 std::span<const Mission> missions, const std::string& title,
                                 const PageOrigin& origin);
+
+nlohmann::ordered_json pose_json(const Eigen::Isometry3d& pose);
 
 /// What every page begins with.
 nlohmann::ordered_json page_start(std::string_view kind, const std::string& title,

@@ -6,6 +6,7 @@
 #include "base/check.hpp"
 #include "base/json_path.hpp"
 #include "base/number_text.hpp"
+#include "base/words.hpp"
 #include "page/packed.hpp"
 #include "report/sweep_tables.hpp"
 #include "table/table_text.hpp"
@@ -34,21 +35,7 @@ ordered_json value_json(const TableValue& value) {
   return nullptr;
 }
 
-std::string_view place_text(Place place) {
-  switch (place) {
-    case Place::key:
-      return "key";
-    case Place::value:
-      return "value";
-    case Place::bound:
-      return "bound";
-    case Place::words:
-      return "words";
-    case Place::machine:
-      break;
-  }
-  return "machine";
-}
+constexpr std::string_view kPlaceTexts[] = {"key", "value", "bound", "words", "machine"};
 
 ordered_json table_json(const Table& table) {
   ordered_json columns = ordered_json::array(), rows = ordered_json::array();
@@ -57,7 +44,7 @@ ordered_json table_json(const Table& table) {
                        {"header", shown_header(column)},
                        {"unit", column.unit},
                        {"doc", column.doc},
-                       {"place", place_text(column.place)},
+                       {"place", kPlaceTexts[static_cast<std::size_t>(column.place)]},
                        {"decimals", column.decimals}});
   }
   for (const Row& cells : table.rows) {
@@ -97,8 +84,6 @@ ordered_json maps_json(const PageSweep& sweep) {
   ordered_json all = ordered_json::array();
   for (const MapRow& map : sweep.result.maps) {
     all.push_back({{"text", map_text(map, sweep.summary.environment.axes)},
-                   {"generator", map.generator},
-                   {"seed", std::to_string(map.map_seed)},
                    {"traversability", number(map.record.traversability_normalized_ratio)},
                    {"digest", map.record.world_digest}});
   }
@@ -141,11 +126,7 @@ class Dictionary {
     if (is_new) words_.push_back(value);
     indices_.push_back(static_cast<std::int64_t>(entry->second));
   }
-  ordered_json json() const {
-    Packed packed;
-    packed.add_deltas(indices_);
-    return {{"words", words_}, {"index", packed.text()}};
-  }
+  ordered_json json() const { return {{"words", words_}, {"index", packed_deltas(indices_)}}; }
 
  private:
   static constexpr auto kReplace = ordered_json::error_handler_t::replace;
@@ -153,20 +134,6 @@ class Dictionary {
   ordered_json words_ = ordered_json::array();
   std::vector<std::int64_t> indices_;
 };
-
-template <class Values>
-std::string packed_deltas(const Values& values) {
-  const std::vector<std::int64_t> numbers(values.begin(), values.end());
-  Packed packed;
-  packed.add_deltas(numbers);
-  return packed.text();
-}
-
-std::string packed_floats(const std::vector<double>& values) {
-  Packed packed;
-  packed.add_floats(values);
-  return packed.text();
-}
 
 /// The first six bytes of each key: enough for `replay` to find it by.
 std::string packed_keys(const std::vector<TrialSummary>& trials) {
@@ -185,12 +152,10 @@ std::string packed_keys(const std::vector<TrialSummary>& trials) {
 ordered_json axes_json(const PageSweep& sweep) {
   ordered_json axes = ordered_json::array();
   for (const std::string& axis : sweep.axes) {
-    const auto& fields = sweep.result.fields;
-    const auto found = std::find(fields.begin(), fields.end(), axis);
-    if (found == fields.end()) continue;
-    const auto at = static_cast<std::size_t>(found - fields.begin());
+    const auto at = place_in(sweep.result.fields, axis);
+    if (!at) continue;
     Dictionary values;
-    for (const TrialSummary& trial : sweep.result.trials) values.add(value_json(trial.fields[at]));
+    for (const TrialSummary& trial : sweep.result.trials) values.add(value_json(trial.fields[*at]));
     ordered_json json = values.json();
     json["field"] = axis;
     axes.push_back(std::move(json));
@@ -201,7 +166,7 @@ ordered_json axes_json(const PageSweep& sweep) {
 ordered_json trials_json(const PageSweep& sweep, const PagePlanners& planners) {
   const std::vector<TrialSummary>& trials = sweep.result.trials;
   std::vector<std::int64_t> ids, missions, outcomes;
-  std::vector<double> ends, references;
+  std::vector<double> ends;
   Dictionary reasons, causes;
   for (const TrialSummary& trial : trials) {
     const auto listed = sweep.listing_of.find(trial.key);
@@ -214,7 +179,6 @@ ordered_json trials_json(const PageSweep& sweep, const PagePlanners& planners) {
     missions.push_back(trial.mission_index);
     outcomes.push_back(static_cast<std::int64_t>(trial.outcome));
     ends.push_back(trial.end_time_s);
-    references.push_back(trial.reference_length_m);
   }
   ordered_json metrics = ordered_json::array();
   for (std::size_t i = 0; i < sweep.result.metrics.size(); ++i) {
@@ -230,7 +194,6 @@ ordered_json trials_json(const PageSweep& sweep, const PagePlanners& planners) {
                        {"id", packed_deltas(ids)},
                        {"key", packed_keys(trials)},
                        {"end_s", packed_floats(ends)},
-                       {"reference_m", packed_floats(references)},
                        {"reason", reasons.json()},
                        {"metrics", metrics},
                        {"axes", axes_json(sweep)}};
@@ -245,8 +208,7 @@ ordered_json curves_json(const SweepSummary& summary) {
   for (const DifficultyResponse& one : summary.difficulty) {
     curves.push_back({{"planner", one.planner},
                       {"intercept", number(one.intercept)},
-                      {"slope", number(one.slope)},
-                      {"is_separated", one.is_separated}});
+                      {"slope", number(one.slope)}});
   }
   return curves;
 }
@@ -309,13 +271,6 @@ std::string map_text(const MapRow& map, const std::vector<std::string>& axes) {
     if (!text.empty()) words += ", " + short_name(axis, axes) + " " + text;
   }
   return words;
-}
-
-ordered_json mission_json(const MissionRecord& mission) {
-  return {{"index", mission.index},
-          {"start", to_array(mission.mission.start_world)},
-          {"goal", to_array(mission.mission.goal_world)},
-          {"reference_m", number(mission.reference_length_m)}};
 }
 
 ordered_json sweep_json(const PageSweep& sweep) {

@@ -40,6 +40,4 @@ std::vector<std::size_t> maps_of(const SweepResult& result);
 /// "forest, seed 1, poisson_radius_m 3.5", with what the sweep varies of its maps.
 std::string map_text(const MapRow& map, const std::vector<std::string>& axes);
 
-nlohmann::ordered_json mission_json(const MissionRecord& mission);
-
 }  // namespace avoidbench

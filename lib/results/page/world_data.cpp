@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/words.hpp"
 #include "page/packed.hpp"
 
 namespace avoidbench {
@@ -20,7 +21,7 @@ Eigen::AlignedBox3f box_of(const TriangleMesh& mesh) {
 }
 
 /// The vertex's place within the box along each side.
-std::array<std::int64_t, 3> place_in(const Eigen::AlignedBox3f& box,
+std::array<std::int64_t, 3> steps_in(const Eigen::AlignedBox3f& box,
                                      const Eigen::Vector3f& vertex) {
   std::array<std::int64_t, 3> place{};
   for (Eigen::Index k = 0; k < 3; ++k) {
@@ -68,9 +69,9 @@ struct Kinds {
 Kinds kinds_of(const World& world) {
   Kinds kinds;
   for (const Obstacle& obstacle : world.obstacles) {
-    const auto found = std::find(kinds.names.begin(), kinds.names.end(), obstacle.kind);
-    kinds.of_obstacle.push_back(found - kinds.names.begin());
-    if (found == kinds.names.end()) kinds.names.push_back(obstacle.kind);
+    const std::size_t place = place_in(kinds.names, obstacle.kind).value_or(kinds.names.size());
+    kinds.of_obstacle.push_back(static_cast<std::int64_t>(place));
+    if (place == kinds.names.size()) kinds.names.push_back(obstacle.kind);
   }
   return kinds;
 }
@@ -109,7 +110,7 @@ std::size_t MeshStore::add(const Prototype& prototype) {
   const Eigen::AlignedBox3f box = box_of(prototype.mesh);
   std::array<std::vector<std::int64_t>, 3> places;
   for (const Eigen::Vector3f& vertex : prototype.mesh.vertices) {
-    const auto place = place_in(box, vertex);
+    const auto place = steps_in(box, vertex);
     for (std::size_t k = 0; k < 3; ++k) places[k].push_back(place[k]);
   }
   Packed packed;
