@@ -1,24 +1,15 @@
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
-#include <array>
-#include <cstring>
-#include <ctime>
-#include <limits>
 #include <map>
 #include <memory>
 #include <vector>
 
 #include "bare_loop.hpp"
 #include "base/math.hpp"
-#include "base/random.hpp"
 #include "maps/map_spec.hpp"
 #include "render/depth.hpp"
-#include "render/flush_to_zero.hpp"
-#include "render/primary_rays.hpp"
 #include "render/scene.hpp"
 #include "render/scene_internals.hpp"
-#include "shading/shading.hpp"
 
 // Each figure stands beside the same work by a bare Embree loop, measured in turns with it.
 namespace avoidbench {
@@ -107,117 +98,6 @@ void depth(benchmark::State& state, MapKind kind) {
   state.counters["ratio"] = median(bare_s) / median(ours_s);
 }
 
-/// Positions along crossings, a centimetre or so apart.
-std::vector<Eigen::Vector3d> flown_positions(const Place& in) {
-  RandomStream random(5);
-  std::vector<Eigen::Vector3d> positions;
-  for (int line = 0; line < 4; ++line) {
-    const double x = random.uniform(5.0, 35.0);
-    for (int i = 0; i < 1024; ++i) {
-      const double y = 2.0 + 36.0 * i / 1024.0;
-      positions.emplace_back(x, y, ground_height_m(in.world, x, y) + 2.0);
-    }
-  }
-  return positions;
-}
-
-template <class Query>
-void point_query(benchmark::State& state, MapKind kind, Query query) {
-  const Place& in = place(kind);
-  const std::vector<Eigen::Vector3d> positions = flown_positions(in);
-  std::size_t i = 0;
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(query(*in.scene, positions[i]));
-    i = (i + 1) % positions.size();
-  }
-}
-
-const Eigen::Vector3d kBody_m(0.5, 0.5, 0.12);
-
-Pose level_at(const Eigen::Vector3d& position) {
-  return make_pose(position, Eigen::Quaterniond::Identity());
-}
-
-void nearest(benchmark::State& state, MapKind kind) {
-  point_query(state, kind, [](const Scene& scene, const Eigen::Vector3d& position) {
-    return scene.nearest(position).distance_m;
-  });
-}
-
-void nearest_within_1m(benchmark::State& state, MapKind kind) {
-  point_query(state, kind, [](const Scene& scene, const Eigen::Vector3d& position) {
-    return scene.nearest(position, 1.0).distance_m;
-  });
-}
-
-void touch(benchmark::State& state, MapKind kind) {
-  point_query(state, kind, [](const Scene& scene, const Eigen::Vector3d& position) {
-    return scene.touch(kBody_m, level_at(position)).has_value();
-  });
-}
-
-void body_clearance(benchmark::State& state, MapKind kind) {
-  point_query(state, kind, [](const Scene& scene, const Eigen::Vector3d& position) {
-    return scene.body_clearance(kBody_m, level_at(position), 5.0);
-  });
-}
-
-void occluded_5m(benchmark::State& state, MapKind kind) {
-  point_query(state, kind, [](const Scene& scene, const Eigen::Vector3d& position) {
-    return scene.occluded(position, position + Eigen::Vector3d(0.6, 4.9, 0.1));
-  });
-}
-
-/// A pair of grey shaded images in linear light, one ray a pixel, beside the depth images of the
-/// same two cameras. Shaded images see as far as there is anything, depth images kDepthRange_m.
-void shaded_pair(benchmark::State& state, MapKind kind, bool has_shadows) {
-  constexpr double kBaseline_m = 0.1;
-  const Place& in = place(kind);
-  const auto width = static_cast<std::int32_t>(state.range(0));
-  const std::int32_t height = width * 3 / 4;
-  const Pinhole depth_camera = make_pinhole(width, height, 90.0 * math::kDegree, kDepthRange_m);
-  Pinhole camera = depth_camera;
-  camera.max_range_m = std::numeric_limits<double>::infinity();
-  const Light light{.shadows = has_shadows};
-  std::vector<float> image(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  const std::vector<Pose> left_poses = crossing(in);
-  std::vector<double> shaded_s;
-  std::vector<double> depth_s;
-  for (auto _ : state) {
-    std::vector<double> pair_s;
-    for (const Pose& left : left_poses) {
-      Pose right = left;
-      right.translation() += kBaseline_m * left.linear().col(0);
-      const double first = processor_s();
-      for (const Pose& pose : {left, right}) {
-        render_radiance(*in.scene, camera, pose, light, 1, Channels::grey, image);
-        benchmark::DoNotOptimize(image.data());
-      }
-      pair_s.push_back(processor_s() - first);
-      const double second = processor_s();
-      for (const Pose& pose : {left, right}) {
-        render_depth(*in.scene, depth_camera, pose, image);
-        benchmark::DoNotOptimize(image.data());
-      }
-      depth_s.push_back(processor_s() - second);
-    }
-    shaded_s.insert(shaded_s.end(), pair_s.begin(), pair_s.end());
-    state.SetIterationTime(median(pair_s));
-  }
-  state.counters["ms"] = 1e3 * median(shaded_s);
-  state.counters["depth_pair_ms"] = 1e3 * median(depth_s);
-  state.counters["ratio_to_depth_pair"] = median(shaded_s) / median(depth_s);
-}
-
-void build(benchmark::State& state, MapKind kind, bool flattened) {
-  const World& world = place(kind).world;
-  for (auto _ : state) {
-    const Scene scene(world, flattened ? kFlattenTriangles : 0);
-    benchmark::DoNotOptimize(&scene.internals());
-  }
-  state.counters["triangles"] = static_cast<double>(triangle_count(world));
-}
-
 BENCHMARK_CAPTURE(depth, hall, hall)
     ->Arg(640)
     ->Arg(320)
@@ -234,23 +114,6 @@ BENCHMARK_CAPTURE(depth, forest, forest)
 BENCHMARK_CAPTURE(depth, forest_160, forest_160)->Arg(320)->UseManualTime();
 BENCHMARK_CAPTURE(depth, dense_forest, dense_forest)->Arg(320)->UseManualTime();
 BENCHMARK_CAPTURE(depth, dense_forest_160, dense_forest_160)->Arg(320)->UseManualTime();
-BENCHMARK_CAPTURE(nearest, hall, hall);
-BENCHMARK_CAPTURE(nearest, forest, forest);
-BENCHMARK_CAPTURE(nearest_within_1m, hall, hall);
-BENCHMARK_CAPTURE(nearest_within_1m, forest, forest);
-BENCHMARK_CAPTURE(touch, hall, hall);
-BENCHMARK_CAPTURE(touch, forest, forest);
-BENCHMARK_CAPTURE(body_clearance, hall, hall);
-BENCHMARK_CAPTURE(body_clearance, forest, forest);
-BENCHMARK_CAPTURE(occluded_5m, hall, hall);
-BENCHMARK_CAPTURE(occluded_5m, forest, forest);
-BENCHMARK_CAPTURE(shaded_pair, hall, hall, false)->Arg(640)->Arg(320)->UseManualTime();
-BENCHMARK_CAPTURE(shaded_pair, hall_shadows, hall, true)->Arg(640)->Arg(320)->UseManualTime();
-BENCHMARK_CAPTURE(shaded_pair, forest, forest, false)->Arg(640)->Arg(320)->UseManualTime();
-BENCHMARK_CAPTURE(shaded_pair, forest_shadows, forest, true)->Arg(640)->Arg(320)->UseManualTime();
-BENCHMARK_CAPTURE(build, hall_flattened, hall, true)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(build, forest_flattened, forest, true)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(build, forest_instanced, forest, false)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace avoidbench
