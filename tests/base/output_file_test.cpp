@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/input_error.hpp"
+#include "support/input_error_message.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace avoidbench {
@@ -10,12 +11,7 @@ namespace {
 
 struct OutputFile : testing::Test {
   std::string refusal(const std::string& name) const {
-    try {
-      check_output_file(folder / name);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+    return test::message_of([&] { check_output_file(folder / name); });
   }
   test::TemporaryFolder folder;
 };

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "base/input_error.hpp"
+#include "support/input_error_message.hpp"
 #include "support/sample_rows.hpp"
 
 namespace avoidbench {
@@ -22,12 +23,7 @@ CompareSettings read(const std::string& text) {
 }
 
 std::string tolerance_error(const std::string& text) {
-  try {
-    read(text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::message_of([&] { read(text); });
 }
 
 TEST(Tolerances, SharesUnitsAndIgnored) {

@@ -72,7 +72,7 @@ nlohmann::json read_as(const FieldTree& tree, const YamlNode& root) {
   nlohmann::json spec = preset_json(tree);
   Reading reading;
   read_block({root, tree.name, reading}, tree, spec);
-  EXPECT_EQ(joined(reading.problems), "");
+  EXPECT_EQ(test::joined(reading.problems), "");
   return spec;
 }
 

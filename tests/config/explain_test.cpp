@@ -99,7 +99,7 @@ TEST_F(SweepFiles, KeysMayBeNamedOtherwise) {
 
 TEST_F(SweepFiles, UnknownKeysGetSuggestions) {
   const auto message = [](const std::string& key) {
-    const std::string all = problems_of([&] { explain(key, tunable()); });
+    const std::string all = test::message_of([&] { explain(key, tunable()); });
     return all.substr(0, all.find("; avoidbench"));
   };
   EXPECT_EQ(message("poisson_radius"),

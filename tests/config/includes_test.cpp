@@ -3,6 +3,7 @@
 
 #include "base/random.hpp"
 #include "config/sweep_fixture.hpp"
+#include "support/mutated.hpp"
 
 namespace avoidbench {
 namespace {
@@ -11,7 +12,7 @@ class Includes : public SweepFiles {
  protected:
   /// The problems of s.yaml, the folder's name left out.
   std::string problems_of_file(const std::vector<std::string>& overrides = {}) const {
-    std::string all = problems_of([&] { read_sweep(folder_ / "s.yaml", overrides); });
+    std::string all = test::message_of([&] { read_sweep(folder_ / "s.yaml", overrides); });
     const std::string prefix = folder_.string() + "/";
     for (std::size_t at = all.find(prefix); at != std::string::npos; at = all.find(prefix)) {
       all.erase(at, prefix.size());
@@ -225,17 +226,7 @@ TEST_F(Includes, MutatedFilesNeverCrash) {
   int accepted = 0, refused = 0;
   for (int round = 0; round < 400; ++round) {
     for (std::size_t i = 0; i < good.size(); ++i) {
-      std::string text = good[i];
-      const std::uint64_t changes = random.below(3);
-      for (std::uint64_t k = 0; k < changes; ++k) {
-        const std::size_t place = random.below(text.size());
-        const std::size_t length = 1 + random.below(6);
-        const std::uint64_t what = random.below(3);
-        if (what == 0) text[place] = special[random.below(special.size())];
-        if (what == 1) text.erase(place, length);
-        if (what == 2) text.insert(place, text.substr(place, length));
-      }
-      write(names[i], text);
+      write(names[i], test::mutated(good[i], 2, special, random));
     }
     try {
       read_sweep(folder_ / "s.yaml");

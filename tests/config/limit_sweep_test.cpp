@@ -15,7 +15,7 @@ class LimitSweeps : public SweepFiles {
     return read_limit_sweep(write("s.yaml", "sweep: a\nplanners: [tunable]\n"), {}, request);
   }
   std::string problems_over(const std::string& over) const {
-    return problems_of([&] { read_over(over); });
+    return test::message_of([&] { read_over(over); });
   }
 };
 

@@ -3,6 +3,7 @@
 #include "base/random.hpp"
 #include "config/sweep_fixture.hpp"
 #include "config/sweep_keys.hpp"
+#include "support/mutated.hpp"
 
 #include <algorithm>
 
@@ -401,7 +402,7 @@ TEST_F(SweepFiles, MapsAloneAreRead) {
   const auto sweep =
       write("w.yaml", "sweep: a\nplanners: [no_such]\nmaps: {poisson_radius_m: [4, 5]}\n");
   EXPECT_EQ(std::get<ForestSpec>(read_map(sweep.string()).trial.map).poisson_radius_m, 4.0);
-  EXPECT_EQ(problems_of([] { read_map("forrest"); }),
+  EXPECT_EQ(test::message_of([] { read_map("forrest"); }),
             "'forrest' is neither a file, nor a generator, nor a built-in sweep (did you mean "
             "forest?); generators: " +
                 generators());
@@ -420,18 +421,8 @@ TEST_F(SweepFiles, MutatedSweepsNeverCrash) {
   RandomStream random = stream(2, "sweep mutations");
   int accepted = 0, refused = 0;
   for (int round = 0; round < 1500; ++round) {
-    std::string text = good;
-    const std::uint64_t changes = 1 + random.below(4);
-    for (std::uint64_t i = 0; i < changes; ++i) {
-      const std::size_t place = random.below(text.size());
-      const std::size_t length = 1 + random.below(6);
-      const std::uint64_t what = random.below(3);
-      if (what == 0) text[place] = special[random.below(special.size())];
-      if (what == 1) text.erase(place, length);
-      if (what == 2) text.insert(place, text.substr(place, length));
-    }
     try {
-      read(text);
+      read(test::mutated(good, 4, special, random));
       ++accepted;
     } catch (const InputError& error) {
       ++refused;

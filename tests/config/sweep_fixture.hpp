@@ -12,7 +12,7 @@
 
 #include "base/spec_json.hpp"
 #include "config/sweep_file.hpp"
-#include "support/problems.hpp"
+#include "support/input_error_message.hpp"
 
 namespace avoidbench {
 
@@ -41,7 +41,7 @@ class SweepFiles : public testing::Test {
   /// The printed problems, with the folder's name left out.
   std::string problems(const std::string& text,
                        const std::vector<std::string>& overrides = {}) const {
-    std::string all = problems_of([&] { read(text, overrides); });
+    std::string all = test::message_of([&] { read(text, overrides); });
     const std::string prefix = folder_.string() + "/";
     for (std::size_t at = all.find(prefix); at != std::string::npos; at = all.find(prefix)) {
       all.erase(at, prefix.size());

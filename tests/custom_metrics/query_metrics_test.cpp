@@ -18,12 +18,7 @@ class QueryMetrics : public testing::Test {
   }
 
   std::string message_of(const std::string& sql, double limit_s) {
-    try {
-      query_metrics(db_, sql, limit_s);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+    return test::message_of([&] { query_metrics(db_, sql, limit_s); });
   }
 
   TemporaryFolder folder_;

@@ -13,6 +13,7 @@
 #include "base/input_error.hpp"
 #include "base/random.hpp"
 #include "metrics/metric_table.hpp"
+#include "support/input_error_message.hpp"
 #include "trial/flight.hpp"
 #include "trial/map_scene.hpp"
 
@@ -83,12 +84,7 @@ struct Stepped {
 };
 
 std::string error_of(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::message_of([&] { call(); });
 }
 
 template <class T>

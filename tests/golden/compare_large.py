@@ -13,11 +13,13 @@ import pathlib
 import random
 import resource
 import sqlite3
-import struct
 import subprocess
 import sys
 import tempfile
 import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "support"))
+from redigest import digested, hex_of  # noqa: E402
 
 MISSIONS_A_MAP = 25
 PLANNERS = 4
@@ -42,28 +44,13 @@ def copies_of(connection, table):
     return lambda **changes: connection.execute(sql, [{**row, **changes}[name] for name in names])
 
 
-def row_digest(row):
-    """What the program writes beside a trial's values (lib/bench/store/row_digest.hpp): `compare` checks it."""
-    packed = b""
-    for name, value in sorted(row.items()):
-        if value is None or name in ("attempt", "run_id", "row_digest"):
-            continue
-        packed += struct.pack("<Q", len(name)) + name.encode()
-        if isinstance(value, int):
-            packed += struct.pack("<Qq", 1, value)
-        elif isinstance(value, float):
-            packed += struct.pack("<Qd", 2, value)
-        else:
-            text = value.encode()
-            packed += struct.pack("<QQ", 3, len(text)) + text
-    return hashlib.sha256(struct.pack("<Q", len(packed)) + packed).hexdigest()
-
-
 def write_digests(connection):
     """Of the rows as they are stored: a whole number in a column of reals has become one."""
     cursor = connection.execute("SELECT * FROM trials")
     names = [column[0] for column in cursor.description]
-    digests = [(row_digest(row), row["trial_key"]) for row in (dict(zip(names, values)) for values in cursor)]
+    covered = sorted(set(names) - {"attempt", "run_id", "row_digest"})
+    rows = (dict(zip(names, values)) for values in cursor)
+    digests = [(hex_of(digested(covered, [row[name] for name in covered])), row["trial_key"]) for row in rows]
     connection.executemany("UPDATE trials SET row_digest = ? WHERE trial_key = ?", digests)
 
 

@@ -5,6 +5,7 @@
 
 #include "base/input_error.hpp"
 #include "map_file/mesh_file.hpp"
+#include "support/input_error_message.hpp"
 #include "support/map_files.hpp"
 
 namespace avoidbench {
@@ -19,12 +20,7 @@ std::vector<MeshPart> parse(const std::string& name, const std::string& bytes) {
 }
 
 std::string message_of(const std::string& name, const std::string& bytes) {
-  try {
-    parse(name, bytes);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::message_of([&] { parse(name, bytes); });
 }
 
 /// The corners of the part's triangles.

@@ -262,7 +262,7 @@ TEST(PointCloud, DamagedFilesEndInAnErrorOrPoints) {
         std::string damaged = bytes;
         damaged[at] = static_cast<char>(damaged[at] ^ flip);
         const std::string message = read(damaged);
-        EXPECT_TRUE(message == "no error" || message.starts_with("c:")) << name << at << message;
+        EXPECT_TRUE(message == "" || message.starts_with("c:")) << name << at << message;
       }
     }
   }

@@ -15,6 +15,7 @@
 #include <thread>
 
 #include "plugin/bad_planners.hpp"
+#include "support/input_error_message.hpp"
 
 /// Libraries that do harm as soon as they are loaded: whoever describes them comes to none.
 namespace avoidbench {
@@ -31,16 +32,13 @@ std::filesystem::path at_load_planner(const std::string& way) {
 
 /// What describing the planner says; "" if it describes itself as it is.
 std::string description_error(const std::string& way, double limit_s = kLimit_s) {
-  try {
+  return test::message_of([&] {
     const PlannerDescription planner = describe_planner(at_load_planner(way), limit_s);
     EXPECT_EQ(planner.name, "honest");
     EXPECT_EQ(planner.summary, "Flies along x.");
     EXPECT_EQ(planner.needs, AB_SEES_STATE | AB_SEES_DEPTH);
     EXPECT_EQ(planner.file, at_load_planner(way));
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  });
 }
 
 /// Processes that have the planner's library mapped.

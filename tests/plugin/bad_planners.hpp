@@ -8,6 +8,7 @@
 #include "base/input_error.hpp"
 #include "conformance/conformance.hpp"
 #include "plugin/planner_library.hpp"
+#include "support/input_error_message.hpp"
 
 namespace avoidbench {
 
@@ -26,12 +27,7 @@ inline std::filesystem::path scratch_folder(const std::string& name) {
 
 /// What load says of the file; empty when it loads.
 inline std::string load_error(const std::filesystem::path& file) {
-  try {
-    PlannerLibrary::load(file);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::message_of([&] { PlannerLibrary::load(file); });
 }
 
 /// What the rule `name` found; "not tried" where it wasn't.

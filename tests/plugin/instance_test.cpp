@@ -15,6 +15,7 @@
 #include "conformance/conformance_flight.hpp"
 #include "plugin/bad_planners.hpp"
 #include "plugin/command_check.hpp"
+#include "support/input_error_message.hpp"
 
 namespace avoidbench {
 namespace {
@@ -94,12 +95,7 @@ TEST(Instance, NoPlanAndGivingUpAreNoErrors) {
 
 TEST(Instance, SaysWhyCreateAndResetFail) {
   const auto create_error = [](const std::string& way) -> std::string {
-    try {
-      instance_of("fails_inside", how(way));
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+    return test::message_of([&] { instance_of("fails_inside", how(way)); });
   };
   EXPECT_EQ(create_error("create"), "planner fails_inside: no engine");
   EXPECT_THAT(create_error("unknown_name"), HasSubstr("no parameter speed_mps is declared"));

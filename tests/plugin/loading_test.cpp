@@ -7,6 +7,7 @@
 #include "base/digest.hpp"
 #include "plugin/bad_planners.hpp"
 #include "plugin/elf_symbols.hpp"
+#include "support/input_error_message.hpp"
 
 namespace avoidbench {
 namespace {
@@ -166,12 +167,7 @@ class PlannerPath {
 };
 
 std::string find_error(const std::string& plugin, const std::filesystem::path& base) {
-  try {
-    find_planner(plugin, base);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::message_of([&] { find_planner(plugin, base); });
 }
 
 TEST(Lookup, GoesThroughThePathInOrder) {

@@ -12,6 +12,7 @@
 #include "plugin/planner_library.hpp"
 #include "process/process_tree.hpp"
 #include "program_host.hpp"
+#include "support/input_error_message.hpp"
 
 namespace avoidbench {
 namespace {
@@ -223,12 +224,7 @@ TEST(HostilePrograms, ThatWriteWhileTheyAreReadHarmNobody) {
 
 TEST(HostilePrograms, ThatAreNotThereOrMayNotBeStartedAreNamed) {
   const auto error_of = [](const PlannerSource& source) -> std::string {
-    try {
-      program_table(source);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+    return test::message_of([&] { program_table(source); });
   };
   EXPECT_THAT(error_of({program_file_of("nothing"), {}}), HasSubstr("No such file"));
   EXPECT_THAT(error_of({program_file_of("echo"), {"no-such-interpreter", kFileWord}}),

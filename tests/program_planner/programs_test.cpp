@@ -14,6 +14,7 @@
 #include "plugin/planner_instance.hpp"
 #include "process/process_tree.hpp"
 #include "program_host.hpp"
+#include "support/input_error_message.hpp"
 
 namespace avoidbench {
 namespace {
@@ -29,12 +30,7 @@ fs::path own_folder() {
 }
 
 std::string problem_of(const PlannerSource& source) {
-  try {
-    describe_planner(source, 10.0);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::message_of([&] { describe_planner(source, 10.0); });
 }
 
 TEST(Programs, PassTheConformanceSuite) {

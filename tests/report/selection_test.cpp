@@ -4,6 +4,7 @@
 
 #include "base/input_error.hpp"
 #include "report/summary.hpp"
+#include "support/input_error_message.hpp"
 #include "support/sample_sweep.hpp"
 
 namespace avoidbench {
@@ -83,12 +84,7 @@ TEST(Selection, AValueThatNoTrialHasIsAnErrorThatNamesThoseThereAre) {
   for (TrialSummary& trial : two.trials) trial.fields[0] = std::string("mine");
   const std::vector<const SweepResult*> both{&one, &two};
   const auto problem = [&](const std::string& condition) {
-    try {
-      check_values(both, {parse_condition(condition)});
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
-    return std::string();
+    return test::message_of([&] { check_values(both, {parse_condition(condition)}); });
   };
   EXPECT_EQ(problem("planner = ego, mine"), "");  // each in one of the sweeps
   EXPECT_EQ(problem("planner = egoo"),

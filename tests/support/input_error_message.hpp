@@ -1,12 +1,13 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "base/input_error.hpp"
 
 namespace avoidbench::test {
 
-/// The message of the InputError that `action` throws; "no error" if it throws none.
+/// The message of the InputError that `action` throws, its problems one a line; "" if it throws none.
 template <class Action>
 std::string message_of(Action action) {
   try {
@@ -14,7 +15,14 @@ std::string message_of(Action action) {
   } catch (const InputError& error) {
     return error.what();
   }
-  return "no error";
+  return "";
+}
+
+/// The problems, one a line, as main prints them.
+inline std::string joined(const std::vector<InputProblem>& problems) {
+  std::string all;
+  for (const InputProblem& problem : problems) all += (all.empty() ? "" : "\n") + text(problem);
+  return all;
 }
 
 inline bool has(const std::string& message, const std::string& part) {

@@ -27,8 +27,58 @@ import tempfile
 import threading
 import time
 
-from interrupted_runs import Runs
 from same_bits import rows
+
+SWEEP = """
+sweep: disturbed
+maps: {generator: hall, area_m: [10, 14], poisson_radius_m: [2.6, 3.2], seeds: 2}
+trials: 3
+planners: [straight_line, reactive]
+sensor: {width_px: 80, height_px: 60}
+mission: {time_limit_s: 20}
+"""
+TRIALS = 24
+
+
+class Runs:
+    def __init__(self, program, folder):
+        self.program, self.folder = program, pathlib.Path(folder)
+        self.sweep = self.folder / "sweep.yaml"
+        self.sweep.write_text(SWEEP)
+        self.problems = 0
+
+    def command(self, name, *options):
+        return [self.program, "run", str(self.sweep), "--quiet", "--db", str(self.folder / name), *options]
+
+    def run(self, name, *options):
+        subprocess.run(self.command(name, *options), check=True, stderr=subprocess.DEVNULL)
+        return rows(self.folder / name)
+
+    def fly_undisturbed(self, *options):
+        """Flies what the others are compared with; how long it took, in s."""
+        began = time.monotonic()
+        self.whole = self.run("whole.db", *options)
+        took_s = time.monotonic() - began
+        if len(self.whole["trial"]) != TRIALS:
+            sys.exit(f"{len(self.whole['trial'])} trials undisturbed, expected {TRIALS}")
+        print(f"{TRIALS} trials undisturbed in {took_s:.1f} s", flush=True)
+        return took_s
+
+    def expect(self, what, found, expected):
+        different = [kind for kind in expected if found[kind] != expected[kind]]
+        print(f"{'ok' if not different else 'DIFFERENT: ' + ', '.join(different)}  {what}", flush=True)
+        self.problems += 1 if different else 0
+
+    def check_file(self, name):
+        file = self.folder / name
+        if not file.exists() or file.stat().st_size == 0:
+            return
+        with contextlib.closing(sqlite3.connect(file)) as db:
+            answer = db.execute("PRAGMA integrity_check").fetchone()[0]
+        if answer != "ok":
+            print(f"damaged: {answer}")
+            self.problems += 1
+
 
 MARK = "AVOIDBENCH_DISTURBED_RUN"  # in the environment of a run and of all that it starts
 WHAT_TO_DO = re.compile(r"again|free|make room|move it|elsewhere|another|--db|see ", re.IGNORECASE)

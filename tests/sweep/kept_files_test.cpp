@@ -5,7 +5,7 @@
 #include "base/digest.hpp"
 #include "base/option_error.hpp"
 #include "support/flown_again.hpp"
-#include "support/problems.hpp"
+#include "support/input_error_message.hpp"
 #include "support/small_sweep.hpp"
 
 namespace avoidbench {
@@ -68,31 +68,6 @@ TEST_F(KeptFiles, FlyATrialAgainWhenThePlannerWasRebuiltAndTheMapIsGone) {
   EXPECT_TRUE(flown.flight.is_with_kept_planner);
   EXPECT_TRUE(flown.flight.warnings.empty());
   EXPECT_TRUE(flown.differences().empty());
-}
-
-TEST_F(KeptFiles, AreFoundWhenTheDatabaseWasRenamedOrMerged) {
-  run(sweep_, "a.db", 1, true);
-  EXPECT_TRUE(kept_planner(folder_ / "other.db", digest_));
-  fs::create_directories(folder_ / "b");
-  EXPECT_FALSE(kept_planner(folder_ / "b/all.db", digest_));
-  EXPECT_TRUE(merge_kept_files(folder_ / "b/all.db", folder_ / "a.db").empty());
-  EXPECT_EQ(kept_planner(folder_ / "b/all.db", digest_),
-            folder_ / "b/all.planners" / (digest_ + ".so"));
-  EXPECT_TRUE(kept_map(folder_ / "b/all.db", file_digest(map_), "wall.obj"));
-  EXPECT_FALSE(kept_planner({}, digest_));
-}
-
-TEST_F(KeptFiles, AreNotTakenWhereTheyAreOtherFiles) {
-  run(sweep_, "a.db", 1, true);
-  const fs::path kept = folder_ / "a.planners" / (digest_ + ".so");
-  std::ofstream(planner_, std::ios::app) << "rebuilt";
-  std::ofstream(kept, std::ios::app) << "x";
-  EXPECT_FALSE(kept_planner(folder_ / "a.db", digest_));
-  EXPECT_NE(
-      problems_of([&] { replayed(); }).find("is not the library that the trial was flown with"),
-      std::string::npos);
-  EXPECT_TRUE(merge_kept_files(folder_ / "c.db", folder_ / "a.db").empty());
-  EXPECT_FALSE(fs::exists(folder_ / "c.planners"));
 }
 
 TEST_F(KeptFiles, AreRenewedByTheNextRunAndLeftOutIfNotWanted) {

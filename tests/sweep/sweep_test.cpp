@@ -52,28 +52,6 @@ TEST_F(SweepTest, GrowingASweepAddsAndKeepsWhatIsThere) {
   EXPECT_EQ(grown.progress.done, 8);
 }
 
-TEST_F(SweepTest, APlannerThatCrashesOrHangsCostsItsOwnTrials) {
-  SweepSpec sweep = small_sweep();
-  sweep.axes[0].values = {1};
-  for (const std::string name : {"segfault", "infinite_loop"}) {
-    PlannerChoice bad;
-    bad.label = name;
-    bad.file = std::string(BAD_PLANNERS) + "/" + name + ".so";
-    bad.file_digest = PlannerLibrary::load(bad.file).description().file_digest;
-    sweep.planners.push_back(bad);
-  }
-  const RunSummary summary = run(sweep, "bad.db", 2);
-  EXPECT_EQ(summary.progress.done, 8);
-  const Database database = Database::open_for_reading(folder_ / "bad.db");
-  int crashed = 0, hung = 0;
-  for (const auto& [key, outcome] : database.finished_trials()) {
-    crashed += outcome == Outcome::planner_crashed ? 1 : 0;
-    hung += outcome == Outcome::planner_hung ? 1 : 0;
-  }
-  EXPECT_EQ(crashed, 2);
-  EXPECT_EQ(hung, 2);
-}
-
 TEST_F(SweepTest, APlannerWithGlobalsFliesEachTrialInANewProcess) {
   for (const std::string told : {"AB_USES_GLOBALS", "0"}) {
     SweepSpec sweep = small_sweep();
@@ -95,54 +73,6 @@ TEST_F(SweepTest, APlannerWithGlobalsFliesEachTrialInANewProcess) {
     EXPECT_EQ(good + failed, 4) << told;
     EXPECT_EQ(failed == 0, told != "0") << "without the flag processes are used again";
   }
-}
-
-TEST_F(SweepTest, ACrashAndAHangLeaveTheirPathUpToTheCall) {
-  SweepSpec sweep = small_sweep();
-  sweep.axes[0].values = {1};
-  sweep.trials = 1;
-  sweep.planners.clear();
-  const std::string file = std::string(BAD_PLANNERS) + "/talks.so";
-  const PlannerDescription planner = PlannerLibrary::load(file).description();
-  for (const std::string end : {"never", "crash", "hang"}) {
-    sweep.planners.push_back(
-        {.plugin = file,
-         .label = end,
-         .file = file,
-         .file_digest = planner.file_digest,
-         .parameters = {{.name = "sleep_ms", .number = 0.0, .text = ""},
-                        {.name = "end_s", .number = 1.0, .text = ""},
-                        {.name = "print_lines", .number = 1.0, .text = ""},
-                        {.name = "end", .number = 0.0, .text = end, .is_text = true}}});
-  }
-  const RunSummary summary = run(sweep, "ends.db", 2);
-  const std::string rows = rows_;
-  const Database database = Database::open_for_reading(folder_ / "ends.db");
-  std::map<std::string, TrialRow> trials;
-  for (const TrialListing& listing : database.list_trials()) {
-    trials[listing.planner_label] = *database.read_trial(listing.key);
-  }
-  ASSERT_EQ(trials.size(), 3U);
-  const TrialRecord& whole = trials["never"].record;
-  for (const auto& [label, outcome] :
-       {std::pair("crash", Outcome::planner_crashed), std::pair("hang", Outcome::planner_hung)}) {
-    const TrialRow& row = trials[label];
-    const TrialRecord& part = row.record;
-    EXPECT_EQ(part.outcome, outcome) << part.reason;
-    EXPECT_EQ(part.end_time_s, 1.0);
-    ASSERT_EQ(part.plan_calls.size(), 30U);
-    ASSERT_GT(part.samples.size(), 40U);
-    ASSERT_LT(part.samples.size(), whole.samples.size());
-    for (std::size_t i = 0; i < part.samples.size(); ++i) {
-      EXPECT_EQ(part.samples[i].position_world, whole.samples[i].position_world) << i;
-    }
-    EXPECT_EQ(summary.last_words.at(row.key), "to stderr");
-  }
-  EXPECT_NE(trials["crash"].record.reason.find("talks.so: Talks::crash_deep_inside()+0x"),
-            std::string::npos)
-      << trials["crash"].record.reason;
-  run(sweep, "again.db", 1);
-  EXPECT_EQ(rows_, rows);
 }
 
 TEST_F(SweepTest, ANewRevisionIsReportedWithWhatDiffers) {

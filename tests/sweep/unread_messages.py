@@ -17,7 +17,7 @@ import tempfile
 import termios
 import time
 
-from interrupted_runs import Runs
+from disturbed_runs import Runs
 from same_bits import rows
 
 

@@ -7,6 +7,7 @@
 #include "base/input_error.hpp"
 #include "base/spec_json.hpp"
 #include "control/mixer.hpp"
+#include "support/input_error_message.hpp"
 #include "support/vehicles.hpp"
 
 namespace avoidbench {
@@ -22,12 +23,7 @@ VehicleSpec in_a_vacuum(VehicleSpec spec) {
 }
 
 std::string complaint(const VehicleSpec& spec) {
-  try {
-    check_vehicle(settled(spec));
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return {};
+  return test::message_of([&] { check_vehicle(settled(spec)); });
 }
 
 TEST(Capability, ThrustOverWeightIsThatOfTheSources) {

@@ -5,18 +5,14 @@
 #include "base/digest.hpp"
 #include "base/input_error.hpp"
 #include "base/spec_json.hpp"
+#include "support/input_error_message.hpp"
 #include "wind/wind_spec.hpp"
 
 namespace avoidbench {
 namespace {
 
 std::string refusal(const VehicleSpec& spec) {
-  try {
-    check_vehicle(spec);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return {};
+  return test::message_of([&] { check_vehicle(spec); });
 }
 
 TEST(VehicleSpec, PresetsFly) {

@@ -10,6 +10,7 @@
 #include "base/digest.hpp"
 #include "base/input_error.hpp"
 #include "base/random.hpp"
+#include "support/input_error_message.hpp"
 
 namespace avoidbench {
 namespace {
@@ -90,12 +91,7 @@ TEST(WindField, OneColumnOfOneLayerIsAConstantWind) {
 
 std::string complaint(std::string text, const std::string& from, const std::string& to) {
   if (!from.empty()) text.replace(text.find(from), from.size(), to);
-  try {
-    parse_wind_field(text, "f.txt");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return {};
+  return test::message_of([&] { parse_wind_field(text, "f.txt"); });
 }
 
 TEST(WindField, WhatIsWrongIsToldWithItsPlace) {

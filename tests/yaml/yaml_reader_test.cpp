@@ -4,7 +4,7 @@
 
 #include <clocale>
 
-#include "support/problems.hpp"
+#include "support/input_error_message.hpp"
 #include "yaml/yaml_values.hpp"
 
 namespace avoidbench {
@@ -89,7 +89,7 @@ Camera read_ok(const std::string& text) {
   Camera camera;
   Reading reading;
   read_camera(text, "sensor", camera, reading);
-  EXPECT_EQ(joined(reading.problems), "") << text;
+  EXPECT_EQ(test::joined(reading.problems), "") << text;
   return camera;
 }
 
@@ -97,7 +97,7 @@ std::string problems(const std::string& text) {
   Camera camera;
   Reading reading;
   read_camera(text, "sensor", camera, reading);
-  return joined(reading.problems);
+  return test::joined(reading.problems);
 }
 
 TEST(YamlReader, ReadsEveryType) {
@@ -215,7 +215,7 @@ TEST(YamlReader, ListsAndRangesAreAxesWhereAskedFor) {
       "fov_x_deg: {from: 60, to: 90, count: 4}\nwidth_px: [16, 32]\n"
       "lens: {focal_m: {from: 0.1, to: 0.5, step: 0.2}, offset_m: [[0, 0, 0], [1, 1, 1]]}\n",
       "s", camera, reading);
-  ASSERT_EQ(joined(reading.problems), "");
+  ASSERT_EQ(test::joined(reading.problems), "");
   ASSERT_EQ(reading.axes.size(), 4U);
   EXPECT_EQ(reading.axes[0].path, "s.fov_x_deg");
   EXPECT_EQ(nlohmann::json(reading.axes[0].values).dump(), "[60.0,70.0,80.0,90.0]");
@@ -255,7 +255,7 @@ TEST(YamlReader, ProblemsOfAxes) {
     Reading reading;
     reading.lists_are_axes = true;
     read_camera(text, "s", camera, reading);
-    EXPECT_EQ(joined(reading.problems), expected) << text;
+    EXPECT_EQ(test::joined(reading.problems), expected) << text;
   }
 }
 

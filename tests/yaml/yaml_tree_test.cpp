@@ -6,13 +6,14 @@
 #include <fstream>
 
 #include "base/random.hpp"
-#include "support/problems.hpp"
+#include "support/input_error_message.hpp"
+#include "support/mutated.hpp"
 
 namespace avoidbench {
 namespace {
 
 std::string parse_problems(const std::string& text) {
-  return problems_of([&] { parse_yaml(text, "f.yaml"); });
+  return test::message_of([&] { parse_yaml(text, "f.yaml"); });
 }
 
 TEST(YamlTree, KeepsTextKindsAndPlaces) {
@@ -131,9 +132,9 @@ TEST(YamlTree, RefusesWhatIsTooDeepOrTooLarge) {
 }
 
 TEST(YamlTree, UnreadableFiles) {
-  EXPECT_EQ(problems_of([] { read_yaml("/nowhere/f.yaml"); }), "/nowhere/f.yaml: no such file");
-  EXPECT_EQ(problems_of([] { read_yaml("/tmp"); }), "/tmp: is a folder, not a file");
-  EXPECT_EQ(problems_of([] { read_yaml("/dev/zero"); }),
+  EXPECT_EQ(test::message_of([] { read_yaml("/nowhere/f.yaml"); }), "/nowhere/f.yaml: no such file");
+  EXPECT_EQ(test::message_of([] { read_yaml("/tmp"); }), "/tmp: is a folder, not a file");
+  EXPECT_EQ(test::message_of([] { read_yaml("/dev/zero"); }),
             "/dev/zero: is a device, not a regular file: write what it gives to a file first");
 }
 
@@ -151,19 +152,8 @@ TEST(YamlTree, MutatedDocumentsNeverCrash) {
   RandomStream random = stream(1, "yaml mutations");
   int accepted = 0, refused = 0;
   for (int round = 0; round < 20000; ++round) {
-    std::string text = good;
-    const std::uint64_t changes = 1 + random.below(6);
-    for (std::uint64_t i = 0; i < changes && !text.empty(); ++i) {
-      const std::size_t place = random.below(text.size());
-      const std::uint64_t what = random.below(4);
-      const std::size_t length = 1 + random.below(8);
-      if (what == 0) text[place] = special[random.below(special.size())];
-      if (what == 1) text.erase(place, length);
-      if (what == 2) text.insert(place, text.substr(place, length));
-      if (what == 3) text.insert(place, 1, special[random.below(special.size())]);
-    }
     try {
-      parse_yaml(text, "f.yaml");
+      parse_yaml(test::mutated(good, 6, special, random), "f.yaml");
       ++accepted;
     } catch (const InputError&) {
       ++refused;

@@ -8,6 +8,7 @@
 #include "base/input_error.hpp"
 #include "planners/support/trajectory_flight.hpp"
 #include "planners/support/trajectory_suite.hpp"
+#include "support/input_error_message.hpp"
 
 namespace avoidbench::kinematic {
 namespace {
@@ -108,12 +109,7 @@ class PluginCopy {
   std::filesystem::path plugin() const { return folder_ / "agile.so"; }
   std::filesystem::path weights() const { return folder_ / "agile.safetensors"; }
   std::string error() const {
-    try {
-      describe_planner(plugin().string(), 10.0);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+    return test::message_of([&] { describe_planner(plugin().string(), 10.0); });
   }
 
  private:

@@ -18,12 +18,8 @@
 #include "avoidbench/planner.hpp"
 
 /// Flies straight to the goal, but misbehaves after half a second, in the way that its parameter
-/// names or, where that is "seeded", in one that the mission's seed decides.
+/// names.
 namespace {
-
-constexpr const char* kWays[] = {"nothing",  "segfault", "abort",  "exit",     "throw", "loop",
-                                 "memory",   "overflow", "close",  "print",    "nan",   "thread",
-                                 "scribble", "round",    "reopen", "terminate"};
 
 [[noreturn]] void loop_for_ever() {
   volatile bool forever = true;
@@ -53,10 +49,11 @@ void close_descriptors() {
   for (int fd = 3; fd < 1024; ++fd) ::close(fd);
 }
 
-/// Into the pipe of the results: numbers that begin a message, or seem to.
-void write_header(std::uint64_t text_bytes, std::uint64_t other_bytes, std::size_t bytes) {
-  const std::uint64_t header[3] = {0x6176426e4d736731, text_bytes, other_bytes};
-  (void)!::write(4, header, bytes);
+/// Into the pipe of the results: a message without a result in it.
+void write_empty_result() {
+  const std::uint64_t header[3] = {0x6176426e4d736731, 2, 0};
+  (void)!::write(4, header, sizeof(header));
+  (void)!::write(4, "{}", 2);
 }
 
 /// A process of its own session that does not end with its parent.
@@ -96,12 +93,7 @@ void misbehave(const std::string& way) {
   if (way == "stop") ::raise(SIGSTOP);
   if (way == "fork and return") (void)!::fork();
   if (way == "leave a daemon") leave_daemon();
-  if (way == "half a header") write_header(2, 0, 12);
-  if (way == "huge header") write_header(1ULL << 32U, 1ULL << 32U, 24);
-  if (way == "empty result") {
-    write_header(2, 0, 24);
-    (void)!::write(4, "{}", 2);
-  }
+  if (way == "empty result") write_empty_result();
   if (way == "kill") ::raise(SIGKILL);
   if (way.starts_with("kill once, ")) {  // and a file that says so
     const int fd = ::open(way.substr(11).c_str(), O_CREAT | O_EXCL | O_WRONLY, 0600);
@@ -115,15 +107,14 @@ class Torture {
   static constexpr std::uint32_t needs = AB_SEES_STATE;
   static constexpr std::uint32_t commands = AB_COMMAND_VELOCITY;
   static constexpr std::array parameters{avoidbench::text_parameter(
-      "way", "seeded", "How it misbehaves; seeded: by the mission's seed.")};
+      "way", "nothing", "How it misbehaves.")};
 
   explicit Torture(const ab_setup& setup)
-      : given_(avoidbench::Parameters<Torture>(setup).text("way")) {}
+      : way_(avoidbench::Parameters<Torture>(setup).text("way")) {}
 
   void reset(const ab_mission& mission) {
     mission_ = mission;
     calls_ = 0;
-    way_ = given_ == "seeded" ? kWays[mission.seed % std::size(kWays)] : given_;
   }
 
   std::optional<ab_command> plan(const ab_observation& seen) {
@@ -148,7 +139,7 @@ class Torture {
   }
 
  private:
-  std::string given_, way_;
+  std::string way_;
   ab_mission mission_{};
   int calls_ = 0;
 };
