@@ -106,7 +106,7 @@ class LiveFile:
         for node in self.nodes:
             self.leaves += node.parameters
         self.published = topics_spec.all_published(values["publish"])
-        self.command = topics_spec.CommandSpec(values["command"], [node.name for node in self.nodes])
+        self.command = topics_spec.CommandSpec(values["command"])
         self.notes = []
         self._check_nodes(tree)
         self._note(values)
@@ -136,15 +136,6 @@ class LiveFile:
         places = [(node.values["main"], "main") for node in self.nodes if "main" in node.values]
         places += [(values["packages"], "packages")] if "packages" in values else []
         self.notes += [str(place.problem(f"{what} is for ros_shim alone")) for place, what in places]
-        if self.command.ahead_node:
-            self.notes.append(
-                str(
-                    self.command.values["ahead"].problem(
-                        "ahead is for ros_shim alone: a real node can't be run ahead; the command is two plan "
-                        "periods of its last set point"
-                    )
-                )
-            )
 
     @property
     def sees(self):

@@ -171,14 +171,13 @@ def publish_line(one):
 
 
 class Command(topics_spec.CommandSpec):
-    def __init__(self, tree, nodes):
-        super().__init__(tree, [one.name for one in nodes])
+    def __init__(self, tree):
+        super().__init__(tree)
         self.function = READERS[self.form]
-        kinds = ("trajectory",) if self.ahead_node else self.kinds
-        self.bits = " | ".join(f"AB_COMMAND_{kind.upper()}" for kind in kinds)
+        self.bits = " | ".join(f"AB_COMMAND_{kind.upper()}" for kind in self.kinds)
         self.cpp = (
             f"  spec.command = {{{quoted(self.topic)}, {str(self.in_body).lower()}, {real(self.hover_thrust)}, "
-            f"{real(self.stale_s)}, {quoted(self.ahead_node)}, {real(self.horizon_s)}, {real(self.step_s)}}};"
+            f"{real(self.stale_s)}}};"
         )
 
 
@@ -226,7 +225,7 @@ class Planner:
         published = topics_spec.all_published(values["publish"])
         self.needs = {f"AB_SEES_{what.upper()}" for what in topics_spec.seen_of(published)}
         self.published = [publish_line(one) for one in published]
-        self.command = Command(values["command"], self.nodes)
+        self.command = Command(values["command"])
 
     def cpp(self):
         count = len(self.parameters)

@@ -267,8 +267,8 @@ def seen_of(topics):
 class CommandSpec:
     """`command`: where it comes out and what it becomes."""
 
-    def __init__(self, tree, node_names):
-        values = tree.map(["topic", "type", "form", "frame", "hover_thrust", "stale_s", "ahead"])
+    def __init__(self, tree):
+        values = tree.map(["topic", "type", "form", "frame", "hover_thrust", "stale_s"])
         for key in ("topic", "type"):
             if key not in values:
                 raise tree.problem(f"command has a {key}")
@@ -287,15 +287,3 @@ class CommandSpec:
         if self.form == "AttitudeTarget" and not self.hover_thrust:
             raise tree.problem("an AttitudeTarget needs hover_thrust: the thrust at which the vehicle hovers")
         self.stale_s = float(values["stale_s"].number(1e-3, 1e6)) if "stale_s" in values else 0.5
-        self.ahead_node, self.horizon_s, self.step_s = "", 0.0, 0.05
-        if "ahead" in values:
-            ahead = values["ahead"].map(["node", "horizon_s", "step_s"])
-            if "node" not in ahead or "horizon_s" not in ahead:
-                raise values["ahead"].problem("ahead has the node that serves set points, and horizon_s")
-            self.ahead_node = ahead["node"].word(node_names)
-            self.horizon_s = ahead["horizon_s"].number(1e-3, 60)
-            self.step_s = ahead["step_s"].number(1e-3, 60) if "step_s" in ahead else self.step_s
-            if self.form != "PositionCommand":
-                raise values["ahead"].problem(
-                    "only PositionCommand is run ahead: it has position, velocity and acceleration"
-                )

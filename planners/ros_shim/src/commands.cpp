@@ -46,36 +46,33 @@ double yaw_of_quaternion(double x, double y, double z, double w) {
   return portable::atan2(2.0 * (w * z + x * y), 1.0 - 2.0 * (y * y + z * z));
 }
 
-Commands::Commands(const CommandForm& form, const ab_setup& setup)
-    : form_(form), plan_period_s_(setup.plan_period_s), gravity_mps2_(setup.gravity_mps2) {}
+/// A command acts a latency after its call, until the next one does, a plan period later; one more
+/// for a call that gives none. Where the latency is measured, a set point reaches as far as it
+/// counts.
+Commands::Commands(const CommandForm& form, const ab_setup& setup, const ab_mission& mission)
+    : form_(form),
+      plan_period_s_(setup.plan_period_s),
+      gravity_mps2_(setup.gravity_mps2),
+      reach_s_(2.0 * plan_period_s_) {
+  const bool has_latency = mission.struct_size >= sizeof(ab_mission);
+  if (has_latency) {
+    reach_s_ += std::isnan(mission.command_latency_s) ? form_.stale_s : mission.command_latency_s;
+  }
+}
 
 void Commands::take(SetPoints points) {
   if (points.empty()) return;
   if (form_.body_velocity) {
     for (SetPoint& point : points) point.in_heading_frame = true;
   }
-  if (is_ahead_) {
-    ahead_.insert(ahead_.end(), points.begin(), points.end());
-  } else {
-    last_ = std::move(points);
-  }
+  last_ = std::move(points);
 }
-
-void Commands::begin_ahead(std::int64_t now_ns) {
-  ahead_.clear();
-  // What the server said last begins the trajectory.
-  if (last_.size() == 1 && seconds(now_ns - last_[0].time_ns) <= form_.stale_s) ahead_ = last_;
-  is_ahead_ = true;
-}
-
-void Commands::end_ahead() { is_ahead_ = false; }
 
 std::optional<ab_command> Commands::answer(std::int64_t now_ns, const ab_state& state) {
-  const SetPoints& points = ahead_.size() > 1 ? ahead_ : last_;
-  if (points.empty()) return std::nullopt;
-  if (seconds(now_ns - points.back().time_ns) > form_.stale_s) return std::nullopt;
-  if (points.size() == 1) return of_one(points[0], now_ns, state);
-  return of_many(points, now_ns);
+  if (last_.empty()) return std::nullopt;
+  if (seconds(now_ns - last_.back().time_ns) > form_.stale_s) return std::nullopt;
+  if (last_.size() == 1) return of_one(last_[0], now_ns, state);
+  return of_many(last_, now_ns);
 }
 
 ab_command Commands::of_one(const SetPoint& point, std::int64_t now_ns, const ab_state& state) {
@@ -88,10 +85,9 @@ ab_command Commands::of_one(const SetPoint& point, std::int64_t now_ns, const ab
                                           point.thrust / form_.hover_thrust * gravity_mps2_);
   }
   if (point.has_position && point.has_velocity) {
-    // Two plan periods of it: the next answer comes after one.
     points_.assign(2, point_after(point, age_s));
-    points_[1] = point_after(point, age_s + 2.0 * plan_period_s_);
-    points_[1].time_s = 2.0 * plan_period_s_;
+    points_[1] = point_after(point, age_s + reach_s_);
+    points_[1].time_s = reach_s_;
     unwind_yaws(points_);
     return avoidbench::make_trajectory_command(points_);
   }
@@ -123,7 +119,7 @@ ab_command Commands::of_one(const SetPoint& point, std::int64_t now_ns, const ab
 }
 
 ab_command Commands::of_many(const SetPoints& points, std::int64_t now_ns) {
-  const double step_s = std::max(form_.step_s, 1e-3);
+  constexpr double kStep_s = 0.05;
   points_.clear();
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!points[i].has_position) throw std::runtime_error("a trajectory without positions");
@@ -137,7 +133,7 @@ ab_command Commands::of_many(const SetPoints& points, std::int64_t now_ns) {
     // A trajectory that begins later: its beginning holds until then.
     if (points_.empty()) points_.push_back(point_after(points[i], 0.0));
     const bool is_last = i + 1 == points.size();
-    if (!is_last && after_s < points_.back().time_s + step_s - 1e-9) continue;
+    if (!is_last && after_s < points_.back().time_s + kStep_s - 1e-9) continue;
     points_.push_back(point_after(points[i], 0.0));
     points_.back().time_s = after_s;
   }

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "rewind.hpp"
-
 namespace ros_shim {
 namespace {
 
@@ -24,7 +22,6 @@ bool is_ready(const Core& core, const Node& node) {
 Node* next_ready(Core& core) {
   Node* best = nullptr;
   for (const std::unique_ptr<Node>& node : core.nodes) {
-    if (core.only != nullptr && node.get() != core.only) continue;
     if (!is_ready(core, *node)) continue;
     if (node->wake_ns <= core.now_ns || !core.is_running) return node.get();
     if (best == nullptr || node->queue.front().order < best->queue.front().order) best = node.get();
@@ -51,18 +48,16 @@ void resume(Core& core, Node& node) {
   }
 }
 
-bool may_tick(const Core& core, const Timer& timer) {
-  return timer.is_running && !timer.is_waiting && !timer.is_removed &&
-         (core.only == nullptr || timer.node == core.only);
+bool may_tick(const Timer& timer) {
+  return timer.is_running && !timer.is_waiting && !timer.is_removed;
 }
 
 std::int64_t next_event_ns(const Core& core) {
   std::int64_t next = kNever;
   for (const Timer& timer : core.timers) {
-    if (may_tick(core, timer)) next = std::min(next, timer.next_ns);
+    if (may_tick(timer)) next = std::min(next, timer.next_ns);
   }
   for (const std::unique_ptr<Node>& node : core.nodes) {
-    if (core.only != nullptr && node.get() != core.only) continue;
     if (node->fibre && !node->fibre->is_done()) next = std::min(next, node->wake_ns);
   }
   return next;
@@ -71,10 +66,9 @@ std::int64_t next_event_ns(const Core& core) {
 /// The timers that are due now enter their nodes' queues, the earliest first, then as they were
 /// made.
 void queue_ticks(Core& core) {
-  const LedgerPause pause;
   std::vector<int> due;
   for (std::size_t i = 0; i < core.timers.size(); ++i) {
-    if (may_tick(core, core.timers[i]) && core.timers[i].next_ns <= core.now_ns) {
+    if (may_tick(core.timers[i]) && core.timers[i].next_ns <= core.now_ns) {
       due.push_back(static_cast<int>(i));
     }
   }
@@ -193,18 +187,6 @@ void advance(std::int64_t to_ns) {
 
 void set_now(std::int64_t to_ns) { core().now_ns = std::max(core().now_ns, to_ns); }
 
-void advance_only(Node& node, std::int64_t to_ns) {
-  Core& core = ros_shim::core();
-  core.only = &node;
-  try {
-    run_scheduler(core, to_ns);
-  } catch (...) {
-    core.only = nullptr;
-    throw;
-  }
-  core.only = nullptr;
-}
-
 void end_nodes() {
   Core& core = ros_shim::core();
   core.is_running = false;
@@ -219,13 +201,6 @@ void end_nodes() {
       }
     }
   }
-}
-
-Node* find_node(const std::string& name) {
-  for (const std::unique_ptr<Node>& node : core().nodes) {
-    if (node->fibre && (node->spec.name == name || node->full_name == name)) return node.get();
-  }
-  return nullptr;
 }
 
 void wait(std::int64_t wake_ns, bool takes_callbacks) {
@@ -246,10 +221,7 @@ void wait(std::int64_t wake_ns, bool takes_callbacks) {
 void run_one_callback(Node& node) {
   Core& core = ros_shim::core();
   const Waiting waiting = std::move(node.queue.front());
-  {
-    const LedgerPause pause;
-    node.queue.pop_front();
-  }
+  node.queue.pop_front();
   if (waiting.timer >= 0) {
     run_tick(core, waiting.timer);
     return;

@@ -85,7 +85,6 @@ struct Core {
   std::map<std::string, Value> parameters;  ///< leaves by full name
   std::map<std::string, std::string> packages;
   std::function<void(Level, const std::string&)> write_log;
-  Node* only = nullptr;  ///< while it runs ahead: messages go nowhere but to the host's side
 };
 
 /// The one of this copy.
@@ -100,12 +99,9 @@ void add_node(const NodeSpec& spec);
 void advance(std::int64_t to_ns);
 /// Time alone: what is due waits for the next advance().
 void set_now(std::int64_t to_ns);
-/// As advance(), with everything but one node standing still.
-void advance_only(Node& node, std::int64_t to_ns);
 /// Ends all nodes: ros::ok() is false and every wait ends, so that their mains return. Those that
 /// do not are unwound.
 void end_nodes();
-Node* find_node(const std::string& name);
 
 /// Of the node that runs: back to the scheduler until that time, or the first callback where it
 /// takes them.

@@ -4,7 +4,6 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include <cstring>
 #include <new>
 #include <utility>
 
@@ -91,24 +90,5 @@ void Fibre::resume() {
 }
 
 void Fibre::yield() { switch_to(own_, caller_, false); }
-
-std::pair<char*, std::size_t> Fibre::used_stack() const {
-#if defined(__x86_64__)
-  const auto top = static_cast<std::uintptr_t>(own_.uc_mcontext.gregs[REG_RSP]);
-  // Below the stack pointer lies the red zone of a leaf function.
-  constexpr std::uintptr_t kRedZone = 128;
-  char* from = reinterpret_cast<char*>(top - kRedZone);
-#else
-  char* from = stack_ + page_size();
-#endif
-  return {from, static_cast<std::size_t>(stack_ + kStack - from)};
-}
-
-void Fibre::set_context(const ucontext_t& context) {
-  // A ucontext_t points into itself: to its floating-point registers.
-  const auto fpregs = own_.uc_mcontext.fpregs;
-  own_ = context;
-  own_.uc_mcontext.fpregs = fpregs;
-}
 
 }  // namespace ros_shim

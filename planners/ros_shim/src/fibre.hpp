@@ -25,12 +25,6 @@ class Fibre {
   void yield();
   bool is_done() const { return is_done_; }
 
-  /// The part of the stack that is in use while it waits, and what the processor needs to go on:
-  /// what is copied to come back to this point.
-  std::pair<char*, std::size_t> used_stack() const;
-  ucontext_t context() const { return own_; }
-  void set_context(const ucontext_t& context);
-
  private:
   static void enter(unsigned high, unsigned low);
   void switch_to(ucontext_t& from, ucontext_t& to, bool into);

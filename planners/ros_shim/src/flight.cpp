@@ -8,8 +8,6 @@
 #include <new>
 #include <stdexcept>
 
-#include "rewind.hpp"
-
 namespace ros_shim {
 namespace {
 
@@ -137,7 +135,7 @@ constexpr CopyTable kCopyTable{&begin, &plan, &end};
 }  // namespace
 
 Flight::Flight(const ab_host& host, const ab_setup& setup, const ab_mission& mission)
-    : spec_(planner_spec()), plan_period_s_(setup.plan_period_s) {
+    : spec_(planner_spec()) {
   require_finite(mission.start_world_m, "the mission's start");
   require_finite(mission.goal_world_m, "the mission's goal");
   set_core(std::make_unique<Core>());
@@ -152,14 +150,14 @@ Flight::Flight(const ab_host& host, const ab_setup& setup, const ab_mission& mis
   core.now_ns = kStart_ns - lead_ns;
   try {
     observations_ = std::make_unique<Observations>(spec_, setup, mission);
-    commands_ = std::make_unique<Commands>(spec_.command, setup);
+    commands_ = std::make_unique<Commands>(spec_.command, setup, mission);
     ros::NodeHandle node;
     command_ = spec_.subscribe(node, spec_.command,
                                [this](SetPoints points) { commands_->take(std::move(points)); });
     for (const NodeSpec& one : spec_.nodes) add_node(one);
     spec_.set_parameters(given_of(setup, mission));
     // Until the trial begins the nodes start; the vehicle hovers and tells so.
-    const std::int64_t period_ns = std::max<std::int64_t>(1000000, nanoseconds_of(plan_period_s_));
+    const std::int64_t period_ns = std::max<std::int64_t>(1000000, nanoseconds_of(setup.plan_period_s));
     for (std::int64_t at_ns = core.now_ns; at_ns < kStart_ns; at_ns += period_ns) {
       advance(at_ns);
       observations_->publish_start();
@@ -190,17 +188,7 @@ std::optional<ab_command> Flight::plan(const ab_observation& seen) {
   const std::int64_t to_ns = std::max(now_ns(), ros_time_ns(call_s));
   observations_->publish(seen, to_ns);
   advance(to_ns);
-  if (!spec_.command.node.empty()) run_ahead();
   return commands_->answer(to_ns, state);
-}
-
-void Flight::run_ahead() {
-  Node* const node = find_node(spec_.command.node);
-  if (node == nullptr || node->fibre->is_done()) return;
-  commands_->begin_ahead(now_ns());
-  const Rewind rewind(*node);
-  advance_only(*node, now_ns() + nanoseconds_of(spec_.command.horizon_s));
-  commands_->end_ahead();
 }
 
 }  // namespace ros_shim

@@ -43,13 +43,10 @@ class Observations {
 /// Set points to answers.
 class Commands {
  public:
-  Commands(const CommandForm& form, const ab_setup& setup);
+  Commands(const CommandForm& form, const ab_setup& setup, const ab_mission& mission);
   void take(SetPoints points);
   /// The answer at ROS time `now_ns`; none where no set point came or the last one is old.
   std::optional<ab_command> answer(std::int64_t now_ns, const ab_state& state);
-  /// Set points that come from now on are of a server that is run ahead.
-  void begin_ahead(std::int64_t now_ns);
-  void end_ahead();
 
  private:
   ab_command of_one(const SetPoint& point, std::int64_t now_ns, const ab_state& state);
@@ -57,8 +54,8 @@ class Commands {
 
   CommandForm form_;
   double plan_period_s_, gravity_mps2_;
-  SetPoints last_, ahead_;
-  bool is_ahead_ = false;
+  double reach_s_;  ///< how far one set point has to reach
+  SetPoints last_;
   std::vector<ab_point> points_;
 };
 
@@ -72,10 +69,7 @@ class Flight {
   std::optional<ab_command> plan(const ab_observation& seen);
 
  private:
-  void run_ahead();
-
   PlannerSpec spec_;
-  double plan_period_s_;
   std::unique_ptr<Observations> observations_;
   std::unique_ptr<Commands> commands_;
   ros::Subscriber command_;

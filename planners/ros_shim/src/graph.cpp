@@ -2,7 +2,6 @@
 #include <stdexcept>
 
 #include "core.hpp"
-#include "rewind.hpp"
 
 // What ros_shim/runtime.h declares: topics, timers, life of a node.
 namespace ros_shim {
@@ -21,7 +20,6 @@ bool is_over() {
 }
 
 void enqueue(Core& core, int index, const Delivery& delivery) {
-  const LedgerPause pause;
   Subscription& subscription = *core.subscriptions[static_cast<std::size_t>(index)];
   if (!subscription.deliver) return;
   Node& node = *subscription.node;
@@ -30,7 +28,6 @@ void enqueue(Core& core, int index, const Delivery& delivery) {
     (*deliver)(delivery);
     return;
   }
-  if (core.only != nullptr && &node != core.only) return;
   if (subscription.limit > 0) {
     const auto of_it = [&](const Waiting& waiting) { return waiting.subscription == index; };
     const auto count = std::count_if(node.queue.begin(), node.queue.end(), of_it);
@@ -151,7 +148,7 @@ void publish(int topic, AnyMessage message, bool latched) {
   Core& core = ros_shim::core();
   Topic& to = topic_at(topic);
   const Delivery delivery{std::move(message), core.current->full_name, core.now_ns};
-  if (latched && core.only == nullptr) {
+  if (latched) {
     to.latched = delivery.message;
     to.latched_by = delivery.publisher;
   }

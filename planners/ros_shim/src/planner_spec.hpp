@@ -76,9 +76,6 @@ struct CommandForm {
   bool body_velocity = false;
   double hover_thrust = 0.0;  ///< the message's thrust at which the vehicle hovers
   double stale_s = 0.5;
-  // a server of set points that is run ahead; none where `node` is empty
-  std::string node;
-  double horizon_s = 0.0, step_s = 0.0;
 };
 
 struct PlannerSpec {

@@ -98,21 +98,19 @@ def files(folder):
         example.sees == ("state", "depth") and example.decisive_files() == ["flyer.py"] and not example.notes,
     )
     topics.write_text(
-        GOOD.replace("run:", "main: one\n    run:").replace(
-            "geometry_msgs/Twist}", "own_msgs/Set, form: PositionCommand, ahead: {node: one, horizon_s: 1}}"
-        )
+        GOOD.replace("run:", "main: one\n    run:").replace("geometry_msgs/Twist}", "own_msgs/Set, form: PositionCommand}")
     )
     notes = LiveFile(topics).notes
     expect(
         "what is for the shim alone is told",
-        len(notes) == 2 and f"{topics}:3:11: main is for ros_shim alone" in notes[0],
+        len(notes) == 1 and f"{topics}:3:11: main is for ros_shim alone" in notes[0],
         notes,
     )
 
 
 def commands():
     def answer(form, message, now_s=10.0, stale_s=0.5, in_body=False, taken_s=10.0, yaw=0.0):
-        spec = Of(form=form, in_body=in_body, stale_s=stale_s, hover_thrust=0.5, step_s=0.05)
+        spec = Of(form=form, in_body=in_body, stale_s=stale_s, hover_thrust=0.5)
         made = Commands(spec, 0.1, 10.0)
         made.take(message, round(1e9 * taken_s))
         return made.answer(round(1e9 * now_s), (math.cos(yaw / 2), 0.0, 0.0, math.sin(yaw / 2)))

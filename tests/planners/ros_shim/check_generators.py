@@ -77,10 +77,7 @@ BAD_TOPICS = {
     ("publish:", "publis:"): '4:1: there is no "publis" here; did you mean publish?',
     ("nodes:", "lead_s: soon\nnodes:"): '1:9: "soon" is no number',
     ("  odometry: {topic: /odom}", "  odometry: {topic: /odom"): "6:",
-    (
-        "command: {topic: /cmd,",
-        "command: {ahead: {node: planer, horizon_s: 1}, topic: /cmd,",
-    ): '6:25: "planer" is none of planner',
+    ("command: {topic: /cmd,", "command: {ahead: 1, topic: /cmd,"): '6:11: there is no "ahead" here',
 }
 PARAMETER = "parameters: [{name: a, default: %s, lowest: %s, highest: 9, doc: d}]\nnodes:"
 ALIASES = "".join(f"      a{i}: &a{i} [{', '.join([f'*a{i - 1}'] * 10)}]\n" for i in range(1, 9))

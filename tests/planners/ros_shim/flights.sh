@@ -28,7 +28,3 @@ YAML
 "$program" replay one.db --verify
 reached=$(sqlite3 one.db "SELECT count(*) FROM trials WHERE finished = 1")
 [ "$reached" -eq 4 ] || { echo "$reached of 4 flights reached the goal" >&2; exit 1; }
-
-# What grows during a run ahead is put back, strings too: none gets memory from the C++ library's own copy of them.
-strings=$(nm -DC --undefined-only "$planner" | grep ' U std::__cxx11::basic_string<' || true)
-[ -z "$strings" ] || { echo "strings of the C++ library, which a run ahead does not put back:"$'\n'"$strings" >&2; exit 1; }

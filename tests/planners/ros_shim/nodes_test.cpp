@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <map>
+#include <memory>
 
 #include "geometry_msgs/PointStamped.h"
 #include "simulated_ros.hpp"
@@ -299,6 +301,25 @@ TEST(RosMessages, AreZeroAtFirstComparedAndPrinted) {
   EXPECT_EQ(out.str(),
             "header: \n  seq: 0\n  stamp: 0.000000000\n  frame_id: world\n"
             "point: \n  x: 0\n  y: 1.5\n  z: 0\n");
+}
+
+/// What nodes leave unset is the same in each trial, whatever the ones before did.
+TEST(RosMemory, OfNewIsZero) {
+  constexpr std::size_t kBytes = 1000;
+  for (int i = 0; i < 10; ++i) {
+    std::unique_ptr<unsigned char[]> block(new unsigned char[kBytes]);
+    for (std::size_t k = 0; k < kBytes; ++k) {
+      ASSERT_EQ(block[k], 0) << i;
+      block[k] = 0xff;
+    }
+  }
+}
+
+/// The C library's numbers from a state of the library's own.
+TEST(RosRandom, DrawsTheCLibrarysNumbers) {
+  std::srand(1);
+  EXPECT_EQ(std::rand(), 1804289383);
+  EXPECT_EQ(std::rand(), 846930886);
 }
 
 }  // namespace
