@@ -34,9 +34,6 @@ class Flight {
   const std::optional<planning::Bspline>& curve() const { return executed_.curve; }
   const planning::Motion& target() const { return target_; }
 
-  /// Whether the last call looked for a new trajectory.
-  bool has_planned() const { return tried_s_ == now_s_; }
-
   /// The curves that the last planning began with, in order.
   const std::vector<planning::Bspline>& candidates() const { return candidates_; }
 

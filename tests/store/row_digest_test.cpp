@@ -53,8 +53,7 @@ TEST(RowDigest, ShowsEveryChangeOfATrial) {
     }
     EXPECT_TRUE(has(message_of_check(file, false), "s.db: damaged: table trials, row ")) << change;
   }
-  EXPECT_EQ(message_of_check(changed_file(folder, "UPDATE trials SET attempt = 7"), true),
-            "");
+  EXPECT_EQ(message_of_check(changed_file(folder, "UPDATE trials SET attempt = 7"), true), "");
 }
 
 TEST(TrialReader, ReadsOnAfterADamagedTrial) {

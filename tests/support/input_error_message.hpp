@@ -7,7 +7,8 @@
 
 namespace avoidbench::test {
 
-/// The message of the InputError that `action` throws, its problems one a line; "" if it throws none.
+/// The message of the InputError that `action` throws, its problems one a line; "" if it throws
+/// none.
 template <class Action>
 std::string message_of(Action action) {
   try {

@@ -6,8 +6,8 @@
 
 namespace avoidbench::test {
 
-/// The text with up to `most_changes` places changed at random: a character replaced by or put in from
-/// `special`, or a piece taken out or repeated.
+/// The text with up to `most_changes` places changed at random: a character replaced by or put in
+/// from `special`, or a piece taken out or repeated.
 inline std::string mutated(std::string text, std::uint64_t most_changes, const std::string& special,
                            RandomStream& random) {
   const std::uint64_t changes = random.below(most_changes + 1);

@@ -122,7 +122,8 @@ TEST(ListedMissionChecks, NameWhatCantBeFlownWithItsPlace) {
   add(near_floor, made->goal_world);
   add(made->start_world, made->start_world);
   sweep.trials = 5;
-  const std::string problems = test::message_of([&] { check_listed_missions(sweep, expand(sweep)); });
+  const std::string problems =
+      test::message_of([&] { check_listed_missions(sweep, expand(sweep)); });
   std::vector<std::string> lines;
   std::istringstream stream(problems);
   for (std::string line; std::getline(stream, line);) lines.push_back(line);
@@ -139,7 +140,8 @@ TEST(ListedMissionChecks, NameWhatCantBeFlownWithItsPlace) {
   // A database that has not measured the map knows nothing of them.
   const test::TemporaryFolder folder;
   const Database empty = Database::open_for_run(folder / "empty.db", metric_table());
-  EXPECT_EQ(test::message_of([&] { check_listed_missions(sweep, expand(sweep), &empty); }), problems);
+  EXPECT_EQ(test::message_of([&] { check_listed_missions(sweep, expand(sweep), &empty); }),
+            problems);
   sweep.trials = 1;  // the others are not flown
   EXPECT_EQ(test::message_of([&] { check_listed_missions(sweep, expand(sweep)); }), "");
 }

@@ -132,7 +132,8 @@ TEST(YamlTree, RefusesWhatIsTooDeepOrTooLarge) {
 }
 
 TEST(YamlTree, UnreadableFiles) {
-  EXPECT_EQ(test::message_of([] { read_yaml("/nowhere/f.yaml"); }), "/nowhere/f.yaml: no such file");
+  EXPECT_EQ(test::message_of([] { read_yaml("/nowhere/f.yaml"); }),
+            "/nowhere/f.yaml: no such file");
   EXPECT_EQ(test::message_of([] { read_yaml("/tmp"); }), "/tmp: is a folder, not a file");
   EXPECT_EQ(test::message_of([] { read_yaml("/dev/zero"); }),
             "/dev/zero: is a device, not a regular file: write what it gives to a file first");

@@ -157,7 +157,8 @@ Flight::Flight(const ab_host& host, const ab_setup& setup, const ab_mission& mis
     for (const NodeSpec& one : spec_.nodes) add_node(one);
     spec_.set_parameters(given_of(setup, mission));
     // Until the trial begins the nodes start; the vehicle hovers and tells so.
-    const std::int64_t period_ns = std::max<std::int64_t>(1000000, nanoseconds_of(setup.plan_period_s));
+    const std::int64_t period_ns =
+        std::max<std::int64_t>(1000000, nanoseconds_of(setup.plan_period_s));
     for (std::int64_t at_ns = core.now_ns; at_ns < kStart_ns; at_ns += period_ns) {
       advance(at_ns);
       observations_->publish_start();

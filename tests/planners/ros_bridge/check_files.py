@@ -98,7 +98,9 @@ def files(folder):
         example.sees == ("state", "depth") and example.decisive_files() == ["flyer.py"] and not example.notes,
     )
     topics.write_text(
-        GOOD.replace("run:", "main: one\n    run:").replace("geometry_msgs/Twist}", "own_msgs/Set, form: PositionCommand}")
+        GOOD.replace("run:", "main: one\n    run:").replace(
+            "geometry_msgs/Twist}", "own_msgs/Set, form: PositionCommand}"
+        )
     )
     notes = LiveFile(topics).notes
     expect(

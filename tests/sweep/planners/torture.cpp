@@ -106,8 +106,8 @@ class Torture {
   static constexpr const char* name = "torture";
   static constexpr std::uint32_t needs = AB_SEES_STATE;
   static constexpr std::uint32_t commands = AB_COMMAND_VELOCITY;
-  static constexpr std::array parameters{avoidbench::text_parameter(
-      "way", "nothing", "How it misbehaves.")};
+  static constexpr std::array parameters{
+      avoidbench::text_parameter("way", "nothing", "How it misbehaves.")};
 
   explicit Torture(const ab_setup& setup)
       : way_(avoidbench::Parameters<Torture>(setup).text("way")) {}
