@@ -2,6 +2,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <new>
+#include <string>
 
 // The library's own new, for all code in it: its memory is all zero, as memory is that a process
 // gets first. A member that nobody sets must not be what another trial left there. It ends in
@@ -50,3 +51,7 @@ void operator delete(void* block, std::align_val_t) noexcept { std::free(block);
 void operator delete[](void* block, std::align_val_t) noexcept { std::free(block); }
 void operator delete(void* block, std::size_t, std::align_val_t) noexcept { std::free(block); }
 void operator delete[](void* block, std::size_t, std::align_val_t) noexcept { std::free(block); }
+
+// Strings of the library's own, too: those of the C++ library get their memory by the host's
+// operators, and what is freed in here ends in free(), which sanitizers do not let mix.
+template class std::basic_string<char>;
