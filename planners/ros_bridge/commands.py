@@ -139,13 +139,10 @@ class Commands:
     def __init__(self, spec, plan_period_s, gravity_mps2):
         self._spec, self._plan_period_s, self._gravity_mps2 = spec, plan_period_s, gravity_mps2
         self._read = READERS[spec.form]
-        self.begin(0.0)
-
-    def begin(self, latency_s):
-        """A trial. A command acts a latency after its call (NaN: measured), until the next one does: so far reaches one
-        set point."""
         self._last = []
-        self._reach_s = 2.0 * self._plan_period_s + (self._spec.stale_s if math.isnan(latency_s) else latency_s)
+
+    def forget(self):
+        self._last = []
 
     def take(self, message, now_ns):
         points = self._read(message, now_ns)
@@ -164,8 +161,9 @@ class Commands:
         if point.rates_body_radps is not None:
             return Rates(point.rates_body_radps, point.thrust / self._spec.hover_thrust * self._gravity_mps2)
         if point.position_m is not None and point.velocity_mps is not None:
-            age_s, reach_s = max(0.0, 1e-9 * (now_ns - point.time_ns)), self._reach_s
-            return trajectory_of([(0.0, point.after(age_s)), (reach_s, point.after(age_s + reach_s))])
+            age_s, ahead_s = max(0.0, 1e-9 * (now_ns - point.time_ns)), 2.0 * self._plan_period_s
+            # Two plan periods of it: the next answer comes after one.
+            return trajectory_of([(0.0, point.after(age_s)), (ahead_s, point.after(age_s + ahead_s))])
         yaw_rad = yaw_of(q[1], q[2], q[3], q[0])
         if point.position_m is not None:
             return Position(point.position_m, yaw_rad=yaw_rad if point.yaw_rad is None else point.yaw_rad)

@@ -195,7 +195,7 @@ class RosFlight:
                 "take latency: {ms: …}, or live: {clock_rate: 0}"
             )
         with self._wait:
-            self._commands.begin(mission.command_latency_s)
+            self._commands.forget()
         self._set_parameters(mission)
         if self._master.hasParam(NEXT):
             self._now_ns = max(self._now_ns, round(1e9 * self._master.getParam(NEXT)))

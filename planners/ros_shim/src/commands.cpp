@@ -46,19 +46,8 @@ double yaw_of_quaternion(double x, double y, double z, double w) {
   return portable::atan2(2.0 * (w * z + x * y), 1.0 - 2.0 * (y * y + z * z));
 }
 
-/// A command acts a latency after its call, until the next one does, a plan period later; one more
-/// for a call that gives none. Where the latency is measured, a set point reaches as far as it
-/// counts.
-Commands::Commands(const CommandForm& form, const ab_setup& setup, const ab_mission& mission)
-    : form_(form),
-      plan_period_s_(setup.plan_period_s),
-      gravity_mps2_(setup.gravity_mps2),
-      reach_s_(2.0 * plan_period_s_) {
-  const bool has_latency = mission.struct_size >= sizeof(ab_mission);
-  if (has_latency) {
-    reach_s_ += std::isnan(mission.command_latency_s) ? form_.stale_s : mission.command_latency_s;
-  }
-}
+Commands::Commands(const CommandForm& form, const ab_setup& setup)
+    : form_(form), plan_period_s_(setup.plan_period_s), gravity_mps2_(setup.gravity_mps2) {}
 
 void Commands::take(SetPoints points) {
   if (points.empty()) return;
@@ -85,9 +74,10 @@ ab_command Commands::of_one(const SetPoint& point, std::int64_t now_ns, const ab
                                           point.thrust / form_.hover_thrust * gravity_mps2_);
   }
   if (point.has_position && point.has_velocity) {
+    // Two plan periods of it: the next answer comes after one.
     points_.assign(2, point_after(point, age_s));
-    points_[1] = point_after(point, age_s + reach_s_);
-    points_[1].time_s = reach_s_;
+    points_[1] = point_after(point, age_s + 2.0 * plan_period_s_);
+    points_[1].time_s = 2.0 * plan_period_s_;
     unwind_yaws(points_);
     return avoidbench::make_trajectory_command(points_);
   }

@@ -150,7 +150,7 @@ Flight::Flight(const ab_host& host, const ab_setup& setup, const ab_mission& mis
   core.now_ns = kStart_ns - lead_ns;
   try {
     observations_ = std::make_unique<Observations>(spec_, setup, mission);
-    commands_ = std::make_unique<Commands>(spec_.command, setup, mission);
+    commands_ = std::make_unique<Commands>(spec_.command, setup);
     ros::NodeHandle node;
     command_ = spec_.subscribe(node, spec_.command,
                                [this](SetPoints points) { commands_->take(std::move(points)); });

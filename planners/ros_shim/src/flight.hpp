@@ -43,7 +43,7 @@ class Observations {
 /// Set points to answers.
 class Commands {
  public:
-  Commands(const CommandForm& form, const ab_setup& setup, const ab_mission& mission);
+  Commands(const CommandForm& form, const ab_setup& setup);
   void take(SetPoints points);
   /// The answer at ROS time `now_ns`; none where no set point came or the last one is old.
   std::optional<ab_command> answer(std::int64_t now_ns, const ab_state& state);
@@ -54,7 +54,6 @@ class Commands {
 
   CommandForm form_;
   double plan_period_s_, gravity_mps2_;
-  double reach_s_;  ///< how far one set point has to reach
   SetPoints last_;
   std::vector<ab_point> points_;
 };
