@@ -20,13 +20,13 @@ namespace {
 
 using Name = std::pair<std::uint32_t, const char*>;
 
-constexpr Name kSeen[] = {{AB_SEES_STATE, "state"},
-                          {AB_SEES_DEPTH, "depth"},
-                          {AB_SEES_STEREO, "stereo"},
-                          {AB_SEES_COLOR, "color"},
-                          {AB_SEES_IMU, "imu"},
-                          {AB_SEES_STATES, "states"},
-                          {AB_SEES_WORLD, "world (privileged)"}};
+constexpr Name kSeen[] = {{AB_INPUT_STATE, "state"},
+                          {AB_INPUT_DEPTH, "depth"},
+                          {AB_INPUT_STEREO, "stereo"},
+                          {AB_INPUT_COLOR, "color"},
+                          {AB_INPUT_IMU, "imu"},
+                          {AB_INPUT_STATES, "states"},
+                          {AB_INPUT_WORLD, "world (privileged)"}};
 constexpr Name kUsed[] = {{AB_USES_PROCESSES, "processes"},
                           {AB_USES_DEVICES, "devices"},
                           {AB_USES_NETWORK, "network"},
@@ -48,7 +48,7 @@ std::string bit_names(std::uint32_t bits, std::span<const Name> names) {
 void list(const OutputOptions& options) {
   std::vector<std::string> problems;
   std::string depends_on;
-  Table table = make_list({"name", "version", "sees", "commands", "parameters", "summary"});
+  Table table = make_list({"name", "version", "inputs", "commands", "parameters", "summary"});
   for (const PlannerDescription& planner : list_planners(problems)) {
     table.rows.push_back(make_row(planner.name, planner.version, bit_names(planner.needs, kSeen),
                                   bit_names(planner.commands, kCommands), planner.parameters.size(),
@@ -84,7 +84,7 @@ void describe(const std::string& plugin, const OutputOptions& options) {
   }
   if (!options.is_for_people()) return write_table(table, options);
   std::string text = planner.name + " " + planner.version + ": " + planner.summary + "\n";
-  text += "  sees      " + bit_names(planner.needs, kSeen) + "\n";
+  text += "  inputs    " + bit_names(planner.needs, kSeen) + "\n";
   const std::string cameras = camera_demand(planner);
   if (!cameras.empty()) text += "  cameras   " + cameras + "\n";
   const std::string used = bit_names(planner.needs, kUsed);

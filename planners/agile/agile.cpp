@@ -28,7 +28,7 @@ class Agile {
   static constexpr const char* version = "1.0";
   static constexpr const char* summary =
       "Flies what a net makes of each depth image, after Agile-Autonomy.";
-  static constexpr std::uint32_t needs = AB_SEES_STATE | AB_SEES_DEPTH | AB_SEES_ONE_CAMERA;
+  static constexpr std::uint32_t needs = AB_INPUT_STATE | AB_INPUT_DEPTH | AB_INPUT_ONE_CAMERA;
   /// What a camera does not cover is free space to the net.
   static constexpr std::array least_fov_rad{agile::kFovX_rad, agile::kFovY_rad};
   static constexpr std::uint32_t commands = AB_COMMAND_TRAJECTORY;

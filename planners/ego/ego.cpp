@@ -15,7 +15,7 @@ class Ego {
   static constexpr const char* version = "1.1";
   static constexpr const char* summary =
       "Optimises B-splines against anchors on obstacles, after EGO-Planner.";
-  static constexpr std::uint32_t needs = AB_SEES_STATE | AB_SEES_DEPTH;
+  static constexpr std::uint32_t needs = AB_INPUT_STATE | AB_INPUT_DEPTH;
   static constexpr std::uint32_t commands = AB_COMMAND_TRAJECTORY;
   static constexpr const auto& parameters = ego::kParameters;
   static constexpr std::array profiles{planning::published(ego::kPublished)};

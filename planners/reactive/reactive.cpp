@@ -27,7 +27,7 @@ class Reactive {
   static constexpr const char* version = "1.1";
   static constexpr const char* summary =
       "Polar histogram of nearest depth with a short memory; no map.";
-  static constexpr std::uint32_t needs = AB_SEES_STATE | AB_SEES_DEPTH;
+  static constexpr std::uint32_t needs = AB_INPUT_STATE | AB_INPUT_DEPTH;
   static constexpr std::uint32_t commands = AB_COMMAND_VELOCITY;
   static constexpr std::array parameters{
       avoidbench::parameter<&Settings::steering, &SteeringSettings::max_speed_mps>(

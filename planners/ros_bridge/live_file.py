@@ -138,7 +138,7 @@ class LiveFile:
         self.notes += [str(place.problem(f"{what} is for ros_shim alone")) for place, what in places]
 
     @property
-    def sees(self):
+    def inputs(self):
         return topics_spec.seen_of(self.published)
 
     def decisive_files(self):

@@ -65,7 +65,7 @@ def planner_class(file):
         name = file.live.name
         version = file.version
         summary = f"{file.summary} [live ROS nodes: flights are measured and do not repeat]"
-        sees = file.sees
+        inputs = file.inputs
         commands = file.command.kinds
         parameters = tuple(declared(one) for one in file.parameters)
         files = (
@@ -113,7 +113,7 @@ def tell(file):
     """What a run by hand says."""
     live = file.live
     print(
-        f"{file.path.name}: planner {live.name}, sees {', '.join(file.sees)}, commands {', '.join(file.command.kinds)}"
+        f"{file.path.name}: planner {live.name}, inputs {', '.join(file.inputs)}, commands {', '.join(file.command.kinds)}"
     )
     for node in file.nodes:
         print(

@@ -223,7 +223,7 @@ class Planner:
             [(key, value.text()) for key, _, value in values["packages"].items()] if "packages" in values else []
         )
         published = topics_spec.all_published(values["publish"])
-        self.needs = {f"AB_SEES_{what.upper()}" for what in topics_spec.seen_of(published)}
+        self.needs = {f"AB_INPUT_{what.upper()}" for what in topics_spec.seen_of(published)}
         self.published = [publish_line(one) for one in published]
         self.command = Command(values["command"])
 

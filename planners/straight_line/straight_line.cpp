@@ -18,7 +18,7 @@ class StraightLine {
   static constexpr const char* name = "straight_line";
   static constexpr const char* version = "1.0";
   static constexpr const char* summary = "Flies the straight line to the goal and avoids nothing.";
-  static constexpr std::uint32_t needs = AB_SEES_STATE;
+  static constexpr std::uint32_t needs = AB_INPUT_STATE;
   static constexpr std::uint32_t commands = AB_COMMAND_VELOCITY;
   static constexpr std::array parameters{
       avoidbench::parameter<&Settings::max_speed_mps>("max_speed_mps", "m/s", 3.0, 0.1, 20.0,

@@ -145,7 +145,7 @@ class State:
 
 @dataclass(frozen=True)
 class Observation(State):
-    """What a planner sees in one call: the newest state, and since the last call, of what it declares in `sees`,
+    """What a planner sees in one call: the newest state, and since the last call, of what it declares in `inputs`,
     images, newest first, samples of the IMU, and states at the IMU's rate, oldest first."""
 
     depth: tuple[DepthImage, ...] = ()
@@ -237,7 +237,7 @@ class Planner:
     version: ClassVar[str] = "0"
     summary: ClassVar[str] = ""
     """One line."""
-    sees: ClassVar[Sequence[str]] = ("state",)
+    inputs: ClassVar[Sequence[str]] = ("state",)
     """Of state, depth, stereo, color, imu, states; with one_camera of a rig one camera alone, which a sweep names
     (`camera: 0`)."""
     commands: ClassVar[Sequence[str]] = ("velocity",)

@@ -28,7 +28,7 @@ from avoidbench import planner as p
 from avoidbench.planner_files import planner_files
 
 _WORDS = {
-    "sees": ("AB_SEES_", ("state", "depth", "stereo", "color", "imu", "states", "one_camera")),
+    "inputs": ("AB_INPUT_", ("state", "depth", "stereo", "color", "imu", "states", "one_camera")),
     "uses": ("AB_USES_", ("processes", "devices", "network", "globals")),
     "commands": ("AB_COMMAND_", ("position", "velocity", "acceleration", "trajectory", "rates")),
 }
@@ -174,7 +174,7 @@ def _description(writer: _Writer, planner: type[p.Planner], files: Sequence[str]
         name=writer.text(planner.name),
         version=writer.text(planner.version),
         summary=writer.text(planner.summary or planner.name),
-        needs=_bits(planner, "sees") | layouts.AB_SEES_STATE | _bits(planner, "uses"),
+        needs=_bits(planner, "inputs") | layouts.AB_INPUT_STATE | _bits(planner, "uses"),
         commands=_bits(planner, "commands"),
         parameter_count=len(parameters),
         parameters=writer.offsets(parameters),
@@ -319,7 +319,7 @@ class _Server:
 
     def _plan(self, body: int, writer: _Writer) -> tuple[int, int]:
         assert self._instance is not None
-        given = self._instance.plan(_observation(self._segment, body, "imu" in self._class.sees))
+        given = self._instance.plan(_observation(self._segment, body, "imu" in self._class.inputs))
         if given is None:
             return layouts.AB_NO_PLAN, 0
         if not isinstance(given, p.Command):

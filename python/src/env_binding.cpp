@@ -37,10 +37,10 @@ SweepSpec sweep_of(const std::string& given, const std::optional<std::string>& t
 }
 
 std::uint32_t need_of(const std::string& name) {
-  if (name == "depth") return AB_SEES_DEPTH;
-  if (name == "stereo") return AB_SEES_STEREO;
-  if (name == "color") return AB_SEES_COLOR;
-  if (name == "imu") return AB_SEES_IMU;
+  if (name == "depth") return AB_INPUT_DEPTH;
+  if (name == "stereo") return AB_INPUT_STEREO;
+  if (name == "color") return AB_INPUT_COLOR;
+  if (name == "imu") return AB_INPUT_IMU;
   return 0;
 }
 

@@ -41,7 +41,7 @@ class Seeing(Planner):
     """Stands for 30 calls, and then tells what it was told first, and its newest samples."""
 
     name = "seeing"
-    sees = ("state", "depth", "stereo", "color", "imu", "states")
+    inputs = ("state", "depth", "stereo", "color", "imu", "states")
     parameters = (
         Parameter("count", 3, "Whole.", lowest=1, highest=9),
         Parameter("word", "safe", "One of.", choices=("safe", "fast")),
@@ -81,7 +81,7 @@ class OneEyed(Planner):
     """Tells where its camera looks."""
 
     name = "one_eyed"
-    sees = ("state", "depth", "one_camera")
+    inputs = ("state", "depth", "one_camera")
     least_fov_rad = (1.0, 0.5)
 
     def plan(self, observation: Observation) -> Velocity:
@@ -97,7 +97,7 @@ class AllEyed(Planner):
     """Tells of which cameras it has images."""
 
     name = "all_eyed"
-    sees = ("state", "depth")
+    inputs = ("state", "depth")
 
     def plan(self, observation: Observation) -> Velocity:
         for camera in range(len(self.setup.cameras)):

@@ -157,8 +157,8 @@ def test_wrong_declarations_are_refused(tmp_path: Path) -> None:
         pass
 
     class Sees(Planner):
-        name = "sees"
-        sees = ("lidar",)
+        name = "inputs"
+        inputs = ("lidar",)
 
     class Uses(Planner):
         name = "uses"
@@ -177,7 +177,7 @@ def test_wrong_declarations_are_refused(tmp_path: Path) -> None:
 
     for planner, error, words in (
         (NoName, ValueError, "NoName.name: expected a text of a-z 0-9 _, got None"),
-        (Sees, ValueError, "Sees.sees: expected words of state, .*, got 'lidar'"),
+        (Sees, ValueError, "Sees.inputs: expected words of state, .*, got 'lidar'"),
         (Uses, ValueError, "expected words of processes, .*, got 'files'"),
         (Text, TypeError, "expected a list of words"),
         (Kind, TypeError, "parameter a: expected a number or a text as its preset, got bool"),
@@ -193,9 +193,9 @@ def test_wrong_declarations_are_refused(tmp_path: Path) -> None:
         fly(StraightLine, tmp_path, sweep={"maps": {"generator": "hall", "poisson_radius_m": -1, "seeds": [1]}})
     # What only the program's own look at the file finds.
     file = tmp_path / "lidar.py"
-    file.write_text("from avoidbench import Planner\nclass A(Planner):\n    name, sees = 'a', ('lidar',)\n")
+    file.write_text("from avoidbench import Planner\nclass A(Planner):\n    name, inputs = 'a', ('lidar',)\n")
     with pytest.raises(
-        avoidbench.ProgramError, match="lidar.py does not describe itself: ValueError: A.sees: expected"
+        avoidbench.ProgramError, match="lidar.py does not describe itself: ValueError: A.inputs: expected"
     ):
         avoidbench.run({**HALL, "planners": [str(file)]}, database=tmp_path / "flown.db", progress=False)
 

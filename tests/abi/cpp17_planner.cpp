@@ -15,7 +15,7 @@ struct Settings {
 class Cpp17Planner {
  public:
   static constexpr const char* name = "cpp17_planner";
-  static constexpr std::uint32_t needs = AB_SEES_STATE | AB_SEES_DEPTH;
+  static constexpr std::uint32_t needs = AB_INPUT_STATE | AB_INPUT_DEPTH;
   static constexpr std::uint32_t commands = AB_COMMAND_VELOCITY;
   static constexpr std::array parameters{
       avoidbench::parameter<&Settings::motion, &Motion::speed_mps>("speed_mps", "m/s", 2.0, 0.1,

@@ -25,7 +25,7 @@ EnvSpec env_spec(const MapSpec& map, bool has_depth, std::int64_t threads) {
   spec.sweep.trials = 4;  // few missions: all are known after the first reset
   spec.slots = kSlots;
   spec.threads = threads;
-  spec.needs = has_depth ? AB_SEES_DEPTH : 0U;
+  spec.needs = has_depth ? AB_INPUT_DEPTH : 0U;
   return spec;
 }
 

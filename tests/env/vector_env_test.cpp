@@ -34,7 +34,7 @@ EnvSpec env_spec(std::int64_t slots = 3, std::int64_t threads = 1) {
   spec.sweep.trials = 2;
   spec.slots = slots;
   spec.threads = threads;
-  spec.needs = AB_SEES_DEPTH | AB_SEES_IMU;
+  spec.needs = AB_INPUT_DEPTH | AB_INPUT_IMU;
   return spec;
 }
 
@@ -132,7 +132,7 @@ TrialRecord flown_by_hand(const TrialSpec& spec, const std::vector<std::vector<d
   const MapScene place(spec);
   const MapRecord map = make_map_record(spec, place.scene, spec.mission_index + 1);
   const MissionRecord& mission = map.missions.back();
-  Flight flight = begin_flight(spec, place.scene, mission.mission, AB_SEES_DEPTH);
+  Flight flight = begin_flight(spec, place.scene, mission.mission, AB_INPUT_DEPTH);
   std::size_t step = 0;
   while (const PlannerView* view = next_plan(flight)) {
     answer(flight, plan_result({}, actions.at(step++), *view, 0.0));

@@ -22,7 +22,7 @@ inline const ab_planner* table = nullptr;
 /// Sees depth; does not say what it knows.
 struct Silent {
   static constexpr const char* name = "silent";
-  static constexpr std::uint32_t needs = AB_SEES_STATE | AB_SEES_DEPTH;
+  static constexpr std::uint32_t needs = AB_INPUT_STATE | AB_INPUT_DEPTH;
   static constexpr std::uint32_t commands = AB_COMMAND_VELOCITY | AB_COMMAND_TRAJECTORY;
   explicit Silent(const ab_setup&) {}
   void reset(const ab_mission&) {}
@@ -39,7 +39,7 @@ struct Telling : Silent {
 /// Looks at nothing.
 struct Blind : Silent {
   static constexpr const char* name = "blind";
-  static constexpr std::uint32_t needs = AB_SEES_STATE;
+  static constexpr std::uint32_t needs = AB_INPUT_STATE;
   using Silent::Silent;
 };
 

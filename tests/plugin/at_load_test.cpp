@@ -36,7 +36,7 @@ std::string description_error(const std::string& way, double limit_s = kLimit_s)
     const PlannerDescription planner = describe_planner(at_load_planner(way), limit_s);
     EXPECT_EQ(planner.name, "honest");
     EXPECT_EQ(planner.summary, "Flies along x.");
-    EXPECT_EQ(planner.needs, AB_SEES_STATE | AB_SEES_DEPTH);
+    EXPECT_EQ(planner.needs, AB_INPUT_STATE | AB_INPUT_DEPTH);
     EXPECT_EQ(planner.file, at_load_planner(way));
   });
 }

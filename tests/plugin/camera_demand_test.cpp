@@ -26,16 +26,16 @@ PlannerDescription planner(std::uint32_t needs, double least_x_deg = 0.0,
 
 TEST(CameraDemand, OneCameraIsNoRig) {
   const std::vector<CameraSetup> one{camera(80.0)}, two{camera(80.0), camera(80.0)};
-  const PlannerDescription single = planner(AB_SEES_DEPTH | AB_SEES_ONE_CAMERA);
+  const PlannerDescription single = planner(AB_INPUT_DEPTH | AB_INPUT_ONE_CAMERA);
   EXPECT_EQ(camera_problem(single, one), "");
   EXPECT_EQ(camera_problem(single, two), "it handles one camera and gets 2");
-  EXPECT_EQ(camera_problem(planner(AB_SEES_COLOR), two), "");
+  EXPECT_EQ(camera_problem(planner(AB_INPUT_COLOR), two), "");
   EXPECT_EQ(camera_demand(single), "one");
-  EXPECT_EQ(camera_demand(planner(AB_SEES_DEPTH)), "");
+  EXPECT_EQ(camera_demand(planner(AB_INPUT_DEPTH)), "");
 }
 
 TEST(CameraDemand, EachCameraHasToBeWideEnough) {
-  const PlannerDescription wide = planner(AB_SEES_DEPTH, 90.0, 67.4);
+  const PlannerDescription wide = planner(AB_INPUT_DEPTH, 90.0, 67.4);
   // 90° × 73.7°: with nothing to spare across.
   EXPECT_EQ(camera_problem(wide, std::vector{camera(80.0)}), "");
   EXPECT_EQ(camera_problem(wide, std::vector{camera(81.0)}),
@@ -45,8 +45,8 @@ TEST(CameraDemand, EachCameraHasToBeWideEnough) {
   EXPECT_EQ(camera_problem(wide, std::vector{camera(80.0), flat}),
             "it needs a view of 90° × 67.4° or more, and camera 1 has 90° × 58.7°");
   // Without eyes it gets no camera.
-  EXPECT_EQ(camera_problem(planner(AB_SEES_STATE, 90.0, 67.4), std::vector{camera(81.0)}), "");
-  EXPECT_EQ(camera_demand(planner(AB_SEES_DEPTH | AB_SEES_ONE_CAMERA, 90.0, 67.4)),
+  EXPECT_EQ(camera_problem(planner(AB_INPUT_STATE, 90.0, 67.4), std::vector{camera(81.0)}), "");
+  EXPECT_EQ(camera_demand(planner(AB_INPUT_DEPTH | AB_INPUT_ONE_CAMERA, 90.0, 67.4)),
             "one, 90° × 67.4° or more");
 }
 

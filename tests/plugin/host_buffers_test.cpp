@@ -21,7 +21,7 @@ PlannerSetup two_cameras() {
 
 TEST(HostBuffers, SetupListsEveryCameraForWhoeverSeesImages) {
   const PlannerSetup setup = two_cameras();
-  for (const std::uint32_t needs : {AB_SEES_DEPTH, AB_SEES_STEREO, AB_SEES_COLOR}) {
+  for (const std::uint32_t needs : {AB_INPUT_DEPTH, AB_INPUT_STEREO, AB_INPUT_COLOR}) {
     const SetupBuffers buffers(setup, {}, needs);
     ASSERT_EQ(buffers.setup().camera_count, 2U);
     EXPECT_EQ(buffers.setup().depth_camera, buffers.setup().cameras[0]);
@@ -35,7 +35,7 @@ TEST(HostBuffers, SetupListsEveryCameraForWhoeverSeesImages) {
     EXPECT_NEAR(q_ahead.angularDistance(q_back), 3.14159265358979, 1e-6);
     EXPECT_TRUE((q_back * Eigen::Vector3d::UnitZ()).isApprox(-Eigen::Vector3d::UnitX(), 1e-12));
   }
-  const SetupBuffers blind(setup, {}, AB_SEES_STATE | AB_SEES_IMU);
+  const SetupBuffers blind(setup, {}, AB_INPUT_STATE | AB_INPUT_IMU);
   EXPECT_EQ(blind.setup().depth_camera, nullptr);
   EXPECT_EQ(blind.setup().camera_count, 0U);
 }
@@ -72,7 +72,7 @@ TEST_F(Observations, AllStatesArriveWhereTheyAreAskedFor) {
                            .rates_body = {0.4, 0.5, 0.6},
                            .q_world_body = Eigen::Quaterniond(0.5, 0.5, -0.5, 0.5)});
   }
-  const ab_observation& seen = buffers.fill(view, setup.cameras, AB_SEES_STATES);
+  const ab_observation& seen = buffers.fill(view, setup.cameras, AB_INPUT_STATES);
   EXPECT_EQ(seen.time_s, 0.7);
   ASSERT_EQ(seen.state_count, 2U);
   const ab_state& last = *seen.states[1];
@@ -82,7 +82,7 @@ TEST_F(Observations, AllStatesArriveWhereTheyAreAskedFor) {
   EXPECT_EQ(last.velocity_world_mps[1], 0.2);
   EXPECT_EQ(last.rates_body_radps[2], 0.6);
   EXPECT_EQ(last.q_world_body[2], -0.5);
-  EXPECT_EQ(buffers.fill(view, setup.cameras, AB_SEES_STATE).state_count, 0U);
+  EXPECT_EQ(buffers.fill(view, setup.cameras, AB_INPUT_STATE).state_count, 0U);
 }
 
 TEST(HostSideOf, KeepsNoMoreOfErrorsAndLogsThanPeopleRead) {
@@ -115,7 +115,7 @@ TEST(MissionOf, SaysTheMapsBoxAndTheLatency) {
 
 TEST_F(Observations, PicturesAndSamplesArriveWithTheirTimesAndPlaces) {
   const ab_observation& seen = buffers.fill(
-      view, setup.cameras, AB_SEES_DEPTH | AB_SEES_STEREO | AB_SEES_COLOR | AB_SEES_IMU);
+      view, setup.cameras, AB_INPUT_DEPTH | AB_INPUT_STEREO | AB_INPUT_COLOR | AB_INPUT_IMU);
   ASSERT_EQ(seen.depth_count, 1U);
   EXPECT_EQ(seen.depth[0]->camera, 1U);
   ASSERT_EQ(seen.stereo_count, 2U);
@@ -140,7 +140,7 @@ TEST_F(Observations, PicturesAndSamplesArriveWithTheirTimesAndPlaces) {
 }
 
 TEST_F(Observations, OnlyWhatIsDeclaredArrives) {
-  const ab_observation& seen = buffers.fill(view, setup.cameras, AB_SEES_STATE | AB_SEES_COLOR);
+  const ab_observation& seen = buffers.fill(view, setup.cameras, AB_INPUT_STATE | AB_INPUT_COLOR);
   EXPECT_EQ(seen.depth_count, 0U);
   EXPECT_EQ(seen.stereo_count, 0U);
   EXPECT_EQ(seen.color_count, 1U);

@@ -92,7 +92,7 @@ TEST(Loading, SaysWhatIsWrongWithDemandsOnCameras) {
                     HasSubstr("it says which cameras it can fly with, but sees no images")));
   const PlannerDescription planner =
       PlannerLibrary::load(bad_planner("one_wide_camera")).description();
-  EXPECT_EQ(planner.needs, AB_SEES_STATE | AB_SEES_DEPTH | AB_SEES_ONE_CAMERA);
+  EXPECT_EQ(planner.needs, AB_INPUT_STATE | AB_INPUT_DEPTH | AB_INPUT_ONE_CAMERA);
   EXPECT_EQ(planner.least_fov_x_rad, 1.5);
   EXPECT_EQ(planner.least_fov_y_rad, 1.0);
 }

@@ -231,8 +231,8 @@ TEST(Echo, DescribesItself) {
   EXPECT_STREQ(table.name, "echo");
   EXPECT_STREQ(table.version, "2.5");
   EXPECT_STREQ(table.summary, "Says what it was told.");
-  EXPECT_EQ(table.needs, AB_SEES_STATE | AB_SEES_DEPTH | AB_SEES_STEREO | AB_SEES_COLOR |
-                             AB_SEES_IMU | AB_USES_PROCESSES);
+  EXPECT_EQ(table.needs, AB_INPUT_STATE | AB_INPUT_DEPTH | AB_INPUT_STEREO | AB_INPUT_COLOR |
+                             AB_INPUT_IMU | AB_USES_PROCESSES);
   ASSERT_EQ(table.parameter_count, 3U);
   EXPECT_EQ(table.parameters[0]->lowest, 0.125);
   EXPECT_EQ(table.parameters[0]->highest, 8.5);

@@ -28,8 +28,7 @@ SweepResult two_planners(bool (*fails)(int map, int mission)) {
 }
 
 TEST(Speeds, V90IsTheSpeedOfTheFlightThatNineOfTenBeat) {
-  const SweepSummary all =
-      summarize(two_planners([](int, int mission) { return mission < 0; }));
+  const SweepSummary all = summarize(two_planners([](int, int mission) { return mission < 0; }));
   ASSERT_EQ(all.speeds.size(), 2U);
   EXPECT_EQ(all.speeds[0].v90.value, 1.0);  // a quarter of the missions is at 1 m/s
   EXPECT_EQ(all.speeds[0].v50.value, 3.0);
@@ -102,8 +101,7 @@ TEST(Speeds, WhatSeesTheWorldDoesNotCompete) {
 }
 
 TEST(Speeds, TheCurveFallsFromOneToTheFastest) {
-  const Table table =
-      speed_curve_table(summarize(two_planners([](int, int) { return false; })));
+  const Table table = speed_curve_table(summarize(two_planners([](int, int) { return false; })));
   ASSERT_EQ(table.rows.size(), 5U + 2U);  // 0, 1, 2, 3, 4 m/s; 0, 1
   EXPECT_EQ(std::get<double>(table.rows[0][2].value), 1.0);
   EXPECT_EQ(std::get<double>(table.rows[4][1].value), 4.0);

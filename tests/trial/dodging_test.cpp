@@ -162,7 +162,7 @@ TrialRecord fly(const TrialSpec& spec, const Scene& scene, Dodger& dodger,
   // Three seconds to reach the speed and to calm down before the pole is seen.
   const Mission mission{.start_world = {-kSensing_m - 3.0 * dodger.speed_mps, 0, kHeight_m},
                         .goal_world = {3.0, kRadius_m, kHeight_m}};
-  Flight flight = begin_flight(spec, scene, mission, AB_SEES_DEPTH, nullptr, change);
+  Flight flight = begin_flight(spec, scene, mission, AB_INPUT_DEPTH, nullptr, change);
   while (const PlannerView* view = next_plan(flight)) answer(flight, dodger.plan(*view));
   return end_flight(std::move(flight));
 }

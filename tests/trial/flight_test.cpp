@@ -74,14 +74,14 @@ TEST(Flight, FlightsInTurnDoNotDisturbEachOther) {
   spec.wind.mean_world_mps = {0.5, 0.0, 0.0};
   const Mission mission = test::straight_mission();
   const auto alone = [&] {
-    Flight flight = begin_flight(spec, scene, mission, AB_SEES_DEPTH);
+    Flight flight = begin_flight(spec, scene, mission, AB_INPUT_DEPTH);
     while (const PlannerView* view = next_plan(flight)) answer(flight, swinging(*view));
     return end_flight(std::move(flight));
   };
   const TrialRecord expected = alone();
   std::vector<Flight> flights;
   for (int i = 0; i < 3; ++i) {
-    flights.push_back(begin_flight(spec, scene, mission, AB_SEES_DEPTH));
+    flights.push_back(begin_flight(spec, scene, mission, AB_INPUT_DEPTH));
     // The later ones lag behind, so that their obstacles stand elsewhere.
     for (int k = 0; k < 10 * (3 - i); ++k) {
       const PlannerView* view = next_plan(flights.back());

@@ -13,7 +13,7 @@ namespace avoidbench {
 namespace {
 
 constexpr std::uint32_t kAllNeeds =
-    AB_SEES_STATE | AB_SEES_DEPTH | AB_SEES_STEREO | AB_SEES_COLOR | AB_SEES_IMU;
+    AB_INPUT_STATE | AB_INPUT_DEPTH | AB_INPUT_STEREO | AB_INPUT_COLOR | AB_INPUT_IMU;
 
 /// What the planner saw at one of its calls.
 struct Seen {
@@ -70,8 +70,8 @@ std::vector<Seen> flown(const TrialSpec& spec, double duration_s, std::uint32_t 
         seen.digests.push_back(Digest().add_array(image.depth_m).hex());
         seen.image_position = image.T_world_camera.translation();
       }
-      EXPECT_EQ(view.stereo.size(), (needs & AB_SEES_STEREO) != 0 ? view.depth.size() : 0U);
-      EXPECT_EQ(view.color.size(), (needs & AB_SEES_COLOR) != 0 ? view.depth.size() : 0U);
+      EXPECT_EQ(view.stereo.size(), (needs & AB_INPUT_STEREO) != 0 ? view.depth.size() : 0U);
+      EXPECT_EQ(view.color.size(), (needs & AB_INPUT_COLOR) != 0 ? view.depth.size() : 0U);
       for (const ImuView& sample : view.imu) seen.imu_s.push_back(sample.time_s);
       for (const StateView& state : view.states) {
         seen.states_s.push_back(state.time_s);
@@ -108,7 +108,7 @@ TEST(Perception, ShowsEachStateOnceAtTheRateOfTheImu) {
     TrialSpec spec = small_trial();
     spec.odometry.delay_ms = delay_ms;
     std::vector<double> all_s;
-    for (const Seen& seen : flown(spec, 0.5, AB_SEES_STATES)) {
+    for (const Seen& seen : flown(spec, 0.5, AB_INPUT_STATES)) {
       all_s.insert(all_s.end(), seen.states_s.begin(), seen.states_s.end());
       if (seen.states_s.empty()) continue;
       EXPECT_LE(seen.states_s.back(), seen.call_s - 0.001 * delay_ms + 1e-9);
@@ -163,7 +163,7 @@ TEST(Perception, JitterMakesImagesLateByUpToThatMuch) {
   std::set<double> lateness;
   double most = 0.0;
   std::size_t count = 0;
-  for (const Seen& seen : flown(spec, 3.0, AB_SEES_DEPTH)) {
+  for (const Seen& seen : flown(spec, 3.0, AB_INPUT_DEPTH)) {
     for (const double image_s : seen.image_s) {
       const double late_s = image_s - std::floor(image_s * 30.0 + 1e-9) / 30.0;
       lateness.insert(std::round(late_s * 36000.0));
@@ -198,7 +198,7 @@ TEST(Perception, EachImageOfEachCameraHasItsOwnNoise) {
   spec.sensor.more_cameras = {like_it};
   std::set<std::string> digests;
   std::size_t count = 0;
-  for (const Seen& seen : flown(spec, 0.3, AB_SEES_DEPTH, 0.0)) {
+  for (const Seen& seen : flown(spec, 0.3, AB_INPUT_DEPTH, 0.0)) {
     EXPECT_EQ(seen.digests.size(), 3U);
     count += seen.digests.size();
     digests.insert(seen.digests.begin(), seen.digests.end());
@@ -209,7 +209,7 @@ TEST(Perception, EachImageOfEachCameraHasItsOwnNoise) {
 /// The left image that a camera exposes at tick 0 on a vehicle that moves and turns.
 std::vector<std::uint8_t> turning_image(const TrialSpec& spec, const Scene& scene,
                                         const VehicleState& truth) {
-  Perception perception = make_perception(spec, AB_SEES_STEREO, truth);
+  Perception perception = make_perception(spec, AB_INPUT_STEREO, truth);
   sense(perception, scene, make_model(spec.vehicle), truth, {});
   const PlannerView view = planner_view(perception, truth);
   const auto left = view.stereo.at(0).left;
@@ -393,7 +393,7 @@ TEST(Perception, NoiseDoesNotDependOnWhatThePlannerAsksFor) {
   TrialSpec spec = small_trial();
   spec.odometry.position_sigma_m = 0.05;
   spec.sensor.jitter_ms = 5.0;
-  const std::vector<Seen> all = flown(spec, 1.0), few = flown(spec, 1.0, AB_SEES_DEPTH);
+  const std::vector<Seen> all = flown(spec, 1.0), few = flown(spec, 1.0, AB_INPUT_DEPTH);
   ASSERT_EQ(all.size(), few.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
     EXPECT_EQ(all[i].position, few[i].position);

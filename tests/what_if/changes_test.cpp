@@ -48,7 +48,7 @@ TrialSpec noisy_spec() {
 
 PlannerDescription planner() {
   PlannerDescription planner;
-  planner.needs = AB_SEES_STATE | AB_SEES_DEPTH | AB_SEES_IMU;
+  planner.needs = AB_INPUT_STATE | AB_INPUT_DEPTH | AB_INPUT_IMU;
   planner.parameters = {{.name = "max_speed_mps",
                          .unit = "m/s",
                          .doc = {},
@@ -277,7 +277,7 @@ TEST(Changes, AreNotApplicableWhereTheyChangeNothing) {
   TrialRecord record;
   record.plan_calls = {{.status = AB_OK, .command_kind = AB_COMMAND_RATES}};
   PlannerDescription blind = planner();
-  blind.needs = AB_SEES_STATE;
+  blind.needs = AB_INPUT_STATE;
   TrialSpec plain;
   plain.latency.mode = LatencyMode::zero;
   for (const Change& change : changes()) {
@@ -298,7 +298,7 @@ INSTANTIATE_TEST_SUITE_P(All, EachChange, testing::ValuesIn([] {
 TrialRecord flown_north(const TrialSpec& spec, const Scene& scene, const FlightChange& change,
                         double speed_mps) {
   const Mission mission = test::straight_mission();
-  Flight flight = begin_flight(spec, scene, mission, AB_SEES_STATE, nullptr, change);
+  Flight flight = begin_flight(spec, scene, mission, AB_INPUT_STATE, nullptr, change);
   while (next_plan(flight) != nullptr) {
     PlanResult result{.status = PlanStatus::command, .reason = {}, .points = {}};
     result.command.kind = AB_COMMAND_VELOCITY;

@@ -177,6 +177,51 @@ function Outcomes({ sweep, groups }: Props): JSX.Element {
   );
 }
 
+/** S(v): the share of trials with at least each goal velocity, a failure's being 0, and v90 read from it. */
+function Speeds({ sweep, groups }: Props): JSX.Element | null {
+  const at = sweep.metrics.findIndex((m) => m.name === "average_goal_velocity_mps");
+  if (at < 0) return null;
+  const rows: (string | number | null)[][] = [];
+  let fastest = 0;
+  const lines: Line[] = groups.map(({ look, trials }) => {
+    const speeds = Float64Array.from(trials, (i) => (isFinished(sweep.t, i) ? sweep.t.metrics[at][i] : 0)).sort();
+    const count = speeds.length;
+    fastest = Math.max(fastest, count ? speeds[count - 1] : 0);
+    // As lib/base/statistics/reached_speed.cpp: counts are whole.
+    const reached = (share: number, least: number): number | null =>
+      count < least ? null : speeds[Math.floor((1 - share) * count + 1e-9)];
+    const mean = speeds.reduce((sum, v) => sum + v, 0) / count;
+    rows.push([look.label, count, reached(0.9, 29), reached(0.5, 5), count ? mean : null]);
+    const points: [number, number][] = [[0, 1]];
+    speeds.forEach((v, k) => {
+      // S falls behind each speed.
+      if (k + 1 === count || v < speeds[k + 1]) points.push([v, (count - k - 1) / count]);
+    });
+    return { ...look, points };
+  });
+  return (
+    <Figure
+      name="speeds"
+      title="Goal velocity that missions reach"
+      note="Share of all trials that reached the goal with at least this goal velocity (shortest path over flight time). v90 is the velocity that nine of ten reach; 0 where more than one of ten failed, none for fewer than 29 trials."
+      numbers={{ head: ["planner", "trials", "v90, m/s", "v50, m/s", "mean with failures as 0, m/s"], rows }}
+    >
+      <Legend items={lines} />
+      <LineChart
+        lines={lines}
+        x={[0, fastest || 1]}
+        y={[0, 1]}
+        percent
+        step
+        xUnit="m/s"
+        level={0.9}
+        height={230}
+        label="Share of trials that reached the goal with at least a goal velocity, by planner"
+      />
+    </Figure>
+  );
+}
+
 function Arrivals({ sweep, chosen, groups }: Props): JSX.Element {
   const longest = chosen.reduce(
     (most, i) => Math.max(most, Number.isFinite(sweep.t.end_s[i]) ? sweep.t.end_s[i] : 0),
@@ -414,6 +459,7 @@ export function Overview(given: OverviewProps): JSX.Element {
     <>
       <section class="charts" aria-label="Charts">
         <Limits {...props} />
+        {isMixed ? null : <Speeds {...props} />}
         {isMixed ? null : <Success {...props} />}
         <Outcomes {...props} />
         {isMixed ? null : <Difficulty {...props} />}

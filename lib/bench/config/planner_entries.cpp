@@ -212,7 +212,7 @@ void check_sensor(const GivenValue& given, const Entry& entry, const SensorSpec&
   const std::string problem = camera_problem(entry.planner, planner_setup(trial).cameras);
   if (problem.empty()) return;
   const bool may_choose =
-      (entry.planner.needs & AB_SEES_ONE_CAMERA) != 0 && entry.camera == kAllCameras && count > 1;
+      (entry.planner.needs & AB_INPUT_ONE_CAMERA) != 0 && entry.camera == kAllCameras && count > 1;
   given.add_problem(entry.planner.name + " can't fly with " + name + ": " + problem +
                     (may_choose ? "; name the one that it sees, as in {plugin: " + entry.plugin +
                                       ", camera: 0}, of " + camera_list(cameras)

@@ -78,7 +78,7 @@ struct EnvSpec {
   std::int64_t threads = 1;
   std::uint64_t seed = 1;  ///< of the choice of trials
   EpisodeOrder order = EpisodeOrder::random;
-  std::uint32_t needs = 0;  ///< AB_SEES_DEPTH, _STEREO, _COLOR, _IMU
+  std::uint32_t needs = 0;  ///< AB_INPUT_DEPTH, _STEREO, _COLOR, _IMU
   DepthEncoding depth = DepthEncoding::inverse;
   ActionSpec action;
   RewardSpec reward;

@@ -128,7 +128,7 @@ VectorEnv::Internals::Internals(const EnvSpec& env_spec)
   limits = action_limits(spec.action, first.vehicle);
   step_s = 1.0 / first.rates.plan_hz;
   require(
-      (spec.needs & AB_SEES_DEPTH) == 0 || spec.depth != DepthEncoding::inverse ||
+      (spec.needs & AB_INPUT_DEPTH) == 0 || spec.depth != DepthEncoding::inverse ||
           shape.min_range_m > 0.0,
       "inverse depth is a share of the sensor's min_range_m, which is 0: set it, or take metric "
       "depth");

@@ -132,7 +132,7 @@ PlannerRow planner_row(const PlannerChoice& choice) {
           .version = planner.version,
           .file_digest = choice.file_digest,
           .parameters_json = parameters.dump(),
-          .is_privileged = (planner.needs & AB_SEES_WORLD) != 0};
+          .is_privileged = (planner.needs & AB_INPUT_WORLD) != 0};
 }
 
 }  // namespace avoidbench

@@ -26,7 +26,7 @@ bool has_need(const FlownTrial& flown, std::uint32_t bits) {
 std::string change_nothing(const FlownTrial&, ChangedTrial&) { return ""; }
 
 std::string make_depth_true(const FlownTrial& flown, ChangedTrial& trial) {
-  if (!has_need(flown, AB_SEES_DEPTH)) return "the planner sees no depth images";
+  if (!has_need(flown, AB_INPUT_DEPTH)) return "the planner sees no depth images";
   bool is_changed = false;
   for (CameraSpec* camera : cameras_of(trial.spec.sensor)) {
     is_changed = is_changed || !std::holds_alternative<DepthIdealSpec>(camera->method);
@@ -120,7 +120,7 @@ std::string widen_view(const FlownTrial& flown, ChangedTrial& trial) {
 }
 
 std::string lengthen_range(const FlownTrial& flown, ChangedTrial& trial) {
-  if (!has_need(flown, AB_SEES_DEPTH)) return "the planner sees no depth images";
+  if (!has_need(flown, AB_INPUT_DEPTH)) return "the planner sees no depth images";
   constexpr double kFarthest_m = 1000.0;  // of the field
   bool is_changed = false;
   for (CameraSpec* camera : cameras_of(trial.spec.sensor)) {

@@ -26,7 +26,7 @@ struct PendingCommand {
 /// A trial that its caller steps: everything that changes while it is flown. begin_flight(), then
 /// next_plan() and answer() in turn until nothing is asked any more, then end_flight():
 ///
-///   Flight flight = begin_flight(spec, scene, mission, AB_SEES_DEPTH);
+///   Flight flight = begin_flight(spec, scene, mission, AB_INPUT_DEPTH);
 ///   while (const PlannerView* view = next_plan(flight)) answer(flight, my_plan(*view));
 ///   const TrialRecord record = end_flight(std::move(flight));
 ///
@@ -67,7 +67,7 @@ struct Flight {
   TrialRecord record;              ///< of the flight so far
 };
 
-/// At the start. `needs` says what is sensed (AB_SEES_…). `recorded_latency_s`: see run_trial().
+/// At the start. `needs` says what is sensed (AB_INPUT_…). `recorded_latency_s`: see run_trial().
 Flight begin_flight(const TrialSpec& spec, const Scene& scene, const Mission& mission,
                     std::uint32_t needs, const std::vector<double>* recorded_latency_s = nullptr,
                     const FlightChange& change = {});

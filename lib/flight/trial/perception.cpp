@@ -102,14 +102,14 @@ bool is_told(const Perception& p, const VehicleState& past, Tick now) {
 
 Perception make_perception(const TrialSpec& spec, std::uint32_t needs, const VehicleState& start) {
   const std::uint64_t seed = noise_seed(spec, "sensing");
-  Perception p{.image_needs = {.depth = (needs & AB_SEES_DEPTH) != 0,
-                               .stereo = (needs & AB_SEES_STEREO) != 0,
-                               .color = (needs & AB_SEES_COLOR) != 0},
+  Perception p{.image_needs = {.depth = (needs & AB_INPUT_DEPTH) != 0,
+                               .stereo = (needs & AB_INPUT_STEREO) != 0,
+                               .color = (needs & AB_INPUT_COLOR) != 0},
                .cameras = make_cameras(seen_sensor(spec), seed),
                .image_seed = stream_seed(seed, "image"),
                .exposures = {},
                .imu = spec.imu,
-               .sees_imu = (needs & AB_SEES_IMU) != 0,
+               .sees_imu = (needs & AB_INPUT_IMU) != 0,
                .imu_period = required_period(spec.imu.rate_hz),
                .imu_state = {},
                .imu_random = stream(seed, "imu"),
@@ -122,7 +122,7 @@ Perception make_perception(const TrialSpec& spec, std::uint32_t needs, const Veh
                .odometry_state = {},
                .odometry_random = stream(seed, "odometry"),
                .past = {},
-               .sees_states = (needs & AB_SEES_STATES) != 0,
+               .sees_states = (needs & AB_INPUT_STATES) != 0,
                .states = {}};
   p.imu_state = make_imu(p.imu, p.imu_random);
   p.odometry_state = make_odometry(p.odometry, start, p.odometry_random);

@@ -58,7 +58,7 @@ struct Perception {
   std::vector<VehicleState> states;  ///< estimates at the IMU's ticks that the planner has not seen
 };
 
-/// At the start of a trial. `needs` are the planner's (AB_SEES_…).
+/// At the start of a trial. `needs` are the planner's (AB_INPUT_…).
 Perception make_perception(const TrialSpec& spec, std::uint32_t needs, const VehicleState& start);
 
 /// The first tick after `now` at which something is sensed.

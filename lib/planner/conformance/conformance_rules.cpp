@@ -331,7 +331,7 @@ constexpr ConformanceRule kRules[] = {
      survives_odd_goals},
     {"tells_cameras_apart",
      "With a second camera that looks down, commands still depend on what the first one sees. (Not "
-     "asked of a planner that declares AB_SEES_ONE_CAMERA: no rig reaches it.)",
+     "asked of a planner that declares AB_INPUT_ONE_CAMERA: no rig reaches it.)",
      tells_cameras_apart, true},
     {"errors_have_a_text",
      "With a NaN state or goal a planner may fail, but says why by set_error.", errors_have_a_text},

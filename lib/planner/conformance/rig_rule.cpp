@@ -53,7 +53,7 @@ bool are_alike(const PlannerLibrary& library, const PlannerSetup& setup,
 
 std::string tells_cameras_apart(const PlannerLibrary& library) {
   const std::uint32_t needs = library.description().needs;
-  if (!sees_images(needs) || (needs & AB_SEES_ONE_CAMERA) != 0) return "";
+  if (!sees_images(needs) || (needs & AB_INPUT_ONE_CAMERA) != 0) return "";
   const ConformanceFlight wall = wall_flight();
   const ConformanceFlight free = uniform_flight(std::numeric_limits<float>::infinity());
   // Twenty calls may be too few for a planner to answer what it sees.
@@ -62,7 +62,7 @@ std::string tells_cameras_apart(const PlannerLibrary& library) {
   if (!are_alike(library, rig, with_ground(wall, rig), with_ground(free, rig))) return "";
   return "with a second camera, which looks down, its commands no longer depend on what the first "
          "one sees: look at each image's `camera`, as newest_depth(seen, camera) does, or declare "
-         "AB_SEES_ONE_CAMERA";
+         "AB_INPUT_ONE_CAMERA";
 }
 
 }  // namespace avoidbench

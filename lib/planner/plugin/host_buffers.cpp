@@ -234,7 +234,7 @@ const ab_observation& ObservationBuffers::fill(const PlannerView& view,
   observation_.state = &state_;
   observation_.time_s = view.call_time_s;
   images_.clear();
-  if ((needs & AB_SEES_DEPTH) != 0) {
+  if ((needs & AB_INPUT_DEPTH) != 0) {
     for (const DepthView& seen : view.depth) {
       const CameraSetup& camera = cameras[seen.camera];
       check_size(seen.depth_m, camera, 1);
@@ -246,11 +246,11 @@ const ab_observation& ObservationBuffers::fill(const PlannerView& view,
   point_to(images_, pointers_);
   observation_.depth_count = static_cast<std::uint32_t>(pointers_.size());
   observation_.depth = pointers_.data();
-  fill_stereo((needs & AB_SEES_STEREO) != 0 ? view.stereo : std::vector<StereoView>{}, cameras);
-  fill_color((needs & AB_SEES_COLOR) != 0 ? view.color : std::vector<ColorView>{}, cameras);
-  fill_imu((needs & AB_SEES_IMU) != 0 ? view.imu : std::vector<ImuView>{});
+  fill_stereo((needs & AB_INPUT_STEREO) != 0 ? view.stereo : std::vector<StereoView>{}, cameras);
+  fill_color((needs & AB_INPUT_COLOR) != 0 ? view.color : std::vector<ColorView>{}, cameras);
+  fill_imu((needs & AB_INPUT_IMU) != 0 ? view.imu : std::vector<ImuView>{});
   states_.clear();
-  if ((needs & AB_SEES_STATES) != 0) {
+  if ((needs & AB_INPUT_STATES) != 0) {
     for (const StateView& seen : view.states) states_.push_back(to_state(seen));
   }
   point_to(states_, state_pointers_);

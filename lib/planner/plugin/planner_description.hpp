@@ -39,7 +39,7 @@ struct PlannerFile {
 /// What a planner's library or program says of itself.
 struct PlannerDescription {
   std::string name, version, summary;
-  std::uint32_t needs = 0, commands = 0;  ///< AB_SEES_… and AB_COMMAND_… bits
+  std::uint32_t needs = 0, commands = 0;  ///< AB_INPUT_… and AB_COMMAND_… bits
   std::vector<ParameterDef> parameters;
   std::vector<ProfileDef> profiles;
   double least_fov_x_rad = 0.0, least_fov_y_rad = 0.0;  ///< of each camera; 0: any

@@ -106,7 +106,7 @@ class PlannerInstance {
   PlannerInstance(PlannerInstance&&) noexcept;
   PlannerInstance& operator=(PlannerInstance&&) noexcept;
 
-  std::uint32_t needs() const;  ///< AB_SEES_…
+  std::uint32_t needs() const;  ///< AB_INPUT_…
 
   /// Empty text on success, else why it failed.
   std::string reset(const PlannerMission& mission);

@@ -26,10 +26,10 @@ constexpr std::size_t kFovEnd = offsetof(ab_planner, least_fov_y_rad) + sizeof(d
 constexpr std::size_t kLeastProfileSize = offsetof(ab_profile, numbers) + sizeof(void*);
 // A count beyond is rubbish: following it would read far behind the table.
 constexpr std::uint32_t kMostParameters = 1000;
-constexpr std::uint32_t kKnownNeeds = AB_SEES_STATE | AB_SEES_DEPTH | AB_SEES_STEREO |
-                                      AB_SEES_COLOR | AB_SEES_IMU | AB_SEES_WORLD | AB_SEES_STATES |
-                                      AB_SEES_ONE_CAMERA | AB_USES_PROCESSES | AB_USES_DEVICES |
-                                      AB_USES_NETWORK | AB_USES_GLOBALS;
+constexpr std::uint32_t kKnownNeeds = AB_INPUT_STATE | AB_INPUT_DEPTH | AB_INPUT_STEREO |
+                                      AB_INPUT_COLOR | AB_INPUT_IMU | AB_INPUT_WORLD |
+                                      AB_INPUT_STATES | AB_INPUT_ONE_CAMERA | AB_USES_PROCESSES |
+                                      AB_USES_DEVICES | AB_USES_NETWORK | AB_USES_GLOBALS;
 constexpr std::uint32_t kKnownCommands = AB_COMMAND_POSITION | AB_COMMAND_VELOCITY |
                                          AB_COMMAND_ACCELERATION | AB_COMMAND_TRAJECTORY |
                                          AB_COMMAND_RATES;
@@ -212,7 +212,7 @@ void add_camera_problems(const ab_planner& table, std::vector<std::string>& prob
     }
   }
   if (sees_images(table.needs)) return;
-  if ((table.needs & AB_SEES_ONE_CAMERA) != 0 || has_fov) {
+  if ((table.needs & AB_INPUT_ONE_CAMERA) != 0 || has_fov) {
     problems.emplace_back("it says which cameras it can fly with, but sees no images");
   }
 }
@@ -374,11 +374,11 @@ std::string own_problem(const ab_planner& table) {
 }
 
 bool sees_images(std::uint32_t needs) {
-  return (needs & (AB_SEES_DEPTH | AB_SEES_STEREO | AB_SEES_COLOR)) != 0;
+  return (needs & (AB_INPUT_DEPTH | AB_INPUT_STEREO | AB_INPUT_COLOR)) != 0;
 }
 
 std::string camera_demand(const PlannerDescription& planner) {
-  std::string text = (planner.needs & AB_SEES_ONE_CAMERA) != 0 ? "one" : "";
+  std::string text = (planner.needs & AB_INPUT_ONE_CAMERA) != 0 ? "one" : "";
   if (planner.least_fov_x_rad > 0.0 || planner.least_fov_y_rad > 0.0) {
     text += (text.empty() ? "" : ", ") +
             view_text(planner.least_fov_x_rad, planner.least_fov_y_rad) + " or more";
@@ -390,7 +390,7 @@ std::string camera_problem(const PlannerDescription& planner,
                            std::span<const CameraSetup> cameras) {
   // Who sees no images is given no camera.
   if (!sees_images(planner.needs)) return "";
-  if ((planner.needs & AB_SEES_ONE_CAMERA) != 0 && cameras.size() > 1) {
+  if ((planner.needs & AB_INPUT_ONE_CAMERA) != 0 && cameras.size() > 1) {
     return "it handles one camera and gets " + std::to_string(cameras.size());
   }
   constexpr double kRounding_rad = 1e-6;

@@ -99,7 +99,7 @@ SampledFlight sample_flight(const avoidbench::TrialSpec& spec, const avoidbench:
   });
   pilot.reset(to_mission(planner_mission(spec, flown, scene.world().bounds)));
 
-  constexpr std::uint32_t kNeeds = AB_SEES_STATE | AB_SEES_DEPTH;
+  constexpr std::uint32_t kNeeds = AB_INPUT_STATE | AB_INPUT_DEPTH;
   avoidbench::ObservationBuffers buffers;
   avoidbench::Flight flight = begin_flight(spec, scene, flown, kNeeds);
   while (const avoidbench::PlannerView* view = next_plan(flight)) {

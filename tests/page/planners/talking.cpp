@@ -4,7 +4,7 @@
 class Talking {
  public:
   static constexpr const char* name = "talking";
-  static constexpr std::uint32_t needs = AB_SEES_STATE | AB_SEES_DEPTH;
+  static constexpr std::uint32_t needs = AB_INPUT_STATE | AB_INPUT_DEPTH;
   static constexpr std::uint32_t commands = AB_COMMAND_VELOCITY;
   Talking(const ab_setup&, const ab_host& host) : host_(&host) {}
   void reset(const ab_mission&) {}

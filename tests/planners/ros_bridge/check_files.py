@@ -95,7 +95,7 @@ def files(folder):
     example = LiveFile(folder / "example/topics.yaml")
     expect(
         "the example",
-        example.sees == ("state", "depth") and example.decisive_files() == ["flyer.py"] and not example.notes,
+        example.inputs == ("state", "depth") and example.decisive_files() == ["flyer.py"] and not example.notes,
     )
     topics.write_text(
         GOOD.replace("run:", "main: one\n    run:").replace(

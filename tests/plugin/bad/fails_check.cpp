@@ -9,7 +9,7 @@ namespace {
 class FailsCheck {
  public:
   static constexpr const char* name = "fails_check";
-  static constexpr std::uint32_t needs = AB_SEES_STATE;
+  static constexpr std::uint32_t needs = AB_INPUT_STATE;
   static constexpr std::uint32_t commands = AB_COMMAND_VELOCITY;
   static void check() { throw std::runtime_error("weights.bin ends after 12 of 40 bytes"); }
 

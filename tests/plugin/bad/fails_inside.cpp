@@ -7,7 +7,7 @@
 class FailsInside {
  public:
   static constexpr const char* name = "fails_inside";
-  static constexpr std::uint32_t needs = AB_SEES_STATE;
+  static constexpr std::uint32_t needs = AB_INPUT_STATE;
   static constexpr std::uint32_t commands = AB_COMMAND_TRAJECTORY | AB_COMMAND_VELOCITY;
   static constexpr std::array parameters{avoidbench::choice_parameter(
       "how", "no_plan",

@@ -34,7 +34,7 @@ inline ab_planner table() {
   table.name = "honest";
   table.version = "1";
   table.summary = "Flies along x.";
-  table.needs = AB_SEES_STATE | AB_SEES_DEPTH;
+  table.needs = AB_INPUT_STATE | AB_INPUT_DEPTH;
   table.commands = AB_COMMAND_VELOCITY;
   table.create = create;
   table.destroy = destroy;

@@ -10,7 +10,7 @@ class SeesAll {
   static constexpr const char* name = "sees_all";
   static constexpr const char* summary = "Checks all that can be seen.";
   static constexpr std::uint32_t needs =
-      AB_SEES_STATE | AB_SEES_DEPTH | AB_SEES_STEREO | AB_SEES_COLOR | AB_SEES_IMU;
+      AB_INPUT_STATE | AB_INPUT_DEPTH | AB_INPUT_STEREO | AB_INPUT_COLOR | AB_INPUT_IMU;
   static constexpr std::uint32_t commands = AB_COMMAND_VELOCITY;
 
   explicit SeesAll(const ab_setup& setup) : camera_count_(setup.camera_count) {

@@ -13,7 +13,7 @@ class SetsLocale {
   static constexpr const char* name = "sets_locale";
   static constexpr const char* version = "1";
   static constexpr const char* summary = "Flies along x in German.";
-  static constexpr std::uint32_t needs = AB_SEES_STATE;
+  static constexpr std::uint32_t needs = AB_INPUT_STATE;
   static constexpr std::uint32_t commands = AB_COMMAND_VELOCITY;
   static constexpr std::array parameters{avoidbench::choice_parameter(
       "how", "none", "none|setlocale|uselocale|global|thread", "How it sets the locale.")};

@@ -8,7 +8,7 @@ class Shouts {
   static constexpr const char* name = "shouts";
   static constexpr const char* version = "1";
   static constexpr const char* summary = "Gives up with a text.";
-  static constexpr std::uint32_t needs = AB_SEES_STATE;
+  static constexpr std::uint32_t needs = AB_INPUT_STATE;
   static constexpr std::uint32_t commands = AB_COMMAND_VELOCITY;
   static constexpr std::array parameters{
       avoidbench::text_parameter("words", "walled in", "What it logs and gives as its reason.")};

@@ -13,7 +13,7 @@ class Talks {
   static constexpr const char* name = "talks";
   static constexpr const char* version = "1.5";
   static constexpr const char* summary = "Prints, sleeps and ends as it is told to.";
-  static constexpr std::uint32_t needs = AB_SEES_DEPTH;
+  static constexpr std::uint32_t needs = AB_INPUT_DEPTH;
   static constexpr std::uint32_t commands = AB_COMMAND_POSITION;
   static constexpr std::array parameters{
       avoidbench::parameter("sleep_ms", "ms", 0.0, 0.0, 1000.0, "Sleep in each call."),

@@ -12,7 +12,7 @@
 class Threads {
  public:
   static constexpr const char* name = "threads";
-  static constexpr std::uint32_t needs = AB_SEES_STATE;
+  static constexpr std::uint32_t needs = AB_INPUT_STATE;
   static constexpr std::uint32_t commands = AB_COMMAND_VELOCITY;
   static constexpr std::array parameters{avoidbench::choice_parameter(
       "how", "calling", "calling|three|behind|spin",

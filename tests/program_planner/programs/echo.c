@@ -101,7 +101,7 @@ static const ab_planner planner = {
     "echo",
     "2.5",
     "Says what it was told.",
-    AB_SEES_STATE | AB_SEES_DEPTH | AB_SEES_STEREO | AB_SEES_COLOR | AB_SEES_IMU,
+    AB_INPUT_STATE | AB_INPUT_DEPTH | AB_INPUT_STEREO | AB_INPUT_COLOR | AB_INPUT_IMU,
     AB_COMMAND_TRAJECTORY,
     3,
     0,

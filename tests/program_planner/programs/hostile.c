@@ -80,7 +80,7 @@ static uint64_t describe(void) {
   if (is("name_null")) put_offset(&planner.name, 0);
   if (is("name_outside")) put_offset(&planner.name, 16);
   if (is("name_long")) put_offset(&planner.name, add_long_text(4000000));
-  planner.needs = AB_SEES_STATE;
+  planner.needs = AB_INPUT_STATE;
   planner.commands = AB_COMMAND_VELOCITY | AB_COMMAND_TRAJECTORY;
   if (is("parameters_many")) {
     planner.parameter_count = 999;

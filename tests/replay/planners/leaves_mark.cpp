@@ -9,7 +9,7 @@ class LeavesMark {
   static constexpr const char* name = "leaves_mark";
   static constexpr const char* version = "1";
   static constexpr const char* summary = "Writes a file when it is reset.";
-  static constexpr std::uint32_t needs = AB_SEES_DEPTH;
+  static constexpr std::uint32_t needs = AB_INPUT_DEPTH;
   static constexpr std::uint32_t commands = AB_COMMAND_POSITION;
 
   LeavesMark(const ab_setup&, const ab_host&) {}

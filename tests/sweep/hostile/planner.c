@@ -179,7 +179,7 @@ static ab_planner table = {.struct_size = sizeof(ab_planner),
                            .name = "hostile",
                            .version = "1.0",
                            .summary = "Flies straight to the goal and attacks the program.",
-                           .needs = AB_SEES_STATE,
+                           .needs = AB_INPUT_STATE,
                            .commands = AB_COMMAND_VELOCITY | AB_COMMAND_TRAJECTORY,
                            .parameter_count = 3,
                            .parameters = kParameters,
@@ -190,6 +190,6 @@ static ab_planner table = {.struct_size = sizeof(ab_planner),
 
 AB_EXPORT const ab_planner* avoidbench_planner_v1(uint32_t host_api) {
   way.choices = way_names();
-  table.needs = AB_SEES_STATE | kHostileUses;
+  table.needs = AB_INPUT_STATE | kHostileUses;
   return host_api == AVOIDBENCH_ABI_VERSION ? &table : NULL;
 }

@@ -10,7 +10,7 @@ int resets = 0;
 class GlobalState {
  public:
   static constexpr const char* name = "global_state";
-  static constexpr std::uint32_t needs = AB_SEES_STATE | HOST_IS_TOLD;
+  static constexpr std::uint32_t needs = AB_INPUT_STATE | HOST_IS_TOLD;
   static constexpr std::uint32_t commands = AB_COMMAND_VELOCITY;
 
   explicit GlobalState(const ab_setup&) {}

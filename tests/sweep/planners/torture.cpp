@@ -104,7 +104,7 @@ void misbehave(const std::string& way) {
 class Torture {
  public:
   static constexpr const char* name = "torture";
-  static constexpr std::uint32_t needs = AB_SEES_STATE;
+  static constexpr std::uint32_t needs = AB_INPUT_STATE;
   static constexpr std::uint32_t commands = AB_COMMAND_VELOCITY;
   static constexpr std::array parameters{
       avoidbench::text_parameter("way", "nothing", "How it misbehaves.")};

@@ -17,7 +17,7 @@ struct Settings {
 class Picky {
  public:
   static constexpr const char* name = "picky";
-  static constexpr std::uint32_t needs = AB_SEES_STATE | AB_SEES_DEPTH | AB_SEES_IMU;
+  static constexpr std::uint32_t needs = AB_INPUT_STATE | AB_INPUT_DEPTH | AB_INPUT_IMU;
   static constexpr std::uint32_t commands = AB_COMMAND_TRAJECTORY;
   static constexpr std::array parameters{
       avoidbench::choice_parameter<&Settings::minds>(

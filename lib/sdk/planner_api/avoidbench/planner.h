@@ -43,16 +43,16 @@ typedef int32_t ab_status;
 #define AB_GIVE_UP 2
 
 /* ab_planner.needs: what the planner wants to see. */
-#define AB_SEES_STATE 1u
-#define AB_SEES_DEPTH 2u
-#define AB_SEES_STEREO 4u /* left and right, grey, 8 bits */
-#define AB_SEES_COLOR 8u  /* left, RGB, 8 bits */
-#define AB_SEES_IMU 16u
-#define AB_SEES_WORLD 32u  /* privileged: reported apart in every table */
-#define AB_SEES_STATES 64u /* all states since the last call, not only the newest */
+#define AB_INPUT_STATE 1u
+#define AB_INPUT_DEPTH 2u
+#define AB_INPUT_STEREO 4u /* left and right, grey, 8 bits */
+#define AB_INPUT_COLOR 8u  /* left, RGB, 8 bits */
+#define AB_INPUT_IMU 16u
+#define AB_INPUT_WORLD 32u  /* privileged: reported apart in every table */
+#define AB_INPUT_STATES 64u /* all states since the last call, not only the newest */
 /* Of a rig one camera alone: ab_setup.camera_count is 1. A sweep whose sensor has several names the
  * one (`camera: 0` in the planner's entry), or is refused before its first trial. */
-#define AB_SEES_ONE_CAMERA 128u
+#define AB_INPUT_ONE_CAMERA 128u
 /* Also ab_planner.needs: what it does beside computing and reading files. Planners fly in a sandbox
  * that refuses the rest; without these flags fork() and socket() fail, as writing to files always
  * does. */
@@ -221,18 +221,18 @@ typedef struct ab_observation {
   uint32_t depth_count;  /* images since the last call, newest first; 0 where none is new */
   const ab_state* state; /* always there */
   const ab_depth_image* const*
-      depth; /* depth_count pointers; none unless AB_SEES_DEPTH is declared */
+      depth; /* depth_count pointers; none unless AB_INPUT_DEPTH is declared */
   /* As depth: newest first, since the last call, none unless declared. */
   uint32_t stereo_count, color_count;
-  const ab_stereo_pair* const* stereo; /* AB_SEES_STEREO */
-  const ab_picture* const* color;      /* AB_SEES_COLOR */
+  const ab_stereo_pair* const* stereo; /* AB_INPUT_STEREO */
+  const ab_picture* const* color;      /* AB_INPUT_COLOR */
   uint32_t imu_count;
   uint32_t reserved;
-  const ab_imu_sample* imu; /* AB_SEES_IMU; imu_count samples, oldest first */
+  const ab_imu_sample* imu; /* AB_INPUT_IMU; imu_count samples, oldest first */
   /* Added later: older hosts end before this. */
   double time_s; /* of this call; state->time_s is older where the odometry has a delay */
   uint32_t state_count, reserved2;
-  const ab_state* const* states; /* AB_SEES_STATES: since the last call, at the IMU's rate, oldest
+  const ab_state* const* states; /* AB_INPUT_STATES: since the last call, at the IMU's rate, oldest
                                     first; state_count pointers */
 } ab_observation;
 

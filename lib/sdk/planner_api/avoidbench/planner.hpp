@@ -7,7 +7,7 @@
  *   class Drift {
  *    public:
  *     static constexpr const char* name = "drift";
- *     static constexpr std::uint32_t needs = AB_SEES_STATE | AB_SEES_DEPTH;
+ *     static constexpr std::uint32_t needs = AB_INPUT_STATE | AB_INPUT_DEPTH;
  *     static constexpr std::uint32_t commands = AB_COMMAND_VELOCITY;
  *     static constexpr std::array parameters{
  *         avoidbench::parameter("speed_mps", "m/s", 3.0, 0.1, 20.0, "Held until the goal.")};
@@ -219,7 +219,7 @@ class GiveUp : public std::runtime_error {
 [[noreturn]] inline void give_up(const std::string& reason) { throw GiveUp(reason); }
 
 /// The newest depth image, stereo pair or colour picture of one camera since the last call, or null
-/// where none is new. `camera`: index into ab_setup.cameras; 0 with AB_SEES_ONE_CAMERA.
+/// where none is new. `camera`: index into ab_setup.cameras; 0 with AB_INPUT_ONE_CAMERA.
 inline const ab_depth_image* newest_depth(const ab_observation& seen, std::uint32_t camera) {
   std::uint32_t i = 0;
   while (i < seen.depth_count && seen.depth[i]->camera != camera) ++i;
