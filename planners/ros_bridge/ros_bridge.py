@@ -113,7 +113,8 @@ def tell(file):
     """What a run by hand says."""
     live = file.live
     print(
-        f"{file.path.name}: planner {live.name}, inputs {', '.join(file.inputs)}, commands {', '.join(file.command.kinds)}"
+        f"{file.path.name}: planner {live.name}, inputs {', '.join(file.inputs)}, "
+        f"commands {', '.join(file.command.kinds)}"
     )
     for node in file.nodes:
         print(
