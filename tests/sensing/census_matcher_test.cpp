@@ -241,9 +241,9 @@ void expect_plain(const StereoPair& pair, const CensusSettings& settings,
                (settings.subpixel ? " subpixel" : "") + " tolerance " +
                std::to_string(settings.left_right_tolerance_px));
   const Disparity expected = plain_match(pair, settings);
-  EXPECT_EQ(match(census::portable_kernels(), pair, settings, workspace), expected);
+  EXPECT_EQ(match(census::kPortableKernels, pair, settings, workspace), expected);
   if (has_avx2()) {
-    EXPECT_EQ(match(census::avx2_kernels(), pair, settings, workspace), expected);
+    EXPECT_EQ(match(census::kAvx2Kernels, pair, settings, workspace), expected);
   }
 }
 
@@ -361,8 +361,8 @@ TEST(CensusMatcher, VersionsAgreeOnALargeImage) {
                                       .paths = paths,
                                       .subpixel = true,
                                       .uniqueness_percent = 10};
-        EXPECT_EQ(match(census::portable_kernels(), pair, settings, workspace),
-                  match(census::avx2_kernels(), pair, settings, workspace));
+        EXPECT_EQ(match(census::kPortableKernels, pair, settings, workspace),
+                  match(census::kAvx2Kernels, pair, settings, workspace));
       }
     }
   }
@@ -465,7 +465,7 @@ TEST(CensusMatcher, AWorkspaceIsAllocatedOnce) {
   CensusWorkspace workspace;
   const StereoPair large = random_pair(96, 40, 20, 5, 12);
   const StereoPair small = random_pair(50, 20, 20, 5, 13);
-  const auto& kernels = census::portable_kernels();
+  const auto& kernels = census::kPortableKernels;
   const Disparity first = match(kernels, large, {.disparities = 64}, workspace);
   const std::uint8_t* memory = workspace.bytes.data();
   match(kernels, small, {.disparities = 32, .paths = 4}, workspace);

@@ -11,7 +11,8 @@
 /// a file compiled for AVX2.
 namespace avoidbench {
 
-inline constexpr int kDepthPackets = 4;  ///< of 4 × 2 pixels, one below the other
+inline constexpr int kPacketColumns = 4, kPacketRows = 2;  ///< pixels
+inline constexpr int kDepthPackets = 4;                    ///< one below the other
 
 /// Where Embree leaves what the rays of one packet have hit: eight numbers each, 32-byte aligned.
 struct PacketOfHits {

@@ -7,7 +7,6 @@
 namespace avoidbench {
 namespace {
 
-constexpr int kLanes = 8;
 constexpr std::uint32_t kNothing = ~0U;
 
 /// The lanes that see the same triangle.
@@ -17,30 +16,47 @@ struct Facet {
   unsigned lanes;  ///< a bit a lane
 };
 
-/// What the lanes of a packet see: one triangle on smooth ground, up to eight in foliage.
+/// What one register's rays see: one triangle on smooth ground, each its own in foliage.
 struct Facets {
   int count;
   Facet all[kLanes];
 };
 
+/// The rays of a packet that fill a register: all of it, or one row.
+struct Rays {
+  PacketOfHits hits;  ///< from the first of them
+  const double* v;    ///< of their rows
+};
+
+constexpr int kRows = kLanes / kPacketColumns;
+constexpr int kRegisters = kDepthPackets * kPacketRows / kRows;
+
+AB_LANE Rays rays_of(const DepthFrame& frame, int index, std::size_t y) {
+  const int row = index * kRows;
+  const PacketOfHits& packet = frame.packets[row / kPacketRows];
+  const int lane = row % kPacketRows * kPacketColumns;
+  return {{packet.embree_depths + lane, packet.geometries + lane, packet.instances + lane,
+           packet.triangles + lane},
+          frame.v + y + row};
+}
+
 /// Embree leaves the geometry of a ray that meets nothing at ~0.
 AB_LANE Mask missed(const PacketOfHits& packet) {
-  return load(packet.geometries) == all_lanes(kNothing);
+  return load<Ints>(packet.geometries) == kNothing;
 }
 
 /// Has the planes fetched, too, which are all over the memory where triangles are small.
 AB_LANE void find_facets(const DepthFrame& frame, const PacketOfHits& packet, Facets& found) {
-  const Ints instances = load(packet.instances);
-  const Ints triangles = load(packet.triangles);
+  const auto instances = load<Ints>(packet.instances);
+  const auto triangles = load<Ints>(packet.triangles);
   found.count = 0;
-  for (unsigned left = 0xffU & ~lane_bits(missed(packet)); left != 0;) {
+  for (unsigned left = lane_bits(~missed(packet)); left != 0;) {
     const int lane = __builtin_ctz(left);
     const std::uint32_t instance = packet.instances[lane];
     const std::uint32_t triangle = packet.triangles[lane];
     const TrianglePlane* plane = frame.planes[instance] + triangle;
     __builtin_prefetch(plane);
-    const unsigned lanes =
-        left & lane_bits((instances == all_lanes(instance)) & (triangles == all_lanes(triangle)));
+    const unsigned lanes = left & lane_bits((instances == instance) & (triangles == triangle));
     left &= ~lanes;
     found.all[found.count++] = {plane, instance, lanes};
   }
@@ -51,59 +67,73 @@ struct Fractions {
   Floats numerators, denominators;
 };
 
-AB_LANE Fractions fractions(const DepthFrame& frame, const Facet& facet, Doubles u, const double* v,
-                            LastPlane& last) {
+AB_LANE Fractions fractions(const DepthFrame& frame, const Facet& facet, const double* u,
+                            const double* v, LastPlane& last) {
   if (facet.plane != last.plane || facet.instance != last.instance) {
     last.plane = facet.plane;
     last.instance = facet.instance;
     last.in_camera =
-        as_plane(seen_by(frame.cameras[frame.has_one_camera ? 0 : facet.instance], *facet.plane));
+        seen_by(frame.cameras[frame.has_one_camera ? 0 : facet.instance], *facet.plane);
   }
   const PlaneInCamera& plane = last.in_camera;
-  const Doubles along = all_lanes(plane.a) * u;
+  const auto denominators = [&](int lane) {
+    return plane.a * load<Doubles>(u + lane % kPacketColumns) +
+           (plane.b * v[lane / kPacketColumns] + plane.c);
+  };
   return {all_lanes(static_cast<float>(plane.h)),
-          to_floats(along + all_lanes(plane.b * v[0] + plane.c),
-                    along + all_lanes(plane.b * v[1] + plane.c))};
+          to_floats(denominators(0), denominators(kDoubles))};
 }
 
 /// The plane's depth where it agrees with Embree's own, as settled_distance() has it; at most the
 /// farthest; NaN below the nearest.
 AB_LANE Floats settled(const Fractions& lanes, Floats embree, const DepthFrame& frame) {
   const Floats plane = lanes.numerators / lanes.denominators;
-  const Mask agrees = magnitude(plane - embree) <= all_lanes(1e-3F) * embree;
+  const Mask agrees = magnitude(plane - embree) <= 1e-3F * embree;
   const Floats depth = select(agrees, plane, embree);
-  const Mask too_near = depth < all_lanes(frame.nearest_m);
+  const Mask too_near = depth < frame.nearest_m;
   // A NaN of all bits but the sign, as images have had it.
-  const Floats not_a_number = bits_as_floats(all_lanes(0x7fffffffU));
-  return select(too_near, not_a_number, least(depth, all_lanes(frame.farthest_m)));
+  const auto not_a_number = bits_as<Floats>(all_lanes(0x7fffffffU));
+  return select(too_near, not_a_number, least(depth, frame.farthest_m));
+}
+
+/// Row by row.
+template <class Number, class Vector>
+AB_LANE void store_rows(Number* to, std::size_t width, Vector lanes) {
+  for (std::size_t row = 0; row < kRows; ++row) {
+    __builtin_memcpy(to + row * width,
+                     reinterpret_cast<const Number*>(&lanes) + row * kPacketColumns,
+                     kPacketColumns * sizeof(Number));
+  }
 }
 
 void read_depths(const DepthFrame& frame, std::size_t x, std::size_t y, const DepthPixels& to,
                  LastPlane& last) {
-  Facets facets[kDepthPackets];
-  for (int i = 0; i < kDepthPackets; ++i) find_facets(frame, frame.packets[i], facets[i]);
-  const Doubles u = load_four(frame.u + x);
-  const double* v = frame.v + y;
-  const Floats infinite = bits_as_floats(all_lanes(0x7f800000U));
+  Facets facets[kRegisters];
+  for (int i = 0; i < kRegisters; ++i) {
+    find_facets(frame, rays_of(frame, i, y).hits, facets[i]);
+  }
+  const double* u = frame.u + x;
+  const auto infinite = bits_as<Floats>(all_lanes(0x7f800000U));
   std::size_t at = 0;
-  for (int i = 0; i < kDepthPackets; ++i, at += 2 * to.width, v += 2) {
-    const PacketOfHits& packet = frame.packets[i];
-    const Mask nothing = missed(packet);
+  for (int i = 0; i < kRegisters; ++i, at += kRows * to.width) {
+    const Rays rays = rays_of(frame, i, y);
+    const Mask nothing = missed(rays.hits);
     Floats depths = infinite;
     if (facets[i].count > 0) {
-      Fractions lanes = fractions(frame, facets[i].all[0], u, v, last);
+      Fractions lanes = fractions(frame, facets[i].all[0], u, rays.v, last);
       for (int k = 1; k < facets[i].count; ++k) {
-        const Fractions one = fractions(frame, facets[i].all[k], u, v, last);
+        const Fractions one = fractions(frame, facets[i].all[k], u, rays.v, last);
         const Mask mask = mask_of(facets[i].all[k].lanes);
         lanes.numerators = select(mask, one.numerators, lanes.numerators);
         lanes.denominators = select(mask, one.denominators, lanes.denominators);
       }
-      depths = select(nothing, infinite, settled(lanes, load(packet.embree_depths), frame));
+      const auto embree = load<Floats>(rays.hits.embree_depths);
+      depths = select(nothing, infinite, settled(lanes, embree, frame));
     }
-    store_halves(to.depths + at, to.depths + at + to.width, depths);
+    store_rows(to.depths + at, to.width, depths);
     if (to.instances != nullptr) {
-      const Ints instances = select(nothing, all_lanes(kNothing), load(packet.instances));
-      store_halves(to.instances + at, to.instances + at + to.width, instances);
+      const Ints instances = select(nothing, all_lanes(kNothing), load<Ints>(rays.hits.instances));
+      store_rows(to.instances + at, to.width, instances);
     }
   }
 }

@@ -2,198 +2,126 @@
 
 #include <immintrin.h>
 
+#include <cstddef>
 #include <cstdint>
 
-/// Eight lanes of float or int32, one a ray of a packet, or four of double: two SSE2 registers, or
-/// one of AVX2 in a file compiled with -mavx2. Only operations that IEEE defines (or that are
-/// exact), so that both give the same bits. In an unnamed namespace, as is everything made of it: a
-/// function compiled with -mavx2 must never be the one that the linker keeps for every file.
+/// What the kernels of depth, shading and stereo matching compute with: registers of numbers, 16
+/// bytes on every x86-64 machine (SSE2), 32 in a file compiled with -mavx2. They are the compilers'
+/// vectors: + - * / & | ^ << >> and comparisons work lane by lane, also with one number for all
+/// lanes; a ? b : c chooses lane by lane. Only what these can't say is in intrinsics, and only
+/// here.
+///
+/// Each kernel is one source that two files include, of which one is compiled for AVX2; has_avx2()
+/// chooses. Both give the same bits, because all operations are IEEE's or on integers. All is in
+/// an unnamed namespace, and kernels include neither the standard library's functions nor Eigen:
+/// a function compiled for AVX2 must never be the one that the linker keeps for every file.
 namespace avoidbench {
 namespace {
 
 #define AB_LANE [[gnu::always_inline]] inline
 
-// NOLINTBEGIN(bugprone-macro-parentheses): types and names cannot stand in parentheses
 #ifdef __AVX2__
-#define AB_LANES_MEMBERS(whole, half) whole all
-#define AB_UNARY(type, name, from, sse, avx) \
-  AB_LANE type name(from a) { return type{avx(a.all)}; }
-#define AB_BINARY(type, name, from, sse, avx) \
-  AB_LANE type name(from a, from b) { return type{avx(a.all, b.all)}; }
+constexpr int kRegisterBytes = 32;
+#define AB_INTRINSIC(name) _mm256_##name
 #else
-#define AB_LANES_MEMBERS(whole, half) half low, high
-#define AB_UNARY(type, name, from, sse, avx) \
-  AB_LANE type name(from a) { return type{sse(a.low), sse(a.high)}; }
-#define AB_BINARY(type, name, from, sse, avx) \
-  AB_LANE type name(from a, from b) { return type{sse(a.low, b.low), sse(a.high, b.high)}; }
+constexpr int kRegisterBytes = 16;
+#define AB_INTRINSIC(name) _mm_##name
 #endif
-// NOLINTEND(bugprone-macro-parentheses)
 
-/// All bits of a lane are set, or none.
-struct Mask {
-  AB_LANES_MEMBERS(__m256, __m128);
-};
-struct Floats {
-  AB_LANES_MEMBERS(__m256, __m128);
-};
-struct Ints {
-  AB_LANES_MEMBERS(__m256i, __m128i);
-};
-/// Four lanes only.
-struct Doubles {
-  AB_LANES_MEMBERS(__m256d, __m128d);
-};
+using Floats [[gnu::vector_size(kRegisterBytes)]] = float;
+using Doubles [[gnu::vector_size(kRegisterBytes)]] = double;
+using Ints [[gnu::vector_size(kRegisterBytes)]] = std::uint32_t;
+using Mask [[gnu::vector_size(kRegisterBytes)]] = std::int32_t;  ///< in each lane all bits or none
+using Words [[gnu::vector_size(kRegisterBytes)]] = std::uint16_t;
+using SignedWords [[gnu::vector_size(kRegisterBytes)]] = std::int16_t;
+using Bytes [[gnu::vector_size(kRegisterBytes)]] = std::uint8_t;
+using Register [[gnu::vector_size(kRegisterBytes)]] = long long;  ///< as intrinsics take integers
 
-AB_LANE Floats all_lanes(float x) {
-#ifdef __AVX2__
-  return {_mm256_set1_ps(x)};
-#else
-  return {_mm_set1_ps(x), _mm_set1_ps(x)};
-#endif
+constexpr int kBytes = kRegisterBytes;        ///< 16 or 32
+constexpr int kWords = kRegisterBytes / 2;    ///< 8 or 16
+constexpr int kLanes = kRegisterBytes / 4;    ///< of Floats, Ints and Mask: 4 or 8
+constexpr int kDoubles = kRegisterBytes / 8;  ///< 2 or 4
+
+// What all kernels need.
+
+template <class Vector, class Number>
+AB_LANE Vector load(const Number* from) {
+  Vector v;
+  __builtin_memcpy(&v, from, sizeof v);
+  return v;
 }
 
-AB_LANE Ints all_lanes(std::uint32_t x) {
-  const int bits = static_cast<int>(x);
-#ifdef __AVX2__
-  return {_mm256_set1_epi32(bits)};
-#else
-  return {_mm_set1_epi32(bits), _mm_set1_epi32(bits)};
-#endif
+template <class Number, class Vector>
+AB_LANE void store(Number* to, Vector v) {
+  __builtin_memcpy(to, &v, sizeof v);
 }
 
-AB_LANE Doubles all_lanes(double x) {
-#ifdef __AVX2__
-  return {_mm256_set1_pd(x)};
-#else
-  return {_mm_set1_pd(x), _mm_set1_pd(x)};
-#endif
+template <class Vector, class From>
+AB_LANE Vector bits_as(From v) {
+  return __builtin_bit_cast(Vector, v);
 }
 
-AB_BINARY(Doubles, operator+, Doubles, _mm_add_pd, _mm256_add_pd)
-AB_BINARY(Doubles, operator*, Doubles, _mm_mul_pd, _mm256_mul_pd)
-AB_BINARY(Floats, operator+, Floats, _mm_add_ps, _mm256_add_ps)
-AB_BINARY(Floats, operator-, Floats, _mm_sub_ps, _mm256_sub_ps)
-AB_BINARY(Floats, operator*, Floats, _mm_mul_ps, _mm256_mul_ps)
-AB_BINARY(Floats, operator/, Floats, _mm_div_ps, _mm256_div_ps)
-AB_BINARY(Floats, least, Floats, _mm_min_ps, _mm256_min_ps)
-AB_BINARY(Floats, greatest, Floats, _mm_max_ps, _mm256_max_ps)
-AB_UNARY(Floats, square_root, Floats, _mm_sqrt_ps, _mm256_sqrt_ps)
+// Less zeros: x + 0 would lose the sign of -0.
+AB_LANE Floats all_lanes(float x) { return x - Floats{}; }
+AB_LANE Doubles all_lanes(double x) { return x - Doubles{}; }
+AB_LANE Ints all_lanes(std::uint32_t x) { return x - Ints{}; }
+AB_LANE Words all_words(std::uint16_t x) { return x - Words{}; }
+AB_LANE Bytes all_bytes(std::uint8_t x) { return x - Bytes{}; }
 
-AB_LANE Floats operator+(Floats a, float b) { return a + all_lanes(b); }
-AB_LANE Floats operator-(Floats a, float b) { return a - all_lanes(b); }
-AB_LANE Floats operator*(Floats a, float b) { return a * all_lanes(b); }
-AB_LANE Floats operator+(float a, Floats b) { return all_lanes(a) + b; }
-AB_LANE Floats operator-(float a, Floats b) { return all_lanes(a) - b; }
-AB_LANE Floats operator*(float a, Floats b) { return all_lanes(a) * b; }
-AB_LANE Floats operator/(float a, Floats b) { return all_lanes(a) / b; }
+template <class Vector>
+AB_LANE Vector least(Vector a, Vector b) {
+  return a < b ? a : b;
+}
+template <class Vector>
+AB_LANE Vector greatest(Vector a, Vector b) {
+  return a > b ? a : b;
+}
+// Where g++ 12 finds no single instruction: beside constants, and for words in SSE2.
+AB_LANE Floats least(Floats a, Floats b) { return AB_INTRINSIC(min_ps)(a, b); }
+AB_LANE Floats greatest(Floats a, Floats b) { return AB_INTRINSIC(max_ps)(a, b); }
+#ifndef __AVX2__
+AB_LANE Words least(Words a, Words b) {
+  return a - bits_as<Words>(_mm_subs_epu16(bits_as<Register>(a), bits_as<Register>(b)));
+}
+#endif
+
 AB_LANE Floats least(Floats a, float b) { return least(a, all_lanes(b)); }
 AB_LANE Floats greatest(Floats a, float b) { return greatest(a, all_lanes(b)); }
 AB_LANE Floats within_unit(Floats x) { return least(greatest(x, 0.0F), 1.0F); }
+AB_LANE Floats square_root(Floats x) { return AB_INTRINSIC(sqrt_ps)(x); }
+AB_LANE Ints towards_zero(Floats x) { return bits_as<Ints>(__builtin_convertvector(x, Mask)); }
+AB_LANE Floats to_floats(Ints x) { return __builtin_convertvector(bits_as<Mask>(x), Floats); }
+AB_LANE Floats magnitude(Floats x) { return bits_as<Floats>(bits_as<Ints>(x) & 0x7fffffffU); }
 
-AB_BINARY(Mask, operator&, Mask, _mm_and_ps, _mm256_and_ps)
-AB_BINARY(Mask, operator|, Mask, _mm_or_ps, _mm256_or_ps)
-AB_BINARY(Ints, operator+, Ints, _mm_add_epi32, _mm256_add_epi32)
-AB_BINARY(Ints, operator^, Ints, _mm_xor_si128, _mm256_xor_si256)
-AB_BINARY(Ints, operator&, Ints, _mm_and_si128, _mm256_and_si256)
+/// Sign by sign: x where `sign_of` is positive, else -x.
+AB_LANE Floats turned(Floats x, Floats sign_of) {
+  return bits_as<Floats>(bits_as<Ints>(x) ^ (bits_as<Ints>(sign_of) & 0x80000000U));
+}
+
 /// Of each lane's two signed halves, each multiplied: the sum. The one multiplication of integers
 /// that SSE2 has and that reaches 32 bits.
-AB_BINARY(Ints, products_of_halves, Ints, _mm_madd_epi16, _mm256_madd_epi16)
-AB_UNARY(Ints, towards_zero, Floats, _mm_cvttps_epi32, _mm256_cvttps_epi32)
-AB_UNARY(Floats, to_floats, Ints, _mm_cvtepi32_ps, _mm256_cvtepi32_ps)
-AB_UNARY(Floats, bits_as_floats, Ints, _mm_castsi128_ps, _mm256_castsi256_ps)
-AB_UNARY(Ints, bits_as_ints, Floats, _mm_castps_si128, _mm256_castps_si256)
-
-template <int kBits>
-AB_LANE Ints shifted_right(Ints x) {
-#ifdef __AVX2__
-  return {_mm256_srli_epi32(x.all, kBits)};
-#else
-  return {_mm_srli_epi32(x.low, kBits), _mm_srli_epi32(x.high, kBits)};
-#endif
-}
-
-template <int kBits>
-AB_LANE Ints shifted_left(Ints x) {
-#ifdef __AVX2__
-  return {_mm256_slli_epi32(x.all, kBits)};
-#else
-  return {_mm_slli_epi32(x.low, kBits), _mm_slli_epi32(x.high, kBits)};
-#endif
-}
-
-AB_LANE Mask operator<(Floats a, Floats b) {
-#ifdef __AVX2__
-  return {_mm256_cmp_ps(a.all, b.all, _CMP_LT_OS)};
-#else
-  return {_mm_cmplt_ps(a.low, b.low), _mm_cmplt_ps(a.high, b.high)};
-#endif
-}
-
-AB_LANE Mask operator<=(Floats a, Floats b) {
-#ifdef __AVX2__
-  return {_mm256_cmp_ps(a.all, b.all, _CMP_LE_OS)};
-#else
-  return {_mm_cmple_ps(a.low, b.low), _mm_cmple_ps(a.high, b.high)};
-#endif
+AB_LANE Ints products_of_halves(Ints a, Ints b) {
+  return bits_as<Ints>(AB_INTRINSIC(madd_epi16)(bits_as<Register>(a), bits_as<Register>(b)));
 }
 
 /// A bit a lane.
 AB_LANE unsigned lane_bits(Mask mask) {
-#ifdef __AVX2__
-  return static_cast<unsigned>(_mm256_movemask_ps(mask.all));
-#else
-  return static_cast<unsigned>(_mm_movemask_ps(mask.low) | _mm_movemask_ps(mask.high) << 4);
-#endif
+  return static_cast<unsigned>(AB_INTRINSIC(movemask_ps)(bits_as<Floats>(mask)));
 }
-
-AB_LANE Mask operator==(Ints a, Ints b) {
-#ifdef __AVX2__
-  return {_mm256_castsi256_ps(_mm256_cmpeq_epi32(a.all, b.all))};
-#else
-  return {_mm_castsi128_ps(_mm_cmpeq_epi32(a.low, b.low)),
-          _mm_castsi128_ps(_mm_cmpeq_epi32(a.high, b.high))};
-#endif
-}
-
 AB_LANE bool any(Mask mask) { return lane_bits(mask) != 0; }
 
 /// The lanes whose bit is set.
 AB_LANE Mask mask_of(unsigned bits) {
-  const auto all = static_cast<int>(bits);
 #ifdef __AVX2__
-  const __m256i lane = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
-  const __m256i of_lane = _mm256_and_si256(_mm256_set1_epi32(all), lane);
-  return {_mm256_castsi256_ps(_mm256_cmpeq_epi32(of_lane, lane))};
+  const Ints lane{1, 2, 4, 8, 16, 32, 64, 128};
 #else
-  const __m128i low = _mm_setr_epi32(1, 2, 4, 8);
-  const __m128i high = _mm_setr_epi32(16, 32, 64, 128);
-  const __m128i bit = _mm_set1_epi32(all);
-  return {_mm_castsi128_ps(_mm_cmpeq_epi32(_mm_and_si128(bit, low), low)),
-          _mm_castsi128_ps(_mm_cmpeq_epi32(_mm_and_si128(bit, high), high))};
+  const Ints lane{1, 2, 4, 8};
 #endif
+  return (bits & lane) == lane;
 }
 
-AB_LANE Floats select(Mask mask, Floats yes, Floats no) {
-#ifdef __AVX2__
-  return {_mm256_blendv_ps(no.all, yes.all, mask.all)};
-#else
-  return {_mm_or_ps(_mm_and_ps(mask.low, yes.low), _mm_andnot_ps(mask.low, no.low)),
-          _mm_or_ps(_mm_and_ps(mask.high, yes.high), _mm_andnot_ps(mask.high, no.high))};
-#endif
-}
-
-AB_LANE Ints select(Mask mask, Ints yes, Ints no) {
-  return bits_as_ints(select(mask, bits_as_floats(yes), bits_as_floats(no)));
-}
-
-AB_LANE Floats magnitude(Floats x) {
-  return bits_as_floats(bits_as_ints(x) & all_lanes(0x7fffffffU));
-}
-
-/// Sign by sign: x where `sign_of` is positive, else -x.
-AB_LANE Floats turned(Floats x, Floats sign_of) {
-  return bits_as_floats(bits_as_ints(x) ^ (bits_as_ints(sign_of) & all_lanes(0x80000000U)));
-}
+AB_LANE Floats select(Mask mask, Floats yes, Floats no) { return mask ? yes : no; }
+AB_LANE Ints select(Mask mask, Ints yes, Ints no) { return mask ? yes : no; }
 
 /// A number as floor(x) and the rest in [0, 1); |x| < 2³¹.
 struct Split {
@@ -203,123 +131,24 @@ struct Split {
 
 AB_LANE Split split(Floats x) {
 #ifdef __AVX2__
-  const __m256 floor = _mm256_floor_ps(x.all);
-  return {{_mm256_cvttps_epi32(floor)}, {_mm256_sub_ps(x.all, floor)}};
+  const Floats floor = _mm256_floor_ps(x);
+  return {towards_zero(floor), x - floor};
 #else
   const Ints toward_zero = towards_zero(x);
   const Floats whole = to_floats(toward_zero);
-  const Mask below = x < whole;
-  const Ints step{_mm_castps_si128(below.low), _mm_castps_si128(below.high)};  // -1 where below
+  const Ints step = bits_as<Ints>(x < whole);  // -1 where below
   return {toward_zero + step, x - (whole + to_floats(step))};
 #endif
 }
 
-/// Eight floats, at a multiple of 32 bytes.
-AB_LANE Floats load(const float* from) {
-#ifdef __AVX2__
-  return {_mm256_load_ps(from)};
-#else
-  return {_mm_load_ps(from), _mm_load_ps(from + 4)};
-#endif
-}
-
-AB_LANE void store(float* to, Floats x) {
-#ifdef __AVX2__
-  _mm256_store_ps(to, x.all);
-#else
-  _mm_store_ps(to, x.low);
-  _mm_store_ps(to + 4, x.high);
-#endif
-}
-
-/// Four floats, twice.
-AB_LANE Floats load_four_twice(const float* from) {
-  const __m128 four = _mm_loadu_ps(from);
-#ifdef __AVX2__
-  return {_mm256_insertf128_ps(_mm256_castps128_ps256(four), four, 1)};
-#else
-  return {four, four};
-#endif
-}
-
-/// Four lanes of the one, four of the other.
-AB_LANE Floats four_each(float first, float second) {
-  const __m128 low = _mm_set1_ps(first);
-  const __m128 high = _mm_set1_ps(second);
-#ifdef __AVX2__
-  return {_mm256_insertf128_ps(_mm256_castps128_ps256(low), high, 1)};
-#else
-  return {low, high};
-#endif
-}
-
-/// Eight integers, at a multiple of 32 bytes.
-AB_LANE Ints load(const std::uint32_t* from) {
-#ifdef __AVX2__
-  return {_mm256_load_si256(reinterpret_cast<const __m256i*>(from))};
-#else
-  const auto* at = reinterpret_cast<const __m128i*>(from);
-  return {_mm_load_si128(at), _mm_load_si128(at + 1)};
-#endif
-}
-
-/// The first four lanes to one place, the others to another.
-AB_LANE void store_halves(float* first, float* second, Floats x) {
-#ifdef __AVX2__
-  _mm_storeu_ps(first, _mm256_castps256_ps128(x.all));
-  _mm_storeu_ps(second, _mm256_extractf128_ps(x.all, 1));
-#else
-  _mm_storeu_ps(first, x.low);
-  _mm_storeu_ps(second, x.high);
-#endif
-}
-
-AB_LANE void store_halves(std::uint32_t* first, std::uint32_t* second, Ints x) {
-  // The intrinsics may write to anything.
-  store_halves(reinterpret_cast<float*>(first), reinterpret_cast<float*>(second),
-               bits_as_floats(x));
-}
-
-/// Four doubles.
-AB_LANE Doubles load_four(const double* from) {
-#ifdef __AVX2__
-  return {_mm256_loadu_pd(from)};
-#else
-  return {_mm_loadu_pd(from), _mm_loadu_pd(from + 2)};
-#endif
-}
-
-AB_LANE void store_four(double* to, Doubles x) {
-#ifdef __AVX2__
-  _mm256_storeu_pd(to, x.all);
-#else
-  _mm_storeu_pd(to, x.low);
-  _mm_storeu_pd(to + 2, x.high);
-#endif
-}
-
-/// The fourth lane of the one, the others of the other.
-AB_LANE Doubles fourth_from(Doubles fourth, Doubles others) {
-#ifdef __AVX2__
-  return {_mm256_blend_pd(others.all, fourth.all, 8)};
-#else
-  return {others.low, _mm_shuffle_pd(others.high, fourth.high, 2)};
-#endif
-}
-
-/// Rounded to nearest: four lanes of the one, four of the other.
+/// Rounded to nearest: half of the lanes of the one, half of the other.
 AB_LANE Floats to_floats(Doubles first, Doubles second) {
 #ifdef __AVX2__
-  return {_mm256_set_m128(_mm256_cvtpd_ps(second.all), _mm256_cvtpd_ps(first.all))};
+  return _mm256_set_m128(_mm256_cvtpd_ps(second), _mm256_cvtpd_ps(first));
 #else
-  return {_mm_movelh_ps(_mm_cvtpd_ps(first.low), _mm_cvtpd_ps(first.high)),
-          _mm_movelh_ps(_mm_cvtpd_ps(second.low), _mm_cvtpd_ps(second.high))};
+  return _mm_movelh_ps(_mm_cvtpd_ps(first), _mm_cvtpd_ps(second));
 #endif
 }
-
-#undef AB_LANES_MEMBERS
-#undef AB_UNARY
-#undef AB_BINARY
 
 }  // namespace
 }  // namespace avoidbench

@@ -41,8 +41,7 @@ class PrimaryRays {
   }
 
   PlaneInCamera plane(unsigned instance, unsigned triangle) const {
-    return as_plane(
-        seen_by(cameras_[scene_.flattened ? 0 : instance], scene_.planes_of[instance][triangle]));
+    return seen_by(cameras_[scene_.flattened ? 0 : instance], scene_.planes_of[instance][triangle]);
   }
 
   /// One an instance, in its planes' frame; one alone where the scene is flattened.

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "render/lanes.hpp"
-
 /// The planes that triangles lie in. Plain data and no inline function that the linker might keep:
 /// files compiled for AVX2 include this.
 namespace avoidbench {
@@ -25,20 +23,15 @@ struct PlaneInCamera {
 
 namespace {
 
-/// a, b, c and h of a PlaneInCamera.
-AB_LANE Doubles seen_by(const CameraAxes& camera, const TrianglePlane& plane) {
+[[gnu::always_inline]] inline PlaneInCamera seen_by(const CameraAxes& camera,
+                                                    const TrianglePlane& plane) {
   // The normal's parts along right, down, forward, and minus the position's: h is the offset less
-  // that.
-  const Doubles along = all_lanes(plane.nx) * load_four(camera.x) +
-                        all_lanes(plane.ny) * load_four(camera.y) +
-                        all_lanes(plane.nz) * load_four(camera.z);
-  return fourth_from(along + load_four(&plane.nx), along);
-}
-
-AB_LANE PlaneInCamera as_plane(Doubles parts) {
-  PlaneInCamera plane;
-  store_four(&plane.a, parts);
-  return plane;
+  // that. Compilers make one or two registers of the loop.
+  double along[4];
+  for (int i = 0; i < 4; ++i) {
+    along[i] = plane.nx * camera.x[i] + plane.ny * camera.y[i] + plane.nz * camera.z[i];
+  }
+  return {along[0], along[1], along[2], along[3] + plane.offset};
 }
 
 }  // namespace

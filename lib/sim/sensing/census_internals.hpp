@@ -9,7 +9,7 @@
 // For tests and benchmarks, which choose the version.
 namespace avoidbench::census {
 
-/// match_census() by these loops; avx2_kernels() only where has_avx2().
+/// match_census() by these loops; kAvx2Kernels only where has_avx2().
 void match(const Kernels& kernels, const CensusSettings& settings,
            std::span<const std::uint8_t> left, std::span<const std::uint8_t> right, int width_px,
            int height_px, CensusWorkspace& workspace, std::span<std::int16_t> disparity);

@@ -84,8 +84,7 @@ struct Kernels {
                      int width_px, std::int16_t* out);
 };
 
-/// Static tables.
-const Kernels& portable_kernels();
-const Kernels& avx2_kernels();
+extern const Kernels kPortableKernels;
+extern const Kernels kAvx2Kernels;  ///< only where the processor has AVX2
 
 }  // namespace avoidbench::census

@@ -254,7 +254,7 @@ void match_census(const CensusSettings& settings, std::span<const std::uint8_t> 
                   std::span<const std::uint8_t> right, int width_px, int height_px,
                   CensusWorkspace& workspace, std::span<std::int16_t> disparity) {
   static const census::Kernels& kernels =
-      has_avx2() ? census::avx2_kernels() : census::portable_kernels();
+      has_avx2() ? census::kAvx2Kernels : census::kPortableKernels;
   census::match(kernels, settings, left, right, width_px, height_px, workspace, disparity);
 }
 

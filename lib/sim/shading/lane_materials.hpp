@@ -2,7 +2,7 @@
 
 #include "shading/lane_noise.hpp"
 
-/// What the materials look like, in eight lanes. A look depends on the point of the object alone,
+/// What the materials look like, lane by lane. A look depends on the point of the object alone,
 /// so that two cameras see the same texture; the footprint only fades what is too fine for a pixel.
 namespace avoidbench {
 namespace {
@@ -68,7 +68,7 @@ AB_LANE Flat along_surface(const Points& p) {
 
 /// The tilt of a relief of these slopes along a flat's axes.
 AB_LANE Triple tilt_along(const Flat& flat, Floats slope_x, Floats slope_y, float strength) {
-  const Floats none = all_lanes(0.0F);
+  const Floats none{};
   const Floats x = slope_x * -strength;
   const Floats y = slope_y * -strength;
   return {select(flat.is_level, x, select(flat.is_across, none, x)),
@@ -138,7 +138,7 @@ inline Look leaf(const Points& p) {
   constexpr float kMeanBetween = 0.5F;
   Floats between = all_lanes(kMeanBetween);
   const Floats visible = seen(kLeaf, p.footprint);
-  if (any(all_lanes(0.0F) < visible)) {
+  if (any(visible > 0.0F)) {
     constexpr float kLeaves = 1.0F / kLeaf;
     const Cell cell = nearest_cell(p.at.x * kLeaves, p.at.y * kLeaves, p.at.z * kLeaves, p.seed);
     tone = tone + visible * 0.6F * (part_of<6>(cell.hash) - 0.5F);
@@ -164,7 +164,7 @@ inline Look brick(const Points& p) {
   constexpr float kLength = 0.40F, kHeight = 0.16F, kMortar = 0.014F;
   const Flat at = along_surface(p);
   const Split course = split(at.y * (1.0F / kHeight));
-  const Floats is_odd = to_floats(course.whole & all_lanes(1U));
+  const Floats is_odd = to_floats(course.whole & 1U);
   const Split brick_of = split(at.x * (1.0F / kLength) + is_odd * 0.5F);
   const Floats to_side = least(brick_of.rest, 1.0F - brick_of.rest) * kLength;
   const Floats to_bed = least(course.rest, 1.0F - course.rest) * kHeight;
@@ -177,9 +177,8 @@ inline Look brick(const Points& p) {
       kBrickPart + visible * (across * across * (3.0F - 2.0F * across) - kBrickPart);
   const Ints hash = mixed(x_key(brick_of.whole) + y_key(course.whole) + p.seed);
   const Floats shade = 0.5F + visible * (part_of<3>(hash) - 0.5F);
-  const Floats burnt =
-      visible * select(all_lanes(0.82F) < part_of<14>(hash), all_lanes(0.8F), all_lanes(0.0F)) +
-      (1.0F - visible) * 0.14F;
+  const Floats burnt = visible * select(part_of<14>(hash) > 0.82F, all_lanes(0.8F), Floats{}) +
+                       (1.0F - visible) * 0.14F;
   const Noise grain = octaves(at.x, at.y, Chain{0.06F, 3}, p.footprint, salted(p.seed, 5U));
   const Noise stain = octaves(at.x, at.y, Chain{1.6F, 4}, p.footprint, salted(p.seed, 9U));
   const Triple clay = mix(mix(Rgb{0.22F, 0.075F, 0.045F}, Rgb{0.46F, 0.19F, 0.11F}, shade),
@@ -219,7 +218,7 @@ AB_LANE Triple paint_of(Ints seed) {
   const Floats number = part_of<7>(seed) * 6.0F;
   Triple paint = all_lanes(kPaints[0]);
   for (int i = 1; i < 6; ++i) {
-    paint = select(all_lanes(static_cast<float>(i)) <= number, all_lanes(kPaints[i]), paint);
+    paint = select(number >= static_cast<float>(i), all_lanes(kPaints[i]), paint);
   }
   return paint;
 }
@@ -231,7 +230,7 @@ inline Look painted_metal(const Points& p) {
   const Floats ax = magnitude(p.at.x);
   const Floats ay = magnitude(p.at.y);
   const Floats quarter = 0.25F * ay / (ax + ay + 1e-6F);
-  const Floats half = select(p.at.x < all_lanes(0.0F), 0.5F - quarter, quarter);
+  const Floats half = select(p.at.x < 0.0F, 0.5F - quarter, quarter);
   const Floats phase = p.at.z * (1.0F / kPeriod) + turned(half, p.at.y) + part_of<17>(p.seed);
   const Floats saw = magnitude(2.0F * split(phase).rest - 1.0F);
   const Floats blur = p.footprint * (1.0F / kPeriod) + 0.01F;

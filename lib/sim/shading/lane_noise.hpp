@@ -2,7 +2,7 @@
 
 #include "render/lanes.hpp"
 
-/// Value noise in eight lanes: a smooth field through random numbers that stand at whole
+/// Value noise, lane by lane: a smooth field through random numbers that stand at whole
 /// coordinates. It depends on nothing but the coordinates and the key.
 namespace avoidbench {
 namespace {
@@ -28,24 +28,20 @@ constexpr std::uint32_t halves(int low, int high) {
 
 /// A coordinate of the lattice, ready to be added to those of the other axes.
 AB_LANE Ints x_key(Ints x) { return products_of_halves(x, all_lanes(halves(32529, 25947))); }
-AB_LANE Ints y_key(Ints y) {
-  return shifted_left<6>(products_of_halves(y, all_lanes(halves(19041, 26741))));
-}
-AB_LANE Ints z_key(Ints z) {
-  return shifted_left<3>(products_of_halves(z, all_lanes(halves(29327, 17839))));
-}
+AB_LANE Ints y_key(Ints y) { return products_of_halves(y, all_lanes(halves(19041, 26741))) << 6; }
+AB_LANE Ints z_key(Ints z) { return products_of_halves(z, all_lanes(halves(29327, 17839))) << 3; }
 
 /// A key of its own for each number: for seeds and octaves.
 constexpr std::uint32_t salt(std::uint32_t number) { return number * 0x9e3779b9U; }
-AB_LANE Ints salted(Ints key, std::uint32_t number) { return key + all_lanes(salt(number)); }
+AB_LANE Ints salted(Ints key, std::uint32_t number) { return key + salt(number); }
 
 /// Mixes a lattice point's key, so that points near each other are uncorrelated as far as 160 × 160
 /// of them can tell. As a number it is evenly spread over ±2³¹; its lowest bit is 0.
 AB_LANE Ints mixed(Ints key) {
-  Ints h = key ^ shifted_right<13>(key);
+  Ints h = key ^ key >> 13;
   h = products_of_halves(h, all_lanes(halves(27197, -21883)));
-  h = h ^ shifted_right<15>(h);
-  return shifted_left<1>(products_of_halves(h, all_lanes(halves(-32603, 18517))));
+  h = h ^ h >> 15;
+  return products_of_halves(h, all_lanes(halves(-32603, 18517))) << 1;
 }
 
 AB_LANE Floats number_at(Ints key) { return to_floats(mixed(key)); }
@@ -53,7 +49,7 @@ AB_LANE Floats number_at(Ints key) { return to_floats(mixed(key)); }
 /// Ten bits of a mixed key as a number in [0, 1).
 template <int kShift>
 AB_LANE Floats part_of(Ints hash) {
-  return to_floats(shifted_right<kShift>(hash) & all_lanes(0x3ffU)) * 0x1p-10F;
+  return to_floats(hash >> kShift & 0x3ffU) * 0x1p-10F;
 }
 
 /// Scales mixed numbers to ±0.5.
@@ -79,11 +75,10 @@ AB_LANE Along along(Floats x) {
 AB_LANE Noise noise(Floats x, Floats y, Ints key) {
   const Along ax = along(x);
   const Along ay = along(y);
-  const Ints one = all_lanes(1U);
   const Ints x0 = x_key(ax.whole) + key;
-  const Ints x1 = x_key(ax.whole + one) + key;
+  const Ints x1 = x_key(ax.whole + 1U) + key;
   const Ints y0 = y_key(ay.whole);
-  const Ints y1 = y_key(ay.whole + one);
+  const Ints y1 = y_key(ay.whole + 1U);
   const Floats n00 = number_at(x0 + y0);
   const Floats n01 = number_at(x0 + y1);
   const Floats low = number_at(x1 + y0) - n00;
@@ -98,13 +93,12 @@ AB_LANE Noise noise(Floats x, Floats y, Floats z, Ints key) {
   const Along ax = along(x);
   const Along ay = along(y);
   const Along az = along(z);
-  const Ints one = all_lanes(1U);
   const Ints x0 = x_key(ax.whole) + key;
-  const Ints x1 = x_key(ax.whole + one) + key;
+  const Ints x1 = x_key(ax.whole + 1U) + key;
   const Ints y0 = y_key(ay.whole);
-  const Ints y1 = y_key(ay.whole + one);
+  const Ints y1 = y_key(ay.whole + 1U);
   const Ints z0 = z_key(az.whole);
-  const Ints z1 = z_key(az.whole + one);
+  const Ints z1 = z_key(az.whole + 1U);
   const Ints x0y0 = x0 + y0, x0y1 = x0 + y1, x1y0 = x1 + y0, x1y1 = x1 + y1;
   const Floats n000 = number_at(x0y0 + z0), n010 = number_at(x0y1 + z0);
   const Floats n001 = number_at(x0y0 + z1), n011 = number_at(x0y1 + z1);
@@ -132,14 +126,15 @@ struct Chain {
 /// slopes are those of the sum times the chain's size.
 template <class Octave>
 AB_LANE Noise sum_of(const Chain& chain, Floats footprint, Ints key, Octave of) {
-  const Floats none = all_lanes(0.0F);
-  Noise sum{none, none, none, none};
+  // Not Noise{}, of which g++ 12 makes a loop over memory.
+  Noise sum;
+  sum.value = sum.slope_x = sum.slope_y = sum.slope_z = Floats{};
   float frequency = 1.0F / chain.size;
   float weight = 1.0F;
   float slope = 1.0F;
   for (int octave = 0; octave < chain.count; ++octave) {
     const Floats visible = seen(1.0F, footprint * frequency);
-    if (!any(none < visible)) break;
+    if (!any(visible > 0.0F)) break;
     const Noise one = of(frequency, key);
     sum.value = sum.value + visible * weight * one.value;
     const Floats visible_slope = visible * slope;
@@ -182,8 +177,8 @@ inline Cell nearest_cell(Floats x, Floats y, Floats z, Ints key) {
   Cell best{all_lanes(1e9F), key};
   for (unsigned i = 0; i < 8; ++i) {
     const unsigned dx = i & 1U, dy = i >> 1U & 1U, dz = i >> 2U;
-    const Ints hash = mixed(x_key(sx.whole + all_lanes(dx)) + y_key(sy.whole + all_lanes(dy)) +
-                            z_key(sz.whole + all_lanes(dz)) + key);
+    const Ints hash =
+        mixed(x_key(sx.whole + dx) + y_key(sy.whole + dy) + z_key(sz.whole + dz) + key);
     // From the centre's cube, in which the point is half a unit further than in its own.
     const Floats ex = sx.rest + (0.5F - static_cast<float>(dx)) - part_of<1>(hash);
     const Floats ey = sy.rest + (0.5F - static_cast<float>(dy)) - part_of<11>(hash);

@@ -1,7 +1,5 @@
 #include "shading/shading.hpp"
 
-#include <emmintrin.h>
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -13,6 +11,7 @@
 #include "base/check.hpp"
 #include "base/math.hpp"
 #include "render/flush_to_zero.hpp"
+#include "render/lanes.hpp"
 #include "render/primary_rays.hpp"
 #include "render/ray_tracing_isa.hpp"
 #include "shading/shading_kernel.hpp"
@@ -114,15 +113,13 @@ struct LastFacet {
   }
 };
 
-/// A bit for each of eight lanes that holds this number.
+/// A bit for each lane of a packet that holds this number.
 unsigned lanes_with(const unsigned* lanes, unsigned number) {
-  const __m128i all = _mm_set1_epi32(static_cast<int>(number));
-  const auto* at = reinterpret_cast<const __m128i*>(lanes);
-  const auto bits = [&](const __m128i* four) {
-    return static_cast<unsigned>(
-        _mm_movemask_ps(_mm_castsi128_ps(_mm_cmpeq_epi32(_mm_load_si128(four), all))));
-  };
-  return bits(at) | bits(at + 1) << 4U;
+  unsigned bits = 0;
+  for (int first = 0; first < kPacketLanes; first += kLanes) {
+    bits |= lane_bits(load<Ints>(lanes + first) == number) << first;
+  }
+  return bits;
 }
 
 /// A frame as it is being shaded.
@@ -131,7 +128,7 @@ struct Frame {
   const Scene::Internals& scene;
   FrameLight light;
   bool has_shadows;
-  std::vector<float> u, v;  ///< of the rays' columns and rows
+  std::vector<float> u, v;  ///< of each ray of a row and of a column of packets
   ObjectViews objects;
   LastFacet last;
 };
@@ -153,9 +150,8 @@ void gather(Frame& frame, const PrimaryRays& rays, const RTCRayHit8& packet, std
   hits.ray_y = packet.ray.dir_y;
   hits.ray_z = packet.ray.dir_z;
   hits.embree_depth = packet.ray.tfar;
-  hits.u = &frame.u[x];
-  hits.v[0] = frame.v[y];
-  hits.v[1] = frame.v[y + 1];
+  hits.u = &frame.u[kPacketHeight * x];
+  hits.v = &frame.v[kBlockWidth * y];
   hits.hit = 0xffU & ~lanes_with(packet.hit.geomID, RTC_INVALID_GEOMETRY_ID);
   hits.facet_count = 0;
   hits.object_count = 0;
@@ -215,8 +211,9 @@ void cast_shadows(const Frame& frame, Block& block, unsigned (&lit)[kBlockPacket
   embree::occlude_stream(frame.scene.top.get(), block.shadows);
   for (int i = 0; i < kBlockPackets; ++i) {
     // Embree gives rays that hit something a length of -inf.
-    lit[i] &= ~static_cast<unsigned>(_mm_movemask_ps(_mm_load_ps(block.shadows[i].tfar)) |
-                                     _mm_movemask_ps(_mm_load_ps(block.shadows[i].tfar + 4)) << 4);
+    for (int first = 0; first < kPacketLanes; first += kLanes) {
+      lit[i] &= ~(lane_bits(load<Mask>(block.shadows[i].tfar + first)) << first);
+    }
   }
 }
 
@@ -329,17 +326,21 @@ void render_radiance_by(const ShadingKernel& kernel, const Scene& scene, const P
   const ScopedFlushToZero flush;
   const Scene::Internals& internals = scene.internals();
   PrimaryRays rays(internals, camera, T_world_camera, samples);
-  const auto as_floats = [](const double* slopes, int count) {
-    return std::vector<float>(slopes, slopes + count);
-  };
   Frame frame{kernel,
               internals,
               frame_light(internals, camera, T_world_camera, light, samples),
               light.shadows,
-              as_floats(rays.u(), rays.blocks_across() * kBlockWidth),
-              as_floats(rays.v(), rays.blocks_down() * kBlockHeight),
+              {},
+              {},
               ObjectViews(internals, T_world_camera, light.to_sun_world.normalized()),
               {}};
+  for (int i = 0; i < rays.blocks_across() * kPacketHeight; ++i) {
+    const double* u = rays.u() + i / kPacketHeight * kBlockWidth;
+    frame.u.insert(frame.u.end(), u, u + kBlockWidth);
+  }
+  for (int row = 0; row < rays.blocks_down() * kBlockHeight; ++row) {
+    frame.v.insert(frame.v.end(), kBlockWidth, static_cast<float>(rays.v()[row]));
+  }
   // Several samples of a pixel are added up in place.
   if (samples > 1) std::fill(radiance.begin(), radiance.end(), 0.0F);
   Block block(frame.light);

@@ -50,8 +50,7 @@ struct ObjectLanes {
 struct PacketHits {
   const float *ray_x, *ray_y, *ray_z;  ///< world frame, forward component 1; 32-byte aligned
   const float* embree_depth;           ///< [m]; 32-byte aligned
-  const float* u;                      ///< of the packet's four columns
-  float v[2];                          ///< of its two rows
+  const float *u, *v;                  ///< of each ray
   unsigned hit;                        ///< a bit a lane
   int facet_count, object_count;
   FacetLanes facets[kPacketLanes];

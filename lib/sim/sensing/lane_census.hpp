@@ -1,7 +1,9 @@
-// The census matcher's loops, written once over the vectors Bytes and Words that the including file
-// defines: census_sse2.cpp or census_avx2.cpp. Everything is in an unnamed namespace and of
-// integers.
+#pragma once
 
+#include "sensing/census_kernels.hpp"
+#include "sensing/census_lanes.hpp"
+
+/// The source of both builds of the census matcher's loops; see census_kernels.hpp.
 #if defined(__clang__)
 #define AB_UNROLL  // clang unrolls of itself
 #else
@@ -29,12 +31,13 @@ void transform(const PaddedImage& image, std::uint8_t* planes, std::ptrdiff_t pl
       std::uint8_t* plane = planes + (y * plane_count + k) * plane_stride;
       const int end = 8 * k + 8 < count ? 8 * k + 8 : count;
       for (int x = 0; x < image.width_px; x += kBytes) {
-        Bytes bits = broadcast(0);
+        Bytes bits{};
         for (int i = 8 * k; i < end; ++i) {
-          const Bytes pixel = load(row + x + offsets[i]);
-          const Bytes is_set = equal(max(pixel, load(row + x - offsets[i])), pixel);
+          const auto pixel = load<Bytes>(row + x + offsets[i]);
+          const auto is_set =
+              bits_as<Bytes>(greatest(pixel, load<Bytes>(row + x - offsets[i])) == pixel);
           // Shifts the bits by one and adds the new one.
-          bits = subtract(add(bits, bits), is_set);  // a mask is −1
+          bits = bits + bits - is_set;  // a mask is −1
         }
         store(plane + x, bits);
       }
@@ -57,13 +60,13 @@ template <int kVectors, int kPlanes>
       frame.right_planes + y * kPlanes * frame.plane_stride + (frame.width_px - 1 - x);
   Bytes census[static_cast<std::size_t>(kPlanes)];
   AB_UNROLL
-  for (int k = 0; k < kPlanes; ++k) census[k] = broadcast(left[k * frame.plane_stride]);
+  for (int k = 0; k < kPlanes; ++k) census[k] = all_bytes(left[k * frame.plane_stride]);
   AB_UNROLL
   for (int j = 0; j < kVectors; ++j) {
     Bytes differing[static_cast<std::size_t>(kPlanes)];
     AB_UNROLL
     for (int k = 0; k < kPlanes; ++k) {
-      differing[k] = exclusive_or(census[k], load(right + k * frame.plane_stride + j * kBytes));
+      differing[k] = census[k] ^ load<Bytes>(right + k * frame.plane_stride + j * kBytes);
     }
     if constexpr (kPlanes == 4) {
       costs.at[j] = count_bits(differing[0], differing[1], differing[2], differing[3]);
@@ -79,21 +82,21 @@ template <int kVectors>
                                               Disparities<kVectors>& costs) {
   frame.planes == 4 ? count_differing<kVectors, 4>(frame, x, y, costs)
                     : count_differing<kVectors, 2>(frame, x, y, costs);
-  costs.at[kVectors - 1] = either(costs.at[kVectors - 1], padding);
+  costs.at[kVectors - 1] |= padding;
 }
 
 struct Penalties {
   Bytes small, large;
 };
 
-/// A path's next value. `least` is that of the values before: they are taken less it.
+/// A path's next value. `lowest` is the least of the values before: they are taken less it.
 [[gnu::always_inline]] inline Bytes next_on_path(Bytes same, Bytes nearer, Bytes farther,
-                                                 Bytes least, const Penalties& penalties,
+                                                 Bytes lowest, const Penalties& penalties,
                                                  Bytes cost) {
-  const Bytes stepped = add_saturated(min(nearer, farther), penalties.small);
+  const Bytes stepped = add_saturated(least(nearer, farther), penalties.small);
   // As Hirschmüller's (2008): the least of the row before is taken off at once, so that values stay
   // below cost + large penalty and within a byte.
-  const Bytes before = min(subtract(min(same, stepped), least), penalties.large);
+  const Bytes before = least(least(same, stepped) - lowest, penalties.large);
   return add_saturated(before, cost);
 }
 
@@ -101,29 +104,30 @@ struct Penalties {
 template <int kVectors>
 struct RowPath {
   Disparities<kVectors> values;
-  Bytes least;
+  Bytes lowest;
 
   void start() {
     AB_UNROLL
-    for (int j = 0; j < kVectors; ++j) values.at[j] = broadcast(0);
-    least = broadcast(0);
+    for (int j = 0; j < kVectors; ++j) values.at[j] = Bytes{};
+    lowest = Bytes{};
   }
 
   [[gnu::always_inline]] void advance(const Penalties& penalties,
                                       const Disparities<kVectors>& costs) {
-    const Bytes all = broadcast(255);
+    const Bytes all = all_bytes(255);
     Disparities<kVectors> next;
-    Bytes lowest = all;
+    Bytes lowest_now = all;
     AB_UNROLL
     for (int j = 0; j < kVectors; ++j) {
-      const Bytes nearer = one_before(j > 0 ? values.at[j > 0 ? j - 1 : 0] : all, values.at[j]);
-      const Bytes farther =
-          one_after(values.at[j], j + 1 < kVectors ? values.at[j + 1 < kVectors ? j + 1 : j] : all);
-      next.at[j] = next_on_path(values.at[j], nearer, farther, least, penalties, costs.at[j]);
-      lowest = min(lowest, next.at[j]);
+      const Bytes before = j > 0 ? values.at[j > 0 ? j - 1 : 0] : all;
+      const Bytes after = j + 1 < kVectors ? values.at[j + 1 < kVectors ? j + 1 : j] : all;
+      const Bytes nearer = part_of_both<kBytes - 1>(before, values.at[j]);
+      const Bytes farther = part_of_both<1>(values.at[j], after);
+      next.at[j] = next_on_path(values.at[j], nearer, farther, lowest, penalties, costs.at[j]);
+      lowest_now = least(lowest_now, next.at[j]);
     }
     values = next;
-    least = spread_least(lowest);
+    lowest = spread_least(lowest_now);
   }
 };
 
@@ -133,23 +137,24 @@ template <int kVectors>
                                                 const Penalties& penalties,
                                                 const Disparities<kVectors>& costs,
                                                 Disparities<kVectors>& next) {
-  const Bytes least = broadcast(*slot_least);
-  Bytes lowest = broadcast(255);
+  const Bytes lowest = all_bytes(*slot_least);
+  Bytes lowest_now = all_bytes(255);
   AB_UNROLL
   for (int j = 0; j < kVectors; ++j) {
     const std::uint8_t* at = slot + j * kBytes;
-    next.at[j] = next_on_path(load(at), load(at - 1), load(at + 1), least, penalties, costs.at[j]);
-    lowest = min(lowest, next.at[j]);
+    next.at[j] = next_on_path(load<Bytes>(at), load<Bytes>(at - 1), load<Bytes>(at + 1), lowest,
+                              penalties, costs.at[j]);
+    lowest_now = least(lowest_now, next.at[j]);
   }
   AB_UNROLL
   for (int j = 0; j < kVectors; ++j) store(slot + j * kBytes, next.at[j]);
-  *slot_least = lowest_byte(spread_least(lowest));
+  *slot_least = spread_least(lowest_now)[0];
 }
 
 /// The values of a path that starts at the border: what comes out is the cost alone.
 void clear_slot(const Frame& frame, int path, std::ptrdiff_t slot) {
   std::uint8_t* values = frame.slots[path] + slot * (frame.padded + kGuard);
-  for (int d = 0; d < frame.padded; d += kBytes) store(values + d, broadcast(0));
+  for (int d = 0; d < frame.padded; d += kBytes) store(values + d, Bytes{});
   frame.least[path][slot] = 0;
 }
 
@@ -158,7 +163,7 @@ void clear_slots(const Frame& frame) {
     for (int slot = 0; slot < frame.width_px; ++slot) clear_slot(frame, path, slot);
     for (int slot = 0; slot <= frame.width_px; ++slot) {
       std::uint8_t* guard = frame.slots[path] + slot * (frame.padded + kGuard) - kGuard;
-      for (int i = 0; i < kGuard; i += kBytes) store(guard + i, broadcast(255));
+      for (int i = 0; i < kGuard; i += kBytes) store(guard + i, all_bytes(255));
     }
   }
 }
@@ -170,8 +175,8 @@ void clear_slots(const Frame& frame) {
 [[gnu::always_inline]] inline void keep_right_winners(std::uint16_t* window, int w,
                                                       bool last_of_chunk, Words keys) {
   std::uint16_t* at = window + w * kWords;
-  const Words above = last_of_chunk ? spread_word(0xFFFF) : load_words(window + (w + 1) * kWords);
-  store_words(at, min_words(word_after(load_words(at), above), keys));
+  const Words above = last_of_chunk ? all_words(0xFFFF) : load<Words>(window + (w + 1) * kWords);
+  store(at, least(part_of_both<2>(load<Words>(at), above), keys));
 }
 
 /// The disparity in 1/16 px where two lines of equal and opposite slopes through the sums beside
@@ -191,17 +196,20 @@ inline int refine(const std::uint16_t* keys, int d, int disparities) {
 
 /// Whether another sum, not beside the least one, is below its bound of frame.rival_bounds.
 template <int kVectors>
-[[gnu::always_inline]] inline bool has_rival(const Frame& frame, int least, int best_d) {
+[[gnu::always_inline]] inline bool has_rival(const Frame& frame, int best_sum, int best_d) {
   // All ones at the winner and beside it.
   const std::uint16_t* hidden = frame.three_words - best_d;
-  Words others = spread_word(0xFFFF);
+  Words others = all_words(0xFFFF);
   AB_UNROLL
   for (int w = 0; w < 2 * kVectors; ++w) {
-    const Words keys = load_words(frame.keys + w * kWords);
-    others = min_words(others, either(keys, load_words(hidden + w * kWords)));
+    const Words keys = load<Words>(frame.keys + w * kWords);
+    others = least(others, keys | load<Words>(hidden + w * kWords));
   }
-  return (least_word(others) >> 6) < frame.rival_bounds[least];
+  return (least_word(others) >> 6) < frame.rival_bounds[best_sum];
 }
+
+constexpr std::uint16_t kFirstDisparities[16] = {0, 1, 2,  3,  4,  5,  6,  7,
+                                                 8, 9, 10, 11, 12, 13, 14, 15};
 
 /// Picks the left pixel's winner and gives every right pixel in reach its candidate. A key is a sum
 /// of paths · 64 + the disparity within the chunk: the least one is that of the least sum and among
@@ -211,30 +219,33 @@ template <int kVectors, int kPaths>
                                                const std::uint8_t* stored,
                                                const Disparities<kVectors>& first,
                                                const Disparities<kVectors>& second) {
+  const bool keeps_keys = frame.subpixel || frame.is_unique;
   int best_key = 0xFFFF;
   int best_d = 0;
-  Words lowest = spread_word(0xFFFF);
-  Words disparity = first_words();
+  Words lowest = all_words(0xFFFF);
+  Words disparity = load<Words>(kFirstDisparities);
   AB_UNROLL
   for (int j = 0; j < kVectors; ++j) {
-    Words keys[2];
+    const auto stored_first = load<Bytes>(stored + j * kBytes);
+    Words keys[2] = {sum_of_half<false>(stored_first, first.at[j]),
+                     sum_of_half<true>(stored_first, first.at[j])};
     if constexpr (kPaths == 8) {
-      sum_as_words(load(stored + j * kBytes), load(stored + (kVectors + j) * kBytes), first.at[j],
-                   second.at[j], keys);
-    } else {
-      sum_as_words(load(stored + j * kBytes), first.at[j], keys);
+      const auto stored_second = load<Bytes>(stored + (kVectors + j) * kBytes);
+      keys[0] += sum_of_half<false>(stored_second, second.at[j]);
+      keys[1] += sum_of_half<true>(stored_second, second.at[j]);
     }
+    put_in_order(keys[0], keys[1]);
     const bool chunk_starts = j * kBytes % kChunk == 0;
     const bool chunk_ends = (j + 1) * kBytes % kChunk == 0 || j + 1 == kVectors;
-    if (chunk_starts) disparity = first_words();
+    if (chunk_starts) disparity = load<Words>(kFirstDisparities);
     AB_UNROLL
     for (int half = 0; half < 2; ++half) {
-      keys[half] = add_words(keys[half], disparity);
-      disparity = add_words(disparity, spread_word(kWords));
-      lowest = min_words(lowest, keys[half]);
+      keys[half] += disparity;
+      disparity += all_words(kWords);
+      lowest = least(lowest, keys[half]);
       keep_right_winners(frame.window, 2 * j + half, chunk_ends && half == 1, keys[half]);
-      if (frame.subpixel || frame.is_unique) {
-        store_words(frame.keys + (2 * j + half) * kWords, keys[half]);
+      if (keeps_keys) {
+        store(frame.keys + (2 * j + half) * kWords, keys[half]);
       }
     }
     if (!chunk_ends) continue;
@@ -245,7 +256,7 @@ template <int kVectors, int kPaths>
       best_key = chunk_key;
       best_d = chunk * kChunk + (chunk_key & (kChunk - 1));
     }
-    lowest = spread_word(0xFFFF);
+    lowest = all_words(0xFFFF);
     // The chunk's first disparity is the last one that its right pixel meets.
     if (x >= chunk * kChunk) {
       frame.right_keys[chunk * frame.right_keys_stride + x - chunk * kChunk] =
@@ -283,8 +294,8 @@ void sweep(const Frame& given) {
   const Frame frame = given;  // a copy, which stores of bytes cannot alias
   const int width = frame.width_px;
   const std::ptrdiff_t slot_stride = frame.padded + kGuard;
-  const Penalties penalties{broadcast(frame.small_penalty), broadcast(frame.large_penalty)};
-  const Bytes padding = bytes_from(frame.padded - frame.disparities);
+  const Penalties penalties{all_bytes(frame.small_penalty), all_bytes(frame.large_penalty)};
+  const Bytes padding = frame.padded > frame.disparities ? last_sixteen() : Bytes{};
   clear_slots(frame);
   for (int step = 0; step < frame.height_px; ++step) {
     const int y = kUp ? frame.height_px - 1 - step : step;
@@ -299,7 +310,7 @@ void sweep(const Frame& given) {
     }
     if constexpr (kUp) {
       for (int d = 0; d < frame.padded; d += kWords) {
-        store_words(frame.window + d, spread_word(0xFFFF));
+        store(frame.window + d, all_words(0xFFFF));
       }
     }
     for (int column = 0; column < width; ++column) {
@@ -379,9 +390,9 @@ void sweep_up(const Frame& frame) {
 }
 
 /// Puts the lesser first.
-inline void sort(Words& a, Words& b) {
-  const Words lesser = min_signed(a, b);
-  b = max_signed(a, b);
+inline void sort(SignedWords& a, SignedWords& b) {
+  const SignedWords lesser = least(a, b);
+  b = greatest(a, b);
   a = lesser;
 }
 
@@ -389,14 +400,14 @@ void median_row(const std::int16_t* above, const std::int16_t* at, const std::in
                 int width_px, std::int16_t* out) {
   for (int x = 0; x < width_px; x += kWords) {
     const std::int16_t* rows[3] = {above + x - 1, at + x - 1, below + x - 1};
-    Words low[3];
-    Words middle[3];
-    Words high[3];
+    SignedWords low[3];
+    SignedWords middle[3];
+    SignedWords high[3];
     AB_UNROLL
     for (int column = 0; column < 3; ++column) {
-      Words a = load_signed(rows[0] + column);
-      Words b = load_signed(rows[1] + column);
-      Words c = load_signed(rows[2] + column);
+      SignedWords a = load<SignedWords>(rows[0] + column);
+      SignedWords b = load<SignedWords>(rows[1] + column);
+      SignedWords c = load<SignedWords>(rows[2] + column);
       sort(a, b);
       sort(b, c);
       sort(a, b);
@@ -405,18 +416,14 @@ void median_row(const std::int16_t* above, const std::int16_t* at, const std::in
       high[column] = c;
     }
     // Median of the columns' greatest minimum, median middle and least maximum.
-    Words a = max_signed(max_signed(low[0], low[1]), low[2]);
+    SignedWords a = greatest(greatest(low[0], low[1]), low[2]);
     sort(middle[0], middle[1]);
-    Words b = max_signed(middle[0], min_signed(middle[1], middle[2]));
-    Words c = min_signed(min_signed(high[0], high[1]), high[2]);
+    SignedWords b = greatest(middle[0], least(middle[1], middle[2]));
+    SignedWords c = least(least(high[0], high[1]), high[2]);
     sort(a, b);
-    store_signed(out + x, max_signed(a, min_signed(b, c)));
+    store(out + x, greatest(a, least(b, c)));
   }
 }
 
-constexpr Kernels kKernels{&transform, &sweep_down, &sweep_up, &median_row};
-
 }  // namespace
 }  // namespace avoidbench::census
-
-#undef AB_UNROLL

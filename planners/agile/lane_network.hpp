@@ -1,6 +1,9 @@
-// The network's loops, written once over the vectors that the including file defines:
-// network_kernels_sse2.cpp or network_kernels_avx2.cpp. Everything is in an unnamed namespace.
-// Vectors run over channels, so that no sum's order depends on their length.
+#pragma once
+
+#include "network_kernels.hpp"
+
+// The source of both builds of the network's loops; see network_kernels.hpp. Everything is in an
+// unnamed namespace. Vectors run over channels, so that no sum's order depends on their length.
 
 #if defined(__FAST_MATH__) || __FLT_EVAL_METHOD__ != 0
 #error "The network's sums must keep their order and precision: no -ffast-math."
@@ -14,6 +17,20 @@
 
 namespace agile::kernels {
 namespace {
+
+#ifdef __AVX2__
+constexpr int kLanes = 8;
+#else
+constexpr int kLanes = 4;
+#endif
+/// The compilers' vectors: arithmetic works lane by lane.
+using Vector [[gnu::vector_size(kLanes * sizeof(float))]] = float;
+
+inline Vector load(const float* from) {
+  Vector v;
+  __builtin_memcpy(&v, from, sizeof v);
+  return v;
+}
 
 /// kColumns pixels beside each other, kVectors · kLanes channels of each.
 template <int kColumns, int kVectors>
@@ -31,10 +48,8 @@ template <int kColumns, int kVectors>
       Vector weight[kCount];
       AGILE_UNROLL for (int v = 0; v < kVectors; ++v) weight[v] = load(weights + v * kLanes);
       AGILE_UNROLL for (int c = 0; c < kColumns; ++c) {
-        const Vector x = broadcast(input + c * step + i);
-        AGILE_UNROLL for (int v = 0; v < kVectors; ++v) {
-          sums[c][v] = add(sums[c][v], multiply(x, weight[v]));
-        }
+        const float x = input[c * step + i];
+        AGILE_UNROLL for (int v = 0; v < kVectors; ++v) { sums[c][v] += x * weight[v]; }
       }
       weights += kPanel;
     }
@@ -42,8 +57,9 @@ template <int kColumns, int kVectors>
   }
   AGILE_UNROLL for (int c = 0; c < kColumns; ++c) {
     AGILE_UNROLL for (int v = 0; v < kVectors; ++v) {
-      const Vector sum = layer.is_rectified ? above_zero(sums[c][v]) : sums[c][v];
-      store(output + c * layer.pixel_out + v * kLanes, sum);
+      Vector sum = sums[c][v];
+      if (layer.is_rectified) sum = sum > 0.0F ? sum : Vector{};  // +0 for NaN and -0, too
+      __builtin_memcpy(output + c * layer.pixel_out + v * kLanes, &sum, sizeof sum);
     }
   }
 }
