@@ -23,6 +23,7 @@ mission: {time_limit_s: 10}
 """
 COLUMN_IN, PAGE_IN, DOTS_PER_IN = 3.5, 7.16, 300
 FIGURES = {
+    "speed_curve": COLUMN_IN,
     "success_by_traversability": COLUMN_IN,
     "contrast_factors": COLUMN_IN,
     "traversability_by_gap_size": COLUMN_IN,
@@ -33,7 +34,7 @@ FIGURES = {
     "processing_time": COLUMN_IN,
     "metrics": PAGE_IN,
 }
-TWICE = ["success_by_traversability", "processing_time"]
+TWICE = ["speed_curve", "success_by_traversability", "processing_time"]
 
 
 def run(command, **options):
@@ -133,7 +134,7 @@ def main():
                 "--program",
                 str(folder / "foreign"),
                 "--figures",
-                TWICE[0],
+                "success_by_traversability",
             ],
             cwd=folder,
         )

@@ -19,7 +19,7 @@ namespace {
 using math::kNaN;
 
 /// Counts are whole: a share that rounding put above one is still that share.
-constexpr double kRounding = 1e-9;
+constexpr double kShareRounding = 1e-9;
 
 std::vector<SpeedTrial> in_order_of_speed(std::span<const SpeedTrial> trials) {
   std::vector<SpeedTrial> sorted(trials.begin(), trials.end());
@@ -98,7 +98,7 @@ double reached_speed(std::span<const SpeedStep> curve, double share) {
   if (curve.empty()) return kNaN;
   double reached_mps = 0.0;
   for (const SpeedStep& step : curve) {
-    if (step.share >= share - kRounding) reached_mps = step.speed_mps;
+    if (step.share >= share - kShareRounding) reached_mps = step.speed_mps;
   }
   return reached_mps;
 }
@@ -141,7 +141,7 @@ std::vector<double> reached_speed_draws(std::span<const SpeedTrial> trials, std:
     }
     if (total == 0.0) continue;
     // Flights may be slower than v_share as long as they are no more than this.
-    const double slower = (1.0 - share + kRounding) * total;
+    const double slower = (1.0 - share + kShareRounding) * total;
     double below = 0.0;
     for (const SpeedTrial& trial : sorted) {
       if (weights[trial.map] == 0.0) continue;
