@@ -94,8 +94,7 @@ double mean_speed_mps(const SweepResult& result, const TrialSummary& trial) {
   return math::kNaN;
 }
 
-std::string percent_number(double rate) { return significant_digits(100.0 * rate, 3); }
-std::string percent(double rate) { return percent_number(rate) + " %"; }
+std::string percent(double rate) { return significant_digits(100.0 * rate, 3) + " %"; }
 
 }  // namespace
 
@@ -202,11 +201,9 @@ Table limit_speed_table(const LimitSummary& summary) {
 Table limit_table(const LimitSummary& summary) {
   const LimitRule& rule = summary.rule;
   const std::string name = rule.field.substr(rule.field.find('.') + 1);
-  const std::string what = rule.reach_mps > 0.0
-                               ? " of missions reach the goal with " + shortest(rule.reach_mps) +
-                                     " m/s or more (" + "v" + percent_number(rule.success_rate) +
-                                     " falls below it)"
-                               : " of missions reach the goal";
+  const std::string what =
+      " of missions reach the goal" +
+      (rule.reach_mps > 0.0 ? " at " + shortest(rule.reach_mps) + " m/s or faster" : "");
   Table table = make_table(
       "limits", "Limits: " + name + " at which " + percent(rule.success_rate) + what,
       {planner_column(),
