@@ -97,7 +97,7 @@ def speed_curve(curve, speeds, planners):
     axes.set_xlim(left=0)
     axes.set_ylim(0, 1)
     axes.set_xlabel("goal velocity v (m/s)")
-    axes.set_ylabel("missions completed at v or faster")
+    axes.set_ylabel("S(v), share of missions")
     style.planner_legend(axes, planners, style.COLUMN_IN)
     return figure
 

@@ -202,6 +202,7 @@ function Speeds({ sweep, groups }: Props): JSX.Element | null {
   return (
     <Figure
       name="speeds"
+      wide
       title="Goal velocity that missions reach"
       note="Share of all trials that reached the goal with at least this goal velocity (shortest path over flight time). v90 is the velocity that nine of ten reach; 0 where more than one of ten failed, none for fewer than 29 trials."
       numbers={{ head: ["planner", "trials", "v90, m/s", "v50, m/s", "mean with failures as 0, m/s"], rows }}

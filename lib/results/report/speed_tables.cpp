@@ -14,11 +14,9 @@ void append_estimate(Row& row, const Estimate& estimate, bool is_best = false) {
   append(row, estimate.interval);
 }
 
-/// `note` stands behind the planner's label.
-Row speed_row(const SweepSummary& summary, const PlannerSpeeds& speeds, const std::string& note,
-              bool is_best) {
-  Row row = make_row(summary.planners[speeds.planner] + note, speeds.trial_count);
-  append_estimate(row, speeds.v90, is_best);
+Row speed_row(const SweepSummary& summary, const PlannerSpeeds& speeds) {
+  Row row = make_row(summary.planners[speeds.planner], speeds.trial_count);
+  append_estimate(row, speeds.v90, speeds.is_best);
   append_estimate(row, speeds.v50);
   append_estimate(row, speeds.mean);
   append(row, make_row(speeds.crash_count, speeds.flown_km));
@@ -52,7 +50,7 @@ Table speed_table(const SweepSummary& summary) {
         .unit = "m/s",
         .doc = "v_mean_mps: mean goal velocity of all missions, failures as 0",
         .has_interval = true,
-        .brief = "mean, failures as 0"},
+        .brief = "goal velocity, failures as 0"},
        machine_column("crash_count"),
        machine_column("flown_km", "km"),
        {.name = "crashes_per_km",
@@ -64,12 +62,7 @@ Table speed_table(const SweepSummary& summary) {
         .has_interval = true,
         .brief = "per flown km"}});
   for (const PlannerSpeeds& speeds : summary.speeds) {
-    table.rows.push_back(speed_row(summary, speeds, "", speeds.is_best));
-  }
-  for (const BestSetting& setting : summary.best_settings) {
-    table.rows.push_back(
-        speed_row(summary, summary.speeds[setting.best],
-                  " (best of " + std::to_string(setting.setting_count) + " settings)", false));
+    table.rows.push_back(speed_row(summary, speeds));
   }
   return table;
 }
@@ -108,10 +101,14 @@ std::vector<std::string> speed_warnings(const SweepSummary& summary) {
     warnings.push_back("v90 is 0 for " + joined(failing, ", ") +
                        ": fewer than nine missions of ten were completed");
   }
-  if (!summary.best_settings.empty()) {
-    warnings.emplace_back(
-        "the best of several settings was chosen on these flights: its v90 is too high by the "
-        "choice; choose on other maps");
+  std::vector<std::string> best;
+  for (const BestSetting& setting : summary.best_settings) {
+    best.push_back(summary.planners[summary.speeds[setting.best].planner] + " is the best of " +
+                   std::to_string(setting.setting_count) + " settings");
+  }
+  if (!best.empty()) {
+    warnings.push_back(joined(best) +
+                       ": a v90 that is too high by the choice; choose the setting on other maps");
   }
   return warnings;
 }

@@ -210,7 +210,7 @@ Table pair_table(const SweepSummary& summary) {
         .doc = "v90_difference_mps: v90 of the first planner less that of the other, with a 95 % "
                "interval by bootstrap over maps, the same for both",
         .has_interval = true,
-        .brief = "v90 less the other's [95 % interval]"}});
+        .brief = "its difference [95 % interval]"}});
   for (const Contrast& c : summary.contrasts) {
     table.rows.push_back(make_row(summary.planners[c.planner_1], summary.planners[c.planner_2],
                                   c.factor, c.smoothed_factor, c.smoothed_interval, c.fisher_p,

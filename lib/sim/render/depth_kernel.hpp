@@ -5,7 +5,7 @@
 
 #include "render/triangle_plane.hpp"
 
-/// Exact depths of the triangles that Embree says were hit, eight rays of a packet at a time. One
+/// Exact depths of the triangles that Embree says were hit, a register of rays at a time. One
 /// source (lane_depth.hpp), compiled for any x86-64 and for AVX2; both give the same bits. Plain
 /// data here, and nothing that would bring the standard library's or Eigen's inline functions into
 /// a file compiled for AVX2.

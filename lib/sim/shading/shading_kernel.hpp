@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-/// The arithmetic of shading, eight rays of a packet at a time. One source (lane_shading.hpp),
+/// The arithmetic of shading, a register of rays at a time. One source (lane_shading.hpp),
 /// compiled for any x86-64 and for AVX2; both give the same bits. Plain data here, and nothing that
 /// would bring the standard library's or Eigen's inline functions into a file compiled for AVX2.
 namespace avoidbench {
