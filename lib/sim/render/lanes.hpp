@@ -8,8 +8,8 @@
 /// What the kernels of depth, shading and stereo matching compute with: registers of numbers, 16
 /// bytes on every x86-64 machine (SSE2), 32 in a file compiled with -mavx2. They are the compilers'
 /// vectors: + - * / & | ^ << >> and comparisons work lane by lane, also with one number for all
-/// lanes; a ? b : c chooses lane by lane. Only what these can't say is in intrinsics, and only
-/// here.
+/// lanes; a ? b : c chooses lane by lane. What these can't say is in intrinsics here and, for
+/// bytes, in sensing/census_lanes.hpp; kernels have none.
 ///
 /// Each kernel is one source that two files include, of which one is compiled for AVX2; has_avx2()
 /// chooses. Both give the same bits, because all operations are IEEE's or on integers. All is in
