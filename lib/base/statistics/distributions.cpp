@@ -10,11 +10,12 @@ namespace {
 
 using math::kNaN;
 
+constexpr int kMostTerms = 100000;  ///< of a continued fraction
+
 /// The continued fraction of the incomplete beta function (Abramowitz and Stegun 26.5.8), by the
 /// modified Lentz algorithm; converges fast for x < (a + 1) / (a + b + 2).
 double beta_fraction(double x, double a, double b) {
   constexpr double kTiny = 1e-300;
-  constexpr int kMostTerms = 100000;
   const auto away_from_zero = [](double value) { return std::abs(value) < kTiny ? kTiny : value; };
   double c = 1.0;
   double d = 1.0 / away_from_zero(1.0 - (a + b) * x / (a + 1.0));
@@ -44,7 +45,8 @@ double gamma_fraction(double x, double a) {
   double c = 1e300;
   double d = 1.0 / b;
   double fraction = d;
-  for (double k = 1.0; k < 100000.0; k += 1.0) {
+  for (int term = 1; term < kMostTerms; ++term) {
+    const double k = term;
     const double numerator = -k * (k - a);
     b += 2.0;
     d = 1.0 / (numerator * d + b);
@@ -130,8 +132,12 @@ double gamma_cdf(double x, double a) {
   if (x <= 0.0) return 0.0;
   const double front = math::exp(a * math::log(x) - x - log_gamma(a));
   if (x < a + 1.0) {
-    double term = 1.0 / a, sum = term;
-    for (double k = a + 1.0; term > 1e-17 * sum; k += 1.0) sum += term *= x / k;
+    double k = a, term = 1.0 / a, sum = term;
+    while (term > 1e-17 * sum) {
+      k += 1.0;
+      term *= x / k;
+      sum += term;
+    }
     return front * sum;
   }
   return 1.0 - front * gamma_fraction(x, a);
