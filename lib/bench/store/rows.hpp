@@ -125,7 +125,7 @@ struct TrialSummary {
   Outcome outcome = Outcome::timed_out;
   double reference_length_m = 0.0;
   double end_time_s = 0.0;  ///< simulated
-  /// One an element of SweepResult::metrics, NaN where there is none
+  /// As SweepResult::metrics has them; NaN where the trial has none.
   std::vector<double> metrics = {};
   std::vector<TableValue> fields = {};  ///< one an element of SweepResult::fields
   std::string cause = {};  ///< of a failure, as `explain` has told it; "" where it has not
