@@ -3,6 +3,7 @@
 #include <map>
 
 #include "base/data_folder.hpp"
+#include "base/words.hpp"
 #include "commands.hpp"
 #include "custom_metrics/metric_file.hpp"
 #include "database_choice.hpp"
@@ -272,16 +273,14 @@ void add_report_command(CLI::App& app) {
            "its range in five groups of equal map count");
   add_where(command, options.where);
   add_list(command, "--tables", options.tables,
-           "Tables to show, separated by commas: limits, limit_pairs, limit_curve, planners, "
-           "groups, grouped, outcomes, causes, pairs, difficulty, flight_time, "
-           "flight_time_curve, maps, environment (default: planners, outcomes, pairs, and groups "
-           "if each has several maps)");
+           "Tables to show, separated by commas: " + joined(table_names()) +
+               " (default: speed, planners, outcomes, pairs, and groups if each has several maps)");
   command.add_flag("--check", options.must_check,
                    "Check all that is stored of each trial against its digests first, flights and "
                    "plan calls too; without it, rows and what is read");
   command.add_flag("--all", options.is_all,
-                   "Every table except maps and flight_time_curve, every warning, and what each "
-                   "column means; csv and json always have all of it");
+                   "Every table except maps, speed_curve and flight_time_curve, every warning, and "
+                   "what each column means; csv and json always have all of it");
 }
 
 }  // namespace avoidbench

@@ -181,8 +181,8 @@ class Results:
         intervals (success_rate, success_rate_lower, success_rate_upper, …). A row is of one `sweep`.
 
         Args:
-            name: planners, groups, outcomes, pairs, difficulty, flight_time, flight_time_curve, maps,
-                environment, or with `group_by` grouped.
+            name: speed, speed_curve, planners, groups, outcomes, pairs, difficulty, flight_time, flight_time_curve,
+                maps, environment, or with `group_by` grouped.
             metrics, metrics_from, group_by, where: as for report().
 
         Raises:

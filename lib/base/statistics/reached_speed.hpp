@@ -33,12 +33,12 @@ inline constexpr double kReachedShare = 0.9;
 /// for an empty curve.
 double reached_speed(std::span<const SpeedStep> curve, double share);
 
-/// Its interval by inversion (Woodruff 1952): all v for which `share` lies in the interval of S(v).
-/// Its upper end is infinite where even S = 0 can't be told from `share`.
+/// Its interval by inversion (Woodruff 1952): from the least to the greatest v for which `share`
+/// lies in the interval of S(v); up to the fastest flight at most. NaN for an empty curve.
 Interval reached_speed_interval(std::span<const SpeedStep> curve, double share);
 
-/// Flights from which on v90 says something: of 28 flights that all reach a speed, nine of ten
-/// planners that fail one time in ten would show a failure, and so on below it: 0.9^28 > 5 %.
+/// Flights from which on v_share says something, 29 for 0.9: a planner that fails one time in ten
+/// completes 28 flights in a row with a probability above 5 % (0.9^28 = 5.2 %).
 std::int64_t least_trials_for(double share);
 
 /// v_share of as many draws of maps with replacement; the same maps for all that have this seed

@@ -5,8 +5,9 @@
 
 namespace avoidbench {
 
-/// Names of the tables that a sweep can have: `limits`, `limit_pairs` and `limit_curve` (of a sweep
-/// that looks for limits, which has no others), `planners` (rates and means), `groups` (the same by
+/// Names of the tables that a sweep can have: `speed` and `speed_curve` (v90 and what it is read
+/// from), `limit_speeds`, `limits`, `limit_pairs` and `limit_curve` (of a sweep that looks for
+/// limits, which has no others), `planners` (rates and means), `groups` (the same by
 /// traversability), `grouped` (by the columns that were asked for), `outcomes` (counts), `pairs`
 /// (contrast factors), `difficulty` (success against traversability), `flight_time` and
 /// `flight_time_curve` (times to the goal), `maps`, `environment` (how their measures go together).
@@ -14,8 +15,9 @@ std::vector<std::string> table_names();
 
 /// How much of a report people see.
 enum class Detail {
-  brief,  ///< `planners`, `outcomes`, `pairs`, and groups if each has several maps; a short legend
-  all     ///< every table but the long ones, `flight_time_curve` and `maps`; the full legend
+  /// `speed`, `planners`, `outcomes`, `pairs`, and groups if each has several maps; a short legend
+  brief,
+  all  ///< every table but the long ones, `speed_curve`, `flight_time_curve` and `maps`
 };
 
 /// A sweep's tables: those named, with the full legend, or all, of which people see what `detail`
