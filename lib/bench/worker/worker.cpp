@@ -22,6 +22,7 @@
 #include "base/digest.hpp"
 #include "base/input_error.hpp"
 #include "base/spec_json.hpp"
+#include "metrics/known_world.hpp"
 #include "metrics/metric_table.hpp"
 #include "process/inherited.hpp"
 #include "process/print_capture.hpp"
@@ -181,6 +182,9 @@ TrialRecord Worker::Internals::fly(const Job& job, const Scene& scene,
       job.recorded_latency_s ? &*job.recorded_latency_s : nullptr;
   planner->want_drawings(lookout && lookout->wants_drawings);
   if (lookout && lookout->logged) lookout->logged(planner->take_log());
+  if ((planner->needs() & AB_INPUT_WORLD) != 0) {
+    planner->show_world(known_world(job.spec, scene, job.mission->mission));
+  }
   const auto flown = [&] {
     return run_trial(job.spec, scene, job.mission->mission, *planner,
                      bookkeeper(lookout ? &*lookout : nullptr), recorded_s, job.change);

@@ -55,6 +55,23 @@ std::vector<float> wall_image(const CameraSetup& camera, const Eigen::Vector3d& 
   return depth_m;
 }
 
+/// From a place to the ground or the wall with its gap, as AB_WORLD_EXTENSION tells it.
+double distance_to_wall_flight_m(const Eigen::Vector3d& place_world) {
+  const double aside_m =
+      std::max(0.0, std::min(place_world.y() - kGapFrom_m, kGapTo_m - place_world.y()));
+  const double wall_m = std::hypot(place_world.x() - kWall_m, aside_m);
+  constexpr double kFar_m = 2.5;
+  return std::min({wall_m, std::abs(place_world.z()), kFar_m});
+}
+
+/// To the goal through the gap; a ball that is too large for the gap has no way.
+std::vector<Eigen::Vector3d> path_through_gap(const PlannerMission& mission, double radius_m) {
+  if (2.0 * radius_m > kGapTo_m - kGapFrom_m) return {};
+  const Eigen::Vector3d gap(kWall_m, kGapFrom_m + radius_m, mission.start_world.z());
+  const Eigen::Vector3d last_leg = (mission.goal_world - gap).normalized();
+  return {mission.start_world, gap, mission.goal_world - mission.goal_radius_m * last_leg};
+}
+
 template <class Call>
 std::string escaped_exception(Call&& call) {
   try {
@@ -204,7 +221,7 @@ Probe::Probe(const ab_planner& table, const std::vector<ParameterValue>& values,
       poisoned_(poisoned),
       is_asking_(looking == Looking::asking),
       setup_(setup),
-      host_(looking != Looking::impossible) {
+      host_(looking != Looking::impossible, table.needs) {
   host_.want_drawings(looking == Looking::somebody);
   SetupBuffers buffers(setup_, values, table.needs);
   const std::string escaped =
@@ -227,6 +244,10 @@ Probe::~Probe() {
 Reply Probe::reset(const PlannerMission& mission) {
   ab_mission given = to_mission(mission);
   const ab_mission before = given;
+  host_.show_world({.distance_m = distance_to_wall_flight_m,
+                    .shortest_path_world = [mission](double radius_m) {
+                      return path_through_gap(mission, radius_m);
+                    }});
   Reply reply;
   reply.escaped = escaped_exception([&] { reply.status = table_->reset(instance_, &given); });
   // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): bytes that were copied, padding too

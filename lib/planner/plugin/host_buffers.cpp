@@ -109,7 +109,8 @@ ab_camera to_camera(const CameraSetup& camera) {
 
 }  // namespace
 
-HostSide::HostSide(bool has_debug) : has_debug_(has_debug) {
+HostSide::HostSide(bool has_debug, std::uint32_t needs)
+    : has_debug_(has_debug), world_((needs & AB_INPUT_WORLD) != 0) {
   // Planners keep the table's address and hand back the context: this object never moves.
   set_size(table_);
   table_.abi_version = AVOIDBENCH_ABI_VERSION;
@@ -126,8 +127,9 @@ HostSide::HostSide(bool has_debug) : has_debug_(has_debug) {
   };
   table_.get_extension = [](void* context, const char* id) -> const void* {
     const HostSide& self = *static_cast<HostSide*>(context);
-    const bool is_debug = id != nullptr && std::string_view(id) == AB_DEBUG_EXTENSION;
-    return is_debug && self.has_debug_ ? &self.board_.table() : nullptr;
+    const std::string_view name = id != nullptr ? id : "";
+    if (name == AB_WORLD_EXTENSION) return self.world_.table();
+    return name == AB_DEBUG_EXTENSION && self.has_debug_ ? &self.board_.table() : nullptr;
   };
 }
 

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "avoidbench/planner.h"
 #include "plugin/drawings.hpp"
 #include "plugin/planner_instance.hpp"
+#include "plugin/world_door.hpp"
 
 namespace avoidbench {
 
@@ -13,7 +16,8 @@ namespace avoidbench {
 class HostSide {
  public:
   /// `has_debug` false: a host without AB_DEBUG_EXTENSION.
-  explicit HostSide(bool has_debug = true);
+  /// `needs` are the planner's: AB_INPUT_WORLD gives AB_WORLD_EXTENSION.
+  explicit HostSide(bool has_debug = true, std::uint32_t needs = 0);
   HostSide(const HostSide&) = delete;
   HostSide& operator=(const HostSide&) = delete;
 
@@ -26,6 +30,9 @@ class HostSide {
   /// What was logged since it was taken last, a MiB at most.
   std::vector<std::string> take_log();
 
+  /// What the planner sees through AB_WORLD_EXTENSION from now on.
+  void show_world(PlannerWorld world) { world_.world = std::move(world); }
+
   void want_drawings(bool wanted) { board_.is_wanted = wanted; }
   /// With a line in the log where some were left out.
   std::vector<Drawing> take_drawings();
@@ -34,6 +41,7 @@ class HostSide {
   ab_host table_{};
   bool has_debug_;
   DrawingBoard board_;
+  WorldDoor world_;
   void add_to_log(std::string line);
 
   std::string error_;

@@ -51,7 +51,7 @@ std::string error_text(const char* function, HostSide& host) {
 }  // namespace
 
 struct PlannerInstance::Internals {
-  explicit Internals(ThreadOwner library) : meter(library) {}
+  Internals(ThreadOwner library, std::uint32_t needs) : host(true, needs), meter(library) {}
 
   const ab_planner* table = nullptr;
   std::vector<CameraSetup> cameras;
@@ -83,7 +83,7 @@ struct PlannerInstance::Internals {
 
 PlannerInstance::PlannerInstance(const PlannerLibrary& library, const PlannerSetup& setup,
                                  const std::vector<ParameterValue>& values, CallClock* clock)
-    : internals_(std::make_unique<Internals>(library.thread_owner())) {
+    : internals_(std::make_unique<Internals>(library.thread_owner(), library.table().needs)) {
   const PlannerDescription& description = library.description();
   AB_CHECK(values.size() == description.parameters.size(), values.size());
   if (const std::string problem = camera_problem(description, setup.cameras); !problem.empty()) {
@@ -111,6 +111,10 @@ PlannerInstance::PlannerInstance(PlannerInstance&&) noexcept = default;
 PlannerInstance& PlannerInstance::operator=(PlannerInstance&&) noexcept = default;
 
 std::uint32_t PlannerInstance::needs() const { return internals_->table->needs; }
+
+void PlannerInstance::show_world(PlannerWorld world) {
+  internals_->host.show_world(std::move(world));
+}
 
 std::string PlannerInstance::reset(const PlannerMission& mission) {
   Internals& self = *internals_;

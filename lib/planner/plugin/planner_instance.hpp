@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -33,6 +34,14 @@ struct PlannerMission {
   double start_yaw_rad = 0, goal_radius_m = 0, time_limit_s = 0;
   Eigen::Vector3d lowest_world = Eigen::Vector3d::Zero(), highest_world = Eigen::Vector3d::Zero();
   double command_latency_s = 0;  ///< NaN: measured
+};
+
+/// The map of a trial, for planners that see it (AB_INPUT_WORLD).
+struct PlannerWorld {
+  /// From a place to the nearest surface, m, at most 2.5.
+  std::function<double(const Eigen::Vector3d& place_world)> distance_m;
+  /// The mission's shortest path for a ball of this radius, m; empty where it has none.
+  std::function<std::vector<Eigen::Vector3d>(double radius_m)> shortest_path_world;
 };
 
 /// What a planner sees in one call. Images newest first; their pixels must live until plan()
@@ -107,6 +116,10 @@ class PlannerInstance {
   PlannerInstance& operator=(PlannerInstance&&) noexcept;
 
   std::uint32_t needs() const;  ///< AB_INPUT_…
+
+  /// What it sees of the map, for who declared that, until the next one; its functions are called
+  /// during reset() and plan().
+  void show_world(PlannerWorld world);
 
   /// Empty text on success, else why it failed.
   std::string reset(const PlannerMission& mission);

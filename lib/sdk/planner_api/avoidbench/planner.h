@@ -48,7 +48,7 @@ typedef int32_t ab_status;
 #define AB_INPUT_STEREO 4u /* left and right, grey, 8 bits */
 #define AB_INPUT_COLOR 8u  /* left, RGB, 8 bits */
 #define AB_INPUT_IMU 16u
-#define AB_INPUT_WORLD 32u  /* privileged: reported apart in every table */
+#define AB_INPUT_WORLD 32u  /* privileged: AB_WORLD_EXTENSION; reported apart in every table */
 #define AB_INPUT_STATES 64u /* all states since the last call, not only the newest */
 /* Of a rig one camera alone: ab_setup.camera_count is 1. A sweep whose sensor has several names the
  * one (`camera: 0` in the planner's entry), or is refused before its first trial. */
@@ -400,6 +400,31 @@ typedef struct ab_map {
   ab_status (*look_up)(void* instance, const double* points_world_m, uint32_t point_count,
                        uint8_t* places);
 } ab_map;
+
+/* ---------------------------------------------------------------------------------------------
+ * Extension "avoidbench.world/1": the map itself, for planners that declare AB_INPUT_WORLD, of
+ * which every table says so. Got by host->get_extension(host->context, AB_WORLD_EXTENSION), which
+ * gives an ab_world, or null to other planners and to planners that are programs. It may be asked
+ * in reset() and in plan(), of the mission of that trial, in the thread of the call. What moves
+ * stands where it is at the start. */
+#define AB_WORLD_EXTENSION "avoidbench.world/1"
+
+typedef struct ab_world {
+  uint32_t struct_size;
+  uint32_t reserved;
+  void* context; /* first argument of the functions below */
+  /* The distance from each of point_count places, 3 numbers each, to the nearest surface, at most
+   * 2.5 m. It says nothing of sides: a place inside an obstacle has one, too. AB_OK, or AB_ERROR
+   * where a place is not finite or no trial has begun. */
+  ab_status (*distances)(void* context, const double* points_world_m, uint32_t point_count,
+                         double* distances_m);
+  /* The shortest way for a ball of radius_m from the start to within goal_radius_m of the goal, a
+   * polyline that grazes the obstacles: its points, 3 numbers each, stay until the next call here.
+   * For the vehicle's own radius its length is d_min of the metrics. AB_OK; AB_NO_PLAN where the
+   * ball has no way; AB_ERROR where the radius is not above 0 or no trial has begun. */
+  ab_status (*shortest_path)(void* context, double radius_m, const double** points_world_m,
+                             uint32_t* point_count);
+} ab_world;
 
 /* The one exported symbol. `host_api` is the host's AVOIDBENCH_ABI_VERSION; null where the planner
  * can't serve it. */
