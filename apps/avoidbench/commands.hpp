@@ -16,6 +16,7 @@ void add_report_command(CLI::App& app);
 void add_power_command(CLI::App& app);
 void add_export_command(CLI::App& app);
 void add_compare_command(CLI::App& app);
+void add_suite_command(CLI::App& app);
 void add_replay_command(CLI::App& app);
 void add_explain_command(CLI::App& app);
 void add_merge_command(CLI::App& app);
@@ -34,6 +35,10 @@ std::vector<std::string> worker_words(double plan_timeout_s, std::optional<doubl
 /// After so long without a sign of life a worker is ended: it has ended itself before, where a call
 /// of its planner takes too long.
 inline double silence_limit_s(double plan_timeout_s) { return plan_timeout_s + 20.0; }
+
+/// The report of a database as Markdown, and its page, where this program has one.
+void write_report_files(const std::string& database, const std::string& report,
+                        const std::string& page);
 
 /// Of `maps`.
 void add_maps_list_command(CLI::App& maps);

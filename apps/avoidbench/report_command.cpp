@@ -236,6 +236,16 @@ void report(const ReportOptions& options) {
 
 }  // namespace
 
+void write_report_files(const std::string& database, const std::string& report_file,
+                        const std::string& page) {
+  ReportOptions options;
+  options.files = {database};
+  options.output = {.format = TableFormat::markdown, .output = report_file};
+  options.is_all = true;
+  if (page_program().missing.empty()) options.page = page;
+  report(options);
+}
+
 void add_report_command(CLI::App& app) {
   const auto [command, options] =
       add_command(app, "report",

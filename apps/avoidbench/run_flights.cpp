@@ -75,7 +75,7 @@ void warn(const RunCommand& command, const SweepSpec& sweep, int jobs) {
   if (measures_latency(sweep)) {
     std::cerr << "warning: latency is measured: results depend on this machine and its load\n";
   }
-  if (sweep.trials < 10 && !sweep.limit.is_set()) {
+  if (sweep.trials < 10 && !sweep.limit.is_set() && !command.is_of_suite) {
     std::cerr << "warning: " << sweep.trials
               << " trials per map: success rates of single maps are too coarse to compare\n";
   }
@@ -227,6 +227,7 @@ std::int64_t fly_sweep(const RunCommand& command, const SweepSpec& sweep, const 
   options.rerun = rerun;
   options.rerun_key = command.rerun;
   options.in_process = command.in_process;
+  options.is_wanted = command.is_wanted;
   options.keep_planners = !command.no_keep;
   options.keep_maps = command.is_bundle;
   options.on_progress = [&shown](const Progress& progress) { shown.show(progress); };
@@ -243,15 +244,19 @@ std::int64_t fly_sweep(const RunCommand& command, const SweepSpec& sweep, const 
   print_summary(summary, signals.ignored);
   if (summary.revision > 0) {
     // Failures are what a search for a limit goes to.
-    if (!sweep.limit.is_set()) print_failures(database, sweep.name, summary);
+    if (!sweep.limit.is_set() && !command.is_of_suite) {
+      print_failures(database, sweep.name, summary);
+    }
     warn_of_planners(database, sweep.name, summary.revision);
   }
   if (summary.is_stopped) end_stopped_run(signals);
   database.checkpoint();
   if (shard.count == 1) require_flights(sweep, summary, command.sweep_file);
-  std::cerr << "results are in " << file.string()
-            << "; to see them: " << command_that_reports(database, sweep.name, summary.revision)
-            << '\n';
+  if (!command.is_of_suite) {
+    std::cerr << "results are in " << file.string()
+              << "; to see them: " << command_that_reports(database, sweep.name, summary.revision)
+              << '\n';
+  }
   if (!summary.unflown.empty()) throw CLI::RuntimeError(kExitUnflown);
   return summary.revision;
 }

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +25,9 @@ struct RunCommand {
   bool no_keep = false, is_bundle = false;
   std::optional<std::string> shard;
   std::string rerun, until, progress = "line", heartbeat;
+  /// One sweep of a suite: no hints of what a sweep file could say, or of what to do next.
+  bool is_of_suite = false;
+  std::function<bool(const std::string& key)> is_wanted = {};  ///< null: all trials are flown
 };
 
 /// Where the sweep's results go: --db, or results/NAME.db.

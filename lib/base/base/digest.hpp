@@ -33,6 +33,12 @@ class Digest {
   alignas(16) std::array<std::byte, 128> state_{};
 };
 
+/// SHA-256 of these bytes alone, as sha256sum gives it.
+std::string sha256(std::string_view bytes);
+
+/// HMAC-SHA256 (RFC 2104) of the message, 64 lower-case hexadecimal digits.
+std::string hmac_sha256(std::string_view key, std::string_view message);
+
 /// SHA-256 of a regular file's bytes. Throws InputError when it can't be read.
 std::string file_digest(const std::filesystem::path& path);
 

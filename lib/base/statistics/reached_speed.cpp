@@ -124,12 +124,13 @@ std::int64_t least_trials_for(double share) {
 }
 
 std::vector<double> reached_speed_draws(std::span<const SpeedTrial> trials, std::size_t map_count,
-                                        double share, std::size_t draw_count) {
+                                        double share, std::size_t draw_count,
+                                        std::uint64_t stream_index) {
   const std::vector<SpeedTrial> sorted = in_order_of_speed(trials);
   std::vector<double> flown(map_count, 0.0), weights(map_count);
   for (const SpeedTrial& trial : sorted) flown[trial.map] += 1.0;
   // One stream whatever the planner: the draws of two are pairs.
-  RandomStream random = stream(map_count, "reached_speed_draws");
+  RandomStream random = stream(map_count + (stream_index << 32U), "reached_speed_draws");
   std::vector<double> draws(draw_count, kNaN);
   for (double& draw : draws) {
     std::fill(weights.begin(), weights.end(), 0.0);

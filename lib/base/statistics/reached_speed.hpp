@@ -41,11 +41,15 @@ Interval reached_speed_interval(std::span<const SpeedStep> curve, double share);
 /// completes 28 flights in a row with a probability above 5 % (0.9^28 = 5.2 %).
 std::int64_t least_trials_for(double share);
 
+inline constexpr std::size_t kSpeedDraws = 2000;
+
 /// v_share of as many draws of maps with replacement; the same maps for all that have this seed
 /// and number of maps, so that two planners' draws on the same maps are pairs. NaN for a draw
-/// without trials. `trials` are of maps below `map_count`.
+/// without trials. `trials` are of maps below `map_count`. Another
+/// `stream_index` draws other maps.
 std::vector<double> reached_speed_draws(std::span<const SpeedTrial> trials, std::size_t map_count,
-                                        double share, std::size_t draw_count = 2000);
+                                        double share, std::size_t draw_count = kSpeedDraws,
+                                        std::uint64_t stream_index = 0);
 
 /// Of two planners' v_share on the same maps.
 struct SpeedDifference {

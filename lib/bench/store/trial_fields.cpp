@@ -44,6 +44,7 @@ constexpr NamedField kNamedFields[] = {
     {"outcome", "t.outcome"},
     {"is_finished", "t.outcome = 'reached_goal'"},
     {"reason", "t.reason"},
+    {"flight_digest", "t.flight_digest"},
     {"cause", "(SELECT cause FROM explanations e WHERE e.trial_key = t.trial_key)"},
     {"end_time_s", "t.end_time_s"},
     {"attempt", "t.attempt"},

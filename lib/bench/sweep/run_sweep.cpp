@@ -321,6 +321,12 @@ RunSummary run_sweep(const SweepSpec& sweep, const RunRow& provenance, Database&
       add_sweep(database, {.name = sweep.name, .spec_json = sweep_json(sweep, trials)}, options);
   // After add_sweep(): every shard stores the whole sweep, so that merge knows what is missing.
   trials = trials_of(options.shard, std::move(trials));
+  if (options.is_wanted) {
+    KeyMaker keys;
+    std::erase_if(trials, [&](const PlannedTrial& trial) {
+      return !options.is_wanted(keys.trial_key(trial));
+    });
+  }
   for (const PlannerChoice& planner : sweep.planners) database.add_planner(planner_row(planner));
   std::vector<std::string> unkept;
   if (options.keep_planners) {

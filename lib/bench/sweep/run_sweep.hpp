@@ -42,6 +42,7 @@ struct RunOptions : FleetOptions {
   Shard shard;
   Rerun rerun = Rerun::none;  ///< failed: that ended in an error, a crash or a hang of the planner
   std::string rerun_key;      ///< of the chosen one: the key or its beginning
+  std::function<bool(const std::string& key)> is_wanted = {};  ///< null: all trials are flown
   /// Trials fly in this process, one after the other, for debuggers. Crashes and hangs are not
   /// caught then, and the C library's processor-dependent functions are in use by planners.
   bool in_process = false;

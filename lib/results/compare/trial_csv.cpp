@@ -1,17 +1,14 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <limits>
-#include <optional>
 #include <sstream>
 
-#include "base/input_error.hpp"
-#include "base/number_text.hpp"
 #include "base/option_error.hpp"
 #include "base/utf8.hpp"
 #include "base/visible_text.hpp"
 #include "compare/trial_table.hpp"
 #include "table/csv.hpp"
+#include "table/csv_reader.hpp"
 
 namespace avoidbench {
 namespace {
@@ -32,77 +29,6 @@ std::string in_hex(std::uint64_t value) {
 
 /// A line before the rows that is no row, with their end of line.
 std::string comment_line(const std::string& text) { return text + "\r\n"; }
-
-/// The text and where it stands, so that what is wrong can be told with its line.
-class CsvReader {
- public:
-  CsvReader(const std::string& text, const std::string& source) : rest_(text), source_(source) {}
-
-  /// The next row or comment without its end; false after the last.
-  bool next(std::string_view& line) {
-    if (rest_.empty()) return false;
-    line_ = next_line_;
-    line = rest_.substr(0, end_of_line());
-    rest_.remove_prefix(std::min(rest_.size(), line.size() + 1));
-    next_line_ += 1 + static_cast<int>(std::count(line.begin(), line.end(), '\n'));
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    return true;
-  }
-
-  [[noreturn]] void fail(const std::string& message) const {
-    throw InputError(InputProblem{.file = source_, .line = line_, .message = message});
-  }
-
-  // Quotes may begin anywhere in a field.
-  std::vector<std::string> fields(std::string_view line) const {
-    std::vector<std::string> all(1);
-    bool is_quoted = false;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-      const bool is_escaped = is_quoted && line.substr(i).starts_with("\"\"");
-      if (is_escaped) {
-        all.back() += '"';
-        ++i;
-      } else if (line[i] == '"') {
-        is_quoted = !is_quoted;
-      } else if (line[i] == ',' && !is_quoted) {
-        all.emplace_back();
-      } else {
-        all.back() += line[i];
-      }
-    }
-    if (is_quoted) fail("a quote is not closed");
-    return all;
-  }
-
-  template <class Number, class... Base>
-  Number number(const std::string& field, const char* what, Base... base) const {
-    // An empty field is a metric without a value; whole numbers have no such.
-    if (std::is_floating_point_v<Number> && field.empty()) {
-      return std::numeric_limits<Number>::quiet_NaN();
-    }
-    const std::optional<Number> value = number_from<Number>(field, base...);
-    if (!value) fail(std::string(what) + ": '" + field + "' is no such number");
-    return *value;
-  }
-
- private:
-  /// Where the line ends: line ends in quotes belong to their field (RFC 4180). A quote in a
-  /// comment of a person's opens nothing.
-  std::size_t end_of_line() const {
-    const bool has_fields = !rest_.starts_with('#') || rest_.starts_with(kMetric);
-    bool is_quoted = false;
-    for (std::size_t i = 0; i < rest_.size(); ++i) {
-      // The two quotes of an escaped one close and open again.
-      if (has_fields && rest_[i] == '"') is_quoted = !is_quoted;
-      if (rest_[i] == '\n' && !is_quoted) return i;
-    }
-    return std::string_view::npos;
-  }
-
-  std::string_view rest_;
-  const std::string& source_;
-  int line_ = 0, next_line_ = 1;
-};
 
 /// A table has to be read by later programs, whose metrics may have changed: it brings the
 /// definitions that comparing needs.
@@ -200,7 +126,7 @@ std::string csv_of_table(const TrialTable& table) {
 
 TrialTable table_of_csv(const std::string& text, const std::string& source) {
   check_utf8(text, source);
-  CsvReader reader(text, source);
+  CsvReader reader(text, source, kMetric);
   TrialTable table{.source = source};
   std::string_view line;
   if (!reader.next(line) || !line.starts_with(kTitle)) {

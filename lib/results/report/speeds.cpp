@@ -71,6 +71,26 @@ void mark_best_speed(const SweepResult& result, std::vector<PlannerSpeeds>& spee
 
 }  // namespace
 
+PlannerSpeeds speeds_of(const std::vector<SpeedTrial>& trials, std::int64_t crash_count,
+                        double flown_m, std::size_t map_count, std::uint64_t stream_index) {
+  PlannerSpeeds speeds;
+  speeds.trial_count = static_cast<std::int64_t>(trials.size());
+  speeds.crash_count = crash_count;
+  speeds.flown_km = 1e-3 * flown_m;
+  const Interval crashes = poisson_interval(crash_count);
+  speeds.crashes_per_km =
+      flown_m > 0.0 ? Estimate{static_cast<double>(crash_count) / speeds.flown_km,
+                               {crashes.lower / speeds.flown_km, crashes.upper / speeds.flown_km}}
+                    : kNone;
+  speeds.curve = speed_curve(trials);
+  speeds.v90 = reached(speeds.curve, kReachedShare, speeds.trial_count);
+  speeds.v50 = reached(speeds.curve, 0.5, speeds.trial_count);
+  speeds.mean = mean_speed(trials);
+  speeds.v90_draws =
+      reached_speed_draws(trials, map_count, kReachedShare, kSpeedDraws, stream_index);
+  return speeds;
+}
+
 std::vector<PlannerSpeeds> planner_speeds(const SweepResult& result,
                                           const std::vector<Trials>& planners) {
   const auto path_metric =
@@ -79,29 +99,18 @@ std::vector<PlannerSpeeds> planner_speeds(const SweepResult& result,
   const auto path_index = static_cast<std::size_t>(path_metric - result.metrics.begin());
   std::vector<PlannerSpeeds> all;
   for (std::size_t i = 0; i < planners.size(); ++i) {
-    PlannerSpeeds& speeds = all.emplace_back();
-    speeds.planner = i;
-    speeds.trial_count = static_cast<std::int64_t>(planners[i].size());
     std::vector<SpeedTrial> trials;
+    std::int64_t crash_count = 0;
     double flown_m = 0.0;
     for (const auto& [trial, map] : planners[i]) {
       trials.push_back({.map = map, .speed_mps = goal_velocity_mps(*trial)});
-      speeds.crash_count += trial->outcome == Outcome::collided ? 1 : 0;
+      crash_count += trial->outcome == Outcome::collided ? 1 : 0;
       const double path_m = path_index < result.metrics.size() ? trial->metrics[path_index] : kNaN;
       // A planner that fails at its start flies nothing.
       if (!std::isnan(path_m)) flown_m += path_m;
     }
-    speeds.flown_km = 1e-3 * flown_m;
-    const Interval crashes = poisson_interval(speeds.crash_count);
-    speeds.crashes_per_km =
-        flown_m > 0.0 ? Estimate{static_cast<double>(speeds.crash_count) / speeds.flown_km,
-                                 {crashes.lower / speeds.flown_km, crashes.upper / speeds.flown_km}}
-                      : kNone;
-    speeds.curve = speed_curve(trials);
-    speeds.v90 = reached(speeds.curve, kReachedShare, speeds.trial_count);
-    speeds.v50 = reached(speeds.curve, 0.5, speeds.trial_count);
-    speeds.mean = mean_speed(trials);
-    speeds.v90_draws = reached_speed_draws(trials, result.maps.size(), kReachedShare);
+    all.push_back(speeds_of(trials, crash_count, flown_m, result.maps.size()));
+    all.back().planner = i;
   }
   mark_best_speed(result, all);
   return all;

@@ -29,6 +29,11 @@ struct PlannerSpeeds {
   std::vector<double> v90_draws;  ///< see reached_speed_draws(): pairs with other planners' draws
 };
 
+/// Of flights on maps below `map_count`, with so many collisions over so long a way. Another
+/// `stream_index` draws other maps for v90_draws.
+PlannerSpeeds speeds_of(const std::vector<SpeedTrial>& trials, std::int64_t crash_count,
+                        double flown_m, std::size_t map_count, std::uint64_t stream_index = 0);
+
 /// One a planner, in their order; empty where the results lack the metrics. `map_count` is that of
 /// the result, so that draws pair. Marks the best.
 std::vector<PlannerSpeeds> planner_speeds(const SweepResult& result,

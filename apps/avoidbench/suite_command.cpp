@@ -1,0 +1,171 @@
+#include <algorithm>
+#include <iostream>
+#include <map>
+#include <tuple>
+
+#include "base/words.hpp"
+#include "commands.hpp"
+#include "output.hpp"
+#include "report/table_rows.hpp"
+#include "suite.hpp"
+#include "suite/suite_maps.hpp"
+#include "suite/suite_score.hpp"
+
+namespace avoidbench {
+namespace {
+
+constexpr int kChanged = 1;
+
+struct ListOptions {
+  OutputOptions output;
+};
+
+void list_suites(const ListOptions& options) {
+  Table table = make_list({"track", "cells", "dev", "public", "suite"});
+  for (const SuiteSpec& suite : built_in_suites()) {
+    for (const std::string& track : suite.tracks) {
+      Row& row = table.rows.emplace_back();
+      append(row, suite.name + "/" + track);
+      append(row, suite.cells.size());
+      append(row, mission_count(suite, Split::dev));
+      append(row, mission_count(suite, Split::open));
+      append(row, suite.doc);
+    }
+  }
+  write_table(table, options.output);
+}
+
+struct CheckOptions {
+  std::string track;
+  std::vector<std::string> cells;
+};
+
+/// Makes the maps of a track, and says where they are not those that were frozen.
+void check_suite(const CheckOptions& options) {
+  const SuiteTrack chosen = suite_track(options.track);
+  const SuitePlanner planner = suite_planner("straight_line", "", {});
+  std::size_t map_count = 0;
+  std::vector<std::string> problems;
+  for (const SuiteCell& cell : chosen.suite.cells) {
+    if (!options.cells.empty() && !contains(options.cells, cell.name)) continue;
+    for (const SuiteSweep& sweep : cell.sweeps) {
+      for (const Split split : {Split::dev, Split::open}) {
+        const SweepSeeds seeds = seeds_of(chosen.suite, cell, sweep, split, "");
+        const std::string problem =
+            maps_problem(sweep, split, made_maps(suite_sweep(chosen, sweep, seeds, planner)));
+        map_count += seeds.map_seeds.size();
+        if (!problem.empty()) std::cout << problem << '\n' << std::flush;
+        if (!problem.empty()) problems.push_back(problem);
+      }
+    }
+  }
+  if (map_count == 0) throw InputError("no such cell in " + options.track);
+  std::cout << options.track << ": " << map_count << " maps with their missions made, "
+            << (problems.empty() ? "all as they were frozen" : "not as they were frozen") << '\n';
+  if (!problems.empty()) throw CLI::RuntimeError(kChanged);
+}
+
+struct BoardOptions {
+  std::vector<std::string> folders;
+  std::string page;
+  OutputOptions output;
+};
+
+void show_board(const BoardOptions& options) {
+  // Results of one track and split stand together.
+  std::map<std::tuple<std::string, std::string, Split>, std::vector<SuiteResult>> boards;
+  for (const std::string& folder : options.folders) {
+    SuiteResult result = read_result(folder);
+    boards[{result.suite, result.track, result.split}].push_back(std::move(result));
+  }
+  std::vector<Section> sections;
+  for (const auto& [place, results] : boards) {
+    const auto& [suite_name, track, split] = place;
+    const SuiteSpec suite = suite_track(suite_name + "/" + track).suite;
+    std::vector<SuiteScore> scores;
+    for (const SuiteResult& result : results) scores.push_back(score_of(suite, result));
+    const std::string name = suite_name + "/" + track + ", " + std::string(text(split));
+    sections.push_back(
+        {.name = name, .title = name, .tables = score_tables(suite, ranked(std::move(scores)))});
+  }
+  write_sections(sections, options.output);
+}
+
+void add_run_suite(CLI::App& suite) {
+  const auto [command, options] = add_command(
+      suite, "run", "Fly a track of a suite with one planner, and write the folder of its result",
+      run_suite);
+  add_typed(command, "track", options.track, "SUITE/TRACK",
+            "Track, as avoidbench-1/depth (`suite list` lists them), or FOLDER/TRACK")
+      ->required();
+  add_typed(command, "--planner", options.planner, "NAME|FILE",
+            "Planner: its name, library or program; or a planner.yaml with settings, licence and "
+            "source (docs/submit.md)")
+      ->required();
+  add_typed(command, "--label", options.label, "TEXT", "What tables call it [its name]");
+  add_repeatable(command, "--parameter", options.parameters, "NAME=VALUE",
+                 "Value of one of its parameters, as max_speed_mps=3; repeatable");
+  CLI::Option* split =
+      add_choice(command, "--split", options.split, {"dev", "public"},
+                 "Maps: dev, to tune on; or public, to be quoted");
+  add_typed(command, "--sealed", options.sealed, "KEYFILE",
+            "Fly the sealed maps, whose seeds follow from the key in this file")
+      ->excludes(split);
+  add_typed(command, "-o,--output", options.folder, "FOLDER",
+            "Folder of the result [results/suites/SUITE/TRACK/SPLIT/LABEL]");
+  command.add_flag("--no-causes", options.no_causes,
+                   "Do not fly failures again to tell their causes");
+  add_number(command, "-j,--jobs", options.run.jobs, CLI::Range(0, 1024),
+             "Worker processes; 0: one per allowed CPU");
+  add_flight_options(command, options.run);
+  command.footer(
+      "The same command goes on where it was stopped. docs/suite.md\n\n"
+      "Examples:\n"
+      "  avoidbench suite run avoidbench-1/depth --planner ./mine.so --split dev\n"
+      "  avoidbench suite run avoidbench-1/depth --planner ego --parameter max_speed_mps=5 "
+      "--label ego-5");
+}
+
+void add_verify_suite(CLI::App& suite) {
+  const auto [command, options] = add_command(
+      suite, "verify",
+      "Check a result's folder, and fly a sample of its flights again: are they the same?",
+      verify_suite);
+  add_typed(command, "folder", options.folder, "FOLDER", "Folder of a result")->required();
+  command.add_option("--sample", options.sample,
+                     "Share of the flights to fly again, such as 1% or 100%; one at least");
+  add_typed(command, "--salt", options.salt, "TEXT",
+            "What chooses the sample with the flights' keys, such as the commit that brought the "
+            "result [the digest of trials.csv]");
+  add_typed(command, "--planner", options.planner, "NAME|FILE",
+            "The planner, where it is not at the place that planner.yaml names");
+  add_typed(command, "--suite", options.track, "FOLDER/TRACK",
+            "Track of a suite of your own that was flown");
+  add_typed(command, "--sealed", options.sealed, "KEYFILE", "Key of the sealed maps");
+  add_number(command, "-j,--jobs", options.run.jobs, CLI::Range(0, 1024),
+             "Worker processes; 0: one per allowed CPU");
+  add_flight_options(command, options.run);
+  command.footer("Exit codes: 0 verified, 1 refused, 2 usage or input");
+}
+
+}  // namespace
+
+void add_suite_command(CLI::App& app) {
+  CLI::App& suite = *app.add_subcommand(
+      "suite", "Frozen maps for all: fly a suite, verify results, compare them on a board");
+  const auto [list, list_options] = add_command(
+      suite, "list", "The tracks of suites that come with avoidbench", list_suites);
+  add_output_options(list, list_options.output);
+  add_run_suite(suite);
+  add_verify_suite(suite);
+  const auto [board, board_options] = add_command(
+      suite, "board", "Results side by side: scores, and which of them differ", show_board);
+  board.add_option("FOLDER", board_options.folders, "Folders of results")->required();
+  add_output_options(board, board_options.output);
+  const auto [check, check_options] = add_command(
+      suite, "check", "Make a track's maps: are they those that the suite froze?", check_suite);
+  add_typed(check, "track", check_options.track, "SUITE/TRACK", "Track")->required();
+  add_list(check, "--cells", check_options.cells, "Only these cells, separated by commas");
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,248 @@
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "base/digest.hpp"
+#include "base/number_text.hpp"
+#include "base/visible_text.hpp"
+#include "output.hpp"
+#include "replay/sample.hpp"
+#include "suite.hpp"
+#include "suite/suite_maps.hpp"
+#include "suite/suite_score.hpp"
+#include "sweep/key_maker.hpp"
+
+namespace avoidbench {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kExitRefused = 1;
+
+/// A folder that goes away with it.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (fs::temp_directory_path() / "avoidbench-verify-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) throw InputError(name + ": can't be made");
+    path_ = name;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+/// What is claimed of one sweep, and how to fly it again.
+struct ClaimedSweep {
+  const SuiteSweep* sweep = nullptr;
+  SweepSeeds seeds;
+  SweepSpec spec;
+  std::map<std::string, std::string> key_of_claimed;  ///< this program's key by the claimed one
+};
+
+/// Why something can't be what it says it is.
+[[noreturn]] void refuse(const std::string& reason) {
+  std::cout << "refused: " << visible_line(reason) << '\n';
+  throw CLI::RuntimeError(kExitRefused);
+}
+
+SuiteTrack suite_of(const SuiteResult& result, const SuiteOptions& options) {
+  const SuiteTrack chosen =
+      suite_track(options.track.empty() ? result.suite + "/" + result.track : options.track);
+  if (chosen.suite.sha256 != result.suite_sha256) {
+    refuse("it was flown in another " + result.suite + ": its suite.yaml has SHA-256 " +
+           result.suite_sha256 + ", this one's " + chosen.suite.sha256);
+  }
+  return chosen;
+}
+
+/// The planner to fly with: as the result says, or the user's library of it.
+SuitePlanner own_planner(const SuiteResult& result, const std::string& library) {
+  SuitePlanner planner = result.planner;
+  if (library.empty()) return planner;
+  const std::size_t index = planner.entry.index_of("plugin");
+  YamlNode plugin = node_at(planner.entry, YamlNode::Kind::scalar, library);
+  plugin.source = std::make_shared<const std::string>("--planner");  // relative to where it was typed
+  if (index < planner.entry.items.size()) planner.entry.items[index] = plugin;
+  return planner;
+}
+
+/// Which trials the suite has, with the keys that the claimed planner gives them.
+ClaimedSweep claimed_sweep(const SuiteTrack& chosen, const SuiteCell& cell, const SuiteSweep& sweep,
+                           const SuiteResult& result, const SuitePlanner& planner,
+                           const std::string& key) {
+  ClaimedSweep claimed;
+  claimed.sweep = &sweep;
+  claimed.seeds = seeds_of(chosen.suite, cell, sweep, result.split, key);
+  claimed.spec = suite_sweep(chosen, sweep, claimed.seeds, planner);
+  if (claimed.spec.planners.size() != 1) refuse("its planner has several settings");
+  KeyMaker keys;
+  for (const PlannedTrial& trial : expand(claimed.spec)) {
+    TrialSpec spec = trial.spec();
+    spec.planner.file_digest = result.planner_digest;
+    spec.planner.label = result.label;
+    claimed.key_of_claimed[trial_key(spec)] = keys.trial_key(trial);
+  }
+  return claimed;
+}
+
+std::string place_of(const SuiteRow& row) {
+  return row.sweep + ", map " + std::to_string(row.map_seed) + ", mission " +
+         std::to_string(row.mission_index);
+}
+
+/// Throws where the table is not one row for each trial of the suite, or a row contradicts itself.
+void check_rows(const SuiteResult& result, const std::vector<ClaimedSweep>& sweeps) {
+  std::set<std::string> expected, seen;
+  for (const ClaimedSweep& sweep : sweeps) {
+    for (const auto& [claimed, own] : sweep.key_of_claimed) expected.insert(claimed);
+  }
+  for (const SuiteRow& row : result.rows) {
+    if (!expected.contains(row.trial_key)) {
+      refuse(place_of(row) + ": its key is none of this suite's with this planner and setting");
+    }
+    if (!seen.insert(row.trial_key).second) refuse(place_of(row) + ": it is there twice");
+    const bool is_there = row.outcome == Outcome::reached_goal;
+    const double velocity_mps = is_there ? row.reference_length_m / row.end_time_s : 0.0;
+    if (row.goal_velocity_mps != velocity_mps) {
+      refuse(place_of(row) + ": goal velocity " + shortest(row.goal_velocity_mps) +
+             " m/s, but its length over its time is " + shortest(velocity_mps));
+    }
+  }
+  if (seen.size() != expected.size()) {
+    refuse(std::to_string(expected.size() - seen.size()) + " of " +
+           std::to_string(expected.size()) + " trials are missing");
+  }
+}
+
+/// What differs between a claimed row and the flight, "" where nothing does.
+std::string difference(const SuiteRow& claimed, const SuiteRow& flown) {
+  if (claimed.outcome != flown.outcome) {
+    return "claimed " + std::string(text(claimed.outcome)) + ", flown " +
+           std::string(text(flown.outcome));
+  }
+  const auto differs = [](double a, double b) { return a != b && !(std::isnan(a) && std::isnan(b)); };
+  for (const auto& [what, a, b] :
+       {std::tuple("reference_length_m", claimed.reference_length_m, flown.reference_length_m),
+        std::tuple("end_time_s", claimed.end_time_s, flown.end_time_s),
+        std::tuple("path_length_m", claimed.path_length_m, flown.path_length_m)}) {
+    if (differs(a, b)) {
+      return std::string(what) + ": claimed " + shortest(a) + ", flown " + shortest(b);
+    }
+  }
+  if (claimed.flight_digest != flown.flight_digest) {
+    return "flight_digest: claimed " + claimed.flight_digest.substr(0, 16) + "…, flown " +
+           flown.flight_digest.substr(0, 16) + "…";
+  }
+  return claimed.map_seed == flown.map_seed && claimed.mission_index == flown.mission_index
+             ? ""
+             : "it is another mission";
+}
+
+/// The sample: rows whose digest with the salt is small, and one at least.
+std::set<std::string> sampled_keys(const SuiteResult& result, double share,
+                                   const std::string& salt) {
+  std::set<std::string> keys;
+  std::pair<std::string, std::string> least{"g", ""};
+  for (const SuiteRow& row : result.rows) {
+    const std::string drawn = sha256(salt + row.trial_key);
+    if (is_sampled(drawn, share)) keys.insert(row.trial_key);
+    least = std::min(least, std::pair(drawn, row.trial_key));
+  }
+  if (keys.empty()) keys.insert(least.second);
+  return keys;
+}
+
+/// Flies the sampled trials and returns the rows by this program's keys.
+std::map<std::string, SuiteRow> fly_sample(const SuiteTrack& chosen, const SuiteOptions& options,
+                                           const std::vector<ClaimedSweep>& sweeps,
+                                           const std::set<std::string>& sample) {
+  const TemporaryFolder folder;
+  RunCommand run = options.run;
+  run.is_of_suite = true;
+  run.no_keep = true;
+  run.database_file = (folder.path() / "flights.db").string();
+  for (const ClaimedSweep& one : sweeps) {
+    std::set<std::string> wanted;
+    for (const auto& [claimed, own] : one.key_of_claimed) {
+      if (sample.contains(claimed)) wanted.insert(own);
+    }
+    if (wanted.empty()) continue;
+    run.is_wanted = [wanted](const std::string& key) { return wanted.contains(key); };
+    run.sweep_file = one.sweep->name;
+    fly_sweep(run, one.spec, {});
+  }
+  const Database database = Database::open_for_reading(run.database_file);
+  std::map<std::string, SuiteRow> rows;
+  for (SuiteRow& row : rows_of(database, chosen.suite)) rows[row.trial_key] = row;
+  return rows;
+}
+
+}  // namespace
+
+void verify_suite(const SuiteOptions& options) {
+  const SuiteResult result = read_result(options.folder);
+  const SuiteTrack chosen = suite_of(result, options);
+  if (result.split == Split::sealed && options.sealed.empty()) {
+    throw InputError(options.folder + " is of sealed maps: give their key by --sealed KEYFILE");
+  }
+  const std::string key =
+      result.split == Split::sealed ? read_suite_key(options.sealed, chosen.suite) : "";
+  const SuitePlanner planner = own_planner(result, options.planner);
+  std::vector<ClaimedSweep> sweeps;
+  for (const SuiteCell& cell : chosen.suite.cells) {
+    for (const SuiteSweep& sweep : cell.sweeps) {
+      sweeps.push_back(claimed_sweep(chosen, cell, sweep, result, planner, key));
+    }
+  }
+  const PlannerChoice& own = sweeps.front().spec.planners.front();
+  if (((own.needs & AB_INPUT_WORLD) != 0) != result.is_privileged) {
+    refuse("is_privileged: the planner says otherwise");
+  }
+  check_rows(result, sweeps);
+  const SuiteScore score = score_of(chosen.suite, result);
+  std::cout << "claimed: " << visible_line(result.label) << ", " << result.suite << "/"
+            << result.track << " " << text(result.split) << ", " << result.rows.size()
+            << " flights, score " << fixed_digits(score.score.value, 2) << " m/s\n";
+  if (own.file_digest != result.planner_digest) {
+    std::cerr << "note: the planner here is another build (SHA-256 " << own.file_digest.substr(0, 12)
+              << "…) than the one that flew (" << result.planner_digest.substr(0, 12) << "…)\n";
+  }
+  const std::string salt =
+      options.salt.empty() ? file_digest(fs::path(options.folder) / kTrialsFile) : options.salt;
+  const std::set<std::string> sample =
+      sampled_keys(result, share_from(options.sample), salt);
+  std::cout << "sampled: " << sample.size() << " of " << result.rows.size() << " flights\n"
+            << std::flush;
+  const std::map<std::string, SuiteRow> flown = fly_sample(chosen, options, sweeps, sample);
+  std::size_t verified = 0;
+  for (const SuiteRow& row : result.rows) {
+    if (!sample.contains(row.trial_key)) continue;
+    std::string own_key;
+    for (const ClaimedSweep& sweep : sweeps) {
+      const auto found = sweep.key_of_claimed.find(row.trial_key);
+      if (found != sweep.key_of_claimed.end()) own_key = found->second;
+    }
+    const auto again = flown.find(own_key);
+    const std::string found =
+        again == flown.end() ? "it can't be flown" : difference(row, again->second);
+    if (found.empty()) ++verified;
+    if (!found.empty()) std::cout << "  " << place_of(row) << ": " << found << '\n';
+  }
+  std::cout << "verified: " << verified << " of " << sample.size() << " flights are the same, bit for bit\n";
+  if (verified < sample.size()) {
+    refuse("the flights are not those that it claims");
+  }
+}
+
+}  // namespace avoidbench

@@ -1,0 +1,214 @@
+#include "suite/suite_result.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <tuple>
+
+#include "base/input_error.hpp"
+#include "base/input_file.hpp"
+#include "base/output_file.hpp"
+#include "base/words.hpp"
+#include "table/csv.hpp"
+#include "table/csv_reader.hpp"
+#include "yaml/yaml_reader.hpp"
+#include "yaml/yaml_values.hpp"
+
+namespace avoidbench {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kResultTitle = "# avoidbench suite result, format 1";
+constexpr std::array<std::string_view, 12> kResultColumns{
+    "cell",       "sweep",             "map_seed",      "mission_index", "trial_key",
+    "outcome",    "reference_length_m", "end_time_s",   "goal_velocity_mps",
+    "path_length_m", "cause",          "flight_digest"};
+constexpr std::uint64_t kMostTableBytes = 500'000'000;
+
+std::string header_line() {
+  CsvRow row;
+  for (const std::string_view name : kResultColumns) row.add(name);
+  return row.line();
+}
+
+std::string line_of(const SuiteRow& row) {
+  CsvRow line;
+  line.add(row.cell).add(row.sweep);
+  line.add_value(row.map_seed).add_value(row.mission_index);
+  line.add(row.trial_key).add(text(row.outcome));
+  line.add(row.reference_length_m).add(row.end_time_s).add(row.goal_velocity_mps);
+  line.add(row.path_length_m).add(row.cause).add(row.flight_digest);
+  return line.line();
+}
+
+SuiteRow row_from(const CsvReader& reader, const std::vector<std::string>& fields) {
+  if (fields.size() != kResultColumns.size()) {
+    reader.fail(std::to_string(fields.size()) + " fields instead of " +
+                std::to_string(kResultColumns.size()));
+  }
+  const auto word = [&](std::size_t i) { return std::string(text_of_csv_field(fields[i])); };
+  const auto outcome = enum_from_text<Outcome>(word(5));
+  if (!outcome) reader.fail("outcome: '" + word(5) + "' is none");
+  return {.cell = word(0),
+          .sweep = word(1),
+          .map_seed = reader.number<std::uint64_t>(fields[2], "map_seed"),
+          .mission_index = reader.number<std::int64_t>(fields[3], "mission_index"),
+          .trial_key = word(4),
+          .outcome = *outcome,
+          .reference_length_m = reader.number<double>(fields[6], "reference_length_m"),
+          .end_time_s = reader.number<double>(fields[7], "end_time_s"),
+          .goal_velocity_mps = reader.number<double>(fields[8], "goal_velocity_mps"),
+          .path_length_m = reader.number<double>(fields[9], "path_length_m"),
+          .cause = word(10),
+          .flight_digest = word(11)};
+}
+
+std::vector<SuiteRow> read_rows(const fs::path& file) {
+  const std::string text = read_input_file(file, kMostTableBytes);
+  const std::string source = file.string();
+  CsvReader reader(text, source);
+  std::string_view line;
+  if (!reader.next(line) || line != kResultTitle) {
+    reader.fail("expected '" + std::string(kResultTitle) + "': is it a suite's trials.csv?");
+  }
+  bool has_header = false;
+  std::vector<SuiteRow> rows;
+  while (reader.next(line)) {
+    if (line.starts_with('#')) continue;
+    const std::vector<std::string> fields = reader.fields(line);
+    if (has_header) {
+      rows.push_back(row_from(reader, fields));
+    } else if (!std::equal(fields.begin(), fields.end(), kResultColumns.begin(),
+                           kResultColumns.end())) {
+      reader.fail("expected the columns " + joined(kResultColumns));
+    }
+    has_header = true;
+  }
+  return rows;
+}
+
+/// A line `name: "text"` of planner.yaml.
+std::string yaml_line(std::string_view name, const std::string& text) {
+  return std::string(name) + ": " + nlohmann::json(text).dump() + "\n";
+}
+
+std::string planner_yaml(const SuiteResult& result) {
+  std::string text =
+      "# What flew, with one setting for all cells, and where. `avoidbench suite verify` reads it, "
+      "and\n# `suite run --planner` takes it. Flights: trials.csv.\n";
+  text += yaml_line("suite", result.suite) + yaml_line("suite_sha256", result.suite_sha256);
+  text += yaml_line("track", result.track);
+  text += yaml_line("split", std::string(avoidbench::text(result.split)));
+  if (!result.key_sha256.empty()) text += yaml_line("key_sha256", result.key_sha256);
+  text += yaml_line("label", result.label) + yaml_line("name", result.planner_name);
+  text += yaml_line("version", result.planner_version);
+  text += yaml_line("digest", result.planner_digest);
+  text += std::string("is_privileged: ") + (result.is_privileged ? "true" : "false") + "\n";
+  text += yaml_line("program", result.program);
+  text += "planner: " + flow_text(result.planner.entry) + "\n";
+  text += yaml_line("licence", result.planner.licence) + yaml_line("source", result.planner.source);
+  return text + yaml_line("tuned_on", result.planner.tuned_on);
+}
+
+void write_file(const fs::path& file, const std::string& text) {
+  std::ofstream stream = open_output(file);
+  stream << text;
+  close_output(stream, file);
+}
+
+}  // namespace
+
+std::vector<SuiteRow> rows_of(const Database& database, const SuiteSpec& suite) {
+  std::vector<SuiteRow> rows;
+  const std::vector<SweepInfo> flown = database.read_sweeps();
+  for (const SuiteCell& cell : suite.cells) {
+    for (const SuiteSweep& sweep : cell.sweeps) {
+      const auto latest = std::find_if(flown.rbegin(), flown.rend(), [&](const SweepInfo& info) {
+        return info.name == sweep.name;
+      });
+      if (latest == flown.rend()) continue;
+      const SweepResult result = database.read_sweep(sweep.name, latest->revision,
+                                                     {"flight_digest", "path_length_m"});
+      std::map<std::string, std::uint64_t> seed_of;
+      for (const MapRow& map : result.maps) seed_of[map.record.key] = map.map_seed;
+      std::vector<SuiteRow> part;
+      for (const TrialSummary& trial : result.trials) {
+        part.push_back({.cell = cell.name,
+                        .sweep = sweep.name,
+                        .map_seed = seed_of.at(trial.map_key),
+                        .mission_index = trial.mission_index,
+                        .trial_key = trial.key,
+                        .outcome = trial.outcome,
+                        .reference_length_m = trial.reference_length_m,
+                        .end_time_s = trial.end_time_s,
+                        .goal_velocity_mps = goal_velocity_mps(trial),
+                        .path_length_m = number_in(trial.fields[1]).value_or(0.0),
+                        .cause = trial.cause,
+                        .flight_digest = text_of(trial.fields[0])});
+      }
+      std::sort(part.begin(), part.end(), [](const SuiteRow& a, const SuiteRow& b) {
+        return std::tuple(a.map_seed, a.mission_index) < std::tuple(b.map_seed, b.mission_index);
+      });
+      std::move(part.begin(), part.end(), std::back_inserter(rows));
+    }
+  }
+  return rows;
+}
+
+void write_result(const SuiteResult& result, const fs::path& folder) {
+  std::string table = std::string(kResultTitle) + "\r\n" + header_line();
+  for (const SuiteRow& row : result.rows) table += line_of(row);
+  write_file(folder / kTrialsFile, table);
+  write_file(folder / kPlannerFile, planner_yaml(result));
+}
+
+SuiteResult read_result(const fs::path& folder) {
+  const fs::path file = folder / kPlannerFile;
+  const YamlNode root = read_yaml(file);
+  Reading reading;
+  const GivenValue given{root, "", reading};
+  const auto take = [&](std::string_view name, bool is_needed = true) -> std::string {
+    const YamlNode* node = root.find(name);
+    if (node != nullptr) return read_text(given.at(*node, name)).value_or("");
+    if (is_needed) given.add_problem("lacks '" + std::string(name) + "'");
+    return "";
+  };
+  SuiteResult result;
+  result.suite = take("suite");
+  result.suite_sha256 = take("suite_sha256");
+  result.track = take("track");
+  const std::string split = take("split");
+  result.key_sha256 = take("key_sha256", false);
+  result.label = take("label");
+  result.planner_name = take("name");
+  result.planner_version = take("version");
+  result.planner_digest = take("digest");
+  result.program = take("program", false);
+  if (const YamlNode* node = root.find("is_privileged")) {
+    result.is_privileged = read_truth(given.at(*node, "is_privileged")).value_or(false);
+  }
+  const auto known = enum_from_text<Split>(split);
+  if (!known && !split.empty()) {
+    given.at(*root.find("split"), "split").add_expected("dev, public or sealed");
+  }
+  if (!reading.problems.empty()) throw InputError(std::move(reading.problems));
+  result.split = *known;
+  result.planner = read_suite_planner(file);
+  result.rows = read_rows(folder / kTrialsFile);
+  return result;
+}
+
+std::int64_t mission_count(const SuiteSpec& suite, Split split) {
+  std::int64_t maps = 0;
+  for (const SuiteCell& cell : suite.cells) {
+    for (const SuiteSweep& sweep : cell.sweeps) maps += sweep.map_count;
+  }
+  const std::int64_t missions = split == Split::dev    ? suite.dev.missions
+                                : split == Split::open ? suite.open.missions
+                                                       : suite.sealed_missions;
+  return maps * missions;
+}
+
+}  // namespace avoidbench

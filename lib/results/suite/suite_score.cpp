@@ -1,0 +1,178 @@
+#include "suite/suite_score.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "report/table_rows.hpp"
+#include "statistics/rates.hpp"
+
+namespace avoidbench {
+namespace {
+
+/// Flights with the maps that they are on, by number.
+class FlownMaps {
+ public:
+  void add(const SuiteRow& row) {
+    const auto place = maps_.emplace(std::tuple(row.cell, row.sweep, row.map_seed), maps_.size());
+    trials_.push_back({.map = place.first->second, .speed_mps = row.goal_velocity_mps});
+    crash_count_ += row.outcome == Outcome::collided ? 1 : 0;
+    if (!std::isnan(row.path_length_m)) flown_m_ += row.path_length_m;
+  }
+  std::size_t map_count() const { return maps_.size(); }
+  PlannerSpeeds speeds(std::uint64_t stream_index) const {
+    return speeds_of(trials_, crash_count_, flown_m_, maps_.size(), stream_index);
+  }
+
+ private:
+  std::map<std::tuple<std::string, std::string, std::uint64_t>, std::size_t> maps_;
+  std::vector<SpeedTrial> trials_;
+  std::int64_t crash_count_ = 0;
+  double flown_m_ = 0.0;
+};
+
+double success_rate(const SuiteScore& score) {
+  return static_cast<double>(score.success_count) / static_cast<double>(score.all.trial_count);
+}
+
+Table scores_table(const SuiteSpec& suite, const std::vector<SuiteScore>& scores) {
+  const bool has_v90 = !scores.empty() && scores.front().is_mean_of_cells;
+  std::vector<Column> columns{
+      planner_column(),
+      {.name = "score_mps", .header = "score", .unit = "m/s",
+       .doc = "the number that ranks, with its 95 % interval", .decimals = 2, .has_interval = true},
+      {.name = "missions"},
+      {.name = "success_rate", .header = "success", .decimals = 3},
+      {.name = "crashes_per_km", .header = "crashes", .unit = "1/km", .decimals = 1,
+       .has_interval = true}};
+  for (const SuiteCell& cell : suite.cells) {
+    columns.push_back({.name = cell.name + (has_v90 ? "_v90_mps" : "_mean_mps"),
+                       .header = cell.name, .unit = "m/s", .decimals = 2});
+  }
+  Table table = make_table("scores",
+                           has_v90 ? "Scores: the mean of the cells' v90"
+                                   : "Scores: v90 of all missions together; cells, too small for "
+                                     "a v90, with their mean goal velocity",
+                           columns);
+  for (const SuiteScore& score : scores) {
+    Row& row = table.rows.emplace_back();
+    append(row, score.label + (score.is_privileged ? " (sees the map)" : ""));
+    append(row, best_cell(score.score.value, score.is_best));
+    append(row, score.score.interval);
+    append(row, score.all.trial_count);
+    append(row, success_rate(score));
+    append(row, score.all.crashes_per_km.value);
+    append(row, score.all.crashes_per_km.interval);
+    for (const PlannerSpeeds& cell : score.cells) {
+      append(row, has_v90 ? cell.v90.value : cell.mean.value);
+    }
+  }
+  return table;
+}
+
+Table differences_table(const std::vector<SuiteScore>& scores) {
+  Table table = make_table(
+      "differences", "Which results differ: in score, and by success alone",
+      {{.name = "first", .place = Place::key},
+       {.name = "second", .place = Place::key},
+       {.name = "difference_mps", .header = "Δ score", .unit = "m/s",
+        .doc = "first - second, with its 95 % interval over maps", .decimals = 2,
+        .has_interval = true},
+       {.name = "score_p", .header = "p", .doc = "of no difference in score", .decimals = 4},
+       {.name = "success_difference", .header = "Δ success", .decimals = 3},
+       {.name = "success_p", .header = "p of success",
+        .doc = "of no difference in success (Fisher's exact test)", .decimals = 4}});
+  for (std::size_t i = 0; i < scores.size(); ++i) {
+    for (std::size_t k = i + 1; k < scores.size(); ++k) {
+      const SuiteScore &first = scores[i], &second = scores[k];
+      const SpeedDifference found = score_difference(first, second);
+      Row& row = table.rows.emplace_back();
+      append(row, first.label);
+      append(row, second.label);
+      append(row, found.difference_mps);
+      append(row, found.interval);
+      append(row, found.p);
+      append(row, success_rate(first) - success_rate(second));
+      append(row, fisher_exact_p(first.success_count, first.all.trial_count, second.success_count,
+                                 second.all.trial_count));
+    }
+  }
+  return table;
+}
+
+}  // namespace
+
+SuiteScore score_of(const SuiteSpec& suite, const SuiteResult& result) {
+  SuiteScore score;
+  score.label = result.label;
+  score.is_privileged = result.is_privileged;
+  FlownMaps all;
+  std::map<std::string, FlownMaps> by_cell;
+  for (const SuiteRow& row : result.rows) {
+    all.add(row);
+    by_cell[row.cell].add(row);
+    score.success_count += row.outcome == Outcome::reached_goal ? 1 : 0;
+  }
+  score.all = all.speeds(0);
+  score.is_mean_of_cells = !suite.cells.empty();
+  std::size_t least_maps = all.map_count();
+  for (std::size_t i = 0; i < suite.cells.size(); ++i) {
+    least_maps = std::min(least_maps, by_cell[suite.cells[i].name].map_count());
+    // Maps of one cell have nothing to do with those of another: each draws its own.
+    score.cells.push_back(by_cell[suite.cells[i].name].speeds(i + 1));
+    if (std::isnan(score.cells.back().v90.value)) score.is_mean_of_cells = false;
+  }
+  score.map_count = score.is_mean_of_cells ? least_maps : all.map_count();
+  if (!score.is_mean_of_cells) {
+    score.score = score.all.v90;
+    score.score_draws = score.all.v90_draws;
+    return score;
+  }
+  const auto count = static_cast<double>(score.cells.size());
+  score.score_draws.assign(kSpeedDraws, 0.0);
+  for (const PlannerSpeeds& cell : score.cells) {
+    score.score.value += cell.v90.value / count;
+    for (std::size_t i = 0; i < kSpeedDraws; ++i) score.score_draws[i] += cell.v90_draws[i] / count;
+  }
+  const std::vector<double> nothing(kSpeedDraws, 0.0);
+  score.score.interval = speed_difference(score.score.value, 0.0, score.score_draws, nothing,
+                                          score.map_count)
+                             .interval;
+  // No speed is below 0.
+  score.score.interval.lower = std::max(0.0, score.score.interval.lower);
+  return score;
+}
+
+SpeedDifference score_difference(const SuiteScore& first, const SuiteScore& second,
+                                 double confidence) {
+  return speed_difference(first.score.value, second.score.value, first.score_draws,
+                          second.score_draws, std::min(first.map_count, second.map_count),
+                          confidence);
+}
+
+std::vector<SuiteScore> ranked(std::vector<SuiteScore> scores) {
+  std::stable_sort(scores.begin(), scores.end(), [](const SuiteScore& a, const SuiteScore& b) {
+    if (a.is_privileged != b.is_privileged) return a.is_privileged;
+    return a.score.value > b.score.value || (!std::isnan(a.score.value) && std::isnan(b.score.value));
+  });
+  std::vector<SuiteScore*> rivals;
+  for (SuiteScore& score : scores) {
+    if (!score.is_privileged && !std::isnan(score.score.value)) rivals.push_back(&score);
+  }
+  if (rivals.size() < 2) return scores;
+  const double confidence = 1.0 - kAlpha / static_cast<double>(rivals.size() - 1);
+  rivals.front()->is_best =
+      std::all_of(rivals.begin() + 1, rivals.end(), [&](const SuiteScore* other) {
+        return score_difference(*rivals.front(), *other, confidence).interval.lower > 0.0;
+      });
+  return scores;
+}
+
+std::vector<Table> score_tables(const SuiteSpec& suite, const std::vector<SuiteScore>& scores) {
+  std::vector<Table> tables{scores_table(suite, scores)};
+  if (scores.size() > 1) tables.push_back(differences_table(scores));
+  return tables;
+}
+
+}  // namespace avoidbench
