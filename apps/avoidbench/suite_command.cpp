@@ -1,15 +1,14 @@
 #include <algorithm>
 #include <iostream>
-#include <map>
-#include <tuple>
 
 #include "base/words.hpp"
 #include "commands.hpp"
 #include "output.hpp"
+#include "page_output.hpp"
 #include "report/table_rows.hpp"
 #include "suite.hpp"
+#include "suite/suite_board.hpp"
 #include "suite/suite_maps.hpp"
-#include "suite/suite_score.hpp"
 
 namespace avoidbench {
 namespace {
@@ -72,23 +71,16 @@ struct BoardOptions {
 };
 
 void show_board(const BoardOptions& options) {
-  // Results of one track and split stand together.
-  std::map<std::tuple<std::string, std::string, Split>, std::vector<SuiteResult>> boards;
-  for (const std::string& folder : options.folders) {
-    SuiteResult result = read_result(folder);
-    boards[{result.suite, result.track, result.split}].push_back(std::move(result));
-  }
+  if (!options.page.empty()) check_page(options.page);
+  const std::vector<Board> boards = boards_of(options.folders);
   std::vector<Section> sections;
-  for (const auto& [place, results] : boards) {
-    const auto& [suite_name, track, split] = place;
-    const SuiteSpec suite = suite_track(suite_name + "/" + track).suite;
-    std::vector<SuiteScore> scores;
-    for (const SuiteResult& result : results) scores.push_back(score_of(suite, result));
-    const std::string name = suite_name + "/" + track + ", " + std::string(text(split));
-    sections.push_back(
-        {.name = name, .title = name, .tables = score_tables(suite, ranked(std::move(scores)))});
+  for (const Board& board : boards) {
+    sections.push_back({.name = board.title, .title = board.title, .tables = board.tables()});
   }
   write_sections(sections, options.output);
+  if (options.page.empty()) return;
+  write_page(board_page(boards, page_origin(), std::filesystem::path(options.page).parent_path()),
+             options.page);
 }
 
 void add_run_suite(CLI::App& suite) {
@@ -105,9 +97,8 @@ void add_run_suite(CLI::App& suite) {
   add_typed(command, "--label", options.label, "TEXT", "What tables call it [its name]");
   add_repeatable(command, "--parameter", options.parameters, "NAME=VALUE",
                  "Value of one of its parameters, as max_speed_mps=3; repeatable");
-  CLI::Option* split =
-      add_choice(command, "--split", options.split, {"dev", "public"},
-                 "Maps: dev, to tune on; or public, to be quoted");
+  CLI::Option* split = add_choice(command, "--split", options.split, {"dev", "public"},
+                                  "Maps: dev, to tune on; or public, to be quoted");
   add_typed(command, "--sealed", options.sealed, "KEYFILE",
             "Fly the sealed maps, whose seeds follow from the key in this file")
       ->excludes(split);
@@ -153,14 +144,16 @@ void add_verify_suite(CLI::App& suite) {
 void add_suite_command(CLI::App& app) {
   CLI::App& suite = *app.add_subcommand(
       "suite", "Frozen maps for all: fly a suite, verify results, compare them on a board");
-  const auto [list, list_options] = add_command(
-      suite, "list", "The tracks of suites that come with avoidbench", list_suites);
+  const auto [list, list_options] =
+      add_command(suite, "list", "The tracks of suites that come with avoidbench", list_suites);
   add_output_options(list, list_options.output);
   add_run_suite(suite);
   add_verify_suite(suite);
   const auto [board, board_options] = add_command(
       suite, "board", "Results side by side: scores, and which of them differ", show_board);
   board.add_option("FOLDER", board_options.folders, "Folders of results")->required();
+  add_typed(board, "--page", board_options.page, "FILE",
+            "Also write a page: one HTML file with S(v) of all results and links to their flights");
   add_output_options(board, board_options.output);
   const auto [check, check_options] = add_command(
       suite, "check", "Make a track's maps: are they those that the suite froze?", check_suite);

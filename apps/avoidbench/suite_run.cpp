@@ -1,7 +1,7 @@
 #include <iostream>
 
-#include "base/output_file.hpp"
 #include "base/option_error.hpp"
+#include "base/output_file.hpp"
 #include "commands.hpp"
 #include "explain.hpp"
 #include "output.hpp"
@@ -52,8 +52,10 @@ void require_frozen(const Database& database, const std::vector<PlannedSweep>& s
     const SweepResult result = database.read_sweep(one.sweep->name, revision);
     const std::string problem = maps_problem(*one.sweep, split, flown_maps(result, one.seeds));
     if (!problem.empty()) {
-      throw InputError("this program makes other maps than the suite froze, so that its results "
-                       "are none of the suite's: " + problem);
+      throw InputError(
+          "this program makes other maps than the suite froze, so that its results "
+          "are none of the suite's: " +
+          problem);
     }
   }
 }
@@ -105,10 +107,9 @@ void run_suite(const SuiteOptions& options) {
   const std::vector<PlannedSweep> sweeps = planned(chosen, split, key, planner);
   const PlannerChoice flown = sweeps.front().spec.planners.front();
   const fs::path folder = made_folder(
-      options.folder.empty()
-          ? "results/suites/" + chosen.suite.name + "/" + chosen.track + "/" +
-                std::string(text(split)) + "/" + safe_file_name(flown.label)
-          : options.folder);
+      options.folder.empty() ? "results/suites/" + chosen.suite.name + "/" + chosen.track + "/" +
+                                   std::string(text(split)) + "/" + safe_file_name(flown.label)
+                             : options.folder);
   RunCommand run = options.run;
   run.is_of_suite = true;
   run.database_file = (folder / "flights.db").string();
@@ -127,21 +128,21 @@ void run_suite(const SuiteOptions& options) {
   std::vector<SuiteRow> rows = rows_of(database, chosen.suite);
   const auto missions = static_cast<std::size_t>(mission_count(chosen.suite, split));
   if (rows.size() != missions) {
-    throw InputError(folder.string() + ": " + std::to_string(rows.size()) +
-                     " flights, expected " + std::to_string(missions));
+    throw InputError(folder.string() + ": " + std::to_string(rows.size()) + " flights, expected " +
+                     std::to_string(missions));
   }
-  const SuiteResult result =
-      result_of(chosen, split, planner, planner_row(flown), std::move(rows));
+  const SuiteResult result = result_of(chosen, split, planner, planner_row(flown), std::move(rows));
   write_result(result, folder);
   write_report_files(run.database_file, (folder / "report.md").string(),
                      (folder / "page.html").string());
-  const Section section{.name = chosen.suite.name + "/" + chosen.track,
-                        .title = chosen.suite.name + "/" + chosen.track + ", " +
-                                 std::string(text(split)),
-                        .tables = score_tables(chosen.suite, {score_of(chosen.suite, result)})};
+  const Section section{
+      .name = chosen.suite.name + "/" + chosen.track,
+      .title = chosen.suite.name + "/" + chosen.track + ", " + std::string(text(split)),
+      .tables = score_tables(chosen.suite, {score_of(chosen.suite, result)})};
   write_sections({&section, 1}, {});
   std::cerr << "the result is in " << folder.string() << ": trials.csv, planner.yaml, report.md"
-            << (page_program().missing.empty() ? ", page.html" : "") << "; flights.db is yours to keep\n";
+            << (page_program().missing.empty() ? ", page.html" : "")
+            << "; flights.db is yours to keep\n";
 }
 
 }  // namespace avoidbench

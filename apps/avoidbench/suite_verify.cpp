@@ -72,7 +72,8 @@ SuitePlanner own_planner(const SuiteResult& result, const std::string& library) 
   if (library.empty()) return planner;
   const std::size_t index = planner.entry.index_of("plugin");
   YamlNode plugin = node_at(planner.entry, YamlNode::Kind::scalar, library);
-  plugin.source = std::make_shared<const std::string>("--planner");  // relative to where it was typed
+  plugin.source =
+      std::make_shared<const std::string>("--planner");  // relative to where it was typed
   if (index < planner.entry.items.size()) planner.entry.items[index] = plugin;
   return planner;
 }
@@ -131,7 +132,9 @@ std::string difference(const SuiteRow& claimed, const SuiteRow& flown) {
     return "claimed " + std::string(text(claimed.outcome)) + ", flown " +
            std::string(text(flown.outcome));
   }
-  const auto differs = [](double a, double b) { return a != b && !(std::isnan(a) && std::isnan(b)); };
+  const auto differs = [](double a, double b) {
+    return a != b && !(std::isnan(a) && std::isnan(b));
+  };
   for (const auto& [what, a, b] :
        {std::tuple("reference_length_m", claimed.reference_length_m, flown.reference_length_m),
         std::tuple("end_time_s", claimed.end_time_s, flown.end_time_s),
@@ -215,13 +218,13 @@ void verify_suite(const SuiteOptions& options) {
             << result.track << " " << text(result.split) << ", " << result.rows.size()
             << " flights, score " << fixed_digits(score.score.value, 2) << " m/s\n";
   if (own.file_digest != result.planner_digest) {
-    std::cerr << "note: the planner here is another build (SHA-256 " << own.file_digest.substr(0, 12)
-              << "…) than the one that flew (" << result.planner_digest.substr(0, 12) << "…)\n";
+    std::cerr << "note: the planner here is another build (SHA-256 "
+              << own.file_digest.substr(0, 12) << "…) than the one that flew ("
+              << result.planner_digest.substr(0, 12) << "…)\n";
   }
   const std::string salt =
       options.salt.empty() ? file_digest(fs::path(options.folder) / kTrialsFile) : options.salt;
-  const std::set<std::string> sample =
-      sampled_keys(result, share_from(options.sample), salt);
+  const std::set<std::string> sample = sampled_keys(result, share_from(options.sample), salt);
   std::cout << "sampled: " << sample.size() << " of " << result.rows.size() << " flights\n"
             << std::flush;
   const std::map<std::string, SuiteRow> flown = fly_sample(chosen, options, sweeps, sample);
@@ -239,7 +242,8 @@ void verify_suite(const SuiteOptions& options) {
     if (found.empty()) ++verified;
     if (!found.empty()) std::cout << "  " << place_of(row) << ": " << found << '\n';
   }
-  std::cout << "verified: " << verified << " of " << sample.size() << " flights are the same, bit for bit\n";
+  std::cout << "verified: " << verified << " of " << sample.size()
+            << " flights are the same, bit for bit\n";
   if (verified < sample.size()) {
     refuse("the flights are not those that it claims");
   }

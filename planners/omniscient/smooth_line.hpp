@@ -15,8 +15,8 @@ using Clearances = std::function<std::vector<double>(const Line& places_world)>;
 Line resampled(const Line& line, double step_m);
 
 /// A smooth line near this one of evenly spaced points: a beam on springs, soft at first, stiffer
-/// round by round where it would come nearer to a surface than `radius_m`. Empty where none keeps away
-/// from them. Its ends stay.
+/// round by round where it would come nearer to a surface than `radius_m`. Empty where none keeps
+/// away from them. Its ends stay.
 Line smoothed(const Line& line, double radius_m, const Clearances& clearances);
 
 }  // namespace omniscient

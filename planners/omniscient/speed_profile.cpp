@@ -55,8 +55,7 @@ std::vector<double> way_over_time(const std::vector<double>& speed_mps, double s
     const double acceleration_mps2 = (speed_mps[i] - speed_mps[i - 1]) / (end_s - time_s);
     while (static_cast<double>(way_m.size()) * kTimeStep_s <= end_s) {
       const double since_s = static_cast<double>(way_m.size()) * kTimeStep_s - time_s;
-      const double along_m =
-          since_s * (speed_mps[i - 1] + 0.5 * acceleration_mps2 * since_s);
+      const double along_m = since_s * (speed_mps[i - 1] + 0.5 * acceleration_mps2 * since_s);
       way_m.push_back(static_cast<double>(i - 1) * step_m + along_m);
     }
     time_s = end_s;
@@ -82,7 +81,8 @@ struct Splined {
 };
 
 /// The uniform cubic B-spline with these control points: two times continuously differentiable, so
-/// that positions, velocities and accelerations fit each other. Beyond the ends it goes straight on.
+/// that positions, velocities and accelerations fit each other. Beyond the ends it goes straight
+/// on.
 template <class Value>
 Splined<Value> spline_at(const std::vector<Value>& points, double x) {
   const auto last = static_cast<std::int64_t>(points.size()) - 1;

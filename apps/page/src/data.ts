@@ -177,13 +177,37 @@ export interface Seen {
   log: { t: number; text: string }[];
   calls: { n: number; t: string; speed: string; acceleration: string; thrust: string; status: string; cpu_ms: string };
 }
+/** A result of a suite. */
+export interface BoardResult {
+  label: string;
+  name: string;
+  version: string;
+  digest: string;
+  is_privileged: boolean;
+  settings: string;
+  licence: string;
+  source: string;
+  tuned_on: string;
+  program: string;
+  failures: [string, number][];
+  /** Of S(v): speed, share down to the step before. */
+  curve: [number, number][];
+  links: Record<"flights" | "report" | "causes" | "trials" | "planner", string | null>;
+}
+/** The results of one track and split. */
+export interface BoardData {
+  title: string;
+  tables: ReportTable[];
+  results: BoardResult[];
+}
 export interface PageData {
   format: number;
-  kind: "sweep" | "flight" | "map";
+  kind: "sweep" | "flight" | "map" | "board";
   title: string;
   program: { version: string; git: string; compiler: string };
   command: string;
   sweeps?: SweepData[];
+  boards?: BoardData[];
   flights: FlightData[];
   flights_left_out?: number;
   worlds: WorldData[];

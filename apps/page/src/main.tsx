@@ -4,6 +4,7 @@ import type { ComponentChildren, JSX } from "preact";
 import { Component, render } from "preact";
 import { useEffect, useMemo, useState } from "preact/hooks";
 import { About } from "./about";
+import { Board } from "./board";
 import { Swatch } from "./charts";
 import type { FlightData, PageData, Sweep } from "./data";
 import {
@@ -402,6 +403,25 @@ function OnePage({ page, view, change }: Shown): JSX.Element {
   );
 }
 
+function BoardPage({ page, view, change }: Shown): JSX.Element {
+  const tab = view.tab === "about" ? "about" : "board";
+  return (
+    <Frame
+      page={page}
+      view={{ ...view, tab }}
+      change={change}
+      title="Board"
+      subtitle={page.title}
+      tabs={[
+        ["board", "Board"],
+        ["about", "About"],
+      ]}
+    >
+      {tab === "about" ? <About page={page} sweep={null} /> : page.boards!.map((board) => <Board board={board} />)}
+    </Frame>
+  );
+}
+
 function App({ page }: { page: PageData }): JSX.Element {
   const [view, setView] = useState<View>(() => viewOfLink(location.hash));
   useEffect(() => {
@@ -425,7 +445,7 @@ function App({ page }: { page: PageData }): JSX.Element {
   useEffect(() => {
     window.scrollTo(0, 0);
   }, [view.tab]);
-  const Page = page.kind === "sweep" ? SweepPage : OnePage;
+  const Page = page.kind === "sweep" ? SweepPage : page.kind === "board" ? BoardPage : OnePage;
   return <Page page={page} view={view} change={change} />;
 }
 

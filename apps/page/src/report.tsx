@@ -177,14 +177,14 @@ const cellText = (cell: Cell, decimals: number): string => {
 };
 
 /** A table of the report as it is; numbers with all their digits as a data attribute and on hover. */
-export function Report({ table }: { table: ReportTable }): JSX.Element {
+export function Report({ table, open }: { table: ReportTable; open?: boolean }): JSX.Element {
   const columns = table.columns
     .map((c, i) => ({ ...c, i }))
     .filter((c) => c.place !== "machine" && c.place !== "bound");
   const bounds = (i: number): boolean =>
     table.columns[i + 1]?.place === "bound" && table.columns[i + 2]?.place === "bound";
   return (
-    <details class="report" data-table={table.name} open={table.name === "planners" || table.name === "limits"}>
+    <details class="report" data-table={table.name} open={open || table.name === "planners" || table.name === "limits"}>
       <summary>
         {table.title || table.name} <span class="count">{table.rows.length} rows</span>
       </summary>

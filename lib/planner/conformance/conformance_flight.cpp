@@ -59,7 +59,7 @@ std::vector<float> wall_image(const CameraSetup& camera, const Eigen::Vector3d& 
 double distance_to_wall_flight_m(const Eigen::Vector3d& place_world) {
   const double aside_m =
       std::max(0.0, std::min(place_world.y() - kGapFrom_m, kGapTo_m - place_world.y()));
-  const double wall_m = std::hypot(place_world.x() - kWall_m, aside_m);
+  const double wall_m = Eigen::Vector2d(place_world.x() - kWall_m, aside_m).norm();
   constexpr double kFar_m = 2.5;
   return std::min({wall_m, std::abs(place_world.z()), kFar_m});
 }

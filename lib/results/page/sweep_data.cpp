@@ -37,27 +37,6 @@ ordered_json value_json(const TableValue& value) {
 
 constexpr std::string_view kPlaceTexts[] = {"key", "value", "bound", "words", "machine"};
 
-ordered_json table_json(const Table& table) {
-  ordered_json columns = ordered_json::array(), rows = ordered_json::array();
-  for (const Column& column : table.columns) {
-    columns.push_back({{"name", column.name},
-                       {"header", shown_header(column)},
-                       {"unit", column.unit},
-                       {"doc", column.doc},
-                       {"place", kPlaceTexts[static_cast<std::size_t>(column.place)]},
-                       {"decimals", column.decimals}});
-  }
-  for (const Row& cells : table.rows) {
-    ordered_json row = ordered_json::array(), best = ordered_json::array();
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      row.push_back(value_json(cells[i].value));
-      if (cells[i].is_best) best.push_back(i);
-    }
-    rows.push_back({{"cells", row}, {"best", best}});
-  }
-  return {{"name", table.name}, {"title", table.title}, {"columns", columns}, {"rows", rows}};
-}
-
 ordered_json planners_json(const PageSweep& sweep, const PagePlanners& planners) {
   constexpr std::string_view kParameter = "planner.";
   const std::string& varied = sweep.summary.limits.rule.field;
@@ -231,6 +210,27 @@ std::map<std::string, std::size_t> index_by_key(const Rows& rows, const KeyOfRow
 }
 
 }  // namespace
+
+ordered_json table_json(const Table& table) {
+  ordered_json columns = ordered_json::array(), rows = ordered_json::array();
+  for (const Column& column : table.columns) {
+    columns.push_back({{"name", column.name},
+                       {"header", shown_header(column)},
+                       {"unit", column.unit},
+                       {"doc", column.doc},
+                       {"place", kPlaceTexts[static_cast<std::size_t>(column.place)]},
+                       {"decimals", column.decimals}});
+  }
+  for (const Row& cells : table.rows) {
+    ordered_json row = ordered_json::array(), best = ordered_json::array();
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      row.push_back(value_json(cells[i].value));
+      if (cells[i].is_best) best.push_back(i);
+    }
+    rows.push_back({{"cells", row}, {"best", best}});
+  }
+  return {{"name", table.name}, {"title", table.title}, {"columns", columns}, {"rows", rows}};
+}
 
 PagePlanners page_planners(const PageSweep& sweep) {
   const LimitRule& rule = sweep.summary.limits.rule;

@@ -22,6 +22,9 @@ struct PageSweep {
   std::map<std::string, std::string> cause_of = {};
 };
 
+/// A table with its columns, as the page's program reads it.
+nlohmann::ordered_json table_json(const Table& table);
+
 /// All of a sweep but its flights: tables, curves, planners, maps, and of each trial its numbers.
 nlohmann::ordered_json sweep_json(const PageSweep& sweep);
 

@@ -85,10 +85,10 @@ SuitePlanner suite_planner(const std::string& plugin, const std::string& label,
 
 SweepSpec suite_sweep(const SuiteTrack& chosen, const SuiteSweep& sweep, const SweepSeeds& seeds,
                       const SuitePlanner& planner) {
-  Document document = read_sweep_document(
-      frozen_file(chosen, sweep),
-      {"seed=" + std::to_string(seeds.seed), "maps.seeds=" + seed_list(seeds.map_seeds),
-       "trials=" + std::to_string(seeds.missions)});
+  Document document =
+      read_sweep_document(frozen_file(chosen, sweep), {"seed=" + std::to_string(seeds.seed),
+                                                       "maps.seeds=" + seed_list(seeds.map_seeds),
+                                                       "trials=" + std::to_string(seeds.missions)});
   set_key(document.root, "planners", list_of(planner.entry));
   return sweep_of_document(document);
 }

@@ -31,7 +31,8 @@ SuitePlanner suite_planner(const std::string& plugin, const std::string& label,
 SweepSpec suite_sweep(const SuiteTrack& chosen, const SuiteSweep& sweep, const SweepSeeds& seeds,
                       const SuitePlanner& planner);
 
-/// YAML on one line that reads back to the same node: {plugin: ego, parameters: {max_speed_mps: 3}}.
+/// YAML on one line that reads back to the same node: {plugin: ego, parameters: {max_speed_mps:
+/// 3}}.
 std::string flow_text(const YamlNode& node);
 
 }  // namespace avoidbench

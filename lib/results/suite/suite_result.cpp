@@ -21,10 +21,18 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kResultTitle = "# avoidbench suite result, format 1";
-constexpr std::array<std::string_view, 12> kResultColumns{
-    "cell",       "sweep",             "map_seed",      "mission_index", "trial_key",
-    "outcome",    "reference_length_m", "end_time_s",   "goal_velocity_mps",
-    "path_length_m", "cause",          "flight_digest"};
+constexpr std::array<std::string_view, 12> kResultColumns{"cell",
+                                                          "sweep",
+                                                          "map_seed",
+                                                          "mission_index",
+                                                          "trial_key",
+                                                          "outcome",
+                                                          "reference_length_m",
+                                                          "end_time_s",
+                                                          "goal_velocity_mps",
+                                                          "path_length_m",
+                                                          "cause",
+                                                          "flight_digest"};
 constexpr std::uint64_t kMostTableBytes = 500'000'000;
 
 std::string header_line() {
@@ -96,8 +104,8 @@ std::string yaml_line(std::string_view name, const std::string& text) {
 
 std::string planner_yaml(const SuiteResult& result) {
   std::string text =
-      "# What flew, with one setting for all cells, and where. `avoidbench suite verify` reads it, "
-      "and\n# `suite run --planner` takes it. Flights: trials.csv.\n";
+      "# What flew, with one setting for all cells, and where: `avoidbench suite verify` reads it, "
+      "and it\n# is a planner for `suite run`. Flights: trials.csv.\n";
   text += yaml_line("suite", result.suite) + yaml_line("suite_sha256", result.suite_sha256);
   text += yaml_line("track", result.track);
   text += yaml_line("split", std::string(avoidbench::text(result.split)));
@@ -129,8 +137,8 @@ std::vector<SuiteRow> rows_of(const Database& database, const SuiteSpec& suite) 
         return info.name == sweep.name;
       });
       if (latest == flown.rend()) continue;
-      const SweepResult result = database.read_sweep(sweep.name, latest->revision,
-                                                     {"flight_digest", "path_length_m"});
+      const SweepResult result =
+          database.read_sweep(sweep.name, latest->revision, {"flight_digest", "path_length_m"});
       std::map<std::string, std::uint64_t> seed_of;
       for (const MapRow& map : result.maps) seed_of[map.record.key] = map.map_seed;
       std::vector<SuiteRow> part;

@@ -38,17 +38,25 @@ double success_rate(const SuiteScore& score) {
 
 Table scores_table(const SuiteSpec& suite, const std::vector<SuiteScore>& scores) {
   const bool has_v90 = !scores.empty() && scores.front().is_mean_of_cells;
-  std::vector<Column> columns{
-      planner_column(),
-      {.name = "score_mps", .header = "score", .unit = "m/s",
-       .doc = "the number that ranks, with its 95 % interval", .decimals = 2, .has_interval = true},
-      {.name = "missions"},
-      {.name = "success_rate", .header = "success", .decimals = 3},
-      {.name = "crashes_per_km", .header = "crashes", .unit = "1/km", .decimals = 1,
-       .has_interval = true}};
+  std::vector<Column> columns{planner_column(),
+                              {.name = "score_mps",
+                               .header = "score",
+                               .unit = "m/s",
+                               .doc = "the number that ranks, with its 95 % interval",
+                               .decimals = 2,
+                               .has_interval = true},
+                              {.name = "missions"},
+                              {.name = "success_rate", .header = "success", .decimals = 3},
+                              {.name = "crashes_per_km",
+                               .header = "crashes",
+                               .unit = "1/km",
+                               .decimals = 1,
+                               .has_interval = true}};
   for (const SuiteCell& cell : suite.cells) {
     columns.push_back({.name = cell.name + (has_v90 ? "_v90_mps" : "_mean_mps"),
-                       .header = cell.name, .unit = "m/s", .decimals = 2});
+                       .header = cell.name,
+                       .unit = "m/s",
+                       .decimals = 2});
   }
   Table table = make_table("scores",
                            has_v90 ? "Scores: the mean of the cells' v90"
@@ -76,13 +84,18 @@ Table differences_table(const std::vector<SuiteScore>& scores) {
       "differences", "Which results differ: in score, and by success alone",
       {{.name = "first", .place = Place::key},
        {.name = "second", .place = Place::key},
-       {.name = "difference_mps", .header = "Δ score", .unit = "m/s",
-        .doc = "first - second, with its 95 % interval over maps", .decimals = 2,
+       {.name = "difference_mps",
+        .header = "Δ score",
+        .unit = "m/s",
+        .doc = "first - second, with its 95 % interval over maps",
+        .decimals = 2,
         .has_interval = true},
        {.name = "score_p", .header = "p", .doc = "of no difference in score", .decimals = 4},
        {.name = "success_difference", .header = "Δ success", .decimals = 3},
-       {.name = "success_p", .header = "p of success",
-        .doc = "of no difference in success (Fisher's exact test)", .decimals = 4}});
+       {.name = "success_p",
+        .header = "p of success",
+        .doc = "of no difference in success (Fisher's exact test)",
+        .decimals = 4}});
   for (std::size_t i = 0; i < scores.size(); ++i) {
     for (std::size_t k = i + 1; k < scores.size(); ++k) {
       const SuiteScore &first = scores[i], &second = scores[k];
@@ -136,9 +149,9 @@ SuiteScore score_of(const SuiteSpec& suite, const SuiteResult& result) {
     for (std::size_t i = 0; i < kSpeedDraws; ++i) score.score_draws[i] += cell.v90_draws[i] / count;
   }
   const std::vector<double> nothing(kSpeedDraws, 0.0);
-  score.score.interval = speed_difference(score.score.value, 0.0, score.score_draws, nothing,
-                                          score.map_count)
-                             .interval;
+  score.score.interval =
+      speed_difference(score.score.value, 0.0, score.score_draws, nothing, score.map_count)
+          .interval;
   // No speed is below 0.
   score.score.interval.lower = std::max(0.0, score.score.interval.lower);
   return score;
@@ -154,7 +167,8 @@ SpeedDifference score_difference(const SuiteScore& first, const SuiteScore& seco
 std::vector<SuiteScore> ranked(std::vector<SuiteScore> scores) {
   std::stable_sort(scores.begin(), scores.end(), [](const SuiteScore& a, const SuiteScore& b) {
     if (a.is_privileged != b.is_privileged) return a.is_privileged;
-    return a.score.value > b.score.value || (!std::isnan(a.score.value) && std::isnan(b.score.value));
+    return a.score.value > b.score.value ||
+           (!std::isnan(a.score.value) && std::isnan(b.score.value));
   });
   std::vector<SuiteScore*> rivals;
   for (SuiteScore& score : scores) {

@@ -226,21 +226,21 @@ SweepSeeds seeds_of(const SuiteSpec& suite, const SuiteCell& cell, const SuiteSw
   seeds.seed = is_sealed ? sealed_seed(key, place + "/missions") : known.seed;
   seeds.missions = is_sealed ? suite.sealed_missions : known.missions;
   for (std::int64_t i = 0; i < sweep.map_count; ++i) {
-    seeds.map_seeds.push_back(is_sealed
-                                  ? sealed_seed(key, place + "/map/" + std::to_string(i))
-                                  : known.first_map_seed + static_cast<std::uint64_t>(i));
+    seeds.map_seeds.push_back(is_sealed ? sealed_seed(key, place + "/map/" + std::to_string(i))
+                                        : known.first_map_seed + static_cast<std::uint64_t>(i));
   }
   return seeds;
 }
 
 fs::path frozen_file(const SuiteTrack& chosen, const SuiteSweep& sweep) {
   const fs::path file = chosen.suite.folder / chosen.track / (sweep.name + ".yaml");
-  const auto track = std::find(chosen.suite.tracks.begin(), chosen.suite.tracks.end(), chosen.track);
+  const auto track =
+      std::find(chosen.suite.tracks.begin(), chosen.suite.tracks.end(), chosen.track);
   const auto index = static_cast<std::size_t>(track - chosen.suite.tracks.begin());
   if (const std::string found = file_digest(file); found != sweep.file_sha256[index]) {
-    refuse_file(file, "is not the sweep that " + chosen.suite.name +
-                          " froze: its SHA-256 is " + found + ", expected " +
-                          sweep.file_sha256[index] + "; a changed suite gets another name");
+    refuse_file(file, "is not the sweep that " + chosen.suite.name + " froze: its SHA-256 is " +
+                          found + ", expected " + sweep.file_sha256[index] +
+                          "; a changed suite gets another name");
   }
   return file;
 }

@@ -26,11 +26,11 @@ struct FrozenMaps {
 
 /// One sweep of a cell: a file of the same name for each track.
 struct SuiteSweep {
-  std::string name;                          ///< of the sweep: forest_5.0
-  std::int64_t map_count = 0;                ///< in each split
-  std::vector<std::string> file_sha256;      ///< one a track
-  FrozenMaps dev, open;                      ///< the same for all tracks
-  InputProblem place;                        ///< where it stands, without a message
+  std::string name;                      ///< of the sweep: forest_5.0
+  std::int64_t map_count = 0;            ///< in each split
+  std::vector<std::string> file_sha256;  ///< one a track
+  FrozenMaps dev, open;                  ///< the same for all tracks
+  InputProblem place;                    ///< where it stands, without a message
 };
 
 /// Missions that are scored together.

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "page/page.hpp"
+#include "suite/suite_score.hpp"
+
+namespace avoidbench {
+
+/// A result on a board.
+struct BoardEntry {
+  SuiteResult result;
+  SuiteScore score;
+  std::filesystem::path folder;  ///< of the result
+};
+
+/// The results of one track and split, ranked.
+struct Board {
+  SuiteSpec suite;
+  std::string title;  ///< avoidbench-1/depth, public
+  std::vector<BoardEntry> entries;
+
+  std::vector<Table> tables() const;
+};
+
+/// The boards of these folders, by suite, track and split. Throws InputError where a folder is no
+/// result, is of a suite that is not there or has changed, or lacks trials.
+std::vector<Board> boards_of(const std::vector<std::string>& folders);
+
+/// Their page: tables, S(v) of all results, and of each what flew, how it failed and links to its
+/// files, relative to `page_folder`.
+nlohmann::ordered_json board_page(const std::vector<Board>& boards, const PageOrigin& origin,
+                                  const std::filesystem::path& page_folder);
+
+}  // namespace avoidbench

@@ -1,0 +1,119 @@
+#include "suite/suite_score.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/random.hpp"
+#include "suite/suite_samples.hpp"
+
+namespace avoidbench {
+namespace {
+
+using suite_samples::large_suite;
+using suite_samples::result_of;
+
+/// Cell i reaches i + 1 m/s in all missions: the score is their mean, and nothing is uncertain.
+TEST(SuiteScore, IsTheMeanOfTheCells) {
+  const SuiteSpec suite = large_suite(3);
+  const SuiteScore score =
+      score_of(suite, result_of(suite, "a", [](const std::string& cell, auto, auto) {
+                 return 1.0 + cell.back() - '0';
+               }));
+  EXPECT_TRUE(score.is_mean_of_cells);
+  EXPECT_DOUBLE_EQ(score.score.value, 2.0);
+  EXPECT_NEAR(score.score.interval.lower, 2.0, 1e-12);
+  EXPECT_NEAR(score.score.interval.upper, 2.0, 1e-12);
+  EXPECT_EQ(score.all.trial_count, 180);
+  EXPECT_EQ(score.success_count, 180);
+  EXPECT_EQ(score.map_count, 12U);
+}
+
+/// A cell where more than one mission of ten fails is worth nothing, whatever the others are.
+TEST(SuiteScore, ACellWithElevenPercentOfFailuresCountsAsNothing) {
+  const SuiteSpec suite = large_suite(2);
+  int failed = 0;
+  const SuiteScore score =
+      score_of(suite, result_of(suite, "a", [&](const std::string& cell, auto, auto mission) {
+                 // 7 of 60.
+                 if (cell == "cell0" && mission == 0 && failed < 7) return ++failed, 0.0;
+                 return 4.0;
+               }));
+  EXPECT_EQ(score.cells[0].v90.value, 0.0);
+  EXPECT_EQ(score.cells[0].crash_count, 7);
+  EXPECT_DOUBLE_EQ(score.score.value, 2.0);
+}
+
+TEST(SuiteScore, OfCellsThatAreTooSmallItIsThatOfAllMissions) {
+  SuiteSpec suite = large_suite(4);
+  suite.open.missions = 1;
+  const SuiteScore score =
+      score_of(suite, result_of(suite, "a", [](auto&, auto, auto) { return 3.0; }));
+  EXPECT_FALSE(score.is_mean_of_cells);
+  EXPECT_DOUBLE_EQ(score.score.value, 3.0);
+  EXPECT_EQ(score.map_count, 48U);
+  const std::vector<Table> tables = score_tables(suite, {score});
+  ASSERT_EQ(tables.size(), 1U);
+  EXPECT_EQ(tables[0].columns.back().name, "cell3_mean_mps");
+}
+
+/// By hand: v90 of a cell is the 7th slowest of 60.
+TEST(SuiteScore, AgreesWithItsDefinition) {
+  const SuiteSpec suite = large_suite(2);
+  RandomStream random = stream(7, "suite_score_test");
+  std::vector<double> slowest[2];
+  const SuiteResult result = result_of(suite, "a", [&](const std::string& cell, auto, auto) {
+    const double speed = 1.0 + 3.0 * random.uniform();
+    slowest[cell.back() - '0'].push_back(20.0 / (20.0 / speed));
+    return speed;
+  });
+  double sum = 0.0;
+  for (std::vector<double>& speeds : slowest) {
+    std::sort(speeds.begin(), speeds.end());
+    sum += speeds[6];
+  }
+  EXPECT_DOUBLE_EQ(score_of(suite, result).score.value, 0.5 * sum);
+}
+
+TEST(SuiteScore, RanksRivalsBelowWhoSeesTheMapAndMarksTheBest) {
+  const SuiteSpec suite = large_suite(2);
+  const auto at = [&](const std::string& label, double speed, bool is_privileged = false) {
+    SuiteResult result = result_of(suite, label, [speed](auto&, auto, auto) { return speed; });
+    result.is_privileged = is_privileged;
+    return score_of(suite, result);
+  };
+  const std::vector<SuiteScore> scores =
+      ranked({at("slow", 1.0), at("fast", 3.0), at("knows", 2.0, true)});
+  EXPECT_EQ(scores[0].label, "knows");
+  EXPECT_EQ(scores[1].label, "fast");
+  EXPECT_FALSE(scores[0].is_best);
+  EXPECT_TRUE(scores[1].is_best);
+  EXPECT_NEAR(score_difference(scores[1], scores[2]).interval.lower, 2.0, 1e-12);
+  EXPECT_FALSE(ranked({at("a", 2.0), at("b", 2.0)})[0].is_best);
+}
+
+/// In how many of 300 suites does the interval hold the score of endless maps? Maps differ, and so
+/// do missions; each cell's v90 is the true 10 % quantile of map and mission together.
+TEST(SuiteScore, ItsIntervalHoldsTheTruth) {
+  const SuiteSpec suite = large_suite(8);
+  RandomStream random = stream(3, "coverage");
+  const auto speed = [&](double map) { return 2.0 + map + 0.5 * random.normal(); };
+  // The sum of two normals: 0.3 and 0.5.
+  const double truth = 2.0 - 1.2815515655446004 * std::sqrt(0.3 * 0.3 + 0.5 * 0.5);
+  int held = 0;
+  constexpr int kSuites = 300;
+  for (int i = 0; i < kSuites; ++i) {
+    double map_part = 0.0;
+    const SuiteScore score =
+        score_of(suite, result_of(suite, "a", [&](auto&, auto, std::int64_t mission) {
+                   if (mission == 0) map_part = 0.3 * random.normal();
+                   return std::max(0.01, speed(map_part));
+                 }));
+    held += score.score.interval.lower <= truth && truth <= score.score.interval.upper ? 1 : 0;
+  }
+  EXPECT_GE(held, 270) << "of " << kSuites;
+  EXPECT_LE(held, 299) << "of " << kSuites;
+}
+
+}  // namespace
+}  // namespace avoidbench
