@@ -66,13 +66,13 @@ void check_suite(const CheckOptions& options) {
 
 struct BoardOptions {
   std::vector<std::string> folders;
-  std::string page;
+  std::string suite, page;
   OutputOptions output;
 };
 
 void show_board(const BoardOptions& options) {
   if (!options.page.empty()) check_page(options.page);
-  const std::vector<Board> boards = boards_of(options.folders);
+  const std::vector<Board> boards = boards_of(options.folders, options.suite);
   std::vector<Section> sections;
   for (const Board& board : boards) {
     sections.push_back({.name = board.title, .title = board.title, .tables = board.tables()});
@@ -152,6 +152,8 @@ void add_suite_command(CLI::App& app) {
   const auto [board, board_options] = add_command(
       suite, "board", "Results side by side: scores, and which of them differ", show_board);
   board.add_option("FOLDER", board_options.folders, "Folders of results")->required();
+  add_typed(board, "--suite", board_options.suite, "FOLDER/TRACK",
+            "Track of a suite of your own that was flown");
   add_typed(board, "--page", board_options.page, "FILE",
             "Also write a page: one HTML file with S(v) of all results and links to their flights");
   add_output_options(board, board_options.output);

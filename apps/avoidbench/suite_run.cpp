@@ -40,24 +40,18 @@ std::vector<PlannedSweep> planned(const SuiteTrack& chosen, Split split, const s
   return all;
 }
 
-/// Throws where maps are not those that were frozen: other numbers would stand for the suite's.
-void require_frozen(const Database& database, const std::vector<PlannedSweep>& sweeps,
-                    Split split) {
-  for (const PlannedSweep& one : sweeps) {
-    const std::vector<SweepInfo> flown = database.read_sweeps();
-    std::int64_t revision = 0;
-    for (const SweepInfo& info : flown) {
-      if (info.name == one.sweep->name) revision = std::max(revision, info.revision);
-    }
-    const SweepResult result = database.read_sweep(one.sweep->name, revision);
-    const std::string problem = maps_problem(*one.sweep, split, flown_maps(result, one.seeds));
-    if (!problem.empty()) {
-      throw InputError(
-          "this program makes other maps than the suite froze, so that its results "
-          "are none of the suite's: " +
-          problem);
-    }
-  }
+/// Throws where the maps of a sweep that was flown are not those that were frozen: other numbers
+/// would stand for the suite's.
+void require_frozen(const std::string& file, const PlannedSweep& one, Split split,
+                    std::int64_t revision) {
+  const Database database = Database::open_for_reading(file);
+  const SweepResult result = database.read_sweep(one.sweep->name, revision);
+  const std::string problem = maps_problem(*one.sweep, split, flown_maps(result, one.seeds));
+  if (problem.empty()) return;
+  throw InputError(
+      "this program makes other maps than the suite froze, so that its results are none of the "
+      "suite's: " +
+      problem);
 }
 
 SuiteResult result_of(const SuiteTrack& chosen, Split split, const SuitePlanner& planner,
@@ -117,11 +111,8 @@ void run_suite(const SuiteOptions& options) {
     std::cerr << chosen.suite.name << "/" << chosen.track << ", " << text(split) << ": sweep "
               << i + 1 << " of " << sweeps.size() << ", " << sweeps[i].sweep->name << '\n';
     run.sweep_file = sweeps[i].sweep->name;
-    fly_sweep(run, sweeps[i].spec, {});
-  }
-  {
-    const Database database = Database::open_for_reading(run.database_file);
-    require_frozen(database, sweeps, split);
+    const std::int64_t revision = fly_sweep(run, sweeps[i].spec, {});
+    require_frozen(run.database_file, sweeps[i], split, revision);
   }
   if (!options.no_causes) tell_causes(run.database_file, folder);
   const Database database = Database::open_for_reading(run.database_file);

@@ -96,14 +96,15 @@ std::vector<Table> Board::tables() const {
   return score_tables(suite, scores);
 }
 
-std::vector<Board> boards_of(const std::vector<std::string>& folders) {
+std::vector<Board> boards_of(const std::vector<std::string>& folders,
+                             const std::string& own_track) {
   std::map<std::tuple<std::string, std::string, Split>, Board> boards;
   for (const std::string& folder : folders) {
     SuiteResult result = read_result(folder);
     const std::string track = result.suite + "/" + result.track;
     Board& board = boards[{result.suite, result.track, result.split}];
     if (board.title.empty()) {
-      board.suite = suite_track(track).suite;
+      board.suite = suite_track(own_track.empty() ? track : own_track).suite;
       board.title = track + ", " + std::string(text(result.split));
     }
     board.entries.push_back(entry_of(folder, board.suite, std::move(result)));
