@@ -27,8 +27,8 @@ struct Board {
 };
 
 /// The boards of these folders, by suite, track and split. `own_track`, FOLDER/TRACK, is a suite of
-/// the user's own that they were flown in; "": one that comes with the program. Throws InputError where a folder is no
-/// result, is of a suite that is not there or has changed, or lacks trials.
+/// the user's own that they were flown in; "": one that comes with the program. Throws InputError
+/// where a folder is no result, is of a suite that is not there or has changed, or lacks trials.
 std::vector<Board> boards_of(const std::vector<std::string>& folders,
                              const std::string& own_track = "");
 

@@ -12,6 +12,7 @@
 #include "base/words.hpp"
 #include "table/csv.hpp"
 #include "table/csv_reader.hpp"
+#include "yaml/includes.hpp"
 #include "yaml/yaml_reader.hpp"
 #include "yaml/yaml_values.hpp"
 
@@ -102,7 +103,20 @@ std::string yaml_line(std::string_view name, const std::string& text) {
   return std::string(name) + ": " + nlohmann::json(text).dump() + "\n";
 }
 
-std::string planner_yaml(const SuiteResult& result) {
+/// The entry as a file in `folder` says it: a planner's file by its way from there.
+YamlNode entry_seen_from(const YamlNode& entry, const fs::path& folder) {
+  YamlNode seen = entry;
+  const std::size_t at = entry.index_of("plugin");
+  if (at == entry.keys.size() || entry.items[at].scalar.find('/') == std::string::npos) return seen;
+  const fs::path file = folder_of(entry.items[at], ".") / entry.items[at].scalar;
+  const fs::path way = fs::absolute(file).lexically_normal().lexically_relative(
+      fs::absolute(folder).lexically_normal());
+  // With a slash: a bare name would be looked for among the planners that come with the program.
+  seen.items[at].scalar = (way.has_parent_path() ? "" : "./") + way.string();
+  return seen;
+}
+
+std::string planner_yaml(const SuiteResult& result, const fs::path& folder) {
   std::string text =
       "# What flew, with one setting for all cells, and where: `avoidbench suite verify` reads it, "
       "and it\n# is a planner for `suite run`. Flights: trials.csv.\n";
@@ -115,7 +129,7 @@ std::string planner_yaml(const SuiteResult& result) {
   text += yaml_line("digest", result.planner_digest);
   text += std::string("is_privileged: ") + (result.is_privileged ? "true" : "false") + "\n";
   text += yaml_line("program", result.program);
-  text += "planner: " + flow_text(result.planner.entry) + "\n";
+  text += "planner: " + flow_text(entry_seen_from(result.planner.entry, folder)) + "\n";
   text += yaml_line("licence", result.planner.licence) + yaml_line("source", result.planner.source);
   return text + yaml_line("tuned_on", result.planner.tuned_on);
 }
@@ -169,7 +183,7 @@ void write_result(const SuiteResult& result, const fs::path& folder) {
   std::string table = std::string(kResultTitle) + "\r\n" + header_line();
   for (const SuiteRow& row : result.rows) table += line_of(row);
   write_file(folder / kTrialsFile, table);
-  write_file(folder / kPlannerFile, planner_yaml(result));
+  write_file(folder / kPlannerFile, planner_yaml(result, folder));
 }
 
 SuiteResult read_result(const fs::path& folder) {

@@ -37,7 +37,6 @@ double success_rate(const SuiteScore& score) {
 }
 
 Table scores_table(const SuiteSpec& suite, const std::vector<SuiteScore>& scores) {
-  const bool has_v90 = !scores.empty() && scores.front().is_mean_of_cells;
   std::vector<Column> columns{planner_column(),
                               {.name = "score_mps",
                                .header = "score",
@@ -53,16 +52,10 @@ Table scores_table(const SuiteSpec& suite, const std::vector<SuiteScore>& scores
                                .decimals = 1,
                                .has_interval = true}};
   for (const SuiteCell& cell : suite.cells) {
-    columns.push_back({.name = cell.name + (has_v90 ? "_v90_mps" : "_mean_mps"),
-                       .header = cell.name,
-                       .unit = "m/s",
-                       .decimals = 2});
+    columns.push_back(
+        {.name = cell.name + "_v90_mps", .header = cell.name, .unit = "m/s", .decimals = 2});
   }
-  Table table = make_table("scores",
-                           has_v90 ? "Scores: the mean of the cells' v90"
-                                   : "Scores: v90 of all missions together; cells, too small for "
-                                     "a v90, with their mean goal velocity",
-                           columns);
+  Table table = make_table("scores", "Scores: the mean of the cells' v90", columns);
   for (const SuiteScore& score : scores) {
     Row& row = table.rows.emplace_back();
     append(row, score.label + (score.is_privileged ? " (sees the map)" : ""));
@@ -72,9 +65,7 @@ Table scores_table(const SuiteSpec& suite, const std::vector<SuiteScore>& scores
     append(row, success_rate(score));
     append(row, score.all.crashes_per_km.value);
     append(row, score.all.crashes_per_km.interval);
-    for (const PlannerSpeeds& cell : score.cells) {
-      append(row, has_v90 ? cell.v90.value : cell.mean.value);
-    }
+    for (const double v90_mps : score.cell_v90_mps) append(row, v90_mps);
   }
   return table;
 }
@@ -128,32 +119,22 @@ SuiteScore score_of(const SuiteSpec& suite, const SuiteResult& result) {
     score.success_count += row.outcome == Outcome::reached_goal ? 1 : 0;
   }
   score.all = all.speeds(0);
-  score.is_mean_of_cells = !suite.cells.empty();
-  std::size_t least_maps = all.map_count();
-  for (std::size_t i = 0; i < suite.cells.size(); ++i) {
-    least_maps = std::min(least_maps, by_cell[suite.cells[i].name].map_count());
-    // Maps of one cell have nothing to do with those of another: each draws its own.
-    score.cells.push_back(by_cell[suite.cells[i].name].speeds(i + 1));
-    if (std::isnan(score.cells.back().v90.value)) score.is_mean_of_cells = false;
-  }
-  score.map_count = score.is_mean_of_cells ? least_maps : all.map_count();
-  if (!score.is_mean_of_cells) {
-    score.score = score.all.v90;
-    score.score_draws = score.all.v90_draws;
-    return score;
-  }
-  const auto count = static_cast<double>(score.cells.size());
+  score.map_count = all.map_count();
   score.score_draws.assign(kSpeedDraws, 0.0);
-  for (const PlannerSpeeds& cell : score.cells) {
-    score.score.value += cell.v90.value / count;
-    for (std::size_t i = 0; i < kSpeedDraws; ++i) score.score_draws[i] += cell.v90_draws[i] / count;
+  const auto count = static_cast<double>(suite.cells.size());
+  for (std::size_t i = 0; i < suite.cells.size(); ++i) {
+    const FlownMaps& flown = by_cell[suite.cells[i].name];
+    score.map_count = std::min(score.map_count, flown.map_count());
+    // Maps of one cell have nothing to do with those of another: each draws its own.
+    const PlannerSpeeds& cell = score.cells.emplace_back(flown.speeds(i + 1));
+    score.cell_v90_mps.push_back(reached_speed(cell.curve, kReachedShare));
+    score.score.value += score.cell_v90_mps.back() / count;
+    for (std::size_t k = 0; k < kSpeedDraws; ++k) score.score_draws[k] += cell.v90_draws[k] / count;
   }
   const std::vector<double> nothing(kSpeedDraws, 0.0);
   score.score.interval =
       speed_difference(score.score.value, 0.0, score.score_draws, nothing, score.map_count)
           .interval;
-  // No speed is below 0.
-  score.score.interval.lower = std::max(0.0, score.score.interval.lower);
   return score;
 }
 

@@ -10,18 +10,19 @@
 
 namespace avoidbench {
 
-/// What a result is worth. The score is the mean of the cells' v90, of which none needs more
-/// missions than it has; where one has too few (on dev), the v90 of all missions together.
+/// What a result is worth: the mean of the cells' v90. A cell of dev has too few missions for a v90
+/// of its own to say much (least_trials_for()); the mean of eight says more, and its interval how
+/// much.
 struct SuiteScore {
   std::string label;
   bool is_privileged = false;       ///< sees the map: no competitor
-  Estimate score;                   ///< m/s; NaN for fewer missions than v90 needs
+  Estimate score;                   ///< m/s
   std::vector<double> score_draws;  ///< pairs with another result's of the same suite and split
-  bool is_mean_of_cells = false;
-  std::size_t map_count = 0;  ///< that its interval rests on: of the smallest cell, or of all
+  std::size_t map_count = 0;        ///< of the smallest cell: what its interval rests on
   std::int64_t success_count = 0;
   PlannerSpeeds all;                 ///< of all missions together
   std::vector<PlannerSpeeds> cells;  ///< one a cell of the suite
+  std::vector<double> cell_v90_mps;  ///< whatever the number of missions
   bool is_best = false;              ///< clearly above every other competitor's
 };
 
@@ -35,9 +36,8 @@ std::vector<SuiteScore> ranked(std::vector<SuiteScore> scores);
 SpeedDifference score_difference(const SuiteScore& first, const SuiteScore& second,
                                  double confidence = 0.95);
 
-/// Tables `scores` (a row a result, v90 of each cell beside its score; of cells that are too small
-/// for that the mean goal velocity) and `differences` (a row a pair, beside what success alone
-/// tells of it).
+/// Tables `scores` (a row a result, v90 of each cell beside its score) and `differences` (a row a
+/// pair, beside what success alone tells of it).
 std::vector<Table> score_tables(const SuiteSpec& suite, const std::vector<SuiteScore>& scores);
 
 }  // namespace avoidbench
