@@ -122,10 +122,10 @@ int explain(const CLI::App& app, const CLI::ParseError& error) {
 
 void add_commands(CLI::App& app) {
   for (const auto& add :
-       {add_run_command, add_limit_command, add_report_command, add_power_command,
-        add_export_command, add_compare_command, add_replay_command, add_explain_command,
-        add_merge_command, add_planners_command, add_maps_command, add_sensors_command,
-        add_metrics_command, add_config_command, add_suite_command}) {
+       {add_run_command, add_limit_command, add_suite_command, add_report_command,
+        add_power_command, add_export_command, add_compare_command, add_replay_command,
+        add_explain_command, add_merge_command, add_planners_command, add_maps_command,
+        add_sensors_command, add_metrics_command, add_config_command}) {
     add(app);
   }
 }
@@ -160,7 +160,8 @@ int run_program(int argc, const char* const* argv) {
       "  avoidbench report                see its results\n"
       "  avoidbench config sweeps         other sweeps that come with it\n"
       "  avoidbench config defaults       all that a sweep file can say\n"
-      "  avoidbench planners new NAME     begin a planner\n\n"
+      "  avoidbench planners new NAME     begin a planner\n"
+      "  avoidbench suite list            frozen maps, to compare it with others\n\n"
       "Exit codes: 0 done, 1 done but a check failed, 2 usage or input, 3 an error of this "
       "program");
   try {

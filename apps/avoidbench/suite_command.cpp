@@ -71,6 +71,7 @@ struct BoardOptions {
 };
 
 void show_board(const BoardOptions& options) {
+  check_output(options.output.output, text(options.output.format));
   if (!options.page.empty()) check_page(options.page);
   const std::vector<Board> boards = boards_of(options.folders, options.suite);
   std::vector<Section> sections;
@@ -81,6 +82,14 @@ void show_board(const BoardOptions& options) {
   if (options.page.empty()) return;
   write_page(board_page(boards, page_origin(), std::filesystem::path(options.page).parent_path()),
              options.page);
+}
+
+void add_flying(CLI::App& command, RunCommand& options) {
+  add_number(command, "-j,--jobs", options.jobs, CLI::Range(0, 1024),
+             "Worker processes; 0: one per allowed CPU");
+  command.add_flag("--no-sandbox", options.no_sandbox,
+                   "Let planners write files, start programs and use the network (docs/trust.md)");
+  command.add_flag("-q,--quiet", options.quiet, "No progress on stderr");
 }
 
 void add_run_suite(CLI::App& suite) {
@@ -102,13 +111,11 @@ void add_run_suite(CLI::App& suite) {
   add_typed(command, "--sealed", options.sealed, "KEYFILE",
             "Fly the sealed maps, whose seeds follow from the key in this file")
       ->excludes(split);
-  add_typed(command, "-o,--output", options.folder, "FOLDER",
+  add_typed(command, "--folder", options.folder, "FOLDER",
             "Folder of the result [results/suites/SUITE/TRACK/SPLIT/LABEL]");
   command.add_flag("--no-causes", options.no_causes,
                    "Do not fly failures again to tell their causes");
-  add_number(command, "-j,--jobs", options.run.jobs, CLI::Range(0, 1024),
-             "Worker processes; 0: one per allowed CPU");
-  add_flight_options(command, options.run);
+  add_flying(command, options.run);
   command.footer(
       "The same command goes on where it was stopped. docs/suite.md\n\n"
       "Examples:\n"
@@ -133,9 +140,7 @@ void add_verify_suite(CLI::App& suite) {
   add_typed(command, "--suite", options.track, "FOLDER/TRACK",
             "Track of a suite of your own that was flown");
   add_typed(command, "--sealed", options.sealed, "KEYFILE", "Key of the sealed maps");
-  add_number(command, "-j,--jobs", options.run.jobs, CLI::Range(0, 1024),
-             "Worker processes; 0: one per allowed CPU");
-  add_flight_options(command, options.run);
+  add_flying(command, options.run);
   command.footer("Exit codes: 0 verified, 1 refused, 2 usage or input");
 }
 

@@ -49,6 +49,7 @@ AB_MAP_EXTENSION = "avoidbench.map/1"
 AB_PLACE_UNKNOWN = 0
 AB_PLACE_FREE = 1
 AB_PLACE_OCCUPIED = 2
+AB_WORLD_EXTENSION = "avoidbench.world/1"
 AB_PROCESS_PROTOCOL = 1
 AB_PROCESS_MAGIC = "avoidben"
 AB_PROCESS_VARIABLE = "AVOIDBENCH_PLANNER_FDS"
@@ -115,6 +116,7 @@ ab_debug = _struct("struct_size:u4 reserved:u4 context:u8 is_wanted:u8 draw:u8")
 ab_files = _struct("struct_size:u4 file_count:u4 files:u8")
 ab_check = _struct("struct_size:u4 reserved:u4 problem:u8")
 ab_map = _struct("struct_size:u4 reserved:u4 look_up:u8")
+ab_world = _struct("struct_size:u4 reserved:u4 context:u8 distances:u8 shortest_path:u8")
 ab_process_header = _struct(
     "magic:S8 protocol:u4 abi_version:u4 segment_bytes:u8 answer_offset:u8 answer_bytes:u8 request_offset:u8 "
     "reserved:2u8"

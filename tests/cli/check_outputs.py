@@ -68,6 +68,8 @@ COMMANDS = {
     "sensors list": [("sensors list @", {"--output": "v.sqlite"})],
     "sensors measure": [("sensors measure depth_ideal @", {"--output": "v.sqlite"})],
     "sensors show": [("sensors show depth_ideal @", {"--png": "v.png"})],
+    "suite board": [("suite board nothing @", {"--output": "v.sqlite", "--page": "v.html"})],
+    "suite list": [("suite list @", {"--output": "v.sqlite"})],
 }
 WRITING = {"--output", "--png", "--page", "--video", "--csv", "--commands", "--bless", "--heartbeat"}
 

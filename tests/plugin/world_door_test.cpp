@@ -43,9 +43,9 @@ TEST(WorldDoor, RefusesWhatIsNoQuestion) {
   EXPECT_THROW(world.distances_m({{0.0, 0.0, 1.0}}), std::runtime_error);  // before a trial
   EXPECT_THROW(world.shortest_path_m(0.25), std::runtime_error);
   host.show_world(plain());
-  const double kNan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(world.distances_m({{0.0, kNan, 1.0}}), std::runtime_error);
-  for (const double radius_m : {0.0, -1.0, kNan, std::numeric_limits<double>::infinity()}) {
+  const double not_a_number = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(world.distances_m({{0.0, not_a_number, 1.0}}), std::runtime_error);
+  for (const double radius_m : {0.0, -1.0, not_a_number, std::numeric_limits<double>::infinity()}) {
     EXPECT_THROW(world.shortest_path_m(radius_m), std::runtime_error) << radius_m;
   }
 }

@@ -145,6 +145,10 @@ TEST(Summary, MarksTheBestOnlyWhereItIsSignificant) {
   }));
   EXPECT_FALSE(unclear.overall[0].is_best_rate);
   EXPECT_TRUE(has_warning(unclear, "can't be told apart: a / b"));
+  // Of more than ten pairs their number.
+  const SweepSummary many = summary_of(
+      result_of(2, 5, [](char, int, int) { return true; }, {"a", "b", "c", "d", "e", "f"}));
+  EXPECT_TRUE(has_warning(many, "can't be told apart: 15 of 15 pairs; the table pairs names them"));
 }
 
 TEST(Summary, ABestRateIsSureOverMapsForEachOtherPlanner) {

@@ -66,7 +66,12 @@ void warn_of_unclear_differences(const SweepSummary& summary, Warnings& warnings
     }
     unclear.push_back(pair);
   }
-  if (!unclear.empty()) {
+  constexpr std::size_t kMostNamed = 10;
+  if (unclear.size() > kMostNamed) {
+    warnings.push_back("success rates that can't be told apart: " + std::to_string(unclear.size()) +
+                       " of " + std::to_string(summary.contrasts.size()) +
+                       " pairs; the table pairs names them");
+  } else if (!unclear.empty()) {
     warnings.push_back("success rates that can't be told apart: " + joined(unclear, ", "));
   }
 }
