@@ -66,15 +66,28 @@ SuiteTrack suite_of(const SuiteResult& result, const SuiteOptions& options) {
   return chosen;
 }
 
-/// The planner to fly with: as the result says, or the user's library of it.
-SuitePlanner own_planner(const SuiteResult& result, const std::string& library) {
+/// The planner to fly with: the user's, else one that comes with the program. A file or a command
+/// that a result names is not started on its word: results come from strangers.
+SuitePlanner own_planner(const SuiteResult& result, const std::string& given) {
+  if (given.ends_with(".yaml") || given.ends_with(".yml")) return read_suite_planner(given);
   SuitePlanner planner = result.planner;
-  if (library.empty()) return planner;
   const std::size_t index = planner.entry.index_of("plugin");
-  YamlNode plugin = node_at(planner.entry, YamlNode::Kind::scalar, library);
-  plugin.source =
-      std::make_shared<const std::string>("--planner");  // relative to where it was typed
-  if (index < planner.entry.items.size()) planner.entry.items[index] = plugin;
+  const bool is_entry = index < planner.entry.items.size();
+  const std::string plugin = is_entry ? planner.entry.items[index].scalar : planner.entry.scalar;
+  if (given.empty()) {
+    if (is_name(plugin) && plugin != "process") return planner;
+    throw InputError("the result was flown by " + visible_line(plugin) +
+                     ", which is not started on its word: get the planner, look at it, and give "
+                     "your file of it by --planner");
+  }
+  YamlNode file = node_at(planner.entry, YamlNode::Kind::scalar, given);
+  // Relative to where it was typed.
+  file.source = std::make_shared<const std::string>("--planner");
+  if (is_entry) {
+    planner.entry.items[index] = file;
+  } else {
+    planner.entry = file;
+  }
   return planner;
 }
 
