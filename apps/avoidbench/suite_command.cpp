@@ -135,9 +135,10 @@ void add_verify_suite(CLI::App& suite) {
   add_typed(command, "--salt", options.salt, "TEXT",
             "What chooses the sample with the flights' keys, such as the commit that brought the "
             "result [the digest of trials.csv]");
-  add_typed(command, "--planner", options.planner, "NAME|FILE",
-            "The planner, where it does not come with avoidbench: your library or program of it, or "
-            "a planner.yaml of yours; what a result names is not started on its word");
+  add_typed(
+      command, "--planner", options.planner, "NAME|FILE",
+      "The planner, where it does not come with avoidbench: your library or program of it, or "
+      "a planner.yaml of yours; what a result names is not started on its word");
   add_typed(command, "--suite", options.track, "FOLDER/TRACK",
             "Track of a suite of your own that was flown");
   add_typed(command, "--sealed", options.sealed, "KEYFILE", "Key of the sealed maps");

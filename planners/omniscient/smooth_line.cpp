@@ -84,7 +84,10 @@ Line resampled(const Line& line, double step_m) {
     const Eigen::Vector3d leg = line[i + 1] - line[i];
     const double length_m = leg.norm();
     double at_m = left_m;
-    for (; at_m <= length_m; at_m += step_m) even.push_back(line[i] + leg * (at_m / length_m));
+    while (at_m <= length_m) {
+      even.push_back(line[i] + leg * (at_m / length_m));
+      at_m += step_m;
+    }
     left_m = at_m - length_m;
   }
   // No two points in one place.

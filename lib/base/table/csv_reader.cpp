@@ -44,9 +44,8 @@ std::vector<std::string> CsvReader::fields(std::string_view line) const {
 /// Where the line ends: line ends in quotes belong to their field (RFC 4180). A quote in a comment
 /// of a person's opens nothing.
 std::size_t CsvReader::end_of_line() const {
-  const bool has_fields =
-      !rest_.starts_with('#') ||
-      (!comment_with_fields_.empty() && rest_.starts_with(comment_with_fields_));
+  const bool has_fields = !rest_.starts_with('#') || (!comment_with_fields_.empty() &&
+                                                      rest_.starts_with(comment_with_fields_));
   bool is_quoted = false;
   for (std::size_t i = 0; i < rest_.size(); ++i) {
     // The two quotes of an escaped one close and open again.

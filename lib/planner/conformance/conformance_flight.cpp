@@ -244,10 +244,10 @@ Probe::~Probe() {
 Reply Probe::reset(const PlannerMission& mission) {
   ab_mission given = to_mission(mission);
   const ab_mission before = given;
-  host_.show_world({.distance_m = distance_to_wall_flight_m,
-                    .shortest_path_world = [mission](double radius_m) {
-                      return path_through_gap(mission, radius_m);
-                    }});
+  host_.show_world(
+      {.distance_m = distance_to_wall_flight_m, .shortest_path_world = [mission](double radius_m) {
+         return path_through_gap(mission, radius_m);
+       }});
   Reply reply;
   reply.escaped = escaped_exception([&] { reply.status = table_->reset(instance_, &given); });
   // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): bytes that were copied, padding too
