@@ -3,7 +3,8 @@ import { execFileSync, spawnSync } from "node:child_process";
 import { existsSync, mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
-import { join } from "node:path";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
 import { deflateSync, inflateSync } from "node:zlib";
 
 const [program, packages, hostile] = process.argv.slice(2);
@@ -77,6 +78,20 @@ mission: {time_limit_s: 3}
   run("maps", "show", "forest", "--page", "map.html");
   run("limit", "small.yaml", "--over", "max_speed_mps=1..5", "--max-trials", "18", "--quiet", "--db", "limit.db");
   run("report", "limit.db", "--page", "limit.html");
+  makeBoard();
+}
+
+/** Two results of a tiny suite on one board, one with a label that tries to be markup. */
+function makeBoard() {
+  const script = join(dirname(fileURLToPath(import.meta.url)), "../suite/make_suite.sh");
+  execFileSync(script, ["tiny"], {
+    cwd: folder,
+    env: { ...process.env, PATH: `${dirname(program)}:${process.env.PATH}` },
+  });
+  const flown = ["suite", "run", "tiny/depth", "--split", "dev", "--quiet"];
+  run(...flown, "--planner", "straight_line", "--label", hostileLabel, "--folder", "slow");
+  run(...flown, "--planner", "omniscient", "--folder", "ceiling");
+  run("suite", "board", "slow", "ceiling", "--suite", "tiny/depth", "--page", "board.html");
 }
 
 // ---- What lib/results/page packs, for a page of 10,000 trials made of a small one.
@@ -499,8 +514,35 @@ async function checkLarge() {
   await finish(page, "10,000 trials");
 }
 
+async function checkBoard() {
+  const page = await opened("board.html");
+  const scores = await page.$$eval('details[data-table="scores"] tbody tr', (rows) =>
+    rows.map((row) => [...row.children].map((c) => c.dataset.value)),
+  );
+  check(
+    scores.length === 2 && scores[0][0] === "omniscient (sees the map)",
+    "the ceiling stands first",
+    String(scores),
+  );
+  const told = JSON.parse(run("suite", "board", "slow", "ceiling", "--suite", "tiny/depth", "--format", "json"))[0]
+    .tables.scores;
+  check(Number(scores[0][1]) === told[0].score_mps, "scores are those of the command");
+  const links = await page.$$eval("tr[data-result] a", (all) => all.map((a) => a.getAttribute("href")));
+  check(
+    links.length >= 8 && links.every((link) => existsSync(at(decodeURI(link)))),
+    "every link leads to a file of its result",
+    links.join(", "),
+  );
+  const curve = await figureRows(page, "speeds");
+  check(curve.length >= 2 && curve[0].length === 3, "S(v) has its numbers");
+  check((await page.evaluate(() => window.hacked)) === undefined, "a label is text on a board");
+  await finish(page, "board");
+}
+
 async function checkAccess() {
   for (const [name, hash] of [
+    ["board.html", ""],
+    ["board.html", "#theme=dark"],
     ["small.html", ""],
     ["small.html", "#theme=dark"],
     ["small.html", "#tab=trials"],
@@ -544,6 +586,7 @@ try {
     checkHostile,
     checkFlightAndMap,
     checkFilm,
+    checkBoard,
     checkLarge,
     checkAccess,
   ]) {

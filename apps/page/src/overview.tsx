@@ -6,7 +6,7 @@ import { BarChart, BoxChart, IntervalChart, Legend, LineChart } from "./charts";
 import type { Look, Sweep } from "./data";
 import { digits, isFinished, lookOf, metricWords, outcomeColor, outcomeText, percent } from "./data";
 import { Figure, ScrollTable } from "./figure";
-import { Contrasts, Limits, Report } from "./report";
+import { Contrasts, columnsOf, Limits, number, Report } from "./report";
 import type { View } from "./state";
 import { logisticFit, quantile, successInterval } from "./stats";
 
@@ -178,9 +178,19 @@ function Outcomes({ sweep, groups }: Props): JSX.Element {
 }
 
 /** S(v): the share of trials with at least each goal velocity, a failure's being 0, and v90 read from it. */
-function Speeds({ sweep, groups }: Props): JSX.Element | null {
+function Speeds({ sweep, chosen, groups }: Props): JSX.Element | null {
   const at = sweep.metrics.findIndex((m) => m.name === "average_goal_velocity_mps");
   if (at < 0) return null;
+  // Intervals are the report's own, which are of all trials.
+  const told = chosen.length === sweep.t.count ? sweep.tables.find((t) => t.name === "speed") : undefined;
+  const ofTable = told && columnsOf(told);
+  const boundsOf = (label: string): (number | null)[] => {
+    const row = told?.rows.find(({ cells }) => cells[0] === label);
+    return [1, 2].map((place) => {
+      const bound = row ? number(ofTable!(row.cells, "v90_mps", place)) : NaN;
+      return Number.isFinite(bound) ? bound : null;
+    });
+  };
   const rows: (string | number | null)[][] = [];
   let fastest = 0;
   const lines: Line[] = groups.map(({ look, trials }) => {
@@ -191,7 +201,8 @@ function Speeds({ sweep, groups }: Props): JSX.Element | null {
     const reached = (share: number, least: number): number | null =>
       count < least ? null : speeds[Math.floor((1 - share) * count + 1e-9)];
     const mean = speeds.reduce((sum, v) => sum + v, 0) / count;
-    rows.push([look.label, count, reached(0.9, 29), reached(0.5, 5), count ? mean : null]);
+    const [lower, upper] = boundsOf(look.label);
+    rows.push([look.label, count, reached(0.9, 29), lower, upper, reached(0.5, 5), count ? mean : null]);
     const points: [number, number][] = [[0, 1]];
     speeds.forEach((v, k) => {
       // S falls behind each speed.
@@ -204,8 +215,11 @@ function Speeds({ sweep, groups }: Props): JSX.Element | null {
       name="speeds"
       wide
       title="Goal velocity that missions reach"
-      note="Share of all trials that reached the goal with at least this goal velocity (shortest path over flight time). v90 is the velocity that nine of ten reach; 0 where more than one of ten failed, none for fewer than 29 trials."
-      numbers={{ head: ["planner", "trials", "v90, m/s", "v50, m/s", "mean with failures as 0, m/s"], rows }}
+      note="Share of all trials that reached the goal with at least this goal velocity (shortest path over flight time). v90 is the velocity that nine of ten reach; 0 where more than one of ten failed, none for fewer than 29 trials. Its 95 % interval is that of all trials."
+      numbers={{
+        head: ["planner", "trials", "v90, m/s", "lower", "upper", "v50, m/s", "mean with failures as 0, m/s"],
+        rows,
+      }}
     >
       <Legend items={lines} />
       <LineChart

@@ -12,12 +12,12 @@ interface Props {
 }
 
 /** A table's cells by the name of their column. */
-function columnsOf(table: ReportTable): (cells: Cell[], name: string, place?: number) => Cell {
+export function columnsOf(table: ReportTable): (cells: Cell[], name: string, place?: number) => Cell {
   const at = new Map(table.columns.map((c, i): [string, number] => [c.name, i]));
   return (cells, name, place = 0) => cells[(at.get(name) ?? -1) + place] ?? null;
 }
 
-const number = (cell: Cell): number =>
+export const number = (cell: Cell): number =>
   typeof cell === "number" ? cell : cell === "inf" ? Infinity : cell === "-inf" ? -Infinity : NaN;
 
 /** How far each planner goes, and the curves that say so. */
