@@ -22,6 +22,7 @@ AB_INPUT_IMU = 16
 AB_INPUT_WORLD = 32
 AB_INPUT_STATES = 64
 AB_INPUT_ONE_CAMERA = 128
+AB_INPUT_REFERENCE = 4096
 AB_USES_PROCESSES = 256
 AB_USES_DEVICES = 512
 AB_USES_NETWORK = 1024
@@ -91,13 +92,13 @@ ab_picture = _struct(
 )
 ab_stereo_pair = _struct("struct_size:u4 reserved:u4 baseline_m:f8 left:u8 right:u8")
 ab_imu_sample = _struct("time_s:f8 rates_body_radps:3f8 specific_force_body_mps2:3f8")
-ab_observation = _struct(
-    "struct_size:u4 depth_count:u4 state:u8 depth:u8 stereo_count:u4 color_count:u4 stereo:u8 color:u8 imu_count:u4 "
-    "reserved:u4 imu:u8 time_s:f8 state_count:u4 reserved2:u4 states:u8"
-)
 ab_point = _struct(
     "time_s:f8 position_world_m:3f8 velocity_world_mps:3f8 acceleration_world_mps2:3f8 jerk_world_mps3:3f8 yaw_rad:f8 "
     "yaw_rate_radps:f8"
+)
+ab_observation = _struct(
+    "struct_size:u4 depth_count:u4 state:u8 depth:u8 stereo_count:u4 color_count:u4 stereo:u8 color:u8 imu_count:u4 "
+    "reserved:u4 imu:u8 time_s:f8 state_count:u4 reserved2:u4 states:u8 reference:u8"
 )
 ab_command = _struct(
     "struct_size:u4 kind:u4 flags:u4 point_count:u4 position_world_m:3f8 velocity_world_mps:3f8 "

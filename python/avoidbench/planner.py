@@ -144,9 +144,22 @@ class State:
 
 
 @dataclass(frozen=True)
+class Reference:
+    """Where the vehicle is told to be at this call: where a smooth trajectory begins."""
+
+    time_s: float
+    position_world_m: Vector
+    velocity_world_mps: Vector
+    acceleration_world_mps2: Vector
+    jerk_world_mps3: Vector
+    yaw_rad: float
+    yaw_rate_radps: float
+
+
+@dataclass(frozen=True)
 class Observation(State):
     """What a planner sees in one call: the newest state, and since the last call, of what it declares in `inputs`,
-    images, newest first, samples of the IMU, and states at the IMU's rate, oldest first."""
+    images, newest first, samples of the IMU, states at the IMU's rate, oldest first, and the reference."""
 
     depth: tuple[DepthImage, ...] = ()
     stereo: tuple[StereoPair, ...] = ()
@@ -155,6 +168,8 @@ class Observation(State):
     call_time_s: float = float("nan")
     """Of this call; time_s is older where the odometry has a delay."""
     states: tuple[State, ...] = ()
+    reference: Reference | None = None
+    """Where the commands so far tell the vehicle to be, of who declares it; None while rates are commanded."""
 
     def newest_depth(self, camera: int) -> DepthImage | None:
         """The newest depth image of this camera (index into Setup.cameras) since the last call, or None: none is
@@ -238,8 +253,8 @@ class Planner:
     summary: ClassVar[str] = ""
     """One line."""
     inputs: ClassVar[Sequence[str]] = ("state",)
-    """Of state, depth, stereo, color, imu, states; with one_camera of a rig one camera alone, which a sweep names
-    (`camera: 0`)."""
+    """Of state, depth, stereo, color, imu, states, reference; with one_camera of a rig one camera alone, which a sweep
+    names (`camera: 0`)."""
     commands: ClassVar[Sequence[str]] = ("velocity",)
     """Of position, velocity, acceleration, trajectory, rates: what plan() may return."""
     uses: ClassVar[Sequence[str]] = ()

@@ -28,7 +28,7 @@ from avoidbench import planner as p
 from avoidbench.planner_files import planner_files
 
 _WORDS = {
-    "inputs": ("AB_INPUT_", ("state", "depth", "stereo", "color", "imu", "states", "one_camera")),
+    "inputs": ("AB_INPUT_", ("state", "depth", "stereo", "color", "imu", "states", "one_camera", "reference")),
     "uses": ("AB_USES_", ("processes", "devices", "network", "globals")),
     "commands": ("AB_COMMAND_", ("position", "velocity", "acceleration", "trajectory", "rates")),
 }
@@ -241,6 +241,13 @@ def _imu(segment: _Segment, given: NDArray[np.void]) -> p.ImuSamples:
     return _made(p.ImuSamples, samples)
 
 
+def _reference(segment: _Segment, at: int) -> p.Reference | None:
+    if at == 0:
+        return None
+    point: NDArray[np.void] = np.ndarray((), layouts.ab_point, segment.memory, at)
+    return _made(p.Reference, point)
+
+
 def _observation(segment: _Segment, at: int, sees_imu: bool) -> p.Observation:
     given = segment.struct(layouts.ab_observation, at)
     states = (segment.struct(layouts.ab_state, offset) for offset in segment.offsets(given, "states", "state_count"))
@@ -253,6 +260,7 @@ def _observation(segment: _Segment, at: int, sees_imu: bool) -> p.Observation:
         imu=_imu(segment, given) if sees_imu else None,
         call_time_s=given["time_s"].item(),
         states=tuple(_made(p.State, state) for state in states),
+        reference=_reference(segment, given["reference"].item()),
     )
 
 

@@ -93,6 +93,21 @@ class OneEyed(Planner):
         raise GiveUp(str(math.degrees(math.atan2(2 * (y * z - w * x), 2 * (x * z + w * y)))))
 
 
+class Follower(Planner):
+    """Tells where it was told to be after a second at 2 m/s."""
+
+    name = "follower"
+    inputs = ("state", "reference")
+
+    def plan(self, observation: Observation) -> Velocity:
+        reference = observation.reference
+        assert reference is not None and reference.time_s == observation.call_time_s
+        if reference.time_s > 1.0:
+            ahead = np.asarray(reference.position_world_m) - np.asarray(observation.position_world_m)
+            raise GiveUp(json.dumps([reference.velocity_world_mps.tolist(), ahead.tolist()]))
+        return Velocity((0.0, 2.0, 0.0))
+
+
 class AllEyed(Planner):
     """Tells of which cameras it has images."""
 

@@ -17,7 +17,7 @@ import pytest
 from avoidbench import portable_math
 from avoidbench.planner import Parameter, Planner
 
-from planners import ANSWERS, AllEyed, Commanding, OneEyed, Preset, Seeing, Undeclared
+from planners import ANSWERS, AllEyed, Commanding, Follower, OneEyed, Preset, Seeing, Undeclared
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
 sys.path.insert(0, str(EXAMPLES))
@@ -120,6 +120,12 @@ def test_a_planner_of_one_camera_is_given_one(tmp_path: Path) -> None:
     ]
     assert abs((turns[1] - turns[0]) % 360.0 - 90.0) < 1.0
     assert told(AllEyed, tmp_path, sweep={"sensor": RIG}) == "[1, 0]"
+
+
+def test_the_last_commanded_state_is_seen(tmp_path: Path) -> None:
+    velocity, ahead = json.loads(told(Follower, tmp_path))
+    np.testing.assert_allclose(velocity, [0.0, 2.0, 0.0], atol=0.3)
+    assert 0.0 < np.linalg.norm(ahead) < 0.5  # the vehicle lags a little
 
 
 MISTAKES = {

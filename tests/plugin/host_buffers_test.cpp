@@ -85,6 +85,28 @@ TEST_F(Observations, AllStatesArriveWhereTheyAreAskedFor) {
   EXPECT_EQ(buffers.fill(view, setup.cameras, AB_INPUT_STATE).state_count, 0U);
 }
 
+TEST_F(Observations, TheReferenceArrivesWhereItIsAskedForAndThereIsOne) {
+  view.call_time_s = 0.7;
+  view.reference = ReferenceView{.position_world = {1.0, 2.0, 3.0},
+                                 .velocity_world = {4.0, 5.0, 6.0},
+                                 .acceleration_world = {7.0, 8.0, 9.0},
+                                 .jerk_world = {10.0, 11.0, 12.0},
+                                 .yaw_rad = 0.5,
+                                 .yaw_rate_radps = 0.25};
+  EXPECT_EQ(buffers.fill(view, setup.cameras, AB_INPUT_STATE).reference, nullptr);
+  const ab_point* reference = buffers.fill(view, setup.cameras, AB_INPUT_REFERENCE).reference;
+  ASSERT_NE(reference, nullptr);
+  EXPECT_EQ(reference->time_s, 0.7);
+  EXPECT_EQ(reference->position_world_m[2], 3.0);
+  EXPECT_EQ(reference->velocity_world_mps[0], 4.0);
+  EXPECT_EQ(reference->acceleration_world_mps2[1], 8.0);
+  EXPECT_EQ(reference->jerk_world_mps3[2], 12.0);
+  EXPECT_EQ(reference->yaw_rad, 0.5);
+  EXPECT_EQ(reference->yaw_rate_radps, 0.25);
+  view.reference.reset();
+  EXPECT_EQ(buffers.fill(view, setup.cameras, AB_INPUT_REFERENCE).reference, nullptr);
+}
+
 TEST(HostSideOf, KeepsNoMoreOfErrorsAndLogsThanPeopleRead) {
   HostSide host;
   const ab_host& table = host.table();

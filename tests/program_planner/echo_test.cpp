@@ -86,6 +86,9 @@ struct Seen {
     for (const ab_state& one : past) past_pointers.push_back(&one);
     all.state_count = static_cast<std::uint32_t>(past.size());
     all.states = past_pointers.data();
+    noise.fill(&reference, sizeof reference);
+    // Of other seeds there is none.
+    all.reference = seed % 2 == 1 ? &reference : nullptr;
   }
   Seen(const Seen&) = delete;
   Seen& operator=(const Seen&) = delete;
@@ -101,6 +104,7 @@ struct Seen {
   std::vector<const ab_picture*> color_pointers;
   std::vector<ab_imu_sample> imu;
   std::vector<ab_state> past;
+  ab_point reference{};
   std::vector<const ab_state*> past_pointers;
   ab_observation all{};
 };

@@ -66,6 +66,21 @@ Eigen::Vector3d commanded_position(const Flight& flight) {
   return reference(flight.tracker).position_world;
 }
 
+/// The same for a planner, at this tick.
+std::optional<ReferenceView> reference_view(const Flight& flight) {
+  if (flight.tracker.following_rates) return std::nullopt;
+  // A copy: samples are taken before the reference is brought to their tick, whoever looks.
+  Tracker tracker = flight.tracker;
+  advance(tracker, flight.model, believed_state(flight));
+  const Reference& now = reference(tracker);
+  return ReferenceView{.position_world = now.position_world,
+                       .velocity_world = now.velocity_world,
+                       .acceleration_world = now.acceleration_world,
+                       .jerk_world = now.jerk_world,
+                       .yaw_rad = now.yaw_rad,
+                       .yaw_rate_radps = now.yaw_rate_radps};
+}
+
 /// The state at this tick, with what is measured of it: clearance and power.
 void sample(Flight& flight) {
   const VehicleState& state = flight.state;
@@ -228,6 +243,7 @@ Flight begin_flight(const TrialSpec& spec, const Scene& scene, const Mission& mi
                     adds_jerk_samples(spec.rates) ? kJerkRate_hz : spec.rates.sample_hz),
                 .busy_until = 0,
                 .pending = {},
+                .sees_reference = (needs & AB_INPUT_REFERENCE) != 0,
                 .view = {},
                 .stopped = {},
                 .outcome = {},
@@ -259,6 +275,7 @@ const PlannerView* next_plan(Flight& flight) {
       flight.is_asked = true;
       flight.is_answered = false;
       flight.view = planner_view(flight.perception, state);
+      if (flight.sees_reference) flight.view.reference = reference_view(flight);
       return &flight.view;
     }
     fly_on(flight);

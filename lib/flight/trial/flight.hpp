@@ -57,6 +57,7 @@ struct Flight {
   Tick busy_until = 0;   ///< the planner, where latency is measured
 
   std::deque<PendingCommand> pending;  ///< by due tick
+  bool sees_reference = false;         ///< the planner, AB_INPUT_REFERENCE
   bool was_touching = false;
   bool is_begun = false;           ///< whether the start was looked at
   bool is_asked = false;           ///< whether a plan was asked for at this tick

@@ -287,6 +287,10 @@ Reply Probe::plan(const Frame& frame) {
     view.color.push_back({frame.time_s, T_world_camera, camera, rgb_[i]});
   }
   view.states.push_back(static_cast<const StateView&>(view));
+  view.reference = ReferenceView{.position_world = frame.position_world,
+                                 .velocity_world = frame.velocity_world,
+                                 .acceleration_world = Eigen::Vector3d::Zero(),
+                                 .jerk_world = Eigen::Vector3d::Zero()};
   // Specific force at rest: what an accelerometer measures is up, against gravity.
   view.imu.push_back({frame.time_s, Eigen::Vector3d::Zero(), {0.0, 0.0, 9.81}});
   // The observation holds pointers alone, so what it points to is compared apart.

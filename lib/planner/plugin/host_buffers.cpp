@@ -89,6 +89,18 @@ ab_state to_state(const StateView& view) {
   return out;
 }
 
+ab_point to_point(const ReferenceView& view, double time_s) {
+  ab_point out{};
+  out.time_s = time_s;
+  copy(view.position_world, out.position_world_m);
+  copy(view.velocity_world, out.velocity_world_mps);
+  copy(view.acceleration_world, out.acceleration_world_mps2);
+  copy(view.jerk_world, out.jerk_world_mps3);
+  out.yaw_rad = view.yaw_rad;
+  out.yaw_rate_radps = view.yaw_rate_radps;
+  return out;
+}
+
 ab_camera to_camera(const CameraSetup& camera) {
   ab_camera out{};
   set_size(out);
@@ -258,6 +270,10 @@ const ab_observation& ObservationBuffers::fill(const PlannerView& view,
   point_to(states_, state_pointers_);
   observation_.state_count = static_cast<std::uint32_t>(states_.size());
   observation_.states = state_pointers_.data();
+  if ((needs & AB_INPUT_REFERENCE) != 0 && view.reference) {
+    reference_ = to_point(*view.reference, view.call_time_s);
+    observation_.reference = &reference_;
+  }
   return observation_;
 }
 
@@ -325,6 +341,7 @@ void ObservationBuffers::fill_imu(const std::vector<ImuView>& seen) {
 void ObservationBuffers::poison() {
   fill_with_rubbish(observation_);
   fill_with_rubbish(state_);
+  fill_with_rubbish(reference_);
   fill_with_rubbish(images_);
   fill_with_rubbish(pointers_);
   fill_with_rubbish(eyes_);

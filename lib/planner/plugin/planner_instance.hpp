@@ -74,14 +74,20 @@ struct StateView {
   Eigen::Vector3d position_world, velocity_world, rates_body;
   Eigen::Quaterniond q_world_body;
 };
+/// Where the vehicle is told to be, at a call.
+struct ReferenceView {
+  Eigen::Vector3d position_world, velocity_world, acceleration_world, jerk_world;
+  double yaw_rad = 0, yaw_rate_radps = 0;
+};
 /// The newest state, and what came since the last call.
 struct PlannerView : StateView {
   double call_time_s = 0;  ///< now; time_s is older where the odometry has a delay
   std::vector<DepthView> depth;
   std::vector<StereoView> stereo;
   std::vector<ColorView> color;
-  std::vector<ImuView> imu;       ///< oldest first
-  std::vector<StateView> states;  ///< oldest first
+  std::vector<ImuView> imu;                     ///< oldest first
+  std::vector<StateView> states;                ///< oldest first
+  std::optional<ReferenceView> reference = {};  ///< nothing while rates are commanded
 };
 
 /// What a planner knows of a place: AB_PLACE_….

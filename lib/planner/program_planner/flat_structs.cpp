@@ -104,6 +104,9 @@ std::uint64_t write_flat(Segment& segment, const ab_observation& observation) {
                                          [](Segment& to, const ab_state& state) {
                                            return write_struct(to, state);
                                          }));
+  const bool has_reference = observation.reference != nullptr;
+  set_offset(copy.reference,
+             has_reference ? segment.add(observation.reference, sizeof(ab_point)) : 0);
   return write_struct(segment, copy);
 }
 

@@ -53,6 +53,7 @@ typedef int32_t ab_status;
 /* Of a rig one camera alone: ab_setup.camera_count is 1. A sweep whose sensor has several names the
  * one (`camera: 0` in the planner's entry), or is refused before its first trial. */
 #define AB_INPUT_ONE_CAMERA 128u
+#define AB_INPUT_REFERENCE 4096u /* where the vehicle is told to be: the last commanded state */
 /* Also ab_planner.needs: what it does beside computing and reading files. Planners fly in a sandbox
  * that refuses the rest; without these flags fork() and socket() fail, as writing to files always
  * does. */
@@ -216,6 +217,17 @@ typedef struct ab_imu_sample {
   double specific_force_body_mps2[3]; /* acceleration less gravity: (0, 0, 9.81) at rest */
 } ab_imu_sample;
 
+/* Points lie in an array, so this struct never grows within ABI 1. */
+typedef struct ab_point {
+  double time_s; /* after the moment at which the command takes effect; the first is 0 */
+  double position_world_m[3];
+  double velocity_world_mps[3];
+  double acceleration_world_mps2[3];
+  double jerk_world_mps3[3];
+  double yaw_rad;
+  double yaw_rate_radps;
+} ab_point;
+
 typedef struct ab_observation {
   uint32_t struct_size;
   uint32_t depth_count;  /* images since the last call, newest first; 0 where none is new */
@@ -234,18 +246,11 @@ typedef struct ab_observation {
   uint32_t state_count, reserved2;
   const ab_state* const* states; /* AB_INPUT_STATES: since the last call, at the IMU's rate, oldest
                                     first; state_count pointers */
+  /* Added later: older hosts end before this. AB_INPUT_REFERENCE: where the commands so far tell
+   * the vehicle to be at this call, which is where a smooth trajectory begins; of the position that
+   * the odometry believes. time_s is that of this call. Null while rates are commanded. */
+  const ab_point* reference;
 } ab_observation;
-
-/* Points lie in an array, so this struct never grows within ABI 1. */
-typedef struct ab_point {
-  double time_s; /* after the moment at which the command takes effect; the first is 0 */
-  double position_world_m[3];
-  double velocity_world_mps[3];
-  double acceleration_world_mps2[3];
-  double jerk_world_mps3[3];
-  double yaw_rad;
-  double yaw_rate_radps;
-} ab_point;
 
 /* Numbers are finite, and lengths, speeds and so on not beyond 1e6, yaws not beyond 1e5. Anything
  * else is an error of the planner's. */

@@ -289,6 +289,7 @@ static const ab_observation* ab_client_observation(ab_client* self, uint64_t bod
     states[i] = (const ab_state*)ab_client_copied(self, offsets[i], sizeof(ab_state));
   }
   seen->states = states;
+  seen->reference = (const ab_point*)ab_client_at(self, ab_client_offset(&seen->reference));
   seen->imu = (const ab_imu_sample*)ab_client_at(self, ab_client_offset(&seen->imu));
   seen->depth = images;
   seen->stereo = pairs;
