@@ -107,7 +107,7 @@ TEST(SuiteSpec, TheBuiltInSuiteIsTheAnnouncedOne) {
   const SuiteTrack track = suite_track("avoidbench-1/stereo");
   EXPECT_EQ(track.suite.sealed_key_sha256,
             "82e486380afc9653b60bb2a0a8b992acc750be4e7e2061a5b32a6702b0fd0e1d");
-  EXPECT_EQ(track.suite.sha256, "cf697c6176f9a782c26f67f5f0a456e8c7b02d2cdcf6acb33c2be9984ddddcc0");
+  EXPECT_EQ(track.suite.sha256, "09dded8d188d7fae25c452093b89f5d18b02c8a64bd55c67def13ed1b714109a");
   EXPECT_EQ(track.suite.cells.size(), 8U);
   for (const std::string& name : track.suite.tracks) {
     for (const SuiteCell& cell : track.suite.cells) {
