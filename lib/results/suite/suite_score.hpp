@@ -18,7 +18,7 @@ struct SuiteScore {
   bool is_privileged = false;       ///< sees the map: no competitor
   Estimate score;                   ///< m/s
   std::vector<double> score_draws;  ///< pairs with another result's of the same suite and split
-  std::size_t map_count = 0;        ///< of the smallest cell: what its interval rests on
+  std::size_t map_count = 0;        ///< of all cells
   std::int64_t success_count = 0;
   PlannerSpeeds all;                 ///< of all missions together
   std::vector<PlannerSpeeds> cells;  ///< one a cell of the suite
