@@ -57,12 +57,21 @@ const kLinks: [keyof BoardResult["links"], string][] = [
 
 function Results({ shown }: { shown: Shown[] }): JSX.Element {
   return (
-    <ScrollTable label="Results" head={["result", "planner", "failures", "tuned on", "licence", "files"]}>
+    <ScrollTable label="Results" head={["result", "files", "planner", "failures", "tuned on", "licence"]}>
       {shown.map(({ result }) => (
         <tr data-result={result.label}>
           <td>
             {result.label}
             {result.is_privileged ? <span class="note"> sees the map: no competitor</span> : null}
+          </td>
+          <td>
+            {kLinks.map(([name, text]) =>
+              result.links[name] ? (
+                <>
+                  <a href={encodeURI(result.links[name]!)}>{text}</a>{" "}
+                </>
+              ) : null,
+            )}
           </td>
           <td title={`${result.settings}, SHA-256 ${result.digest}`}>
             {result.name} {result.version}
@@ -75,15 +84,6 @@ function Results({ shown }: { shown: Shown[] }): JSX.Element {
           </td>
           <td>{result.tuned_on || "–"}</td>
           <td>{result.licence || "–"}</td>
-          <td>
-            {kLinks.map(([name, text]) =>
-              result.links[name] ? (
-                <>
-                  <a href={encodeURI(result.links[name]!)}>{text}</a>{" "}
-                </>
-              ) : null,
-            )}
-          </td>
         </tr>
       ))}
     </ScrollTable>
