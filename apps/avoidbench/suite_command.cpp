@@ -58,7 +58,12 @@ void check_suite(const CheckOptions& options) {
       }
     }
   }
-  if (map_count == 0) throw InputError("no such cell in " + options.track);
+  std::vector<std::string> cells;
+  for (const SuiteCell& cell : chosen.suite.cells) cells.push_back(cell.name);
+  if (map_count == 0) {
+    throw InputError("--cells: " + options.track + " has none of these; its cells are " +
+                     joined(cells));
+  }
   std::cout << options.track << ": " << map_count << " maps with their missions made, "
             << (problems.empty() ? "all as they were frozen" : "not as they were frozen") << '\n';
   if (!problems.empty()) throw CLI::RuntimeError(kChanged);

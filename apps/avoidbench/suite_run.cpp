@@ -19,7 +19,6 @@ namespace fs = std::filesystem;
 
 /// A sweep of the suite with its place in it.
 struct PlannedSweep {
-  const SuiteCell* cell = nullptr;
   const SuiteSweep* sweep = nullptr;
   SweepSeeds seeds;
   SweepSpec spec;
@@ -31,7 +30,7 @@ std::vector<PlannedSweep> planned(const SuiteTrack& chosen, Split split, const s
   for (const SuiteCell& cell : chosen.suite.cells) {
     for (const SuiteSweep& sweep : cell.sweeps) {
       const SweepSeeds seeds = seeds_of(chosen.suite, cell, sweep, split, key);
-      all.push_back({&cell, &sweep, seeds, suite_sweep(chosen, sweep, seeds, planner)});
+      all.push_back({&sweep, seeds, suite_sweep(chosen, sweep, seeds, planner)});
       if (all.back().spec.planners.size() == 1) continue;
       throw OptionError("a suite takes one setting for all cells: give no list of values",
                         "planner");

@@ -72,12 +72,30 @@ TEST(SuiteBoard, RefusesAResultThatLacksTrials) {
   EXPECT_EQ(boards_of({folder.path().string()}).front().entries.size(), 1U);
   result.rows.pop_back();
   write_result(result, folder.path());
-  EXPECT_TRUE(has(message_of([&] { boards_of({folder.path().string()}); }),
-                  "has 479 trials, expected 480"));
+  EXPECT_TRUE(
+      has(message_of([&] { boards_of({folder.path().string()}); }), "479 trials, expected 480"));
   result.suite_sha256 = std::string(64, '0');
   write_result(result, folder.path());
   EXPECT_TRUE(
       has(message_of([&] { boards_of({folder.path().string()}); }), "another avoidbench-1"));
+}
+
+/// Scores are of cells: a failure that hides in another cell, or in none, would make its own
+/// better.
+TEST(SuiteBoard, RefusesRowsInOtherPlaces) {
+  const SuiteSpec suite = suite_track("avoidbench-1/depth").suite;
+  const SuiteResult result = result_of(suite, "mine", three);
+  EXPECT_EQ(rows_problem(suite, result), "");
+  const auto with = [&](auto change) {
+    SuiteResult changed = result;
+    change(changed.rows[1]);
+    return rows_problem(suite, changed);
+  };
+  EXPECT_TRUE(has(with([](SuiteRow& row) { row.cell = "hall_3.0"; }), "no such sweep in a cell"));
+  EXPECT_TRUE(has(with([](SuiteRow& row) { row.map_seed = 999; }), "maps are not those"));
+  EXPECT_TRUE(has(with([](SuiteRow& row) { row.mission_index = 5; }), "no such mission"));
+  EXPECT_TRUE(has(with([](SuiteRow& row) { row.mission_index = 0; }), "it is there twice"));
+  EXPECT_TRUE(has(with([](SuiteRow& row) { row.goal_velocity_mps = 9.0; }), "goal velocity 9 m/s"));
 }
 
 TEST(SuiteBoard, SaysHowFailuresEndedAndLinksFiles) {

@@ -64,10 +64,8 @@ BoardEntry entry_of(const fs::path& folder, const SuiteSpec& suite, SuiteResult 
     refuse_file(folder / kPlannerFile, "it was flown in another " + suite.name +
                                            " than the one that is here (suite_sha256)");
   }
-  const auto missions = static_cast<std::size_t>(mission_count(suite, result.split));
-  if (result.rows.size() != missions) {
-    refuse_file(folder / kTrialsFile, "has " + std::to_string(result.rows.size()) +
-                                          " trials, expected " + std::to_string(missions));
+  if (const std::string problem = rows_problem(suite, result); !problem.empty()) {
+    refuse_file(folder / kTrialsFile, problem);
   }
   SuiteScore score = score_of(suite, result);
   return {.result = std::move(result), .score = std::move(score), .folder = folder};

@@ -4,10 +4,12 @@
 #include <array>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <tuple>
 
 #include "base/input_error.hpp"
 #include "base/input_file.hpp"
+#include "base/number_text.hpp"
 #include "base/output_file.hpp"
 #include "base/words.hpp"
 #include "table/csv.hpp"
@@ -134,6 +136,12 @@ std::string planner_yaml(const SuiteResult& result, const fs::path& folder) {
   return text + yaml_line("tuned_on", result.planner.tuned_on);
 }
 
+std::int64_t missions_a_map(const SuiteSpec& suite, Split split) {
+  return split == Split::dev    ? suite.dev.missions
+         : split == Split::open ? suite.open.missions
+                                : suite.sealed_missions;
+}
+
 void write_file(const fs::path& file, const std::string& text) {
   std::ofstream stream = open_output(file);
   stream << text;
@@ -222,15 +230,57 @@ SuiteResult read_result(const fs::path& folder) {
   return result;
 }
 
+std::string rows_problem(const SuiteSpec& suite, const SuiteResult& result) {
+  const std::int64_t missions = missions_a_map(suite, result.split);
+  std::map<std::string, std::string> cell_of;  // of a sweep
+  for (const SuiteCell& cell : suite.cells) {
+    for (const SuiteSweep& sweep : cell.sweeps) cell_of[sweep.name] = cell.name;
+  }
+  std::map<std::string, std::set<std::uint64_t>> maps_of;  // by sweep
+  std::set<std::tuple<std::string, std::uint64_t, std::int64_t>> seen;
+  for (const SuiteRow& row : result.rows) {
+    const std::string place = row.sweep + ", map " + std::to_string(row.map_seed) + ", mission " +
+                              std::to_string(row.mission_index);
+    const auto cell = cell_of.find(row.sweep);
+    if (cell == cell_of.end() || cell->second != row.cell) {
+      return place + ": the suite has no such sweep in a cell " + row.cell;
+    }
+    if (row.mission_index < 0 || row.mission_index >= missions) return place + ": no such mission";
+    if (!seen.emplace(row.sweep, row.map_seed, row.mission_index).second) {
+      return place + ": it is there twice";
+    }
+    maps_of[row.sweep].insert(row.map_seed);
+    const bool is_there = row.outcome == Outcome::reached_goal;
+    const double velocity_mps = is_there ? row.reference_length_m / row.end_time_s : 0.0;
+    if (row.goal_velocity_mps == velocity_mps) continue;
+    return place + ": goal velocity " + shortest(row.goal_velocity_mps) +
+           " m/s, but its length over its time is " + shortest(velocity_mps);
+  }
+  for (const SuiteCell& cell : suite.cells) {
+    for (const SuiteSweep& sweep : cell.sweeps) {
+      std::set<std::uint64_t> expected = maps_of[sweep.name];
+      // Sealed seeds follow from a key that is not here: their number alone is known.
+      if (result.split != Split::sealed) {
+        const SweepSeeds seeds = seeds_of(suite, cell, sweep, result.split, "");
+        expected = {seeds.map_seeds.begin(), seeds.map_seeds.end()};
+      }
+      if (maps_of[sweep.name] != expected ||
+          static_cast<std::int64_t>(expected.size()) != sweep.map_count) {
+        return sweep.name + ": its maps are not those of the suite";
+      }
+    }
+  }
+  const auto expected = static_cast<std::size_t>(mission_count(suite, result.split));
+  if (seen.size() == expected) return "";
+  return std::to_string(seen.size()) + " trials, expected " + std::to_string(expected);
+}
+
 std::int64_t mission_count(const SuiteSpec& suite, Split split) {
   std::int64_t maps = 0;
   for (const SuiteCell& cell : suite.cells) {
     for (const SuiteSweep& sweep : cell.sweeps) maps += sweep.map_count;
   }
-  const std::int64_t missions = split == Split::dev    ? suite.dev.missions
-                                : split == Split::open ? suite.open.missions
-                                                       : suite.sealed_missions;
-  return maps * missions;
+  return maps * missions_a_map(suite, split);
 }
 
 }  // namespace avoidbench

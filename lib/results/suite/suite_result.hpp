@@ -52,6 +52,11 @@ void write_result(const SuiteResult& result, const std::filesystem::path& folder
 /// Reads what write_result() wrote. Throws InputError with file, line and column.
 SuiteResult read_result(const std::filesystem::path& folder);
 
+/// Why the rows can't be one flight for each mission of the split: a cell, sweep, map or mission
+/// that the suite has not, one twice, some missing, or a goal velocity that is not the length over
+/// the time. "" where they can. Keys and flights are verify's.
+std::string rows_problem(const SuiteSpec& suite, const SuiteResult& result);
+
 /// How many missions the split has.
 std::int64_t mission_count(const SuiteSpec& suite, Split split);
 

@@ -94,7 +94,6 @@ FrozenMaps read_frozen(const GivenValue& given) {
 SuiteSweep read_suite_sweep(const GivenValue& given, const std::vector<std::string>& tracks) {
   MappingReader mapping(given);
   SuiteSweep sweep;
-  sweep.place = problem_at(given.node, "");
   sweep.name = needed_name(mapping, given, "sweep");
   sweep.map_count = needed_whole<std::int64_t>(mapping, given, "maps", kCounts);
   if (const auto files = needed(mapping, given, "file_sha256")) {

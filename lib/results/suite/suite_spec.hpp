@@ -30,7 +30,6 @@ struct SuiteSweep {
   std::int64_t map_count = 0;            ///< in each split
   std::vector<std::string> file_sha256;  ///< one a track
   FrozenMaps dev, open;                  ///< the same for all tracks
-  InputProblem place;                    ///< where it stands, without a message
 };
 
 /// Missions that are scored together.

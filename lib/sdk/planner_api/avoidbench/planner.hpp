@@ -25,9 +25,8 @@
  * being damaged (see AB_CHECK_EXTENSION); `std::uint8_t place_at(const Vec3& point_world_m) const`,
  * AB_PLACE_… (see AB_MAP_EXTENSION); a constructor (const ab_setup&, const ab_host&), of whose host
  * Canvas draws and KnownWorld asks; a class without `parameters`. Where parameters name members,
- * settings_from() fills in all of them. An exception that leaves the class becomes AB_ERROR with
- * its text; give_up("reason") ends the trial with planner_gave_up. What ab_command.points refers to
- * must live until the next call.
+ * settings_from() fills them in. An exception that leaves the class becomes AB_ERROR with its text;
+ * give_up("reason") ends the trial. What ab_command.points refers to lives until the next call.
  */
 #ifndef AVOIDBENCH_PLANNER_HPP
 #define AVOIDBENCH_PLANNER_HPP
