@@ -15,7 +15,7 @@ class Ego {
   static constexpr const char* version = "1.1";
   static constexpr const char* summary =
       "Optimises B-splines against anchors on obstacles, after EGO-Planner.";
-  static constexpr std::uint32_t needs = AB_INPUT_STATE | AB_INPUT_DEPTH;
+  static constexpr std::uint32_t needs = AB_INPUT_STATE | AB_INPUT_DEPTH | AB_INPUT_POINTS;
   static constexpr std::uint32_t commands = AB_COMMAND_TRAJECTORY;
   static constexpr const auto& parameters = ego::kParameters;
   static constexpr std::array profiles{planning::published(ego::kPublished)};
@@ -33,7 +33,9 @@ class Ego {
         !std::isfinite(state.time_s)) {
       return std::nullopt;
     }
-    for (std::uint32_t i = seen.depth_count; i-- > 0;) flight_.see(*seen.depth[i]);  // oldest first
+    // The oldest first.
+    for (std::uint32_t i = seen.depth_count; i-- > 0;) flight_.see(*seen.depth[i]);
+    for (std::uint32_t i = seen.cloud_count; i-- > 0;) flight_.see(*seen.clouds[i]);
     const std::vector<ab_point>& points = flight_.plan(state);
     if (canvas_.is_wanted()) draw(state);
     return avoidbench::make_trajectory_command(points);

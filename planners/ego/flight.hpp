@@ -27,6 +27,9 @@ class Flight {
   /// Takes an image into the map, if it is its camera's first of its map period.
   void see(const ab_depth_image& image);
 
+  /// Takes a lidar's sweep into the map.
+  void see(const ab_cloud& cloud) { surroundings_.grid.integrate(cloud); }
+
   /// What to fly from now on; valid until the next call. Only where has_mission().
   const std::vector<ab_point>& plan(const ab_state& state);
 

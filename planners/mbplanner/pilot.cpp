@@ -115,12 +115,17 @@ std::optional<std::vector<ab_point>> Pilot::plan(const ab_observation& seen) {
   return points(time_s);
 }
 
-/// Takes the images in, the oldest first, and what the vehicle itself shows: its place is free.
+/// Takes images and sweeps in, the oldest first, and what the vehicle itself shows: its place is
+/// free.
 void Pilot::look(const ab_observation& seen, const Vector3d& position) {
   grid_.move_to(position);
   for (std::uint32_t i = seen.depth_count; i-- > 0;) {
     if (!is_finite(*seen.depth[i])) continue;
     grid_.integrate(planning::without_border(*seen.depth[i], kBorder));
+    has_seen_ = true;
+  }
+  for (std::uint32_t i = seen.cloud_count; i-- > 0;) {
+    grid_.integrate(*seen.clouds[i]);
     has_seen_ = true;
   }
   // More at the start, where nothing was seen yet: the missions' starts have free space around

@@ -19,15 +19,15 @@ struct Settings {
   double memory_s = 0.0;
 };
 
-/// Local and map-free: a polar histogram of what the depth cameras see and saw a moment ago; see
-/// README.md.
+/// Local and map-free: a polar histogram of what depth cameras and lidars see and saw a moment ago;
+/// see README.md.
 class Reactive {
  public:
   static constexpr const char* name = "reactive";
   static constexpr const char* version = "1.1";
   static constexpr const char* summary =
       "Polar histogram of nearest depth with a short memory; no map.";
-  static constexpr std::uint32_t needs = AB_INPUT_STATE | AB_INPUT_DEPTH;
+  static constexpr std::uint32_t needs = AB_INPUT_STATE | AB_INPUT_DEPTH | AB_INPUT_POINTS;
   static constexpr std::uint32_t commands = AB_COMMAND_VELOCITY;
   static constexpr std::array parameters{
       avoidbench::parameter<&Settings::steering, &SteeringSettings::max_speed_mps>(
@@ -50,6 +50,7 @@ class Reactive {
   Reactive(const ab_setup& setup, const ab_host& host)
       : settings_(settings_from(setup)),
         camera_count_(setup.camera_count),
+        lidar_count_(setup.lidar_count),
         steerer_(settings_.steering),
         canvas_(host) {}
 
@@ -98,8 +99,8 @@ class Reactive {
     return settings;
   }
 
-  /// Takes each camera's newest image in and gathers what counts as obstacle now, relative to the
-  /// vehicle.
+  /// Takes each camera's newest image and each lidar's newest sweep in and gathers what counts as
+  /// obstacle now, relative to the vehicle.
   void look(const ab_observation& seen, const Vector3& position) {
     const double time_s = seen.state->time_s;
     points_.clear();
@@ -108,6 +109,12 @@ class Reactive {
       const ab_depth_image* image = avoidbench::newest_depth(seen, camera);
       if (image == nullptr) continue;
       sight_.take(*image);
+      has_new = true;
+    }
+    for (std::uint32_t lidar = 0; lidar < lidar_count_; ++lidar) {
+      const ab_cloud* cloud = avoidbench::newest_cloud(seen, lidar);
+      if (cloud == nullptr) continue;
+      sight_.take(*cloud);
       has_new = true;
     }
     memory_.prune(position, kMemoryRange_m, time_s, settings_.memory_s, sight_);
@@ -160,7 +167,7 @@ class Reactive {
   static constexpr double kMemoryRange_m = 8.0, kMemoryHeight_m = 1.5;
 
   Settings settings_;
-  std::uint32_t camera_count_ = 0;
+  std::uint32_t camera_count_ = 0, lidar_count_ = 0;
   reactive::Steerer steerer_;
   reactive::Sight sight_;
   reactive::ObstacleMemory memory_;

@@ -33,7 +33,14 @@ void Sight::take(const ab_depth_image& image) {
   views.back().take(image);
 }
 
-bool Sight::is_ready() const { return std::any_of(cameras_.begin(), cameras_.end(), is_believed); }
+void Sight::take(const ab_cloud& cloud) {
+  if (cloud.lidar >= lidars_.size()) lidars_.resize(cloud.lidar + 1);
+  lidars_[cloud.lidar].take(cloud);
+}
+
+bool Sight::is_ready() const {
+  return !lidars_.empty() || std::any_of(cameras_.begin(), cameras_.end(), is_believed);
+}
 
 void Sight::append_points(double range_m, std::vector<Vector3>& points_world) const {
   for (const Views& views : cameras_) {
@@ -48,23 +55,33 @@ void Sight::append_points(double range_m, std::vector<Vector3>& points_world) co
                                       points_world.end(), is_alone),
                        points_world.end());
   }
+  for (const PointView& lidar : lidars_) lidar.append_points(range_m, points_world);
 }
 
 bool Sight::has_seen(const Vector3& direction_world) const {
-  return std::any_of(cameras_.begin(), cameras_.end(), [&](const Views& views) {
-    return agree(views.begin(), views.end(), kNeeded,
-                 [&](const DepthView& view) { return view.has_seen(direction_world); });
+  const bool by_lidar = std::any_of(lidars_.begin(), lidars_.end(), [&](const PointView& lidar) {
+    return lidar.has_seen(direction_world);
   });
+  return by_lidar || std::any_of(cameras_.begin(), cameras_.end(), [&](const Views& views) {
+           return agree(views.begin(), views.end(), kNeeded,
+                        [&](const DepthView& view) { return view.has_seen(direction_world); });
+         });
 }
 
 bool Sight::sees_through(const Vector3& point_world) const {
-  return std::any_of(cameras_.begin(), cameras_.end(), [&](const Views& views) {
-    return agree(views.begin(), views.end(), kNeeded,
-                 [&](const DepthView& view) { return view.sees_through(point_world); });
+  const bool by_lidar = std::any_of(lidars_.begin(), lidars_.end(), [&](const PointView& lidar) {
+    return lidar.sees_through(point_world);
   });
+  return by_lidar || std::any_of(cameras_.begin(), cameras_.end(), [&](const Views& views) {
+           return agree(views.begin(), views.end(), kNeeded,
+                        [&](const DepthView& view) { return view.sees_through(point_world); });
+         });
 }
 
 double Sight::looked_along(const Vector3& direction_world) const {
+  for (const PointView& lidar : lidars_) {
+    if (lidar.has_seen(direction_world)) return 1.0;
+  }
   const auto level = [](const Vector3& v) { return direction({v.x, v.y, 0.0}, {0.0, 0.0, 0.0}); };
   Vector3 forward;
   double most = -std::numeric_limits<double>::infinity();

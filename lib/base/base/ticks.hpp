@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "base/check.hpp"
+
 namespace avoidbench {
 
 /// Simulated time in whole ticks of 1/36,000 s, so that 1 kHz physics, 30, 50, 60, 90 and 200 Hz
@@ -23,6 +25,13 @@ inline std::optional<Tick> period_ticks(double rate_hz) {
   const double whole = std::round(exact);
   if (whole < 1.0 || std::abs(exact - whole) > 1e-9 * exact) return std::nullopt;
   return static_cast<Tick>(whole);
+}
+
+/// The period of a rate that was rounded to whole ticks when it was read.
+inline Tick required_period(double rate_hz) {
+  const auto period = period_ticks(rate_hz);
+  AB_CHECK(period.has_value(), rate_hz, "Hz is not a whole number of ticks");
+  return *period;
 }
 
 /// `duration_s` rounded to the nearest tick.

@@ -209,7 +209,7 @@ void check_sensor(const GivenValue& given, const Entry& entry, const SensorSpec&
   TrialSpec trial;
   trial.sensor = sensor;
   trial.planner.camera = entry.camera;
-  const std::string problem = camera_problem(entry.planner, planner_setup(trial).cameras);
+  const std::string problem = sensor_problem(entry.planner, planner_setup(trial));
   if (problem.empty()) return;
   const bool may_choose =
       (entry.planner.needs & AB_INPUT_ONE_CAMERA) != 0 && entry.camera == kAllCameras && count > 1;

@@ -117,12 +117,22 @@ FieldTree with_preset(FieldTree block, const std::vector<Spec>& built_in) {
   return block;
 }
 
-/// Elements of more_cameras may be names, too.
+/// Elements of more_cameras and lidars may be names, too.
 FieldTree make_sensor_tree() {
   const std::vector<SensorSpec> built_in = sensor_presets();
   FieldTree tree = with_preset<SensorSpec>(
       field_tree("sensor", SensorSpec{}, "A sensor: fields that differ from `preset`."), built_in);
   for (FieldTree& field : tree.fields) {
+    if (field.name == "lidars") {
+      field.facts = {
+          {"type", "a list of names and mappings, with the keys of a lidar"},
+          {"default", "[]"},
+          {"example", "sensor: {kind: none, lidars: [{preset: mid360_like, pitch_deg: 20}]}"},
+          {"or", "sensor: {preset: d435_like, lidars: [velodyne_16]}"},
+          {"axis", "a list of such values"},
+          {"see", "docs/lidar.md"}};
+      field.fields.front() = with_preset(std::move(field.fields.front()), lidar_presets());
+    }
     if (field.name != "more_cameras") continue;
     field.facts = {{"type", "a list of names and mappings, with the keys of a sensor"},
                    {"default", "[]"},

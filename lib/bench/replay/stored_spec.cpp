@@ -114,6 +114,9 @@ void check_rates(const TrialSpec& spec) {
     if (!period_ticks(camera.rate_hz))
       throw BadText("a camera's period is no whole number of ticks");
   }
+  for (const LidarSpec& lidar : spec.sensor.lidars) {
+    if (!period_ticks(lidar.rate_hz)) throw BadText("a lidar's period is no whole number of ticks");
+  }
 }
 
 }  // namespace

@@ -89,10 +89,38 @@ std::string camera_path(std::size_t index) {
   return "sensor.more_cameras[" + std::to_string(index) + "]";
 }
 
+/// "sensor.lidars[1]" of the second one.
+std::string lidar_path(std::size_t index) { return "sensor.lidars[" + std::to_string(index) + "]"; }
+
+void check_lidar(const std::string& path, const LidarSpec& lidar, Found& found) {
+  const auto check_order = [&](const std::string& lesser, double less, const std::string& greater,
+                               double more) {
+    if (less < more) return;
+    found.push_back(
+        {path + "." + lesser, shortest(less) + " is not below " + greater + ", " + shortest(more)});
+  };
+  check_order("min_range_m", lidar.min_range_m, "max_range_m", lidar.max_range_m);
+  const auto* spinning = std::get_if<LidarSpinningSpec>(&lidar.scan);
+  // One ring is at the lowest elevation.
+  if (spinning != nullptr && spinning->rings == 1) return;
+  std::visit(
+      [&](const auto& scan) {
+        check_order("lowest_elevation_deg", scan.lowest_elevation_deg, "highest_elevation_deg",
+                    scan.highest_elevation_deg);
+      },
+      lidar.scan);
+}
+
 void check_sensor(const SensorSpec& sensor, Found& found) {
   check_camera("sensor", sensor, found);
   for (std::size_t i = 0; i < sensor.more_cameras.size(); ++i) {
     check_camera(camera_path(i), sensor.more_cameras[i], found);
+  }
+  for (std::size_t i = 0; i < sensor.lidars.size(); ++i) {
+    check_lidar(lidar_path(i), sensor.lidars[i], found);
+  }
+  if (rig_cameras(sensor).empty() && sensor.lidars.empty()) {
+    found.push_back({"sensor.lidars", "a sensor of kind none has lidars"});
   }
 }
 
@@ -121,6 +149,9 @@ std::vector<std::pair<std::string, double*>> rates_hz(TrialSpec& spec) {
       {"wind.turbulence.rate_hz", &spec.wind.turbulence.rate_hz}};
   for (std::size_t i = 0; i < spec.sensor.more_cameras.size(); ++i) {
     rates.emplace_back(camera_path(i) + ".rate_hz", &spec.sensor.more_cameras[i].rate_hz);
+  }
+  for (std::size_t i = 0; i < spec.sensor.lidars.size(); ++i) {
+    rates.emplace_back(lidar_path(i) + ".rate_hz", &spec.sensor.lidars[i].rate_hz);
   }
   return rates;
 }

@@ -123,17 +123,19 @@ Perception make_perception(const TrialSpec& spec, std::uint32_t needs, const Veh
                .odometry_random = stream(seed, "odometry"),
                .past = {},
                .sees_states = (needs & AB_INPUT_STATES) != 0,
-               .states = {}};
+               .states = {},
+               .lidars = {}};
   p.imu_state = make_imu(p.imu, p.imu_random);
   p.odometry_state = make_odometry(p.odometry, start, p.odometry_random);
   // Until the first state is old enough the planner sees the start.
   p.past.push_back(believed_state(p, start));
+  p.lidars = make_lidar_sensing(spec.sensor, needs, seed, start, p.past.back());
   return p;
 }
 
 Tick next_sensing(const Perception& p, Tick now) {
   const auto after = [now](Tick period) { return (now / period + 1) * period; };
-  Tick next = after(p.imu_period);
+  Tick next = std::min(after(p.imu_period), next_sweep_end(p.lidars, now));
   for (const CameraGroup& group : p.cameras) {
     next = std::min(next, group.next_exposure > now ? group.next_exposure : now + 1);
   }
@@ -166,6 +168,7 @@ void sense(Perception& p, const Scene& scene, const VehicleModel& model, const V
   for (CameraGroup& group : p.cameras) {
     if (truth.tick == group.next_exposure) expose(p, group, scene, truth);
   }
+  sense_points(p.lidars, scene, truth, believed_state(p, truth));
 }
 
 VehicleState believed_state(const Perception& p, const VehicleState& truth) {
@@ -204,6 +207,7 @@ PlannerView planner_view(Perception& p, const VehicleState& truth) {
   for (const VehicleState& past : p.states) {
     if (is_told(p, past, truth.tick)) view.states.push_back(state_view(past));
   }
+  view.clouds = cloud_views(p.lidars, truth.tick);
   return view;
 }
 
@@ -215,6 +219,7 @@ void forget_images(Perception& p, Tick tick) {
     return e.ready > tick;  // the seen ones' buffers are used again
   });
   p.exposure_count = static_cast<std::size_t>(seen - first);
+  forget_sweeps(p.lidars, tick);
 }
 
 void forget_seen(Perception& p, Tick now) {

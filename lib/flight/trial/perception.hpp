@@ -9,6 +9,7 @@
 #include "sensing/camera.hpp"
 #include "sensing/imu.hpp"
 #include "sensing/odometry.hpp"
+#include "trial/lidar_sensing.hpp"
 #include "trial/trial_spec.hpp"
 
 namespace avoidbench {
@@ -56,6 +57,7 @@ struct Perception {
   std::deque<VehicleState> past;  ///< estimates at plan ticks less the delay, oldest first
   bool sees_states = false;
   std::vector<VehicleState> states;  ///< estimates at the IMU's ticks that the planner has not seen
+  LidarSensing lidars;
 };
 
 /// At the start of a trial. `needs` are the planner's (AB_INPUT_…).
@@ -74,10 +76,10 @@ VehicleState believed_state(const Perception& perception, const VehicleState& tr
 /// The truth of which the odometry, but for its white noise, says `believed`.
 VehicleState truth_believed_as(const Perception& perception, const VehicleState& believed);
 
-/// What the planner sees now. Pixels stay the perception's until forget_seen().
+/// What the planner sees now. Pixels and points stay the perception's until forget_seen().
 PlannerView planner_view(Perception& perception, const VehicleState& truth);
 
-/// Frees the images that the planner might have had at `tick`.
+/// Frees the images and sweeps that the planner might have had at `tick`.
 void forget_images(Perception& perception, Tick tick);
 
 /// Frees what the last planner_view() showed.

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "base/check.hpp"
 #include "base/ticks.hpp"
 #include "trial/trial_spec.hpp"
 
@@ -10,13 +9,6 @@ namespace avoidbench {
 /// vehicle at all time scales, so that finer differences only grow. The original records its
 /// flights at this rate.
 inline constexpr double kJerkRate_hz = 50.0;
-
-/// The period of a rate that was rounded to whole ticks when it was read.
-inline Tick required_period(double rate_hz) {
-  const auto period = period_ticks(rate_hz);
-  AB_CHECK(period.has_value(), rate_hz, "Hz is not a whole number of ticks");
-  return *period;
-}
 
 /// Whether a flight is sampled at kJerkRate_hz too: where samples at least as frequent are not at
 /// those moments.

@@ -3,6 +3,7 @@
 #include "base/check.hpp"
 #include "base/math.hpp"
 #include "base/random.hpp"
+#include "trial/lidar_sensing.hpp"
 
 namespace avoidbench {
 namespace {
@@ -61,6 +62,7 @@ PlannerSetup planner_setup(const TrialSpec& spec) {
                              .max_range_m = kind.max_range_m,
                              .baseline_m = kind.baseline_m});
   }
+  setup.lidars = lidar_setups(spec.sensor);
   return setup;
 }
 

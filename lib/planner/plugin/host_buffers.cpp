@@ -101,6 +101,21 @@ ab_point to_point(const ReferenceView& view, double time_s) {
   return out;
 }
 
+ab_lidar to_lidar(const LidarSetup& lidar) {
+  ab_lidar out{};
+  set_size(out);
+  out.is_deskewed = lidar.is_deskewed ? 1 : 0;
+  copy(lidar.T_body_lidar.translation(), out.position_body_m);
+  copy(Eigen::Quaterniond(lidar.T_body_lidar.linear()), out.q_body_lidar);
+  out.rate_hz = lidar.rate_hz;
+  out.min_range_m = lidar.min_range_m;
+  out.max_range_m = lidar.max_range_m;
+  out.lowest_elevation_rad = lidar.lowest_elevation_rad;
+  out.highest_elevation_rad = lidar.highest_elevation_rad;
+  out.shots = lidar.shots;
+  return out;
+}
+
 ab_camera to_camera(const CameraSetup& camera) {
   ab_camera out{};
   set_size(out);
@@ -204,6 +219,12 @@ SetupBuffers::SetupBuffers(const PlannerSetup& setup, const std::vector<Paramete
   setup_.plan_period_s = setup.plan_period_s;
   setup_.gravity_mps2 = setup.gravity_mps2;
   // Who declares no eyes gets no camera, so that no result depends on what was not declared.
+  if ((needs & AB_INPUT_POINTS) != 0) {
+    for (const LidarSetup& lidar : setup.lidars) lidars_.push_back(to_lidar(lidar));
+  }
+  point_to(lidars_, lidar_pointers_);
+  setup_.lidar_count = static_cast<std::uint32_t>(lidar_pointers_.size());
+  setup_.lidars = lidar_pointers_.data();
   if (!sees_images(needs)) return;
   for (const CameraSetup& camera : setup.cameras) cameras_.push_back(to_camera(camera));
   point_to(cameras_, camera_pointers_);
@@ -218,6 +239,8 @@ void SetupBuffers::poison() {
   fill_with_rubbish(setup_);
   fill_with_rubbish(cameras_);
   fill_with_rubbish(camera_pointers_);
+  fill_with_rubbish(lidars_);
+  fill_with_rubbish(lidar_pointers_);
   fill_with_rubbish(values_);
   fill_with_rubbish(pointers_);
   for (std::string& text : texts_) std::fill(text.begin(), text.end(), '#');
@@ -274,6 +297,7 @@ const ab_observation& ObservationBuffers::fill(const PlannerView& view,
     reference_ = to_point(*view.reference, view.call_time_s);
     observation_.reference = &reference_;
   }
+  fill_clouds((needs & AB_INPUT_POINTS) != 0 ? view.clouds : std::vector<CloudView>{});
   return observation_;
 }
 
@@ -338,6 +362,27 @@ void ObservationBuffers::fill_imu(const std::vector<ImuView>& seen) {
   observation_.imu = imu_.data();
 }
 
+void ObservationBuffers::fill_clouds(const std::vector<CloudView>& seen) {
+  static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float), "misses lie one after the other");
+  clouds_.clear();
+  for (const CloudView& view : seen) {
+    ab_cloud cloud{};
+    set_size(cloud);
+    cloud.lidar = view.lidar;
+    cloud.time_s = view.time_s;
+    copy(view.T_world_lidar.translation(), cloud.position_world_m);
+    copy(Eigen::Quaterniond(view.T_world_lidar.linear()), cloud.q_world_lidar);
+    cloud.point_count = static_cast<std::uint32_t>(view.points.size());
+    cloud.miss_count = static_cast<std::uint32_t>(view.misses_lidar.size());
+    cloud.points = view.points.data();
+    cloud.misses_lidar = view.misses_lidar.empty() ? nullptr : view.misses_lidar.front().data();
+    clouds_.push_back(cloud);
+  }
+  point_to(clouds_, cloud_pointers_);
+  observation_.cloud_count = static_cast<std::uint32_t>(clouds_.size());
+  observation_.clouds = cloud_pointers_.data();
+}
+
 void ObservationBuffers::poison() {
   fill_with_rubbish(observation_);
   fill_with_rubbish(state_);
@@ -352,6 +397,8 @@ void ObservationBuffers::poison() {
   fill_with_rubbish(imu_);
   fill_with_rubbish(states_);
   fill_with_rubbish(state_pointers_);
+  fill_with_rubbish(clouds_);
+  fill_with_rubbish(cloud_pointers_);
 }
 
 }  // namespace avoidbench

@@ -52,7 +52,7 @@ class HostSide {
 /// An ab_setup with all that it points to. Stays at its address.
 class SetupBuffers {
  public:
-  /// `needs` are the planner's: without images there are no cameras.
+  /// `needs` are the planner's: without images there are no cameras, without points no lidars.
   SetupBuffers(const PlannerSetup& setup, const std::vector<ParameterValue>& values,
                std::uint32_t needs);
   SetupBuffers(const SetupBuffers&) = delete;
@@ -66,6 +66,8 @@ class SetupBuffers {
   ab_setup setup_{};
   std::vector<ab_camera> cameras_;
   std::vector<const ab_camera*> camera_pointers_;
+  std::vector<ab_lidar> lidars_;
+  std::vector<const ab_lidar*> lidar_pointers_;
   std::vector<std::string> texts_;
   std::vector<ab_value> values_;
   std::vector<const ab_value*> pointers_;
@@ -73,7 +75,7 @@ class SetupBuffers {
 
 ab_mission to_mission(const PlannerMission& mission);
 
-/// An ab_observation with all that it points to but the pixels, which stay the view's.
+/// An ab_observation with all that it points to except pixels and points, which stay the view's.
 class ObservationBuffers {
  public:
   ObservationBuffers() = default;
@@ -90,6 +92,7 @@ class ObservationBuffers {
   void fill_stereo(const std::vector<StereoView>& seen, const std::vector<CameraSetup>& cameras);
   void fill_color(const std::vector<ColorView>& seen, const std::vector<CameraSetup>& cameras);
   void fill_imu(const std::vector<ImuView>& seen);
+  void fill_clouds(const std::vector<CloudView>& seen);
 
   ab_observation observation_{};
   ab_state state_{};
@@ -103,6 +106,8 @@ class ObservationBuffers {
   std::vector<ab_imu_sample> imu_;
   std::vector<ab_state> states_;
   std::vector<const ab_state*> state_pointers_;
+  std::vector<ab_cloud> clouds_;
+  std::vector<const ab_cloud*> cloud_pointers_;
 };
 
 }  // namespace avoidbench

@@ -86,7 +86,7 @@ PlannerInstance::PlannerInstance(const PlannerLibrary& library, const PlannerSet
     : internals_(std::make_unique<Internals>(library.thread_owner(), library.table().needs)) {
   const PlannerDescription& description = library.description();
   AB_CHECK(values.size() == description.parameters.size(), values.size());
-  if (const std::string problem = camera_problem(description, setup.cameras); !problem.empty()) {
+  if (const std::string problem = sensor_problem(description, setup); !problem.empty()) {
     throw InputError("planner " + description.name + " can't fly with this sensor: " + problem);
   }
   internals_->table = &library.table();

@@ -22,11 +22,19 @@ struct CameraSetup {
   Eigen::Isometry3d T_body_camera = Eigen::Isometry3d::Identity();
   double rate_hz = 0, min_range_m = 0, max_range_m = 0, baseline_m = 0;
 };
+struct LidarSetup {
+  bool is_deskewed = true;
+  Eigen::Isometry3d T_body_lidar = Eigen::Isometry3d::Identity();
+  double rate_hz = 0, min_range_m = 0, max_range_m = 0;
+  double lowest_elevation_rad = 0, highest_elevation_rad = 0;
+  std::uint32_t shots = 0;
+};
 struct PlannerSetup {
   double max_speed_mps = 0, max_acceleration_mps2 = 0, max_yaw_rate_radps = 0;
   Eigen::Vector3d body_size_m = Eigen::Vector3d::Zero();
   double plan_period_s = 0, gravity_mps2 = 0;
-  std::vector<CameraSetup> cameras;  ///< at least one; alike except for where they are mounted
+  std::vector<CameraSetup> cameras;
+  std::vector<LidarSetup> lidars = {};
 };
 struct PlannerMission {
   std::uint64_t seed = 0;
@@ -64,6 +72,14 @@ struct ColorView {
   std::uint32_t camera = 0;
   std::span<const std::uint8_t> rgb;
 };
+/// `lidar` is an index into PlannerSetup::lidars.
+struct CloudView {
+  double time_s = 0;
+  Eigen::Isometry3d T_world_lidar = Eigen::Isometry3d::Identity();
+  std::uint32_t lidar = 0;
+  std::span<const ab_lidar_point> points;
+  std::span<const Eigen::Vector3f> misses_lidar;
+};
 struct ImuView {
   double time_s = 0;
   Eigen::Vector3d rates_body, specific_force_body_mps2;
@@ -88,6 +104,7 @@ struct PlannerView : StateView {
   std::vector<ImuView> imu;                     ///< oldest first
   std::vector<StateView> states;                ///< oldest first
   std::optional<ReferenceView> reference = {};  ///< nothing while rates are commanded
+  std::vector<CloudView> clouds = {};           ///< newest first
 };
 
 /// What a planner knows of a place: AB_PLACE_….

@@ -28,7 +28,7 @@ constexpr std::size_t kLeastProfileSize = offsetof(ab_profile, numbers) + sizeof
 constexpr std::uint32_t kMostParameters = 1000;
 constexpr std::uint32_t kKnownNeeds =
     AB_INPUT_STATE | AB_INPUT_DEPTH | AB_INPUT_STEREO | AB_INPUT_COLOR | AB_INPUT_IMU |
-    AB_INPUT_WORLD | AB_INPUT_STATES | AB_INPUT_REFERENCE | AB_INPUT_ONE_CAMERA |
+    AB_INPUT_WORLD | AB_INPUT_STATES | AB_INPUT_REFERENCE | AB_INPUT_POINTS | AB_INPUT_ONE_CAMERA |
     AB_USES_PROCESSES | AB_USES_DEVICES | AB_USES_NETWORK | AB_USES_GLOBALS;
 constexpr std::uint32_t kKnownCommands = AB_COMMAND_POSITION | AB_COMMAND_VELOCITY |
                                          AB_COMMAND_ACCELERATION | AB_COMMAND_TRAJECTORY |
@@ -386,8 +386,14 @@ std::string camera_demand(const PlannerDescription& planner) {
   return text;
 }
 
-std::string camera_problem(const PlannerDescription& planner,
-                           std::span<const CameraSetup> cameras) {
+std::string sensor_problem(const PlannerDescription& planner, const PlannerSetup& setup) {
+  const std::vector<CameraSetup>& cameras = setup.cameras;
+  const bool sees_points = (planner.needs & AB_INPUT_POINTS) != 0;
+  const bool has_points = sees_points && !setup.lidars.empty();
+  if (sees_images(planner.needs) && cameras.empty() && !has_points) {
+    return sees_points ? "it has neither a camera nor a lidar" : "it has no camera";
+  }
+  if (sees_points && !sees_images(planner.needs) && !has_points) return "it has no lidar";
   // Who sees no images is given no camera.
   if (!sees_images(planner.needs)) return "";
   if ((planner.needs & AB_INPUT_ONE_CAMERA) != 0 && cameras.size() > 1) {

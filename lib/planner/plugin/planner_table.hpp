@@ -30,9 +30,10 @@ bool sees_images(std::uint32_t needs);
 /// What the planner demands of cameras, for people: "one", "90° × 67.4° or more"; "" for nothing.
 std::string camera_demand(const PlannerDescription& planner);
 
-/// Why the planner can't fly with these cameras: it handles one and gets several, or needs a wider
-/// view than one has. "" where it can.
-std::string camera_problem(const PlannerDescription& planner, std::span<const CameraSetup> cameras);
+/// Why the planner can't fly with the sensor of this setup: it has nothing that the planner sees
+/// through, or several cameras for one that handles one, or a camera of too narrow a view. "" where
+/// it can.
+std::string sensor_problem(const PlannerDescription& planner, const PlannerSetup& setup);
 
 /// The words of "safe|fast".
 std::vector<std::string> choice_words(const std::string& choices);

@@ -44,6 +44,15 @@ std::uint64_t write_depth(Segment& segment, const ab_depth_image& image) {
   return write_struct(segment, copy);
 }
 
+std::uint64_t write_cloud(Segment& segment, const ab_cloud& cloud) {
+  ab_cloud copy = cloud;
+  const std::size_t points = cloud.point_count * sizeof(ab_lidar_point);
+  const std::size_t misses = std::size_t{3} * cloud.miss_count * sizeof(float);
+  set_offset(copy.points, points == 0 ? 0 : segment.add(cloud.points, points));
+  set_offset(copy.misses_lidar, misses == 0 ? 0 : segment.add(cloud.misses_lidar, misses));
+  return write_struct(segment, copy);
+}
+
 std::uint64_t write_stereo(Segment& segment, const ab_stereo_pair& pair) {
   ab_stereo_pair copy = pair;
   set_offset(copy.left, write_picture(segment, *pair.left));
@@ -81,6 +90,10 @@ std::uint64_t write_flat(Segment& segment, const ab_setup& setup) {
   set_offset(copy.cameras,
              write_pointers(segment, setup.cameras, setup.camera_count, write_camera));
   set_offset(copy.depth_camera, first);
+  set_offset(copy.lidars, write_pointers(segment, setup.lidars, setup.lidar_count,
+                                         [](Segment& to, const ab_lidar& lidar) {
+                                           return write_struct(to, lidar);
+                                         }));
   return write_struct(segment, copy);
 }
 
@@ -107,6 +120,8 @@ std::uint64_t write_flat(Segment& segment, const ab_observation& observation) {
   const bool has_reference = observation.reference != nullptr;
   set_offset(copy.reference,
              has_reference ? segment.add(observation.reference, sizeof(ab_point)) : 0);
+  set_offset(copy.clouds,
+             write_pointers(segment, observation.clouds, observation.cloud_count, write_cloud));
   return write_struct(segment, copy);
 }
 

@@ -130,12 +130,23 @@ SensorSpec surround() {
   return sensor;
 }
 
+/// A lidar and no camera.
+SensorSpec lidar_alone(const LidarSpec& lidar) {
+  SensorSpec sensor;
+  sensor.name = lidar.name;
+  sensor.method = NoCameraSpec{};
+  sensor.lidars = {lidar};
+  return sensor;
+}
+
 }  // namespace
 
 std::vector<SensorSpec> sensor_presets() {
-  return {
+  std::vector<SensorSpec> presets{
       SensorSpec{},      depth_noisy(), stereo_sgm(), plain_stereo("stereo_sgbm", StereoSgbmSpec{}),
       stereo_original(), d435_like(),   oak_d_like(), surround()};
+  for (const LidarSpec& lidar : lidar_presets()) presets.push_back(lidar_alone(lidar));
+  return presets;
 }
 
 }  // namespace avoidbench

@@ -19,6 +19,9 @@ Eigen::Matrix3d rotation(double angle_rad, const Eigen::Vector3d& axis) {
 std::vector<CameraSpec> camera_kinds(const SensorSpec& sensor) {
   std::vector<CameraSpec> kinds{sensor};
   kinds.insert(kinds.end(), sensor.more_cameras.begin(), sensor.more_cameras.end());
+  std::erase_if(kinds, [](const CameraSpec& kind) {
+    return std::holds_alternative<NoCameraSpec>(kind.method);
+  });
   return kinds;
 }
 
@@ -69,7 +72,7 @@ std::vector<RigCamera> rig_cameras(const SensorSpec& sensor) {
 SensorSpec one_camera(const SensorSpec& rig, std::size_t index) {
   const std::vector<RigCamera> cameras = rig_cameras(rig);
   AB_CHECK(index < cameras.size(), index, cameras.size());
-  SensorSpec sensor{cameras[index].kind, {}};
+  SensorSpec sensor{cameras[index].kind, {}, rig.lidars};
   sensor.mounting = cameras[index].mounting;
   sensor.more_mountings.clear();
   return sensor;

@@ -12,6 +12,8 @@
 #include "geometry/pose.hpp"
 #include "render/camera.hpp"
 #include "sensing/census_matcher.hpp"
+#include "sensing/lidar_spec.hpp"
+#include "sensing/mounting_spec.hpp"
 
 namespace avoidbench {
 
@@ -151,23 +153,16 @@ void visit(Visitor& v, Spec& s) {
           "Depth is cut down to a whole multiple of this; 0: not cut.");
 }
 
-using DepthMethod = std::variant<DepthIdealSpec, DepthNoisySpec, StereoSgbmSpec, StereoSgmSpec>;
-
-/// Where a camera sits on the body and where it looks.
-struct MountingSpec {
-  std::array<double, 3> position_body_m{0.2, 0.0, 0.05};
-  double yaw_deg = 0.0, pitch_deg = 0.0, roll_deg = 0.0;
+/// No camera: what the sensor's lidars see is all.
+struct NoCameraSpec {
+  static constexpr std::string_view kind = "none";
 };
 
-template <class Visitor, ConstOr<MountingSpec> Spec>
-void visit(Visitor& v, Spec& s) {
-  v.field("position_body_m", s.position_body_m, Range{-5, 5},
-          "Centre of the (left) camera in the body frame (FLU).");
-  v.field("yaw_deg", s.yaw_deg, Range{-180, 180}, "Direction, positive looks to the left.");
-  v.field("pitch_deg", s.pitch_deg, Range{-90, 90}, "Tilt, positive looks down.");
-  v.field("roll_deg", s.roll_deg, Range{-180, 180},
-          "Turn about the direction, positive lowers the right side.");
-}
+template <class Visitor, ConstOr<NoCameraSpec> Spec>
+void visit(Visitor&, Spec&) {}
+
+using DepthMethod =
+    std::variant<DepthIdealSpec, DepthNoisySpec, StereoSgbmSpec, StereoSgmSpec, NoCameraSpec>;
 
 /// How light becomes an 8-bit picture.
 struct ImageSpec {
@@ -244,10 +239,11 @@ void visit(Visitor& v, Spec& s) {
   visit_camera(v, s);
 }
 
-/// The camera, stereo camera or rig of several that a planner sees through. The presets below are
-/// ready-made ones.
+/// What a planner sees through: a camera, a stereo camera, a lidar, or a rig of several. The
+/// presets below are ready-made ones.
 struct SensorSpec : CameraSpec {
   std::vector<CameraSpec> more_cameras;
+  std::vector<LidarSpec> lidars;
 };
 
 template <class Visitor, ConstOr<SensorSpec> Spec>
@@ -256,12 +252,16 @@ void visit(Visitor& v, Spec& s) {
   v.field("more_cameras", s.more_cameras,
           "Further cameras of other kinds, as [NAME, {preset: NAME, yaw_deg: …}, …], each with its "
           "own size, rate and delay.");
+  v.field("lidars", s.lidars,
+          "Lidars, as [NAME, {preset: NAME, pitch_deg: 30}, …]; with kind `none` they are all that "
+          "is seen through.");
 }
 
 /// The ready-made sensors; the first is the default of a trial.
 std::vector<SensorSpec> sensor_presets();
 
-/// The kinds of cameras of a rig: the sensor's own, then more_cameras.
+/// The kinds of cameras of a rig: the sensor's own, then more_cameras; without those of kind
+/// `none`.
 std::vector<CameraSpec> camera_kinds(const SensorSpec& sensor);
 
 /// The pinhole model of each camera of this kind.
@@ -280,7 +280,7 @@ struct RigCamera {
 };
 std::vector<RigCamera> rig_cameras(const SensorSpec& sensor);
 
-/// The rig's camera of this index as a sensor by itself.
+/// The rig with this camera alone, and its lidars.
 SensorSpec one_camera(const SensorSpec& rig, std::size_t index);
 
 /// Whether depth is matched from shaded images.

@@ -68,8 +68,9 @@ RollingGrid::RollingGrid(const RollingGridSpec& spec) : spec_(spec) {
   const std::size_t words = columns * static_cast<std::size_t>(words_);
   log_odds_.assign(64 * words, unknown_);
   ends_in_.assign(64 * words, 0);
-  for (auto* bits : {&known_, &occupied_, &inflated_, &settled_, &not_missed_})
+  for (auto* bits : {&known_, &occupied_, &inflated_, &settled_, &not_missed_, &passed_}) {
     bits->assign(words, 0);
+  }
   swept_bits_.assign(words, 0);
   column_flags_.assign(columns, 0);
   center_at(Cell::Zero());

@@ -43,10 +43,10 @@ inline bool is_place(const Eigen::Vector3d& place_world) {
 /// Cells of the world: floor(position / resolution).
 using Cell = Eigen::Vector3i;
 
-/// Depth images gathered around the vehicle. x and y roll with the centre: what comes in is
-/// unknown, what goes out is forgotten. Beyond the grid everything is unknown.
-/// A column (x, y) lies where x and y modulo the side say, wherever the grid is: moving it forgets
-/// the columns that go out and copies none. Between calls occupied_ holds the known cells above
+/// Depth images and lidar sweeps gathered around the vehicle. x and y roll with the centre: what
+/// comes in is unknown, what goes out is forgotten. Beyond the grid everything is unknown. A column
+/// (x, y) lies where x and y modulo the side say, wherever the grid is: moving it forgets the
+/// columns that go out and copies none. Between calls occupied_ holds the known cells above
 /// occupied_above, settled_ those at the least log odds, and inflated_ is occupied_ grown by reach_
 /// cells along each axis. All that belongs to an image (ends, kept cells, flags of columns) is
 /// empty again. A column's last word may have bits above the grid; contains() comes before every
@@ -70,6 +70,12 @@ class RollingGrid {
   /// third for two passes a hit), and it is not missed where a surface of which it may be part is
   /// grazed, unless the spec says so.
   void integrate(const ab_depth_image& image);
+
+  /// The same for a sweep of a lidar: cells in which points lie are hit, those on the way there,
+  /// and on the way of shots that came back with nothing, missed. Of the last cells before a point,
+  /// which may be part of the surface that it grazes, only those are missed that are not nearer to
+  /// occupied than unknown ones are.
+  void integrate(const ab_cloud& cloud);
 
   /// Marks all cells of this box as free, as the vehicle's own place is.
   void clear_box(const Eigen::Vector3d& center_world, const Eigen::Vector3d& size_m);
@@ -159,6 +165,9 @@ class RollingGrid {
   bool is_grazed(const View& view, const Eigen::Vector3f& in_camera, int parts) const;
   bool is_hit(const View& view, const Eigen::Vector3f& in_camera, int ends) const;
   bool add(std::size_t index, int change);
+  void pass(const Eigen::Vector3d& from_cells, const Eigen::Vector3d& to_cells, bool has_end);
+  bool is_unoccupied(const std::array<int, 3>& cell) const;
+  void count_sweep();
 
   RollingGridSpec spec_;
   std::int16_t hit_ = 0, miss_ = 0, lowest_ = 0, highest_ = 0, occupied_above_ = 0;  ///< [1/1000]
@@ -186,6 +195,10 @@ class RollingGrid {
   std::array<std::vector<float>, kWindows> windows_m_;  ///< the least around each block
   std::vector<Ray> rays_u_, rays_v_;
   std::vector<float> row_m_, known_m_, shrunk_m_, no_window_m_;
+
+  /// Cells that a shot of the sweep under way went through: columns in the order of x and y, not in
+  /// that of the ring.
+  std::vector<std::uint64_t> passed_;
 };
 
 /// What the grid knows of a place, as AB_PLACE_…; beyond it everything is unknown.

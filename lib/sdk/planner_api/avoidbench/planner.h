@@ -9,14 +9,14 @@
  *
  * Rules
  *   Units are SI; angles are radians. World frame: ENU, z up. Body frame: FLU, x forward. Camera
- * frame: RDF, z forward. A quaternion q_a_b is (w, x, y, z) and takes coordinates in b to
- * coordinates in a. T_a_b likewise. Every struct begins with struct_size, set by whoever fills it;
- * a reader reads no further than that. Whoever allocates frees. A pointer passed into a call is
- * valid until that call returns; what plan() returns by pointer is copied by the host at once and
- * must stay valid until the next call on that instance. No exception may leave a call. A call that
- * fails returns AB_ERROR after host->set_error(...). Instances may be called at the same time from
- * several threads; one instance only by one thread at a time. Randomness only from ab_mission.seed,
- * time only from the observation: after reset() equal inputs give equal outputs.
+ * frame: RDF, z forward. Lidar frame: FLU. A quaternion q_a_b is (w, x, y, z) and takes coordinates
+ * in b to coordinates in a. T_a_b likewise. Every struct begins with struct_size, set by whoever
+ * fills it; a reader reads no further than that. Whoever allocates frees. A pointer passed into a
+ * call is valid until that call returns; what plan() returns by pointer is copied by the host at
+ * once and must stay valid until the next call on that instance. No exception may leave a call. A
+ * call that fails returns AB_ERROR after host->set_error(...). Instances may be called at the same
+ * time from several threads; one instance only by one thread at a time. Randomness only from
+ * ab_mission.seed, time only from the observation: after reset() equal inputs give equal outputs.
  */
 #ifndef AVOIDBENCH_PLANNER_H
 #define AVOIDBENCH_PLANNER_H
@@ -54,6 +54,8 @@ typedef int32_t ab_status;
  * one (`camera: 0` in the planner's entry), or is refused before its first trial. */
 #define AB_INPUT_ONE_CAMERA 128u
 #define AB_INPUT_REFERENCE 4096u /* where the vehicle is told to be: the last commanded state */
+/* Of lidars: what each sweep met. Who also declares images flies with a sensor of either kind. */
+#define AB_INPUT_POINTS 8192u
 /* Also ab_planner.needs: what it does beside computing and reading files. Planners fly in a sandbox
  * that refuses the rest; without these flags fork() and socket() fail, as writing to files always
  * does. */
@@ -130,6 +132,20 @@ typedef struct ab_camera {
   double baseline_m;
 } ab_camera;
 
+/* A lidar: beams that sweep about its z axis. Its frame is FLU. */
+typedef struct ab_lidar {
+  uint32_t struct_size;
+  uint32_t is_deskewed; /* 1: points are told as seen from where the lidar is at the sweep's end, by
+                           the odometry; 0: each as seen from where it was at the point's time */
+  double position_body_m[3];
+  double q_body_lidar[4];
+  double rate_hz; /* of sweeps */
+  double min_range_m, max_range_m;
+  double lowest_elevation_rad, highest_elevation_rad; /* of its beams, above its xy plane */
+  uint32_t shots; /* of a sweep, those that come back with nothing included */
+  uint32_t reserved;
+} ab_lidar;
+
 /* What one instance is made for. */
 typedef struct ab_setup {
   uint32_t struct_size;
@@ -141,9 +157,12 @@ typedef struct ab_setup {
   double plan_period_s;
   double gravity_mps2;
   const ab_camera* depth_camera; /* cameras[0]; null where the planner sees no images */
-  uint32_t camera_count;         /* 1, or more of a rig */
+  uint32_t camera_count;         /* 1, or more of a rig; 0 where the sensor is a lidar */
   uint32_t reserved;
   const ab_camera* const* cameras; /* camera_count pointers */
+  /* Added later: older hosts end before this. */
+  uint32_t lidar_count, reserved2; /* 0 unless AB_INPUT_POINTS is declared */
+  const ab_lidar* const* lidars;   /* lidar_count pointers */
 } ab_setup;
 
 typedef struct ab_mission {
@@ -210,6 +229,26 @@ typedef struct ab_stereo_pair {
   const ab_picture* right;
 } ab_stereo_pair;
 
+/* What a shot of a lidar met. Points lie in an array, so this struct never grows within ABI 1. */
+typedef struct ab_lidar_point {
+  float position_lidar_m[3];
+  float time_s;    /* of the shot, after the sweep's end: at most 0 */
+  float intensity; /* reflectance times the cosine of incidence, 0 to 1 */
+} ab_lidar_point;
+
+/* A sweep of a lidar. */
+typedef struct ab_cloud {
+  uint32_t struct_size;
+  uint32_t lidar;             /* index into ab_setup.lidars */
+  double time_s;              /* of the sweep's end */
+  double position_world_m[3]; /* of the lidar, at that time */
+  double q_world_lidar[4];
+  uint32_t point_count, miss_count;
+  const ab_lidar_point* points; /* in the order of the shots */
+  const float* misses_lidar;    /* unit directions, 3 numbers each, of shots that came back with
+                                   nothing: nothing is there, or it is too far, too dark or too flat */
+} ab_cloud;
+
 /* Samples lie in an array, so this struct never grows within ABI 1. */
 typedef struct ab_imu_sample {
   double time_s;
@@ -250,6 +289,10 @@ typedef struct ab_observation {
    * the vehicle to be at this call, which is where a smooth trajectory begins; of the position that
    * the odometry believes. time_s is that of this call. Null while rates are commanded. */
   const ab_point* reference;
+  /* Added later: older hosts end before this. AB_INPUT_POINTS: sweeps that ended since the last
+   * call, newest first; cloud_count pointers. */
+  uint32_t cloud_count, reserved3;
+  const ab_cloud* const* clouds;
 } ab_observation;
 
 /* Numbers are finite, and lengths, speeds and so on not beyond 1e6, yaws not beyond 1e5. Anything

@@ -48,6 +48,7 @@
 #include "avoidbench/canvas.hpp"
 #include "avoidbench/known_world.hpp"
 #include "avoidbench/planner.h"
+#include "avoidbench/views.hpp"
 
 #if defined(__GNUC__)
 #define AB_HIDDEN __attribute__((visibility("hidden")))
@@ -219,24 +220,6 @@ class GiveUp : public std::runtime_error {
 
 [[noreturn]] inline void give_up(const std::string& reason) { throw GiveUp(reason); }
 
-/// The newest depth image, stereo pair or colour picture of one camera since the last call, or null
-/// where none is new. `camera`: index into ab_setup.cameras; 0 with AB_INPUT_ONE_CAMERA.
-inline const ab_depth_image* newest_depth(const ab_observation& seen, std::uint32_t camera) {
-  std::uint32_t i = 0;
-  while (i < seen.depth_count && seen.depth[i]->camera != camera) ++i;
-  return i < seen.depth_count ? seen.depth[i] : nullptr;
-}
-inline const ab_stereo_pair* newest_stereo(const ab_observation& seen, std::uint32_t camera) {
-  std::uint32_t i = 0;
-  while (i < seen.stereo_count && seen.stereo[i]->left->camera != camera) ++i;
-  return i < seen.stereo_count ? seen.stereo[i] : nullptr;
-}
-inline const ab_picture* newest_color(const ab_observation& seen, std::uint32_t camera) {
-  std::uint32_t i = 0;
-  while (i < seen.color_count && seen.color[i]->camera != camera) ++i;
-  return i < seen.color_count ? seen.color[i] : nullptr;
-}
-
 /// A command of this kind with all else zero.
 inline ab_command make_command(std::uint32_t kind) {
   ab_command command{};
@@ -290,25 +273,6 @@ inline ab_command make_rates_command(const Vec3& rates_body_radps, double thrust
   std::copy(rates_body_radps.begin(), rates_body_radps.end(), command.rates_body_radps);
   command.thrust_mps2 = thrust_mps2;
   return command;
-}
-
-/// `v` rotated by the unit quaternion `q_a_b` (w, x, y, z): coordinates in b to coordinates in a.
-inline Vec3 rotated(const double (&q_a_b)[4], const Vec3& v) {
-  const double w = q_a_b[0], x = q_a_b[1], y = q_a_b[2], z = q_a_b[3];
-  const Vec3 t{2.0 * (y * v[2] - z * v[1]), 2.0 * (z * v[0] - x * v[2]),
-               2.0 * (x * v[1] - y * v[0])};
-  return {v[0] + w * t[0] + (y * t[2] - z * t[1]), v[1] + w * t[1] + (z * t[0] - x * t[2]),
-          v[2] + w * t[2] + (x * t[1] - y * t[0])};
-}
-
-/// The world point that pixel (column, row) shows at `depth_m` along camera z.
-inline Vec3 pixel_in_world(const ab_depth_image& image, double column_px, double row_px,
-                           double depth_m) {
-  const Vec3 in_camera{(column_px - image.cx_px) / image.fx_px * depth_m,
-                       (row_px - image.cy_px) / image.fy_px * depth_m, depth_m};
-  const Vec3 turned = rotated(image.q_world_camera, in_camera);
-  return {turned[0] + image.position_world_m[0], turned[1] + image.position_world_m[1],
-          turned[2] + image.position_world_m[2]};
 }
 
 // class to table

@@ -233,6 +233,9 @@ static const ab_setup* ab_client_setup(ab_client* self, uint64_t body) {
       (const ab_value**)ab_client_take(self, setup->value_count * sizeof(void*));
   const ab_camera** camera_pointers =
       (const ab_camera**)ab_client_take(self, setup->camera_count * sizeof(void*));
+  const uint64_t* lidars = (const uint64_t*)ab_client_at(self, ab_client_offset(&setup->lidars));
+  const ab_lidar** lidar_pointers =
+      (const ab_lidar**)ab_client_take(self, setup->lidar_count * sizeof(void*));
   uint32_t i;
   for (i = 0; i < setup->value_count; ++i) {
     ab_value* value = (ab_value*)ab_client_copied(self, values[i], sizeof(ab_value));
@@ -242,6 +245,10 @@ static const ab_setup* ab_client_setup(ab_client* self, uint64_t body) {
   for (i = 0; i < setup->camera_count; ++i) {
     camera_pointers[i] = (const ab_camera*)ab_client_copied(self, cameras[i], sizeof(ab_camera));
   }
+  for (i = 0; i < setup->lidar_count; ++i) {
+    lidar_pointers[i] = (const ab_lidar*)ab_client_copied(self, lidars[i], sizeof(ab_lidar));
+  }
+  setup->lidars = setup->lidar_count > 0 ? lidar_pointers : NULL;
   setup->values = value_pointers;
   setup->cameras = setup->camera_count > 0 ? camera_pointers : NULL;
   setup->depth_camera = setup->camera_count > 0 ? camera_pointers[0] : NULL;
@@ -260,6 +267,9 @@ static const ab_observation* ab_client_observation(ab_client* self, uint64_t bod
   const uint64_t* stereo = (const uint64_t*)ab_client_at(self, ab_client_offset(&seen->stereo));
   const uint64_t* color = (const uint64_t*)ab_client_at(self, ab_client_offset(&seen->color));
   const uint64_t* offsets = (const uint64_t*)ab_client_at(self, ab_client_offset(&seen->states));
+  const uint64_t* clouds = (const uint64_t*)ab_client_at(self, ab_client_offset(&seen->clouds));
+  const ab_cloud** sweeps =
+      (const ab_cloud**)ab_client_take(self, seen->cloud_count * sizeof(void*));
   const ab_state** states =
       (const ab_state**)ab_client_take(self, seen->state_count * sizeof(void*));
   const ab_depth_image** images =
@@ -288,6 +298,13 @@ static const ab_observation* ab_client_observation(ab_client* self, uint64_t bod
   for (i = 0; i < seen->state_count; ++i) {
     states[i] = (const ab_state*)ab_client_copied(self, offsets[i], sizeof(ab_state));
   }
+  for (i = 0; i < seen->cloud_count; ++i) {
+    ab_cloud* cloud = (ab_cloud*)ab_client_copied(self, clouds[i], sizeof(ab_cloud));
+    cloud->points = (const ab_lidar_point*)ab_client_at(self, ab_client_offset(&cloud->points));
+    cloud->misses_lidar = (const float*)ab_client_at(self, ab_client_offset(&cloud->misses_lidar));
+    sweeps[i] = cloud;
+  }
+  seen->clouds = sweeps;
   seen->states = states;
   seen->reference = (const ab_point*)ab_client_at(self, ab_client_offset(&seen->reference));
   seen->imu = (const ab_imu_sample*)ab_client_at(self, ab_client_offset(&seen->imu));
