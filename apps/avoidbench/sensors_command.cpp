@@ -154,6 +154,14 @@ void list_sensors(const OutputOptions& options) {
   Table table = make_list({"sensor", "kind", "pixels", "fov_x_deg", "rate_hz", "delay_ms",
                            "baseline_m", "range_m", "cameras"});
   for (const SensorSpec& s : sensor_presets()) {
+    if (rig_cameras(s).empty()) {
+      const LidarSpec& lidar = s.lidars.front();
+      table.rows.push_back(
+          make_row(s.name, kind(lidar.scan), std::to_string(shots_per_sweep(lidar)) + " shots",
+                   "360", number_text(lidar.rate_hz), number_text(lidar.delay_ms), "–",
+                   number_text(lidar.min_range_m) + "-" + number_text(lidar.max_range_m), 0));
+      continue;
+    }
     table.rows.push_back(make_row(
         s.name, kind(s.method), std::to_string(s.width_px) + "x" + std::to_string(s.height_px),
         number_text(s.fov_x_deg), number_text(s.rate_hz), number_text(s.delay_ms),
@@ -172,13 +180,15 @@ void add_map_options(CLI::App& command, SensorOptions& options) {
 }  // namespace
 
 void add_sensors_command(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("sensors", "List cameras, show and measure what they see");
+  CLI::App* command =
+      app.add_subcommand("sensors", "List cameras and lidars, show and measure what they see");
   command->require_subcommand(1);
   command->footer(
       "Examples:\n"
       "  avoidbench sensors list\n"
       "  avoidbench sensors show stereo_sgm --map hall --png stereo.png\n"
       "  avoidbench sensors show my_camera.yaml --map forest --pose 20,5,2,90\n"
+      "  avoidbench sensors show mid360_like --map forest --png sweep.png\n"
       "  avoidbench sensors measure stereo_sgm depth_noisy --map hall --set "
       "maps.texture_opacity=0.5\n"
       "  avoidbench sensors measure stereo_sgm --map hall --of cylinder "
@@ -188,9 +198,11 @@ void add_sensors_command(CLI::App& app) {
       add_command(*command, "list", "The sensors that are built in", list_sensors);
   add_output_options(list_command, list_options);
 
-  const auto [show_command, show_options] = add_command(
-      *command, "show",
-      "Picture of what a sensor sees: left, right, disparity, depth, truth, error", show);
+  const auto [show_command, show_options] =
+      add_command(*command, "show",
+                  "Picture of what a sensor sees: left, right, disparity, depth, truth, error; of "
+                  "lidars a sweep",
+                  show);
   add_typed(show_command, "sensor", show_options.sensors, "NAME|FILE",
             "A built-in sensor's name, or a file")
       ->required()

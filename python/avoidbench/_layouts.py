@@ -23,6 +23,7 @@ AB_INPUT_WORLD = 32
 AB_INPUT_STATES = 64
 AB_INPUT_ONE_CAMERA = 128
 AB_INPUT_REFERENCE = 4096
+AB_INPUT_POINTS = 8192
 AB_USES_PROCESSES = 256
 AB_USES_DEVICES = 512
 AB_USES_NETWORK = 1024
@@ -69,10 +70,14 @@ ab_camera = _struct(
     "struct_size:u4 width_px:i4 height_px:i4 reserved:u4 fx_px:f8 fy_px:f8 cx_px:f8 cy_px:f8 position_body_m:3f8 "
     "q_body_camera:4f8 rate_hz:f8 min_range_m:f8 max_range_m:f8 baseline_m:f8"
 )
+ab_lidar = _struct(
+    "struct_size:u4 is_deskewed:u4 position_body_m:3f8 q_body_lidar:4f8 rate_hz:f8 min_range_m:f8 max_range_m:f8 "
+    "lowest_elevation_rad:f8 highest_elevation_rad:f8 shots:u4 reserved:u4"
+)
 ab_setup = _struct(
     "struct_size:u4 value_count:u4 values:u8 max_speed_mps:f8 max_acceleration_mps2:f8 max_yaw_rate_radps:f8 "
     "body_size_m:3f8 body_radius_m:f8 plan_period_s:f8 gravity_mps2:f8 depth_camera:u8 camera_count:u4 reserved:u4 "
-    "cameras:u8"
+    "cameras:u8 lidar_count:u4 reserved2:u4 lidars:u8"
 )
 ab_mission = _struct(
     "struct_size:u4 reserved:u4 seed:u8 start_world_m:3f8 start_yaw_rad:f8 goal_world_m:3f8 goal_radius_m:f8 "
@@ -91,6 +96,11 @@ ab_picture = _struct(
     "cy_px:f8 position_world_m:3f8 q_world_camera:4f8 pixels:u8"
 )
 ab_stereo_pair = _struct("struct_size:u4 reserved:u4 baseline_m:f8 left:u8 right:u8")
+ab_lidar_point = _struct("position_lidar_m:3f4 time_s:f4 intensity:f4")
+ab_cloud = _struct(
+    "struct_size:u4 lidar:u4 time_s:f8 position_world_m:3f8 q_world_lidar:4f8 point_count:u4 miss_count:u4 points:u8 "
+    "misses_lidar:u8"
+)
 ab_imu_sample = _struct("time_s:f8 rates_body_radps:3f8 specific_force_body_mps2:3f8")
 ab_point = _struct(
     "time_s:f8 position_world_m:3f8 velocity_world_mps:3f8 acceleration_world_mps2:3f8 jerk_world_mps3:3f8 yaw_rad:f8 "
@@ -98,7 +108,8 @@ ab_point = _struct(
 )
 ab_observation = _struct(
     "struct_size:u4 depth_count:u4 state:u8 depth:u8 stereo_count:u4 color_count:u4 stereo:u8 color:u8 imu_count:u4 "
-    "reserved:u4 imu:u8 time_s:f8 state_count:u4 reserved2:u4 states:u8 reference:u8"
+    "reserved:u4 imu:u8 time_s:f8 state_count:u4 reserved2:u4 states:u8 reference:u8 cloud_count:u4 reserved3:u4 "
+    "clouds:u8"
 )
 ab_command = _struct(
     "struct_size:u4 kind:u4 flags:u4 point_count:u4 position_world_m:3f8 velocity_world_mps:3f8 "

@@ -50,6 +50,24 @@ class Camera:
 
 
 @dataclass(frozen=True)
+class Lidar:
+    """A lidar: beams that sweep about its z axis. Its frame is FLU."""
+
+    is_deskewed: bool
+    """Whether points are as seen from where the lidar is at the sweep's end; else each as from where it was then."""
+    position_body_m: Vector
+    q_body_lidar: Vector
+    rate_hz: float
+    """Of sweeps."""
+    min_range_m: float
+    max_range_m: float
+    lowest_elevation_rad: float
+    highest_elevation_rad: float
+    shots: int
+    """Of a sweep, those that come back with nothing included."""
+
+
+@dataclass(frozen=True)
 class Setup:
     """What a planner is made for."""
 
@@ -64,6 +82,8 @@ class Setup:
     plan_period_s: float
     gravity_mps2: float
     cameras: tuple[Camera, ...]
+    lidars: tuple[Lidar, ...] = ()
+    """Of who declares points."""
 
 
 @dataclass(frozen=True)
@@ -120,6 +140,27 @@ class StereoPair:
 
 
 @dataclass(frozen=True)
+class Cloud:
+    """A sweep of a lidar. The arrays are the program's: read them in the call, copy what is kept."""
+
+    time_s: float
+    """Of the sweep's end."""
+    points_lidar_m: NDArray[np.float32]
+    """(N, 3), in the order of the shots."""
+    point_times_s: NDArray[np.float32]
+    """(N,), after the sweep's end: at most 0."""
+    intensities: NDArray[np.float32]
+    """(N,), reflectance times the cosine of incidence, 0 to 1."""
+    misses_lidar: NDArray[np.float32]
+    """(M, 3): unit directions of shots that came back with nothing."""
+    position_world_m: Vector
+    """Of the lidar, at that time."""
+    q_world_lidar: Vector
+    lidar: int
+    """Index into Setup.lidars."""
+
+
+@dataclass(frozen=True)
 class ImuSamples:
     """Since the last call, oldest first."""
 
@@ -159,7 +200,7 @@ class Reference:
 @dataclass(frozen=True)
 class Observation(State):
     """What a planner sees in one call: the newest state, and since the last call, of what it declares in `inputs`,
-    images, newest first, samples of the IMU, states at the IMU's rate, oldest first, and the reference."""
+    images and sweeps, newest first, samples of the IMU, states at the IMU's rate, oldest first, and the reference."""
 
     depth: tuple[DepthImage, ...] = ()
     stereo: tuple[StereoPair, ...] = ()
@@ -170,6 +211,8 @@ class Observation(State):
     states: tuple[State, ...] = ()
     reference: Reference | None = None
     """Where the commands so far tell the vehicle to be, of who declares it; None while rates are commanded."""
+    clouds: tuple[Cloud, ...] = ()
+    """Sweeps of lidars, newest first."""
 
     def newest_depth(self, camera: int) -> DepthImage | None:
         """The newest depth image of this camera (index into Setup.cameras) since the last call, or None: none is
@@ -183,6 +226,10 @@ class Observation(State):
     def newest_color(self, camera: int) -> Picture | None:
         """As newest_depth(), of colour pictures."""
         return next((picture for picture in self.color if picture.camera == camera), None)
+
+    def newest_cloud(self, lidar: int) -> Cloud | None:
+        """As newest_depth(), of the sweeps of this lidar (index into Setup.lidars)."""
+        return next((cloud for cloud in self.clouds if cloud.lidar == lidar), None)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -253,8 +300,8 @@ class Planner:
     summary: ClassVar[str] = ""
     """One line."""
     inputs: ClassVar[Sequence[str]] = ("state",)
-    """Of state, depth, stereo, color, imu, states, reference; with one_camera of a rig one camera alone, which a sweep
-    names (`camera: 0`)."""
+    """Of state, depth, stereo, color, imu, states, reference, points; with one_camera of a rig one camera alone, which
+    a sweep names (`camera: 0`)."""
     commands: ClassVar[Sequence[str]] = ("velocity",)
     """Of position, velocity, acceleration, trajectory, rates: what plan() may return."""
     uses: ClassVar[Sequence[str]] = ()

@@ -28,7 +28,7 @@ from avoidbench import planner as p
 from avoidbench.planner_files import planner_files
 
 _WORDS = {
-    "inputs": ("AB_INPUT_", ("state", "depth", "stereo", "color", "imu", "states", "one_camera", "reference")),
+    "inputs": ("AB_INPUT_", ("state", "depth", "stereo", "color", "imu", "states", "one_camera", "reference", "points")),
     "uses": ("AB_USES_", ("processes", "devices", "network", "globals")),
     "commands": ("AB_COMMAND_", ("position", "velocity", "acceleration", "trajectory", "rates")),
 }
@@ -212,7 +212,14 @@ def _setup(segment: _Segment, at: int, parameters: Sequence[p.Parameter]) -> p.S
     cameras = (
         segment.struct(layouts.ab_camera, offset) for offset in segment.offsets(given, "cameras", "camera_count")
     )
-    return _made(p.Setup, given, parameters=values, cameras=tuple(_made(p.Camera, camera) for camera in cameras))
+    lidars = (segment.struct(layouts.ab_lidar, offset) for offset in segment.offsets(given, "lidars", "lidar_count"))
+    return _made(
+        p.Setup,
+        given,
+        parameters=values,
+        cameras=tuple(_made(p.Camera, camera) for camera in cameras),
+        lidars=tuple(_made(p.Lidar, lidar, is_deskewed=lidar["is_deskewed"].item() == 1) for lidar in lidars),
+    )
 
 
 def _depth(segment: _Segment, at: int) -> p.DepthImage:
@@ -232,6 +239,21 @@ def _stereo(segment: _Segment, at: int) -> p.StereoPair:
     given = segment.struct(layouts.ab_stereo_pair, at)
     left, right = (_picture(segment, given[name].item()) for name in ("left", "right"))
     return _made(p.StereoPair, given, left=left, right=right)
+
+
+def _cloud(segment: _Segment, at: int) -> p.Cloud:
+    given = segment.struct(layouts.ab_cloud, at)
+    shape = (given["point_count"].item(), 5)
+    numbers = segment.pixels(np.float32, given["points"].item(), shape)
+    misses = segment.pixels(np.float32, given["misses_lidar"].item(), (given["miss_count"].item(), 3))
+    return _made(
+        p.Cloud,
+        given,
+        points_lidar_m=numbers[:, :3],
+        point_times_s=numbers[:, 3],
+        intensities=numbers[:, 4],
+        misses_lidar=misses,
+    )
 
 
 def _imu(segment: _Segment, given: NDArray[np.void]) -> p.ImuSamples:
@@ -261,6 +283,7 @@ def _observation(segment: _Segment, at: int, sees_imu: bool) -> p.Observation:
         call_time_s=given["time_s"].item(),
         states=tuple(_made(p.State, state) for state in states),
         reference=_reference(segment, given["reference"].item()),
+        clouds=tuple(_cloud(segment, offset) for offset in segment.offsets(given, "clouds", "cloud_count")),
     )
 
 

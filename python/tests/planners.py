@@ -108,6 +108,25 @@ class Follower(Planner):
         return Velocity((0.0, 2.0, 0.0))
 
 
+class Pointed(Planner):
+    """Tells of its lidar's second sweep."""
+
+    name = "pointed"
+    inputs = ("state", "points")
+
+    def plan(self, observation: Observation) -> Velocity:
+        lidar = self.setup.lidars[0]
+        cloud = observation.newest_cloud(0)
+        if cloud is not None and cloud.time_s > 0.15:
+            assert len(cloud.points_lidar_m) + len(cloud.misses_lidar) == lidar.shots
+            assert -0.1 < cloud.point_times_s.min() and cloud.point_times_s.max() <= 0
+            assert 0 < cloud.intensities.min() and cloud.intensities.max() <= 1
+            assert not cloud.points_lidar_m.flags.writeable and not self.setup.cameras
+            ranges = np.linalg.norm(cloud.points_lidar_m, axis=1)
+            raise GiveUp(json.dumps([lidar.rate_hz, lidar.is_deskewed, cloud.time_s, float(ranges.max())]))
+        return Velocity(HOLD)
+
+
 class AllEyed(Planner):
     """Tells of which cameras it has images."""
 

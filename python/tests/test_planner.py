@@ -17,7 +17,7 @@ import pytest
 from avoidbench import portable_math
 from avoidbench.planner import Parameter, Planner
 
-from planners import ANSWERS, AllEyed, Commanding, Follower, OneEyed, Preset, Seeing, Undeclared
+from planners import ANSWERS, AllEyed, Commanding, Follower, OneEyed, Pointed, Preset, Seeing, Undeclared
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
 sys.path.insert(0, str(EXAMPLES))
@@ -126,6 +126,12 @@ def test_the_last_commanded_state_is_seen(tmp_path: Path) -> None:
     velocity, ahead = json.loads(told(Follower, tmp_path))
     np.testing.assert_allclose(velocity, [0.0, 2.0, 0.0], atol=0.3)
     assert 0.0 < np.linalg.norm(ahead) < 0.5  # the vehicle lags a little
+
+
+def test_sweeps_of_a_lidar_are_seen(tmp_path: Path) -> None:
+    rate_hz, is_deskewed, time_s, farthest_m = json.loads(told(Pointed, tmp_path, sweep={"sensor": "mid360_like"}))
+    assert (rate_hz, is_deskewed) == (10.0, True)
+    assert time_s == pytest.approx(0.2) and 1.0 < farthest_m < 70.1
 
 
 MISTAKES = {

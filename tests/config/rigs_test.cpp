@@ -69,6 +69,23 @@ TEST_F(Rigs, ProblemsOfACameraHaveTheirPlace) {
        "64"},
       {"sensor: {more_cameras: [{rate_hz: 900, exposure_ms: 0}]}\nrates: {physics_hz: 500}",
        "s.yaml:3:35: sensor.more_cameras[0].rate_hz: 900 Hz is faster than rates.physics_hz, 500"},
+      {"sensor: {more_cameras: [mid360_like]}",
+       "s.yaml:3:25: sensor.more_cameras[0]: \"mid360_like\" is no sensor"},
+      {"sensor: {kind: none}", "s.yaml:3:9: sensor.lidars: a sensor of kind none has lidars"},
+      {"sensor: {lidars: [mid360_lik]}",
+       "s.yaml:3:19: sensor.lidars[0]: \"mid360_lik\" is no sensor (did you mean mid360_like?); "
+       "known: mid360_like, ouster_os0_32, velodyne_16"},
+      {"sensor: {preset: mid360_like, rate_hz: 20}",
+       "s.yaml:3:40: sensor.rate_hz: is of a camera, and a sensor of kind none has none; of a "
+       "lidar "
+       "it is given as in sensor: {kind: none, lidars: [{preset: mid360_like, rate_hz: …}]}"},
+      {"sensor: {lidars: [{preset: mid360_like, rings: 4}]}",
+       "s.yaml:3:41: sensor.lidars[0].rings: unknown key for kind lidar_pattern"},
+      {"sensor: {lidars: [{min_range_m: 5, max_range_m: 5}]}",
+       "s.yaml:3:33: sensor.lidars[0].min_range_m: 5 is not below max_range_m, 5"},
+      {"sensor: {lidars: [{lowest_elevation_deg: 20}]}",
+       "s.yaml:3:42: sensor.lidars[0].lowest_elevation_deg: 20 is not below highest_elevation_deg, "
+       "15"},
   };
   for (const auto& [text, problem] : cases) {
     EXPECT_TRUE(problems(kRigHead + text).starts_with(problem)) << problems(kRigHead + text);
@@ -95,6 +112,9 @@ class OneCameraPlanners : public SweepFiles {
 
 TEST_F(OneCameraPlanners, AreRefusedARigUnlessTheSweepNamesTheirCamera) {
   EXPECT_EQ(with("[one_camera]", "depth_ideal"), "");
+  EXPECT_EQ(with("[one_camera]", "mid360_like"),
+            "s.yaml:2:12: planners[0]: one_camera can't fly with sensor 'mid360_like': it has no "
+            "camera");
   EXPECT_EQ(with("[tunable, one_camera]", "surround"),
             "s.yaml:2:21: planners[1]: one_camera can't fly with sensor 'surround': it handles one "
             "camera and gets 4; name the one that it sees, as in {plugin: one_camera, camera: 0}, "

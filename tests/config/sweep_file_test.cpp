@@ -218,7 +218,7 @@ TEST_F(SweepFiles, EachProblemHasItsPlaceAndReason) {
            "s.yaml:3:52: maps.hight_m: unknown key (did you mean height_m?)"},
       {"sensor: {kind: stereo_sgn, census_px: 4, paths: 8, disparities: 64}",
        "s.yaml:3:16: sensor.kind: \"stereo_sgn\" is none of depth_ideal, depth_noisy, "
-       "stereo_sgbm, stereo_sgm (did you mean stereo_sgm?)\n"
+       "stereo_sgbm, stereo_sgm, none (did you mean stereo_sgm?)\n"
        "s.yaml:3:28: sensor.census_px: unknown key"},
       {"maps: forest", "s.yaml:3:7: maps: expected a mapping (name: value), found \"forest\""},
       {"maps: {seeds: [1, 1]}", "s.yaml:3:19: maps.seeds: 1 is given twice"},
@@ -260,7 +260,7 @@ TEST_F(SweepFiles, EachProblemHasItsPlaceAndReason) {
        "stereo_sgm)"},
       {"sensor: {kind: stereo}",
        "s.yaml:3:16: sensor.kind: \"stereo\" is none of depth_ideal, depth_noisy, stereo_sgbm, "
-       "stereo_sgm (did you mean stereo_sgbm?)"},
+       "stereo_sgm, none (did you mean stereo_sgbm?)"},
       {"sensor: {more_mountings: [{yaw: 90}]}",
        "s.yaml:3:28: sensor.more_mountings[0].yaw: unknown key (did you mean yaw_deg?)"},
       {"imu: {rate_hz: 2000}",

@@ -107,6 +107,51 @@ TEST_F(Observations, TheReferenceArrivesWhereItIsAskedForAndThereIsOne) {
   EXPECT_EQ(buffers.fill(view, setup.cameras, AB_INPUT_REFERENCE).reference, nullptr);
 }
 
+TEST_F(Observations, SweepsArriveWhereTheyAreAskedFor) {
+  const std::vector<ab_lidar_point> points{{{1.0F, 2.0F, 3.0F}, -0.05F, 0.5F},
+                                           {{4.0F, 5.0F, 6.0F}, 0.0F, 0.25F}};
+  const std::vector<Eigen::Vector3f> misses{{1.0F, 0.0F, 0.0F}, {0.0F, 1.0F, 0.0F}};
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.translation() << 7.0, 8.0, 9.0;
+  view.clouds.push_back({0.6, pose, 1, points, misses});
+  view.clouds.push_back({0.5, pose, 0, {}, {}});
+  const ab_observation& seen = buffers.fill(view, setup.cameras, AB_INPUT_POINTS);
+  ASSERT_EQ(seen.cloud_count, 2U);
+  EXPECT_EQ(seen.depth_count, 0U);
+  const ab_cloud& newest = *seen.clouds[0];
+  EXPECT_EQ(newest.struct_size, sizeof(ab_cloud));
+  EXPECT_EQ(newest.lidar, 1U);
+  EXPECT_EQ(newest.time_s, 0.6);
+  EXPECT_EQ(newest.position_world_m[2], 9.0);
+  EXPECT_EQ(newest.q_world_lidar[0], 1.0);
+  ASSERT_EQ(newest.point_count, 2U);
+  EXPECT_EQ(newest.points[1].position_lidar_m[2], 6.0F);
+  ASSERT_EQ(newest.miss_count, 2U);
+  EXPECT_EQ(newest.misses_lidar[4], 1.0F);
+  EXPECT_EQ(seen.clouds[1]->point_count, 0U);
+  EXPECT_EQ(buffers.fill(view, setup.cameras, AB_INPUT_DEPTH).cloud_count, 0U);
+}
+
+TEST(HostBuffers, SetupListsLidarsForWhoeverSeesPoints) {
+  PlannerSetup setup = two_cameras();
+  LidarSetup lidar;
+  lidar.T_body_lidar.translation() << 0.0, 0.0, 0.1;
+  lidar.rate_hz = 10.0;
+  lidar.shots = 20000;
+  lidar.is_deskewed = false;
+  setup.lidars = {LidarSetup{}, lidar};
+  const SetupBuffers buffers(setup, {}, AB_INPUT_POINTS);
+  ASSERT_EQ(buffers.setup().lidar_count, 2U);
+  EXPECT_EQ(buffers.setup().camera_count, 0U);
+  EXPECT_EQ(buffers.setup().lidars[0]->is_deskewed, 1U);
+  const ab_lidar& second = *buffers.setup().lidars[1];
+  EXPECT_EQ(second.struct_size, sizeof(ab_lidar));
+  EXPECT_EQ(second.is_deskewed, 0U);
+  EXPECT_EQ(second.position_body_m[2], 0.1);
+  EXPECT_EQ(second.shots, 20000U);
+  EXPECT_EQ(SetupBuffers(setup, {}, AB_INPUT_DEPTH).setup().lidar_count, 0U);
+}
+
 TEST(HostSideOf, KeepsNoMoreOfErrorsAndLogsThanPeopleRead) {
   HostSide host;
   const ab_host& table = host.table();

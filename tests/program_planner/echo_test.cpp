@@ -89,6 +89,23 @@ struct Seen {
     noise.fill(&reference, sizeof reference);
     // Of other seeds there is none.
     all.reference = seed % 2 == 1 ? &reference : nullptr;
+    // One sweep, one that met nothing, one that met all.
+    for (const auto& [point_count, miss_count] : {std::pair(5U, 3U), {0U, 7U}, {4U, 0U}}) {
+      clouds.push_back(noise.made<ab_cloud>());
+      clouds.back().point_count = point_count;
+      clouds.back().miss_count = miss_count;
+      points.emplace_back(point_count);
+      noise.fill(points.back().data(), point_count * sizeof(ab_lidar_point));
+      misses.emplace_back(3 * miss_count);
+      noise.fill(misses.back().data(), misses.back().size() * sizeof(float));
+    }
+    for (std::size_t i = 0; i < clouds.size(); ++i) {
+      clouds[i].points = points[i].data();
+      clouds[i].misses_lidar = misses[i].data();
+      cloud_pointers.push_back(&clouds[i]);
+    }
+    all.cloud_count = static_cast<std::uint32_t>(cloud_pointers.size());
+    all.clouds = cloud_pointers.data();
   }
   Seen(const Seen&) = delete;
   Seen& operator=(const Seen&) = delete;
@@ -106,6 +123,10 @@ struct Seen {
   std::vector<ab_state> past;
   ab_point reference{};
   std::vector<const ab_state*> past_pointers;
+  std::vector<ab_cloud> clouds;
+  std::vector<std::vector<ab_lidar_point>> points;
+  std::vector<std::vector<float>> misses;
+  std::vector<const ab_cloud*> cloud_pointers;
   ab_observation all{};
 };
 
@@ -126,11 +147,17 @@ struct NoisySetup {
     all.camera_count = 2;
     all.cameras = camera_pointers.data();
     all.depth_camera = &cameras[0];
+    for (int i = 0; i < 2; ++i) lidars.push_back(noise.made<ab_lidar>());
+    for (const ab_lidar& lidar : lidars) lidar_pointers.push_back(&lidar);
+    all.lidar_count = 2;
+    all.lidars = lidar_pointers.data();
   }
   std::vector<ab_value> values;
   std::vector<const ab_value*> value_pointers;
   std::vector<ab_camera> cameras;
   std::vector<const ab_camera*> camera_pointers;
+  std::vector<ab_lidar> lidars;
+  std::vector<const ab_lidar*> lidar_pointers;
   ab_setup all{};
 };
 

@@ -74,7 +74,13 @@ TEST(Protocol, StructsOfThePlannerInterfaceAreWhereTheyAreDocumented) {
        AT(ab_setup, body_size_m, 40), AT(ab_setup, body_radius_m, 64),
        AT(ab_setup, plan_period_s, 72), AT(ab_setup, gravity_mps2, 80),
        AT(ab_setup, depth_camera, 88), AT(ab_setup, camera_count, 96), AT(ab_setup, cameras, 104),
-       Field{sizeof(ab_setup), 112}});
+       AT(ab_setup, lidar_count, 112), AT(ab_setup, lidars, 120), Field{sizeof(ab_setup), 128}});
+  expect_offsets("ab_lidar",
+                 {AT(ab_lidar, is_deskewed, 4), AT(ab_lidar, position_body_m, 8),
+                  AT(ab_lidar, q_body_lidar, 32), AT(ab_lidar, rate_hz, 64),
+                  AT(ab_lidar, min_range_m, 72), AT(ab_lidar, max_range_m, 80),
+                  AT(ab_lidar, lowest_elevation_rad, 88), AT(ab_lidar, highest_elevation_rad, 96),
+                  AT(ab_lidar, shots, 104), Field{sizeof(ab_lidar), 112}});
   expect_offsets("ab_value",
                  {AT(ab_value, number, 8), AT(ab_value, text, 16), Field{sizeof(ab_value), 24}});
   expect_offsets("ab_camera", {AT(ab_camera, width_px, 4), AT(ab_camera, height_px, 8),
@@ -101,7 +107,13 @@ TEST(Protocol, StructsOfOneCallAreWhereTheyAreDocumented) {
                   AT(ab_observation, color, 40), AT(ab_observation, imu_count, 48),
                   AT(ab_observation, imu, 56), AT(ab_observation, time_s, 64),
                   AT(ab_observation, state_count, 72), AT(ab_observation, states, 80),
-                  AT(ab_observation, reference, 88), Field{sizeof(ab_observation), 96}});
+                  AT(ab_observation, reference, 88), AT(ab_observation, cloud_count, 96),
+                  AT(ab_observation, clouds, 104), Field{sizeof(ab_observation), 112}});
+  expect_offsets("ab_cloud", {AT(ab_cloud, lidar, 4), AT(ab_cloud, time_s, 8),
+                              AT(ab_cloud, position_world_m, 16), AT(ab_cloud, q_world_lidar, 40),
+                              AT(ab_cloud, point_count, 72), AT(ab_cloud, miss_count, 76),
+                              AT(ab_cloud, points, 80), AT(ab_cloud, misses_lidar, 88),
+                              Field{sizeof(ab_cloud), 96}, Field{sizeof(ab_lidar_point), 20}});
   expect_offsets("ab_depth_image",
                  {AT(ab_depth_image, width_px, 4), AT(ab_depth_image, height_px, 8),
                   AT(ab_depth_image, time_s, 16), AT(ab_depth_image, fx_px, 24),

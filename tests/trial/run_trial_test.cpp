@@ -38,6 +38,7 @@ TEST(RunTrial, ReachesTheGoalInAnEmptyWorld) {
 
 TEST(RunTrial, EverySensorShowsWhatAPlannerMayAskFor) {
   for (SensorSpec sensor : sensor_presets()) {
+    if (rig_cameras(sensor).empty()) continue;  // see lidar_sensing_test.cpp
     sensor.width_px = 80;
     sensor.height_px = 48;
     if (auto* sgm = std::get_if<StereoSgbmSpec>(&sensor.method)) sgm->disparities = 32;

@@ -36,11 +36,16 @@ void add_line(const std::string& content, const std::string& comment, std::strin
   text += padded + "# " + comment + "\n";
 }
 
-/// The fields in the order of the tree.
+/// The fields in the order of the tree, those of a variant's kind beside it.
 /// JSON objects are in order of names; people expect that of the documentation.
 nlohmann::ordered_json in_order(const FieldTree& block, const Json& values) {
   nlohmann::ordered_json ordered = nlohmann::ordered_json::object();
-  for (const FieldTree& field : block.fields) ordered[field.name] = values.at(field.name);
+  for (const FieldTree& field : block.fields) {
+    if (field.kind == FieldKind::other) continue;  // a preset
+    ordered[field.name] = values.at(field.name);
+    if (field.kind != FieldKind::variant) continue;
+    ordered.update(in_order(*field.find(values.at(field.name).get<std::string>()), values));
+  }
   return ordered;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 #include "base/words.hpp"
@@ -141,8 +142,10 @@ FieldTree make_sensor_tree() {
                    {"axis", "a list of such values"},
                    {"see", "docs/sensors.md, Rigs"}};
     // The list's element: a camera that may begin with a preset, too.
-    field.fields.front() = with_preset<CameraSpec>(std::move(field.fields.front()),
-                                                   {built_in.begin(), built_in.end()});
+    std::vector<CameraSpec> cameras;
+    std::copy_if(built_in.begin(), built_in.end(), std::back_inserter(cameras),
+                 [](const SensorSpec& sensor) { return !camera_kinds(sensor).empty(); });
+    field.fields.front() = with_preset(std::move(field.fields.front()), cameras);
   }
   return tree;
 }

@@ -16,6 +16,9 @@ namespace {
 std::vector<CameraSpec*> cameras_of(SensorSpec& sensor) {
   std::vector<CameraSpec*> cameras{&sensor};
   for (CameraSpec& camera : sensor.more_cameras) cameras.push_back(&camera);
+  std::erase_if(cameras, [](const CameraSpec* camera) {
+    return std::holds_alternative<NoCameraSpec>(camera->method);
+  });
   return cameras;
 }
 
@@ -26,11 +29,18 @@ bool has_need(const FlownTrial& flown, std::uint32_t bits) {
 std::string change_nothing(const FlownTrial&, ChangedTrial&) { return ""; }
 
 std::string make_depth_true(const FlownTrial& flown, ChangedTrial& trial) {
-  if (!has_need(flown, AB_INPUT_DEPTH)) return "the planner sees no depth images";
+  if (!has_need(flown, AB_INPUT_DEPTH | AB_INPUT_POINTS)) {
+    return "the planner sees neither depth images nor points";
+  }
   bool is_changed = false;
   for (CameraSpec* camera : cameras_of(trial.spec.sensor)) {
     is_changed = is_changed || !std::holds_alternative<DepthIdealSpec>(camera->method);
     camera->method = DepthIdealSpec{};
+  }
+  for (LidarSpec& lidar : trial.spec.sensor.lidars) {
+    is_changed = is_changed || lidar.range_sigma_m > 0.0 || lidar.angle_sigma_deg > 0.0 ||
+                 lidar.dropout_ratio > 0.0;
+    lidar.range_sigma_m = lidar.angle_sigma_deg = lidar.dropout_ratio = 0.0;
   }
   return is_changed ? "" : "its depth is the true one";
 }
@@ -104,6 +114,7 @@ std::string fly_slower(const FlownTrial& flown, ChangedTrial& trial) {
 
 std::string widen_view(const FlownTrial& flown, ChangedTrial& trial) {
   if (!sees_images(flown.planner.needs)) return "the planner sees no images";
+  if (cameras_of(trial.spec.sensor).empty()) return "the sensor has no camera";
   constexpr double kWidest_deg = 170.0;  // of the field
   constexpr std::int64_t kMost_px = 4096;
   for (CameraSpec* camera : cameras_of(trial.spec.sensor)) {
@@ -120,13 +131,21 @@ std::string widen_view(const FlownTrial& flown, ChangedTrial& trial) {
 }
 
 std::string lengthen_range(const FlownTrial& flown, ChangedTrial& trial) {
-  if (!has_need(flown, AB_INPUT_DEPTH)) return "the planner sees no depth images";
+  if (!has_need(flown, AB_INPUT_DEPTH | AB_INPUT_POINTS)) {
+    return "the planner sees neither depth images nor points";
+  }
   constexpr double kFarthest_m = 1000.0;  // of the field
   bool is_changed = false;
   for (CameraSpec* camera : cameras_of(trial.spec.sensor)) {
     const double range_m = camera->max_range_m;
     camera->max_range_m = std::min(2.0 * range_m, kFarthest_m);
     is_changed = is_changed || camera->max_range_m > range_m;
+  }
+  for (LidarSpec& lidar : trial.spec.sensor.lidars) {
+    const double range_m = lidar.max_range_m;
+    lidar.max_range_m = std::min(2.0 * range_m, kFarthest_m);
+    lidar.range_at_10_percent_m = std::min(2.0 * lidar.range_at_10_percent_m, kFarthest_m);
+    is_changed = is_changed || lidar.max_range_m > range_m;
   }
   return is_changed ? "" : "it has the longest range that there is";
 }

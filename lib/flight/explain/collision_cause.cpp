@@ -27,7 +27,11 @@ double reaction_s(const FailedFlight& flight) {
     for (const PlanCall& call : flight.record.plan_calls) sum_s += call.latency_s;
     latency_s = sum_s / static_cast<double>(flight.record.plan_calls.size());
   }
-  return seen_sensor(spec).delay_ms / 1000.0 + 1.0 / spec.rates.plan_hz + latency_s;
+  const SensorSpec sensor = seen_sensor(spec);
+  const bool has_camera = !camera_kinds(sensor).empty();
+  const double delay_ms =
+      has_camera || sensor.lidars.empty() ? sensor.delay_ms : sensor.lidars.front().delay_ms;
+  return delay_ms / 1000.0 + 1.0 / spec.rates.plan_hz + latency_s;
 }
 
 /// The way to the contact from each sample on.

@@ -13,7 +13,7 @@ namespace avoidbench {
 namespace {
 
 /// A patch is on an image if so many pixels have it at its depth, to within this share of it or
-/// this much.
+/// this much; on a sweep, if so many points are that near to it.
 constexpr std::size_t kLeastPixels = 3;
 constexpr double kDepthShare = 0.1, kDepth_m = 0.15;
 
@@ -48,7 +48,10 @@ std::optional<double> mapped_share(const PlaceLookUp& look_up,
 
 FlightWatch::FlightWatch(const TrialSpec& spec, const std::vector<Sample>& samples,
                          const StruckPatch& patch)
-    : samples_(&samples), patch_(&patch), cameras_(planner_setup(spec).cameras) {}
+    : samples_(&samples),
+      patch_(&patch),
+      cameras_(planner_setup(spec).cameras),
+      lidars_(planner_setup(spec).lidars) {}
 
 bool FlightWatch::shows_patch(const DepthView& image) const {
   const CameraSetup& camera = cameras_[image.camera];
@@ -72,13 +75,39 @@ bool FlightWatch::shows_patch(const DepthView& image) const {
   return false;
 }
 
+/// By points beside its places, whatever the direction: a lidar errs along its beam.
+bool FlightWatch::shows_patch(const CloudView& cloud) const {
+  const Eigen::Isometry3d T_world_lidar =
+      body_pose_at(*samples_, cloud.time_s) * lidars_[cloud.lidar].T_body_lidar;
+  const std::vector<Eigen::Vector3d> places = places_at(*patch_, cloud.time_s);
+  Eigen::AlignedBox3d around;
+  for (const Eigen::Vector3d& place : places) around.extend(place);
+  around.min().array() -= kDepth_m;
+  around.max().array() += kDepth_m;
+  std::size_t points = 0;
+  for (const ab_lidar_point& point : cloud.points) {
+    const Eigen::Vector3f in_lidar(point.position_lidar_m);
+    const Eigen::Vector3d seen = T_world_lidar * in_lidar.cast<double>();
+    if (!around.contains(seen)) continue;
+    const bool is_beside = std::any_of(places.begin(), places.end(), [&](const auto& place) {
+      return (place - seen).squaredNorm() <= kDepth_m * kDepth_m;
+    });
+    if (is_beside && ++points == kLeastPixels) return true;
+  }
+  return false;
+}
+
 void FlightWatch::planned(const PlanStep& step) {
   has_pictures_ = has_pictures_ || !step.view.stereo.empty() || !step.view.color.empty();
-  depth_image_count_ += step.view.depth.size();
+  depth_image_count_ += step.view.depth.size() + step.view.clouds.size();
   // Views come newest first.
   for (auto image = step.view.depth.rbegin(); image != step.view.depth.rend(); ++image) {
     if (shows_patch(*image)) sensed_s_.push_back(image->time_s);
   }
+  for (auto cloud = step.view.clouds.rbegin(); cloud != step.view.clouds.rend(); ++cloud) {
+    if (shows_patch(*cloud)) sensed_s_.push_back(cloud->time_s);
+  }
+  std::sort(sensed_s_.begin(), sensed_s_.end());
   calls_.push_back({.time_s = step.time_s,
                     .mapped_share = mapped_share(step.look_up, places_at(*patch_, step.time_s))});
 }

@@ -23,18 +23,22 @@ class FlightWatch {
 
   void planned(const PlanStep& step);
 
-  std::size_t depth_image_count() const { return depth_image_count_; }  ///< that it was shown
+  /// Depth images and sweeps that it was shown.
+  std::size_t depth_image_count() const { return depth_image_count_; }
   bool has_pictures() const { return has_pictures_; }  ///< whether it was shown any of light
-  /// Times of depth images on which the patch was at its depth, ascending.
+  /// Times of depth images on which the patch was at its depth, and of sweeps with points on it,
+  /// ascending.
   const std::vector<double>& sensed_s() const { return sensed_s_; }
   const std::vector<CallKnowledge>& calls() const { return calls_; }
 
  private:
   bool shows_patch(const DepthView& image) const;
+  bool shows_patch(const CloudView& cloud) const;
 
   const std::vector<Sample>* samples_;
   const StruckPatch* patch_;
   std::vector<CameraSetup> cameras_;
+  std::vector<LidarSetup> lidars_;
   std::size_t depth_image_count_ = 0;
   bool has_pictures_ = false;
   std::vector<double> sensed_s_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/math.hpp"
 #include "render/camera.hpp"
 
 namespace avoidbench {
@@ -69,6 +70,44 @@ void add_exposures(const CameraSpec& kind, Scene& scene, const StruckPatch& patc
   }
 }
 
+/// The same of the sweeps of a lidar, each as seen from where its end is. A beam is as wide as the
+/// gap to the next ones, which later sweeps may fill.
+void add_sweeps(const LidarSpec& lidar, Scene& scene, const StruckPatch& patch,
+                const std::vector<Sample>& samples, std::vector<PatchExposure>& exposures) {
+  constexpr double kBeside_rad = math::kDegree;
+  const auto [lowest_rad, highest_rad] = elevations_rad(lidar);
+  const Pose T_body = T_body_lidar(lidar.mounting);
+  const auto count = static_cast<std::int64_t>(std::floor(patch.contact_s * lidar.rate_hz));
+  for (std::int64_t i = 1; i <= count; ++i) {
+    const double time_s = static_cast<double>(i) / lidar.rate_hz;
+    scene.set_time(time_s);
+    const Pose T_world_lidar = body_pose_at(samples, time_s) * T_body;
+    const Pose T_lidar_world = T_world_lidar.inverse();
+    Counts counts;
+    for (const Eigen::Vector3d& place : places_at(patch, time_s)) {
+      const Eigen::Vector3d p = T_lidar_world * place;
+      if (p.norm() <= lidar.max_range_m) ++counts.near;
+      const double elevation_rad = math::atan2(p.z(), p.head<2>().norm());
+      if (elevation_rad < lowest_rad - kBeside_rad || elevation_rad > highest_rad + kBeside_rad) {
+        continue;
+      }
+      ++counts.in_cone;
+      if (is_occluded(scene, T_world_lidar.translation(), place)) continue;
+      ++counts.unoccluded;
+      if (p.norm() >= lidar.min_range_m && p.norm() <= lidar.max_range_m) ++counts.in_range;
+    }
+    const auto enough = [&](std::size_t places) {
+      return static_cast<double>(places) >=
+             kEnoughOfPatch * static_cast<double>(patch.places_world.size());
+    };
+    exposures.push_back({.time_s = time_s,
+                         .is_near = enough(counts.near),
+                         .in_cone = enough(counts.in_cone),
+                         .unoccluded = enough(counts.unoccluded),
+                         .in_range = enough(counts.in_range)});
+  }
+}
+
 }  // namespace
 
 std::vector<PatchExposure> patch_exposures(const SensorSpec& sensor, const World& world,
@@ -79,6 +118,9 @@ std::vector<PatchExposure> patch_exposures(const SensorSpec& sensor, const World
   std::vector<PatchExposure> exposures;
   for (const CameraSpec& kind : camera_kinds(sensor)) {
     add_exposures(kind, scene, patch, samples, exposures);
+  }
+  for (const LidarSpec& lidar : sensor.lidars) {
+    add_sweeps(lidar, scene, patch, samples, exposures);
   }
   std::stable_sort(exposures.begin(), exposures.end(),
                    [](const auto& a, const auto& b) { return a.time_s < b.time_s; });

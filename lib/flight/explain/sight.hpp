@@ -8,7 +8,7 @@
 
 namespace avoidbench {
 
-/// One exposure of a rig, and whether a tenth of the patch was before its cameras.
+/// One exposure of a rig, or sweep of a lidar, and whether a tenth of the patch was before it.
 struct PatchExposure {
   double time_s = 0.0;
   bool is_near = false;     ///< no farther than a camera measures, in any direction
@@ -17,7 +17,8 @@ struct PatchExposure {
   bool in_range = false;    ///< unoccluded, and not nearer or farther than that camera measures
 };
 
-/// All exposures of the sensor's cameras up to the contact, in order of time: from the true poses
+/// All exposures of the sensor's cameras, and sweeps of its lidars, up to the contact, in order of
+/// time: from the true poses
 /// of `samples`. By geometry alone, whatever the planner asked for.
 std::vector<PatchExposure> patch_exposures(const SensorSpec& sensor, const World& world,
                                            const StruckPatch& patch,

@@ -4,6 +4,7 @@
 
 #include "base/input_error.hpp"
 #include "base/number_text.hpp"
+#include "base/spec_json.hpp"
 #include "base/ticks.hpp"
 #include "vehicle/capability.hpp"
 
@@ -111,7 +112,25 @@ void check_lidar(const std::string& path, const LidarSpec& lidar, Found& found) 
       lidar.scan);
 }
 
+/// Keys of a camera that is not there: of a lidar they were meant.
+void check_no_camera(const SensorSpec& sensor, Found& found) {
+  CameraSpec none;
+  none.name = sensor.name;
+  none.method = NoCameraSpec{};
+  const auto given = spec_to_json(static_cast<const CameraSpec&>(sensor));
+  const auto plain = spec_to_json(none);
+  for (const auto& [key, value] : given.items()) {
+    if (value == plain.at(key)) continue;
+    found.push_back(
+        {"sensor." + key,
+         "is of a camera, and a sensor of kind none has none; of a lidar it is given as "
+         "in sensor: {kind: none, lidars: [{preset: mid360_like, " +
+             key + ": …}]}"});
+  }
+}
+
 void check_sensor(const SensorSpec& sensor, Found& found) {
+  if (std::holds_alternative<NoCameraSpec>(sensor.method)) check_no_camera(sensor, found);
   check_camera("sensor", sensor, found);
   for (std::size_t i = 0; i < sensor.more_cameras.size(); ++i) {
     check_camera(camera_path(i), sensor.more_cameras[i], found);

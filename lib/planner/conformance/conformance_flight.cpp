@@ -8,6 +8,7 @@
 #include <iterator>
 #include <limits>
 
+#include "base/math.hpp"
 #include "plugin/command_check.hpp"
 #include "program_planner/program_planner.hpp"
 
@@ -53,6 +54,41 @@ std::vector<float> wall_image(const CameraSetup& camera, const Eigen::Vector3d& 
     }
   }
   return depth_m;
+}
+
+/// How far the ground or the wall is from an eye along a unit vector; +inf: neither is met.
+double wall_distance_m(const Eigen::Vector3d& eye_world, const Eigen::Vector3d& direction) {
+  double distance_m = std::numeric_limits<double>::infinity();
+  if (direction.x() > 0.0) {
+    distance_m = (kWall_m - eye_world.x()) / direction.x();
+    const double y = eye_world.y() + distance_m * direction.y();
+    if (y > kGapFrom_m && y < kGapTo_m) distance_m = (kFarWall_m - eye_world.x()) / direction.x();
+  }
+  if (direction.z() < 0.0) distance_m = std::min(distance_m, -eye_world.z() / direction.z());
+  return distance_m;
+}
+
+/// A sweep of a level lidar, one shot each 5°; `distance_m` gives how far each goes.
+template <class Distance>
+void sweep_lidar(const LidarSetup& lidar, Frame& frame, const Distance& distance_m) {
+  constexpr int kColumns = 72, kRows = 13;
+  frame.points.clear();
+  frame.misses_lidar.clear();
+  for (int i = 0; i < kColumns * kRows; ++i) {
+    const double azimuth_rad = (i / kRows - kColumns / 2) * math::kTau / kColumns;
+    const double elevation_rad = (i % kRows - kRows / 2) * math::kTau / kColumns;
+    const double level = math::cos(elevation_rad);
+    const Eigen::Vector3d direction(level * math::cos(azimuth_rad), level * math::sin(azimuth_rad),
+                                    math::sin(elevation_rad));
+    const double way_m = distance_m(direction);
+    if (std::isnan(way_m)) continue;
+    if (!(way_m <= lidar.max_range_m)) {
+      frame.misses_lidar.emplace_back(direction.cast<float>());
+      continue;
+    }
+    const Eigen::Vector3f place = (way_m * direction).cast<float>();
+    frame.points.push_back({{place.x(), place.y(), place.z()}, 0.0F, 0.3F});
+  }
 }
 
 /// From a place to the ground or the wall with its gap, as AB_WORLD_EXTENSION tells it.
@@ -102,6 +138,12 @@ std::vector<float> fenced(const std::vector<float>& pixels) {
   return copy;
 }
 
+bool has_changed(const std::vector<ab_lidar_point>& now,
+                 const std::vector<ab_lidar_point>& before) {
+  return !now.empty() &&
+         std::memcmp(now.data(), before.data(), now.size() * sizeof(ab_lidar_point)) != 0;
+}
+
 std::string change_in(const std::vector<float>& now, const std::vector<float>& pixels) {
   const std::vector<float> before = fenced(pixels);
   if (std::memcmp(now.data() + kFenceLength, pixels.data(), pixels.size() * sizeof(float)) != 0) {
@@ -137,6 +179,14 @@ PlannerSetup conformance_setup() {
   camera.min_range_m = 0.1;
   camera.max_range_m = 15.0;
   camera.baseline_m = 0.1;
+  LidarSetup& lidar = setup.lidars.emplace_back();
+  lidar.T_body_lidar.translation() << 0.0, 0.0, 0.1;
+  lidar.rate_hz = 10.0;
+  lidar.min_range_m = 0.1;
+  lidar.max_range_m = 15.0;
+  lidar.lowest_elevation_rad = -math::kPi / 6;
+  lidar.highest_elevation_rad = math::kPi / 6;
+  lidar.shots = 936;
   return setup;
 }
 
@@ -161,6 +211,11 @@ ConformanceFlight wall_flight() {
     const Eigen::Vector3d eye =
         frame.position_world + setup.cameras.front().T_body_camera.translation();
     frame.images.push_back(wall_image(setup.cameras.front(), eye));
+    const LidarSetup& lidar = setup.lidars.front();
+    const Eigen::Vector3d lidar_world = frame.position_world + lidar.T_body_lidar.translation();
+    sweep_lidar(lidar, frame, [&](const Eigen::Vector3d& direction) {
+      return wall_distance_m(lidar_world, direction);
+    });
     flight.frames.push_back(std::move(frame));
   }
   return flight;
@@ -170,6 +225,8 @@ ConformanceFlight uniform_flight(float depth_m) {
   ConformanceFlight flight = wall_flight();
   for (Frame& frame : flight.frames) {
     for (std::vector<float>& image : frame.images) std::fill(image.begin(), image.end(), depth_m);
+    sweep_lidar(conformance_setup().lidars.front(), frame,
+                [depth_m](const Eigen::Vector3d&) { return static_cast<double>(depth_m); });
   }
   return flight;
 }
@@ -293,6 +350,16 @@ Reply Probe::plan(const Frame& frame) {
                                  .jerk_world = Eigen::Vector3d::Zero()};
   // Specific force at rest: what an accelerometer measures is up, against gravity.
   view.imu.push_back({frame.time_s, Eigen::Vector3d::Zero(), {0.0, 0.0, 9.81}});
+  points_ = frame.points;
+  misses_lidar_ = frame.misses_lidar;
+  for (std::size_t i = 0; i < setup_.lidars.size(); ++i) {
+    view.clouds.push_back({.time_s = frame.time_s,
+                           .T_world_lidar = Eigen::Translation3d(frame.position_world) *
+                                            setup_.lidars[i].T_body_lidar,
+                           .lidar = static_cast<std::uint32_t>(i),
+                           .points = points_,
+                           .misses_lidar = misses_lidar_});
+  }
   // The observation holds pointers alone, so what it points to is compared apart.
   const ab_observation& observation = observation_.fill(view, setup_.cameras, table_->needs);
   const ab_observation before = observation;
@@ -315,6 +382,9 @@ Reply Probe::plan(const Frame& frame) {
   for (std::size_t i = 0; i < pixels_.size() && reply.changed.empty(); ++i) {
     reply.changed = change_in(pixels_[i], frame.images[i]);
   }
+  if (reply.changed.empty() && has_changed(points_, frame.points)) {
+    reply.changed = "it wrote into a lidar's sweep";
+  }
   // A count that can't be true is not followed: reply_problem() names it, reading would crash.
   const bool has_points = reply.status == AB_OK && reply.command.kind == AB_COMMAND_TRAJECTORY &&
                           reply.command.points != nullptr &&
@@ -329,6 +399,7 @@ Reply Probe::plan(const Frame& frame) {
     observation_.poison();
     // A wall at 1 cm; the rubbish of the other buffers would be no depth (-5e-15).
     for (std::vector<float>& image : pixels_) std::fill(image.begin(), image.end(), 0.01F);
+    std::fill(points_.begin(), points_.end(), ab_lidar_point{{0.01F, 0.0F, 0.0F}, 0.0F, 0.0F});
   }
   return reply;
 }

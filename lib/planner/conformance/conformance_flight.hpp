@@ -15,6 +15,9 @@ struct Frame {
   Eigen::Vector3d velocity_world = Eigen::Vector3d::Zero();
   std::vector<std::vector<float>> images;
   std::vector<std::uint32_t> cameras = {};  ///< of the images, by index; empty: all of the first
+  /// A sweep of the lidar that ends now, where the setup has one.
+  std::vector<ab_lidar_point> points = {};
+  std::vector<Eigen::Vector3f> misses_lidar = {};
 
   std::uint32_t camera_of(std::size_t image) const { return cameras.empty() ? 0 : cameras[image]; }
 };
@@ -24,14 +27,15 @@ struct ConformanceFlight {
   std::vector<Frame> frames;
 };
 
-/// A vehicle of half a metre with a camera of 160 × 120 pixels and 90° looking forward.
+/// A vehicle of half a metre with a camera of 160 × 120 pixels and 90° looking forward, and a
+/// lidar.
 PlannerSetup conformance_setup();
 
 /// Twenty frames along +x at 2 m height and 3 m/s over level ground toward a wall at x = 6 m with a
 /// gap of 2 m.
 ConformanceFlight wall_flight();
 
-/// wall_flight() in which every pixel of every image is `depth_m`.
+/// wall_flight() in which every pixel of every image is `depth_m`, and every point so far off.
 ConformanceFlight uniform_flight(float depth_m);
 
 /// What one call gave.
@@ -95,6 +99,8 @@ class Probe {
   std::vector<std::vector<float>> pixels_;
   std::vector<std::vector<float>> old_pixels_;         ///< kept, so that a late read is no crash
   std::vector<std::vector<std::uint8_t>> grey_, rgb_;  ///< by image
+  std::vector<ab_lidar_point> points_;
+  std::vector<Eigen::Vector3f> misses_lidar_;
   void* instance_ = nullptr;
   std::string problem_;
 };

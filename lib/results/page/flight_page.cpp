@@ -196,10 +196,12 @@ void SeenRecorder::planned(const PlanStep& step) {
   thrusts_mps2_.push_back(wanted.thrust_mps2);
   statuses_.push_back(static_cast<std::int64_t>(step.result.status));
   for (const std::string& line : step.log) log_.push_back({{"t", step.time_s}, {"text", line}});
+  points_.see(step.view);
   if (!is_due(step.time_s)) return;
   see(step.view);
-  if (step.drawings.empty()) return;
+  if (step.drawings.empty() && points_.drawings().empty()) return;
   ordered_json drawn = ordered_json::array();
+  for (const Drawing& drawing : points_.drawings()) drawn.push_back(drawing_json(drawing));
   for (const Drawing& drawing : step.drawings) drawn.push_back(drawing_json(drawing));
   drawings_.push_back({{"t", step.time_s}, {"drawings", std::move(drawn)}});
 }

@@ -6,6 +6,7 @@
 
 #include "page/page.hpp"
 #include "trial/trial_observer.hpp"
+#include "view/seen_points.hpp"
 
 namespace avoidbench {
 
@@ -32,6 +33,7 @@ class SeenRecorder {
   void see(const PlannerView& view);
 
   std::vector<RigCamera> cameras_;
+  SeenPoints points_{kMostDrawnCorners};
   double next_s_ = 0.0;
   nlohmann::ordered_json images_ = nlohmann::ordered_json::array();
   nlohmann::ordered_json drawings_ = nlohmann::ordered_json::array();

@@ -82,7 +82,9 @@ void MomentRecorder::see(double time_s, const VehicleState& believed, const Plan
 void MomentRecorder::planned(const PlanStep& step) {
   see(step.time_s, step.believed, step.view);
   latest_.result = step.result;
-  latest_.drawings = step.drawings;
+  points_.see(step.view);
+  latest_.drawings = points_.drawings();
+  latest_.drawings.insert(latest_.drawings.end(), step.drawings.begin(), step.drawings.end());
 }
 
 /// No result and no drawings: those of the call before stay.

@@ -352,7 +352,8 @@ Picture ReplaySheets::images(const Moment& moment) const {
     const int height = static_cast<int>(seen[i].height_px * scale);
     Picture shown = resized(image_picture(seen[i], shown_m), width, height);
     const Pose T_world_body = body_pose_at(record_.samples, seen[i].time_s);
-    if (shows_contact(moment) && ring_struck(*struck_, cameras_[i], T_world_body, scale, shown)) {
+    if (i < cameras_.size() && shows_contact(moment) &&
+        ring_struck(*struck_, cameras_[i], T_world_body, scale, shown)) {
       ring = "; ring: what it struck";
     }
     if (!is_alone) draw_label(shown, "camera " + std::to_string(i), 6, height - 30, {20, 20, 20});

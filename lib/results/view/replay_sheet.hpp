@@ -10,6 +10,7 @@
 #include "replay/replay.hpp"
 #include "trial/trial_observer.hpp"
 #include "view/replay_panel.hpp"
+#include "view/seen_points.hpp"
 #include "view/struck_obstacle.hpp"
 
 namespace avoidbench {
@@ -55,6 +56,7 @@ class MomentRecorder {
   std::vector<RigCamera> cameras_;
   std::size_t at_index_ = 0;
   std::int64_t every_index_ = 0;
+  SeenPoints points_{kMostDrawnPoints};
   Moment latest_;
   std::vector<Moment> moments_;
 };

@@ -4,11 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "base/math.hpp"
 #include "base/option_error.hpp"
 #include "base/random.hpp"
 #include "render/depth.hpp"
 #include "sensing/camera.hpp"
 #include "sensing/depth_statistics.hpp"
+#include "sensing/lidar.hpp"
 
 namespace avoidbench {
 namespace {
@@ -136,6 +138,66 @@ std::vector<Cell> cells_of(const CameraSpec& sensor, CameraImages& images,
   return cells;
 }
 
+/// A sweep at rest as range over azimuth, from behind over the left to behind, and elevation; and
+/// from above.
+std::vector<Cell> cells_of(const LidarSpec& lidar, const LidarSweep& sweep) {
+  constexpr int kWidth_px = 720, kHeight_px = 240, kSide_px = 480;
+  constexpr double kMostShown_m = 20.0;
+  const auto [lowest_rad, highest_rad] = elevations_rad(lidar);
+  std::vector<float> ranges_m(static_cast<std::size_t>(kWidth_px) * kHeight_px, math::kNaN);
+  const double rows_per_rad = (kHeight_px - 1) / std::max(highest_rad - lowest_rad, 1e-3);
+  const auto mark = [&](const Eigen::Vector3d& direction, double range_m) {
+    const double azimuth_rad = math::atan2(direction.y(), direction.x());
+    const double elevation_rad = math::atan2(direction.z(), direction.head<2>().norm());
+    const int column = static_cast<int>((0.5 - azimuth_rad / math::kTau) * (kWidth_px - 1));
+    const int row = static_cast<int>((highest_rad - elevation_rad) * rows_per_rad);
+    // Two pixels each way: single ones can't be seen.
+    for (int y = std::max(row, 0); y < std::min(row + 2, kHeight_px); ++y) {
+      for (int x = column; x < std::min(column + 2, kWidth_px); ++x) {
+        float& pixel =
+            ranges_m[static_cast<std::size_t>(y) * kWidth_px + static_cast<std::size_t>(x)];
+        if (!(static_cast<double>(pixel) <= range_m)) pixel = static_cast<float>(range_m);
+      }
+    }
+  };
+  Picture plan = make_picture(kSide_px, kSide_px);
+  std::fill(plan.rgb.begin(), plan.rgb.end(), std::uint8_t{255});
+  const double px_per_m = 0.5 * kSide_px / kMostShown_m;
+  for (const Eigen::Vector3f& miss : sweep.misses) {
+    mark(miss.cast<double>(), std::numeric_limits<double>::infinity());
+  }
+  for (const LidarPoint& point : sweep.points) {
+    const Eigen::Vector3d place = point.position_lidar.cast<double>();
+    mark(place, place.norm());
+    // Forward is up.
+    draw_disc(plan, {0.5 * kSide_px - px_per_m * place.y(), 0.5 * kSide_px - px_per_m * place.x()},
+              1.0, height_color(std::clamp(0.5 + place.z() / 4.0, 0.0, 1.0)));
+  }
+  draw_disc(plan, {0.5 * kSide_px, 0.5 * kSide_px}, 4.0, {220, 30, 30});
+  add_scale_bar(plan, px_per_m);
+  add_caption(plan, "from above, 20 m around; colour: height");
+  Picture ranges = depth_picture(ranges_m, kWidth_px, kHeight_px, 0.0, kMostShown_m);
+  add_caption(ranges, lidar.name + ": a sweep's ranges over azimuth and elevation");
+  add_depth_scale(ranges, 0.0, kMostShown_m);
+  return {{"depth", std::move(ranges)}, {"depth", std::move(plan)}};
+}
+
+/// A sweep of a lidar that rests.
+LidarSweep sweep_at_rest(const LidarSpec& spec, const Scene& scene, const Pose& T_world_lidar,
+                         std::uint64_t seed) {
+  Lidar lidar(spec);
+  lidar.begin_sweep(0, seed);
+  lidar.fire(scene, {.from = 0,
+                     .to = required_period(spec.rate_hz),
+                     .T_world_from = T_world_lidar,
+                     .T_world_to = T_world_lidar,
+                     .T_believed_from = T_world_lidar,
+                     .T_believed_to = T_world_lidar});
+  LidarSweep sweep;
+  lidar.end_sweep(T_world_lidar, sweep);
+  return sweep;
+}
+
 /// Rows of pictures: what the eyes see above what was measured; a row a camera where there are
 /// more; one row of a single view.
 std::vector<std::vector<Picture>> arranged(std::vector<std::vector<Cell>> cameras,
@@ -202,7 +264,19 @@ SensorSheet make_sensor_sheet(const SensorSpec& sensor, const Scene& scene,
         (all.size() > 1 ? "camera " + std::to_string(i) + ": " : "") + figures(inside) + "\n";
     cameras.push_back(cells_of(kind, images, truth_m));
   }
-  sheet.picture = tiled(arranged(std::move(cameras), view));
+  std::vector<std::vector<Picture>> rows = arranged(std::move(cameras), view);
+  for (std::size_t i = 0; i < sensor.lidars.size() && (view == "sheet" || view == "depth"); ++i) {
+    const LidarSpec& lidar = sensor.lidars[i];
+    const LidarSweep sweep =
+        sweep_at_rest(lidar, scene, T_world_body * T_body_lidar(lidar.mounting),
+                      stream_seed(seed, all.size() + i));
+    sheet.summary += lidar.name + ": " + std::to_string(sweep.points.size()) + " of " +
+                     std::to_string(shots_per_sweep(lidar)) + " shots met something\n";
+    for (Cell& cell : cells_of(lidar, sweep)) rows.push_back({std::move(cell.picture)});
+  }
+  std::erase_if(rows, [](const auto& row) { return row.empty(); });
+  if (rows.empty()) throw OptionError(view + ": " + sensor.name + " has no camera", "view");
+  sheet.picture = tiled(rows);
   return sheet;
 }
 

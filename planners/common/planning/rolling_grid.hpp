@@ -166,7 +166,6 @@ class RollingGrid {
   bool is_hit(const View& view, const Eigen::Vector3f& in_camera, int ends) const;
   bool add(std::size_t index, int change);
   void pass(const Eigen::Vector3d& from_cells, const Eigen::Vector3d& to_cells, bool has_end);
-  bool is_unoccupied(const std::array<int, 3>& cell) const;
   void count_sweep();
 
   RollingGridSpec spec_;

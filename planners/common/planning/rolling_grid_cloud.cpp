@@ -47,7 +47,7 @@ void RollingGrid::pass(const Vector3d& from_cells, const Vector3d& to_cells, boo
     const std::size_t axis =
         next[0] < next[1] ? (next[0] < next[2] ? 0 : 2) : (next[1] < next[2] ? 1 : 2);
     const bool is_grazed = next[axis] > grazes && left > 0;
-    if (!is_grazed || is_unoccupied(cell)) {
+    if (!is_grazed || !is_known({first_x_ + cell[0], first_y_ + cell[1], lowest_z_ + cell[2]})) {
       const auto at = static_cast<std::size_t>(index);
       passed_[at / 64] |= std::uint64_t{1} << (at % 64);
     }
@@ -57,12 +57,6 @@ void RollingGrid::pass(const Vector3d& from_cells, const Vector3d& to_cells, boo
     index += step[axis] * stride[axis];
     next[axis] += per_cell[axis];
   }
-}
-
-/// Whether the cell, counted from the least one, is no nearer to occupied than unknown ones are.
-bool RollingGrid::is_unoccupied(const std::array<int, 3>& cell) const {
-  const std::size_t start = column_start(first_x_ + cell[0], first_y_ + cell[1]);
-  return log_odds_[start + static_cast<std::size_t>(cell[2])] <= unknown_;
 }
 
 void RollingGrid::integrate(const ab_cloud& cloud) {

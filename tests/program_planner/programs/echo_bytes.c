@@ -18,6 +18,7 @@ void echo_setup(echo_buffer* to, const ab_setup* setup) {
   copy.values = NULL;
   copy.cameras = NULL;
   copy.depth_camera = NULL;
+  copy.lidars = NULL;
   add(to, &copy, sizeof copy);
   for (i = 0; i < setup->value_count; ++i) {
     ab_value value = *setup->values[i];
@@ -27,6 +28,7 @@ void echo_setup(echo_buffer* to, const ab_setup* setup) {
   }
   for (i = 0; i < setup->camera_count; ++i) add(to, setup->cameras[i], sizeof(ab_camera));
   if (setup->camera_count > 0) add(to, setup->depth_camera, sizeof(ab_camera));
+  for (i = 0; i < setup->lidar_count; ++i) add(to, setup->lidars[i], sizeof(ab_lidar));
 }
 
 void echo_mission(echo_buffer* to, const ab_mission* mission) { add(to, mission, sizeof *mission); }
@@ -59,6 +61,14 @@ void echo_observation(echo_buffer* to, const ab_observation* seen) {
   add(to, &seen->time_s, sizeof seen->time_s);
   for (i = 0; i < seen->state_count; ++i) add(to, seen->states[i], sizeof(ab_state));
   if (seen->reference != NULL) add(to, seen->reference, sizeof(ab_point));
+  for (i = 0; i < seen->cloud_count; ++i) {
+    ab_cloud copy = *seen->clouds[i];
+    copy.points = NULL;
+    copy.misses_lidar = NULL;
+    add(to, &copy, sizeof copy);
+    add(to, seen->clouds[i]->points, copy.point_count * sizeof(ab_lidar_point));
+    add(to, seen->clouds[i]->misses_lidar, 3u * copy.miss_count * sizeof(float));
+  }
 }
 
 void echo_command(ab_command* command, const ab_state* state) {
