@@ -282,25 +282,25 @@ TEST(LidarScan, PresetsFireAsTheirDataSheetsSay) {
   }
 }
 
-/// Share of the cells of 2° by 2° that n sweeps have fired into.
+/// Share of the cells of 1° by 1° in view that n sweeps have fired into.
 double coverage(const LidarSpec& lidar, std::int64_t sweeps) {
   std::set<std::pair<int, int>> cells;
   for (std::int64_t k = 0; k < sweeps; ++k) {
     for (std::int64_t i = 0; i < shots_per_sweep(lidar); ++i) {
       const Vector3d d = shot_direction(lidar, k, i);
-      cells.emplace(static_cast<int>(std::floor(math::atan2(d.y(), d.x()) / (2.0 * math::kDegree))),
-                    static_cast<int>(std::floor(math::asin(d.z()) / (2.0 * math::kDegree))));
+      cells.emplace(static_cast<int>(std::floor(math::atan2(d.y(), d.x()) / math::kDegree)),
+                    static_cast<int>(std::floor(math::asin(d.z()) / math::kDegree)));
     }
   }
-  return static_cast<double>(cells.size()) / (180.0 * 59.0 / 2.0);
+  return static_cast<double>(cells.size()) / (360.0 * 59.0);
 }
 
 TEST(LidarScan, PatternsFillWhatTheyLeftOut) {
   const LidarSpec lidar = lidar_preset("mid360_like");
-  const double one = coverage(lidar, 1), four = coverage(lidar, 4);
-  EXPECT_GT(one, 0.5);
-  EXPECT_GT(four, one + 0.05);
-  EXPECT_GT(coverage(lidar, 20), 0.98);
+  // 20,000 shots over 21,240 cells: evenly at random they would meet 61 % of them.
+  EXPECT_GT(coverage(lidar, 1), 0.7);
+  EXPECT_GT(coverage(lidar, 2), 0.9);
+  EXPECT_GT(coverage(lidar, 4), 0.98);
 }
 
 TEST(LidarScan, MountingsAreThoseOfCameras) {

@@ -39,7 +39,7 @@ struct LidarPatternSpec {
   static constexpr std::string_view kind = "lidar_pattern";
   std::int64_t beams = 4;
   double points_per_s = 200'000.0;
-  double turns_hz = 25.3, nods_hz = 93.7;
+  double turns_hz = 24.7, nods_hz = 850.7;
   double lowest_elevation_deg = -7.0, highest_elevation_deg = 52.0;
 };
 
