@@ -36,7 +36,7 @@ class Omniscient {
   static constexpr const char* summary =
       "Knows the map and flies the shortest path as fast as the vehicle can: a ceiling, no "
       "competitor.";
-  static constexpr std::uint32_t needs = AB_INPUT_STATE | AB_INPUT_WORLD;
+  static constexpr std::uint32_t needs = AB_INPUT_STATE | AB_INPUT_WORLD | AB_INPUT_GOALS;
   static constexpr std::uint32_t commands = AB_COMMAND_TRAJECTORY;
   static constexpr std::array parameters{avoidbench::parameter<&Settings::max_speed_mps>(
       "max_speed_mps", "m/s", 20.0, 0.1, 20.0, "Speed limit; the vehicle's own holds as well.")};
@@ -60,7 +60,8 @@ class Omniscient {
       if (widest.empty()) widest = path;
       const Line smooth = omniscient::smoothed(
           path, body_radius_m_ + kKeptMargin * margin_m,
-          [this](const Line& places_world) { return distances_m(places_world); });
+          [this](const Line& places_world) { return distances_m(places_world); },
+          held_points(path, mission));
       if (smooth.empty()) continue;
       fly_along(smooth, limits_);
       return;
@@ -100,6 +101,24 @@ class Omniscient {
     if (corners.size() < 2) return {};
     const Line path = omniscient::resampled(corners, kLineStep_m);
     return path.size() < 3 ? Line{} : path;
+  }
+
+  /// Where the path enters each goal but the last: there the line stays on it.
+  static std::vector<std::size_t> held_points(const Line& path, const ab_mission& mission) {
+    std::vector<avoidbench::Vec3> goals = avoidbench::goals_of(mission);
+    goals.pop_back();
+    std::vector<std::size_t> held;
+    auto from = path.begin();
+    for (const avoidbench::Vec3& goal : goals) {
+      // The host's path goes half into the circle.
+      from = std::find_if(from, path.end(), [&](const Eigen::Vector3d& point) {
+        return (point - avoidbench::as_vector(goal)).head<2>().norm() <=
+               0.5 * mission.goal_radius_m + kLineStep_m;
+      });
+      if (from == path.end()) break;
+      held.push_back(static_cast<std::size_t>(from - path.begin()));
+    }
+    return held;
   }
 
   std::vector<double> distances_m(const Line& places_world) const {

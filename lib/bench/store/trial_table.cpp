@@ -44,7 +44,7 @@ std::string trial_query(const std::string& select, std::size_t sweep_count) {
 }
 
 /// How many samples a flight of the spec has at most: one a period and one a period of jerks, one
-/// at each end. What the spec does not say counts as the most that any can.
+/// at each end and at each goal. What the spec does not say counts as the most that any can.
 std::int64_t most_samples(const std::string& spec_json) {
   constexpr double kMostTime_s = 3600.0, kMostRate_hz = 1000.0;  // trial_spec.hpp
   const auto spec = nlohmann::json::parse(spec_json, nullptr, false);
@@ -53,9 +53,10 @@ std::int64_t most_samples(const std::string& spec_json) {
     const bool is_there = spec.is_object() && spec.contains(at) && spec.at(at).is_number();
     return is_there ? std::clamp(spec.at(at).get<double>(), 0.0, most) : most;
   };
-  return 2 + static_cast<std::int64_t>(
-                 std::ceil(field("/mission/time_limit_s", kMostTime_s) *
-                           (field("/rates/sample_hz", kMostRate_hz) + kJerkRate_hz)));
+  return 2 + kMostGoals +
+         static_cast<std::int64_t>(
+             std::ceil(field("/mission/time_limit_s", kMostTime_s) *
+                       (field("/rates/sample_hz", kMostRate_hz) + kJerkRate_hz)));
 }
 
 /// Checked against count and digest; none for a trial without a stored flight. A count above `most`

@@ -18,7 +18,7 @@ PlannerWorld known_world(const TrialSpec& spec, const Scene& scene, const Missio
   const auto grid = std::make_shared<ClearanceGrid>(scene, scene.world().bounds, kMapCell_m);
   world.shortest_path_world = [grid, mission,
                                goal_radius_m = spec.mission.goal_radius_m](double radius_m) {
-    return reference_path(*grid, mission, goal_radius_m, radius_m)
+    return reference_path(*grid, mission, goal_radius_m, radius_m, PassBy::half)
         .value_or(std::vector<Eigen::Vector3d>{});
   };
   return world;

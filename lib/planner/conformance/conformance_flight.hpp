@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct Frame {
   Eigen::Vector3d velocity_world = Eigen::Vector3d::Zero();
   std::vector<std::vector<float>> images;
   std::vector<std::uint32_t> cameras = {};  ///< of the images, by index; empty: all of the first
+  std::optional<GoalView> goal = {};        ///< nothing: the mission's first
 
   std::uint32_t camera_of(std::size_t image) const { return cameras.empty() ? 0 : cameras[image]; }
 };
@@ -89,6 +91,7 @@ class Probe {
  private:
   const ab_planner* table_;
   bool poisoned_, is_asking_;
+  PlannerMission mission_;
   PlannerSetup setup_;
   HostSide host_;
   ObservationBuffers observation_;

@@ -85,7 +85,10 @@ std::uint64_t write_flat(Segment& segment, const ab_setup& setup) {
 }
 
 std::uint64_t write_flat(Segment& segment, const ab_mission& mission) {
-  return write_struct(segment, mission);
+  ab_mission copy = mission;
+  set_offset(copy.goals_world_m,
+             segment.add(mission.goals_world_m, 3 * mission.goal_count * sizeof(double)));
+  return write_struct(segment, copy);
 }
 
 std::uint64_t write_flat(Segment& segment, const ab_observation& observation) {

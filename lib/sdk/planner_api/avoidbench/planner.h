@@ -54,6 +54,9 @@ typedef int32_t ab_status;
  * one (`camera: 0` in the planner's entry), or is refused before its first trial. */
 #define AB_INPUT_ONE_CAMERA 128u
 #define AB_INPUT_REFERENCE 4096u /* where the vehicle is told to be: the last commanded state */
+/* The goal to reach now: missions may have several, in order, and the last one may move. A sweep
+ * with such missions is refused before its first trial where a planner does not declare this. */
+#define AB_INPUT_GOALS 32768u
 /* Also ab_planner.needs: what it does beside computing and reading files. Planners fly in a sandbox
  * that refuses the rest; without these flags fork() and socket() fail, as writing to files always
  * does. */
@@ -160,6 +163,10 @@ typedef struct ab_mission {
                                                    ends where the vehicle's centre leaves it */
   double command_latency_s; /* from a call to when its command acts; NaN where that is measured: as
                                long as the call takes */
+  /* Added later: older hosts end before this. All goals, to be reached in this order; the first is
+   * goal_world_m, and the trial ends at the last. One that moves is where it is at the start. */
+  uint32_t goal_count, reserved2;
+  const double* goals_world_m; /* 3 numbers a goal */
 } ab_mission;
 
 typedef struct ab_state {
@@ -250,6 +257,10 @@ typedef struct ab_observation {
    * the vehicle to be at this call, which is where a smooth trajectory begins; of the position that
    * the odometry believes. time_s is that of this call. Null while rates are commanded. */
   const ab_point* reference;
+  /* Added later: older hosts end before this. AB_INPUT_GOALS: the goal to reach now, an index into
+   * ab_mission.goals_world_m, and where it is at this call. Zeros unless declared. */
+  uint32_t goal_index, reserved3;
+  double goal_world_m[3];
 } ab_observation;
 
 /* Numbers are finite, and lengths, speeds and so on not beyond 1e6, yaws not beyond 1e5. Anything
