@@ -53,6 +53,7 @@ class Omniscient {
     yaw_rad_ = mission.start_yaw_rad;
     latency_s_ = std::isfinite(mission.command_latency_s) ? mission.command_latency_s : 0.0;
     begin_s_.reset();
+    goal_.reset(mission);
     Line widest;  // path, as it was asked for
     for (const double margin_m : kMargins_m) {
       const Line path = path_for(body_radius_m_ + margin_m);
@@ -73,6 +74,11 @@ class Omniscient {
   }
 
   std::optional<ab_command> plan(const ab_observation& seen) {
+    // A goal that moves comes back to where it was: there it is waited for.
+    if (goal_.update(seen) && !goal_.is_next() && !flown_limits_.ends_at_rest) {
+      flown_limits_.ends_at_rest = true;
+      timed_ = omniscient::TimedLine(line_, flown_limits_);
+    }
     // The line's time is 0 when the first command acts.
     const double acts_s = seen.time_s + latency_s_;
     if (!begin_s_) begin_s_ = acts_s;
@@ -133,12 +139,14 @@ class Omniscient {
     line_ = omniscient::resampled(line, kLineStep_m);
     // TimedLine takes evenly spaced points: a last leg of another length goes straight on.
     line_.back() = 2.0 * line_[line_.size() - 2] - line_[line_.size() - 3];
-    timed_ = omniscient::TimedLine(line_, limits);
+    flown_limits_ = limits;
+    timed_ = omniscient::TimedLine(line_, flown_limits_);
   }
 
   avoidbench::Canvas canvas_;
   avoidbench::KnownWorld world_;
-  omniscient::Limits limits_;
+  avoidbench::CurrentGoal goal_;
+  omniscient::Limits limits_, flown_limits_;
   double body_radius_m_ = 0.0, yaw_rad_ = 0.0, latency_s_ = 0.0;
   std::optional<double> begin_s_;  ///< when the line's first point is flown
   Line line_;

@@ -87,7 +87,8 @@ TEST(Protocol, StructsOfThePlannerInterfaceAreWhereTheyAreDocumented) {
                   AT(ab_mission, start_yaw_rad, 40), AT(ab_mission, goal_world_m, 48),
                   AT(ab_mission, goal_radius_m, 72), AT(ab_mission, time_limit_s, 80),
                   AT(ab_mission, lowest_world_m, 88), AT(ab_mission, highest_world_m, 112),
-                  AT(ab_mission, command_latency_s, 136), Field{sizeof(ab_mission), 144}});
+                  AT(ab_mission, command_latency_s, 136), AT(ab_mission, goal_count, 144),
+                  AT(ab_mission, goals_world_m, 152), Field{sizeof(ab_mission), 160}});
 }
 
 TEST(Protocol, StructsOfOneCallAreWhereTheyAreDocumented) {
@@ -101,7 +102,8 @@ TEST(Protocol, StructsOfOneCallAreWhereTheyAreDocumented) {
                   AT(ab_observation, color, 40), AT(ab_observation, imu_count, 48),
                   AT(ab_observation, imu, 56), AT(ab_observation, time_s, 64),
                   AT(ab_observation, state_count, 72), AT(ab_observation, states, 80),
-                  AT(ab_observation, reference, 88), Field{sizeof(ab_observation), 96}});
+                  AT(ab_observation, reference, 88), AT(ab_observation, goal_index, 96),
+                  AT(ab_observation, goal_world_m, 104), Field{sizeof(ab_observation), 128}});
   expect_offsets("ab_depth_image",
                  {AT(ab_depth_image, width_px, 4), AT(ab_depth_image, height_px, 8),
                   AT(ab_depth_image, time_s, 16), AT(ab_depth_image, fx_px, 24),

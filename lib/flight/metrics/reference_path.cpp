@@ -255,14 +255,14 @@ std::optional<Path> leg_path(ClearanceGrid& grid, const Vector3d& start, const V
 }
 
 std::vector<Path> reference_legs(ClearanceGrid& grid, const Mission& mission, double goal_radius_m,
-                                 double radius_m, PassBy pass_by) {
+                                 double radius_m, std::optional<double> between_radius_m) {
   const std::vector<Vector3d> goals = goals_of(mission);
-  const double between_m = pass_by == PassBy::half ? 0.5 * goal_radius_m : goal_radius_m;
   std::vector<Path> legs;
   for (const Vector3d& goal : goals) {
     const bool is_last = legs.size() + 1 == goals.size();
-    const Vector3d& from = legs.empty() ? mission.start_world : legs.back().back();
-    auto leg = leg_path(grid, from, goal, is_last ? goal_radius_m : between_m, radius_m);
+    const double reach_m = is_last ? goal_radius_m : between_radius_m.value_or(goal_radius_m);
+    auto leg = leg_path(grid, legs.empty() ? mission.start_world : legs.back().back(), goal,
+                        reach_m, radius_m);
     if (!leg) break;
     legs.push_back(std::move(*leg));
   }
@@ -278,8 +278,10 @@ Path joined(const std::vector<Path>& legs) {
 }
 
 std::optional<Path> reference_path(ClearanceGrid& grid, const Mission& mission,
-                                   double goal_radius_m, double radius_m, PassBy pass_by) {
-  const std::vector<Path> legs = reference_legs(grid, mission, goal_radius_m, radius_m, pass_by);
+                                   double goal_radius_m, double radius_m,
+                                   std::optional<double> between_radius_m) {
+  const std::vector<Path> legs =
+      reference_legs(grid, mission, goal_radius_m, radius_m, between_radius_m);
   if (legs.size() < goals_of(mission).size()) return std::nullopt;
   return joined(legs);
 }

@@ -27,22 +27,17 @@ std::optional<std::vector<Eigen::Vector3d>> leg_path(ClearanceGrid& grid,
                                                      const Eigen::Vector3d& goal_world,
                                                      double goal_radius_m, double radius_m);
 
-/// How far into the circle of each goal before the last a path goes, as a share of its radius.
-enum class PassBy { edge, half };
-
 /// Such a path to each goal in order, each beginning where the one before it ends; as many as goals
 /// can be reached. The last goal counts where it is at the start. The sum of their lengths is d_min
-/// of the metrics.
-std::vector<std::vector<Eigen::Vector3d>> reference_legs(ClearanceGrid& grid,
-                                                         const Mission& mission,
-                                                         double goal_radius_m, double radius_m,
-                                                         PassBy pass_by = PassBy::edge);
+/// of the metrics. `between_radius_m`: of the goals before the last; left out: as the last one's.
+std::vector<std::vector<Eigen::Vector3d>> reference_legs(
+    ClearanceGrid& grid, const Mission& mission, double goal_radius_m, double radius_m,
+    std::optional<double> between_radius_m = std::nullopt);
 
 /// The legs as one polyline; nothing where a goal can't be reached.
-std::optional<std::vector<Eigen::Vector3d>> reference_path(ClearanceGrid& grid,
-                                                           const Mission& mission,
-                                                           double goal_radius_m, double radius_m,
-                                                           PassBy pass_by = PassBy::edge);
+std::optional<std::vector<Eigen::Vector3d>> reference_path(
+    ClearanceGrid& grid, const Mission& mission, double goal_radius_m, double radius_m,
+    std::optional<double> between_radius_m = std::nullopt);
 
 /// Of legs that follow each other.
 std::vector<Eigen::Vector3d> joined(const std::vector<std::vector<Eigen::Vector3d>>& legs);

@@ -68,6 +68,11 @@ double distance_to_goal_m(const MissionSpec& spec, const Mission& mission, std::
   return (goal_place(spec, mission, index, time_s) - place_world).head<2>().norm();
 }
 
+std::string goals_demand(const MissionSpec& spec, const Mission& mission) {
+  if (!mission.waypoints_world.empty()) return "several goals";
+  return spec.goal_motion.path == GoalPath::none ? "" : "a goal that moves";
+}
+
 std::vector<double> goal_times_s(const MissionSpec& spec, const Mission& mission,
                                  const TrialRecord& record) {
   // Who strikes something or leaves the map as it enters a goal has not reached it.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "render/scene.hpp"
@@ -34,6 +35,10 @@ Eigen::Vector3d goal_place(const MissionSpec& spec, const Mission& mission, std:
 /// Horizontally: a goal is a circle, at any height.
 double distance_to_goal_m(const MissionSpec& spec, const Mission& mission, std::size_t index,
                           const Eigen::Vector3d& place_world, double time_s);
+
+/// What of the mission asks for AB_INPUT_GOALS: "several goals", "a goal that moves"; "" for
+/// nothing.
+std::string goals_demand(const MissionSpec& spec, const Mission& mission);
 
 /// When the goals were reached that were, in order. A flight has a sample at each of these moments.
 std::vector<double> goal_times_s(const MissionSpec& spec, const Mission& mission,

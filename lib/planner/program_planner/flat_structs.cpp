@@ -86,8 +86,9 @@ std::uint64_t write_flat(Segment& segment, const ab_setup& setup) {
 
 std::uint64_t write_flat(Segment& segment, const ab_mission& mission) {
   ab_mission copy = mission;
+  const std::size_t goal_bytes = 3 * mission.goal_count * sizeof(double);
   set_offset(copy.goals_world_m,
-             segment.add(mission.goals_world_m, 3 * mission.goal_count * sizeof(double)));
+             goal_bytes == 0 ? 0 : segment.add(mission.goals_world_m, goal_bytes));
   return write_struct(segment, copy);
 }
 

@@ -29,7 +29,12 @@ void echo_setup(echo_buffer* to, const ab_setup* setup) {
   if (setup->camera_count > 0) add(to, setup->depth_camera, sizeof(ab_camera));
 }
 
-void echo_mission(echo_buffer* to, const ab_mission* mission) { add(to, mission, sizeof *mission); }
+void echo_mission(echo_buffer* to, const ab_mission* mission) {
+  ab_mission copy = *mission;
+  copy.goals_world_m = NULL;
+  add(to, &copy, sizeof copy);
+  add(to, mission->goals_world_m, 3 * mission->goal_count * sizeof(double));
+}
 
 static void add_picture(echo_buffer* to, const ab_picture* picture) {
   ab_picture copy = *picture;
@@ -59,6 +64,8 @@ void echo_observation(echo_buffer* to, const ab_observation* seen) {
   add(to, &seen->time_s, sizeof seen->time_s);
   for (i = 0; i < seen->state_count; ++i) add(to, seen->states[i], sizeof(ab_state));
   if (seen->reference != NULL) add(to, seen->reference, sizeof(ab_point));
+  add(to, &seen->goal_index, sizeof seen->goal_index);
+  add(to, seen->goal_world_m, sizeof seen->goal_world_m);
 }
 
 void echo_command(ab_command* command, const ab_state* state) {
