@@ -17,7 +17,7 @@ import pytest
 from avoidbench import portable_math
 from avoidbench.planner import Parameter, Planner
 
-from planners import ANSWERS, AllEyed, Commanding, Follower, OneEyed, Preset, Seeing, Undeclared
+from planners import ANSWERS, AllEyed, Commanding, Follower, OneEyed, Patrol, Preset, Seeing, Undeclared
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
 sys.path.insert(0, str(EXAMPLES))
@@ -126,6 +126,15 @@ def test_the_last_commanded_state_is_seen(tmp_path: Path) -> None:
     velocity, ahead = json.loads(told(Follower, tmp_path))
     np.testing.assert_allclose(velocity, [0.0, 2.0, 0.0], atol=0.3)
     assert 0.0 < np.linalg.norm(ahead) < 0.5  # the vehicle lags a little
+
+
+def test_goals_are_seen_in_order(tmp_path: Path) -> None:
+    goals = [[3.0, 2.0, 1.5], [3.0, 8.0, 2.0]]
+    mission = {"list": [{"start": [3.0, 5.0, 1.5], "goals": goals}]}
+    maps = {**HALL["maps"], "poisson_radius_m": 30.0}
+    assert json.loads(told(Patrol, tmp_path, sweep={"mission": mission, "maps": maps})) == goals
+    with pytest.raises(avoidbench.InputError, match="it does not declare AB_INPUT_GOALS"):
+        told(OneEyed, tmp_path, sweep={"mission": mission})
 
 
 MISTAKES = {

@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kGoalRadius_m = 0.8;
+constexpr double kLegGoalRadius_m = 0.8;
 
 /// From (0, -15, 2) by (0, 0, 2) and (10, 0, 2) to (10, 10, 2).
 Mission three_goals() {
@@ -28,7 +28,7 @@ MissionRecord record_of(const World& world, const Mission& mission) {
   const Scene scene(world);
   ClearanceGrid grid(scene, world.bounds, kMapCell_m);
   TrialSpec spec;
-  spec.mission.goal_radius_m = kGoalRadius_m;
+  spec.mission.goal_radius_m = kLegGoalRadius_m;
   return make_mission_record(spec, scene, grid, 0, {mission});
 }
 
@@ -37,9 +37,10 @@ TEST(ReferenceLegs, AddUpToTheShortestPath) {
   const MissionRecord record = record_of(test::flight_world(), three_goals());
   ASSERT_TRUE(record.is_valid) << record.invalid_reason;
   ASSERT_EQ(record.leg_lengths_m.size(), 3U);
-  const Vector3d entry(0, -kGoalRadius_m, 2);
-  EXPECT_NEAR(record.leg_lengths_m[0], 15.0 - kGoalRadius_m, 1e-9);
-  EXPECT_NEAR(record.leg_lengths_m[1], (Vector3d(10, 0, 2) - entry).norm() - kGoalRadius_m, 1e-6);
+  const Vector3d entry(0, -kLegGoalRadius_m, 2);
+  EXPECT_NEAR(record.leg_lengths_m[0], 15.0 - kLegGoalRadius_m, 1e-9);
+  EXPECT_NEAR(record.leg_lengths_m[1], (Vector3d(10, 0, 2) - entry).norm() - kLegGoalRadius_m,
+              1e-6);
   EXPECT_EQ(record.reference_length_m,
             record.leg_lengths_m[0] + record.leg_lengths_m[1] + record.leg_lengths_m[2]);
   // A mission of one goal has none.
@@ -48,7 +49,7 @@ TEST(ReferenceLegs, AddUpToTheShortestPath) {
 
 TEST(ReferenceLegs, NameTheGoalThatCannotBeReached) {
   World world = test::flight_world();
-  test::add_obstacle(world, test::box_mesh({0.2, 40, 12}), {5, 0, 5}, "wall");
+  test::add_obstacle(world, test::box_mesh({0.2F, 40, 12}), {5, 0, 5}, "wall");
   const MissionRecord record = record_of(world, three_goals());
   EXPECT_FALSE(record.is_valid);
   EXPECT_EQ(record.invalid_reason, "goal 2 can't be reached");
@@ -60,7 +61,8 @@ TEST(ReferenceLegs, NameTheGoalThatCannotBeReached) {
 }
 
 TEST(ListedMissions, KeepTheRulesAtEachGoal) {
-  const Scene scene(test::flight_world());
+  const World world = test::flight_world();
+  const Scene scene(world);
   const auto problem = [&](const std::vector<Vector3d>& waypoints, const MissionSpec& rules = {}) {
     TrialSpec spec;
     spec.mission = rules;
@@ -96,14 +98,14 @@ TEST(KnownWorldOfSeveralGoals, LeadsWellIntoEachCircle) {
   EXPECT_NEAR((path[3] - mission.goal_world).norm(), 0.8, 1e-6);
 }
 
-/// A flight at 2 m/s along these places, sampled ten times a second.
+/// A flight at 2.5 m/s along these places, sampled ten times a second.
 TrialRecord along(const std::vector<Vector3d>& places, Outcome outcome) {
   TrialRecord record;
   record.outcome = outcome;
   double time_s = 0.0;
   for (std::size_t i = 1; i < places.size(); ++i) {
     const Vector3d way = places[i] - places[i - 1];
-    const int count = static_cast<int>(std::round(way.norm() / 0.2));
+    const int count = static_cast<int>(std::round(way.norm() / 0.25));
     for (int k = record.samples.empty() ? 0 : 1; k <= count; ++k) {
       Sample sample;
       sample.time_s = time_s + 0.1 * k;
@@ -129,7 +131,7 @@ double metric(const char* name, const MissionRecord& mission, const TrialRecord&
 TEST(FlownLegs, AddUpToTheFlight) {
   const MissionRecord mission = record_of(test::flight_world(), three_goals());
   const TrialRecord record =
-      along({{0, -15, 2}, {0, 0, 2}, {10, 0, 2}, {10, 9.2, 2}}, Outcome::reached_goal);
+      along({{0, -15, 2}, {0, 0, 2}, {10, 0, 2}, {10, 9.25, 2}}, Outcome::reached_goal);
   const std::vector<FlownLeg> legs = flown_legs(TrialSpec(), mission, record);
   ASSERT_EQ(legs.size(), 3U);
   double length_m = 0.0, time_s = 0.0;
@@ -138,13 +140,13 @@ TEST(FlownLegs, AddUpToTheFlight) {
     EXPECT_TRUE(legs[i].is_reached);
     EXPECT_EQ(legs[i].begin_s, time_s);
     EXPECT_EQ(legs[i].reference_length_m, mission.leg_lengths_m[i]);
-    EXPECT_NEAR(legs[i].path_length_m, 2.0 * (legs[i].end_s - legs[i].begin_s), 1e-9);
+    EXPECT_NEAR(legs[i].path_length_m, 2.5 * (legs[i].end_s - legs[i].begin_s), 1e-9);
     time_s = legs[i].end_s;
     length_m += legs[i].path_length_m;
   }
-  EXPECT_NEAR(legs[0].end_s, 7.1, 1e-9);  // 14.2 m
-  EXPECT_NEAR(legs[1].end_s, 7.5 + 4.6, 1e-9);
-  EXPECT_NEAR(length_m, 15.0 + 10.0 + 9.2, 1e-9);
+  EXPECT_NEAR(legs[0].end_s, 5.7, 1e-9);  // 14.25 m: 0.75 m from the goal
+  EXPECT_NEAR(legs[1].end_s, 6.0 + 3.7, 1e-9);
+  EXPECT_NEAR(length_m, 15.0 + 10.0 + 9.25, 1e-9);
   EXPECT_EQ(time_s, record.end_time_s);
   EXPECT_EQ(metric("goals_reached_count", mission, record), 3.0);
   EXPECT_EQ(metric("mission_progress_pct", mission, record), 100.0);

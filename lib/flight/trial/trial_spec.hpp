@@ -51,7 +51,7 @@ struct MissionSpec {
   std::int64_t max_collisions = 0;
   std::int64_t waypoints = 0;
   bool return_to_start = false;
-  GoalMotionSpec goal_motion;
+  GoalMotionSpec goal_motion = {};
 };
 
 template <class Visitor, ConstOr<MissionSpec> Spec>
