@@ -129,9 +129,9 @@ def test_the_last_commanded_state_is_seen(tmp_path: Path) -> None:
 
 
 def test_goals_are_seen_in_order(tmp_path: Path) -> None:
-    goals = [[3.0, 2.0, 1.5], [3.0, 8.0, 2.0]]
-    mission = {"list": [{"start": [3.0, 5.0, 1.5], "goals": goals}]}
-    maps = {**HALL["maps"], "poisson_radius_m": 30.0}
+    goals = [[4.0, 8.0, 1.5], [7.0, 8.0, 2.5]]
+    mission = {"list": [{"start": [2.0, 8.0, 1.5], "goals": goals}]}
+    maps = {**HALL["maps"], "poisson_radius_m": 7.0}
     assert json.loads(told(Patrol, tmp_path, sweep={"mission": mission, "maps": maps})) == goals
     with pytest.raises(avoidbench.InputError, match="it does not declare AB_INPUT_GOALS"):
         told(OneEyed, tmp_path, sweep={"mission": mission})

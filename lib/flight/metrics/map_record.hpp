@@ -47,10 +47,9 @@ MapRecord make_map_record(const TrialSpec& spec, const Scene& scene, std::int64_
 /// Mission `index` of a map, measured as in its record; `legs_world`, if given, becomes its
 /// reference path to each goal, empty where it has none. `grid` is of the scene, with the world's
 /// bounds and cells of kMapCell_m; what it has found out before changes nothing.
-MissionRecord make_mission_record(
-    const TrialSpec& spec, const Scene& scene, ClearanceGrid& grid, std::int64_t index,
-    const std::vector<Mission>& listed = {},
-    std::vector<std::vector<Eigen::Vector3d>>* legs_world = nullptr);
+MissionRecord make_mission_record(const TrialSpec& spec, const Scene& scene, ClearanceGrid& grid,
+                                  std::int64_t index, const std::vector<Mission>& listed = {},
+                                  std::vector<std::vector<Eigen::Vector3d>>* legs_world = nullptr);
 
 /// Why listed missions can't be flown, a text each, "" where one can: by the rules that generated
 /// ones are made by.

@@ -121,6 +121,9 @@ std::string draw_mission(const Scene& scene, const TrialSpec& trial, const MapVi
 
 void draw_goal_number(Picture& picture, std::size_t number, const Eigen::Vector2d& center_px,
                       double radius_px) {
+  // draw_label() would move that of a goal outside of the picture into it.
+  const Eigen::Array2d size_px(picture.width_px, picture.height_px);
+  if ((center_px.array() < 0.0).any() || (center_px.array() > size_px).any()) return;
   draw_label(picture, std::to_string(number), static_cast<int>(center_px.x() + radius_px) + 4,
              static_cast<int>(center_px.y()) + 5, kGoalColor);
 }
