@@ -21,9 +21,13 @@ constexpr const char* kSceneSweepFile = "sweep.yaml";
 json coordinates(const Eigen::Vector3d& place) { return {place.x(), place.y(), place.z()}; }
 
 json listed_mission(const Mission& mission) {
-  json listed{{"start", coordinates(mission.start_world)},
-              {"goal", coordinates(mission.goal_world)}};
-  if (mission.start_yaw_rad != yaw_toward_goal_rad(mission.start_world, mission.goal_world)) {
+  const std::vector<Eigen::Vector3d> goals = goals_of(mission);
+  json listed{{"start", coordinates(mission.start_world)}};
+  if (goals.size() == 1) listed["goal"] = coordinates(goals.front());
+  for (const Eigen::Vector3d& goal : goals) {
+    if (goals.size() > 1) listed["goals"].push_back(coordinates(goal));
+  }
+  if (mission.start_yaw_rad != yaw_toward_goal_rad(mission.start_world, goals.front())) {
     listed["yaw_deg"] = mission.start_yaw_rad / math::kDegree;
   }
   return listed;

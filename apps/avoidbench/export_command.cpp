@@ -7,6 +7,7 @@
 #include "commands.hpp"
 #include "database_choice.hpp"
 #include "export/export_flight.hpp"
+#include "export/export_legs.hpp"
 #include "export/export_trials.hpp"
 #include "export/trial_list.hpp"
 #include "output.hpp"
@@ -102,6 +103,28 @@ void write_calls(const ExportOptions& options) {
              [](const TrialRecord& record) { return plan_calls_csv(record.plan_calls); });
 }
 
+void write_legs(const ExportOptions& options) {
+  check_output(options.output, "csv");
+  const bool has_trials =
+      !options.words.empty() && (options.words.size() > 1 || !is_database(options.words.front()));
+  std::optional<Database> database;
+  std::vector<TrialListing> trials;
+  if (has_trials) {
+    auto [opened, listed] = chosen(options.words);
+    database.emplace(std::move(opened));
+    trials = std::move(listed);
+  } else {
+    database.emplace(Database::open_for_reading(
+        options.words.empty() ? newest_database("trials") : database_of(options.words.front())));
+    trials = database->list_trials();
+  }
+  StoredTrialReader reader(*database);
+  Output output(options.output);
+  output.write(legs_csv_header());
+  for (const TrialListing& trial : trials) output.write(legs_csv(reader.read(trial.key)));
+  output.close();
+}
+
 void add_trials(CLI::App& app) {
   const auto [command, options] = add_command(
       app, "trials", "Every trial with its map, mission and metrics: one flat table", write_trials);
@@ -150,15 +173,30 @@ void add_calls(CLI::App& app) {
       .first.footer("Example:\n  avoidbench export calls results/quick.db 3 --output calls.csv");
 }
 
+void add_legs(CLI::App& app) {
+  const auto [command, options] =
+      add_command(app, "legs", "What was flown toward each goal of trials, as CSV", write_legs);
+  command.add_option("TRIAL", options.words,
+                     "Ids of trials or the beginnings of their keys; left out: all. Before them a "
+                     "database (default: the newest results/*.db)");
+  add_output_file(command, options.output);
+  command.footer(
+      "A row a leg that was begun: its goal, when it began and ended, the flown and the shortest "
+      "path's length.\nd_min of a mission is the sum of its legs'.\n\n"
+      "Example:\n"
+      "  avoidbench export legs results/waypoints.db --output legs.csv");
+}
+
 }  // namespace
 
 void add_export_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
-      "export", "Results for other programs: flat tables, flown paths, planner calls");
+      "export", "Results for other programs: flat tables, flown paths, planner calls, legs");
   command->require_subcommand(0, 1);
   add_trials(*command);
   add_trajectory(*command);
   add_calls(*command);
+  add_legs(*command);
 }
 
 }  // namespace avoidbench

@@ -28,7 +28,8 @@ class Agile {
   static constexpr const char* version = "1.0";
   static constexpr const char* summary =
       "Flies what a net makes of each depth image, after Agile-Autonomy.";
-  static constexpr std::uint32_t needs = AB_INPUT_STATE | AB_INPUT_DEPTH | AB_INPUT_ONE_CAMERA;
+  static constexpr std::uint32_t needs =
+      AB_INPUT_STATE | AB_INPUT_DEPTH | AB_INPUT_ONE_CAMERA | AB_INPUT_GOALS;
   /// What a camera does not cover is free space to the net.
   static constexpr std::array least_fov_rad{agile::kFovX_rad, agile::kFovY_rad};
   static constexpr std::uint32_t commands = AB_COMMAND_TRAJECTORY;
@@ -47,10 +48,14 @@ class Agile {
                }),
         canvas_(host) {}
 
-  void reset(const ab_mission& mission) { pilot_.reset(mission); }
+  void reset(const ab_mission& mission) {
+    goal_.reset(mission);
+    pilot_.reset(mission);
+  }
 
   std::optional<ab_command> plan(const ab_observation& seen) {
     const agile::Seen now = agile::seen_of(seen);
+    if (goal_.update(seen)) pilot_.fly_to(avoidbench::as_vector(goal_.place_world_m()));
     if (!pilot_.has_mission() || !now.position_world.allFinite() ||
         !now.velocity_world.allFinite() || !std::isfinite(now.time_s)) {
       return std::nullopt;
@@ -87,6 +92,7 @@ class Agile {
     return places;
   }
 
+  avoidbench::CurrentGoal goal_;
   agile::Network network_;
   agile::Pilot pilot_;
   avoidbench::Canvas canvas_;

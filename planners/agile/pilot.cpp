@@ -57,7 +57,7 @@ void Pilot::reset(const ab_mission& mission) {
   lowest_ = Vector3d::Constant(-kFar_m);
   highest_ = Vector3d::Constant(kFar_m);
   latency_s_ = 0.0;
-  if (mission.struct_size >= sizeof(ab_mission)) {
+  if (mission.struct_size >= offsetof(ab_mission, command_latency_s) + sizeof(double)) {
     const Vector3d lowest = avoidbench::as_vector(mission.lowest_world_m);
     const Vector3d highest = avoidbench::as_vector(mission.highest_world_m);
     const Vector3d start = avoidbench::as_vector(mission.start_world_m);
@@ -72,13 +72,22 @@ void Pilot::reset(const ab_mission& mission) {
   }
   // The heights that the net was trained in: under a far higher ceiling it would climb.
   constexpr double kBelow_m = 3.0, kAbove_m = 4.4;
-  const double start_m = mission.start_world_m[2];
-  lowest_.z() = std::max(lowest_.z(), std::min(start_m, goal_.z()) - kBelow_m);
-  highest_.z() = std::min(highest_.z(), std::max(start_m, goal_.z()) + kAbove_m);
+  double low_m = mission.start_world_m[2], high_m = low_m;
+  for (const avoidbench::Vec3& goal : avoidbench::goals_of(mission)) {
+    low_m = std::min(low_m, goal[2]);
+    high_m = std::max(high_m, goal[2]);
+  }
+  lowest_.z() = std::max(lowest_.z(), low_m - kBelow_m);
+  highest_.z() = std::min(highest_.z(), high_m + kAbove_m);
   is_first_ = true;
   flown_.clear();
   candidates_.clear();
   points_.clear();
+}
+
+void Pilot::fly_to(const Vector3d& goal_world) {
+  goal_ = goal_world;
+  has_mission_ = has_mission_ && is_place(goal_);
 }
 
 /// What was commanded for this moment.

@@ -47,6 +47,8 @@ class Pilot {
 
   /// Begin a trial. A mission to nowhere has no plan.
   void reset(const ab_mission& mission);
+  /// From now on to this goal.
+  void fly_to(const Eigen::Vector3d& goal_world);
   bool has_mission() const { return has_mission_; }
 
   /// The trajectory from now on, by the time after the command's effect.

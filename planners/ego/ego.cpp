@@ -15,7 +15,8 @@ class Ego {
   static constexpr const char* version = "1.1";
   static constexpr const char* summary =
       "Optimises B-splines against anchors on obstacles, after EGO-Planner.";
-  static constexpr std::uint32_t needs = AB_INPUT_STATE | AB_INPUT_DEPTH | AB_INPUT_POINTS;
+  static constexpr std::uint32_t needs =
+      AB_INPUT_STATE | AB_INPUT_DEPTH | AB_INPUT_POINTS | AB_INPUT_GOALS;
   static constexpr std::uint32_t commands = AB_COMMAND_TRAJECTORY;
   static constexpr const auto& parameters = ego::kParameters;
   static constexpr std::array profiles{planning::published(ego::kPublished)};
@@ -23,7 +24,10 @@ class Ego {
   Ego(const ab_setup& setup, const ab_host& host)
       : flight_(ego::settings_from(setup)), canvas_(host) {}
 
-  void reset(const ab_mission& mission) { flight_.reset(mission); }
+  void reset(const ab_mission& mission) {
+    goal_.reset(mission);
+    flight_.reset(mission);
+  }
 
   std::optional<ab_command> plan(const ab_observation& seen) {
     const ab_state& state = *seen.state;
@@ -33,6 +37,7 @@ class Ego {
         !std::isfinite(state.time_s)) {
       return std::nullopt;
     }
+    if (goal_.update(seen)) flight_.fly_to(goal_);
     // The oldest first.
     for (std::uint32_t i = seen.depth_count; i-- > 0;) flight_.see(*seen.depth[i]);
     for (std::uint32_t i = seen.cloud_count; i-- > 0;) flight_.see(*seen.clouds[i]);
@@ -71,6 +76,7 @@ class Ego {
     return places;
   }
 
+  avoidbench::CurrentGoal goal_;
   ego::Flight flight_;
   avoidbench::Canvas canvas_;
 };

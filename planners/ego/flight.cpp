@@ -72,8 +72,11 @@ void Flight::reset(const ab_mission& mission) {
   random_ = planning::Random(mission.seed);
   map_ticks_.clear();
   surroundings_.grid.reset(line_start_);
-  const double low = std::min(line_start_.z(), goal_.z());
-  const double high = std::max(line_start_.z(), goal_.z());
+  double low = line_start_.z(), high = low;
+  for (const avoidbench::Vec3& goal : avoidbench::goals_of(mission)) {
+    low = std::min(low, goal[2]);
+    high = std::max(high, goal[2]);
+  }
   surroundings_.lowest_m =
       std::min(std::max(low - settings_.departure_m, settings_.least_height_m), low);
   surroundings_.highest_m =
@@ -87,6 +90,16 @@ void Flight::reset(const ab_mission& mission) {
   tried_s_ = -kInfinity;
   candidates_.clear();
   points_.clear();
+}
+
+void Flight::fly_to(const avoidbench::CurrentGoal& goal) {
+  goal_ = avoidbench::as_vector(goal.place_world_m());
+  has_mission_ = has_mission_ && planning::is_place(goal_);
+  executed_.ends_at_goal = false;
+  if (!goal.is_next()) return;
+  line_start_ = now_.position;
+  tried_s_ = -kInfinity;
+  failures_ = 0;
 }
 
 /// Where the trajectory under way stands now; from the vehicle's own motion at first, and where it

@@ -24,6 +24,9 @@ class Flight {
   /// Whether the mission's start and goal are places; without, there is nothing to plan.
   bool has_mission() const { return has_mission_; }
 
+  /// From now on to this goal.
+  void fly_to(const avoidbench::CurrentGoal& goal);
+
   /// Takes an image into the map, if it is its camera's first of its map period.
   void see(const ab_depth_image& image);
 

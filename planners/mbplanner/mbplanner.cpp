@@ -10,7 +10,8 @@ class Mbplanner {
   static constexpr const char* version = "1.0";
   static constexpr const char* summary =
       "MBPlanner: a tree of motion primitives in known free space, with a stop at every end.";
-  static constexpr std::uint32_t needs = AB_INPUT_STATE | AB_INPUT_DEPTH | AB_INPUT_POINTS;
+  static constexpr std::uint32_t needs =
+      AB_INPUT_STATE | AB_INPUT_DEPTH | AB_INPUT_POINTS | AB_INPUT_GOALS;
   static constexpr std::uint32_t commands = AB_COMMAND_TRAJECTORY;
   static constexpr const auto& parameters = mbplanner::kParameters;
   static constexpr std::array profiles{planning::published(mbplanner::kPublished)};

@@ -58,6 +58,7 @@ Pilot::Pilot(const Settings& settings)
 }
 
 void Pilot::reset(const ab_mission& mission) {
+  goal_.reset(mission);
   potential_.goal = avoidbench::as_vector(mission.goal_world_m);
   potential_.traps.clear();
   goal_radius_m_ = std::max(mission.goal_radius_m, 0.05);
@@ -72,12 +73,17 @@ void Pilot::reset(const ab_mission& mission) {
   prepare_grid(mission);
 }
 
-/// Heights between start and goal, and what may be climbed or sunk beyond.
+/// Heights between start and goals, and what may be climbed or sunk beyond.
 void Pilot::prepare_grid(const ab_mission& mission) {
-  const double start_m = mission.start_world_m[2], goal_m = mission.goal_world_m[2];
-  if (!std::isfinite(start_m) || !std::isfinite(goal_m)) return;
-  lowest_m_ = std::min(start_m, goal_m) - settings_.max_departure_m;
-  highest_m_ = std::max(start_m, goal_m) + settings_.max_departure_m;
+  double low_m = mission.start_world_m[2], high_m = low_m;
+  for (const avoidbench::Vec3& goal : avoidbench::goals_of(mission)) {
+    if (!std::isfinite(goal[2])) return;
+    low_m = std::min(low_m, goal[2]);
+    high_m = std::max(high_m, goal[2]);
+  }
+  if (!std::isfinite(low_m)) return;
+  lowest_m_ = low_m - settings_.max_departure_m;
+  highest_m_ = high_m + settings_.max_departure_m;
   // A metre more than is flown, for boxes around the vehicle; and a bound, since a mission's
   // heights may be anything.
   constexpr double kBeyond_m = 1.0, kTallest_m = 30.0;
@@ -109,10 +115,25 @@ std::optional<std::vector<ab_point>> Pilot::plan(const ab_observation& seen) {
     planned_s_ -= settings_.replan_period_s;
     closest_m_ = potential_.at(position);
   }
+  if (goal_.update(seen)) take_goal(position, time_s);
   rejoin(position, velocity, time_s);
   watch_progress(position, time_s);
   if (has_seen_) decide(time_s);
   return points(time_s);
+}
+
+/// The way to the goal begins again where another one's turn has come.
+void Pilot::take_goal(const Vector3d& position, double time_s) {
+  potential_.goal = avoidbench::as_vector(goal_.place_world_m());
+  if (goal_.is_next()) {
+    potential_.traps.clear();
+    closest_m_ = potential_.at(position);
+    closest_s_ = time_s;
+    planned_s_ = time_s - settings_.replan_period_s;
+    facing_rad_.reset();
+    look_ = retreats_ = 0;
+  }
+  course_.end_potential_m = potential_.at(course_.knots.back().position);
 }
 
 /// Takes images and sweeps in, the oldest first, and what the vehicle itself shows: its place is

@@ -47,6 +47,7 @@ class Pilot {
   };
 
   void prepare_grid(const ab_mission& mission);
+  void take_goal(const Eigen::Vector3d& position, double time_s);
   void look(const ab_observation& seen, const Eigen::Vector3d& position);
   void clear_around(const Eigen::Vector3d& position, const Eigen::Vector3d& size_m);
   void begin(Course course, double time_s);
@@ -77,6 +78,7 @@ class Pilot {
   Tree tree_;
   planning::Random random_;
   FlownPath flown_;
+  avoidbench::CurrentGoal goal_;
   Potential potential_;
   Course course_;
   std::vector<ab_point> points_;

@@ -36,7 +36,7 @@ class Omniscient {
   static constexpr const char* summary =
       "Knows the map and flies the shortest path as fast as the vehicle can: a ceiling, no "
       "competitor.";
-  static constexpr std::uint32_t needs = AB_INPUT_STATE | AB_INPUT_WORLD;
+  static constexpr std::uint32_t needs = AB_INPUT_STATE | AB_INPUT_WORLD | AB_INPUT_GOALS;
   static constexpr std::uint32_t commands = AB_COMMAND_TRAJECTORY;
   static constexpr std::array parameters{avoidbench::parameter<&Settings::max_speed_mps>(
       "max_speed_mps", "m/s", 20.0, 0.1, 20.0, "Speed limit; the vehicle's own holds as well.")};
@@ -53,6 +53,7 @@ class Omniscient {
     yaw_rad_ = mission.start_yaw_rad;
     latency_s_ = std::isfinite(mission.command_latency_s) ? mission.command_latency_s : 0.0;
     begin_s_.reset();
+    goal_.reset(mission);
     Line widest;  // path, as it was asked for
     for (const double margin_m : kMargins_m) {
       const Line path = path_for(body_radius_m_ + margin_m);
@@ -60,7 +61,8 @@ class Omniscient {
       if (widest.empty()) widest = path;
       const Line smooth = omniscient::smoothed(
           path, body_radius_m_ + kKeptMargin * margin_m,
-          [this](const Line& places_world) { return distances_m(places_world); });
+          [this](const Line& places_world) { return distances_m(places_world); },
+          held_points(path, mission));
       if (smooth.empty()) continue;
       fly_along(smooth, limits_);
       return;
@@ -72,6 +74,11 @@ class Omniscient {
   }
 
   std::optional<ab_command> plan(const ab_observation& seen) {
+    // A goal that moves comes back to where it was: there it is waited for.
+    if (goal_.update(seen) && !goal_.is_next() && !flown_limits_.ends_at_rest) {
+      flown_limits_.ends_at_rest = true;
+      timed_ = omniscient::TimedLine(line_, flown_limits_);
+    }
     // The line's time is 0 when the first command acts.
     const double acts_s = seen.time_s + latency_s_;
     if (!begin_s_) begin_s_ = acts_s;
@@ -102,6 +109,24 @@ class Omniscient {
     return path.size() < 3 ? Line{} : path;
   }
 
+  /// Where the path enters each goal but the last: there the line stays on it.
+  static std::vector<std::size_t> held_points(const Line& path, const ab_mission& mission) {
+    std::vector<avoidbench::Vec3> goals = avoidbench::goals_of(mission);
+    goals.pop_back();
+    std::vector<std::size_t> held;
+    auto from = path.begin();
+    for (const avoidbench::Vec3& goal : goals) {
+      // The host's path goes half into the circle.
+      from = std::find_if(from, path.end(), [&](const Eigen::Vector3d& point) {
+        return (point - avoidbench::as_vector(goal)).head<2>().norm() <=
+               0.5 * mission.goal_radius_m + kLineStep_m;
+      });
+      if (from == path.end()) break;
+      held.push_back(static_cast<std::size_t>(from - path.begin()));
+    }
+    return held;
+  }
+
   std::vector<double> distances_m(const Line& places_world) const {
     std::vector<avoidbench::Vec3> places;
     for (const Eigen::Vector3d& place : places_world) {
@@ -114,12 +139,14 @@ class Omniscient {
     line_ = omniscient::resampled(line, kLineStep_m);
     // TimedLine takes evenly spaced points: a last leg of another length goes straight on.
     line_.back() = 2.0 * line_[line_.size() - 2] - line_[line_.size() - 3];
-    timed_ = omniscient::TimedLine(line_, limits);
+    flown_limits_ = limits;
+    timed_ = omniscient::TimedLine(line_, flown_limits_);
   }
 
   avoidbench::Canvas canvas_;
   avoidbench::KnownWorld world_;
-  omniscient::Limits limits_;
+  avoidbench::CurrentGoal goal_;
+  omniscient::Limits limits_, flown_limits_;
   double body_radius_m_ = 0.0, yaw_rad_ = 0.0, latency_s_ = 0.0;
   std::optional<double> begin_s_;  ///< when the line's first point is flown
   Line line_;

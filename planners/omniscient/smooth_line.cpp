@@ -99,9 +99,11 @@ Line resampled(const Line& line, double step_m) {
   return even;
 }
 
-Line smoothed(const Line& line, double radius_m, const Clearances& clearances) {
+Line smoothed(const Line& line, double radius_m, const Clearances& clearances,
+              const std::vector<std::size_t>& held) {
   std::vector<double> stiffness(line.size(), kSoft);
   stiffness.front() = stiffness.back() = kFixed;
+  for (const std::size_t i : held) stiffness[i] = kFixed;
   for (int round = 0; round < kRounds; ++round) {
     Line bent = beam(line, stiffness);
     const std::vector<std::size_t> found = places_in_the_way(line, bent, radius_m, clearances);

@@ -16,7 +16,8 @@ Line resampled(const Line& line, double step_m);
 
 /// A smooth line near this one of evenly spaced points: a beam on springs, soft at first, stiffer
 /// round by round where it would come nearer to a surface than `radius_m`. Empty where none keeps
-/// away from them. Its ends stay.
-Line smoothed(const Line& line, double radius_m, const Clearances& clearances);
+/// away from them. Its ends stay, and so do the points `held`.
+Line smoothed(const Line& line, double radius_m, const Clearances& clearances,
+              const std::vector<std::size_t>& held = {});
 
 }  // namespace omniscient

@@ -39,6 +39,7 @@ std::vector<double> fastest(const Line& curvature, double step_m, const Limits& 
     speed_mps[i] = std::min(speed_mps[i], std::sqrt(square + 2.0 * along_mps2 * step_m));
   };
   speed_mps.front() = 0.0;
+  if (limits.ends_at_rest) speed_mps.back() = 0.0;
   for (std::size_t i = 1; i < count; ++i) limit_by(i - 1, i);
   for (std::size_t i = count - 1; i > 0; --i) limit_by(i, i - 1);
   return speed_mps;
@@ -110,7 +111,10 @@ TimedLine::TimedLine(const Line& line, const Limits& limits)
   for (std::size_t i = 1; i + 1 < line.size(); ++i) {
     curvature[i] = (line[i + 1] - 2.0 * line[i] + line[i - 1]) / (step_m_ * step_m_);
   }
-  way_m_ = eased(way_over_time(fastest(curvature, step_m_, limits), step_m_));
+  std::vector<double> way_m = way_over_time(fastest(curvature, step_m_, limits), step_m_);
+  // Easing lags behind: it comes to rest, too.
+  if (limits.ends_at_rest) way_m.insert(way_m.end(), kSmoothing + 1, way_m.back());
+  way_m_ = eased(way_m);
 }
 
 Motion TimedLine::at(double time_s) const {

@@ -15,7 +15,7 @@ namespace portable = avoidbench::portable;
 constexpr int kAzimuths = 120, kElevations = 60;  // 3° each
 constexpr std::size_t kSweeps = 4;                // gaps of one sweep are filled by the others
 constexpr std::int32_t kLeastShots = 4;           // in a sector, to say that nothing is there
-constexpr double kGoesOn_m = 0.5;  // behind what is seen through
+constexpr double kGoesOn_m = 0.5;                 // behind what is seen through
 
 Vector3 as_vector3(const avoidbench::Vec3& v) { return {v[0], v[1], v[2]}; }
 
@@ -25,8 +25,10 @@ Vector3 as_vector3(const avoidbench::Vec3& v) { return {v[0], v[1], v[2]}; }
 int PointView::sector_of(const Vector3& direction) {
   const double azimuth_rad = portable::atan2(direction.y, direction.x);
   const double elevation_rad = portable::atan2(direction.z, horizontal_norm(direction));
-  const int column = static_cast<int>((azimuth_rad + portable::kPi) / (2.0 * portable::kPi) * kAzimuths);
-  const int row = static_cast<int>((elevation_rad + 0.5 * portable::kPi) / portable::kPi * kElevations);
+  const int column =
+      static_cast<int>((azimuth_rad + portable::kPi) / (2.0 * portable::kPi) * kAzimuths);
+  const int row =
+      static_cast<int>((elevation_rad + 0.5 * portable::kPi) / portable::kPi * kElevations);
   return std::clamp(row, 0, kElevations - 1) * kAzimuths + std::clamp(column, 0, kAzimuths - 1);
 }
 

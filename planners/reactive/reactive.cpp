@@ -27,7 +27,8 @@ class Reactive {
   static constexpr const char* version = "1.1";
   static constexpr const char* summary =
       "Polar histogram of nearest depth with a short memory; no map.";
-  static constexpr std::uint32_t needs = AB_INPUT_STATE | AB_INPUT_DEPTH | AB_INPUT_POINTS;
+  static constexpr std::uint32_t needs =
+      AB_INPUT_STATE | AB_INPUT_DEPTH | AB_INPUT_POINTS | AB_INPUT_GOALS;
   static constexpr std::uint32_t commands = AB_COMMAND_VELOCITY;
   static constexpr std::array parameters{
       avoidbench::parameter<&Settings::steering, &SteeringSettings::max_speed_mps>(
@@ -56,6 +57,7 @@ class Reactive {
 
   void reset(const ab_mission& mission) {
     start_ = reactive::vector3(mission.start_world_m);
+    current_goal_.reset(mission);
     goal_ = reactive::vector3(mission.goal_world_m);
     yaw_rad_ = mission.start_yaw_rad;
     sight_.forget();
@@ -67,6 +69,7 @@ class Reactive {
     reactive::Situation now;
     now.position = reactive::vector3(seen.state->position_world_m);
     now.velocity = reactive::vector3(seen.state->velocity_world_mps);
+    if (current_goal_.update(seen)) take_goal(now.position);
     now.goal = goal_;
     if (!reactive::is_finite(now.position) || !reactive::is_finite(now.velocity) ||
         !reactive::is_finite(goal_)) {
@@ -87,6 +90,14 @@ class Reactive {
   }
 
  private:
+  void take_goal(const Vector3& position) {
+    const avoidbench::Vec3& place = current_goal_.place_world_m();
+    goal_ = {place[0], place[1], place[2]};
+    if (!current_goal_.is_next()) return;
+    start_ = position;
+    steerer_.forget();
+  }
+
   static Settings settings_from(const ab_setup& setup) {
     Settings settings = avoidbench::settings_from(parameters, setup);
     SteeringSettings& steering = settings.steering;
@@ -174,6 +185,7 @@ class Reactive {
   avoidbench::Canvas canvas_;
   std::vector<Vector3> points_;  ///< relative to the vehicle
   std::size_t seen_count_ = 0;   ///< of them, that the newest images show
+  avoidbench::CurrentGoal current_goal_;
   Vector3 start_, goal_;
   double yaw_rad_ = 0.0;
 };

@@ -138,6 +138,7 @@ class Observations:
     def begin(self, base_ns, mission):
         """A trial whose time 0 is ROS time base_ns."""
         self._base_ns, self._mission, self._goal_due_ns = base_ns, mission, {}
+        self._goal_world_m = tuple(mission.goal_world_m)
 
     def connections(self, topic):
         return sum(publisher.get_num_connections() for one, publisher, _ in self._topics if one["topic"] == topic)
@@ -260,7 +261,7 @@ class Observations:
             )
             stamped = PoseStamped(
                 header=Header(stamp=time_of(now_ns), frame_id=one["frame"]),
-                pose=pose_of(self._mission.goal_world_m, (1.0, 0.0, 0.0, 0.0)),
+                pose=pose_of(self._goal_world_m, (1.0, 0.0, 0.0, 0.0)),
             )
             messages = {
                 "geometry_msgs/PoseStamped": stamped,
@@ -280,4 +281,7 @@ class Observations:
             self._publish_picture(pair.right, "right")
         for picture in reversed(seen.color):
             self._publish_picture(picture, "color")
+        # Another goal, or one that has moved, is sent at once.
+        if seen.goal_world_m is not None and tuple(seen.goal_world_m) != self._goal_world_m:
+            self._goal_world_m, self._goal_due_ns = tuple(seen.goal_world_m), {}
         self._publish_goals(now_ns)

@@ -43,7 +43,7 @@ PUBLISH = {
     "left": (["info", "camera"], "stereo"),
     "right": (["info", "camera"], "stereo"),
     "color": (["info", "camera"], "color"),
-    "goal": (["type", "repeat_s"], "state"),
+    "goal": (["type", "repeat_s"], "goals"),
 }
 FRAMES = {"imu": "body", "twist": "world", "depth": "camera", "left": "camera", "right": "camera", "color": "camera"}
 POSE_TYPES = ("geometry_msgs/PoseStamped", "nav_msgs/Odometry", "geometry_msgs/TransformStamped")

@@ -18,7 +18,7 @@ class StraightLine {
   static constexpr const char* name = "straight_line";
   static constexpr const char* version = "1.0";
   static constexpr const char* summary = "Flies the straight line to the goal and avoids nothing.";
-  static constexpr std::uint32_t needs = AB_INPUT_STATE;
+  static constexpr std::uint32_t needs = AB_INPUT_STATE | AB_INPUT_GOALS;
   static constexpr std::uint32_t commands = AB_COMMAND_VELOCITY;
   static constexpr std::array parameters{
       avoidbench::parameter<&Settings::max_speed_mps>("max_speed_mps", "m/s", 3.0, 0.1, 20.0,
@@ -36,26 +36,17 @@ class StraightLine {
   }
 
   void reset(const ab_mission& mission) {
-    std::copy(std::begin(mission.start_world_m), std::end(mission.start_world_m),
-              start_world_m_.begin());
-    std::copy(std::begin(mission.goal_world_m), std::end(mission.goal_world_m),
-              goal_world_m_.begin());
+    goal_.reset(mission);
     yaw_rad_ = mission.start_yaw_rad;
-    Vec3 along{};
-    for (std::size_t i = 0; i < 3; ++i) along[i] = goal_world_m_[i] - start_world_m_[i];
-    const double length_m =
-        std::sqrt(along[0] * along[0] + along[1] * along[1] + along[2] * along[2]);
-    for (std::size_t i = 0; i < 3; ++i) course_[i] = length_m > 0.0 ? along[i] / length_m : 0.0;
-    // A course straight up has no heading.
-    if (along[0] * along[0] + along[1] * along[1] > 1e-6) {
-      yaw_rad_ = avoidbench::portable::atan2(along[1], along[0]);
-    }
+    aim(mission.start_world_m);
   }
 
   std::optional<ab_command> plan(const ab_observation& seen) {
+    if (goal_.update(seen)) aim(seen.state->position_world_m);
+    const Vec3& goal_world_m = goal_.place_world_m();
     double left_m = 0.0;
     for (std::size_t i = 0; i < 3; ++i) {
-      left_m += (goal_world_m_[i] - seen.state->position_world_m[i]) * course_[i];
+      left_m += (goal_world_m[i] - seen.state->position_world_m[i]) * course_[i];
     }
     // As fast as it can still stop from within the way that is left, and back to the line.
     double speed_mps =
@@ -63,7 +54,7 @@ class StraightLine {
     speed_mps = std::copysign(std::min(speed_mps, 2.0 * std::abs(left_m)), left_m);
     Vec3 velocity_world_mps{};
     for (std::size_t i = 0; i < 3; ++i) {
-      const double on_line_m = goal_world_m_[i] - left_m * course_[i];
+      const double on_line_m = goal_world_m[i] - left_m * course_[i];
       const double aside_m = on_line_m - seen.state->position_world_m[i];
       velocity_world_mps[i] = speed_mps * course_[i] + settings_.line_gain_hz * aside_m;
     }
@@ -74,9 +65,23 @@ class StraightLine {
   }
 
  private:
+  /// The line to the goal begins here.
+  void aim(const double (&from_world_m)[3]) {
+    Vec3 along{};
+    for (std::size_t i = 0; i < 3; ++i) along[i] = goal_.place_world_m()[i] - from_world_m[i];
+    const double length_m =
+        std::sqrt(along[0] * along[0] + along[1] * along[1] + along[2] * along[2]);
+    for (std::size_t i = 0; i < 3; ++i) course_[i] = length_m > 0.0 ? along[i] / length_m : 0.0;
+    // A course straight up has no heading.
+    if (along[0] * along[0] + along[1] * along[1] > 1e-6) {
+      yaw_rad_ = avoidbench::portable::atan2(along[1], along[0]);
+    }
+  }
+
   Settings settings_;
   double braking_mps2_ = 0.0;
-  Vec3 start_world_m_{}, goal_world_m_{}, course_{};
+  avoidbench::CurrentGoal goal_;
+  Vec3 course_{};
   double yaw_rad_ = 0.0;
 };
 

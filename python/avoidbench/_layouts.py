@@ -24,6 +24,7 @@ AB_INPUT_STATES = 64
 AB_INPUT_ONE_CAMERA = 128
 AB_INPUT_REFERENCE = 4096
 AB_INPUT_POINTS = 8192
+AB_INPUT_GOALS = 32768
 AB_USES_PROCESSES = 256
 AB_USES_DEVICES = 512
 AB_USES_NETWORK = 1024
@@ -81,7 +82,8 @@ ab_setup = _struct(
 )
 ab_mission = _struct(
     "struct_size:u4 reserved:u4 seed:u8 start_world_m:3f8 start_yaw_rad:f8 goal_world_m:3f8 goal_radius_m:f8 "
-    "time_limit_s:f8 lowest_world_m:3f8 highest_world_m:3f8 command_latency_s:f8"
+    "time_limit_s:f8 lowest_world_m:3f8 highest_world_m:3f8 command_latency_s:f8 goal_count:u4 reserved2:u4 "
+    "goals_world_m:u8"
 )
 ab_state = _struct(
     "struct_size:u4 reserved:u4 time_s:f8 position_world_m:3f8 velocity_world_mps:3f8 q_world_body:4f8 "
@@ -109,7 +111,7 @@ ab_point = _struct(
 ab_observation = _struct(
     "struct_size:u4 depth_count:u4 state:u8 depth:u8 stereo_count:u4 color_count:u4 stereo:u8 color:u8 imu_count:u4 "
     "reserved:u4 imu:u8 time_s:f8 state_count:u4 reserved2:u4 states:u8 reference:u8 cloud_count:u4 reserved3:u4 "
-    "clouds:u8"
+    "clouds:u8 goal_index:u4 reserved4:u4 goal_world_m:3f8"
 )
 ab_command = _struct(
     "struct_size:u4 kind:u4 flags:u4 point_count:u4 position_world_m:3f8 velocity_world_mps:3f8 "

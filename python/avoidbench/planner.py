@@ -102,6 +102,8 @@ class Mission:
     """The map's box, from ground to ceiling: the trial ends where the vehicle's centre leaves it."""
     command_latency_s: float
     """From a call to when its command acts; NaN where that is measured: as long as the call takes."""
+    goals_world_m: Vector
+    """(N, 3): all goals, to be reached in this order, the first one goal_world_m; the trial ends at the last."""
 
 
 @dataclass(frozen=True)
@@ -213,6 +215,10 @@ class Observation(State):
     """Where the commands so far tell the vehicle to be, of who declares it; None while rates are commanded."""
     clouds: tuple[Cloud, ...] = ()
     """Sweeps of lidars, newest first."""
+    goal_index: int = 0
+    """Of the goal to reach now, in Mission.goals_world_m."""
+    goal_world_m: Vector | None = None
+    """Where it is at this call, of who declares "goals"."""
 
     def newest_depth(self, camera: int) -> DepthImage | None:
         """The newest depth image of this camera (index into Setup.cameras) since the last call, or None: none is
@@ -300,8 +306,8 @@ class Planner:
     summary: ClassVar[str] = ""
     """One line."""
     inputs: ClassVar[Sequence[str]] = ("state",)
-    """Of state, depth, stereo, color, imu, states, reference, points; with one_camera of a rig one camera alone, which
-    a sweep names (`camera: 0`)."""
+    """Of state, depth, stereo, color, imu, states, reference, points, goals (the goal to reach now: without it missions
+    of several goals are refused); with one_camera of a rig one camera alone, which a sweep names (`camera: 0`)."""
     commands: ClassVar[Sequence[str]] = ("velocity",)
     """Of position, velocity, acceleration, trajectory, rates: what plan() may return."""
     uses: ClassVar[Sequence[str]] = ()

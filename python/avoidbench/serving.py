@@ -28,7 +28,10 @@ from avoidbench import planner as p
 from avoidbench.planner_files import planner_files
 
 _WORDS = {
-    "inputs": ("AB_INPUT_", ("state", "depth", "stereo", "color", "imu", "states", "one_camera", "reference", "points")),
+    "inputs": (
+        "AB_INPUT_",
+        ("state", "depth", "stereo", "color", "imu", "states", "one_camera", "reference", "points", "goals"),
+    ),
     "uses": ("AB_USES_", ("processes", "devices", "network", "globals")),
     "commands": ("AB_COMMAND_", ("position", "velocity", "acceleration", "trajectory", "rates")),
 }
@@ -270,7 +273,15 @@ def _reference(segment: _Segment, at: int) -> p.Reference | None:
     return _made(p.Reference, point)
 
 
-def _observation(segment: _Segment, at: int, sees_imu: bool) -> p.Observation:
+def _mission(segment: _Segment, at: int) -> p.Mission:
+    given = segment.struct(layouts.ab_mission, at)
+    shape = (given["goal_count"].item(), 3)
+    return _made(
+        p.Mission, given, goals_world_m=segment.pixels(np.float64, given["goals_world_m"].item(), shape).copy()
+    )
+
+
+def _observation(segment: _Segment, at: int, inputs: Sequence[str]) -> p.Observation:
     given = segment.struct(layouts.ab_observation, at)
     states = (segment.struct(layouts.ab_state, offset) for offset in segment.offsets(given, "states", "state_count"))
     return _made(
@@ -279,11 +290,13 @@ def _observation(segment: _Segment, at: int, sees_imu: bool) -> p.Observation:
         depth=tuple(_depth(segment, offset) for offset in segment.offsets(given, "depth", "depth_count")),
         stereo=tuple(_stereo(segment, offset) for offset in segment.offsets(given, "stereo", "stereo_count")),
         color=tuple(_picture(segment, offset) for offset in segment.offsets(given, "color", "color_count")),
-        imu=_imu(segment, given) if sees_imu else None,
+        imu=_imu(segment, given) if "imu" in inputs else None,
         call_time_s=given["time_s"].item(),
         states=tuple(_made(p.State, state) for state in states),
         reference=_reference(segment, given["reference"].item()),
         clouds=tuple(_cloud(segment, offset) for offset in segment.offsets(given, "clouds", "cloud_count")),
+        goal_index=given["goal_index"].item(),
+        goal_world_m=given["goal_world_m"].copy() if "goals" in inputs else None,
     )
 
 
@@ -350,7 +363,7 @@ class _Server:
 
     def _plan(self, body: int, writer: _Writer) -> tuple[int, int]:
         assert self._instance is not None
-        given = self._instance.plan(_observation(self._segment, body, "imu" in self._class.inputs))
+        given = self._instance.plan(_observation(self._segment, body, self._class.inputs))
         if given is None:
             return layouts.AB_NO_PLAN, 0
         if not isinstance(given, p.Command):
@@ -363,7 +376,7 @@ class _Server:
             return self._plan(body, writer)
         if kind == layouts.AB_PROCESS_RESET:
             assert self._instance is not None
-            self._instance.reset(_made(p.Mission, self._segment.struct(layouts.ab_mission, body)))
+            self._instance.reset(_mission(self._segment, body))
         elif kind == layouts.AB_PROCESS_CREATE:
             self._instance = None
             self._instance = self._class(_setup(self._segment, body, self._class.parameters))

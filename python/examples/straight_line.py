@@ -16,6 +16,7 @@ class StraightLine(Planner):
     name = "straight_line"
     version = "1.0"
     summary = "Flies the straight line to the goal and avoids nothing."
+    inputs = ("state", "goals")
     commands = ("velocity",)
     parameters = (
         Parameter("max_speed_mps", 3.0, "Speed held until the goal is near.", "m/s", 0.1, 20.0),
@@ -28,16 +29,23 @@ class StraightLine(Planner):
         self.braking_mps2 = 0.3 * setup.max_acceleration_mps2
 
     def reset(self, mission: Mission) -> None:
-        start, self.goal_world_m = mission.start_world_m.tolist(), mission.goal_world_m.tolist()
-        along = [self.goal_world_m[i] - start[i] for i in range(3)]
+        self.yaw_rad = mission.start_yaw_rad
+        self.aim(mission.start_world_m.tolist(), mission.goal_world_m.tolist())
+
+    def aim(self, start: list[float], goal: list[float]) -> None:
+        """The line to the goal begins here."""
+        self.goal_world_m = goal
+        along = [goal[i] - start[i] for i in range(3)]
         length_m = math.sqrt(along[0] * along[0] + along[1] * along[1] + along[2] * along[2])
         self.course = [a / length_m if length_m > 0.0 else 0.0 for a in along]
-        self.yaw_rad = mission.start_yaw_rad
         if along[0] * along[0] + along[1] * along[1] > 1e-6:  # a course straight up has no heading
             self.yaw_rad = portable_math.atan2(along[1], along[0])
 
     def plan(self, observation: Observation) -> Velocity:
         place = observation.position_world_m.tolist()
+        assert observation.goal_world_m is not None
+        if observation.goal_world_m.tolist() != self.goal_world_m:
+            self.aim(place, observation.goal_world_m.tolist())
         left_m = 0.0
         for i in range(3):
             left_m += (self.goal_world_m[i] - place[i]) * self.course[i]

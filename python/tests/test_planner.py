@@ -17,7 +17,7 @@ import pytest
 from avoidbench import portable_math
 from avoidbench.planner import Parameter, Planner
 
-from planners import ANSWERS, AllEyed, Commanding, Follower, OneEyed, Pointed, Preset, Seeing, Undeclared
+from planners import ANSWERS, AllEyed, Commanding, Follower, OneEyed, Patrol, Pointed, Preset, Seeing, Undeclared
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
 sys.path.insert(0, str(EXAMPLES))
@@ -132,6 +132,15 @@ def test_sweeps_of_a_lidar_are_seen(tmp_path: Path) -> None:
     rate_hz, is_deskewed, time_s, farthest_m = json.loads(told(Pointed, tmp_path, sweep={"sensor": "mid360_like"}))
     assert (rate_hz, is_deskewed) == (10.0, True)
     assert time_s == pytest.approx(0.2) and 1.0 < farthest_m < 70.1
+
+
+def test_goals_are_seen_in_order(tmp_path: Path) -> None:
+    goals = [[4.0, 8.0, 1.5], [7.0, 8.0, 2.5]]
+    mission = {"list": [{"start": [2.0, 8.0, 1.5], "goals": goals}]}
+    maps = {**HALL["maps"], "poisson_radius_m": 7.0}
+    assert json.loads(told(Patrol, tmp_path, sweep={"mission": mission, "maps": maps})) == goals
+    with pytest.raises(avoidbench.InputError, match="it does not declare AB_INPUT_GOALS"):
+        told(OneEyed, tmp_path, sweep={"mission": mission})
 
 
 MISTAKES = {

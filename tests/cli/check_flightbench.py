@@ -27,6 +27,7 @@ planners:
   - {plugin: ego, label: tuned}
   - {plugin: ego, label: published, parameters: {preset: published}}
 maps: {MAPS, seeds: SEEDS}
+MISSION
 """
 # The maps, and for each planner whether its rate over twelve missions lies in their interval.
 CASES = {
@@ -54,6 +55,29 @@ CASES = {
         "generator: gap_walls, wall_count: 4, gaps_per_wall: 1, gap_width_m: 2.2, height_m: 5, flight_height_m: 2.5",
         {"tuned": True, "published": False},
     ),
+}
+# Courses of several goals: where theirs start and the places and headings of their gates. Their obstacles are not
+# published: poles, by place and radius, and walls, by place, length, thickness and heading, were put where TO and VO
+# are near theirs.
+COURSES = {
+    "racing-low": {
+        "start": (2.35, 7.61, 2.07, -139.2),
+        "gates": [(-1.0, 4.7, 2.0, 180.0), (-6.0, -6.0, 4.0, -90.0)],
+        "beside": [(0, 1.6, [0.5]), (1, 1.6, [0.3, 0.5, 0.7])],
+        "poles": [],
+        "walls": [],
+    },
+    "racing-mid": {
+        "start": (7.0, -8.5, 2.0, 90.0),
+        "gates": [(7.0, -6.0, 2.0, 90.0), (7.0, 1.71, 2.0, 90.0), (-1.0, 4.7, 2.0, 180.0), (-6.0, -6.0, 1.5, -90.0)],
+        "beside": [(1, 1.4, [0.25, 0.5, 0.75]), (3, 1.4, [0.25, 0.5, 0.75])],
+        "poles": [(2.6, 2.6, 0.35)],
+        "walls": [(1.0, 1.0, 4.0, 0.3, 90.0)],
+    },
+}
+CASES |= {
+    "racing-low": ("", {"tuned": False, "published": True}),
+    "racing-mid": ("", {"tuned": False, "published": False}),
 }
 QUICK = ["forest-low", "forest-high"]
 # How near the mean measures must be: TO by its share, VO as it is. AOL is theirs of paths that bend more; see
@@ -97,9 +121,90 @@ def published(path):
         }
 
 
+def ring(x, y, z, heading_deg):
+    """A gate: a torus of 0.7 m inner radius, which is flown through along its heading."""
+    inner_m, tube_m, around, across = 0.7, 0.07, 24, 8
+    cos, sin = math.cos(math.radians(heading_deg)), math.sin(math.radians(heading_deg))
+    places = []
+    for i in range(around):
+        for k in range(across):
+            angle, turn = 2 * math.pi * i / around, 2 * math.pi * k / across
+            away, along = inner_m + tube_m * (1 + math.cos(turn)), tube_m * math.sin(turn)
+            side, up = away * math.cos(angle), away * math.sin(angle)
+            places.append((x + along * cos - side * sin, y + along * sin + side * cos, z + up))
+
+    def at(i, k):
+        return i % around * across + k % across
+
+    faces = [(at(i, k), at(i + 1, k), at(i + 1, k + 1), at(i, k + 1)) for i in range(around) for k in range(across)]
+    return places, faces
+
+
+def prism(corners, height_m):
+    count = len(corners)
+    sides = [(i, (i + 1) % count, (i + 1) % count + count, i + count) for i in range(count)]
+    ends = [tuple(reversed(range(count))), tuple(range(count, 2 * count))]
+    return [(x, y, z) for z in (0.0, height_m) for x, y in corners], sides + ends
+
+
+def pole(x, y, radius_m):
+    angles = [2 * math.pi * i / 12 for i in range(12)]
+    return prism([(x + radius_m * math.cos(a), y + radius_m * math.sin(a)) for a in angles], 6.0)
+
+
+def wall(x, y, length_m, thickness_m, heading_deg):
+    cos, sin = math.cos(math.radians(heading_deg)), math.sin(math.radians(heading_deg))
+    corners = [(u * length_m / 2, v * thickness_m / 2) for u, v in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+    return prism([(x + u * cos - v * sin, y + u * sin + v * cos) for u, v in corners], 3.0)
+
+
+def write_course(file, course):
+    """The gates, poles and walls on level ground as an OBJ file."""
+    places = [course["start"], *course["gates"]]
+    poles = list(course["poles"])
+    for leg, aside_m, shares in course["beside"]:
+        (ax, ay), (bx, by) = places[leg][:2], places[leg + 1][:2]
+        length_m = math.hypot(bx - ax, by - ay)
+        for share in shares:
+            for side_m in (aside_m, -aside_m):
+                x = ax + share * (bx - ax) - side_m * (by - ay) / length_m
+                y = ay + share * (by - ay) + side_m * (bx - ax) / length_m
+                poles.append((x, y, 0.12))
+    ground = ([(-12, -12, 0), (12, -12, 0), (12, 12, 0), (-12, 12, 0)], [(0, 1, 2, 3)])
+    parts = [ground, *(ring(*gate) for gate in course["gates"])]
+    parts += [pole(*one) for one in poles] + [wall(*one) for one in course["walls"]]
+    lines, count = [], 0
+    for vertices, faces in parts:
+        lines += ["v {:.6f} {:.6f} {:.6f}".format(*vertex) for vertex in vertices]
+        lines += ["f " + " ".join(str(i + 1 + count) for i in face) for face in faces]
+        count += len(vertices)
+    file.write_text("\n".join(lines) + "\n")
+
+
+def course_sweep(folder, name):
+    """Twelve starts around theirs, through all gates."""
+    course = COURSES[name]
+    write_course(folder / f"{name}.obj", course)
+    x, y, z, yaw_deg = course["start"]
+    goals = [list(gate[:3]) for gate in course["gates"]]
+    missions = [
+        f"{{start: [{x + dx:.2f}, {y + dy:.2f}, {z}], goals: {goals}, yaw_deg: {yaw_deg}}}"
+        for dx in (-0.3, 0.0, 0.3)
+        for dy in (-0.3, -0.1, 0.1, 0.3)
+    ]
+    maps = f"generator: mesh, file: {name}.obj, bounds: {{lowest_m: [-12, -12, 0], highest_m: [12, 12, 6]}}"
+    mission = f"mission: {{goal_radius_m: 0.6, free_radius_m: 0.6, list: [{', '.join(missions)}]}}"
+    return SWEEP.replace("TRIALS", "12").replace("MAPS", maps).replace("SEEDS", "[1]").replace("MISSION", mission)
+
+
+def map_sweep(name, trials, seeds):
+    text = SWEEP.replace("TRIALS", str(trials)).replace("MAPS", CASES[name][0])
+    return text.replace("SEEDS", str(seeds)).replace("MISSION", "")
+
+
 def fly(program, folder, name, trials, seeds):
     sweep, database = folder / f"{name}.yaml", folder / f"{name}.db"
-    sweep.write_text(SWEEP.replace("TRIALS", str(trials)).replace("MAPS", CASES[name][0]).replace("SEEDS", str(seeds)))
+    sweep.write_text(course_sweep(folder, name) if name in COURSES else map_sweep(name, trials, seeds))
     done = subprocess.run(
         [program, "run", str(sweep), "--db", str(database), "--quiet"], capture_output=True, text=True, check=False
     )

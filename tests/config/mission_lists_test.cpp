@@ -51,6 +51,78 @@ TEST_F(MissionLists, ATableSaysTheSameInAnyOrderOfColumns) {
   EXPECT_EQ(sweep.missions[1].place.file, (folder_ / "tables/missions.csv").string());
 }
 
+TEST_F(MissionLists, SeveralGoalsAreReadInOrder) {
+  const SweepSpec listed = read(kSweepHead +
+                                "mission: {list: [{start: [0, 0, 2], goals: [[0, 9, 3], [8, 7, 6]]}"
+                                ", {start: [1, 2, 3], goals: [[1, 12, 3]]}]}\n");
+  ASSERT_EQ(listed.missions.size(), 2U);
+  const Mission& first = listed.missions[0].mission;
+  EXPECT_EQ(goals_of(first),
+            (std::vector<Eigen::Vector3d>{Eigen::Vector3d(0, 9, 3), Eigen::Vector3d(8, 7, 6)}));
+  EXPECT_DOUBLE_EQ(first.start_yaw_rad, 0.5 * math::kPi);  // toward the first one
+  EXPECT_TRUE(listed.missions[1].mission.waypoints_world.empty());
+  // The same from a table, in which rows may have fewer goals.
+  write("missions.csv",
+        "start_x_m,start_y_m,start_z_m,goal_x_m,goal_y_m,goal_z_m,goal2_y_m,goal2_x_m,goal2_z_m\n"
+        "0,0,2,0,9,3,7,8,6\n1,2,3,1,12,3,,,\n");
+  const SweepSpec table = read(kSweepHead + "mission: {file: missions.csv}\n");
+  ASSERT_EQ(table.missions.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(goals_of(table.missions[i].mission), goals_of(listed.missions[i].mission));
+  }
+}
+
+TEST_F(MissionLists, TheStartIsOneMoreGoalWhereTheFlightsReturn) {
+  const SweepSpec sweep = read(kSweepHead +
+                               "mission: {return_to_start: true, list: [{start: [1, 2, 3], goal: "
+                               "[1, 12, 3]}]}\n");
+  const std::vector<Mission> missions = missions_of(sweep.missions, sweep.base);
+  EXPECT_EQ(goals_of(missions.front()),
+            (std::vector<Eigen::Vector3d>{Eigen::Vector3d(1, 12, 3), Eigen::Vector3d(1, 2, 3)}));
+}
+
+TEST_F(MissionLists, OfOneGoalKeepTheirDigest) {
+  Mission mission{.start_world = {1, 2, 3}, .goal_world = {4, 5, 6}, .start_yaw_rad = 0.5};
+  const std::string one = missions_digest({mission});
+  EXPECT_EQ(one.substr(0, 16), "92a6db732aa00ecd");
+  mission.waypoints_world = {{7, 8, 9}};
+  const std::string two = missions_digest({mission});
+  EXPECT_NE(one, two);
+  mission.waypoints_world[0].z() = 9.5;
+  EXPECT_NE(missions_digest({mission}), two);
+}
+
+TEST_F(MissionLists, PlannersThatSeeOneGoalAreRefusedSeveral) {
+  const auto with = [&](const std::string& mission) {
+    return problems("sweep: a\nplanners: [tunable, one_camera]\nmission: {" + mission + "}\n");
+  };
+  const std::string place =
+      "s.yaml:2:21: planners[1]: one_camera can't fly these missions: they "
+      "have ";
+  const std::string end = ", and it does not declare AB_INPUT_GOALS";
+  EXPECT_EQ(with("waypoints: 0"), "");
+  EXPECT_EQ(with("waypoints: 2"), place + "several goals" + end);
+  EXPECT_EQ(with("return_to_start: true"), place + "several goals" + end);
+  EXPECT_EQ(with("list: [{start: [1, 2, 3], goals: [[1, 9, 3], [8, 2, 3]]}]"),
+            place + "several goals" + end);
+  EXPECT_EQ(with("goal_motion: {path: circle}"), place + "a goal that moves" + end);
+  // As one value of an axis, too.
+  EXPECT_EQ(with("waypoints: [0, 1]"), place + "several goals" + end);
+}
+
+TEST_F(MissionLists, RulesThatContradictEachOtherAreRefused) {
+  EXPECT_EQ(
+      problems(kSweepHead + "mission: {waypoints: 1, list: [{start: [1, 2, 3], goal: [1, 9, "
+                            "3]}]}\n"),
+      "s.yaml:3:22: mission.waypoints: means nothing for missions that are listed: list their "
+      "goals");
+  EXPECT_EQ(problems(kSweepHead + "mission: {goal_motion: {path: line}, return_to_start: true}\n"),
+            "s.yaml:3:55: mission.return_to_start: the last goal is the start then, which can't "
+            "move: leave it out, or mission.goal_motion");
+  EXPECT_EQ(problems(kSweepHead + "mission: {waypoints: 101}\n"),
+            "s.yaml:3:22: mission.waypoints: 101 is outside [0, 100]");
+}
+
 TEST_F(MissionLists, TrialsTakeTheFirstOfEachMap) {
   const std::string list =
       "mission: {list: [{map: 1, start: [1, 2, 3], goal: [1, 12, 3]}, {start: [2, 2, 3], goal: "
@@ -96,6 +168,14 @@ TEST_F(MissionLists, ProblemsOfAListHaveTheirPlace) {
        "s.yaml:3:54: mission.list[0].yaw: unknown key (did you mean yaw_deg?)"},
       {"mission: {list: [{start: [1, 2, 3], goal: [1, 2, 3], yaw_deg: 400}]}",
        "s.yaml:3:63: mission.list[0].yaw_deg: 400 is outside [-360, 360]"},
+      {"mission: {list: [{start: [1, 2, 3]}]}",
+       "s.yaml:3:18: mission.list[0]: lacks 'goal': [x, y, z] in metres"},
+      {"mission: {list: [{start: [1, 2, 3], goal: [1, 2, 3], goals: [[1, 2, 3]]}]}",
+       "s.yaml:3:61: mission.list[0].goals: there is 'goal' too"},
+      {"mission: {list: [{start: [1, 2, 3], goals: []}]}",
+       "s.yaml:3:44: mission.list[0].goals: expected at least one place, [x, y, z] in metres"},
+      {"mission: {list: [{start: [1, 2, 3], goals: [[1, 2, 3], [4, 5]]}]}",
+       "s.yaml:3:56: mission.list[0].goals[1]: expected a list of 3 values, found 2"},
       {"mission: {list: [7]}",
        "s.yaml:3:18: mission.list[0]: expected a mapping (name: value), found \"7\""},
       {"mission: {file: none.csv}", "s.yaml:3:17: mission.file: none.csv: no such file"},
@@ -122,9 +202,17 @@ TEST_F(MissionLists, ProblemsOfATableHaveTheirPlace) {
        "missions.csv:2:1: 1 fields, but 8 columns"},
       {"start_x_m,start_y_m,start_z_m,goal_x_m,goal_y_m\n",
        "missions.csv:1:1: lacks the column 'goal_z_m'"},
+      {"start_x_m,start_y_m,start_z_m,goal_x_m,goal_y_m,goal_z_m,goal2_x_m\n",
+       "missions.csv:1:1: lacks the column 'goal2_y_m'\n"
+       "missions.csv:1:1: lacks the column 'goal2_z_m'"},
+      {"start_x_m,start_y_m,start_z_m,goal_x_m,goal_y_m,goal_z_m,goal2_x_m,goal2_y_m,goal2_z_m\n"
+       "1,2,3,4,5,6,7,,8\n",
+       "missions.csv:2:15: goal2_y_m: expected a number, found \"\""},
       {"start_x,start_x_m,start_x_m,start_y_m,start_z_m,goal_x_m,goal_y_m,goal_z_m\n",
        "missions.csv:1:1: unknown column 'start_x' (did you mean start_x_m?); columns are "
-       "start_x_m, start_y_m, start_z_m, goal_x_m, goal_y_m, goal_z_m, yaw_deg, map\n"
+       "start_x_m, start_y_m, start_z_m, goal_x_m, goal_y_m, goal_z_m, yaw_deg, map, and of "
+       "further "
+       "goals goal2_x_m, goal2_y_m, goal2_z_m\n"
        "missions.csv:1:19: a second column 'start_x_m'"},
   };
   for (const auto& [table, problem] : cases) EXPECT_EQ(of_table(table), problem) << table;

@@ -172,6 +172,33 @@ TEST(VectorEnv, AnEpisodeIsTheTrialThatItsKeySays) {
   EXPECT_EQ(0, std::memcmp(end.metrics.data(), metrics.data(), metrics.size() * sizeof(double)));
 }
 
+TEST(VectorEnv, GoalsFollowEachOther) {
+  EnvSpec spec = env_spec(1);
+  spec.sweep.base.map = HallSpec{.area_m = {14.0, 16.0}, .poisson_radius_m = 7.0};
+  spec.sweep.base.mission.waypoints = 2;
+  spec.sweep.base.mission.time_limit_s = 60.0;
+  spec.reward = {.progress_per_m = 1.0, .time_per_s = 0.0, .crash = 0.0, .goal = 0.0};
+  Stepped stepped(spec);
+  stepped.reset();
+  int jumps = 0;
+  while (stepped.env.ended().empty()) {
+    const Eigen::Vector3f before(stepped.goal[0], stepped.goal[1], stepped.goal[2]);
+    stepped.steer(2.0);
+    stepped.step(false);
+    const Eigen::Vector3f now(stepped.goal[0], stepped.goal[1], stepped.goal[2]);
+    // Of the vehicle's own motion and turning there is far less in a step.
+    if (now.norm() > before.norm() + 0.5F) ++jumps;
+  }
+  const EpisodeEnd& end = stepped.env.ended()[0];
+  EXPECT_EQ(end.outcome, Outcome::reached_goal) << end.reason;
+  EXPECT_EQ(jumps, 2);
+  // Progress along all legs is d_min, less what is left within the last circle.
+  const MapScene place(stepped.env.trial(0));
+  const MapRecord map =
+      make_map_record(stepped.env.trial(0), place.scene, stepped.env.trial(0).mission_index + 1);
+  EXPECT_NEAR(end.reward_sum, map.missions.back().reference_length_m, 0.5);
+}
+
 TEST(VectorEnv, WhatNobodyMeasuredIsNoNumber) {
   Stepped stepped(env_spec(1));
   stepped.reset();

@@ -72,6 +72,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadCase{"draws_differently", "drawing_changes_nothing", "when its drawings are wanted"},
         BadCase{"asked_differently", "being_asked_changes_nothing", "when it is asked"},
         BadCase{"newest_of_any", "tells_cameras_apart", "no longer depend on what the first"},
+        BadCase{"forgets_goals", "flies_to_the_next_goal", "the same with the next goal to the"},
         BadCase{"odd_map", "being_asked_changes_nothing", "no AB_PLACE_"},
         BadCase{"needs_debug", "drawing_changes_nothing", "has no extension avoidbench.debug/1"},
         BadCase{"extra_symbol", "exports_one_avoidbench_symbol", "avoidbench_secret"},
@@ -93,6 +94,8 @@ TEST(Conformance, OneBrokenRuleDoesNotTripTheOthers) {
               testing::ElementsAre("drawing_changes_nothing"));
   EXPECT_THAT(failed_rules(check_conformance(bad_planner("newest_of_any"))),
               testing::ElementsAre("tells_cameras_apart"));
+  EXPECT_THAT(failed_rules(check_conformance(bad_planner("forgets_goals"))),
+              testing::ElementsAre("flies_to_the_next_goal"));
   EXPECT_THAT(failed_rules(check_conformance(bad_planner("one_wide_camera"))), testing::IsEmpty());
 }
 

@@ -152,6 +152,16 @@ TEST(HostBuffers, SetupListsLidarsForWhoeverSeesPoints) {
   EXPECT_EQ(SetupBuffers(setup, {}, AB_INPUT_DEPTH).setup().lidar_count, 0U);
 }
 
+TEST_F(Observations, TheGoalArrivesWhereItIsAskedFor) {
+  view.goal = GoalView{.index = 2, .place_world = {1.0, 2.0, 3.0}};
+  EXPECT_EQ(buffers.fill(view, setup.cameras, AB_INPUT_STATE).goal_index, 0U);
+  EXPECT_EQ(buffers.fill(view, setup.cameras, AB_INPUT_STATE).goal_world_m[0], 0.0);
+  const ab_observation& seen = buffers.fill(view, setup.cameras, AB_INPUT_GOALS);
+  EXPECT_EQ(seen.goal_index, 2U);
+  EXPECT_EQ(seen.goal_world_m[0], 1.0);
+  EXPECT_EQ(seen.goal_world_m[2], 3.0);
+}
+
 TEST(HostSideOf, KeepsNoMoreOfErrorsAndLogsThanPeopleRead) {
   HostSide host;
   const ab_host& table = host.table();
@@ -178,6 +188,18 @@ TEST(MissionOf, SaysTheMapsBoxAndTheLatency) {
   EXPECT_EQ(told.lowest_world_m[2], -3.0);
   EXPECT_EQ(told.highest_world_m[1], 5.0);
   EXPECT_EQ(told.command_latency_s, 0.033);
+}
+
+TEST(MissionOf, HasAllGoals) {
+  PlannerMission mission;
+  mission.goal_world = {1.0, 2.0, 3.0};
+  const ab_mission one = to_mission(mission);
+  EXPECT_EQ(one.goal_count, 1U);
+  EXPECT_EQ(one.goals_world_m[2], 3.0);
+  mission.goals_world = {{1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}};
+  const ab_mission two = to_mission(mission);
+  EXPECT_EQ(two.goal_count, 2U);
+  for (int i = 0; i < 6; ++i) EXPECT_EQ(two.goals_world_m[i], i + 1.0);
 }
 
 TEST_F(Observations, PicturesAndSamplesArriveWithTheirTimesAndPlaces) {

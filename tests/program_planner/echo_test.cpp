@@ -106,6 +106,8 @@ struct Seen {
     }
     all.cloud_count = static_cast<std::uint32_t>(cloud_pointers.size());
     all.clouds = cloud_pointers.data();
+    noise.fill(&all.goal_index, sizeof all.goal_index);
+    noise.fill(all.goal_world_m, sizeof all.goal_world_m);
   }
   Seen(const Seen&) = delete;
   Seen& operator=(const Seen&) = delete;
@@ -161,6 +163,18 @@ struct NoisySetup {
   ab_setup all{};
 };
 
+struct NoisyMission {
+  explicit NoisyMission(Noise& noise) : all(noise.made<ab_mission>()) {
+    noise.fill(goals, sizeof goals);
+    all.goal_count = 3;
+    all.goals_world_m = goals;
+  }
+  NoisyMission(const NoisyMission&) = delete;
+  NoisyMission& operator=(const NoisyMission&) = delete;
+  double goals[9]{};
+  ab_mission all{};
+};
+
 struct Buffer : echo_buffer {
   Buffer() : echo_buffer{nullptr, 0, 0} {}
   ~Buffer() { std::free(bytes); }
@@ -200,7 +214,8 @@ TEST(Echo, EveryBitGoesBothWays) {
   ASSERT_NE(instance, nullptr) << host.error;
   EXPECT_EQ(host.log, std::vector<std::string>{"1 created"});
   Noise noise(2);
-  const auto mission = noise.made<ab_mission>();
+  const NoisyMission noisy(noise);
+  const ab_mission& mission = noisy.all;
   for (const unsigned seed : {3U, 4U, 5U}) {
     expect_echo(table, instance, setup, mission, Seen(seed, 1, 13, 7));
   }
@@ -214,7 +229,8 @@ TEST(Echo, TheSegmentGrowsWithWhatIsSeen) {
   void* instance = table.create(&host.table, &setup.all);
   ASSERT_NE(instance, nullptr) << host.error;
   Noise noise(2);
-  const auto mission = noise.made<ab_mission>();
+  const NoisyMission noisy(noise);
+  const ab_mission& mission = noisy.all;
   // The echo's own answer has 4 MiB of room.
   for (const int height_px : {1, 240, 1, 480, 480, 3}) {
     expect_echo(table, instance, setup, mission, Seen(7, 2, 320, height_px));

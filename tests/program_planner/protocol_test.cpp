@@ -93,7 +93,8 @@ TEST(Protocol, StructsOfThePlannerInterfaceAreWhereTheyAreDocumented) {
                   AT(ab_mission, start_yaw_rad, 40), AT(ab_mission, goal_world_m, 48),
                   AT(ab_mission, goal_radius_m, 72), AT(ab_mission, time_limit_s, 80),
                   AT(ab_mission, lowest_world_m, 88), AT(ab_mission, highest_world_m, 112),
-                  AT(ab_mission, command_latency_s, 136), Field{sizeof(ab_mission), 144}});
+                  AT(ab_mission, command_latency_s, 136), AT(ab_mission, goal_count, 144),
+                  AT(ab_mission, goals_world_m, 152), Field{sizeof(ab_mission), 160}});
 }
 
 TEST(Protocol, StructsOfOneCallAreWhereTheyAreDocumented) {
@@ -108,7 +109,8 @@ TEST(Protocol, StructsOfOneCallAreWhereTheyAreDocumented) {
                   AT(ab_observation, imu, 56), AT(ab_observation, time_s, 64),
                   AT(ab_observation, state_count, 72), AT(ab_observation, states, 80),
                   AT(ab_observation, reference, 88), AT(ab_observation, cloud_count, 96),
-                  AT(ab_observation, clouds, 104), Field{sizeof(ab_observation), 112}});
+                  AT(ab_observation, clouds, 104), AT(ab_observation, goal_index, 112),
+                  AT(ab_observation, goal_world_m, 120), Field{sizeof(ab_observation), 144}});
   expect_offsets("ab_cloud", {AT(ab_cloud, lidar, 4), AT(ab_cloud, time_s, 8),
                               AT(ab_cloud, position_world_m, 16), AT(ab_cloud, q_world_lidar, 40),
                               AT(ab_cloud, point_count, 72), AT(ab_cloud, miss_count, 76),

@@ -328,7 +328,7 @@ TEST(Database, EveryTableSaysWhatItIs) {
     EXPECT_NE(s.text(1).find("\n  -- "), std::string::npos) << s.text(0);
     ++count;
   }
-  EXPECT_EQ(count, 19);
+  EXPECT_EQ(count, 20);
   EXPECT_EQ(number(db,
                    "SELECT count(*) FROM pragma_table_list WHERE type = 'table' AND NOT strict "
                    "AND name NOT LIKE 'sqlite_%'"),

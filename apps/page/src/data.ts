@@ -120,7 +120,18 @@ export interface FlightData {
   goal_radius: number;
   start: Vector;
   goal: Vector;
+  waypoints?: Vector[]; // goals to reach in order before this one
   head?: FlightHead;
+}
+export interface MissionData {
+  index: number;
+  start: Vector;
+  goal: Vector;
+  waypoints?: Vector[];
+}
+/** In the order in which they are to be reached. */
+export function goalsOf(mission: { goal: Vector; waypoints?: Vector[] }): Vector[] {
+  return [...(mission.waypoints ?? []), mission.goal];
 }
 export interface WorldData {
   prototypes: number;
@@ -215,7 +226,7 @@ export interface PageData {
   rigs: Rig[];
   scene_warnings: string[];
   seen?: Seen;
-  missions?: { index: number; start: Vector; goal: Vector }[];
+  missions?: MissionData[];
   goal_radius?: number;
   digest?: string;
   world_digest?: string;

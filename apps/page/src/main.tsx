@@ -9,6 +9,7 @@ import { Swatch } from "./charts";
 import type { FlightData, PageData, Sweep } from "./data";
 import {
   digits,
+  goalsOf,
   limitValue,
   lookOf,
   outcomeColor,
@@ -61,7 +62,7 @@ function sceneOfTrial(page: PageData, sweep: Sweep, trial: number): Scene | null
     title: `${label(trial)}, ${sweep.maps[t.map[trial]].text}, mission ${t.mission[trial]}`,
     world: flight.world,
     start: flight.start,
-    goal: flight.goal,
+    goals: goalsOf(flight),
     goalRadius: flight.goal_radius,
     entries: [trial, ...beside.sort((a, b) => t.planner[a] - t.planner[b])].map(entry),
     seen: null,
@@ -92,7 +93,7 @@ function sceneOfPage(page: PageData): Scene {
     title: page.title,
     world: page.worlds.length ? 0 : null,
     start: first?.start ?? mission?.start ?? null,
-    goal: first?.goal ?? mission?.goal ?? null,
+    goals: first ? goalsOf(first) : mission ? goalsOf(mission) : [],
     goalRadius: first?.goal_radius ?? page.goal_radius ?? 0.8,
     entries: page.flights.map(entry),
     seen: page.seen ?? null,
@@ -360,7 +361,7 @@ function OnePage({ page, view, change }: Shown): JSX.Element {
   const [mission, setMission] = useState(0);
   const shown = useMemo(() => {
     const m = scene.missions[mission];
-    return m ? { ...scene, start: m.start, goal: m.goal } : scene;
+    return m ? { ...scene, start: m.start, goals: goalsOf(m) } : scene;
   }, [scene, mission]);
   const tab = view.tab === "about" ? "about" : "replay";
   const head = page.flights[0]?.head;

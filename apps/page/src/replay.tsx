@@ -2,7 +2,7 @@
 import type { JSX } from "preact";
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import { Swatch } from "./charts";
-import type { FlightData, Look, PageData, Seen, Vector } from "./data";
+import type { FlightData, Look, MissionData, PageData, Seen, Vector } from "./data";
 import { digits, outcomeText } from "./data";
 import { readFlight, stateAt } from "./flight";
 import { Plots } from "./plots";
@@ -25,11 +25,11 @@ export interface Scene {
   title: string;
   world: number | null;
   start: Vector | null;
-  goal: Vector | null;
+  goals: Vector[];
   goalRadius: number;
   entries: Entry[];
   seen: Seen | null;
-  missions: { index: number; start: Vector; goal: Vector }[];
+  missions: MissionData[];
 }
 
 const kModes: [CameraMode, string][] = [
@@ -62,7 +62,7 @@ function boxOf(tracks: Track[], page: PageData, scene: Scene): [Vector, Vector] 
     }
   };
   for (const { flight: f } of tracks) for (let i = 0; i < f.n; ++i) take([f.x[i], f.y[i], f.z[i]]);
-  for (const p of [scene.start, scene.goal]) if (p) take(p);
+  for (const p of [scene.start, ...scene.goals]) if (p) take(p);
   const world = scene.world === null ? undefined : page.worlds[scene.world];
   if (world && tracks.length === 0) {
     take(world.flight_bounds[0]);
@@ -133,13 +133,13 @@ export function Replay(props: {
       made.onLabels = setLabels;
       made.setWorld(scene.world);
       made.setPathColor(color);
-      made.setTracks(tracks, scene.start, scene.goal, scene.goalRadius);
+      made.setTracks(tracks, scene.start, scene.goals, scene.goalRadius);
       const measure = (): void => {
         const rect = stage.current?.getBoundingClientRect();
         if (rect && rect.width > 0) made.resize(Math.round(rect.width), Math.round(rect.height));
       };
       measure();
-      made.setMode(mode, box[0], box[1], scene.start, scene.goal);
+      made.setMode(mode, box[0], box[1], scene.start, scene.goals[0]);
       made.setTime(time);
       const observer = new ResizeObserver(measure);
       observer.observe(stage.current!);
@@ -159,7 +159,7 @@ export function Replay(props: {
     viewer.current?.setTime(time);
   }, [time, scene, theme]);
   useEffect(() => {
-    viewer.current?.setMode(mode, box[0], box[1], scene.start, scene.goal);
+    viewer.current?.setMode(mode, box[0], box[1], scene.start, scene.goals[0]);
     viewer.current?.setTime(place.current.time);
   }, [mode]);
   useEffect(() => {
@@ -401,7 +401,7 @@ export function Replay(props: {
             value={mode}
             set={(camera) => {
               props.change({ camera });
-              if (camera === mode) viewer.current?.setMode(mode, box[0], box[1], scene.start, scene.goal);
+              if (camera === mode) viewer.current?.setMode(mode, box[0], box[1], scene.start, scene.goals[0]);
             }}
           />
           {main ? (

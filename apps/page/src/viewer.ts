@@ -138,7 +138,7 @@ export class Viewer {
     this.draw();
   }
 
-  setTracks(tracks: Track[], start: Vector | null, goal: Vector | null, goalRadius: number): void {
+  setTracks(tracks: Track[], start: Vector | null, goals: Vector[], goalRadius: number): void {
     for (const child of [...this.overlay.children])
       if (child !== this.seen && child !== this.drawn) this.overlay.remove(child);
     this.shown = tracks.map((track) => this.showTrack(track));
@@ -158,7 +158,7 @@ export class Viewer {
     this.ahead.visible = false;
     this.overlay.add(this.ahead);
     if (start) this.overlay.add(marker(start, 0.18, "#009e73"));
-    if (goal) {
+    for (const goal of goals) {
       this.overlay.add(marker(goal, 0.18, "#d55e00"));
       const ring = new THREE.Mesh(
         new THREE.TorusGeometry(goalRadius, 0.03, 6, 40),
@@ -166,6 +166,10 @@ export class Viewer {
       );
       ring.position.set(...goal);
       this.overlay.add(ring);
+    }
+    if (start && goals.length > 1) {
+      const legs = new THREE.BufferGeometry().setFromPoints([start, ...goals].map((p) => new THREE.Vector3(...p)));
+      this.overlay.add(new THREE.Line(legs, new THREE.LineBasicMaterial({ color: "#d55e00" })));
     }
     this.colorPaths();
     this.setTime(this.time);
@@ -346,7 +350,7 @@ export class Viewer {
     this.draw();
   }
 
-  setMode(mode: CameraMode, low: Vector, high: Vector, start: Vector | null, goal: Vector | null): void {
+  setMode(mode: CameraMode, low: Vector, high: Vector, start: Vector | null, goal: Vector | undefined): void {
     this.mode = mode;
     this.controls.enabled = mode !== "follow";
     const middle = new THREE.Vector3((low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2);

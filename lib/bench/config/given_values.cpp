@@ -151,6 +151,11 @@ std::vector<Contradiction> problems_of(const TrialSpec& trial, IsGiven is_given)
                             "goal_region, " + number_text(std::round(100.0 * longest_m) / 100.0) +
                             " m: every flight is over before it begins"});
   }
+  if (mission.goal_motion.path != GoalPath::none && mission.return_to_start) {
+    problems.push_back({"mission.return_to_start",
+                        "the last goal is the start then, which can't move: leave it out, or "
+                        "mission.goal_motion"});
+  }
   const double height_m = flight_height_m(trial.map);
   if (is_given("mission.free_radius_m") && !has_room_above_floor(trial)) {
     problems.push_back(

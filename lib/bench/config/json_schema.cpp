@@ -304,7 +304,8 @@ class SchemaWriter {
     Schema schema = value(field, name);
     if (may_be_axis && field.kind != FieldKind::block) return several(field, schema, false);
     if (is_other) {  // mission.list
-      schema["items"]["required"] = {"start", "goal"};
+      schema["items"]["required"] = {"start"};
+      schema["items"]["oneOf"] = {{{"required", {"goal"}}}, {{"required", {"goals"}}}};
       schema["minItems"] = 1;
     }
     return described(field, std::move(schema));

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "base/input_file.hpp"
 #include "base/math.hpp"
@@ -31,20 +32,27 @@ constexpr Range kYaw_deg{-360, 360};
 /// A mission as it is written, by a list's mapping or a table's row.
 struct WrittenMission {
   const YamlNode& node;  ///< where it stands
-  Place start, goal;
-  std::optional<double> yaw_deg;
-  std::string map;
+  Place start = {};
+  std::vector<Place> goals = {};
+  std::optional<double> yaw_deg = {};
+  std::string map = {};
 };
 
-/// With the heading toward the goal where none was written.
+/// With the heading toward the first goal where none was written.
 void add(const WrittenMission& written, SweepSpec& sweep) {
-  if (!written.start || !written.goal) return;  // a problem was added
-  const double yaw_rad = written.yaw_deg ? *written.yaw_deg * math::kDegree
-                                         : yaw_toward_goal_rad(*written.start, *written.goal);
+  const bool is_whole = written.start && !written.goals.empty() &&
+                        std::all_of(written.goals.begin(), written.goals.end(),
+                                    [](const Place& goal) { return goal.has_value(); });
+  if (!is_whole) return;  // a problem was added
+  Mission mission{.start_world = *written.start, .goal_world = *written.goals.back()};
+  for (std::size_t i = 0; i + 1 < written.goals.size(); ++i) {
+    mission.waypoints_world.push_back(*written.goals[i]);
+  }
+  mission.start_yaw_rad = written.yaw_deg
+                              ? *written.yaw_deg * math::kDegree
+                              : yaw_toward_goal_rad(*written.start, *written.goals.front());
   sweep.missions.push_back({.map = written.map,
-                            .mission = {.start_world = *written.start,
-                                        .goal_world = *written.goal,
-                                        .start_yaw_rad = yaw_rad},
+                            .mission = std::move(mission),
                             // So that what is found wrong later, on the map itself, has its line.
                             .place = problem_at(written.node, "")});
 }
@@ -63,18 +71,40 @@ Place read_place(const GivenValue& given) {
   return Eigen::Vector3d(place[0], place[1], place[2]);
 }
 
+/// `goals`: places in the order in which they are to be reached.
+std::vector<Place> read_goals(const GivenValue& given) {
+  std::vector<Place> goals;
+  if (!check_list(given)) return goals;
+  for (const GivenValue& element : given.elements()) goals.push_back(read_place(element));
+  if (goals.empty()) given.add_problem("expected at least one place, [x, y, z] in metres");
+  if (goals.size() > kMostGoals) {
+    given.add_problem("more than " + std::to_string(kMostGoals) + " goals");
+  }
+  return goals;
+}
+
 void read_entry(const GivenValue& given, SweepSpec& sweep) {
   MappingReader mapping(given);
   // The reader has told what it is instead.
   if (given.node.kind != YamlNode::Kind::mapping) return;
-  WrittenMission written{.node = given.node, .start = {}, .goal = {}, .yaw_deg = {}, .map = {}};
-  for (const auto& [name, place] :
-       {std::pair("start", &written.start), std::pair("goal", &written.goal)}) {
-    if (const auto value = mapping.take(name)) {
-      *place = read_place(*value);
-    } else {
-      given.add_problem(std::string("lacks '") + name + "': [x, y, z] in metres");
-    }
+  WrittenMission written{.node = given.node};
+  const auto lacks = [&](const char* name) {
+    given.add_problem(std::string("lacks '") + name + "': [x, y, z] in metres");
+  };
+  if (const auto start = mapping.take("start")) {
+    written.start = read_place(*start);
+  } else {
+    lacks("start");
+  }
+  const auto goal = mapping.take("goal");
+  const auto goals = mapping.take("goals");
+  if (goal && goals) goals->add_problem("there is 'goal' too");
+  if (goals) {
+    written.goals = read_goals(*goals);
+  } else if (goal) {
+    written.goals = {read_place(*goal)};
+  } else {
+    lacks("goal");
   }
   if (const auto yaw = mapping.take("yaw_deg")) written.yaw_deg = read_number(*yaw, kYaw_deg);
   if (const auto map = mapping.take("map")) written.map = read_text(*map).value_or("");
@@ -126,9 +156,29 @@ std::vector<YamlNode> fields_of(std::string_view line, const YamlNode& row,
   return fields;
 }
 
-/// The columns may stand in any order; the places' six are needed.
+/// Of goal 2 and so on.
+std::array<std::string, 3> goal_columns(std::size_t number) {
+  const std::string goal = "goal" + std::to_string(number);
+  return {goal + "_x_m", goal + "_y_m", goal + "_z_m"};
+}
+
+/// How many goals the columns have places for: as many as follow each other without a gap.
+std::size_t goal_count(const std::vector<YamlNode>& columns) {
+  std::set<std::string> names;
+  for (const YamlNode& column : columns) names.insert(column.scalar);
+  std::size_t count = 1;
+  while (count < kMostGoals && names.contains(goal_columns(count + 1).front())) ++count;
+  return count;
+}
+
+/// The columns may stand in any order; the places' six are needed, and those of further goals in
+/// threes.
 void check_header(const std::vector<YamlNode>& columns, std::vector<InputProblem>& problems) {
-  std::vector<std::string> known(kPlaceColumns.begin(), kPlaceColumns.end());
+  std::vector<std::string> needed(kPlaceColumns.begin(), kPlaceColumns.end());
+  for (std::size_t number = 2; number <= goal_count(columns); ++number) {
+    for (const std::string& name : goal_columns(number)) needed.push_back(name);
+  }
+  std::vector<std::string> known = needed;
   known.insert(known.end(), {"yaw_deg", "map"});
   // What spreadsheets of some countries write.
   if (columns.size() == 1 && columns[0].scalar.find_first_of(";\t") != std::string::npos) {
@@ -142,12 +192,13 @@ void check_header(const std::vector<YamlNode>& columns, std::vector<InputProblem
     if (std::find(known.begin(), known.end(), name) == known.end()) {
       const std::string hint = did_you_mean(name, known);
       problems.push_back(problem_at(
-          column, "unknown column '" + name + "'" + hint + "; columns are " + joined(known)));
+          column, "unknown column '" + name + "'" + hint + "; columns are " + joined(known) +
+                      ", and of further goals " + joined(goal_columns(goal_count(columns) + 1))));
     } else if (!is_new) {
       problems.push_back(problem_at(column, "a second column '" + name + "'"));
     }
   }
-  for (const std::string& name : kPlaceColumns) {
+  for (const std::string& name : needed) {
     if (seen.contains(name)) continue;
     problems.push_back(problem_at(columns[0], "lacks the column '" + name + "'"));
   }
@@ -161,17 +212,29 @@ void read_row(const GivenValue& row, SweepSpec& sweep) {
                     std::to_string(node.keys.size()) + " columns");
     return;
   }
-  WrittenMission written{.node = node, .start = {}, .goal = {}, .yaw_deg = {}, .map = {}};
+  WrittenMission written{.node = node};
   const auto number_in = [&](const std::string& column, Range range) {
     return read_number(row.at(*node.find(column), column), range);
   };
-  for (const auto& [name, place] :
-       {std::pair("start", &written.start), std::pair("goal", &written.goal)}) {
-    const std::string of(name);
+  const auto place_in = [&](const std::string& of) -> Place {
     const auto x = number_in(of + "_x_m", kPlaces_m);
     const auto y = number_in(of + "_y_m", kPlaces_m);
     const auto z = number_in(of + "_z_m", kPlaces_m);
-    if (x && y && z) *place = Eigen::Vector3d(*x, *y, *z);
+    return x && y && z ? Place({*x, *y, *z}) : std::nullopt;
+  };
+  written.start = place_in("start");
+  written.goals = {place_in("goal")};
+  const std::size_t most = goal_count(node.keys);
+  // Fewer goals than another row has: the rest is empty.
+  const auto is_empty = [&](std::size_t number) {
+    const auto names = goal_columns(number);
+    return std::all_of(names.begin(), names.end(),
+                       [&](const std::string& name) { return node.find(name)->scalar.empty(); });
+  };
+  std::size_t count = most;
+  while (count > 1 && is_empty(count)) --count;
+  for (std::size_t number = 2; number <= count; ++number) {
+    written.goals.push_back(place_in("goal" + std::to_string(number)));
   }
   const YamlNode* yaw = node.find("yaw_deg");
   if (yaw != nullptr && !yaw->scalar.empty()) written.yaw_deg = number_in("yaw_deg", kYaw_deg);
@@ -241,6 +304,14 @@ void read_missions(const YamlNode& root, SweepSpec& sweep, Reading& reading) {
 
 void settle_missions(const YamlNode& root, SweepSpec& sweep, Reading& reading) {
   if (sweep.missions.empty()) return;
+  bool has_waypoints = false;
+  for_each_combination(sweep, [&](const TrialSpec& trial) {
+    has_waypoints = has_waypoints || trial.mission.waypoints > 0;
+  });
+  if (has_waypoints) {
+    reading.at("mission.waypoints")
+        .add_problem("means nothing for missions that are listed: list their goals");
+  }
   std::set<std::string> names, maps, empty_maps;
   std::int64_t most = 0;
   // Which maps there are depends on the axes.

@@ -328,7 +328,8 @@ bool check_count(const Entry& entry, const GivenValue& given) {
 }  // namespace
 
 std::vector<PlannerChoice> read_planners(const GivenValue& given, const YamlNode* max_speed,
-                                         const std::vector<SensorSpec>& sensors) {
+                                         const std::vector<SensorSpec>& sensors,
+                                         const std::string& goals) {
   std::vector<PlannerChoice> planners;
   std::map<std::string, std::string> label_owners;
   // One planner stands for a list of one.
@@ -342,6 +343,10 @@ std::vector<PlannerChoice> read_planners(const GivenValue& given, const YamlNode
     if (entry && max_speed != nullptr) add_common_speed(*max_speed, one, *entry);
     if (entry) {
       for (const SensorSpec& sensor : sensors) check_sensor(one, *entry, sensor);
+      if (!goals.empty() && (entry->planner.needs & AB_INPUT_GOALS) == 0) {
+        one.add_problem(entry->planner.name + " can't fly these missions: they have " + goals +
+                        ", and it does not declare AB_INPUT_GOALS");
+      }
     }
     // What is wrong with it was told; its labels could only bring more.
     if (!entry || given.reading.problems.size() > before) continue;

@@ -133,4 +133,20 @@ std::vector<SensorSpec> swept_sensors(const SweepSpec& sweep) {
   return sensors;
 }
 
+std::string goals_demand(const SweepSpec& sweep) {
+  bool has_several =
+      std::any_of(sweep.missions.begin(), sweep.missions.end(),
+                  [](const ListedMission& one) { return !one.mission.waypoints_world.empty(); });
+  bool has_motion = false;
+  SweepSpec alone = sweep;
+  std::erase_if(alone.axes, [](const Axis& axis) { return !axis.path.starts_with("mission."); });
+  for_each_combination(alone, [&](const TrialSpec& trial) {
+    const MissionSpec& rules = trial.mission;
+    has_several = has_several || rules.waypoints > 0 || rules.return_to_start;
+    has_motion = has_motion || rules.goal_motion.path != GoalPath::none;
+  });
+  if (has_several) return "several goals";
+  return has_motion ? "a goal that moves" : "";
+}
+
 }  // namespace avoidbench

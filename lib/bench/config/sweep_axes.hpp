@@ -38,4 +38,8 @@ void for_each_combination(const SweepSpec& sweep,
 /// The sensors that the sweep flies with, each once.
 std::vector<SensorSpec> swept_sensors(const SweepSpec& sweep);
 
+/// What of the sweep's missions asks for AB_INPUT_GOALS: "several goals", "a goal that moves"; ""
+/// for nothing.
+std::string goals_demand(const SweepSpec& sweep);
+
 }  // namespace avoidbench

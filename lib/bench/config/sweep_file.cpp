@@ -183,7 +183,8 @@ SweepSpec sweep_of_document(const Document& document) {
     // Of fields that are wrong nobody knows what sensor they make.
     const bool has_sensors = reading.problems.empty();
     sweep.planners = read_planners(root.at(*planners, "planners"), max_speed,
-                                   has_sensors ? swept_sensors(sweep) : std::vector<SensorSpec>{});
+                                   has_sensors ? swept_sensors(sweep) : std::vector<SensorSpec>{},
+                                   has_sensors ? goals_demand(sweep) : "");
   } else {
     root.add_problem("lacks 'planners', the list of planners to compare");
   }

@@ -26,9 +26,11 @@ FieldTree mission_list_key() {
   FieldTree key = own_key(
       "list", FieldKind::other,
       "Missions of your own in place of made ones: start and goal, x y z in metres in the map's "
-      "frame; yaw_deg at the start, else toward the goal; map, where each map has its own: a "
-      "file's name, or a seed.",
-      {{"type", "a list of {start: [x, y, z], goal: [x, y, z], yaw_deg: number, map: name}"},
+      "frame, or goals, a list of places to reach in order; yaw_deg at the start, else toward the "
+      "first goal; map, where each map has its own: a file's name, or a seed.",
+      {{"type",
+        "a list of {start: [x, y, z], goal: [x, y, z] or goals: [[x, y, z], …], yaw_deg: number, "
+        "map: name}"},
        {"default", "missions are made, in the map's start and goal regions"},
        {"example", "mission: {list: [{start: [2, 1, 1.5], goal: [20, 12, 1.5]}]}"},
        {"or", "mission: {list: [{start: [2, 1, 1.5], goal: [20, 12, 2], yaw_deg: 90}]}"},
@@ -41,8 +43,11 @@ FieldTree mission_list_key() {
       FieldCollector::described("map", std::string(), {}, "Which map it is of; left out: of each."),
       FieldCollector::described("start", Position{}, places_m, "Where it begins, hovering, m."),
       FieldCollector::described("goal", Position{}, places_m, "Where to, m."),
+      FieldCollector::described("goals", std::vector<Position>{}, places_m,
+                                "In place of goal: where to, one after the other, m."),
       FieldCollector::described("yaw_deg", 0.0, Range{-360, 360},
-                                "Heading at the start, from x toward y; left out: to the goal.")};
+                                "Heading at the start, from x toward y; left out: to the first "
+                                "goal.")};
   key.fields.push_back(std::move(element));
   return key;
 }
@@ -86,14 +91,16 @@ std::vector<FieldTree> own_keys() {
                {"example", "max_speed_mps: 3"},
                {"axis", "max_speed_mps: [2, 4]"}}),
       mission_list_key(),
-      own_key("file", FieldKind::other,
-              "The same from a table: a CSV file with the columns start_x_m, start_y_m, start_z_m, "
-              "goal_x_m, goal_y_m, goal_z_m and, if wanted, yaw_deg and map.",
-              {{"type", "a file, relative to the one that names it"},
-               {"default", "none"},
-               {"example", "mission: {file: missions.csv}"},
-               {"axis", "no: all missions are flown for each setting"},
-               {"see", "docs/sweep_files.md, Missions of your own"}}),
+      own_key(
+          "file", FieldKind::other,
+          "The same from a table: a CSV file with the columns start_x_m, start_y_m, start_z_m, "
+          "goal_x_m, goal_y_m, goal_z_m and, if wanted, yaw_deg, map and those of further goals, "
+          "goal2_x_m, goal2_y_m, goal2_z_m, goal3_x_m ….",
+          {{"type", "a file, relative to the one that names it"},
+           {"default", "none"},
+           {"example", "mission: {file: missions.csv}"},
+           {"axis", "no: all missions are flown for each setting"},
+           {"see", "docs/sweep_files.md, Missions of your own"}}),
       own_key("axes", FieldKind::other,
               "Any field above by its path, with the values to try: each combination of axes is "
               "flown.",

@@ -35,7 +35,7 @@ const MeasuredMission& SharedMap::mission(const TrialSpec& setting, std::int64_t
   if (const auto known = missions_.find(key); known != missions_.end()) return known->second;
   MeasuredMission measured;
   measured.record =
-      make_mission_record(setting, map_.scene, grid_, index, listed, &measured.reference_world);
+      make_mission_record(setting, map_.scene, grid_, index, listed, &measured.reference_legs);
   return missions_.emplace(key, std::move(measured)).first->second;
 }
 

@@ -22,7 +22,8 @@ namespace avoidbench {
 /// A mission of a map, as a body flies it.
 struct MeasuredMission {
   MissionRecord record;
-  std::vector<Eigen::Vector3d> reference_world;  ///< the shortest free path; empty where invalid
+  /// The shortest free path to each goal in the world; empty where invalid.
+  std::vector<std::vector<Eigen::Vector3d>> reference_legs;
 };
 
 /// A map that several flights share, and what was found out about its missions. Safe for several

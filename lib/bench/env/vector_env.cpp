@@ -14,6 +14,7 @@
 #include "env/path_progress.hpp"
 #include "env/thread_pool.hpp"
 #include "metrics/metric_table.hpp"
+#include "metrics/reference_path.hpp"
 #include "trial/flight.hpp"
 #include "trial/planner_view.hpp"
 
@@ -187,7 +188,7 @@ void VectorEnv::Internals::look(Slot& slot, std::size_t index, const EnvArrays& 
   // The end shows its state, and the images that came since the last plan.
   const PlannerView last =
       slot.has_ended ? planner_view(flight.perception, flight.state) : PlannerView{};
-  write_view(slot.has_ended ? last : *view, flight.mission->goal_world, shape, spec.depth,
+  write_view(slot.has_ended ? last : *view, goal_now_world(flight), shape, spec.depth,
              at(arrays.view, shape, index));
   const bool is_timeout = slot.has_ended && *flight.outcome == Outcome::timed_out;
   arrays.terminated[index] = slot.has_ended && !is_timeout ? 1 : 0;
@@ -197,8 +198,9 @@ void VectorEnv::Internals::look(Slot& slot, std::size_t index, const EnvArrays& 
 /// Along the reference path, not toward the goal: the way around an obstacle is no loss.
 double VectorEnv::Internals::reward_of_step(Slot& slot) const {
   const Flight& flight = *slot.flight;
-  const double gained_m =
-      arc_length_m(slot.episode.mission->reference_world, flight.state.position_world);
+  const auto& legs = slot.episode.mission->reference_legs;
+  double gained_m = arc_length_m(legs[flight.goal_index], flight.state.position_world);
+  for (std::size_t i = 0; i < flight.goal_index; ++i) gained_m += path_length_m(legs[i]);
   const double progress_m = gained_m - slot.gained_m;
   slot.gained_m = gained_m;
   double reward = spec.reward.progress_per_m * progress_m - spec.reward.time_per_s * step_s;

@@ -207,6 +207,7 @@ StoredTrial StoredTrialReader::read(const std::string& key) {
   stored.mission = mission.mission;
   stored.world_digest = flown->record.world_digest;
   stored.reference_length_m = mission.reference_length_m;
+  stored.leg_lengths_m = mission.leg_lengths_m;
   return stored;
 }
 

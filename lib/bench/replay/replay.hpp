@@ -21,7 +21,8 @@ struct StoredTrial {
   TrialSpec spec;  ///< without the planner's file, and with the mere name of a map's and a wind's
   Mission mission;
   std::string world_digest;
-  double reference_length_m = 0.0;  ///< of the mission's shortest path
+  double reference_length_m = 0.0;         ///< of the mission's shortest path
+  std::vector<double> leg_lengths_m = {};  ///< see MissionRecord
 };
 
 /// Where to look for files, which a database does not name.

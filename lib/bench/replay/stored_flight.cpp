@@ -5,6 +5,7 @@
 #include "base/input_error.hpp"
 #include "sweep/recorded_latency.hpp"
 #include "sweep/sweep_spec.hpp"
+#include "trial/goals.hpp"
 
 namespace avoidbench {
 
@@ -23,12 +24,18 @@ MissionRecord mission_of(const StoredTrial& stored) {
   mission.index = stored.spec.mission_index;
   mission.mission = stored.mission;
   mission.reference_length_m = stored.reference_length_m;
+  mission.leg_lengths_m = stored.leg_lengths_m;
   return mission;
 }
 
 Job stored_job(StoredTrial stored, const PlannerDescription& planner,
                std::vector<std::string>& warnings) {
   PlannerChoice& choice = stored.spec.planner;
+  const std::string goals = goals_demand(stored.spec.mission, stored.mission);
+  if (!goals.empty() && (planner.needs & AB_INPUT_GOALS) == 0) {
+    throw InputError(planner.name + " can't fly this mission: it has " + goals +
+                     ", and the planner does not declare AB_INPUT_GOALS");
+  }
   if (planner.file_digest != choice.file_digest) warnings.push_back(other_library_warning(planner));
   // Another library may have other parameters: it is given those that it takes.
   const std::vector<ParameterValue> values = usable_values(choice, planner, warnings);

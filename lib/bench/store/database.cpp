@@ -222,6 +222,7 @@ Database Database::open_for_run(const std::filesystem::path& path,
     execute(handle, path, schema_sql(metrics));
   } else {
     check_columns(handle, path, "main");
+    add_lacking_table(handle, path, true);
   }
   database.bring_metrics(metrics, is_new);
   transaction.commit();
@@ -258,6 +259,7 @@ Database Database::open_for_reading(const std::filesystem::path& path) {
   check_objects(database.handle(), path, "main", Extras::only_apart);
   // From here on names and types of columns can be relied on.
   check_columns(database.handle(), path, "main");
+  add_lacking_table(database.handle(), path, false);
   // Rows are spread over the whole of a large file: what is mapped into memory is read without a
   // system call and a copy each.
   execute(database.handle(), path, "PRAGMA mmap_size = 2000000000");
@@ -397,8 +399,8 @@ void Database::check_integrity(bool whole) const {
   // 256 MiB: reading all of a larger file would be felt at each start.
   constexpr std::uintmax_t kLargeBytes = std::uintmax_t{1} << 28U;
   constexpr std::string_view kThatDecide[] = {
-      "trials",         "missions", "sweep_trials",       "maps",     "planners",    "sweeps",
-      "sweep_missions", "runs",     "metric_definitions", "what_ifs", "explanations"};
+      "trials", "missions",       "mission_legs", "sweep_trials",       "maps",     "planners",
+      "sweeps", "sweep_missions", "runs",         "metric_definitions", "what_ifs", "explanations"};
   std::error_code error;
   const std::uintmax_t bytes = std::filesystem::file_size(path(), error);
   const bool is_large = !error && bytes > kLargeBytes;

@@ -107,6 +107,11 @@ std::string differing_events(const std::string& one, const std::string& other) {
          "FROM shard.trials)";
 }
 
+/// Whether the attached file has missions of several goals; those of older programs lack the table.
+bool has_legs(const Database& into) {
+  return has_table(into.handle(), into.path(), "shard", "mission_legs");
+}
+
 /// Refuses a file that holds a row of ours with other values. What a clock measured may differ, and
 /// so may runs, attempts and how samples are packed.
 void check_agreement(const Database& into, const Database& from) {
@@ -127,6 +132,11 @@ void check_agreement(const Database& into, const Database& from) {
                   all_of("maps", {"map_key", "spec_json"}) + " OR " + specs_differ("'$.file'"))},
       {"a mission of map", differing_rows("missions", "map_key, mission_index",
                                           all_of("missions", {"map_key", "mission_index"}))},
+      {"a leg of a mission of map",
+       has_legs(into)
+           ? differing_rows("mission_legs", "map_key, mission_index, leg_index",
+                            all_of("mission_legs", {"map_key", "mission_index", "leg_index"}))
+           : ""},
       {"trial", differing_rows("trials", "trial_key",
                                differs(results, "m", "s") + " OR " +
                                    specs_differ("'$.map.file', '$.wind.field.file', "
@@ -158,6 +168,7 @@ void check_agreement(const Database& into, const Database& from) {
        "(trial_key IN (SELECT trial_key FROM main.plan_calls)) IS NOT "
        "(trial_key IN (SELECT trial_key FROM shard.plan_calls))"}};
   for (const auto& [what, sql] : checks) {
+    if (sql.empty()) continue;
     Statement statement(into.handle(), into.path(), sql + " LIMIT 1");
     if (!statement.step()) continue;
     refuse_file(from.path(),
@@ -210,6 +221,7 @@ std::string taking(const std::string& table, const std::string& condition) {
 void take_rows(const Database& into, const Database& from) {
   std::string sql;
   for (const std::string table : {"planners", "maps", "missions"}) sql += taking(table, "true");
+  if (has_legs(into)) sql += taking("mission_legs", "true");
   std::vector<std::string> own = columns_without("trials", {"run_id"});
   for (const MetricRow& metric : from.metrics()) own.push_back(metric.name);
   const std::string trials = list_of(own);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <utility>
 
 #include "store/database.hpp"
 #include "store/schema_check.hpp"
@@ -86,6 +87,50 @@ MissionRecord mission_of(const Statement& s) {
     s.damaged("mission " + std::to_string(record.index) + " has impossible numbers");
   }
   return record;
+}
+
+/// The legs of a map's missions, which are in the order of their indices.
+void read_legs(const Database& db, MapRecord& map) {
+  Statement s(db.handle(), db.path(),
+              "SELECT map_key, mission_index, leg_index, goal_x_m, goal_y_m, goal_z_m, "
+              "reference_length_m FROM mission_legs WHERE map_key = ? ORDER BY mission_index, "
+              "leg_index");
+  s.rows_of("mission_legs").bind_text(map.key);
+  auto mission = map.missions.begin();
+  std::vector<Eigen::Vector3d> goals;
+  // A mission's goals are complete where the next one's begin.
+  const auto finish = [&] {
+    if (goals.empty()) return;
+    const bool is_there = mission != map.missions.end() && goals.size() > 1 &&
+                          goals.back() == mission->mission.goal_world;
+    if (!is_there) {
+      throw_damaged(db.path(), "mission_legs", map.key,
+                    "their mission is not there or has another last goal");
+    }
+    goals.pop_back();
+    mission->mission.waypoints_world = std::exchange(goals, {});
+    if (!mission->is_valid) mission->leg_lengths_m.clear();
+  };
+  while (s.step()) {
+    const std::int64_t index = s.integer(1);
+    if (mission == map.missions.end() || mission->index != index) {
+      finish();
+      mission = std::find_if(map.missions.begin(), map.missions.end(),
+                             [&](const MissionRecord& other) { return other.index == index; });
+      // Sweeps read the missions that they ask for.
+      if (mission == map.missions.end()) continue;
+    }
+    if (s.integer(2) != static_cast<std::int64_t>(goals.size())) {
+      s.damaged("a leg before this one is missing");
+    }
+    goals.emplace_back(s.real(3), s.real(4), s.real(5));
+    mission->leg_lengths_m.push_back(s.real(6));
+    const bool is_possible = goals.back().allFinite() &&
+                             (!mission->is_valid || (std::isfinite(mission->leg_lengths_m.back()) &&
+                                                     mission->leg_lengths_m.back() >= 0.0));
+    if (!is_possible) s.damaged("it has impossible numbers");
+  }
+  finish();
 }
 
 PlannerRow planner_of(const Statement& s) {
@@ -267,6 +312,7 @@ std::map<std::string, std::size_t> read_sweep_maps(const Database& db, SweepResu
     if (map == indices.end()) missions->damaged("its map is not there");
     result.maps[map->second].record.missions.push_back(mission_of(*missions));
   }
+  for (MapRow& map : result.maps) read_legs(db, map.record);
   return indices;
 }
 
@@ -323,6 +369,7 @@ std::optional<MapRow> Database::read_map(std::string_view key) const {
                          static_cast<std::int64_t>(row.record.missions.size());
     if (!is_next) missions.damaged("a mission before this one is missing");
   }
+  read_legs(*this, row.record);
   return row;
 }
 

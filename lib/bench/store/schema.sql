@@ -58,8 +58,8 @@ CREATE TABLE maps (
 ) STRICT, WITHOUT ROWID;
 
 CREATE TABLE missions (
-  -- One row a mission of a map: start, goal and the length of the shortest way between them. World frame, ENU, z up;
-  -- NULL where the map has no free place for a start or goal.
+  -- One row a mission of a map: start, last goal and the length of the shortest way between them, through all goals of
+  -- mission_legs. World frame, ENU, z up; NULL where the map has no free place for a start or goal.
   map_key TEXT NOT NULL REFERENCES maps,
   mission_index INTEGER NOT NULL,
   start_x_m REAL,
@@ -76,6 +76,20 @@ CREATE TABLE missions (
   is_valid INTEGER NOT NULL CHECK (is_valid IN (0, 1)),  -- 0: can't be flown by anyone, never flown, never counted
   invalid_reason TEXT NOT NULL,
   PRIMARY KEY (map_key, mission_index)
+) STRICT, WITHOUT ROWID;
+
+CREATE TABLE mission_legs (
+  -- One row a goal of missions that have several, in the order in which they are to be reached; the last is that in
+  -- missions. Files of older programs lack this table.
+  map_key TEXT NOT NULL,
+  mission_index INTEGER NOT NULL,
+  leg_index INTEGER NOT NULL,     -- from 0
+  goal_x_m REAL NOT NULL,
+  goal_y_m REAL NOT NULL,
+  goal_z_m REAL NOT NULL,
+  reference_length_m REAL,        -- of the shortest path to it from where that to the goal before it ends; NULL where invalid
+  PRIMARY KEY (map_key, mission_index, leg_index),
+  FOREIGN KEY (map_key, mission_index) REFERENCES missions
 ) STRICT, WITHOUT ROWID;
 
 CREATE TABLE sweep_missions (

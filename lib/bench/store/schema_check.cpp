@@ -20,10 +20,14 @@ struct Column {
   bool operator==(const Column&) const = default;
 };
 
+/// Files of older programs lack it: they have no missions of several goals.
+constexpr std::string_view kAddedTable = "mission_legs";
+
 struct Table {
   bool is_strict = false, is_without_rowid = false;
   std::vector<Column> columns;
   std::vector<std::string> names;  ///< of the columns
+  std::string sql;                 ///< that makes it; of what schema.sql makes
 };
 
 /// What schema.sql makes.
@@ -72,7 +76,9 @@ Expected made_by_schema() {
   while (objects.step()) {
     const std::string name = objects.text(1);
     if (objects.text(0) == "table") {
-      expected.tables.emplace(name, read_table(opened, path, "main", name));
+      Table table = read_table(opened, path, "main", name);
+      table.sql = objects.text(2);
+      expected.tables.emplace(name, std::move(table));
     } else if (objects.text(0) == "index") {
       expected.indices.emplace(name, objects.text(2));
     }
@@ -202,6 +208,18 @@ std::set<std::string> metric_names(sqlite3* handle, const std::filesystem::path&
 
 }  // namespace
 
+void add_lacking_table(sqlite3* handle, const std::filesystem::path& path, bool is_in_file) {
+  if (has_table(handle, path, "main", kAddedTable)) return;
+  const std::string& sql = expected().tables.find(kAddedTable)->second.sql;
+  execute(handle, path,
+          is_in_file ? sql : with_replaced(sql, "CREATE TABLE ", "CREATE TEMP TABLE "));
+}
+
+bool has_table(sqlite3* handle, const std::filesystem::path& path, std::string_view schema,
+               std::string_view name) {
+  return !read_table(handle, path, schema, name).columns.empty();
+}
+
 bool is_column_name(std::string_view name) {
   return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
@@ -260,7 +278,8 @@ void check_objects(sqlite3* handle, const std::filesystem::path& path, std::stri
 
 void check_columns(sqlite3* handle, const std::filesystem::path& path, std::string_view schema) {
   for (const auto& [name, table] : expected().tables) {
-    if (name != "trials") check_table(handle, path, schema, name, {});
+    const bool may_lack = name == kAddedTable && !has_table(handle, path, schema, name);
+    if (name != "trials" && !may_lack) check_table(handle, path, schema, name, {});
   }
   check_table(handle, path, schema, "trials", metric_names(handle, path, schema));
 }

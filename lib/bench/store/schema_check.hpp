@@ -37,8 +37,16 @@ void check_objects(sqlite3* handle, const std::filesystem::path& path, std::stri
                    Extras extras);
 
 /// Throws InputError unless each of our tables is there with exactly the columns of schema.sql, in
-/// `trials` also one for each name in metric_definitions.
+/// `trials` also one for each name in metric_definitions. The table of add_lacking_table() may be
+/// missing.
 void check_columns(sqlite3* handle, const std::filesystem::path& path, std::string_view schema);
+
+/// Makes the table that files of older programs lack, empty: in the file, or beside it where that
+/// is only read.
+void add_lacking_table(sqlite3* handle, const std::filesystem::path& path, bool is_in_file);
+
+bool has_table(sqlite3* handle, const std::filesystem::path& path, std::string_view schema,
+               std::string_view name);
 
 /// The columns of our table `table`, in the order of schema.sql; without those of metrics.
 const std::vector<std::string>& columns_of(std::string_view table);

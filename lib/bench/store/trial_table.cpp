@@ -44,18 +44,27 @@ std::string trial_query(const std::string& select, std::size_t sweep_count) {
 }
 
 /// How many samples a flight of the spec has at most: one a period and one a period of jerks, one
-/// at each end. What the spec does not say counts as the most that any can.
+/// at each end and at each goal. What the spec does not say counts as the most that any can.
 std::int64_t most_samples(const std::string& spec_json) {
   constexpr double kMostTime_s = 3600.0, kMostRate_hz = 1000.0;  // trial_spec.hpp
   const auto spec = nlohmann::json::parse(spec_json, nullptr, false);
-  const auto field = [&](const char* path, double most) {
+  const auto said = [&](const char* path) {
     const nlohmann::json::json_pointer at(path);
-    const bool is_there = spec.is_object() && spec.contains(at) && spec.at(at).is_number();
-    return is_there ? std::clamp(spec.at(at).get<double>(), 0.0, most) : most;
+    return spec.is_object() && spec.contains(at) ? spec.at(at) : nlohmann::json();
   };
+  const auto field = [&](const char* path, double most, double otherwise) {
+    const nlohmann::json value = said(path);
+    return value.is_number() ? std::clamp(value.get<double>(), 0.0, most) : otherwise;
+  };
+  double goals = field("/mission/waypoints", kMostGoals, 0.0);
+  if (said("/mission/return_to_start") == true) goals += 1.0;
+  // Of listed missions only the mission itself says how many goals it has.
+  const nlohmann::json listed = said("/missions_digest");
+  if (listed.is_string() && listed != "") goals = kMostGoals;
   return 2 + static_cast<std::int64_t>(
-                 std::ceil(field("/mission/time_limit_s", kMostTime_s) *
-                           (field("/rates/sample_hz", kMostRate_hz) + kJerkRate_hz)));
+                 goals +
+                 std::ceil(field("/mission/time_limit_s", kMostTime_s, kMostTime_s) *
+                           (field("/rates/sample_hz", kMostRate_hz, kMostRate_hz) + kJerkRate_hz)));
 }
 
 /// Checked against count and digest; none for a trial without a stored flight. A count above `most`

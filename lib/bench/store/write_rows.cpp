@@ -3,6 +3,7 @@
 #include "base/check.hpp"
 #include "base/digest.hpp"
 #include "base/input_error.hpp"
+#include "base/math.hpp"
 #include "store/database.hpp"
 #include "store/record_format.hpp"
 #include "store/row_digest.hpp"
@@ -33,7 +34,8 @@ bool same(const MissionRecord& a, const MissionRecord& b) {
   return same(a.mission.start_world, b.mission.start_world) &&
          same(a.mission.goal_world, b.mission.goal_world) &&
          same(a.mission.start_yaw_rad, b.mission.start_yaw_rad) &&
-         same(a.reference_length_m, b.reference_length_m) &&
+         a.mission.waypoints_world == b.mission.waypoints_world &&
+         a.leg_lengths_m == b.leg_lengths_m && same(a.reference_length_m, b.reference_length_m) &&
          same(a.difficulty.traversability_obstruction, b.difficulty.traversability_obstruction) &&
          same(a.difficulty.view_occlusion, b.difficulty.view_occlusion) &&
          same(a.difficulty.angle_over_length_1pm, b.difficulty.angle_over_length_1pm) &&
@@ -75,6 +77,24 @@ void insert_missions(const Database& db, const MapRow& row) {
     insert.bind_real(m.difficulty.traversability_obstruction);
     insert.bind_real(m.difficulty.view_occlusion).bind_real(m.difficulty.angle_over_length_1pm);
     insert.bind_integer(m.is_valid ? 1 : 0).bind_text(m.invalid_reason).run();
+  }
+}
+
+/// The legs of missions that have several.
+void insert_legs(const Database& db, const MapRow& row) {
+  Statement insert(db.handle(), db.path(),
+                   "INSERT INTO mission_legs (map_key, mission_index, leg_index, goal_x_m, "
+                   "goal_y_m, goal_z_m, reference_length_m) VALUES (?,?,?,?,?,?,?) ON CONFLICT DO "
+                   "NOTHING");
+  for (const MissionRecord& m : row.record.missions) {
+    if (m.mission.waypoints_world.empty()) continue;
+    const std::vector<Eigen::Vector3d> goals = goals_of(m.mission);
+    for (std::size_t i = 0; i < goals.size(); ++i) {
+      insert.bind_text(row.record.key).bind_integer(m.index);
+      insert.bind_integer(static_cast<std::int64_t>(i));
+      insert.bind_real(goals[i].x()).bind_real(goals[i].y()).bind_real(goals[i].z());
+      insert.bind_real(m.is_valid ? m.leg_lengths_m[i] : math::kNaN).run();
+    }
   }
 }
 
@@ -254,6 +274,7 @@ void Database::add_map(const MapRow& row, std::string_view sweep) {
     insert_map(*this, row);
   }
   insert_missions(*this, row);
+  insert_legs(*this, row);
   Statement insert(handle(), path(),
                    "INSERT INTO sweep_missions (sweep, revision, map_key, mission_index) "
                    "VALUES (?,?,?,?) ON CONFLICT DO NOTHING");

@@ -78,6 +78,10 @@ bool is_for(const ListedMission& mission, const std::vector<std::string>& names)
   return mission.map.empty() || std::find(names.begin(), names.end(), mission.map) != names.end();
 }
 
+Mission flown_mission(const ListedMission& listed, const TrialSpec& trial) {
+  return trial.mission.return_to_start ? with_return(listed.mission) : listed.mission;
+}
+
 /// Adds the missions of this trial's map that can't be flown.
 void add_problems(const SweepSpec& sweep, const TrialSpec& trial,
                   std::vector<InputProblem>& problems) {
@@ -87,7 +91,7 @@ void add_problems(const SweepSpec& sweep, const TrialSpec& trial,
   for (const ListedMission& one : sweep.missions) {
     if (!is_for(one, names)) continue;
     listed.push_back(&one);
-    missions.push_back(one.mission);
+    missions.push_back(flown_mission(one, trial));
   }
   // Only as many as are flown.
   missions.resize(static_cast<std::size_t>(mission_count(sweep, trial)));
@@ -145,7 +149,7 @@ std::vector<Mission> missions_of(const std::vector<ListedMission>& listed, const
   if (listed.empty()) return missions;
   const std::vector<std::string> names = map_names(trial);
   for (const ListedMission& one : listed) {
-    if (is_for(one, names)) missions.push_back(one.mission);
+    if (is_for(one, names)) missions.push_back(flown_mission(one, trial));
   }
   return missions;
 }
@@ -164,6 +168,9 @@ std::string missions_digest(const std::vector<Mission>& listed) {
       for (const double coordinate_m : place) digest.add(coordinate_m);
     }
     digest.add(mission.start_yaw_rad);
+    for (const Eigen::Vector3d& place : mission.waypoints_world) {
+      for (const double coordinate_m : place) digest.add(coordinate_m);
+    }
   }
   return digest.hex();
 }

@@ -36,11 +36,14 @@ nlohmann::json axis_json(const Axis& axis) {
 nlohmann::json missions_json(const std::vector<ListedMission>& listed) {
   nlohmann::json all = nlohmann::json::array();
   for (const ListedMission& one : listed) {
-    const auto& [start, goal, yaw_rad] = one.mission;
+    const auto& [start, goal, yaw_rad, waypoints] = one.mission;
     all.push_back({{"map", one.map},
                    {"start", {start.x(), start.y(), start.z()}},
                    {"goal", {goal.x(), goal.y(), goal.z()}},
                    {"start_yaw_rad", yaw_rad}});
+    for (const Eigen::Vector3d& place : waypoints) {
+      all.back()["waypoints"].push_back({place.x(), place.y(), place.z()});
+    }
   }
   return all;
 }

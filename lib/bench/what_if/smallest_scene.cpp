@@ -75,7 +75,8 @@ double written_yaw_rad(const Mission& mission) {
   constexpr int kMostSteps = 8;  // one is enough for nearly all
   double yaw_rad = mission.start_yaw_rad;
   // Left out in the file.
-  if (yaw_rad == yaw_toward_goal_rad(mission.start_world, mission.goal_world)) return yaw_rad;
+  if (yaw_rad == yaw_toward_goal_rad(mission.start_world, goals_of(mission).front()))
+    return yaw_rad;
   for (int i = 0; i < kMostSteps; ++i) yaw_rad = yaw_rad / math::kDegree * math::kDegree;
   return yaw_rad;
 }
@@ -238,6 +239,9 @@ SmallestScene smallest_scene(const SceneRequest& request) {
   const PlannerDescription planner =
       describe_planner(planner_for(stored.spec.planner, request.files).source);
   Job job = stored_job(stored, planner, warnings);
+  // Its goals are listed from here on.
+  job.spec.mission.waypoints = 0;
+  job.spec.mission.return_to_start = false;
   job.mission->mission.start_yaw_rad = written_yaw_rad(job.mission->mission);
   const std::vector<Sample>& path = stored.row.record.samples;
   World world = still_world(make_world(stored.spec.map, stored.spec.map_seed),

@@ -26,6 +26,7 @@ void visit(Visitor& v, M& m) {
   v.field("start_world", m.start_world);
   v.field("goal_world", m.goal_world);
   v.field("start_yaw_rad", m.start_yaw_rad);
+  v.field("waypoints_world", m.waypoints_world);
 }
 
 template <class Visitor, ConstOr<MissionDifficulty> M>
@@ -40,6 +41,7 @@ void visit(Visitor& v, M& m) {
   v.field("index", m.index);
   v.field("mission", m.mission);
   v.field("reference_length_m", m.reference_length_m);
+  v.field("leg_lengths_m", m.leg_lengths_m);
   v.field("difficulty", m.difficulty);
   v.field("is_valid", m.is_valid);
   v.field("invalid_reason", m.invalid_reason);

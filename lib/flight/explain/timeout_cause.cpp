@@ -5,6 +5,7 @@
 
 #include "base/math.hpp"
 #include "render/scene.hpp"
+#include "trial/goals.hpp"
 
 namespace avoidbench {
 namespace {
@@ -53,18 +54,31 @@ double returns(const std::vector<Eigen::Vector3d>& points) {
   return count;
 }
 
+/// The goal that was not reached.
+struct MissedGoal {
+  std::size_t index = 0;  ///< of goals_of()
+  double since_s = 0.0;   ///< since when it was the one to reach
+};
+
+MissedGoal missed_goal(const FailedFlight& flight) {
+  const std::vector<double> times_s =
+      goal_times_s(flight.spec.mission, flight.mission, flight.record);
+  return {.index = times_s.size(), .since_s = times_s.empty() ? 0.0 : times_s.back()};
+}
+
 /// The most room that the goal's circle has, at the goal's height.
 double goal_clearance_m(const FailedFlight& flight) {
   const Scene scene(flight.world);
   constexpr int kRings = 4, kPlaces = 16;
-  double most_m = scene.nearest(flight.mission.goal_world, kClearanceLimit_m).distance_m;
+  const Eigen::Vector3d goal_world =
+      goal_place(flight.spec.mission, flight.mission, missed_goal(flight).index, 0.0);
+  double most_m = scene.nearest(goal_world, kClearanceLimit_m).distance_m;
   for (int ring = 1; ring <= kRings; ++ring) {
     const double radius_m = flight.spec.mission.goal_radius_m * ring / kRings;
     for (int i = 0; i < kPlaces; ++i) {
       const double angle = math::kTau * i / kPlaces;
       const Eigen::Vector3d place =
-          flight.mission.goal_world +
-          radius_m * Eigen::Vector3d(math::cos(angle), math::sin(angle), 0.0);
+          goal_world + radius_m * Eigen::Vector3d(math::cos(angle), math::sin(angle), 0.0);
       most_m = std::max(most_m, scene.nearest(place, kClearanceLimit_m).distance_m);
     }
   }
@@ -91,18 +105,23 @@ void add_second_half(const FailedFlight& flight, Facts& facts) {
 
 void add_progress(const FailedFlight& flight, Facts& facts) {
   const std::vector<Sample>& samples = flight.record.samples;
+  const MissedGoal goal = missed_goal(flight);
   const auto to_goal_m = [&](const Sample& sample) {
-    return (flight.mission.goal_world - sample.position_world).head<2>().norm();
+    return distance_to_goal_m(flight.spec.mission, flight.mission, goal.index,
+                              sample.position_world, sample.time_s);
   };
+  const auto begin = std::find_if(samples.begin(), samples.end(), [&](const Sample& sample) {
+    return sample.time_s >= goal.since_s;
+  });
   const auto closest = std::min_element(
-      samples.begin(), samples.end(),
+      begin, samples.end(),
       [&](const Sample& a, const Sample& b) { return to_goal_m(a) < to_goal_m(b); });
   facts.closest_m = to_goal_m(*closest);
   facts.closest_s = closest->time_s;
   const auto is_near = [&](const Sample& sample) {
     return to_goal_m(sample) <= facts.closest_m + kProgress_m;
   };
-  facts.progress_s = std::find_if(samples.begin(), samples.end(), is_near)->time_s;
+  facts.progress_s = std::find_if(begin, samples.end(), is_near)->time_s;
 }
 
 }  // namespace

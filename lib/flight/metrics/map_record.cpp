@@ -7,6 +7,7 @@
 #include "base/random.hpp"
 #include "metrics/environment.hpp"
 #include "metrics/reference_path.hpp"
+#include "trial/goals.hpp"
 
 namespace avoidbench {
 namespace {
@@ -27,35 +28,50 @@ std::string problem_of_place(const Scene& scene, const Eigen::Vector3d& place,
          " m away, nearer than mission.free_radius_m, " + shortest(free_radius_m) + " m";
 }
 
+/// "goal", or "goal 2" of several.
+std::string goal_name(const Mission& mission, std::size_t index) {
+  return mission.waypoints_world.empty() ? "goal" : "goal " + std::to_string(index + 1);
+}
+
 /// What is wrong with where a listed mission begins and ends, or "".
 std::string problem_of_places(const Scene& scene, const MissionSpec& spec, const Mission& mission) {
-  for (const auto& [name, place] :
-       {std::pair("start", mission.start_world), std::pair("goal", mission.goal_world)}) {
-    const std::string problem = problem_of_place(scene, place, spec.free_radius_m);
-    if (!problem.empty()) return std::string(name) + " " + place_text(place) + " " + problem;
+  std::vector<Eigen::Vector3d> places = goals_of(mission);
+  places.insert(places.begin(), mission.start_world);
+  const auto name = [&](std::size_t i) {
+    return i == 0 ? std::string("start") : goal_name(mission, i - 1);
+  };
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const std::string problem = problem_of_place(scene, places[i], spec.free_radius_m);
+    if (!problem.empty()) return name(i) + " " + place_text(places[i]) + " " + problem;
   }
-  const Eigen::Vector3d course = mission.goal_world - mission.start_world;
-  // Horizontally, as reaching the goal is judged.
-  const double distance_m = math::hypot(course.x(), course.y());
-  if (distance_m <= spec.goal_radius_m) {
-    return "start " + place_text(mission.start_world) + " is " + fixed_digits(distance_m, 2) +
-           " m from the goal, within mission.goal_radius_m, " + shortest(spec.goal_radius_m) + " m";
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    const Eigen::Vector3d course = places[i] - places[i - 1];
+    // Horizontally, as reaching the goal is judged.
+    const double distance_m = math::hypot(course.x(), course.y());
+    if (distance_m > spec.goal_radius_m) continue;
+    const std::string to = places.size() == 2 ? "the goal" : name(i);
+    return name(i - 1) + " " + place_text(places[i - 1]) + " is " + fixed_digits(distance_m, 2) +
+           " m from " + to + ", within mission.goal_radius_m, " + shortest(spec.goal_radius_m) +
+           " m";
   }
-  return "";
+  if (is_way_free(scene, spec, last_goal_way(spec, mission))) return "";
+  return goal_name(mission, mission.waypoints_world.size()) + " " + place_text(mission.goal_world) +
+         " moves to where a surface is nearer than mission.free_radius_m, " +
+         shortest(spec.free_radius_m) + " m, or out of the flight bounds";
 }
 
 }  // namespace
 
 MissionRecord make_mission_record(const TrialSpec& spec, const Scene& scene, ClearanceGrid& grid,
                                   std::int64_t index, const std::vector<Mission>& listed,
-                                  std::vector<Eigen::Vector3d>* reference_world) {
+                                  std::vector<std::vector<Eigen::Vector3d>>* legs_world) {
   const double radius_m = body_measure(to_eigen(spec.vehicle.body_size_m)).radius_m;
   MissionRecord mission;
   mission.index = index;
   mission.reference_length_m = std::numeric_limits<double>::quiet_NaN();
   const auto made = the_mission(scene, spec, index, listed);
   mission.is_valid = false;
-  if (reference_world != nullptr) reference_world->clear();
+  if (legs_world != nullptr) legs_world->clear();
   if (!made) {
     mission.invalid_reason = "no start or goal with enough free space around it";
     return mission;
@@ -66,18 +82,26 @@ MissionRecord make_mission_record(const TrialSpec& spec, const Scene& scene, Cle
     mission.invalid_reason = problem_of_places(scene, spec.mission, *made);
     if (!mission.invalid_reason.empty()) return mission;
   }
-  const auto path = reference_path(grid, *made, spec.mission.goal_radius_m, radius_m);
-  if (!path) {
-    mission.invalid_reason = "the goal can't be reached";
+  const auto legs = reference_legs(grid, *made, spec.mission.goal_radius_m, radius_m);
+  if (legs.size() < goals_of(*made).size()) {
+    mission.invalid_reason =
+        (goals_of(*made).size() == 1 ? "the goal" : goal_name(*made, legs.size())) +
+        " can't be reached";
     return mission;
   }
   mission.is_valid = true;
-  mission.reference_length_m = path_length_m(*path);
+  mission.reference_length_m = 0.0;
+  for (const std::vector<Eigen::Vector3d>& leg : legs) {
+    mission.leg_lengths_m.push_back(path_length_m(leg));
+    mission.reference_length_m += mission.leg_lengths_m.back();
+  }
+  if (legs.size() == 1) mission.leg_lengths_m.clear();
+  const std::vector<Eigen::Vector3d> path = joined(legs);
   // Draws by the mission's index: what was measured before makes no difference.
   mission.difficulty = mission_difficulty(
-      scene, *path, radius_m,
+      scene, path, radius_m,
       stream_seed(stream_seed(spec.seed, "difficulty"), static_cast<std::uint64_t>(index)));
-  if (reference_world != nullptr) *reference_world = *path;
+  if (legs_world != nullptr) *legs_world = legs;
   return mission;
 }
 
@@ -111,9 +135,16 @@ std::vector<std::string> mission_problems(const TrialSpec& spec, const Scene& sc
   std::vector<std::string> problems;
   for (const Mission& mission : listed) {
     std::string problem = problem_of_places(scene, spec.mission, mission);
-    if (problem.empty() && !reference_path(grid, mission, spec.mission.goal_radius_m, radius_m)) {
-      problem = "goal " + place_text(mission.goal_world) + " can't be reached from start " +
-                place_text(mission.start_world);
+    if (problem.empty()) {
+      const std::vector<Eigen::Vector3d> goals = goals_of(mission);
+      const std::size_t reached =
+          reference_legs(grid, mission, spec.mission.goal_radius_m, radius_m).size();
+      if (reached < goals.size()) {
+        problem = goal_name(mission, reached) + " " + place_text(goals[reached]) +
+                  " can't be reached from " +
+                  (reached == 0 ? "start " + place_text(mission.start_world)
+                                : goal_name(mission, reached - 1));
+      }
     }
     problems.push_back(std::move(problem));
   }

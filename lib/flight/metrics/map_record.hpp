@@ -17,10 +17,10 @@ inline constexpr double kMapCell_m = 0.2;
 struct MissionRecord {
   std::int64_t index = 0;
   Mission mission;
-  double reference_length_m = 0.0;  ///< d_min; NaN where invalid
+  double reference_length_m = 0.0;         ///< d_min; NaN where invalid
+  std::vector<double> leg_lengths_m = {};  ///< that it is the sum of; empty where there is one goal
   MissionDifficulty difficulty;
-  bool is_valid =
-      true;  ///< false: no free start or goal, or the goal can't be reached; never flown
+  bool is_valid = true;  ///< false: no free start or goal, or a goal can't be reached; never flown
   std::string invalid_reason;
 };
 
@@ -44,12 +44,12 @@ struct MapRecord {
 MapRecord make_map_record(const TrialSpec& spec, const Scene& scene, std::int64_t mission_count,
                           const std::vector<Mission>& listed = {});
 
-/// Mission `index` of a map, measured as in its record; `reference_world`, if given, becomes its
-/// reference path, empty where it has none. `grid` is of the scene, with the world's bounds and
-/// cells of kMapCell_m; what it has found out before changes nothing.
+/// Mission `index` of a map, measured as in its record; `legs_world`, if given, becomes its
+/// reference path to each goal, empty where it has none. `grid` is of the scene, with the world's
+/// bounds and cells of kMapCell_m; what it has found out before changes nothing.
 MissionRecord make_mission_record(const TrialSpec& spec, const Scene& scene, ClearanceGrid& grid,
                                   std::int64_t index, const std::vector<Mission>& listed = {},
-                                  std::vector<Eigen::Vector3d>* reference_world = nullptr);
+                                  std::vector<std::vector<Eigen::Vector3d>>* legs_world = nullptr);
 
 /// Why listed missions can't be flown, a text each, "" where one can: by the rules that generated
 /// ones are made by.

@@ -6,6 +6,7 @@
 #include "avoidbench/planner.h"
 #include "base/math.hpp"
 #include "metrics/flight_measures.hpp"
+#include "trial/goals.hpp"
 
 namespace avoidbench {
 namespace {
@@ -23,6 +24,31 @@ double over(double numerator, double denominator) {
 const Eigen::Vector3d& end_position(In in) {
   return in.record.samples.empty() ? in.mission.mission.start_world
                                    : in.record.samples.back().position_world;
+}
+
+/// Where a flight stands among its mission's goals. They count where they are at the start.
+struct GoalsLeft {
+  double reached = 0.0, count = 0.0;
+  Eigen::Vector3d before_world, next_world;  ///< the ends of the leg that was being flown
+  double later_m = 0.0, all_m = 0.0;         ///< straight legs: those behind this one, all
+};
+
+/// Of a flight that did not reach the last one.
+GoalsLeft goals_left(In in) {
+  const Mission& mission = in.mission.mission;
+  std::vector<Eigen::Vector3d> places = goals_of(mission);
+  places.insert(places.begin(), mission.start_world);
+  const std::size_t reached = goal_times_s(in.spec.mission, mission, in.record).size();
+  GoalsLeft left{.reached = static_cast<double>(reached),
+                 .count = static_cast<double>(places.size() - 1),
+                 .before_world = places[reached],
+                 .next_world = places[reached + 1]};
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    const double leg_m = (places[i] - places[i - 1]).norm();
+    left.all_m += leg_m;
+    if (i > reached + 1) left.later_m += leg_m;
+  }
+  return left;
 }
 
 /// The planner's measured times, ms, in rising order.
@@ -104,13 +130,15 @@ constexpr MetricDef kTable[] = {
      "AvoidBench eq. (6)", kNeither, kAll, false,
      [](In in) { return over(in.mission.reference_length_m, in.record.end_time_s); }},
     {"mission_progress_pct", 1, "%", "Share of the way from start to goal; 100 when finished",
-     "(1 - |a.c/|a|^2|) * 100, a = goal - start, c = goal - end", "AvoidBench eq. (7)", kMore, kAll,
-     false,
+     "(1 - |a.c/|a|^2|) * 100, a = goal - start, c = goal - end; of several goals: the mean of the "
+     "legs, 100 for one that is flown, 0 for one not begun",
+     "AvoidBench eq. (7)", kMore, kAll, false,
      [](In in) {
        // Who enters the goal's circle is still short of its middle: the formula stays below 100.
        if (finished(in)) return 100.0;
-       return progress_pct(in.mission.mission.start_world, in.mission.mission.goal_world,
-                           end_position(in));
+       const GoalsLeft left = goals_left(in);
+       const double of_leg_pct = progress_pct(left.before_world, left.next_world, end_position(in));
+       return (100.0 * left.reached + of_leg_pct) / left.count;
      }},
     {"processing_time_ms", 1, "ms",
      "Mean CPU time of a plan call, of all threads of the planner, measured by the host",
@@ -133,13 +161,13 @@ constexpr MetricDef kTable[] = {
      kLess, kAll, true, [](In in) { return mean(sorted_times_ms(in, &PlanCall::wall_time_s)); }},
     {"relative_end_distance_ratio", 1, "",
      "Distance left to the goal over that at the start; 0 when finished",
-     "|end - goal| / |goal - start|", "after AvoidBench eq. (7)", kLess, kAll, false,
+     "|end - goal| / |goal - start|, of several goals along all that are left",
+     "after AvoidBench eq. (7)", kLess, kAll, false,
      [](In in) {
-       const Mission& mission = in.mission.mission;
        // As above: what is left to the middle is not missing.
        if (finished(in)) return 0.0;
-       return over((end_position(in) - mission.goal_world).norm(),
-                   (mission.goal_world - mission.start_world).norm());
+       const GoalsLeft left = goals_left(in);
+       return over((end_position(in) - left.next_world).norm() + left.later_m, left.all_m);
      }},
     {"collision_count", 1, "", "Contacts with a surface, rising edges", "count", "", kLess, kAll,
      false, [](In in) { return static_cast<double>(in.record.collisions.size()); }},
@@ -199,6 +227,12 @@ constexpr MetricDef kTable[] = {
          return call.wall_time_s * spec.rates.plan_hz > 1.0;
        });
      }},
+    {"goals_reached_count", 1, "", "Goals of the mission that were reached", "count", "", kMore,
+     kAll, false,
+     [](In in) {
+       const auto& [spec, mission, record] = in;
+       return static_cast<double>(goal_times_s(spec.mission, mission.mission, record).size());
+     }},
 };
 
 constexpr MapMetricDef kMapTable[] = {
@@ -224,7 +258,9 @@ constexpr MapMetricDef kMapTable[] = {
 
 constexpr MissionMetricDef kMissionTable[] = {
     {"reference_length_m", "m", "Shortest collision-free path of the body to the goal region",
-     "d_min: Lazy Theta* on exact clearances, pulled taut, to its first entry into the goal circle",
+     "d_min: Lazy Theta* on exact clearances, pulled taut, to its first entry into the goal "
+     "circle; "
+     "of several goals the sum of such legs, each from the end of the one before",
      "AvoidBench, d_min of eq. (4) and (6)",
      [](const MissionRecord& mission) { return mission.reference_length_m; }},
     {"traversability_obstruction", "", "How narrow the free space along the reference path is",

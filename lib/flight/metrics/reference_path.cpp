@@ -233,10 +233,9 @@ double path_length_m(const std::vector<Vector3d>& path) {
   return length_m;
 }
 
-std::optional<Path> reference_path(ClearanceGrid& grid, const Mission& mission,
-                                   double goal_radius_m, double radius_m) {
-  const Vector3d& start = mission.start_world;
-  const GoalRegion goal{mission.goal_world, goal_radius_m};
+std::optional<Path> leg_path(ClearanceGrid& grid, const Vector3d& start, const Vector3d& goal_world,
+                             double goal_radius_m, double radius_m) {
+  const GoalRegion goal{goal_world, goal_radius_m};
   const Vector3d end = nearest_of(goal, start);
   // Most missions on open maps need no search.
   if (grid.is_segment_free(start, end, radius_m)) return Path{start, end};
@@ -246,13 +245,45 @@ std::optional<Path> reference_path(ClearanceGrid& grid, const Mission& mission,
                 .start = start,
                 .goal = goal,
                 .start_index = grid.index(grid.cell_of(start)),
-                .goal_index = grid.index(grid.cell_of(mission.goal_world)),
+                .goal_index = grid.index(grid.cell_of(goal_world)),
                 .cells = std::vector<Cell>(count),
                 .beside_surface = {}};
   Path path = any_angle_search(search);
   if (path.empty()) return std::nullopt;
   pull_taut(grid, radius_m, goal, path);
   return path;
+}
+
+std::vector<Path> reference_legs(ClearanceGrid& grid, const Mission& mission, double goal_radius_m,
+                                 double radius_m, std::optional<double> between_radius_m) {
+  const std::vector<Vector3d> goals = goals_of(mission);
+  std::vector<Path> legs;
+  for (const Vector3d& goal : goals) {
+    const bool is_last = legs.size() + 1 == goals.size();
+    const double reach_m = is_last ? goal_radius_m : between_radius_m.value_or(goal_radius_m);
+    auto leg = leg_path(grid, legs.empty() ? mission.start_world : legs.back().back(), goal,
+                        reach_m, radius_m);
+    if (!leg) break;
+    legs.push_back(std::move(*leg));
+  }
+  return legs;
+}
+
+Path joined(const std::vector<Path>& legs) {
+  Path path;
+  for (const Path& leg : legs) {
+    path.insert(path.end(), leg.begin() + (path.empty() ? 0 : 1), leg.end());
+  }
+  return path;
+}
+
+std::optional<Path> reference_path(ClearanceGrid& grid, const Mission& mission,
+                                   double goal_radius_m, double radius_m,
+                                   std::optional<double> between_radius_m) {
+  const std::vector<Path> legs =
+      reference_legs(grid, mission, goal_radius_m, radius_m, between_radius_m);
+  if (legs.size() < goals_of(mission).size()) return std::nullopt;
+  return joined(legs);
 }
 
 }  // namespace avoidbench

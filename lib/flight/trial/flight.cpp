@@ -2,10 +2,12 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/check.hpp"
 #include "base/number_text.hpp"
 #include "control/perfect_tracking.hpp"
+#include "trial/goals.hpp"
 #include "trial/noise_seed.hpp"
 #include "trial/periods.hpp"
 #include "trial/planner_view.hpp"
@@ -143,15 +145,25 @@ std::optional<Outcome> ended(Flight& flight) {
     flight.record.reason = "left the map at " + place_text(place);
     return Outcome::left_bounds;
   }
-  // Horizontally: the region is a circle, at any height.
-  const double to_goal_m = (flight.mission->goal_world - place).head<2>().norm();
-  if (to_goal_m <= flight.spec->mission.goal_radius_m) {
-    flight.record.reason =
-        "reached the goal after " + fixed_digits(seconds(flight.state.tick), 2) + " s";
+  const MissionSpec& rules = flight.spec->mission;
+  const std::size_t last = flight.mission->waypoints_world.size();
+  const double now_s = seconds(flight.state.tick);
+  const auto to_goal_m = [&] {
+    return distance_to_goal_m(rules, *flight.mission, flight.goal_index, place, now_s);
+  };
+  while (flight.goal_index < last && to_goal_m() <= rules.goal_radius_m) {
+    ++flight.goal_index;
+    flight.has_reached = true;
+  }
+  if (to_goal_m() <= rules.goal_radius_m) {
+    flight.record.reason = "reached the goal after " + fixed_digits(now_s, 2) + " s";
     return Outcome::reached_goal;
   }
-  if (seconds(flight.state.tick) >= flight.spec->mission.time_limit_s) {
-    flight.record.reason = fixed_digits(to_goal_m, 2) + " m from the goal at the time limit";
+  if (now_s >= rules.time_limit_s) {
+    const std::string goal = last == 0 ? "the goal"
+                                       : "goal " + std::to_string(flight.goal_index + 1) + " of " +
+                                             std::to_string(last + 1);
+    flight.record.reason = fixed_digits(to_goal_m(), 2) + " m from " + goal + " at the time limit";
     return Outcome::timed_out;
   }
   return std::nullopt;
@@ -186,7 +198,11 @@ void fly_on(Flight& flight) {
   const Tick now = flight.state.tick;
   apply_due_commands(flight);
   // After commands: the sample's reference is the one that is followed from now on.
-  if (now % flight.sample_period == 0 || now % flight.jerk_period == 0) sample(flight);
+  // A goal reached is a sample's moment, too: from samples alone it is known when that was.
+  const bool has_reached = std::exchange(flight.has_reached, false);
+  if (has_reached || now % flight.sample_period == 0 || now % flight.jerk_period == 0) {
+    sample(flight);
+  }
   if (!flight.stopped) {
     // By what the vehicle believes; it moves by the truth.
     const RotorVector rotors = track(flight.tracker, flight.model, believed_state(flight));
@@ -244,6 +260,7 @@ Flight begin_flight(const TrialSpec& spec, const Scene& scene, const Mission& mi
                 .busy_until = 0,
                 .pending = {},
                 .sees_reference = (needs & AB_INPUT_REFERENCE) != 0,
+                .sees_goals = (needs & AB_INPUT_GOALS) != 0,
                 .view = {},
                 .stopped = {},
                 .outcome = {},
@@ -263,6 +280,11 @@ Flight begin_flight(const TrialSpec& spec, const Scene& scene, const Mission& mi
   return flight;
 }
 
+Eigen::Vector3d goal_now_world(const Flight& flight) {
+  return goal_place(flight.spec->mission, *flight.mission, flight.goal_index,
+                    seconds(flight.state.tick));
+}
+
 const PlannerView* next_plan(Flight& flight) {
   resume(flight);
   while (!flight.outcome) {
@@ -276,6 +298,10 @@ const PlannerView* next_plan(Flight& flight) {
       flight.is_answered = false;
       flight.view = planner_view(flight.perception, state);
       if (flight.sees_reference) flight.view.reference = reference_view(flight);
+      if (flight.sees_goals) {
+        flight.view.goal = GoalView{.index = static_cast<std::uint32_t>(flight.goal_index),
+                                    .place_world = goal_now_world(flight)};
+      }
       return &flight.view;
     }
     fly_on(flight);

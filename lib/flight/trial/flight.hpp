@@ -58,6 +58,9 @@ struct Flight {
 
   std::deque<PendingCommand> pending;  ///< by due tick
   bool sees_reference = false;         ///< the planner, AB_INPUT_REFERENCE
+  bool sees_goals = false;             ///< the planner, AB_INPUT_GOALS
+  std::size_t goal_index = 0;          ///< of the goal to reach now; after the end that of the last
+  bool has_reached = false;            ///< a goal at this tick, which is not the last
   bool was_touching = false;
   bool is_begun = false;           ///< whether the start was looked at
   bool is_asked = false;           ///< whether a plan was asked for at this tick
@@ -86,6 +89,9 @@ void stop_flight(Flight& flight, Outcome outcome, std::string reason);
 
 /// All that is known of a flight that has ended.
 TrialRecord end_flight(Flight&& flight);
+
+/// Where the goal to reach now is.
+Eigen::Vector3d goal_now_world(const Flight& flight);
 
 /// What the vehicle's own controller takes for its state.
 inline VehicleState believed_state(const Flight& flight) {

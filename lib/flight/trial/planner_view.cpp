@@ -1,5 +1,7 @@
 #include "trial/planner_view.hpp"
 
+#include <utility>
+
 #include "base/check.hpp"
 #include "base/math.hpp"
 #include "base/random.hpp"
@@ -77,15 +79,18 @@ std::vector<ParameterValue> parameter_values(const PlannerChoice& planner) {
 PlannerMission planner_mission(const TrialSpec& spec, const Mission& mission, const Aabb& bounds) {
   // By map and mission and not by planner: two planners that draw alike meet the same luck.
   const std::uint64_t map_stream = stream_seed(stream_seed(spec.seed, "planner"), spec.map_seed);
+  std::vector<Eigen::Vector3d> goals = goals_of(mission);
+  const Eigen::Vector3d first = goals.front();
   return {.seed = stream_seed(map_stream, static_cast<std::uint64_t>(spec.mission_index)),
           .start_world = mission.start_world,
-          .goal_world = mission.goal_world,
+          .goal_world = first,
           .start_yaw_rad = mission.start_yaw_rad,
           .goal_radius_m = spec.mission.goal_radius_m,
           .time_limit_s = spec.mission.time_limit_s,
           .lowest_world = bounds.min(),
           .highest_world = bounds.max(),
-          .command_latency_s = known_latency_s(spec.latency).value_or(math::kNaN)};
+          .command_latency_s = known_latency_s(spec.latency).value_or(math::kNaN),
+          .goals_world = std::move(goals)};
 }
 
 Command vehicle_command(const PlanResult& result, Tick start_tick) {

@@ -64,7 +64,7 @@ std::vector<Pose> poses_along_missions(const Scene& scene, const TrialSpec& tria
     if (!mission) continue;
     for (const double part : {0.0, 0.25, 0.5, 0.75}) {
       const Eigen::Vector3d place =
-          mission->start_world + part * (mission->goal_world - mission->start_world);
+          mission->start_world + part * (goals_of(*mission).front() - mission->start_world);
       if (scene.nearest(place, kFree_m).distance_m < kFree_m) continue;
       poses.push_back(make_pose(place, yaw_rotation(mission->start_yaw_rad)));
     }

@@ -16,12 +16,42 @@
 
 namespace avoidbench {
 
+enum class GoalPath { none, line, circle };
+
+template <>
+struct EnumText<GoalPath> {
+  static constexpr std::pair<GoalPath, std::string_view> entries[] = {
+      {GoalPath::none, "none"}, {GoalPath::line, "line"}, {GoalPath::circle, "circle"}};
+};
+
+/// How a mission's last goal moves: see goal_place() of trial/goals.hpp.
+struct GoalMotionSpec {
+  GoalPath path = GoalPath::none;
+  double speed_mps = 1.0;
+  double extent_m = 4.0;  ///< length of the line, diameter of the circle
+};
+
+template <class Visitor, ConstOr<GoalMotionSpec> Spec>
+void visit(Visitor& v, Spec& s) {
+  v.field("path", s.path,
+          "none: it stands; line: to and fro across the way to it, the place itself in the middle; "
+          "circle: through the place, anticlockwise, leaving it straight ahead.");
+  v.field("speed_mps", s.speed_mps, Range{0.01, 20}, "Its constant speed.");
+  v.field("extent_m", s.extent_m, Range{0.1, 100}, "Length of the line; diameter of the circle.");
+}
+
+/// Goals of one mission at most, drawn or listed.
+inline constexpr int kMostGoals = 1000;
+
 /// The rules of a flight.
 struct MissionSpec {
   double goal_radius_m = 0.8;
   double time_limit_s = 60.0;
   double free_radius_m = 1.3;
   std::int64_t max_collisions = 0;
+  std::int64_t waypoints = 0;
+  bool return_to_start = false;
+  GoalMotionSpec goal_motion = {};
 };
 
 template <class Visitor, ConstOr<MissionSpec> Spec>
@@ -33,6 +63,10 @@ void visit(Visitor& v, Spec& s) {
           "No surface is nearer than this to a start or goal.");
   v.field("max_collisions", s.max_collisions, Range{0, 100},
           "Contacts that a flight may survive; the next one ends it with collided.");
+  v.field("waypoints", s.waypoints, Range{0, 100},
+          "Goals to reach in order before the last one, drawn anywhere in the flight bounds.");
+  v.field("return_to_start", s.return_to_start, "Whether the start is one more goal, the last.");
+  v.field("goal_motion", s.goal_motion, "How the last goal moves.");
 }
 
 /// How often things happen. Each period is a whole number of 1/36000 s ticks; see base/ticks.hpp.

@@ -100,9 +100,19 @@ double distance_to_wall_flight_m(const Eigen::Vector3d& place_world) {
   return std::min({wall_m, std::abs(place_world.z()), kFar_m});
 }
 
-/// To the goal through the gap; a ball that is too large for the gap has no way.
+std::vector<Eigen::Vector3d> goals_of(const PlannerMission& mission) {
+  return mission.goals_world.empty() ? std::vector{mission.goal_world} : mission.goals_world;
+}
+
+/// To the goal through the gap, or to several before the wall; a ball that is too large for the gap
+/// has no way.
 std::vector<Eigen::Vector3d> path_through_gap(const PlannerMission& mission, double radius_m) {
   if (2.0 * radius_m > kGapTo_m - kGapFrom_m) return {};
+  if (mission.goals_world.size() > 1) {
+    std::vector<Eigen::Vector3d> path = mission.goals_world;
+    path.insert(path.begin(), mission.start_world);
+    return path;
+  }
   const Eigen::Vector3d gap(kWall_m, kGapFrom_m + radius_m, mission.start_world.z());
   const Eigen::Vector3d last_leg = (mission.goal_world - gap).normalized();
   return {mission.start_world, gap, mission.goal_world - mission.goal_radius_m * last_leg};
@@ -299,7 +309,11 @@ Probe::~Probe() {
 }
 
 Reply Probe::reset(const PlannerMission& mission) {
-  ab_mission given = to_mission(mission);
+  mission_ = mission;
+  // Goals that are overwritten after the call.
+  PlannerMission lent = mission;
+  lent.goals_world = goals_of(mission);
+  ab_mission given = to_mission(lent);
   const ab_mission before = given;
   host_.show_world(
       {.distance_m = distance_to_wall_flight_m, .shortest_path_world = [mission](double radius_m) {
@@ -308,8 +322,15 @@ Reply Probe::reset(const PlannerMission& mission) {
   Reply reply;
   reply.escaped = escaped_exception([&] { reply.status = table_->reset(instance_, &given); });
   // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): bytes that were copied, padding too
-  if (std::memcmp(&given, &before, sizeof given) != 0) reply.changed = "it wrote into the mission";
-  // Rubbish, not zeros: a start at the origin is zeros, too.
+  bool is_same = std::memcmp(&given, &before, sizeof given) == 0;
+  const std::vector<Eigen::Vector3d> goals = goals_of(mission);
+  for (std::size_t i = 0; i < goals.size(); ++i) {
+    const std::size_t bytes = sizeof(Eigen::Vector3d);
+    is_same = is_same && std::memcmp(lent.goals_world[i].data(), goals[i].data(), bytes) == 0;
+    // Rubbish, not zeros: a start at the origin is zeros, too.
+    if (poisoned_) std::memset(lent.goals_world[i].data(), 0xA7, bytes);
+  }
+  if (!is_same) reply.changed = "it wrote into the mission";
   if (poisoned_) std::memset(&given, 0xA7, sizeof given);
   reply.error = host_.take_error();
   return reply;
@@ -348,6 +369,7 @@ Reply Probe::plan(const Frame& frame) {
                                  .velocity_world = frame.velocity_world,
                                  .acceleration_world = Eigen::Vector3d::Zero(),
                                  .jerk_world = Eigen::Vector3d::Zero()};
+  view.goal = frame.goal.value_or(GoalView{.index = 0, .place_world = mission_.goal_world});
   // Specific force at rest: what an accelerometer measures is up, against gravity.
   view.imu.push_back({frame.time_s, Eigen::Vector3d::Zero(), {0.0, 0.0, 9.81}});
   points_ = frame.points;

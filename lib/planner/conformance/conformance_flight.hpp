@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct Frame {
   /// A sweep of the lidar that ends now, where the setup has one.
   std::vector<ab_lidar_point> points = {};
   std::vector<Eigen::Vector3f> misses_lidar = {};
+  std::optional<GoalView> goal = {};  ///< nothing: the mission's first
 
   std::uint32_t camera_of(std::size_t image) const { return cameras.empty() ? 0 : cameras[image]; }
 };
@@ -93,6 +95,7 @@ class Probe {
  private:
   const ab_planner* table_;
   bool poisoned_, is_asking_;
+  PlannerMission mission_;
   PlannerSetup setup_;
   HostSide host_;
   ObservationBuffers observation_;

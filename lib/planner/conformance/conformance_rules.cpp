@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "conformance/conformance_flight.hpp"
+#include "conformance/goal_rule.hpp"
 #include "conformance/own_process.hpp"
 #include "conformance/rig_rule.hpp"
 #include "plugin/elf_symbols.hpp"
@@ -333,6 +334,10 @@ constexpr ConformanceRule kRules[] = {
      "With a second camera that looks down, commands still depend on what the first one sees. (Not "
      "asked of a planner that declares AB_INPUT_ONE_CAMERA: no rig reaches it.)",
      tells_cameras_apart, true},
+    {"flies_to_the_next_goal",
+     "With two goals, commands depend on where the second one is when its turn has come. (Asked of "
+     "a planner that declares AB_INPUT_GOALS.)",
+     flies_to_the_next_goal, true},
     {"errors_have_a_text",
      "With a NaN state or goal a planner may fail, but says why by set_error.", errors_have_a_text},
 };

@@ -258,6 +258,10 @@ ab_mission to_mission(const PlannerMission& mission) {
   copy(mission.lowest_world, out.lowest_world_m);
   copy(mission.highest_world, out.highest_world_m);
   out.command_latency_s = mission.command_latency_s;
+  const std::vector<Eigen::Vector3d>& goals = mission.goals_world;
+  out.goal_count = goals.empty() ? 1 : static_cast<std::uint32_t>(goals.size());
+  // Eigen's vectors are three doubles each and nothing else.
+  out.goals_world_m = (goals.empty() ? mission.goal_world : goals.front()).data();
   return out;
 }
 
@@ -298,6 +302,10 @@ const ab_observation& ObservationBuffers::fill(const PlannerView& view,
     observation_.reference = &reference_;
   }
   fill_clouds((needs & AB_INPUT_POINTS) != 0 ? view.clouds : std::vector<CloudView>{});
+  if ((needs & AB_INPUT_GOALS) != 0 && view.goal) {
+    observation_.goal_index = view.goal->index;
+    copy(view.goal->place_world, observation_.goal_world_m);
+  }
   return observation_;
 }
 

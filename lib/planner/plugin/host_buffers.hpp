@@ -73,6 +73,7 @@ class SetupBuffers {
   std::vector<const ab_value*> pointers_;
 };
 
+/// Points into `mission`.
 ab_mission to_mission(const PlannerMission& mission);
 
 /// An ab_observation with all that it points to except pixels and points, which stay the view's.

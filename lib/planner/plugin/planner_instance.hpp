@@ -42,6 +42,8 @@ struct PlannerMission {
   double start_yaw_rad = 0, goal_radius_m = 0, time_limit_s = 0;
   Eigen::Vector3d lowest_world = Eigen::Vector3d::Zero(), highest_world = Eigen::Vector3d::Zero();
   double command_latency_s = 0;  ///< NaN: measured
+  /// All in order, the first one goal_world; empty: that alone.
+  std::vector<Eigen::Vector3d> goals_world = {};
 };
 
 /// The map of a trial, for planners that see it (AB_INPUT_WORLD).
@@ -95,6 +97,11 @@ struct ReferenceView {
   Eigen::Vector3d position_world, velocity_world, acceleration_world, jerk_world;
   double yaw_rad = 0, yaw_rate_radps = 0;
 };
+/// The goal to reach now.
+struct GoalView {
+  std::uint32_t index = 0;  ///< into PlannerMission::goals_world
+  Eigen::Vector3d place_world;
+};
 /// The newest state, and what came since the last call.
 struct PlannerView : StateView {
   double call_time_s = 0;  ///< now; time_s is older where the odometry has a delay
@@ -105,6 +112,7 @@ struct PlannerView : StateView {
   std::vector<StateView> states;                ///< oldest first
   std::optional<ReferenceView> reference = {};  ///< nothing while rates are commanded
   std::vector<CloudView> clouds = {};           ///< newest first
+  std::optional<GoalView> goal = {};
 };
 
 /// What a planner knows of a place: AB_PLACE_….

@@ -98,7 +98,11 @@ std::uint64_t write_flat(Segment& segment, const ab_setup& setup) {
 }
 
 std::uint64_t write_flat(Segment& segment, const ab_mission& mission) {
-  return write_struct(segment, mission);
+  ab_mission copy = mission;
+  const std::size_t goal_bytes = 3 * mission.goal_count * sizeof(double);
+  set_offset(copy.goals_world_m,
+             goal_bytes == 0 ? 0 : segment.add(mission.goals_world_m, goal_bytes));
+  return write_struct(segment, copy);
 }
 
 std::uint64_t write_flat(Segment& segment, const ab_observation& observation) {

@@ -34,6 +34,9 @@ std::uint64_t mission_digest(const MapRecord& map, const Mission& mission) {
     digest.add(place->x()).add(place->y()).add(place->z());
   }
   digest.add(mission.start_yaw_rad);
+  for (const Eigen::Vector3d& place : mission.waypoints_world) {
+    digest.add(place.x()).add(place.y()).add(place.z());
+  }
   return first_64_bits(digest.hex());
 }
 

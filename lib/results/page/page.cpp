@@ -116,6 +116,13 @@ void warn_of_pairs(const std::vector<PageSweep>& sweeps, std::vector<std::string
   }
 }
 
+/// Goals before the last, where there are any.
+void add_waypoints(const Mission& mission, ordered_json& to) {
+  for (const Eigen::Vector3d& place : mission.waypoints_world) {
+    to["waypoints"].push_back(to_array(place));
+  }
+}
+
 }  // namespace
 
 ordered_json pose_json(const Eigen::Isometry3d& pose) {
@@ -174,6 +181,7 @@ void PageScenes::place(const StoredTrial& stored, ordered_json world, ordered_js
   flight["goal_radius"] = stored.spec.mission.goal_radius_m;
   flight["start"] = to_array(stored.mission.start_world);
   flight["goal"] = to_array(stored.mission.goal_world);
+  add_waypoints(stored.mission, flight);
 }
 
 std::size_t PageScenes::rig_of(const TrialSpec& spec) {
@@ -257,6 +265,7 @@ ordered_json map_page(const World& world, const TrialSpec& trial, std::span<cons
     listed.push_back({{"index", i},
                       {"start", to_array(missions[i].start_world)},
                       {"goal", to_array(missions[i].goal_world)}});
+    add_waypoints(missions[i], listed.back());
   }
   page["missions"] = std::move(listed);
   page["goal_radius"] = trial.mission.goal_radius_m;

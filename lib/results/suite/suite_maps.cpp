@@ -17,6 +17,9 @@ void add_mission(Digest& digest, const MissionRecord& mission) {
     for (const double coordinate_m : place) digest.add(coordinate_m);
   }
   digest.add(mission.mission.start_yaw_rad).add(mission.reference_length_m);
+  for (const Eigen::Vector3d& place : mission.mission.waypoints_world) {
+    for (const double coordinate_m : place) digest.add(coordinate_m);
+  }
 }
 
 }  // namespace

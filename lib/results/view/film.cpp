@@ -6,6 +6,7 @@
 #include "base/math.hpp"
 #include "base/number_text.hpp"
 #include "shading/shading.hpp"
+#include "trial/goals.hpp"
 #include "trial/planner_view.hpp"
 #include "view/map_plan.hpp"
 #include "view/map_views.hpp"
@@ -173,7 +174,11 @@ Picture Film::from_above(double time_s, const Moment* moment) const {
   }
   draw_path(flown, kFilmPath, 2, 1, panel);
   const double goal_px = std::max(5.0, stored_.spec.mission.goal_radius_m * panel.pixels_per_m);
-  draw_circle(panel.picture, panel.to_pixels(stored_.mission.goal_world), goal_px, kGoalColor, 2);
+  const std::size_t last = stored_.mission.waypoints_world.size();
+  for (std::size_t i = 0; i <= last; ++i) {
+    const Vector3d place = goal_place(stored_.spec.mission, stored_.mission, i, time_s);
+    draw_circle(panel.picture, panel.to_pixels(place), goal_px, kGoalColor, 2);
+  }
   draw_disc(panel.picture, panel.to_pixels(stored_.mission.start_world), 5.0, kStartColor);
   if (struck_ != nullptr && time_s >= struck_->time_s - 1e-9) draw_struck(*struck_, panel);
   draw_circle(panel.picture, panel.to_pixels(now.position_world), 7.0, kFilmVehicle, 2);

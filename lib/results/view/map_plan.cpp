@@ -103,10 +103,14 @@ std::string draw_mission(const Scene& scene, const TrialSpec& trial, const MapVi
     draw_line(picture, points, kPathRim, 5);
     draw_line(picture, points, kPath, 2);
   }
-  const Eigen::Vector2d goal = plan.to_pixels(mission->goal_world);
   const double goal_px = std::max(6.0, trial.mission.goal_radius_m * plan.pixels_per_m);
-  draw_circle(picture, goal, goal_px, kPath, 5);
-  draw_circle(picture, goal, goal_px, kGoalColor, 3);
+  const std::vector<Eigen::Vector3d> goals = goals_of(*mission);
+  for (std::size_t i = 0; i < goals.size(); ++i) {
+    const Eigen::Vector2d goal = plan.to_pixels(goals[i]);
+    draw_circle(picture, goal, goal_px, kPath, 5);
+    draw_circle(picture, goal, goal_px, kGoalColor, 3);
+    if (goals.size() > 1) draw_goal_number(picture, i + 1, goal, goal_px);
+  }
   draw_disc(picture, plan.to_pixels(mission->start_world), 7.0, kPath);
   draw_disc(picture, plan.to_pixels(mission->start_world), 5.0, kStartColor);
   if (!path) return name + ": the goal can't be reached";
@@ -114,6 +118,15 @@ std::string draw_mission(const Scene& scene, const TrialSpec& trial, const MapVi
 }
 
 }  // namespace
+
+void draw_goal_number(Picture& picture, std::size_t number, const Eigen::Vector2d& center_px,
+                      double radius_px) {
+  // draw_label() would move that of a goal outside of the picture into it.
+  const Eigen::Array2d size_px(picture.width_px, picture.height_px);
+  if ((center_px.array() < 0.0).any() || (center_px.array() > size_px).any()) return;
+  draw_label(picture, std::to_string(number), static_cast<int>(center_px.x() + radius_px) + 4,
+             static_cast<int>(center_px.y()) + 5, kGoalColor);
+}
 
 Color color_below(const Scene& scene, double x_m, double y_m, double from_z_m, double highest_m) {
   const World& world = scene.world();

@@ -22,6 +22,10 @@ Color plan_color(const Scene& scene, double x_m, double y_m, double cut_z_m);
 /// lit from the upper left. The roof, where there is one, hides what is below.
 Color color_below(const Scene& scene, double x_m, double y_m, double from_z_m, double highest_m);
 
+/// The number of one of several goals beside its circle.
+void draw_goal_number(Picture& picture, std::size_t number, const Eigen::Vector2d& center_px,
+                      double radius_px);
+
 /// The size of a plan that the map fills, its longer side `longest_px`.
 void fit_plan(const World& world, int longest_px, MapView& view);
 

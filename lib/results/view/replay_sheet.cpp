@@ -117,11 +117,15 @@ void add_speed_scale(double most_mps, Picture& picture) {
 }
 
 void draw_mission(const Mission& mission, double goal_radius_m, Panel& panel) {
-  const Eigen::Vector2d goal = panel.to_pixels(mission.goal_world);
   const Eigen::Vector2d start = panel.to_pixels(mission.start_world);
   const double goal_px = std::max(5.0, goal_radius_m * panel.pixels_per_m);
-  draw_circle(panel.picture, goal, goal_px, kWhite, 4);
-  draw_circle(panel.picture, goal, goal_px, kGoalColor, 2);
+  const std::vector<Vector3d> goals = goals_of(mission);
+  for (std::size_t i = 0; i < goals.size(); ++i) {
+    const Eigen::Vector2d goal = panel.to_pixels(goals[i]);
+    draw_circle(panel.picture, goal, goal_px, kWhite, 4);
+    draw_circle(panel.picture, goal, goal_px, kGoalColor, 2);
+    if (goals.size() > 1) draw_goal_number(panel.picture, i + 1, goal, goal_px);
+  }
   draw_disc(panel.picture, start, 7.0, kWhite);
   draw_disc(panel.picture, start, 5.0, kStartColor);
 }
@@ -170,7 +174,7 @@ Eigen::AlignedBox2d extent_of(const StoredTrial& stored, const TrialRecord& reco
   Eigen::AlignedBox2d extent;
   for (const Sample& s : record.samples) extent.extend(s.position_world.head<2>());
   extent.extend(stored.mission.start_world.head<2>());
-  extent.extend(stored.mission.goal_world.head<2>());
+  for (const Vector3d& goal : goals_of(stored.mission)) extent.extend(goal.head<2>());
   return extent;
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "avoidbench/goals.hpp"
 #include "avoidbench/planner.h"
 #include "planner_spec.hpp"
 
@@ -36,6 +37,7 @@ class Observations {
   std::vector<ros::Publisher> odometry_, poses_, twists_, imu_, camera_poses_, depth_, depth_info_,
       clouds_, pictures_, picture_info_, goals_;
   std::vector<std::int64_t> goal_due_ns_;
+  avoidbench::CurrentGoal goal_;
   std::uint32_t sequence_ = 0;
   bool sees_states_ = false;
 };

@@ -155,6 +155,7 @@ Observations::Observations(const PlannerSpec& spec, const ab_setup& setup,
                          ? host_.advertise<nav_msgs::Path>(one.topic, 1)
                          : host_.advertise<geometry_msgs::Pose>(one.topic, 1));
   }
+  goal_.reset(mission);
   goal_due_ns_.assign(spec.goals.size(), 0);
   const auto wants_all = [](const auto& topic) { return topic.all_states; };
   sees_states_ = std::any_of(spec.odometry.begin(), spec.odometry.end(), wants_all) ||
@@ -217,6 +218,8 @@ void Observations::publish(const ab_observation& seen, std::int64_t to_ns) {
     publish_picture(*seen.stereo[i]->right, 1);
   }
   for (std::uint32_t i = seen.color_count; i-- > 0;) publish_picture(*seen.color[i], 2);
+  // Another goal, or one that has moved, is sent at once.
+  if (goal_.update(seen)) goal_due_ns_.assign(goals_.size(), 0);
   publish_goals();
   ++sequence_;
 }
@@ -354,7 +357,9 @@ void Observations::publish_goals() {
     geometry_msgs::PoseStamped stamped;
     stamped.header =
         header_of(sequence_, 1e-9 * static_cast<double>(now_ns() - kStart_ns), topic.frame);
-    stamped.pose = pose_of(mission_.goal_world_m, upright);
+    double place_world_m[3];
+    std::copy(goal_.place_world_m().begin(), goal_.place_world_m().end(), place_world_m);
+    stamped.pose = pose_of(place_world_m, upright);
     if (topic.type == GoalType::pose_stamped) {
       goals_[k].publish(stamped);
     } else if (topic.type == GoalType::pose) {

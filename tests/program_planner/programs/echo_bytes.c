@@ -31,7 +31,12 @@ void echo_setup(echo_buffer* to, const ab_setup* setup) {
   for (i = 0; i < setup->lidar_count; ++i) add(to, setup->lidars[i], sizeof(ab_lidar));
 }
 
-void echo_mission(echo_buffer* to, const ab_mission* mission) { add(to, mission, sizeof *mission); }
+void echo_mission(echo_buffer* to, const ab_mission* mission) {
+  ab_mission copy = *mission;
+  copy.goals_world_m = NULL;
+  add(to, &copy, sizeof copy);
+  add(to, mission->goals_world_m, 3 * mission->goal_count * sizeof(double));
+}
 
 static void add_picture(echo_buffer* to, const ab_picture* picture) {
   ab_picture copy = *picture;
@@ -69,6 +74,8 @@ void echo_observation(echo_buffer* to, const ab_observation* seen) {
     add(to, seen->clouds[i]->points, copy.point_count * sizeof(ab_lidar_point));
     add(to, seen->clouds[i]->misses_lidar, 3u * copy.miss_count * sizeof(float));
   }
+  add(to, &seen->goal_index, sizeof seen->goal_index);
+  add(to, seen->goal_world_m, sizeof seen->goal_world_m);
 }
 
 void echo_command(ab_command* command, const ab_state* state) {

@@ -56,6 +56,9 @@ typedef int32_t ab_status;
 #define AB_INPUT_REFERENCE 4096u /* where the vehicle is told to be: the last commanded state */
 /* Of lidars: what each sweep met. Who also declares images flies with a sensor of either kind. */
 #define AB_INPUT_POINTS 8192u
+/* The goal to reach now: missions may have several, in order, and the last one may move. A sweep
+ * with such missions is refused before its first trial where a planner does not declare this. */
+#define AB_INPUT_GOALS 32768u
 /* Also ab_planner.needs: what it does beside computing and reading files. Planners fly in a sandbox
  * that refuses the rest; without these flags fork() and socket() fail, as writing to files always
  * does. */
@@ -179,6 +182,10 @@ typedef struct ab_mission {
                                                    ends where the vehicle's centre leaves it */
   double command_latency_s; /* from a call to when its command acts; NaN where that is measured: as
                                long as the call takes */
+  /* Added later: older hosts end before this. All goals, to be reached in this order; the first is
+   * goal_world_m, and the trial ends at the last. One that moves is where it is at the start. */
+  uint32_t goal_count, reserved2;
+  const double* goals_world_m; /* 3 numbers a goal */
 } ab_mission;
 
 typedef struct ab_state {
@@ -293,6 +300,10 @@ typedef struct ab_observation {
    * call, newest first; cloud_count pointers. */
   uint32_t cloud_count, reserved3;
   const ab_cloud* const* clouds;
+  /* Added later: older hosts end before this. AB_INPUT_GOALS: the goal to reach now, an index into
+   * ab_mission.goals_world_m, and where it is at this call. Zeros unless declared. */
+  uint32_t goal_index, reserved4;
+  double goal_world_m[3];
 } ab_observation;
 
 /* Numbers are finite, and lengths, speeds and so on not beyond 1e6, yaws not beyond 1e5. Anything

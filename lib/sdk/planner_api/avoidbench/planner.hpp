@@ -25,8 +25,9 @@
  * being damaged (see AB_CHECK_EXTENSION); `std::uint8_t place_at(const Vec3& point_world_m) const`,
  * AB_PLACE_… (see AB_MAP_EXTENSION); a constructor (const ab_setup&, const ab_host&), of whose host
  * Canvas draws and KnownWorld asks; a class without `parameters`. Where parameters name members,
- * settings_from() fills them in. An exception that leaves the class becomes AB_ERROR with its text;
- * give_up("reason") ends the trial. What ab_command.points refers to lives until the next call.
+ * settings_from() fills them in. An exception becomes AB_ERROR with its text; give_up("reason")
+ * ends the trial. What ab_command.points refers to lives until the next call. CurrentGoal follows
+ * missions of several goals.
  */
 #ifndef AVOIDBENCH_PLANNER_HPP
 #define AVOIDBENCH_PLANNER_HPP
@@ -46,6 +47,7 @@
 #include <vector>
 
 #include "avoidbench/canvas.hpp"
+#include "avoidbench/goals.hpp"
 #include "avoidbench/known_world.hpp"
 #include "avoidbench/planner.h"
 #include "avoidbench/views.hpp"

@@ -255,6 +255,13 @@ static const ab_setup* ab_client_setup(ab_client* self, uint64_t body) {
   return setup;
 }
 
+static const ab_mission* ab_client_mission(ab_client* self, uint64_t body) {
+  ab_mission* mission = (ab_mission*)ab_client_copied(self, body, sizeof(ab_mission));
+  mission->goals_world_m =
+      (const double*)ab_client_at(self, ab_client_offset(&mission->goals_world_m));
+  return mission;
+}
+
 static const ab_picture* ab_client_picture(ab_client* self, uint64_t offset) {
   ab_picture* picture = (ab_picture*)ab_client_copied(self, offset, sizeof(ab_picture));
   picture->pixels = (const uint8_t*)ab_client_at(self, ab_client_offset(&picture->pixels));
@@ -346,8 +353,7 @@ static ab_status ab_client_do(ab_client* self, uint32_t kind, uint64_t body, uin
     case AB_PROCESS_CREATE:
       return ab_client_create(self, body);
     case AB_PROCESS_RESET:
-      return self->planner->reset(
-          self->instance, (const ab_mission*)ab_client_copied(self, body, sizeof(ab_mission)));
+      return self->planner->reset(self->instance, ab_client_mission(self, body));
     case AB_PROCESS_PLAN:
       return ab_client_plan(self, body, answer);
     case AB_PROCESS_DESTROY:
