@@ -155,6 +155,9 @@ std::vector<Contradiction> contradictions(const TrialSpec& spec) {
   } catch (const InputError& error) {
     add_fields("map", error, found);
   }
+  for (const std::string& problem : mover_problems(spec.movers)) {
+    add_fields("movers", InputError(problem), found);
+  }
   try {
     check_wind(spec.wind);
   } catch (const InputError& error) {

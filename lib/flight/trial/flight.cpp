@@ -6,6 +6,7 @@
 #include "base/check.hpp"
 #include "base/number_text.hpp"
 #include "control/perfect_tracking.hpp"
+#include "trial/flown_world.hpp"
 #include "trial/noise_seed.hpp"
 #include "trial/periods.hpp"
 #include "trial/planner_view.hpp"
@@ -213,6 +214,30 @@ void resume(Flight& flight) {
   }
 }
 
+/// Gives the flight a scene whose time is set at each step, where anything moves; the caller's
+/// stays at 0 for other trials.
+void add_motion(Flight& flight) {
+  const Scene& map = *flight.scene;
+  if (auto world = world_with_movers(*flight.spec, map, *flight.mission)) {
+    flight.own_world = std::make_unique<World>(*std::move(world));
+    flight.moving = std::make_unique<Scene>(*flight.own_world, map);
+  } else if (!map.world().motions.empty()) {
+    flight.moving = std::make_unique<Scene>(map.world());
+  } else {
+    return;
+  }
+  flight.scene = flight.moving.get();
+  if (flight.change.still_at_s) {
+    flight.moving->set_time(*flight.change.still_at_s);
+    return;
+  }
+  const World& world = flight.scene->world();
+  for (const Motion& motion : world.motions) {
+    flight.obstacle_speed_mps =
+        std::max(flight.obstacle_speed_mps, greatest_surface_speed_mps(world, motion));
+  }
+}
+
 }  // namespace
 
 Flight begin_flight(const TrialSpec& spec, const Scene& scene, const Mission& mission,
@@ -227,6 +252,7 @@ Flight begin_flight(const TrialSpec& spec, const Scene& scene, const Mission& mi
                 .mission = &mission,
                 .recorded_latency_s = recorded_latency_s,
                 .change = change,
+                .own_world = nullptr,
                 .moving = nullptr,
                 .obstacle_speed_mps = 0.0,
                 .model = std::move(model),
@@ -248,18 +274,7 @@ Flight begin_flight(const TrialSpec& spec, const Scene& scene, const Mission& mi
                 .stopped = {},
                 .outcome = {},
                 .record = {}};
-  // Its time is set at each step; the caller's scene stays at 0 for other trials.
-  if (const std::vector<Motion>& motions = scene.world().motions; !motions.empty()) {
-    flight.moving = std::make_unique<Scene>(scene.world());
-    flight.scene = flight.moving.get();
-    if (change.still_at_s) {
-      flight.moving->set_time(*change.still_at_s);
-      return flight;
-    }
-    for (const Motion& motion : motions) {
-      flight.obstacle_speed_mps = std::max(flight.obstacle_speed_mps, greatest_speed_mps(motion));
-    }
-  }
+  add_motion(flight);
   return flight;
 }
 

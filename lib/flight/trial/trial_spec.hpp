@@ -7,6 +7,7 @@
 #include "base/enum_text.hpp"
 #include "base/fields.hpp"
 #include "maps/map_spec.hpp"
+#include "movers/mover_spec.hpp"
 #include "plugin/planner_description.hpp"
 #include "sensing/imu.hpp"
 #include "sensing/odometry.hpp"
@@ -163,6 +164,7 @@ struct TrialSpec {
   /// Of the map's missions where the sweep lists its own (sweep/own_missions.hpp); "": generated.
   std::string missions_digest;
   WindSpec wind;
+  MoversSpec movers;
 };
 
 template <class Visitor, ConstOr<TrialSpec> Spec>
@@ -183,6 +185,7 @@ void visit(Visitor& v, Spec& s) {
   v.field("latency_digest", s.latency_digest, "SHA-256 of the latencies that are replayed.");
   v.field("missions_digest", s.missions_digest, "SHA-256 of the map's listed missions.");
   v.field("wind", s.wind, "Wind and disturbances, added up; see docs/wind.md.");
+  v.field("movers", s.movers, "Things that move through the map; see docs/movers.md.");
 }
 
 }  // namespace avoidbench
