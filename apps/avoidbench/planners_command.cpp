@@ -27,6 +27,7 @@ constexpr Name kSeen[] = {{AB_INPUT_STATE, "state"},
                           {AB_INPUT_IMU, "imu"},
                           {AB_INPUT_STATES, "states"},
                           {AB_INPUT_REFERENCE, "reference"},
+                          {AB_INPUT_TRACKS, "tracks"},
                           {AB_INPUT_WORLD, "world (privileged)"}};
 constexpr Name kUsed[] = {{AB_USES_PROCESSES, "processes"},
                           {AB_USES_DEVICES, "devices"},

@@ -157,6 +157,21 @@ class Reference:
 
 
 @dataclass(frozen=True)
+class Track:
+    """Something that moves, at the time of a scan."""
+
+    id: int
+    """The same thing has the same in all observations of a trial."""
+    kind: str
+    """person, box, ball, pole or other"""
+    time_s: float
+    center_world_m: Vector
+    velocity_world_mps: Vector
+    size_m: Vector
+    """Of its box in its own frame, z up."""
+
+
+@dataclass(frozen=True)
 class Observation(State):
     """What a planner sees in one call: the newest state, and since the last call, of what it declares in `inputs`,
     images, newest first, samples of the IMU, states at the IMU's rate, oldest first, and the reference."""
@@ -170,6 +185,8 @@ class Observation(State):
     states: tuple[State, ...] = ()
     reference: Reference | None = None
     """Where the commands so far tell the vehicle to be, of who declares it; None while rates are commanded."""
+    tracks: tuple[Track, ...] = ()
+    """What moves around the vehicle, by the newest scan, of who declares it."""
 
     def newest_depth(self, camera: int) -> DepthImage | None:
         """The newest depth image of this camera (index into Setup.cameras) since the last call, or None: none is
@@ -253,7 +270,7 @@ class Planner:
     summary: ClassVar[str] = ""
     """One line."""
     inputs: ClassVar[Sequence[str]] = ("state",)
-    """Of state, depth, stereo, color, imu, states, reference; with one_camera of a rig one camera alone, which a sweep
+    """Of state, depth, stereo, color, imu, states, reference, tracks; with one_camera of a rig one camera alone, which a sweep
     names (`camera: 0`)."""
     commands: ClassVar[Sequence[str]] = ("velocity",)
     """Of position, velocity, acceleration, trajectory, rates: what plan() may return."""

@@ -28,7 +28,7 @@ from avoidbench import planner as p
 from avoidbench.planner_files import planner_files
 
 _WORDS = {
-    "inputs": ("AB_INPUT_", ("state", "depth", "stereo", "color", "imu", "states", "one_camera", "reference")),
+    "inputs": ("AB_INPUT_", ("state", "depth", "stereo", "color", "imu", "states", "one_camera", "reference", "tracks")),
     "uses": ("AB_USES_", ("processes", "devices", "network", "globals")),
     "commands": ("AB_COMMAND_", ("position", "velocity", "acceleration", "trajectory", "rates")),
 }
@@ -248,6 +248,17 @@ def _reference(segment: _Segment, at: int) -> p.Reference | None:
     return _made(p.Reference, point)
 
 
+_TRACK_KINDS = ("other", "person", "box", "ball", "pole")
+
+
+def _tracks(segment: _Segment, given: NDArray[np.void]) -> tuple[p.Track, ...]:
+    count = int(given["track_count"])
+    if count == 0:
+        return ()
+    tracks: NDArray[np.void] = np.ndarray((count,), layouts.ab_track, segment.memory, int(given["tracks"]))
+    return tuple(_made(p.Track, track, kind=_TRACK_KINDS[track["kind"].item()]) for track in tracks)
+
+
 def _observation(segment: _Segment, at: int, sees_imu: bool) -> p.Observation:
     given = segment.struct(layouts.ab_observation, at)
     states = (segment.struct(layouts.ab_state, offset) for offset in segment.offsets(given, "states", "state_count"))
@@ -261,6 +272,7 @@ def _observation(segment: _Segment, at: int, sees_imu: bool) -> p.Observation:
         call_time_s=given["time_s"].item(),
         states=tuple(_made(p.State, state) for state in states),
         reference=_reference(segment, given["reference"].item()),
+        tracks=_tracks(segment, given),
     )
 
 

@@ -17,7 +17,7 @@ import pytest
 from avoidbench import portable_math
 from avoidbench.planner import Parameter, Planner
 
-from planners import ANSWERS, AllEyed, Commanding, Follower, OneEyed, Preset, Seeing, Undeclared
+from planners import ANSWERS, AllEyed, Commanding, Follower, OneEyed, Preset, Seeing, Undeclared, Watcher
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
 sys.path.insert(0, str(EXAMPLES))
@@ -126,6 +126,16 @@ def test_the_last_commanded_state_is_seen(tmp_path: Path) -> None:
     velocity, ahead = json.loads(told(Follower, tmp_path))
     np.testing.assert_allclose(velocity, [0.0, 2.0, 0.0], atol=0.3)
     assert 0.0 < np.linalg.norm(ahead) < 0.5  # the vehicle lags a little
+
+
+def test_tracks_are_of_what_moves_around(tmp_path: Path) -> None:
+    tracks = json.loads(told(Watcher, tmp_path, sweep={"movers": {"count": 9, "kind": "ball", "motion": "trefoil"}}))
+    assert len(tracks) == 9 and len({track[0] for track in tracks}) == 9
+    for _, kind, time_s, _, velocity, *size in tracks:
+        assert kind == "ball" and time_s == pytest.approx(1.0, abs=0.051)
+        assert 0.0 < np.linalg.norm(velocity) <= 2.0
+        np.testing.assert_allclose(size, size[0], rtol=1e-3)
+    assert told(Watcher, tmp_path) == "[]"
 
 
 MISTAKES = {

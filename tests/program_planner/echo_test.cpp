@@ -86,6 +86,9 @@ struct Seen {
     for (const ab_state& one : past) past_pointers.push_back(&one);
     all.state_count = static_cast<std::uint32_t>(past.size());
     all.states = past_pointers.data();
+    for (int i = 0; i < 3; ++i) tracks.push_back(noise.made<ab_track>());
+    all.track_count = static_cast<std::uint32_t>(tracks.size());
+    all.tracks = tracks.data();
     noise.fill(&reference, sizeof reference);
     // Of other seeds there is none.
     all.reference = seed % 2 == 1 ? &reference : nullptr;
@@ -105,6 +108,7 @@ struct Seen {
   std::vector<ab_imu_sample> imu;
   std::vector<ab_state> past;
   ab_point reference{};
+  std::vector<ab_track> tracks;
   std::vector<const ab_state*> past_pointers;
   ab_observation all{};
 };

@@ -101,7 +101,8 @@ TEST(Protocol, StructsOfOneCallAreWhereTheyAreDocumented) {
                   AT(ab_observation, color, 40), AT(ab_observation, imu_count, 48),
                   AT(ab_observation, imu, 56), AT(ab_observation, time_s, 64),
                   AT(ab_observation, state_count, 72), AT(ab_observation, states, 80),
-                  AT(ab_observation, reference, 88), Field{sizeof(ab_observation), 96}});
+                  AT(ab_observation, reference, 88), AT(ab_observation, track_count, 96),
+                  AT(ab_observation, tracks, 104), Field{sizeof(ab_observation), 112}});
   expect_offsets("ab_depth_image",
                  {AT(ab_depth_image, width_px, 4), AT(ab_depth_image, height_px, 8),
                   AT(ab_depth_image, time_s, 16), AT(ab_depth_image, fx_px, 24),

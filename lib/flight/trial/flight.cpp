@@ -82,6 +82,26 @@ std::optional<ReferenceView> reference_view(const Flight& flight) {
                        .yaw_rate_radps = now.yaw_rate_radps};
 }
 
+/// What moves around the vehicle, where its odometry believes that to be.
+std::vector<TrackView> track_views(const Flight& flight) {
+  const Pose T_world_body = pose_of(flight.state);
+  const Pose T_believed_world = pose_of(believed_state(flight)) * T_world_body.inverse();
+  std::vector<TrackView> views;
+  for (const Track& track : tracks_at(flight.spec->tracks, flight.scene->world(), flight.tracked,
+                                      noise_seed(*flight.spec, "tracks"),
+                                      {.now = flight.state.tick,
+                                      .T_world_body = T_world_body,
+                                      .still_at_s = flight.change.still_at_s})) {
+    views.push_back({.id = track.id,
+                     .kind = track.kind,
+                     .time_s = track.time_s,
+                     .center_world = T_believed_world * track.center_world,
+                     .velocity_world = T_believed_world.linear() * track.velocity_world,
+                     .size_m = track.size_m});
+  }
+  return views;
+}
+
 /// The state at this tick, with what is measured of it: clearance and power.
 void sample(Flight& flight) {
   const VehicleState& state = flight.state;
@@ -270,11 +290,16 @@ Flight begin_flight(const TrialSpec& spec, const Scene& scene, const Mission& mi
                 .busy_until = 0,
                 .pending = {},
                 .sees_reference = (needs & AB_INPUT_REFERENCE) != 0,
+                .sees_tracks = (needs & AB_INPUT_TRACKS) != 0,
+                .tracked = {},
                 .view = {},
                 .stopped = {},
                 .outcome = {},
                 .record = {}};
   add_motion(flight);
+  if (flight.sees_tracks) {
+    flight.tracked = tracked_things(flight.scene->world(), noise_seed(spec, "tracks"));
+  }
   return flight;
 }
 
@@ -291,6 +316,7 @@ const PlannerView* next_plan(Flight& flight) {
       flight.is_answered = false;
       flight.view = planner_view(flight.perception, state);
       if (flight.sees_reference) flight.view.reference = reference_view(flight);
+      if (flight.sees_tracks) flight.view.tracks = track_views(flight);
       return &flight.view;
     }
     fly_on(flight);

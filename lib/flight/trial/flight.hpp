@@ -59,6 +59,8 @@ struct Flight {
 
   std::deque<PendingCommand> pending;  ///< by due tick
   bool sees_reference = false;         ///< the planner, AB_INPUT_REFERENCE
+  bool sees_tracks = false;            ///< the planner, AB_INPUT_TRACKS
+  std::vector<TrackedThing> tracked;   ///< what moves, where it does
   bool was_touching = false;
   bool is_begun = false;           ///< whether the start was looked at
   bool is_asked = false;           ///< whether a plan was asked for at this tick

@@ -12,6 +12,7 @@
 #include "sensing/imu.hpp"
 #include "sensing/odometry.hpp"
 #include "sensing/sensor_spec.hpp"
+#include "sensing/tracks.hpp"
 #include "vehicle/vehicle_spec.hpp"
 #include "wind/wind_spec.hpp"
 
@@ -165,6 +166,7 @@ struct TrialSpec {
   std::string missions_digest;
   WindSpec wind;
   MoversSpec movers;
+  TracksSpec tracks;
 };
 
 template <class Visitor, ConstOr<TrialSpec> Spec>
@@ -186,6 +188,8 @@ void visit(Visitor& v, Spec& s) {
   v.field("missions_digest", s.missions_digest, "SHA-256 of the map's listed missions.");
   v.field("wind", s.wind, "Wind and disturbances, added up; see docs/wind.md.");
   v.field("movers", s.movers, "Things that move through the map; see docs/movers.md.");
+  v.field("tracks", s.tracks,
+          "What planners that declare tracks are told of things that move; the default is true.");
 }
 
 }  // namespace avoidbench

@@ -79,6 +79,12 @@ struct ReferenceView {
   Eigen::Vector3d position_world, velocity_world, acceleration_world, jerk_world;
   double yaw_rad = 0, yaw_rate_radps = 0;
 };
+/// Something that moves, at the time of a scan.
+struct TrackView {
+  std::uint32_t id = 0, kind = 0;  ///< kind: AB_TRACK_…
+  double time_s = 0;
+  Eigen::Vector3d center_world, velocity_world, size_m;
+};
 /// The newest state, and what came since the last call.
 struct PlannerView : StateView {
   double call_time_s = 0;  ///< now; time_s is older where the odometry has a delay
@@ -88,6 +94,7 @@ struct PlannerView : StateView {
   std::vector<ImuView> imu;                     ///< oldest first
   std::vector<StateView> states;                ///< oldest first
   std::optional<ReferenceView> reference = {};  ///< nothing while rates are commanded
+  std::vector<TrackView> tracks = {};           ///< of the newest scan
 };
 
 /// What a planner knows of a place: AB_PLACE_….

@@ -107,6 +107,8 @@ std::uint64_t write_flat(Segment& segment, const ab_observation& observation) {
   const bool has_reference = observation.reference != nullptr;
   set_offset(copy.reference,
              has_reference ? segment.add(observation.reference, sizeof(ab_point)) : 0);
+  const std::size_t track_bytes = observation.track_count * sizeof(ab_track);
+  set_offset(copy.tracks, track_bytes == 0 ? 0 : segment.add(observation.tracks, track_bytes));
   return write_struct(segment, copy);
 }
 

@@ -51,7 +51,7 @@ bool is_in_view(const TracksSpec& spec, const Pose& T_world_body, const Vector3d
 bool is_seen(const TracksSpec& spec, std::uint64_t scan_seed, Track& track) {
   RandomStream draws(stream_seed(scan_seed, std::uint64_t{track.id}));
   const bool is_missed = draws.uniform() < spec.miss_ratio;
-  track.centre_world += spec.position_noise_m * drawn_normals(draws);
+  track.center_world += spec.position_noise_m * drawn_normals(draws);
   track.velocity_world += spec.velocity_noise_mps * drawn_normals(draws);
   return !is_missed;
 }
@@ -75,11 +75,11 @@ void add_false_tracks(const TracksSpec& spec, double time_s, const Pose& T_world
     const double heading_rad = draws.uniform(0.0, math::kTau);
     const double speed_mps = draws.uniform(0.0, 2.0);
     track.size_m = Vector3d::Constant(draws.uniform(0.3, 0.8));
-    track.centre_world = T_world_body.translation() +
+    track.center_world = T_world_body.translation() +
                          distance_m * Vector3d(math::cos(bearing_rad), math::sin(bearing_rad), 0.0);
     track.velocity_world =
         speed_mps * Vector3d(math::cos(heading_rad), math::sin(heading_rad), 0.0);
-    if (is_in_view(spec, T_world_body, track.centre_world)) tracks.push_back(track);
+    if (is_in_view(spec, T_world_body, track.center_world)) tracks.push_back(track);
   }
 }
 
@@ -98,7 +98,7 @@ std::vector<TrackedThing> tracked_things(const World& world, std::uint64_t seed)
     things.push_back({.motion = i,
                       .id = id_of(seed, "track", i),
                       .kind = kind_number(world.obstacles[instance.obstacle].kind),
-                      .centre_prototype = box.center(),
+                      .center_prototype = box.center(),
                       .size_m = scale * box.sizes()});
   }
   return things;
@@ -119,17 +119,16 @@ std::vector<Track> tracks_at(const TracksSpec& spec, const World& world,
   for (const TrackedThing& thing : things) {
     const Motion& motion = world.motions[thing.motion];
     const Instance& instance = world.instances[motion.instance];
-    const double moved_s = asked.still_at_s != nullptr ? *asked.still_at_s : time_s;
+    const double moved_s = asked.still_at_s.value_or(time_s);
     const Eigen::Affine3d T = moved(instance.T_world_prototype, motion, moved_s).cast<double>();
     Track track{.id = thing.id,
                 .kind = thing.kind,
                 .time_s = time_s,
-                .centre_world = T * thing.centre_prototype,
-                .velocity_world = asked.still_at_s != nullptr
-                                      ? Vector3d::Zero()
-                                      : state_at(motion, moved_s).velocity_world,
+                .center_world = T * thing.center_prototype,
+                .velocity_world =
+                    asked.still_at_s ? Vector3d::Zero() : state_at(motion, moved_s).velocity_world,
                 .size_m = thing.size_m};
-    if (!is_in_view(spec, asked.T_world_body, track.centre_world)) continue;
+    if (!is_in_view(spec, asked.T_world_body, track.center_world)) continue;
     if (is_seen(spec, scan_seed, track)) tracks.push_back(track);
   }
   add_false_tracks(spec, time_s, asked.T_world_body, seed, tracks);

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "base/fields.hpp"
@@ -47,7 +48,7 @@ struct Track {
   std::uint32_t id = 0;    ///< the same in all scans
   std::uint32_t kind = 0;  ///< AB_TRACK_…
   double time_s = 0.0;
-  Eigen::Vector3d centre_world = Eigen::Vector3d::Zero();
+  Eigen::Vector3d center_world = Eigen::Vector3d::Zero();
   Eigen::Vector3d velocity_world = Eigen::Vector3d::Zero();
   Eigen::Vector3d size_m = Eigen::Vector3d::Zero();  ///< of its box in its own frame, z up
 };
@@ -56,21 +57,22 @@ struct Track {
 struct TrackedThing {
   std::uint32_t motion = 0;  ///< index into World::motions
   std::uint32_t id = 0, kind = 0;
-  Eigen::Vector3d centre_prototype = Eigen::Vector3d::Zero();
+  Eigen::Vector3d center_prototype = Eigen::Vector3d::Zero();
   Eigen::Vector3d size_m = Eigen::Vector3d::Zero();
 };
 
-/// All that moves in a world, for one trial: ids are drawn from its seed, so that they tell nothing.
+/// All that moves in a world, for one trial: ids are drawn from its seed, so that they tell
+/// nothing.
 std::vector<TrackedThing> tracked_things(const World& world, std::uint64_t seed);
 
-/// The newest scan that a planner may have at `now`; nothing before the first. `T_world_body` is the
-/// vehicle's true pose at `now`, by which range and field of view are judged; what things do at the
-/// scan's time is their motions' alone, so that no scan needs a tick of its own. Where `still_at_s`
-/// is given they stand where they are then.
+/// The newest scan that a planner may have at `now`; nothing before the first. `T_world_body` is
+/// the vehicle's true pose at `now`, by which range and field of view are judged; what things do at
+/// the scan's time is their motions' alone, so that no scan needs a tick of its own. Where
+/// `still_at_s` is given they stand where they are then.
 struct TracksAsked {
   Tick now = 0;
   Pose T_world_body = Pose::Identity();
-  const double* still_at_s = nullptr;
+  std::optional<double> still_at_s = {};
 };
 std::vector<Track> tracks_at(const TracksSpec& spec, const World& world,
                              const std::vector<TrackedThing>& things, std::uint64_t seed,

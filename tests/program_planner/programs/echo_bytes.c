@@ -59,6 +59,7 @@ void echo_observation(echo_buffer* to, const ab_observation* seen) {
   add(to, &seen->time_s, sizeof seen->time_s);
   for (i = 0; i < seen->state_count; ++i) add(to, seen->states[i], sizeof(ab_state));
   if (seen->reference != NULL) add(to, seen->reference, sizeof(ab_point));
+  add(to, seen->tracks, seen->track_count * sizeof(ab_track));
 }
 
 void echo_command(ab_command* command, const ab_state* state) {
