@@ -237,7 +237,8 @@ TEST_F(SweepFiles, EachProblemHasItsPlaceAndReason) {
       {"movers: {count: -1}", "s.yaml:3:17: movers.count: -1 is outside [0, 2000]"},
       {"movers: {cuont: 3}", "s.yaml:3:10: movers.cuont: unknown key (did you mean count?)"},
       {"movers: {kind: dog}",
-       "s.yaml:3:16: movers.kind: \"dog\" is none of person, box, ball, pole, mixed"},
+       "s.yaml:3:16: movers.kind: \"dog\" is none of person, box, ball, pole, mixed (did you mean "
+       "box?)"},
       {"movers: {count: 5, density_1pm2: 0.1}",
        "s.yaml:3:34: movers.density_1pm2: stands instead of count, and both are given"},
       {"movers: {count: 5, speed_mps: [2, 1]}",

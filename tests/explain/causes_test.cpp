@@ -62,12 +62,13 @@ TEST(Causes, MovedIntoByAMover) {
   spec.vehicle.max_speed_mps = 2.0;
   spec.movers.count = 1;
   spec.movers.motion = MoverMotion::cross;
-  spec.movers.speed_mps = {2.0, 2.0};
-  spec.rates.plan_hz = 2.0;  // the planner's last word is old
+  spec.movers.kind = MoverKind::ball;
+  spec.movers.speed_mps = {0.8, 0.8};
+  spec.rates.plan_hz = 0.5;  // the planner's last word is old
   act = [](const ab_observation&) { return velocity(0, 2, 0); };
   const Told told = fly_and_explain(spec, test::flight_world(), test::straight_mission());
   ASSERT_EQ(told.record.outcome, Outcome::collided) << told.record.reason;
-  EXPECT_EQ(told.record.collisions.front().kind, "person");
+  EXPECT_EQ(told.record.collisions.front().kind, "ball");
   EXPECT_EQ(told.explanation.cause, Cause::moved_into) << facts_text(told.explanation);
   EXPECT_GT(told.explanation.facts.obstacle_way_m, 0.2);
 }

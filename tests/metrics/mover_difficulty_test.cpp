@@ -77,7 +77,8 @@ TEST(MoverDifficulty, IsMeasuredOfATrialsOwnMovers) {
 
 TEST(MoverDifficulty, IsInTheTable) {
   TrialRecord record;
-  const MissionRecord mission{.mission = test::straight_mission()};
+  MissionRecord mission;
+  mission.mission = test::straight_mission();
   const std::vector<double> with = compute_metrics({TrialSpec{}, mission, record, {1.0, 2.0, 3.0}});
   const std::vector<double> without = compute_metrics({TrialSpec{}, mission, record});
   const std::size_t first = with.size() - 3;

@@ -86,7 +86,8 @@ struct Seen {
     for (const ab_state& one : past) past_pointers.push_back(&one);
     all.state_count = static_cast<std::uint32_t>(past.size());
     all.states = past_pointers.data();
-    for (int i = 0; i < 3; ++i) tracks.push_back(noise.made<ab_track>());
+    tracks.resize(3);
+    noise.fill(tracks.data(), tracks.size() * sizeof(ab_track));
     all.track_count = static_cast<std::uint32_t>(tracks.size());
     all.tracks = tracks.data();
     noise.fill(&reference, sizeof reference);

@@ -51,7 +51,8 @@ TEST(Tracks, AreTrueByDefault) {
     ids.insert(tracks[i].id);
     EXPECT_EQ(tracks[i].time_s, 1.0);
     EXPECT_EQ(tracks[i].kind, i % 2 == 0 ? AB_TRACK_BALL : AB_TRACK_OTHER);
-    EXPECT_LT((tracks[i].center_world - Vector3d(i + 1.0, 1.0, 2.0)).norm(), 1e-6);
+    EXPECT_LT((tracks[i].center_world - Vector3d(static_cast<double>(i) + 1.0, 1.0, 2.0)).norm(),
+              1e-6);
     EXPECT_LT(tracks[i].velocity_world.norm(), 1e-9);
     EXPECT_LT((tracks[i].size_m - Vector3d(0.8, 1.2, 2.0)).norm(), 1e-6);
   }
