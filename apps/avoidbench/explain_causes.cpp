@@ -22,6 +22,7 @@
 #include "sweep/cause_counts.hpp"
 #include "sweep/schedule.hpp"
 #include "table/table_text.hpp"
+#include "trial/flown_world.hpp"
 #include "view_output.hpp"
 
 namespace avoidbench {
@@ -178,7 +179,7 @@ void write_moment(const StoredFlight& flight, const FleetOptions& options, const
   const JobEnd end = fly_one(job, options);
   if (!end.answer) throw InputError("its flight for the picture did not come to its end");
   const StoredTrial& stored = flight.stored;
-  const World world = make_world(stored.spec.map, stored.spec.map_seed);
+  const World world = flown_world(stored.spec, stored.mission);
   write_sheets(stored, world, *end.answer->trial, recording_from(*end.answer->reported).moments,
                title, png);
 }

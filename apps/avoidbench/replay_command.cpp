@@ -18,6 +18,7 @@
 #include "replay/sample.hpp"
 #include "replay/stored_flight.hpp"
 #include "replay_verify.hpp"
+#include "trial/flown_world.hpp"
 #include "view_output.hpp"
 #include "worker/worker_death.hpp"
 
@@ -172,7 +173,7 @@ void write_views(const Flown& flown, const Task& task) {
   if (options.png.empty() && options.video.empty() && options.page.empty()) return;
   const StoredTrial& stored = flight.stored;
   const FlightRecording& recording = flown.recording;
-  const World world = make_world(stored.spec.map, stored.spec.map_seed);
+  const World world = flown_world(stored.spec, stored.mission);
   if (!options.png.empty()) {
     write_sheets(stored, world, flown.record, recording.moments, title_line(listing), options.png);
   }

@@ -23,6 +23,7 @@ AB_INPUT_WORLD = 32
 AB_INPUT_STATES = 64
 AB_INPUT_ONE_CAMERA = 128
 AB_INPUT_REFERENCE = 4096
+AB_INPUT_TRACKS = 16384
 AB_INPUT_POINTS = 8192
 AB_INPUT_GOALS = 32768
 AB_USES_PROCESSES = 256
@@ -41,6 +42,11 @@ AB_NUMBER = 0
 AB_INTEGER = 1
 AB_CHOICE = 2
 AB_TEXT = 3
+AB_TRACK_OTHER = 0
+AB_TRACK_PERSON = 1
+AB_TRACK_BOX = 2
+AB_TRACK_BALL = 3
+AB_TRACK_POLE = 4
 AB_DEBUG_EXTENSION = "avoidbench.debug/1"
 AB_DRAW_POINTS = 1
 AB_DRAW_LINE = 2
@@ -108,10 +114,11 @@ ab_point = _struct(
     "time_s:f8 position_world_m:3f8 velocity_world_mps:3f8 acceleration_world_mps2:3f8 jerk_world_mps3:3f8 yaw_rad:f8 "
     "yaw_rate_radps:f8"
 )
+ab_track = _struct("id:u4 kind:u4 time_s:f8 center_world_m:3f8 velocity_world_mps:3f8 size_m:3f8")
 ab_observation = _struct(
     "struct_size:u4 depth_count:u4 state:u8 depth:u8 stereo_count:u4 color_count:u4 stereo:u8 color:u8 imu_count:u4 "
     "reserved:u4 imu:u8 time_s:f8 state_count:u4 reserved2:u4 states:u8 reference:u8 cloud_count:u4 reserved3:u4 "
-    "clouds:u8 goal_index:u4 reserved4:u4 goal_world_m:3f8"
+    "clouds:u8 goal_index:u4 reserved4:u4 goal_world_m:3f8 track_count:u4 reserved5:u4 tracks:u8"
 )
 ab_command = _struct(
     "struct_size:u4 kind:u4 flags:u4 point_count:u4 position_world_m:3f8 velocity_world_mps:3f8 "

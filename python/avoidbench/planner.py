@@ -200,6 +200,21 @@ class Reference:
 
 
 @dataclass(frozen=True)
+class Track:
+    """Something that moves, at the time of a scan."""
+
+    id: int
+    """The same thing has the same in all observations of a trial."""
+    kind: str
+    """person, box, ball, pole or other"""
+    time_s: float
+    center_world_m: Vector
+    velocity_world_mps: Vector
+    size_m: Vector
+    """Of its box in its own frame, z up."""
+
+
+@dataclass(frozen=True)
 class Observation(State):
     """What a planner sees in one call: the newest state, and since the last call, of what it declares in `inputs`,
     images and sweeps, newest first, samples of the IMU, states at the IMU's rate, oldest first, and the reference."""
@@ -219,6 +234,8 @@ class Observation(State):
     """Of the goal to reach now, in Mission.goals_world_m."""
     goal_world_m: Vector | None = None
     """Where it is at this call, of who declares "goals"."""
+    tracks: tuple[Track, ...] = ()
+    """What moves around the vehicle, by the newest scan, of who declares it."""
 
     def newest_depth(self, camera: int) -> DepthImage | None:
         """The newest depth image of this camera (index into Setup.cameras) since the last call, or None: none is
@@ -306,8 +323,9 @@ class Planner:
     summary: ClassVar[str] = ""
     """One line."""
     inputs: ClassVar[Sequence[str]] = ("state",)
-    """Of state, depth, stereo, color, imu, states, reference, points, goals (the goal to reach now: without it missions
-    of several goals are refused); with one_camera of a rig one camera alone, which a sweep names (`camera: 0`)."""
+    """Of state, depth, stereo, color, imu, states, reference, points, tracks, goals (the goal to reach now: without it
+    missions of several goals are refused); with one_camera of a rig one camera alone, which a sweep names
+    (`camera: 0`)."""
     commands: ClassVar[Sequence[str]] = ("velocity",)
     """Of position, velocity, acceleration, trajectory, rates: what plan() may return."""
     uses: ClassVar[Sequence[str]] = ()

@@ -30,7 +30,7 @@ from avoidbench.planner_files import planner_files
 _WORDS = {
     "inputs": (
         "AB_INPUT_",
-        ("state", "depth", "stereo", "color", "imu", "states", "one_camera", "reference", "points", "goals"),
+        ("state", "depth", "stereo", "color", "imu", "states", "one_camera", "reference", "points", "tracks", "goals"),
     ),
     "uses": ("AB_USES_", ("processes", "devices", "network", "globals")),
     "commands": ("AB_COMMAND_", ("position", "velocity", "acceleration", "trajectory", "rates")),
@@ -281,6 +281,17 @@ def _mission(segment: _Segment, at: int) -> p.Mission:
     )
 
 
+_TRACK_KINDS = ("other", "person", "box", "ball", "pole")
+
+
+def _tracks(segment: _Segment, given: NDArray[np.void]) -> tuple[p.Track, ...]:
+    count = int(given["track_count"])
+    if count == 0:
+        return ()
+    tracks: NDArray[np.void] = np.ndarray((count,), layouts.ab_track, segment.memory, int(given["tracks"]))
+    return tuple(_made(p.Track, track, kind=_TRACK_KINDS[track["kind"].item()]) for track in tracks)
+
+
 def _observation(segment: _Segment, at: int, inputs: Sequence[str]) -> p.Observation:
     given = segment.struct(layouts.ab_observation, at)
     states = (segment.struct(layouts.ab_state, offset) for offset in segment.offsets(given, "states", "state_count"))
@@ -297,6 +308,7 @@ def _observation(segment: _Segment, at: int, inputs: Sequence[str]) -> p.Observa
         clouds=tuple(_cloud(segment, offset) for offset in segment.offsets(given, "clouds", "cloud_count")),
         goal_index=given["goal_index"].item(),
         goal_world_m=given["goal_world_m"].copy() if "goals" in inputs else None,
+        tracks=_tracks(segment, given),
     )
 
 

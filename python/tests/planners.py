@@ -145,6 +145,26 @@ class Patrol(Planner):
         return Velocity(goal - observation.position_world_m)
 
 
+class Watcher(Planner):
+    """Tells of the tracks after a second."""
+
+    name = "watcher"
+    inputs = ("state", "tracks")
+
+    def plan(self, observation: Observation) -> Velocity:
+        if observation.call_time_s > 1.0:
+            raise GiveUp(
+                json.dumps(
+                    [
+                        [t.id, t.kind, t.time_s, t.center_world_m.tolist(), t.velocity_world_mps.tolist()]
+                        + t.size_m.tolist()
+                        for t in observation.tracks
+                    ]
+                )
+            )
+        return Velocity((0.0, 0.0, 0.0))
+
+
 class AllEyed(Planner):
     """Tells of which cameras it has images."""
 

@@ -17,7 +17,7 @@ import pytest
 from avoidbench import portable_math
 from avoidbench.planner import Parameter, Planner
 
-from planners import ANSWERS, AllEyed, Commanding, Follower, OneEyed, Patrol, Pointed, Preset, Seeing, Undeclared
+from planners import ANSWERS, AllEyed, Commanding, Follower, OneEyed, Patrol, Pointed, Preset, Seeing, Undeclared, Watcher
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
 sys.path.insert(0, str(EXAMPLES))
@@ -141,6 +141,16 @@ def test_goals_are_seen_in_order(tmp_path: Path) -> None:
     assert json.loads(told(Patrol, tmp_path, sweep={"mission": mission, "maps": maps})) == goals
     with pytest.raises(avoidbench.InputError, match="it does not declare AB_INPUT_GOALS"):
         told(OneEyed, tmp_path, sweep={"mission": mission})
+
+
+def test_tracks_are_of_what_moves_around(tmp_path: Path) -> None:
+    tracks = json.loads(told(Watcher, tmp_path, sweep={"movers": {"count": 9, "kind": "ball", "motion": "trefoil"}}))
+    assert len(tracks) == 9 and len({track[0] for track in tracks}) == 9
+    for _, kind, time_s, _, velocity, *size in tracks:
+        assert kind == "ball" and time_s == pytest.approx(1.0, abs=0.051)
+        assert 0.0 < np.linalg.norm(velocity) <= 2.0
+        np.testing.assert_allclose(size, size[0], rtol=1e-3)
+    assert told(Watcher, tmp_path) == "[]"
 
 
 MISTAKES = {

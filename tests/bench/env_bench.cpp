@@ -80,7 +80,7 @@ double bare_s(const Learner& learner) {
     const Pose T_world_camera = T_world_body * T_body_camera(sensor.mounting);
     const std::vector<Block> rays = prepared_rays(camera, T_world_camera);
     const double before = processor_s();
-    trace_bare(learner.env.scene(i).internals().top.get(), rays, T_world_camera,
+    trace_bare(learner.env.scene(i).internals().map->top.get(), rays, T_world_camera,
                sensor.max_range_m);
     sum_s += 8.0 * (processor_s() - before);
   }

@@ -82,7 +82,8 @@ void sweep(benchmark::State& state, const LidarSpec& spec, const MapSpec& map) {
   std::int64_t index = 0;
   for (auto _ : state) {
     const double start = processor_s();
-    trace_rays_bare(scene.internals().top.get(), packets, static_cast<float>(spec.max_range_m));
+    trace_rays_bare(scene.internals().map->top.get(), packets,
+                    static_cast<float>(spec.max_range_m));
     const double first = processor_s();
     first_hits(scene, rays, spec.max_range_m, hits);
     const double second = processor_s();

@@ -85,7 +85,7 @@ void depth(benchmark::State& state, MapKind kind) {
     }
     for (std::size_t i = 0; i < poses.size(); ++i) {
       const double start = processor_s();
-      trace_bare(in.scene->internals().top.get(), prepared[i], poses[i], kDepthRange_m);
+      trace_bare(in.scene->internals().map->top.get(), prepared[i], poses[i], kDepthRange_m);
       bare_s.push_back(processor_s() - start);
     }
     ours_s.insert(ours_s.end(), frame_s.begin(), frame_s.end());

@@ -35,7 +35,7 @@ ImageTimes image_times(const Scene& scene, const TrialSpec& spec, const TrialRec
         make_pose(sample.position_world, sample.q_world_body) * T_body_camera(spec.sensor.mounting);
     const std::vector<Block> rays = prepared_rays(camera, pose);
     const double first = processor_s();
-    trace_bare(scene.internals().top.get(), rays, pose, spec.sensor.max_range_m);
+    trace_bare(scene.internals().map->top.get(), rays, pose, spec.sensor.max_range_m);
     const double second = processor_s();
     render_depth(scene, camera, pose, image);
     times.bare_s += second - first;

@@ -41,7 +41,7 @@ TEST(Causes, MovedInto) {
   // A long plate that sweeps over the path and cannot be passed.
   test::add_obstacle(world, test::box_mesh(Vector3f(0.5F, 30, 4)), {6, 0, 2}, "gate");
   world.motions.push_back(
-      {.instance = 1, .amplitude_world = {9, 0, 0}, .period_s = 16.0, .phase = 0.25});
+      {.instance = 1, .path = Sway{.amplitude_world = {9, 0, 0}, .period_s = 16.0, .phase = 0.25}});
   act = [](const ab_observation&) { return velocity(0, 2, 0); };
   const Told told = fly_and_explain(spec_of<Silent>(), world, test::straight_mission());
   ASSERT_EQ(told.record.outcome, Outcome::collided) << told.record.reason;
@@ -51,9 +51,26 @@ TEST(Causes, MovedInto) {
   // Struck head on it stands in the way, moving or not.
   World ahead = test::flight_world();
   test::add_obstacle(ahead, test::box_mesh(Vector3f(16, 0.5F, 8)), {0, 5, 4}, "wall");
-  ahead.motions.push_back({.instance = 1, .amplitude_world = {1, 0, 0}, .period_s = 4.0});
+  ahead.motions.push_back(
+      {.instance = 1, .path = Sway{.amplitude_world = {1, 0, 0}, .period_s = 4.0}});
   EXPECT_EQ(fly_and_explain(spec_of<Silent>(), ahead, test::straight_mission()).explanation.cause,
             Cause::sensed_not_avoided);
+}
+
+TEST(Causes, MovedIntoByAMover) {
+  TrialSpec spec = spec_of<Silent>();
+  spec.vehicle.max_speed_mps = 2.0;
+  spec.movers.count = 1;
+  spec.movers.motion = MoverMotion::cross;
+  spec.movers.kind = MoverKind::ball;
+  spec.movers.speed_mps = {0.8, 0.8};
+  spec.rates.plan_hz = 0.5;  // the planner's last word is old
+  act = [](const ab_observation&) { return velocity(0, 2, 0); };
+  const Told told = fly_and_explain(spec, test::flight_world(), test::straight_mission());
+  ASSERT_EQ(told.record.outcome, Outcome::collided) << told.record.reason;
+  EXPECT_EQ(told.record.collisions.front().kind, "ball");
+  EXPECT_EQ(told.explanation.cause, Cause::moved_into) << facts_text(told.explanation);
+  EXPECT_GT(told.explanation.facts.obstacle_way_m, 0.2);
 }
 
 /// A gust from the side, and a path along x = 0 that passes a wall by `clearance_m`.

@@ -7,6 +7,7 @@
 #include "explain/explain.hpp"
 #include "plugin/planner_library.hpp"
 #include "support/flight_worlds.hpp"
+#include "trial/flown_world.hpp"
 #include "trial/planner_view.hpp"
 #include "trial/run_trial.hpp"
 
@@ -74,8 +75,10 @@ inline Told fly_and_explain(const TrialSpec& spec, const World& world, const Mis
     return run_trial(spec, scene, mission, planner, observer);
   };
   Told told{.record = fly({}), .explanation = {}};
-  const auto patch = struck_patch(world, told.record);
-  const FailedFlight flight{spec, world, mission, told.record, reference_length_m};
+  const std::optional<World> with_movers = world_with_movers(spec, scene, mission);
+  const World& flown = with_movers ? *with_movers : world;
+  const auto patch = struck_patch(flown, told.record);
+  const FailedFlight flight{spec, flown, mission, told.record, reference_length_m};
   if (!needs_watch(told.record) || !patch) {
     told.explanation = explained(flight, nullptr, nullptr);
     return told;

@@ -163,18 +163,19 @@ TEST(Hall, MovingCylindersKeepToTheirHalfOfTheGap) {
   EXPECT_GT(world.motions.size(), 10U);
   const double reach_m = 0.5 * (3.0 - 1.0);
   for (const Motion& motion : world.motions) {
+    const Sway& sway = std::get<Sway>(motion.path);
     EXPECT_EQ(world.obstacles[world.instances[motion.instance].obstacle].kind, "cylinder");
-    EXPECT_NEAR(motion.amplitude_world.norm(), reach_m, 1e-12);
-    EXPECT_EQ(motion.amplitude_world.z(), 0.0);
+    EXPECT_NEAR(sway.amplitude_world.norm(), reach_m, 1e-12);
+    EXPECT_EQ(sway.amplitude_world.z(), 0.0);
     EXPECT_GE(greatest_speed_mps(motion), 0.5 - 1e-12);
     EXPECT_LE(greatest_speed_mps(motion), 2.0);
     const double step_s = 1e-4;  // the speed where the way is crossed, by a difference
-    const double crossing_s = (1.0 - motion.phase) * motion.period_s;
+    const double crossing_s = (1.0 - sway.phase) * sway.period_s;
     const Eigen::Vector3d after = displacement_world(motion, crossing_s + step_s);
     const Eigen::Vector3d before = displacement_world(motion, crossing_s - step_s);
     EXPECT_NEAR((after - before).norm() / (2.0 * step_s), greatest_speed_mps(motion), 1e-4);
     EXPECT_LT(
-        (displacement_world(motion, 1.0) - displacement_world(motion, 1.0 + 3.0 * motion.period_s))
+        (displacement_world(motion, 1.0) - displacement_world(motion, 1.0 + 3.0 * sway.period_s))
             .norm(),
         1e-9);
   }

@@ -162,6 +162,24 @@ TEST_F(Observations, TheGoalArrivesWhereItIsAskedFor) {
   EXPECT_EQ(seen.goal_world_m[2], 3.0);
 }
 
+TEST_F(Observations, TracksArriveWhereTheyAreAskedFor) {
+  view.tracks = {{.id = 9,
+                  .kind = AB_TRACK_BALL,
+                  .time_s = 0.65,
+                  .center_world = {1.0, 2.0, 3.0},
+                  .velocity_world = {4.0, 5.0, 6.0},
+                  .size_m = {0.5, 0.6, 0.7}}};
+  EXPECT_EQ(buffers.fill(view, setup.cameras, AB_INPUT_STATE).track_count, 0U);
+  const ab_observation& seen = buffers.fill(view, setup.cameras, AB_INPUT_TRACKS);
+  ASSERT_EQ(seen.track_count, 1U);
+  EXPECT_EQ(seen.tracks[0].id, 9U);
+  EXPECT_EQ(seen.tracks[0].kind, AB_TRACK_BALL);
+  EXPECT_EQ(seen.tracks[0].time_s, 0.65);
+  EXPECT_EQ(seen.tracks[0].center_world_m[2], 3.0);
+  EXPECT_EQ(seen.tracks[0].velocity_world_mps[1], 5.0);
+  EXPECT_EQ(seen.tracks[0].size_m[0], 0.5);
+}
+
 TEST(HostSideOf, KeepsNoMoreOfErrorsAndLogsThanPeopleRead) {
   HostSide host;
   const ab_host& table = host.table();

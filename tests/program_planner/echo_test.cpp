@@ -86,6 +86,10 @@ struct Seen {
     for (const ab_state& one : past) past_pointers.push_back(&one);
     all.state_count = static_cast<std::uint32_t>(past.size());
     all.states = past_pointers.data();
+    tracks.resize(3);
+    noise.fill(tracks.data(), tracks.size() * sizeof(ab_track));
+    all.track_count = static_cast<std::uint32_t>(tracks.size());
+    all.tracks = tracks.data();
     noise.fill(&reference, sizeof reference);
     // Of other seeds there is none.
     all.reference = seed % 2 == 1 ? &reference : nullptr;
@@ -124,6 +128,7 @@ struct Seen {
   std::vector<ab_imu_sample> imu;
   std::vector<ab_state> past;
   ab_point reference{};
+  std::vector<ab_track> tracks;
   std::vector<const ab_state*> past_pointers;
   std::vector<ab_cloud> clouds;
   std::vector<std::vector<ab_lidar_point>> points;

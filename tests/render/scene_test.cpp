@@ -344,7 +344,8 @@ World moving_world() {
   world.instances[1].prototype = world.instances[1].obstacle = 1;
   world.instances[1].T_world_prototype.translation() = Eigen::Vector3f(0, 5, 2);
   world.obstacles = {{.kind = "ground"}, {.kind = "box"}};
-  world.motions = {{.instance = 1, .amplitude_world = {3, 0, 0}, .period_s = 4.0, .phase = 0.0}};
+  world.motions = {
+      {.instance = 1, .path = Sway{.amplitude_world = {3, 0, 0}, .period_s = 4.0, .phase = 0.0}}};
   return world;
 }
 

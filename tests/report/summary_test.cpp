@@ -421,6 +421,13 @@ TEST(Summary, NamesRevisionAndVersions) {
   EXPECT_EQ(section.notes.back().second, "a 1.2, b 1.2");
 }
 
+TEST(Summary, SaysWhoSeesTracks) {
+  SweepResult result = result_of(1, 2, [](char, int, int) { return true; });
+  result.spec_json = R"({"planners":[{"label":"a"},{"label":"b","sees_tracks":true}]})";
+  EXPECT_EQ(sweep_section(summary_of(result), {}).notes.back().second,
+            "a 1.2, b 1.2 (sees tracks)");
+}
+
 TEST(Summary, ShardsTogetherAreTheWhole) {
   const auto some = [](char planner, int map, int mission) {
     return (planner + map + mission) % 3 != 0;

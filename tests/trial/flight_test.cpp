@@ -48,7 +48,8 @@ struct EmptyWorld {
 World swinging_world() {
   World world = test::flight_world();
   test::add_obstacle(world, test::box_mesh({0.5, 0.5, 8}), {0, 0, 2}, "post");
-  world.motions = {{.instance = 1, .amplitude_world = {6, 0, 0}, .period_s = 11.0, .phase = 0.0}};
+  world.motions = {
+      {.instance = 1, .path = Sway{.amplitude_world = {6, 0, 0}, .period_s = 11.0, .phase = 0.0}}};
   return world;
 }
 

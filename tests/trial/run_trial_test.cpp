@@ -275,10 +275,9 @@ TEST(RunTrial, MovingObstaclesAreMetWhereTheyAreAtThatTime) {
   test::add_obstacle(world, test::box_mesh({1, 1, 8}), {0, 0, 2}, "slider");
   const auto flown = [&](double amplitude_m, double phase) {
     World moving = world;
-    moving.motions = {{.instance = 1,
-                       .amplitude_world = {amplitude_m, 0, 0},
-                       .period_s = 1000.0,
-                       .phase = phase}};
+    moving.motions = {
+        {.instance = 1,
+         .path = Sway{.amplitude_world = {amplitude_m, 0, 0}, .period_s = 1000.0, .phase = phase}}};
     return fly(spec_of("straight_line"), moving, test::straight_mission());
   };
   const TrialRecord met = flown(3.0, 0.0);  // hardly out of the way within the flight
@@ -292,7 +291,8 @@ TEST(RunTrial, MovingObstaclesAreMetWhereTheyAreAtThatTime) {
 TEST(RunTrial, AHoveringVehicleIsHitByWhatComes) {
   World world = test::flight_world();
   test::add_obstacle(world, test::box_mesh({1, 6, 8}), {-6, -15, 2}, "slider");
-  world.motions = {{.instance = 1, .amplitude_world = {12, 0, 0}, .period_s = 40.0, .phase = 0.0}};
+  world.motions = {
+      {.instance = 1, .path = Sway{.amplitude_world = {12, 0, 0}, .period_s = 40.0, .phase = 0.0}}};
   TrialSpec spec = spec_of("straight_line");
   Mission mission = test::straight_mission();
   mission.goal_world = mission.start_world + Vector3d(0, 1.0, 0);  // stays about where it is

@@ -126,7 +126,8 @@ World moving_world() {
   World world = test::flight_world();
   test::add_obstacle(world, test::box_mesh({1.0F, 1.0F, 4.0F}), {2.0, -11.0, 2.0}, "box");
   world.motions.push_back(
-      {.instance = 1, .amplitude_world = {1.0, 0.0, 0.0}, .period_s = 2.0, .phase = 0.1});
+      {.instance = 1,
+       .path = Sway{.amplitude_world = {1.0, 0.0, 0.0}, .period_s = 2.0, .phase = 0.1}});
   return world;
 }
 
@@ -314,7 +315,8 @@ TEST(StillObstacles, StandWhereTheyWereStruck) {
   test::add_obstacle(world, test::box_mesh({1.0F, 1.0F, 8.0F}), {2.5, 0.0, 4.0}, "box");
   // On the line at 5 s, when the vehicle passes there at 3 m/s; 2.5 m beside it at first.
   world.motions.push_back(
-      {.instance = 1, .amplitude_world = {-2.5, 0.0, 0.0}, .period_s = 21.0, .phase = 0.0});
+      {.instance = 1,
+       .path = Sway{.amplitude_world = {-2.5, 0.0, 0.0}, .period_s = 21.0, .phase = 0.0}});
   const Scene scene(world);
   TrialSpec spec;
   spec.mission.time_limit_s = 20.0;

@@ -133,13 +133,18 @@ export interface MissionData {
 export function goalsOf(mission: { goal: Vector; waypoints?: Vector[] }): Vector[] {
   return [...(mission.waypoints ?? []), mission.goal];
 }
+/** How something moves: a function of time alone. Knots are [ms, mm, mm, mm, mrad]. */
+export type PathData =
+  | { kind: "sway"; amplitude: Vector; period: number; phase: number }
+  | { kind: "route"; knots: [number, number, number, number, number][] }
+  | { kind: "trefoil"; reach: number; rise: number; period: number; phase: number; heading: number };
 export interface WorldData {
   prototypes: number;
   instances: number;
   kinds: string[];
   data: string;
   triangles: number;
-  motions: { instance: number; amplitude: Vector; period: number; phase: number }[];
+  motions: ({ instance: number } & PathData)[];
   bounds: [Vector, Vector];
   flight_bounds: [Vector, Vector];
 }

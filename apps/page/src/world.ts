@@ -1,6 +1,7 @@
 // A map as instanced meshes of three.js. World frame: ENU, z up, metres.
 import * as THREE from "three";
 import type { MeshData, PageData, WorldData } from "./data";
+import { wayAt } from "./motion";
 import { Unpacked } from "./packed";
 
 /** In the order of the program's materials: soil, bark, leaf, brick, concrete, painted metal, lamp. */
@@ -129,18 +130,24 @@ export class MapModel {
       this.garbage.push(geometry, mesh, ...looks);
     }
     this.moving = world.motions
-      .map((m) => ({ ...m, placed: slots[m.instance] }))
+      .map((path) => ({
+        path,
+        placed: slots[path.instance],
+        rest: new THREE.Vector3(...([0, 1, 2].map((k) => place[k][path.instance] / 1000) as [number, number, number])),
+      }))
       .filter((m) => m.placed !== null) as typeof this.moving;
   }
 
-  private readonly moving: { placed: Placed; amplitude: [number, number, number]; period: number; phase: number }[];
+  private readonly moving: { path: WorldData["motions"][number]; placed: Placed; rest: THREE.Vector3 }[];
 
   /** Puts what moves where it stands at a time. */
   setTime(time: number): void {
     for (const m of this.moving) {
-      const share = Math.sin(2 * Math.PI * (time / m.period + m.phase));
+      const way = wayAt(m.path, time);
       const moved = new THREE.Matrix4()
-        .makeTranslation(m.amplitude[0] * share, m.amplitude[1] * share, m.amplitude[2] * share)
+        .makeTranslation(m.rest.x + way.offset[0], m.rest.y + way.offset[1], m.rest.z + way.offset[2])
+        .multiply(new THREE.Matrix4().makeRotationZ(way.turn))
+        .multiply(new THREE.Matrix4().makeTranslation(-m.rest.x, -m.rest.y, -m.rest.z))
         .multiply(m.placed.matrix);
       m.placed.mesh.setMatrixAt(m.placed.slot, moved);
       m.placed.mesh.instanceMatrix.needsUpdate = true;

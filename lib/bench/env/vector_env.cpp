@@ -224,7 +224,9 @@ void VectorEnv::Internals::finish(Slot& slot, std::size_t index) {
               .end_time_s = record.end_time_s,
               .reward_sum = slot.reward_sum,
               .steps = slot.steps,
-              .metrics = compute_metrics({episode.spec, episode.mission->record, record})};
+              .metrics = compute_metrics({episode.spec, episode.mission->record, record,
+                                          mover_difficulty(episode.spec, episode.map->scene(),
+                                                           episode.mission->record.mission)})};
 }
 
 void VectorEnv::Internals::fly(Slot& slot, std::size_t index, std::span<const double> action,

@@ -100,6 +100,8 @@ std::string sweep_json(const SweepSpec& sweep, const std::vector<PlannedTrial>& 
   for (const PlannerChoice& planner : sweep.planners) {
     nlohmann::json choice = spec_to_json(planner);
     choice.erase("file");
+    // Reports say of whom it was not only its sensors that it flew by.
+    if ((planner.needs & AB_INPUT_TRACKS) != 0) choice["sees_tracks"] = true;
     planners.push_back(choice);
   }
   nlohmann::json resolved{{"name", sweep.name},

@@ -151,8 +151,9 @@ std::string lengthen_range(const FlownTrial& flown, ChangedTrial& trial) {
 }
 
 std::string hold_obstacles(const FlownTrial& flown, ChangedTrial& trial) {
-  const auto* hall = std::get_if<HallSpec>(&trial.spec.map);  // the only one in which things move
-  if (hall == nullptr || !(hall->moving_ratio > 0.0)) return "nothing moves on its map";
+  const auto* hall = std::get_if<HallSpec>(&trial.spec.map);  // the only map in which things move
+  const bool has_motions = hall != nullptr && hall->moving_ratio > 0.0;
+  if (!has_motions && !has_movers(trial.spec.movers)) return "nothing moves on its map";
   if (std::isnan(flown.record.end_time_s)) return "it is not known when its flight ended";
   trial.flight.still_at_s = flown.record.end_time_s;
   return "";

@@ -12,6 +12,7 @@
 #include "maps/map_spec.hpp"
 #include "replay/stored_flight.hpp"
 #include "sweep/listed_missions.hpp"
+#include "trial/flown_world.hpp"
 #include "what_if/ddmin.hpp"
 #include "world/scenery.hpp"
 
@@ -36,18 +37,6 @@ World with_obstacles(const World& world, const IndexSet& obstacles) {
     instance.prototype = number->second;
   }
   return smaller;
-}
-
-/// The map with all that moves where it stands at this moment.
-World still_world(World world, double time_s) {
-  for (const Motion& motion : world.motions) {
-    const Eigen::Vector3d away = displacement_world(motion, time_s);
-    Instance& instance = world.instances[motion.instance];
-    instance.T_world_prototype.translation() += away.cast<float>();
-    world.obstacles[instance.obstacle].position_world += away;
-  }
-  world.motions.clear();
-  return world;
 }
 
 /// The obstacles, those nearest to the flown path first: parts of the list are then parts of the
@@ -155,6 +144,7 @@ class SceneFlights {
     mesh.goal_region = around(job_.mission->mission.goal_world, world_.bounds);
     TrialSpec spec = job_.spec;
     spec.map = std::move(mesh);
+    spec.movers = {};  // they stand in the map
     return spec;
   }
 
@@ -244,7 +234,7 @@ SmallestScene smallest_scene(const SceneRequest& request) {
   job.spec.mission.return_to_start = false;
   job.mission->mission.start_yaw_rad = written_yaw_rad(job.mission->mission);
   const std::vector<Sample>& path = stored.row.record.samples;
-  World world = still_world(make_world(stored.spec.map, stored.spec.map_seed),
+  World world = standing_at(flown_world(stored.spec, job.mission->mission),
                             path.empty() ? 0.0 : path.back().time_s);
   SceneFlights flights(request, std::move(job), planner, std::move(world));
   const IndexSet all = by_distance(flights.world(), path);

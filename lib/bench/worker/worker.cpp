@@ -29,6 +29,7 @@
 #include "process/process_tree.hpp"
 #include "process/sandbox.hpp"
 #include "program_planner/program_prints.hpp"
+#include "trial/flown_world.hpp"
 #include "trial/map_scene.hpp"
 #include "trial/planner_view.hpp"
 #include "trial/run_trial.hpp"
@@ -110,6 +111,21 @@ void require_unchanged(const PlannerChoice& planner) {
   throw InputError({.file = planner.file, .message = kFileChanged});
 }
 
+/// What those who look at a flight see: the map with the movers of the job's mission.
+class LookedAtWorld {
+ public:
+  LookedAtWorld(const Job& job, const MapScene& map) : map_(map.world) {
+    if (job.lookout && job.mission) {
+      with_movers_ = world_with_movers(job.spec, map.scene, job.mission->mission);
+    }
+  }
+  const World& world() const { return with_movers_ ? *with_movers_ : map_; }
+
+ private:
+  const World& map_;
+  std::optional<World> with_movers_;
+};
+
 }  // namespace
 
 /// Members are destroyed from the last to the first: instances before their libraries, both while
@@ -128,7 +144,8 @@ struct Worker::Internals {
 
   const MapScene& map_of(const TrialSpec& spec);
   PlannerInstance& instance_of(const TrialSpec& spec);
-  TrialRecord fly(const Job& job, const Scene& scene, std::optional<Lookout>& lookout);
+  TrialRecord fly(const Job& job, const Scene& scene, const World& flown_world,
+                  std::optional<Lookout>& lookout);
   TrialObserver bookkeeper(const Lookout* lookout);
   std::optional<Lookout> lookout_of(const Job& job, const World& world);
 };
@@ -165,8 +182,8 @@ std::optional<Lookout> Worker::Internals::lookout_of(const Job& job, const World
   return lookouts.at(job.lookout->kind)(job, world);
 }
 
-/// `lookout` gets what has looked on, where the job asks for one.
-TrialRecord Worker::Internals::fly(const Job& job, const Scene& scene,
+/// `lookout` gets what has looked on, where the job asks for one; it looks at `flown_world`.
+TrialRecord Worker::Internals::fly(const Job& job, const Scene& scene, const World& flown_world,
                                    std::optional<Lookout>& lookout) {
   PlannerInstance* planner = nullptr;
   try {
@@ -197,7 +214,7 @@ TrialRecord Worker::Internals::fly(const Job& job, const Scene& scene,
     // By somebody else, maybe, as a worker may be: flown again. A second time it counts, unless a
     // limit of CPU time ends programs whatever they do.
     if (journal) journal->restart();
-    lookout = lookout_of(job, scene.world());
+    lookout = lookout_of(job, flown_world);
     record = flown();
     if (was_killed() && has_cpu_limit()) end_from_outside(SIGXCPU);
   }
@@ -235,12 +252,15 @@ JobResult Worker::work(const Job& job) {
   try {
     const MapScene& map = internals_->map_of(job.spec);
     result.world_digest = map.world.digest;
-    std::optional<Lookout> lookout = internals_->lookout_of(job, map.world);
+    const LookedAtWorld flown(job, map);
+    std::optional<Lookout> lookout = internals_->lookout_of(job, flown.world());
     if (!job.mission) {
       result.map = make_map_record(job.spec, map.scene, job.mission_count, job.listed_missions);
     } else if (!lookout || job.lookout->has_flight) {
-      result.trial = internals_->fly(job, map.scene, lookout);
-      result.metrics = compute_metrics({job.spec, *job.mission, *result.trial});
+      result.trial = internals_->fly(job, map.scene, flown.world(), lookout);
+      result.metrics =
+          compute_metrics({job.spec, *job.mission, *result.trial,
+                           mover_difficulty(job.spec, map.scene, job.mission->mission)});
     }
     if (lookout) result.reported = lookout->report(result.trial ? &*result.trial : nullptr);
   } catch (const InputError& error) {

@@ -68,12 +68,7 @@ void thin_out(StruckPatch& patch) {
 }  // namespace
 
 World alone(const World& world, std::int64_t obstacle, double time_s) {
-  World struck = world;
-  for (const Motion& motion : world.motions) {
-    struck.instances[motion.instance].T_world_prototype.translation() +=
-        displacement_world(motion, time_s).cast<float>();
-  }
-  struck.motions.clear();
+  World struck = standing_at(world, time_s);
   std::erase_if(struck.instances, [&](const Instance& instance) {
     return static_cast<std::int64_t>(instance.obstacle) != obstacle;
   });
@@ -119,7 +114,8 @@ std::optional<StruckPatch> struck_patch(const World& world, const TrialRecord& r
     for (const Motion& one : world.motions) {
       if (one.instance != i) continue;
       motion = static_cast<std::int32_t>(patch.motions.size());
-      patch.motions.push_back(one);
+      patch.motions.push_back(
+          {world.instances[i].T_world_prototype.translation().cast<double>(), one});
     }
     add_instance(struck, struck.instances[at++], patch, motion);
   }
@@ -132,8 +128,14 @@ std::vector<Eigen::Vector3d> places_at(const StruckPatch& patch, double time_s) 
   std::vector<Eigen::Vector3d> places = patch.places_world;
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (patch.motion[i] < 0) continue;
-    const Motion& motion = patch.motions[static_cast<std::size_t>(patch.motion[i])];
-    places[i] += displacement_world(motion, time_s) - displacement_world(motion, patch.contact_s);
+    const auto& [rest_world, motion] = patch.motions[static_cast<std::size_t>(patch.motion[i])];
+    const MotionState now = state_at(motion, time_s);
+    const MotionState contact = state_at(motion, patch.contact_s);
+    const Eigen::Vector3d origin = rest_world + contact.offset_world;
+    if (const double turn_rad = now.turn_rad - contact.turn_rad; turn_rad != 0.0) {
+      places[i] = origin + upright_turn(turn_rad).cast<double>() * (places[i] - origin);
+    }
+    places[i] += now.offset_world - contact.offset_world;
   }
   return places;
 }

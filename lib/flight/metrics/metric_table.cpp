@@ -233,6 +233,16 @@ constexpr MetricDef kTable[] = {
        const auto& [spec, mission, record] = in;
        return static_cast<double>(goal_times_s(spec.mission, mission.mission, record).size());
      }},
+    {"mover_density_1pm2", 1, "1/m^2", "Movers per square metre; none without movers",
+     "count / area of the flight box", "", kNeither, kAll, false,
+     [](In in) { return in.movers.density_1pm2; }},
+    {"mover_speed_mps", 1, "m/s", "Mean speed of the movers in the first minute",
+     "mean over movers and seconds of |v|", "", kNeither, kAll, false,
+     [](In in) { return in.movers.speed_mps; }},
+    {"dynamic_traversability", 1, "",
+     "Share of straight flights through the map with its movers that meet nothing",
+     "of 100 flights of 10 m at the speed limit, drawn in place, heading and time", "", kNeither,
+     kAll, false, [](In in) { return in.movers.dynamic_traversability; }},
 };
 
 constexpr MapMetricDef kMapTable[] = {

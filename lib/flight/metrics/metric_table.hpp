@@ -6,6 +6,7 @@
 
 #include "base/enum_text.hpp"
 #include "metrics/map_record.hpp"
+#include "metrics/mover_difficulty.hpp"
 #include "trial/trial_record.hpp"
 #include "trial/trial_spec.hpp"
 
@@ -31,6 +32,7 @@ struct MetricInput {
   const TrialSpec& spec;
   const MissionRecord& mission;
   const TrialRecord& record;
+  MoverDifficulty movers = {};
 };
 
 /// One metric a trial: one row of the table, one column of the database, one header of a CSV file.

@@ -165,6 +165,7 @@ std::vector<std::pair<std::string, double*>> rates_hz(TrialSpec& spec) {
       {"sensor.rate_hz", &spec.sensor.rate_hz},
       {"imu.rate_hz", &spec.imu.rate_hz},
       {"odometry.rate_hz", &spec.odometry.rate_hz},
+      {"tracks.rate_hz", &spec.tracks.rate_hz},
       {"wind.turbulence.rate_hz", &spec.wind.turbulence.rate_hz}};
   for (std::size_t i = 0; i < spec.sensor.more_cameras.size(); ++i) {
     rates.emplace_back(camera_path(i) + ".rate_hz", &spec.sensor.more_cameras[i].rate_hz);
@@ -204,6 +205,9 @@ std::vector<Contradiction> contradictions(const TrialSpec& spec) {
     check_map(spec.map);
   } catch (const InputError& error) {
     add_fields("map", error, found);
+  }
+  for (const std::string& problem : mover_problems(spec.movers)) {
+    add_fields("movers", InputError(problem), found);
   }
   try {
     check_wind(spec.wind);

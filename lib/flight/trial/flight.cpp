@@ -7,6 +7,7 @@
 #include "base/check.hpp"
 #include "base/number_text.hpp"
 #include "control/perfect_tracking.hpp"
+#include "trial/flown_world.hpp"
 #include "trial/goals.hpp"
 #include "trial/noise_seed.hpp"
 #include "trial/periods.hpp"
@@ -81,6 +82,26 @@ std::optional<ReferenceView> reference_view(const Flight& flight) {
                        .jerk_world = now.jerk_world,
                        .yaw_rad = now.yaw_rad,
                        .yaw_rate_radps = now.yaw_rate_radps};
+}
+
+/// What moves around the vehicle, where its odometry believes that to be.
+std::vector<TrackView> track_views(const Flight& flight) {
+  const Pose T_world_body = pose_of(flight.state);
+  const Pose T_believed_world = pose_of(believed_state(flight)) * T_world_body.inverse();
+  std::vector<TrackView> views;
+  for (const Track& track : tracks_at(flight.spec->tracks, flight.scene->world(), flight.tracked,
+                                      noise_seed(*flight.spec, "tracks"),
+                                      {.now = flight.state.tick,
+                                      .T_world_body = T_world_body,
+                                      .still_at_s = flight.change.still_at_s})) {
+    views.push_back({.id = track.id,
+                     .kind = track.kind,
+                     .time_s = track.time_s,
+                     .center_world = T_believed_world * track.center_world,
+                     .velocity_world = T_believed_world.linear() * track.velocity_world,
+                     .size_m = track.size_m});
+  }
+  return views;
 }
 
 /// The state at this tick, with what is measured of it: clearance and power.
@@ -229,6 +250,30 @@ void resume(Flight& flight) {
   }
 }
 
+/// Gives the flight a scene whose time is set at each step, where anything moves; the caller's
+/// stays at 0 for other trials.
+void add_motion(Flight& flight) {
+  const Scene& map = *flight.scene;
+  if (auto world = world_with_movers(*flight.spec, map, *flight.mission)) {
+    flight.own_world = std::make_unique<World>(*std::move(world));
+    flight.moving = std::make_unique<Scene>(*flight.own_world, map);
+  } else if (!map.world().motions.empty()) {
+    flight.moving = std::make_unique<Scene>(map.world());
+  } else {
+    return;
+  }
+  flight.scene = flight.moving.get();
+  if (flight.change.still_at_s) {
+    flight.moving->set_time(*flight.change.still_at_s);
+    return;
+  }
+  const World& world = flight.scene->world();
+  for (const Motion& motion : world.motions) {
+    flight.obstacle_speed_mps =
+        std::max(flight.obstacle_speed_mps, greatest_surface_speed_mps(world, motion));
+  }
+}
+
 }  // namespace
 
 Flight begin_flight(const TrialSpec& spec, const Scene& scene, const Mission& mission,
@@ -243,6 +288,7 @@ Flight begin_flight(const TrialSpec& spec, const Scene& scene, const Mission& mi
                 .mission = &mission,
                 .recorded_latency_s = recorded_latency_s,
                 .change = change,
+                .own_world = nullptr,
                 .moving = nullptr,
                 .obstacle_speed_mps = 0.0,
                 .model = std::move(model),
@@ -261,21 +307,15 @@ Flight begin_flight(const TrialSpec& spec, const Scene& scene, const Mission& mi
                 .pending = {},
                 .sees_reference = (needs & AB_INPUT_REFERENCE) != 0,
                 .sees_goals = (needs & AB_INPUT_GOALS) != 0,
+                .sees_tracks = (needs & AB_INPUT_TRACKS) != 0,
+                .tracked = {},
                 .view = {},
                 .stopped = {},
                 .outcome = {},
                 .record = {}};
-  // Its time is set at each step; the caller's scene stays at 0 for other trials.
-  if (const std::vector<Motion>& motions = scene.world().motions; !motions.empty()) {
-    flight.moving = std::make_unique<Scene>(scene.world());
-    flight.scene = flight.moving.get();
-    if (change.still_at_s) {
-      flight.moving->set_time(*change.still_at_s);
-      return flight;
-    }
-    for (const Motion& motion : motions) {
-      flight.obstacle_speed_mps = std::max(flight.obstacle_speed_mps, greatest_speed_mps(motion));
-    }
+  add_motion(flight);
+  if (flight.sees_tracks) {
+    flight.tracked = tracked_things(flight.scene->world(), noise_seed(spec, "tracks"));
   }
   return flight;
 }
@@ -302,6 +342,7 @@ const PlannerView* next_plan(Flight& flight) {
         flight.view.goal = GoalView{.index = static_cast<std::uint32_t>(flight.goal_index),
                                     .place_world = goal_now_world(flight)};
       }
+      if (flight.sees_tracks) flight.view.tracks = track_views(flight);
       return &flight.view;
     }
     fly_on(flight);

@@ -42,8 +42,9 @@ struct Flight {
   const Mission* mission = nullptr;
   const std::vector<double>* recorded_latency_s = nullptr;
   FlightChange change;
-  std::unique_ptr<Scene> moving;    ///< the scene with a time of its own, where things move in it
-  double obstacle_speed_mps = 0.0;  ///< of the fastest
+  std::unique_ptr<World> own_world;  ///< the map with the trial's movers, where it has any
+  std::unique_ptr<Scene> moving;     ///< the scene with a time of its own, where things move in it
+  double obstacle_speed_mps = 0.0;   ///< of the fastest
 
   VehicleModel model;
   Wind wind;
@@ -61,6 +62,8 @@ struct Flight {
   bool sees_goals = false;             ///< the planner, AB_INPUT_GOALS
   std::size_t goal_index = 0;          ///< of the goal to reach now; after the end that of the last
   bool has_reached = false;            ///< a goal at this tick, which is not the last
+  bool sees_tracks = false;            ///< the planner, AB_INPUT_TRACKS
+  std::vector<TrackedThing> tracked;   ///< what moves, where it does
   bool was_touching = false;
   bool is_begun = false;           ///< whether the start was looked at
   bool is_asked = false;           ///< whether a plan was asked for at this tick
@@ -71,7 +74,8 @@ struct Flight {
   TrialRecord record;              ///< of the flight so far
 };
 
-/// At the start. `needs` says what is sensed (AB_INPUT_…). `recorded_latency_s`: see run_trial().
+/// At the start. `scene` is the map's; movers are the flight's own. `needs` says what is sensed
+/// (AB_INPUT_…). `recorded_latency_s`: see run_trial().
 Flight begin_flight(const TrialSpec& spec, const Scene& scene, const Mission& mission,
                     std::uint32_t needs, const std::vector<double>* recorded_latency_s = nullptr,
                     const FlightChange& change = {});

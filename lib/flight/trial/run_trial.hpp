@@ -10,8 +10,9 @@ namespace avoidbench {
 
 /// Flies one trial: `planner`, reset first, takes the vehicle of `spec` from start to goal through
 /// `scene`. A pure function of its arguments except for the measured times in `plan_calls`.
-/// Everything that can go wrong in flight is an Outcome, never an exception. One thread; the scene
-/// may be shared with other trials. `observer` sees each call of the planner.
+/// Everything that can go wrong in flight is an Outcome, never an exception; where the map has no
+/// place for the trial's movers it throws InputError before. One thread; the scene, which is the
+/// map's, may be shared with other trials. `observer` sees each call of the planner.
 ///
 /// Measured latency: a call that took w of wall time acts w × scale later, rounded to the tick, and
 /// until then the planner is busy: it is not called. `recorded_latency_s` (one a call, those of an

@@ -7,10 +7,12 @@
 #include "base/enum_text.hpp"
 #include "base/fields.hpp"
 #include "maps/map_spec.hpp"
+#include "movers/mover_spec.hpp"
 #include "plugin/planner_description.hpp"
 #include "sensing/imu.hpp"
 #include "sensing/odometry.hpp"
 #include "sensing/sensor_spec.hpp"
+#include "sensing/tracks.hpp"
 #include "vehicle/vehicle_spec.hpp"
 #include "wind/wind_spec.hpp"
 
@@ -197,6 +199,8 @@ struct TrialSpec {
   /// Of the map's missions where the sweep lists its own (sweep/own_missions.hpp); "": generated.
   std::string missions_digest;
   WindSpec wind;
+  MoversSpec movers;
+  TracksSpec tracks;
 };
 
 template <class Visitor, ConstOr<TrialSpec> Spec>
@@ -217,6 +221,9 @@ void visit(Visitor& v, Spec& s) {
   v.field("latency_digest", s.latency_digest, "SHA-256 of the latencies that are replayed.");
   v.field("missions_digest", s.missions_digest, "SHA-256 of the map's listed missions.");
   v.field("wind", s.wind, "Wind and disturbances, added up; see docs/wind.md.");
+  v.field("movers", s.movers, "Things that move through the map; see docs/movers.md.");
+  v.field("tracks", s.tracks,
+          "What planners that declare tracks are told of things that move; the default is true.");
 }
 
 }  // namespace avoidbench

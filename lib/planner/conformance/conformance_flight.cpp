@@ -370,6 +370,13 @@ Reply Probe::plan(const Frame& frame) {
                                  .acceleration_world = Eigen::Vector3d::Zero(),
                                  .jerk_world = Eigen::Vector3d::Zero()};
   view.goal = frame.goal.value_or(GoalView{.index = 0, .place_world = mission_.goal_world});
+  // Somebody who comes toward it from 5 m away.
+  view.tracks.push_back({.id = 7,
+                         .kind = AB_TRACK_PERSON,
+                         .time_s = frame.time_s,
+                         .center_world = frame.position_world + Eigen::Vector3d(5.0, 0.0, 0.0),
+                         .velocity_world = {-1.0, 0.0, 0.0},
+                         .size_m = {0.3, 0.5, 1.75}});
   // Specific force at rest: what an accelerometer measures is up, against gravity.
   view.imu.push_back({frame.time_s, Eigen::Vector3d::Zero(), {0.0, 0.0, 9.81}});
   points_ = frame.points;

@@ -116,6 +116,17 @@ ab_lidar to_lidar(const LidarSetup& lidar) {
   return out;
 }
 
+ab_track to_track(const TrackView& view) {
+  ab_track out{};
+  out.id = view.id;
+  out.kind = view.kind;
+  out.time_s = view.time_s;
+  copy(view.center_world, out.center_world_m);
+  copy(view.velocity_world, out.velocity_world_mps);
+  copy(view.size_m, out.size_m);
+  return out;
+}
+
 ab_camera to_camera(const CameraSetup& camera) {
   ab_camera out{};
   set_size(out);
@@ -306,6 +317,12 @@ const ab_observation& ObservationBuffers::fill(const PlannerView& view,
     observation_.goal_index = view.goal->index;
     copy(view.goal->place_world, observation_.goal_world_m);
   }
+  tracks_.clear();
+  if ((needs & AB_INPUT_TRACKS) != 0) {
+    for (const TrackView& seen : view.tracks) tracks_.push_back(to_track(seen));
+  }
+  observation_.track_count = static_cast<std::uint32_t>(tracks_.size());
+  observation_.tracks = tracks_.data();
   return observation_;
 }
 
@@ -404,6 +421,7 @@ void ObservationBuffers::poison() {
   fill_with_rubbish(color_pointers_);
   fill_with_rubbish(imu_);
   fill_with_rubbish(states_);
+  fill_with_rubbish(tracks_);
   fill_with_rubbish(state_pointers_);
   fill_with_rubbish(clouds_);
   fill_with_rubbish(cloud_pointers_);

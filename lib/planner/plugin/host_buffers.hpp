@@ -98,6 +98,7 @@ class ObservationBuffers {
   ab_observation observation_{};
   ab_state state_{};
   ab_point reference_{};
+  std::vector<ab_track> tracks_;
   std::vector<ab_depth_image> images_;
   std::vector<const ab_depth_image*> pointers_;
   std::vector<ab_picture> eyes_, colors_;  ///< left and right in turns; left alone

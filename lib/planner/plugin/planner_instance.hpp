@@ -102,6 +102,12 @@ struct GoalView {
   std::uint32_t index = 0;  ///< into PlannerMission::goals_world
   Eigen::Vector3d place_world;
 };
+/// Something that moves, at the time of a scan.
+struct TrackView {
+  std::uint32_t id = 0, kind = 0;  ///< kind: AB_TRACK_…
+  double time_s = 0;
+  Eigen::Vector3d center_world, velocity_world, size_m;
+};
 /// The newest state, and what came since the last call.
 struct PlannerView : StateView {
   double call_time_s = 0;  ///< now; time_s is older where the odometry has a delay
@@ -113,6 +119,7 @@ struct PlannerView : StateView {
   std::optional<ReferenceView> reference = {};  ///< nothing while rates are commanded
   std::vector<CloudView> clouds = {};           ///< newest first
   std::optional<GoalView> goal = {};
+  std::vector<TrackView> tracks = {};  ///< of the newest scan
 };
 
 /// What a planner knows of a place: AB_PLACE_….

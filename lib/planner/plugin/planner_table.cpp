@@ -28,8 +28,9 @@ constexpr std::size_t kLeastProfileSize = offsetof(ab_profile, numbers) + sizeof
 constexpr std::uint32_t kMostParameters = 1000;
 constexpr std::uint32_t kKnownNeeds =
     AB_INPUT_STATE | AB_INPUT_DEPTH | AB_INPUT_STEREO | AB_INPUT_COLOR | AB_INPUT_IMU |
-    AB_INPUT_WORLD | AB_INPUT_STATES | AB_INPUT_REFERENCE | AB_INPUT_POINTS | AB_INPUT_ONE_CAMERA |
-    AB_INPUT_GOALS | AB_USES_PROCESSES | AB_USES_DEVICES | AB_USES_NETWORK | AB_USES_GLOBALS;
+    AB_INPUT_WORLD | AB_INPUT_STATES | AB_INPUT_REFERENCE | AB_INPUT_POINTS | AB_INPUT_TRACKS |
+    AB_INPUT_ONE_CAMERA | AB_INPUT_GOALS | AB_USES_PROCESSES | AB_USES_DEVICES | AB_USES_NETWORK |
+    AB_USES_GLOBALS;
 constexpr std::uint32_t kKnownCommands = AB_COMMAND_POSITION | AB_COMMAND_VELOCITY |
                                          AB_COMMAND_ACCELERATION | AB_COMMAND_TRAJECTORY |
                                          AB_COMMAND_RATES;

@@ -126,6 +126,8 @@ std::uint64_t write_flat(Segment& segment, const ab_observation& observation) {
              has_reference ? segment.add(observation.reference, sizeof(ab_point)) : 0);
   set_offset(copy.clouds,
              write_pointers(segment, observation.clouds, observation.cloud_count, write_cloud));
+  const std::size_t track_bytes = observation.track_count * sizeof(ab_track);
+  set_offset(copy.tracks, track_bytes == 0 ? 0 : segment.add(observation.tracks, track_bytes));
   return write_struct(segment, copy);
 }
 

@@ -13,6 +13,7 @@
 #include "report/sweep_tables.hpp"
 #include "sensing/sensor_spec.hpp"
 #include "table/table_text.hpp"
+#include "trial/flown_world.hpp"
 #include "trial/planner_view.hpp"
 
 namespace avoidbench {
@@ -155,11 +156,13 @@ std::size_t PageScenes::add_world(const World& world) {
 }
 
 ordered_json PageScenes::world_of(const StoredTrial& stored, const ReplayFiles& files) {
-  const auto [entry, is_new] = world_index_.emplace(stored.world_digest, nullptr);
+  // Movers are each mission's own.
+  const auto [entry, is_new] =
+      world_index_.emplace(stored.world_digest + movers_key(stored.spec), nullptr);
   if (!is_new) return entry->second;
   try {
     const StoredTrial placed = with_files(stored, files);
-    const World world = make_world(placed.spec.map, placed.spec.map_seed);
+    const World world = flown_world(placed.spec, stored.mission);
     if (triangle_count(world) > kMostPageTriangles) {
       throw InputError("it has more than " + counted(kMostPageTriangles, "triangle"));
     }

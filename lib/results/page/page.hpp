@@ -47,7 +47,7 @@ class PageScenes {
   std::vector<std::string> warnings;
 
  private:
-  std::map<std::string, nlohmann::ordered_json> world_index_;  ///< by the digest of the world
+  std::map<std::string, nlohmann::ordered_json> world_index_;  ///< by its digest and movers
   std::map<std::string, std::size_t> rig_index_;
 };
 

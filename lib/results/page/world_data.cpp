@@ -102,6 +102,29 @@ void add_instances(const World& world, const Kinds& kinds, Packed& packed) {
   for (const auto& list : turn) packed.add_deltas(list);
 }
 
+ordered_json path_json(const Sway& sway) {
+  return {{"kind", "sway"},
+          {"amplitude", to_array(sway.amplitude_world)},
+          {"period", sway.period_s},
+          {"phase", sway.phase}};
+}
+
+/// Milliseconds, millimetres and thousandths of a radian: a page has hundreds of knots.
+ordered_json path_json(const Route& route) {
+  ordered_json knots = ordered_json::array();
+  for (const Knot& knot : route.knots) {
+    knots.push_back({steps(knot.time_s, 0.001), steps(knot.offset_world.x(), kMillimetre_m),
+                     steps(knot.offset_world.y(), kMillimetre_m),
+                     steps(knot.offset_world.z(), kMillimetre_m), steps(knot.turn_rad, 0.001)});
+  }
+  return {{"kind", "route"}, {"knots", std::move(knots)}};
+}
+
+ordered_json path_json(const Trefoil& knot) {
+  return {{"kind", "trefoil"},       {"reach", knot.reach_m}, {"rise", knot.rise_m},
+          {"period", knot.period_s}, {"phase", knot.phase},   {"heading", knot.heading_rad}};
+}
+
 ordered_json box_json(const Aabb& box) { return {to_array(box.min()), to_array(box.max())}; }
 
 }  // namespace
@@ -138,11 +161,10 @@ ordered_json world_json(const World& world, MeshStore& meshes) {
   add_prototypes(world, mesh_of, packed);
   add_instances(world, kinds, packed);
   ordered_json motions = ordered_json::array();
-  for (const Motion& m : world.motions) {
-    motions.push_back({{"instance", m.instance},
-                       {"amplitude", to_array(m.amplitude_world)},
-                       {"period", m.period_s},
-                       {"phase", m.phase}});
+  for (const Motion& motion : world.motions) {
+    ordered_json path = std::visit([](const auto& held) { return path_json(held); }, motion.path);
+    path["instance"] = motion.instance;
+    motions.push_back(std::move(path));
   }
   return {{"prototypes", world.prototypes.size()},
           {"instances", world.instances.size()},

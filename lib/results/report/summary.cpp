@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "base/input_error.hpp"
@@ -23,6 +24,17 @@ std::vector<std::string> unique_labels(const std::vector<PlannerRow>& planners) 
                       [&](const PlannerRow& other) { return other.label == planner.label; });
     labels.push_back(count == 1 ? planner.label
                                 : planner.label + "@" + planner_key(planner).substr(0, 6));
+  }
+  return labels;
+}
+
+/// Of the sweep's planners that are told of movers; none where its spec can't be read.
+std::set<std::string> labels_with_tracks(const std::string& spec_json) {
+  std::set<std::string> labels;
+  const nlohmann::json spec = nlohmann::json::parse(spec_json, nullptr, false);
+  if (!spec.is_object()) return labels;
+  for (const nlohmann::json& planner : spec.value("planners", nlohmann::json::array())) {
+    if (planner.value("sees_tracks", false)) labels.insert(planner.value("label", ""));
   }
   return labels;
 }
@@ -245,8 +257,10 @@ SweepSummary summarize(SweepResult result, const ReportQuery& query) {
     throw InputError("no trial of sweep " + summary.name + " fulfils all conditions");
   }
   summary.planners = unique_labels(result.planners);
+  const std::set<std::string> with_tracks = labels_with_tracks(result.spec_json);
   for (const PlannerRow& planner : result.planners) {
     summary.planner_versions.push_back(planner.version);
+    summary.sees_tracks.push_back(with_tracks.contains(planner.label));
   }
   name_planners(result, summary.planners);
   summary.trial_count = static_cast<std::int64_t>(result.trials.size());

@@ -49,6 +49,7 @@ struct SweepSummary {
   std::vector<std::string>
       planners;  ///< labels; with the start of the key where two planners share one
   std::vector<std::string> planner_versions;  ///< one a planner
+  std::vector<bool> sees_tracks;              ///< one a planner: told of movers beside its sensors
   std::vector<MapRow> maps;
   std::int64_t mission_count = 0, invalid_mission_count = 0, trial_count = 0;
   std::vector<PlannerSummary> overall;

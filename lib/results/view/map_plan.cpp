@@ -41,6 +41,22 @@ Plan lay_out(const World& world, const MapView& view) {
           .bottom_px = kBand_px + 0.5 * (height_px + scale * size.y())};
 }
 
+/// The way of what moves: both ends of a sway, the places of a longer way in the first minute.
+std::vector<Eigen::Vector2d> way_of(const World& world, const Motion& motion, const Plan& plan) {
+  constexpr int kSamples = 240;
+  const Eigen::Vector3d rest =
+      world.instances[motion.instance].T_world_prototype.translation().cast<double>();
+  if (const auto* sway = std::get_if<Sway>(&motion.path)) {
+    return {plan.to_pixels(rest - sway->amplitude_world),
+            plan.to_pixels(rest + sway->amplitude_world)};
+  }
+  std::vector<Eigen::Vector2d> way;
+  for (int i = 0; i <= kSamples; ++i) {
+    way.push_back(plan.to_pixels(rest + displacement_world(motion, 60.0 * i / kSamples)));
+  }
+  return way;
+}
+
 /// One plan_color() per sample, samples × samples of them a pixel on a regular grid; their mean is
 /// of sRGB values, as they are, which is good enough for edges.
 void paint_ground_plan(const World& world, const Plan& plan, const MapView& view,
@@ -182,12 +198,7 @@ Picture plan_view(const World& world, const TrialSpec& trial, const MapView& vie
   // The roof would hide all; missions are laid out in the whole world, below.
   paint_ground_plan(without_roof(world), plan, view, picture);
   for (const Motion& motion : world.motions) {
-    const Eigen::Vector3d middle =
-        world.instances[motion.instance].T_world_prototype.translation().cast<double>();
-    draw_line(picture,
-              {plan.to_pixels(middle - motion.amplitude_world),
-               plan.to_pixels(middle + motion.amplitude_world)},
-              kMoving, 2);
+    draw_line(picture, way_of(world, motion, plan), kMoving, 2);
   }
   if (view.listed_missions.empty()) {  // else they have no say
     draw_region(plan, world.start_region, kStartColor, picture);

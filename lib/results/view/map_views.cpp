@@ -16,12 +16,7 @@ namespace {
 /// The world without things of these kinds, so that one sees in from outside.
 World without(const World& world, std::initializer_list<std::string_view> kinds,
               double time_s = 0.0) {
-  World open = world;
-  for (const Motion& motion : world.motions) {  // where it stands then
-    open.instances[motion.instance].T_world_prototype.translation() +=
-        displacement_world(motion, time_s).cast<float>();
-  }
-  open.motions.clear();
+  World open = standing_at(world, time_s);
   std::erase_if(open.instances, [&](const Instance& instance) {
     const std::string& kind = world.obstacles[instance.obstacle].kind;
     return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();

@@ -206,13 +206,7 @@ void ReplaySheets::build(double time_s) {
   map_.reset();
   scene_.reset();
   roofless_scene_.reset();
-  frozen_ = world_;
-  // What moves is put where it is at this time, and then stands.
-  for (const Motion& motion : world_.motions) {
-    frozen_.instances[motion.instance].T_world_prototype.translation() +=
-        displacement_world(motion, time_s).cast<float>();
-  }
-  frozen_.motions.clear();
+  frozen_ = standing_at(world_, time_s);
   roofless_ = without_roof(world_, time_s);
   scene_.emplace(frozen_);
   roofless_scene_.emplace(roofless_);

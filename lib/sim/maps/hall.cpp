@@ -33,11 +33,11 @@ void add_motions(const HallSpec& spec, std::uint64_t seed, World& world) {
     if (!is_moving) continue;
     const Eigen::Vector3d direction(math::cos(heading_rad), math::sin(heading_rad), 0.0);
     world.motions.push_back({.instance = i,
-                             .amplitude_world = reach_m * direction,
-                             // So that the greatest speed, amplitude · 2π / period, is the one that
-                             // was drawn.
-                             .period_s = math::kTau * reach_m / speed_mps,
-                             .phase = phase});
+                             .path = Sway{.amplitude_world = reach_m * direction,
+                                          // So that the greatest speed, amplitude · 2π / period, is
+                                          // the one that was drawn.
+                                          .period_s = math::kTau * reach_m / speed_mps,
+                                          .phase = phase}});
   }
 }
 
@@ -58,14 +58,6 @@ std::optional<FurnitureKind> furniture_kind(const HallSpec& spec, double draw) {
 bool is_scenery(std::string_view kind) {
   static constexpr std::array<std::string_view, 4> kScenery{"ground", "wall", "ceiling", "lamp"};
   return std::find(kScenery.begin(), kScenery.end(), kind) != kScenery.end();
-}
-
-Eigen::Matrix3f upright_turn(double yaw_rad) {
-  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
-  turn(0, 0) = turn(1, 1) = math::cos(yaw_rad);
-  turn(1, 0) = math::sin(yaw_rad);
-  turn(0, 1) = -turn(1, 0);
-  return turn.cast<float>();
 }
 
 void add_obstacle(World& world, Prototype prototype, Obstacle obstacle) {

@@ -25,7 +25,7 @@ DepthFrame frame_of(const PrimaryRays& rays, const Scene::Internals& scene, cons
   }
   frame.planes = scene.planes_of.data();
   frame.cameras = rays.cameras().data();
-  frame.has_one_camera = scene.flattened;
+  frame.flattened_count = scene.flattened_count;
   frame.u = rays.u();
   frame.v = rays.v();
   frame.nearest_m = static_cast<float>(camera.min_range_m);
@@ -68,10 +68,11 @@ void render_depth_by(const DepthKernel& kernel, const Scene& scene, const Pinhol
   const auto height = static_cast<std::size_t>(camera.height_px);
   AB_CHECK(depth_m.size() == width * height, depth_m.size(), width, height);
   AB_CHECK(instances.empty() || instances.size() == depth_m.size(), instances.size());
+  const Scene::Internals& internals = scene.internals();
   // Embree recommends it: denormal numbers would cost hundreds of cycles each.
   const ScopedFlushToZero flush;
-  PrimaryRays rays(scene.internals(), camera, T_world_camera);
-  const DepthFrame frame = frame_of(rays, scene.internals(), camera);
+  PrimaryRays rays(internals, camera, T_world_camera);
+  const DepthFrame frame = frame_of(rays, internals, camera);
   LastPlane last;
   const bool has_instances = !instances.empty();
   for (int block_y = 0; block_y < rays.blocks_down(); ++block_y) {

@@ -26,8 +26,8 @@ struct PacketOfHits {
 struct DepthFrame {
   PacketOfHits packets[kDepthPackets];
   const TrianglePlane* const* planes;  ///< one list an instance
-  const CameraAxes* cameras;           ///< one an instance, in its planes' frame, or one for all
-  bool has_one_camera;
+  const CameraAxes* cameras;           ///< in the frames of planes: see camera_of()
+  unsigned flattened_count;
   const double* u;  ///< of the frame's columns and rows: (u, v, 1) is a ray in the camera's frame
   const double* v;
   float nearest_m, farthest_m;

@@ -73,7 +73,7 @@ AB_LANE Fractions fractions(const DepthFrame& frame, const Facet& facet, const d
     last.plane = facet.plane;
     last.instance = facet.instance;
     last.in_camera =
-        seen_by(frame.cameras[frame.has_one_camera ? 0 : facet.instance], *facet.plane);
+        seen_by(frame.cameras[camera_of(facet.instance, frame.flattened_count)], *facet.plane);
   }
   const PlaneInCamera& plane = last.in_camera;
   const auto denominators = [&](int lane) {

@@ -26,12 +26,14 @@ struct Search {
   Vector3d center_in_planes;   ///< the centre in the frame of the instance's planes
   double planes_scale = 1.0;   ///< metres a unit of that frame
 
-  Search(const Scene::Internals& s, const Vector3d& center, double radius)
+  Search(Scene::Internals& s, const Vector3d& center, double radius)
       : scene(s),
         center_world(center),
         radius_m(radius),
         slack_m(float_slack(center)),
-        center_in_planes(center) {}
+        center_in_planes(center) {
+    place(s);
+  }
 
   /// Whether the triangle's plane is farther off than the radius.
   bool is_beyond(std::uint32_t entered, std::uint32_t triangle) const {
@@ -69,45 +71,75 @@ void run_query(RTCScene scene, const Vector3d& center, const Search& search, dou
   rtcPointQuery(scene, &query, &context, function, data);
 }
 
+/// Whoever is offered the triangles of a search.
+template <class Visit>
+struct Callback {
+  Search& search;
+  Visit& visit;
+};
+
+/// A query of its own within an instance that is not flattened, in its prototype's frame.
+template <class Visit>
+void search_instance(std::uint32_t instance, Callback<Visit>& callback) {
+  Search& search = callback.search;
+  const Placement& placement = search.scene.placements[instance];
+  search.instance = instance;
+  search.planes_scale = placement.scale;
+  search.center_in_planes =
+      placement.linear_prototype_world * (search.center_world - placement.position_world);
+  const auto offer = [](RTCPointQueryFunctionArguments* offered) {
+    auto& [held, held_visit] = *static_cast<Callback<Visit>*>(offered->userPtr);
+    if (held.is_beyond(held.instance, offered->primID)) return false;
+    held_visit(held.instance, offered->primID);
+    return shrink(offered->query, held, held.planes_scale);
+  };
+  run_query(search.scene.prototype_scenes[instance], search.center_in_planes, search,
+            placement.scale, offer, &callback);
+}
+
+template <class Visit>
+void search_map(Search& search, Callback<Visit>& callback) {
+  const MapHierarchy& map = *search.scene.map;
+  if (map.flattened) {
+    const auto offer = [](RTCPointQueryFunctionArguments* offered) {
+      auto& [held, held_visit] = *static_cast<Callback<Visit>*>(offered->userPtr);
+      if (held.is_beyond(offered->geomID, offered->primID)) return false;
+      held_visit(offered->geomID, offered->primID);
+      return shrink(offered->query, held, 1.0);
+    };
+    run_query(map.top.get(), search.center_world, search, 1.0, offer, &callback);
+    return;
+  }
+  const auto enter = [](RTCPointQueryFunctionArguments* entered) {
+    auto& held = *static_cast<Callback<Visit>*>(entered->userPtr);
+    search_instance(entered->primID, held);
+    // What was found within this instance narrows the search among the others.
+    return shrink(entered->query, held.search, 1.0);
+  };
+  run_query(map.instance_boxes.get(), search.center_world, search, 1.0, enter, &callback);
+}
+
+/// A few hundred balls are looked through faster than a hierarchy of them is built again.
+template <class Visit>
+void search_movers(Search& search, Callback<Visit>& callback) {
+  const Scene::Internals& scene = search.scene;
+  for (std::size_t i = 0; i < scene.balls.size(); ++i) {
+    const auto instance = scene.first_mover + static_cast<std::uint32_t>(i);
+    const MoverBall& ball = scene.balls[i];
+    const double reach_m = search.radius_m + search.slack_m + ball.radius_m;
+    if ((ball.center_world - search.center_world).squaredNorm() > reach_m * reach_m) continue;
+    search_instance(instance, callback);
+  }
+}
+
 /// Offers `visit` every triangle within the search's radius, and perhaps some beyond; it may lessen
 /// the radius. Embree 3.13's own way into instances misses triangles of scaled ones, so that here
 /// each instance is a query of its own, in its prototype's frame.
 template <class Visit>
 void for_triangles_within(Search& search, Visit visit) {
-  struct Callback {
-    Search& search;
-    Visit& visit;
-  } callback{search, visit};
-  if (search.scene.flattened) {
-    const auto offer = [](RTCPointQueryFunctionArguments* offered) {
-      auto& [held, held_visit] = *static_cast<Callback*>(offered->userPtr);
-      if (held.is_beyond(offered->geomID, offered->primID)) return false;
-      held_visit(offered->geomID, offered->primID);
-      return shrink(offered->query, held, 1.0);
-    };
-    run_query(search.scene.top.get(), search.center_world, search, 1.0, offer, &callback);
-    return;
-  }
-  const auto enter = [](RTCPointQueryFunctionArguments* entered) {
-    auto& [held, held_visit] = *static_cast<Callback*>(entered->userPtr);
-    held.instance = entered->primID;
-    const Placement& placement = held.scene.placements[held.instance];
-    held.planes_scale = placement.scale;
-    held.center_in_planes =
-        placement.linear_prototype_world * (held.center_world - placement.position_world);
-    const auto offer = [](RTCPointQueryFunctionArguments* offered) {
-      auto& [inner, inner_visit] = *static_cast<Callback*>(offered->userPtr);
-      if (inner.is_beyond(inner.instance, offered->primID)) return false;
-      inner_visit(inner.instance, offered->primID);
-      return shrink(offered->query, inner, inner.planes_scale);
-    };
-    const std::uint32_t prototype = held.scene.world->instances[held.instance].prototype;
-    run_query(held.scene.prototypes[prototype].get(), held.center_in_planes, held, placement.scale,
-              offer, entered->userPtr);
-    // What was found within this instance narrows the search among the others.
-    return shrink(entered->query, held, 1.0);
-  };
-  run_query(search.scene.instance_boxes.get(), search.center_world, search, 1.0, enter, &callback);
+  Callback<Visit> callback{search, visit};
+  search_map(search, callback);
+  search_movers(search, callback);
 }
 
 Triangle in_body(Triangle triangle, const Eigen::Matrix3d& R_body_world, const Vector3d& origin) {

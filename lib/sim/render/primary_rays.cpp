@@ -3,6 +3,7 @@
 #include <emmintrin.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "base/check.hpp"
@@ -26,6 +27,32 @@ std::vector<double> ray_slopes(std::int32_t size_px, int samples, int step, doub
     slopes[i] = (pixel - c) / f;
   }
   return slopes;
+}
+
+/// Blocks of a row or a column of them.
+struct Blocks {
+  std::size_t begin = 0, end = 0;
+};
+
+/// The blocks whose rays, of these slopes, may meet a ball: `across` and `ahead` are its centre's
+/// places along the image's axis and forward.
+Blocks blocks_of(const std::vector<double>& slopes, double across, double ahead, double radius_m,
+                 int step) {
+  // More than rounding: which blocks are traced must not decide what is seen.
+  const double radius = radius_m * 1.001 + 1e-3;
+  if (ahead + radius <= 0.0) return {};
+  const auto block = static_cast<std::size_t>(step);
+  // A ball that reaches behind the camera may be seen anywhere.
+  if (ahead <= radius) return {0, slopes.size() / block};
+  // The two lines through the camera that touch the ball's outline.
+  const double over = ahead * ahead - radius * radius;
+  const double spread = radius * std::sqrt(across * across + over);
+  const double low = (across * ahead - spread) / over, high = (across * ahead + spread) / over;
+  const auto first = std::lower_bound(slopes.begin(), slopes.end(), low) - slopes.begin();
+  const auto last = std::upper_bound(slopes.begin(), slopes.end(), high) - slopes.begin();
+  if (first == last) return {};
+  return {static_cast<std::size_t>(first) / block,
+          (static_cast<std::size_t>(last) + block - 1) / block};
 }
 
 }  // namespace
@@ -66,14 +93,13 @@ PrimaryRays::PrimaryRays(const Scene::Internals& scene, const Pinhole& camera,
     }
     return result;
   };
-  if (scene.flattened) {
-    cameras_.push_back(camera_axes(Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero()));
-  } else {
-    cameras_.reserve(scene.placements.size());
-    for (const Placement& placement : scene.placements) {
-      cameras_.push_back(camera_axes(placement.linear_prototype_world, placement.position_world));
-    }
+  cameras_.reserve(1 + scene.placements.size() - scene.flattened_count);
+  cameras_.push_back(camera_axes(Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero()));
+  for (std::size_t i = scene.flattened_count; i < scene.placements.size(); ++i) {
+    const Placement& placement = scene.placements[i];
+    cameras_.push_back(camera_axes(placement.linear_prototype_world, placement.position_world));
   }
+  if (scene.has_movers()) find_mover_blocks(T_world_camera);
 
   // What never changes between blocks is written once.
   std::memset(static_cast<void*>(packets_), 0, sizeof(packets_));
@@ -105,7 +131,44 @@ void PrimaryRays::trace(int block_x, int block_y) {
       _mm_store_si128(reinterpret_cast<__m128i*>(packet.hit.geomID + lane), nothing);
     }
   }
-  embree::intersect_stream(scene_.top.get(), packets_);
+  embree::intersect_stream(scene_.map->top.get(), packets_);
+  if (mover_blocks_.empty()) return;
+  const auto across = static_cast<std::size_t>(blocks_across());
+  const std::size_t block =
+      static_cast<std::size_t>(block_y) * across + static_cast<std::size_t>(block_x);
+  if (mover_blocks_[block] != 0) trace_movers();
+}
+
+/// Most of a picture shows no mover: those rays are not traced a second time.
+void PrimaryRays::find_mover_blocks(const Pose& T_world_camera) {
+  const auto across = static_cast<std::size_t>(blocks_across());
+  mover_blocks_.assign(across * static_cast<std::size_t>(blocks_down()), 0);
+  for (const MoverBall& ball : scene_.balls) {
+    const Eigen::Vector3d center =
+        T_world_camera.linear().transpose() * (ball.center_world - T_world_camera.translation());
+    const Blocks columns = blocks_of(u_, center.x(), center.z(), ball.radius_m, kBlockWidth);
+    const Blocks rows = blocks_of(v_, center.y(), center.z(), ball.radius_m, kBlockHeight);
+    for (std::size_t row = rows.begin; row < rows.end; ++row) {
+      const auto line = mover_blocks_.begin() + static_cast<std::ptrdiff_t>(row * across);
+      std::fill(line + static_cast<std::ptrdiff_t>(columns.begin),
+                line + static_cast<std::ptrdiff_t>(columns.end), std::uint8_t{1});
+    }
+  }
+}
+
+/// Rays end where they have met the map: what is met now is nearer.
+void PrimaryRays::trace_movers() {
+  embree::intersect_stream(scene_.movers.top.get(), packets_);
+  if (!scene_.map->flattened) return;
+  // instances() reads one list: that of a flattened map's.
+  for (RTCRayHit8& packet : packets_) {
+    for (int lane = 0; lane < 8; ++lane) {
+      // A ray that has met nothing keeps what an earlier block left as its instance.
+      const bool has_met = packet.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID;
+      const unsigned mover = packet.hit.instID[0][lane];
+      if (has_met && mover != RTC_INVALID_GEOMETRY_ID) packet.hit.geomID[lane] = mover;
+    }
+  }
 }
 
 }  // namespace avoidbench

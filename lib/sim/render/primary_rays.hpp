@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "geometry/pose.hpp"
@@ -37,23 +38,28 @@ class PrimaryRays {
   /// Lane by lane: the hit's index into World::instances. Nothing of meaning where the lane hit
   /// nothing.
   const unsigned* instances(const RTCRayHit8& packet) const {
-    return scene_.flattened ? packet.hit.geomID : packet.hit.instID[0];
+    return scene_.map->flattened ? packet.hit.geomID : packet.hit.instID[0];
   }
 
   PlaneInCamera plane(unsigned instance, unsigned triangle) const {
-    return seen_by(cameras_[scene_.flattened ? 0 : instance], scene_.planes_of[instance][triangle]);
+    return seen_by(cameras_[camera_of(instance, scene_.flattened_count)],
+                   scene_.planes_of[instance][triangle]);
   }
 
-  /// One an instance, in its planes' frame; one alone where the scene is flattened.
+  /// In the frames of planes: see camera_of().
   const std::vector<CameraAxes>& cameras() const { return cameras_; }
 
  private:
+  void find_mover_blocks(const Pose& T_world_camera);
+  void trace_movers();
+
   const Scene::Internals& scene_;
   float range_m_;
   std::vector<double> u_, v_;
   std::vector<float> columns_[3],
       rows_[3];  ///< a ray's direction is its column's part plus its row's
   std::vector<CameraAxes> cameras_;
+  std::vector<std::uint8_t> mover_blocks_;  ///< 1: a mover may be in it; empty: there are none
   RTCRayHit8 packets_[embree::kStreamPackets];
 };
 

@@ -37,13 +37,15 @@ RayHit hit_of(const Scene::Internals& scene, const RTCRayHit8& packet, std::size
               const Ray& ray, double limit_m) {
   RayHit hit;
   if (packet.hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID) return hit;
-  hit.instance = scene.flattened ? packet.hit.geomID[lane] : packet.hit.instID[0][lane];
+  // What is flattened has no instance.
+  const unsigned instance = packet.hit.instID[0][lane];
+  hit.instance = instance == RTC_INVALID_GEOMETRY_ID ? packet.hit.geomID[lane] : instance;
   hit.triangle = packet.hit.primID[lane];
   const TrianglePlane& plane = scene.planes_of[hit.instance][hit.triangle];
   const Vector3d normal(plane.nx, plane.ny, plane.nz);
   Vector3d origin = ray.origin_world, direction = ray.direction_world;
   hit.normal_world = normal;
-  if (!scene.flattened) {
+  if (hit.instance >= scene.flattened_count) {
     const Placement& placement = scene.placements[hit.instance];
     origin = placement.linear_prototype_world * (origin - placement.position_world);
     direction = placement.linear_prototype_world * direction;
@@ -73,7 +75,9 @@ void first_hits(const Scene& scene, std::span<const Ray> rays, double limit_m,
       set_ray(packets[i / kPacket], i % kPacket, rays[first + (is_ray ? i : 0)],
               is_ray ? far_m : -1.0F);
     }
-    embree::intersect_stream(internals.top.get(), packets);
+    embree::intersect_stream(internals.map->top.get(), packets);
+    // Rays end where they have met the map: what is met now is nearer.
+    if (internals.has_movers()) embree::intersect_stream(internals.movers.top.get(), packets);
     for (std::size_t i = 0; i < count; ++i) {
       hits[first + i] =
           hit_of(internals, packets[i / kPacket], i % kPacket, rays[first + i], limit_m);

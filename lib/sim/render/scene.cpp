@@ -36,17 +36,20 @@ double plane_distance(const Triangle& triangle, const Vector3d& origin, const Ve
 
 Scene::Scene(const World& world) : Scene(world, kFlattenTriangles) {}
 Scene::Scene(const World& world, std::size_t flatten_triangles)
-    : internals_(build_internals(world, flatten_triangles)) {
-  set_time(0.0);
-}
+    : internals_(build_internals(world, flatten_triangles)) {}
+Scene::Scene(const World& world, const Scene& map)
+    : internals_(build_internals(world, *map.internals_)) {}
 Scene::~Scene() = default;
 Scene::Scene(Scene&&) noexcept = default;
 Scene& Scene::operator=(Scene&&) noexcept = default;
 
 const World& Scene::world() const { return *internals_->world; }
 
-void Scene::set_time(double time_s) {
-  if (!world().motions.empty()) move_instances(*internals_, time_s);
+void Scene::set_time(double time_s) { internals_->time_s = time_s; }
+
+const Scene::Internals& Scene::internals() const {
+  place_for_rays(*internals_);
+  return *internals_;
 }
 
 RayHit Scene::first_hit(const Vector3d& origin_world, const Vector3d& direction_world,
@@ -57,17 +60,20 @@ RayHit Scene::first_hit(const Vector3d& origin_world, const Vector3d& direction_
   RTCRayHit ray{};
   ray.ray = make_ray(origin_world, direction, limit_m);
   ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  const Internals& scene = internals();
   {
     const ScopedFlushToZero flush;
-    embree::intersect(internals_->top.get(), ray);
+    embree::intersect(scene.map->top.get(), ray);
+    // Embree shortened the ray to what it has hit: of the movers, nearer ones take its place.
+    if (scene.has_movers()) embree::intersect(scene.movers.top.get(), ray);
   }
   RayHit hit;
   if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return hit;
-  hit.instance = internals_->flattened ? ray.hit.geomID : ray.hit.instID[0];
+  hit.instance = instance_of(ray.hit);
   hit.triangle = ray.hit.primID;
   // Embree only names the triangle. The distance is that to its plane in double, which no
   // instruction set changes.
-  const Triangle triangle = world_triangle(*internals_, hit.instance, hit.triangle);
+  const Triangle triangle = world_triangle(scene, hit.instance, hit.triangle);
   const double embree_distance = static_cast<double>(ray.ray.tfar);
   hit.distance_m =
       std::min(settled_distance(plane_distance(triangle, origin_world, direction), embree_distance),
@@ -79,10 +85,13 @@ RayHit Scene::first_hit(const Vector3d& origin_world, const Vector3d& direction_
 bool Scene::occluded(const Vector3d& from_world, const Vector3d& to_world) const {
   // The direction is the whole way: 1 is its end.
   RTCRay ray = make_ray(from_world, to_world - from_world, 1.0);
+  const Internals& scene = internals();
   const ScopedFlushToZero flush;
-  embree::occlude(internals_->top.get(), ray);
+  embree::occlude(scene.map->top.get(), ray);
   // Embree says -inf where something is met.
-  return ray.tfar < 0.0F;
+  const auto is_met = [&ray] { return ray.tfar < 0.0F; };
+  if (!is_met() && scene.has_movers()) embree::occlude(scene.movers.top.get(), ray);
+  return is_met();
 }
 
 }  // namespace avoidbench

@@ -36,7 +36,8 @@ struct BodyContact {
 };
 
 /// The bounding volume hierarchy of a World, by Embree. Shareable between threads as long as its
-/// time is not set; keeps a reference to the world, which must outlive it.
+/// time is not set; keeps a reference to the world, which must outlive it. What moves is put in its
+/// place by the first question after set_time(): moments at which nobody asks cost nothing.
 class Scene {
  public:
   explicit Scene(const World& world);
@@ -45,6 +46,10 @@ class Scene {
   /// triangles over all instances (0: never). Changes speed and memory; depths agree to 1e-5 m,
   /// point queries to the bit.
   Scene(const World& world, std::size_t flatten_triangles);
+  /// Of a world that is the map of `map` and movers after its instances: shares the map's
+  /// hierarchy.
+  Scene(const World& world, const Scene& map);
+  Scene(World&&, const Scene& map) = delete;
   ~Scene();
   Scene(Scene&&) noexcept;
   Scene& operator=(Scene&&) noexcept;
@@ -52,8 +57,8 @@ class Scene {
   const World& world() const;
 
   /// Puts what moves in the world (World::motions) where it stands at `time_s`; a new scene is at
-  /// 0. Costs some ten microseconds where anything moves, nothing elsewhere. Not while another
-  /// thread asks the scene.
+  /// 0. Not while another thread asks the scene, nor may two ask it at once until the first has an
+  /// answer.
   void set_time(double time_s);
 
   /// First surface along `direction` (need not be unit; distance_m is in metres all the same)
@@ -84,7 +89,7 @@ class Scene {
                         double limit_m) const;
 
   struct Internals;
-  const Internals& internals() const { return *internals_; }  ///< for this room's other files
+  const Internals& internals() const;  ///< for this room's other files; at the scene's time
 
  private:
   std::unique_ptr<Internals> internals_;

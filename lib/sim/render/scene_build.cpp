@@ -46,9 +46,9 @@ Eigen::Matrix3d inverse(const Eigen::Matrix3d& m) {
   return result / determinant;
 }
 
-Placement make_placement(const Instance& instance) {
+Placement make_placement(const Eigen::Affine3f& T_world_prototype) {
   Placement placement;
-  const Eigen::Matrix4f& matrix = instance.T_world_prototype.matrix();
+  const Eigen::Matrix4f& matrix = T_world_prototype.matrix();
   AB_CHECK(matrix.allFinite());
   placement.linear_world_prototype = matrix.topLeftCorner<3, 3>().cast<double>();
   placement.position_world = matrix.topRightCorner<3, 1>().cast<double>();
@@ -124,47 +124,60 @@ void commit_polled(RTCScene scene) {
 }
 
 /// Every instance as triangles of the world, in one hierarchy.
-void build_flattened(Scene::Internals& scene) {
-  const World& world = *scene.world;
+void build_flattened(const World& world, const std::vector<Placement>& placements,
+                     Hierarchy& hierarchy) {
   for (std::uint32_t i = 0; i < world.instances.size(); ++i) {
     poll_caller();
     const TriangleMesh& mesh = world.prototypes[world.instances[i].prototype].mesh;
-    const std::vector<Vector3f> vertices = flattened_vertices(mesh, scene.placements[i]);
-    scene.planes.push_back(make_planes(vertices, mesh));
-    scene.planes_of.push_back(scene.planes.back().data());
+    const std::vector<Vector3f> vertices = flattened_vertices(mesh, placements[i]);
+    hierarchy.planes.push_back(make_planes(vertices, mesh));
     // Its planes, none, are there all the same: they are found by the instance's number.
     if (mesh.triangles.empty()) continue;
     const embree::GeometryHandle geometry = make_geometry(vertices, mesh);
     // By the instance's own number, which Embree gives back with each hit.
-    rtcAttachGeometryByID(scene.top.get(), geometry.get(), i);
+    rtcAttachGeometryByID(hierarchy.top.get(), geometry.get(), i);
   }
 }
 
-/// Each prototype once, with a hierarchy of its own, and instances that place it.
-void build_instanced(Scene::Internals& scene) {
-  const World& world = *scene.world;
-  for (const Prototype& prototype : world.prototypes) {
-    scene.planes.push_back(make_planes(prototype.mesh.vertices, prototype.mesh));
-    scene.prototypes.push_back(make_scene());
-    if (!prototype.mesh.triangles.empty()) {
-      const embree::GeometryHandle geometry =
-          make_geometry(prototype.mesh.vertices, prototype.mesh);
-      rtcAttachGeometryByID(scene.prototypes.back().get(), geometry.get(), 0);
+/// Prototypes from `first` on, each once, with a hierarchy of its own.
+void build_prototypes(const World& world, std::size_t first, Hierarchy& hierarchy) {
+  for (std::size_t i = first; i < world.prototypes.size(); ++i) {
+    const TriangleMesh& mesh = world.prototypes[i].mesh;
+    hierarchy.planes.push_back(make_planes(mesh.vertices, mesh));
+    hierarchy.prototypes.push_back(make_scene());
+    if (!mesh.triangles.empty()) {
+      const embree::GeometryHandle geometry = make_geometry(mesh.vertices, mesh);
+      rtcAttachGeometryByID(hierarchy.prototypes.back().get(), geometry.get(), 0);
     }
-    commit_polled(scene.prototypes.back().get());
+    commit_polled(hierarchy.prototypes.back().get());
   }
-  for (std::uint32_t i = 0; i < world.instances.size(); ++i) {
+}
+
+/// Instances from `first` to `end` that place the hierarchy's prototypes, the first of which is the
+/// world's `first_prototype`.
+void attach_instances(const World& world, std::uint32_t first, std::size_t end,
+                      std::size_t first_prototype, Hierarchy& hierarchy) {
+  for (std::uint32_t i = first; i < end; ++i) {
     const std::uint32_t prototype = world.instances[i].prototype;
-    scene.planes_of.push_back(scene.planes[prototype].data());
     if (world.prototypes[prototype].mesh.triangles.empty()) continue;
     const embree::GeometryHandle geometry(
         rtcNewGeometry(embree::device(), RTC_GEOMETRY_TYPE_INSTANCE));
-    rtcSetGeometryInstancedScene(geometry.get(), scene.prototypes[prototype].get());
+    rtcSetGeometryInstancedScene(geometry.get(),
+                                 hierarchy.prototypes[prototype - first_prototype].get());
     rtcSetGeometryTransform(geometry.get(), 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR,
                             world.instances[i].T_world_prototype.matrix().data());
     rtcCommitGeometry(geometry.get());
-    rtcAttachGeometryByID(scene.top.get(), geometry.get(), i);
+    rtcAttachGeometryByID(hierarchy.top.get(), geometry.get(), i);
   }
+}
+
+/// For a hierarchy in which things move: built again at many moments, where a quick build over few
+/// instances beats a good one.
+embree::SceneHandle make_moving_scene() {
+  embree::SceneHandle scene = make_scene();
+  rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_DYNAMIC);
+  rtcSetSceneBuildQuality(scene.get(), RTC_BUILD_QUALITY_LOW);
+  return scene;
 }
 
 /// The instance's box, widened by more than float rounding; inside out, as Embree wants it, where
@@ -187,17 +200,17 @@ RTCBounds instance_bounds(const TriangleMesh& mesh, const Placement& placement) 
 
 /// Boxes of all instances for point queries, which look into an instance only where its box is near
 /// enough.
-void build_instance_boxes(Scene::Internals& scene) {
-  const World& world = *scene.world;
+void build_instance_boxes(const World& world, const std::vector<Placement>& placements,
+                          MapHierarchy& map) {
   for (std::size_t i = 0; i < world.instances.size(); ++i) {
     poll_caller();
     const TriangleMesh& mesh = world.prototypes[world.instances[i].prototype].mesh;
-    scene.bounds.push_back(instance_bounds(mesh, scene.placements[i]));
+    map.bounds.push_back(instance_bounds(mesh, placements[i]));
   }
-  scene.instance_boxes = make_scene();
+  map.instance_boxes = make_scene();
   const embree::GeometryHandle boxes(rtcNewGeometry(embree::device(), RTC_GEOMETRY_TYPE_USER));
-  rtcSetGeometryUserPrimitiveCount(boxes.get(), static_cast<unsigned>(scene.bounds.size()));
-  rtcSetGeometryUserData(boxes.get(), scene.bounds.data());
+  rtcSetGeometryUserPrimitiveCount(boxes.get(), static_cast<unsigned>(map.bounds.size()));
+  rtcSetGeometryUserData(boxes.get(), map.bounds.data());
   rtcSetGeometryBoundsFunction(
       boxes.get(),
       [](const RTCBoundsFunctionArguments* asked) {
@@ -205,8 +218,19 @@ void build_instance_boxes(Scene::Internals& scene) {
       },
       nullptr);
   rtcCommitGeometry(boxes.get());
-  rtcAttachGeometryByID(scene.instance_boxes.get(), boxes.get(), 0);
-  commit(scene.instance_boxes.get());
+  rtcAttachGeometryByID(map.instance_boxes.get(), boxes.get(), 0);
+  commit(map.instance_boxes.get());
+}
+
+MoverBall ball_of(const TriangleMesh& mesh, double scale) {
+  Aabb box;
+  for (const Vector3f& vertex : mesh.vertices) box.extend(vertex.cast<double>());
+  MoverBall ball{.center_prototype = box.center(), .radius_m = 0.0};
+  for (const Vector3f& vertex : mesh.vertices) {
+    ball.radius_m =
+        std::max(ball.radius_m, scale * (vertex.cast<double>() - ball.center_prototype).norm());
+  }
+  return ball;
 }
 
 double lowest_ceiling_m(const Scene::Internals& scene) {
@@ -228,6 +252,15 @@ double lowest_ceiling_m(const Scene::Internals& scene) {
   return lowest;
 }
 
+void check_path(const Sway& sway) { AB_CHECK(sway.period_s > 0.0, sway.period_s); }
+void check_path(const Trefoil& knot) { AB_CHECK(knot.period_s > 0.0, knot.period_s); }
+void check_path(const Route& route) {
+  AB_CHECK(!route.knots.empty());
+  for (std::size_t i = 1; i < route.knots.size(); ++i) {
+    AB_CHECK(route.knots[i - 1].time_s < route.knots[i].time_s, i);
+  }
+}
+
 /// Indices are used unchecked from here on.
 void check_world(const World& world) {
   for (const Prototype& prototype : world.prototypes) {
@@ -243,8 +276,41 @@ void check_world(const World& world) {
     AB_CHECK(instance.prototype < world.prototypes.size(), instance.prototype);
   }
   for (const Motion& motion : world.motions) {
-    AB_CHECK(motion.instance < world.instances.size() && motion.period_s > 0.0, motion.instance);
+    AB_CHECK(motion.instance < world.instances.size(), motion.instance);
+    std::visit([](const auto& path) { check_path(path); }, motion.path);
   }
+}
+
+std::vector<Placement> placements_of(const World& world) {
+  std::vector<Placement> placements;
+  for (const Instance& instance : world.instances) {
+    poll_caller();
+    placements.push_back(make_placement(instance.T_world_prototype));
+  }
+  return placements;
+}
+
+/// From a map's hierarchy: where each instance's planes and triangles are.
+void find_map_instances(Scene::Internals& scene, std::size_t count) {
+  const MapHierarchy& map = *scene.map;
+  scene.first_mover = static_cast<std::uint32_t>(count);
+  scene.flattened_count = map.flattened ? scene.first_mover : 0;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::uint32_t prototype = scene.world->instances[i].prototype;
+    scene.planes_of.push_back(map.planes[map.flattened ? i : prototype].data());
+    scene.prototype_scenes.push_back(map.flattened ? nullptr : map.prototypes[prototype].get());
+  }
+}
+
+RTCGeometry geometry_of(const Scene::Internals& scene, std::uint32_t instance) {
+  const Hierarchy& hierarchy =
+      instance < scene.first_mover ? static_cast<const Hierarchy&>(*scene.map) : scene.movers;
+  return rtcGetGeometry(hierarchy.top.get(), instance);
+}
+
+/// Whether the map's own instances move, not only movers.
+bool has_moving_map(const Scene::Internals& scene) {
+  return !scene.world->motions.empty() && scene.world->motions.front().instance < scene.first_mover;
 }
 
 }  // namespace
@@ -254,48 +320,100 @@ std::unique_ptr<Scene::Internals> build_internals(const World& world,
   check_world(world);
   auto scene = std::make_unique<Scene::Internals>();
   scene->world = &world;
-  // What moves stays an instance, of which only the place changes.
-  scene->flattened = world.motions.empty() && triangle_count(world) <= flatten_triangles;
-  scene->top = make_scene();
-  if (!world.motions.empty()) {
-    rtcSetSceneFlags(scene->top.get(), RTC_SCENE_FLAG_DYNAMIC);
-    // Built again at each physics step: a quick build over few instances beats a good one.
-    rtcSetSceneBuildQuality(scene->top.get(), RTC_BUILD_QUALITY_LOW);
-  }
-  for (const Instance& instance : world.instances) {
-    poll_caller();
-    scene->placements.push_back(make_placement(instance));
-  }
+  scene->placements = placements_of(world);
   scene->lowest_ceiling_m = lowest_ceiling_m(*scene);
-  if (scene->flattened) {
-    build_flattened(*scene);
+  scene->map = std::make_shared<MapHierarchy>();
+  MapHierarchy& map = *scene->map;
+  // What moves stays an instance, of which only the place changes.
+  map.flattened = world.motions.empty() && triangle_count(world) <= flatten_triangles;
+  map.top = world.motions.empty() ? make_scene() : make_moving_scene();
+  if (map.flattened) {
+    build_flattened(world, scene->placements, map);
   } else {
-    build_instanced(*scene);
-    build_instance_boxes(*scene);
+    build_prototypes(world, 0, map);
+    attach_instances(world, 0, world.instances.size(), 0, map);
+    build_instance_boxes(world, scene->placements, map);
   }
-  commit_polled(scene->top.get());
+  commit_polled(map.top.get());
+  find_map_instances(*scene, world.instances.size());
+  place_for_rays(*scene);
   return scene;
 }
 
-void move_instances(Scene::Internals& scene, double time_s) {
+std::unique_ptr<Scene::Internals> build_internals(const World& world, const Scene::Internals& map) {
+  const World& map_world = *map.world;
+  AB_CHECK(!map.has_movers() && map_world.instances.size() <= world.instances.size());
+  // A map in which things move is built again for each flight.
+  if (!map_world.motions.empty()) return build_internals(world, kFlattenTriangles);
+  check_world(world);
+  auto scene = std::make_unique<Scene::Internals>();
+  scene->world = &world;
+  scene->placements = placements_of(world);
+  scene->lowest_ceiling_m = map.lowest_ceiling_m;
+  scene->map = map.map;
+  find_map_instances(*scene, map_world.instances.size());
+  const std::size_t first_prototype = map_world.prototypes.size();
+  Hierarchy& movers = scene->movers;
+  movers.top = make_moving_scene();
+  build_prototypes(world, first_prototype, movers);
+  attach_instances(world, scene->first_mover, world.instances.size(), first_prototype, movers);
+  for (std::size_t i = scene->first_mover; i < world.instances.size(); ++i) {
+    const std::uint32_t prototype = world.instances[i].prototype;
+    AB_CHECK(prototype >= first_prototype, prototype);
+    scene->planes_of.push_back(movers.planes[prototype - first_prototype].data());
+    scene->prototype_scenes.push_back(movers.prototypes[prototype - first_prototype].get());
+    scene->balls.push_back(ball_of(world.prototypes[prototype].mesh, scene->placements[i].scale));
+  }
+  place_for_rays(*scene);
+  return scene;
+}
+
+void place(Scene::Internals& scene) {
+  if (scene.placed_s == scene.time_s) return;
+  const World& world = *scene.world;
+  MapHierarchy& map = *scene.map;
+  for (const Motion& motion : world.motions) {
+    const Instance& instance = world.instances[motion.instance];
+    Placement& placement = scene.placements[motion.instance];
+    // Planes are in the prototype's frame, which does not move.
+    placement = make_placement(moved(instance.T_world_prototype, motion, scene.time_s));
+    if (motion.instance >= scene.first_mover) continue;
+    const TriangleMesh& mesh = world.prototypes[instance.prototype].mesh;
+    map.bounds[motion.instance] = instance_bounds(mesh, placement);
+  }
+  for (std::size_t i = 0; i < scene.balls.size(); ++i) {
+    MoverBall& ball = scene.balls[i];
+    const Placement& placement = scene.placements[scene.first_mover + i];
+    ball.center_world =
+        placement.linear_world_prototype * ball.center_prototype + placement.position_world;
+  }
+  if (has_moving_map(scene)) {
+    rtcCommitGeometry(rtcGetGeometry(map.instance_boxes.get(), 0));
+    commit(map.instance_boxes.get());
+  }
+  scene.placed_s = scene.time_s;
+}
+
+void place_for_rays(Scene::Internals& scene) {
+  place(scene);
+  if (scene.traced_s == scene.time_s) return;
   const World& world = *scene.world;
   for (const Motion& motion : world.motions) {
-    Instance moved = world.instances[motion.instance];
-    moved.T_world_prototype.translation() += displacement_world(motion, time_s).cast<float>();
-    Placement& placement = scene.placements[motion.instance];
-    placement = make_placement(moved);  // planes are in the prototype's frame, which does not move
-    const TriangleMesh& mesh = world.prototypes[moved.prototype].mesh;
-    if (mesh.triangles.empty()) continue;
-    const RTCGeometry geometry = rtcGetGeometry(scene.top.get(), motion.instance);
+    const std::uint32_t prototype = world.instances[motion.instance].prototype;
+    if (world.prototypes[prototype].mesh.triangles.empty()) continue;
+    const Placement& placement = scene.placements[motion.instance];
+    Eigen::Affine3f T_world_prototype = Eigen::Affine3f::Identity();
+    // Floats made these doubles: nothing is lost.
+    T_world_prototype.linear() = placement.linear_world_prototype.cast<float>();
+    T_world_prototype.translation() = placement.position_world.cast<float>();
+    const RTCGeometry geometry = geometry_of(scene, motion.instance);
     rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR,
-                            moved.T_world_prototype.matrix().data());
+                            T_world_prototype.matrix().data());
     rtcCommitGeometry(geometry);
-    scene.bounds[motion.instance] = instance_bounds(mesh, placement);
   }
-  // Boxes and instances have moved: both hierarchies are built again.
-  rtcCommitGeometry(rtcGetGeometry(scene.instance_boxes.get(), 0));
-  commit(scene.instance_boxes.get());
-  commit(scene.top.get());
+  if (has_moving_map(scene)) commit(scene.map->top.get());
+  if (scene.has_movers()) commit(scene.movers.top.get());
+  scene.traced_s = scene.time_s;
 }
 
 }  // namespace avoidbench

@@ -23,6 +23,12 @@ struct PlaneInCamera {
 
 namespace {
 
+/// Of a list of cameras: the first is in the world's frame, in which the planes of the first
+/// `flattened_count` instances are, and then there is one for each of the others.
+[[gnu::always_inline]] inline unsigned camera_of(unsigned instance, unsigned flattened_count) {
+  return instance < flattened_count ? 0 : instance - flattened_count + 1;
+}
+
 [[gnu::always_inline]] inline PlaneInCamera seen_by(const CameraAxes& camera,
                                                     const TrianglePlane& plane) {
   // The normal's parts along right, down, forward, and minus the position's: h is the offset less

@@ -103,7 +103,7 @@ struct LastFacet {
     const TrianglePlane& p = scene.planes_of[instance][triangle];
     const Vector3d normal(p.nx, p.ny, p.nz);
     // Planes of a flattened scene are in the world already.
-    copy(scene.flattened
+    copy(instance < scene.flattened_count
              ? normal
              : Vector3d(placement.linear_world_prototype * normal * (1.0 / placement.scale)),
          facet.normal_world);
@@ -208,7 +208,11 @@ void cast_shadows(const Frame& frame, Block& block, unsigned (&lit)[kBlockPacket
     any |= lit[i];
   }
   if (any == 0) return;
-  embree::occlude_stream(frame.scene.top.get(), block.shadows);
+  embree::occlude_stream(frame.scene.map->top.get(), block.shadows);
+  // Rays that the map has stopped are switched off by their length.
+  if (frame.scene.has_movers()) {
+    embree::occlude_stream(frame.scene.movers.top.get(), block.shadows);
+  }
   for (int i = 0; i < kBlockPackets; ++i) {
     // Embree gives rays that hit something a length of -inf.
     for (int first = 0; first < kPacketLanes; first += kLanes) {
@@ -323,8 +327,8 @@ void render_radiance_by(const ShadingKernel& kernel, const Scene& scene, const P
   AB_CHECK(radiance.size() == image.width * image.height * static_cast<std::size_t>(channels),
            radiance.size(), image.width, image.height);
   AB_CHECK(samples >= 1 && light.to_sun_world.norm() > 0.0, samples);
-  const ScopedFlushToZero flush;
   const Scene::Internals& internals = scene.internals();
+  const ScopedFlushToZero flush;
   PrimaryRays rays(internals, camera, T_world_camera, samples);
   Frame frame{kernel,
               internals,

@@ -36,9 +36,6 @@ void set_forest_bounds(const std::array<double, 2>& size_m, double ceiling_m, Wo
 /// among a map's obstacles.
 bool is_scenery(std::string_view kind);
 
-/// A rotation about the upright axis.
-Eigen::Matrix3f upright_turn(double yaw_rad);
-
 /// An obstacle of a mesh of its own, which stands at the obstacle's position unturned.
 void add_obstacle(World& world, Prototype prototype, Obstacle obstacle);
 

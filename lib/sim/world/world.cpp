@@ -1,8 +1,7 @@
 #include "world/world.hpp"
 
+#include <algorithm>
 #include <span>
-
-#include <cmath>
 
 #include "base/digest.hpp"
 #include "base/math.hpp"
@@ -18,6 +17,25 @@ void add(Digest& digest, const std::vector<T>& values) {
   // The count first: else numbers could move from one list to the next unseen.
   digest.add(static_cast<std::uint64_t>(values.size()));
   digest.add_array(std::span<const T>(values));
+}
+
+/// The first kind of path there was: it has no name before its numbers.
+void add(Digest& digest, const Sway& sway) {
+  add(digest, sway.amplitude_world);
+  digest.add(sway.period_s).add(sway.phase);
+}
+
+void add(Digest& digest, const Route& route) {
+  digest.add(std::string_view("route")).add(static_cast<std::uint64_t>(route.knots.size()));
+  for (const Knot& knot : route.knots) {
+    digest.add(knot.time_s).add(knot.turn_rad);
+    add(digest, knot.offset_world);
+  }
+}
+
+void add(Digest& digest, const Trefoil& knot) {
+  digest.add(std::string_view("trefoil")).add(knot.reach_m).add(knot.rise_m);
+  digest.add(knot.period_s).add(knot.phase).add(knot.heading_rad);
 }
 
 template <class T>
@@ -67,20 +85,28 @@ std::string world_digest(const World& world) {
   digest.add(world.poisson_radius_m).add(world.mean_obstacle_width_m);
   for (const Motion& motion : world.motions) {
     digest.add(std::uint64_t{motion.instance});
-    add(digest, motion.amplitude_world);
-    digest.add(motion.period_s).add(motion.phase);
+    std::visit([&digest](const auto& path) { add(digest, path); }, motion.path);
   }
   return digest.hex();
 }
 
-Eigen::Vector3d displacement_world(const Motion& motion, double time_s) {
-  const double turns = time_s / motion.period_s + motion.phase;
-  // Whole turns are taken off first: a large argument would lose digits of its fraction.
-  return motion.amplitude_world * math::sin(math::kTau * (turns - std::floor(turns)));
+double greatest_surface_speed_mps(const World& world, const Motion& motion) {
+  const Instance& instance = world.instances[motion.instance];
+  float reach_m = 0.0F;
+  for (const Eigen::Vector3f& vertex : world.prototypes[instance.prototype].mesh.vertices) {
+    reach_m = std::max(reach_m, (instance.T_world_prototype.linear() * vertex).head<2>().norm());
+  }
+  return greatest_speed_mps(motion) + greatest_turn_radps(motion) * static_cast<double>(reach_m);
 }
 
-double greatest_speed_mps(const Motion& motion) {
-  return motion.amplitude_world.norm() * math::kTau / motion.period_s;
+World standing_at(World world, double time_s) {
+  for (const Motion& motion : world.motions) {
+    Instance& instance = world.instances[motion.instance];
+    instance.T_world_prototype = moved(instance.T_world_prototype, motion, time_s);
+    world.obstacles[instance.obstacle].position_world += displacement_world(motion, time_s);
+  }
+  world.motions.clear();
+  return world;
 }
 
 std::size_t triangle_count(const World& world) {

@@ -8,6 +8,7 @@
 #include "base/enum_text.hpp"
 #include "geometry/pose.hpp"
 #include "geometry/triangle_mesh.hpp"
+#include "world/motion.hpp"
 
 namespace avoidbench {
 
@@ -45,18 +46,6 @@ struct Obstacle {
   double width_m = 0.0;          ///< at flight height; 0 for ground and walls
   double texture_opacity = 1.0;  ///< strength of the surface's pattern in [0, 1]: low is bland
 };
-
-/// An instance that goes back and forth: at time t it stands amplitude · sin(2π(t/period + phase))
-/// away from its transform.
-struct Motion {
-  std::uint32_t instance = 0;
-  Eigen::Vector3d amplitude_world = Eigen::Vector3d::Zero();  ///< [m]
-  double period_s = 1.0;
-  double phase = 0.0;  ///< in periods
-};
-
-Eigen::Vector3d displacement_world(const Motion& motion, double time_s);
-double greatest_speed_mps(const Motion& motion);
 
 /// A box of positions, for starts, goals and flight.
 struct Region {
@@ -101,6 +90,13 @@ std::size_t memory_bytes(
 
 /// "[0.00, 40.00] × [0.00, 40.00] × [0.00, 6.00]", m.
 std::string box_text(const Aabb& box);
+
+/// Of any of its points, while it turns and goes.
+double greatest_surface_speed_mps(const World& world, const Motion& motion);
+
+/// The world as it is at a moment, in which nothing moves any more. Its digest stays that of
+/// `world`.
+World standing_at(World world, double time_s);
 
 /// Height of the ground at (x, y), that of its mesh; beyond the mesh, that of its nearest edge.
 double ground_height_m(const HeightField& ground, double x_m, double y_m);

@@ -76,6 +76,7 @@ void echo_observation(echo_buffer* to, const ab_observation* seen) {
   }
   add(to, &seen->goal_index, sizeof seen->goal_index);
   add(to, seen->goal_world_m, sizeof seen->goal_world_m);
+  add(to, seen->tracks, seen->track_count * sizeof(ab_track));
 }
 
 void echo_command(ab_command* command, const ab_state* state) {

@@ -54,6 +54,7 @@ typedef int32_t ab_status;
  * one (`camera: 0` in the planner's entry), or is refused before its first trial. */
 #define AB_INPUT_ONE_CAMERA 128u
 #define AB_INPUT_REFERENCE 4096u /* where the vehicle is told to be: the last commanded state */
+#define AB_INPUT_TRACKS 16384u   /* what moves around it: as a detector with a tracker would say */
 /* Of lidars: what each sweep met. Who also declares images flies with a sensor of either kind. */
 #define AB_INPUT_POINTS 8192u
 /* The goal to reach now: missions may have several, in order, and the last one may move. A sweep
@@ -274,6 +275,23 @@ typedef struct ab_point {
   double yaw_rate_radps;
 } ab_point;
 
+/* ab_track.kind */
+#define AB_TRACK_OTHER 0u
+#define AB_TRACK_PERSON 1u
+#define AB_TRACK_BOX 2u
+#define AB_TRACK_BALL 3u
+#define AB_TRACK_POLE 4u
+
+/* Something that moves. Tracks lie in an array, so this struct never grows within ABI 1. */
+typedef struct ab_track {
+  uint32_t id; /* the same thing has the same in all observations of a trial */
+  uint32_t kind;
+  double time_s; /* of the scan: place and velocity are those of this moment */
+  double center_world_m[3];
+  double velocity_world_mps[3];
+  double size_m[3]; /* of its box in its own frame, z up */
+} ab_track;
+
 typedef struct ab_observation {
   uint32_t struct_size;
   uint32_t depth_count;  /* images since the last call, newest first; 0 where none is new */
@@ -304,6 +322,11 @@ typedef struct ab_observation {
    * ab_mission.goals_world_m, and where it is at this call. Zeros unless declared. */
   uint32_t goal_index, reserved4;
   double goal_world_m[3];
+  /* Added later: older hosts end before this. AB_INPUT_TRACKS: the newest scan, whole, at each
+   * call; track_count tracks in no order that says anything. Of the world that the odometry
+   * believes. */
+  uint32_t track_count, reserved5;
+  const ab_track* tracks;
 } ab_observation;
 
 /* Numbers are finite, and lengths, speeds and so on not beyond 1e6, yaws not beyond 1e5. Anything

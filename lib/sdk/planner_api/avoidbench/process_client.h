@@ -314,6 +314,7 @@ static const ab_observation* ab_client_observation(ab_client* self, uint64_t bod
   seen->clouds = sweeps;
   seen->states = states;
   seen->reference = (const ab_point*)ab_client_at(self, ab_client_offset(&seen->reference));
+  seen->tracks = (const ab_track*)ab_client_at(self, ab_client_offset(&seen->tracks));
   seen->imu = (const ab_imu_sample*)ab_client_at(self, ab_client_offset(&seen->imu));
   seen->depth = images;
   seen->stereo = pairs;
