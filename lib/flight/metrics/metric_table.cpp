@@ -230,8 +230,8 @@ constexpr MetricDef kTable[] = {
     {"goals_reached_count", 1, "", "Goals of the mission that were reached", "count", "", kMore,
      kAll, false,
      [](In in) {
-       const auto& [spec, mission, record] = in;
-       return static_cast<double>(goal_times_s(spec.mission, mission.mission, record).size());
+       const auto times_s = goal_times_s(in.spec.mission, in.mission.mission, in.record);
+       return static_cast<double>(times_s.size());
      }},
     {"mover_density_1pm2", 1, "1/m^2", "Movers per square metre; none without movers",
      "count / area of the flight box", "", kNeither, kAll, false,
