@@ -187,9 +187,9 @@ TEST(Movers, WhoChasesWaitsAndComesToTheGoal) {
     EXPECT_EQ(place_at(world, i, delay_s), from);
     const double length_m = (course().goal_world - from).norm();
     EXPECT_LT((place_at(world, i, delay_s + length_m / 2.0) - course().goal_world).norm(), 1e-5);
-    EXPECT_LT((place_at(world, i, delay_s + length_m / 4.0) - 0.5 * (from + course().goal_world))
-                  .norm(),
-              1e-5);
+    EXPECT_LT(
+        (place_at(world, i, delay_s + length_m / 4.0) - 0.5 * (from + course().goal_world)).norm(),
+        1e-5);
   }
 }
 

@@ -24,9 +24,8 @@ World world_with_movers(const World& map) {
     Instance instance;
     instance.prototype = first + i % 2;
     instance.obstacle = static_cast<std::uint32_t>(world.obstacles.size());
-    instance.T_world_prototype.translation() =
-        Eigen::Vector3f(static_cast<float>(i % 4) * 3.0F - 5.0F,
-                        static_cast<float>(i / 4) * 3.0F - 4.0F, 0.5F);
+    instance.T_world_prototype.translation() = Eigen::Vector3f(
+        static_cast<float>(i % 4) * 3.0F - 5.0F, static_cast<float>(i / 4) * 3.0F - 4.0F, 0.5F);
     instance.T_world_prototype.linear() *= 0.5F + 0.1F * static_cast<float>(i);
     Motion motion{.instance = static_cast<std::uint32_t>(world.instances.size()), .path = {}};
     if (i % 3 == 0) {
@@ -130,9 +129,10 @@ TEST_P(MovingScene, PicturesShowTheNearerOfMapAndMovers) {
     scene_.set_time(time_s);
     const World still = standing_at(world_, time_s);
     // From among them, so that some reach behind the camera.
-    const Pose pose = make_pose(test::random_point(random_, 5.0),
-                                Eigen::Quaterniond(Eigen::Vector4d(
-                                    test::random_point(random_, 1.0).homogeneous())).normalized());
+    const Pose pose = make_pose(
+        test::random_point(random_, 5.0),
+        Eigen::Quaterniond(Eigen::Vector4d(test::random_point(random_, 1.0).homogeneous()))
+            .normalized());
     render_depth(scene_, camera, pose, seen, shown);
     render_depth(Scene(still, 0), camera, pose, wanted, wanted_shown);
     for (std::size_t k = 0; k < kPixels; ++k) {

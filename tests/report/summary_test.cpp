@@ -424,7 +424,8 @@ TEST(Summary, NamesRevisionAndVersions) {
 TEST(Summary, SaysWhoSeesTracks) {
   SweepResult result = result_of(1, 2, [](char, int, int) { return true; });
   result.spec_json = R"({"planners":[{"label":"a"},{"label":"b","sees_tracks":true}]})";
-  EXPECT_EQ(sweep_section(summary_of(result), {}).notes.back().second, "a 1.2, b 1.2 (sees tracks)");
+  EXPECT_EQ(sweep_section(summary_of(result), {}).notes.back().second,
+            "a 1.2, b 1.2 (sees tracks)");
 }
 
 TEST(Summary, ShardsTogetherAreTheWhole) {

@@ -20,11 +20,8 @@ Motion sway() {
 
 Motion trefoil() {
   return {.instance = 0,
-          .path = Trefoil{.reach_m = 3.0,
-                          .rise_m = 0.5,
-                          .period_s = 11.0,
-                          .phase = 0.2,
-                          .heading_rad = 0.7}};
+          .path = Trefoil{
+              .reach_m = 3.0, .rise_m = 0.5, .period_s = 11.0, .phase = 0.2, .heading_rad = 0.7}};
 }
 
 /// Two legs with a turn on the spot between them.
@@ -110,8 +107,7 @@ TEST(Motion, NoPointIsFasterThanTheGreatestSurfaceSpeed) {
       }
     }
   }
-  EXPECT_DOUBLE_EQ(greatest_surface_speed_mps(world_of(route()), route()),
-                   2.0 + 2.0 * math::kPi);
+  EXPECT_DOUBLE_EQ(greatest_surface_speed_mps(world_of(route()), route()), 2.0 + 2.0 * math::kPi);
 }
 
 TEST(Motion, AWorldStandsAsItIsAtAMoment) {
