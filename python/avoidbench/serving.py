@@ -193,7 +193,7 @@ def _description(writer: _Writer, planner: type[p.Planner], files: Sequence[str]
     )
 
 
-def _made(kind: type[Made], given: NDArray[np.void], **others: Any) -> Made:
+def _made(kind: type[Made], given: NDArray[np.void], /, **others: Any) -> Made:
     """One of planner.py's dataclasses, whose fields have the names that they have in the struct; but for `others`."""
     for name in kind.__dataclass_fields__:  # type: ignore[attr-defined]
         if name not in others:
