@@ -29,6 +29,7 @@ COMMANDS = {
     "config schema": [("config schema @", {"--output": "v.json"})],
     "config sweeps": [("config sweeps @", {"--output": "v.sqlite"})],
     "explain": [("explain db.db @", {"--output": "v.sqlite"}), ("explain db.db 1 @", {"--png": "v.png"})],
+    "export legs": [("export legs db.db 1 @", {"--output": "v.csv"})],
     "export calls": [("export calls db.db 1 @", {"--output": "v.csv"})],
     "export trajectory": [("export trajectory db.db 1 @", {"--output": "v.csv"})],
     "export trials": [("export trials db.db @", {"--output": "v.csv"})],

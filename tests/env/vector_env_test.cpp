@@ -176,6 +176,7 @@ TEST(VectorEnv, GoalsFollowEachOther) {
   EnvSpec spec = env_spec(1);
   spec.sweep.base.map = HallSpec{.area_m = {14.0, 16.0}, .poisson_radius_m = 7.0};
   spec.sweep.base.mission.waypoints = 2;
+  spec.sweep.base.mission.max_collisions = 100;  // of columns it knows nothing
   spec.sweep.base.mission.time_limit_s = 60.0;
   spec.reward = {.progress_per_m = 1.0, .time_per_s = 0.0, .crash = 0.0, .goal = 0.0};
   Stepped stepped(spec);
