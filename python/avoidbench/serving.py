@@ -28,7 +28,10 @@ from avoidbench import planner as p
 from avoidbench.planner_files import planner_files
 
 _WORDS = {
-    "inputs": ("AB_INPUT_", ("state", "depth", "stereo", "color", "imu", "states", "one_camera", "reference", "tracks")),
+    "inputs": (
+        "AB_INPUT_",
+        ("state", "depth", "stereo", "color", "imu", "states", "one_camera", "reference", "tracks"),
+    ),
     "uses": ("AB_USES_", ("processes", "devices", "network", "globals")),
     "commands": ("AB_COMMAND_", ("position", "velocity", "acceleration", "trajectory", "rates")),
 }
