@@ -169,14 +169,15 @@ std::optional<Outcome> ended(Flight& flight) {
   const MissionSpec& rules = flight.spec->mission;
   const std::size_t last = flight.mission->waypoints_world.size();
   const double now_s = seconds(flight.state.tick);
-  const auto to_goal_m = [&] {
+  const auto way_left_m = [&] {
     return distance_to_goal_m(rules, *flight.mission, flight.goal_index, place, now_s);
   };
-  while (flight.goal_index < last && to_goal_m() <= rules.goal_radius_m) {
+  double to_goal_m = way_left_m();
+  for (; flight.goal_index < last && to_goal_m <= rules.goal_radius_m; to_goal_m = way_left_m()) {
     ++flight.goal_index;
     flight.has_reached = true;
   }
-  if (to_goal_m() <= rules.goal_radius_m) {
+  if (to_goal_m <= rules.goal_radius_m) {
     flight.record.reason = "reached the goal after " + fixed_digits(now_s, 2) + " s";
     return Outcome::reached_goal;
   }
@@ -184,7 +185,7 @@ std::optional<Outcome> ended(Flight& flight) {
     const std::string goal = last == 0 ? "the goal"
                                        : "goal " + std::to_string(flight.goal_index + 1) + " of " +
                                              std::to_string(last + 1);
-    flight.record.reason = fixed_digits(to_goal_m(), 2) + " m from " + goal + " at the time limit";
+    flight.record.reason = fixed_digits(to_goal_m, 2) + " m from " + goal + " at the time limit";
     return Outcome::timed_out;
   }
   return std::nullopt;

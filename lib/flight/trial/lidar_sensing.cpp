@@ -39,7 +39,7 @@ void end_sweep(LidarSensing& sensing, std::size_t index, Tick end) {
 
 LidarSensing make_lidar_sensing(const SensorSpec& sensor, std::uint32_t needs, std::uint64_t seed,
                                 const VehicleState& truth, const VehicleState& believed) {
-  LidarSensing sensing{.is_seen = (needs & AB_INPUT_POINTS) != 0,
+  LidarSensing sensing{.is_seen = (needs & AB_INPUT_POINTS) != 0 && !sensor.lidars.empty(),
                        .seed = stream_seed(seed, "lidar"),
                        .lidars = {},
                        .T_world_body = pose_of(truth),
@@ -68,7 +68,7 @@ Tick next_sweep_end(const LidarSensing& sensing, Tick now) {
 
 void sense_points(LidarSensing& sensing, const Scene& scene, const VehicleState& truth,
                   const VehicleState& believed) {
-  if (!sensing.is_seen || sensing.lidars.empty() || truth.tick == sensing.tick) return;
+  if (!sensing.is_seen || truth.tick == sensing.tick) return;
   const Pose T_world_from = sensing.T_world_body, T_believed_from = sensing.T_believed_body;
   const Tick from = sensing.tick;
   sensing.T_world_body = pose_of(truth);

@@ -32,7 +32,7 @@ struct MountedLidar {
 /// What the lidars of a rig sense during a trial. Sweeps end at the same ticks whatever the planner
 /// asks for; shots that nobody sees are not fired.
 struct LidarSensing {
-  bool is_seen = false;
+  bool is_seen = false;  ///< there are lidars, and the planner declares points
   std::uint64_t seed = 0;
   std::vector<MountedLidar> lidars;
   Pose T_world_body, T_believed_body;  ///< at `tick`

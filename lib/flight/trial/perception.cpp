@@ -168,7 +168,7 @@ void sense(Perception& p, const Scene& scene, const VehicleModel& model, const V
   for (CameraGroup& group : p.cameras) {
     if (truth.tick == group.next_exposure) expose(p, group, scene, truth);
   }
-  sense_points(p.lidars, scene, truth, believed_state(p, truth));
+  if (p.lidars.is_seen) sense_points(p.lidars, scene, truth, believed_state(p, truth));
 }
 
 VehicleState believed_state(const Perception& p, const VehicleState& truth) {
@@ -207,7 +207,7 @@ PlannerView planner_view(Perception& p, const VehicleState& truth) {
   for (const VehicleState& past : p.states) {
     if (is_told(p, past, truth.tick)) view.states.push_back(state_view(past));
   }
-  view.clouds = cloud_views(p.lidars, truth.tick);
+  if (p.lidars.is_seen) view.clouds = cloud_views(p.lidars, truth.tick);
   return view;
 }
 

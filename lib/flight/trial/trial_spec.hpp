@@ -223,7 +223,7 @@ void visit(Visitor& v, Spec& s) {
   v.field("wind", s.wind, "Wind and disturbances, added up; see docs/wind.md.");
   v.field("movers", s.movers, "Things that move through the map; see docs/movers.md.");
   v.field("tracks", s.tracks,
-          "What planners that declare tracks are told of things that move; the default is true.");
+          "Tracks of things that move, for planners that declare them; true by default.");
 }
 
 }  // namespace avoidbench

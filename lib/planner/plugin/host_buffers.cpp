@@ -278,7 +278,7 @@ ab_mission to_mission(const PlannerMission& mission) {
 
 const ab_observation& ObservationBuffers::fill(const PlannerView& view,
                                                const std::vector<CameraSetup>& cameras,
-                                               std::uint32_t needs) {
+                                               std::uint32_t needs, const GoalView& goal) {
   // Memory of the last call is used again: none is allocated at each of them.
   state_ = to_state(view);
   observation_ = ab_observation{};
@@ -313,9 +313,10 @@ const ab_observation& ObservationBuffers::fill(const PlannerView& view,
     observation_.reference = &reference_;
   }
   fill_clouds((needs & AB_INPUT_POINTS) != 0 ? view.clouds : std::vector<CloudView>{});
-  if ((needs & AB_INPUT_GOALS) != 0 && view.goal) {
-    observation_.goal_index = view.goal->index;
-    copy(view.goal->place_world, observation_.goal_world_m);
+  if ((needs & AB_INPUT_GOALS) != 0) {
+    const GoalView& shown = view.goal ? *view.goal : goal;
+    observation_.goal_index = shown.index;
+    copy(shown.place_world, observation_.goal_world_m);
   }
   tracks_.clear();
   if ((needs & AB_INPUT_TRACKS) != 0) {

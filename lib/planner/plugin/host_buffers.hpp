@@ -84,9 +84,10 @@ class ObservationBuffers {
   ObservationBuffers& operator=(const ObservationBuffers&) = delete;
 
   /// The view as the planner of these `needs` sees it, valid until the next call. Every image of
-  /// `view` has its camera's size.
+  /// `view` has its camera's size. `goal` is shown where the view has none: who declares goals has
+  /// one in each call.
   const ab_observation& fill(const PlannerView& view, const std::vector<CameraSetup>& cameras,
-                             std::uint32_t needs);
+                             std::uint32_t needs, const GoalView& goal = {});
   void poison();
 
  private:

@@ -57,6 +57,7 @@ struct PlannerInstance::Internals {
   std::vector<CameraSetup> cameras;
   HostSide host;
   ObservationBuffers observation;
+  GoalView first_goal;  ///< of the mission
   void* instance = nullptr;
   CallClock* clock = nullptr;
   CpuMeter meter;
@@ -119,6 +120,7 @@ void PlannerInstance::show_world(PlannerWorld world) {
 std::string PlannerInstance::reset(const PlannerMission& mission) {
   Internals& self = *internals_;
   const ab_mission given = to_mission(mission);
+  self.first_goal = {.index = 0, .place_world = mission.goal_world};
   ab_status status = AB_ERROR;
   // What an earlier call left would be taken for this one's reason.
   self.host.take_error();
@@ -134,7 +136,8 @@ std::string PlannerInstance::reset(const PlannerMission& mission) {
 
 PlanResult PlannerInstance::plan(const PlannerView& view) {
   Internals& self = *internals_;
-  const ab_observation& observation = self.observation.fill(view, self.cameras, self.table->needs);
+  const ab_observation& observation =
+      self.observation.fill(view, self.cameras, self.table->needs, self.first_goal);
   PlanResult result;
   result.command.struct_size = static_cast<std::uint32_t>(sizeof(ab_command));
   ab_status status = AB_ERROR;

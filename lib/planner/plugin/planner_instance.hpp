@@ -100,7 +100,7 @@ struct ReferenceView {
 /// The goal to reach now.
 struct GoalView {
   std::uint32_t index = 0;  ///< into PlannerMission::goals_world
-  Eigen::Vector3d place_world;
+  Eigen::Vector3d place_world = Eigen::Vector3d::Zero();
 };
 /// Something that moves, at the time of a scan.
 struct TrackView {
@@ -118,8 +118,8 @@ struct PlannerView : StateView {
   std::vector<StateView> states;                ///< oldest first
   std::optional<ReferenceView> reference = {};  ///< nothing while rates are commanded
   std::vector<CloudView> clouds = {};           ///< newest first
-  std::optional<GoalView> goal = {};
-  std::vector<TrackView> tracks = {};  ///< of the newest scan
+  std::optional<GoalView> goal = {};            ///< nothing: the mission's first
+  std::vector<TrackView> tracks = {};           ///< of the newest scan
 };
 
 /// What a planner knows of a place: AB_PLACE_….

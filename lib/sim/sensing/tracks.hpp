@@ -12,8 +12,8 @@
 
 namespace avoidbench {
 
-/// What a planner that declares it is told of things that move: the truth, unless the spec says
-/// otherwise; see docs/movers.md.
+/// How a planner that declares tracks sees things that move: by default as they are; see
+/// docs/movers.md.
 struct TracksSpec {
   double rate_hz = 20.0;
   double range_m = 15.0;
