@@ -270,8 +270,8 @@ class Planner:
     summary: ClassVar[str] = ""
     """One line."""
     inputs: ClassVar[Sequence[str]] = ("state",)
-    """Of state, depth, stereo, color, imu, states, reference, tracks; with one_camera of a rig one camera alone, which a
-    sweep names (`camera: 0`)."""
+    """Of state, depth, stereo, color, imu, states, reference, tracks; with one_camera of a rig one camera alone, which
+    a sweep names (`camera: 0`)."""
     commands: ClassVar[Sequence[str]] = ("velocity",)
     """Of position, velocity, acceleration, trajectory, rates: what plan() may return."""
     uses: ClassVar[Sequence[str]] = ()
