@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "render/depth.hpp"
+#include "render/rays.hpp"
 #include "render/scene.hpp"
 #include "support/test_worlds.hpp"
 
@@ -57,6 +58,32 @@ INSTANTIATE_TEST_SUITE_P(Both, MovingScene, testing::Values(0, 1000000), [](cons
 });
 
 constexpr double kTimes_s[] = {0.0, 0.7, 4.9, 2.2, 2.2, 0.0};
+
+/// Rays by the packet, as lidars', see what single ones see.
+TEST_P(MovingScene, ManyRaysAreEachOne) {
+  std::size_t mover_count = 0;
+  for (const double time_s : kTimes_s) {
+    scene_.set_time(time_s);
+    std::vector<Ray> rays(333);
+    for (Ray& ray : rays) {
+      ray.origin_world = test::random_point(random_, 8.0);
+      ray.direction_world = (test::random_point(random_, 4.0) - ray.origin_world).normalized();
+    }
+    std::vector<RayHit> hits(rays.size());
+    first_hits(scene_, rays, 9.0, hits);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      const RayHit one = scene_.first_hit(rays[i].origin_world, rays[i].direction_world, 9.0);
+      ASSERT_EQ(std::isinf(hits[i].distance_m), std::isinf(one.distance_m));
+      if (std::isinf(one.distance_m)) continue;
+      EXPECT_EQ(hits[i].instance, one.instance);
+      EXPECT_EQ(hits[i].triangle, one.triangle);
+      EXPECT_NEAR(hits[i].distance_m, one.distance_m, 1e-5);
+      EXPECT_LT((hits[i].normal_world - one.normal_world).norm(), 1e-5);
+      if (hits[i].instance >= map_.instances.size()) ++mover_count;
+    }
+  }
+  EXPECT_GT(mover_count, 20U);
+}
 
 TEST_P(MovingScene, AnswersAsAWorldThatStandsSo) {
   int on_movers = 0;

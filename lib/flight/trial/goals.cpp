@@ -60,6 +60,8 @@ GoalWay last_goal_way(const MissionSpec& spec, const Mission& mission) {
 Eigen::Vector3d goal_place(const MissionSpec& spec, const Mission& mission, std::size_t index,
                            double time_s) {
   if (index < mission.waypoints_world.size()) return mission.waypoints_world[index];
+  // Asked at each step of each flight, and most goals stand.
+  if (spec.goal_motion.path == GoalPath::none) return mission.goal_world;
   return place_at(last_goal_way(spec, mission), time_s);
 }
 

@@ -143,7 +143,7 @@ std::vector<Cell> cells_of(const CameraSpec& sensor, CameraImages& images,
 std::vector<Cell> cells_of(const LidarSpec& lidar, const LidarSweep& sweep) {
   constexpr int kWidth_px = 720, kHeight_px = 240, kSide_px = 480;
   constexpr double kMostShown_m = 20.0;
-  const auto [lowest_rad, highest_rad] = elevations_rad(lidar);
+  const double lowest_rad = elevations_rad(lidar)[0], highest_rad = elevations_rad(lidar)[1];
   std::vector<float> ranges_m(static_cast<std::size_t>(kWidth_px) * kHeight_px, math::kNaN);
   const double rows_per_rad = (kHeight_px - 1) / std::max(highest_rad - lowest_rad, 1e-3);
   const auto mark = [&](const Eigen::Vector3d& direction, double range_m) {
