@@ -22,7 +22,8 @@ TYPES = {
     "ab_status": "i4",
     "uint32_t": "u4",
     "uint64_t": "u8",
-    "double": "f8", "float": "f4",
+    "double": "f8",
+    "float": "f4",
     "pointer": "u8",
 }
 HEAD = '''\

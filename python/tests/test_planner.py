@@ -17,7 +17,19 @@ import pytest
 from avoidbench import portable_math
 from avoidbench.planner import Parameter, Planner
 
-from planners import ANSWERS, AllEyed, Commanding, Follower, OneEyed, Patrol, Pointed, Preset, Seeing, Undeclared, Watcher
+from planners import (
+    ANSWERS,
+    AllEyed,
+    Commanding,
+    Follower,
+    OneEyed,
+    Patrol,
+    Pointed,
+    Preset,
+    Seeing,
+    Undeclared,
+    Watcher,
+)
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
 sys.path.insert(0, str(EXAMPLES))

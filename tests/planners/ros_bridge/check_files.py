@@ -85,9 +85,7 @@ def files(folder):
     camera = Camera(160, 120, 100.0, 100.0, 80.0, 60.0, np.zeros(3), np.array([1.0, 0, 0, 0]), 30.0, 0.3, 20.0, 0.1)
     setup = Setup({}, 3.0, 5.0, 1.5, np.array([0.4, 0.4, 0.2]), 0.3, 0.05, 9.81, (camera,))
     goal = np.array([11.0, 2.0, 2.0])
-    mission = Mission(
-        7, np.array([1.0, 2.0, 2.0]), 0.0, goal, 1.0, 60.0, np.zeros(3), np.ones(3), 0.033, goal[None]
-    )
+    mission = Mission(7, np.array([1.0, 2.0, 2.0]), 0.0, goal, 1.0, 60.0, np.zeros(3), np.ones(3), 0.033, goal[None])
     given = given_by(setup, mission)
     values = {name: evaluated(value, given, []) for name, value in file.leaves}
     wanted = {"/one/gain": 6.0, "/one/far": 10.0, "/one/f": 50.0, "/one/deep/list": [1, 3.0], "/one/most": math.inf}
@@ -96,7 +94,9 @@ def files(folder):
     example = LiveFile(folder / "example/topics.yaml")
     expect(
         "the example",
-        set(example.inputs) == {"state", "depth", "goals"} and example.decisive_files() == ["flyer.py"] and not example.notes,
+        set(example.inputs) == {"state", "depth", "goals"}
+        and example.decisive_files() == ["flyer.py"]
+        and not example.notes,
     )
     topics.write_text(
         GOOD.replace("run:", "main: one\n    run:").replace(
