@@ -75,8 +75,9 @@ void sweep_lidar(const LidarSetup& lidar, Frame& frame, const Distance& distance
   frame.points.clear();
   frame.misses_lidar.clear();
   for (int i = 0; i < kColumns * kRows; ++i) {
-    const double azimuth_rad = (i / kRows - kColumns / 2) * math::kTau / kColumns;
-    const double elevation_rad = (i % kRows - kRows / 2) * math::kTau / kColumns;
+    const int column = i / kRows - kColumns / 2, row = i % kRows - kRows / 2;
+    const double azimuth_rad = column * math::kTau / kColumns;
+    const double elevation_rad = row * math::kTau / kColumns;
     const double level = math::cos(elevation_rad);
     const Eigen::Vector3d direction(level * math::cos(azimuth_rad), level * math::sin(azimuth_rad),
                                     math::sin(elevation_rad));
@@ -326,6 +327,7 @@ Reply Probe::reset(const PlannerMission& mission) {
   const std::vector<Eigen::Vector3d> goals = goals_of(mission);
   for (std::size_t i = 0; i < goals.size(); ++i) {
     const std::size_t bytes = sizeof(Eigen::Vector3d);
+    // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): the same bits, whatever they mean
     is_same = is_same && std::memcmp(lent.goals_world[i].data(), goals[i].data(), bytes) == 0;
     // Rubbish, not zeros: a start at the origin is zeros, too.
     if (poisoned_) std::memset(lent.goals_world[i].data(), 0xA7, bytes);
@@ -336,7 +338,8 @@ Reply Probe::reset(const PlannerMission& mission) {
   return reply;
 }
 
-Reply Probe::plan(const Frame& frame) {
+/// Its pixels and points lie in buffers of the probe's, until the next one.
+PlannerView Probe::view_of(const Frame& frame) {
   // Not freed: a late read must find what was overwritten, not a crash.
   std::move(pixels_.begin(), pixels_.end(), std::back_inserter(old_pixels_));
   pixels_.clear();
@@ -389,6 +392,11 @@ Reply Probe::plan(const Frame& frame) {
                            .points = points_,
                            .misses_lidar = misses_lidar_});
   }
+  return view;
+}
+
+Reply Probe::plan(const Frame& frame) {
+  const PlannerView view = view_of(frame);
   // The observation holds pointers alone, so what it points to is compared apart.
   const ab_observation& observation = observation_.fill(view, setup_.cameras, table_->needs);
   const ab_observation before = observation;

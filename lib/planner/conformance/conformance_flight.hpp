@@ -93,6 +93,8 @@ class Probe {
   std::vector<Reply> fly(const ConformanceFlight& flight);
 
  private:
+  PlannerView view_of(const Frame& frame);
+
   const ab_planner* table_;
   bool poisoned_, is_asking_;
   PlannerMission mission_;

@@ -1,6 +1,7 @@
 #include "render/rays.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 #include "base/check.hpp"
 #include "render/flush_to_zero.hpp"
@@ -13,49 +14,67 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kPacket = 8, kStream = kPacket * embree::kStreamPackets;
 
-void set_ray(RTCRayHit8& packet, std::size_t lane, const Ray& from, float limit_m) {
-  RTCRay8& ray = packet.ray;
-  ray.org_x[lane] = static_cast<float>(from.origin_world.x());
-  ray.org_y[lane] = static_cast<float>(from.origin_world.y());
-  ray.org_z[lane] = static_cast<float>(from.origin_world.z());
-  ray.dir_x[lane] = static_cast<float>(from.direction_world.x());
-  ray.dir_y[lane] = static_cast<float>(from.direction_world.y());
-  ray.dir_z[lane] = static_cast<float>(from.direction_world.z());
-  ray.tnear[lane] = 0.0F;
-  ray.tfar[lane] = limit_m;
-  ray.time[lane] = 0.0F;
-  ray.mask[lane] = ~0U;
-  ray.id[lane] = 0;
-  ray.flags[lane] = 0;
-  packet.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
-  packet.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
+using Packets = RTCRayHit8[embree::kStreamPackets];
+
+/// What is the same for all rays; Embree leaves it as it is.
+void begin(Packets& packets) {
+  std::memset(static_cast<void*>(packets), 0, sizeof(packets));
+  for (RTCRayHit8& packet : packets) std::fill_n(packet.ray.mask, kPacket, ~0U);
+}
+
+void set_rays(RTCRayHit8& packet, const Ray* rays, std::size_t count, float limit_m) {
+  RTCRay8& to = packet.ray;
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    const Ray& ray = rays[lane];
+    to.org_x[lane] = static_cast<float>(ray.origin_world[0]);
+    to.org_y[lane] = static_cast<float>(ray.origin_world[1]);
+    to.org_z[lane] = static_cast<float>(ray.origin_world[2]);
+    to.dir_x[lane] = static_cast<float>(ray.direction_world[0]);
+    to.dir_y[lane] = static_cast<float>(ray.direction_world[1]);
+    to.dir_z[lane] = static_cast<float>(ray.direction_world[2]);
+  }
+  // Lanes beyond the last ray are inactive: their end lies before their beginning.
+  std::fill_n(to.tfar, count, limit_m);
+  std::fill(to.tfar + count, to.tfar + kPacket, -1.0F);
+  std::fill_n(packet.hit.geomID, kPacket, RTC_INVALID_GEOMETRY_ID);
 }
 
 /// Embree names the triangle; the distance is that to its plane in double, which no instruction
-/// set changes. In the frame of the plane, where a direction keeps the ray's parameter.
-RayHit hit_of(const Scene::Internals& scene, const RTCRayHit8& packet, std::size_t lane,
-              const Ray& ray, double limit_m) {
-  RayHit hit;
-  if (packet.hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID) return hit;
-  // What is flattened has no instance.
+/// set changes.
+double distance_to(const TrianglePlane& plane, const Vector3d& origin, const Vector3d& direction,
+                   float by_embree) {
+  const Vector3d normal(plane.nx, plane.ny, plane.nz);
+  const double to_plane = (plane.offset - normal.dot(origin)) / normal.dot(direction);
+  return settled_distance(to_plane, static_cast<double>(by_embree));
+}
+
+void read_hit(const Scene::Internals& scene, const RTCRayHit8& packet, std::size_t lane,
+              const Ray& ray, double limit_m, RayHit& hit) {
+  if (packet.hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID) {
+    hit = {};
+    return;
+  }
+  // What is flattened has none; written with each hit.
   const unsigned instance = packet.hit.instID[0][lane];
   hit.instance = instance == RTC_INVALID_GEOMETRY_ID ? packet.hit.geomID[lane] : instance;
   hit.triangle = packet.hit.primID[lane];
   const TrianglePlane& plane = scene.planes_of[hit.instance][hit.triangle];
-  const Vector3d normal(plane.nx, plane.ny, plane.nz);
-  Vector3d origin = ray.origin_world, direction = ray.direction_world;
-  hit.normal_world = normal;
-  if (hit.instance >= scene.flattened_count) {
+  const float by_embree = packet.ray.tfar[lane];
+  double distance_m = 0.0;
+  if (hit.instance < scene.flattened_count) {
+    hit.normal_world = {plane.nx, plane.ny, plane.nz};
+    distance_m = distance_to(plane, ray.origin_world, ray.direction_world, by_embree);
+  } else {
+    // In the frame of the plane, where a direction keeps the ray's parameter. The linear part is a
+    // rotation times a uniform scale.
     const Placement& placement = scene.placements[hit.instance];
-    origin = placement.linear_prototype_world * (origin - placement.position_world);
-    direction = placement.linear_prototype_world * direction;
-    // The linear part is a rotation times a uniform scale.
-    hit.normal_world = placement.linear_world_prototype * normal / placement.scale;
+    hit.normal_world =
+        placement.linear_world_prototype * Vector3d(plane.nx, plane.ny, plane.nz) / placement.scale;
+    distance_m = distance_to(
+        plane, placement.linear_prototype_world * (ray.origin_world - placement.position_world),
+        placement.linear_prototype_world * ray.direction_world, by_embree);
   }
-  const double to_plane = (plane.offset - normal.dot(origin)) / normal.dot(direction);
-  const auto by_embree = static_cast<double>(packet.ray.tfar[lane]);
-  hit.distance_m = std::min(settled_distance(to_plane, by_embree), limit_m);
-  return hit;
+  hit.distance_m = std::min(distance_m, limit_m);
 }
 
 }  // namespace
@@ -65,22 +84,21 @@ void first_hits(const Scene& scene, std::span<const Ray> rays, double limit_m,
   AB_CHECK(hits.size() == rays.size(), hits.size(), rays.size());
   const Scene::Internals& internals = scene.internals();
   const ScopedFlushToZero flush;
-  RTCRayHit8 packets[embree::kStreamPackets];
+  Packets packets;
+  begin(packets);
   const auto far_m = static_cast<float>(limit_m);
   for (std::size_t first = 0; first < rays.size(); first += kStream) {
     const std::size_t count = std::min(kStream, rays.size() - first);
-    for (std::size_t i = 0; i < kStream; ++i) {
-      // Lanes beyond the last ray are inactive: their end lies before their beginning.
-      const bool is_ray = i < count;
-      set_ray(packets[i / kPacket], i % kPacket, rays[first + (is_ray ? i : 0)],
-              is_ray ? far_m : -1.0F);
+    for (std::size_t i = 0; i < embree::kStreamPackets; ++i) {
+      const std::size_t done = std::min(i * kPacket, count);
+      set_rays(packets[i], rays.data() + first + done, std::min(kPacket, count - done), far_m);
     }
     embree::intersect_stream(internals.map->top.get(), packets);
     // Rays end where they have met the map: what is met now is nearer.
     if (internals.has_movers()) embree::intersect_stream(internals.movers.top.get(), packets);
     for (std::size_t i = 0; i < count; ++i) {
-      hits[first + i] =
-          hit_of(internals, packets[i / kPacket], i % kPacket, rays[first + i], limit_m);
+      read_hit(internals, packets[i / kPacket], i % kPacket, rays[first + i], limit_m,
+               hits[first + i]);
     }
   }
 }
