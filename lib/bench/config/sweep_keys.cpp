@@ -135,7 +135,8 @@ FieldTree make_sensor_tree() {
       field.facts = {
           {"type", "a list of names and mappings, with the keys of a lidar"},
           {"default", "[]"},
-          {"example", "sensor: {kind: none, lidars: [{preset: mid360_like, pitch_deg: 20}]}"},
+          {"example",
+           "sensor: {preset: mid360_like, lidars: [{preset: mid360_like, pitch_deg: 20}]}"},
           {"or", "sensor: {preset: d435_like, lidars: [velodyne_16]}"},
           {"axis", "a list of such values"},
           {"see", "docs/lidar.md"}};

@@ -83,10 +83,26 @@ double third_s(const std::vector<PatchExposure>& exposures, IsSo&& is_so) {
   return Facts::kNone;
 }
 
-void add_sight(const FailedFlight& flight, const StruckPatch& patch, Facts& facts) {
+/// What the planner looked through: of a rig of cameras and lidars what it was shown, where that
+/// was watched. Who sees nothing could have seen by all of it.
+SensorSpec used_sensor(const FailedFlight& flight, const FlightWatch* watch) {
+  SensorSpec sensor = seen_sensor(flight.spec);
+  if (watch == nullptr || sensor.lidars.empty() || camera_kinds(sensor).empty()) return sensor;
+  const bool has_images =
+      watch->depth_image_count() > watch->sweep_count() || watch->has_pictures();
+  if (has_images && watch->sweep_count() == 0) sensor.lidars.clear();
+  if (!has_images && watch->sweep_count() > 0) {
+    sensor.method = NoCameraSpec{};
+    sensor.more_cameras.clear();
+  }
+  return sensor;
+}
+
+void add_sight(const FailedFlight& flight, const StruckPatch& patch, const FlightWatch* watch,
+               Facts& facts) {
   const std::vector<Sample>& samples = flight.record.samples;
   const std::vector<PatchExposure> exposures =
-      patch_exposures(seen_sensor(flight.spec), flight.world, patch, samples);
+      patch_exposures(used_sensor(flight, watch), flight.world, patch, samples);
   // A glimpse from far beyond the range is none, unless it never came near in time.
   const double near_s = third_s(exposures, [](const PatchExposure& e) { return e.is_near; });
   const bool is_any = !(near_s <= facts.last_chance_s);
@@ -222,7 +238,7 @@ CauseFound collision_explained(const FailedFlight& flight, const StruckPatch& pa
   facts.contact_speed_mps = flight.record.collisions.back().speed_mps;
   facts.wind_mps = wind_at_contact_mps(flight, patch.contact_s);
   add_last_chance(flight, facts);
-  add_sight(flight, patch, facts);
+  add_sight(flight, patch, watch, facts);
   if (watch != nullptr) add_knowledge(*watch, facts);
   facts.no_plan_share = no_plan_share(flight.record.plan_calls, facts.last_chance_s);
   add_motion(flight, patch, facts);

@@ -99,6 +99,7 @@ bool FlightWatch::shows_patch(const CloudView& cloud) const {
 
 void FlightWatch::planned(const PlanStep& step) {
   has_pictures_ = has_pictures_ || !step.view.stereo.empty() || !step.view.color.empty();
+  sweep_count_ += step.view.clouds.size();
   depth_image_count_ += step.view.depth.size() + step.view.clouds.size();
   // Views come newest first.
   for (auto image = step.view.depth.rbegin(); image != step.view.depth.rend(); ++image) {

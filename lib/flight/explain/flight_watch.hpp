@@ -25,7 +25,8 @@ class FlightWatch {
 
   /// Depth images and sweeps that it was shown.
   std::size_t depth_image_count() const { return depth_image_count_; }
-  bool has_pictures() const { return has_pictures_; }  ///< whether it was shown any of light
+  std::size_t sweep_count() const { return sweep_count_; }  ///< of these, sweeps
+  bool has_pictures() const { return has_pictures_; }       ///< whether it was shown any of light
   /// Times of depth images on which the patch was at its depth, and of sweeps with points on it,
   /// ascending.
   const std::vector<double>& sensed_s() const { return sensed_s_; }
@@ -39,7 +40,7 @@ class FlightWatch {
   const StruckPatch* patch_;
   std::vector<CameraSetup> cameras_;
   std::vector<LidarSetup> lidars_;
-  std::size_t depth_image_count_ = 0;
+  std::size_t depth_image_count_ = 0, sweep_count_ = 0;
   bool has_pictures_ = false;
   std::vector<double> sensed_s_;
   std::vector<CallKnowledge> calls_;

@@ -124,7 +124,7 @@ void check_no_camera(const SensorSpec& sensor, Found& found) {
     found.push_back(
         {"sensor." + key,
          "is of a camera, and a sensor of kind none has none; of a lidar it is given as "
-         "in sensor: {kind: none, lidars: [{preset: mid360_like, " +
+         "in sensor: {preset: mid360_like, lidars: [{preset: mid360_like, " +
              key + ": …}]}"});
   }
 }
@@ -140,6 +140,9 @@ void check_sensor(const SensorSpec& sensor, Found& found) {
   }
   if (rig_cameras(sensor).empty() && sensor.lidars.empty()) {
     found.push_back({"sensor.lidars", "a sensor of kind none has lidars"});
+  } else if (rig_cameras(sensor).empty() && sensor.name == SensorSpec{}.name) {
+    found.push_back({"sensor.name", "reports would call these lidars '" + sensor.name +
+                                        "', which is a camera: give the sensor a name"});
   }
 }
 

@@ -23,7 +23,7 @@ void end_sweep(LidarSensing& sensing, std::size_t index, Tick end) {
                   .T_world_lidar = sensing.T_believed_body * mounted.T_body_lidar,
                   .points = {},
                   .misses_lidar = {}};
-  mounted.lidar.end_sweep(sweep.T_world_lidar, sensing.buffer);
+  mounted.lidar->end_sweep(sweep.T_world_lidar, sensing.buffer);
   sweep.points.reserve(sensing.buffer.points.size());
   for (const LidarPoint& point : sensing.buffer.points) {
     const Eigen::Vector3f& p = point.position_lidar;
@@ -32,7 +32,7 @@ void end_sweep(LidarSensing& sensing, std::size_t index, Tick end) {
   sweep.misses_lidar = sensing.buffer.misses;
   sensing.sweeps.push_back(std::move(sweep));
   ++mounted.sweep;
-  mounted.lidar.begin_sweep(mounted.sweep, sweep_seed(sensing, index));
+  mounted.lidar->begin_sweep(mounted.sweep, sweep_seed(sensing, index));
 }
 
 }  // namespace
@@ -48,12 +48,13 @@ LidarSensing make_lidar_sensing(const SensorSpec& sensor, std::uint32_t needs, s
                        .sweeps = {},
                        .buffer = {}};
   for (const LidarSpec& lidar : sensor.lidars) {
-    sensing.lidars.push_back({.lidar = Lidar(lidar),
+    sensing.lidars.push_back({.lidar = {},
                               .T_body_lidar = T_body_lidar(lidar.mounting),
                               .period = required_period(lidar.rate_hz),
                               .delay = ticks(1e-3 * lidar.delay_ms)});
-    const std::size_t index = sensing.lidars.size() - 1;
-    sensing.lidars.back().lidar.begin_sweep(0, sweep_seed(sensing, index));
+    if (!sensing.is_seen) continue;
+    sensing.lidars.back().lidar.emplace(lidar);
+    sensing.lidars.back().lidar->begin_sweep(0, sweep_seed(sensing, sensing.lidars.size() - 1));
   }
   return sensing;
 }
@@ -78,12 +79,12 @@ void sense_points(LidarSensing& sensing, const Scene& scene, const VehicleState&
     MountedLidar& mounted = sensing.lidars[i];
     const Tick begin = mounted.sweep * mounted.period;
     // A flight has a tick at each sweep's end: no step reaches beyond it.
-    mounted.lidar.fire(scene, {.from = from - begin,
-                               .to = truth.tick - begin,
-                               .T_world_from = T_world_from * mounted.T_body_lidar,
-                               .T_world_to = sensing.T_world_body * mounted.T_body_lidar,
-                               .T_believed_from = T_believed_from * mounted.T_body_lidar,
-                               .T_believed_to = sensing.T_believed_body * mounted.T_body_lidar});
+    mounted.lidar->fire(scene, {.from = from - begin,
+                                .to = truth.tick - begin,
+                                .T_world_from = T_world_from * mounted.T_body_lidar,
+                                .T_world_to = sensing.T_world_body * mounted.T_body_lidar,
+                                .T_believed_from = T_believed_from * mounted.T_body_lidar,
+                                .T_believed_to = sensing.T_believed_body * mounted.T_body_lidar});
     if (truth.tick == begin + mounted.period) end_sweep(sensing, i, truth.tick);
   }
 }

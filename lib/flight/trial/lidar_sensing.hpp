@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "avoidbench/planner.h"
@@ -23,7 +24,7 @@ struct SeenSweep {
 
 /// A lidar on the vehicle, in the middle of its sweep.
 struct MountedLidar {
-  Lidar lidar;
+  std::optional<Lidar> lidar;  ///< nothing: nobody sees it
   Pose T_body_lidar;
   Tick period = 0, delay = 0;
   std::int64_t sweep = 0;
@@ -58,7 +59,7 @@ std::vector<CloudView> cloud_views(const LidarSensing& sensing, Tick now);
 /// Frees the sweeps that the planner might have had at `now`.
 void forget_sweeps(LidarSensing& sensing, Tick now);
 
-/// The rig's lidars as planners are told of them.
+/// The rig's lidars as planners get them.
 std::vector<LidarSetup> lidar_setups(const SensorSpec& sensor);
 
 }  // namespace avoidbench

@@ -114,7 +114,7 @@ struct Lidar::Internals {
   /// A shot of the step under way.
   struct Shot {
     std::int64_t index = 0;
-    Vector3d direction_lidar;  ///< as the point is told
+    Vector3d direction_lidar;  ///< as it is reported
     double share = 0.0;        ///< of the step's way
   };
 
@@ -230,9 +230,7 @@ void Lidar::Internals::keep(const Shot& shot, const Echo& echo, const PosesBetwe
   }
 }
 
-Lidar::Lidar(const LidarSpec& spec) : internals_(std::make_unique<Internals>(spec)) {
-  begin_sweep(0, 0);
-}
+Lidar::Lidar(const LidarSpec& spec) : internals_(std::make_unique<Internals>(spec)) {}
 Lidar::~Lidar() = default;
 Lidar::Lidar(Lidar&&) noexcept = default;
 Lidar& Lidar::operator=(Lidar&&) noexcept = default;
@@ -261,6 +259,7 @@ void Lidar::begin_sweep(std::int64_t index, std::uint64_t seed) {
 void Lidar::fire(const Scene& scene, const LidarMotion& motion) {
   Internals& self = *internals_;
   AB_CHECK(motion.from < motion.to && motion.to <= self.period, motion.from, motion.to);
+  AB_CHECK(!self.is_dropped.empty(), "no sweep was begun");
   self.choose_shots(motion);
   self.aim(motion);
   self.hits.resize(self.rays.size());

@@ -40,14 +40,15 @@ class Lidar {
   Lidar(Lidar&&) noexcept;
   Lidar& operator=(Lidar&&) noexcept;
 
-  /// Begins sweep `index`, from 0. Its noise follows from `seed`, whatever was asked before.
+  /// Begins sweep `index`, from 0; nothing is fired before the first. Its noise follows from
+  /// `seed`, whatever was asked before.
   void begin_sweep(std::int64_t index, std::uint64_t seed);
 
   /// Fires the shots of (from, to]: shot i of n is fired (i + 1) / n of the period after the start.
   /// The scene stands as it is.
   void fire(const Scene& scene, const LidarMotion& motion);
 
-  /// What the sweep saw, told at its end from this pose. Buffers of `sweep` are used again.
+  /// What the sweep saw, from this pose at its end. Buffers of `sweep` are used again.
   void end_sweep(const Pose& T_believed_lidar, LidarSweep& sweep);
 
  private:

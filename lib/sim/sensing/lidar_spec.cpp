@@ -75,7 +75,7 @@ LidarSpec ouster_os0_32() {
 LidarSpec mid360_like() {
   LidarSpec lidar;
   lidar.name = "mid360_like";
-  lidar.scan = LidarPatternSpec{.turns_hz = 24.67, .nods_hz = 850.7};
+  lidar.scan = LidarPatternSpec{};
   lidar.min_range_m = 0.1;
   lidar.max_range_m = 70.0;
   lidar.range_at_10_percent_m = 40.0;

@@ -39,7 +39,7 @@ struct LidarPatternSpec {
   static constexpr std::string_view kind = "lidar_pattern";
   std::int64_t beams = 4;
   double points_per_s = 200'000.0;
-  double turns_hz = 24.7, nods_hz = 850.7;
+  double turns_hz = 24.67, nods_hz = 850.7;
   double lowest_elevation_deg = -7.0, highest_elevation_deg = 52.0;
 };
 
@@ -90,7 +90,7 @@ void visit(Visitor& v, Spec& s) {
           "range of others grows with the square root of reflectance times cosine of incidence.");
   v.field("range_sigma_m", s.range_sigma_m, Range{0, 1}, "Standard deviation of ranges.");
   v.field("angle_sigma_deg", s.angle_sigma_deg, Range{0, 5},
-          "Standard deviation of a beam's direction against the one it is told with, along each of "
+          "Standard deviation of a beam's direction against the reported one, along each of "
           "both axes across it.");
   v.field("dropout_ratio", s.dropout_ratio, Range{0, 1},
           "Share of the beams that come back with nothing, whatever they meet.");
@@ -100,7 +100,7 @@ void visit(Visitor& v, Spec& s) {
           "Rays of each beam, spread over its cone: the strongest echo counts. 1: along its axis.");
   v.field("deskewed", s.deskewed,
           "Whether points are brought to where the sensor is at the sweep's end, by the odometry. "
-          "Else each is told as seen from where the sensor was at the point's own time.");
+          "Else each is given as seen from where the sensor was at the point's own time.");
   visit(v, s.mounting);
 }
 
