@@ -36,6 +36,21 @@ TEST(Causes, TheTableHasARowForEach) {
   }
 }
 
+/// Of a rig that counts as sight what the planner looked through: here the camera looks back.
+TEST(Causes, OutOfViewOfWhatThePlannerSees) {
+  const auto rigged = [](TrialSpec spec) {
+    spec.sensor.mounting.yaw_deg = 180.0;
+    spec.sensor.lidars = {lidar_presets().front()};
+    return into_the_wall(spec, 2.0).explanation;
+  };
+  const CauseFound by_camera = rigged(spec_of<Silent>());
+  EXPECT_EQ(by_camera.cause, Cause::out_of_view) << facts_text(by_camera);
+  EXPECT_TRUE(std::isnan(by_camera.facts.in_range_s));
+  const CauseFound by_lidar = rigged(spec_of<Pointed>());
+  EXPECT_EQ(by_lidar.cause, Cause::sensed_not_avoided) << facts_text(by_lidar);
+  EXPECT_GT(by_lidar.facts.sensed_image_count, 3.0);
+}
+
 TEST(Causes, MovedInto) {
   World world = test::flight_world();
   // A long plate that sweeps over the path and cannot be passed.

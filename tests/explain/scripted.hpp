@@ -37,6 +37,13 @@ struct Telling : Silent {
   std::uint8_t place_at(const Vec3& place) const { return knows(place); }
 };
 
+/// Sees points; does not say what it knows.
+struct Pointed : Silent {
+  static constexpr const char* name = "pointed";
+  static constexpr std::uint32_t needs = AB_INPUT_STATE | AB_INPUT_POINTS;
+  using Silent::Silent;
+};
+
 /// Looks at nothing.
 struct Blind : Silent {
   static constexpr const char* name = "blind";
