@@ -139,8 +139,8 @@ typedef struct ab_camera {
 /* A lidar: beams that sweep about its z axis. Its frame is FLU. */
 typedef struct ab_lidar {
   uint32_t struct_size;
-  uint32_t is_deskewed; /* 1: points are given as seen from where the lidar is at the sweep's end, by
-                           the odometry; 0: each as seen from where it was at the point's time */
+  uint32_t is_deskewed; /* 1: points are given as seen from where the lidar is at the sweep's end,
+                           by the odometry; 0: each as seen from where it was at the point's time */
   double position_body_m[3];
   double q_body_lidar[4];
   double rate_hz; /* of sweeps */
