@@ -20,15 +20,16 @@ struct ListOptions {
 };
 
 void list_suites(const ListOptions& options) {
-  Table table = make_list({"track", "cells", "dev", "public", "suite"});
+  Table table = make_list({"track", "cells", "dev", "public", "doc"});
   for (const SuiteSpec& suite : built_in_suites()) {
-    for (const std::string& track : suite.tracks) {
+    for (std::size_t i = 0; i < suite.tracks.size(); ++i) {
+      const SuiteSpec of_track = track_of(suite, suite.tracks[i]).suite;
       Row& row = table.rows.emplace_back();
-      append(row, suite.name + "/" + track);
-      append(row, suite.cells.size());
-      append(row, mission_count(suite, Split::dev));
-      append(row, mission_count(suite, Split::open));
-      append(row, suite.doc);
+      append(row, suite.name + "/" + suite.tracks[i]);
+      append(row, of_track.cells.size());
+      append(row, mission_count(of_track, Split::dev));
+      append(row, mission_count(of_track, Split::open));
+      append(row, suite.track_docs[i]);
     }
   }
   write_table(table, options.output);

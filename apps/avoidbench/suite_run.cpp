@@ -57,8 +57,8 @@ SuiteResult result_of(const SuiteTrack& chosen, Split split, const SuitePlanner&
                       const PlannerRow& flown, std::vector<SuiteRow> rows) {
   SuiteResult result;
   result.suite = chosen.suite.name;
-  result.suite_sha256 = chosen.suite.sha256;
   result.track = chosen.track;
+  result.track_sha256 = chosen.sha256;
   result.split = split;
   if (split == Split::sealed) result.key_sha256 = chosen.suite.sealed_key_sha256;
   result.label = flown.label;

@@ -62,9 +62,9 @@ struct ClaimedSweep {
 SuiteTrack suite_of(const SuiteResult& result, const SuiteOptions& options) {
   const SuiteTrack chosen =
       suite_track(options.track.empty() ? result.suite + "/" + result.track : options.track);
-  if (chosen.suite.sha256 != result.suite_sha256) {
-    refuse("it was flown in another " + result.suite + ": its suite.yaml has SHA-256 " +
-           result.suite_sha256 + ", this one's " + chosen.suite.sha256);
+  if (chosen.sha256 != result.track_sha256) {
+    refuse("it was flown in another " + result.suite + "/" + result.track + ": its SHA-256 is " +
+           result.track_sha256 + ", this one's " + chosen.sha256);
   }
   return chosen;
 }

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # wheel.sh SOURCE_FOLDER: the wheel of make_wheel.sh needs nothing but a Python: installed in a Debian of this release
-# with only its base system and python3-venv, its program flies, and its extension makes the map that the program makes.
+# with only its base system and python3-venv, its program flies and verifies results of the frozen suite that another
+# build flew, bit for bit, and its extension makes the map that the program makes.
 # Exit code 77 as fresh_system.sh.
 set -euo pipefail
 cd "$1"
@@ -19,6 +20,7 @@ sys.exit(f"no licence texts in the wheel: {missing}" if missing else 0)
 EOF
 # Its dependencies travel along: the small system need not reach a package index.
 build/venv/bin/python -m pip download --quiet --disable-pip-version-check --dest "$folder" "$wheel"
+for track in depth stereo; do cp -r "results/suites/avoidbench-1/$track/dev/ego-4" "$folder/$track"; done
 cat >"$folder/try.sh" <<'EOF'
 set -eu
 apt-get update -qq
@@ -26,6 +28,7 @@ apt-get install -y -qq --no-install-recommends python3-venv >/dev/null 2>&1
 python3 -m venv /venv
 /venv/bin/pip install --quiet --no-index --find-links . avoidbench
 PATH=/venv/bin:$PATH
+for track in depth stereo; do avoidbench suite verify $track --sample 3% --quiet; done
 cd /tmp
 avoidbench --version
 avoidbench planners list | grep -q straight_line

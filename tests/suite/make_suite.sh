@@ -18,8 +18,7 @@ done
 write() {  # the suite with these digests of maps and missions, 8 of them
   {
     echo "suite: tiny-1"
-    echo "doc: A tiny suite"
-    echo "tracks: [depth]"
+    echo "tracks: {depth: A tiny suite}"
     echo "splits:"
     echo "  dev: {seed: 1, first_map_seed: 1, missions: 1}"
     echo "  public: {seed: 2, first_map_seed: 101, missions: 10}"

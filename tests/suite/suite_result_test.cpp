@@ -74,7 +74,7 @@ TEST(SuiteBoard, RefusesAResultThatLacksTrials) {
   write_result(result, folder.path());
   EXPECT_TRUE(
       has(message_of([&] { boards_of({folder.path().string()}); }), "479 trials, expected 480"));
-  result.suite_sha256 = std::string(64, '0');
+  result.track_sha256 = std::string(64, '0');
   write_result(result, folder.path());
   EXPECT_TRUE(
       has(message_of([&] { boards_of({folder.path().string()}); }), "another avoidbench-1"));

@@ -12,7 +12,8 @@
 
 namespace avoidbench::suite_samples {
 
-/// A suite of two tracks and two cells with tiny halls, in a folder of its own.
+/// A suite of two tracks and two cells with tiny halls, in a folder of its own. The track `far` is
+/// without the sweep `open`.
 class SmallSuite {
  public:
   SmallSuite() {
@@ -27,14 +28,15 @@ class SmallSuite {
     }
     const std::string digest = file_digest(files_ / "depth/hall.yaml"), zeros(64, '0');
     const auto sweep = [&](const std::string& name) {
+      const std::string far =
+          name == "open" ? "" : ", far: " + file_digest(files_ / ("far/" + name + ".yaml"));
       return "      - {sweep: " + name + ", maps: 2, file_sha256: {depth: " +
-             file_digest(files_ / ("depth/" + name + ".yaml")) +
-             ", far: " + file_digest(files_ / ("far/" + name + ".yaml")) +
+             file_digest(files_ / ("depth/" + name + ".yaml")) + far +
              "}, dev: {maps_sha256: " + zeros + ", missions_sha256: " + zeros +
              "}, public: {maps_sha256: " + zeros + ", missions_sha256: " + zeros + "}}\n";
     };
     text_ =
-        "suite: small-1\ndoc: Two tiny halls\ntracks: [depth, far]\nsplits:\n"
+        "suite: small-1\ntracks: {depth: Two tiny halls, far: The same}\nsplits:\n"
         "  dev: {seed: 1, first_map_seed: 1, missions: 1}\n"
         "  public: {seed: 2, first_map_seed: 101, missions: 2}\n"
         "  sealed: {key_sha256: " +
@@ -68,8 +70,8 @@ template <class Speed>
 SuiteResult result_of(const SuiteSpec& suite, const std::string& label, Speed speed) {
   SuiteResult result;
   result.suite = suite.name;
-  result.suite_sha256 = suite.sha256;
   result.track = suite.tracks.front();
+  result.track_sha256 = track_of(suite, result.track).sha256;
   result.label = label;
   result.planner_name = "planner";
   result.planner_version = "1";
@@ -114,6 +116,7 @@ inline SuiteSpec large_suite(std::size_t cell_count) {
     SuiteSweep sweep;
     sweep.name = "sweep" + std::to_string(i);
     sweep.map_count = 12;
+    sweep.file_sha256 = {std::string(64, 'f')};
     suite.cells.push_back({"cell" + std::to_string(i), {sweep}});
   }
   return suite;

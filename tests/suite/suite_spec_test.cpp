@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 
 #include "base/digest.hpp"
@@ -24,7 +25,33 @@ TEST(SuiteSpec, ReadsWhatIsFrozen) {
   ASSERT_EQ(suite.cells.size(), 2U);
   EXPECT_EQ(suite.cells[1].sweeps.size(), 2U);
   EXPECT_EQ(suite.open.missions, 2);
-  EXPECT_EQ(suite.sha256, file_digest(files.folder() / "suite.yaml"));
+}
+
+/// Results of a track hang on what is frozen for it, and on nothing of another track.
+TEST(SuiteSpec, ATrackHasItsSweepsAndADigestOfItsOwn) {
+  SmallSuite files;
+  const SuiteTrack depth = track_of(read_suite(files.folder()), "depth");
+  const SuiteTrack far = track_of(read_suite(files.folder()), "far");
+  EXPECT_EQ(depth.suite.cells[1].sweeps.size(), 2U);
+  ASSERT_EQ(far.suite.cells[1].sweeps.size(), 1U);
+  EXPECT_EQ(far.suite.cells[1].sweeps[0].name, "poles");
+  EXPECT_NE(depth.sha256, far.sha256);
+  const auto digests = [&] {
+    const SuiteSpec suite = read_suite(files.folder());
+    return std::pair(track_of(suite, "depth").sha256, track_of(suite, "far").sha256);
+  };
+  files.replace(", far: The same", "");
+  files.replace(", far: ", ", near: ");
+  files.replace(", far: ", ", near: ");
+  files.replace("depth: Two tiny halls", "depth: Two halls, near: More");
+  EXPECT_EQ(track_of(read_suite(files.folder()), "depth").sha256, depth.sha256);
+  files.replace("near: More", "far: The same");
+  files.replace(", near: ", ", far: ");
+  files.replace(", near: ", ", far: ");
+  EXPECT_EQ(digests(), std::pair(depth.sha256, far.sha256));
+  files.replace("first_map_seed: 101", "first_map_seed: 102");
+  EXPECT_NE(digests().first, depth.sha256);
+  EXPECT_NE(digests().second, far.sha256);
 }
 
 TEST(SuiteSpec, NamesEveryProblemWithItsPlace) {
@@ -32,11 +59,13 @@ TEST(SuiteSpec, NamesEveryProblemWithItsPlace) {
   files.replace("maps: 2", "maps: many");
   files.replace("missions: 2", "mission: 2");
   files.replace("cell: halls", "cell: ../halls");
+  files.replace("far: The same", "far/er: The same");
   const std::string message = message_of([&] { read_suite(files.folder()); });
-  EXPECT_TRUE(has(message, "suite.yaml:6:")) << message;
+  EXPECT_TRUE(has(message, "suite.yaml:5:")) << message;
   EXPECT_TRUE(has(message, "splits.public: lacks 'missions'")) << message;
   EXPECT_TRUE(has(message, "expected a name of A-Z")) << message;
   EXPECT_TRUE(has(message, "maps: expected a whole number")) << message;
+  EXPECT_TRUE(has(message, "tracks: expected a name of A-Z")) << message;
 }
 
 TEST(SuiteSpec, ASweepThatChangedIsRefused) {
@@ -102,23 +131,29 @@ TEST(SuiteSpec, TakesTheRightKeyOnly) {
                   "is no key: expected 64 hexadecimal digits"));
 }
 
-/// The hash that avoidbench-1 was announced with.
+/// The hashes that avoidbench-1 was announced with.
 TEST(SuiteSpec, TheBuiltInSuiteIsTheAnnouncedOne) {
-  const SuiteTrack track = suite_track("avoidbench-1/stereo");
-  EXPECT_EQ(track.suite.sealed_key_sha256,
-            "82e486380afc9653b60bb2a0a8b992acc750be4e7e2061a5b32a6702b0fd0e1d");
-  EXPECT_EQ(track.suite.sha256, "09dded8d188d7fae25c452093b89f5d18b02c8a64bd55c67def13ed1b714109a");
-  EXPECT_EQ(track.suite.cells.size(), 8U);
-  for (const std::string& name : track.suite.tracks) {
+  const std::map<std::string, std::string> announced = {
+      {"depth", "927050e2a28a9196a6cd3ce87ab856de737e8ce903a6d9fb799573009650eafb"},
+      {"dynamic", "386d07a1140fa8fafca60f01a0f055a3b88fb3676202e71d3caad0f287336439"},
+      {"lidar", "722218fabcb1caaeb28b9f153a10253f94c6431f106cd876ed3bc8b6029d02b5"},
+      {"stereo", "9f40caeaf308b30d6a3fbc27cbac600c94d291ee3fb2978828d65522a865e4d9"}};
+  for (const auto& [name, digest] : announced) {
+    const SuiteTrack track = suite_track("avoidbench-1/" + name);
+    EXPECT_EQ(track.sha256, digest) << name;
+    EXPECT_EQ(track.suite.sealed_key_sha256,
+              "82e486380afc9653b60bb2a0a8b992acc750be4e7e2061a5b32a6702b0fd0e1d");
+    EXPECT_EQ(track.suite.cells.size(), 8U) << name;
     for (const SuiteCell& cell : track.suite.cells) {
       std::int64_t maps = 0;
       for (const SuiteSweep& sweep : cell.sweeps) {
-        frozen_file({track.suite, name}, sweep);  // throws where it is another file
+        frozen_file(track, sweep);  // throws where it is another file
         maps += sweep.map_count;
       }
       EXPECT_EQ(maps, 12) << cell.name;
     }
   }
+  EXPECT_EQ(announced.size(), suite_track("avoidbench-1/depth").suite.tracks.size());
 }
 
 }  // namespace

@@ -59,15 +59,16 @@ ordered_json entry_json(const BoardEntry& entry, const fs::path& page_folder) {
             {"planner", link_to(entry.folder / kPlannerFile, page_folder)}}}};
 }
 
-BoardEntry entry_of(const fs::path& folder, const SuiteSpec& suite, SuiteResult result) {
-  if (suite.sha256 != result.suite_sha256) {
-    refuse_file(folder / kPlannerFile, "it was flown in another " + suite.name +
-                                           " than the one that is here (suite_sha256)");
+BoardEntry entry_of(const fs::path& folder, const SuiteTrack& track, SuiteResult result) {
+  if (track.sha256 != result.track_sha256) {
+    refuse_file(folder / kPlannerFile, "it was flown in another " + result.suite + "/" +
+                                           result.track +
+                                           " than the one that is here (track_sha256)");
   }
-  if (const std::string problem = rows_problem(suite, result); !problem.empty()) {
+  if (const std::string problem = rows_problem(track.suite, result); !problem.empty()) {
     refuse_file(folder / kTrialsFile, problem);
   }
-  SuiteScore score = score_of(suite, result);
+  SuiteScore score = score_of(track.suite, result);
   return {.result = std::move(result), .score = std::move(score), .folder = folder};
 }
 
@@ -91,7 +92,7 @@ void rank(Board& board) {
 std::vector<Table> Board::tables() const {
   std::vector<SuiteScore> scores;
   for (const BoardEntry& entry : entries) scores.push_back(entry.score);
-  return score_tables(suite, scores);
+  return score_tables(track.suite, scores);
 }
 
 std::vector<Board> boards_of(const std::vector<std::string>& folders,
@@ -102,10 +103,10 @@ std::vector<Board> boards_of(const std::vector<std::string>& folders,
     const std::string track = result.suite + "/" + result.track;
     Board& board = boards[{result.suite, result.track, result.split}];
     if (board.title.empty()) {
-      board.suite = suite_track(own_track.empty() ? track : own_track).suite;
+      board.track = suite_track(own_track.empty() ? track : own_track);
       board.title = track + ", " + std::string(text(result.split));
     }
-    board.entries.push_back(entry_of(folder, board.suite, std::move(result)));
+    board.entries.push_back(entry_of(folder, board.track, std::move(result)));
   }
   std::vector<Board> all;
   for (auto& [place, board] : boards) {

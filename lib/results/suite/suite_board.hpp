@@ -19,7 +19,7 @@ struct BoardEntry {
 
 /// The results of one track and split, ranked.
 struct Board {
-  SuiteSpec suite;
+  SuiteTrack track;
   std::string title;  ///< avoidbench-1/depth, public
   std::vector<BoardEntry> entries;
 

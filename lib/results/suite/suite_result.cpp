@@ -122,8 +122,8 @@ std::string planner_yaml(const SuiteResult& result, const fs::path& folder) {
   std::string text =
       "# What flew, with one setting for all cells, and where: `avoidbench suite verify` reads it, "
       "and it\n# is a planner for `suite run`. Flights: trials.csv.\n";
-  text += yaml_line("suite", result.suite) + yaml_line("suite_sha256", result.suite_sha256);
-  text += yaml_line("track", result.track);
+  text += yaml_line("suite", result.suite) + yaml_line("track", result.track);
+  text += yaml_line("track_sha256", result.track_sha256);
   text += yaml_line("split", std::string(avoidbench::text(result.split)));
   if (!result.key_sha256.empty()) text += yaml_line("key_sha256", result.key_sha256);
   text += yaml_line("label", result.label) + yaml_line("name", result.planner_name);
@@ -207,8 +207,8 @@ SuiteResult read_result(const fs::path& folder) {
   };
   SuiteResult result;
   result.suite = take("suite");
-  result.suite_sha256 = take("suite_sha256");
   result.track = take("track");
+  result.track_sha256 = take("track_sha256");
   const std::string split = take("split");
   result.key_sha256 = take("key_sha256", false);
   result.label = take("label");

@@ -31,7 +31,7 @@ struct SuiteRow {
 
 /// What a folder of a result says.
 struct SuiteResult {
-  std::string suite, suite_sha256, track;
+  std::string suite, track_sha256, track;
   Split split = Split::open;
   std::string key_sha256;  ///< of sealed maps' key
   std::string label, planner_name, planner_version, planner_digest, program;

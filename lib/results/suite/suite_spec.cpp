@@ -45,12 +45,15 @@ Whole needed_whole(MappingReader& mapping, const GivenValue& block, std::string_
   return given ? read_whole<Whole>(*given, range).value_or(Whole{}) : Whole{};
 }
 
+std::string sha256_in(const GivenValue& given) {
+  const std::string digits = read_text(given).value_or("");
+  if (!is_sha256(digits)) given.add_expected("the 64 hexadecimal digits of a SHA-256");
+  return digits;
+}
+
 std::string needed_sha256(MappingReader& mapping, const GivenValue& block, std::string_view name) {
   const auto given = needed(mapping, block, name);
-  if (!given) return "";
-  const std::string digits = read_text(*given).value_or("");
-  if (!is_sha256(digits)) given->add_expected("the 64 hexadecimal digits of a SHA-256");
-  return digits;
+  return given ? sha256_in(*given) : "";
 }
 
 /// The elements of a list that has to be there.
@@ -98,9 +101,13 @@ SuiteSweep read_suite_sweep(const GivenValue& given, const std::vector<std::stri
   sweep.map_count = needed_whole<std::int64_t>(mapping, given, "maps", kCounts);
   if (const auto files = needed(mapping, given, "file_sha256")) {
     MappingReader by_track(*files);
+    bool has_any = false;
     for (const std::string& track : tracks) {
-      sweep.file_sha256.push_back(needed_sha256(by_track, *files, track));
+      const auto digits = by_track.take(track);
+      sweep.file_sha256.push_back(digits ? sha256_in(*digits) : "");
+      has_any = has_any || digits;
     }
+    if (!has_any) files->add_expected("the SHA-256 of the sweep's file for a track");
     by_track.finish();
   }
   if (const auto dev = needed(mapping, given, "dev")) sweep.dev = read_frozen(*dev);
@@ -133,6 +140,48 @@ void read_splits(const GivenValue& given, SuiteSpec& suite) {
   mapping.finish();
 }
 
+void read_tracks(const GivenValue& given, SuiteSpec& suite) {
+  MappingReader mapping(given);
+  for (const YamlNode& key : given.node.keys) {
+    suite.tracks.push_back(key.scalar);
+    suite.track_docs.push_back(needed_text(mapping, given, key.scalar));
+    if (is_name(key.scalar)) continue;
+    const GivenValue name{key, given.path, given.reading};
+    name.add_expected("a name of A-Z a-z 0-9 _ . -");
+  }
+}
+
+/// The file of a sweep in a track, "" where it has none.
+const std::string& file_sha256_in(const SuiteSpec& suite, const SuiteSweep& sweep,
+                                  const std::string& track) {
+  return sweep.file_sha256.at(place_in(suite.tracks, track).value());
+}
+
+/// All that is frozen for a track, as text of one form.
+std::string frozen_text(const SuiteSpec& suite, const std::string& track) {
+  const auto seeds_text = [](const SplitSeeds& seeds) {
+    return std::to_string(seeds.seed) + " " + std::to_string(seeds.first_map_seed) + " " +
+           std::to_string(seeds.missions) + "\n";
+  };
+  std::string text = suite.name + "/" + track + "\n" + seeds_text(suite.dev) +
+                     seeds_text(suite.open) + suite.sealed_key_sha256 + " " +
+                     std::to_string(suite.sealed_missions) + "\n";
+  for (const SuiteCell& cell : suite.cells) {
+    for (const SuiteSweep& sweep : cell.sweeps) {
+      const std::vector<std::string> words = {cell.name,
+                                              sweep.name,
+                                              std::to_string(sweep.map_count),
+                                              file_sha256_in(suite, sweep, track),
+                                              sweep.dev.maps_sha256,
+                                              sweep.dev.missions_sha256,
+                                              sweep.open.maps_sha256,
+                                              sweep.open.missions_sha256};
+      text += joined(words, " ") + "\n";
+    }
+  }
+  return text;
+}
+
 std::uint64_t sealed_seed(const std::string& key, const std::string& message) {
   // 52 bits: whole in a double, which is what JSON's readers have.
   constexpr std::size_t kDigits = 13;
@@ -149,13 +198,8 @@ SuiteSpec read_suite(const fs::path& folder) {
   MappingReader mapping(given);
   SuiteSpec suite;
   suite.folder = folder;
-  suite.sha256 = file_digest(file);
   suite.name = needed_name(mapping, given, "suite");
-  suite.doc = needed_text(mapping, given, "doc");
-  for (const GivenValue& track : needed_list(mapping, given, "tracks")) {
-    suite.tracks.push_back(read_text(track).value_or(""));
-    if (!is_name(suite.tracks.back())) track.add_expected("a name of A-Z a-z 0-9 _ . -");
-  }
+  if (const auto tracks = needed(mapping, given, "tracks")) read_tracks(*tracks, suite);
   if (const auto splits = needed(mapping, given, "splits")) read_splits(*splits, suite);
   for (const GivenValue& cell : needed_list(mapping, given, "cells")) {
     suite.cells.push_back(read_cell(cell, suite.tracks));
@@ -178,6 +222,18 @@ std::vector<SuiteSpec> built_in_suites() {
   return suites;
 }
 
+SuiteTrack track_of(const SuiteSpec& suite, const std::string& track) {
+  SuiteTrack chosen{suite, track, ""};
+  for (SuiteCell& cell : chosen.suite.cells) {
+    std::erase_if(cell.sweeps, [&](const SuiteSweep& sweep) {
+      return file_sha256_in(suite, sweep, track).empty();
+    });
+  }
+  std::erase_if(chosen.suite.cells, [](const SuiteCell& cell) { return cell.sweeps.empty(); });
+  chosen.sha256 = sha256(frozen_text(chosen.suite, track));
+  return chosen;
+}
+
 SuiteTrack suite_track(const std::string& given) {
   const fs::path path = given;
   const std::string track = path.filename().string();
@@ -187,12 +243,12 @@ SuiteTrack suite_track(const std::string& given) {
   for (const SuiteSpec& suite : built_in_suites()) {
     for (const std::string& name : suite.tracks) {
       known.push_back(suite.name + "/" + name);
-      if (known.back() == given) return {suite, name};
+      if (known.back() == given) return track_of(suite, name);
     }
   }
   if (fs::exists(folder / "suite.yaml", error)) {
     SuiteSpec suite = read_suite(folder);
-    if (contains(suite.tracks, track)) return {std::move(suite), track};
+    if (contains(suite.tracks, track)) return track_of(suite, track);
     known.clear();
     for (const std::string& name : suite.tracks) known.push_back((folder / name).string());
   }
@@ -233,13 +289,10 @@ SweepSeeds seeds_of(const SuiteSpec& suite, const SuiteCell& cell, const SuiteSw
 
 fs::path frozen_file(const SuiteTrack& chosen, const SuiteSweep& sweep) {
   const fs::path file = chosen.suite.folder / chosen.track / (sweep.name + ".yaml");
-  const auto track =
-      std::find(chosen.suite.tracks.begin(), chosen.suite.tracks.end(), chosen.track);
-  const auto index = static_cast<std::size_t>(track - chosen.suite.tracks.begin());
-  if (const std::string found = file_digest(file); found != sweep.file_sha256[index]) {
+  const std::string& frozen = file_sha256_in(chosen.suite, sweep, chosen.track);
+  if (const std::string found = file_digest(file); found != frozen) {
     refuse_file(file, "is not the sweep that " + chosen.suite.name + " froze: its SHA-256 is " +
-                          found + ", expected " + sweep.file_sha256[index] +
-                          "; a changed suite gets another name");
+                          found + ", expected " + frozen + "; a changed suite gets another name");
   }
   return file;
 }

@@ -24,11 +24,11 @@ struct FrozenMaps {
   std::string maps_sha256, missions_sha256;
 };
 
-/// One sweep of a cell: a file of the same name for each track.
+/// One sweep of a cell: a file of the same name for each track that has it.
 struct SuiteSweep {
   std::string name;                      ///< of the sweep: forest_5.0
   std::int64_t map_count = 0;            ///< in each split
-  std::vector<std::string> file_sha256;  ///< one a track
+  std::vector<std::string> file_sha256;  ///< one a track; "" where the track is without it
   FrozenMaps dev, open;                  ///< the same for all tracks
 };
 
@@ -47,10 +47,9 @@ struct SplitSeeds {
 
 /// A frozen suite: FOLDER/suite.yaml, and FOLDER/TRACK/SWEEP.yaml of each track and sweep.
 struct SuiteSpec {
-  std::string name, doc;
+  std::string name;
   std::filesystem::path folder;
-  std::string sha256;  ///< of suite.yaml: all that is frozen hangs on it
-  std::vector<std::string> tracks;
+  std::vector<std::string> tracks, track_docs;
   SplitSeeds dev, open;
   std::int64_t sealed_missions = 0;
   std::string sealed_key_sha256;  ///< of the key's 64 digits
@@ -63,11 +62,15 @@ SuiteSpec read_suite(const std::filesystem::path& folder);
 /// The suites that come with the program, by name.
 std::vector<SuiteSpec> built_in_suites();
 
-/// A suite and one of its tracks.
+/// One track of a suite.
 struct SuiteTrack {
-  SuiteSpec suite;
+  SuiteSpec suite;  ///< with the cells and sweeps of this track alone
   std::string track;
+  std::string sha256;  ///< of all that is frozen for the track: other tracks may come later
 };
+
+/// `track` has to be one of the suite's.
+SuiteTrack track_of(const SuiteSpec& suite, const std::string& track);
 
 /// What "avoidbench-1/depth", or "FOLDER/depth" for a suite of one's own, names. Throws InputError
 /// with what there is.
