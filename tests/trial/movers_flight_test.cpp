@@ -114,6 +114,21 @@ TEST(FlightAmongMovers, EveryMissionHasItsOwn) {
   EXPECT_EQ(movers_key(spec), "");
 }
 
+/// A mission that returns ends where it starts: there is no line to cross but that of its legs.
+TEST(FlightAmongMovers, TheyCrossTheFirstLeg) {
+  const World map = test::flight_world();
+  const Scene scene(map);
+  const Mission there = test::straight_mission();
+  Mission and_back = there;
+  and_back.waypoints_world = {there.goal_world};
+  and_back.goal_world = there.start_world;
+  for (const MoverMotion motion : {MoverMotion::cross, MoverMotion::chase}) {
+    const TrialSpec spec = spec_with(motion, 5);
+    EXPECT_EQ(world_digest(*world_with_movers(spec, scene, and_back)),
+              world_digest(*world_with_movers(spec, scene, there)));
+  }
+}
+
 TEST(FlightAmongMovers, TheyStandWhereAChangeWantsIt) {
   const World map = test::flight_world();
   const Scene scene(map);

@@ -9,7 +9,7 @@ namespace avoidbench {
 struct MoverCourse {
   std::uint64_t seed = 0;
   Eigen::Vector3d start_world = Eigen::Vector3d::Zero();
-  Eigen::Vector3d goal_world = Eigen::Vector3d::Zero();
+  Eigen::Vector3d goal_world = Eigen::Vector3d::Zero();  ///< of several, the first
   double speed_limit_mps = 1.0;  ///< of the vehicle that crossing movers are timed to meet
   double time_limit_s = 60.0;    ///< until then they move
 };
