@@ -26,7 +26,7 @@ YAML
 "$program" replay one.db --verify
 reached=$(sqlite3 one.db "SELECT count(*) FROM trials WHERE finished = 1")
 [ "$reached" -eq 2 ] || { sqlite3 one.db "SELECT outcome, reason FROM trials" >&2; exit 1; }
-# Points of a lidar that does not de-skew are placed as if it had stood still: near where they are, at this speed.
+# Points of a lidar that does not de-skew are placed as if it had stood still: the node flies by them all the same.
 rig='sensor={preset: depth_ideal, width_px: 16, height_px: 12, lidars: [{preset: mid360_like, deskewed: false}]}'
 "$program" run hall.yaml --set "$rig" --db raw.db --quiet
 failed=$(sqlite3 raw.db "SELECT count(*) FROM trials WHERE outcome NOT IN ('reached_goal', 'collided')")

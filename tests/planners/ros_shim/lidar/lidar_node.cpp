@@ -31,7 +31,7 @@ void take_world(const sensor_msgs::PointCloud2ConstPtr& cloud) {
   pcl::fromROSMsg(*cloud, in_world);
   ROS_ASSERT(cloud->header.frame_id == "world" && cloud->width > 1000);
   for (const pcl::PointXYZI& point : in_world.points) {
-    ROS_ASSERT_MSG(point.z > -3.0F && point.z < 30.0F, "a point at z %f m", point.z);
+    ROS_ASSERT_MSG(point.z > -10.0F && point.z < 30.0F, "a point at z %f m", point.z);
     ROS_ASSERT(point.intensity > 0.0F && point.intensity <= 1.0F);
   }
 }
