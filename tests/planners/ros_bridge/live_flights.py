@@ -329,11 +329,13 @@ def outcomes(runs):
         "silent": ("timed_out", ""),
         "unsaid": ("planner_error", "nobody publishes /cmd_velo (geometry_msgs/TwistStamped); there is /cmd_vel"),
         "unheard": ("planner_error", "nobody subscribes to /imu"),
+        "blind": ("planner_error", "blind_topics.yaml:8:18: /points is of a lidar, and the sensor has none"),
         "stranger": ("planner_error", "there is no Python class of own_msgs/Twist"),
     }
     changes = {
         "unsaid": ("/cmd_vel", "/cmd_velo"),
         "unheard": ("  goal:", "  imu: {topic: /imu}\n  goal:"),
+        "blind": ("  goal:", "  depth: {topic: /depth}\n  cloud: {topic: /points, lidar: 0}\n  goal:"),
         "stranger": ("geometry_msgs/TwistStamped", "own_msgs/Twist"),
     }
     planners = []
