@@ -241,4 +241,10 @@ def given_by(setup, mission):
             given[name] = getattr(camera, name)
         given["camera_rate_hz"] = camera.rate_hz
         given.update({f"camera_{axis}_m": number for axis, number in zip("xyz", camera.position_body_m)})
+    if setup.lidars:
+        lidar = setup.lidars[0]
+        given.update(
+            lidar_rate_hz=lidar.rate_hz, lidar_min_range_m=lidar.min_range_m, lidar_max_range_m=lidar.max_range_m
+        )
+        given.update({f"lidar_{axis}_m": number for axis, number in zip("xyz", lidar.position_body_m)})
     return given

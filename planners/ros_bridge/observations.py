@@ -10,6 +10,7 @@ from avoidbench.planner import State
 from genpy import Time
 from geometry_msgs.msg import PointStamped, Pose, PoseStamped, TransformStamped, TwistStamped
 from nav_msgs.msg import Odometry, Path
+from ros_processes import StartProblem
 from sensor_msgs.msg import CameraInfo, Image, Imu, PointCloud2, PointField
 from std_msgs.msg import Header
 
@@ -94,6 +95,50 @@ def depth_message(header, depth_m, one):
     return message
 
 
+def require_sensors(published, setup):
+    """Raises StartProblem, with the place in the topics file, where a topic is of a lidar or a camera that the sensor
+    lacks. A sensor of which the nodes see nothing is refused before; one that has either cameras or lidars is not,
+    where a file publishes of both, and nodes would wait in silence."""
+    for one in published:
+        if one["sees"] in ("depth", "stereo", "color") and not setup.cameras:
+            raise StartProblem(str(one["place"].problem(f"{one['topic']} is of a camera, and the sensor has none")))
+        if one["sees"] != "points" or one["lidar"] < len(setup.lidars):
+            continue
+        if not setup.lidars:
+            raise StartProblem(str(one["place"].problem(f"{one['topic']} is of a lidar, and the sensor has none")))
+        text = f"there is no lidar {one['lidar']}: the sensor has {len(setup.lidars)}, counted from 0"
+        raise StartProblem(str(one["place"].problem(f"{one['topic']}: {text}")))
+
+
+def point_cloud(header, names, numbers):
+    """A PointCloud2 of float32 fields that follow one another; `numbers` (N, as many as names)."""
+    size = 4 * len(names)
+    fields = [PointField(name=name, offset=4 * i, datatype=PointField.FLOAT32, count=1) for i, name in enumerate(names)]
+    return PointCloud2(
+        header=header,
+        height=1,
+        width=len(numbers),
+        fields=fields,
+        point_step=size,
+        row_step=size * len(numbers),
+        data=np.ascontiguousarray(numbers, "<f4").tobytes(),
+        is_dense=True,
+    )
+
+
+def sweep_message(header, sweep, lidar, points_in):
+    """The points of `sweep`, an avoidbench.planner.Cloud, in metres in the coordinates of the world, the body or the
+    lidar, each with its intensity and its time after the sweep's end: seconds, at most 0. `lidar`: an
+    avoidbench.planner.Lidar."""
+    points = sweep.points_lidar_m
+    if points_in == "world":
+        points = points.astype(np.float64) @ rotation_of(sweep.q_world_lidar).T + sweep.position_world_m
+    elif points_in == "body":
+        points = points.astype(np.float64) @ rotation_of(lidar.q_body_lidar).T + lidar.position_body_m
+    numbers = np.column_stack([points.astype("<f4"), sweep.intensities, sweep.point_times_s])
+    return point_cloud(header, ["x", "y", "z", "intensity", "time"], numbers)
+
+
 def cloud_message(header, image, camera, stride_px):
     depth = image.depth_m[::stride_px, ::stride_px].astype(np.float64)
     rows, columns = np.mgrid[0 : image.depth_m.shape[0] : stride_px, 0 : image.depth_m.shape[1] : stride_px]
@@ -102,17 +147,7 @@ def cloud_message(header, image, camera, stride_px):
     x, y = (columns[is_seen] - camera.cx_px) / camera.fx_px * z, (rows[is_seen] - camera.cy_px) / camera.fy_px * z
     in_camera = np.stack([x, y, z], axis=1)
     points = (in_camera @ rotation_of(image.q_world_camera).T + image.position_world_m).astype("<f4")
-    fields = [PointField(name=name, offset=4 * i, datatype=PointField.FLOAT32, count=1) for i, name in enumerate("xyz")]
-    return PointCloud2(
-        header=header,
-        height=1,
-        width=len(points),
-        fields=fields,
-        point_step=12,
-        row_step=12 * len(points),
-        data=points.tobytes(),
-        is_dense=True,
-    )
+    return point_cloud(header, "xyz", points)
 
 
 def _type_of(one):
@@ -122,10 +157,11 @@ def _type_of(one):
 
 
 class Observations:
-    """The publishers of a flight."""
+    """The publishers of a flight. `setup`: an avoidbench.planner.Setup. Raises as require_sensors()."""
 
-    def __init__(self, published, cameras):
-        self._cameras = cameras
+    def __init__(self, published, setup):
+        require_sensors(published, setup)
+        self._cameras, self._lidars = setup.cameras, setup.lidars
         self._topics = []
         for one in published:
             publisher = rospy.Publisher(
@@ -230,8 +266,14 @@ class Observations:
                     info.publish(camera_info(header, camera, 0.0))
                 publisher.publish(depth_message(header, image.depth_m, one))
         for one, publisher, _ in self._of("cloud"):
-            if one["camera"] == image.camera:
+            if one["lidar"] is None and one["camera"] == image.camera:
                 publisher.publish(cloud_message(self._header(image.time_s, one), image, camera, one["stride_px"]))
+
+    def _publish_sweep(self, sweep):
+        for one, publisher, _ in self._of("cloud"):
+            if one["lidar"] == sweep.lidar:
+                header = self._header(sweep.time_s, one)
+                publisher.publish(sweep_message(header, sweep, self._lidars[sweep.lidar], one["points_in"]))
 
     def _publish_picture(self, picture, kind):
         for one, publisher, info in self._of(kind):
@@ -281,6 +323,8 @@ class Observations:
             self._publish_picture(pair.right, "right")
         for picture in reversed(seen.color):
             self._publish_picture(picture, "color")
+        for sweep in reversed(seen.clouds):
+            self._publish_sweep(sweep)
         # Another goal, or one that has moved, is sent at once.
         if seen.goal_world_m is not None and tuple(seen.goal_world_m) != self._goal_world_m:
             self._goal_world_m, self._goal_due_ns = tuple(seen.goal_world_m), {}

@@ -59,7 +59,7 @@ class RosFlight:
         # Of the clock only the nodes know: this node waits for the wall's.
         rospy.init_node(NAME, argv=[NAME], disable_rostime=True, disable_rosout=True, disable_signals=True)
         self._clock = rospy.Publisher("/clock", Clock, queue_size=1000, tcp_nodelay=True)
-        self._observations = Observations(live_file.published, setup.cameras)
+        self._observations = Observations(live_file.published, setup)
         self._command = rospy.Subscriber(live_file.command.topic, message, self._take, queue_size=100, tcp_nodelay=True)
 
     def _look_at_master(self, uri):

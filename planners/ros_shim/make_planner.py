@@ -162,6 +162,8 @@ def publish_line(one):
             f"spec.depth.push_back({{{topic}, {frame}, {info}, {pixel}, {real(one['no_return_m'])}, {real(one['invalid_m'])}, "
             f"{camera}}});"
         )
+    if kind == "cloud" and one["lidar"] is not None:
+        return f"  spec.sweeps.push_back({{{topic}, {frame}, PointsIn::{one['points_in']}, {one['lidar']}}});"
     if kind == "cloud":
         return f"  spec.clouds.push_back({{{topic}, {frame}, {one['stride_px']}, {camera}}});"
     if kind == "goal":

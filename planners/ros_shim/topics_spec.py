@@ -10,7 +10,8 @@ from topics_file import shown
 # What ${…} may name beside the planner's own parameters: the members of ros_shim::Given.
 GIVEN = """vehicle_max_speed_mps vehicle_max_acceleration_mps2 vehicle_max_yaw_rate_radps gravity_mps2 plan_period_s
 body_length_m body_width_m body_height_m body_radius_m width_px height_px fx_px fy_px cx_px cy_px
-camera_rate_hz min_range_m max_range_m baseline_m camera_x_m camera_y_m camera_z_m start_x_m start_y_m
+camera_rate_hz min_range_m max_range_m baseline_m camera_x_m camera_y_m camera_z_m lidar_rate_hz lidar_min_range_m
+lidar_max_range_m lidar_x_m lidar_y_m lidar_z_m start_x_m start_y_m
 start_z_m start_yaw_rad goal_x_m goal_y_m goal_z_m goal_radius_m lowest_x_m lowest_y_m lowest_z_m
 highest_x_m highest_y_m highest_z_m command_latency_s time_limit_s seed""".split()
 ALIASES = {
@@ -39,7 +40,7 @@ PUBLISH = {
     "imu": ([], "imu"),
     "camera_pose": (["type", "camera"], "depth"),
     "depth": (["encoding", "info", "no_return_m", "invalid_m", "camera"], "depth"),
-    "cloud": (["stride_px", "camera"], "depth"),
+    "cloud": (["stride_px", "camera", "lidar", "points_in"], "depth"),  # with `lidar` it sees points
     "left": (["info", "camera"], "stereo"),
     "right": (["info", "camera"], "stereo"),
     "color": (["info", "camera"], "color"),
@@ -47,6 +48,9 @@ PUBLISH = {
 }
 FRAMES = {"imu": "body", "twist": "world", "depth": "camera", "left": "camera", "right": "camera", "color": "camera"}
 POSE_TYPES = ("geometry_msgs/PoseStamped", "nav_msgs/Odometry", "geometry_msgs/TransformStamped")
+POINTS_IN = ("world", "body", "lidar")  # whose coordinates a lidar's points have
+# Of a cloud: keys of a depth image's and of a lidar's -> what they are for
+CLOUD_KEYS = {"stride_px": "camera", "camera": "camera", "points_in": "lidar"}
 GOAL_TYPES = ("geometry_msgs/PoseStamped", "geometry_msgs/PointStamped", "nav_msgs/Path", "geometry_msgs/Pose")
 # Keys of a topics file; each says which of the two takes it, where it is one of them alone.
 KEYS = ["version", "summary", "lead_s", "nodes", "params", "packages", "parameters", "publish", "command", "live"]
@@ -217,6 +221,25 @@ def _length(values, key, preset):
     return float(value)
 
 
+def _cloud(values, found):
+    """The keys of a cloud alone; `lidar` is None where it is made of a depth image."""
+    found["lidar"] = values["lidar"].integer(0, 2**31 - 1) if "lidar" in values else None
+    of = "camera" if found["lidar"] is None else "lidar"
+    for key, wanted in CLOUD_KEYS.items():
+        if key in values and wanted != of:
+            raise values[key].problem(
+                f"{key} is of a lidar's cloud: lidar: N says of which one"
+                if wanted == "lidar"
+                else f"{key} is of a depth image's cloud, and this one is a lidar's"
+            )
+    found["stride_px"] = values["stride_px"].integer(1, 1000) if "stride_px" in values else 1
+    found["points_in"] = values["points_in"].word(POINTS_IN) if "points_in" in values else POINTS_IN[0]
+    if of == "lidar":
+        found["sees"] = "points"
+        if "frame" not in values:
+            found["frame"] = found["points_in"]
+
+
 def published(kind, tree):
     """One topic of `publish`: its keys by name, presets for those that are not there; `place` is the topic's."""
     values = tree.map(["topic", "frame", *PUBLISH[kind][0]])
@@ -224,6 +247,7 @@ def published(kind, tree):
         raise tree.problem(f"{kind} has a topic")
     found = {
         "kind": kind,
+        "sees": PUBLISH[kind][1],
         "topic": values["topic"].text(),
         "place": values["topic"],
         "frame": values["frame"].text() if "frame" in values else FRAMES.get(kind, "world"),
@@ -241,7 +265,7 @@ def published(kind, tree):
         found["no_return_m"] = _length(values, "no_return_m", 0.0 if found["in_mm"] else float("inf"))
         found["invalid_m"] = _length(values, "invalid_m", 0.0 if found["in_mm"] else float("nan"))
     elif kind == "cloud":
-        found["stride_px"] = values["stride_px"].integer(1, 1000) if "stride_px" in values else 1
+        _cloud(values, found)
     elif kind == "goal":
         found["type"] = values["type"].word(GOAL_TYPES) if "type" in values else GOAL_TYPES[0]
         found["repeat_s"] = float(values["repeat_s"].number(0)) if "repeat_s" in values else 0.0
@@ -261,7 +285,7 @@ def all_published(tree):
 def seen_of(topics):
     """What a planner sees of which these topics are published, as avoidbench.Planner names it."""
     states = ["states"] if any(one["all_states"] for one in topics) else []
-    return tuple(dict.fromkeys(["state", *(PUBLISH[one["kind"]][1] for one in topics), *states]))
+    return tuple(dict.fromkeys(["state", *(one["sees"] for one in topics), *states]))
 
 
 class CommandSpec:

@@ -27,7 +27,7 @@ RewardFunction = Callable[
     [Observation, NDArray[np.float64], NDArray[np.float64], NDArray[np.bool_], NDArray[np.bool_]], ArrayLike
 ]
 
-OBSERVATIONS = ("depth", "state", "goal", "pose", "imu", "stereo", "color")
+OBSERVATIONS = ("depth", "state", "goal", "pose", "imu", "stereo", "color", "points", "ranges")
 _MOST_SEED = 2**64 - 1
 _DTYPES: dict[str, Any] = {"stereo": np.uint8, "color": np.uint8, "pose": np.float64}
 
@@ -89,8 +89,24 @@ def _view_space(name: str, shape: Mapping[str, Any], depth: str) -> gymnasium.sp
         return gymnasium.spaces.Box(0, 255, (cameras, 2, height, width), np.uint8)
     if name == "color":
         return gymnasium.spaces.Box(0, 255, (cameras, height, width, 3), np.uint8)
+    shots = (shape["lidars"], shape["lidar_shots"])
+    if name == "ranges":
+        return gymnasium.spaces.Box(0.0, 1.0 if depth == "inverse" else shape["lidar_max_range_m"], shots, np.float32)
+    if name == "points":
+        return gymnasium.spaces.Box(-np.inf, np.inf, (*shots, 3), np.float32)
     sizes: dict[str, tuple[int, ...]] = {"state": (9,), "goal": (3,), "pose": (14,), "imu": (shape["imu_samples"], 7)}
     return gymnasium.spaces.Box(-np.inf, np.inf, sizes[name], _DTYPES.get(name, np.float32))
+
+
+def _seen_from_above(points: NDArray[np.float32]) -> NDArray[np.uint8]:
+    """A grey picture (200, 200, 3) of a sweep (S, 3): its lidar in the middle, x up, y to the left, 10 pixels a metre;
+    what is within 1 m above and below is white, else it is grey."""
+    met = points[points.any(axis=1)]
+    rows, columns = np.round(100.0 - 10.0 * met[:, :2].astype(np.float64)).astype(np.int64).T
+    shown = (rows >= 0) & (rows < 200) & (columns >= 0) & (columns < 200)
+    picture = np.zeros((200, 200), np.uint8)
+    np.maximum.at(picture, (rows[shown], columns[shown]), np.where(np.abs(met[shown, 2]) < 1.0, 255, 90))
+    return np.repeat(picture[..., np.newaxis], 3, axis=2)
 
 
 def _array(actions: ArrayLike, wanted: tuple[int, ...], name: str) -> NDArray[Any]:
@@ -127,7 +143,7 @@ class _Flights:
         kept_maps: SupportsIndex,
         policy: str,
     ) -> None:
-        self.observe = _observed(observe)
+        self.observe, self.slots = _observed(observe), slots
         for name, word in (
             ("depth", depth),
             ("action", action),
@@ -168,16 +184,21 @@ class _Flights:
             np.array(shape["action_lowest"], np.float32), np.array(shape["action_highest"], np.float32)
         )
         self.observation_space = gymnasium.spaces.Dict({name: _view_space(name, shape, depth) for name in self.observe})
-        self.views: Observation = {}
-        for name in self.observe:
-            space = self.observation_space[name]
-            self.views[name] = np.zeros((slots, *(space.shape or ())), space.dtype)
-            self.core.write_view(name, self.views[name])
+        self.views: Observation = {name: self._view(name, self.observation_space[name]) for name in self.observe}
+        # What render() draws: points, also where only their ranges are observed.
+        self.drawn: NDArray[Any] | None = self.views.get("points")
+        if self.drawn is None and "ranges" in self.observe:
+            self.drawn = self._view("points", _view_space("points", shape, depth))
         self.rewards = np.zeros(slots)
         self._own_sums = np.zeros(slots)  # of the reward function, over the episode
         self._ends = np.zeros((2, slots), np.uint8)
         self.core.write_results(self.rewards, self._ends[0], self._ends[1])
-        self.slots = slots
+
+    def _view(self, name: str, space: gymnasium.Space[Any]) -> NDArray[Any]:
+        """The array that this observation is written to from now on."""
+        array: NDArray[Any] = np.zeros((self.slots, *(space.shape or ())), space.dtype)
+        self.core.write_view(name, array)
+        return array
 
     @property
     def terminated(self) -> NDArray[np.bool_]:
@@ -261,11 +282,14 @@ class AvoidbenchVectorEnv(gymnasium.vector.VectorEnv[Observation, NDArray[Any], 
             float32: from the vehicle to the goal in the heading frame; pose (N, 14) float64: time, position and
             velocity in the world frame, q_world_body (w, x, y, z), body rates; imu (N, K, 7) float32: time, rates,
             specific force of the samples since the last step, newest last, zeros before; stereo (N, C, 2, H, W) uint8,
-            grey, left and right; color (N, C, H, W, 3) uint8, RGB. Images are the newest that came; at an episode's end
-            they are of its last moments.
-        depth: "metric": metres, the greatest range where nothing returns; "inverse": the least range over that. In both
-        0 is where
-            nothing is known: nearer than the least range, not matched by stereo, or no image yet.
+            grey, left and right; color (N, C, H, W, 3) uint8, RGB; points (N, L, S, 3) float32 of L lidars: what each
+            of the S shots of a sweep met, in the lidar's frame (x forward, y left, z up; that of the sweep's end where
+            it de-skews), metres, zeros where nothing came back or no sweep is there yet; ranges (N, L, S) float32: how
+            far off that is, see `depth`. Images and sweeps are the newest that came; at an episode's end they are of
+            its last moments.
+        depth: of depth and ranges. "metric": metres, the greatest range where nothing returns; "inverse": the least
+            range over that. In both 0 is where nothing is known: nearer than the least range, not matched by stereo, no
+            image or sweep yet. A shot of a lidar that nothing came back of has the greatest range, whatever the reason.
         action: "velocity" (vx, vy, vz, yaw rate), "acceleration" (ax, ay, az, yaw rate), "rates_thrust" (body rates,
         thrust over mass:
             9.81 hovers), or "trajectory" (for each of `trajectory_points` x, y, z and yaw, from where the vehicle is
@@ -419,8 +443,9 @@ class AvoidbenchVectorEnv(gymnasium.vector.VectorEnv[Observation, NDArray[Any], 
 
 class AvoidbenchEnv(gymnasium.Env[Observation, NDArray[Any]]):
     """One flight that is stepped; after an end comes reset(). See AvoidbenchVectorEnv, whose arguments and infos it
-    has; its arrays have no axis N. With render_mode="rgb_array" render() gives the first camera's depth as a grey
-    picture (H, W, 3) uint8, near is bright."""
+    has; its arrays have no axis N. With render_mode="rgb_array" render() gives the depth as a grey picture
+    (H, W, 3) uint8, near is bright; or, where no depth is observed, the first lidar's sweep from above, (200, 200, 3),
+    10 pixels a metre, forward is up."""
 
     metadata = {"render_modes": ["rgb_array"], "render_fps": 30}
 
@@ -444,8 +469,8 @@ class AvoidbenchEnv(gymnasium.Env[Observation, NDArray[Any]]):
     ) -> None:
         if render_mode not in (None, "rgb_array"):
             raise ValueError(f"render_mode: 'rgb_array' or None is wanted, not {render_mode!r}")
-        if render_mode is not None and "depth" not in _observed(observe):
-            raise ValueError("render_mode: pictures are of the depth, which is not observed")
+        if render_mode is not None and not {"depth", "points", "ranges"} & {*_observed(observe)}:
+            raise ValueError("render_mode: pictures are of the depth, points or ranges, and none is observed")
         self.render_mode = render_mode
         self._depth = depth
         self._flights: _Flights | None = _Flights(
@@ -512,10 +537,13 @@ class AvoidbenchEnv(gymnasium.Env[Observation, NDArray[Any]]):
         return int(self._open().core.rounds()[0])
 
     def render(self) -> NDArray[np.uint8] | None:
-        """The newest depth, near is bright, the cameras side by side; None without a render_mode."""
+        """The newest depth, near is bright, the cameras side by side; without it the first lidar's newest sweep from
+        above. None without a render_mode."""
         flights = self._open()
         if self.render_mode is None:
             return None
+        if "depth" not in flights.views and flights.drawn is not None:
+            return _seen_from_above(flights.drawn[0, 0])
         depth = np.concatenate(list(flights.views["depth"][0]), axis=1)
         space = flights.observation_space["depth"]
         near = depth / float(space.high.max())  # type: ignore[attr-defined]

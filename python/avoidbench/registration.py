@@ -24,12 +24,21 @@ HALL: dict[str, Any] = {
 }
 """Eight halls of cylinders with 40 missions each, 64 × 48 true depth, commands after 33 ms."""
 
-IDS = ("avoidbench/Forest-v0", "avoidbench/Hall-v0", "avoidbench/Sweep-v0")
+FOREST_LIDAR: dict[str, Any] = {
+    **FOREST,
+    "sweep": "env_forest_lidar",
+    "sensor": {"name": "lidar_16x90", "kind": "none", "lidars": [{"preset": "velodyne_16", "columns": 90}]},
+}
+"""The same forests by a lidar alone: 90 directions around, 16 beams above one another in each, 10 Hz."""
+
+IDS = ("avoidbench/Forest-v0", "avoidbench/Hall-v0", "avoidbench/ForestLidar-v0", "avoidbench/Sweep-v0")
 
 
 def register() -> None:
     """Makes IDS known to Gymnasium; once is enough. Sweep-v0 needs the argument `sweep`."""
-    for name, kwargs in zip(IDS, ({"sweep": FOREST}, {"sweep": HALL}, {}), strict=True):
+    by_lidar = {"sweep": FOREST_LIDAR, "observe": ("ranges", "state", "goal")}
+    arguments: tuple[dict[str, Any], ...] = ({"sweep": FOREST}, {"sweep": HALL}, by_lidar, {})
+    for name, kwargs in zip(IDS, arguments, strict=True):
         if name not in gymnasium.registry:
             gymnasium.register(
                 id=name,

@@ -41,6 +41,7 @@ std::uint32_t need_of(const std::string& name) {
   if (name == "stereo") return AB_INPUT_STEREO;
   if (name == "color") return AB_INPUT_COLOR;
   if (name == "imu") return AB_INPUT_IMU;
+  if (name == "points" || name == "ranges") return AB_INPUT_POINTS;
   return 0;
 }
 
@@ -100,6 +101,8 @@ class SteppedFlights {
     if (name == "depth") view.depth = data<float>(name, array, shape.pixels());
     if (name == "stereo") view.stereo = data<std::uint8_t>(name, array, 2 * shape.pixels());
     if (name == "color") view.color = data<std::uint8_t>(name, array, 3 * shape.pixels());
+    if (name == "points") view.points = data<float>(name, array, 3 * shape.shots());
+    if (name == "ranges") view.ranges = data<float>(name, array, shape.shots());
     if (name == "imu") view.imu = data<float>(name, array, shape.imu_samples * kImuWidth);
     if (name == "state") view.state = data<float>(name, array, kStateWidth);
     if (name == "goal") view.goal = data<float>(name, array, kGoalWidth);
@@ -210,6 +213,9 @@ NamedValues shape_of(const SteppedFlights& flights) {
   dict["imu_samples"] = shape.imu_samples;
   dict["min_range_m"] = shape.min_range_m;
   dict["max_range_m"] = shape.max_range_m;
+  dict["lidars"] = shape.lidars.size();
+  dict["lidar_shots"] = shape.widest_lidar.shots;
+  dict["lidar_max_range_m"] = shape.widest_lidar.max_range_m;
   dict["action_lowest"] = flights.env().limits().lowest;
   dict["action_highest"] = flights.env().limits().highest;
   dict["step_s"] = flights.env().step_s();
@@ -247,7 +253,9 @@ EnvSpec spec_of(SweepSpec sweep, const NamedValues& options) {
   spec.reward.crash = nb::cast<double>(options["crash"]);
   spec.reward.goal = nb::cast<double>(options["goal"]);
   for (const nb::handle name : nb::cast<nb::list>(options["observe"])) {
-    spec.needs |= need_of(nb::cast<std::string>(name));
+    const auto observed = nb::cast<std::string>(name);
+    spec.needs |= need_of(observed);
+    if (observed == "ranges") spec.sees_ranges = true;
   }
   return spec;
 }

@@ -39,8 +39,9 @@ struct ActionSpec {
   double horizon_s = 1.0;
 };
 
-/// How depth is written into arrays. Metric: metres; no return is max_range_m. Inverse: min_range_m
-/// over that, in [0, 1]. In both 0 is invalid: nearer than min_range_m, or not matched by stereo.
+/// How depth, and ranges of lidars, are written into arrays. Metric: metres; no return is
+/// max_range_m. Inverse: min_range_m over that, in [0, 1]. In both 0 is invalid: nearer than
+/// min_range_m, or not matched by stereo.
 enum class DepthEncoding { metric, inverse };
 
 template <>
@@ -78,7 +79,8 @@ struct EnvSpec {
   std::int64_t threads = 1;
   std::uint64_t seed = 1;  ///< of the choice of trials
   EpisodeOrder order = EpisodeOrder::random;
-  std::uint32_t needs = 0;  ///< AB_INPUT_DEPTH, _STEREO, _COLOR, _IMU
+  std::uint32_t needs = 0;   ///< AB_INPUT_DEPTH, _STEREO, _COLOR, _IMU, _POINTS
+  bool sees_ranges = false;  ///< of lidars, by `depth`; with AB_INPUT_POINTS
   DepthEncoding depth = DepthEncoding::inverse;
   ActionSpec action;
   RewardSpec reward;

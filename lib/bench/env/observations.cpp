@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "base/check.hpp"
 #include "base/input_error.hpp"
+#include "base/ticks.hpp"
 #include "env/actions.hpp"
 
 namespace avoidbench {
@@ -14,11 +17,13 @@ T* offset(T* array, std::size_t count) {
   return array == nullptr ? nullptr : array + count;
 }
 
-float encoded(float depth_m, const ViewShape& shape, DepthEncoding encoding) {
+/// `range` is the cameras' or the lidars'.
+template <class Range>
+float encoded(float depth_m, const Range& range, DepthEncoding encoding) {
   if (std::isnan(depth_m)) return 0.0F;
-  const auto near_m = static_cast<float>(shape.min_range_m);
+  const auto near_m = static_cast<float>(range.min_range_m);
   // No return is +inf and becomes the range's end.
-  const float seen_m = std::min(depth_m, static_cast<float>(shape.max_range_m));
+  const float seen_m = std::min(depth_m, static_cast<float>(range.max_range_m));
   return encoding == DepthEncoding::metric ? seen_m : near_m / std::max(seen_m, near_m);
 }
 
@@ -73,6 +78,64 @@ void write_images(const PlannerView& view, const ViewShape& shape, DepthEncoding
   }
 }
 
+/// Which shot of its sweep a point is of: shot i of n is fired (i + 1) / n of the period after the
+/// start.
+std::size_t shot_of(const ab_lidar_point& point, const LidarShape& lidar) {
+  const double share = 1.0 + static_cast<double>(point.time_s) / lidar.period_s;
+  const auto shot =
+      static_cast<std::size_t>(std::llround(share * static_cast<double>(lidar.shots)) - 1);
+  AB_CHECK(shot < lidar.shots, shot, lidar.shots);
+  return shot;
+}
+
+void write_sweep(const CloudView& sweep, const ViewShape& shape, DepthEncoding encoding,
+                 const ViewArrays& to) {
+  const LidarShape& lidar = shape.lidars[sweep.lidar];
+  const std::size_t first = sweep.lidar * shape.widest_lidar.shots;
+  if (to.points != nullptr) std::fill_n(to.points + 3 * first, 3 * lidar.shots, 0.0F);
+  if (to.ranges != nullptr) {
+    const float nothing =
+        encoded(std::numeric_limits<float>::infinity(), shape.widest_lidar, encoding);
+    std::fill_n(to.ranges + first, lidar.shots, nothing);
+  }
+  for (const ab_lidar_point& point : sweep.points) {
+    const std::size_t at = first + shot_of(point, lidar);
+    const float* place = point.position_lidar_m;
+    if (to.points != nullptr) std::copy(place, place + 3, to.points + 3 * at);
+    if (to.ranges != nullptr) {
+      const float range_m = Eigen::Map<const Eigen::Vector3f>(place).norm();
+      to.ranges[at] = encoded(range_m, shape.widest_lidar, encoding);
+    }
+  }
+}
+
+void write_sweeps(const PlannerView& view, const ViewShape& shape, DepthEncoding encoding,
+                  const ViewArrays& to) {
+  if (to.points == nullptr && to.ranges == nullptr) return;
+  for (std::uint32_t lidar = 0; lidar < shape.lidars.size(); ++lidar) {
+    // As of cameras: the first is the newest.
+    const auto newest =
+        std::find_if(view.clouds.begin(), view.clouds.end(),
+                     [lidar](const CloudView& sweep) { return sweep.lidar == lidar; });
+    if (newest != view.clouds.end()) write_sweep(*newest, shape, encoding, to);
+  }
+}
+
+void add_lidars(const SensorSpec& sensor, ViewShape& shape) {
+  for (const LidarSpec& spec : sensor.lidars) {
+    const LidarShape lidar{.shots = static_cast<std::size_t>(shots_per_sweep(spec)),
+                           .period_s = seconds(required_period(spec.rate_hz)),
+                           .min_range_m = spec.min_range_m,
+                           .max_range_m = spec.max_range_m};
+    LidarShape& widest = shape.widest_lidar;
+    if (shape.lidars.empty()) widest = lidar;
+    widest.shots = std::max(widest.shots, lidar.shots);
+    widest.min_range_m = std::min(widest.min_range_m, lidar.min_range_m);
+    widest.max_range_m = std::max(widest.max_range_m, lidar.max_range_m);
+    shape.lidars.push_back(lidar);
+  }
+}
+
 }  // namespace
 
 ViewShape view_shape(const TrialSpec& spec) {
@@ -92,6 +155,7 @@ ViewShape view_shape(const TrialSpec& spec) {
     shape.max_range_m = is_first ? kind.max_range_m : std::max(shape.max_range_m, kind.max_range_m);
     ++shape.cameras;
   }
+  add_lidars(spec.sensor, shape);
   // Rounded up: where the rates do not divide each other, some periods hold one sample more.
   shape.imu_samples = static_cast<std::size_t>(std::ceil(spec.imu.rate_hz / spec.rates.plan_hz));
   return shape;
@@ -101,6 +165,8 @@ ViewArrays at(const ViewArrays& arrays, const ViewShape& shape, std::size_t inde
   return {.depth = offset(arrays.depth, index * shape.pixels()),
           .stereo = offset(arrays.stereo, 2 * index * shape.pixels()),
           .color = offset(arrays.color, 3 * index * shape.pixels()),
+          .points = offset(arrays.points, 3 * index * shape.shots()),
+          .ranges = offset(arrays.ranges, index * shape.shots()),
           .imu = offset(arrays.imu, index * shape.imu_samples * kImuWidth),
           .state = offset(arrays.state, index * kStateWidth),
           .goal = offset(arrays.goal, index * kGoalWidth),
@@ -110,6 +176,7 @@ ViewArrays at(const ViewArrays& arrays, const ViewShape& shape, std::size_t inde
 void write_view(const PlannerView& view, const Eigen::Vector3d& goal_world, const ViewShape& shape,
                 DepthEncoding encoding, const ViewArrays& to) {
   write_images(view, shape, encoding, to);
+  write_sweeps(view, shape, encoding, to);
   if (to.imu != nullptr) write_imu(view.imu, shape, to.imu);
   const Eigen::Matrix3d R_heading_world = rotation_world_heading(view.q_world_body).transpose();
   if (float* state = to.state; state != nullptr) {
@@ -135,6 +202,8 @@ void clear_images(const ViewShape& shape, const ViewArrays& to) {
   if (to.depth != nullptr) std::fill_n(to.depth, shape.pixels(), 0.0F);
   if (to.stereo != nullptr) std::fill_n(to.stereo, 2 * shape.pixels(), std::uint8_t{0});
   if (to.color != nullptr) std::fill_n(to.color, 3 * shape.pixels(), std::uint8_t{0});
+  if (to.points != nullptr) std::fill_n(to.points, 3 * shape.shots(), 0.0F);
+  if (to.ranges != nullptr) std::fill_n(to.ranges, shape.shots(), 0.0F);
 }
 
 }  // namespace avoidbench

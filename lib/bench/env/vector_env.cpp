@@ -68,10 +68,11 @@ bool has_crashed(Outcome outcome) {
   return outcome == Outcome::collided || outcome == Outcome::left_bounds;
 }
 
-bool are_alike(const ViewShape& a, const ViewShape& b) {
-  return a.cameras == b.cameras && a.height_px == b.height_px && a.width_px == b.width_px &&
-         a.imu_samples == b.imu_samples && a.min_range_m == b.min_range_m &&
-         a.max_range_m == b.max_range_m;
+/// Of lidars only where points are seen.
+bool are_alike(const ViewShape& a, const ViewShape& b, std::uint32_t needs) {
+  return ((needs & AB_INPUT_POINTS) == 0 || a.lidars == b.lidars) && a.cameras == b.cameras &&
+         a.height_px == b.height_px && a.width_px == b.width_px && a.imu_samples == b.imu_samples &&
+         a.min_range_m == b.min_range_m && a.max_range_m == b.max_range_m;
 }
 
 void require(bool is_fine, const std::string& problem) {
@@ -86,6 +87,26 @@ void check_numbers(const EnvSpec& spec) {
           "the points of a trajectory must be from 1 to 1000");
   require(spec.action.horizon_s >= 0.01 && spec.action.horizon_s <= 60.0,
           "the horizon of a trajectory must be from 0.01 to 60 s");
+}
+
+/// That the sensor has what is observed.
+void check_sensor(const EnvSpec& spec, const ViewShape& shape) {
+  const std::uint32_t images = AB_INPUT_DEPTH | AB_INPUT_STEREO | AB_INPUT_COLOR;
+  require((spec.needs & images) == 0 || shape.cameras > 0,
+          "depth, stereo and color are of cameras, and the sensor has none: observe ranges or "
+          "points of its lidars");
+  require((spec.needs & AB_INPUT_POINTS) == 0 || !shape.lidars.empty(),
+          "points and ranges are of lidars, and the sensor has none: take one as in sensor: "
+          "{preset: d435_like, lidars: [velodyne_16]}");
+  const bool is_inverse = spec.depth == DepthEncoding::inverse;
+  require(
+      (spec.needs & AB_INPUT_DEPTH) == 0 || !is_inverse || shape.min_range_m > 0.0,
+      "inverse depth is a share of the sensor's min_range_m, which is 0: set it, or take metric "
+      "depth");
+  require(
+      !spec.sees_ranges || !is_inverse || shape.widest_lidar.min_range_m > 0.0,
+      "inverse ranges are a share of the lidars' min_range_m, which is 0: set it, or take metric "
+      "depth");
 }
 
 }  // namespace
@@ -128,11 +149,7 @@ VectorEnv::Internals::Internals(const EnvSpec& env_spec)
   shape = view_shape(first);
   limits = action_limits(spec.action, first.vehicle);
   step_s = 1.0 / first.rates.plan_hz;
-  require(
-      (spec.needs & AB_INPUT_DEPTH) == 0 || spec.depth != DepthEncoding::inverse ||
-          shape.min_range_m > 0.0,
-      "inverse depth is a share of the sensor's min_range_m, which is 0: set it, or take metric "
-      "depth");
+  check_sensor(spec, shape);
   const TrialSpec* seen = nullptr;
   for (const PlannedTrial& trial : source.trials()) {
     const TrialSpec& setting = *trial.setting;
@@ -142,9 +159,11 @@ VectorEnv::Internals::Internals(const EnvSpec& env_spec)
     require(!is_measured(setting.latency),
             "latency.mode: measured and replay mean nothing to who steps flights; take fixed or "
             "zero");
-    require(are_alike(view_shape(setting), shape) && setting.rates.plan_hz == first.rates.plan_hz,
-            "an axis of the sweep changes the cameras, the IMU's rate or rates.plan_hz: "
-            "observations need one shape");
+    require(
+        are_alike(view_shape(setting), shape, spec.needs) &&
+            setting.rates.plan_hz == first.rates.plan_hz,
+        "an axis of the sweep changes the cameras, the lidars, the IMU's rate or rates.plan_hz: "
+        "observations need one shape");
     const ActionLimits own = action_limits(spec.action, setting.vehicle);
     require(own.lowest == limits.lowest && own.highest == limits.highest,
             "an axis of the sweep changes the vehicle's limits: actions need one range");

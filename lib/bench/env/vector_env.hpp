@@ -48,8 +48,8 @@ using EnvPoll = std::function<void()>;
 class VectorEnv {
  public:
   /// Throws InputError for a spec that can't be stepped: a measured latency, axes by which
-  /// observations or actions change their size or meaning, cameras of different sizes, a number out
-  /// of range.
+  /// observations or actions change their size or meaning, cameras of different sizes, images of a
+  /// sensor without cameras or points of one without lidars, a number out of range.
   explicit VectorEnv(const EnvSpec& spec);
   ~VectorEnv();
   VectorEnv(const VectorEnv&) = delete;

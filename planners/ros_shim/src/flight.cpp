@@ -37,6 +37,16 @@ Given given_of(const ab_setup& setup, const ab_mission& mission) {
     given.camera_y_m = camera->position_body_m[1];
     given.camera_z_m = camera->position_body_m[2];
   }
+  // Hosts of before these were there say nothing of lidars.
+  if (setup.struct_size >= sizeof(ab_setup) && setup.lidar_count > 0) {
+    const ab_lidar& lidar = *setup.lidars[0];
+    given.lidar_rate_hz = lidar.rate_hz;
+    given.lidar_min_range_m = lidar.min_range_m;
+    given.lidar_max_range_m = lidar.max_range_m;
+    given.lidar_x_m = lidar.position_body_m[0];
+    given.lidar_y_m = lidar.position_body_m[1];
+    given.lidar_z_m = lidar.position_body_m[2];
+  }
   given.start_x_m = mission.start_world_m[0];
   given.start_y_m = mission.start_world_m[1];
   given.start_z_m = mission.start_world_m[2];

@@ -13,6 +13,7 @@ namespace ros_shim {
 /// Observations to topics.
 class Observations {
  public:
+  /// Throws std::runtime_error where a topic is of a lidar or a camera that the sensor lacks.
   Observations(const PlannerSpec& spec, const ab_setup& setup, const ab_mission& mission);
   /// Publishes what is seen, at the present time; IMU samples and earlier states at theirs, for
   /// which it lets the nodes go on. `start`: no observation yet, the vehicle hovers at the
@@ -27,15 +28,17 @@ class Observations {
   void publish_state(const ab_state& state, StateTopics which);
   void publish_depth(const ab_depth_image& image);
   void publish_cloud(const ab_depth_image& image, std::size_t index);
+  void publish_sweep(const ab_cloud& sweep);
   void publish_picture(const ab_picture& picture, int eye);
   void publish_goals();
 
   const PlannerSpec* spec_;
   ab_mission mission_;
   std::vector<ab_camera> cameras_;
+  std::vector<ab_lidar> lidars_;
   ros::NodeHandle host_;
   std::vector<ros::Publisher> odometry_, poses_, twists_, imu_, camera_poses_, depth_, depth_info_,
-      clouds_, pictures_, picture_info_, goals_;
+      clouds_, sweeps_, pictures_, picture_info_, goals_;
   std::vector<std::int64_t> goal_due_ns_;
   avoidbench::CurrentGoal goal_;
   std::uint32_t sequence_ = 0;

@@ -117,11 +117,16 @@ class OwnSetup {
     for (std::uint32_t i = 0; i < setup_.camera_count; ++i) {
       cameras_.push_back(known_part(*setup_.cameras[i]));
     }
+    for (std::uint32_t i = 0; i < setup_.lidar_count; ++i) {
+      lidars_.push_back(known_part(*setup_.lidars[i]));
+    }
     for (const ab_value& value : values_) value_pointers_.push_back(&value);
     for (const ab_camera& camera : cameras_) camera_pointers_.push_back(&camera);
+    for (const ab_lidar& lidar : lidars_) lidar_pointers_.push_back(&lidar);
     setup_.values = value_pointers_.data();
     setup_.cameras = camera_pointers_.data();
     setup_.camera_count = static_cast<std::uint32_t>(cameras_.size());
+    setup_.lidars = lidar_pointers_.data();
     setup_.depth_camera = cameras_.empty() ? nullptr : cameras_.data();
   }
   OwnSetup(const OwnSetup&) = delete;
@@ -133,8 +138,10 @@ class OwnSetup {
   std::vector<ab_value> values_;
   std::vector<std::string> texts_;
   std::vector<ab_camera> cameras_;
+  std::vector<ab_lidar> lidars_;
   std::vector<const ab_value*> value_pointers_;
   std::vector<const ab_camera*> camera_pointers_;
+  std::vector<const ab_lidar*> lidar_pointers_;
 };
 
 class Instance {

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <initializer_list>
 #include <limits>
+#include <stdexcept>
 
 #include "avoidbench/planner.hpp"
 #include "avoidbench/portable_math.hpp"
@@ -101,21 +103,60 @@ sensor_msgs::Image depth_message(const ab_depth_image& image, const DepthTopic& 
   return message;
 }
 
-sensor_msgs::PointCloud2 empty_cloud() {
+/// Without points; a point's fields are float32 and follow one another.
+sensor_msgs::PointCloud2 empty_cloud(std::initializer_list<const char*> names) {
   sensor_msgs::PointCloud2 cloud;
-  const char* const names[] = {"x", "y", "z"};
-  for (std::uint32_t i = 0; i < 3; ++i) {
+  for (const char* name : names) {
     sensor_msgs::PointField field;
-    field.name = names[i];
-    field.offset = 4 * i;
+    field.name = name;
+    field.offset = cloud.point_step;
     field.datatype = sensor_msgs::PointField::FLOAT32;
     field.count = 1;
     cloud.fields.push_back(field);
+    cloud.point_step += 4;
   }
   cloud.height = 1;
-  cloud.point_step = 12;
   cloud.is_dense = 1;
   return cloud;
+}
+
+/// Where a point of a sweep lies, m.
+avoidbench::Vec3 place_of(const ab_lidar_point& point, const ab_cloud& sweep, const ab_lidar& lidar,
+                          PointsIn points_in) {
+  if (points_in == PointsIn::world) return avoidbench::point_in_world(sweep, point);
+  const avoidbench::Vec3 place{static_cast<double>(point.position_lidar_m[0]),
+                               static_cast<double>(point.position_lidar_m[1]),
+                               static_cast<double>(point.position_lidar_m[2])};
+  if (points_in == PointsIn::lidar) return place;
+  const avoidbench::Vec3 turned = avoidbench::rotated(lidar.q_body_lidar, place);
+  return {turned[0] + lidar.position_body_m[0], turned[1] + lidar.position_body_m[1],
+          turned[2] + lidar.position_body_m[2]};
+}
+
+[[noreturn]] void fail_topic(const std::string& topic, const std::string& problem) {
+  throw std::runtime_error("publish: " + topic + ": " + problem);
+}
+
+/// A host refuses a sensor of which the nodes see nothing. What it lets pass is one that has either
+/// cameras or lidars, where a file publishes of both: nodes would wait in silence.
+void require_sensors(const PlannerSpec& spec, const std::vector<ab_camera>& cameras,
+                     const std::vector<ab_lidar>& lidars) {
+  const auto require_cameras = [&cameras](const auto& topics) {
+    if (!topics.empty() && cameras.empty()) {
+      fail_topic(topics.front().topic, "is of a camera, and the sensor has none");
+    }
+  };
+  require_cameras(spec.camera_poses);
+  require_cameras(spec.depth);
+  require_cameras(spec.clouds);
+  require_cameras(spec.pictures);
+  for (const SweepTopic& one : spec.sweeps) {
+    if (one.lidar < lidars.size()) continue;
+    fail_topic(one.topic, lidars.empty() ? "is of a lidar, and the sensor has none"
+                                         : "there is no lidar " + std::to_string(one.lidar) +
+                                               ": the sensor has " + std::to_string(lidars.size()) +
+                                               ", counted from 0");
+  }
 }
 
 }  // namespace
@@ -126,6 +167,11 @@ Observations::Observations(const PlannerSpec& spec, const ab_setup& setup,
                            const ab_mission& mission)
     : spec_(&spec), mission_(mission) {
   for (std::uint32_t i = 0; i < setup.camera_count; ++i) cameras_.push_back(*setup.cameras[i]);
+  // Hosts that know of points know of lidars.
+  for (std::uint32_t i = 0; !spec.sweeps.empty() && i < setup.lidar_count; ++i) {
+    lidars_.push_back(*setup.lidars[i]);
+  }
+  require_sensors(spec, cameras_, lidars_);
   odometry_ = advertised<nav_msgs::Odometry>(host_, spec.odometry);
   poses_ = advertised<geometry_msgs::PoseStamped>(host_, spec.poses);
   twists_ = advertised<geometry_msgs::TwistStamped>(host_, spec.twists);
@@ -133,6 +179,7 @@ Observations::Observations(const PlannerSpec& spec, const ab_setup& setup,
   depth_ = advertised<sensor_msgs::Image>(host_, spec.depth);
   pictures_ = advertised<sensor_msgs::Image>(host_, spec.pictures);
   clouds_ = advertised<sensor_msgs::PointCloud2>(host_, spec.clouds);
+  sweeps_ = advertised<sensor_msgs::PointCloud2>(host_, spec.sweeps);
   const auto add_info = [this](const std::string& topic, std::vector<ros::Publisher>& to) {
     to.push_back(topic.empty() ? ros::Publisher()
                                : host_.advertise<sensor_msgs::CameraInfo>(topic, 1));
@@ -218,6 +265,9 @@ void Observations::publish(const ab_observation& seen, std::int64_t to_ns) {
     publish_picture(*seen.stereo[i]->right, 1);
   }
   for (std::uint32_t i = seen.color_count; i-- > 0;) publish_picture(*seen.color[i], 2);
+  if (!sweeps_.empty()) {
+    for (std::uint32_t i = seen.cloud_count; i-- > 0;) publish_sweep(*seen.clouds[i]);
+  }
   // Another goal, or one that has moved, is sent at once.
   if (goal_.update(seen)) goal_due_ns_.assign(goals_.size(), 0);
   publish_goals();
@@ -304,7 +354,7 @@ void Observations::publish_depth(const ab_depth_image& image) {
 
 void Observations::publish_cloud(const ab_depth_image& image, std::size_t index) {
   const CloudTopic& topic = spec_->clouds[index];
-  sensor_msgs::PointCloud2 cloud = empty_cloud();
+  sensor_msgs::PointCloud2 cloud = empty_cloud({"x", "y", "z"});
   cloud.header = header_of(sequence_, image.time_s, topic.frame);
   for (int row = 0; row < image.height_px; row += topic.stride_px) {
     for (int column = 0; column < image.width_px; column += topic.stride_px) {
@@ -323,6 +373,29 @@ void Observations::publish_cloud(const ab_depth_image& image, std::size_t index)
   cloud.width = static_cast<std::uint32_t>(cloud.data.size() / 12);
   cloud.row_step = static_cast<std::uint32_t>(cloud.data.size());
   clouds_[index].publish(cloud);
+}
+
+void Observations::publish_sweep(const ab_cloud& sweep) {
+  for (std::size_t k = 0; k < sweeps_.size(); ++k) {
+    const SweepTopic& topic = spec_->sweeps[k];
+    if (topic.lidar != sweep.lidar) continue;
+    const ab_lidar& lidar = lidars_[sweep.lidar];
+    sensor_msgs::PointCloud2 cloud = empty_cloud({"x", "y", "z", "intensity", "time"});
+    cloud.header = header_of(sequence_, sweep.time_s, topic.frame);
+    cloud.width = sweep.point_count;
+    cloud.row_step = cloud.point_step * cloud.width;
+    cloud.data.resize(cloud.row_step);
+    std::size_t at = 0;
+    for (std::uint32_t i = 0; i < sweep.point_count; ++i) {
+      const ab_lidar_point& point = sweep.points[i];
+      for (const double number : place_of(point, sweep, lidar, topic.points_in)) {
+        put_pixel(cloud.data, at++, static_cast<float>(number));
+      }
+      put_pixel(cloud.data, at++, point.intensity);
+      put_pixel(cloud.data, at++, point.time_s);
+    }
+    sweeps_[k].publish(cloud);
+  }
 }
 
 void Observations::publish_picture(const ab_picture& picture, int eye) {

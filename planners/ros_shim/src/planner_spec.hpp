@@ -22,6 +22,8 @@ struct Given {
   double width_px = 0.0, height_px = 0.0, fx_px = 0.0, fy_px = 0.0, cx_px = 0.0, cy_px = 0.0;
   double camera_rate_hz = 0.0, min_range_m = 0.0, max_range_m = 0.0, baseline_m = 0.0;
   double camera_x_m = 0.0, camera_y_m = 0.0, camera_z_m = 0.0;
+  double lidar_rate_hz = 0.0, lidar_min_range_m = 0.0, lidar_max_range_m = 0.0;  ///< the first one
+  double lidar_x_m = 0.0, lidar_y_m = 0.0, lidar_z_m = 0.0;
   double start_x_m = 0.0, start_y_m = 0.0, start_z_m = 0.0, start_yaw_rad = 0.0;
   double goal_x_m = 0.0, goal_y_m = 0.0, goal_z_m = 0.0, goal_radius_m = 0.0;
   double lowest_x_m = 0.0, lowest_y_m = 0.0, lowest_z_m = 0.0;  ///< the map's box
@@ -59,6 +61,15 @@ struct CloudTopic {
   int stride_px = 1;
   std::uint32_t camera = 0;
 };
+/// Whose coordinates points have. Body and lidar are those of the sweep's end, of a lidar that does
+/// not de-skew those of each point's own time.
+enum class PointsIn { world, body, lidar };
+/// Sweeps of a lidar.
+struct SweepTopic {
+  std::string topic, frame;
+  PointsIn points_in = PointsIn::world;
+  std::uint32_t lidar = 0;
+};
 struct PictureTopic {
   std::string topic, frame, info_topic;
   int eye = 0;  ///< 0: left, 1: right, 2: colour
@@ -87,6 +98,7 @@ struct PlannerSpec {
   std::vector<CameraPoseTopic> camera_poses;
   std::vector<DepthTopic> depth;
   std::vector<CloudTopic> clouds;
+  std::vector<SweepTopic> sweeps;
   std::vector<PictureTopic> pictures;
   std::vector<GoalTopic> goals;
   CommandForm command;

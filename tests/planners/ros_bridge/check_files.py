@@ -21,7 +21,7 @@ import numpy as np  # noqa: E402
 
 bridge = pathlib.Path(sys.argv[1])
 sys.path.insert(0, str(bridge))
-from avoidbench.planner import Acceleration, Camera, Mission, Position, Rates, Setup, Trajectory, Velocity  # noqa: E402
+from avoidbench.planner import Acceleration, Camera, Lidar, Mission, Position, Rates, Setup, Trajectory, Velocity  # noqa: E402
 from commands import Commands, SetPoint  # noqa: E402
 from live_file import LiveFile, Problem, evaluated, given_by  # noqa: E402
 
@@ -30,7 +30,7 @@ GOOD = """nodes:
   - name: one
     run: ./node.py
     params: {gain: "${2 * max_speed_mps}", far: "${goal_x_m - start_x_m}", f: "${fx_px / 2}", deep: {list: [1, "${round(2.5)}"]},
-             most: "${floor(1e308 * 10)}"}
+             most: "${floor(1e308 * 10)}", above: "${lidar_z_m}", sees: "${lidar_max_range_m}"}
 publish:
   odometry: {topic: /odom}
 command: {topic: /cmd, type: geometry_msgs/Twist}
@@ -83,12 +83,14 @@ def files(folder):
     )
     expect("files", file.decisive_files() == ["node.py"], file.decisive_files())
     camera = Camera(160, 120, 100.0, 100.0, 80.0, 60.0, np.zeros(3), np.array([1.0, 0, 0, 0]), 30.0, 0.3, 20.0, 0.1)
-    setup = Setup({}, 3.0, 5.0, 1.5, np.array([0.4, 0.4, 0.2]), 0.3, 0.05, 9.81, (camera,))
+    lidar = Lidar(True, np.array([0.0, 0.0, 0.1]), np.array([1.0, 0, 0, 0]), 10.0, 0.5, 100.0, -0.3, 0.3, 28800)
+    setup = Setup({}, 3.0, 5.0, 1.5, np.array([0.4, 0.4, 0.2]), 0.3, 0.05, 9.81, (camera,), (lidar,))
     goal = np.array([11.0, 2.0, 2.0])
     mission = Mission(7, np.array([1.0, 2.0, 2.0]), 0.0, goal, 1.0, 60.0, np.zeros(3), np.ones(3), 0.033, goal[None])
     given = given_by(setup, mission)
     values = {name: evaluated(value, given, []) for name, value in file.leaves}
     wanted = {"/one/gain": 6.0, "/one/far": 10.0, "/one/f": 50.0, "/one/deep/list": [1, 3.0], "/one/most": math.inf}
+    wanted |= {"/one/above": 0.1, "/one/sees": 100.0}
     expect("values", values == wanted and all(type(one) in (float, list) for one in values.values()), values)
     shutil.copytree(bridge / "example", folder / "example")
     example = LiveFile(folder / "example/topics.yaml")

@@ -130,8 +130,12 @@ def is_right(topic, m):
     if isinstance(m, Image):
         return m.step == m.width * BYTES[m.encoding] and len(m.data) == m.step * m.height and m.encoding in topic
     if isinstance(m, PointCloud2):
-        points = np.frombuffer(m.data, "<f4").reshape(-1, 3)
-        return len(points) == m.width and np.isfinite(points).all() and (abs(points) < 100).all()
+        points = np.frombuffer(m.data, "<f4").reshape(-1, 3 if topic == "/cloud" else 5)
+        is_whole = len(points) == m.width and np.isfinite(points).all() and (abs(points) < 150).all()
+        if topic == "/cloud":
+            return is_whole
+        times = points[:, 4]
+        return is_whole and m.header.frame_id in topic and m.width > 500 and -0.1 <= times.min() <= times.max() <= 0.0
     if isinstance(m, CameraInfo):
         return m.width == 96 and m.K[0] > 0 and (m.P[3] < 0) == (topic == "/right_info")
     if isinstance(m, Imu):
@@ -164,7 +168,8 @@ def take(m, topic):
 
 
 TOPICS = {{"/odom": Odometry, "/pose": PoseStamped, "/twist": TwistStamped, "/imu": Imu, "/depth_16UC1": Image, "/depth_32FC1": Image,
-          "/depth_info": CameraInfo, "/cloud": PointCloud2, "/camera_pose": PoseStamped, "/camera_odom": Odometry,
+          "/depth_info": CameraInfo, "/cloud": PointCloud2, "/points_in_world": PointCloud2,
+          "/points_of_velodyne": PointCloud2, "/camera_pose": PoseStamped, "/camera_odom": Odometry,
           "/camera_transform": TransformStamped, "/left_mono8": Image, "/right_mono8": Image, "/right_info": CameraInfo,
           "/color_rgb8": Image, "/goal_path": Path, "/goal_pose": Pose, "/goal_point": PointStamped, "/goal": PoseStamped}}
 rospy.init_node("listener")
@@ -182,7 +187,8 @@ publish:
   twist: {topic: /twist}
   imu: {topic: /imu}
   depth: [{topic: /depth_16UC1, encoding: 16UC1}, {topic: /depth_32FC1, info: /depth_info}]
-  cloud: {topic: /cloud, stride_px: 3}
+  cloud: [{topic: /cloud, stride_px: 3}, {topic: /points_in_world, lidar: 0},
+          {topic: /points_of_velodyne, lidar: 0, points_in: lidar, frame: velodyne}]
   camera_pose: [{topic: /camera_pose}, {topic: /camera_odom, type: nav_msgs/Odometry},
                 {topic: /camera_transform, type: geometry_msgs/TransformStamped}]
   left: {topic: /left_mono8}
@@ -307,7 +313,9 @@ def reach(runs):
 
 def heard(runs):
     found, _ = runs.flies(
-        "heard", [("all", runs.write("all_topics.yaml", ALL_TOPICS))], sensor="stereo_sgm, width_px: 96, height_px: 72"
+        "heard",
+        [("all", runs.write("all_topics.yaml", ALL_TOPICS))],
+        sensor="stereo_sgm, width_px: 96, height_px: 72, lidars: [{preset: velodyne_16, columns: 360}]",
     )
     runs.expect("all that can be published is heard, and a trajectory flown", have_flown(found, 1), found)
     runs.expect_no_trace("after it")
@@ -321,11 +329,13 @@ def outcomes(runs):
         "silent": ("timed_out", ""),
         "unsaid": ("planner_error", "nobody publishes /cmd_velo (geometry_msgs/TwistStamped); there is /cmd_vel"),
         "unheard": ("planner_error", "nobody subscribes to /imu"),
+        "blind": ("planner_error", "blind_topics.yaml:8:18: /points is of a lidar, and the sensor has none"),
         "stranger": ("planner_error", "there is no Python class of own_msgs/Twist"),
     }
     changes = {
         "unsaid": ("/cmd_vel", "/cmd_velo"),
         "unheard": ("  goal:", "  imu: {topic: /imu}\n  goal:"),
+        "blind": ("  goal:", "  depth: {topic: /depth}\n  cloud: {topic: /points, lidar: 0}\n  goal:"),
         "stranger": ("geometry_msgs/TwistStamped", "own_msgs/Twist"),
     }
     planners = []

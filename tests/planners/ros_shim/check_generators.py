@@ -77,6 +77,20 @@ BAD_TOPICS = {
     ("publish:", "publis:"): '4:1: there is no "publis" here; did you mean publish?',
     ("nodes:", "lead_s: soon\nnodes:"): '1:9: "soon" is no number',
     ("  odometry: {topic: /odom}", "  odometry: {topic: /odom"): "6:",
+    ("  odometry: {topic: /odom}", "  cloud: {topic: /p, lidar: -1}"): "5:29: -1 is not from 0 to ",
+    ("  odometry: {topic: /odom}", "  cloud: {topic: /p, lidar: top}"): '5:29: "top" is no number',
+    (
+        "  odometry: {topic: /odom}",
+        "  cloud: {topic: /p, lidar: 0, points_in: map}",
+    ): '5:43: "map" is none of world, body, lidar',
+    (
+        "  odometry: {topic: /odom}",
+        "  cloud: {topic: /p, points_in: body}",
+    ): "5:33: points_in is of a lidar's cloud: lidar: N says of which one",
+    (
+        "  odometry: {topic: /odom}",
+        "  cloud: {topic: /p, lidar: 0, stride_px: 2}",
+    ): "5:43: stride_px is of a depth image's cloud, and this one is a lidar's",
     ("command: {topic: /cmd,", "command: {ahead: 1, topic: /cmd,"): '6:11: there is no "ahead" here',
 }
 PARAMETER = "parameters: [{name: a, default: %s, lowest: %s, highest: 9, doc: d}]\nnodes:"
@@ -175,6 +189,23 @@ with tempfile.TemporaryDirectory() as name:
     run("make_planner.py", *words)
     made = (folder / "made/good_planner.cpp").read_text()
     expect("all states", "AB_INPUT_STATES" in made and '"/odom", "world", "body", false, true' in made, made)
+    expect("no points where none are published", "AB_INPUT_POINTS" not in made, made)
+    clouds = "cloud: [{topic: /a, lidar: 1, frame: velodyne, points_in: lidar}, {topic: /b, lidar: 0}]"
+    topics.write_text(GOOD_TOPICS.replace("odometry: {topic: /odom}", clouds))
+    code, said, _ = run("make_planner.py", *words)
+    made = (folder / "made/good_planner.cpp").read_text()
+    expect("clouds of lidars", code == 0, said)
+    expect("points are all that is seen beside the state", "AB_INPUT_POINTS | AB_INPUT_STATE, " in made, made)
+    for line in (
+        'spec.sweeps.push_back({"/a", "velodyne", PointsIn::lidar, 1});',
+        'spec.sweeps.push_back({"/b", "world", PointsIn::world, 0});',
+    ):
+        expect(line, line in made, made)
+    topics.write_text(GOOD_TOPICS.replace("odometry: {topic: /odom}", "cloud: {topic: /a, stride_px: 2}"))
+    run("make_planner.py", *words)
+    made = (folder / "made/good_planner.cpp").read_text()
+    expect("a cloud of a depth image", "AB_INPUT_DEPTH | AB_INPUT_STATE, " in made, made)
+    expect("is none of a lidar", 'spec.clouds.push_back({"/a", "world", 2, 0});' in made, made)
     source.write_text("int Main() {}  // int main(int argc, char** argv)\n")
     code, said, _ = run("make_planner.py", *words)
     expect("a source without main()", code == 1 and "has no int main(" in said, said)
