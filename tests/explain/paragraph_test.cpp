@@ -42,6 +42,20 @@ TEST(Paragraph, SaysWhatWasMeasuredAndNothingElse) {
   EXPECT_EQ(decisive_s({.cause = Cause::gave_up, .facts = {}}, 4.0), 4.0);
 }
 
+TEST(Paragraph, NamesWhatThePlannerWasShown) {
+  CauseFound found{.cause = Cause::sensed_not_avoided, .facts = {}};
+  found.facts.contact_s = 4.0;
+  found.facts.depth_image_count = 30.0;
+  found.facts.sensed_image_count = 9.0;
+  for (const auto& [sweeps, words] : {std::pair(0.0, "Of 30 depth images 9 showed it"),
+                                      std::pair(30.0, "Of 30 sweeps 9 showed it"),
+                                      std::pair(10.0, "Of 30 depth images and sweeps 9")}) {
+    found.facts.sweep_count = sweeps;
+    const std::string text = paragraph(found, Outcome::collided, "touched tree 3");
+    EXPECT_NE(text.find(words), std::string::npos) << text;
+  }
+}
+
 TEST(Paragraph, OfATimeOutSaysHowItWent) {
   CauseFound found{.cause = Cause::trap, .facts = {}};
   found.facts.flown_m = 30.0;

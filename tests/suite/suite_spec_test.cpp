@@ -135,7 +135,7 @@ TEST(SuiteSpec, TakesTheRightKeyOnly) {
 TEST(SuiteSpec, TheBuiltInSuiteIsTheAnnouncedOne) {
   const std::map<std::string, std::string> announced = {
       {"depth", "927050e2a28a9196a6cd3ce87ab856de737e8ce903a6d9fb799573009650eafb"},
-      {"dynamic", "386d07a1140fa8fafca60f01a0f055a3b88fb3676202e71d3caad0f287336439"},
+      {"dynamic", "d9a6791e389839f4de4eee4a5dfc782c5cde72dbe011534da5e89da2d86bc98f"},
       {"lidar", "722218fabcb1caaeb28b9f153a10253f94c6431f106cd876ed3bc8b6029d02b5"},
       {"stereo", "9f40caeaf308b30d6a3fbc27cbac600c94d291ee3fb2978828d65522a865e4d9"}};
   for (const auto& [name, digest] : announced) {

@@ -87,7 +87,8 @@ struct Facts {
   double in_cone_s = kNone, unoccluded_s = kNone, in_range_s = kNone, sensed_s = kNone,
          mapped_s = kNone;
   double seen_way_m = kNone, seen_need_m = kNone;
-  double depth_image_count = kNone, sensed_image_count = kNone, longest_gap_s = kNone;
+  double depth_image_count = kNone, sweep_count = kNone;
+  double sensed_image_count = kNone, longest_gap_s = kNone;
   double lately_s = kNone, sensed_lately_count = kNone;
   double mapped_share = kNone;
   double no_plan_share = kNone;
@@ -129,7 +130,9 @@ void visit(Visitor& v, Spec& s) {
   v.field("mapped_s", s.mapped_s, "From when on the planner's map had it as occupied, s.");
   v.field("seen_way_m", s.seen_way_m, "Way left to the contact at in_range_s, m.");
   v.field("seen_need_m", s.seen_need_m, "Way that reacting and braking needed then, m.");
-  v.field("depth_image_count", s.depth_image_count, "Depth images that the planner was shown.");
+  v.field("depth_image_count", s.depth_image_count,
+          "Depth images and sweeps of lidars that the planner was shown.");
+  v.field("sweep_count", s.sweep_count, "The sweeps among them.");
   v.field("sensed_image_count", s.sensed_image_count, "Those that showed it at its depth.");
   v.field("longest_gap_s", s.longest_gap_s, "Longest time between two of these, s.");
   v.field("lately_s", s.lately_s,

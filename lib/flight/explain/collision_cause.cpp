@@ -126,6 +126,7 @@ void add_sight(const FailedFlight& flight, const StruckPatch& patch, const Fligh
 void add_knowledge(const FlightWatch& watch, Facts& facts) {
   const std::vector<double>& sensed = watch.sensed_s();
   facts.depth_image_count = static_cast<double>(watch.depth_image_count());
+  facts.sweep_count = static_cast<double>(watch.sweep_count());
   facts.sensed_image_count = static_cast<double>(sensed.size());
   if (sensed.size() >= kEnoughImages) facts.sensed_s = sensed[kEnoughImages - 1];
   for (std::size_t i = 1; i < sensed.size(); ++i) {

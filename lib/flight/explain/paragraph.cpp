@@ -15,6 +15,12 @@ std::string percent(double share) { return fixed_digits(100.0 * share, 0) + " %"
 /// "from 3.20 s on", or "never".
 std::string since(double s) { return std::isnan(s) ? "never" : "from " + at_s(s) + " on"; }
 
+/// What the planner was shown.
+std::string views(const Facts& f) {
+  if (!(f.sweep_count > 0.0)) return "depth images";
+  return f.sweep_count == f.depth_image_count ? "sweeps" : "depth images and sweeps";
+}
+
 std::string sight_sentences(const Facts& f) {
   std::string text = "What it struck was in the field of view " + since(f.in_cone_s) +
                      ", unoccluded " + since(f.unoccluded_s) + ", and in range " +
@@ -25,9 +31,9 @@ std::string sight_sentences(const Facts& f) {
   }
   text += ". ";
   if (f.depth_image_count == 0.0) {
-    text += "The planner was shown no depth image. ";
+    text += "The planner was shown neither depth nor sweeps. ";
   } else if (!std::isnan(f.depth_image_count)) {
-    text += "Of " + fixed_digits(f.depth_image_count, 0) + " depth images " +
+    text += "Of " + fixed_digits(f.depth_image_count, 0) + " " + views(f) + " " +
             fixed_digits(f.sensed_image_count, 0) + " showed it at its depth" +
             (std::isnan(f.sensed_s) ? "" : ", three of them by " + at_s(f.sensed_s)) +
             (std::isnan(f.longest_gap_s) ? "" : ", with gaps of up to " + at_s(f.longest_gap_s)) +

@@ -74,12 +74,14 @@ void sketch_vehicle(const Vector3d& body_m, const Pose& T_world_body, Sketch& sk
               kFilmBody, 5);
 }
 
-Picture seen_picture(const Moment& moment, double shown_m) {
+Picture seen_picture(const Moment& moment, const SensorSpec& sensor) {
   for (const SeenImage& image : moment.images) {
-    if (!image.depth_m.empty() || !image.bytes.empty()) return image_picture(image, shown_m);
+    if (!image.depth_m.empty() || !image.bytes.empty())
+      return image_picture(image, sensor.max_range_m);
   }
   Picture none = make_picture(320, 240);
-  draw_text(none, "it sees no image", 90, 120, kWhite);
+  const bool has_lidar = !sensor.lidars.empty();
+  draw_text(none, has_lidar ? "points, see below" : "it sees no image", 90, 120, kWhite);
   return none;
 }
 
@@ -200,8 +202,8 @@ Picture Film::frame(std::size_t index) {
   Picture picture = make_picture(kFilmWidth_px, kFilmHeight_px);
   paste(chase(index), 0, 0, picture);
   if (moment != nullptr) {
-    Picture seen = resized(seen_picture(*moment, seen_sensor(stored_.spec).max_range_m),
-                           kSideWidth_px, seen_height_px_);
+    Picture seen =
+        resized(seen_picture(*moment, seen_sensor(stored_.spec)), kSideWidth_px, seen_height_px_);
     add_caption(seen, "what the planner saw");
     paste(seen, kChaseWidth_px, 0, picture);
   }
